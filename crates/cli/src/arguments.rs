@@ -1,0 +1,123 @@
+//! What may stand on the command line.
+
+use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
+use slideline::{Dialect, Onset};
+use std::path::PathBuf;
+
+/// Sliding contact of flexible and rigid bodies: runs Abaqus-style decks.
+#[derive(Debug, Parser)]
+#[command(name = "slideline", version, arg_required_else_help = true)]
+#[command(after_help = "Exit codes: 0 completed, 1 input error, 2 not converged, 3 internal error, \
+    4 results could not be written, 64 wrong command line, 130 interrupted.")]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Run every step of a deck and write the result files.
+    Run(RunArguments),
+    /// Read, check and explain a deck without solving it.
+    Check(CheckArguments),
+    /// Print the page of a diagnostic code or of a deck keyword.
+    Explain {
+        /// A code such as SL0601, or a keyword such as "SLIDE LINE".
+        #[arg(required = true, value_name = "CODE|KEYWORD")]
+        name: Vec<String>,
+    },
+    /// Print completions for a shell.
+    Completions {
+        /// The shell.
+        shell: clap_complete::Shell,
+    },
+}
+
+/// `slideline run`.
+#[derive(Args, Debug)]
+pub(crate) struct RunArguments {
+    #[command(flatten)]
+    pub deck: DeckArguments,
+    /// Folder of the result files, made if missing [default: beside the deck].
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub out: Option<PathBuf>,
+    /// Threads; results do not depend on their number.
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = threads)]
+    pub threads: usize,
+    /// Machine-readable progress: one JSON object a line on standard output.
+    #[arg(long)]
+    pub json: bool,
+    /// No progress; errors and warnings still go to standard error.
+    #[arg(long, short)]
+    pub quiet: bool,
+    /// Write no report (there is none yet).
+    #[arg(long, hide = true)]
+    pub no_html: bool,
+}
+
+/// `slideline check`.
+#[derive(Args, Debug)]
+pub(crate) struct CheckArguments {
+    #[command(flatten)]
+    pub deck: DeckArguments,
+    /// One JSON object a line on standard output.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// The deck and what overrides it.
+#[derive(Args, Debug)]
+pub(crate) struct DeckArguments {
+    /// The deck; the ending .inp may be left out.
+    #[arg(value_name = "JOB", value_hint = ValueHint::FilePath)]
+    pub job: PathBuf,
+    /// When friction is called after a change of contact [default: as the deck says].
+    #[arg(long, value_name = "RULE")]
+    friction_onset: Option<OnsetArgument>,
+    /// Whose reading counts where two programs differ [default: abaqus].
+    #[arg(long, value_name = "PROGRAM")]
+    dialect: Option<DialectArgument>,
+}
+
+impl DeckArguments {
+    /// As the library takes them.
+    pub fn options(&self) -> slideline::ReadOptions {
+        slideline::ReadOptions {
+            dialect: self.dialect.map(|dialect| match dialect {
+                DialectArgument::Abaqus => Dialect::Abaqus,
+                DialectArgument::Calculix => Dialect::Calculix,
+            }),
+            friction_onset: self.friction_onset.map(|onset| match onset {
+                OnsetArgument::Immediate => Onset::Immediate,
+                OnsetArgument::Delayed => Onset::Delayed,
+                OnsetArgument::Matfru => Onset::Matfru,
+            }),
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum OnsetArgument {
+    /// Whenever a point is closed.
+    Immediate,
+    /// Not in the increment in which a point closes.
+    Delayed,
+    /// The logic of subroutine MATFRU in 1995.
+    Matfru,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum DialectArgument {
+    /// Abaqus/Standard.
+    Abaqus,
+    /// CalculiX.
+    Calculix,
+}
+
+fn threads(text: &str) -> Result<usize, String> {
+    match text.parse() {
+        Ok(count @ 1..=1024) => Ok(count),
+        _ => Err("a whole number from 1 to 1024".to_owned()),
+    }
+}

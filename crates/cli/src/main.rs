@@ -1,0 +1,68 @@
+//! The command line of slideline.
+//!
+//! ```text
+//!   slideline run | check | explain | completions
+//!        |
+//!   standard output: progress or JSON      standard error: what is to be said
+//! ```
+
+mod arguments;
+mod check;
+mod exit;
+mod explain;
+mod interrupt;
+mod progress;
+mod render;
+mod run;
+mod screen;
+
+use arguments::{Arguments, Command};
+use clap::{CommandFactory as _, Parser as _};
+use exit::Exit;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    std::panic::set_hook(Box::new(|fault| screen::error(&internal_error(&fault.to_string()))));
+    catch_unwind(AssertUnwindSafe(command)).unwrap_or(Exit::Internal).into()
+}
+
+/// What a fault of ours says; nothing about it is the user's.
+fn internal_error(fault: &str) -> String {
+    format!(
+        "error[SL0901]: internal error: {}\n  = help: this is a fault of slideline {}, not of \
+         the deck; please report it together with the deck\n",
+        fault.replace('\n', ": "),
+        slideline::VERSION
+    )
+}
+
+fn command() -> Exit {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(answer) => return usage(&answer),
+    };
+    match arguments.command {
+        Command::Run(arguments) => run::run(&arguments),
+        Command::Check(arguments) => check::check(&arguments),
+        Command::Explain { name } => explain::explain(&name.join(" ")),
+        Command::Completions { shell } => {
+            let mut script = Vec::new();
+            clap_complete::generate(shell, &mut Arguments::command(), "slideline", &mut script);
+            screen::print(&String::from_utf8_lossy(&script));
+            Exit::Completed
+        }
+    }
+}
+
+/// `--help` and `--version` were asked for; everything else is a wrong
+/// command line.
+fn usage(answer: &clap::Error) -> Exit {
+    let _ = answer.print(); // a closed stream has nobody to be told
+    match answer.kind() {
+        clap::error::ErrorKind::DisplayHelp | clap::error::ErrorKind::DisplayVersion => {
+            Exit::Completed
+        }
+        _ => Exit::Usage,
+    }
+}

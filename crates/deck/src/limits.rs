@@ -1,0 +1,20 @@
+//! How much is read. Each limit has its own error; nothing is cut silently.
+
+/// Longest keyword or data line in bytes, line ending excluded.
+pub const MAX_LINE_BYTES: usize = 10_000;
+
+/// Most bytes of a deck, all included files together.
+pub const MAX_BYTES: usize = 256 << 20;
+
+/// Most values on one data line (Abaqus manual, input syntax rules).
+pub const MAX_VALUES_PER_LINE: usize = 16;
+
+/// Deepest nesting of `*INCLUDE`.
+pub const MAX_DEPTH: usize = 16;
+
+/// Most files of one deck, counted each time one is included.
+pub const MAX_FILES: usize = 1000;
+
+/// Most diagnostics of one kind of pass; the last one then says that more
+/// was found.
+pub const MAX_DIAGNOSTICS: usize = 1000;

@@ -1,0 +1,415 @@
+//! The reading itself: lines to cards, files in place of `*INCLUDE`.
+
+use slideline_diag::{Code, Diagnostic, FileId, Sources, Span};
+
+use crate::card::{Card, Comment, DataLine, Deck, FileLines, Line, LineKind, Parameter};
+use crate::include::{LoadError, Loader};
+use crate::limits::{
+    MAX_BYTES, MAX_DEPTH, MAX_DIAGNOSTICS, MAX_FILES, MAX_LINE_BYTES, MAX_VALUES_PER_LINE,
+};
+use crate::lines::{Look, RawLine, aligned, line_at, look, offset, strip};
+use crate::split::{Stretch, at_commas, fields, parameter, word};
+
+/// What reading a deck gives.
+#[derive(Clone, Debug)]
+pub struct Parsed {
+    /// The cards and lines, as complete as the text allows.
+    pub deck: Deck,
+    /// Everything there is to say about the syntax.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Reads a deck: any bytes, never failing, every error in one go.
+///
+/// `name` is the deck's name for messages and, for [`crate::FromDisk`], the
+/// path its includes are relative to. Texts are added to `sources`.
+pub fn parse(sources: &mut Sources, name: &str, bytes: &[u8], loader: &dyn Loader) -> Parsed {
+    let mut reader = Reader {
+        sources,
+        loader,
+        deck: Deck::default(),
+        diagnostics: Vec::new(),
+        open_files: Vec::new(),
+        total_bytes: 0,
+        owner: Owner::Nobody,
+    };
+    reader.file(name, bytes.to_vec());
+    let Reader { deck, mut diagnostics, .. } = reader;
+    if deck.cards.is_empty() && diagnostics.is_empty() {
+        let root = deck.files.first().map(|lines| Span::new(lines.file, 0, 0));
+        let empty = Diagnostic::error(Code("SL0101"), "the deck is empty: it has no keyword line");
+        diagnostics.push(empty.at(root).help("a deck begins with *HEADING or *NODE"));
+    }
+    Parsed { deck, diagnostics }
+}
+
+/// Whom data lines belong to.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Owner {
+    Nobody,
+    Card(usize),
+    /// A line already complained about; what follows it is passed over.
+    Skipped,
+}
+
+struct Reader<'a> {
+    sources: &'a mut Sources,
+    loader: &'a dyn Loader,
+    deck: Deck,
+    diagnostics: Vec<Diagnostic>,
+    open_files: Vec<String>,
+    total_bytes: usize,
+    owner: Owner,
+}
+
+/// One file while it is read.
+struct Page<'t> {
+    index: usize,
+    file: FileId,
+    text: &'t str,
+    broken: Vec<usize>,
+    noted_broken: bool,
+}
+
+impl<'t> Page<'t> {
+    fn stretch(&self, start: usize, end: usize) -> Stretch<'t> {
+        let part = strip(&self.text[start..end]);
+        Stretch { file: self.file, start: offset(self.text, part), text: part }
+    }
+
+    fn first_broken(&self, start: usize, end: usize) -> Option<Span> {
+        let first = self.broken.partition_point(|&at| at < start);
+        let run = self.broken[first..].iter().take_while(|&&at| at < end);
+        let begin = *self.broken.get(first).filter(|&&at| at < end)?;
+        let length = run.enumerate().take_while(|&(k, &at)| at == begin + k).count();
+        Some(Span::new(self.file, begin, begin + length))
+    }
+}
+
+impl Reader<'_> {
+    fn report(&mut self, diagnostic: Diagnostic) {
+        match self.diagnostics.len() {
+            count if count < MAX_DIAGNOSTICS => self.diagnostics.push(diagnostic),
+            MAX_DIAGNOSTICS => {
+                let text = format!("more than {MAX_DIAGNOSTICS} problems; the rest is not listed");
+                self.diagnostics.push(Diagnostic::error(Code("SL0115"), text).at(diagnostic.span));
+            }
+            _ => {}
+        }
+    }
+
+    fn file(&mut self, name: &str, bytes: Vec<u8>) {
+        let (text, broken) = aligned(&bytes);
+        let file = self.sources.add(name, text.clone());
+        let index = self.deck.files.len();
+        self.total_bytes += bytes.len();
+        self.deck.files.push(FileLines { file, bytes, lines: Vec::new() });
+        let mut page = Page { index, file, text: &text, broken, noted_broken: false };
+        if self.total_bytes > MAX_BYTES {
+            let whole = RawLine { start: 0, content_end: text.len(), end: text.len() };
+            self.keep(&page, whole, LineKind::Stray);
+            let message = format!("the deck is larger than {} MiB", MAX_BYTES >> 20);
+            self.report(Diagnostic::error(Code("SL0114"), message).at(Span::new(file, 0, 0)));
+            return;
+        }
+        self.open_files.push(name.to_owned());
+        let mut at = 0;
+        while at < text.len() {
+            at = self.line(&mut page, at);
+        }
+        self.open_files.pop();
+    }
+
+    fn keep(&mut self, page: &Page<'_>, line: RawLine, kind: LineKind) {
+        let span = Span::new(page.file, line.start, line.end);
+        if let Some(file) = self.deck.files.get_mut(page.index) {
+            file.lines.push(Line { span, kind });
+        }
+    }
+
+    /// Reads the line (or continued keyword line) at `at`; returns where the
+    /// next one begins.
+    fn line(&mut self, page: &mut Page<'_>, at: usize) -> usize {
+        let line = line_at(page.text, at);
+        let content = &page.text[line.start..line.content_end];
+        match look(content) {
+            Look::Blank => self.keep(page, line, LineKind::Blank),
+            Look::Comment => self.comment(page, line),
+            Look::Keyword | Look::Data if content.len() > MAX_LINE_BYTES => {
+                self.keep(page, line, LineKind::Stray);
+                if look(content) == Look::Keyword {
+                    self.owner = Owner::Skipped;
+                }
+                let message = format!("the line is longer than {MAX_LINE_BYTES} bytes");
+                let span = Span::new(page.file, line.start, line.content_end);
+                self.report(Diagnostic::error(Code("SL0112"), message).at(span));
+            }
+            Look::Keyword => return self.keyword(page, line),
+            Look::Data => self.data(page, line),
+        }
+        line.end
+    }
+
+    fn comment(&mut self, page: &mut Page<'_>, line: RawLine) {
+        self.keep(page, line, LineKind::Comment);
+        self.note_broken(page, line, "a comment");
+        let stretch = page.stretch(line.start, line.content_end);
+        let card = match self.owner {
+            Owner::Card(card) => Some(card),
+            _ => None,
+        };
+        let data_before = card.map_or(0, |card| self.deck.cards[card].data.len());
+        let text = stretch.text.to_owned();
+        self.deck.comments.push(Comment { text, span: stretch.span(), card, data_before });
+    }
+
+    /// Broken bytes where they do no harm: said once for each file.
+    fn note_broken(&mut self, page: &mut Page<'_>, line: RawLine, place: &str) {
+        if page.noted_broken {
+            return;
+        }
+        if let Some(span) = page.first_broken(line.start, line.end) {
+            page.noted_broken = true;
+            let message =
+                format!("{place} holds bytes that are not UTF-8; they are kept as they are");
+            self.report(Diagnostic::note(Code("SL0109"), message).at(span));
+        }
+    }
+
+    /// Bytes that have no place on a keyword or data line.
+    fn check_bytes(&mut self, page: &Page<'_>, start: usize, end: usize) {
+        if let Some(span) = page.first_broken(start, end) {
+            let error = Diagnostic::error(Code("SL0109"), "these bytes are not UTF-8 text");
+            self.report(error.at(span).help("save the deck as UTF-8, or write plain ASCII here"));
+        }
+        let content = &page.text[start..end];
+        let returns =
+            content.match_indices('\r').find(|&(at, _)| !content[at..].starts_with("\r\n"));
+        if let Some((at, _)) = returns {
+            let span = Span::new(page.file, start + at, start + at + 1);
+            let error = Diagnostic::error(Code("SL0111"), "a carriage return without a line feed");
+            self.report(error.at(span).help("save the deck with LF or CR LF line endings"));
+        }
+        let odd = |c: char| c.is_control() && !matches!(c, '\t' | '\r' | '\n');
+        if let Some((at, c)) = content.char_indices().find(|&(_, c)| odd(c)) {
+            let span = Span::new(page.file, start + at, start + at + c.len_utf8());
+            let message = format!("a control character (U+{:04X})", u32::from(c));
+            self.report(Diagnostic::error(Code("SL0110"), message).at(span));
+        }
+    }
+
+    fn data(&mut self, page: &mut Page<'_>, line: RawLine) {
+        let stretch = page.stretch(line.start, line.content_end);
+        let Owner::Card(card) = self.owner else {
+            self.keep(page, line, LineKind::Stray);
+            if self.owner == Owner::Nobody {
+                self.owner = Owner::Skipped;
+                let error = Diagnostic::error(Code("SL0102"), "data before the first keyword");
+                self.report(error.at(stretch.span()).help("every data line belongs to a keyword"));
+            }
+            return;
+        };
+        self.keep(page, line, LineKind::Data(card));
+        let (fields, open) = fields(stretch);
+        if is_text_card(&self.deck.cards[card]) {
+            self.note_broken(page, line, "a title");
+        } else {
+            self.check_bytes(page, line.start, line.content_end);
+            self.check_fields(&fields, open);
+        }
+        let text = stretch.text.to_owned();
+        self.deck.cards[card].data.push(DataLine { text, span: stretch.span(), fields });
+    }
+
+    fn check_fields(&mut self, fields: &[crate::Field], open: Option<Span>) {
+        self.check_quotation(open);
+        if let Some(first) = fields.get(MAX_VALUES_PER_LINE) {
+            let message = format!(
+                "{} values on one line; at most {MAX_VALUES_PER_LINE} are allowed",
+                fields.len()
+            );
+            let last = fields.last().map_or(first.span, |field| field.span);
+            let error = Diagnostic::error(Code("SL0113"), message).at(first.span.to(last));
+            self.report(error.help("continue on the next line"));
+        }
+    }
+
+    fn check_quotation(&mut self, open: Option<Span>) {
+        if let Some(span) = open {
+            let error = Diagnostic::error(Code("SL0103"), "this quotation is not closed");
+            self.report(error.at(span));
+        }
+    }
+
+    /// A keyword line with all its continuations.
+    fn keyword(&mut self, page: &mut Page<'_>, first: RawLine) -> usize {
+        let (lines, dangling) = continued(page.text, first);
+        let end = lines.last().map_or(first.content_end, |line| line.content_end);
+        let stretch = page.stretch(first.start, end);
+        self.check_bytes(page, first.start, end);
+        if dangling {
+            self.dangling_comma(stretch);
+        }
+        let kind = self.keyword_card(stretch);
+        for &line in &lines {
+            self.keep(page, line, kind);
+        }
+        let next = lines.last().map_or(first.end, |line| line.end);
+        if kind == LineKind::Include {
+            self.include();
+        }
+        next
+    }
+
+    fn dangling_comma(&mut self, stretch: Stretch<'_>) {
+        let end = stretch.span().end;
+        let comma = Span { start: end.saturating_sub(1), ..stretch.span() };
+        let message = "the keyword line ends in a comma, but no parameter follows";
+        let warning = Diagnostic::warning(Code("SL0108"), message).at(comma).edit(comma, "");
+        self.report(warning.help("take the comma away, or continue the keyword on the next line"));
+    }
+
+    /// Makes the card and says what its lines are. An `*INCLUDE` becomes the
+    /// last card for a moment; [`Reader::include`] takes it off again.
+    fn keyword_card(&mut self, stretch: Stretch<'_>) -> LineKind {
+        let inner = stretch.part(&stretch.text[1..]);
+        let (pieces, open) = at_commas(inner);
+        self.check_quotation(open);
+        let keyword = word(pieces.first().copied().unwrap_or(inner));
+        if keyword.name.is_empty() {
+            self.owner = Owner::Skipped;
+            let error = Diagnostic::error(Code("SL0104"), "a star without a keyword");
+            self.report(error.at(stretch.span()).help("a comment begins with two stars"));
+            return LineKind::Stray;
+        }
+        let parameters = self.parameters(&pieces[1..]);
+        let include = keyword.name == "INCLUDE";
+        let card = Card { keyword, parameters, data: Vec::new(), span: stretch.span() };
+        let number = self.deck.cards.len();
+        self.deck.cards.push(card);
+        if include {
+            return LineKind::Include;
+        }
+        self.owner = Owner::Card(number);
+        LineKind::Keyword(number)
+    }
+
+    fn parameters(&mut self, pieces: &[Stretch<'_>]) -> Vec<Parameter> {
+        let mut read: Vec<Parameter> = Vec::new();
+        for (k, piece) in pieces.iter().enumerate() {
+            if piece.text.is_empty() {
+                if k + 1 < pieces.len() {
+                    let text = "nothing between two commas of a keyword line";
+                    self.report(Diagnostic::warning(Code("SL0107"), text).at(piece.span()));
+                }
+                continue;
+            }
+            let new = parameter(*piece);
+            if new.value.as_ref().is_some_and(|value| value.raw.is_empty()) {
+                let message = format!("the parameter {} has no value", new.name.raw);
+                self.report(Diagnostic::error(Code("SL0105"), message).at(new.span()));
+            }
+            if let Some(old) = read.iter().find(|old| old.name.name == new.name.name) {
+                let message = format!("the parameter {} is given twice", new.name.raw);
+                let error = Diagnostic::error(Code("SL0106"), message).at(new.span());
+                let error = error.label(old.span(), "given here already");
+                self.report(error);
+                continue;
+            }
+            read.push(new);
+        }
+        read
+    }
+
+    /// Reads the file named by the `*INCLUDE` that was pushed last.
+    fn include(&mut self) {
+        let Some(card) = self.deck.cards.pop() else { return };
+        for parameter in card.parameters.iter().filter(|parameter| parameter.name.name != "INPUT") {
+            let message = format!("*INCLUDE has no parameter {}", parameter.name.raw);
+            self.report(Diagnostic::error(Code("SL0202"), message).at(parameter.name.span));
+        }
+        let input = card.parameter("INPUT").and_then(|parameter| parameter.value.clone());
+        let Some(input) = input else {
+            let error = Diagnostic::error(Code("SL0123"), "*INCLUDE does not name a file");
+            self.report(error.at(card.span).help("write *INCLUDE, INPUT=file.inp"));
+            return;
+        };
+        if self.open_files.len() > MAX_DEPTH {
+            let message = format!("files are included more than {MAX_DEPTH} deep");
+            self.report(Diagnostic::error(Code("SL0122"), message).at(input.span));
+            return;
+        }
+        if self.deck.files.len() >= MAX_FILES {
+            let message = format!("more than {MAX_FILES} files are included");
+            self.report(Diagnostic::error(Code("SL0122"), message).at(input.span));
+            return;
+        }
+        self.load(&input.raw, input.span);
+    }
+
+    fn load(&mut self, input: &str, span: Span) {
+        let including = self.open_files.last().cloned().unwrap_or_default();
+        let left = MAX_BYTES.saturating_sub(self.total_bytes);
+        match self.loader.load(&including, input, left) {
+            Ok(loaded) if self.open_files.contains(&loaded.name) => {
+                let message = format!("{} includes itself", loaded.name);
+                self.report(Diagnostic::error(Code("SL0121"), message).at(span));
+            }
+            Ok(loaded) => self.file(&loaded.name, loaded.bytes),
+            Err(LoadError::Unreadable(reason)) => {
+                let message = format!("the file `{input}` cannot be read: {reason}");
+                let help = "the name is relative to the folder of the file that includes it";
+                self.report(Diagnostic::error(Code("SL0120"), message).at(span).help(help));
+            }
+            Err(LoadError::TooLarge) => {
+                let message = format!("with `{input}` the deck exceeds {} MiB", MAX_BYTES >> 20);
+                self.report(Diagnostic::error(Code("SL0114"), message).at(span));
+            }
+        }
+    }
+}
+
+/// Reads a comment as the keyword line it would be with one star less:
+/// `**INTERFACE, ELSET=A` as `*INTERFACE, ELSET=A`. `None` where the second
+/// star is not followed by a letter.
+pub fn comment_as_card(comment: &Comment) -> Option<Card> {
+    let text = comment.text.strip_prefix("**")?;
+    if !text.starts_with(|c: char| c.is_ascii_alphabetic()) {
+        return None;
+    }
+    let Span { file, start, .. } = comment.span;
+    let inner = Stretch { file, start: start as usize + 2, text };
+    let (pieces, _) = at_commas(inner);
+    let named = |piece: &&Stretch<'_>| !piece.text.is_empty();
+    let parameters = pieces[1..].iter().filter(named).map(|piece| parameter(*piece)).collect();
+    let keyword = word(*pieces.first()?);
+    Some(Card { keyword, parameters, data: Vec::new(), span: comment.span })
+}
+
+/// Cards followed by a title, not by values.
+fn is_text_card(card: &Card) -> bool {
+    let name = &card.keyword.name;
+    name == "STEP" || (name.len() >= 4 && "HEADING".starts_with(name.as_str()))
+}
+
+/// The lines of a keyword that ends in commas; and whether the last comma
+/// promises a continuation that does not come.
+fn continued(text: &str, first: RawLine) -> (Vec<RawLine>, bool) {
+    let mut lines = vec![first];
+    let mut last = first;
+    while strip(&text[last.start..last.content_end]).ends_with(',') {
+        if last.end >= text.len() {
+            return (lines, true);
+        }
+        let next = line_at(text, last.end);
+        let content = strip(&text[next.start..next.content_end]);
+        let value = content.starts_with(|c: char| c.is_ascii_digit() || "+-.,".contains(c));
+        let size = next.content_end - first.start;
+        if look(content) != Look::Data || value || size > MAX_LINE_BYTES {
+            return (lines, true);
+        }
+        lines.push(next);
+        last = next;
+    }
+    (lines, false)
+}

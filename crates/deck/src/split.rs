@@ -1,0 +1,112 @@
+//! Values between commas.
+
+use slideline_diag::{FileId, Span};
+
+use crate::card::{Field, Parameter, Word};
+use crate::lines::offset;
+use crate::spelling::normalise;
+
+/// A text of a file and where it begins in that file.
+#[derive(Clone, Copy)]
+pub(crate) struct Stretch<'a> {
+    pub file: FileId,
+    pub start: usize,
+    pub text: &'a str,
+}
+
+impl<'a> Stretch<'a> {
+    /// The part of the text, which must be a piece of it, with blanks trimmed.
+    pub fn part(self, piece: &'a str) -> Self {
+        let trimmed = piece.trim();
+        Self { start: self.start + offset(self.text, trimmed), text: trimmed, ..self }
+    }
+
+    pub fn span(self) -> Span {
+        Span::new(self.file, self.start, self.start + self.text.len())
+    }
+}
+
+/// The pieces between commas outside quotation marks, trimmed; and the
+/// position of a quotation mark that is never closed.
+pub(crate) fn at_commas(whole: Stretch<'_>) -> (Vec<Stretch<'_>>, Option<Span>) {
+    let mut pieces = Vec::new();
+    let mut quote = None;
+    let mut from = 0;
+    for (at, c) in whole.text.char_indices() {
+        match c {
+            '"' => quote = if quote.is_some() { None } else { Some(at) },
+            ',' if quote.is_none() => {
+                pieces.push(whole.part(&whole.text[from..at]));
+                from = at + 1;
+            }
+            _ => {}
+        }
+    }
+    pieces.push(whole.part(&whole.text[from..]));
+    let open = quote.map(|at| Span::new(whole.file, whole.start + at, whole.start + at + 1));
+    (pieces, open)
+}
+
+/// A data line's values; an empty one behind the last comma is dropped.
+pub(crate) fn fields(line: Stretch<'_>) -> (Vec<Field>, Option<Span>) {
+    let (mut pieces, open) = at_commas(line);
+    if pieces.len() > 1 && pieces.last().is_some_and(|piece| piece.text.is_empty()) {
+        pieces.pop();
+    }
+    let field =
+        |piece: &Stretch<'_>| Field { text: unquoted(piece.text).to_owned(), span: piece.span() };
+    (pieces.iter().map(field).collect(), open)
+}
+
+/// A keyword or a value.
+pub(crate) fn word(piece: Stretch<'_>) -> Word {
+    let raw = unquoted(piece.text);
+    let quoted = raw.len() != piece.text.len();
+    let name = if quoted { raw.to_owned() } else { normalise(raw) };
+    Word { raw: raw.to_owned(), name, span: piece.span() }
+}
+
+/// `NAME` or `NAME=VALUE`.
+pub(crate) fn parameter(piece: Stretch<'_>) -> Parameter {
+    match piece.text.split_once('=') {
+        Some((name, value)) => {
+            Parameter { name: word(piece.part(name)), value: Some(word(piece.part(value))) }
+        }
+        None => Parameter { name: word(piece), value: None },
+    }
+}
+
+fn unquoted(text: &str) -> &str {
+    text.strip_prefix('"').and_then(|rest| rest.strip_suffix('"')).unwrap_or(text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn stretch(text: &str) -> Stretch<'_> {
+        Stretch { file: FileId(0), start: 100, text }
+    }
+
+    #[test]
+    fn values_know_their_columns() {
+        let (fields, open) = fields(stretch("1,  2.5 ,, \"a, b\","));
+        let texts: Vec<_> = fields.iter().map(|field| field.text.as_str()).collect();
+        assert_eq!(texts, ["1", "2.5", "", "a, b"]);
+        assert_eq!((fields[1].span.start, fields[1].span.end), (104, 107));
+        assert!(open.is_none());
+    }
+
+    #[test]
+    fn names_lose_blanks_and_case_unless_quoted() {
+        let parameter = parameter(stretch("Friction  Onset = \"My Set\""));
+        assert_eq!(parameter.name.name, "FRICTIONONSET");
+        assert_eq!(parameter.value.unwrap().name, "My Set");
+    }
+
+    #[test]
+    fn an_open_quotation_is_found() {
+        let (_, open) = at_commas(stretch("INPUT=\"a"));
+        assert_eq!(open.map(|span| span.start), Some(106));
+    }
+}

@@ -1,0 +1,73 @@
+//! `*CLOAD`: concentrated forces and moments.
+
+use slideline_deck::DataLine;
+use slideline_diag::{Code, Diagnostic};
+
+use crate::draft::Boundary;
+use crate::draft::Draft;
+use crate::keyword::{Keyword, Level, Rule, Subject};
+use crate::reading::Reading;
+
+/// `*CLOAD`.
+pub(crate) struct Cload;
+
+impl Keyword for Cload {
+    fn name(&self) -> &'static str {
+        "CLOAD"
+    }
+
+    fn parameters(&self) -> &'static [Rule] {
+        const RULES: &[Rule] = &[Rule::value("OP"), Rule::value("AMPLITUDE")];
+        RULES
+    }
+
+    fn level(&self) -> Level {
+        Level::History
+    }
+
+    fn subject(&self) -> Subject {
+        Subject::Steps
+    }
+
+    fn page(&self) -> &'static str {
+        page!("CLOAD")
+    }
+
+    fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
+        let new = card.choice("OP", &["MOD", "NEW"], &mut draft.log) == Some("NEW");
+        let amplitude = card.name("AMPLITUDE").map(|name| (name, card.span_of("AMPLITUDE")));
+        let mut lines = Vec::new();
+        for line in card.data() {
+            if let Some(mut load) = load(line, draft) {
+                load.amplitude.clone_from(&amplitude);
+                lines.push(load);
+            }
+        }
+        if let Some(step) = draft.step() {
+            step.new_loads |= new;
+            step.loads.extend(lines);
+        }
+    }
+}
+
+fn load(line: &DataLine, draft: &mut Draft) -> Option<Boundary> {
+    draft.log.at_most(line, 3);
+    let target = draft.log.target(line, 0, "the node or set")?;
+    if line.field(1).is_none() {
+        let span = line.fields.get(1).map_or(line.end(), |field| field.span);
+        draft.log.error("SL0119", "the degree of freedom is missing", span);
+        return None;
+    }
+    let number = draft.log.integer_or(line, 1, 1)?;
+    let value = draft.log.number(line, 2, "the size of the load")?;
+    let dof = draft.dof(number, line, 1)?;
+    if !dof.is_plane() {
+        let message = format!("a load on dof {number} does nothing in a plane model");
+        let error = Diagnostic::error(Code("SL0251"), message).at(line.fields[1].span);
+        draft.log.push(error.help("the plane has the dofs 1, 2 and 6"));
+        return None;
+    }
+    let target_span = line.fields[0].span;
+    let (dofs, amplitude) = (vec![dof], None);
+    Some(Boundary { target, target_span, dofs, value, amplitude, origin: line.span })
+}

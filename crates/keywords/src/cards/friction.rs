@@ -1,0 +1,213 @@
+//! `*FRICTION`: law of friction of a contact.
+
+use slideline_deck::DataLine;
+use slideline_diag::{Code, Diagnostic};
+use slideline_model::{self as model, Decay, StickRule};
+
+use crate::draft::Draft;
+use crate::keyword::{Keyword, Level, Rule, Subject};
+use crate::reading::Reading;
+
+/// `*FRICTION`.
+pub(crate) struct Friction;
+
+impl Keyword for Friction {
+    fn name(&self) -> &'static str {
+        "FRICTION"
+    }
+
+    fn parameters(&self) -> &'static [Rule] {
+        const RULES: &[Rule] = &[
+            Rule::value("SLIP TOLERANCE"),
+            Rule::value("ELASTIC SLIP"),
+            Rule::flag("LAGRANGE"),
+            Rule::flag("ROUGH"),
+            Rule::value("TAUMAX"),
+            Rule::flag("EXPONENTIAL DECAY"),
+            Rule::value("USER"),
+            Rule::value("PROPERTIES"),
+            Rule::value("DEPVAR"),
+        ];
+        RULES
+    }
+
+    fn level(&self) -> Level {
+        Level::Model
+    }
+
+    fn subject(&self) -> Subject {
+        Subject::Contact
+    }
+
+    fn is_suboption(&self) -> bool {
+        true
+    }
+    fn page(&self) -> &'static str {
+        page!("FRICTION")
+    }
+
+    fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
+        let span = card.span();
+        if draft.owning_interface(self.name(), span).is_none() {
+            return;
+        }
+        exclusions(card, draft);
+        let law = law(card, draft);
+        let Some(interface) = draft.owning_interface(self.name(), span) else { return };
+        let before = interface.interaction.friction_origin.replace(span);
+        if let Some(law) = law {
+            interface.interaction.friction = law;
+        }
+        if let Some(before) = before {
+            let error = Diagnostic::error(Code("SL0242"), "a second *FRICTION for one *INTERFACE");
+            draft.log.push(error.at(span).label(before, "the first one"));
+        }
+    }
+}
+
+/// Parameters that exclude one another. [semantics: friction]
+fn exclusions(card: &Reading<'_>, draft: &mut Draft) {
+    let kinds = ["LAGRANGE", "ROUGH", "ELASTIC SLIP", "SLIP TOLERANCE", "USER"];
+    let given: Vec<&str> = kinds.into_iter().filter(|name| card.has(name)).collect();
+    if given.len() > 1 {
+        let message = format!("{} exclude one another", given.join(" and "));
+        draft.log.error("SL0215", message, card.span_of(given[1]));
+    }
+    for (first, second) in [
+        ("EXPONENTIAL DECAY", "TAUMAX"),
+        ("ROUGH", "TAUMAX"),
+        ("ROUGH", "EXPONENTIAL DECAY"),
+        ("USER", "TAUMAX"),
+        ("USER", "EXPONENTIAL DECAY"),
+    ] {
+        if card.has(first) && card.has(second) {
+            let message = format!("{first} and {second} exclude one another");
+            draft.log.error("SL0215", message, card.span_of(second));
+        }
+    }
+    for name in ["PROPERTIES", "DEPVAR"] {
+        if card.has(name) && !card.has("USER") {
+            let message = format!("{name} belongs to USER");
+            draft.log.error("SL0215", message, card.span_of(name));
+        }
+    }
+}
+
+fn law(card: &Reading<'_>, draft: &mut Draft) -> Option<model::Friction> {
+    if card.has("USER") {
+        return user(card, draft);
+    }
+    if card.has("ROUGH") {
+        draft.log.at_most_lines(card.data(), 0, "FRICTION, ROUGH");
+        return Some(model::Friction::Rough);
+    }
+    coulomb(card, draft)
+}
+
+fn coulomb(card: &Reading<'_>, draft: &mut Draft) -> Option<model::Friction> {
+    let limit = positive(card, "TAUMAX", true, draft);
+    let stick = stick_rule(card, draft);
+    let line = card.first_line("the coefficient of friction", &mut draft.log)?;
+    if let Some(second) = card.data().get(1) {
+        let message = "a coefficient that depends on slip rate, pressure or temperature \
+                       is not supported: one data line";
+        draft.log.error("SL0221", message, second.span);
+    }
+    let coefficient = coefficient(line, 0, draft);
+    let decay = if card.has("EXPONENTIAL DECAY") {
+        draft.log.at_most(line, 3);
+        Some(decay(line, coefficient, draft)?)
+    } else {
+        draft.log.at_most(line, 1);
+        None
+    };
+    let coefficient = coefficient?;
+    if coefficient == 0.0 && decay.is_none() {
+        return Some(model::Friction::Frictionless);
+    }
+    Some(model::Friction::Coulomb { coefficient, limit: limit?, decay, stick: stick? })
+}
+
+fn coefficient(line: &DataLine, at: usize, draft: &mut Draft) -> Option<f64> {
+    let value = draft.log.number(line, at, "the coefficient of friction")?;
+    let span = line.fields[at].span;
+    if value < 0.0 {
+        draft.log.error(
+            "SL0216",
+            format!("the coefficient of friction is negative: {value}"),
+            span,
+        );
+        return None;
+    }
+    if value > 10.0 {
+        let message = format!("a coefficient of friction of {value} is very large");
+        let warning = Diagnostic::warning(Code("SL0217"), message).at(span);
+        draft.log.push(warning.help("ROUGH forbids slip altogether"));
+    }
+    Some(value)
+}
+
+fn decay(line: &DataLine, fixed: Option<f64>, draft: &mut Draft) -> Option<Decay> {
+    let kinetic = coefficient(line, 1, draft);
+    let rate = draft.log.number(line, 2, "the decay constant");
+    let (kinetic, rate) = (kinetic?, rate?);
+    if rate < 0.0 {
+        draft.log.error("SL0210", "the decay constant must not be negative", line.fields[2].span);
+    }
+    if fixed.is_some_and(|fixed| kinetic > fixed) {
+        let message = "the kinetic coefficient is larger than the static one";
+        draft.log.warning("SL0210", message, line.fields[1].span);
+    }
+    Some(Decay { kinetic, rate })
+}
+
+fn stick_rule(card: &Reading<'_>, draft: &mut Draft) -> Option<StickRule> {
+    if card.has("LAGRANGE") {
+        return Some(StickRule::Lagrange);
+    }
+    if let Some(slip) = positive(card, "ELASTIC SLIP", false, draft)? {
+        return Some(StickRule::ElasticSlip(slip));
+    }
+    let tolerance = positive(card, "SLIP TOLERANCE", false, draft)?;
+    Some(tolerance.map_or_else(StickRule::default, StickRule::SlipTolerance))
+}
+
+/// A parameter that must be positive; where `zero_is_none`, zero stands for
+/// "none".
+fn positive(
+    card: &Reading<'_>,
+    name: &str,
+    zero_is_none: bool,
+    draft: &mut Draft,
+) -> Option<Option<f64>> {
+    let value = card.number(name, &mut draft.log)?;
+    match value {
+        Some(0.0) if zero_is_none => Some(None),
+        Some(value) if value <= 0.0 => {
+            let message = format!("{name} must be positive");
+            draft.log.error("SL0210", message, card.span_of(name));
+            None
+        }
+        _ => Some(value),
+    }
+}
+
+/// A law of the embedding program, by name; eight constants a line.
+fn user(card: &Reading<'_>, draft: &mut Draft) -> Option<model::Friction> {
+    let name = card.name("USER")?;
+    let state_size = if card.has("DEPVAR") { card.count("DEPVAR", 0, &mut draft.log) } else { 0 };
+    let mut properties = Vec::new();
+    for line in card.data() {
+        draft.log.at_most(line, 8);
+        for at in 0..line.fields.len().min(8) {
+            properties.push(draft.log.number_or(line, at, 0.0)?);
+        }
+    }
+    let expected = card.count("PROPERTIES", properties.len(), &mut draft.log);
+    if expected != properties.len() {
+        let message = format!("PROPERTIES={expected}, but {} values follow", properties.len());
+        draft.log.error("SL0208", message, card.span_of("PROPERTIES"));
+        return None;
+    }
+    Some(model::Friction::User { name, properties, state_size })
+}

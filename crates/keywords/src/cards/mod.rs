@@ -1,0 +1,43 @@
+//! The keywords, one file each.
+
+/// The page of a keyword, the same text that stands in the documentation.
+macro_rules! page {
+    ($file:literal) => {
+        include_str!(concat!("../../../../docs/keywords/", $file, ".md"))
+    };
+}
+
+pub(crate) mod amplitude;
+pub(crate) mod beam_section;
+pub(crate) mod boundary;
+pub(crate) mod cload;
+pub(crate) mod contact_controls;
+pub(crate) mod controls;
+pub(crate) mod elastic;
+pub(crate) mod element;
+pub(crate) mod elgen;
+pub(crate) mod elset;
+pub(crate) mod end_step;
+pub(crate) mod friction;
+pub(crate) mod heading;
+pub(crate) mod interface;
+pub(crate) mod material;
+pub(crate) mod mpc;
+pub(crate) mod ngen;
+pub(crate) mod nmap;
+pub(crate) mod node;
+pub(crate) mod node_file;
+pub(crate) mod node_output;
+pub(crate) mod node_print;
+pub(crate) mod nset;
+pub(crate) mod output;
+pub(crate) mod print;
+pub(crate) mod restart;
+pub(crate) mod rigid_surface;
+pub(crate) mod slide_line;
+pub(crate) mod spring;
+pub(crate) mod static_;
+pub(crate) mod step;
+pub(crate) mod surface_behavior;
+pub(crate) mod surface_contact;
+pub(crate) mod transverse_shear;

@@ -1,0 +1,38 @@
+//! `*NODE OUTPUT`: nodal values for the result files.
+
+use slideline_model::PrintTarget;
+
+use super::node_print::request;
+use crate::draft::Draft;
+use crate::keyword::{Keyword, Level, Rule, Subject};
+use crate::reading::Reading;
+
+/// `*NODE OUTPUT`.
+pub(crate) struct NodeOutput;
+
+impl Keyword for NodeOutput {
+    fn name(&self) -> &'static str {
+        "NODE OUTPUT"
+    }
+
+    fn parameters(&self) -> &'static [Rule] {
+        const RULES: &[Rule] = &[Rule::value("NSET")];
+        RULES
+    }
+
+    fn level(&self) -> Level {
+        Level::History
+    }
+
+    fn subject(&self) -> Subject {
+        Subject::Steps
+    }
+
+    fn page(&self) -> &'static str {
+        page!("NODE-OUTPUT")
+    }
+
+    fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
+        request(card, PrintTarget::File, draft);
+    }
+}

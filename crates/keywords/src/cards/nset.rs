@@ -1,0 +1,82 @@
+//! `*NSET`: a named set of nodes.
+
+use slideline_deck::DataLine;
+use slideline_diag::Span;
+
+use crate::draft::Draft;
+use crate::keyword::{Keyword, Level, Rule, Subject};
+use crate::log::Target;
+use crate::reading::Reading;
+use crate::sets::Item;
+
+/// `*NSET`.
+pub(crate) struct Nset;
+
+impl Keyword for Nset {
+    fn name(&self) -> &'static str {
+        "NSET"
+    }
+
+    fn parameters(&self) -> &'static [Rule] {
+        const RULES: &[Rule] =
+            &[Rule::required("NSET"), Rule::flag("GENERATE"), Rule::flag("UNSORTED")];
+        RULES
+    }
+
+    fn level(&self) -> Level {
+        Level::Both
+    }
+
+    fn subject(&self) -> Subject {
+        Subject::Nodes
+    }
+
+    fn page(&self) -> &'static str {
+        page!("NSET")
+    }
+
+    fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
+        let Some(name) = card.name("NSET") else { return };
+        draft.node_sets.open(&name, card.span());
+        for (item, span) in read_members(card, draft) {
+            draft.node_sets.join(&name, item, span);
+        }
+    }
+}
+
+/// The members listed on the data lines of `*NSET` and `*ELSET`.
+pub(crate) fn read_members(card: &Reading<'_>, draft: &mut Draft) -> Vec<(Item, Span)> {
+    let mut members = Vec::new();
+    for line in card.data() {
+        if card.has("GENERATE") {
+            members.extend(range(line, draft).map(|item| (item, line.span)));
+            continue;
+        }
+        for at in (0..line.fields.len()).filter(|&at| line.field(at).is_some()) {
+            let item = match draft.log.target(line, at, "a member") {
+                Some(Target::Label(label)) => Item::One(label),
+                Some(Target::Set(set)) => Item::Set(set),
+                None => continue,
+            };
+            members.push((item, line.fields[at].span));
+        }
+    }
+    members
+}
+
+/// `first, last, increment`.
+pub(crate) fn range(line: &DataLine, draft: &mut Draft) -> Option<Item> {
+    draft.log.at_most(line, 3);
+    let first = draft.log.label(line, 0, "the first number")?;
+    let last = draft.log.label(line, 1, "the last number")?;
+    let step = draft.log.integer_or(line, 2, 1)?;
+    let step = u64::try_from(step).ok().filter(|&step| step > 0);
+    let fits = step.is_some_and(|step| last >= first && (last - first).is_multiple_of(step));
+    let (Some(step), true) = (step, fits) else {
+        let message = format!("{first} to {last} cannot be counted with this increment");
+        draft.log.error("SL0226", message, line.span);
+        return None;
+    };
+    let count = u128::from((last - first) / step + 1);
+    draft.reserve(count, "members", line.span).then_some(Item::Range(first, last, step))
+}

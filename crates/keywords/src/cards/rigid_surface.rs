@@ -1,0 +1,145 @@
+//! `*RIGID SURFACE`: analytic surface of a rigid body.
+
+use slideline_deck::{DataLine, normalise};
+use slideline_diag::{Code, Diagnostic};
+use slideline_model::SurfaceSegment;
+
+use crate::draft::Draft;
+use crate::draft::{Shape, Surface};
+use crate::keyword::{Keyword, Level, Rule, Subject};
+use crate::reading::Reading;
+
+/// `*RIGID SURFACE`.
+pub(crate) struct RigidSurface;
+
+impl Keyword for RigidSurface {
+    fn name(&self) -> &'static str {
+        "RIGID SURFACE"
+    }
+
+    fn parameters(&self) -> &'static [Rule] {
+        const RULES: &[Rule] =
+            &[Rule::required("ELSET"), Rule::required("TYPE"), Rule::value("FILLET RADIUS")];
+        RULES
+    }
+
+    fn level(&self) -> Level {
+        Level::Model
+    }
+
+    fn subject(&self) -> Subject {
+        Subject::Contact
+    }
+
+    fn page(&self) -> &'static str {
+        page!("RIGID-SURFACE")
+    }
+
+    fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
+        if card.has("FILLET RADIUS") {
+            let message = "FILLET RADIUS is not supported: write the fillets as CIRCL segments";
+            draft.log.error("SL0221", message, card.span_of("FILLET RADIUS"));
+        }
+        card.choice("TYPE", &["SEGMENTS"], &mut draft.log);
+        let Some(set) = card.name("ELSET") else { return };
+        let Some(first) = card.first_line("START, x, y", &mut draft.log) else { return };
+        let Some(start) = start(first, draft) else { return };
+        let mut segments = Vec::new();
+        let mut from = Some(start);
+        for line in &card.data()[1..] {
+            let segment = segment(line, from, draft);
+            from = segment.map(|segment| end_of(&segment));
+            segments.extend(segment);
+        }
+        if card.data().len() < 2 {
+            draft.log.error("SL0237", "a rigid surface needs at least one segment", card.span());
+            return;
+        }
+        let set_span = card.span_of("ELSET");
+        let shape = Shape::Rigid { start, segments };
+        draft.surfaces.push(Surface { set, set_span, shape, origin: card.span() });
+    }
+}
+
+/// Two radii of an arc may differ by this much, relative to their size.
+const RADIUS_TOLERANCE: f64 = 1e-4;
+
+fn start(line: &DataLine, draft: &mut Draft) -> Option<[f64; 2]> {
+    let word = line.field(0).map_or("", |field| &field.text);
+    if normalise(word) != "START" {
+        let message = "the first line of a rigid surface is START, x, y";
+        draft.log.error("SL0237", message, line.span);
+        return None;
+    }
+    draft.log.at_most(line, 3);
+    point(line, 1, draft)
+}
+
+fn point(line: &DataLine, at: usize, draft: &mut Draft) -> Option<[f64; 2]> {
+    let x = draft.log.number(line, at, "x");
+    let y = draft.log.number(line, at + 1, "y");
+    Some([x?, y?])
+}
+
+fn end_of(segment: &SurfaceSegment) -> [f64; 2] {
+    match *segment {
+        SurfaceSegment::Line { end }
+        | SurfaceSegment::Circle { end, .. }
+        | SurfaceSegment::Parabola { end, .. } => end,
+    }
+}
+
+/// A segment; `from` is `None` where the one before could not be read, and
+/// then its shape is not judged.
+fn segment(line: &DataLine, from: Option<[f64; 2]>, draft: &mut Draft) -> Option<SurfaceSegment> {
+    let word = line.field(0).map_or("", |field| &field.text);
+    let name = normalise(word);
+    let segment = match name.as_str() {
+        "LINE" => {
+            draft.log.at_most(line, 3);
+            SurfaceSegment::Line { end: point(line, 1, draft)? }
+        }
+        "CIRCL" | "CIRCLE" => {
+            draft.log.at_most(line, 5);
+            let (end, centre) = (point(line, 1, draft), point(line, 3, draft));
+            SurfaceSegment::Circle { end: end?, centre: centre? }
+        }
+        "PARAB" | "PARABOLA" => {
+            draft.log.at_most(line, 5);
+            let (middle, end) = (point(line, 1, draft), point(line, 3, draft));
+            SurfaceSegment::Parabola { middle: middle?, end: end? }
+        }
+        _ => {
+            let message = format!("`{word}` is no segment of a rigid surface");
+            let error = Diagnostic::error(Code("SL0237"), message).at(line.span);
+            draft.log.push(error.help("segments are LINE, CIRCL and PARAB"));
+            return None;
+        }
+    };
+    if let Some(problem) = from.and_then(|from| fault(from, &segment)) {
+        draft.log.error("SL0237", problem, line.span);
+    }
+    Some(segment)
+}
+
+fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
+}
+
+/// What is wrong with the shape of a segment. [semantics: surfaces, segments]
+fn fault(from: [f64; 2], segment: &SurfaceSegment) -> Option<String> {
+    let end = end_of(segment);
+    if distance(from, end) == 0.0 {
+        return Some("the segment has zero length".to_owned());
+    }
+    let SurfaceSegment::Circle { centre, .. } = *segment else { return None };
+    let (first, second) = (distance(from, centre), distance(end, centre));
+    if (first - second).abs() > RADIUS_TOLERANCE * first.max(second) {
+        return Some(format!(
+            "the centre of the arc is {first} from its start, but {second} from its end"
+        ));
+    }
+    // The chord of an arc of 180 degrees is its diameter: which side is meant is then open.
+    let half_turn = distance(from, end) >= (first + second) * (1.0 - 1e-9);
+    half_turn.then(|| "an arc of 180 degrees: split it in two".to_owned())
+}

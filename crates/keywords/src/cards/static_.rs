@@ -1,0 +1,92 @@
+//! `*STATIC`: time and increments of a step.
+
+use slideline_deck::DataLine;
+use slideline_diag::{Code, Diagnostic, Span};
+use slideline_model as model;
+
+use crate::draft::Draft;
+use crate::keyword::{Keyword, Level, Rule, Subject};
+use crate::reading::Reading;
+
+/// `*STATIC`.
+pub(crate) struct Static;
+
+impl Keyword for Static {
+    fn name(&self) -> &'static str {
+        "STATIC"
+    }
+
+    fn parameters(&self) -> &'static [Rule] {
+        const RULES: &[Rule] = &[Rule::maybe("DIRECT")];
+        RULES
+    }
+
+    fn level(&self) -> Level {
+        Level::History
+    }
+
+    fn subject(&self) -> Subject {
+        Subject::Steps
+    }
+
+    fn page(&self) -> &'static str {
+        page!("STATIC")
+    }
+
+    fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
+        draft.log.at_most_lines(card.data(), 1, self.name());
+        let direct = card.has("DIRECT");
+        let procedure = match card.data().first() {
+            Some(line) => times(line, direct, card.span(), draft),
+            None => Some([1.0, 1.0, 1e-5, 1.0]),
+        };
+        let Some(times) = procedure else { return };
+        let [initial, period, minimum, maximum] = times;
+        let origin = card.span();
+        let Some(step) = draft.step() else { return };
+        let before = step.procedure.replace(model::Static {
+            initial,
+            period,
+            minimum,
+            maximum,
+            direct,
+            origin: Some(origin),
+        });
+        if let Some(first) = before.and_then(|before| before.origin) {
+            let error = Diagnostic::error(Code("SL0242"), "a second *STATIC in one step");
+            draft.log.push(error.at(origin).label(first, "the first one"));
+        }
+    }
+}
+
+/// First increment, period, smallest and largest increment with their
+/// defaults. [semantics: deck language, *STATIC]
+fn times(line: &DataLine, direct: bool, span: Span, draft: &mut Draft) -> Option<[f64; 4]> {
+    draft.log.at_most(line, 4);
+    let given: Vec<Option<Option<f64>>> =
+        (0..4).map(|at| draft.log.maybe_number(line, at)).collect();
+    let given: Vec<Option<f64>> = given.into_iter().collect::<Option<_>>()?;
+    // Zero stands for the default, as a blank does.
+    let value = |at: usize| given.get(at).copied().flatten().filter(|&value| value != 0.0);
+    let period = value(1).unwrap_or(1.0);
+    let initial = value(0).unwrap_or(period);
+    let minimum = if direct { initial } else { value(2).unwrap_or(initial.min(1e-5 * period)) };
+    let maximum = if direct { initial } else { value(3).unwrap_or(period) };
+    let at = |at: usize| line.fields.get(at).map_or(span, |field| field.span);
+    let fault = if period < 0.0 {
+        Some((at(1), "the time of a step must be positive"))
+    } else if initial < 0.0 || initial > period {
+        Some((at(0), "the first increment must be positive and within the step"))
+    } else if minimum < 0.0 || minimum > initial {
+        Some((at(2), "the smallest increment must be positive and at most the first one"))
+    } else if maximum < minimum {
+        Some((at(3), "the largest increment is smaller than the smallest one"))
+    } else {
+        None
+    };
+    if let Some((span, message)) = fault {
+        draft.log.error("SL0246", message, span);
+        return None;
+    }
+    Some([initial, period, minimum, maximum])
+}

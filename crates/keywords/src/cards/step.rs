@@ -1,0 +1,83 @@
+//! `*STEP`: opens a step.
+
+use slideline_diag::{Code, Diagnostic};
+use slideline_model::Extrapolation;
+
+use crate::draft::Draft;
+use crate::draft::StepDraft;
+use crate::keyword::{Keyword, Level, Rule, Subject};
+use crate::reading::Reading;
+
+/// `*STEP`.
+pub(crate) struct Step;
+
+impl Keyword for Step {
+    fn name(&self) -> &'static str {
+        "STEP"
+    }
+
+    fn parameters(&self) -> &'static [Rule] {
+        const RULES: &[Rule] = &[
+            Rule::maybe("NLGEOM"),
+            Rule::value("INC"),
+            Rule::maybe("UNSYMM"),
+            Rule::value("EXTRAPOLATION"),
+            Rule::value("AMPLITUDE"),
+            Rule::value("NAME"),
+        ];
+        RULES
+    }
+
+    fn level(&self) -> Level {
+        Level::History
+    }
+
+    fn subject(&self) -> Subject {
+        Subject::Steps
+    }
+
+    fn page(&self) -> &'static str {
+        page!("STEP")
+    }
+
+    fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
+        if draft.in_step {
+            let message = "the step before has no *END STEP";
+            let error = Diagnostic::error(Code("SL0302"), message).at(card.span());
+            let before = draft.steps.last().map_or(card.span(), |step| step.origin);
+            draft.log.push(error.label(before, "this step is still open"));
+        }
+        let lines: Vec<&str> = card.data().iter().map(|line| line.text.as_str()).collect();
+        let nlgeom = card.yes("NLGEOM", &mut draft.log).unwrap_or(false);
+        if !nlgeom {
+            let message = "without NLGEOM the kinematics are linear; contact stays nonlinear";
+            let warning = Diagnostic::warning(Code("SL0247"), message).at(card.span());
+            draft.log.push(warning.help("write *STEP, NLGEOM for large rotations and sliding"));
+        }
+        let guess = card.choice("EXTRAPOLATION", &["LINEAR", "PARABOLIC", "NO"], &mut draft.log);
+        let amplitude = card.choice("AMPLITUDE", &["RAMP", "STEP"], &mut draft.log);
+        draft.in_step = true;
+        draft.steps.push(StepDraft {
+            title: lines.join("\n"),
+            nlgeom,
+            max_increments: card.count("INC", 100, &mut draft.log),
+            unsymmetric: card.yes("UNSYMM", &mut draft.log),
+            extrapolation: match guess {
+                Some("PARABOLIC") => Extrapolation::Parabolic,
+                Some("NO") => Extrapolation::None,
+                _ => Extrapolation::Linear,
+            },
+            at_once: amplitude == Some("STEP"),
+            procedure: None,
+            new_boundary: false,
+            new_loads: false,
+            boundary: Vec::new(),
+            loads: Vec::new(),
+            controls: None,
+            restart_every: None,
+            prints: Vec::new(),
+            contact_changes: false,
+            origin: card.span(),
+        });
+    }
+}

@@ -1,0 +1,101 @@
+//! `*SURFACE BEHAVIOR`: overclosure to pressure, the modern spelling.
+
+use slideline_model::{Dialect, NormalLaw};
+
+use super::surface_contact::{exponential, set_law};
+use crate::draft::Draft;
+use crate::keyword::{Keyword, Level, Rule, Subject};
+use crate::reading::Reading;
+
+/// `*SURFACE BEHAVIOR`.
+pub(crate) struct SurfaceBehavior;
+
+impl Keyword for SurfaceBehavior {
+    fn name(&self) -> &'static str {
+        "SURFACE BEHAVIOR"
+    }
+
+    fn parameters(&self) -> &'static [Rule] {
+        const RULES: &[Rule] = &[Rule::value("PRESSURE-OVERCLOSURE")];
+        RULES
+    }
+
+    fn level(&self) -> Level {
+        Level::Model
+    }
+
+    fn subject(&self) -> Subject {
+        Subject::Contact
+    }
+
+    fn is_suboption(&self) -> bool {
+        true
+    }
+    fn page(&self) -> &'static str {
+        page!("SURFACE-BEHAVIOR")
+    }
+
+    fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
+        if draft.owning_interface(self.name(), card.span()).is_none() {
+            return;
+        }
+        let known = &["HARD", "LINEAR", "EXPONENTIAL", "TABULAR"];
+        let law = match card.choice("PRESSURE-OVERCLOSURE", known, &mut draft.log) {
+            Some("LINEAR") => linear(card, draft),
+            Some("EXPONENTIAL") => exponential(card, draft),
+            Some("TABULAR") => tabular(card, draft),
+            _ if card.has("PRESSURE-OVERCLOSURE")
+                && card.word("PRESSURE-OVERCLOSURE").is_none() =>
+            {
+                None
+            }
+            _ => {
+                draft.log.at_most_lines(card.data(), 0, "SURFACE BEHAVIOR with hard contact");
+                Some(NormalLaw::Hard)
+            }
+        };
+        set_law(self.name(), card, law, draft);
+    }
+}
+
+/// `K`; CalculiX adds the largest pull of its rounded law.
+fn linear(card: &Reading<'_>, draft: &mut Draft) -> Option<NormalLaw> {
+    let line = card.only_line("the stiffness K", &mut draft.log)?;
+    let calculix = draft.dialect == Dialect::Calculix;
+    draft.log.at_most(line, if calculix { 2 } else { 1 });
+    let stiffness = draft.log.number(line, 0, "the stiffness K")?;
+    let tension = draft.log.maybe_number(line, 1)?.filter(|_| calculix);
+    if stiffness <= 0.0 || tension.is_some_and(|tension| tension <= 0.0) {
+        let message = "the numbers of a linear law must be positive";
+        draft.log.error("SL0218", message, line.span);
+        return None;
+    }
+    Some(match tension {
+        Some(tension) => NormalLaw::CalculixLinear { stiffness, tension },
+        None => NormalLaw::Linear { stiffness },
+    })
+}
+
+/// Lines of pressure and overclosure, ascending in overclosure.
+fn tabular(card: &Reading<'_>, draft: &mut Draft) -> Option<NormalLaw> {
+    let mut pairs: Vec<(f64, f64)> = Vec::new();
+    for line in card.data() {
+        draft.log.at_most(line, 2);
+        let pressure = draft.log.number(line, 0, "the pressure");
+        let overclosure = draft.log.number(line, 1, "the overclosure");
+        let (pressure, overclosure) = (pressure?, overclosure?);
+        let falls = |&(p, h): &(f64, f64)| overclosure <= h || pressure < p;
+        if pressure < 0.0 || pairs.last().is_some_and(falls) {
+            let message = "the table must ascend in overclosure, and its pressure must not fall";
+            draft.log.error("SL0218", message, line.span);
+            return None;
+        }
+        pairs.push((pressure, overclosure));
+    }
+    if pairs.len() < 2 {
+        let message = "a tabular law needs at least two lines of pressure, overclosure";
+        draft.log.error("SL0208", message, card.span());
+        return None;
+    }
+    Some(NormalLaw::Tabular(pairs))
+}

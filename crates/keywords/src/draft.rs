@@ -1,0 +1,314 @@
+//! The model while it is read: objects by name, references not yet resolved.
+
+use std::collections::HashMap;
+
+use slideline_deck::DataLine;
+use slideline_diag::{Code, Diagnostic, Span};
+use slideline_mech::material::Elastic;
+use slideline_model::{
+    Controls, Dialect, Dof, Extrapolation, Interaction, Model, Node, NodePrint, ShearRule, Static,
+    SurfaceSegment,
+};
+
+use crate::keyword::Subject;
+use crate::log::{Log, Target};
+use crate::sets::Sets;
+
+/// Most nodes, elements and set members that a deck may generate. A slip in
+/// an `*NGEN` line must not fill the memory.
+pub const MAX_GENERATED: u64 = 5_000_000;
+
+/// Everything known so far.
+#[derive(Default)]
+pub(crate) struct Draft {
+    pub log: Log,
+    pub dialect: Dialect,
+    /// Filled directly: heading, nodes, amplitudes, friction onset.
+    pub model: Model,
+    pub node_sets: Sets,
+    pub element_sets: Sets,
+    pub elements: Vec<Element>,
+    pub element_by_label: HashMap<u64, usize>,
+    pub sections: Vec<Section>,
+    pub materials: Vec<Material>,
+    pub springs: Vec<Spring>,
+    pub surfaces: Vec<Surface>,
+    pub interfaces: Vec<Interface>,
+    pub links: Vec<Link>,
+    pub restart_every: Option<usize>,
+    /// Boundary conditions before the first step.
+    pub initial: Vec<Boundary>,
+    pub steps: Vec<StepDraft>,
+    pub in_step: bool,
+    pub owner: Owner,
+    generated: u64,
+    incomplete: Vec<Subject>,
+}
+
+/// The card that a suboption belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub(crate) enum Owner {
+    #[default]
+    Nobody,
+    Interface(usize),
+    Material(usize),
+    Section(usize),
+    /// The owner is broken or missing, and that has been said.
+    Broken,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum ElementKind {
+    B21,
+    Isl21,
+    Irs21,
+    Spring1,
+    SpringA,
+}
+
+impl ElementKind {
+    pub fn node_count(self) -> usize {
+        match self {
+            Self::Spring1 => 1,
+            Self::B21 | Self::Isl21 | Self::SpringA => 2,
+            Self::Irs21 => 3,
+        }
+    }
+
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::B21 => "B21",
+            Self::Isl21 => "ISL21",
+            Self::Irs21 => "IRS21",
+            Self::Spring1 => "SPRING1",
+            Self::SpringA => "SPRINGA",
+        }
+    }
+
+    pub fn is_contact(self) -> bool {
+        matches!(self, Self::Isl21 | Self::Irs21)
+    }
+
+    pub fn is_spring(self) -> bool {
+        matches!(self, Self::Spring1 | Self::SpringA)
+    }
+}
+
+/// An element; only the first [`ElementKind::node_count`] nodes count.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Element {
+    pub label: u64,
+    pub kind: ElementKind,
+    pub nodes: [u64; 3],
+    pub origin: Span,
+}
+
+#[derive(Clone, Debug)]
+pub(crate) struct Section {
+    pub set: String,
+    pub material: String,
+    pub material_span: Span,
+    pub set_span: Span,
+    pub width: f64,
+    pub height: f64,
+    pub poisson: f64,
+    pub shear: ShearRule,
+    pub origin: Span,
+}
+
+#[derive(Clone, Debug)]
+pub(crate) struct Material {
+    pub name: String,
+    pub elastic: Option<Elastic>,
+    /// An `*ELASTIC` card was there, readable or not.
+    pub has_card: bool,
+    pub origin: Span,
+}
+
+#[derive(Clone, Debug)]
+pub(crate) struct Spring {
+    pub set: String,
+    pub set_span: Span,
+    pub dof: Option<Dof>,
+    pub stiffness: f64,
+    pub origin: Span,
+}
+
+/// `*RIGID SURFACE` or `*SLIDE LINE`, named by its element set.
+#[derive(Clone, Debug)]
+pub(crate) struct Surface {
+    pub set: String,
+    pub set_span: Span,
+    pub shape: Shape,
+    pub origin: Span,
+}
+
+#[derive(Clone, Debug)]
+pub(crate) enum Shape {
+    Rigid { start: [f64; 2], segments: Vec<SurfaceSegment> },
+    Line { nodes: Vec<(u64, Span)>, smooth: f64, extension: f64 },
+}
+
+#[derive(Clone, Debug)]
+pub(crate) struct Interface {
+    pub set: String,
+    pub set_span: Span,
+    pub interaction: Interaction,
+}
+
+/// `*MPC` BEAM.
+#[derive(Clone, Debug)]
+pub(crate) struct Link {
+    pub dependent: Target,
+    pub dependent_span: Span,
+    pub master: Target,
+    pub master_span: Span,
+    pub origin: Span,
+}
+
+/// A line of `*BOUNDARY` or `*CLOAD`.
+#[derive(Clone, Debug)]
+pub(crate) struct Boundary {
+    pub target: Target,
+    pub target_span: Span,
+    pub dofs: Vec<Dof>,
+    pub value: f64,
+    pub amplitude: Option<(String, Span)>,
+    pub origin: Span,
+}
+
+#[derive(Clone, Debug)]
+pub(crate) struct StepDraft {
+    pub title: String,
+    pub nlgeom: bool,
+    pub max_increments: usize,
+    pub unsymmetric: Option<bool>,
+    pub extrapolation: Extrapolation,
+    pub at_once: bool,
+    pub procedure: Option<Static>,
+    pub new_boundary: bool,
+    pub new_loads: bool,
+    pub boundary: Vec<Boundary>,
+    pub loads: Vec<Boundary>,
+    pub controls: Option<Controls>,
+    pub restart_every: Option<usize>,
+    pub prints: Vec<(NodePrint, Option<Span>)>,
+    pub contact_changes: bool,
+    pub origin: Span,
+}
+
+impl Draft {
+    /// The step that is open.
+    pub fn step(&mut self) -> Option<&mut StepDraft> {
+        if self.in_step { self.steps.last_mut() } else { None }
+    }
+
+    /// Remembers that cards of a subject could not all be read.
+    pub fn mark_incomplete(&mut self, subject: Subject) {
+        if !self.incomplete.contains(&subject) {
+            self.incomplete.push(subject);
+        }
+    }
+
+    /// Nothing can be trusted to be complete any more.
+    pub fn mark_all_incomplete(&mut self) {
+        use Subject::{Amplitudes, Contact, Elements, Links, Nodes, Sections, Steps};
+        for subject in [Nodes, Elements, Sections, Contact, Links, Amplitudes, Steps] {
+            self.mark_incomplete(subject);
+        }
+    }
+
+    pub fn is_complete(&self, subject: Subject) -> bool {
+        !self.incomplete.contains(&subject)
+    }
+
+    /// Whether `count` more things may be generated; complains if not.
+    pub fn reserve(&mut self, count: u128, what: &str, span: Span) -> bool {
+        let total = u128::from(self.generated) + count;
+        if total > u128::from(MAX_GENERATED) {
+            let message = format!("{count} {what} are too many to generate");
+            let error = Diagnostic::error(Code("SL0227"), message).at(span);
+            let limit = format!("a deck may generate {MAX_GENERATED} nodes, elements and members");
+            self.log.push(error.help(format!("{limit}; check the last number and the increment")));
+            return false;
+        }
+        self.generated = u64::try_from(total).unwrap_or(u64::MAX);
+        true
+    }
+
+    /// Takes a node in. One that exists already must stand where it stood.
+    pub fn add_node(&mut self, label: u64, position: [f64; 3], origin: Span, generated: bool) {
+        let Some(index) = self.model.nodes.find(label) else {
+            self.model.nodes.insert(Node { label, position, origin });
+            return;
+        };
+        let old = *self.model.nodes.get(index);
+        let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * a.abs().max(b.abs());
+        if old.position.iter().zip(position).all(|(&a, b)| near(a, b)) {
+            if !generated {
+                self.log.note(
+                    "SL0222",
+                    format!("node {label} is defined again, unchanged"),
+                    origin,
+                );
+            }
+        } else if self.log.first_time(&format!("node {} {}", origin.file.0, origin.start)) {
+            let message = format!("node {label} is defined again with other coordinates");
+            let error = Diagnostic::error(Code("SL0223"), message).at(origin);
+            self.log.push(error.label(old.origin, "defined here first"));
+        }
+    }
+
+    /// Takes an element in; its number must be new.
+    pub fn add_element(&mut self, element: Element) {
+        if let Some(&old) = self.element_by_label.get(&element.label) {
+            let origin = element.origin;
+            if self.log.first_time(&format!("element {} {}", origin.file.0, origin.start)) {
+                let message = format!("element {} is defined twice", element.label);
+                let error = Diagnostic::error(Code("SL0229"), message).at(origin);
+                self.log.push(error.label(self.elements[old].origin, "defined here first"));
+            }
+            return;
+        }
+        self.element_by_label.insert(element.label, self.elements.len());
+        self.elements.push(element);
+    }
+
+    /// The interface that a `*FRICTION` or `*SURFACE CONTACT` belongs to;
+    /// complains once where there is none.
+    pub fn owning_interface(&mut self, keyword: &str, span: Span) -> Option<&mut Interface> {
+        match self.owner {
+            Owner::Interface(index) => return self.interfaces.get_mut(index),
+            Owner::Broken => return None,
+            _ => {}
+        }
+        let message = format!("*{keyword} has no *INTERFACE to belong to");
+        let error = Diagnostic::error(Code("SL0213"), message).at(span);
+        self.log.push(error.help("put it directly behind the *INTERFACE card whose law it is"));
+        self.owner = Owner::Broken;
+        self.mark_incomplete(Subject::Contact);
+        None
+    }
+
+    /// Complains that a suboption stands alone.
+    pub fn orphan(&mut self, keyword: &str, owner: &str, span: Span) {
+        if self.owner == Owner::Broken {
+            return;
+        }
+        let message = format!("*{keyword} has no *{owner} to belong to");
+        let error = Diagnostic::error(Code("SL0236"), message).at(span);
+        self.log.push(error.help(format!("put it directly behind its *{owner} card")));
+        self.owner = Owner::Broken;
+    }
+
+    /// A degree of freedom given by its number.
+    pub fn dof(&mut self, number: i64, line: &DataLine, at: usize) -> Option<Dof> {
+        let dof = Dof::from_number(number);
+        if dof.is_none() {
+            let span = line.fields.get(at).map_or(line.span, |field| field.span);
+            let message = format!("{number} is no degree of freedom: 1 to 6");
+            self.log.error("SL0248", message, span);
+        }
+        dof
+    }
+}

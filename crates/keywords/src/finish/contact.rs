@@ -1,0 +1,206 @@
+//! Surfaces, contact elements and interfaces become contact pairs: the three
+//! are joined by the name of their element set.
+
+use std::collections::HashMap;
+
+use slideline_diag::{Code, Diagnostic, Span};
+use slideline_model::{
+    ContactElement, ContactPair, Interaction, Master, NodeIndex, RigidSurface, SlideLine,
+};
+
+use crate::draft::{Draft, ElementKind, Shape, Surface};
+use crate::keyword::Subject;
+
+pub(super) fn pairs(draft: &mut Draft) {
+    let surfaces = std::mem::take(&mut draft.surfaces);
+    twice(&surfaces, draft);
+    let mut in_pair: HashMap<usize, Span> = HashMap::new();
+    for surface in &surfaces {
+        pair(surface, &mut in_pair, draft);
+    }
+    for interface in draft.interfaces.clone() {
+        if !surfaces.iter().any(|surface| surface.set == interface.set) {
+            let message = format!("nothing slides in the set {}: it has no surface", interface.set);
+            let error = Diagnostic::error(Code("SL0313"), message).at(interface.set_span);
+            let help = "a *SLIDE LINE or *RIGID SURFACE with the same ELSET is missing";
+            draft.consequence(Subject::Contact, error.help(help));
+        }
+    }
+    let lonely = draft.elements.iter().enumerate();
+    let lonely: Vec<_> = lonely
+        .filter(|(index, element)| element.kind.is_contact() && !in_pair.contains_key(index))
+        .map(|(_, element)| *element)
+        .collect();
+    if let Some(first) = lonely.first().filter(|_| draft.is_complete(Subject::Elements)) {
+        let more = if lonely.len() > 1 {
+            format!(" (and {} more)", lonely.len() - 1)
+        } else {
+            String::new()
+        };
+        let message = format!("contact element {}{more} has no surface to slide on", first.label);
+        let error = Diagnostic::error(Code("SL0310"), message).at(first.origin);
+        let help = "give its set a *RIGID SURFACE (IRS21) or a *SLIDE LINE (ISL21)";
+        draft.consequence(Subject::Contact, error.help(help));
+    }
+}
+
+/// Two cards of one kind for one set.
+fn twice(surfaces: &[Surface], draft: &mut Draft) {
+    let named = surfaces.iter().map(|surface| (surface.set.clone(), surface.set_span));
+    let named: Vec<_> = named.collect();
+    let interfaces: Vec<_> =
+        draft.interfaces.iter().map(|entry| (entry.set.clone(), entry.set_span)).collect();
+    for (list, what) in [(named, "surfaces"), (interfaces, "interfaces")] {
+        let mut seen: HashMap<String, Span> = HashMap::new();
+        for (set, span) in list {
+            if let Some(&first) = seen.get(&set) {
+                let message = format!("the elements of {set} have two {what}");
+                let error = Diagnostic::error(Code("SL0314"), message).at(span);
+                draft.consequence(Subject::Contact, error.label(first, "the first one"));
+            }
+            seen.entry(set).or_insert(span);
+        }
+    }
+}
+
+fn pair(surface: &Surface, in_pair: &mut HashMap<usize, Span>, draft: &mut Draft) {
+    let kind = match surface.shape {
+        Shape::Rigid { .. } => ElementKind::Irs21,
+        Shape::Line { .. } => ElementKind::Isl21,
+    };
+    let Some(found) = draft.elements_of(&surface.set, surface.set_span) else { return };
+    let mut elements = Vec::new();
+    let mut reference: Option<(u64, u64)> = None;
+    let mut count = 0;
+    for index in found {
+        let element = draft.elements[index];
+        if element.kind != kind {
+            continue;
+        }
+        count += 1;
+        shared(index, surface, in_pair, draft);
+        if kind == ElementKind::Irs21 {
+            same_reference(&element, &mut reference, draft);
+        }
+        let Some(nodes) = draft.ends_of(&element) else { continue };
+        if !draft.has_no_length(&element, nodes) {
+            elements.push(ContactElement { label: element.label, nodes, origin: element.origin });
+        }
+    }
+    if count == 0 {
+        let message = format!("the set {} has no {} elements", surface.set, kind.name());
+        let error = Diagnostic::error(Code("SL0311"), message).at(surface.set_span);
+        draft.consequence(Subject::Elements, error);
+    }
+    let interaction = interaction(surface, draft);
+    let master = master(surface, reference.map(|(node, _)| node), draft);
+    if let (Some(interaction), Some(master)) = (interaction, master) {
+        let (name, origin) = (surface.set.clone(), surface.origin);
+        let pair = ContactPair { name, elements, master, interaction, origin };
+        both_sides(&pair, surface, draft);
+        draft.model.contact_pairs.push(pair);
+    }
+}
+
+/// An element that is in two pairs.
+fn shared(index: usize, surface: &Surface, in_pair: &mut HashMap<usize, Span>, draft: &mut Draft) {
+    if let Some(first) = in_pair.insert(index, surface.set_span)
+        && first != surface.set_span
+    {
+        let message = format!("contact element {} is in two sets", draft.elements[index].label);
+        let error = Diagnostic::error(Code("SL0314"), message).at(surface.set_span);
+        draft.consequence(Subject::Contact, error.label(first, "the first one"));
+    }
+}
+
+/// All IRS elements of a surface name one rigid body.
+fn same_reference(
+    element: &crate::draft::Element,
+    reference: &mut Option<(u64, u64)>,
+    draft: &mut Draft,
+) {
+    let node = element.nodes[2];
+    let (first, by) = *reference.get_or_insert((node, element.label));
+    if first != node {
+        let message = format!(
+            "element {} refers to the rigid body of node {node}, element {by} to that of {first}",
+            element.label
+        );
+        let error = Diagnostic::error(Code("SL0318"), message).at(element.origin);
+        draft.consequence(Subject::Elements, error);
+    }
+}
+
+fn interaction(surface: &Surface, draft: &mut Draft) -> Option<Interaction> {
+    let found = draft.interfaces.iter().find(|interface| interface.set == surface.set);
+    if let Some(interface) = found {
+        return Some(interface.interaction.clone());
+    }
+    let message = format!("the contact of the set {} has no *INTERFACE", surface.set);
+    let error = Diagnostic::error(Code("SL0312"), message).at(surface.origin);
+    let help = format!("add *INTERFACE, ELSET={} with the width on its data line", surface.set);
+    draft.consequence(Subject::Contact, error.help(help));
+    None
+}
+
+fn master(surface: &Surface, reference: Option<u64>, draft: &mut Draft) -> Option<Master> {
+    match &surface.shape {
+        Shape::Rigid { start, segments } => Some(Master::RigidSurface(RigidSurface {
+            reference: draft.model.nodes.find(reference?)?,
+            start: *start,
+            segments: segments.clone(),
+            origin: surface.origin,
+        })),
+        Shape::Line { nodes, smooth, extension } => Some(Master::SlideLine(SlideLine {
+            nodes: chain(nodes, surface, draft)?,
+            smooth: *smooth,
+            extension: *extension,
+            origin: surface.origin,
+        })),
+    }
+}
+
+/// The master nodes; they must exist, be at least two, and not coincide.
+fn chain(nodes: &[(u64, Span)], surface: &Surface, draft: &mut Draft) -> Option<Vec<NodeIndex>> {
+    let mut chain: Vec<NodeIndex> = Vec::with_capacity(nodes.len());
+    for &(label, span) in nodes {
+        let Some(index) = draft.model.nodes.find(label) else {
+            let message = format!("node {label} of the slide line is not defined");
+            let error = Diagnostic::error(Code("SL0304"), message).at(span);
+            draft.consequence(Subject::Nodes, error);
+            continue;
+        };
+        let same =
+            |&last: &NodeIndex| draft.model.nodes.plane(last) == draft.model.nodes.plane(index);
+        if chain.last().is_some_and(same) {
+            let message = format!("node {label} coincides with the one before it");
+            let error = Diagnostic::error(Code("SL0324"), message).at(span);
+            draft.consequence(Subject::Nodes, error);
+        }
+        chain.push(index);
+    }
+    if chain.len() < 2 {
+        let error = Diagnostic::error(Code("SL0324"), "a slide line needs at least two nodes");
+        draft.consequence(Subject::Contact, error.at(surface.origin));
+        return None;
+    }
+    Some(chain)
+}
+
+/// A node cannot slide on a surface that it carries itself.
+fn both_sides(pair: &ContactPair, surface: &Surface, draft: &mut Draft) {
+    let slaves = pair.slave_nodes();
+    let own = match &pair.master {
+        Master::RigidSurface(rigid) => slaves.contains(&rigid.reference).then_some(rigid.reference),
+        Master::SlideLine(line) => {
+            let masters: std::collections::HashSet<_> = line.nodes.iter().collect();
+            slaves.iter().find(|node| masters.contains(node)).copied()
+        }
+    };
+    if let Some(node) = own {
+        let label = draft.model.nodes.label(node);
+        let message = format!("node {label} is slave and master of the same contact");
+        let error = Diagnostic::error(Code("SL0319"), message).at(surface.set_span);
+        draft.consequence(Subject::Contact, error);
+    }
+}

@@ -1,0 +1,108 @@
+//! What can be said only when the whole deck is known: references by name,
+//! and whether the parts make a model.
+
+mod contact;
+mod links;
+mod nodes;
+mod sections;
+mod steps;
+
+use slideline_diag::{Code, Diagnostic, Span};
+use slideline_model::{Model, NodeIndex};
+
+use crate::draft::{Draft, Element};
+use crate::keyword::Subject;
+use crate::log::Target;
+
+/// Completes the model. `steps_doubted`: a step has been asked for already,
+/// or there are no cards at all.
+pub(crate) fn finish(draft: &mut Draft, steps_doubted: bool) -> Model {
+    nodes::sets(draft);
+    nodes::elements(draft);
+    sections::beams(draft);
+    sections::springs(draft);
+    contact::pairs(draft);
+    links::links(draft);
+    steps::steps(draft, steps_doubted);
+    std::mem::take(&mut draft.model)
+}
+
+impl Draft {
+    /// Reports an error unless the subject it rests on is known to be
+    /// incomplete, and once for each place.
+    fn consequence(&mut self, subject: Subject, error: Diagnostic) {
+        let at = error.span.unwrap_or_default();
+        let key = format!("{} {} {}", error.code, at.file.0, at.start);
+        if self.is_complete(subject) && self.log.first_time(&key) {
+            self.log.push(error);
+        }
+    }
+
+    /// The nodes a number or set stands for; complains where there are none.
+    fn nodes_of(&mut self, target: &Target, span: Span) -> Vec<NodeIndex> {
+        let labels = match target {
+            Target::Label(label) => {
+                if self.model.nodes.find(*label).is_none() {
+                    let message = format!("node {label} is not defined");
+                    let error = Diagnostic::error(Code("SL0304"), message).at(span);
+                    self.consequence(Subject::Nodes, error);
+                }
+                vec![*label]
+            }
+            Target::Set(set) => self.node_sets.labels(set).unwrap_or_else(|| {
+                let error = unknown_set("node", set, span, self.node_sets.names());
+                self.consequence(Subject::Nodes, error);
+                Vec::new()
+            }),
+        };
+        labels.into_iter().filter_map(|label| self.model.nodes.find(label)).collect()
+    }
+
+    /// The elements of a set that exist; complains about an unknown set.
+    fn elements_of(&mut self, set: &str, span: Span) -> Option<Vec<usize>> {
+        let Some(labels) = self.element_sets.labels(set) else {
+            let error = unknown_set("element", set, span, self.element_sets.names());
+            self.consequence(Subject::Elements, error);
+            return None;
+        };
+        Some(labels.iter().filter_map(|label| self.element_by_label.get(label).copied()).collect())
+    }
+
+    /// Places of the first two nodes of an element; `None` where undefined,
+    /// which has been reported.
+    fn ends_of(&self, element: &Element) -> Option<[NodeIndex; 2]> {
+        let [a, b, _] = element.nodes;
+        Some([self.model.nodes.find(a)?, self.model.nodes.find(b)?])
+    }
+
+    /// Complains about an element whose two nodes coincide; true if so.
+    fn has_no_length(&mut self, element: &Element, [a, b]: [NodeIndex; 2]) -> bool {
+        let zero = self.model.nodes.plane(a) == self.model.nodes.plane(b);
+        if zero {
+            let message = format!(
+                "element {} has no length: nodes {} and {} coincide",
+                element.label,
+                self.model.nodes.label(a),
+                self.model.nodes.label(b)
+            );
+            let error = Diagnostic::error(Code("SL0306"), message).at(element.origin);
+            self.consequence(Subject::Nodes, error);
+        }
+        zero
+    }
+}
+
+fn unknown_set<'a>(
+    kind: &str,
+    set: &str,
+    span: Span,
+    known: impl Iterator<Item = &'a str>,
+) -> Diagnostic {
+    let message = format!("there is no {kind} set {set}");
+    let error = Diagnostic::error(Code(if kind == "node" { "SL0304" } else { "SL0308" }), message);
+    let error = error.at(span);
+    match slideline_deck::nearest(set, known) {
+        Some(near) => error.help(format!("did you mean {near}?")),
+        None => error,
+    }
+}

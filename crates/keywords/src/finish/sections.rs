@@ -1,0 +1,178 @@
+//! Elements with their sections and stiffnesses become blocks.
+
+use slideline_diag::{Code, Diagnostic};
+use slideline_mech::material::Elastic;
+use slideline_model::{
+    BeamBlock, BeamElement, BeamSection, ElementBlock, SpringBlock, SpringElement, SpringKind,
+};
+
+use crate::draft::{Draft, Element, ElementKind, Section, Spring};
+use crate::keyword::Subject;
+
+/// `*BEAM SECTION` with its elements and its material.
+pub(super) fn beams(draft: &mut Draft) {
+    let mut owner = vec![None; draft.elements.len()];
+    for section in draft.sections.clone() {
+        let Some(found) = draft.elements_of(&section.set, section.set_span) else { continue };
+        let mut elements = Vec::new();
+        for index in found {
+            let element = draft.elements[index];
+            if claim(&element, &mut owner[index], &section, draft) {
+                elements.extend(beam(&element, draft));
+            }
+        }
+        if let Some(material) = material(&section, draft) {
+            let shape = BeamSection {
+                width: section.width,
+                height: section.height,
+                poisson: section.poisson,
+                material,
+                shear: section.shear,
+            };
+            let (name, origin) = (section.set.clone(), section.origin);
+            let block = BeamBlock { name, section: shape, elements, origin };
+            draft.model.blocks.push(ElementBlock::B21(block));
+        }
+    }
+    without(
+        ElementKind::B21,
+        "*BEAM SECTION",
+        &owner.iter().map(Option::is_some).collect::<Vec<_>>(),
+        draft,
+    );
+}
+
+/// Gives an element to a section; false where it is no beam or is taken.
+fn claim(
+    element: &Element,
+    owner: &mut Option<slideline_diag::Span>,
+    section: &Section,
+    draft: &mut Draft,
+) -> bool {
+    if element.kind != ElementKind::B21 {
+        let message = format!(
+            "element {} of the set {} is of type {}, which has no beam section",
+            element.label,
+            section.set,
+            element.kind.name()
+        );
+        let error = Diagnostic::error(Code("SL0325"), message).at(section.set_span);
+        draft.consequence(Subject::Elements, error);
+        return false;
+    }
+    if let Some(first) = *owner {
+        let message = format!("element {} has two sections", element.label);
+        let error = Diagnostic::error(Code("SL0320"), message).at(section.set_span);
+        draft.consequence(Subject::Elements, error.label(first, "the first one"));
+        return false;
+    }
+    *owner = Some(section.origin);
+    true
+}
+
+fn beam(element: &Element, draft: &mut Draft) -> Option<BeamElement> {
+    let nodes = draft.ends_of(element)?;
+    if draft.has_no_length(element, nodes) {
+        return None;
+    }
+    Some(BeamElement { label: element.label, nodes, origin: element.origin })
+}
+
+fn material(section: &Section, draft: &mut Draft) -> Option<Elastic> {
+    let found = draft.materials.iter().find(|material| material.name == section.material).cloned();
+    let Some(material) = found else {
+        let message = format!("there is no material {}", section.material);
+        let mut error = Diagnostic::error(Code("SL0308"), message).at(section.material_span);
+        let names = draft.materials.iter().map(|material| material.name.as_str());
+        if let Some(near) = slideline_deck::nearest(&section.material, names) {
+            error = error.help(format!("did you mean {near}?"));
+        }
+        draft.consequence(Subject::Sections, error);
+        return None;
+    };
+    if !material.has_card {
+        let message = format!("the material {} has no *ELASTIC", material.name);
+        let error = Diagnostic::error(Code("SL0309"), message).at(material.origin);
+        draft.consequence(Subject::Sections, error.help("put *ELASTIC behind *MATERIAL: E, nu"));
+    }
+    material.elastic
+}
+
+/// Complains about elements that no card gave a stiffness.
+fn without(kind: ElementKind, card: &str, owned: &[bool], draft: &mut Draft) {
+    let lonely = |&(index, element): &(usize, &Element)| element.kind == kind && !owned[index];
+    let count = draft.elements.iter().enumerate().filter(lonely).count();
+    let Some((_, first)) = draft.elements.iter().enumerate().find(lonely) else { return };
+    let more = if count > 1 { format!(" (and {} more)", count - 1) } else { String::new() };
+    let message = format!("element {}{more} of type {} has no {card}", first.label, kind.name());
+    let error = Diagnostic::error(Code("SL0307"), message).at(first.origin);
+    if draft.is_complete(Subject::Elements) {
+        draft.consequence(Subject::Sections, error);
+    }
+}
+
+/// `*SPRING` with its elements.
+pub(super) fn springs(draft: &mut Draft) {
+    let mut owned = vec![false; draft.elements.len()];
+    for spring in draft.springs.clone() {
+        let Some(found) = draft.elements_of(&spring.set, spring.set_span) else { continue };
+        for kind in [ElementKind::Spring1, ElementKind::SpringA] {
+            spring_block(&spring, kind, &found, &mut owned, draft);
+        }
+        if let Some(&index) = found.iter().find(|&&index| !draft.elements[index].kind.is_spring()) {
+            let element = draft.elements[index];
+            let message = format!(
+                "element {} of the set {} is of type {}, which is no spring",
+                element.label,
+                spring.set,
+                element.kind.name()
+            );
+            let error = Diagnostic::error(Code("SL0325"), message).at(spring.set_span);
+            draft.consequence(Subject::Elements, error);
+        }
+    }
+    for kind in [ElementKind::Spring1, ElementKind::SpringA] {
+        without(kind, "*SPRING", &owned, draft);
+    }
+}
+
+fn spring_block(
+    spring: &Spring,
+    kind: ElementKind,
+    found: &[usize],
+    owned: &mut [bool],
+    draft: &mut Draft,
+) {
+    let mut elements = Vec::new();
+    for &index in found.iter().filter(|&&index| draft.elements[index].kind == kind) {
+        owned[index] = true;
+        let mut element = draft.elements[index];
+        if kind == ElementKind::Spring1 {
+            element.nodes[1] = element.nodes[0];
+        }
+        let Some(nodes) = draft.ends_of(&element) else { continue };
+        if kind == ElementKind::SpringA && draft.has_no_length(&element, nodes) {
+            continue;
+        }
+        elements.push(SpringElement { label: element.label, nodes, origin: element.origin });
+    }
+    if elements.is_empty() {
+        return;
+    }
+    let kind = match (kind, spring.dof) {
+        (ElementKind::Spring1, Some(dof)) if dof.is_plane() => SpringKind::Ground(dof),
+        (ElementKind::Spring1, given) => {
+            let message = match given {
+                Some(dof) => format!("a plane model has no dof {}", dof.number()),
+                None => "SPRING1 needs its degree of freedom on the first data line".to_owned(),
+            };
+            let error = Diagnostic::error(Code("SL0251"), message).at(spring.origin);
+            draft.consequence(Subject::Sections, error);
+            return;
+        }
+        _ => SpringKind::Axial,
+    };
+    let (name, stiffness, origin) = (spring.set.clone(), spring.stiffness, spring.origin);
+    let block = SpringBlock { name, stiffness, kind, elements, origin };
+    draft.model.blocks.push(ElementBlock::Spring(block));
+}

@@ -1,0 +1,202 @@
+//! Steps: what the lines of `*BOUNDARY` and `*CLOAD` mean for each node, and
+//! what a step takes over from the one before.
+
+use std::collections::{HashMap, HashSet};
+
+use slideline_diag::{Code, Diagnostic, Span};
+use slideline_model::{
+    Controls, Dof, Load, NodeIndex, NodePrint, OutputRequests, Prescribed, Static, Step,
+};
+
+use crate::draft::{Boundary, Draft, StepDraft};
+use crate::keyword::Subject;
+
+/// What is in force, by node and dof, in the order in which it was said.
+#[derive(Clone)]
+struct InForce<T> {
+    list: Vec<T>,
+    place: HashMap<(NodeIndex, Dof), usize>,
+}
+
+impl<T> Default for InForce<T> {
+    fn default() -> Self {
+        Self { list: Vec::new(), place: HashMap::new() }
+    }
+}
+
+impl<T> InForce<T> {
+    fn set(&mut self, node: NodeIndex, dof: Dof, value: T) {
+        match self.place.get(&(node, dof)) {
+            Some(&at) => self.list[at] = value,
+            None => {
+                self.place.insert((node, dof), self.list.len());
+                self.list.push(value);
+            }
+        }
+    }
+}
+
+/// What passes from step to step.
+#[derive(Default)]
+struct Carried {
+    prescribed: InForce<Prescribed>,
+    loads: InForce<Load>,
+    controls: Controls,
+    restart_every: Option<usize>,
+    prints: Vec<NodePrint>,
+    contact_changes: bool,
+}
+
+pub(super) fn steps(draft: &mut Draft, doubted: bool) {
+    presence(draft, doubted);
+    let dependents: HashMap<NodeIndex, Span> =
+        draft.model.rigid_links.iter().map(|link| (link.dependent, link.origin)).collect();
+    let mut carried = Carried { restart_every: draft.restart_every, ..Carried::default() };
+    for line in std::mem::take(&mut draft.initial) {
+        prescribe(&line, &dependents, &mut carried.prescribed, draft);
+    }
+    for step in std::mem::take(&mut draft.steps) {
+        let finished = finish(step, &dependents, &mut carried, draft);
+        settle(&mut carried, &finished, draft);
+        draft.model.steps.push(finished);
+    }
+}
+
+/// There must be a step, and it must be closed.
+fn presence(draft: &mut Draft, doubted: bool) {
+    let Some(last) = draft.steps.last() else {
+        if !doubted && draft.is_complete(Subject::Steps) {
+            let error = Diagnostic::error(Code("SL0301"), "the deck has no *STEP: nothing happens");
+            let origin = draft.model.nodes.iter().next().map(|node| node.origin);
+            let help = "end the deck with *STEP, *STATIC, *BOUNDARY ... *END STEP";
+            draft.log.push(error.at(origin).help(help));
+        }
+        return;
+    };
+    if draft.in_step {
+        let error = Diagnostic::error(Code("SL0302"), "this step has no *END STEP");
+        let error = error.at(last.origin).help("add *END STEP as the last line of the deck");
+        draft.log.push(error);
+    }
+}
+
+fn finish(
+    step: StepDraft,
+    dependents: &HashMap<NodeIndex, Span>,
+    carried: &mut Carried,
+    draft: &mut Draft,
+) -> Step {
+    if step.new_boundary {
+        carried.prescribed = InForce::default();
+    }
+    if step.new_loads {
+        carried.loads = InForce::default();
+    }
+    for line in &step.boundary {
+        prescribe(line, dependents, &mut carried.prescribed, draft);
+    }
+    for line in &step.loads {
+        load(line, &mut carried.loads, draft);
+    }
+    carried.controls = step.controls.unwrap_or(carried.controls);
+    carried.restart_every = step.restart_every.or(carried.restart_every);
+    carried.contact_changes |= step.contact_changes;
+    if !step.prints.is_empty() {
+        carried.prints = step.prints.into_iter().map(|(p, at)| print(p, at, draft)).collect();
+    }
+    let origin = None;
+    let default =
+        Static { initial: 1.0, period: 1.0, minimum: 1e-5, maximum: 1.0, direct: false, origin };
+    Step {
+        title: step.title,
+        nlgeom: step.nlgeom,
+        max_increments: step.max_increments,
+        unsymmetric: step.unsymmetric,
+        extrapolation: step.extrapolation,
+        at_once: step.at_once,
+        procedure: step.procedure.unwrap_or(default),
+        prescribed: carried.prescribed.list.clone(),
+        loads: carried.loads.list.clone(),
+        controls: carried.controls,
+        output: OutputRequests {
+            restart_every: carried.restart_every,
+            node_prints: carried.prints.clone(),
+            contact_changes: carried.contact_changes,
+        },
+        origin: step.origin,
+    }
+}
+
+/// A value that followed an amplitude keeps what it had at the end.
+fn settle(carried: &mut Carried, step: &Step, draft: &Draft) {
+    let end = step.procedure.period;
+    let factor = |amplitude: &mut Option<usize>| {
+        let curve = amplitude.take().and_then(|index| draft.model.amplitudes.get(index));
+        curve.map_or(1.0, |curve| curve.at(end))
+    };
+    for prescribed in &mut carried.prescribed.list {
+        prescribed.value *= factor(&mut prescribed.amplitude);
+    }
+    for load in &mut carried.loads.list {
+        load.value *= factor(&mut load.amplitude);
+    }
+}
+
+fn amplitude(line: &Boundary, draft: &mut Draft) -> Option<usize> {
+    let (name, span) = line.amplitude.as_ref()?;
+    let list = &draft.model.amplitudes;
+    let found = list.iter().position(|amplitude| amplitude.name == *name);
+    if found.is_none() {
+        let mut error =
+            Diagnostic::error(Code("SL0321"), format!("there is no amplitude {name}")).at(*span);
+        let names = list.iter().map(|amplitude| amplitude.name.as_str());
+        if let Some(near) = slideline_deck::nearest(name, names) {
+            error = error.help(format!("did you mean {near}?"));
+        }
+        draft.consequence(Subject::Amplitudes, error);
+    }
+    found
+}
+
+/// Dofs that the plane does not have are passed over: `1, 1, 6` is common.
+fn prescribe(
+    line: &Boundary,
+    dependents: &HashMap<NodeIndex, Span>,
+    into: &mut InForce<Prescribed>,
+    draft: &mut Draft,
+) {
+    let amplitude = amplitude(line, draft);
+    for node in draft.nodes_of(&line.target, line.target_span) {
+        for &dof in line.dofs.iter().filter(|dof| dof.is_plane()) {
+            if let Some(&link) = dependents.get(&node) {
+                let label = draft.model.nodes.label(node);
+                let message = format!("node {label} follows a rigid link and cannot be prescribed");
+                let error = Diagnostic::error(Code("SL0315"), message).at(line.target_span);
+                let error = error.label(link, "linked here");
+                draft.consequence(Subject::Links, error.help("prescribe the master node instead"));
+            }
+            let (value, origin) = (line.value, line.origin);
+            into.set(node, dof, Prescribed { node, dof, value, amplitude, origin });
+        }
+    }
+}
+
+fn load(line: &Boundary, into: &mut InForce<Load>, draft: &mut Draft) {
+    let amplitude = amplitude(line, draft);
+    for node in draft.nodes_of(&line.target, line.target_span) {
+        for &dof in &line.dofs {
+            let (value, origin) = (line.value, line.origin);
+            into.set(node, dof, Load { node, dof, value, amplitude, origin });
+        }
+    }
+}
+
+fn print(mut print: NodePrint, span: Option<Span>, draft: &mut Draft) -> NodePrint {
+    print.nodes = match span {
+        Some(span) => draft.nodes_of(&crate::log::Target::Set(print.set.clone()), span),
+        None => (0..draft.model.nodes.len()).collect(),
+    };
+    let mut seen = HashSet::new();
+    print.nodes.retain(|node| seen.insert(*node));
+    print
+}

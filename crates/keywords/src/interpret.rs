@@ -1,0 +1,162 @@
+//! The pass over the cards.
+
+use slideline_deck::{Card, Loader, Parsed, nearest, normalise, parse};
+use slideline_diag::{Code, Diagnostic, Severity, Sources};
+use slideline_model::{Dialect, Model};
+
+use crate::draft::{Draft, Owner};
+use crate::keyword::{Keyword, Level};
+use crate::reading::{Match, Reading, note_abbreviation, resolve};
+use crate::registry::REGISTRY;
+use crate::{finish, traps};
+
+/// What a deck means.
+#[derive(Clone, Debug)]
+pub struct Interpreted {
+    /// The model; complete only where no diagnostic is an error.
+    pub model: Model,
+    /// Everything there is to say, syntax first, then in the order of the
+    /// cards, then what concerns the model as a whole.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Reads and interprets a deck in one go.
+pub fn read(
+    sources: &mut Sources,
+    name: &str,
+    bytes: &[u8],
+    loader: &dyn Loader,
+    dialect: Dialect,
+) -> Interpreted {
+    interpret(&parse(sources, name, bytes, loader), dialect)
+}
+
+/// Gives a parsed deck its meaning. Total: any deck, every error in one pass,
+/// the syntax errors of `parsed` included.
+pub fn interpret(parsed: &Parsed, dialect: Dialect) -> Interpreted {
+    let mut draft = Draft { dialect, ..Draft::default() };
+    draft.model.dialect = dialect;
+    if slideline_diag::has_errors(&parsed.diagnostics) {
+        draft.mark_all_incomplete();
+    }
+    let cards = traps::mend(&parsed.deck, &mut draft.log);
+    let mut stray_history = false;
+    for card in &cards {
+        if let Some(keyword) = find_keyword(card, &mut draft) {
+            read_card(card, keyword, &mut draft, &mut stray_history);
+        }
+    }
+    let nothing = cards.is_empty();
+    let model = finish::finish(&mut draft, stray_history || nothing);
+    let diagnostics = together(&parsed.diagnostics, draft.log.into_diagnostics());
+    Interpreted { model, diagnostics }
+}
+
+/// Syntax and meaning in one list. Where the syntax of a place is wrong, its
+/// meaning is not complained about as well.
+fn together(syntax: &[Diagnostic], meaning: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    let broken: Vec<_> = syntax
+        .iter()
+        .filter(|diagnostic| diagnostic.severity == Severity::Error)
+        .filter_map(|diagnostic| diagnostic.span)
+        .collect();
+    let follows = |diagnostic: &Diagnostic| {
+        diagnostic.span.is_some_and(|span| {
+            broken.iter().any(|at| {
+                at.file == span.file
+                    && at.start < span.end.max(span.start + 1)
+                    && span.start < at.end
+            })
+        })
+    };
+    syntax.iter().cloned().chain(meaning.into_iter().filter(|d| !follows(d))).collect()
+}
+
+fn read_card(
+    card: &Card,
+    keyword: &'static dyn Keyword,
+    draft: &mut Draft,
+    stray_history: &mut bool,
+) {
+    let errors = draft.log.errors();
+    if !keyword.is_suboption() {
+        draft.owner = Owner::Nobody;
+    }
+    if misplaced(card, keyword, draft, stray_history) {
+        return;
+    }
+    match Reading::new(card, keyword, &mut draft.log) {
+        Some(reading) => keyword.read(&reading, draft),
+        None if !keyword.is_suboption() => draft.owner = Owner::Broken,
+        None => {}
+    }
+    if draft.log.errors() > errors {
+        draft.mark_incomplete(keyword.subject());
+    }
+}
+
+/// Whether the card cannot be read where it stands.
+fn misplaced(
+    card: &Card,
+    keyword: &dyn Keyword,
+    draft: &mut Draft,
+    stray_history: &mut bool,
+) -> bool {
+    let name = keyword.name();
+    match (keyword.level(), draft.in_step) {
+        (Level::Model, true) => {
+            let message = format!("*{name} belongs before the first *STEP");
+            draft.log.error("SL0214", message, card.span);
+            false
+        }
+        (Level::History, false) if name != "STEP" => {
+            if !*stray_history {
+                *stray_history = draft.steps.is_empty();
+                let message = format!("*{name} belongs between *STEP and *END STEP");
+                draft.log.error("SL0214", message, card.span);
+            }
+            true
+        }
+        _ => false,
+    }
+}
+
+fn find_keyword(card: &Card, draft: &mut Draft) -> Option<&'static dyn Keyword> {
+    let word = &card.keyword;
+    match resolve(&normalise(&word.raw), REGISTRY, |keyword| keyword.name()) {
+        Match::Exact(keyword) => Some(keyword),
+        Match::Abbreviation(keyword) => {
+            let full = format!("*{}", keyword.name());
+            note_abbreviation(&mut draft.log, &format!("*{}", word.raw), &full, word.span);
+            Some(keyword)
+        }
+        Match::Ambiguous(found) => {
+            let names: Vec<String> = found.iter().map(|k| format!("*{}", k.name())).collect();
+            let message = format!("*{} may be {}", word.raw, names.join(" or "));
+            draft.log.error("SL0203", message, word.span);
+            unread(draft);
+            None
+        }
+        Match::Unknown => unknown_keyword(card, draft),
+    }
+}
+
+/// An unknown keyword is read as the nearest known one, so that one slip
+/// gives one error.
+fn unknown_keyword(card: &Card, draft: &mut Draft) -> Option<&'static dyn Keyword> {
+    let word = &card.keyword;
+    let error = Diagnostic::error(Code("SL0201"), format!("*{} is not a known keyword", word.raw));
+    let error = error.at(word.span);
+    let Some(near) = nearest(&word.raw, REGISTRY.iter().map(|keyword| keyword.name())) else {
+        draft.log.push(error.help("`slideline explain` lists the keywords that are read"));
+        unread(draft);
+        return None;
+    };
+    draft.log.push(error.help(format!("did you mean *{near}?")).edit(word.span, near));
+    REGISTRY.iter().find(|keyword| keyword.name() == near).copied()
+}
+
+fn unread(draft: &mut Draft) {
+    draft.owner = Owner::Broken;
+    draft.mark_all_incomplete();
+}

@@ -1,0 +1,28 @@
+//! Cards to model: what a deck means.
+//!
+//! ```text
+//!   *NODE ...        Keyword::read         Draft               finish
+//!   *ELEMENT ...   ----------------->  sets, elements,  ------------------> Model
+//!   *STEP ...       one file each      cards by name     references, checks
+//! ```
+//!
+//! [`interpret`] reads every card once, in order; generators act on what is
+//! stored at that moment, references by name are resolved at the end. All
+//! errors of a deck are reported in one pass, and an error is not followed by
+//! complaints about what it caused.
+
+mod cards;
+mod draft;
+mod finish;
+mod interpret;
+mod keyword;
+mod log;
+mod reading;
+mod registry;
+mod sets;
+mod traps;
+
+pub use draft::MAX_GENERATED;
+pub use interpret::{Interpreted, interpret, read};
+pub use keyword::{Level, Rule, Takes};
+pub use registry::{Description, describe, keywords};

@@ -1,0 +1,150 @@
+//! Diagnostics while they are collected, and values read with their errors.
+
+use std::collections::HashSet;
+
+use slideline_deck::{DataLine, Field, MAX_DIAGNOSTICS, integer, normalise, number, parse_integer};
+use slideline_diag::{Code, Diagnostic, Severity, Span};
+
+/// Largest node or element number.
+pub(crate) const MAX_LABEL: i64 = 999_999_999;
+
+/// Collects diagnostics.
+#[derive(Default)]
+pub(crate) struct Log {
+    diagnostics: Vec<Diagnostic>,
+    errors: usize,
+    said: HashSet<String>,
+}
+
+/// A node or element number, or the name of a set.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Target {
+    Label(u64),
+    Set(String),
+}
+
+impl Log {
+    pub fn push(&mut self, diagnostic: Diagnostic) {
+        self.errors += usize::from(diagnostic.severity == Severity::Error);
+        match self.diagnostics.len() {
+            count if count < MAX_DIAGNOSTICS => self.diagnostics.push(diagnostic),
+            MAX_DIAGNOSTICS => {
+                let text = format!("more than {MAX_DIAGNOSTICS} problems; the rest is not listed");
+                self.diagnostics.push(Diagnostic::error(Code("SL0115"), text).at(diagnostic.span));
+            }
+            _ => {}
+        }
+    }
+
+    pub fn error(&mut self, code: &'static str, message: impl Into<String>, span: Span) {
+        self.push(Diagnostic::error(Code(code), message).at(span));
+    }
+
+    pub fn warning(&mut self, code: &'static str, message: impl Into<String>, span: Span) {
+        self.push(Diagnostic::warning(Code(code), message).at(span));
+    }
+
+    pub fn note(&mut self, code: &'static str, message: impl Into<String>, span: Span) {
+        self.push(Diagnostic::note(Code(code), message).at(span));
+    }
+
+    /// How many errors so far.
+    pub fn errors(&self) -> usize {
+        self.errors
+    }
+
+    /// Whether this is the first time that `what` comes up.
+    pub fn first_time(&mut self, what: &str) -> bool {
+        self.said.insert(what.to_owned())
+    }
+
+    pub fn into_diagnostics(self) -> Vec<Diagnostic> {
+        self.diagnostics
+    }
+
+    /// Keeps the value, or reports the error.
+    pub fn take<T>(&mut self, result: Result<T, Box<Diagnostic>>) -> Option<T> {
+        result.map_err(|diagnostic| self.push(*diagnostic)).ok()
+    }
+
+    fn present<'l>(&mut self, line: &'l DataLine, at: usize, what: &str) -> Option<&'l Field> {
+        let field = line.field(at);
+        if field.is_none() {
+            let span = line.fields.get(at).map_or(line.end(), |field| field.span);
+            self.error("SL0119", format!("{what} is missing"), span);
+        }
+        field
+    }
+
+    /// A real number that must be there; `what` names it in the error.
+    pub fn number(&mut self, line: &DataLine, at: usize, what: &str) -> Option<f64> {
+        let field = self.present(line, at, what)?;
+        self.take(number(field))
+    }
+
+    /// A real number, or its default where it is missing or blank.
+    pub fn number_or(&mut self, line: &DataLine, at: usize, default: f64) -> Option<f64> {
+        line.field(at).map_or(Some(default), |field| self.take(number(field)))
+    }
+
+    /// A real number that may be missing: `Some(None)` then.
+    pub fn maybe_number(&mut self, line: &DataLine, at: usize) -> Option<Option<f64>> {
+        line.field(at).map_or(Some(None), |field| self.take(number(field)).map(Some))
+    }
+
+    /// A whole number, or its default where it is missing or blank.
+    pub fn integer_or(&mut self, line: &DataLine, at: usize, default: i64) -> Option<i64> {
+        line.field(at).map_or(Some(default), |field| self.take(integer(field)))
+    }
+
+    /// A node or element number.
+    pub fn label(&mut self, line: &DataLine, at: usize, what: &str) -> Option<u64> {
+        let field = self.present(line, at, what)?;
+        let value = self.take(integer(field))?;
+        self.in_range(value, field)
+    }
+
+    fn in_range(&mut self, value: i64, field: &Field) -> Option<u64> {
+        let label = u64::try_from(value).ok().filter(|_| (1..=MAX_LABEL).contains(&value));
+        if label.is_none() {
+            let message = format!("{value} is no node or element number: 1 to {MAX_LABEL}");
+            self.error("SL0224", message, field.span);
+        }
+        label
+    }
+
+    /// A number or the name of a set.
+    pub fn target(&mut self, line: &DataLine, at: usize, what: &str) -> Option<Target> {
+        let field = self.present(line, at, what)?;
+        if parse_integer(&field.text).is_ok() {
+            let value = self.take(integer(field))?;
+            return self.in_range(value, field).map(Target::Label);
+        }
+        if field.text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) {
+            self.take(integer(field));
+            return None;
+        }
+        Some(Target::Set(normalise(&field.text)))
+    }
+
+    /// Complains about values behind the last one that means something.
+    pub fn at_most(&mut self, line: &DataLine, count: usize) {
+        let extra = line.fields.iter().skip(count).find(|field| !field.text.is_empty());
+        if let Some(field) = extra {
+            let message = format!("more values than this line takes ({count})");
+            self.error("SL0209", message, field.span);
+        }
+    }
+
+    /// Complains about lines behind the last one that means something.
+    pub fn at_most_lines(&mut self, data: &[DataLine], count: usize, keyword: &str) {
+        if let Some(line) = data.get(count) {
+            let message = match count {
+                0 => format!("*{keyword} takes no data lines"),
+                1 => format!("*{keyword} takes one data line"),
+                _ => format!("*{keyword} takes {count} data lines"),
+            };
+            self.error("SL0209", message, line.span);
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! All keywords.
+
+use slideline_deck::normalise;
+
+use crate::cards::{
+    amplitude, beam_section, boundary, cload, contact_controls, controls, elastic, element, elgen,
+    elset, end_step, friction, heading, interface, material, mpc, ngen, nmap, node, node_file,
+    node_output, node_print, nset, output, print, restart, rigid_surface, slide_line, spring,
+    static_, step, surface_behavior, surface_contact, transverse_shear,
+};
+use crate::keyword::{Keyword, Level, Rule};
+use crate::reading::{Match, resolve};
+
+/// One line for each keyword, in the order of a deck.
+pub(crate) const REGISTRY: &[&'static dyn Keyword] = &[
+    &heading::Heading,
+    &restart::Restart,
+    &node::Node,
+    &ngen::Ngen,
+    &nmap::Nmap,
+    &nset::Nset,
+    &elset::Elset,
+    &element::Element,
+    &elgen::Elgen,
+    &beam_section::BeamSection,
+    &transverse_shear::TransverseShearStiffness,
+    &spring::Spring,
+    &material::Material,
+    &elastic::Elastic,
+    &rigid_surface::RigidSurface,
+    &slide_line::SlideLine,
+    &interface::Interface,
+    &friction::Friction,
+    &surface_contact::SurfaceContact,
+    &surface_behavior::SurfaceBehavior,
+    &contact_controls::ContactControls,
+    &mpc::Mpc,
+    &amplitude::Amplitude,
+    &step::Step,
+    &static_::Static,
+    &boundary::Boundary,
+    &cload::Cload,
+    &controls::Controls,
+    &print::Print,
+    &output::Output,
+    &node_print::NodePrint,
+    &node_file::NodeFile,
+    &node_output::NodeOutput,
+    &end_step::EndStep,
+];
+
+/// A keyword as people look it up.
+#[derive(Clone, Copy, Debug)]
+pub struct Description {
+    /// Its name without the star.
+    pub name: &'static str,
+    /// Where it may stand.
+    pub level: Level,
+    /// The parameters it knows.
+    pub parameters: &'static [Rule],
+    /// Its page in Markdown: meaning, formula, default, source, example.
+    pub page: &'static str,
+}
+
+/// `*INCLUDE` is carried out while the deck is parsed; only its page is here.
+const INCLUDE: Description = Description {
+    name: "INCLUDE",
+    level: Level::Both,
+    parameters: &[Rule::required("INPUT")],
+    page: include_str!("../../../docs/keywords/INCLUDE.md"),
+};
+
+/// All keywords in the order of a deck.
+pub fn keywords() -> impl Iterator<Item = Description> {
+    let described = REGISTRY.iter().map(|keyword| Description {
+        name: keyword.name(),
+        level: keyword.level(),
+        parameters: keyword.parameters(),
+        page: keyword.page(),
+    });
+    described.chain(std::iter::once(INCLUDE))
+}
+
+/// The keyword of that name, with or without its star, case and blanks not
+/// counted; a unique beginning is enough.
+pub fn describe(name: &str) -> Option<Description> {
+    let word = normalise(name.trim_start_matches('*'));
+    let all: Vec<Description> = keywords().collect();
+    match resolve(&word, &all, |description| description.name) {
+        Match::Exact(found) | Match::Abbreviation(found) => Some(found),
+        _ => None,
+    }
+}

@@ -1,0 +1,161 @@
+//! Banded factorisation with partial pivoting, P A = L U.
+//!
+//! ```text
+//!   row i:   columns  i-b .... i .... i+b .... i+2b
+//!                     [ lower  | upper | fill by row exchanges ]
+//! ```
+//!
+//! Rows are contiguous: an exchange swaps two short slices and an elimination subtracts one from
+//! another. Multipliers are kept apart, column after column, and exchanges are replayed on the
+//! right-hand side, as in LAPACK's `gbtrf`.
+
+use crate::kernel::{BLOCK, dot_from_far, padded, subtract};
+
+/// Storage and factors of a general band with equal half-bandwidths below and above.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct BandLu {
+    n: usize,
+    half_bandwidth: usize,
+    /// Length of a stored row, with padding.
+    width: usize,
+    /// Rows; each diagonal holds the inverse of its pivot once factored.
+    row: Vec<f64>,
+    multiplier: Vec<f64>,
+    exchange: Vec<u32>,
+    /// Number of entries of each row of U.
+    length: Vec<u32>,
+}
+
+/// Smallest pivot of a factorisation.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SmallestPivot {
+    pub ratio: f64,
+    pub at: usize,
+}
+
+impl BandLu {
+    pub fn new(n: usize, half_bandwidth: usize) -> Self {
+        let width = 3 * half_bandwidth + BLOCK;
+        Self {
+            n,
+            half_bandwidth,
+            width,
+            row: vec![0.0; n * width + 1],
+            multiplier: vec![0.0; n * half_bandwidth],
+            exchange: vec![0; n],
+            length: vec![0; n],
+        }
+    }
+
+    /// Place of entry (i, j), |i - j| <= b, in the storage.
+    pub fn place(&self, i: usize, j: usize) -> usize {
+        i * self.width + (j + self.half_bandwidth - i)
+    }
+
+    /// A place behind the matrix, for entries that do not belong to it.
+    pub fn nowhere(&self) -> usize {
+        self.n * self.width
+    }
+
+    /// The storage, set to zero, to be filled with the matrix.
+    pub fn clear(&mut self) -> &mut [f64] {
+        self.row.fill(0.0);
+        &mut self.row
+    }
+
+    /// Sets one entry by its place.
+    pub fn set(&mut self, place: usize, value: f64) {
+        self.row[place] = value;
+    }
+
+    /// Factors in place; `size` gives the size of each equation. The ratio of the smallest pivot is
+    /// zero when a column had none; the factors are then of no use.
+    pub fn factor(&mut self, size: impl Fn(usize) -> f64) -> SmallestPivot {
+        let mut smallest = SmallestPivot { ratio: f64::INFINITY, at: 0 };
+        let mut last_column = 0;
+        for j in 0..self.n {
+            let below = self.half_bandwidth.min(self.n - 1 - j);
+            let pivot_row = self.find_pivot(j, below);
+            last_column = last_column.max((pivot_row + self.half_bandwidth).min(self.n - 1));
+            let length = last_column - j + 1;
+            self.exchange[j] = pivot_row as u32;
+            self.length[j] = length as u32;
+            if pivot_row != j {
+                self.exchange_rows(j, pivot_row, length);
+            }
+            let (pivot, size) = (self.row[self.place(j, j)].abs(), size(j));
+            let usable = pivot > 0.0 && pivot.is_finite();
+            if !usable {
+                return SmallestPivot { ratio: 0.0, at: j };
+            }
+            if pivot < smallest.ratio * size {
+                smallest = SmallestPivot { ratio: pivot / size, at: j };
+            }
+            self.eliminate(j, below, length);
+        }
+        smallest
+    }
+
+    fn find_pivot(&self, j: usize, below: usize) -> usize {
+        let step = self.width - 1;
+        let first = self.place(j, j);
+        let (mut best, mut largest) = (0, self.row[first].abs());
+        for p in 1..=below {
+            let candidate = self.row[first + p * step].abs();
+            if candidate > largest {
+                (best, largest) = (p, candidate);
+            }
+        }
+        j + best
+    }
+
+    fn exchange_rows(&mut self, j: usize, pivot_row: usize, length: usize) {
+        let (from, to) = (self.place(j, j), self.place(pivot_row, j));
+        let (head, tail) = self.row.split_at_mut(to);
+        head[from..from + length].swap_with_slice(&mut tail[..length]);
+    }
+
+    fn eliminate(&mut self, j: usize, below: usize, length: usize) {
+        let step = self.width - 1;
+        let first = self.place(j, j);
+        let (head, tail) = self.row.split_at_mut((j + 1) * self.width);
+        let source = &mut head[first..];
+        let inverse = 1.0 / source[0];
+        source[0] = inverse;
+        let others = padded(length - 1);
+        let source = &source[1..=others];
+        let multipliers = &mut self.multiplier[j * self.half_bandwidth..][..below];
+        // In the row p + 1 below, column j is stored one place further left for each row.
+        let offset = first + step - (j + 1) * self.width;
+        for (p, multiplier) in multipliers.iter_mut().enumerate() {
+            let target = &mut tail[offset + p * step..][..=others];
+            let factor = target[0] * inverse;
+            *multiplier = factor;
+            if factor != 0.0 {
+                subtract(&mut target[1..], factor, source);
+            }
+        }
+    }
+
+    /// Solves in place.
+    pub fn solve(&self, x: &mut [f64]) {
+        let (n, b) = (self.n, self.half_bandwidth);
+        for j in 0..n {
+            let pivot_row = self.exchange[j] as usize;
+            if pivot_row != j {
+                x.swap(j, pivot_row);
+            }
+            let x_j = x[j];
+            let below = b.min(n - 1 - j);
+            let multipliers = &self.multiplier[j * b..][..below];
+            for (x_i, l) in x[j + 1..=j + below].iter_mut().zip(multipliers) {
+                *x_i -= l * x_j;
+            }
+        }
+        for j in (0..n).rev() {
+            let length = self.length[j] as usize;
+            let row = &self.row[self.place(j, j)..][..length];
+            x[j] = (x[j] - dot_from_far(&row[1..], &x[j + 1..j + length])) * row[0];
+        }
+    }
+}

@@ -1,0 +1,54 @@
+//! Loops over contiguous memory that all factorisations share.
+
+/// Length of the blocks in which rows are subtracted; storages are padded to whole blocks.
+pub(crate) const BLOCK: usize = 4;
+
+/// Smallest number of whole blocks that holds `length`, in entries.
+pub(crate) fn padded(length: usize) -> usize {
+    length.div_ceil(BLOCK) * BLOCK
+}
+
+/// target -= factor * source, block by block; both have the same whole number of blocks.
+/// Long rows are left to the compiler, which unrolls further.
+pub(crate) fn subtract(target: &mut [f64], factor: f64, source: &[f64]) {
+    if target.len() > 8 * BLOCK {
+        for (t, &s) in target.iter_mut().zip(source) {
+            *t -= factor * s;
+        }
+        return;
+    }
+    let blocks = target.as_chunks_mut::<BLOCK>().0.iter_mut().zip(source.as_chunks::<BLOCK>().0);
+    for (t, s) in blocks {
+        for k in 0..BLOCK {
+            t[k] -= factor * s[k];
+        }
+    }
+}
+
+/// Scalar product of equally long arrays, in interleaved parts to shorten the chain of additions.
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let (a_blocks, a_rest) = a.as_chunks::<BLOCK>();
+    let (b_blocks, b_rest) = b.as_chunks::<BLOCK>();
+    let mut part = [0.0; BLOCK];
+    for (p, q) in a_blocks.iter().zip(b_blocks) {
+        for k in 0..BLOCK {
+            part[k] += p[k] * q[k];
+        }
+    }
+    let mut sum = (part[0] + part[1]) + (part[2] + part[3]);
+    for (p, q) in a_rest.iter().zip(b_rest) {
+        sum += p * q;
+    }
+    sum
+}
+
+/// Scalar product for back substitution: the nearest unknowns, which have just been found, enter
+/// last, so that the processor need not wait for them.
+pub(crate) fn dot_from_far(row: &[f64], x: &[f64]) -> f64 {
+    let near = row.len().min(2 * BLOCK);
+    let mut sum = dot(&row[near..], &x[near..]);
+    for (u, x_i) in row[..near].iter().zip(&x[..near]).rev() {
+        sum += u * x_i;
+    }
+    sum
+}

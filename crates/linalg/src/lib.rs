@@ -1,0 +1,42 @@
+//! Linear systems of the solver: `analyse(pattern) -> refactor(values) -> solve`.
+//!
+//! ```text
+//!   beam chain with contact          its matrix
+//!
+//!   |o--o--o--o--o                   band of the chain  . . .
+//!            (  )  rigid circle        .  .  .  .  .  | border: dofs of the
+//!             o    reference node      - - - - - - -  + reference node
+//! ```
+//!
+//! Two back ends stand behind the trait [`LinearSolver`], chosen by the predicted number of
+//! operations: a contiguous band with dense border ([`BackEnd::Banded`]) and a sparse factorisation
+//! ([`BackEnd::Sparse`]). Every solution is checked by its residual; failures are typed and name the
+//! equation in the caller's numbering.
+//!
+//! ```
+//! use slideline_linalg::{Kind, Pattern, analyse};
+//! let pattern = Pattern::from_pairs(2, [(0, 1)].into_iter());
+//! let mut solver = analyse(&pattern, Kind::Symmetric);
+//! solver.refactor(&pattern, &[2.0, -1.0, -1.0, 2.0])?;
+//! let mut x = [1.0, 0.0];
+//! solver.solve(&mut x)?;
+//! assert!((x[0] - 2.0 / 3.0).abs() < 1e-15);
+//! # Ok::<(), slideline_linalg::SolveError>(())
+//! ```
+
+mod band_ldlt;
+mod band_lu;
+mod banded;
+mod border;
+mod error;
+mod kernel;
+mod ordering;
+mod pattern;
+mod residual;
+mod scaling;
+mod solver;
+mod sparse;
+
+pub use error::{FactorReport, SolveError};
+pub use pattern::{Matrix, Pattern};
+pub use solver::{BackEnd, Description, Kind, LinearSolver, Solver, analyse, analyse_with};

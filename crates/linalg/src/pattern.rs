@@ -1,0 +1,185 @@
+//! Sparse patterns and the matrices that use them.
+//!
+//! ```text
+//!   element 1  element 2        x x .     every element (clique) couples
+//!   o---------o---------o  -->  x x x     all its dofs with one another
+//!   1         2         3       . x x
+//! ```
+
+/// Structurally symmetric sparse pattern of a square matrix: compressed rows, columns ascending in
+/// each row, the diagonal always present.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Pattern {
+    n: usize,
+    row_start: Vec<usize>,
+    column: Vec<usize>,
+}
+
+impl Pattern {
+    /// Pattern of `n` equations from coupled pairs (row, column). Transposes and the diagonal are
+    /// added, repetitions removed; pairs outside `0..n` are ignored.
+    pub fn from_pairs(n: usize, pairs: impl Iterator<Item = (usize, usize)>) -> Self {
+        let inside: Vec<(usize, usize)> =
+            pairs.filter(|&(i, j)| i < n && j < n && i != j).collect();
+        let mut start = vec![0usize; n + 1];
+        for &(i, j) in &inside {
+            start[i + 1] += 1;
+            start[j + 1] += 1;
+        }
+        for i in 0..n {
+            start[i + 1] += start[i] + 1;
+        }
+        let mut all = vec![0usize; start[n]];
+        let mut next = start.clone();
+        let mut put = |i: usize, j: usize| {
+            all[next[i]] = j;
+            next[i] += 1;
+        };
+        for i in 0..n {
+            put(i, i);
+        }
+        for &(i, j) in &inside {
+            put(i, j);
+            put(j, i);
+        }
+        Self::from_unsorted_rows(n, &start, &mut all)
+    }
+
+    /// Pattern of `n` equations in which every clique (the dofs of an element, a contact stencil)
+    /// couples all its members with one another. Members outside `0..n` are ignored.
+    pub fn from_cliques(n: usize, cliques: impl Iterator<Item = impl AsRef<[usize]>>) -> Self {
+        let mut pairs = Vec::new();
+        for clique in cliques {
+            let members = clique.as_ref();
+            for (at, &i) in members.iter().enumerate() {
+                pairs.extend(members[at + 1..].iter().map(|&j| (i, j)));
+            }
+        }
+        Self::from_pairs(n, pairs.into_iter())
+    }
+
+    fn from_unsorted_rows(n: usize, start: &[usize], all: &mut [usize]) -> Self {
+        let mut row_start = Vec::with_capacity(n + 1);
+        let mut column = Vec::with_capacity(all.len());
+        row_start.push(0);
+        for i in 0..n {
+            let row = &mut all[start[i]..start[i + 1]];
+            row.sort_unstable();
+            let mut last = usize::MAX;
+            for &j in row.iter() {
+                if j != last {
+                    column.push(j);
+                    last = j;
+                }
+            }
+            row_start.push(column.len());
+        }
+        column.shrink_to_fit();
+        Self { n, row_start, column }
+    }
+
+    /// Number of equations.
+    pub fn size(&self) -> usize {
+        self.n
+    }
+
+    /// Number of stored entries, both triangles and the diagonal.
+    pub fn entries(&self) -> usize {
+        self.column.len()
+    }
+
+    /// Columns of row `i`, ascending.
+    pub fn row(&self, i: usize) -> &[usize] {
+        &self.column[self.row_start[i]..self.row_start[i + 1]]
+    }
+
+    /// Where each row begins among the entries; length `size() + 1`.
+    pub fn row_start(&self) -> &[usize] {
+        &self.row_start
+    }
+
+    /// Columns of all entries, row after row.
+    pub fn columns(&self) -> &[usize] {
+        &self.column
+    }
+
+    /// Index of entry (i, j) in the array of values, `None` when the pattern does not hold it.
+    pub fn position(&self, i: usize, j: usize) -> Option<usize> {
+        if i >= self.n {
+            return None;
+        }
+        self.row(i).binary_search(&j).ok().map(|at| self.row_start[i] + at)
+    }
+}
+
+/// A pattern together with its values, borrowed.
+#[derive(Clone, Copy, Debug)]
+pub struct Matrix<'a> {
+    /// Where the entries are.
+    pub pattern: &'a Pattern,
+    /// Values in the order of the pattern's entries.
+    pub values: &'a [f64],
+}
+
+impl<'a> Matrix<'a> {
+    /// The matrix of a pattern and its values (`values.len() == pattern.entries()`).
+    pub fn new(pattern: &'a Pattern, values: &'a [f64]) -> Self {
+        Self { pattern, values }
+    }
+
+    /// Columns and values of row `i`.
+    pub fn row(&self, i: usize) -> (&'a [usize], &'a [f64]) {
+        let range = self.pattern.row_start[i]..self.pattern.row_start[i + 1];
+        (&self.pattern.column[range.clone()], &self.values[range])
+    }
+
+    /// y = A x.
+    pub fn multiply(&self, x: &[f64], y: &mut [f64]) {
+        for (i, y_i) in y.iter_mut().enumerate().take(self.pattern.n) {
+            *y_i = self.row_times(i, x);
+        }
+    }
+
+    /// y = A' x.
+    pub fn multiply_transpose(&self, x: &[f64], y: &mut [f64]) {
+        y.fill(0.0);
+        for (i, &x_i) in x.iter().enumerate().take(self.pattern.n) {
+            let (columns, values) = self.row(i);
+            for (&j, &a) in columns.iter().zip(values) {
+                y[j] += a * x_i;
+            }
+        }
+    }
+
+    /// Row `i` times x, summed in two interleaved halves to shorten the chain of additions.
+    pub(crate) fn row_times(&self, i: usize, x: &[f64]) -> f64 {
+        let (columns, values) = self.row(i);
+        let (mut even, mut odd) = (0.0, 0.0);
+        let mut column_pairs = columns.chunks_exact(2);
+        let mut value_pairs = values.chunks_exact(2);
+        for (j, a) in column_pairs.by_ref().zip(value_pairs.by_ref()) {
+            even += a[0] * x[j[0]];
+            odd += a[1] * x[j[1]];
+        }
+        if let ([j], [a]) = (column_pairs.remainder(), value_pairs.remainder()) {
+            even += a * x[*j];
+        }
+        even + odd
+    }
+
+    /// Sum of magnitudes of row `i`: the size of equation `i`.
+    pub(crate) fn row_size(&self, i: usize) -> f64 {
+        let (_, values) = self.row(i);
+        let mut lanes = [0.0; 4];
+        let mut fours = values.chunks_exact(4);
+        for four in fours.by_ref() {
+            for (lane, value) in lanes.iter_mut().zip(four) {
+                *lane += value.abs();
+            }
+        }
+        for (lane, value) in lanes.iter_mut().zip(fours.remainder()) {
+            *lane += value.abs();
+        }
+        (lanes[0] + lanes[1]) + (lanes[2] + lanes[3])
+    }
+}

@@ -1,0 +1,33 @@
+//! Measures on finished curves: pure functions on slices.
+//!
+//! ```text
+//!   RF |  .-.      peak
+//!      | /   `.    reversal: the slope changes sign
+//!      |/      `-- work: the area below
+//!      +---------> U
+//! ```
+//!
+//! A curve is a slice of values, one for each increment; where positions or
+//! times matter they are a second slice of the same length. A measure that does
+//! not exist (too few values, lengths that differ, a peak of zero) is `None`,
+//! never a number made up.
+
+// dimension tags such as [F] are not links
+#![allow(rustdoc::broken_intra_doc_links)]
+
+mod difference;
+mod friction;
+mod peak;
+mod shape;
+mod work;
+
+pub use difference::{max_error, maximum, rms, rms_error};
+pub use friction::friction_kept;
+pub use peak::{Peak, Peaks, SnapForces, peaks, snap_forces};
+pub use shape::{DEFAULT_NOISE_FLOOR, reversals, roughness, roughness_against};
+pub use work::{work, work_ratio};
+
+/// Two slices of equal length, not empty.
+fn paired<'a>(a: &'a [f64], b: &'a [f64]) -> Option<impl Iterator<Item = (f64, f64)> + 'a> {
+    (a.len() == b.len() && !a.is_empty()).then(|| a.iter().copied().zip(b.iter().copied()))
+}

@@ -1,0 +1,278 @@
+//! Slip state, slip, pressure -> traction.
+//!
+//! ```text
+//!   tau |      mu p ________          elastic stick: slope mu p / gamma_crit up to the limit
+//!       |          /                  Lagrange stick: vertical, a multiplier carries it
+//!   ----+---------/------- slip
+//!       |   _____/
+//! ```
+//!
+//! Tractions have the sign of the slip; the residual receives + A tau d sigma, which dissipates.
+
+mod user;
+
+pub use user::{FrictionBatch, FrictionPoint, UserFriction, UserFrictionError};
+
+/// How sticking is carried.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Stick {
+    /// Elastic slip up to gamma_crit > 0 [L], stiffness tau_crit/gamma_crit (`SLIP TOLERANCE`,
+    /// `ELASTIC SLIP`).
+    Elastic {
+        /// gamma_crit [L].
+        slip: f64,
+    },
+    /// Exact, by a multiplier (`LAGRANGE`).
+    Lagrange,
+}
+
+/// Exponential decay mu = mu_k + (mu_s - mu_k) exp(-d_c |slip rate|); mu_s is the law's coefficient.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Decay {
+    /// Kinetic coefficient mu_k [1].
+    pub kinetic: f64,
+    /// Decay d_c [T/L].
+    pub rate: f64,
+}
+
+/// Friction law. [semantics: friction]
+#[derive(Debug, Clone, PartialEq, Default)]
+pub enum FrictionLaw {
+    /// No friction.
+    #[default]
+    None,
+    /// Coulomb: tau_crit = min(mu p, limit).
+    Coulomb {
+        /// Coefficient mu [1] (static coefficient where there is decay).
+        coefficient: f64,
+        /// Largest traction tau_max [F/L2] (`TAUMAX`).
+        limit: Option<f64>,
+        /// Dependence on the slip rate.
+        decay: Option<Decay>,
+        /// How sticking is carried.
+        stick: Stick,
+    },
+    /// No slip while closed (`ROUGH`). Elastic stick has the stiffness p/gamma_crit, that of Coulomb
+    /// with mu = 1, without limit.
+    Rough {
+        /// How sticking is carried.
+        stick: Stick,
+    },
+    /// A law registered under a name by the embedding program.
+    User {
+        /// Name in the registry.
+        name: String,
+        /// Properties of the deck, handed to the law.
+        properties: Vec<f64>,
+        /// Number of state values a point keeps.
+        state_size: usize,
+    },
+}
+
+/// Whether a closed point sticks or slips.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Status {
+    /// No sliding.
+    Stick,
+    /// Sliding at the limit.
+    Slip,
+}
+
+/// Answer of a friction law at one point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Traction {
+    /// tau [F/L2], of the sign of the slip.
+    pub tau: f64,
+    /// d tau/d slip [F/L3].
+    pub d_tau_d_slip: f64,
+    /// d tau/dp [1].
+    pub d_tau_d_pressure: f64,
+    /// Elastic slip to be committed [L].
+    pub elastic_slip: f64,
+    /// Dissipated slip of the increment [L], >= 0; times |tau| A the dissipation.
+    pub dissipated_slip: f64,
+    /// Stick or slip.
+    pub status: Status,
+}
+
+impl Traction {
+    /// No traction, no elastic slip: open, or friction not called.
+    pub const ZERO: Self = Self {
+        tau: 0.0,
+        d_tau_d_slip: 0.0,
+        d_tau_d_pressure: 0.0,
+        elastic_slip: 0.0,
+        dissipated_slip: 0.0,
+        status: Status::Slip,
+    };
+}
+
+/// The limit traction with its derivatives by pressure and by slip.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Limit {
+    tau: f64,
+    by_pressure: f64,
+    by_slip: f64,
+}
+
+/// tau_crit = min(mu p, tau_max), mu from the mean slip rate of the increment.
+fn limit(
+    coefficient: f64,
+    largest: Option<f64>,
+    decay: Option<Decay>,
+    pressure: f64,
+    (slip, dt): (f64, f64),
+) -> Limit {
+    let (mu, mu_by_slip) = match decay {
+        Some(decay) if dt > 0.0 => {
+            let fading = (coefficient - decay.kinetic) * (-decay.rate * slip.abs() / dt).exp();
+            let sign = if slip < 0.0 { -1.0 } else { 1.0 };
+            (decay.kinetic + fading, -decay.rate / dt * sign * fading)
+        }
+        _ => (coefficient, 0.0),
+    };
+    match largest {
+        Some(top) if mu * pressure >= top => Limit { tau: top, by_pressure: 0.0, by_slip: 0.0 },
+        _ => Limit { tau: mu * pressure, by_pressure: mu, by_slip: mu_by_slip * pressure },
+    }
+}
+
+impl FrictionLaw {
+    /// The traction min(mu p, tau_max) at which sliding begins [F/L2], with mu at the mean rate of
+    /// the increment; infinite for a rough surface under pressure, zero for a user law.
+    pub fn limit_traction(&self, pressure: f64, slip: f64, dt: f64) -> f64 {
+        match self {
+            _ if pressure.is_nan() || pressure <= 0.0 => 0.0,
+            Self::Coulomb { coefficient, limit: top, decay, .. } => {
+                limit(*coefficient, *top, *decay, pressure, (slip, dt)).tau
+            }
+            Self::Rough { .. } => f64::INFINITY,
+            Self::None | Self::User { .. } => 0.0,
+        }
+    }
+
+    /// Whether sticking needs a multiplier.
+    pub fn needs_multiplier(&self) -> bool {
+        matches!(
+            self,
+            Self::Coulomb { stick: Stick::Lagrange, .. } | Self::Rough { stick: Stick::Lagrange }
+        )
+    }
+
+    /// Traction by backward Euler for elastic stick: `pressure` p [F/L2], `slip` of the increment
+    /// [L], committed `elastic_slip` [L], increment `dt` [T]. With g = elastic_slip + slip: stick
+    /// (|g| <= gamma_crit) tau = tau_crit g/gamma_crit; slip tau = tau_crit sgn g.
+    ///
+    /// Zero for p <= 0, for no friction, for a user law, and for Lagrange stick (use
+    /// [`FrictionLaw::project`]). [semantics: friction, update]
+    pub fn update(&self, pressure: f64, slip: f64, elastic_slip: f64, dt: f64) -> Traction {
+        if pressure.is_nan() || pressure <= 0.0 {
+            return Traction::ZERO;
+        }
+        let trial = elastic_slip + slip;
+        match self {
+            Self::Coulomb {
+                coefficient,
+                limit: top,
+                decay,
+                stick: Stick::Elastic { slip: critical },
+            } => {
+                let limit = limit(*coefficient, *top, *decay, pressure, (slip, dt));
+                if trial.abs() <= *critical && *critical > 0.0 {
+                    sticking(&limit, trial, *critical)
+                } else {
+                    sliding(&limit, trial, *critical)
+                }
+            }
+            Self::Rough { stick: Stick::Elastic { slip: critical } } if *critical > 0.0 => {
+                let limit = Limit { tau: pressure, by_pressure: 1.0, by_slip: 0.0 };
+                sticking(&limit, trial, *critical)
+            }
+            _ => Traction::ZERO,
+        }
+    }
+
+    /// Lagrange stick: projects the trial traction z = tau + kappa slip [F/L2] on the limit.
+    ///
+    /// Stick |z| <= tau_crit: tau = z; slip: tau = tau_crit sgn z. `slip` and `dt` only serve the
+    /// decay. Zero for a law without multiplier and for p <= 0.
+    pub fn project(&self, pressure: f64, z: f64, slip: f64, dt: f64) -> Projection {
+        if pressure.is_nan() || pressure <= 0.0 {
+            return Projection::ZERO;
+        }
+        let limit = match self {
+            Self::Coulomb { coefficient, limit: top, decay, stick: Stick::Lagrange } => {
+                limit(*coefficient, *top, *decay, pressure, (slip, dt))
+            }
+            Self::Rough { stick: Stick::Lagrange } => {
+                Limit { tau: f64::INFINITY, by_pressure: 0.0, by_slip: 0.0 }
+            }
+            _ => return Projection::ZERO,
+        };
+        if z.abs() < limit.tau {
+            return Projection { tau: z, by_z: 1.0, status: Status::Stick, ..Projection::ZERO };
+        }
+        let sign = if z < 0.0 { -1.0 } else { 1.0 };
+        Projection {
+            tau: sign * limit.tau,
+            by_z: 0.0,
+            by_pressure: sign * limit.by_pressure,
+            by_slip: sign * limit.by_slip,
+            status: Status::Slip,
+        }
+    }
+}
+
+/// Answer of [`FrictionLaw::project`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Projection {
+    /// tau [F/L2].
+    pub tau: f64,
+    /// d tau/dz at fixed pressure [1].
+    pub by_z: f64,
+    /// d tau/dp at fixed z [1].
+    pub by_pressure: f64,
+    /// d tau/d slip at fixed z and p (decay only) [F/L3].
+    pub by_slip: f64,
+    /// Stick or slip.
+    pub status: Status,
+}
+
+impl Projection {
+    /// No traction.
+    pub const ZERO: Self =
+        Self { tau: 0.0, by_z: 0.0, by_pressure: 0.0, by_slip: 0.0, status: Status::Slip };
+}
+
+fn sticking(limit: &Limit, trial: f64, critical: f64) -> Traction {
+    let share = trial / critical;
+    Traction {
+        tau: limit.tau * share,
+        d_tau_d_slip: limit.tau / critical + limit.by_slip * share,
+        d_tau_d_pressure: limit.by_pressure * share,
+        elastic_slip: trial,
+        dissipated_slip: 0.0,
+        status: Status::Stick,
+    }
+}
+
+fn sliding(limit: &Limit, trial: f64, critical: f64) -> Traction {
+    let sign = if trial > 0.0 {
+        1.0
+    } else if trial < 0.0 {
+        -1.0
+    } else {
+        0.0
+    };
+    Traction {
+        tau: sign * limit.tau,
+        d_tau_d_slip: sign * limit.by_slip,
+        d_tau_d_pressure: sign * limit.by_pressure,
+        elastic_slip: sign * critical,
+        dissipated_slip: trial.abs() - critical,
+        status: Status::Slip,
+    }
+}
+
+#[cfg(test)]
+mod tests;

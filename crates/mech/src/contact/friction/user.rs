@@ -1,0 +1,58 @@
+//! A friction law of the embedding program, called in batches.
+
+use super::Traction;
+use std::fmt;
+
+/// What a user law is told about one closed point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FrictionPoint {
+    /// Pressure p > 0 [F/L2].
+    pub pressure: f64,
+    /// Slip of the increment [L].
+    pub slip: f64,
+    /// Committed elastic slip [L].
+    pub elastic_slip: f64,
+}
+
+/// One call: all closed points of one interaction.
+#[derive(Debug)]
+pub struct FrictionBatch<'a> {
+    /// Properties of the deck.
+    pub properties: &'a [f64],
+    /// Total time at the end of the increment [T].
+    pub time: f64,
+    /// Increment [T].
+    pub dt: f64,
+    /// The points.
+    pub points: &'a [FrictionPoint],
+    /// Committed state, `state_size` values a point.
+    pub committed: &'a [f64],
+    /// New state, to be written in full.
+    pub state: &'a mut [f64],
+    /// Tractions with their derivatives, to be written in full, one a point.
+    pub tractions: &'a mut [Traction],
+}
+
+/// Why a user law gave no answer.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct UserFrictionError {
+    /// In the words of the law.
+    pub message: String,
+}
+
+impl fmt::Display for UserFrictionError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "user friction law: {}", self.message)
+    }
+}
+
+impl std::error::Error for UserFrictionError {}
+
+/// A friction law of the embedding program. The answer must depend on the batch alone.
+pub trait UserFriction: Send + Sync {
+    /// Writes tractions and state of every point of the batch.
+    ///
+    /// # Errors
+    /// If the law has no answer; the increment is then cut back.
+    fn update(&self, batch: &mut FrictionBatch<'_>) -> Result<(), UserFrictionError>;
+}

@@ -1,0 +1,296 @@
+//! Search and gap put together: the gap of a point against what it faces.
+
+use super::super::gap::Gap;
+use super::super::gap::circle::{Circle, Side};
+use super::super::gap::curve::{Along, Weights, point_to_curve};
+use super::super::search::chain::{Chain, Piece, PieceKind};
+use super::super::search::rigid::{self, Facing, Part, RigidSegment};
+use crate::rigid::{Attachment, PointMap};
+
+/// A gap of any of the kernels.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[allow(clippy::large_enum_variant)] // a box would allocate in the Newton loop
+pub enum AnyGap {
+    /// Circle or vertex: (slave x, y, centre x, y, body rotation).
+    Circle(Gap<5>),
+    /// Straight: (slave, two control points).
+    Straight(Gap<6>),
+    /// Corner or parabola: (slave, three control points).
+    Quadratic(Gap<8>),
+}
+
+/// Evaluates an expression for the gap inside an [`AnyGap`].
+macro_rules! each {
+    ($any:expr, $gap:ident => $body:expr) => {
+        match $any {
+            AnyGap::Circle($gap) => $body,
+            AnyGap::Straight($gap) => $body,
+            AnyGap::Quadratic($gap) => $body,
+        }
+    };
+}
+
+impl AnyGap {
+    /// Overclosure h [L].
+    pub fn overclosure(&self) -> f64 {
+        each!(self, gap => gap.overclosure)
+    }
+
+    /// Master coordinate sigma [L].
+    pub fn along(&self) -> f64 {
+        each!(self, gap => gap.along)
+    }
+
+    /// Outward normal of the master.
+    pub fn normal(&self) -> [f64; 2] {
+        each!(self, gap => gap.normal)
+    }
+
+    /// Tangent of the master, in the direction of travel.
+    pub fn tangent(&self) -> [f64; 2] {
+        each!(self, gap => gap.tangent)
+    }
+
+    /// Facing position on the master [L].
+    pub fn position(&self) -> [f64; 2] {
+        each!(self, gap => gap.position)
+    }
+
+    /// Number of variables.
+    pub fn width(&self) -> usize {
+        each!(self, gap => gap.gradient.len())
+    }
+}
+
+/// Where the attachments of a stencil go, slave first.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StencilAttachments {
+    all: [Attachment; 4],
+    count: usize,
+}
+
+impl StencilAttachments {
+    fn new(slave: Attachment) -> Self {
+        Self { all: [slave; 4], count: 1 }
+    }
+
+    fn push(&mut self, attachment: Attachment) {
+        if let Some(entry) = self.all.get_mut(self.count) {
+            *entry = attachment;
+            self.count += 1;
+        }
+    }
+
+    /// The attachments in the order of the gap's variables.
+    pub fn as_slice(&self) -> &[Attachment] {
+        &self.all[..self.count]
+    }
+}
+
+/// Gap of `point` against the piece of a chain that faces it; variables (slave, nodes of
+/// [`Piece::nodes`]). `None` for degenerate positions.
+pub fn chain_gap(
+    chain: &Chain,
+    piece: &Piece,
+    positions: &[[f64; 2]],
+    point: [f64; 2],
+) -> Option<AnyGap> {
+    let (k, xi) = (piece.index, piece.parameter);
+    match piece.kind {
+        PieceKind::Straight => {
+            let control = [*positions.get(k)?, *positions.get(k + 1)?];
+            let along = Along::straight(chain.arc_coordinate(k), chain.reference_length(k), xi);
+            point_to_curve(point, &control, &Weights::straight(xi), &along, xi)
+                .map(AnyGap::Straight)
+        }
+        PieceKind::Corner => {
+            let before = k.checked_sub(1)?;
+            let control = [*positions.get(before)?, *positions.get(k)?, *positions.get(k + 1)?];
+            let f = chain.smoothing;
+            let (a1, a2) = (f * chain.reference_length(before), f * chain.reference_length(k));
+            let along = Along::corner(chain.arc_coordinate(k), a1, a2, xi);
+            point_to_curve(point, &control, &Weights::corner(xi, f), &along, xi)
+                .map(AnyGap::Quadratic)
+        }
+    }
+}
+
+/// Attachments of a chain stencil: the slave, then the piece's nodes, given in order.
+pub fn chain_attachments(slave: Attachment, nodes: &[Attachment]) -> StencilAttachments {
+    let mut attachments = StencilAttachments::new(slave);
+    for node in nodes {
+        attachments.push(*node);
+    }
+    attachments
+}
+
+/// A rigid body in the plane: x = x_ref + R(phi)(X - X_ref).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Body {
+    /// Undeformed position of the reference node X_ref [L].
+    pub reference: [f64; 2],
+    /// Its dofs (ux, uy, phi).
+    pub dofs: [f64; 3],
+}
+
+impl Body {
+    /// How an undeformed position rides on the body.
+    pub fn map(&self, position: [f64; 2]) -> PointMap {
+        let arm = [position[0] - self.reference[0], position[1] - self.reference[1]];
+        PointMap::Arm { arm }
+    }
+
+    /// Current position of an undeformed one [L].
+    pub fn to_space(&self, position: [f64; 2]) -> [f64; 2] {
+        let u = self.map(position).displacement(&self.dofs);
+        [position[0] + u[0], position[1] + u[1]]
+    }
+
+    /// The undeformed position that is now at `point` [L].
+    pub fn to_body(&self, point: [f64; 2]) -> [f64; 2] {
+        let [x, y] = self.reference;
+        let d = [point[0] - x - self.dofs[0], point[1] - y - self.dofs[1]];
+        let (s, c) = self.dofs[2].sin_cos();
+        [x + c * d[0] + s * d[1], y - s * d[0] + c * d[1]]
+    }
+}
+
+/// A rigid surface with its arc coordinates; segments in undeformed positions.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RigidSurface {
+    segments: Vec<RigidSegment>,
+    starts: Vec<f64>,
+    period: Option<f64>,
+}
+
+impl RigidSurface {
+    /// The surface of the segments in order of travel.
+    pub fn new(segments: Vec<RigidSegment>) -> Self {
+        let mut total = 0.0;
+        let mut starts = Vec::with_capacity(segments.len());
+        for segment in &segments {
+            starts.push(total);
+            total += segment.length();
+        }
+        let period = rigid::is_closed(&segments).then_some(total);
+        Self { segments, starts, period }
+    }
+
+    /// The segments.
+    pub fn segments(&self) -> &[RigidSegment] {
+        &self.segments
+    }
+
+    /// Perimeter of a closed surface [L], after which sigma repeats.
+    pub fn period(&self) -> Option<f64> {
+        self.period
+    }
+
+    /// What faces `point` (in space) on the body; see [`rigid::closest`].
+    pub fn closest(
+        &self,
+        body: &Body,
+        point: [f64; 2],
+        committed: Option<Facing>,
+    ) -> Option<Facing> {
+        rigid::closest(&self.segments, body.to_body(point), committed)
+    }
+
+    /// Gap of `point` (in space) against what it faces.
+    pub fn gap(&self, body: &Body, facing: &Facing, point: [f64; 2]) -> Option<AnyGap> {
+        let segment = self.segments.get(facing.segment)?;
+        let start = *self.starts.get(facing.segment)?;
+        if let Part::Vertex { convex } = facing.part {
+            let at = start + segment.length();
+            return circle_gap(body, segment.end(), (0.0, convex), point, (at, 0.0));
+        }
+        let xi = facing.parameter;
+        match *segment {
+            RigidSegment::Line { a, b } => {
+                let control = [body.to_space(a), body.to_space(b)];
+                let along = Along::straight(start, segment.length(), xi);
+                point_to_curve(point, &control, &Weights::straight(xi), &along, xi)
+                    .map(AnyGap::Straight)
+            }
+            RigidSegment::Arc { start: from, centre, radius, convex, .. } => {
+                let travel = if convex { -1.0 } else { 1.0 };
+                let first = travel * radius * (from[1] - centre[1]).atan2(from[0] - centre[0]);
+                let middle = first + 0.5 * segment.length();
+                circle_gap(body, centre, (radius, convex), point, (start - first, middle))
+            }
+            RigidSegment::Parabola { start: from, mid, end } => {
+                let rest = RigidSegment::parabola_control(from, mid, end);
+                let control = rest.map(|p| body.to_space(p));
+                let weights = Weights::quadratic(xi);
+                let along = parabola_along(&rest, &weights, start + segment.arc_length(xi));
+                point_to_curve(point, &control, &weights, &along, xi).map(AnyGap::Quadratic)
+            }
+        }
+    }
+
+    /// Attachments of the gap's variables: the slave, then the control points on the body whose dofs
+    /// begin at the local number `first`.
+    pub fn attachments(
+        &self,
+        body: &Body,
+        facing: &Facing,
+        slave: Attachment,
+        first: usize,
+    ) -> Option<StencilAttachments> {
+        let mut attachments = StencilAttachments::new(slave);
+        let segment = self.segments.get(facing.segment)?;
+        let mut ride =
+            |p: [f64; 2]| attachments.push(Attachment::Point { map: body.map(p), first });
+        let turns = match (facing.part, *segment) {
+            (Part::Vertex { .. }, _) => {
+                ride(segment.end());
+                true
+            }
+            (Part::Interior, RigidSegment::Arc { centre, .. }) => {
+                ride(centre);
+                true
+            }
+            (Part::Interior, RigidSegment::Line { a, b }) => {
+                ride(a);
+                ride(b);
+                false
+            }
+            (Part::Interior, RigidSegment::Parabola { start, mid, end }) => {
+                RigidSegment::parabola_control(start, mid, end).into_iter().for_each(ride);
+                false
+            }
+        };
+        if turns {
+            attachments.push(Attachment::Rotation { dof: first + 2 });
+        }
+        Some(attachments)
+    }
+}
+
+/// Gap against a circle of the body, sigma shifted by `shift` and wrapped near `reference`.
+fn circle_gap(
+    body: &Body,
+    centre: [f64; 2],
+    (radius, convex): (f64, bool),
+    point: [f64; 2],
+    (shift, reference): (f64, f64),
+) -> Option<AnyGap> {
+    let circle = Circle { radius, side: if convex { Side::Convex } else { Side::Concave } };
+    let mut gap = circle.gap(point, body.to_space(centre), body.dofs[2], reference)?;
+    gap.along += shift;
+    Some(AnyGap::Circle(gap))
+}
+
+/// Arc length of a parabola and its derivatives |B'|, B'.B''/|B'|.
+fn parabola_along(control: &[[f64; 2]; 3], weights: &Weights<3>, value: f64) -> Along {
+    let (mut first, mut second) = ([0.0; 2], [0.0; 2]);
+    for (k, point) in control.iter().enumerate() {
+        for c in 0..2 {
+            first[c] += weights.first[k] * point[c];
+            second[c] += weights.second[k] * point[c];
+        }
+    }
+    let size = first[0].hypot(first[1]);
+    let bend = first[0] * second[0] + first[1] * second[1];
+    Along { value, first: size, second: if size > 0.0 { bend / size } else { 0.0 } }
+}

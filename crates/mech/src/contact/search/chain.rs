@@ -1,0 +1,257 @@
+//! An open chain of master nodes, its corners smoothed, its ends prolonged.
+//!
+//! ```text
+//!                      . X_k .
+//!            a1 = f l1 .     . a2 = f l2
+//!    - - o-----------.  corner .-----------o - -
+//!    extension  straight          straight   extension
+//! ```
+//!
+//! With smoothing the pieces join with a common tangent, so that no point near the chain lacks a
+//! facing piece. Without it a point in the wedge at a node faces the nearer of the two straight parts,
+//! each taken as prolonged to the bisector: the gap stays continuous, its normal jumps there.
+
+use super::{INSIDE, Point, TIE, cross, dot, project_line, project_quadratic, sub};
+
+/// Kind of a piece of the chain.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PieceKind {
+    /// Straight part between the nodes `index` and `index + 1`, extensions included; the parameter
+    /// runs from 0 to 1 between the nodes.
+    Straight,
+    /// Smoothed corner at node `index`, on the nodes `index - 1`, `index`, `index + 1`.
+    Corner,
+}
+
+/// The piece that faces a point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Piece {
+    /// First node of the straight part, or the corner's node.
+    pub index: usize,
+    /// Straight or corner.
+    pub kind: PieceKind,
+    /// Parameter of the projection [1].
+    pub parameter: f64,
+}
+
+impl Piece {
+    /// The control nodes in order.
+    pub fn nodes(&self) -> std::ops::Range<usize> {
+        match self.kind {
+            PieceKind::Straight => self.index..self.index + 2,
+            PieceKind::Corner => self.index.saturating_sub(1)..self.index + 2,
+        }
+    }
+
+    fn same_part(&self, other: &Self) -> bool {
+        self.index == other.index && self.kind == other.kind
+    }
+}
+
+/// An end of the chain.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ChainEnd {
+    /// Before the first node.
+    Start,
+    /// After the last node.
+    End,
+}
+
+/// The undeformed chain.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Chain {
+    /// Fraction f of each segment cut off by the corners, 0 <= f < 0.5 (`SMOOTH`).
+    pub smoothing: f64,
+    /// Fraction of the end segments by which the ends are prolonged (`EXTENSION ZONE`).
+    pub extension: f64,
+    lengths: Vec<f64>,
+    arc: Vec<f64>,
+}
+
+/// A candidate: the piece, its distance, and how far its parameter lies outside [L].
+struct Candidate {
+    piece: Piece,
+    distance: f64,
+    outside: f64,
+}
+
+impl Chain {
+    /// The chain through the undeformed positions of its nodes, in order. `None` for fewer than two
+    /// nodes, a segment of zero length, or a fraction outside its range.
+    pub fn new(reference: &[Point], smoothing: f64, extension: f64) -> Option<Self> {
+        if reference.len() < 2 || !(0.0..0.5).contains(&smoothing) || extension.is_nan() {
+            return None;
+        }
+        let mut arc = vec![0.0];
+        let mut lengths = Vec::with_capacity(reference.len() - 1);
+        let mut total = 0.0;
+        for pair in reference.windows(2) {
+            let d = sub(pair[1], pair[0]);
+            let length = d[0].hypot(d[1]);
+            if !(length > 0.0 && length.is_finite()) {
+                return None;
+            }
+            total += length;
+            lengths.push(length);
+            arc.push(total);
+        }
+        Some(Self { smoothing, extension: extension.max(0.0), lengths, arc })
+    }
+
+    /// Number of nodes.
+    pub fn node_count(&self) -> usize {
+        self.arc.len()
+    }
+
+    /// Undeformed length of segment `index` [L].
+    pub fn reference_length(&self, index: usize) -> f64 {
+        self.lengths.get(index).copied().unwrap_or(0.0)
+    }
+
+    /// Undeformed arc coordinate of node `index` [L].
+    pub fn arc_coordinate(&self, index: usize) -> f64 {
+        self.arc.get(index).copied().unwrap_or(0.0)
+    }
+
+    /// The piece nearest by |g| that faces `point`, for the current `positions` of the nodes; on a tie
+    /// the `committed` one. `None` if the point faces no piece: see [`Chain::off_end`]. A number of
+    /// positions other than that of the nodes gives `None`. [semantics: search]
+    pub fn closest(
+        &self,
+        positions: &[Point],
+        point: Point,
+        committed: Option<Piece>,
+    ) -> Option<Piece> {
+        if positions.len() != self.node_count() {
+            return None;
+        }
+        let mut best: Option<Candidate> = None;
+        for index in 0..self.lengths.len() {
+            let straight = self.straight(positions, point, index);
+            let corner = self.corner(positions, point, index);
+            for candidate in [straight, corner].into_iter().flatten() {
+                if better(&candidate, best.as_ref(), committed.as_ref()) {
+                    best = Some(candidate);
+                }
+            }
+        }
+        best.map(|candidate| candidate.piece)
+    }
+
+    /// The projection of `point` on a given part, however far outside its range: for an iteration
+    /// that keeps its piece. Corners answer only inside.
+    pub fn project(
+        &self,
+        positions: &[Point],
+        point: Point,
+        (index, kind): (usize, PieceKind),
+    ) -> Option<Piece> {
+        let parameter = match kind {
+            PieceKind::Straight => {
+                project_line(*positions.get(index)?, *positions.get(index + 1)?, point)?
+            }
+            PieceKind::Corner => project_quadratic(&self.corner_control(positions, index)?, point)?,
+        };
+        Some(Piece { index, kind, parameter })
+    }
+
+    /// Whether `point` lies beyond the extension of an end, within a segment's length of the
+    /// prolonged line: slid off, not merely far away.
+    pub fn off_end(&self, positions: &[Point], point: Point) -> Option<ChainEnd> {
+        let last = self.lengths.len().checked_sub(1)?;
+        let ends = [(0, ChainEnd::Start), (last, ChainEnd::End)];
+        ends.into_iter().find_map(|(index, end)| {
+            let (a, b) = (*positions.get(index)?, *positions.get(index + 1)?);
+            let xi = project_line(a, b, point)?;
+            let over = if end == ChainEnd::Start { -xi } else { xi - 1.0 };
+            let d = sub(b, a);
+            let distance = cross(d, sub(point, a)).abs() / dot(d, d);
+            (over > self.extension && over <= 1.0 + self.extension && distance <= 1.0)
+                .then_some(end)
+        })
+    }
+
+    /// Range of the straight part's parameter.
+    fn range(&self, index: usize) -> (f64, f64) {
+        let low = if index == 0 { -self.extension } else { self.smoothing };
+        let last = index + 1 == self.lengths.len();
+        let high = if last { 1.0 + self.extension } else { 1.0 - self.smoothing };
+        (low, high)
+    }
+
+    fn straight(&self, positions: &[Point], point: Point, index: usize) -> Option<Candidate> {
+        let (a, b) = (positions[index], positions[index + 1]);
+        let parameter = project_line(a, b, point)?;
+        let along = sub(b, a);
+        let length = dot(along, along).sqrt();
+        let (low, high) = self.range(index);
+        let over = (low - parameter).max(parameter - high);
+        let outside = if over <= INSIDE { 0.0 } else { over * length };
+        let before = parameter < low;
+        if outside > 0.0 && !self.in_wedge(positions, point, index, (before, outside)) {
+            return None;
+        }
+        let distance = cross(along, sub(point, a)).abs() / length;
+        let piece = Piece { index, kind: PieceKind::Straight, parameter };
+        Some(Candidate { piece, distance, outside })
+    }
+
+    /// Whether a point outside the range of a straight part lies in the wedge at its node, on this
+    /// side of the bisector. Only without smoothing.
+    fn in_wedge(
+        &self,
+        positions: &[Point],
+        point: Point,
+        index: usize,
+        (before, outside): (bool, f64),
+    ) -> bool {
+        if self.smoothing > 0.0 {
+            return false;
+        }
+        let neighbour = if before { index.checked_sub(1) } else { Some(index + 1) };
+        let Some(neighbour) = neighbour.filter(|&n| n < self.lengths.len()) else { return false };
+        let (a, b) = (positions[neighbour], positions[neighbour + 1]);
+        let Some(parameter) = project_line(a, b, point) else { return false };
+        let length = dot(sub(b, a), sub(b, a)).sqrt();
+        let over = (if before { parameter - 1.0 } else { -parameter }) * length;
+        over > 0.0 && outside <= over * (1.0 + TIE)
+    }
+
+    /// Control points P0, X, P2 of the corner at node `index`.
+    fn corner_control(&self, positions: &[Point], index: usize) -> Option<[Point; 3]> {
+        let (a, x, b) = (
+            *positions.get(index.checked_sub(1)?)?,
+            *positions.get(index)?,
+            *positions.get(index + 1)?,
+        );
+        let f = self.smoothing;
+        let toward = |p: Point| [x[0] + f * (p[0] - x[0]), x[1] + f * (p[1] - x[1])];
+        Some([toward(a), x, toward(b)])
+    }
+
+    fn corner(&self, positions: &[Point], point: Point, index: usize) -> Option<Candidate> {
+        if self.smoothing <= 0.0 || index == 0 {
+            return None;
+        }
+        let control = self.corner_control(positions, index)?;
+        let s = project_quadratic(&control, point)?;
+        let weights = [(1.0 - s) * (1.0 - s), 2.0 * s * (1.0 - s), s * s];
+        let mut apart = point;
+        for (weight, p) in weights.iter().zip(control) {
+            apart = [apart[0] - weight * p[0], apart[1] - weight * p[1]];
+        }
+        let piece = Piece { index, kind: PieceKind::Corner, parameter: s };
+        Some(Candidate { piece, distance: apart[0].hypot(apart[1]), outside: 0.0 })
+    }
+}
+
+/// Nearer; on a tie the committed piece.
+fn better(candidate: &Candidate, best: Option<&Candidate>, committed: Option<&Piece>) -> bool {
+    let Some(best) = best else { return candidate.distance.is_finite() };
+    let is_committed = committed.is_some_and(|piece| piece.same_part(&candidate.piece));
+    let (new, old) = (candidate.distance + candidate.outside, best.distance + best.outside);
+    if (new - old).abs() <= TIE * (new + old) { is_committed } else { new < old }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,78 @@
+//! Which part of the master faces this point?
+//!
+//! ```text
+//!            x                 rigid:  line, arc, parabola segments in the frame of the body
+//!            |                 chain:  nodes of a deforming line, smoothed corners, end extensions
+//!    o---o---+--o---o
+//! ```
+
+pub mod chain;
+pub mod rigid;
+
+type Point = [f64; 2];
+
+fn sub(a: Point, b: Point) -> Point {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+fn dot(a: Point, b: Point) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+fn cross(a: Point, b: Point) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+/// Overshoot of parameters that still counts as inside: there is never a hole between pieces that
+/// join smoothly.
+const INSIDE: f64 = 1e-9;
+
+/// Equality of two distances up to rounding.
+const TIE: f64 = 1e-12;
+
+/// Parameter of the projection of `point` on the quadratic Bezier curve through `control`, in
+/// [0, 1] up to [`INSIDE`]; `None` if the point does not face it. Newton with bisection on
+/// F(s) = (x - B).B', which falls through zero at a nearest point.
+fn project_quadratic(control: &[Point; 3], point: Point) -> Option<f64> {
+    let value = |s: f64| {
+        let rest = 1.0 - s;
+        let (mut b, mut d, mut dd) = ([0.0; 2], [0.0; 2], [0.0; 2]);
+        for c in 0..2 {
+            let (p, q, r) = (control[0][c], control[1][c], control[2][c]);
+            b[c] = rest * rest * p + 2.0 * s * rest * q + s * s * r;
+            d[c] = 2.0 * (rest * (q - p) + s * (r - q));
+            dd[c] = 2.0 * (r - 2.0 * q + p);
+        }
+        let apart = sub(point, b);
+        (dot(apart, d), dot(apart, dd) - dot(d, d))
+    };
+    let (mut low, mut high) = (-INSIDE, 1.0 + INSIDE);
+    if value(low).0 < 0.0 || value(high).0 > 0.0 {
+        return None;
+    }
+    let mut s = 0.5;
+    for _ in 0..80 {
+        let (f, slope) = value(s);
+        if f >= 0.0 {
+            low = s;
+        } else {
+            high = s;
+        }
+        let newton = s - f / slope;
+        let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+        let done = (next - s).abs() <= f64::EPSILON;
+        s = next;
+        if done || f == 0.0 {
+            break;
+        }
+    }
+    s.is_finite().then_some(s)
+}
+
+/// Straight projection parameter on a -> b; `None` if both coincide.
+fn project_line(a: Point, b: Point, point: Point) -> Option<f64> {
+    let along = sub(b, a);
+    let square = dot(along, along);
+    let xi = dot(sub(point, a), along) / square;
+    (square > 0.0 && xi.is_finite()).then_some(xi)
+}

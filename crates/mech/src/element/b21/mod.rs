@@ -1,0 +1,129 @@
+//! B21: the geometrically exact (Reissner) two-node beam, one integration point.
+//!
+//! ```text
+//!                      2   dofs of each node: ux, uy, rotation
+//!              ____---o
+//!       ___----   \      section turned by the mean rotation p = (f1 + f2)/2,
+//!      o           \     free to lean by the shear strain
+//!      1
+//! ```
+//!
+//! Everything is formed in the frame of the undeformed element from displacement *differences*, so
+//! that rounding of the end forces does not grow with the coordinates [semantics: force floor].
+
+mod twin;
+
+use crate::differentiate::Real;
+use crate::section::BeamStiffness;
+
+/// Strains of a plane beam at its integration point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BeamStrains<R = f64> {
+    /// Axial strain eps [1].
+    pub axial: R,
+    /// Shear strain gam [1].
+    pub shear: R,
+    /// Curvature kap [1/L].
+    pub curvature: R,
+}
+
+/// Section forces, work conjugate to [`BeamStrains`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BeamSectionForces {
+    /// Normal force N [F], tension positive.
+    pub axial: f64,
+    /// Shear force V [F].
+    pub shear: f64,
+    /// Bending moment M [F L].
+    pub moment: f64,
+}
+
+/// Two-node plane beam element.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Beam21 {
+    /// Undeformed positions of the two nodes [L].
+    pub reference: [[f64; 2]; 2],
+    /// EA, K, EI.
+    pub stiffness: BeamStiffness,
+    length: f64,
+    direction: [f64; 2],
+}
+
+impl Beam21 {
+    /// The element between two undeformed positions [L]. They must differ (check
+    /// [`Beam21::length`]): an element of zero length takes the direction of x and has no finite
+    /// strain.
+    pub fn new(reference: [[f64; 2]; 2], stiffness: BeamStiffness) -> Self {
+        let along = [reference[1][0] - reference[0][0], reference[1][1] - reference[0][1]];
+        let length = along[0].hypot(along[1]);
+        let direction =
+            if length > 0.0 { [along[0] / length, along[1] / length] } else { [1.0, 0.0] };
+        Self { reference, stiffness, length, direction }
+    }
+
+    /// Undeformed length l [L].
+    pub fn length(&self) -> f64 {
+        self.length
+    }
+
+    /// Angle alpha0 of the undeformed element with the x axis [rad].
+    pub fn angle(&self) -> f64 {
+        self.direction[1].atan2(self.direction[0])
+    }
+
+    /// Strains eps = c dx + s dy - 1, gam = -s dx + c dy, kap = (f2 - f1)/l, in the undeformed
+    /// element's frame, where d = (1, 0) + (u2 - u1)/l. cos p - 1 is written -2 sin^2(p/2), so that
+    /// small strains keep all their digits. [semantics: B21, strains]
+    pub fn strains_of<R: Real>(&self, q: &[R; 6]) -> BeamStrains<R> {
+        let number = R::from_f64;
+        let (ex, ey) = (number(self.direction[0]), number(self.direction[1]));
+        let inverse = number(1.0 / self.length);
+        let (wx, wy) = ((q[3] - q[0]) * inverse, (q[4] - q[1]) * inverse);
+        let (along, across) = (ex * wx + ey * wy, ex * wy - ey * wx);
+        let mean = (q[2] + q[5]) * number(0.5);
+        let half = (mean * number(0.5)).sin();
+        let versine = number(2.0) * half * half;
+        let (s, c) = (mean.sin(), mean.cos());
+        BeamStrains {
+            axial: c * along + s * across - versine,
+            shear: c * across - s * along - s,
+            curvature: (q[5] - q[2]) * inverse,
+        }
+    }
+
+    /// Strain energy W = l/2 (EA eps^2 + K gam^2 + EI kap^2) [F L] of the displacements
+    /// q = (u1x, u1y, f1, u2x, u2y, f2). [semantics: B21, energy]
+    pub fn energy<R: Real>(&self, q: &[R; 6]) -> R {
+        let strains = self.strains_of(q);
+        let number = R::from_f64;
+        let sum = number(self.stiffness.axial) * strains.axial * strains.axial
+            + number(self.stiffness.shear) * strains.shear * strains.shear
+            + number(self.stiffness.bending) * strains.curvature * strains.curvature;
+        number(0.5 * self.length) * sum
+    }
+
+    /// Strains at the integration point.
+    pub fn strains(&self, q: &[f64; 6]) -> BeamStrains {
+        self.strains_of(q)
+    }
+
+    /// Section forces N = EA eps, V = K gam, M = EI kap.
+    pub fn section_forces(&self, q: &[f64; 6]) -> BeamSectionForces {
+        self.forces_of(&self.strains(q))
+    }
+
+    fn forces_of(&self, strains: &BeamStrains) -> BeamSectionForces {
+        BeamSectionForces {
+            axial: self.stiffness.axial * strains.axial,
+            shear: self.stiffness.shear * strains.shear,
+            moment: self.stiffness.bending * strains.curvature,
+        }
+    }
+
+    fn energy_of(&self, strains: &BeamStrains, forces: &BeamSectionForces) -> f64 {
+        0.5 * self.length
+            * (forces.axial * strains.axial
+                + forces.shear * strains.shear
+                + forces.moment * strains.curvature)
+    }
+}

@@ -1,0 +1,19 @@
+//! The physics of one stencil: elements, sections, materials, contact, rigid maps.
+//!
+//! ```text
+//!   displacements of a few nodes            force and tangent of the same dofs
+//!        q  ------------------>  energy, gap, law  ------------------>  r, K
+//! ```
+//!
+//! Arrays in, arrays out: no node numbers, no global dofs, no text, no state kept between calls.
+//! An element is its strain energy, a gap its formula, a law its expression. Where speed asks for
+//! it a hand-written twin of the derivatives stands beside the formula and is tested against it.
+//!
+//! Dimension tags in brackets: F force, L length, T time, 1 dimensionless.
+
+pub mod contact;
+pub mod differentiate;
+pub mod element;
+pub mod material;
+pub mod rigid;
+pub mod section;

@@ -1,0 +1,188 @@
+//! How the position of a point follows dofs: the only place that knows it.
+//!
+//! ```text
+//!   Free:  o node = point           Arm:   o node (x, y, phi)
+//!                                           \  r = R(phi) arm
+//!                                            x point = node + r
+//! ```
+
+/// How the position of a point follows the dofs of one node.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PointMap {
+    /// The point is the node; dofs (x, y).
+    Free,
+    /// The point rides on a rigid arm of the node, x = x_node + R(phi) arm; dofs (x, y, phi).
+    /// [semantics: rigid link]
+    Arm {
+        /// Vector from the node to the point in the undeformed state [L].
+        arm: [f64; 2],
+    },
+}
+
+impl PointMap {
+    /// Number of dofs the point follows: 2 or 3.
+    pub fn width(&self) -> usize {
+        match self {
+            Self::Free => 2,
+            Self::Arm { .. } => 3,
+        }
+    }
+
+    /// Displacement of the point [L] for the node's dofs (displacements; rotation in radians).
+    /// cos phi - 1 is written -2 sin^2(phi/2), so that small rotations keep their digits. Missing
+    /// dofs count as zero.
+    pub fn displacement(&self, dofs: &[f64]) -> [f64; 2] {
+        let at = |i: usize| dofs.get(i).copied().unwrap_or(0.0);
+        match self {
+            Self::Free => [at(0), at(1)],
+            Self::Arm { arm } => {
+                let half = (0.5 * at(2)).sin();
+                let (versine, s) = (2.0 * half * half, at(2).sin());
+                [at(0) - versine * arm[0] - s * arm[1], at(1) + s * arm[0] - versine * arm[1]]
+            }
+        }
+    }
+
+    /// The arm r = R(phi) arm in the current state [L]; zero for a free node.
+    pub fn current_arm(&self, dofs: &[f64]) -> [f64; 2] {
+        match self {
+            Self::Free => [0.0, 0.0],
+            Self::Arm { arm } => {
+                let (s, c) = dofs.get(2).copied().unwrap_or(0.0).sin_cos();
+                [c * arm[0] - s * arm[1], s * arm[0] + c * arm[1]]
+            }
+        }
+    }
+
+    /// Pushes a force on the point and its derivative by the point's position to the node's dofs:
+    /// f_m = J' f, T = J' K J with -(r.f) added on (phi, phi). Adds into `force` (`width`) and
+    /// `tangent` (`width` x `width`, row-major). [semantics: rigid link, tangent]
+    pub fn push_forward(
+        &self,
+        dofs: &[f64],
+        point_force: &[f64; 2],
+        point_tangent: &[[f64; 2]; 2],
+        force: &mut [f64],
+        tangent: &mut [f64],
+    ) {
+        let attachment = [Attachment::Point { map: *self, first: 0 }];
+        push_forward(&attachment, dofs, point_force, point_tangent.as_flattened(), force, tangent);
+    }
+}
+
+/// Which local dofs one control point (or one rotation) of a contact stencil follows.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Attachment {
+    /// A position: two variables, following the dofs from `first` on by the map.
+    Point {
+        /// How the point follows its node.
+        map: PointMap,
+        /// Local number of the node's first dof.
+        first: usize,
+    },
+    /// A rotation: one variable, equal to the dof.
+    Rotation {
+        /// Local number of the rotation dof.
+        dof: usize,
+    },
+}
+
+impl Attachment {
+    fn variables(&self) -> usize {
+        match self {
+            Self::Point { .. } => 2,
+            Self::Rotation { .. } => 1,
+        }
+    }
+
+    /// Derivatives of variable `component` of this attachment: up to two (dof, coefficient) pairs.
+    fn row(&self, component: usize, dofs: &[f64]) -> [(usize, f64); 2] {
+        match self {
+            Self::Rotation { dof } => [(*dof, 1.0), (*dof, 0.0)],
+            Self::Point { map: PointMap::Free, first } => {
+                [(first + component, 1.0), (first + component, 0.0)]
+            }
+            Self::Point { map, first } => {
+                let r = map.current_arm(dofs.get(*first..).unwrap_or(&[]));
+                let spin = if component == 0 { -r[1] } else { r[0] };
+                [(first + component, 1.0), (first + 2, spin)]
+            }
+        }
+    }
+}
+
+/// The most variables a stencil may have in [`push_forward`].
+pub const MOST_VARIABLES: usize = 16;
+
+/// Pushes the force and tangent of a stencil of positions (and rotations) to its local dofs.
+///
+/// `dofs` are the local dofs, m of them; `gradient` has one entry a variable (n, in the order of the
+/// attachments, at most [`MOST_VARIABLES`]), `hessian` n x n row-major, symmetric or not. *Adds* into
+/// `force` (m) and `tangent` (m x m, row-major). Attachments may share dofs, as the corners of one
+/// rigid body do. [semantics: rigid link, T'KT - (r.f)]
+pub fn push_forward(
+    attachments: &[Attachment],
+    dofs: &[f64],
+    gradient: &[f64],
+    hessian: &[f64],
+    force: &mut [f64],
+    tangent: &mut [f64],
+) {
+    let (n, m) = (gradient.len().min(MOST_VARIABLES), dofs.len());
+    let mut rows = [[(0_usize, 0.0_f64); 2]; MOST_VARIABLES];
+    let mut variable = 0;
+    for attachment in attachments {
+        for component in 0..attachment.variables() {
+            if variable < n {
+                rows[variable] = attachment.row(component, dofs);
+                variable += 1;
+            }
+        }
+    }
+    for i in 0..variable {
+        for (a, by_a) in rows[i] {
+            force[a] += by_a * gradient[i];
+            for j in 0..variable {
+                for (b, by_b) in rows[j] {
+                    tangent[m * a + b] += by_a * by_b * hessian[n * i + j];
+                }
+            }
+        }
+    }
+    add_turning_terms(attachments, dofs, gradient, tangent);
+}
+
+/// Pushes the gradient of a scalar (an overclosure, a slip) to the local dofs: J' g. *Adds* into
+/// `into` (m entries, as many as `dofs`).
+pub fn push_gradient(attachments: &[Attachment], dofs: &[f64], gradient: &[f64], into: &mut [f64]) {
+    let mut variable = 0;
+    for attachment in attachments {
+        for component in 0..attachment.variables() {
+            let Some(value) = gradient.get(variable) else { return };
+            for (dof, coefficient) in attachment.row(component, dofs) {
+                into[dof] += coefficient * value;
+            }
+            variable += 1;
+        }
+    }
+}
+
+/// Adds -(r.f) on (phi, phi) for each arm.
+fn add_turning_terms(
+    attachments: &[Attachment],
+    dofs: &[f64],
+    gradient: &[f64],
+    tangent: &mut [f64],
+) {
+    let m = dofs.len();
+    let mut variable = 0;
+    for attachment in attachments {
+        if let Attachment::Point { map: map @ PointMap::Arm { .. }, first } = attachment {
+            let r = map.current_arm(&dofs[*first..]);
+            let phi = first + 2;
+            let f = [gradient[variable], gradient[variable + 1]];
+            tangent[m * phi + phi] -= r[0] * f[0] + r[1] * f[1];
+        }
+        variable += attachment.variables();
+    }
+}

@@ -1,0 +1,286 @@
+//! Contact composed: the geometry of the 1995 decks, balance, objectivity, no NaN.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // test code throughout
+
+use proptest::prelude::*;
+use slideline_mech::contact::enforcement::Enforcement;
+use slideline_mech::contact::friction::{FrictionLaw, Stick};
+use slideline_mech::contact::normal::NormalLaw;
+use slideline_mech::contact::onset::Onset;
+use slideline_mech::contact::pair::{
+    AnyGap, Body, Interaction, Multipliers, PointState, PointTrial, RigidSurface, assemble,
+    chain_gap, respond,
+};
+use slideline_mech::contact::search::chain::Chain;
+use slideline_mech::contact::search::rigid::RigidSegment;
+use slideline_mech::rigid::{Attachment, PointMap, push_forward};
+
+const STILL: Body = Body { reference: [0.0, 45e-3], dofs: [0.0; 3] };
+
+fn beam_nodes(count: usize) -> Vec<[f64; 2]> {
+    (0..count)
+        .map(|i| {
+            let s = i as f64 / (count - 1) as f64;
+            [7e-3 + s * 2.222e-3, s * 50e-3]
+        })
+        .collect()
+}
+
+/// The circle of the seed's IRS deck.
+fn circle() -> RigidSurface {
+    let centre = [0.0, 45e-3];
+    RigidSurface::new(vec![
+        RigidSegment::arc([0.0, 54e-3], [9e-3, 45e-3], centre).unwrap(),
+        RigidSegment::arc([9e-3, 45e-3], [0.0, 36e-3], centre).unwrap(),
+    ])
+}
+
+fn overclosure_of_node(nodes: &[[f64; 2]], number: usize) -> f64 {
+    let point = nodes[number - 1];
+    let facing = circle().closest(&STILL, point, None).unwrap();
+    circle().gap(&STILL, &facing, point).unwrap().overclosure()
+}
+
+/// Requirement: initial overclosures of the IRS decks. Source: semantics, section 1, point 4.
+/// Tolerance: the digits printed there.
+#[test]
+fn initial_overclosure_of_the_1995_rigid_surface_decks() {
+    let (coarse, fine) = (beam_nodes(25), beam_nodes(100));
+    assert!((overclosure_of_node(&coarse, 22) + 31.17e-6).abs() < 6e-9);
+    assert!((overclosure_of_node(&fine, 89) - 7.71e-6).abs() < 6e-9);
+    assert!((overclosure_of_node(&fine, 90) - 2.30e-6).abs() < 6e-9);
+}
+
+/// Requirement: initial overclosures of the slide line deck, smoothing 0.25, nodes 2 to 25. Source:
+/// semantics, section 1, point 4. Tolerance: the digits printed there.
+#[test]
+fn initial_overclosure_of_the_1995_slide_line_deck() {
+    let nodes = beam_nodes(25)[1..].to_vec();
+    let chain = Chain::new(&nodes, 0.25, 0.1).unwrap();
+    let at = |degrees: f64| {
+        let (s, c) = degrees.to_radians().sin_cos();
+        let point = [9e-3 * s, 45e-3 - 9e-3 * c];
+        let piece = chain.closest(&nodes, point, None).unwrap();
+        chain_gap(&chain, &piece, &nodes, point).unwrap()
+    };
+    assert!((at(88.0).overclosure() - 8.667e-6).abs() < 6e-10);
+    assert!((at(84.0).overclosure() + 7.289e-6).abs() < 6e-10);
+    assert!(at(80.0).overclosure() < -19e-6 && at(92.0).overclosure() < -19e-6);
+    assert!(at(88.0).normal()[0] < 0.0); // towards the circle
+}
+
+/// Requirement: overclosure, coordinate and normal are continuous from straight part to corner and
+/// back for a point moving along a smoothed chain. Tolerance: the step.
+#[test]
+fn smoothed_chain_is_continuous() {
+    let nodes = vec![[0.0, 0.0], [1.0, 0.0], [2.0, 0.4], [3.5, 0.1]];
+    let chain = Chain::new(&nodes, 0.3, 0.1).unwrap();
+    let mut last: Option<AnyGap> = None;
+    for i in 0..20_000 {
+        let x = 0.2 + f64::from(i) * 1.5e-4;
+        let point = [x, 0.3];
+        let piece = chain.closest(&nodes, point, None).unwrap();
+        let gap = chain_gap(&chain, &piece, &nodes, point).unwrap();
+        if let Some(before) = last {
+            assert!((gap.overclosure() - before.overclosure()).abs() < 2e-4, "{x}");
+            let step = (gap.along() - before.along()).abs();
+            assert!(step < 1e-3, "{x}: {step}");
+            assert!((gap.normal()[0] - before.normal()[0]).abs() < 3e-3, "{x}");
+        }
+        last = Some(gap);
+    }
+}
+
+/// Requirement: the coordinate along a rigid surface runs on from one arc to the next.
+#[test]
+fn coordinate_runs_on_at_a_joint() {
+    let along = |degrees: f64| {
+        let (s, c) = degrees.to_radians().sin_cos();
+        let point = [9.01e-3 * s, 45e-3 + 9.01e-3 * c];
+        let facing = circle().closest(&STILL, point, None).unwrap();
+        circle().gap(&STILL, &facing, point).unwrap().along()
+    };
+    for degrees in [0.5, 30.0, 89.999_999, 90.000_001, 120.0, 179.5] {
+        assert!((along(degrees) - 9e-3 * f64::to_radians(degrees)).abs() < 1e-15, "{degrees}");
+    }
+}
+
+fn rubbing() -> Interaction {
+    Interaction {
+        normal: NormalLaw::Linear { stiffness: 50.0 },
+        friction: FrictionLaw::Coulomb {
+            coefficient: 0.3,
+            limit: None,
+            decay: None,
+            stick: Stick::Elastic { slip: 0.01 },
+        },
+        onset: Onset::Immediate,
+        enforcement: Enforcement::Inserted,
+    }
+}
+
+fn sliding(along: f64) -> PointTrial {
+    PointTrial {
+        committed: PointState { closed: true, along: Some(along), elastic_slip: 0.0 },
+        multipliers: Multipliers::default(),
+        period: None,
+        dt: 1.0,
+    }
+}
+
+/// Force over the variables of a gap: pressure and friction with a given slip origin.
+fn force(gap: &AnyGap, slip: f64) -> Vec<f64> {
+    let trial = sliding(gap.along() - slip);
+    let response = respond(&rubbing(), gap.overclosure(), gap.along(), &trial, None);
+    match gap {
+        AnyGap::Circle(gap) => assemble(1.0, gap, &response).force.to_vec(),
+        AnyGap::Straight(gap) => assemble(1.0, gap, &response).force.to_vec(),
+        AnyGap::Quadratic(gap) => assemble(1.0, gap, &response).force.to_vec(),
+    }
+}
+
+/// Sum of forces and moment about the origin for forces at positions.
+fn balance(force: &[f64], positions: &[[f64; 2]]) -> [f64; 3] {
+    let mut sum = [0.0; 3];
+    for (f, x) in force.chunks(2).zip(positions) {
+        sum[0] += f[0];
+        sum[1] += f[1];
+        sum[2] += x[0] * f[1] - x[1] * f[0];
+    }
+    sum
+}
+
+fn wavy(jitter: &[f64; 8]) -> Vec<[f64; 2]> {
+    (0..4).map(|i| [i as f64 + jitter[2 * i], jitter[2 * i + 1]]).collect()
+}
+
+/// Mixed rigid surface: line, convex corner, line, arc, parabola.
+fn surface() -> RigidSurface {
+    RigidSurface::new(vec![
+        RigidSegment::Line { a: [-2.0, -1.0], b: [-1.0, 0.0] },
+        RigidSegment::Line { a: [-1.0, 0.0], b: [0.0, 0.0] },
+        RigidSegment::arc([0.0, 0.0], [1.0, -1.0], [0.0, -1.0]).unwrap(),
+        RigidSegment::Parabola { start: [1.0, -1.0], mid: [1.5, -1.8], end: [2.5, -2.0] },
+    ])
+}
+
+/// Local dofs: slave (x, y), body (x, y, phi); force and tangent pushed to them.
+fn on_dofs(dofs: &[f64; 5], slip_origin: Option<f64>) -> Option<([f64; 5], [f64; 25], f64)> {
+    let body = Body { reference: [0.3, -1.7], dofs: [dofs[2], dofs[3], dofs[4]] };
+    let point = [dofs[0], dofs[1]];
+    let facing = surface().closest(&body, point, None)?;
+    let gap = surface().gap(&body, &facing, point)?;
+    let slave = Attachment::Point { map: PointMap::Free, first: 0 };
+    let attachments = surface().attachments(&body, &facing, slave, 2)?;
+    let trial = sliding(slip_origin.unwrap_or(gap.along() - 0.2));
+    let response = respond(&rubbing(), gap.overclosure(), gap.along(), &trial, None);
+    let (mut f, mut t) = ([0.0; 5], [0.0; 25]);
+    let list = attachments.as_slice();
+    match &gap {
+        AnyGap::Circle(gap) => {
+            let s = assemble(1.0, gap, &response);
+            push_forward(list, dofs, &s.force, s.tangent.as_flattened(), &mut f, &mut t);
+        }
+        AnyGap::Straight(gap) => {
+            let s = assemble(1.0, gap, &response);
+            push_forward(list, dofs, &s.force, s.tangent.as_flattened(), &mut f, &mut t);
+        }
+        AnyGap::Quadratic(gap) => {
+            let s = assemble(1.0, gap, &response);
+            push_forward(list, dofs, &s.force, s.tangent.as_flattened(), &mut f, &mut t);
+        }
+    }
+    Some((f, t, gap.along()))
+}
+
+fn spans() -> impl Strategy<Value = [f64; 5]> {
+    (-1.8..2.4_f64, -2.6..0.4_f64, -0.2..0.2_f64, -0.2..0.2_f64, -1.0..1.0_f64)
+        .prop_map(|(a, b, c, d, e)| [a, b, c, d, e])
+}
+
+proptest! {
+    /// Action = reaction in force and moment on a chain, at any overclosure, friction included.
+    #[test]
+    fn chain_is_in_balance(j in prop::array::uniform8(-0.2..0.2_f64), p in (0.1..2.9_f64, -0.3..0.3_f64), f in 0.0..0.45_f64, slip in -0.1..0.1_f64) {
+        let nodes = wavy(&j);
+        let reference = wavy(&[0.0; 8]);
+        let chain = Chain::new(&reference, f, 0.1).unwrap();
+        let point = [p.0, p.1];
+        if let Some(piece) = chain.closest(&nodes, point, None) {
+            let gap = chain_gap(&chain, &piece, &nodes, point).unwrap();
+            let mut positions = vec![point];
+            positions.extend_from_slice(&nodes[piece.nodes()]);
+            let sum = balance(&force(&gap, slip), &positions);
+            prop_assert!(sum.iter().all(|s| s.abs() < 1e-12 * 50.0), "{:?}", sum);
+        }
+    }
+
+    /// Objectivity of a chain: turning and moving everything changes neither h nor sigma.
+    #[test]
+    fn chain_is_objective(j in prop::array::uniform8(-0.2..0.2_f64), p in (0.1..2.9_f64, -0.3..0.3_f64), f in 0.0..0.45_f64, turn in -3.0..3.0_f64) {
+        let nodes = wavy(&j);
+        let chain = Chain::new(&wavy(&[0.0; 8]), f, 0.1).unwrap();
+        let (s, c) = turn.sin_cos();
+        let moved = |x: [f64; 2]| [c * x[0] - s * x[1] + 0.3, s * x[0] + c * x[1] - 0.7];
+        let there: Vec<_> = nodes.iter().map(|x| moved(*x)).collect();
+        let point = [p.0, p.1];
+        if let Some(piece) = chain.closest(&nodes, point, None) {
+            let other = chain.closest(&there, moved(point), Some(piece)).unwrap();
+            let a = chain_gap(&chain, &piece, &nodes, point).unwrap();
+            let b = chain_gap(&chain, &other, &there, moved(point)).unwrap();
+            prop_assert!((a.overclosure() - b.overclosure()).abs() < 1e-14 * 10.0);
+            prop_assert!((a.along() - b.along()).abs() < 1e-12);
+        }
+    }
+
+    /// A rigid surface on its body: forces and the moment about the origin balance, the tangent on
+    /// the dofs (body rotation included) is that of differences.
+    #[test]
+    fn rigid_surface_on_dofs(dofs in spans()) {
+        let Some((f, t, along)) = on_dofs(&dofs, None) else { return Ok(()) };
+        let node = [0.3 + dofs[2], -1.7 + dofs[3]];
+        let sum = balance(&f[..4], &[[dofs[0], dofs[1]], node]);
+        prop_assert!(sum[0].abs() < 1e-12 * 50.0 && sum[1].abs() < 1e-12 * 50.0);
+        prop_assert!((sum[2] + f[4]).abs() < 1e-11 * 50.0, "{}", sum[2] + f[4]);
+        let origin = Some(along - 0.2);
+        let most = t.iter().fold(1.0_f64, |a, b| a.max(b.abs()));
+        for j in 0..5 {
+            let (mut up, mut down) = (dofs, dofs);
+            up[j] += 1e-6;
+            down[j] -= 1e-6;
+            let (Some(up), Some(down)) = (on_dofs(&up, origin), on_dofs(&down, origin)) else {
+                return Ok(());
+            };
+            // A step across a joint of two segments is no difference quotient.
+            let jumped = (up.2 - down.2).abs() > 1e-4 * (1.0 + most);
+            let kinked = (0..5).any(|i| ((up.1[5 * i + j] - down.1[5 * i + j]).abs()) > 1e-3 * most);
+            for i in 0..5 {
+                let difference = (up.0[i] - down.0[i]) / 2e-6;
+                prop_assert!(jumped || kinked || (difference - t[5 * i + j]).abs() < 1e-7 * most * most.max(10.0));
+            }
+        }
+    }
+
+    /// Finite input never gives NaN: a gap has finite numbers or is `None`.
+    #[test]
+    fn no_nan(nodes in prop::collection::vec(prop::array::uniform2(prop::num::f64::NORMAL | prop::num::f64::ZERO), 4), point in prop::array::uniform2(-1e3..1e3_f64)) {
+        let chain = Chain::new(&wavy(&[0.0; 8]), 0.2, 0.1).unwrap();
+        if let Some(piece) = chain.closest(&nodes, point, None)
+            && let Some(gap) = chain_gap(&chain, &piece, &nodes, point)
+        {
+            prop_assert!(gap.overclosure().is_finite() && gap.along().is_finite());
+        }
+        let same = vec![point; 4];
+        prop_assert!(chain.closest(&same, point, None).is_none());
+    }
+
+    /// The same for rigid surfaces, far and near.
+    #[test]
+    fn no_nan_on_rigid_surfaces(point in prop::array::uniform2(prop::num::f64::NORMAL | prop::num::f64::ZERO), dofs in prop::array::uniform3(-10.0..10.0_f64)) {
+        let body = Body { reference: [0.0, 0.0], dofs };
+        if let Some(facing) = surface().closest(&body, point, None)
+            && let Some(gap) = surface().gap(&body, &facing, point)
+        {
+            prop_assert!(gap.overclosure().is_finite() && gap.along().is_finite());
+        }
+    }
+}

@@ -1,0 +1,178 @@
+//! Contact pairs: which points meet which master, under which laws.
+
+use crate::{NodeIndex, NormalLaw};
+use slideline_diag::Span;
+
+/// Points, a master, and what happens between them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ContactPair {
+    /// Name: the contact element set.
+    pub name: String,
+    /// Contact elements; their nodes are the slave nodes and their undeformed
+    /// lengths the tributary areas.
+    pub elements: Vec<ContactElement>,
+    /// The surface that is slid upon.
+    pub master: Master,
+    /// Laws and width.
+    pub interaction: Interaction,
+    /// The card that made the pair.
+    pub origin: Span,
+}
+
+impl ContactPair {
+    /// Slave nodes in order of first appearance, each once.
+    pub fn slave_nodes(&self) -> Vec<NodeIndex> {
+        let mut seen = std::collections::HashSet::new();
+        self.elements
+            .iter()
+            .flat_map(|element| element.nodes)
+            .filter(|&node| seen.insert(node))
+            .collect()
+    }
+}
+
+/// ISL21 or IRS21: a stretch of slave surface between two slave nodes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactElement {
+    /// Its number in the deck.
+    pub label: u64,
+    /// Its slave nodes.
+    pub nodes: [NodeIndex; 2],
+    /// Where it was defined.
+    pub origin: Span,
+}
+
+/// The surface that points slide on.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Master {
+    /// Analytic surface of a rigid body (`*RIGID SURFACE`).
+    RigidSurface(RigidSurface),
+    /// Chain of nodes (`*SLIDE LINE`).
+    SlideLine(SlideLine),
+}
+
+/// Line, arcs and parabolas fixed to a rigid body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RigidSurface {
+    /// The body's reference node.
+    pub reference: NodeIndex,
+    /// First point, undeformed [L].
+    pub start: [f64; 2],
+    /// Segments, each from the end of the one before; the outward normal
+    /// stands 90 degrees counter-clockwise of travel.
+    pub segments: Vec<SurfaceSegment>,
+    /// The card.
+    pub origin: Span,
+}
+
+/// One segment of an analytic rigid surface, undeformed coordinates [L].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SurfaceSegment {
+    /// Straight.
+    Line {
+        /// End point.
+        end: [f64; 2],
+    },
+    /// Circular, less than 180 degrees.
+    Circle {
+        /// End point.
+        end: [f64; 2],
+        /// Centre.
+        centre: [f64; 2],
+    },
+    /// Parabolic.
+    Parabola {
+        /// A point of the parabola between its ends.
+        middle: [f64; 2],
+        /// End point.
+        end: [f64; 2],
+    },
+}
+
+/// A chain of master nodes with smoothed corners.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SlideLine {
+    /// Nodes in order of travel; the outward normal stands 90 degrees
+    /// counter-clockwise of it.
+    pub nodes: Vec<NodeIndex>,
+    /// `SMOOTH`: fraction of each segment taken by the corner's parabola [1].
+    pub smooth: f64,
+    /// `EXTENSION ZONE`: prolongation of the end segments, as a fraction of
+    /// their length [1].
+    pub extension: f64,
+    /// The card.
+    pub origin: Span,
+}
+
+/// `*INTERFACE` with its laws.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Interaction {
+    /// Out-of-plane width [L].
+    pub width: f64,
+    /// Overclosure to pressure.
+    pub normal: NormalLaw,
+    /// Slip to shear traction.
+    pub friction: Friction,
+    /// The `*INTERFACE` card.
+    pub origin: Span,
+    /// The card of the normal law, where there is one.
+    pub normal_origin: Option<Span>,
+    /// The `*FRICTION` card, where there is one.
+    pub friction_origin: Option<Span>,
+}
+
+/// The friction law as the deck says it.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub enum Friction {
+    /// None.
+    #[default]
+    Frictionless,
+    /// Coulomb's law.
+    Coulomb {
+        /// Coefficient mu [1] (the static one, with decay).
+        coefficient: f64,
+        /// `TAUMAX` [F/L2].
+        limit: Option<f64>,
+        /// Decay from static to kinetic.
+        decay: Option<Decay>,
+        /// How sticking is imposed.
+        stick: StickRule,
+    },
+    /// No slip while closed.
+    Rough,
+    /// A law of the embedding program.
+    User {
+        /// Its name.
+        name: String,
+        /// Constants of the card.
+        properties: Vec<f64>,
+        /// Number of state variables a point keeps (`DEPVAR`).
+        state_size: usize,
+    },
+}
+
+/// mu = mu_k + (mu_s - mu_k) exp(-d_c |slip rate|).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Decay {
+    /// Kinetic coefficient mu_k [1].
+    pub kinetic: f64,
+    /// Decay constant d_c [T/L].
+    pub rate: f64,
+}
+
+/// How sticking is imposed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StickRule {
+    /// Elastic slip of this fraction of the average contact element length [1].
+    SlipTolerance(f64),
+    /// Elastic slip [L].
+    ElasticSlip(f64),
+    /// Exactly, by a multiplier.
+    Lagrange,
+}
+
+impl Default for StickRule {
+    fn default() -> Self {
+        Self::SlipTolerance(0.005)
+    }
+}

@@ -1,0 +1,103 @@
+//! Elements in blocks of one kind and one section.
+
+use crate::{Dof, NodeIndex};
+use slideline_diag::Span;
+use slideline_mech::material::Elastic;
+
+/// Elements that share kind and section: the solver dispatches once a block.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ElementBlock {
+    /// Two-node shear-flexible plane beams.
+    B21(BeamBlock),
+    /// Linear springs.
+    Spring(SpringBlock),
+}
+
+/// Beams of one section.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BeamBlock {
+    /// Name of the element set that the section was given to.
+    pub name: String,
+    /// Section and material.
+    pub section: BeamSection,
+    /// Elements in order of definition.
+    pub elements: Vec<BeamElement>,
+    /// The section's card.
+    pub origin: Span,
+}
+
+/// A beam between two nodes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BeamElement {
+    /// Its number in the deck.
+    pub label: u64,
+    /// Its ends.
+    pub nodes: [NodeIndex; 2],
+    /// Where it was defined.
+    pub origin: Span,
+}
+
+/// A rectangular section of an elastic material.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BeamSection {
+    /// Width out of the plane [L].
+    pub width: f64,
+    /// Height in the plane [L].
+    pub height: f64,
+    /// Section Poisson ratio [1]; read, stated, and kept out of the energy.
+    pub poisson: f64,
+    /// Material.
+    pub material: Elastic,
+    /// Transverse shear.
+    pub shear: ShearRule,
+}
+
+/// How the transverse shear stiffness is found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShearRule {
+    /// `K23` of `*TRANSVERSE SHEAR STIFFNESS` [F]; default k G A.
+    pub stiffness: Option<f64>,
+    /// Slenderness compensation factor SCF [1]; default 0.25.
+    pub slenderness_compensation: f64,
+}
+
+impl Default for ShearRule {
+    fn default() -> Self {
+        Self { stiffness: None, slenderness_compensation: 0.25 }
+    }
+}
+
+/// Springs of one stiffness.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpringBlock {
+    /// Name of the element set.
+    pub name: String,
+    /// Stiffness [F/L] (about a rotation: [F L]).
+    pub stiffness: f64,
+    /// Kind.
+    pub kind: SpringKind,
+    /// Elements.
+    pub elements: Vec<SpringElement>,
+    /// The `*SPRING` card.
+    pub origin: Span,
+}
+
+/// What a spring acts on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SpringKind {
+    /// `SPRING1`: between a dof and the ground.
+    Ground(Dof),
+    /// `SPRINGA`: between two nodes, along the line that joins them.
+    Axial,
+}
+
+/// One spring.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpringElement {
+    /// Its number in the deck.
+    pub label: u64,
+    /// Its node, and for [`SpringKind::Axial`] its second node.
+    pub nodes: [NodeIndex; 2],
+    /// Where it was defined.
+    pub origin: Span,
+}

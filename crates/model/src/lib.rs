@@ -1,0 +1,117 @@
+//! The problem as plain data: what is to be solved, and where in the deck it
+//! was said.
+//!
+//! ```text
+//!    (o)  rigid body: reference node + rigid links or an analytic surface
+//!   /////\\\\  contact pair: points, master, interaction
+//!   o---o---o---o   elements on nodes, a section, a material
+//!   #          ^    steps: what moves, what pulls, how it is to be solved
+//! ```
+//!
+//! A model is cloned, compared and edited freely; nothing in it is computed.
+//! Nodes are named by their place in [`Nodes`]; their deck numbers are labels.
+//! Every object remembers the deck line it came from.
+
+mod amplitude;
+mod contact;
+mod controls;
+mod element;
+mod node;
+mod output;
+mod step;
+
+pub use amplitude::Amplitude;
+pub use contact::{
+    ContactElement, ContactPair, Decay, Friction, Interaction, Master, RigidSurface, SlideLine,
+    StickRule, SurfaceSegment,
+};
+pub use controls::{Controls, FieldControls, TimeIncrementation};
+pub use element::{
+    BeamBlock, BeamElement, BeamSection, ElementBlock, ShearRule, SpringBlock, SpringElement,
+    SpringKind,
+};
+pub use node::{Dof, Node, NodeIndex, Nodes, RigidLink};
+pub use output::{NodePrint, NodeVariable, OutputRequests, PrintTarget};
+pub use slideline_mech::contact::normal::NormalLaw;
+pub use slideline_mech::contact::onset::Onset;
+pub use step::{Extrapolation, Load, Prescribed, Static, Step};
+
+use slideline_diag::Span;
+
+/// Whose reading of a keyword counts where two programs differ.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Dialect {
+    /// Abaqus/Standard.
+    #[default]
+    Abaqus,
+    /// CalculiX.
+    Calculix,
+}
+
+impl Dialect {
+    /// The word used on the command line and in files.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Abaqus => "abaqus",
+            Self::Calculix => "calculix",
+        }
+    }
+}
+
+/// A whole problem.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct Model {
+    /// Text of `*HEADING`, lines joined by line feeds.
+    pub heading: String,
+    /// Reading of ambiguous keywords.
+    pub dialect: Dialect,
+    /// All nodes.
+    pub nodes: Nodes,
+    /// Named node sets, members in order.
+    pub node_sets: Vec<NodeSet>,
+    /// Elements in blocks of one kind and one section.
+    pub blocks: Vec<ElementBlock>,
+    /// Nodes that move as parts of rigid bodies.
+    pub rigid_links: Vec<RigidLink>,
+    /// Contact pairs.
+    pub contact_pairs: Vec<ContactPair>,
+    /// When friction is called after a change of contact.
+    pub friction_onset: Onset,
+    /// Named amplitudes.
+    pub amplitudes: Vec<Amplitude>,
+    /// Steps, in order.
+    pub steps: Vec<Step>,
+}
+
+/// A named set of nodes.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct NodeSet {
+    /// Name, upper case.
+    pub name: String,
+    /// Members in the order in which they joined, each once.
+    pub members: Vec<NodeIndex>,
+    /// Where it was first defined.
+    pub origin: Span,
+}
+
+impl Model {
+    /// Nodes whose motion and reaction a user always wants to see: those with
+    /// a non-zero prescribed motion or a load in any step, and the members of
+    /// every set named by a node output request. Ascending labels.
+    pub fn history_nodes(&self) -> Vec<NodeIndex> {
+        let mut nodes: Vec<NodeIndex> = Vec::new();
+        for step in &self.steps {
+            nodes.extend(step.prescribed.iter().filter(|p| p.moves()).map(|p| p.node));
+            nodes.extend(step.loads.iter().map(|load| load.node));
+            nodes.extend(step.output.node_prints.iter().flat_map(|print| &print.nodes));
+        }
+        nodes.sort_by_key(|&node| self.nodes.label(node));
+        nodes.dedup();
+        nodes
+    }
+
+    /// The amplitude of that name, letter case ignored.
+    pub fn amplitude(&self, name: &str) -> Option<&Amplitude> {
+        self.amplitudes.iter().find(|amplitude| amplitude.name.eq_ignore_ascii_case(name))
+    }
+}

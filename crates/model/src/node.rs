@@ -1,0 +1,147 @@
+//! Nodes, their degrees of freedom, and links that make them rigid.
+
+use slideline_diag::Span;
+use std::collections::HashMap;
+
+/// Place of a node in [`Nodes`].
+pub type NodeIndex = usize;
+
+/// A degree of freedom of a node.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Dof {
+    /// Displacement along x [L].
+    U1,
+    /// Displacement along y [L].
+    U2,
+    /// Displacement along z [L].
+    U3,
+    /// Rotation about x [1].
+    UR1,
+    /// Rotation about y [1].
+    UR2,
+    /// Rotation about z [1].
+    UR3,
+}
+
+impl Dof {
+    /// All six, in the order of their deck numbers 1 to 6.
+    pub const ALL: [Self; 6] = [Self::U1, Self::U2, Self::U3, Self::UR1, Self::UR2, Self::UR3];
+    /// Those that a plane model uses.
+    pub const PLANE: [Self; 3] = [Self::U1, Self::U2, Self::UR3];
+
+    /// From the deck's number 1 to 6.
+    pub fn from_number(number: i64) -> Option<Self> {
+        usize::try_from(number - 1).ok().and_then(|index| Self::ALL.get(index).copied())
+    }
+
+    /// Deck number 1 to 6.
+    pub fn number(self) -> usize {
+        self as usize + 1
+    }
+
+    /// Name of the motion, such as `U2`.
+    pub fn name(self) -> &'static str {
+        ["U1", "U2", "U3", "UR1", "UR2", "UR3"][self as usize]
+    }
+
+    /// Name of the reaction, such as `RF2` or `RM3`.
+    pub fn reaction_name(self) -> &'static str {
+        ["RF1", "RF2", "RF3", "RM1", "RM2", "RM3"][self as usize]
+    }
+
+    /// Whether it is a rotation (its force is a moment).
+    pub fn is_rotation(self) -> bool {
+        self as usize >= 3
+    }
+
+    /// Whether a plane model has it.
+    pub fn is_plane(self) -> bool {
+        Self::PLANE.contains(&self)
+    }
+}
+
+/// A point of the model.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Node {
+    /// Its number in the deck.
+    pub label: u64,
+    /// Undeformed position [L].
+    pub position: [f64; 3],
+    /// Where it was defined.
+    pub origin: Span,
+}
+
+/// All nodes, with their labels.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct Nodes {
+    list: Vec<Node>,
+    by_label: HashMap<u64, NodeIndex>,
+}
+
+impl Nodes {
+    /// Takes a node in; a node of the same label is replaced in its place.
+    pub fn insert(&mut self, node: Node) -> NodeIndex {
+        if let Some(&index) = self.by_label.get(&node.label) {
+            self.list[index] = node;
+            return index;
+        }
+        self.by_label.insert(node.label, self.list.len());
+        self.list.push(node);
+        self.list.len() - 1
+    }
+
+    /// The place of a label.
+    pub fn find(&self, label: u64) -> Option<NodeIndex> {
+        self.by_label.get(&label).copied()
+    }
+
+    /// The node at that place.
+    ///
+    /// Panics only for an index that this model never gave out.
+    pub fn get(&self, index: NodeIndex) -> &Node {
+        &self.list[index]
+    }
+
+    /// Moves a node's undeformed position [L].
+    pub fn place(&mut self, index: NodeIndex, position: [f64; 3]) {
+        self.list[index].position = position;
+    }
+
+    /// Label of the node at that place.
+    pub fn label(&self, index: NodeIndex) -> u64 {
+        self.list[index].label
+    }
+
+    /// Undeformed position in the plane [L].
+    pub fn plane(&self, index: NodeIndex) -> [f64; 2] {
+        let [x, y, _] = self.list[index].position;
+        [x, y]
+    }
+
+    /// How many.
+    pub fn len(&self) -> usize {
+        self.list.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.list.is_empty()
+    }
+
+    /// All nodes in the order of their places.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = &Node> {
+        self.list.iter()
+    }
+}
+
+/// `*MPC` type BEAM: the dependent node moves as if welded to the master by a
+/// rigid bar, rotation included.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RigidLink {
+    /// The node that gives up its dofs.
+    pub dependent: NodeIndex,
+    /// The node it follows.
+    pub master: NodeIndex,
+    /// Where it was said.
+    pub origin: Span,
+}

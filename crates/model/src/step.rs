@@ -1,0 +1,101 @@
+//! Steps: what is prescribed, and how the way there is walked.
+
+use crate::{Controls, Dof, NodeIndex, OutputRequests};
+use slideline_diag::Span;
+
+/// One step of the history. Boundary conditions and loads are listed whole:
+/// what `OP=MOD` kept from the step before stands here again.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Step {
+    /// Title lines, joined by line feeds.
+    pub title: String,
+    /// Whether kinematics are nonlinear.
+    pub nlgeom: bool,
+    /// `INC`: largest number of increments.
+    pub max_increments: usize,
+    /// `UNSYMM=YES|NO`, where said.
+    pub unsymmetric: Option<bool>,
+    /// First guess of an increment.
+    pub extrapolation: Extrapolation,
+    /// `AMPLITUDE=STEP`: values without an amplitude of their own act at once.
+    pub at_once: bool,
+    /// Time and increments.
+    pub procedure: Static,
+    /// Prescribed motions at the end of the step.
+    pub prescribed: Vec<Prescribed>,
+    /// Concentrated loads at the end of the step.
+    pub loads: Vec<Load>,
+    /// Tolerances and limits.
+    pub controls: Controls,
+    /// What to write.
+    pub output: OutputRequests,
+    /// The `*STEP` card.
+    pub origin: Span,
+}
+
+/// `EXTRAPOLATION`: the first guess of an increment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Extrapolation {
+    /// The last increment again, scaled with time.
+    #[default]
+    Linear,
+    /// A parabola through the last three states.
+    Parabolic,
+    /// The last state.
+    None,
+}
+
+/// `*STATIC`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Static {
+    /// First increment [T].
+    pub initial: f64,
+    /// Length of the step [T].
+    pub period: f64,
+    /// Smallest increment [T].
+    pub minimum: f64,
+    /// Largest increment [T].
+    pub maximum: f64,
+    /// `DIRECT`: increments of fixed size.
+    pub direct: bool,
+    /// The card, where there is one.
+    pub origin: Option<Span>,
+}
+
+/// A prescribed motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Prescribed {
+    /// Node.
+    pub node: NodeIndex,
+    /// Degree of freedom.
+    pub dof: Dof,
+    /// Value at the end of the step [L or 1]; with an amplitude, its factor.
+    pub value: f64,
+    /// Amplitude by place in the model's list; without one the value is
+    /// approached linearly from the step before.
+    pub amplitude: Option<usize>,
+    /// Where it was said.
+    pub origin: Span,
+}
+
+impl Prescribed {
+    /// Whether it asks for any motion.
+    pub fn moves(&self) -> bool {
+        self.value != 0.0
+    }
+}
+
+/// A concentrated load.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Load {
+    /// Node.
+    pub node: NodeIndex,
+    /// Degree of freedom.
+    pub dof: Dof,
+    /// Value at the end of the step [F or F L]; with an amplitude, its factor.
+    pub value: f64,
+    /// Amplitude by place in the model's list.
+    pub amplitude: Option<usize>,
+    /// Where it was said.
+    pub origin: Span,
+}

@@ -1,0 +1,138 @@
+//! `JOB.dat`: the echo of what was understood, then the printed tables.
+
+use crate::echo::model_echo;
+use crate::file::{Growing, WriteError, beside};
+use crate::history::Column;
+use crate::job::JobFiles;
+use crate::summary::Facts;
+use crate::writers::Writer;
+use slideline_model::{Dof, NodeIndex, NodePrint, NodeVariable, PrintTarget};
+use slideline_solve::observe::{Event, Frame, StepReport};
+use std::fmt::Write as _;
+
+/// Writes `JOB.dat`. Tables wait in a file beside it until the run is over;
+/// a deck without tables has its file at once.
+pub(crate) struct Dat {
+    job: JobFiles,
+    version: String,
+    file: Option<Growing>,
+    begun: bool,
+}
+
+impl Dat {
+    pub fn new(job: &JobFiles, facts: &Facts<'_>) -> Self {
+        Self { job: job.clone(), version: facts.version.to_owned(), file: None, begun: false }
+    }
+
+    fn begin(&mut self, report: &StepReport<'_>) -> Result<(), WriteError> {
+        if self.begun {
+            return Ok(());
+        }
+        self.begun = true;
+        let mut file = Growing::create(beside(&self.job.path(".dat")))?;
+        // A String takes any text.
+        let _ = writeln!(file.text, "slideline {}   job {}\n", self.version, self.job.name());
+        file.text.push_str(&model_echo(report.model, &report.start));
+        self.file = Some(file);
+        let tables = report.model.steps.iter().flat_map(|step| &step.output.node_prints);
+        if tables.into_iter().any(|print| print.target == PrintTarget::Table) {
+            return Ok(());
+        }
+        self.finish()
+    }
+
+    fn tables(&mut self, frame: &Frame<'_>) -> Result<(), WriteError> {
+        let Some(file) = &mut self.file else { return Ok(()) };
+        let Some(step) = frame.model.steps.get(frame.step - 1) else { return Ok(()) };
+        for print in &step.output.node_prints {
+            let due = frame.increment.is_multiple_of(print.frequency.max(1)) || frame.last_of_step;
+            if print.target == PrintTarget::Table && due {
+                push_table(&mut file.text, frame, print);
+            }
+        }
+        file.flush()
+    }
+
+    fn finish(&mut self) -> Result<(), WriteError> {
+        match self.file.take() {
+            Some(file) => file.rename(&self.job.path(".dat")),
+            None => Ok(()),
+        }
+    }
+}
+
+/// A column of a printed table.
+enum Printed {
+    Nodal(Column),
+    Load(Dof),
+    Coordinate(Dof),
+}
+
+impl Printed {
+    fn of(variable: NodeVariable, dofs: &[Dof]) -> Vec<Self> {
+        let all = dofs.iter().copied();
+        match variable {
+            NodeVariable::U => all.map(|dof| Self::Nodal(Column::Motion(dof))).collect(),
+            NodeVariable::RF => all.map(|dof| Self::Nodal(Column::Reaction(dof))).collect(),
+            NodeVariable::CF => all.map(Self::Load).collect(),
+            NodeVariable::COORD => {
+                all.filter(|dof| !dof.is_rotation()).map(Self::Coordinate).collect()
+            }
+        }
+    }
+
+    fn name(&self) -> &'static str {
+        match self {
+            Self::Nodal(column) => column.name(),
+            Self::Load(dof) => ["CF1", "CF2", "CF3", "CM1", "CM2", "CM3"][dof.number() - 1],
+            Self::Coordinate(dof) => ["COOR1", "COOR2", "COOR3"][dof.number() - 1],
+        }
+    }
+
+    fn value(&self, frame: &Frame<'_>, node: NodeIndex) -> f64 {
+        match *self {
+            Self::Nodal(column) => column.value(&frame.nodal, node),
+            Self::Load(dof) => frame.nodal.load(node, dof),
+            Self::Coordinate(dof) => {
+                frame.model.nodes.get(node).position[dof.number() - 1]
+                    + frame.nodal.displacement(node, dof)
+            }
+        }
+    }
+}
+
+/// A String takes any text.
+fn push_table(text: &mut String, frame: &Frame<'_>, print: &NodePrint) {
+    let dofs = frame.nodal.dofs();
+    let columns: Vec<Printed> =
+        print.variables.iter().flat_map(|&variable| Printed::of(variable, dofs)).collect();
+    let set = if print.set.is_empty() { "all nodes" } else { &print.set };
+    let _ = writeln!(
+        text,
+        "\nSTEP {}  INCREMENT {}  TOTAL TIME {}  NODES {set}",
+        frame.step, frame.increment, frame.total_time
+    );
+    let _ = write!(text, "{:>10}", "NODE");
+    for column in &columns {
+        let _ = write!(text, " {:>15}", column.name());
+    }
+    text.push('\n');
+    for &node in &print.nodes {
+        let _ = write!(text, "{:>10}", frame.model.nodes.label(node));
+        for column in &columns {
+            let _ = write!(text, " {:>15.7e}", column.value(frame, node));
+        }
+        text.push('\n');
+    }
+}
+
+impl Writer for Dat {
+    fn event(&mut self, event: &Event<'_>) -> Result<(), WriteError> {
+        match event {
+            Event::StepBegin(report) => self.begin(report),
+            Event::Committed(frame) => self.tables(frame),
+            Event::End(_) => self.finish(),
+            _ => Ok(()),
+        }
+    }
+}

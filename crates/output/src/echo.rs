@@ -1,0 +1,376 @@
+//! What was understood, in words: the opening of `JOB.dat` and of `check`.
+
+use crate::ledger::onset_word;
+use crate::number::general;
+use slideline_mech::section::{BeamStiffness, Rectangle, TransverseShear, rectangle_stiffness};
+use slideline_model::{
+    BeamBlock, ContactPair, ElementBlock, Friction, Master, Model, NodeIndex, NormalLaw,
+    SpringBlock, SpringKind, Step, StickRule,
+};
+use slideline_solve::observe::{ContactRow, Frame};
+use std::fmt::Write as _;
+
+/// Everything that was understood of a deck, with the state in which it
+/// starts.
+pub fn model_echo(model: &Model, start: &Frame<'_>) -> String {
+    let mut text = String::new();
+    heading(&mut text, model);
+    nodes(&mut text, model);
+    for block in &model.blocks {
+        match block {
+            ElementBlock::B21(block) => beams(&mut text, model, block),
+            ElementBlock::Spring(block) => springs(&mut text, block),
+        }
+    }
+    for (place, pair) in model.contact_pairs.iter().enumerate() {
+        text.push('\n');
+        text.push_str(&pair_echo(model, pair));
+        let rows: Vec<&ContactRow> =
+            start.contact.iter().filter(|row| row.pair == place).collect();
+        points(&mut text, model, &rows);
+    }
+    initial_contact_energy(&mut text, model, start);
+    for (place, step) in model.steps.iter().enumerate() {
+        step_echo(&mut text, model, place + 1, step);
+    }
+    text
+}
+
+/// Appends a line; a String takes any text.
+fn line(text: &mut String, content: std::fmt::Arguments<'_>) {
+    let _ = text.write_fmt(content);
+    text.push('\n');
+}
+
+fn heading(text: &mut String, model: &Model) {
+    for heading in model.heading.lines() {
+        line(text, format_args!("{heading}"));
+    }
+    line(text, format_args!("dialect          {}", model.dialect.word()));
+    line(text, format_args!("friction onset   {}", onset_word(model.friction_onset)));
+}
+
+fn nodes(text: &mut String, model: &Model) {
+    let linked = model.rigid_links.len();
+    line(text, format_args!("\nNODES  {}, {linked} of them on rigid links", model.nodes.len()));
+    for axis in 0..3 {
+        let values = model.nodes.iter().map(|node| node.position[axis]);
+        let (low, high) = values
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+        if high > low {
+            let name = ["x", "y", "z"][axis];
+            line(text, format_args!("  {name} from {} to {}", general(low, 9), general(high, 9)));
+        }
+    }
+}
+
+fn beams(text: &mut String, model: &Model, block: &BeamBlock) {
+    let section = &block.section;
+    line(
+        text,
+        format_args!("\nBEAMS {}  {} elements B21", block.name, block.elements.len()),
+    );
+    line(
+        text,
+        format_args!(
+            "  section RECT: width {}, height {}; E = {}, nu = {}, G = {}",
+            general(section.width, 9),
+            general(section.height, 9),
+            general(section.material.modulus, 9),
+            general(section.material.poisson, 9),
+            general(section.material.shear_modulus(), 9),
+        ),
+    );
+    let stiffness = |length: f64| beam_stiffness(block, length);
+    let lengths: Vec<f64> =
+        block.elements.iter().map(|element| distance(model, element.nodes)).collect();
+    let Some((short, long)) = extremes(&lengths) else { return };
+    let (of_short, of_long) = (stiffness(short), stiffness(long));
+    line(
+        text,
+        format_args!(
+            "  EA = {}, EI = {}, element length {}",
+            general(of_short.axial, 9),
+            general(of_short.bending, 9),
+            range(short, long),
+        ),
+    );
+    let shear = match section.shear.stiffness {
+        Some(given) => format!("K23 = {} as given", general(given, 9)),
+        None => "k G A with k = 0.85".to_owned(),
+    };
+    line(
+        text,
+        format_args!(
+            "  transverse shear stiffness K = {}: f_p times {shear}, SCF = {}",
+            range(of_short.shear, of_long.shear),
+            general(section.shear.slenderness_compensation, 9),
+        ),
+    );
+    if section.poisson != 0.0 {
+        line(
+            text,
+            format_args!(
+                "  POISSON = {} is read; the section stays constant all the same",
+                general(section.poisson, 9)
+            ),
+        );
+    }
+}
+
+/// EA, K and EI of an element of that block and length [L].
+fn beam_stiffness(block: &BeamBlock, length: f64) -> BeamStiffness {
+    let section = &block.section;
+    let rectangle =
+        Rectangle { width: section.width, height: section.height, poisson: section.poisson };
+    let shear = TransverseShear {
+        slenderness: section.shear.slenderness_compensation,
+        given: section.shear.stiffness,
+        ..TransverseShear::default()
+    };
+    rectangle_stiffness(&rectangle, &section.material, &shear, length)
+}
+
+fn distance(model: &Model, [first, second]: [NodeIndex; 2]) -> f64 {
+    let (a, b) = (model.nodes.plane(first), model.nodes.plane(second));
+    (b[0] - a[0]).hypot(b[1] - a[1])
+}
+
+fn extremes(values: &[f64]) -> Option<(f64, f64)> {
+    let first = *values.first()?;
+    Some(values.iter().fold((first, first), |(l, h), &v| (l.min(v), h.max(v))))
+}
+
+/// `a`, or `a to b` where they differ by more than rounding.
+fn range(low: f64, high: f64) -> String {
+    let (low, high) = (general(low, 9), general(high, 9));
+    if low == high { low } else { format!("{low} to {high}") }
+}
+
+fn springs(text: &mut String, block: &SpringBlock) {
+    let kind = match block.kind {
+        SpringKind::Ground(dof) => format!("to the ground, dof {}", dof.number()),
+        SpringKind::Axial => "along the line between two nodes".to_owned(),
+    };
+    line(
+        text,
+        format_args!(
+            "\nSPRINGS {}  {} elements {kind}, stiffness {}",
+            block.name,
+            block.elements.len(),
+            general(block.stiffness, 9)
+        ),
+    );
+}
+
+/// Who is slave, who is master, and the laws between them.
+pub fn pair_echo(model: &Model, pair: &ContactPair) -> String {
+    let mut text = String::new();
+    let slaves = pair.slave_nodes();
+    line(&mut text, format_args!("CONTACT PAIR {}", pair.name));
+    line(
+        &mut text,
+        format_args!(
+            "  slave    {} nodes ({}), sampled at the nodes",
+            slaves.len(),
+            labels(model, &slaves)
+        ),
+    );
+    line(&mut text, format_args!("  master   {}", master(model, &pair.master)));
+    let interaction = &pair.interaction;
+    line(&mut text, format_args!("  width    {}", general(interaction.width, 9)));
+    line(&mut text, format_args!("  normal   {}", normal_law(&interaction.normal)));
+    line(&mut text, format_args!("  friction {}", friction_law(&interaction.friction)));
+    text
+}
+
+/// Node numbers; a row of consecutive ones as `first to last`.
+pub fn labels(model: &Model, nodes: &[NodeIndex]) -> String {
+    let labels: Vec<u64> = nodes.iter().map(|&node| model.nodes.label(node)).collect();
+    let mut parts: Vec<String> = Vec::new();
+    for row in labels.chunk_by(|a, b| a + 1 == *b) {
+        match row {
+            [first, .., last] if row.len() > 2 => parts.push(format!("{first} to {last}")),
+            _ => parts.extend(row.iter().map(u64::to_string)),
+        }
+    }
+    if parts.len() > 12 {
+        let more = parts.len() - 11;
+        parts.truncate(11);
+        parts.push(format!("and {more} more"));
+    }
+    parts.join(", ")
+}
+
+fn master(model: &Model, master: &Master) -> String {
+    match master {
+        Master::RigidSurface(surface) => format!(
+            "analytic rigid surface of {} segments, moving with node {}",
+            surface.segments.len(),
+            model.nodes.label(surface.reference)
+        ),
+        Master::SlideLine(chain) => format!(
+            "slide line of {} nodes ({}), SMOOTH = {}, EXTENSION ZONE = {}",
+            chain.nodes.len(),
+            labels(model, &chain.nodes),
+            general(chain.smooth, 9),
+            general(chain.extension, 9)
+        ),
+    }
+}
+
+/// The normal law in words, the dialect's formula named.
+pub fn normal_law(law: &NormalLaw) -> String {
+    let number = |value: f64| general(value, 9);
+    match law {
+        NormalLaw::Hard => "hard: no penetration, no tension".to_owned(),
+        NormalLaw::Linear { stiffness } => format!("linear: p = K h, K = {}", number(*stiffness)),
+        NormalLaw::Exponential { clearance, pressure } => format!(
+            "exponential as Abaqus has it: p = p0/(e-1) xi (exp(xi) - 1), xi = 1 + h/c0; c0 = {}, \
+             p0 = {} (h = c0: 7.44 p0)",
+            number(*clearance),
+            number(*pressure)
+        ),
+        NormalLaw::CalculixExponential { clearance, pressure } => format!(
+            "exponential as CalculiX has it: p = p0 exp(b h), b = ln(100)/c0; c0 = {}, p0 = {} \
+             (h = c0: 100 p0)",
+            number(*clearance),
+            number(*pressure)
+        ),
+        NormalLaw::CalculixLinear { stiffness, tension } => format!(
+            "linear as CalculiX has it: p = K h (1/2 + atan(h/eps)/pi), K = {}, pulls up to {}",
+            number(*stiffness),
+            number(*tension)
+        ),
+        NormalLaw::Tabular(pairs) => format!("table of {} points", pairs.len()),
+    }
+}
+
+/// The friction law in words.
+pub fn friction_law(friction: &Friction) -> String {
+    let number = |value: f64| general(value, 9);
+    match friction {
+        Friction::Frictionless => "none".to_owned(),
+        Friction::Coulomb { coefficient, limit, decay, stick } => {
+            let mut text = format!("Coulomb, mu = {}", number(*coefficient));
+            if let Some(decay) = decay {
+                let _ = write!(
+                    text,
+                    " decaying to {} with slip rate (d_c = {})",
+                    number(decay.kinetic),
+                    number(decay.rate)
+                ); // a String takes any text
+            }
+            if let Some(limit) = limit {
+                let _ = write!(text, ", TAUMAX = {}", number(*limit)); // as above
+            }
+            text.push_str(&match stick {
+                StickRule::SlipTolerance(fraction) => format!(
+                    ", sticks within an elastic slip of {} of the mean contact element length",
+                    number(*fraction)
+                ),
+                StickRule::ElasticSlip(slip) => {
+                    format!(", sticks within an elastic slip of {}", number(*slip))
+                }
+                StickRule::Lagrange => ", sticks exactly (LAGRANGE)".to_owned(),
+            });
+            text
+        }
+        Friction::Rough => "rough: no slip while closed".to_owned(),
+        Friction::User { name, properties, .. } => {
+            format!("user law {name} with {} properties", properties.len())
+        }
+    }
+}
+
+fn points(text: &mut String, model: &Model, rows: &[&ContactRow]) {
+    line(text, format_args!("  {:>10} {:>16} {:>20}", "slave node", "area", "initial gap"));
+    for row in rows {
+        line(
+            text,
+            format_args!(
+                "  {:>10} {:>16} {:>20}",
+                model.nodes.label(row.node),
+                general(row.area, 7),
+                gap(row.opening)
+            ),
+        );
+    }
+}
+
+/// A gap in words where the point faces no master.
+pub fn gap(opening: f64) -> String {
+    if opening.is_finite() { general(opening, 7) } else { "faces no master".to_owned() }
+}
+
+/// An initial overclosure holds energy before anything moves.
+/// [contract: JOB.energy.csv]
+fn initial_contact_energy(text: &mut String, model: &Model, start: &Frame<'_>) {
+    let energy: f64 = start
+        .contact
+        .iter()
+        .filter(|row| row.opening.is_finite())
+        .map(|row| {
+            row.area * model.contact_pairs[row.pair].interaction.normal.energy(-row.opening)
+        })
+        .sum();
+    if !model.contact_pairs.is_empty() {
+        line(
+            text,
+            format_args!(
+                "\nThe contact laws hold an energy of {} in the undeformed positions; the energy \
+                 balance counts from the first converged state.",
+                general(energy, 7)
+            ),
+        );
+    }
+}
+
+fn step_echo(text: &mut String, model: &Model, number: usize, step: &Step) {
+    line(text, format_args!("\nSTEP {number}  {}", step.title.replace('\n', " / ")));
+    let time = &step.procedure;
+    line(
+        text,
+        format_args!(
+            "  {}static, period {}, increments {} (first), {} to {}{}, at most {}",
+            if step.nlgeom { "geometrically nonlinear, " } else { "linear kinematics, " },
+            general(time.period, 9),
+            general(time.initial, 9),
+            general(time.minimum, 9),
+            general(time.maximum, 9),
+            if time.direct { ", fixed" } else { "" },
+            step.max_increments
+        ),
+    );
+    let fixed = step.prescribed.iter().filter(|motion| !motion.moves()).count();
+    line(text, format_args!("  {fixed} dofs held"));
+    for motion in step.prescribed.iter().filter(|motion| motion.moves()) {
+        line(
+            text,
+            format_args!(
+                "  node {} {} goes to {}{}",
+                model.nodes.label(motion.node),
+                motion.dof.name(),
+                general(motion.value, 9),
+                amplitude(model, motion.amplitude)
+            ),
+        );
+    }
+    for load in &step.loads {
+        line(
+            text,
+            format_args!(
+                "  node {} load along {} goes to {}{}",
+                model.nodes.label(load.node),
+                load.dof.name(),
+                general(load.value, 9),
+                amplitude(model, load.amplitude)
+            ),
+        );
+    }
+}
+
+fn amplitude(model: &Model, place: Option<usize>) -> String {
+    let amplitude = place.and_then(|place| model.amplitudes.get(place));
+    amplitude.map_or_else(String::new, |amplitude| format!(" times amplitude {}", amplitude.name))
+}

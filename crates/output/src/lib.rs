@@ -1,0 +1,38 @@
+//! Committed frames to files.
+//!
+//! ```text
+//!                     +-> JOB.sta  JOB.msg  JOB.dat
+//!   run -> Writers ---+-> JOB.history.csv  JOB.contact.csv  JOB.energy.csv
+//!                     +-> JOB_0001.vtu ...  JOB.pvd
+//!                     +-> JOB.json
+//! ```
+//!
+//! One writer per kind of file, one line each in [`Writers`]' registry. A
+//! run first removes the files of an earlier run of the same job. Files
+//! appear whole or not at all, except `.sta`, `.msg` and the CSV files, which
+//! grow by whole lines at every commit and are valid whenever the program
+//! ends.
+
+mod contact;
+mod dat;
+pub mod echo;
+mod energy;
+mod file;
+mod history;
+mod job;
+pub mod json;
+mod ledger;
+mod msg;
+pub mod number;
+mod record;
+mod sta;
+mod summary;
+mod vtu;
+mod writers;
+
+pub use file::WriteError;
+pub use job::JobFiles;
+pub use ledger::{dropped_friction, onset_word};
+pub use record::{card, columns, record};
+pub use summary::{Facts, SCHEMA, Status, write_input_error};
+pub use writers::{Writers, kinds};

@@ -1,0 +1,76 @@
+//! A diagnostic as a JSON object.
+
+use crate::json::{self, Object};
+use slideline_diag::{Diagnostic, Location, Sources, Span};
+
+/// The members `code`, `severity`, `message`, `file`, `line`, `columns` (first
+/// and last, counted from 1, on that line), `card`, and `help` where there is
+/// one; null where a diagnostic has no place.
+pub fn record(diagnostic: &Diagnostic, sources: &Sources) -> Object {
+    let location = diagnostic.span.and_then(|span| sources.locate(span));
+    let mut object = Object::new()
+        .text("code", diagnostic.code.0)
+        .text("severity", diagnostic.severity.word())
+        .text("message", &diagnostic.message)
+        .optional_text("file", location.as_ref().map(|at| at.file.as_str()));
+    object = match &location {
+        Some(at) => {
+            let [first, last] = columns(at, sources, diagnostic.span);
+            object
+                .count("line", at.line)
+                .array("columns", [first, last].map(|column| column.to_string()))
+        }
+        None => object.raw("line", "null").raw("columns", "null"),
+    };
+    object = object.optional_text("card", card(diagnostic.span, sources).as_deref());
+    match &diagnostic.help {
+        Some(help) => object.raw("help", &json::text(help)),
+        None => object,
+    }
+}
+
+/// First and last column on the first line of a place, both included.
+pub fn columns(at: &Location, sources: &Sources, span: Option<Span>) -> [usize; 2] {
+    let end = if at.end_line == at.line {
+        at.end_column
+    } else {
+        let source = span.and_then(|span| sources.get(span.file));
+        source.map_or(at.column, |source| source.line(at.line).chars().count() + 1)
+    };
+    [at.column, at.column.max(end.saturating_sub(1))]
+}
+
+/// The keyword, with its star, of the card that a place lies in.
+pub fn card(span: Option<Span>, sources: &Sources) -> Option<String> {
+    let span = span?;
+    let line = sources.locate(span)?.line;
+    let source = sources.get(span.file)?;
+    (1..=line).rev().map(|number| source.line(number).trim_start()).find_map(|line| {
+        let is_keyword = line.starts_with('*') && !line.starts_with("**");
+        is_keyword.then(|| line.split(',').next().unwrap_or(line).trim_end().to_ascii_uppercase())
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use slideline_diag::Code;
+
+    #[test]
+    fn a_place_is_told_by_file_line_columns_and_card() {
+        let mut sources = Sources::default();
+        let file = sources.add("a.inp", "*Node, nset=A\n** comment\n1, x, 2\n");
+        let at = Span::new(file, 28, 29);
+        assert_eq!(sources.text(at), "x");
+        let diagnostic = Diagnostic::error(Code("SL0110"), "not a number").at(at).help("Give one.");
+        assert_eq!(
+            record(&diagnostic, &sources).finish(),
+            r#"{"code":"SL0110","severity":"error","message":"not a number","file":"a.inp","line":3,"columns":[4,4],"card":"*NODE","help":"Give one."}"#
+        );
+        let nowhere = Diagnostic::note(Code("SL0111"), "m");
+        assert_eq!(
+            record(&nowhere, &sources).finish(),
+            r#"{"code":"SL0111","severity":"note","message":"m","file":null,"line":null,"columns":null,"card":null}"#
+        );
+    }
+}

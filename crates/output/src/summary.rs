@@ -1,0 +1,240 @@
+//! `JOB.json`: how the run went, in one object.
+
+use crate::file::{WriteError, replace};
+use crate::history::{Column, columns};
+use crate::job::JobFiles;
+use crate::json::{self, Object};
+use crate::ledger::onset_word;
+use crate::record::record;
+use slideline_diag::{Diagnostic, Severity, Sources};
+use slideline_model::{Dialect, NodeIndex, Onset};
+use slideline_solve::observe::{Ending, Event, Frame, StepReport, Stop, Totals};
+use std::time::Instant;
+
+/// Version of the layout of `JOB.json`.
+pub const SCHEMA: usize = 1;
+
+/// What is known of a job before it runs.
+#[derive(Clone, Debug)]
+pub struct Facts<'a> {
+    /// Version of the program.
+    pub version: &'a str,
+    /// Hash of the deck's text, included files too.
+    pub deck_hash: &'a str,
+    /// Texts, to say where something stands.
+    pub sources: &'a Sources,
+    /// What reading had to say.
+    pub diagnostics: &'a [Diagnostic],
+    /// Dialect of the deck, where known.
+    pub dialect: Option<Dialect>,
+    /// Friction onset that rules, where known.
+    pub friction_onset: Option<Onset>,
+}
+
+/// How a job stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// It runs, or its process was killed.
+    Running,
+    /// Every step was walked to its end.
+    Completed,
+    /// An increment could not be found; what converged is kept.
+    NotConverged,
+    /// The deck has errors; nothing was solved.
+    InputError,
+    /// Results could not be written.
+    OutputError,
+    /// Stopped on request after a converged increment.
+    Interrupted,
+    /// Our fault.
+    InternalError,
+}
+
+impl Status {
+    /// The word of `JOB.json`.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Running => "running",
+            Self::Completed => "completed",
+            Self::NotConverged => "not_converged",
+            Self::InputError => "input_error",
+            Self::OutputError => "output_error",
+            Self::Interrupted => "interrupted",
+            Self::InternalError => "internal_error",
+        }
+    }
+
+    /// What an ending amounts to; a diagnosis SL09xx is our fault.
+    pub fn of(ending: &Ending) -> Self {
+        match ending {
+            Ending::Completed(_) => Self::Completed,
+            Ending::NotConverged(_, why) if why.code.0.starts_with("SL09") => Self::InternalError,
+            Ending::NotConverged(..) => Self::NotConverged,
+            Ending::Stopped(_, Stop::Interrupted) => Self::Interrupted,
+            Ending::Stopped(_, Stop::OutputFailed(_)) => Self::OutputError,
+        }
+    }
+}
+
+/// Smallest and largest value of a curve, and when.
+#[derive(Clone, Copy, Debug)]
+struct Peak {
+    least: (f64, f64),
+    most: (f64, f64),
+}
+
+/// Collects what `JOB.json` says and writes it at both ends of a run.
+pub(crate) struct Summary<'a> {
+    job: JobFiles,
+    facts: Facts<'a>,
+    began: Instant,
+    warnings: Vec<String>,
+    curves: Vec<(String, NodeIndex, Column)>,
+    peaks: Vec<Option<Peak>>,
+    dropped_work: f64,
+    totals: Totals,
+}
+
+impl<'a> Summary<'a> {
+    /// Writes the summary of a job that runs.
+    pub fn begin(job: &JobFiles, facts: Facts<'a>) -> Result<Self, WriteError> {
+        let summary = Self::new(job, facts);
+        summary.write(Status::Running, None)?;
+        Ok(summary)
+    }
+
+    fn new(job: &JobFiles, facts: Facts<'a>) -> Self {
+        let warnings = warnings(facts.diagnostics, facts.sources);
+        Self {
+            job: job.clone(),
+            facts,
+            began: Instant::now(),
+            warnings,
+            curves: Vec::new(),
+            peaks: Vec::new(),
+            dropped_work: 0.0,
+            totals: Totals::default(),
+        }
+    }
+
+    /// Takes note of everything but the end.
+    pub fn watch(&mut self, event: &Event<'_>) {
+        match event {
+            Event::StepBegin(step) if self.curves.is_empty() => self.list_curves(step),
+            Event::Iteration(_) => self.totals.iterations += 1,
+            Event::AttemptFailed(_) => self.totals.cutbacks += 1,
+            Event::Committed(frame) => self.follow(frame),
+            Event::Diagnosed(said) => {
+                self.warnings.extend(warnings(std::slice::from_ref(said), self.facts.sources));
+            }
+            _ => {}
+        }
+    }
+
+    /// Writes the summary of a run that is over.
+    pub fn end(&mut self, status: Status, ending: &Ending) -> Result<(), WriteError> {
+        let (totals, diagnosis) = match ending {
+            Ending::Completed(totals) | Ending::Stopped(totals, _) => (totals, None),
+            Ending::NotConverged(totals, diagnosis) => (totals, Some(diagnosis)),
+        };
+        self.totals = *totals;
+        self.write(status, diagnosis)
+    }
+
+    /// Writes the summary of a run that came to a bad end on our side.
+    pub fn give_up(&self) -> Result<(), WriteError> {
+        self.write(Status::InternalError, None)
+    }
+
+    fn list_curves(&mut self, step: &StepReport<'_>) {
+        let columns = columns(step.start.nodal.dofs());
+        for node in step.model.history_nodes() {
+            let label = step.model.nodes.label(node);
+            self.curves.extend(
+                columns.iter().map(|&column| (format!("{label}.{}", column.name()), node, column)),
+            );
+        }
+        self.peaks = vec![None; self.curves.len()];
+    }
+
+    fn follow(&mut self, frame: &Frame<'_>) {
+        self.totals.increments += 1;
+        self.dropped_work = frame.energy.dropped_friction;
+        let time = frame.total_time;
+        for ((_, node, column), peak) in self.curves.iter().zip(&mut self.peaks) {
+            let value = column.value(&frame.nodal, *node);
+            let peak = peak.get_or_insert(Peak { least: (value, time), most: (value, time) });
+            if value < peak.least.0 {
+                peak.least = (value, time);
+            }
+            if value > peak.most.0 {
+                peak.most = (value, time);
+            }
+        }
+    }
+
+    fn write(&self, status: Status, diagnosis: Option<&Diagnostic>) -> Result<(), WriteError> {
+        let facts = &self.facts;
+        let mut object = Object::new()
+            .text("job", &self.job.name())
+            .text("status", status.word())
+            .count("increments", self.totals.increments)
+            .count("cutbacks", self.totals.cutbacks)
+            .count("iterations", self.totals.iterations)
+            .number("wall_seconds", self.began.elapsed().as_secs_f64())
+            .array("warnings", self.warnings.iter().cloned())
+            .raw("peaks", &self.peaks())
+            .raw("dropped_friction", &self.dropped())
+            .count("schema", SCHEMA)
+            .text("program_version", facts.version)
+            .text("deck_hash", facts.deck_hash)
+            .optional_text("dialect", facts.dialect.map(Dialect::word))
+            .optional_text("friction_onset", facts.friction_onset.map(onset_word));
+        if status == Status::InputError {
+            let errors = facts.diagnostics.iter().filter(|said| said.severity == Severity::Error);
+            object = object.array("errors", errors.map(|e| record(e, facts.sources).finish()));
+        }
+        if let Some(diagnosis) = diagnosis {
+            object = object.raw("diagnosis", &record(diagnosis, facts.sources).finish());
+        }
+        let mut text = object.finish();
+        text.push('\n');
+        replace(&self.job.path(".json"), text.as_bytes())
+    }
+
+    fn peaks(&self) -> String {
+        let mut object = Object::new();
+        for ((name, _, _), peak) in self.curves.iter().zip(&self.peaks) {
+            if let Some(peak) = peak {
+                let peak = Object::new()
+                    .number("min", peak.least.0)
+                    .number("max", peak.most.0)
+                    .number("time_min", peak.least.1)
+                    .number("time_max", peak.most.1);
+                object = object.raw(name, &peak.finish());
+            }
+        }
+        object.finish()
+    }
+
+    fn dropped(&self) -> String {
+        Object::new()
+            .count("point_increments", self.totals.dropped_points)
+            .number("work", self.dropped_work)
+            .finish()
+    }
+}
+
+fn warnings(diagnostics: &[Diagnostic], sources: &Sources) -> Vec<String> {
+    let warnings = diagnostics.iter().filter(|said| said.severity == Severity::Warning);
+    warnings.map(|said| json::Object::finish(record(said, sources))).collect()
+}
+
+/// Writes `JOB.json` of a deck with errors; the files of an earlier run go.
+///
+/// # Errors
+/// When the folder cannot be made, or a file not be removed or written.
+pub fn write_input_error(job: &JobFiles, facts: Facts<'_>) -> Result<(), WriteError> {
+    job.clear()?;
+    Summary::new(job, facts).write(Status::InputError, None)
+}

@@ -1,0 +1,338 @@
+//! One state as an unstructured grid.
+
+use super::base64;
+use slideline_model::{Dof, ElementBlock, Master, Model, NodeIndex, RigidSurface, SurfaceSegment};
+use slideline_solve::observe::{Frame, Status};
+use std::collections::HashMap;
+use std::fmt::Write as _;
+
+const LINE: u8 = 3; // VTK_LINE
+const POLY_LINE: u8 = 4; // VTK_POLY_LINE
+
+/// Chords of an arc or parabola per segment; at most 3.75 degrees of arc.
+const CHORDS: u32 = 48;
+
+/// What a cell stands for, as written to `kind`.
+#[derive(Clone, Copy)]
+enum Kind {
+    Beam = 0,
+    Spring = 1,
+    SlaveSurface = 2,
+    RigidSurface = 3,
+}
+
+/// A rigid surface as a chain of points, undeformed.
+struct Outline {
+    reference: NodeIndex,
+    points: Vec<[f64; 2]>,
+}
+
+struct Cell {
+    points: Vec<usize>,
+    kind: Kind,
+    label: u64,
+}
+
+/// What does not change between states.
+pub(super) struct Grid {
+    outlines: Vec<Outline>,
+    cells: Vec<Cell>,
+    /// Place in the cell list of every beam's element label.
+    beam_cells: HashMap<u64, usize>,
+    point_count: usize,
+    /// The finished `<Cells>` element.
+    topology: String,
+}
+
+impl Grid {
+    /// Lays points and cells of a model out.
+    pub fn new(model: &Model) -> Self {
+        let mut cells = element_cells(model);
+        let beam_cells = cells
+            .iter()
+            .enumerate()
+            .filter(|(_, cell)| matches!(cell.kind, Kind::Beam))
+            .map(|(place, cell)| (cell.label, place))
+            .collect();
+        let mut outlines = Vec::new();
+        let mut point_count = model.nodes.len();
+        for pair in &model.contact_pairs {
+            if let Master::RigidSurface(surface) = &pair.master {
+                let outline = outline(surface);
+                let end = point_count + outline.points.len();
+                let points = (point_count..end).collect();
+                cells.push(Cell { points, kind: Kind::RigidSurface, label: 0 });
+                point_count = end;
+                outlines.push(outline);
+            }
+        }
+        let topology = topology(&cells);
+        Self { outlines, cells, beam_cells, point_count, topology }
+    }
+
+    /// The whole file of a state.
+    pub fn state(&self, frame: &Frame<'_>) -> String {
+        let mut text = String::with_capacity(self.topology.len() + 400 * self.point_count);
+        let _ = write!(
+            text,
+            "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" \
+             byte_order=\"LittleEndian\" header_type=\"UInt32\">\n<UnstructuredGrid>\n\
+             <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
+            self.point_count,
+            self.cells.len()
+        ); // a String takes any text
+        let (points, displacement) = self.positions(frame);
+        text.push_str("<Points>\n");
+        push_floats(&mut text, "Points", 3, &points);
+        text.push_str("</Points>\n");
+        text.push_str(&self.topology);
+        text.push_str("<PointData>\n");
+        push_floats(&mut text, "displacement", 3, &displacement);
+        self.push_nodal(&mut text, frame);
+        self.push_contact(&mut text, frame);
+        text.push_str("</PointData>\n<CellData>\n");
+        self.push_sections(&mut text, frame);
+        text.push_str("</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
+        text
+    }
+
+    /// Current positions and displacements, three components a point.
+    fn positions(&self, frame: &Frame<'_>) -> (Vec<f64>, Vec<f64>) {
+        let mut points = Vec::with_capacity(3 * self.point_count);
+        let mut displacement = Vec::with_capacity(3 * self.point_count);
+        for (index, node) in frame.model.nodes.iter().enumerate() {
+            for (axis, dof) in [Dof::U1, Dof::U2, Dof::U3].into_iter().enumerate() {
+                let moved = frame.nodal.displacement(index, dof);
+                points.push(node.position[axis] + moved);
+                displacement.push(moved);
+            }
+        }
+        for outline in &self.outlines {
+            for &point in &outline.points {
+                let moved = carried(frame, outline.reference, point);
+                points.extend([moved[0], moved[1], 0.0]);
+                displacement.extend([moved[0] - point[0], moved[1] - point[1], 0.0]);
+            }
+        }
+        (points, displacement)
+    }
+
+    fn push_nodal(&self, text: &mut String, frame: &Frame<'_>) {
+        let (move_dofs, turn_dofs) = Dof::ALL.split_at(3);
+        let nodes = frame.model.nodes.len();
+        let vectors = |dofs: &[Dof], value: &dyn Fn(NodeIndex, Dof) -> f64| {
+            let mut values = Vec::with_capacity(3 * self.point_count);
+            for node in 0..nodes {
+                values.extend(dofs.iter().map(|&dof| value(node, dof)));
+            }
+            values.resize(3 * self.point_count, 0.0);
+            values
+        };
+        let motion = |node, dof| frame.nodal.displacement(node, dof);
+        let reaction = |node, dof| frame.nodal.reaction(node, dof);
+        push_floats(text, "rotation", 3, &vectors(turn_dofs, &motion));
+        push_floats(text, "reaction_force", 3, &vectors(move_dofs, &reaction));
+        push_floats(text, "reaction_moment", 3, &vectors(turn_dofs, &reaction));
+    }
+
+    /// Contact at slave nodes: elsewhere no pressure, no opening (not a
+    /// number) and status -1. A node of several pairs shows where it is
+    /// pressed most.
+    fn push_contact(&self, text: &mut String, frame: &Frame<'_>) {
+        let mut pressure = vec![0.0; self.point_count];
+        let mut shear = vec![0.0; self.point_count];
+        let mut slip = vec![0.0; self.point_count];
+        let mut opening = vec![f64::NAN; self.point_count];
+        let mut status = vec![-1_i32; self.point_count];
+        for row in frame.contact {
+            let node = row.node;
+            let shown = status[node] >= 0;
+            if shown && (pressure[node] > row.pressure || opening[node] <= row.opening) {
+                continue;
+            }
+            pressure[node] = row.pressure;
+            shear[node] = row.shear;
+            slip[node] = row.slip;
+            opening[node] = row.opening;
+            status[node] = match row.status {
+                Status::Open => 0,
+                Status::Stick => 1,
+                Status::Slip => 2,
+            };
+        }
+        push_floats(text, "contact_pressure", 1, &pressure);
+        push_floats(text, "contact_shear", 1, &shear);
+        push_floats(text, "contact_slip", 1, &slip);
+        push_floats(text, "contact_opening", 1, &opening);
+        push_array(text, "Int32", "contact_status", 1, &bytes(&status, |s| s.to_le_bytes()));
+        let labels: Vec<i64> = frame
+            .model
+            .nodes
+            .iter()
+            .map(|node| i64::try_from(node.label).unwrap_or(i64::MAX))
+            .chain(std::iter::repeat(0))
+            .take(self.point_count)
+            .collect();
+        push_array(text, "Int64", "node", 1, &bytes(&labels, |label| label.to_le_bytes()));
+    }
+
+    fn push_sections(&self, text: &mut String, frame: &Frame<'_>) {
+        let count = self.cells.len();
+        let mut columns = [
+            ("axial_force", vec![0.0; count]),
+            ("shear_force", vec![0.0; count]),
+            ("bending_moment", vec![0.0; count]),
+            ("fibre_strain", vec![0.0; count]),
+        ];
+        for beam in frame.beams {
+            let Some(&cell) = self.beam_cells.get(&beam.label) else { continue };
+            let values =
+                [beam.axial_force, beam.shear_force, beam.bending_moment, beam.fibre_strain];
+            for ((_, column), value) in columns.iter_mut().zip(values) {
+                column[cell] = value;
+            }
+        }
+        for (name, column) in &columns {
+            push_floats(text, name, 1, column);
+        }
+        let labels: Vec<i64> = self
+            .cells
+            .iter()
+            .map(|cell| i64::try_from(cell.label).unwrap_or(i64::MAX))
+            .collect();
+        push_array(text, "Int64", "element", 1, &bytes(&labels, |label| label.to_le_bytes()));
+        let kinds: Vec<i32> = self.cells.iter().map(|cell| cell.kind as i32).collect();
+        push_array(text, "Int32", "kind", 1, &bytes(&kinds, |kind| kind.to_le_bytes()));
+    }
+}
+
+fn element_cells(model: &Model) -> Vec<Cell> {
+    let mut cells = Vec::new();
+    let line = |nodes: [NodeIndex; 2], kind, label| Cell { points: nodes.to_vec(), kind, label };
+    for block in &model.blocks {
+        match block {
+            ElementBlock::B21(block) => {
+                cells.extend(block.elements.iter().map(|e| line(e.nodes, Kind::Beam, e.label)));
+            }
+            ElementBlock::Spring(block) => {
+                let joining = block.elements.iter().filter(|e| e.nodes[0] != e.nodes[1]);
+                cells.extend(joining.map(|e| line(e.nodes, Kind::Spring, e.label)));
+            }
+        }
+    }
+    for pair in &model.contact_pairs {
+        let surface = pair.elements.iter();
+        cells.extend(surface.map(|e| line(e.nodes, Kind::SlaveSurface, e.label)));
+    }
+    cells
+}
+
+/// A point of a rigid body: x = x_ref + R(phi) (X - X_ref).
+/// [semantics: segments of a rigid surface]
+fn carried(frame: &Frame<'_>, reference: NodeIndex, point: [f64; 2]) -> [f64; 2] {
+    let origin = frame.model.nodes.plane(reference);
+    let (sine, cosine) = frame.nodal.displacement(reference, Dof::UR3).sin_cos();
+    let arm = [point[0] - origin[0], point[1] - origin[1]];
+    [
+        origin[0] + frame.nodal.displacement(reference, Dof::U1) + cosine * arm[0] - sine * arm[1],
+        origin[1] + frame.nodal.displacement(reference, Dof::U2) + sine * arm[0] + cosine * arm[1],
+    ]
+}
+
+fn outline(surface: &RigidSurface) -> Outline {
+    let mut points = vec![surface.start];
+    let mut at = surface.start;
+    for segment in &surface.segments {
+        at = match *segment {
+            SurfaceSegment::Line { end } => {
+                points.push(end);
+                end
+            }
+            SurfaceSegment::Circle { end, centre } => {
+                push_arc(&mut points, at, end, centre);
+                end
+            }
+            SurfaceSegment::Parabola { middle, end } => {
+                push_parabola(&mut points, [at, middle, end]);
+                end
+            }
+        };
+    }
+    Outline { reference: surface.reference, points }
+}
+
+/// The shorter arc from `from` to `end`.
+fn push_arc(points: &mut Vec<[f64; 2]>, from: [f64; 2], end: [f64; 2], centre: [f64; 2]) {
+    let arm = [from[0] - centre[0], from[1] - centre[1]];
+    let last = [end[0] - centre[0], end[1] - centre[1]];
+    let turn = (arm[0] * last[1] - arm[1] * last[0]).atan2(arm[0] * last[0] + arm[1] * last[1]);
+    for chord in 1..CHORDS {
+        let (sine, cosine) = (turn * f64::from(chord) / f64::from(CHORDS)).sin_cos();
+        points.push([
+            centre[0] + cosine * arm[0] - sine * arm[1],
+            centre[1] + sine * arm[0] + cosine * arm[1],
+        ]);
+    }
+    points.push(end);
+}
+
+/// The quadratic through three points, the second at half the parameter.
+fn push_parabola(points: &mut Vec<[f64; 2]>, [from, middle, end]: [[f64; 2]; 3]) {
+    for chord in 1..CHORDS {
+        let s = f64::from(chord) / f64::from(CHORDS);
+        let weights = [(1.0 - s) * (1.0 - 2.0 * s), 4.0 * s * (1.0 - s), s * (2.0 * s - 1.0)];
+        points.push([0, 1].map(|axis| {
+            weights[0] * from[axis] + weights[1] * middle[axis] + weights[2] * end[axis]
+        }));
+    }
+    points.push(end);
+}
+
+fn topology(cells: &[Cell]) -> String {
+    let count = |place: usize| i64::try_from(place).unwrap_or(i64::MAX);
+    let connectivity: Vec<i64> =
+        cells.iter().flat_map(|cell| cell.points.iter().map(|&point| count(point))).collect();
+    let offsets: Vec<i64> = cells
+        .iter()
+        .scan(0, |end, cell| {
+            *end += cell.points.len();
+            Some(count(*end))
+        })
+        .collect();
+    let types: Vec<u8> = cells
+        .iter()
+        .map(|cell| if matches!(cell.kind, Kind::RigidSurface) { POLY_LINE } else { LINE })
+        .collect();
+    let mut text = "<Cells>\n".to_owned();
+    let long = |values: &[i64]| bytes(values, |value| value.to_le_bytes());
+    push_array(&mut text, "Int64", "connectivity", 1, &long(&connectivity));
+    push_array(&mut text, "Int64", "offsets", 1, &long(&offsets));
+    push_array(&mut text, "UInt8", "types", 1, &types);
+    text.push_str("</Cells>\n");
+    text
+}
+
+fn bytes<T: Copy, const N: usize>(values: &[T], code: impl Fn(T) -> [u8; N]) -> Vec<u8> {
+    values.iter().flat_map(|&value| code(value)).collect()
+}
+
+fn push_floats(text: &mut String, name: &str, components: usize, values: &[f64]) {
+    push_array(text, "Float64", name, components, &bytes(values, f64::to_le_bytes));
+}
+
+/// A data array: the number of bytes and the bytes, as one base64 text.
+fn push_array(text: &mut String, kind: &str, name: &str, components: usize, data: &[u8]) {
+    let components = match components {
+        1 => String::new(),
+        more => format!(" NumberOfComponents=\"{more}\""),
+    };
+    let _ = write!(
+        text,
+        "<DataArray type=\"{kind}\" Name=\"{name}\"{components} format=\"binary\">"
+    ); // a String takes any text
+    let length = u32::try_from(data.len()).unwrap_or(u32::MAX);
+    let mut block = length.to_le_bytes().to_vec();
+    block.extend_from_slice(data);
+    base64::push(text, &block);
+    text.push_str("</DataArray>\n");
+}

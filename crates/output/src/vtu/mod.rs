@@ -1,0 +1,82 @@
+//! `JOB_0000.vtu` ... and `JOB.pvd`: deformed states for viewers.
+//!
+//! ```text
+//!   o---o---o---o    VTK_LINE: beams, springs, slave surfaces
+//!      .---.
+//!     (     )        VTK_POLY_LINE: rigid surfaces, moved with their body
+//! ```
+//!
+//! Points stand where they are in that state; `displacement` leads there
+//! from the undeformed position.
+
+mod base64;
+mod grid;
+
+use crate::file::{WriteError, replace};
+use crate::job::JobFiles;
+use crate::number::push_shortest;
+use crate::writers::Writer;
+use grid::Grid;
+use slideline_solve::observe::{Event, Frame};
+use std::fmt::Write as _;
+use std::time::{Duration, Instant};
+
+/// The list of states is renewed at most this often while a run goes on, so
+/// that long runs do not spend their time on it.
+const RENEWAL: Duration = Duration::from_secs(1);
+
+/// Writes the states and their list.
+pub(crate) struct States {
+    job: JobFiles,
+    grid: Option<Grid>,
+    list: String,
+    count: usize,
+    listed: Option<Instant>,
+}
+
+impl States {
+    pub fn new(job: &JobFiles) -> Self {
+        Self { job: job.clone(), grid: None, list: String::new(), count: 0, listed: None }
+    }
+
+    fn state(&mut self, frame: &Frame<'_>) -> Result<(), WriteError> {
+        let grid = self.grid.get_or_insert_with(|| Grid::new(frame.model));
+        let name = self.job.state_name(self.count);
+        replace(&self.job.folder().join(&name), grid.state(frame).as_bytes())?;
+        self.list.push_str("    <DataSet timestep=\"");
+        push_shortest(&mut self.list, frame.total_time);
+        let _ = writeln!(self.list, "\" part=\"0\" file=\"{}\"/>", escaped(&name)); // a String takes any text
+        self.count += 1;
+        if self.listed.is_none_or(|written| written.elapsed() >= RENEWAL) {
+            self.write_list()?;
+        }
+        Ok(())
+    }
+
+    fn write_list(&mut self) -> Result<(), WriteError> {
+        let text = format!(
+            "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" \
+             byte_order=\"LittleEndian\">\n  <Collection>\n{}  </Collection>\n</VTKFile>\n",
+            self.list
+        );
+        replace(&self.job.path(".pvd"), text.as_bytes())?;
+        self.listed = Some(Instant::now());
+        Ok(())
+    }
+}
+
+/// A text as an XML attribute.
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
+}
+
+impl Writer for States {
+    fn event(&mut self, event: &Event<'_>) -> Result<(), WriteError> {
+        match event {
+            Event::StepBegin(report) if self.count == 0 => self.state(&report.start),
+            Event::Committed(frame) => self.state(frame),
+            Event::End(_) if self.count > 0 => self.write_list(),
+            _ => Ok(()),
+        }
+    }
+}

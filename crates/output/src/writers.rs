@@ -1,0 +1,123 @@
+//! All writers of a job as one observer.
+
+use crate::file::WriteError;
+use crate::job::JobFiles;
+use crate::summary::{Facts, Status, Summary};
+use crate::{contact, dat, energy, history, msg, sta, vtu};
+use slideline_solve::observe::{Event, Observer, Stop};
+use std::ops::ControlFlow;
+
+/// Writes one kind of file.
+pub(crate) trait Writer {
+    /// Takes note of an event.
+    fn event(&mut self, event: &Event<'_>) -> Result<(), WriteError>;
+}
+
+type Make = for<'a> fn(&JobFiles, &Facts<'a>) -> Box<dyn Writer + 'a>;
+
+/// One kind of file and who writes it.
+struct Kind {
+    name: &'static str,
+    make: Make,
+}
+
+/// The registry. `JOB.json` stands apart: it is written before everything
+/// else and after it.
+const REGISTRY: &[Kind] = &[
+    Kind { name: "sta", make: |job, _| Box::new(sta::Sta::new(job)) },
+    Kind { name: "msg", make: |job, facts| Box::new(msg::Msg::new(job, facts)) },
+    Kind { name: "dat", make: |job, facts| Box::new(dat::Dat::new(job, facts)) },
+    Kind { name: "history.csv", make: |job, _| Box::new(history::History::new(job)) },
+    Kind { name: "contact.csv", make: |job, _| Box::new(contact::Contact::new(job)) },
+    Kind { name: "energy.csv", make: |job, _| Box::new(energy::Energy::new(job)) },
+    Kind { name: "vtu", make: |job, _| Box::new(vtu::States::new(job)) },
+];
+
+/// Names of the registered kinds of files.
+pub fn kinds() -> impl Iterator<Item = &'static str> {
+    REGISTRY.iter().map(|kind| kind.name)
+}
+
+/// Writes all files of a run as it goes.
+pub struct Writers<'a> {
+    job: JobFiles,
+    writers: Vec<Box<dyn Writer + 'a>>,
+    summary: Summary<'a>,
+    failure: Option<WriteError>,
+    ended: bool,
+}
+
+impl<'a> Writers<'a> {
+    /// Removes the files of an earlier run of the job and begins new ones.
+    ///
+    /// # Errors
+    /// When the folder cannot be made, an old file cannot be removed, or the
+    /// summary cannot be written.
+    pub fn create(job: JobFiles, facts: Facts<'a>) -> Result<Self, WriteError> {
+        job.clear()?;
+        let writers = REGISTRY.iter().map(|kind| (kind.make)(&job, &facts)).collect();
+        let summary = Summary::begin(&job, facts)?;
+        Ok(Self { job, writers, summary, failure: None, ended: false })
+    }
+
+    /// Where the files are.
+    pub fn job(&self) -> &JobFiles {
+        &self.job
+    }
+
+    /// Why results are incomplete, if they are.
+    pub fn failure(&self) -> Option<&WriteError> {
+        self.failure.as_ref()
+    }
+
+    fn note(&mut self, result: Result<(), WriteError>) {
+        if let (None, Err(error)) = (&self.failure, result) {
+            self.failure = Some(error);
+        }
+    }
+
+    /// Takes note of an event. Every writer is asked even when one fails:
+    /// what can be kept is kept.
+    pub fn write(&mut self, event: &Event<'_>) -> ControlFlow<Stop> {
+        let mut writers = std::mem::take(&mut self.writers);
+        for writer in &mut writers {
+            let result = writer.event(event);
+            self.note(result);
+        }
+        self.writers = writers;
+        let result = match event {
+            Event::End(ending) => {
+                self.ended = true;
+                let status = match &self.failure {
+                    Some(_) => Status::OutputError,
+                    None => Status::of(ending),
+                };
+                self.summary.end(status, ending)
+            }
+            _ => {
+                self.summary.watch(event);
+                Ok(())
+            }
+        };
+        self.note(result);
+        match &self.failure {
+            Some(error) => ControlFlow::Break(Stop::OutputFailed(error.to_string())),
+            None => ControlFlow::Continue(()),
+        }
+    }
+}
+
+impl Observer for Writers<'_> {
+    fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
+        self.write(&event)
+    }
+}
+
+impl Drop for Writers<'_> {
+    /// A panic on its way up must not leave a summary that says `running`.
+    fn drop(&mut self) {
+        if !self.ended && std::thread::panicking() {
+            let _ = self.summary.give_up(); // the panic is the thing to tell
+        }
+    }
+}

@@ -1,0 +1,44 @@
+//! Sliding contact of flexible and rigid bodies, as a library.
+//!
+//! ```text
+//!   deck text -> Job::read -> Read { model, diagnostics } -> run -> files
+//!                                      |                      \---> observer
+//!                                      '-> solve: the model alone, no files
+//! ```
+//!
+//! Reading a deck never fails halfway: everything there is to say about it is
+//! in [`Read::diagnostics`]. A run tells an [`Observer`] what happens and may
+//! be stopped by it.
+//!
+//! ```no_run
+//! use slideline::{Job, Quiet, ReadOptions, RunOptions, run};
+//!
+//! let read = Job::read("snapfit.inp".as_ref(), &ReadOptions::default());
+//! let outcome = run(&read, &RunOptions::default(), &mut Quiet);
+//! println!("{}", outcome.status.word());
+//! ```
+
+mod check;
+mod read;
+mod run;
+
+pub use check::{InitialGaps, initial_gaps};
+pub use read::{Job, Read, ReadOptions};
+pub use run::{Outcome, Quiet, RunOptions, run};
+
+pub use slideline_deck as deck;
+pub use slideline_diag as diag;
+pub use slideline_keywords as keywords;
+pub use slideline_mech as mech;
+pub use slideline_model as model;
+pub use slideline_output as output;
+pub use slideline_solve::run as solve;
+pub use slideline_solve::{Options as SolveOptions, observe};
+
+pub use slideline_diag::{Diagnostic, Severity};
+pub use slideline_model::{Dialect, Model, Onset};
+pub use slideline_output::Status;
+pub use slideline_solve::observe::{Event, Observer, Stop};
+
+/// Version of this library.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");

@@ -1,0 +1,200 @@
+//! From a path or a text to a model.
+
+use sha2::{Digest, Sha256};
+use slideline_deck::{Deck, FromDisk, Loader, NoFiles};
+use slideline_diag::{Code, Diagnostic, Sources, has_errors};
+use slideline_model::{Dialect, Model, Onset};
+use slideline_output::JobFiles;
+use std::ffi::OsString;
+use std::fmt::Write as _;
+use std::io::Read as _;
+use std::path::{Path, PathBuf};
+
+/// What overrides a deck.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ReadOptions {
+    /// Whose reading of a keyword counts; Abaqus's unless said.
+    pub dialect: Option<Dialect>,
+    /// When friction is called, whatever the deck says.
+    pub friction_onset: Option<Onset>,
+}
+
+/// A deck and where its results go unless another folder is named.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Job {
+    /// The deck.
+    pub deck: PathBuf,
+    /// Its name without `.inp`: the beginning of every result file.
+    pub stem: OsString,
+}
+
+/// A deck that was read.
+#[derive(Clone, Debug)]
+pub struct Read {
+    /// The job.
+    pub job: Job,
+    /// All texts that were read.
+    pub sources: Sources,
+    /// The cards.
+    pub deck: Deck,
+    /// The model; `None` where the deck has errors.
+    pub model: Option<Model>,
+    /// Everything there is to say, errors among it.
+    pub diagnostics: Vec<Diagnostic>,
+    /// SHA-256 over all texts, in hexadecimal digits.
+    pub deck_hash: String,
+    /// Whether there was any text; if not, a run leaves the folder alone.
+    pub has_text: bool,
+    /// What overrode the deck.
+    pub options: ReadOptions,
+}
+
+impl Job {
+    /// The job that a user means by `path`: with or without `.inp`.
+    pub fn named(path: &Path) -> Self {
+        let is_deck = |path: &Path| {
+            path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("inp"))
+        };
+        let mut with_ending = OsString::from(path);
+        with_ending.push(".inp");
+        let with_ending = PathBuf::from(with_ending);
+        let deck = if !is_deck(path) && (with_ending.is_file() || !path.exists()) {
+            with_ending
+        } else {
+            path.to_owned()
+        };
+        let stem = if is_deck(&deck) { deck.file_stem() } else { deck.file_name() };
+        let stem = stem.unwrap_or_default().to_owned();
+        Self { deck, stem }
+    }
+
+    /// Reads the deck at `path` (`.inp` may be left out) and everything it
+    /// includes. A file that cannot be read is an error among the diagnostics.
+    pub fn read(path: &Path, options: &ReadOptions) -> Read {
+        let job = Self::named(path);
+        match load(&job.deck) {
+            Ok(bytes) => {
+                let name = job.deck.display().to_string();
+                interpret(job, &name, &bytes, &FromDisk, options)
+            }
+            Err(reason) => unreadable(job, path, &reason, options),
+        }
+    }
+
+    /// Reads a deck from memory; it can include nothing.
+    pub fn read_text(name: &str, text: &str, options: &ReadOptions) -> Read {
+        let job = Self { deck: PathBuf::from(format!("{name}.inp")), stem: name.into() };
+        let shown = job.deck.display().to_string();
+        interpret(job, &shown, text.as_bytes(), &NoFiles, options)
+    }
+
+    /// The job's files in `folder`, or beside the deck.
+    pub fn files(&self, folder: Option<&Path>) -> JobFiles {
+        let beside = match self.deck.parent() {
+            Some(parent) if parent != Path::new("") => parent,
+            _ => Path::new("."),
+        };
+        JobFiles::new(folder.unwrap_or(beside), self.stem.clone())
+    }
+}
+
+fn load(path: &Path) -> Result<Vec<u8>, String> {
+    if path.is_dir() {
+        return Err("it is a folder".to_owned());
+    }
+    let file = std::fs::File::open(path).map_err(|reason| reason.to_string())?;
+    let mut bytes = Vec::new();
+    let limit = slideline_deck::MAX_BYTES as u64 + 1; // one more: the parser says that it is too large
+    file.take(limit).read_to_end(&mut bytes).map_err(|reason| reason.to_string())?;
+    Ok(bytes)
+}
+
+fn unreadable(job: Job, path: &Path, reason: &str, options: &ReadOptions) -> Read {
+    let message = format!("the deck {} cannot be read: {reason}", job.deck.display());
+    let help = if job.deck == path {
+        "Name an existing deck; the ending .inp may be left out.".to_owned()
+    } else {
+        format!("Neither {} nor {} is a deck.", path.display(), job.deck.display())
+    };
+    Read {
+        job,
+        sources: Sources::default(),
+        deck: Deck::default(),
+        model: None,
+        diagnostics: vec![Diagnostic::error(Code("SL0701"), message).help(help)],
+        deck_hash: String::new(),
+        has_text: false,
+        options: *options,
+    }
+}
+
+fn interpret(
+    job: Job,
+    name: &str,
+    bytes: &[u8],
+    loader: &dyn Loader,
+    options: &ReadOptions,
+) -> Read {
+    let mut sources = Sources::default();
+    let parsed = slideline_deck::parse(&mut sources, name, bytes, loader);
+    let interpreted = slideline_keywords::interpret(&parsed, options.dialect.unwrap_or_default());
+    let mut model = interpreted.model;
+    if let Some(onset) = options.friction_onset {
+        model.friction_onset = onset;
+    }
+    let model = (!has_errors(&interpreted.diagnostics)).then_some(model);
+    Read {
+        job,
+        deck_hash: hash(&parsed.deck),
+        has_text: !bytes.trim_ascii().is_empty(),
+        sources,
+        deck: parsed.deck,
+        model,
+        diagnostics: interpreted.diagnostics,
+        options: *options,
+    }
+}
+
+/// SHA-256 over the length and the bytes of every file in reading order.
+fn hash(deck: &Deck) -> String {
+    let mut digest = Sha256::new();
+    for file in &deck.files {
+        digest.update((file.bytes.len() as u64).to_le_bytes());
+        digest.update(&file.bytes);
+    }
+    digest.finalize().iter().fold(String::new(), |mut text, byte| {
+        let _ = write!(text, "{byte:02x}"); // a String takes any text
+        text
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_missing_deck_is_told_and_leaves_no_trace() {
+        let read = Job::read(Path::new("no/such/deck"), &ReadOptions::default());
+        assert!(read.model.is_none() && !read.has_text);
+        assert_eq!(read.diagnostics[0].code, Code("SL0701"));
+        assert!(read.diagnostics[0].message.contains("no/such/deck.inp"));
+    }
+
+    #[test]
+    fn a_job_is_named_with_or_without_its_ending() {
+        for (path, stem) in [("a/beam", "beam"), ("a/beam.inp", "beam"), ("a/v1.2", "v1.2")] {
+            assert_eq!(Job::named(Path::new(path)).stem, stem);
+        }
+        let job = Job::named(Path::new("beam"));
+        assert_eq!(job.files(None).folder(), Path::new("."));
+        assert_eq!(job.files(Some(Path::new("out"))).path(".sta"), Path::new("out/beam.sta"));
+    }
+
+    #[test]
+    fn the_hash_tells_texts_apart() {
+        let hash = |text| Job::read_text("a", text, &ReadOptions::default()).deck_hash;
+        assert_eq!(hash("*HEADING\n"), hash("*HEADING\n"));
+        assert_ne!(hash("*HEADING\n"), hash("*HEADING\nx\n"));
+        assert_eq!(hash("").len(), 64);
+    }
+}

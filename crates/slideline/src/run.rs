@@ -1,0 +1,178 @@
+//! A run with its files.
+
+use crate::{Read, VERSION};
+use slideline_diag::{Code, Diagnostic};
+use slideline_model::Onset;
+use slideline_output::{Facts, JobFiles, Status, WriteError, Writers, dropped_friction};
+use slideline_solve::observe::{Ending, Event, Observer, Stop, Totals};
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+
+/// How a run is made.
+#[derive(Clone, Debug, Default)]
+pub struct RunOptions {
+    /// Folder of the result files; beside the deck unless said.
+    pub folder: Option<PathBuf>,
+    /// How the solver works.
+    pub solve: slideline_solve::Options,
+}
+
+/// What came of a run.
+#[derive(Clone, Debug)]
+pub struct Outcome {
+    /// In one word.
+    pub status: Status,
+    /// Counts.
+    pub totals: Totals,
+    /// What was said during the run and about its end; what reading said
+    /// stays with [`Read`].
+    pub diagnostics: Vec<Diagnostic>,
+    /// Where the files are.
+    pub files: JobFiles,
+    /// Why results are incomplete, where they are.
+    pub output_failure: Option<String>,
+}
+
+/// An observer that does nothing.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Quiet;
+
+impl Observer for Quiet {
+    fn event(&mut self, _: Event<'_>) -> ControlFlow<Stop> {
+        ControlFlow::Continue(())
+    }
+}
+
+/// Runs every step of a deck that was read, writes its files and tells
+/// `observer`. A deck with errors only leaves a summary that says so, one
+/// without any text leaves nothing.
+pub fn run(read: &Read, options: &RunOptions, observer: &mut dyn Observer) -> Outcome {
+    let files = read.job.files(options.folder.as_deref());
+    let facts = Facts {
+        version: VERSION,
+        deck_hash: &read.deck_hash,
+        sources: &read.sources,
+        diagnostics: &read.diagnostics,
+        dialect: read.model.as_ref().map(|model| model.dialect).or(read.options.dialect),
+        friction_onset: match &read.model {
+            Some(model) => Some(model.friction_onset),
+            None => read.options.friction_onset,
+        },
+    };
+    if let Some(said) = would_destroy(read, &files) {
+        return ended(Status::InputError, files, vec![said], None);
+    }
+    let Some(model) = &read.model else {
+        let failure = if read.has_text {
+            slideline_output::write_input_error(&files, facts).err()
+        } else {
+            None
+        };
+        return ended(Status::InputError, files, Vec::new(), failure);
+    };
+    let writers = match Writers::create(files.clone(), facts) {
+        Ok(writers) => writers,
+        Err(error) => return ended(Status::OutputError, files, Vec::new(), Some(error)),
+    };
+    let mut watch = Watch {
+        writers,
+        observer,
+        onset: model.friction_onset,
+        dropped_work: 0.0,
+        diagnostics: Vec::new(),
+    };
+    let ending = slideline_solve::run(model, &options.solve, &mut watch);
+    watch.outcome(&ending)
+}
+
+fn ended(
+    status: Status,
+    files: JobFiles,
+    diagnostics: Vec<Diagnostic>,
+    failure: Option<WriteError>,
+) -> Outcome {
+    let output_failure = failure.map(|error| error.to_string());
+    Outcome { status, totals: Totals::default(), diagnostics, files, output_failure }
+}
+
+/// A file that the deck was read from must not be taken for an old result.
+fn would_destroy(read: &Read, files: &JobFiles) -> Option<Diagnostic> {
+    let folder = std::fs::canonicalize(files.folder()).ok()?;
+    let read_from = read.sources.files().iter().find(|source| {
+        let path = std::fs::canonicalize(&source.name).ok();
+        path.is_some_and(|path| {
+            path.parent() == Some(&folder) && path.file_name().is_some_and(|name| files.owns(name))
+        })
+    })?;
+    let message = format!(
+        "the deck reads {}, which this run would replace by a result of that name",
+        read_from.name
+    );
+    Some(
+        Diagnostic::error(Code("SL0703"), message)
+            .help("Give the included file another name, or write the results elsewhere (--out)."),
+    )
+}
+
+/// Files first, then the embedding program; keeps the ledger.
+struct Watch<'a> {
+    writers: Writers<'a>,
+    observer: &'a mut dyn Observer,
+    onset: Onset,
+    dropped_work: f64,
+    diagnostics: Vec<Diagnostic>,
+}
+
+impl Watch<'_> {
+    /// The event reaches both even where the first one asks to stop; being
+    /// unable to write weighs more than a wish to stop.
+    fn tell(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
+        let written = self.writers.write(&event);
+        let watched = self.observer.event(event);
+        match written {
+            ControlFlow::Break(stop) => ControlFlow::Break(stop),
+            ControlFlow::Continue(()) => watched,
+        }
+    }
+
+    /// What the ledger has to say goes before the end.
+    fn close_ledger(&mut self, ending: &Ending) {
+        let points = totals(ending).dropped_points;
+        if let Some(said) = dropped_friction(self.onset, points, self.dropped_work) {
+            let _ = self.tell(Event::Diagnosed(&said)); // the run is over: there is nothing to stop
+            self.diagnostics.push(said);
+        }
+    }
+
+    fn outcome(self, ending: &Ending) -> Outcome {
+        let failure = self.writers.failure().map(ToString::to_string);
+        let status = if failure.is_some() { Status::OutputError } else { Status::of(ending) };
+        Outcome {
+            status,
+            totals: totals(ending),
+            diagnostics: self.diagnostics,
+            files: self.writers.job().clone(),
+            output_failure: failure,
+        }
+    }
+}
+
+impl Observer for Watch<'_> {
+    fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
+        match event {
+            Event::Committed(frame) => self.dropped_work = frame.energy.dropped_friction,
+            Event::Diagnosed(said) => self.diagnostics.push(said.clone()),
+            Event::End(ending) => self.close_ledger(ending),
+            _ => {}
+        }
+        self.tell(event)
+    }
+}
+
+fn totals(ending: &Ending) -> Totals {
+    match ending {
+        Ending::Completed(totals)
+        | Ending::NotConverged(totals, _)
+        | Ending::Stopped(totals, _) => *totals,
+    }
+}

@@ -1,0 +1,89 @@
+//! A converged trial becomes the state that history goes on from.
+
+use crate::layout::Role;
+use crate::newton::{Target, Workspace};
+use crate::observe::Energies;
+use crate::plan::Plan;
+use crate::state::State;
+
+/// Writes the state after an increment into `trial` (every field).
+pub fn commit(
+    plan: &Plan<'_>,
+    committed: &State,
+    target: &Target,
+    work: &Workspace,
+    trial: &mut State,
+) {
+    let evaluation = &work.evaluation;
+    trial.total_time = committed.total_time + target.dt;
+    trial.step_time = target.step_time;
+    trial.displacement.copy_from_slice(&work.u);
+    for (slot, increment) in trial.increment.iter_mut().enumerate() {
+        *increment = work.u[slot] - committed.displacement[slot];
+    }
+    trial.increment_before.copy_from_slice(&committed.increment);
+    trial.increment_time = [target.dt, committed.increment_time[0]];
+    trial.load.copy_from_slice(&work.load);
+    for (slot, role) in plan.layout.roles.iter().enumerate() {
+        trial.reaction[slot] = match role {
+            Role::Prescribed(_) => {
+                evaluation.internal[slot] + evaluation.contact[slot] - work.load[slot]
+            }
+            _ => 0.0,
+        };
+    }
+    trial.points.copy_from_slice(&evaluation.points);
+    let controls = &plan.step.controls.field;
+    trial.flux = committed.flux;
+    trial.flux[0].commit(evaluation.flux.mean_force(), controls);
+    trial.flux[1].commit(evaluation.flux.mean_moment(), controls);
+    account(plan, committed, work, trial);
+}
+
+/// Energies after the increment: work by the trapezoidal rule, dissipation
+/// as the mean of the traction magnitudes at both ends times the slip.
+fn account(plan: &Plan<'_>, committed: &State, work: &Workspace, trial: &mut State) {
+    let before = &committed.energy;
+    let mut energy = Energies {
+        external_work: before.external_work,
+        strain_energy: work.evaluation.strain_energy,
+        contact_energy: work.evaluation.contact_energy,
+        friction_dissipation: before.friction_dissipation,
+        friction_elastic: work.evaluation.elastic_slip_energy,
+        dropped_friction: before.dropped_friction,
+        balance: 0.0,
+    };
+    for slot in 0..plan.layout.slots() {
+        let mean_reaction = 0.5 * (committed.reaction[slot] + trial.reaction[slot]);
+        let mean_load = 0.5 * (committed.load[slot] + trial.load[slot]);
+        energy.external_work += (mean_reaction + mean_load) * trial.increment[slot];
+    }
+    for (place, point) in plan.contact.points.iter().enumerate() {
+        let (old, new) = (&committed.points[place], &trial.points[place]);
+        let mean = 0.5 * (old.traction.abs() + new.traction.abs());
+        energy.friction_dissipation += mean * new.dissipated * point.area;
+        energy.dropped_friction += new.dropped_work;
+    }
+    let stored = energy.strain_energy
+        + energy.contact_energy
+        + energy.friction_elastic
+        + energy.friction_dissipation;
+    let unbalanced = energy.external_work - stored;
+    let origin = *trial.balance_origin.insert(committed.balance_origin.unwrap_or(unbalanced));
+    energy.balance = unbalanced - origin;
+    trial.energy = energy;
+}
+
+/// Fills in where the contact points of a committed state stand, without
+/// touching their history: the gaps of the start, and the origin of slip for
+/// points that close in the first increment.
+pub fn locate_points(plan: &Plan<'_>, committed: &mut State, work: &mut Workspace) {
+    let mut positions = Vec::with_capacity(plan.contact.most_chain_nodes());
+    plan.contact.meet(&committed.displacement, &mut positions, &mut work.evaluation.meetings);
+    for (point, meeting) in committed.points.iter_mut().zip(&work.evaluation.meetings) {
+        point.opening = -meeting.overclosure;
+        point.along = meeting.faces.then_some(meeting.along);
+        point.position = meeting.position;
+        point.normal = meeting.normal;
+    }
+}

@@ -1,0 +1,215 @@
+//! When an iteration counts as converged: forces and moments apart.
+//!
+//! Semantics of Newton and increments (manual). With q the average nodal
+//! force of the elements now, qt its average over the increments of the
+//! step, r the largest nodal residual, c the largest correction and Du the
+//! largest increment:
+//!
+//! ```text
+//!   r <= R qt   and   ( c <= C Du   or   r c / min(r_-1, r_-2) < C Du   or   r <= R_l qt )
+//! ```
+//!
+//! Norms are those of nodal vectors, so that a rotated deck takes the same
+//! iterations. Below the floor of rounding nothing can be asked.
+
+use crate::layout::Layout;
+use crate::observe::FieldReport;
+use slideline_model::FieldControls;
+
+/// The two fields of a structure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Field {
+    /// Forces and displacements.
+    Force,
+    /// Moments and rotations.
+    Moment,
+}
+
+/// What a field remembers from iteration to iteration.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct FieldHistory {
+    /// Residuals of the last two iterations, the latest first [F or F L].
+    last: [Option<f64>; 2],
+    /// How often the residual has grown in a row.
+    pub growing: u32,
+}
+
+impl FieldHistory {
+    /// Takes an equilibrium iteration in.
+    pub fn push(&mut self, residual: f64) {
+        self.growing = match self.last[0] {
+            Some(before) if residual > before => self.growing + 1,
+            _ => 0,
+        };
+        self.last = [Some(residual), self.last[0]];
+    }
+
+    /// r_i / r_{i-1}, where both are known.
+    pub fn rate(&self) -> Option<f64> {
+        match self.last {
+            [Some(now), Some(before)] if before > 0.0 => Some(now / before),
+            _ => None,
+        }
+    }
+
+    fn smallest_before(&self) -> Option<f64> {
+        match self.last {
+            [Some(a), Some(b)] => Some(a.min(b)),
+            [Some(a), None] => Some(a),
+            _ => None,
+        }
+    }
+}
+
+/// Time average of the flux of one field over a step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct FluxAverage {
+    sum: f64,
+    count: f64,
+}
+
+impl FluxAverage {
+    /// qt with the present flux counted in [F or F L]; increments without
+    /// flux do not dilute it.
+    pub fn with(&self, now: f64, controls: &FieldControls) -> f64 {
+        match controls.fixed_flux {
+            Some(fixed) => fixed,
+            None if self.count == 0.0 && controls.initial_flux.is_some() => {
+                controls.initial_flux.unwrap_or(now)
+            }
+            None if now <= controls.epsilon * self.mean() => self.mean(),
+            None => (self.sum + now) / (self.count + 1.0),
+        }
+    }
+
+    /// Takes a committed increment in.
+    pub fn commit(&mut self, now: f64, controls: &FieldControls) {
+        if now > controls.epsilon * self.mean() {
+            self.sum += now;
+            self.count += 1.0;
+        }
+    }
+
+    fn mean(&self) -> f64 {
+        if self.count > 0.0 { self.sum / self.count } else { 0.0 }
+    }
+}
+
+/// The numbers an iteration is judged by.
+#[derive(Clone, Copy, Debug)]
+pub struct Measures {
+    /// Flux now [F or F L].
+    pub flux: f64,
+    /// Time-averaged flux [F or F L].
+    pub average: f64,
+    /// Rounding floor of the residual [F or F L].
+    pub floor: f64,
+    /// Number of the equilibrium iteration, from 1.
+    pub iteration: u32,
+    /// I_P.
+    pub late: u32,
+}
+
+/// Fills in the verdict on one field.
+pub fn judge(
+    report: &mut FieldReport,
+    history: &FieldHistory,
+    measures: &Measures,
+    controls: &FieldControls,
+) {
+    let Measures { flux, average, floor, .. } = *measures;
+    let r = if measures.iteration <= measures.late { controls.r_n } else { controls.r_p };
+    report.average = average;
+    if flux <= controls.epsilon * average {
+        report.allowed = (controls.epsilon * average).max(floor);
+        report.converged = report.residual <= report.allowed
+            || report.residual <= r * average
+                && report.correction <= controls.c_epsilon * report.increment;
+        return;
+    }
+    report.allowed = (r * average).max(floor);
+    let small_step = report.correction <= controls.c_n * report.increment;
+    let promised = history.smallest_before().is_some_and(|before| {
+        before > 0.0
+            && report.residual * report.correction / before < controls.c_n * report.increment
+    });
+    let tiny = report.residual <= (controls.r_l * average).max(floor);
+    report.converged = report.residual <= report.allowed && (small_step || promised || tiny);
+}
+
+/// The largest nodal vector of a field in `value`, and where its largest
+/// component stands. Only slots accepted by `counts` take part.
+pub fn largest_nodal(
+    layout: &Layout,
+    field: Field,
+    value: &[f64],
+    counts: impl Fn(usize) -> bool,
+) -> (f64, Option<usize>) {
+    let width = layout.dofs.len();
+    let mut largest = (0.0_f64, None);
+    for node in 0..layout.slots() / width {
+        let mut square = 0.0;
+        let mut component = (0.0, None);
+        for (place, dof) in layout.dofs.iter().enumerate() {
+            let slot = node * width + place;
+            if dof.is_rotation() != (field == Field::Moment) || !counts(slot) {
+                continue;
+            }
+            square += value[slot] * value[slot];
+            if value[slot].abs() > component.0 {
+                component = (value[slot].abs(), Some(slot));
+            }
+        }
+        if square > largest.0 {
+            largest = (square, component.1);
+        }
+    }
+    (largest.0.sqrt(), largest.1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn report(residual: f64, correction: f64) -> FieldReport {
+        FieldReport { residual, correction, increment: 1.0, ..FieldReport::default() }
+    }
+
+    fn verdict(residual: f64, correction: f64, flux: f64) -> bool {
+        let mut report = report(residual, correction);
+        let measures = Measures { flux, average: 1.0, floor: 1e-12, iteration: 1, late: 9 };
+        judge(&mut report, &FieldHistory::default(), &measures, &FieldControls::default());
+        report.converged
+    }
+
+    /// Semantics, section 9, each alternative once.
+    #[test]
+    fn each_alternative_of_the_test() {
+        assert!(verdict(0.9e-6, 0.9e-2, 1.0), "residual and correction small");
+        assert!(!verdict(1.1e-6, 0.9e-2, 1.0), "residual too large");
+        assert!(!verdict(0.9e-6, 1.1e-2, 1.0), "correction too large");
+        assert!(verdict(0.9e-8, 1.0, 1.0), "residual tiny");
+        assert!(verdict(0.9e-5, 1.0, 0.0), "no flux: epsilon");
+    }
+
+    #[test]
+    fn growth_is_counted_in_a_row() {
+        let mut history = FieldHistory::default();
+        for residual in [1.0, 2.0, 3.0] {
+            history.push(residual);
+        }
+        assert_eq!((history.growing, history.rate()), (2, Some(1.5)));
+        history.push(1.0);
+        assert_eq!(history.growing, 0);
+    }
+
+    #[test]
+    fn increments_without_flux_do_not_dilute_the_average() {
+        let controls = FieldControls::default();
+        let mut average = FluxAverage::default();
+        average.commit(0.0, &controls);
+        average.commit(2.0, &controls);
+        assert_eq!(average.with(4.0, &controls), 3.0);
+        assert_eq!(average.with(0.0, &controls), 2.0);
+    }
+}

@@ -1,0 +1,143 @@
+//! Why an increment could not be found, in physical words.
+
+use crate::increments::{StopReason, Verdict};
+use crate::newton::{Outcome, Workspace};
+use crate::plan::Plan;
+use crate::state::State;
+use slideline_diag::{Code, Diagnostic};
+use slideline_linalg::SolveError;
+use slideline_model::{Dof, Master};
+
+/// An attempt's end in a few words.
+pub fn reason(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Converged { .. } => "converged",
+        Verdict::Diverging => "the residual grew in two consecutive iterations",
+        Verdict::TooSlow => "convergence is too slow",
+        Verdict::Discontinuous => "contact went on changing",
+        Verdict::Broken => "the equations could not be solved",
+    }
+}
+
+/// The diagnosis of a run that ends early.
+pub fn failure(
+    plan: &Plan<'_>,
+    committed: &State,
+    work: &Workspace,
+    outcome: &Outcome,
+    stop: StopReason,
+) -> Diagnostic {
+    if stop == StopReason::TooManyIncrements {
+        return too_many_increments(plan, committed);
+    }
+    if let Some(diagnosis) = unheld(plan, outcome) {
+        return diagnosis;
+    }
+    if let Some(diagnosis) = slid_off(plan, committed, &trial_points(committed, work)).pop() {
+        return Diagnostic { severity: slideline_diag::Severity::Error, ..diagnosis };
+    }
+    let ended = match stop {
+        StopReason::TooManyAttempts => "every shorter increment failed as well",
+        StopReason::TooSmall => "the next increment would be shorter than the smallest allowed",
+        StopReason::Fixed => "*STATIC, DIRECT forbids a shorter increment",
+        StopReason::TooManyIncrements => "the number of increments is used up",
+    };
+    let place = outcome.last.as_ref().and_then(|report| {
+        let (node, dof) = report.force.residual_at?;
+        Some(format!(
+            "; the largest residual force, {:.3e}, stands at node {}, {}",
+            report.force.residual,
+            plan.model.nodes.label(node),
+            dof.name()
+        ))
+    });
+    let message = format!(
+        "no equilibrium was found beyond total time {:.6}: {}, and {}{}",
+        committed.total_time,
+        reason(outcome.verdict),
+        ended,
+        place.unwrap_or_default()
+    );
+    Diagnostic::error(Code("SL0501"), message).at(plan.step.origin).help(
+        "everything up to that time is kept; let *STATIC start with a shorter increment and allow \
+         smaller ones, or soften the contact with *SURFACE CONTACT, SOFTENED",
+    )
+}
+
+fn too_many_increments(plan: &Plan<'_>, committed: &State) -> Diagnostic {
+    let message = format!(
+        "INC={} increments were made and the step has only reached time {:.6} of {:.6}",
+        plan.step.max_increments, committed.step_time, plan.step.procedure.period
+    );
+    Diagnostic::error(Code("SL0502"), message)
+        .at(plan.step.origin)
+        .help("raise INC on *STEP, or let *STATIC take longer increments")
+}
+
+/// A singular tangent: something can move without resistance.
+fn unheld(plan: &Plan<'_>, outcome: &Outcome) -> Option<Diagnostic> {
+    let equation = match outcome.fault.as_ref()? {
+        SolveError::Singular { equation, .. } => *equation,
+        _ => return None,
+    };
+    let &slot = plan.layout.slot_of_equation.get(equation)?;
+    let (node, dof) = plan.layout.name(slot);
+    let label = plan.model.nodes.label(node);
+    let motion = if dof.is_rotation() { "turn" } else { "move" };
+    let way = match dof {
+        Dof::U1 => "along x",
+        Dof::U2 => "along y",
+        Dof::U3 => "along z",
+        Dof::UR1 | Dof::UR2 | Dof::UR3 => "freely",
+    };
+    let message = format!(
+        "nothing holds the model: node {label} can {motion} {way} ({}) without any resistance",
+        dof.name()
+    );
+    Some(
+        Diagnostic::error(Code("SL0503"), message)
+            .at(plan.model.nodes.get(node).origin)
+            .help(
+                "hold that motion with *BOUNDARY, or attach a weak *SPRING; a body that is only \
+                 held by contact must touch from the start",
+            ),
+    )
+}
+
+/// Points that carried pressure at the last commit and now face no master:
+/// they have slid off its end.
+pub fn slid_off(plan: &Plan<'_>, committed: &State, now: &State) -> Vec<Diagnostic> {
+    let mut left = Vec::new();
+    for (place, point) in plan.contact.points.iter().enumerate() {
+        if !committed.points[place].closed || now.points[place].along.is_some() {
+            continue;
+        }
+        let pair = &plan.model.contact_pairs[point.pair];
+        let label = plan.model.nodes.label(point.node);
+        let (what, remedy, origin) = match &pair.master {
+            Master::SlideLine(line) => (
+                "the slide line",
+                "add nodes to *SLIDE LINE, or prolong its ends with EXTENSION ZONE",
+                line.origin,
+            ),
+            Master::RigidSurface(surface) => {
+                ("the rigid surface", "prolong *RIGID SURFACE beyond the stroke", surface.origin)
+            }
+        };
+        let message = format!(
+            "node {label} has slid off the end of {what} between total time {:.6} and {:.6}",
+            committed.total_time, now.total_time
+        );
+        left.push(Diagnostic::warning(Code("SL0504"), message).at(origin).help(remedy));
+    }
+    left
+}
+
+/// The contact points of a trial that did not converge.
+fn trial_points(committed: &State, work: &Workspace) -> State {
+    State {
+        points: work.evaluation.points.clone(),
+        total_time: committed.total_time,
+        ..State::default()
+    }
+}

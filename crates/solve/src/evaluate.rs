@@ -1,0 +1,213 @@
+//! The pure evaluation of a trial state.
+//!
+//! ```text
+//!   (plan, committed state, trial) --> forces, tangents, contact, trial history
+//! ```
+//!
+//! The result depends on the arguments alone.
+
+use crate::contact::Meeting;
+use crate::observe::{FrictionCall, Status};
+use crate::plan::Plan;
+use crate::state::{PointState, State};
+use crate::structure::{Contribution, Flux};
+use slideline_mech::contact::friction::{self, FrictionLaw, Traction};
+
+/// A trial state.
+#[derive(Clone, Copy, Debug)]
+pub struct Trial<'a> {
+    /// Displacements and rotations, a slot each [L or 1].
+    pub u: &'a [f64],
+    /// Pressure of every contact point as the iteration estimates it [F/L2].
+    pub pressures: &'a [f64],
+    /// Traction of every contact point likewise [F/L2].
+    pub tractions: &'a [f64],
+    /// Increment [T].
+    pub dt: f64,
+}
+
+/// What an evaluation yields; every field is written, none is read.
+#[derive(Clone, Debug)]
+pub struct Evaluation {
+    /// Elements, each for itself.
+    pub contributions: Vec<Contribution>,
+    /// Internal forces of the elements, a slot each [F or F L].
+    pub internal: Vec<f64>,
+    /// Contact forces, a slot each, with pressures of the law [F or F L].
+    pub contact: Vec<f64>,
+    /// Where the contact points stand.
+    pub meetings: Vec<Meeting>,
+    /// Their history, were this state committed.
+    pub points: Vec<PointState>,
+    /// Strain energy [F L].
+    pub strain_energy: f64,
+    /// Energy of the normal laws [F L].
+    pub contact_energy: f64,
+    /// Energy in elastic slip [F L].
+    pub elastic_slip_energy: f64,
+    /// Mean nodal forces.
+    pub flux: Flux,
+    /// Largest penetration of a hard contact [L].
+    pub penetration: f64,
+    /// Largest slip of a point that must not slip [L].
+    pub stick_slip: f64,
+    positions: Vec<[f64; 2]>,
+}
+
+impl Evaluation {
+    /// Room for a plan.
+    pub fn new(plan: &Plan<'_>) -> Self {
+        let (slots, points) = (plan.layout.slots(), plan.contact.points.len());
+        Self {
+            contributions: vec![Contribution::ZERO; plan.structure.len()],
+            internal: vec![0.0; slots],
+            contact: vec![0.0; slots],
+            meetings: vec![Meeting::NOWHERE; points],
+            points: vec![PointState::default(); points],
+            strain_energy: 0.0,
+            contact_energy: 0.0,
+            elastic_slip_energy: 0.0,
+            flux: Flux::default(),
+            penetration: 0.0,
+            stick_slip: 0.0,
+            positions: Vec::with_capacity(plan.contact.most_chain_nodes()),
+        }
+    }
+}
+
+/// Evaluates a trial state against the committed one.
+pub fn evaluate(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into: &mut Evaluation) {
+    plan.structure.evaluate(trial.u, &mut into.contributions, plan.pool);
+    into.internal.fill(0.0);
+    into.strain_energy = plan.structure.gather_force(&into.contributions, &mut into.internal);
+    into.flux = plan.structure.flux(&into.contributions);
+    plan.contact.meet(trial.u, &mut into.positions, &mut into.meetings);
+    evaluate_contact(plan, committed, trial, into);
+}
+
+fn evaluate_contact(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into: &mut Evaluation) {
+    into.contact.fill(0.0);
+    into.contact_energy = 0.0;
+    into.elastic_slip_energy = 0.0;
+    into.penetration = 0.0;
+    into.stick_slip = 0.0;
+    for (place, point) in plan.contact.points.iter().enumerate() {
+        let meeting = &into.meetings[place];
+        let laws = &plan.contact.laws[point.pair];
+        let before = &committed.points[place];
+        let estimate = (trial.pressures[place], trial.tractions[place]);
+        let history = Encounter { plan, laws, before, meeting, estimate, dt: trial.dt };
+        let now = history.follow(point.area);
+        let (normal, tangential) = (point.area * now.pressure, point.area * now.traction);
+        if now.closed {
+            for k in 0..meeting.width {
+                into.contact[meeting.slots[k]] +=
+                    normal * meeting.gradient[k] + tangential * meeting.slip_gradient[k];
+            }
+            into.flux.force(normal.hypot(tangential));
+            into.contact_energy += point.area * laws.normal.energy(meeting.overclosure);
+            into.elastic_slip_energy += 0.5 * tangential * now.elastic_slip;
+        }
+        if laws.normal.pressure(meeting.overclosure).is_none() && meeting.faces {
+            let defect =
+                if now.closed { meeting.overclosure.abs() } else { meeting.overclosure.max(0.0) };
+            into.penetration = into.penetration.max(defect);
+        }
+        if laws.friction.needs_multiplier() && now.status == Status::Stick {
+            into.stick_slip = into.stick_slip.max(history.slip().abs());
+        }
+        into.points[place] = now;
+    }
+}
+
+/// A point between its committed and its trial state.
+struct Encounter<'a> {
+    plan: &'a Plan<'a>,
+    laws: &'a crate::linearised::Laws,
+    before: &'a PointState,
+    meeting: &'a Meeting,
+    estimate: (f64, f64),
+    dt: f64,
+}
+
+impl Encounter<'_> {
+    /// Change of the slip coordinate since the commit [L]; zero where the
+    /// point faced nothing then.
+    fn slip(&self) -> f64 {
+        slip(self.before, self.meeting)
+    }
+
+    /// The pressure of the law; of a hard one, the estimate.
+    fn pressure(&self) -> f64 {
+        if !self.meeting.faces {
+            return 0.0;
+        }
+        self.laws.normal.pressure(self.meeting.overclosure).map_or(self.estimate.0, |(p, _)| p)
+    }
+
+    fn follow(&self, area: f64) -> PointState {
+        let pressure = self.pressure();
+        let closed = pressure != 0.0;
+        let has_friction = self.laws.friction != FrictionLaw::None;
+        let called = has_friction && self.plan.onset.called(self.before.closed, closed);
+        let slip = self.slip();
+        let traction = if called { self.traction(area, pressure, slip) } else { Traction::ZERO };
+        let status = match (closed, traction.status) {
+            (false, _) => Status::Open,
+            (true, friction::Status::Stick) => Status::Stick,
+            (true, friction::Status::Slip) => Status::Slip,
+        };
+        let friction = match (closed && has_friction, called) {
+            (false, _) => FrictionCall::None,
+            (true, true) => FrictionCall::Called,
+            (true, false) => FrictionCall::Dropped,
+        };
+        let dropped = friction == FrictionCall::Dropped;
+        PointState {
+            closed,
+            ever_closed: self.before.ever_closed || closed,
+            status,
+            friction,
+            pressure,
+            traction: traction.tau,
+            opening: -self.meeting.overclosure,
+            along: self.meeting.faces.then_some(self.meeting.along),
+            elastic_slip: traction.elastic_slip,
+            slip: if closed { self.before.slip + slip } else { self.before.slip },
+            dissipated: traction.dissipated_slip,
+            dropped_work: if dropped {
+                area * self.laws.friction.limit_traction(pressure, slip, self.dt) * slip.abs()
+            } else {
+                0.0
+            },
+            position: self.meeting.position,
+            normal: self.meeting.normal,
+        }
+    }
+
+    fn traction(&self, area: f64, pressure: f64, slip: f64) -> Traction {
+        let law = &self.laws.friction;
+        if !law.needs_multiplier() {
+            return law.update(pressure, slip, self.before.elastic_slip, self.dt);
+        }
+        // A slip that is none of rounding counts as sliding, although the
+        // estimate may stand a rounding error below the limit.
+        let trial = self.estimate.1 + self.plan.structure.stiffest / area * slip;
+        let projected = law.project(pressure, trial, slip, self.dt);
+        let sticks = projected.status == friction::Status::Stick;
+        Traction {
+            tau: if sticks { self.estimate.1 } else { projected.tau },
+            dissipated_slip: if sticks { 0.0 } else { slip.abs() },
+            status: projected.status,
+            ..Traction::ZERO
+        }
+    }
+}
+
+/// Change of the slip coordinate of a point since its commit [L].
+pub fn slip(before: &PointState, meeting: &Meeting) -> f64 {
+    match before.along {
+        Some(along) if meeting.faces => meeting.along - along,
+        _ => 0.0,
+    }
+}

@@ -1,0 +1,245 @@
+//! How long the next increment is: a pure machine.
+//!
+//! ```text
+//!   (control, what Newton said) -> accept (next dt) | cut (shorter dt) | stop
+//! ```
+//!
+//! Rules: semantics of Newton and increments (manual, recalled values named
+//! there). The machine knows nothing of the mechanics, Newton nothing of time.
+
+use slideline_model::{Static, TimeIncrementation};
+
+/// Where a step stands in time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Control {
+    /// Committed time in the step [T].
+    pub time: f64,
+    /// Increment to be tried next [T].
+    pub dt: f64,
+    /// Increments committed in the step.
+    pub committed: usize,
+    /// Attempts made at the present increment.
+    pub attempts: u32,
+    /// Consecutive increments that converged quickly.
+    pub quick: u32,
+}
+
+/// How an attempt ended, as far as time is concerned.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// Converged in that many equilibrium iterations.
+    Converged {
+        /// Equilibrium iterations.
+        iterations: u32,
+    },
+    /// The residual grew twice running.
+    Diverging,
+    /// The rate of convergence promises too many iterations.
+    TooSlow,
+    /// Contact went on changing.
+    Discontinuous,
+    /// The equations could not be solved, or gave no number.
+    Broken,
+}
+
+/// What to do next.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Decision {
+    /// Commit; the step goes on.
+    Continue(Control),
+    /// Commit; the step is done.
+    StepDone,
+    /// Give the attempt up and try a shorter increment.
+    Cut(Control),
+    /// Give up.
+    Stop(StopReason),
+}
+
+/// Why no shorter increment is tried.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StopReason {
+    /// I_A attempts were made.
+    TooManyAttempts,
+    /// The increment would fall below the smallest one.
+    TooSmall,
+    /// `DIRECT`: increments are fixed.
+    Fixed,
+    /// `INC` increments were made.
+    TooManyIncrements,
+}
+
+/// Fraction of the period by which the end of a step may be missed.
+const END: f64 = 1e-12;
+
+impl Control {
+    /// The beginning of a step.
+    pub fn begin(procedure: &Static) -> Self {
+        let dt = procedure.initial.min(procedure.maximum).min(procedure.period);
+        Self { time: 0.0, dt, committed: 0, attempts: 0, quick: 0 }
+    }
+
+    /// Time at the end of the increment to be tried: the last one ends
+    /// exactly with the step.
+    pub fn target(&self, procedure: &Static) -> f64 {
+        let target = self.time + self.dt;
+        if target > procedure.period * (1.0 - END) { procedure.period } else { target }
+    }
+
+    /// What follows from an attempt.
+    pub fn after(
+        &self,
+        verdict: Verdict,
+        procedure: &Static,
+        limits: &TimeIncrementation,
+        max_increments: usize,
+    ) -> Decision {
+        match verdict {
+            Verdict::Converged { iterations } => {
+                self.accept(iterations, procedure, limits, max_increments)
+            }
+            Verdict::Diverging | Verdict::Discontinuous | Verdict::Broken => {
+                self.cut(limits.d_f, procedure, limits)
+            }
+            Verdict::TooSlow => self.cut(limits.d_c, procedure, limits),
+        }
+    }
+
+    fn accept(
+        &self,
+        iterations: u32,
+        procedure: &Static,
+        limits: &TimeIncrementation,
+        max_increments: usize,
+    ) -> Decision {
+        let time = self.target(procedure);
+        if time >= procedure.period {
+            return Decision::StepDone;
+        }
+        if self.committed + 1 >= max_increments {
+            return Decision::Stop(StopReason::TooManyIncrements);
+        }
+        let quick = if iterations <= limits.i_g { self.quick + 1 } else { 0 };
+        let mut dt = self.dt;
+        let mut next_quick = quick;
+        if !procedure.direct {
+            if iterations > limits.i_l {
+                dt *= limits.d_b;
+            } else if quick >= 2 {
+                dt *= limits.d_d;
+                next_quick = 0;
+            }
+            dt = dt.min(procedure.maximum).max(procedure.minimum);
+        }
+        let committed = self.committed + 1;
+        let dt = even_end(dt, procedure.period - time);
+        Decision::Continue(Self { time, dt, committed, attempts: 0, quick: next_quick })
+    }
+
+    fn cut(&self, factor: f64, procedure: &Static, limits: &TimeIncrementation) -> Decision {
+        if procedure.direct {
+            return Decision::Stop(StopReason::Fixed);
+        }
+        let attempts = self.attempts + 1;
+        if attempts >= limits.i_a {
+            return Decision::Stop(StopReason::TooManyAttempts);
+        }
+        let dt = self.dt * factor;
+        if dt < procedure.minimum {
+            return Decision::Stop(StopReason::TooSmall);
+        }
+        Decision::Cut(Self { dt, attempts, quick: 0, ..*self })
+    }
+}
+
+/// Clips an increment to the end of the step. Sums of binary fractions of a
+/// step miss its end by rounding; a remainder of that size is not walked.
+fn even_end(dt: f64, left: f64) -> f64 {
+    if dt > left * (1.0 - 1e-9) { left } else { dt }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn seed() -> Static {
+        Static {
+            initial: 0.05,
+            period: 1.0,
+            minimum: 1e-6,
+            maximum: 0.05,
+            direct: false,
+            origin: None,
+        }
+    }
+
+    /// The paper's `0.05, 1.0, 1.0E-6, 0.05` are 20 equal increments.
+    #[test]
+    fn the_papers_increments_are_twenty_equal_ones() {
+        let procedure = seed();
+        let mut control = Control::begin(&procedure);
+        let mut times = vec![];
+        loop {
+            times.push(control.target(&procedure));
+            let verdict = Verdict::Converged { iterations: 3 };
+            match control.after(verdict, &procedure, &TimeIncrementation::default(), 100) {
+                Decision::Continue(next) => control = next,
+                Decision::StepDone => break,
+                other => panic!("{other:?}"),
+            }
+        }
+        assert_eq!(times.len(), 20);
+        assert_eq!(times[19], 1.0);
+        assert!(times.iter().enumerate().all(|(k, t)| (t - 0.05 * (k + 1) as f64).abs() < 1e-12));
+    }
+
+    /// Semantics, section 9: D_f = 0.25 after divergence, D_C = 0.5 after a
+    /// slow rate, stop at the fifth attempt or below the smallest increment.
+    #[test]
+    fn cutbacks_follow_the_table() {
+        let (procedure, limits) = (seed(), TimeIncrementation::default());
+        let begin = Control::begin(&procedure);
+        let Decision::Cut(cut) = begin.after(Verdict::Diverging, &procedure, &limits, 100) else {
+            panic!()
+        };
+        assert_eq!((cut.dt, cut.attempts), (0.0125, 1));
+        let Decision::Cut(cut) = begin.after(Verdict::TooSlow, &procedure, &limits, 100) else {
+            panic!()
+        };
+        assert_eq!(cut.dt, 0.025);
+        let last = Control { attempts: 4, ..begin };
+        let stop = last.after(Verdict::Broken, &procedure, &limits, 100);
+        assert_eq!(stop, Decision::Stop(StopReason::TooManyAttempts));
+        let small = Control { dt: 2e-6, ..begin };
+        let stop = small.after(Verdict::Discontinuous, &procedure, &limits, 100);
+        assert_eq!(stop, Decision::Stop(StopReason::TooSmall));
+    }
+
+    /// I_G = 4 twice running lengthens by D_D = 1.5, I_L = 10 shortens by 0.75.
+    #[test]
+    fn increments_adapt_to_the_iterations() {
+        let procedure = Static { maximum: 1.0, initial: 0.1, ..seed() };
+        let limits = TimeIncrementation::default();
+        let begin = Control::begin(&procedure);
+        let quick = Verdict::Converged { iterations: 4 };
+        let Decision::Continue(one) = begin.after(quick, &procedure, &limits, 100) else {
+            panic!()
+        };
+        assert_eq!(one.dt, 0.1);
+        let Decision::Continue(two) = one.after(quick, &procedure, &limits, 100) else { panic!() };
+        assert!((two.dt - 0.15).abs() < 1e-15);
+        let slow = Verdict::Converged { iterations: 11 };
+        let Decision::Continue(three) = begin.after(slow, &procedure, &limits, 100) else {
+            panic!()
+        };
+        assert!((three.dt - 0.075).abs() < 1e-15);
+    }
+
+    #[test]
+    fn inc_limits_the_number_of_increments() {
+        let procedure = seed();
+        let begin = Control::begin(&procedure);
+        let verdict = Verdict::Converged { iterations: 1 };
+        let stop = begin.after(verdict, &procedure, &TimeIncrementation::default(), 1);
+        assert_eq!(stop, Decision::Stop(StopReason::TooManyIncrements));
+    }
+}

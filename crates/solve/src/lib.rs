@@ -1,0 +1,30 @@
+//! Model to committed states.
+//!
+//! ```text
+//!   Model --> Plan (once a step) --> attempt (Newton) --> commit --> observers
+//!                                      ^      |
+//!                                      +------+ cutback: a value is dropped
+//! ```
+//!
+//! A pure evaluation of a trial state gives forces and tangents; Newton
+//! linearises structure and geometry and solves contact exactly in every
+//! linearisation; the increment control is a pure machine; commit is a swap.
+
+mod commit;
+mod contact;
+mod convergence;
+mod diagnose;
+mod evaluate;
+mod increments;
+mod layout;
+mod linearised;
+mod newton;
+pub mod observe;
+mod plan;
+mod predict;
+mod run;
+mod state;
+mod structure;
+
+pub use increments::{Control, Decision, StopReason, Verdict};
+pub use run::{Options, run};

@@ -1,0 +1,543 @@
+//! The contact problem of one Newton iteration, solved exactly.
+//!
+//! ```text
+//!        structure + geometry: linear          laws: as they are
+//!     K du + r + sum A (p a + tau b) = 0       p = p(h),  tau = tau(slip, p)
+//!                 \                             /
+//!                  h = h0 + a.du ,  slip = s0 + b.du
+//! ```
+//!
+//! A Newton iteration linearises the structure and the geometry of contact,
+//! but not the contact laws: a softened law climbs by decades within one
+//! clearance, a hard one has no slope at all, and a linearised law therefore
+//! overshoots from iteration to iteration. Here the laws are kept. With the
+//! responses W = K^-1 A (a, b) of the few points that may touch, overclosures
+//! and slips are linear in the multipliers, and a small dense system remains,
+//! one row a pressure or a traction, which a semismooth Newton method solves
+//! to round-off. See docs/theory.md, "The contact step".
+//!
+//! Points that are closed already lend K a moderate stiffness s (it enters K
+//! and leaves the multipliers again: lambda = q + s (e - e0)), so that a body
+//! held by contact alone has a regular K. The matrix is symmetric also with
+//! friction: what is unsymmetric stands in the small system.
+
+use slideline_linalg::{SolveError, Solver};
+use slideline_mech::contact::friction::FrictionLaw;
+use slideline_mech::contact::normal::NormalLaw;
+
+/// The most dofs one contact point couples.
+pub const MOST_DOFS: usize = 16;
+
+/// The laws of a pair.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Laws {
+    /// Overclosure to pressure.
+    pub normal: NormalLaw,
+    /// Slip to traction.
+    pub friction: FrictionLaw,
+}
+
+/// Friction at a point whose friction is called.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sliding {
+    /// Change of the slip coordinate since the last commit [L].
+    pub slip: f64,
+    /// Committed elastic slip [L].
+    pub elastic_slip: f64,
+    /// Shear traction: estimate in, solution out [F/L2].
+    pub traction: f64,
+    /// Stiffness lent to K [F/L3].
+    pub stiffness: f64,
+}
+
+/// A contact point, linearised.
+#[derive(Clone, Copy, Debug)]
+pub struct LinearPoint {
+    /// Place of its pair among the laws.
+    pub pair: usize,
+    /// Tributary area [L2].
+    pub area: f64,
+    /// Number of equations it acts on.
+    pub width: usize,
+    /// Those equations.
+    pub equations: [usize; MOST_DOFS],
+    /// dh/du of each [1].
+    pub normal: [f64; MOST_DOFS],
+    /// d slip/du of each [1].
+    pub tangential: [f64; MOST_DOFS],
+    /// Overclosure [L].
+    pub overclosure: f64,
+    /// Pressure: estimate in, solution out [F/L2].
+    pub pressure: f64,
+    /// Stiffness lent to K [F/L3].
+    pub stiffness: f64,
+    /// Friction, where it would be called for a closed point.
+    pub sliding: Option<Sliding>,
+}
+
+impl LinearPoint {
+    fn dot(&self, of: Kind, vector: &[f64]) -> f64 {
+        let gradient = self.gradient(of);
+        self.equations[..self.width].iter().zip(gradient).map(|(&e, g)| g * vector[e]).sum()
+    }
+
+    fn gradient(&self, of: Kind) -> &[f64] {
+        match of {
+            Kind::Normal => &self.normal[..self.width],
+            Kind::Tangential => &self.tangential[..self.width],
+        }
+    }
+
+    fn moves(&self, of: Kind) -> bool {
+        self.gradient(of).iter().any(|&g| g != 0.0)
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Normal,
+    Tangential,
+}
+
+/// One pressure or traction.
+#[derive(Clone, Copy, Debug)]
+struct Row {
+    point: usize,
+    kind: Kind,
+    /// Row of the same point's pressure (its own, for a pressure).
+    pressure_row: usize,
+    /// Overclosure or slip without any multiplier beyond the lent stiffness [L].
+    free: f64,
+    /// The same at the point of linearisation [L].
+    start: f64,
+    /// Lent stiffness [F/L3].
+    lent: f64,
+    /// Stiffness of the structure as the row feels it [F/L3].
+    kappa: f64,
+}
+
+/// Scratch of the small system, kept from iteration to iteration.
+#[derive(Clone, Debug, Default)]
+pub struct LinearisedContact {
+    rows: Vec<Row>,
+    /// K^-1 A v of each row, one after the other.
+    response: Vec<f64>,
+    /// C = V W, row-major.
+    compliance: Vec<f64>,
+    unknown: Vec<f64>,
+    residual: Vec<f64>,
+    step: Vec<f64>,
+    trial: Vec<f64>,
+    jacobian: Vec<f64>,
+    in_rows: Vec<bool>,
+}
+
+/// The most rounds in which further points may join.
+const ROUNDS: usize = 12;
+/// The most iterations of the small system.
+const ITERATIONS: usize = 60;
+
+impl LinearisedContact {
+    /// Makes room for `points` points of a system of `equations`, so that
+    /// later iterations allocate nothing.
+    pub fn reserve(&mut self, points: usize, equations: usize) {
+        let rows = (2 * points).min(32);
+        self.rows.reserve(rows);
+        self.response.reserve(rows * equations);
+        self.compliance.reserve(rows * rows);
+        self.jacobian.reserve(rows * rows);
+        for vector in
+            [&mut self.unknown, &mut self.residual, &mut self.step, &mut self.trial]
+        {
+            vector.reserve(rows);
+        }
+        self.in_rows.reserve(points);
+    }
+
+    /// Solves the linearised contact problem. `correction` holds -r on entry
+    /// and du on return; `points` get their pressures and tractions.
+    ///
+    /// Errors: the solver's.
+    pub fn solve(
+        &mut self,
+        points: &mut [LinearPoint],
+        laws: &[Laws],
+        dt: f64,
+        solver: &mut Solver,
+        correction: &mut [f64],
+    ) -> Result<(), SolveError> {
+        solver.solve(correction)?;
+        self.rows.clear();
+        self.unknown.clear();
+        self.response.clear();
+        self.in_rows.clear();
+        self.in_rows.resize(points.len(), false);
+        let problem = Problem { laws, dt };
+        for _ in 0..ROUNDS {
+            if !self.admit(points, &problem, solver, correction)? {
+                break;
+            }
+            self.couple(points, correction);
+            self.iterate(points, &problem);
+        }
+        self.hand_out(points, &problem, correction);
+        Ok(())
+    }
+
+    /// Lets points join that touch by the present estimate; says whether any
+    /// did.
+    fn admit(
+        &mut self,
+        points: &[LinearPoint],
+        problem: &Problem,
+        solver: &mut Solver,
+        base: &[f64],
+    ) -> Result<bool, SolveError> {
+        let solved = self.rows.len();
+        for (place, point) in points.iter().enumerate() {
+            if self.in_rows[place] || !point.moves(Kind::Normal) {
+                continue;
+            }
+            let overclosure = point.overclosure + self.change(point, solved, base);
+            let begins = problem.laws[point.pair].normal.contact_begins();
+            if point.pressure <= 0.0 && point.stiffness == 0.0 && overclosure <= begins {
+                continue;
+            }
+            self.in_rows[place] = true;
+            self.add_row(point, place, Kind::Normal, solver, base)?;
+            if point.sliding.is_some() && point.moves(Kind::Tangential) {
+                self.add_row(point, place, Kind::Tangential, solver, base)?;
+            }
+        }
+        Ok(self.rows.len() > solved)
+    }
+
+    /// Change of a point's overclosure under the multipliers of the rows
+    /// that are solved already [L].
+    fn change(&self, point: &LinearPoint, solved: usize, base: &[f64]) -> f64 {
+        let n = base.len();
+        let kind = Kind::Normal;
+        let from_rows: f64 = (0..solved)
+            .map(|row| self.unknown[row] * point.dot(kind, &self.response[row * n..][..n]))
+            .sum();
+        point.dot(kind, base) - from_rows
+    }
+
+    fn add_row(
+        &mut self,
+        point: &LinearPoint,
+        place: usize,
+        kind: Kind,
+        solver: &mut Solver,
+        base: &[f64],
+    ) -> Result<(), SolveError> {
+        let n = base.len();
+        let begin = self.response.len();
+        self.response.resize(begin + n, 0.0);
+        let response = &mut self.response[begin..];
+        for (&equation, g) in point.equations[..point.width].iter().zip(point.gradient(kind)) {
+            response[equation] += point.area * g;
+        }
+        solver.solve(response)?;
+        let (start, lent) = match (kind, &point.sliding) {
+            (Kind::Tangential, Some(sliding)) => (sliding.slip, sliding.stiffness),
+            _ => (point.overclosure, point.stiffness),
+        };
+        let pressure_row = match kind {
+            Kind::Normal => self.rows.len(),
+            Kind::Tangential => self.rows.len() - 1,
+        };
+        self.rows.push(Row {
+            point: place,
+            kind,
+            pressure_row,
+            free: start + point.dot(kind, base),
+            start,
+            lent,
+            kappa: 0.0,
+        });
+        let guess = match (kind, &point.sliding) {
+            (Kind::Tangential, Some(sliding)) => sliding.traction,
+            _ => point.pressure,
+        };
+        self.unknown.truncate(self.rows.len() - 1);
+        self.unknown.push(guess);
+        Ok(())
+    }
+
+    /// Fills C and the stiffness that each row feels.
+    fn couple(&mut self, points: &[LinearPoint], base: &[f64]) {
+        let (m, n) = (self.rows.len(), base.len());
+        self.compliance.clear();
+        self.compliance.resize(m * m, 0.0);
+        for i in 0..m {
+            let (point, kind) = (&points[self.rows[i].point], self.rows[i].kind);
+            for j in 0..m {
+                self.compliance[i * m + j] = point.dot(kind, &self.response[j * n..][..n]);
+            }
+        }
+        for i in 0..m {
+            let own = self.compliance[i * m + i];
+            let row = &mut self.rows[i];
+            // C = 1/(k + s) where k is the structure's own stiffness.
+            let felt = if own > 0.0 { 1.0 / own } else { f64::INFINITY };
+            row.kappa = (felt - row.lent).max(1e-6 * felt);
+        }
+    }
+
+    /// Semismooth Newton on the small system, with backtracking.
+    fn iterate(&mut self, points: &[LinearPoint], problem: &Problem) {
+        let m = self.rows.len();
+        for vector in [&mut self.residual, &mut self.step, &mut self.trial] {
+            vector.clear();
+            vector.resize(m, 0.0);
+        }
+        self.jacobian.clear();
+        self.jacobian.resize(m * m, 0.0);
+        let System { rows, compliance } = System { rows: &self.rows, compliance: &self.compliance };
+        let system = System { rows, compliance };
+        let unknown = &mut self.unknown;
+        unknown.truncate(m);
+        let mut size = system.residual(
+            unknown,
+            points,
+            problem,
+            &mut self.residual,
+            Some(&mut self.jacobian),
+        );
+        for _ in 0..ITERATIONS {
+            let scale = system.largest_multiplier(unknown);
+            if size <= 1e-13 * scale || !size.is_finite() {
+                break;
+            }
+            self.step.copy_from_slice(&self.residual);
+            eliminate(&mut self.jacobian, &mut self.step);
+            let mut length = 1.0;
+            loop {
+                for i in 0..m {
+                    self.trial[i] = unknown[i] - length * self.step[i];
+                }
+                let new = system.residual(
+                    &self.trial,
+                    points,
+                    problem,
+                    &mut self.residual,
+                    Some(&mut self.jacobian),
+                );
+                if new < size || length < 1e-3 {
+                    unknown.copy_from_slice(&self.trial);
+                    let stalled = new >= size;
+                    size = new;
+                    if stalled {
+                        return; // round-off, or no solution: the outer iteration judges
+                    }
+                    break;
+                }
+                length *= 0.5;
+            }
+        }
+    }
+
+    /// du from the multipliers, and the multipliers to their points.
+    fn hand_out(&mut self, points: &mut [LinearPoint], problem: &Problem, correction: &mut [f64]) {
+        let n = correction.len();
+        let system = System { rows: &self.rows, compliance: &self.compliance };
+        for (place, point) in points.iter_mut().enumerate() {
+            if self.in_rows[place] {
+                continue;
+            }
+            let fixed = !point.moves(Kind::Normal);
+            let law = &problem.laws[point.pair].normal;
+            point.pressure =
+                if fixed { law.pressure(point.overclosure).map_or(0.0, |(p, _)| p) } else { 0.0 };
+            if let Some(sliding) = &mut point.sliding {
+                sliding.traction = 0.0;
+            }
+        }
+        for (i, row) in self.rows.iter().enumerate() {
+            let (multiplier, value) = system.multiplier_and_value(i, &self.unknown);
+            let point = &mut points[row.point];
+            match (row.kind, &mut point.sliding) {
+                (Kind::Tangential, Some(sliding)) => sliding.traction = multiplier,
+                _ => {
+                    let law = &problem.laws[point.pair].normal;
+                    point.pressure = pressure_law(law, row, multiplier, value).value;
+                }
+            }
+        }
+        for (i, &q) in self.unknown.iter().take(self.rows.len()).enumerate() {
+            for (du, w) in correction.iter_mut().zip(&self.response[i * n..][..n]) {
+                *du -= q * w;
+            }
+        }
+    }
+}
+
+struct Problem<'a> {
+    laws: &'a [Laws],
+    dt: f64,
+}
+
+/// The small system: e = free - C q, lambda = q + s (e - start).
+#[derive(Clone, Copy)]
+struct System<'a> {
+    rows: &'a [Row],
+    compliance: &'a [f64],
+}
+
+impl System<'_> {
+    fn multiplier_and_value(&self, i: usize, unknown: &[f64]) -> (f64, f64) {
+        let m = self.rows.len();
+        let row = &self.rows[i];
+        let yielded: f64 =
+            self.compliance[i * m..][..m].iter().zip(unknown).map(|(c, q)| c * q).sum();
+        let value = row.free - yielded;
+        (unknown[i] + row.lent * (value - row.start), value)
+    }
+
+    fn largest_multiplier(&self, unknown: &[f64]) -> f64 {
+        (0..self.rows.len())
+            .map(|i| self.multiplier_and_value(i, unknown).0.abs().max(unknown[i].abs()))
+            .fold(f64::MIN_POSITIVE, f64::max)
+    }
+
+    /// F = lambda - law, its norm, and dF/dq.
+    fn residual(
+        &self,
+        unknown: &[f64],
+        points: &[LinearPoint],
+        problem: &Problem,
+        residual: &mut [f64],
+        jacobian: Option<&mut [f64]>,
+    ) -> f64 {
+        let m = self.rows.len();
+        let mut jacobian = jacobian;
+        for (i, row) in self.rows.iter().enumerate() {
+            let (multiplier, value) = self.multiplier_and_value(i, unknown);
+            let pressure = self.multiplier_and_value(row.pressure_row, unknown).0;
+            let point = &points[row.point];
+            let law = problem.law(row, point, multiplier, value, pressure);
+            residual[i] = multiplier - law.value;
+            let Some(jacobian) = jacobian.as_deref_mut() else { continue };
+            for j in 0..m {
+                // d value/dq_j = -C_ij, d lambda_i/dq_j = delta_ij - s C_ij
+                let by_value = -self.compliance[i * m + j];
+                let own = if i == j { 1.0 } else { 0.0 };
+                let by_multiplier = own + row.lent * by_value;
+                let k = row.pressure_row;
+                let of_pressure = if j == k { 1.0 } else { 0.0 }
+                    - self.rows[k].lent * self.compliance[k * m + j];
+                jacobian[i * m + j] = by_multiplier
+                    - law.by_multiplier * by_multiplier
+                    - law.by_value * by_value
+                    - law.by_pressure * of_pressure;
+            }
+        }
+        residual.iter().map(|f| f * f).sum::<f64>().sqrt()
+    }
+}
+
+/// What the law says a multiplier should be, with derivatives.
+struct LawValue {
+    value: f64,
+    by_multiplier: f64,
+    by_value: f64,
+    by_pressure: f64,
+}
+
+impl Problem<'_> {
+    fn law(
+        &self,
+        row: &Row,
+        point: &LinearPoint,
+        multiplier: f64,
+        value: f64,
+        pressure: f64,
+    ) -> LawValue {
+        let laws = &self.laws[point.pair];
+        match (row.kind, &point.sliding) {
+            (Kind::Tangential, Some(sliding)) => {
+                self.traction(&laws.friction, sliding, row, [multiplier, value, pressure])
+            }
+            _ => pressure_law(&laws.normal, row, multiplier, value),
+        }
+    }
+
+    fn traction(
+        &self,
+        law: &FrictionLaw,
+        sliding: &Sliding,
+        row: &Row,
+        [multiplier, slip, pressure]: [f64; 3],
+    ) -> LawValue {
+        let closed = pressure.max(0.0);
+        let of_pressure = if pressure > 0.0 { 1.0 } else { 0.0 };
+        if law.needs_multiplier() {
+            let z = multiplier + row.kappa * slip;
+            let projected = law.project(closed, z, slip, self.dt);
+            return LawValue {
+                value: projected.tau,
+                by_multiplier: projected.by_z,
+                by_value: row.kappa * projected.by_z + projected.by_slip,
+                by_pressure: projected.by_pressure * of_pressure,
+            };
+        }
+        let traction = law.update(closed, slip, sliding.elastic_slip, self.dt);
+        LawValue {
+            value: traction.tau,
+            by_multiplier: 0.0,
+            by_value: traction.d_tau_d_slip,
+            by_pressure: traction.d_tau_d_pressure * of_pressure,
+        }
+    }
+}
+
+/// p = P(h + p/kappa) with P the resolvent of the law: single-valued, also
+/// for a hard law.
+fn pressure_law(law: &NormalLaw, row: &Row, multiplier: f64, overclosure: f64) -> LawValue {
+    if row.kappa.is_infinite() {
+        let (value, slope) = law.pressure(overclosure).unwrap_or((0.0, 0.0));
+        return LawValue { value, by_multiplier: 0.0, by_value: slope, by_pressure: 0.0 };
+    }
+    let (value, slope) = law.resolvent(overclosure + multiplier / row.kappa, row.kappa);
+    LawValue { value, by_multiplier: slope / row.kappa, by_value: slope, by_pressure: 0.0 }
+}
+
+/// Solves a dense system in place by elimination with row pivoting. A row
+/// that depends on the others (an overconstrained point) is given a zero
+/// change.
+fn eliminate(matrix: &mut [f64], rhs: &mut [f64]) {
+    let m = rhs.len();
+    let scale = matrix.iter().fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
+    for k in 0..m {
+        let pivot = (k..m)
+            .max_by(|&a, &b| matrix[a * m + k].abs().total_cmp(&matrix[b * m + k].abs()))
+            .unwrap_or(k);
+        if pivot != k {
+            for j in 0..m {
+                matrix.swap(k * m + j, pivot * m + j);
+            }
+            rhs.swap(k, pivot);
+        }
+        if matrix[k * m + k].abs() <= 1e-14 * scale {
+            for j in 0..m {
+                matrix[k * m + j] = if j == k { 1.0 } else { 0.0 };
+            }
+            rhs[k] = 0.0;
+            continue;
+        }
+        for i in k + 1..m {
+            let factor = matrix[i * m + k] / matrix[k * m + k];
+            if factor != 0.0 {
+                for j in k..m {
+                    matrix[i * m + j] -= factor * matrix[k * m + j];
+                }
+                rhs[i] -= factor * rhs[k];
+            }
+        }
+    }
+    for k in (0..m).rev() {
+        let known: f64 = (k + 1..m).map(|j| matrix[k * m + j] * rhs[j]).sum();
+        rhs[k] = (rhs[k] - known) / matrix[k * m + k];
+    }
+}

@@ -1,0 +1,369 @@
+//! What a run tells those who watch it.
+//!
+//! ```text
+//!   run --> StepBegin --> Iteration, Iteration ... --> Committed(frame)
+//!                     \-> Iteration ... --> AttemptFailed --> (again, shorter)
+//!       --> Diagnosed --> End
+//! ```
+//!
+//! Observers borrow; nothing here owns a result. Files, tables, progress and
+//! embedding programs are observers. Any of them may stop the run.
+
+use slideline_diag::Diagnostic;
+use slideline_model::{Dof, Model, NodeIndex};
+use std::ops::ControlFlow;
+
+/// Watches a run.
+pub trait Observer {
+    /// Takes note of an event; `Break` ends the run after it. What was
+    /// committed stays valid.
+    fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop>;
+}
+
+/// Why an observer stops a run.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Stop {
+    /// The user asked for it.
+    Interrupted,
+    /// Results can no longer be written; the reason.
+    OutputFailed(String),
+}
+
+/// What happens during a run.
+#[derive(Debug)]
+pub enum Event<'a> {
+    /// A step begins; equations and how they are solved.
+    StepBegin(&'a StepReport<'a>),
+    /// An iteration was made and judged.
+    Iteration(&'a IterationReport),
+    /// An attempt at an increment was given up.
+    AttemptFailed(&'a AttemptReport),
+    /// An increment has converged.
+    Committed(&'a Frame<'a>),
+    /// Something to be said about the run.
+    Diagnosed(&'a Diagnostic),
+    /// The run is over.
+    End(&'a Ending),
+}
+
+/// The beginning of a step.
+#[derive(Debug)]
+pub struct StepReport<'a> {
+    /// The model.
+    pub model: &'a Model,
+    /// Step number from 1.
+    pub step: usize,
+    /// Number of equations.
+    pub equations: usize,
+    /// Entries of the sparsity pattern.
+    pub entries: usize,
+    /// How the linear equations are solved, in words.
+    pub linear_solver: String,
+    /// Whether the tangent is treated as unsymmetric.
+    pub unsymmetric: bool,
+    /// Total time at the beginning [T].
+    pub total_time: f64,
+    /// The committed state at the beginning of the step (positions, initial
+    /// contact); increment 0.
+    pub start: Frame<'a>,
+}
+
+/// One Newton iteration.
+#[derive(Clone, Debug, PartialEq)]
+pub struct IterationReport {
+    /// Step number from 1.
+    pub step: usize,
+    /// Increment number from 1.
+    pub increment: usize,
+    /// Attempt number from 1.
+    pub attempt: usize,
+    /// Iteration number from 1 within the attempt.
+    pub iteration: usize,
+    /// Whether contact changed in it (a severe discontinuity iteration).
+    pub severe: bool,
+    /// Equilibrium iterations so far (severe ones not counted).
+    pub equilibrium: usize,
+    /// Points whose contact changed: pair, node, now closed.
+    pub contact_changes: Vec<ContactChange>,
+    /// Points closed now.
+    pub closed: usize,
+    /// Force field.
+    pub force: FieldReport,
+    /// Moment field.
+    pub moment: FieldReport,
+    /// Largest disagreement between multiplier and law, as an overclosure [L].
+    pub contact_defect: f64,
+    /// Fraction of the correction that was taken [1].
+    pub step_length: f64,
+    /// Whether everything has converged.
+    pub converged: bool,
+}
+
+/// A change of contact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ContactChange {
+    /// Place of the pair in the model.
+    pub pair: usize,
+    /// The slave node.
+    pub node: NodeIndex,
+    /// Whether it is closed now.
+    pub closed: bool,
+}
+
+/// Convergence measures of one field (forces or moments).
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct FieldReport {
+    /// Largest nodal residual [F or F L].
+    pub residual: f64,
+    /// Where.
+    pub residual_at: Option<(NodeIndex, Dof)>,
+    /// Time-averaged flux [F or F L].
+    pub average: f64,
+    /// What the residual is held against [F or F L].
+    pub allowed: f64,
+    /// Largest nodal correction of this iteration [L or 1].
+    pub correction: f64,
+    /// Where.
+    pub correction_at: Option<(NodeIndex, Dof)>,
+    /// Largest nodal increment so far [L or 1].
+    pub increment: f64,
+    /// Whether the field has converged.
+    pub converged: bool,
+}
+
+/// An attempt that was given up.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AttemptReport {
+    /// Step number from 1.
+    pub step: usize,
+    /// Increment number from 1.
+    pub increment: usize,
+    /// Attempt number from 1.
+    pub attempt: usize,
+    /// Severe discontinuity iterations made.
+    pub severe_iterations: usize,
+    /// Equilibrium iterations made.
+    pub equilibrium_iterations: usize,
+    /// Total time that was aimed at [T].
+    pub total_time: f64,
+    /// Time in the step that was aimed at [T].
+    pub step_time: f64,
+    /// The increment [T].
+    pub time_increment: f64,
+    /// Why, in a few words.
+    pub reason: String,
+    /// The next increment to be tried [T]; `None`: the run ends here.
+    pub next: Option<f64>,
+}
+
+/// A committed state, borrowed.
+#[derive(Clone, Copy, Debug)]
+pub struct Frame<'a> {
+    /// The model.
+    pub model: &'a Model,
+    /// Step number from 1.
+    pub step: usize,
+    /// Increment number from 1; 0 for the start of a step.
+    pub increment: usize,
+    /// Attempts that were needed.
+    pub attempt: usize,
+    /// Severe discontinuity iterations.
+    pub severe_iterations: usize,
+    /// Equilibrium iterations.
+    pub equilibrium_iterations: usize,
+    /// Total time [T].
+    pub total_time: f64,
+    /// Time in the step [T].
+    pub step_time: f64,
+    /// The increment [T].
+    pub time_increment: f64,
+    /// Whether the step ends with it.
+    pub last_of_step: bool,
+    /// Nodal values.
+    pub nodal: Nodal<'a>,
+    /// One row per contact point of every pair, in order.
+    pub contact: &'a [ContactRow],
+    /// Section results of the beams, block by block in element order.
+    pub beams: &'a [BeamRow],
+    /// Energies.
+    pub energy: Energies,
+}
+
+/// Nodal vectors of a frame; dofs that a model does not have read zero.
+#[derive(Clone, Copy, Debug)]
+pub struct Nodal<'a> {
+    pub(crate) dofs: &'static [Dof],
+    pub(crate) displacement: &'a [f64],
+    pub(crate) reaction: &'a [f64],
+    pub(crate) load: &'a [f64],
+}
+
+impl Nodal<'_> {
+    fn read(&self, vector: &[f64], node: NodeIndex, dof: Dof) -> f64 {
+        let place = self.dofs.iter().position(|&own| own == dof);
+        place.map_or(0.0, |place| vector[node * self.dofs.len() + place])
+    }
+
+    /// Displacement or rotation [L or 1].
+    pub fn displacement(&self, node: NodeIndex, dof: Dof) -> f64 {
+        self.read(self.displacement, node, dof)
+    }
+
+    /// Force or moment of the support on the model [F or F L]; zero where
+    /// nothing is prescribed.
+    pub fn reaction(&self, node: NodeIndex, dof: Dof) -> f64 {
+        self.read(self.reaction, node, dof)
+    }
+
+    /// Applied load [F or F L].
+    pub fn load(&self, node: NodeIndex, dof: Dof) -> f64 {
+        self.read(self.load, node, dof)
+    }
+
+    /// The dofs of this model's nodes.
+    pub fn dofs(&self) -> &'static [Dof] {
+        self.dofs
+    }
+}
+
+/// Contact status of a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Status {
+    /// No pressure.
+    #[default]
+    Open,
+    /// Pressure, no sliding.
+    Stick,
+    /// Pressure, sliding (also a closed point without friction).
+    Slip,
+}
+
+impl Status {
+    /// The word used in files.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Open => "open",
+            Self::Stick => "stick",
+            Self::Slip => "slip",
+        }
+    }
+}
+
+/// Whether friction acted at a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum FrictionCall {
+    /// Open, or frictionless.
+    #[default]
+    None,
+    /// Called.
+    Called,
+    /// Closed with friction, but the onset did not call it.
+    Dropped,
+}
+
+impl FrictionCall {
+    /// The word used in files.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Called => "called",
+            Self::Dropped => "dropped",
+        }
+    }
+}
+
+/// A contact point in a committed state.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct ContactRow {
+    /// Place of the pair in the model.
+    pub pair: usize,
+    /// The slave node.
+    pub node: NodeIndex,
+    /// Open, stick or slip.
+    pub status: Status,
+    /// Whether it is or ever was closed.
+    pub ever_closed: bool,
+    /// Gap, open positive [L]; infinite where the point faces no master.
+    pub opening: f64,
+    /// Contact pressure [F/L2].
+    pub pressure: f64,
+    /// Shear traction along the master's direction of travel [F/L2].
+    pub shear: f64,
+    /// Accumulated slip along it while closed [L].
+    pub slip: f64,
+    /// Tributary area [L2].
+    pub area: f64,
+    /// Whether friction was called.
+    pub friction: FrictionCall,
+    /// Current position of the point [L].
+    pub position: [f64; 2],
+    /// Outward normal of the master there [1].
+    pub normal: [f64; 2],
+    /// Place on the master along its direction of travel [L].
+    pub along: f64,
+    /// Friction work that this increment dropped [F L]; see the ledger.
+    pub dropped_work: f64,
+}
+
+/// Section results of a beam element at its middle.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct BeamRow {
+    /// Element label.
+    pub label: u64,
+    /// Its nodes.
+    pub nodes: [NodeIndex; 2],
+    /// Axial force N [F].
+    pub axial_force: f64,
+    /// Shear force V [F].
+    pub shear_force: f64,
+    /// Bending moment M [F L].
+    pub bending_moment: f64,
+    /// Axial strain, shear strain [1], curvature [1/L].
+    pub strains: [f64; 3],
+    /// Largest fibre strain, |axial| + |curvature| height / 2 [1].
+    pub fibre_strain: f64,
+}
+
+/// Energies since time 0 [F L].
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Energies {
+    /// Work of supports and loads, trapezoidal rule over each increment.
+    pub external_work: f64,
+    /// Strain energy of the elements.
+    pub strain_energy: f64,
+    /// Energy of the contact laws.
+    pub contact_energy: f64,
+    /// Dissipated by sliding.
+    pub friction_dissipation: f64,
+    /// Stored in elastic slip.
+    pub friction_elastic: f64,
+    /// Friction work that the onset dropped (the ledger).
+    pub dropped_friction: f64,
+    /// External work minus the change of everything else since the first
+    /// converged state.
+    pub balance: f64,
+}
+
+/// How a run ended.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Ending {
+    /// Every step was walked to its end.
+    Completed(Totals),
+    /// An increment could not be found; what was committed stays.
+    NotConverged(Totals, Diagnostic),
+    /// An observer stopped it.
+    Stopped(Totals, Stop),
+}
+
+/// Counts of a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub struct Totals {
+    /// Converged increments of all steps.
+    pub increments: usize,
+    /// Failed attempts.
+    pub cutbacks: usize,
+    /// Newton iterations, failed attempts included.
+    pub iterations: usize,
+    /// Closed points whose friction was not called, summed over increments.
+    pub dropped_points: usize,
+}

@@ -1,0 +1,25 @@
+//! The first guess of an increment.
+
+use crate::plan::Plan;
+use crate::state::State;
+use slideline_model::Extrapolation;
+
+/// Adds to `u` what the unknowns did in the last increments, scaled with
+/// time: nothing, a line, or a parabola through the last three states.
+pub fn extrapolate(plan: &Plan<'_>, committed: &State, dt: f64, u: &mut [f64]) {
+    let [last, before] = committed.increment_time;
+    if last <= 0.0 || plan.step.extrapolation == Extrapolation::None {
+        return;
+    }
+    let ratio = dt / last;
+    let parabolic = plan.step.extrapolation == Extrapolation::Parabolic && before > 0.0;
+    for &slot in &plan.layout.slot_of_equation {
+        let rate = committed.increment[slot];
+        u[slot] += ratio * rate;
+        if parabolic {
+            // Newton's form: divided differences of the last two increments.
+            let bend = (rate / last - committed.increment_before[slot] / before) / (last + before);
+            u[slot] += bend * dt * (dt + last);
+        }
+    }
+}

@@ -1,0 +1,312 @@
+//! The whole analysis: steps, increments, commits.
+
+use crate::commit::commit;
+use crate::diagnose;
+use crate::increments::{Control, Decision, Verdict};
+use crate::newton::{Outcome, Target, Workspace, attempt};
+use crate::observe::{
+    AttemptReport, BeamRow, ContactRow, Ending, Event, Frame, FrictionCall, Nodal, Observer,
+    StepReport, Stop, Totals,
+};
+use crate::plan::Plan;
+use crate::state::State;
+use slideline_diag::Diagnostic;
+use slideline_model::{Model, Step};
+use std::ops::ControlFlow;
+
+/// How to run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Options {
+    /// Threads for the evaluation of elements; results do not depend on it.
+    pub threads: usize,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { threads: 1 }
+    }
+}
+
+/// Runs every step of a model and tells the observer.
+pub fn run(model: &Model, options: &Options, observer: &mut dyn Observer) -> Ending {
+    let pool = thread_pool(options.threads);
+    let ending = Walk::new(model, pool.as_ref(), observer).steps();
+    let _ = observer.event(Event::End(&ending));
+    ending
+}
+
+fn thread_pool(threads: usize) -> Option<rayon::ThreadPool> {
+    if threads <= 1 {
+        return None;
+    }
+    rayon::ThreadPoolBuilder::new().num_threads(threads).build().ok()
+}
+
+/// A run under way.
+struct Walk<'a> {
+    model: &'a Model,
+    observer: &'a mut dyn Observer,
+    pool: Option<&'a rayon::ThreadPool>,
+    committed: State,
+    trial: State,
+    totals: Totals,
+    contact_rows: Vec<ContactRow>,
+    beam_rows: Vec<BeamRow>,
+}
+
+/// Why a step was left before its end.
+enum Left {
+    Stopped(Stop),
+    Failed(Diagnostic),
+}
+
+impl<'a> Walk<'a> {
+    fn new(
+        model: &'a Model,
+        pool: Option<&'a rayon::ThreadPool>,
+        observer: &'a mut dyn Observer,
+    ) -> Self {
+        let slots = model.nodes.len() * 3;
+        let points = model.contact_pairs.iter().map(|pair| pair.slave_nodes().len()).sum();
+        let committed = State::undeformed(slots, points);
+        Self {
+            model,
+            observer,
+            pool,
+            trial: committed.clone(),
+            committed,
+            totals: Totals::default(),
+            contact_rows: Vec::new(),
+            beam_rows: Vec::new(),
+        }
+    }
+
+    fn steps(mut self) -> Ending {
+        let model = self.model;
+        for (place, step) in model.steps.iter().enumerate() {
+            if let Err(left) = self.step(place + 1, step) {
+                return match left {
+                    Left::Stopped(stop) => Ending::Stopped(self.totals, stop),
+                    Left::Failed(diagnosis) => Ending::NotConverged(self.totals, diagnosis),
+                };
+            }
+        }
+        Ending::Completed(self.totals)
+    }
+
+    /// One step: increments until its end, or until none can be found.
+    fn step(&mut self, number: usize, step: &Step) -> Result<(), Left> {
+        self.committed.step_time = 0.0;
+        self.committed.increment_time = [0.0; 2];
+        self.committed.flux = Default::default();
+        let start = self.committed.displacement.clone();
+        let plan = Plan::new(self.model, step, &start, &self.committed.load, self.pool);
+        let mut work = Workspace::new(&plan);
+        self.begin(&plan, number, &mut work)?;
+        let mut control = Control::begin(&step.procedure);
+        let limits = step.controls.effective_time();
+        loop {
+            let target = Target {
+                step: number,
+                increment: control.committed + 1,
+                attempt: control.attempts as usize + 1,
+                step_time: control.target(&step.procedure),
+                dt: control.target(&step.procedure) - control.time,
+            };
+            let outcome = self.attempt(&plan, &target, &mut work)?;
+            let decision =
+                control.after(outcome.verdict, &step.procedure, &limits, step.max_increments);
+            if let Verdict::Converged { .. } = outcome.verdict {
+                let last = decision == Decision::StepDone;
+                self.commit(&plan, &target, &outcome, last, &work)?;
+            }
+            match decision {
+                Decision::StepDone => return Ok(()),
+                Decision::Continue(next) => control = next,
+                Decision::Cut(next) => {
+                    self.fail(&target, &outcome, Some(next.dt))?;
+                    control = next;
+                }
+                Decision::Stop(reason) => {
+                    if !matches!(outcome.verdict, Verdict::Converged { .. }) {
+                        self.fail(&target, &outcome, None)?;
+                    }
+                    let diagnosis =
+                        diagnose::failure(&plan, &self.committed, &work, &outcome, reason);
+                    self.tell(Event::Diagnosed(&diagnosis))?;
+                    return Err(Left::Failed(diagnosis));
+                }
+            }
+        }
+    }
+
+    fn attempt(
+        &mut self,
+        plan: &Plan<'_>,
+        target: &Target,
+        work: &mut Workspace,
+    ) -> Result<Outcome, Left> {
+        let mut stop = None;
+        let (observer, totals) = (&mut *self.observer, &mut self.totals);
+        let mut watch = |report: &crate::observe::IterationReport| {
+            totals.iterations += 1;
+            if let ControlFlow::Break(reason) = observer.event(Event::Iteration(report)) {
+                stop = Some(reason);
+            }
+        };
+        let outcome = attempt(plan, &self.committed, target, work, &mut watch);
+        match stop {
+            Some(stop) => Err(Left::Stopped(stop)),
+            None => Ok(outcome),
+        }
+    }
+
+    fn fail(
+        &mut self,
+        target: &Target,
+        outcome: &Outcome,
+        next: Option<f64>,
+    ) -> Result<(), Left> {
+        self.totals.cutbacks += 1;
+        let report = AttemptReport {
+            step: target.step,
+            increment: target.increment,
+            attempt: target.attempt,
+            severe_iterations: outcome.severe,
+            equilibrium_iterations: outcome.equilibrium,
+            total_time: self.committed.total_time + target.dt,
+            step_time: target.step_time,
+            time_increment: target.dt,
+            reason: diagnose::reason(outcome.verdict).to_string(),
+            next,
+        };
+        self.tell(Event::AttemptFailed(&report))
+    }
+
+    fn tell(&mut self, event: Event<'_>) -> Result<(), Left> {
+        match self.observer.event(event) {
+            ControlFlow::Continue(()) => Ok(()),
+            ControlFlow::Break(stop) => Err(Left::Stopped(stop)),
+        }
+    }
+
+    /// Announces a step with the state it begins from.
+    fn begin(&mut self, plan: &Plan<'_>, number: usize, work: &mut Workspace) -> Result<(), Left> {
+        crate::commit::locate_points(plan, &mut self.committed, work);
+        self.fill_rows(plan);
+        let numbers = Numbers { step: number, ..Numbers::default() };
+        let frame = frame(plan, &self.committed, &numbers, &self.contact_rows, &self.beam_rows);
+        let report = StepReport {
+            model: self.model,
+            step: number,
+            equations: plan.layout.equations(),
+            entries: plan.pattern.entries(),
+            linear_solver: work.solver.description().to_string(),
+            unsymmetric: false,
+            total_time: self.committed.total_time,
+            start: frame,
+        };
+        match self.observer.event(Event::StepBegin(&report)) {
+            ControlFlow::Continue(()) => Ok(()),
+            ControlFlow::Break(stop) => Err(Left::Stopped(stop)),
+        }
+    }
+
+    /// Makes the trial the committed state and shows it.
+    fn commit(
+        &mut self,
+        plan: &Plan<'_>,
+        target: &Target,
+        outcome: &Outcome,
+        last: bool,
+        work: &Workspace,
+    ) -> Result<(), Left> {
+        commit(plan, &self.committed, target, work, &mut self.trial);
+        let left = diagnose::slid_off(plan, &self.committed, &self.trial);
+        std::mem::swap(&mut self.committed, &mut self.trial);
+        self.totals.increments += 1;
+        let dropped = |point: &&crate::state::PointState| point.friction == FrictionCall::Dropped;
+        self.totals.dropped_points += self.committed.points.iter().filter(dropped).count();
+        self.fill_rows(plan);
+        let numbers = Numbers {
+            step: target.step,
+            increment: target.increment,
+            attempt: target.attempt,
+            severe: outcome.severe,
+            equilibrium: outcome.equilibrium,
+            dt: target.dt,
+            last,
+        };
+        let frame = frame(plan, &self.committed, &numbers, &self.contact_rows, &self.beam_rows);
+        if let ControlFlow::Break(stop) = self.observer.event(Event::Committed(&frame)) {
+            return Err(Left::Stopped(stop));
+        }
+        left.iter().try_for_each(|diagnosis| self.tell(Event::Diagnosed(diagnosis)))
+    }
+
+    fn fill_rows(&mut self, plan: &Plan<'_>) {
+        self.contact_rows.clear();
+        self.contact_rows.extend(plan.contact.points.iter().zip(&self.committed.points).map(
+            |(point, state)| ContactRow {
+                pair: point.pair,
+                node: point.node,
+                status: state.status,
+                ever_closed: state.ever_closed,
+                opening: state.opening,
+                pressure: state.pressure,
+                shear: state.traction,
+                slip: state.slip,
+                area: point.area,
+                friction: state.friction,
+                position: state.position,
+                normal: state.normal,
+                along: state.along.unwrap_or(0.0),
+                dropped_work: state.dropped_work,
+            },
+        ));
+        self.beam_rows.clear();
+        self.beam_rows.extend(plan.structure.beam_rows(&self.committed.displacement));
+    }
+}
+
+/// Counts of a frame.
+#[derive(Clone, Copy, Debug, Default)]
+struct Numbers {
+    step: usize,
+    increment: usize,
+    attempt: usize,
+    severe: usize,
+    equilibrium: usize,
+    dt: f64,
+    last: bool,
+}
+
+fn frame<'a>(
+    plan: &Plan<'a>,
+    state: &'a State,
+    numbers: &Numbers,
+    contact: &'a [ContactRow],
+    beams: &'a [BeamRow],
+) -> Frame<'a> {
+    Frame {
+        model: plan.model,
+        step: numbers.step,
+        increment: numbers.increment,
+        attempt: numbers.attempt,
+        severe_iterations: numbers.severe,
+        equilibrium_iterations: numbers.equilibrium,
+        total_time: state.total_time,
+        step_time: state.step_time,
+        time_increment: numbers.dt,
+        last_of_step: numbers.last,
+        nodal: Nodal {
+            dofs: plan.layout.dofs,
+            displacement: &state.displacement,
+            reaction: &state.reaction,
+            load: &state.load,
+        },
+        contact,
+        beams,
+        energy: state.energy,
+    }
+}

@@ -1,0 +1,85 @@
+//! What history needs, as a value: commit is a swap, a cutback drops a value.
+
+use crate::convergence::FluxAverage;
+use crate::observe::{Energies, FrictionCall, Status};
+
+/// A committed (or trial) state of the whole model.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct State {
+    /// Total time [T].
+    pub total_time: f64,
+    /// Time in the step [T].
+    pub step_time: f64,
+    /// Displacements and rotations, a slot each [L or 1].
+    pub displacement: Vec<f64>,
+    /// The last increment of each, for the first guess of the next.
+    pub increment: Vec<f64>,
+    /// The increment before it.
+    pub increment_before: Vec<f64>,
+    /// Length of the last increment and of the one before [T]; zero: none.
+    pub increment_time: [f64; 2],
+    /// Forces of supports on the model [F or F L].
+    pub reaction: Vec<f64>,
+    /// Applied loads [F or F L].
+    pub load: Vec<f64>,
+    /// Contact points, in the order of the plan.
+    pub points: Vec<PointState>,
+    /// Average flux of forces and moments over the step.
+    pub flux: [Flow; 2],
+    /// Energies.
+    pub energy: Energies,
+    /// Sum of the energies that `balance` counts from [F L]; set by the first
+    /// converged increment.
+    pub balance_origin: Option<f64>,
+}
+
+/// Average flux of one field.
+pub type Flow = FluxAverage;
+
+/// History of a contact point.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct PointState {
+    /// Whether it carries pressure.
+    pub closed: bool,
+    /// Whether it ever did.
+    pub ever_closed: bool,
+    /// Open, stick or slip.
+    pub status: Status,
+    /// Whether friction was called.
+    pub friction: FrictionCall,
+    /// Pressure [F/L2].
+    pub pressure: f64,
+    /// Shear traction [F/L2].
+    pub traction: f64,
+    /// Gap, open positive [L].
+    pub opening: f64,
+    /// Coordinate along the master [L]; `None` where it faces none.
+    pub along: Option<f64>,
+    /// Elastic slip [L].
+    pub elastic_slip: f64,
+    /// Slip accumulated while closed [L].
+    pub slip: f64,
+    /// Magnitude of the slip dissipated in the last increment [L].
+    pub dissipated: f64,
+    /// Friction work dropped by the onset in the last increment [F L].
+    pub dropped_work: f64,
+    /// Current position [L].
+    pub position: [f64; 2],
+    /// Outward normal of the master [1].
+    pub normal: [f64; 2],
+}
+
+impl State {
+    /// The undeformed model: everything zero, every point open.
+    pub fn undeformed(slots: usize, points: usize) -> Self {
+        Self {
+            displacement: vec![0.0; slots],
+            increment: vec![0.0; slots],
+            increment_before: vec![0.0; slots],
+            reaction: vec![0.0; slots],
+            load: vec![0.0; slots],
+            points: vec![PointState::default(); points],
+            ..Self::default()
+        }
+    }
+}
