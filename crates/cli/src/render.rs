@@ -18,22 +18,16 @@ pub(crate) fn to_standard_error<'a>(
 /// One diagnostic; plain ASCII without `colour`.
 pub(crate) fn text(said: &Diagnostic, sources: &Sources, colour: bool) -> String {
     let renderer = if colour { Renderer::styled() } else { Renderer::plain() };
-    let mut group = level(said.severity).primary_title(&said.message).id(said.code.0);
-    let mut report = Vec::new();
+    let title = level(said.severity).primary_title(&said.message).id(said.code.0);
     let primary = said.span.and_then(|span| snippet(span, sources, AnnotationKind::Primary, None));
     let second = said.labels.iter().filter_map(|label| {
         snippet(label.span, sources, AnnotationKind::Context, Some(&label.text))
     });
-    let mut whole = Group::with_title(std::mem::replace(
-        &mut group,
-        Level::NOTE.primary_title(""),
-    ));
-    whole = whole.elements(primary).elements(second);
+    let mut group = Group::with_title(title).elements(primary).elements(second);
     if let Some(help) = &said.help {
-        whole = whole.element(Level::HELP.message(help));
+        group = group.element(Level::HELP.message(help));
     }
-    report.push(whole);
-    renderer.render(&report) + "\n\n"
+    renderer.render(&[group]) + "\n\n"
 }
 
 fn level(severity: Severity) -> Level<'static> {
@@ -55,7 +49,7 @@ fn snippet<'a>(
     let source = sources.get(span.file)?;
     let at = sources.locate(span)?;
     let (offset, lines) = lines_of(source, span);
-    let mark = |byte: u32| lines.floor_char_boundary((byte as usize).saturating_sub(offset));
+    let mark = |byte: u32| boundary(lines, (byte as usize).saturating_sub(offset));
     let (start, end) = (mark(span.start), mark(span.end));
     let annotation = kind.span(start..end.max(start)).label(label);
     Some(
@@ -70,14 +64,20 @@ fn snippet<'a>(
 /// of its last line.
 fn lines_of(source: &Source, span: Span) -> (usize, &str) {
     let text = source.text.as_str();
-    let start = text.floor_char_boundary(span.start as usize);
+    let start = boundary(text, span.start as usize);
     let begin = text[..start].rfind('\n').map_or(0, |at| at + 1);
-    let mut last = text.floor_char_boundary((span.end as usize).max(start));
+    let mut last = boundary(text, (span.end as usize).max(start));
     if last > start && text[..last].ends_with('\n') {
         last -= 1; // a span that takes the line ending in ends on that line
     }
     let end = text[last..].find('\n').map_or(text.len(), |at| last + at);
     (begin, text[begin..end].trim_end_matches('\r'))
+}
+
+/// The last place at or before `byte` where a character begins or ends.
+fn boundary(text: &str, byte: usize) -> usize {
+    let clipped = byte.min(text.len());
+    (0..=clipped).rev().find(|&at| text.is_char_boundary(at)).unwrap_or(0)
 }
 
 #[cfg(test)]

@@ -121,6 +121,13 @@ catalogue! {
     "SL0321" "an undefined amplitude"
     "SL0324" "a slide line without length"
     "SL0325" "a section on elements that take none"
+    "SL0400" "a contact pair as it was understood"
+    "SL0590" "the run was interrupted"
+    "SL0601" "friction was not called at closed points"
+    "SL0701" "the deck cannot be read"
+    "SL0702" "results cannot be written"
+    "SL0703" "the deck includes a file that is a result of the same job"
+    "SL0901" "internal error"
 }
 
 #[cfg(test)]

@@ -198,6 +198,12 @@ pub(crate) struct StepDraft {
 }
 
 impl Draft {
+    /// Nothing read yet.
+    pub fn new(dialect: Dialect) -> Self {
+        let model = Model { dialect, ..Model::default() };
+        Self { dialect, model, ..Self::default() }
+    }
+
     /// The step that is open.
     pub fn step(&mut self) -> Option<&mut StepDraft> {
         if self.in_step { self.steps.last_mut() } else { None }

@@ -34,8 +34,7 @@ pub fn read(
 /// Gives a parsed deck its meaning. Total: any deck, every error in one pass,
 /// the syntax errors of `parsed` included.
 pub fn interpret(parsed: &Parsed, dialect: Dialect) -> Interpreted {
-    let mut draft = Draft { dialect, ..Draft::default() };
-    draft.model.dialect = dialect;
+    let mut draft = Draft::new(dialect);
     if slideline_diag::has_errors(&parsed.diagnostics) {
         draft.mark_all_incomplete();
     }

@@ -11,6 +11,9 @@
 //!
 //! Dimension tags in brackets: F force, L length, T time, 1 dimensionless.
 
+// Dimension tags such as [L] are no links.
+#![allow(rustdoc::broken_intra_doc_links)]
+
 pub mod contact;
 pub mod differentiate;
 pub mod element;

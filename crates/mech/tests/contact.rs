@@ -198,6 +198,8 @@ fn spans() -> impl Strategy<Value = [f64; 5]> {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
     /// Action = reaction in force and moment on a chain, at any overclosure, friction included.
     #[test]
     fn chain_is_in_balance(j in prop::array::uniform8(-0.2..0.2_f64), p in (0.1..2.9_f64, -0.3..0.3_f64), f in 0.0..0.45_f64, slip in -0.1..0.1_f64) {
@@ -227,7 +229,7 @@ proptest! {
             let other = chain.closest(&there, moved(point), Some(piece)).unwrap();
             let a = chain_gap(&chain, &piece, &nodes, point).unwrap();
             let b = chain_gap(&chain, &other, &there, moved(point)).unwrap();
-            prop_assert!((a.overclosure() - b.overclosure()).abs() < 1e-14 * 10.0);
+            prop_assert!((a.overclosure() - b.overclosure()).abs() < 1e-13, "{piece:?} {other:?}");
             prop_assert!((a.along() - b.along()).abs() < 1e-12);
         }
     }
@@ -255,7 +257,7 @@ proptest! {
             let kinked = (0..5).any(|i| ((up.1[5 * i + j] - down.1[5 * i + j]).abs()) > 1e-3 * most);
             for i in 0..5 {
                 let difference = (up.0[i] - down.0[i]) / 2e-6;
-                prop_assert!(jumped || kinked || (difference - t[5 * i + j]).abs() < 1e-7 * most * most.max(10.0));
+                prop_assert!(jumped || kinked || (difference - t[5 * i + j]).abs() < 1e-6 * most);
             }
         }
     }

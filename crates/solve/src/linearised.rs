@@ -173,23 +173,30 @@ impl LinearisedContact {
         self.in_rows.clear();
         self.in_rows.resize(points.len(), false);
         let problem = Problem { laws, dt };
+        // First those that touch already: without their pressures the
+        // structure would spring back and seem to touch everywhere.
+        let mut touching = true;
         for _ in 0..ROUNDS {
-            if !self.admit(points, &problem, solver, correction)? {
+            let joined = self.admit(points, &problem, touching, solver, correction)?;
+            if joined {
+                self.couple(points, correction);
+                self.iterate(points, &problem);
+            } else if !touching {
                 break;
             }
-            self.couple(points, correction);
-            self.iterate(points, &problem);
+            touching = false;
         }
         self.hand_out(points, &problem, correction);
         Ok(())
     }
 
-    /// Lets points join that touch by the present estimate; says whether any
-    /// did.
+    /// Lets points join that touch already (`touching`), or that would touch
+    /// by the present estimate; says whether any did.
     fn admit(
         &mut self,
         points: &[LinearPoint],
         problem: &Problem,
+        touching: bool,
         solver: &mut Solver,
         base: &[f64],
     ) -> Result<bool, SolveError> {
@@ -198,9 +205,13 @@ impl LinearisedContact {
             if self.in_rows[place] || !point.moves(Kind::Normal) {
                 continue;
             }
-            let overclosure = point.overclosure + self.change(point, solved, base);
-            let begins = problem.laws[point.pair].normal.contact_begins();
-            if point.pressure <= 0.0 && point.stiffness == 0.0 && overclosure <= begins {
+            let joins = if touching {
+                point.pressure > 0.0 || point.stiffness > 0.0
+            } else {
+                let begins = problem.laws[point.pair].normal.contact_begins();
+                point.overclosure + self.change(point, solved, base) > begins
+            };
+            if !joins {
                 continue;
             }
             self.in_rows[place] = true;

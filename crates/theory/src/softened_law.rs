@@ -72,7 +72,7 @@ impl ExponentialLaw {
         LawValue {
             pressure: scale * x * e,
             slope: scale / self.clearance * (e + x * (e + 1.0)),
-            energy: scale * self.clearance * ladder_energy(x),
+            energy: scale * self.clearance * energy_factor(x),
         }
     }
 
@@ -105,7 +105,7 @@ impl ExponentialLaw {
 }
 
 /// (x - 1) exp x + 1 - x^2/2, by its series where the terms cancel.
-fn ladder_energy(x: f64) -> f64 {
+fn energy_factor(x: f64) -> f64 {
     if x > 0.3 {
         return (x - 1.0) * x.exp() + 1.0 - 0.5 * x * x;
     }

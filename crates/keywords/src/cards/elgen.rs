@@ -77,10 +77,8 @@ fn pattern(line: &DataLine, draft: &mut Draft) -> Option<Pattern> {
             return None;
         }
     }
-    let total = rows
-        .iter()
-        .map(|row| u128::from(row.count.unsigned_abs()))
-        .fold(1, |product, count| u128::saturating_mul(product, count));
+    let total =
+        rows.iter().map(|row| u128::from(row.count.unsigned_abs())).fold(1, u128::saturating_mul);
     if !draft.reserve(total - 1, "elements", line.span) {
         return None;
     }

@@ -55,6 +55,7 @@ impl Keyword for Ngen {
 struct Row {
     first: u64,
     last: u64,
+    step: u64,
     count: u64,
     ends: [[f64; 3]; 2],
     span: Span,
@@ -74,7 +75,7 @@ fn row(line: &DataLine, draft: &mut Draft) -> Option<Row> {
     let count = first.abs_diff(last) / step;
     let new = u128::from(count.saturating_sub(1));
     let fits = draft.reserve(new, "nodes", line.span);
-    fits.then_some(Row { first, last, count, ends: [a, b], span: line.span })
+    fits.then_some(Row { first, last, step, count, ends: [a, b], span: line.span })
 }
 
 fn end(label: u64, at: usize, line: &DataLine, draft: &mut Draft) -> Option<[f64; 3]> {
@@ -91,7 +92,7 @@ fn end(label: u64, at: usize, line: &DataLine, draft: &mut Draft) -> Option<[f64
 /// the set. [semantics: deck language, *NGEN]
 fn generate(row: &Row, set: Option<&str>, draft: &mut Draft) {
     let [a, b] = row.ends;
-    let step = if row.count == 0 { 0 } else { row.first.abs_diff(row.last) / row.count };
+    let step = row.step;
     for k in 0..=row.count {
         let label = if row.last >= row.first { row.first + k * step } else { row.first - k * step };
         if let Some(set) = set {

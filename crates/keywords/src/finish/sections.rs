@@ -144,9 +144,12 @@ fn spring_block(
     draft: &mut Draft,
 ) {
     let mut elements = Vec::new();
-    for &index in found.iter().filter(|&&index| draft.elements[index].kind == kind) {
-        owned[index] = true;
+    for &index in found {
         let mut element = draft.elements[index];
+        if element.kind != kind {
+            continue;
+        }
+        owned[index] = true;
         if kind == ElementKind::Spring1 {
             element.nodes[1] = element.nodes[0];
         }

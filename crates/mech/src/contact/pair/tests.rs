@@ -120,6 +120,7 @@ fn symmetry() {
     let q = [9e-3 * 0.8, 9e-3 * 0.6, 0.0, 0.0, 0.01];
     let gap = gap(&q);
     let mut law = interactions().swap_remove(1);
+    #[allow(clippy::needless_range_loop)] // entry (i, j) against entry (j, i)
     let unsymmetric = |law: &Interaction| {
         let trial = trial(gap.along - 1e-4, Multipliers { pressure: 5e6, traction: 0.0 });
         let response = respond(law, gap.overclosure, gap.along, &trial, None);

@@ -59,14 +59,14 @@ fn project_quadratic(control: &[Point; 3], point: Point) -> Option<f64> {
             high = s;
         }
         let newton = s - f / slope;
-        let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-        let done = (next - s).abs() <= f64::EPSILON;
-        s = next;
-        if done || f == 0.0 {
+        if (newton - s).abs() <= 2.0 * f64::EPSILON {
+            s = newton;
             break;
         }
+        s = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
     }
-    s.is_finite().then_some(s)
+    // A nearest point, on a curve that has not collapsed.
+    (s.is_finite() && value(s).1 < 0.0).then_some(s)
 }
 
 /// Straight projection parameter on a -> b; `None` if both coincide.

@@ -158,7 +158,7 @@ impl RigidSegment {
     }
 }
 
-/// Length of a quadratic Bezier curve up to `parameter`: Gauss rule of five points on eight parts.
+/// Length of a quadratic Bezier curve up to `parameter`: Gauss rule of five points on sixteen parts.
 fn parabola_length(control: &[Point; 3], parameter: f64) -> f64 {
     const NODES: [(f64, f64); 5] = [
         (0.0, 0.568_888_888_888_888_9),
@@ -168,9 +168,9 @@ fn parabola_length(control: &[Point; 3], parameter: f64) -> f64 {
         (-0.906_179_845_938_664, 0.236_926_885_056_189_1),
     ];
     let (p, q) = (sub(control[1], control[0]), sub(control[2], control[1]));
-    let half = parameter / 16.0;
+    let half = parameter / 32.0;
     let mut sum = 0.0;
-    for part in 0..8 {
+    for part in 0..16 {
         let middle = half * f64::from(2 * part + 1);
         for (x, weight) in NODES {
             let s = middle + half * x;

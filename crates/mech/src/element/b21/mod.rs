@@ -46,19 +46,21 @@ pub struct Beam21 {
     /// EA, K, EI.
     pub stiffness: BeamStiffness,
     length: f64,
+    /// 1/l, or zero for an element without length.
+    inverse: f64,
     direction: [f64; 2],
 }
 
 impl Beam21 {
-    /// The element between two undeformed positions [L]. They must differ (check
-    /// [`Beam21::length`]): an element of zero length takes the direction of x and has no finite
-    /// strain.
+    /// The element between two undeformed positions [L]. They should differ (check
+    /// [`Beam21::length`]): an element without length carries nothing and links nothing.
     pub fn new(reference: [[f64; 2]; 2], stiffness: BeamStiffness) -> Self {
         let along = [reference[1][0] - reference[0][0], reference[1][1] - reference[0][1]];
         let length = along[0].hypot(along[1]);
+        let inverse = if length > 0.0 { 1.0 / length } else { 0.0 };
         let direction =
             if length > 0.0 { [along[0] / length, along[1] / length] } else { [1.0, 0.0] };
-        Self { reference, stiffness, length, direction }
+        Self { reference, stiffness, length, inverse, direction }
     }
 
     /// Undeformed length l [L].
@@ -77,7 +79,7 @@ impl Beam21 {
     pub fn strains_of<R: Real>(&self, q: &[R; 6]) -> BeamStrains<R> {
         let number = R::from_f64;
         let (ex, ey) = (number(self.direction[0]), number(self.direction[1]));
-        let inverse = number(1.0 / self.length);
+        let inverse = number(self.inverse);
         let (wx, wy) = ((q[3] - q[0]) * inverse, (q[4] - q[1]) * inverse);
         let (along, across) = (ex * wx + ey * wy, ex * wy - ey * wx);
         let mean = (q[2] + q[5]) * number(0.5);

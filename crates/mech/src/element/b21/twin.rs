@@ -56,9 +56,9 @@ impl Beam21 {
 
     /// The rows of B: derivatives of eps, gam, kap. [semantics: B21, B rows]
     fn rows(&self, frame: &Frame, strains: &BeamStrains) -> [[f64; 6]; 3] {
-        let (c, s) = (frame.c / self.length, frame.s / self.length);
+        let (c, s) = (frame.c * self.inverse, frame.s * self.inverse);
         let (lean, stretch) = (0.5 * strains.shear, 0.5 * (1.0 + strains.axial));
-        let inverse = 1.0 / self.length;
+        let inverse = self.inverse;
         [
             [-c, -s, lean, c, s, lean],
             [s, -c, -stretch, -s, c, -stretch],
@@ -108,11 +108,11 @@ impl Beam21 {
     /// Strains of linear kinematics: B at zero displacement times q.
     pub fn linear_strains(&self, q: &[f64; 6]) -> BeamStrains {
         let [ex, ey] = self.direction;
-        let (wx, wy) = ((q[3] - q[0]) / self.length, (q[4] - q[1]) / self.length);
+        let (wx, wy) = ((q[3] - q[0]) * self.inverse, (q[4] - q[1]) * self.inverse);
         BeamStrains {
             axial: ex * wx + ey * wy,
             shear: ex * wy - ey * wx - 0.5 * (q[2] + q[5]),
-            curvature: (q[5] - q[2]) / self.length,
+            curvature: (q[5] - q[2]) * self.inverse,
         }
     }
 

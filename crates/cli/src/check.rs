@@ -1,0 +1,196 @@
+//! `slideline check`: what a deck means, before anything is solved.
+
+use crate::arguments::CheckArguments;
+use crate::exit::Exit;
+use crate::{render, screen};
+use slideline::diag::{Code, Diagnostic, Severity, has_errors};
+use slideline::model::{ContactPair, Master, NormalLaw};
+use slideline::observe::ContactRow;
+use slideline::output::json::{Object, array, number};
+use slideline::output::number::general;
+use slideline::output::{echo, record};
+use slideline::{InitialGaps, Job, Model, Read, SolveOptions, initial_gaps};
+use std::fmt::Write as _;
+
+/// Rows of the table of initial gaps.
+const CLOSEST: usize = 12;
+
+/// Checks a deck; ends as a run would on reading.
+pub(crate) fn check(arguments: &CheckArguments) -> Exit {
+    let read = Job::read(&arguments.deck.job, &arguments.deck.options());
+    let start =
+        read.model.as_ref().and_then(|model| initial_gaps(model, &SolveOptions::default()));
+    if arguments.json {
+        screen::print(&json_lines(&read, start.as_ref()));
+    } else {
+        render::to_standard_error(&read.diagnostics, &read.sources);
+        screen::print(&report(&read, start.as_ref()));
+    }
+    if has_errors(&read.diagnostics) { Exit::Input } else { Exit::Completed }
+}
+
+fn report(read: &Read, start: Option<&InitialGaps>) -> String {
+    let mut text = String::new();
+    if let Some(model) = &read.model {
+        let counts = [
+            (model.nodes.len(), "nodes"),
+            (elements(model), "elements"),
+            (model.contact_pairs.len(), "contact pairs"),
+            (model.steps.len(), "steps"),
+        ];
+        let counts: Vec<String> =
+            counts.iter().map(|(count, name)| format!("{count} {name}")).collect();
+        let _ = write!(text, "{}", counts.join(", ")); // a String takes any text
+        match start {
+            Some(start) => {
+                let _ = writeln!(text, ", {} equations", start.equations); // as above
+            }
+            None => text.push('\n'),
+        }
+        for (place, pair) in model.contact_pairs.iter().enumerate() {
+            let points = start.map_or(Vec::new(), |start| nearest_first(start, place));
+            push_pair(&mut text, model, pair, &points);
+        }
+    }
+    push_verdict(&mut text, &read.diagnostics);
+    text
+}
+
+fn elements(model: &Model) -> usize {
+    use slideline::model::ElementBlock;
+    model
+        .blocks
+        .iter()
+        .map(|block| match block {
+            ElementBlock::B21(block) => block.elements.len(),
+            ElementBlock::Spring(block) => block.elements.len(),
+        })
+        .sum()
+}
+
+/// Contact points of a pair, the deepest overclosure first.
+fn nearest_first(start: &InitialGaps, pair: usize) -> Vec<ContactRow> {
+    let mut points: Vec<ContactRow> =
+        start.points.iter().copied().filter(|row| row.pair == pair).collect();
+    points.sort_by(|a, b| a.opening.total_cmp(&b.opening));
+    points
+}
+
+fn push_pair(text: &mut String, model: &Model, pair: &ContactPair, points: &[ContactRow]) {
+    text.push('\n');
+    text.push_str(&echo::pair_echo(model, pair));
+    let _ = writeln!(text, "  why      {}", why(pair)); // a String takes any text
+    if points.is_empty() {
+        return;
+    }
+    let begins = pair.interaction.normal.contact_begins();
+    let _ = writeln!(
+        text,
+        "  initial gaps, nearest first; {}",
+        match pair.interaction.normal {
+            NormalLaw::Exponential { .. } | NormalLaw::CalculixExponential { .. } =>
+                format!("contact begins below c0 = {}", general(-begins, 9)),
+            _ => format!("contact begins below a gap of {}", general(-begins, 9)),
+        }
+    );
+    let _ = writeln!(text, "  {:>10} {:>20} {:>16}", "node", "gap", "area");
+    for row in points.iter().take(CLOSEST) {
+        let state = if row.opening < -begins { "  in contact" } else { "" };
+        let _ = writeln!(
+            text,
+            "  {:>10} {:>20} {:>16}{state}",
+            model.nodes.label(row.node),
+            echo::gap(row.opening),
+            general(row.area, 7),
+        );
+    }
+    if points.len() > CLOSEST {
+        let _ = writeln!(text, "  {:>10} and {} more", "", points.len() - CLOSEST);
+    }
+}
+
+/// Why the sides are as they are: the deck decides, never the program.
+fn why(pair: &ContactPair) -> &'static str {
+    match pair.master {
+        Master::RigidSurface(_) => {
+            "nodes of IRS elements are slaves, their rigid surface is the master"
+        }
+        Master::SlideLine(_) => {
+            "nodes of ISL elements are slaves, the nodes of *SLIDE LINE are the master"
+        }
+    }
+}
+
+fn push_verdict(text: &mut String, diagnostics: &[Diagnostic]) {
+    let count = |severity| diagnostics.iter().filter(|said| said.severity == severity).count();
+    let parts: Vec<String> = [
+        (count(Severity::Error), "error"),
+        (count(Severity::Warning), "warning"),
+        (count(Severity::Advice), "piece of advice"),
+        (count(Severity::Note), "note"),
+    ]
+    .into_iter()
+    .filter(|(count, _)| *count > 0)
+    .map(|(count, word)| match (count, word) {
+        (1, word) => format!("1 {word}"),
+        (count, "piece of advice") => format!("{count} pieces of advice"),
+        (count, word) => format!("{count} {word}s"),
+    })
+    .collect();
+    let verdict = if parts.is_empty() { "nothing to object".to_owned() } else { parts.join(", ") };
+    let _ = writeln!(text, "{}{verdict}", if text.is_empty() { "" } else { "\n" }); // as above
+}
+
+/// Every diagnostic, then one note per contact pair that carries its points.
+fn json_lines(read: &Read, start: Option<&InitialGaps>) -> String {
+    let mut text = String::new();
+    for said in &read.diagnostics {
+        text.push_str(&record(said, &read.sources).finish());
+        text.push('\n');
+    }
+    let Some(model) = &read.model else { return text };
+    for (place, pair) in model.contact_pairs.iter().enumerate() {
+        let points = start.map_or(Vec::new(), |start| nearest_first(start, place));
+        let slaves = pair.slave_nodes();
+        let message = format!(
+            "contact pair {}: {} slave nodes ({}); {}",
+            pair.name,
+            slaves.len(),
+            echo::labels(model, &slaves),
+            why(pair)
+        );
+        let note = Diagnostic::note(Code("SL0400"), message).at(pair.origin);
+        let object = record(&note, &read.sources).raw("pair", &pair_object(model, pair, &points));
+        text.push_str(&object.finish());
+        text.push('\n');
+    }
+    text
+}
+
+fn pair_object(model: &Model, pair: &ContactPair, points: &[ContactRow]) -> String {
+    let label = |node| model.nodes.label(node).to_string();
+    let master = match &pair.master {
+        Master::RigidSurface(surface) => Object::new()
+            .text("kind", "rigid_surface")
+            .raw("reference_node", &label(surface.reference)),
+        Master::SlideLine(chain) => Object::new()
+            .text("kind", "slide_line")
+            .array("nodes", chain.nodes.iter().map(|&node| label(node))),
+    };
+    let gaps = points.iter().map(|row| {
+        Object::new()
+            .raw("node", &label(row.node))
+            .number("gap", row.opening)
+            .number("area", row.area)
+            .finish()
+    });
+    Object::new()
+        .text("name", &pair.name)
+        .raw("slave_nodes", &array(pair.slave_nodes().into_iter().map(label)))
+        .raw("master", &master.finish())
+        .text("normal", &echo::normal_law(&pair.interaction.normal))
+        .text("friction", &echo::friction_law(&pair.interaction.friction))
+        .raw("contact_begins_at_gap", &number(-pair.interaction.normal.contact_begins()))
+        .raw("initial_gaps", &array(gaps))
+        .finish()
+}

@@ -1,0 +1,285 @@
+//! What is seen of a run while it goes on.
+//!
+//! ```text
+//!    STEP   INC  ATT  SDI  EQU         TIME  CLOSED       9999.U2      9999.RF2
+//!       1     1    1    2    4         0.05       1       -0.0015   -0.01203451
+//! ```
+
+use crate::{interrupt, screen};
+use slideline::diag::Sources;
+use slideline::model::{Dof, NodeIndex};
+use slideline::observe::{
+    AttemptReport, Event, FieldReport, Frame, FrictionCall, IterationReport, Observer, Status,
+    StepReport, Stop,
+};
+use slideline::output::json::Object;
+use slideline::output::number::general;
+use slideline::output::record;
+use std::fmt::Write as _;
+use std::ops::ControlFlow;
+use std::time::{Duration, Instant};
+
+/// How progress is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Mode {
+    /// Not at all.
+    Silent,
+    /// A line per increment.
+    Lines,
+    /// The same with a last line that follows the iterations.
+    Live,
+    /// JSON objects, one a line.
+    Json,
+}
+
+/// Text waits no longer than this.
+const PATIENCE: Duration = Duration::from_millis(50);
+
+/// Shows a run and ends it when the user asks.
+pub(crate) struct Progress<'a> {
+    mode: Mode,
+    sources: &'a Sources,
+    /// Driven dofs: at most two are shown in the table.
+    driven: Vec<(NodeIndex, Dof)>,
+    labels: Vec<u64>,
+    waiting: String,
+    shown: Instant,
+}
+
+impl<'a> Progress<'a> {
+    pub fn new(mode: Mode, sources: &'a Sources) -> Self {
+        let (driven, labels, waiting) = (Vec::new(), Vec::new(), String::new());
+        Self { mode, sources, driven, labels, waiting, shown: Instant::now() }
+    }
+
+    fn begin(&mut self, report: &StepReport<'_>) {
+        let model = report.model;
+        self.labels = model.nodes.iter().map(|node| node.label).collect();
+        self.driven = driven(report);
+        if self.mode == Mode::Json {
+            return;
+        }
+        let title = model.steps.get(report.step - 1).map_or("", |step| step.title.as_str());
+        let _ = writeln!(
+            self.waiting,
+            "step {}  {}  ({} equations)",
+            report.step,
+            title.replace('\n', " / "),
+            report.equations
+        ); // a String takes any text
+        let _ = write!(
+            self.waiting,
+            "{:>5} {:>6} {:>4} {:>4} {:>4} {:>12} {:>7}",
+            "STEP", "INC", "ATT", "SDI", "EQU", "TIME", "CLOSED"
+        );
+        for &(node, dof) in self.driven.iter().take(2) {
+            for name in [dof.name(), dof.reaction_name()] {
+                let _ = write!(self.waiting, " {:>14}", format!("{}.{name}", self.labels[node]));
+            }
+        }
+        self.waiting.push('\n');
+    }
+
+    fn increment(&mut self, frame: &Frame<'_>) {
+        if self.mode == Mode::Json {
+            self.json(increment_object(frame, &self.driven));
+            return;
+        }
+        self.clear_line();
+        let closed = frame.contact.iter().filter(|row| row.status != Status::Open).count();
+        let _ = write!(
+            self.waiting,
+            "{:>5} {:>6} {:>4} {:>4} {:>4} {:>12} {closed:>7}",
+            frame.step,
+            frame.increment,
+            frame.attempt,
+            frame.severe_iterations,
+            frame.equilibrium_iterations,
+            general(frame.total_time, 7),
+        ); // a String takes any text
+        for &(node, dof) in self.driven.iter().take(2) {
+            let moved = frame.nodal.displacement(node, dof);
+            let force = frame.nodal.reaction(node, dof);
+            let _ = write!(self.waiting, " {:>14} {:>14}", general(moved, 7), general(force, 7));
+        }
+        self.waiting.push('\n');
+    }
+
+    fn failed(&mut self, attempt: &AttemptReport) {
+        if self.mode == Mode::Json {
+            self.json(attempt_object(attempt));
+            return;
+        }
+        self.clear_line();
+        let next = attempt.next.map_or_else(
+            || "no further attempt".to_owned(),
+            |next| format!("next time increment {}", general(next, 6)),
+        );
+        let _ = writeln!(
+            self.waiting,
+            "{:>5} {:>6} {:>4} {:>4} {:>4} {:>12}  {}; {next}",
+            attempt.step,
+            attempt.increment,
+            format!("{}U", attempt.attempt),
+            attempt.severe_iterations,
+            attempt.equilibrium_iterations,
+            general(attempt.total_time, 7),
+            attempt.reason,
+        ); // a String takes any text
+    }
+
+    fn iteration(&mut self, report: &IterationReport) {
+        match self.mode {
+            Mode::Json => self.json(iteration_object(report, &self.labels)),
+            Mode::Live if self.shown.elapsed() >= PATIENCE => {
+                self.clear_line();
+                let _ = write!(
+                    self.waiting,
+                    "      increment {} attempt {} iteration {}: residual {}, allowed {}",
+                    report.increment,
+                    report.attempt,
+                    report.iteration,
+                    general(report.force.residual, 4),
+                    general(report.force.allowed, 4),
+                ); // a String takes any text
+                self.show();
+            }
+            _ => {}
+        }
+    }
+
+    fn clear_line(&mut self) {
+        if self.mode == Mode::Live {
+            self.waiting.push_str("\r\x1b[K");
+        }
+    }
+
+    fn json(&mut self, object: Object) {
+        self.waiting.push_str(&object.finish());
+        self.waiting.push('\n');
+    }
+
+    fn show(&mut self) {
+        screen::print(&self.waiting);
+        self.waiting.clear();
+        self.shown = Instant::now();
+    }
+
+    fn take(&mut self, event: &Event<'_>) {
+        match event {
+            Event::StepBegin(report) => self.begin(report),
+            Event::Iteration(report) => self.iteration(report),
+            Event::AttemptFailed(attempt) => self.failed(attempt),
+            Event::Committed(frame) => self.increment(frame),
+            Event::Diagnosed(said) if self.mode == Mode::Json => {
+                let text = record(said, self.sources).finish();
+                let _ = writeln!(self.waiting, "{{\"event\":\"diagnosis\",{}", &text[1..]); // a String takes any text
+            }
+            Event::Diagnosed(_) => {}
+            Event::End(_) => self.clear_line(),
+        }
+        if !self.waiting.is_empty()
+            && (matches!(event, Event::End(_)) || self.shown.elapsed() >= PATIENCE)
+        {
+            self.show();
+        }
+    }
+}
+
+impl Observer for Progress<'_> {
+    fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
+        if self.mode != Mode::Silent {
+            self.take(&event);
+        }
+        let between = matches!(event, Event::Committed(_) | Event::AttemptFailed(_));
+        if between && interrupt::asked() {
+            return ControlFlow::Break(Stop::Interrupted);
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+/// Dofs that the step moves, each once.
+fn driven(report: &StepReport<'_>) -> Vec<(NodeIndex, Dof)> {
+    let Some(step) = report.model.steps.get(report.step - 1) else { return Vec::new() };
+    let mut driven: Vec<(NodeIndex, Dof)> = Vec::new();
+    let moving = step.prescribed.iter().filter(|motion| motion.moves());
+    for place in moving.map(|motion| (motion.node, motion.dof)) {
+        if !driven.contains(&place) {
+            driven.push(place);
+        }
+    }
+    driven
+}
+
+fn iteration_object(report: &IterationReport, labels: &[u64]) -> Object {
+    let field = |field: &FieldReport| {
+        let mut object = Object::new().number("residual", field.residual);
+        if let Some((node, dof)) = field.residual_at {
+            object = object
+                .raw("node", &labels.get(node).copied().unwrap_or_default().to_string())
+                .count("dof", dof.number());
+        }
+        object
+            .number("average", field.average)
+            .number("allowed", field.allowed)
+            .number("correction", field.correction)
+            .finish()
+    };
+    Object::new()
+        .text("event", "iteration")
+        .count("step", report.step)
+        .count("increment", report.increment)
+        .count("attempt", report.attempt)
+        .count("iteration", report.iteration)
+        .flag("severe", report.severe)
+        .count("equilibrium", report.equilibrium)
+        .count("contact_changes", report.contact_changes.len())
+        .count("closed", report.closed)
+        .raw("force", &field(&report.force))
+        .raw("moment", &field(&report.moment))
+        .flag("converged", report.converged)
+}
+
+fn increment_object(frame: &Frame<'_>, driven: &[(NodeIndex, Dof)]) -> Object {
+    let mut values = Object::new();
+    for &(node, dof) in driven {
+        let label = frame.model.nodes.label(node);
+        values = values
+            .number(&format!("{label}.{}", dof.name()), frame.nodal.displacement(node, dof))
+            .number(&format!("{label}.{}", dof.reaction_name()), frame.nodal.reaction(node, dof));
+    }
+    let closed = frame.contact.iter().filter(|row| row.status != Status::Open);
+    let dropped = frame.contact.iter().filter(|row| row.friction == FrictionCall::Dropped);
+    Object::new()
+        .text("event", "increment")
+        .count("step", frame.step)
+        .count("increment", frame.increment)
+        .count("attempt", frame.attempt)
+        .count("severe_iterations", frame.severe_iterations)
+        .count("equilibrium_iterations", frame.equilibrium_iterations)
+        .number("total_time", frame.total_time)
+        .number("step_time", frame.step_time)
+        .number("time_increment", frame.time_increment)
+        .count("closed", closed.count())
+        .count("friction_dropped", dropped.count())
+        .raw("values", &values.finish())
+}
+
+fn attempt_object(attempt: &AttemptReport) -> Object {
+    let object = Object::new()
+        .text("event", "attempt_failed")
+        .count("step", attempt.step)
+        .count("increment", attempt.increment)
+        .count("attempt", attempt.attempt)
+        .count("severe_iterations", attempt.severe_iterations)
+        .count("equilibrium_iterations", attempt.equilibrium_iterations)
+        .number("total_time", attempt.total_time)
+        .number("step_time", attempt.step_time)
+        .number("time_increment", attempt.time_increment)
+        .text("reason", &attempt.reason);
+    match attempt.next {
+        Some(next) => object.number("next_time_increment", next),
+        None => object.raw("next_time_increment", "null"),
+    }
+}

@@ -1,0 +1,180 @@
+//! `slideline run`.
+
+use crate::arguments::RunArguments;
+use crate::exit::Exit;
+use crate::progress::{Mode, Progress};
+use crate::{interrupt, render, screen};
+use slideline::diag::{Code, Diagnostic, Severity};
+use slideline::output::json::Object;
+use slideline::output::{onset_word, record};
+use slideline::{Job, Outcome, Read, RunOptions, SolveOptions, Status, VERSION, run as run_job};
+use std::time::Instant;
+
+/// Runs a deck and says how it went.
+pub(crate) fn run(arguments: &RunArguments) -> Exit {
+    let began = Instant::now();
+    let read = Job::read(&arguments.deck.job, &arguments.deck.options());
+    let mode = mode(arguments);
+    if mode == Mode::Json {
+        screen::print(&start_lines(&read));
+    } else {
+        let heard = read.diagnostics.iter().filter(|said| is_heard(said, mode));
+        render::to_standard_error(heard, &read.sources);
+    }
+    if read.model.is_some() {
+        interrupt::listen();
+    }
+    let options = RunOptions {
+        folder: arguments.out.clone(),
+        solve: SolveOptions { threads: arguments.threads, ..SolveOptions::default() },
+    };
+    let outcome = run_job(&read, &options, &mut Progress::new(mode, &read.sources));
+    tell(&read, &outcome, mode, began);
+    outcome.status.into()
+}
+
+fn mode(arguments: &RunArguments) -> Mode {
+    match (arguments.quiet, arguments.json, screen::output_is_terminal()) {
+        (true, _, _) => Mode::Silent,
+        (_, true, _) => Mode::Json,
+        (_, _, true) => Mode::Live,
+        _ => Mode::Lines,
+    }
+}
+
+/// `--quiet` silences progress, notes and advice with it, never errors and
+/// warnings.
+fn is_heard(said: &Diagnostic, mode: Mode) -> bool {
+    mode != Mode::Silent || said.severity >= Severity::Warning
+}
+
+/// The event that opens the stream, and what reading had to say.
+fn start_lines(read: &Read) -> String {
+    let model = read.model.as_ref();
+    let mut text = Object::new()
+        .text("event", "start")
+        .text("job", &read.job.stem.to_string_lossy())
+        .text("deck", &read.job.deck.display().to_string())
+        .text("deck_hash", &read.deck_hash)
+        .text("program_version", VERSION)
+        .optional_text("dialect", model.map(|model| model.dialect.word()))
+        .optional_text("friction_onset", model.map(|model| onset_word(model.friction_onset)))
+        .count("steps", model.map_or(0, |model| model.steps.len()))
+        .finish();
+    text.push('\n');
+    for said in &read.diagnostics {
+        text.push_str(&diagnosis_line(said, read));
+    }
+    text
+}
+
+fn diagnosis_line(said: &Diagnostic, read: &Read) -> String {
+    let record = record(said, &read.sources).finish();
+    format!("{{\"event\":\"diagnosis\",{}\n", &record[1..])
+}
+
+/// The end: what was said, what is kept, how to go on.
+fn tell(read: &Read, outcome: &Outcome, mode: Mode, began: Instant) {
+    let mut said = outcome.diagnostics.clone();
+    let after = said.len();
+    said.extend(last_words(read, outcome));
+    if mode == Mode::Json {
+        // The run itself has told the others as events, but one that never began.
+        let untold = if outcome.status == Status::InputError { 0 } else { after };
+        let mut text: String = said[untold..].iter().map(|s| diagnosis_line(s, read)).collect();
+        text.push_str(&end_line(outcome, began));
+        screen::print(&text);
+        return;
+    }
+    render::to_standard_error(said.iter().filter(|said| is_heard(said, mode)), &read.sources);
+    if mode != Mode::Silent {
+        screen::print(&closing_line(read, outcome, began));
+    }
+}
+
+/// What only the end can say.
+fn last_words(read: &Read, outcome: &Outcome) -> Option<Diagnostic> {
+    let kept = outcome.totals.increments;
+    if let Some(failure) = &outcome.output_failure {
+        let message = format!("results could not be written: {failure}");
+        let said = if outcome.status == Status::OutputError {
+            Diagnostic::error(Code("SL0702"), message)
+        } else {
+            Diagnostic::warning(Code("SL0702"), message)
+        };
+        return Some(said.help(kept_files(outcome)));
+    }
+    match outcome.status {
+        Status::Interrupted => Some(
+            Diagnostic::note(
+                Code("SL0590"),
+                format!("interrupted after {kept} converged increments; everything up to there is written"),
+            )
+            .help(format!(
+                "To go on, run the job again from its beginning: slideline run {}",
+                read.job.deck.display()
+            )),
+        ),
+        _ => None,
+    }
+}
+
+fn kept_files(outcome: &Outcome) -> String {
+    let names: Vec<String> = outcome
+        .files
+        .existing()
+        .unwrap_or_default()
+        .iter()
+        .filter_map(|path| path.file_name())
+        .map(|name| name.to_string_lossy().into_owned())
+        .filter(|name| !name.ends_with(".part"))
+        .collect();
+    let folder = outcome.files.folder().display();
+    if names.is_empty() {
+        return format!(
+            "Nothing was written into {folder}. Make room or choose another folder with --out."
+        );
+    }
+    let states = names.iter().filter(|name| name.ends_with(".vtu")).count();
+    let mut others: Vec<String> =
+        names.into_iter().filter(|name| !name.ends_with(".vtu")).collect();
+    others.sort();
+    format!(
+        "Written into {folder} and valid up to the last whole line: {} and {states} .vtu files. \
+         Make room or choose another folder with --out, and run again.",
+        others.join(", ")
+    )
+}
+
+fn closing_line(read: &Read, outcome: &Outcome, began: Instant) -> String {
+    let name = read.job.stem.to_string_lossy();
+    if outcome.status == Status::InputError {
+        return format!("{name}: input error, nothing was solved\n");
+    }
+    let totals = &outcome.totals;
+    format!(
+        "{name}: {} after {} increments, {} iterations, {} cutbacks in {:.3} s; results in {}\n",
+        outcome.status.word().replace('_', " "),
+        totals.increments,
+        totals.iterations,
+        totals.cutbacks,
+        began.elapsed().as_secs_f64(),
+        outcome.files.folder().display()
+    )
+}
+
+fn end_line(outcome: &Outcome, began: Instant) -> String {
+    let totals = &outcome.totals;
+    let mut text = Object::new()
+        .text("event", "end")
+        .text("status", outcome.status.word())
+        .count("exit_code", Exit::from(outcome.status) as usize)
+        .count("increments", totals.increments)
+        .count("cutbacks", totals.cutbacks)
+        .count("iterations", totals.iterations)
+        .number("wall_seconds", began.elapsed().as_secs_f64())
+        .text("folder", &outcome.files.folder().display().to_string())
+        .finish();
+    text.push('\n');
+    text
+}
