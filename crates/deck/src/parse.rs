@@ -352,7 +352,7 @@ impl Reader<'_> {
         let left = MAX_BYTES.saturating_sub(self.total_bytes);
         match self.loader.load(&including, input, left) {
             Ok(loaded) if self.open_files.contains(&loaded.name) => {
-                let message = format!("{} includes itself", loaded.name);
+                let message = format!("`{input}` includes itself");
                 self.report(Diagnostic::error(Code("SL0121"), message).at(span));
             }
             Ok(loaded) => self.file(&loaded.name, loaded.bytes),

@@ -1,7 +1,7 @@
 //! The pass over the cards.
 
 use slideline_deck::{Card, Loader, Parsed, nearest, normalise, parse};
-use slideline_diag::{Code, Diagnostic, Severity, Sources};
+use slideline_diag::{Code, Diagnostic, Severity, Sources, Span};
 use slideline_model::{Dialect, Model};
 
 use crate::draft::{Draft, Owner};
@@ -15,8 +15,8 @@ use crate::{finish, traps};
 pub struct Interpreted {
     /// The model; complete only where no diagnostic is an error.
     pub model: Model,
-    /// Everything there is to say, syntax first, then in the order of the
-    /// cards, then what concerns the model as a whole.
+    /// Everything there is to say about syntax, cards and the model as a
+    /// whole, in the order of the text.
     pub diagnostics: Vec<Diagnostic>,
 }
 
@@ -47,28 +47,41 @@ pub fn interpret(parsed: &Parsed, dialect: Dialect) -> Interpreted {
     }
     let nothing = cards.is_empty();
     let model = finish::finish(&mut draft, stray_history || nothing);
-    let diagnostics = together(&parsed.diagnostics, draft.log.into_diagnostics());
+    let diagnostics = together(parsed, draft.log.into_diagnostics());
     Interpreted { model, diagnostics }
 }
 
-/// Syntax and meaning in one list. Where the syntax of a place is wrong, its
-/// meaning is not complained about as well.
-fn together(syntax: &[Diagnostic], meaning: Vec<Diagnostic>) -> Vec<Diagnostic> {
-    let broken: Vec<_> = syntax
-        .iter()
-        .filter(|diagnostic| diagnostic.severity == Severity::Error)
-        .filter_map(|diagnostic| diagnostic.span)
-        .collect();
+/// Syntax and meaning in one list, in the order of the text. Where the syntax
+/// of a place is wrong, its meaning is not complained about as well.
+fn together(parsed: &Parsed, meaning: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    let syntax = &parsed.diagnostics;
+    let errors = syntax.iter().filter(|diagnostic| diagnostic.severity == Severity::Error);
+    let broken: Vec<Span> = errors.filter_map(|error| spoilt(parsed, error)).collect();
     let follows = |diagnostic: &Diagnostic| {
         diagnostic.span.is_some_and(|span| {
-            broken.iter().any(|at| {
-                at.file == span.file
-                    && at.start < span.end.max(span.start + 1)
-                    && span.start < at.end
-            })
+            let end = span.end.max(span.start + 1);
+            let meets = |at: &Span| at.file == span.file && at.start < end && span.start < at.end;
+            broken.iter().any(meets)
         })
     };
-    syntax.iter().cloned().chain(meaning.into_iter().filter(|d| !follows(d))).collect()
+    let meaning = meaning.into_iter().filter(|diagnostic| !follows(diagnostic));
+    let mut all: Vec<Diagnostic> = syntax.iter().cloned().chain(meaning).collect();
+    all.sort_by_key(|diagnostic| {
+        diagnostic.span.map_or((u32::MAX, 0), |span| (span.file.0, span.start))
+    });
+    all
+}
+
+/// What a syntax error makes unreadable: its place, or the whole line where
+/// bytes or quotation marks are at fault.
+fn spoilt(parsed: &Parsed, error: &Diagnostic) -> Option<Span> {
+    let span = error.span?;
+    if !matches!(error.code.0, "SL0103" | "SL0109" | "SL0110" | "SL0111") {
+        return Some(span);
+    }
+    let file = parsed.deck.files.iter().find(|lines| lines.file == span.file)?;
+    let after = file.lines.partition_point(|line| line.span.start <= span.start);
+    after.checked_sub(1).map(|index| file.lines[index].span)
 }
 
 fn read_card(

@@ -126,7 +126,7 @@ fn the_listing_as_printed() {
     let read = corpus("bad/isl_as_printed.inp");
     let errors: Vec<&str> =
         read.diagnostics.iter().filter(|d| d.severity > Severity::Note).map(|d| d.code.0).collect();
-    assert_eq!(errors, ["SL0211", "SL0212", "SL0212"]);
+    assert_eq!(errors, ["SL0212", "SL0212", "SL0211"]);
     assert!(read.diagnostics.iter().all(|d| d.severity < Severity::Error || d.edit.is_some()));
     assert_eq!(read.model.contact_pairs[0].interaction.width, 25e-3, "read as if mended");
 }

@@ -2,13 +2,11 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // test code throughout
 
 use proptest::prelude::*;
-use slideline_mech::contact::enforcement::Enforcement;
 use slideline_mech::contact::friction::{FrictionLaw, Stick};
 use slideline_mech::contact::normal::NormalLaw;
 use slideline_mech::contact::onset::Onset;
 use slideline_mech::contact::pair::{
-    AnyGap, Body, Interaction, Multipliers, PointState, PointTrial, RigidSurface, assemble,
-    chain_gap, respond,
+    AnyGap, Body, History, Laws, PointTrial, RigidSurface, chain_gap,
 };
 use slideline_mech::contact::search::chain::Chain;
 use slideline_mech::contact::search::rigid::RigidSegment;
@@ -104,8 +102,8 @@ fn coordinate_runs_on_at_a_joint() {
     }
 }
 
-fn rubbing() -> Interaction {
-    Interaction {
+fn rubbing() -> Laws {
+    Laws {
         normal: NormalLaw::Linear { stiffness: 50.0 },
         friction: FrictionLaw::Coulomb {
             coefficient: 0.3,
@@ -114,28 +112,31 @@ fn rubbing() -> Interaction {
             stick: Stick::Elastic { slip: 0.01 },
         },
         onset: Onset::Immediate,
-        enforcement: Enforcement::Inserted,
     }
 }
 
-fn sliding(along: f64) -> PointTrial {
-    PointTrial {
-        committed: PointState { closed: true, along: Some(along), elastic_slip: 0.0 },
-        multipliers: Multipliers::default(),
-        period: None,
-        dt: 1.0,
-    }
-}
-
-/// Force over the variables of a gap: pressure and friction with a given slip origin.
-fn force(gap: &AnyGap, slip: f64) -> Vec<f64> {
-    let trial = sliding(gap.along() - slip);
-    let response = respond(&rubbing(), gap.overclosure(), gap.along(), &trial, None);
-    match gap {
-        AnyGap::Circle(gap) => assemble(1.0, gap, &response).force.to_vec(),
-        AnyGap::Straight(gap) => assemble(1.0, gap, &response).force.to_vec(),
-        AnyGap::Quadratic(gap) => assemble(1.0, gap, &response).force.to_vec(),
-    }
+/// Force p dh + tau d sigma over the variables of a gap and its derivative, for a given slip.
+fn force_and_tangent(gap: &AnyGap, slip: f64) -> (Vec<f64>, Vec<f64>) {
+    let laws = rubbing();
+    let history = History { closed: true, along: Some(gap.along() - slip), elastic_slip: 0.0 };
+    let overclosure = gap.overclosure();
+    let trial =
+        PointTrial { overclosure, slip, pressure: 0.0, traction: 0.0, stiffness: 0.0, dt: 1.0 };
+    let response = laws.respond(&history, &trial);
+    let (p, tau) = (response.pressure, response.traction);
+    let slope = laws.normal.pressure(overclosure).unwrap().1;
+    let d = gap.derivatives();
+    let n = gap.width();
+    let force = (0..n).map(|i| p * d.gradient[i] + tau.tau * d.slip_gradient[i]).collect();
+    let tangent = (0..n * n).map(|k| {
+        let (i, j) = (k / n, k % n);
+        let by_slip = tau.d_tau_d_slip * d.slip_gradient[j];
+        let by_pressure = tau.d_tau_d_pressure * slope * d.gradient[j];
+        p * d.hessian[k] + tau.tau * d.slip_hessian[k]
+            + slope * d.gradient[i] * d.gradient[j]
+            + d.slip_gradient[i] * (by_slip + by_pressure)
+    });
+    (force, tangent.collect())
 }
 
 /// Sum of forces and moment about the origin for forces at positions.
@@ -171,24 +172,10 @@ fn on_dofs(dofs: &[f64; 5], slip_origin: Option<f64>) -> Option<([f64; 5], [f64;
     let gap = surface().gap(&body, &facing, point)?;
     let slave = Attachment::Point { map: PointMap::Free, first: 0 };
     let attachments = surface().attachments(&body, &facing, slave, 2)?;
-    let trial = sliding(slip_origin.unwrap_or(gap.along() - 0.2));
-    let response = respond(&rubbing(), gap.overclosure(), gap.along(), &trial, None);
+    let slip = slip_origin.map_or(0.2, |origin| gap.along() - origin);
+    let (force, tangent) = force_and_tangent(&gap, slip);
     let (mut f, mut t) = ([0.0; 5], [0.0; 25]);
-    let list = attachments.as_slice();
-    match &gap {
-        AnyGap::Circle(gap) => {
-            let s = assemble(1.0, gap, &response);
-            push_forward(list, dofs, &s.force, s.tangent.as_flattened(), &mut f, &mut t);
-        }
-        AnyGap::Straight(gap) => {
-            let s = assemble(1.0, gap, &response);
-            push_forward(list, dofs, &s.force, s.tangent.as_flattened(), &mut f, &mut t);
-        }
-        AnyGap::Quadratic(gap) => {
-            let s = assemble(1.0, gap, &response);
-            push_forward(list, dofs, &s.force, s.tangent.as_flattened(), &mut f, &mut t);
-        }
-    }
+    push_forward(attachments.as_slice(), dofs, &force, &tangent, &mut f, &mut t);
     Some((f, t, gap.along()))
 }
 
@@ -211,7 +198,7 @@ proptest! {
             let gap = chain_gap(&chain, &piece, &nodes, point).unwrap();
             let mut positions = vec![point];
             positions.extend_from_slice(&nodes[piece.nodes()]);
-            let sum = balance(&force(&gap, slip), &positions);
+            let sum = balance(&force_and_tangent(&gap, slip).0, &positions);
             prop_assert!(sum.iter().all(|s| s.abs() < 1e-12 * 50.0), "{:?}", sum);
         }
     }

@@ -7,27 +7,25 @@
 //!     by a node               by nodes            (PointMap alone)
 //! ```
 //!
-//! Geometry only; pressures and tractions come from the laws in
+//! Geometry only; pressures and tractions come from the laws, in
 //! [`crate::linearised`] and [`crate::evaluate`].
 
 use crate::layout::{Carried, Layout};
-use crate::linearised::{Laws, MOST_DOFS};
+use crate::linearised::MOST_DOFS;
 use slideline_mech::contact::friction::{Decay, FrictionLaw, Stick};
-use slideline_mech::contact::gap::Gap;
-use slideline_mech::contact::gap::circle::{Circle, Side};
-use slideline_mech::contact::gap::curve::{Along, Weights, point_to_curve};
+use slideline_mech::contact::pair::{
+    AnyGap, Body, Laws, RigidSurface, StencilAttachments, chain_attachments, chain_gap,
+};
 use slideline_mech::contact::points::{average_length, tributary_areas};
-use slideline_mech::contact::search::chain::{Chain, PieceKind};
-use slideline_mech::contact::search::rigid::{Facing, Part, RigidSegment, closest};
-use slideline_mech::rigid::{Attachment, PointMap, push_forward, push_gradient};
+use slideline_mech::contact::search::chain::Chain;
+use slideline_mech::contact::search::rigid::RigidSegment;
+use slideline_mech::rigid::{Attachment, push_forward, push_gradient};
 use slideline_model::{
-    ContactPair, Dof, Friction, Master, Model, NodeIndex, RigidSurface, StickRule, SurfaceSegment,
+    ContactPair, Dof, Friction, Master, Model, NodeIndex, SlideLine, StickRule, SurfaceSegment,
 };
 
 /// The most kernel variables of a point: itself and three control points.
 const MOST_VARIABLES: usize = 8;
-/// The most attachments: the point, its control points, a rotation.
-const MOST_ATTACHMENTS: usize = 4;
 
 /// A slave point.
 #[derive(Clone, Debug)]
@@ -45,10 +43,12 @@ pub struct SlavePoint {
 /// A master, ready to be searched.
 #[derive(Clone, Debug)]
 enum Facade {
-    /// Segments in the frame of the body, positions relative to its node.
-    Body { slots: [usize; 3], origin: [f64; 2], segments: Vec<RigidSegment>, starts: Vec<f64> },
-    /// A chain of nodes and the range its positions take in the scratch.
+    /// A rigid surface on the body of a node.
+    Body { slots: [usize; 3], reference: [f64; 2], surface: RigidSurface },
+    /// A chain of nodes.
     Line { chain: Chain, nodes: Vec<(Carried, [usize; 3])> },
+    /// Nothing to slide on (a master that reading has refused).
+    Nothing,
 }
 
 /// All contact pairs of a step.
@@ -93,8 +93,13 @@ struct Kernel {
     slip_gradient: [f64; MOST_VARIABLES],
     hessian: [f64; MOST_VARIABLES * MOST_VARIABLES],
     slip_hessian: [f64; MOST_VARIABLES * MOST_VARIABLES],
-    attachments: [Attachment; MOST_ATTACHMENTS],
-    attached: usize,
+    attachments: Option<StencilAttachments>,
+}
+
+impl Kernel {
+    fn attachments(&self) -> &[Attachment] {
+        self.attachments.as_ref().map_or(&[], StencilAttachments::as_slice)
+    }
 }
 
 impl Meeting {
@@ -115,8 +120,7 @@ impl Meeting {
             slip_gradient: [0.0; MOST_VARIABLES],
             hessian: [0.0; MOST_VARIABLES * MOST_VARIABLES],
             slip_hessian: [0.0; MOST_VARIABLES * MOST_VARIABLES],
-            attachments: [Attachment::Rotation { dof: 0 }; MOST_ATTACHMENTS],
-            attached: 0,
+            attachments: None,
         },
     };
 
@@ -147,7 +151,7 @@ impl Meeting {
         let mut force = [0.0; MOST_DOFS];
         tangent[..m * m].fill(0.0);
         push_forward(
-            &self.kernel.attachments[..self.kernel.attached],
+            self.kernel.attachments(),
             &dofs[..m],
             &gradient[..n],
             &hessian[..n * n],
@@ -166,23 +170,7 @@ impl Contact {
             contact.laws.push(laws(model, pair));
             contact.facades.push(match &pair.master {
                 Master::RigidSurface(surface) => body(model, layout, surface),
-                Master::SlideLine(line) => {
-                    let reference: Vec<_> =
-                        line.nodes.iter().map(|&node| model.nodes.plane(node)).collect();
-                    let nodes = line.nodes.iter().map(|&node| {
-                        let carried = layout.carried_node(model, node);
-                        (carried, slots_of(layout, carried.node))
-                    });
-                    match Chain::new(&reference, line.smooth, line.extension) {
-                        Some(chain) => Facade::Line { chain, nodes: nodes.collect() },
-                        None => Facade::Body {
-                            slots: [0; 3],
-                            origin: [0.0; 2],
-                            segments: Vec::new(),
-                            starts: Vec::new(),
-                        },
-                    }
-                }
+                Master::SlideLine(line) => chain(model, layout, line),
             });
         }
         contact
@@ -206,6 +194,7 @@ impl Contact {
         for point in &self.points {
             let own = &point.slots[..point.carried.map.width()];
             match &self.facades[point.pair] {
+                Facade::Nothing => {}
                 Facade::Body { slots, .. } => cliques.push([own, slots].concat()),
                 Facade::Line { nodes, .. } => {
                     for window in nodes.windows(nodes.len().min(3)) {
@@ -227,7 +216,7 @@ impl Contact {
             .iter()
             .map(|facade| match facade {
                 Facade::Line { nodes, .. } => nodes.len(),
-                Facade::Body { .. } => 0,
+                Facade::Body { .. } | Facade::Nothing => 0,
             })
             .max()
             .unwrap_or(0)
@@ -253,251 +242,134 @@ impl Contact {
         into.faces = false;
         into.overclosure = f64::NEG_INFINITY;
         into.width = 0;
-        into.kernel.attached = 0;
-        into.attach(&point.carried, &point.slots);
-        let found = match &self.facades[point.pair] {
-            Facade::Body { slots, origin, segments, starts } => {
-                let body = Body { slots, origin: *origin, segments, starts };
-                body.meet(u, into)
+        let slave = into.attach(&point.carried, &point.slots);
+        let gap = match &self.facades[point.pair] {
+            Facade::Nothing => None,
+            Facade::Body { slots, reference, surface } => {
+                let body = Body { reference: *reference, dofs: slots.map(|slot| u[slot]) };
+                into.meet_body(surface, &body, slots, slave)
             }
-            Facade::Line { chain, nodes } => meet_chain(chain, nodes, positions, into),
+            Facade::Line { chain, nodes } => into.meet_chain(chain, nodes, positions, slave),
         };
-        if found.is_some() {
-            into.faces = true;
-            into.push(u);
-        } else {
-            into.width = 0;
+        match gap {
+            Some(gap) => into.take(&gap, u),
+            None => into.width = 0,
+        }
+    }
+
+    /// Length after which the slip coordinate of a pair's master repeats [L].
+    pub fn period(&self, pair: usize) -> Option<f64> {
+        match &self.facades[pair] {
+            Facade::Body { surface, .. } => surface.period(),
+            _ => None,
         }
     }
 }
 
 impl Meeting {
-    /// Adds a carried point to the stencil.
-    fn attach(&mut self, carried: &Carried, slots: &[usize; 3]) {
-        let map = carried.map;
+    /// Adds a carried point's slots to the stencil.
+    fn attach(&mut self, carried: &Carried, slots: &[usize; 3]) -> Attachment {
         let first = self.width;
-        for &slot in &slots[..map.width()] {
+        for &slot in &slots[..carried.map.width()] {
             self.slots[self.width] = slot;
             self.width += 1;
         }
-        self.kernel.attachments[self.kernel.attached] = Attachment::Point { map, first };
-        self.kernel.attached += 1;
+        Attachment::Point { map: carried.map, first }
     }
 
-    /// Adds points fixed to a body, which share its dofs.
-    fn attach_body(&mut self, slots: &[usize; 3], arms: &[[f64; 2]], rotation: bool) {
+    fn meet_body(
+        &mut self,
+        surface: &RigidSurface,
+        body: &Body,
+        slots: &[usize; 3],
+        slave: Attachment,
+    ) -> Option<AnyGap> {
+        let facing = surface.closest(body, self.position, None)?;
+        let gap = surface.gap(body, &facing, self.position)?;
         let first = self.width;
-        for &slot in slots {
-            self.slots[self.width] = slot;
-            self.width += 1;
-        }
-        let points = arms
-            .iter()
-            .map(|&arm| Attachment::Point { map: PointMap::Arm { arm }, first })
-            .chain(rotation.then_some(Attachment::Rotation { dof: first + 2 }));
-        for attachment in points {
-            self.kernel.attachments[self.kernel.attached] = attachment;
-            self.kernel.attached += 1;
-        }
+        self.kernel.attachments = surface.attachments(body, &facing, slave, first);
+        self.slots[first..first + 3].copy_from_slice(slots);
+        self.width += 3;
+        Some(gap)
     }
 
-    /// Takes a gap in.
-    fn take<const N: usize>(&mut self, gap: &Gap<N>) {
-        self.overclosure = gap.overclosure;
-        self.along = gap.along;
-        self.normal = gap.normal;
+    fn meet_chain(
+        &mut self,
+        chain: &Chain,
+        nodes: &[(Carried, [usize; 3])],
+        positions: &[[f64; 2]],
+        slave: Attachment,
+    ) -> Option<AnyGap> {
+        let piece = chain.closest(positions, self.position, None)?;
+        let gap = chain_gap(chain, &piece, positions, self.position)?;
+        let mut control = [slave; 3];
+        let facing = &nodes[piece.nodes()];
+        for (attachment, (carried, slots)) in control.iter_mut().zip(facing) {
+            *attachment = self.attach(carried, slots);
+        }
+        self.kernel.attachments = Some(chain_attachments(slave, &control[..facing.len()]));
+        Some(gap)
+    }
+
+    /// Takes a gap in and pushes its gradients from kernel variables to slots.
+    fn take(&mut self, gap: &AnyGap, u: &[f64]) {
+        self.faces = true;
+        self.overclosure = gap.overclosure();
+        self.along = gap.along();
+        self.normal = gap.normal();
+        let (m, n) = (self.width, gap.width());
+        let from = gap.derivatives();
         let kernel = &mut self.kernel;
-        kernel.variables = N;
-        kernel.gradient[..N].copy_from_slice(&gap.gradient);
-        kernel.slip_gradient[..N].copy_from_slice(&gap.slip_gradient);
-        kernel.hessian[..N * N].copy_from_slice(gap.hessian.as_flattened());
-        kernel.slip_hessian[..N * N].copy_from_slice(gap.slip_hessian.as_flattened());
-    }
-
-    /// Pushes gradients from kernel variables to slots.
-    fn push(&mut self, u: &[f64]) {
-        let (m, n) = (self.width, self.kernel.variables);
+        kernel.variables = n;
+        kernel.gradient[..n].copy_from_slice(from.gradient);
+        kernel.slip_gradient[..n].copy_from_slice(from.slip_gradient);
+        kernel.hessian[..n * n].copy_from_slice(from.hessian);
+        kernel.slip_hessian[..n * n].copy_from_slice(from.slip_hessian);
         let mut dofs = [0.0; MOST_DOFS];
         for (dof, &slot) in dofs.iter_mut().zip(&self.slots[..m]) {
             *dof = u[slot];
         }
-        let attachments = &self.kernel.attachments[..self.kernel.attached];
         self.gradient[..m].fill(0.0);
         self.slip_gradient[..m].fill(0.0);
-        let (gradient, slip) = (&self.kernel.gradient[..n], &self.kernel.slip_gradient[..n]);
-        push_gradient(attachments, &dofs[..m], gradient, &mut self.gradient[..m]);
-        push_gradient(attachments, &dofs[..m], slip, &mut self.slip_gradient[..m]);
+        let attachments = self.kernel.attachments();
+        push_gradient(attachments, &dofs[..m], from.gradient, &mut self.gradient[..m]);
+        push_gradient(attachments, &dofs[..m], from.slip_gradient, &mut self.slip_gradient[..m]);
     }
 }
 
-/// A rigid surface in place.
-struct Body<'a> {
-    slots: &'a [usize; 3],
-    origin: [f64; 2],
-    segments: &'a [RigidSegment],
-    starts: &'a [f64],
-}
-
-impl Body<'_> {
-    fn meet(&self, u: &[f64], into: &mut Meeting) -> Option<()> {
-        let pose = self.slots.map(|slot| u[slot]);
-        let (s, c) = pose[2].sin_cos();
-        let centre = [self.origin[0] + pose[0], self.origin[1] + pose[1]];
-        let d = [into.position[0] - centre[0], into.position[1] - centre[1]];
-        let local = [c * d[0] + s * d[1], c * d[1] - s * d[0]];
-        let facing = closest(self.segments, local, None)?;
-        let segment = self.segments.get(facing.segment)?;
-        let start = self.starts.get(facing.segment).copied()?;
-        let current = |arm: [f64; 2]| {
-            [centre[0] + c * arm[0] - s * arm[1], centre[1] + s * arm[0] + c * arm[1]]
-        };
-        let turned = Turned { current: &current, rotation: pose[2], start };
-        match facing.part {
-            Part::Vertex { convex } => {
-                let side = if convex { Side::Convex } else { Side::Concave };
-                let circle = Circle { radius: 0.0, side };
-                let mut gap =
-                    circle.gap(into.position, current(segment.end()), pose[2], 0.0)?;
-                gap.along = start + segment.length();
-                into.attach_body(self.slots, &[segment.end()], true);
-                into.take(&gap);
-            }
-            Part::Interior => turned.interior(segment, &facing, self.slots, into)?,
-        }
-        Some(())
+fn chain(model: &Model, layout: &Layout, line: &SlideLine) -> Facade {
+    let reference: Vec<_> = line.nodes.iter().map(|&node| model.nodes.plane(node)).collect();
+    let nodes = line.nodes.iter().map(|&node| {
+        let carried = layout.carried_node(model, node);
+        (carried, slots_of(layout, carried.node))
+    });
+    match Chain::new(&reference, line.smooth, line.extension) {
+        Some(chain) => Facade::Line { chain, nodes: nodes.collect() },
+        None => Facade::Nothing,
     }
 }
 
-/// A body's frame in space, and where the segment starts along the surface.
-struct Turned<'a> {
-    current: &'a dyn Fn([f64; 2]) -> [f64; 2],
-    rotation: f64,
-    start: f64,
-}
-
-impl Turned<'_> {
-    fn interior(
-        &self,
-        segment: &RigidSegment,
-        facing: &Facing,
-        slots: &[usize; 3],
-        into: &mut Meeting,
-    ) -> Option<()> {
-        let xi = facing.parameter;
-        match *segment {
-            RigidSegment::Line { a, b } => {
-                let along = Along::straight(self.start, segment.length(), xi);
-                let control = [(self.current)(a), (self.current)(b)];
-                let weights = Weights::straight(xi);
-                let gap = point_to_curve::<2, 6>(into.position, &control, &weights, &along, xi)?;
-                into.attach_body(slots, &[a, b], false);
-                into.take(&gap);
-            }
-            RigidSegment::Arc { start, centre, radius, convex, .. } => {
-                let (side, travel) =
-                    if convex { (Side::Convex, -1.0) } else { (Side::Concave, 1.0) };
-                let begin =
-                    travel * radius * (start[1] - centre[1]).atan2(start[0] - centre[0]);
-                let reference = begin + 0.5 * segment.length();
-                let circle = Circle { radius, side };
-                let middle = (self.current)(centre);
-                let mut gap = circle.gap(into.position, middle, self.rotation, reference)?;
-                gap.along += self.start - begin;
-                into.attach_body(slots, &[centre], true);
-                into.take(&gap);
-            }
-            RigidSegment::Parabola { start, mid, end } => {
-                let arms = RigidSegment::parabola_control(start, mid, end);
-                let weights = Weights::quadratic(xi);
-                let speed = |parameter: f64| curve_speed(&arms, parameter);
-                let along = Along {
-                    value: self.start + segment.arc_length(xi),
-                    first: speed(xi).0,
-                    second: speed(xi).1,
-                };
-                let control = arms.map(self.current);
-                let gap = point_to_curve::<3, 8>(into.position, &control, &weights, &along, xi)?;
-                into.attach_body(slots, &arms, false);
-                into.take(&gap);
-            }
-        }
-        Some(())
-    }
-}
-
-/// |B'| and its derivative of a quadratic Bezier curve.
-fn curve_speed(control: &[[f64; 2]; 3], s: f64) -> (f64, f64) {
-    let [p, q, r] = *control;
-    let first = [0, 1].map(|c| 2.0 * ((1.0 - s) * (q[c] - p[c]) + s * (r[c] - q[c])));
-    let second = [0, 1].map(|c| 2.0 * (r[c] - 2.0 * q[c] + p[c]));
-    let speed = first[0].hypot(first[1]);
-    let bend = first[0] * second[0] + first[1] * second[1];
-    (speed, if speed > 0.0 { bend / speed } else { 0.0 })
-}
-
-fn meet_chain(
-    chain: &Chain,
-    nodes: &[(Carried, [usize; 3])],
-    positions: &[[f64; 2]],
-    into: &mut Meeting,
-) -> Option<()> {
-    let piece = chain.closest(positions, into.position, None)?;
-    let xi = piece.parameter;
-    for (carried, slots) in &nodes[piece.nodes()] {
-        into.attach(carried, slots);
-    }
-    let at = |k: usize| positions[piece.nodes().start + k];
-    match piece.kind {
-        PieceKind::Straight => {
-            let length = chain.reference_length(piece.index);
-            let along = Along::straight(chain.arc_coordinate(piece.index), length, xi);
-            let control = [at(0), at(1)];
-            let weights = Weights::straight(xi);
-            let gap = point_to_curve::<2, 6>(into.position, &control, &weights, &along, xi)?;
-            into.take(&gap);
-        }
-        PieceKind::Corner => {
-            let f = chain.smoothing;
-            let cut = [piece.index - 1, piece.index].map(|k| f * chain.reference_length(k));
-            let node = chain.arc_coordinate(piece.index);
-            let along = Along::corner(node, cut[0], cut[1], xi);
-            let control = [at(0), at(1), at(2)];
-            let weights = Weights::corner(xi, f);
-            let gap = point_to_curve::<3, 8>(into.position, &control, &weights, &along, xi)?;
-            into.take(&gap);
-        }
-    }
-    Some(())
-}
-
-fn body(model: &Model, layout: &Layout, surface: &RigidSurface) -> Facade {
+fn body(model: &Model, layout: &Layout, surface: &slideline_model::RigidSurface) -> Facade {
     let carrier = layout.carrier(surface.reference);
-    let origin = model.nodes.plane(carrier);
-    let local = |p: [f64; 2]| [p[0] - origin[0], p[1] - origin[1]];
-    let mut from = local(surface.start);
-    let mut segments = Vec::new();
-    let mut starts = Vec::new();
-    let mut travelled = 0.0;
+    let mut from = surface.start;
+    let mut segments = Vec::with_capacity(surface.segments.len());
     for segment in &surface.segments {
         let placed = match *segment {
-            SurfaceSegment::Line { end } => Some(RigidSegment::Line { a: from, b: local(end) }),
-            SurfaceSegment::Circle { end, centre } => {
-                RigidSegment::arc(from, local(end), local(centre))
+            SurfaceSegment::Line { end } => Some(RigidSegment::Line { a: from, b: end }),
+            SurfaceSegment::Circle { end, centre } => RigidSegment::arc(from, end, centre),
+            SurfaceSegment::Parabola { middle, end } => {
+                Some(RigidSegment::Parabola { start: from, mid: middle, end })
             }
-            SurfaceSegment::Parabola { middle, end } => Some(RigidSegment::Parabola {
-                start: from,
-                mid: local(middle),
-                end: local(end),
-            }),
         };
-        if let Some(placed) = placed {
-            from = placed.end();
-            starts.push(travelled);
-            travelled += placed.length();
-            segments.push(placed);
-        }
+        let Some(placed) = placed else { return Facade::Nothing };
+        from = placed.end();
+        segments.push(placed);
     }
-    Facade::Body { slots: slots_of(layout, carrier), origin, segments, starts }
+    Facade::Body {
+        slots: slots_of(layout, carrier),
+        reference: model.nodes.plane(carrier),
+        surface: RigidSurface::new(segments),
+    }
 }
 
 /// The laws of a pair with lengths filled in.
@@ -524,7 +396,8 @@ fn laws(model: &Model, pair: &ContactPair) -> Laws {
             state_size: *state_size,
         },
     };
-    Laws { normal: pair.interaction.normal.clone(), friction }
+    let onset = model.friction_onset;
+    Laws { normal: pair.interaction.normal.clone(), friction, onset }
 }
 
 fn average(model: &Model, pair: &ContactPair) -> f64 {

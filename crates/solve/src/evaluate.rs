@@ -6,12 +6,13 @@
 //!
 //! The result depends on the arguments alone.
 
-use crate::contact::Meeting;
+use crate::contact::{Meeting, SlavePoint};
 use crate::observe::{FrictionCall, Status};
 use crate::plan::Plan;
 use crate::state::{PointState, State};
 use crate::structure::{Contribution, Flux};
-use slideline_mech::contact::friction::{self, FrictionLaw, Traction};
+use slideline_mech::contact::friction;
+use slideline_mech::contact::pair::{self, Laws, PointTrial};
 
 /// A trial state.
 #[derive(Clone, Copy, Debug)]
@@ -96,8 +97,8 @@ fn evaluate_contact(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into:
         let laws = &plan.contact.laws[point.pair];
         let before = &committed.points[place];
         let estimate = (trial.pressures[place], trial.tractions[place]);
-        let history = Encounter { plan, laws, before, meeting, estimate, dt: trial.dt };
-        let now = history.follow(point.area);
+        let encounter = Encounter { plan, laws, before, meeting, estimate, dt: trial.dt };
+        let now = encounter.follow(point);
         let (normal, tangential) = (point.area * now.pressure, point.area * now.traction);
         if now.closed {
             for k in 0..meeting.width {
@@ -114,7 +115,7 @@ fn evaluate_contact(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into:
             into.penetration = into.penetration.max(defect);
         }
         if laws.friction.needs_multiplier() && now.status == Status::Stick {
-            into.stick_slip = into.stick_slip.max(history.slip().abs());
+            into.stick_slip = into.stick_slip.max(encounter.slip(point.pair).abs());
         }
         into.points[place] = now;
     }
@@ -123,7 +124,7 @@ fn evaluate_contact(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into:
 /// A point between its committed and its trial state.
 struct Encounter<'a> {
     plan: &'a Plan<'a>,
-    laws: &'a crate::linearised::Laws,
+    laws: &'a Laws,
     before: &'a PointState,
     meeting: &'a Meeting,
     estimate: (f64, f64),
@@ -131,83 +132,63 @@ struct Encounter<'a> {
 }
 
 impl Encounter<'_> {
-    /// Change of the slip coordinate since the commit [L]; zero where the
-    /// point faced nothing then.
-    fn slip(&self) -> f64 {
-        slip(self.before, self.meeting)
+    /// Change of the slip coordinate since the commit [L].
+    fn slip(&self, pair: usize) -> f64 {
+        slip(self.plan, pair, self.before, self.meeting)
     }
 
-    /// The pressure of the law; of a hard one, the estimate.
-    fn pressure(&self) -> f64 {
-        if !self.meeting.faces {
-            return 0.0;
-        }
-        self.laws.normal.pressure(self.meeting.overclosure).map_or(self.estimate.0, |(p, _)| p)
-    }
-
-    fn follow(&self, area: f64) -> PointState {
-        let pressure = self.pressure();
-        let closed = pressure != 0.0;
-        let has_friction = self.laws.friction != FrictionLaw::None;
-        let called = has_friction && self.plan.onset.called(self.before.closed, closed);
-        let slip = self.slip();
-        let traction = if called { self.traction(area, pressure, slip) } else { Traction::ZERO };
+    fn follow(&self, point: &SlavePoint) -> PointState {
+        let (meeting, before) = (self.meeting, self.before);
+        let slip = self.slip(point.pair);
+        let trial = PointTrial {
+            overclosure: meeting.overclosure,
+            slip,
+            pressure: self.estimate.0,
+            traction: self.estimate.1,
+            stiffness: self.plan.structure.stiffest / point.area,
+            dt: self.dt,
+        };
+        let response = self.laws.respond(&before.history(), &trial);
+        let (closed, traction) = (response.closed, response.traction);
         let status = match (closed, traction.status) {
             (false, _) => Status::Open,
             (true, friction::Status::Stick) => Status::Stick,
             (true, friction::Status::Slip) => Status::Slip,
         };
-        let friction = match (closed && has_friction, called) {
+        let friction = match (closed && self.laws.has_friction(), response.called) {
             (false, _) => FrictionCall::None,
             (true, true) => FrictionCall::Called,
             (true, false) => FrictionCall::Dropped,
         };
-        let dropped = friction == FrictionCall::Dropped;
-        PointState {
+        let mut now = PointState {
             closed,
-            ever_closed: self.before.ever_closed || closed,
+            ever_closed: before.ever_closed || closed,
             status,
             friction,
-            pressure,
+            pressure: response.pressure,
             traction: traction.tau,
-            opening: -self.meeting.overclosure,
-            along: self.meeting.faces.then_some(self.meeting.along),
+            opening: -meeting.overclosure,
+            along: meeting.faces.then_some(meeting.along),
             elastic_slip: traction.elastic_slip,
-            slip: if closed { self.before.slip + slip } else { self.before.slip },
+            slip: if closed { before.slip + slip } else { before.slip },
             dissipated: traction.dissipated_slip,
-            dropped_work: if dropped {
-                area * self.laws.friction.limit_traction(pressure, slip, self.dt) * slip.abs()
-            } else {
-                0.0
-            },
-            position: self.meeting.position,
-            normal: self.meeting.normal,
+            dropped_work: 0.0,
+            position: meeting.position,
+            normal: meeting.normal,
+        };
+        if friction == FrictionCall::Dropped {
+            let limit = self.laws.friction.limit_traction(response.pressure, slip, self.dt);
+            now.dropped_work = point.area * limit * slip.abs();
         }
-    }
-
-    fn traction(&self, area: f64, pressure: f64, slip: f64) -> Traction {
-        let law = &self.laws.friction;
-        if !law.needs_multiplier() {
-            return law.update(pressure, slip, self.before.elastic_slip, self.dt);
-        }
-        // A slip that is none of rounding counts as sliding, although the
-        // estimate may stand a rounding error below the limit.
-        let trial = self.estimate.1 + self.plan.structure.stiffest / area * slip;
-        let projected = law.project(pressure, trial, slip, self.dt);
-        let sticks = projected.status == friction::Status::Stick;
-        Traction {
-            tau: if sticks { self.estimate.1 } else { projected.tau },
-            dissipated_slip: if sticks { 0.0 } else { slip.abs() },
-            status: projected.status,
-            ..Traction::ZERO
-        }
+        now
     }
 }
 
-/// Change of the slip coordinate of a point since its commit [L].
-pub fn slip(before: &PointState, meeting: &Meeting) -> f64 {
-    match before.along {
-        Some(along) if meeting.faces => meeting.along - along,
-        _ => 0.0,
+/// Change of the slip coordinate of a point since its commit [L]; zero where
+/// it faced nothing then or faces nothing now.
+pub fn slip(plan: &Plan<'_>, pair: usize, before: &PointState, meeting: &Meeting) -> f64 {
+    if !meeting.faces {
+        return 0.0;
     }
+    pair::slip(&before.history(), meeting.along, plan.contact.period(pair))
 }

@@ -22,20 +22,11 @@
 //! friction: what is unsymmetric stands in the small system.
 
 use slideline_linalg::{SolveError, Solver};
-use slideline_mech::contact::friction::FrictionLaw;
-use slideline_mech::contact::normal::NormalLaw;
+use slideline_mech::contact::enforcement::Demand;
+use slideline_mech::contact::pair::Laws;
 
 /// The most dofs one contact point couples.
 pub const MOST_DOFS: usize = 16;
-
-/// The laws of a pair.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Laws {
-    /// Overclosure to pressure.
-    pub normal: NormalLaw,
-    /// Slip to traction.
-    pub friction: FrictionLaw,
-}
 
 /// Friction at a point whose friction is called.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -305,8 +296,7 @@ impl LinearisedContact {
         }
         self.jacobian.clear();
         self.jacobian.resize(m * m, 0.0);
-        let System { rows, compliance } = System { rows: &self.rows, compliance: &self.compliance };
-        let system = System { rows, compliance };
+        let system = System { rows: &self.rows, compliance: &self.compliance };
         let unknown = &mut self.unknown;
         unknown.truncate(m);
         let mut size = system.residual(
@@ -358,9 +348,8 @@ impl LinearisedContact {
                 continue;
             }
             let fixed = !point.moves(Kind::Normal);
-            let law = &problem.laws[point.pair].normal;
-            point.pressure =
-                if fixed { law.pressure(point.overclosure).map_or(0.0, |(p, _)| p) } else { 0.0 };
+            let laws = &problem.laws[point.pair];
+            point.pressure = if fixed { laws.pressure(point.overclosure, 0.0) } else { 0.0 };
             if let Some(sliding) = &mut point.sliding {
                 sliding.traction = 0.0;
             }
@@ -371,8 +360,8 @@ impl LinearisedContact {
             match (row.kind, &mut point.sliding) {
                 (Kind::Tangential, Some(sliding)) => sliding.traction = multiplier,
                 _ => {
-                    let law = &problem.laws[point.pair].normal;
-                    point.pressure = pressure_law(law, row, multiplier, value).value;
+                    let laws = &problem.laws[point.pair];
+                    point.pressure = laws.demand_pressure(multiplier, value, row.kappa).value;
                 }
             }
         }
@@ -427,7 +416,7 @@ impl System<'_> {
             let (multiplier, value) = self.multiplier_and_value(i, unknown);
             let pressure = self.multiplier_and_value(row.pressure_row, unknown).0;
             let point = &points[row.point];
-            let law = problem.law(row, point, multiplier, value, pressure);
+            let law = problem.demand(row, point, [multiplier, value, pressure]);
             residual[i] = multiplier - law.value;
             let Some(jacobian) = jacobian.as_deref_mut() else { continue };
             for j in 0..m {
@@ -448,70 +437,25 @@ impl System<'_> {
     }
 }
 
-/// What the law says a multiplier should be, with derivatives.
-struct LawValue {
-    value: f64,
-    by_multiplier: f64,
-    by_value: f64,
-    by_pressure: f64,
-}
-
 impl Problem<'_> {
-    fn law(
+    /// What the law of a row demands of its multiplier.
+    fn demand(
         &self,
         row: &Row,
         point: &LinearPoint,
-        multiplier: f64,
-        value: f64,
-        pressure: f64,
-    ) -> LawValue {
+        [multiplier, value, pressure]: [f64; 3],
+    ) -> Demand {
         let laws = &self.laws[point.pair];
         match (row.kind, &point.sliding) {
-            (Kind::Tangential, Some(sliding)) => {
-                self.traction(&laws.friction, sliding, row, [multiplier, value, pressure])
-            }
-            _ => pressure_law(&laws.normal, row, multiplier, value),
+            (Kind::Tangential, Some(sliding)) => laws.demand_traction(
+                [multiplier, value, pressure],
+                sliding.elastic_slip,
+                row.kappa,
+                self.dt,
+            ),
+            _ => laws.demand_pressure(multiplier, value, row.kappa),
         }
     }
-
-    fn traction(
-        &self,
-        law: &FrictionLaw,
-        sliding: &Sliding,
-        row: &Row,
-        [multiplier, slip, pressure]: [f64; 3],
-    ) -> LawValue {
-        let closed = pressure.max(0.0);
-        let of_pressure = if pressure > 0.0 { 1.0 } else { 0.0 };
-        if law.needs_multiplier() {
-            let z = multiplier + row.kappa * slip;
-            let projected = law.project(closed, z, slip, self.dt);
-            return LawValue {
-                value: projected.tau,
-                by_multiplier: projected.by_z,
-                by_value: row.kappa * projected.by_z + projected.by_slip,
-                by_pressure: projected.by_pressure * of_pressure,
-            };
-        }
-        let traction = law.update(closed, slip, sliding.elastic_slip, self.dt);
-        LawValue {
-            value: traction.tau,
-            by_multiplier: 0.0,
-            by_value: traction.d_tau_d_slip,
-            by_pressure: traction.d_tau_d_pressure * of_pressure,
-        }
-    }
-}
-
-/// p = P(h + p/kappa) with P the resolvent of the law: single-valued, also
-/// for a hard law.
-fn pressure_law(law: &NormalLaw, row: &Row, multiplier: f64, overclosure: f64) -> LawValue {
-    if row.kappa.is_infinite() {
-        let (value, slope) = law.pressure(overclosure).unwrap_or((0.0, 0.0));
-        return LawValue { value, by_multiplier: 0.0, by_value: slope, by_pressure: 0.0 };
-    }
-    let (value, slope) = law.resolvent(overclosure + multiplier / row.kappa, row.kappa);
-    LawValue { value, by_multiplier: slope / row.kappa, by_value: slope, by_pressure: 0.0 }
 }
 
 /// Solves a dense system in place by elimination with row pivoting. A row

@@ -19,7 +19,6 @@ use crate::plan::Plan;
 use crate::predict;
 use crate::state::State;
 use slideline_linalg::{SolveError, Solver};
-use slideline_mech::contact::friction::FrictionLaw;
 
 /// What an attempt aims at.
 #[derive(Clone, Copy, Debug)]
@@ -285,9 +284,9 @@ impl Workspace {
                     || meeting.overclosure > laws.normal.contact_begins());
             let lent = if touching { lent_stiffness(plan, point.area) } else { 0.0 };
             let called =
-                laws.friction != FrictionLaw::None && plan.onset.called(before.closed, true);
+                laws.has_friction() && laws.onset.called(before.closed, true);
             let sliding = (called && meeting.faces).then(|| Sliding {
-                slip: slip(before, meeting),
+                slip: slip(plan, point.pair, before, meeting),
                 elastic_slip: before.elastic_slip,
                 traction: self.tractions[place],
                 stiffness: lent,

@@ -5,7 +5,7 @@ use crate::layout::{Layout, Role};
 use crate::structure::Structure;
 use rayon::ThreadPool;
 use slideline_linalg::{Kind, Pattern, Solver, analyse};
-use slideline_model::{Amplitude, Model, Onset, Step};
+use slideline_model::{Amplitude, Model, Step};
 
 /// Everything about a step that does not change from increment to increment.
 pub struct Plan<'a> {
@@ -25,8 +25,6 @@ pub struct Plan<'a> {
     pub elastic: Vec<bool>,
     /// Largest coordinate of the model [L].
     pub reach: f64,
-    /// When friction is called.
-    pub onset: Onset,
     /// Threads for element loops; none: this one.
     pub pool: Option<&'a ThreadPool>,
     start: Vec<f64>,
@@ -61,7 +59,6 @@ impl<'a> Plan<'a> {
             .flat_map(|node| node.position)
             .fold(0.0, |largest: f64, x| largest.max(x.abs()));
         let (start, start_load) = (start.to_vec(), start_load.to_vec());
-        let onset = model.friction_onset;
         Self {
             model,
             step,
@@ -71,7 +68,6 @@ impl<'a> Plan<'a> {
             pattern,
             elastic,
             reach,
-            onset,
             pool,
             start,
             start_load,

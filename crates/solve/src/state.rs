@@ -2,6 +2,7 @@
 
 use crate::convergence::FluxAverage;
 use crate::observe::{Energies, FrictionCall, Status};
+use slideline_mech::contact::pair::History;
 
 /// A committed (or trial) state of the whole model.
 #[derive(Clone, Debug, PartialEq, Default)]
@@ -67,6 +68,13 @@ pub struct PointState {
     pub position: [f64; 2],
     /// Outward normal of the master [1].
     pub normal: [f64; 2],
+}
+
+impl PointState {
+    /// What the contact laws want to know of it.
+    pub fn history(&self) -> History {
+        History { closed: self.closed, along: self.along, elastic_slip: self.elastic_slip }
+    }
 }
 
 impl State {

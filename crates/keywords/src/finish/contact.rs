@@ -14,17 +14,10 @@ use crate::keyword::Subject;
 pub(super) fn pairs(draft: &mut Draft) {
     let surfaces = std::mem::take(&mut draft.surfaces);
     twice(&surfaces, draft);
+    let strayed = without_surface(&surfaces, draft);
     let mut in_pair: HashMap<usize, Span> = HashMap::new();
     for surface in &surfaces {
-        pair(surface, &mut in_pair, draft);
-    }
-    for interface in draft.interfaces.clone() {
-        if !surfaces.iter().any(|surface| surface.set == interface.set) {
-            let message = format!("nothing slides in the set {}: it has no surface", interface.set);
-            let error = Diagnostic::error(Code("SL0313"), message).at(interface.set_span);
-            let help = "a *SLIDE LINE or *RIGID SURFACE with the same ELSET is missing";
-            draft.consequence(Subject::Contact, error.help(help));
-        }
+        pair(surface, strayed, &mut in_pair, draft);
     }
     let lonely = draft.elements.iter().enumerate();
     let lonely: Vec<_> = lonely
@@ -42,6 +35,31 @@ pub(super) fn pairs(draft: &mut Draft) {
         let help = "give its set a *RIGID SURFACE (IRS21) or a *SLIDE LINE (ISL21)";
         draft.consequence(Subject::Contact, error.help(help));
     }
+}
+
+/// An interface that names a set without a surface. It is most likely the one
+/// that a surface is lacking, so that lack is not reported as well.
+fn without_surface(surfaces: &[Surface], draft: &mut Draft) -> bool {
+    let mut strayed = false;
+    for interface in draft.interfaces.clone() {
+        if surfaces.iter().any(|surface| surface.set == interface.set) {
+            continue;
+        }
+        let message = format!("nothing slides in the set {}: it has no surface", interface.set);
+        let error = Diagnostic::error(Code("SL0313"), message).at(interface.set_span);
+        let lacking = |surface: &&Surface| {
+            !draft.interfaces.iter().any(|interface| interface.set == surface.set)
+        };
+        let error = match surfaces.iter().find(lacking) {
+            Some(surface) => error
+                .label(surface.origin, "this surface has no *INTERFACE")
+                .help(format!("did you mean ELSET={}?", surface.set)),
+            None => error.help("a *SLIDE LINE or *RIGID SURFACE with the same ELSET is missing"),
+        };
+        draft.consequence(Subject::Contact, error);
+        strayed = true;
+    }
+    strayed
 }
 
 /// Two cards of one kind for one set.
@@ -63,7 +81,7 @@ fn twice(surfaces: &[Surface], draft: &mut Draft) {
     }
 }
 
-fn pair(surface: &Surface, in_pair: &mut HashMap<usize, Span>, draft: &mut Draft) {
+fn pair(surface: &Surface, strayed: bool, in_pair: &mut HashMap<usize, Span>, draft: &mut Draft) {
     let kind = match surface.shape {
         Shape::Rigid { .. } => ElementKind::Irs21,
         Shape::Line { .. } => ElementKind::Isl21,
@@ -92,7 +110,7 @@ fn pair(surface: &Surface, in_pair: &mut HashMap<usize, Span>, draft: &mut Draft
         let error = Diagnostic::error(Code("SL0311"), message).at(surface.set_span);
         draft.consequence(Subject::Elements, error);
     }
-    let interaction = interaction(surface, draft);
+    let interaction = interaction(surface, strayed, draft);
     let master = master(surface, reference.map(|(node, _)| node), draft);
     if let (Some(interaction), Some(master)) = (interaction, master) {
         let (name, origin) = (surface.set.clone(), surface.origin);
@@ -131,10 +149,13 @@ fn same_reference(
     }
 }
 
-fn interaction(surface: &Surface, draft: &mut Draft) -> Option<Interaction> {
+fn interaction(surface: &Surface, strayed: bool, draft: &mut Draft) -> Option<Interaction> {
     let found = draft.interfaces.iter().find(|interface| interface.set == surface.set);
     if let Some(interface) = found {
         return Some(interface.interaction.clone());
+    }
+    if strayed {
+        return None; // an interface under another set's name has been reported
     }
     let message = format!("the contact of the set {} has no *INTERFACE", surface.set);
     let error = Diagnostic::error(Code("SL0312"), message).at(surface.origin);

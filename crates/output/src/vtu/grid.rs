@@ -6,11 +6,11 @@ use slideline_solve::observe::{Frame, Status};
 use std::collections::HashMap;
 use std::fmt::Write as _;
 
-const LINE: u8 = 3; // VTK_LINE
-const POLY_LINE: u8 = 4; // VTK_POLY_LINE
+/// VTK_LINE; every cell is one (some readers know no poly-lines).
+const LINE: u8 = 3;
 
-/// Chords of an arc or parabola per segment; at most 3.75 degrees of arc.
-const CHORDS: u32 = 48;
+/// Chords of an arc or parabola per segment; at most 7.5 degrees of arc.
+const CHORDS: u32 = 24;
 
 /// What a cell stands for, as written to `kind`.
 #[derive(Clone, Copy)]
@@ -28,7 +28,7 @@ struct Outline {
 }
 
 struct Cell {
-    points: Vec<usize>,
+    points: [usize; 2],
     kind: Kind,
     label: u64,
 }
@@ -60,8 +60,11 @@ impl Grid {
             if let Master::RigidSurface(surface) = &pair.master {
                 let outline = outline(surface);
                 let end = point_count + outline.points.len();
-                let points = (point_count..end).collect();
-                cells.push(Cell { points, kind: Kind::RigidSurface, label: 0 });
+                cells.extend((point_count + 1..end).map(|point| Cell {
+                    points: [point - 1, point],
+                    kind: Kind::RigidSurface,
+                    label: 0,
+                }));
                 point_count = end;
                 outlines.push(outline);
             }
@@ -208,7 +211,7 @@ impl Grid {
 
 fn element_cells(model: &Model) -> Vec<Cell> {
     let mut cells = Vec::new();
-    let line = |nodes: [NodeIndex; 2], kind, label| Cell { points: nodes.to_vec(), kind, label };
+    let line = |nodes: [NodeIndex; 2], kind, label| Cell { points: nodes, kind, label };
     for block in &model.blocks {
         match block {
             ElementBlock::B21(block) => {
@@ -291,18 +294,9 @@ fn push_parabola(points: &mut Vec<[f64; 2]>, [from, middle, end]: [[f64; 2]; 3])
 fn topology(cells: &[Cell]) -> String {
     let count = |place: usize| i64::try_from(place).unwrap_or(i64::MAX);
     let connectivity: Vec<i64> =
-        cells.iter().flat_map(|cell| cell.points.iter().map(|&point| count(point))).collect();
-    let offsets: Vec<i64> = cells
-        .iter()
-        .scan(0, |end, cell| {
-            *end += cell.points.len();
-            Some(count(*end))
-        })
-        .collect();
-    let types: Vec<u8> = cells
-        .iter()
-        .map(|cell| if matches!(cell.kind, Kind::RigidSurface) { POLY_LINE } else { LINE })
-        .collect();
+        cells.iter().flat_map(|cell| cell.points.map(count)).collect();
+    let offsets: Vec<i64> = (1..=cells.len()).map(|cell| count(2 * cell)).collect();
+    let types = vec![LINE; cells.len()];
     let mut text = "<Cells>\n".to_owned();
     let long = |values: &[i64]| bytes(values, |value| value.to_le_bytes());
     push_array(&mut text, "Int64", "connectivity", 1, &long(&connectivity));

@@ -1,9 +1,9 @@
 //! `JOB_0000.vtu` ... and `JOB.pvd`: deformed states for viewers.
 //!
 //! ```text
-//!   o---o---o---o    VTK_LINE: beams, springs, slave surfaces
+//!   o---o---o---o    beams, springs, slave surfaces
 //!      .---.
-//!     (     )        VTK_POLY_LINE: rigid surfaces, moved with their body
+//!     (     )        rigid surfaces in chords, moved with their body
 //! ```
 //!
 //! Points stand where they are in that state; `displacement` leads there

@@ -1,23 +1,64 @@
 //! How is a law imposed?
 //!
 //! ```text
-//!   inserted:  p = p(h) goes straight into the residual        (penalty)
-//!   mixed:     p is an unknown lambda; p = P(h + lambda/kappa), lambda = p at the solution
+//!   inserted:    p = p(h) goes straight into the equations                      (penalty)
+//!   multiplier:  lambda is an unknown; lambda = P(h + lambda/kappa)             (mixed, Lagrange)
 //! ```
+//!
+//! Either way a law demands a value of the multiplier: [`Demand`]. The equation lambda - demand = 0
+//! is what the contact step solves; with P the Moreau-Yosida form of the law it is single-valued and
+//! piecewise smooth for soft and hard laws alike, and kappa changes the path, not the solution.
+//! [semantics: enforcement remark; derived]
 
-pub mod inserted;
-pub mod mixed;
+/// What a law says a multiplier should be, with derivatives.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Demand {
+    /// The value [F/L2].
+    pub value: f64,
+    /// Its derivative by the multiplier itself [1].
+    pub by_multiplier: f64,
+    /// By the overclosure or slip [F/L3].
+    pub by_value: f64,
+    /// By the pressure of the same point, for a traction [1].
+    pub by_pressure: f64,
+}
 
-/// How pressure and stick are imposed.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Enforcement {
-    /// The law is inserted; not for hard contact or Lagrange stick.
-    Inserted,
-    /// Pressure, and the traction of Lagrange stick, are unknowns.
-    Mixed {
-        /// Reference stiffness of the pressure [F/L3]; changes the path of Newton, not the solution.
-        normal: f64,
-        /// Reference stiffness of the traction [F/L3], likewise.
-        tangential: f64,
-    },
+impl Demand {
+    /// A law inserted: `value` and `slope` at the overclosure or slip.
+    pub fn inserted(value: f64, slope: f64) -> Self {
+        Self { value, by_value: slope, ..Self::default() }
+    }
+
+    /// A law asked through its Moreau-Yosida form at z = e + lambda/kappa, where it gives `value` with
+    /// the slope `slope` = dP/dz.
+    pub fn multiplier(value: f64, slope: f64, kappa: f64) -> Self {
+        Self { value, by_multiplier: slope / kappa, by_value: slope, by_pressure: 0.0 }
+    }
+
+    /// Adds the dependence on the pressure.
+    #[must_use]
+    pub fn with_pressure(self, by_pressure: f64) -> Self {
+        Self { by_pressure, ..self }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Requirement: for p = k h, P(z) = k z/(1 + k/kappa), and the equation lambda = P(h + lambda/kappa)
+    /// has the solution lambda = k h. Tolerance: round-off.
+    #[test]
+    fn a_linear_law_is_met_by_its_own_pressure() {
+        let (k, kappa, h) = (7.0, 3.0, 0.2);
+        let slope = k / (1.0 + k / kappa);
+        let lambda = k * h;
+        let demand = Demand::multiplier(slope * (h + lambda / kappa), slope, kappa);
+        assert!((demand.value - lambda).abs() < 1e-14);
+        // Newton from any multiplier lands there in one step, for the demand is affine in it.
+        let guess = 5.0;
+        let demand = Demand::multiplier(slope * (h + guess / kappa), slope, kappa);
+        let step = (guess - demand.value) / (1.0 - demand.by_multiplier);
+        assert!((guess - step - lambda).abs() < 1e-13);
+    }
 }

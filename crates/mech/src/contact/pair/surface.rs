@@ -60,6 +60,29 @@ impl AnyGap {
     pub fn width(&self) -> usize {
         each!(self, gap => gap.gradient.len())
     }
+
+    /// Derivatives by the variables, as slices.
+    pub fn derivatives(&self) -> Derivatives<'_> {
+        each!(self, gap => Derivatives {
+            gradient: &gap.gradient,
+            slip_gradient: &gap.slip_gradient,
+            hessian: gap.hessian.as_flattened(),
+            slip_hessian: gap.slip_hessian.as_flattened(),
+        })
+    }
+}
+
+/// Derivatives of a gap of n variables.
+#[derive(Debug, Clone, Copy)]
+pub struct Derivatives<'a> {
+    /// dh/dq, n [1].
+    pub gradient: &'a [f64],
+    /// d sigma/dq, n [1].
+    pub slip_gradient: &'a [f64],
+    /// d2h/dq2, n x n row-major [1/L].
+    pub hessian: &'a [f64],
+    /// d2 sigma/dq2, n x n row-major [1/L].
+    pub slip_hessian: &'a [f64],
 }
 
 /// Where the attachments of a stencil go, slave first.

@@ -126,16 +126,57 @@ impl Chain {
             return None;
         }
         let mut best: Option<Candidate> = None;
-        for index in 0..self.lengths.len() {
-            let straight = self.straight(positions, point, index);
-            let corner = self.corner(positions, point, index);
-            for candidate in [straight, corner].into_iter().flatten() {
-                if better(&candidate, best.as_ref(), committed.as_ref()) {
-                    best = Some(candidate);
-                }
+        let nearest = nearest_node(positions, point)?;
+        let around = nearest.saturating_sub(1)..(nearest + 2).min(self.lengths.len());
+        for index in around.clone() {
+            self.consider(positions, point, index, committed.as_ref(), &mut best);
+        }
+        for index in (0..around.start).chain(around.end..self.lengths.len()) {
+            if self.may_be_nearer(positions, point, index, best.as_ref()) {
+                self.consider(positions, point, index, committed.as_ref(), &mut best);
             }
         }
         best.map(|candidate| candidate.piece)
+    }
+
+    /// Compares the straight part `index` and the corner at its first node with the best so far.
+    fn consider(
+        &self,
+        positions: &[Point],
+        point: Point,
+        index: usize,
+        committed: Option<&Piece>,
+        best: &mut Option<Candidate>,
+    ) {
+        let straight = self.straight(positions, point, index);
+        let corner = self.corner(positions, point, index);
+        for candidate in [straight, corner].into_iter().flatten() {
+            if better(&candidate, best.as_ref(), committed) {
+                *best = Some(candidate);
+            }
+        }
+    }
+
+    /// Whether segment `index`, its extension and the corner at its first node can come closer than
+    /// the best so far: all of them lie in the circle about the first node that holds the segments
+    /// before and after it, prolonged.
+    fn may_be_nearer(
+        &self,
+        positions: &[Point],
+        point: Point,
+        index: usize,
+        best: Option<&Candidate>,
+    ) -> bool {
+        let Some(best) = best else { return true };
+        let node = positions[index];
+        let square = |p: Point| dot(sub(p, node), sub(p, node));
+        let mut reach = square(positions[index + 1]);
+        if let Some(before) = index.checked_sub(1) {
+            reach = reach.max(square(positions[before]));
+        }
+        let reach = (1.0 + self.extension) * reach.sqrt();
+        let limit = reach + (best.distance + best.outside) * (1.0 + 2.0 * TIE);
+        square(point) <= limit * limit
     }
 
     /// The projection of `point` on a given part, however far outside its range: for an iteration
@@ -243,6 +284,20 @@ impl Chain {
         let piece = Piece { index, kind: PieceKind::Corner, parameter: s };
         Some(Candidate { piece, distance: apart[0].hypot(apart[1]), outside: 0.0 })
     }
+}
+
+/// The node nearest to a point, where the search begins.
+fn nearest_node(positions: &[Point], point: Point) -> Option<usize> {
+    let mut nearest = None;
+    let mut least = f64::INFINITY;
+    for (index, &node) in positions.iter().enumerate() {
+        let apart = sub(point, node);
+        let square = dot(apart, apart);
+        if square < least {
+            (nearest, least) = (Some(index), square);
+        }
+    }
+    nearest
 }
 
 /// Nearer; on a tie the committed piece.

@@ -1,0 +1,197 @@
+//! ARCHITECTURE.md is true: its floors are the crates' imports, every code
+//! and keyword has its page.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+fn read(path: &Path) -> String {
+    std::fs::read_to_string(path).unwrap_or_else(|reason| panic!("{}: {reason}", path.display()))
+}
+
+struct Row {
+    floor: u32,
+    imports: BTreeSet<String>,
+}
+
+/// Words between backticks.
+fn quoted(cell: &str) -> BTreeSet<String> {
+    cell.split('`').skip(1).step_by(2).map(str::to_owned).collect()
+}
+
+/// The table of floors.
+fn table() -> BTreeMap<String, Row> {
+    let page = read(&root().join("ARCHITECTURE.md"));
+    let rows = page.lines().filter_map(|line| {
+        let cells: Vec<&str> = line.split('|').map(str::trim).collect();
+        let floor = cells.get(1)?.parse().ok()?;
+        let name = quoted(cells.get(2)?).into_iter().next()?;
+        Some((name, Row { floor, imports: quoted(cells.get(4)?) }))
+    });
+    rows.collect()
+}
+
+/// Crates of ours that a manifest names, in whatever kind of dependency.
+fn imports(crate_name: &str) -> BTreeSet<String> {
+    let manifest = read(&root().join("crates").join(crate_name).join("Cargo.toml"));
+    let mut section = String::new();
+    let mut found = BTreeSet::new();
+    for line in manifest.lines().map(str::trim) {
+        if line.starts_with('[') {
+            section = line.to_owned();
+        } else if section.contains("dependencies") {
+            let key = line.split(['.', '=', ' ']).next().unwrap_or_default();
+            let own = key.strip_prefix("slideline-").or((key == "slideline").then_some(key));
+            found.extend(own.map(str::to_owned));
+        }
+    }
+    found
+}
+
+fn crates() -> BTreeSet<String> {
+    let folders = std::fs::read_dir(root().join("crates")).unwrap();
+    let manifests = folders.map(|entry| entry.unwrap().path().join("Cargo.toml"));
+    manifests
+        .filter(|manifest| manifest.exists())
+        .map(|manifest| {
+            manifest.parent().unwrap().file_name().unwrap().to_str().unwrap().to_owned()
+        })
+        .collect()
+}
+
+#[test]
+fn the_table_lists_the_crates_and_nothing_else() {
+    let listed: BTreeSet<String> = table().into_keys().collect();
+    assert_eq!(listed, crates());
+}
+
+#[test]
+fn every_crate_imports_only_what_its_row_allows() {
+    let table = table();
+    for name in crates() {
+        let row = &table[&name];
+        let strange: Vec<String> = imports(&name).difference(&row.imports).cloned().collect();
+        assert!(strange.is_empty(), "{name} imports {strange:?}, which its row does not allow");
+    }
+}
+
+#[test]
+fn rows_allow_only_lower_floors() {
+    let table = table();
+    for (name, row) in &table {
+        for import in &row.imports {
+            let floor = table.get(import).map(|row| row.floor);
+            assert!(floor.is_some_and(|floor| floor < row.floor), "{name} may import {import}");
+        }
+    }
+}
+
+#[test]
+fn axes_of_contact_are_the_folders_and_never_import_one_another() {
+    let folder = root().join("crates/mech/src/contact");
+    let page = read(&root().join("ARCHITECTURE.md"));
+    let listed: BTreeSet<String> = page
+        .lines()
+        .skip_while(|line| !line.starts_with("| axis"))
+        .skip(2)
+        .take_while(|line| line.starts_with('|'))
+        .flat_map(|line| quoted(line.split('|').nth(1).unwrap_or_default()))
+        .collect();
+    let entries = std::fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path());
+    let axes: BTreeSet<String> = entries
+        .filter(|path| path.is_dir())
+        .map(|path| path.file_name().unwrap().to_str().unwrap().to_owned())
+        .collect();
+    assert_eq!(listed, axes);
+    for axis in &axes {
+        for file in std::fs::read_dir(folder.join(axis)).unwrap() {
+            let path = file.unwrap().path();
+            let code = read(&path);
+            let code = code.split("#[cfg(test)]").next().unwrap_or_default();
+            for other in axes.iter().filter(|other| *other != axis) {
+                let import = format!("contact::{other}");
+                let imported = code
+                    .lines()
+                    .filter(|line| !line.trim_start().starts_with("//"))
+                    .any(|line| line.contains(&import));
+                assert!(!imported, "{} imports {import}", path.display());
+            }
+        }
+    }
+}
+
+#[test]
+fn every_code_has_a_page_and_every_page_a_code() {
+    let folder = root().join("docs/errors");
+    let codes: BTreeSet<String> =
+        slideline::diag::CATALOGUE.iter().map(|entry| entry.code.0.to_owned()).collect();
+    let pages: BTreeSet<String> = std::fs::read_dir(&folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().path().file_stem().unwrap().to_str().unwrap().to_owned())
+        .collect();
+    let difference: Vec<&String> = codes.symmetric_difference(&pages).collect();
+    assert!(difference.is_empty(), "code without page, or page without code: {difference:?}");
+    for code in &codes {
+        let page = read(&folder.join(format!("{code}.md")));
+        assert!(page.starts_with(&format!("# {code}")), "docs/errors/{code}.md has another title");
+    }
+}
+
+/// Codes that the sources use stand in the catalogue.
+#[test]
+fn no_code_is_used_that_the_catalogue_lacks() {
+    let mut files = Vec::new();
+    for name in crates() {
+        collect(&root().join("crates").join(name).join("src"), &mut files);
+    }
+    for file in files {
+        let text = read(&file);
+        let code = text.split("#[cfg(test)]").next().unwrap_or_default();
+        for used in code.split("\"SL").skip(1).filter_map(|rest| rest.get(..5)) {
+            if let Some(digits) = used.strip_suffix('"') {
+                let known = slideline::diag::entry(&format!("SL{digits}")).is_some();
+                assert!(known, "{} uses SL{digits}", file.display());
+            }
+        }
+    }
+}
+
+fn collect(folder: &Path, into: &mut Vec<PathBuf>) {
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            collect(&path, into);
+        } else if path.extension().is_some_and(|ending| ending == "rs") {
+            into.push(path);
+        }
+    }
+}
+
+#[test]
+fn every_keyword_has_a_page_and_a_deck() {
+    let mut missing = Vec::new();
+    for keyword in slideline::keywords::keywords() {
+        let name = keyword.name.replace(' ', "-");
+        for path in
+            [format!("docs/keywords/{name}.md"), format!("corpus/keywords/{}.inp", name.to_lowercase())]
+        {
+            if !root().join(&path).exists() {
+                missing.push(path);
+            }
+        }
+        assert!(!keyword.page.trim().is_empty(), "the page of {} is empty", keyword.name);
+    }
+    assert!(missing.is_empty(), "missing: {missing:?}");
+}
+
+/// A heading that a reader sees first: every crate says what it is for.
+#[test]
+fn every_crate_has_a_description() {
+    for name in crates() {
+        let manifest = read(&root().join("crates").join(&name).join("Cargo.toml"));
+        assert!(manifest.contains("\ndescription = \""), "{name} has no description");
+    }
+}
