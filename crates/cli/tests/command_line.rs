@@ -49,8 +49,8 @@ column on a plane
 *ELASTIC
 1.0E9, 0.3
 *RIGID SURFACE, TYPE=SEGMENTS, ELSET=TIPS
-START, 1.0, -1.0E-4
-LINE, -1.0, -1.0E-4
+START, -1.0, -1.0E-4
+LINE, 1.0, -1.0E-4
 *ELEMENT, TYPE=IRS21, ELSET=TIPS
 11, 2, 4, 9
 *INTERFACE, ELSET=TIPS
@@ -206,13 +206,13 @@ fn a_bad_deck_ends_with_1_and_says_where_and_why() {
     let output = slideline(&folder, &["run", "column"]);
     assert_eq!(code(&output), 1);
     let said = stderr(&output);
-    assert!(said.contains("error[SL02") && said.contains("column.inp:25:"), "{said}");
+    assert!(said.contains("error[SL02") && said.contains("column.inp:24:"), "{said}");
     assert!(said.contains("FRICTION") && said.contains("*FRICTON"), "{said}");
     assert_eq!(stdout(&output), "column: input error, nothing was solved\n");
     assert_eq!(names(&folder), ["column.inp", "column.json"]);
     let summary = summary(&folder, "column");
     assert_eq!(summary["status"], "input_error");
-    assert_eq!(summary["errors"][0]["line"], 25);
+    assert_eq!(summary["errors"][0]["line"], 24);
     assert_eq!(summary["errors"][0]["card"], "*FRICTON");
 }
 

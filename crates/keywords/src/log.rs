@@ -53,6 +53,12 @@ impl Log {
         self.errors
     }
 
+    /// How many names are worth comparing for a likely spelling: fewer once
+    /// there is much to say, so that a broken deck is still read in no time.
+    pub fn names_to_compare(&self) -> usize {
+        if self.errors < 100 { 1000 } else { 0 }
+    }
+
     /// Whether this is the first time that `what` comes up.
     pub fn first_time(&mut self, what: &str) -> bool {
         self.said.insert(what.to_owned())

@@ -50,7 +50,10 @@ impl Draft {
                 vec![*label]
             }
             Target::Set(set) => self.node_sets.labels(set).unwrap_or_else(|| {
-                let error = unknown_set("node", set, span, self.node_sets.names());
+                let error = {
+                    let names = self.node_sets.names().take(self.log.names_to_compare());
+                    unknown_set("node", set, span, names)
+                };
                 self.consequence(Subject::Nodes, error);
                 Vec::new()
             }),
@@ -61,7 +64,8 @@ impl Draft {
     /// The elements of a set that exist; complains about an unknown set.
     fn elements_of(&mut self, set: &str, span: Span) -> Option<Vec<usize>> {
         let Some(labels) = self.element_sets.labels(set) else {
-            let error = unknown_set("element", set, span, self.element_sets.names());
+            let names = self.element_sets.names().take(self.log.names_to_compare());
+            let error = unknown_set("element", set, span, names);
             self.consequence(Subject::Elements, error);
             return None;
         };

@@ -46,7 +46,8 @@ fn check_inner(sets: &Sets, kind: &str, subject: Subject, draft: &mut Draft) {
         if let Item::Set(name) = item
             && !sets.contains(name)
         {
-            draft.consequence(subject, super::unknown_set(kind, name, *span, sets.names()));
+            let names = sets.names().take(draft.log.names_to_compare());
+            draft.consequence(subject, super::unknown_set(kind, name, *span, names));
         }
     }
 }
