@@ -7,8 +7,10 @@ use std::path::PathBuf;
 /// Sliding contact of flexible and rigid bodies: runs Abaqus-style decks.
 #[derive(Debug, Parser)]
 #[command(name = "slideline", version, arg_required_else_help = true)]
-#[command(after_help = "Exit codes: 0 completed, 1 input error, 2 not converged, 3 internal error, \
-    4 results could not be written, 64 wrong command line, 130 interrupted.")]
+#[command(
+    after_help = "Exit codes: 0 completed, 1 input error, 2 not converged, 3 internal error, \
+    4 results could not be written, 64 wrong command line, 130 interrupted."
+)]
 pub(crate) struct Arguments {
     #[command(subcommand)]
     pub command: Command,

@@ -18,8 +18,7 @@ const CLOSEST: usize = 12;
 /// Checks a deck; ends as a run would on reading.
 pub(crate) fn check(arguments: &CheckArguments) -> Exit {
     let read = Job::read(&arguments.deck.job, &arguments.deck.options());
-    let start =
-        read.model.as_ref().and_then(|model| initial_gaps(model, &SolveOptions::default()));
+    let start = read.model.as_ref().and_then(|model| initial_gaps(model, &SolveOptions::default()));
     if arguments.json {
         screen::print(&json_lines(&read, start.as_ref()));
     } else {

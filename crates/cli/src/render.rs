@@ -10,8 +10,7 @@ pub(crate) fn to_standard_error<'a>(
     sources: &Sources,
 ) {
     let colour = screen::error_takes_colour();
-    let text: String =
-        diagnostics.into_iter().map(|said| text(said, sources, colour)).collect();
+    let text: String = diagnostics.into_iter().map(|said| text(said, sources, colour)).collect();
     screen::error(&text);
 }
 
@@ -94,9 +93,14 @@ mod tests {
             .label(Span::new(file, 0, 5), "of this card")
             .help("Write a number.");
         let text = text(&said, &sources, false);
-        for part in
-            ["error[SL0116]: `x` is not a number", "a.inp:2:4", "1, x, 2", "^", "of this card", "help: Write a number."]
-        {
+        for part in [
+            "error[SL0116]: `x` is not a number",
+            "a.inp:2:4",
+            "1, x, 2",
+            "^",
+            "of this card",
+            "help: Write a number.",
+        ] {
             assert!(text.contains(part), "{part} in:\n{text}");
         }
         assert!(text.is_ascii());

@@ -27,6 +27,7 @@ pub use include::{FromDisk, LoadError, Loaded, Loader, NoFiles};
 pub use limits::{
     MAX_BYTES, MAX_DEPTH, MAX_DIAGNOSTICS, MAX_FILES, MAX_LINE_BYTES, MAX_VALUES_PER_LINE,
 };
-pub use parse::{Parsed, comment_as_card, parse};
+pub use parse::{Parsed, parse};
 pub use spelling::{nearest, normalise};
+pub use split::comment_as_card;
 pub use values::{Problem, integer, number, parse_integer, parse_number, text};

@@ -369,23 +369,6 @@ impl Reader<'_> {
     }
 }
 
-/// Reads a comment as the keyword line it would be with one star less:
-/// `**INTERFACE, ELSET=A` as `*INTERFACE, ELSET=A`. `None` where the second
-/// star is not followed by a letter.
-pub fn comment_as_card(comment: &Comment) -> Option<Card> {
-    let text = comment.text.strip_prefix("**")?;
-    if !text.starts_with(|c: char| c.is_ascii_alphabetic()) {
-        return None;
-    }
-    let Span { file, start, .. } = comment.span;
-    let inner = Stretch { file, start: start as usize + 2, text };
-    let (pieces, _) = at_commas(inner);
-    let named = |piece: &&Stretch<'_>| !piece.text.is_empty();
-    let parameters = pieces[1..].iter().filter(named).map(|piece| parameter(*piece)).collect();
-    let keyword = word(*pieces.first()?);
-    Some(Card { keyword, parameters, data: Vec::new(), span: comment.span })
-}
-
 /// Cards followed by a title, not by values.
 fn is_text_card(card: &Card) -> bool {
     let name = &card.keyword.name;

@@ -6,14 +6,14 @@ pub fn normalise(raw: &str) -> String {
 }
 
 /// The candidate nearest in spelling, if any is near enough to be meant:
-/// at most one slip (insertion, deletion, exchange, transposition) for three
-/// letters. Both sides are compared normalised.
+/// one slip (insertion, deletion, exchange, transposition) in a short word, and
+/// one for every four letters in a long one. Both sides are compared normalised.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let word = normalise(word);
     if word.len() > 64 {
         return None; // no keyword is that long, and the comparison is quadratic
     }
-    let reach = (word.chars().count() / 3).max(1);
+    let reach = (word.chars().count() / 4).max(1);
     candidates
         .into_iter()
         .map(|candidate| (strsim::damerau_levenshtein(&word, &normalise(candidate)), candidate))

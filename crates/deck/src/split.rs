@@ -2,7 +2,7 @@
 
 use slideline_diag::{FileId, Span};
 
-use crate::card::{Field, Parameter, Word};
+use crate::card::{Card, Comment, Field, Parameter, Word};
 use crate::lines::offset;
 use crate::spelling::normalise;
 
@@ -74,6 +74,23 @@ pub(crate) fn parameter(piece: Stretch<'_>) -> Parameter {
         }
         None => Parameter { name: word(piece), value: None },
     }
+}
+
+/// Reads a comment as the keyword line it would be with one star less:
+/// `**INTERFACE, ELSET=A` as `*INTERFACE, ELSET=A`. `None` where the second
+/// star is not followed by a letter.
+pub fn comment_as_card(comment: &Comment) -> Option<Card> {
+    let text = comment.text.strip_prefix("**")?;
+    if !text.starts_with(|c: char| c.is_ascii_alphabetic()) {
+        return None;
+    }
+    let Span { file, start, .. } = comment.span;
+    let inner = Stretch { file, start: start as usize + 2, text };
+    let (pieces, _) = at_commas(inner);
+    let named = |piece: &&Stretch<'_>| !piece.text.is_empty();
+    let parameters = pieces[1..].iter().filter(named).map(|piece| parameter(*piece)).collect();
+    let keyword = word(*pieces.first()?);
+    Some(Card { keyword, parameters, data: Vec::new(), span: comment.span })
 }
 
 fn unquoted(text: &str) -> &str {

@@ -8,7 +8,7 @@ use crate::draft::{Draft, Owner};
 use crate::keyword::{Keyword, Level};
 use crate::reading::{Match, Reading, note_abbreviation, resolve};
 use crate::registry::REGISTRY;
-use crate::{finish, traps};
+use crate::{finish, foreign, traps};
 
 /// What a deck means.
 #[derive(Clone, Debug)]
@@ -135,6 +135,13 @@ fn misplaced(
 
 fn find_keyword(card: &Card, draft: &mut Draft) -> Option<&'static dyn Keyword> {
     let word = &card.keyword;
+    if let Some((name, instead)) = foreign::find(&normalise(&word.raw)) {
+        let error = Diagnostic::error(Code("SL0221"), format!("*{name} is not supported"));
+        let error = error.at(word.span);
+        draft.log.push(if instead.is_empty() { error } else { error.help(*instead) });
+        unread(draft);
+        return None;
+    }
     match resolve(&normalise(&word.raw), REGISTRY, |keyword| keyword.name()) {
         Match::Exact(keyword) => Some(keyword),
         Match::Abbreviation(keyword) => {

@@ -14,6 +14,7 @@
 mod cards;
 mod draft;
 mod finish;
+mod foreign;
 mod interpret;
 mod keyword;
 mod log;

@@ -251,3 +251,12 @@ fn keywords_are_found_as_people_write_them() {
     assert_eq!(found("SURFACE"), None);
     assert_eq!(found("friction onset"), None);
 }
+
+/// Keywords of other programs are not taken for slips of ours.
+#[test]
+fn a_foreign_keyword_is_not_a_misspelt_one() {
+    let plastic = BEAM.replace("*STEP", "*PLASTIC\n2.E8, 0.\n*STEP");
+    assert_eq!(codes(&plastic, "*STEP", "*STEP"), ["SL0221"]);
+    assert_eq!(codes(BEAM, "*CLOAD\n5, 1, 1.0", "*DLOAD\nBEAM, P1, 1.0"), ["SL0221"]);
+    assert_eq!(codes(BEAM, "*BEAM SECTION", "*SHELL SECTION"), ["SL0221"]);
+}

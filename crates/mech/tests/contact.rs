@@ -6,7 +6,7 @@ use slideline_mech::contact::friction::{FrictionLaw, Stick};
 use slideline_mech::contact::normal::NormalLaw;
 use slideline_mech::contact::onset::Onset;
 use slideline_mech::contact::pair::{
-    AnyGap, Body, History, Laws, PointTrial, RigidSurface, chain_gap,
+    AnyGap, Body, History, Laws, PointTrial, RigidSurface, UserMemory, chain_gap,
 };
 use slideline_mech::contact::search::chain::Chain;
 use slideline_mech::contact::search::rigid::RigidSegment;
@@ -112,6 +112,7 @@ fn rubbing() -> Laws {
             stick: Stick::Elastic { slip: 0.01 },
         },
         onset: Onset::Immediate,
+        user: None,
     }
 }
 
@@ -122,7 +123,9 @@ fn force_and_tangent(gap: &AnyGap, slip: f64) -> (Vec<f64>, Vec<f64>) {
     let overclosure = gap.overclosure();
     let trial =
         PointTrial { overclosure, slip, pressure: 0.0, traction: 0.0, stiffness: 0.0, dt: 1.0 };
-    let response = laws.respond(&history, &trial);
+    let mut memory =
+        UserMemory { time: 0.0, committed: &[], state: &mut [], fault: &mut None };
+    let response = laws.respond(&history, &trial, &mut memory);
     let (p, tau) = (response.pressure, response.traction);
     let slope = laws.normal.pressure(overclosure).unwrap().1;
     let d = gap.derivatives();

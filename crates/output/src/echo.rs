@@ -25,8 +25,7 @@ pub fn model_echo(model: &Model, start: &Frame<'_>) -> String {
     for (place, pair) in model.contact_pairs.iter().enumerate() {
         text.push('\n');
         text.push_str(&pair_echo(model, pair));
-        let rows: Vec<&ContactRow> =
-            start.contact.iter().filter(|row| row.pair == place).collect();
+        let rows: Vec<&ContactRow> = start.contact.iter().filter(|row| row.pair == place).collect();
         points(&mut text, model, &rows);
     }
     initial_contact_energy(&mut text, model, start);
@@ -55,8 +54,8 @@ fn nodes(text: &mut String, model: &Model) {
     line(text, format_args!("\nNODES  {}, {linked} of them on rigid links", model.nodes.len()));
     for axis in 0..3 {
         let values = model.nodes.iter().map(|node| node.position[axis]);
-        let (low, high) = values
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+        let (low, high) =
+            values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
         if high > low {
             let name = ["x", "y", "z"][axis];
             line(text, format_args!("  {name} from {} to {}", general(low, 9), general(high, 9)));
@@ -66,10 +65,7 @@ fn nodes(text: &mut String, model: &Model) {
 
 fn beams(text: &mut String, model: &Model, block: &BeamBlock) {
     let section = &block.section;
-    line(
-        text,
-        format_args!("\nBEAMS {}  {} elements B21", block.name, block.elements.len()),
-    );
+    line(text, format_args!("\nBEAMS {}  {} elements B21", block.name, block.elements.len()));
     line(
         text,
         format_args!(
@@ -310,9 +306,7 @@ fn initial_contact_energy(text: &mut String, model: &Model, start: &Frame<'_>) {
         .contact
         .iter()
         .filter(|row| row.opening.is_finite())
-        .map(|row| {
-            row.area * model.contact_pairs[row.pair].interaction.normal.energy(-row.opening)
-        })
+        .map(|row| row.area * model.contact_pairs[row.pair].interaction.normal.energy(-row.opening))
         .sum();
     if !model.contact_pairs.is_empty() {
         line(

@@ -22,8 +22,7 @@ impl Energy {
         if self.file.is_none() {
             let mut file = Growing::create(self.job.path(".energy.csv"))?;
             file.text.push_str("step,increment,time,external_work,strain_energy,contact_energy,");
-            file.text
-                .push_str("friction_dissipation,friction_elastic,dropped_friction,balance\n");
+            file.text.push_str("friction_dissipation,friction_elastic,dropped_friction,balance\n");
             file.flush()?;
             self.file = Some(file);
         }

@@ -106,8 +106,15 @@ mod tests {
     fn a_job_owns_its_results_and_nothing_else() {
         let job = JobFiles::new("out", "beam");
         let owned = ["beam.sta", "beam.json.part", "beam_0001.vtu", "beam_12345.vtu", "beam.rst"];
-        let strange =
-            ["beam.inp", "beam2.sta", "beam_01.vtu", "beam_000a.vtu", "beam", "xbeam.sta", "beam_0001.vtu.bak"];
+        let strange = [
+            "beam.inp",
+            "beam2.sta",
+            "beam_01.vtu",
+            "beam_000a.vtu",
+            "beam",
+            "xbeam.sta",
+            "beam_0001.vtu.bak",
+        ];
         assert!(owned.iter().all(|name| job.owns(OsStr::new(name))));
         assert!(!strange.iter().any(|name| job.owns(OsStr::new(name))));
     }

@@ -223,13 +223,11 @@ fn attempt_failed(text: &mut String, attempt: &AttemptReport) {
 }
 
 fn diagnosed(text: &mut String, said: &Diagnostic, sources: &Sources) {
-    let place = said.span.and_then(|span| sources.locate(span)).map_or_else(String::new, |at| {
-        format!(" ({}, line {})", at.file, at.line)
-    });
-    line(
-        text,
-        format_args!("\n{} {}: {}{place}", said.severity.word(), said.code, said.message),
-    );
+    let place = said
+        .span
+        .and_then(|span| sources.locate(span))
+        .map_or_else(String::new, |at| format!(" ({}, line {})", at.file, at.line));
+    line(text, format_args!("\n{} {}: {}{place}", said.severity.word(), said.code, said.message));
     for label in &said.labels {
         if let Some(at) = sources.locate(label.span) {
             line(text, format_args!("  {}, line {}: {}", at.file, at.line, label.text));

@@ -3,9 +3,9 @@
 use crate::json::{self, Object};
 use slideline_diag::{Diagnostic, Location, Sources, Span};
 
-/// The members `code`, `severity`, `message`, `file`, `line`, `columns` (first
-/// and last, counted from 1, on that line), `card`, and `help` where there is
-/// one; null where a diagnostic has no place.
+/// The members `code`, `severity`, `message`, `file`, `line`, `columns` (the
+/// first and one past the last, counted from 1, on that line), `card`, and
+/// `help` where there is one; null where a diagnostic has no place.
 pub fn record(diagnostic: &Diagnostic, sources: &Sources) -> Object {
     let location = diagnostic.span.and_then(|span| sources.locate(span));
     let mut object = Object::new()
@@ -29,7 +29,7 @@ pub fn record(diagnostic: &Diagnostic, sources: &Sources) -> Object {
     }
 }
 
-/// First and last column on the first line of a place, both included.
+/// The first column and one past the last, on the first line of a place.
 pub fn columns(at: &Location, sources: &Sources, span: Option<Span>) -> [usize; 2] {
     let end = if at.end_line == at.line {
         at.end_column
@@ -37,7 +37,7 @@ pub fn columns(at: &Location, sources: &Sources, span: Option<Span>) -> [usize; 
         let source = span.and_then(|span| sources.get(span.file));
         source.map_or(at.column, |source| source.line(at.line).chars().count() + 1)
     };
-    [at.column, at.column.max(end.saturating_sub(1))]
+    [at.column, at.column.max(end)]
 }
 
 /// The keyword, with its star, of the card that a place lies in.
@@ -65,7 +65,7 @@ mod tests {
         let diagnostic = Diagnostic::error(Code("SL0110"), "not a number").at(at).help("Give one.");
         assert_eq!(
             record(&diagnostic, &sources).finish(),
-            r#"{"code":"SL0110","severity":"error","message":"not a number","file":"a.inp","line":3,"columns":[4,4],"card":"*NODE","help":"Give one."}"#
+            r#"{"code":"SL0110","severity":"error","message":"not a number","file":"a.inp","line":3,"columns":[4,5],"card":"*NODE","help":"Give one."}"#
         );
         let nowhere = Diagnostic::note(Code("SL0111"), "m");
         assert_eq!(

@@ -33,6 +33,7 @@ pub fn commit(
         };
     }
     trial.points.copy_from_slice(&evaluation.points);
+    trial.memory.copy_from_slice(&evaluation.memory);
     let controls = &plan.step.controls.field;
     trial.flux = committed.flux;
     trial.flux[0].commit(evaluation.flux.mean_force(), controls);

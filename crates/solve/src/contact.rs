@@ -12,6 +12,7 @@
 
 use crate::layout::{Carried, Layout};
 use crate::linearised::MOST_DOFS;
+use crate::users::UserFrictions;
 use slideline_mech::contact::friction::{Decay, FrictionLaw, Stick};
 use slideline_mech::contact::pair::{
     AnyGap, Body, Laws, RigidSurface, StencilAttachments, chain_attachments, chain_gap,
@@ -36,6 +37,10 @@ pub struct SlavePoint {
     pub node: NodeIndex,
     /// Tributary area [L2].
     pub area: f64,
+    /// Where its state values of a user friction law begin.
+    pub memory: usize,
+    /// How many they are.
+    pub memory_size: usize,
     carried: Carried,
     slots: [usize; 3],
 }
@@ -58,6 +63,8 @@ pub struct Contact {
     pub points: Vec<SlavePoint>,
     /// Laws, a pair each.
     pub laws: Vec<Laws>,
+    /// Number of state values of user friction laws.
+    pub memory_size: usize,
     facades: Vec<Facade>,
 }
 
@@ -163,11 +170,12 @@ impl Meeting {
 
 impl Contact {
     /// Prepares the pairs of a model.
-    pub fn new(model: &Model, layout: &Layout) -> Self {
-        let mut contact = Self { points: Vec::new(), laws: Vec::new(), facades: Vec::new() };
+    pub fn new(model: &Model, layout: &Layout, users: &UserFrictions) -> Self {
+        let mut contact =
+            Self { points: Vec::new(), laws: Vec::new(), memory_size: 0, facades: Vec::new() };
         for (place, pair) in model.contact_pairs.iter().enumerate() {
             contact.add_points(model, layout, place, pair);
-            contact.laws.push(laws(model, pair));
+            contact.laws.push(laws(model, pair, users));
             contact.facades.push(match &pair.master {
                 Master::RigidSurface(surface) => body(model, layout, surface),
                 Master::SlideLine(line) => chain(model, layout, line),
@@ -184,7 +192,17 @@ impl Contact {
         for (&node, area) in nodes.iter().zip(areas) {
             let carried = layout.carried_node(model, node);
             let slots = slots_of(layout, carried.node);
-            self.points.push(SlavePoint { pair: place, node, area, carried, slots });
+            let (memory, size) = (self.memory_size, memory_size(pair));
+            self.memory_size += size;
+            self.points.push(SlavePoint {
+                pair: place,
+                node,
+                area,
+                memory,
+                memory_size: size,
+                carried,
+                slots,
+            });
         }
     }
 
@@ -372,8 +390,16 @@ fn body(model: &Model, layout: &Layout, surface: &slideline_model::RigidSurface)
     }
 }
 
+/// State values a point of the pair keeps for a user friction law.
+pub fn memory_size(pair: &ContactPair) -> usize {
+    match &pair.interaction.friction {
+        Friction::User { state_size, .. } => *state_size,
+        _ => 0,
+    }
+}
+
 /// The laws of a pair with lengths filled in.
-fn laws(model: &Model, pair: &ContactPair) -> Laws {
+fn laws(model: &Model, pair: &ContactPair, users: &UserFrictions) -> Laws {
     let friction = match &pair.interaction.friction {
         Friction::Frictionless => FrictionLaw::None,
         Friction::Coulomb { coefficient, .. } if *coefficient == 0.0 => FrictionLaw::None,
@@ -397,7 +423,11 @@ fn laws(model: &Model, pair: &ContactPair) -> Laws {
         },
     };
     let onset = model.friction_onset;
-    Laws { normal: pair.interaction.normal.clone(), friction, onset }
+    let user = match &pair.interaction.friction {
+        Friction::User { name, .. } => users.find(name),
+        _ => None,
+    };
+    Laws { normal: pair.interaction.normal.clone(), friction, onset, user }
 }
 
 fn average(model: &Model, pair: &ContactPair) -> f64 {

@@ -11,8 +11,8 @@ use crate::observe::{FrictionCall, Status};
 use crate::plan::Plan;
 use crate::state::{PointState, State};
 use crate::structure::{Contribution, Flux};
-use slideline_mech::contact::friction;
-use slideline_mech::contact::pair::{self, Laws, PointTrial};
+use slideline_mech::contact::friction::{self, UserFrictionError};
+use slideline_mech::contact::pair::{self, Laws, PointTrial, UserMemory};
 
 /// A trial state.
 #[derive(Clone, Copy, Debug)]
@@ -23,6 +23,8 @@ pub struct Trial<'a> {
     pub pressures: &'a [f64],
     /// Traction of every contact point likewise [F/L2].
     pub tractions: &'a [f64],
+    /// Total time at the end of the increment [T].
+    pub time: f64,
     /// Increment [T].
     pub dt: f64,
 }
@@ -52,6 +54,10 @@ pub struct Evaluation {
     pub penetration: f64,
     /// Largest slip of a point that must not slip [L].
     pub stick_slip: f64,
+    /// State values of user friction laws, were this state committed.
+    pub memory: Vec<f64>,
+    /// What a user friction law complained of.
+    pub fault: Option<UserFrictionError>,
     positions: Vec<[f64; 2]>,
 }
 
@@ -71,6 +77,8 @@ impl Evaluation {
             flux: Flux::default(),
             penetration: 0.0,
             stick_slip: 0.0,
+            memory: vec![0.0; plan.contact.memory_size],
+            fault: None,
             positions: Vec::with_capacity(plan.contact.most_chain_nodes()),
         }
     }
@@ -92,13 +100,21 @@ fn evaluate_contact(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into:
     into.elastic_slip_energy = 0.0;
     into.penetration = 0.0;
     into.stick_slip = 0.0;
+    into.fault = None;
     for (place, point) in plan.contact.points.iter().enumerate() {
         let meeting = &into.meetings[place];
         let laws = &plan.contact.laws[point.pair];
         let before = &committed.points[place];
         let estimate = (trial.pressures[place], trial.tractions[place]);
         let encounter = Encounter { plan, laws, before, meeting, estimate, dt: trial.dt };
-        let now = encounter.follow(point);
+        let range = point.memory..point.memory + point.memory_size;
+        let mut memory = UserMemory {
+            time: trial.time,
+            committed: &committed.memory[range.clone()],
+            state: &mut into.memory[range],
+            fault: &mut into.fault,
+        };
+        let now = encounter.follow(point, &mut memory);
         let (normal, tangential) = (point.area * now.pressure, point.area * now.traction);
         if now.closed {
             for k in 0..meeting.width {
@@ -137,7 +153,7 @@ impl Encounter<'_> {
         slip(self.plan, pair, self.before, self.meeting)
     }
 
-    fn follow(&self, point: &SlavePoint) -> PointState {
+    fn follow(&self, point: &SlavePoint, memory: &mut UserMemory<'_>) -> PointState {
         let (meeting, before) = (self.meeting, self.before);
         let slip = self.slip(point.pair);
         let trial = PointTrial {
@@ -148,7 +164,10 @@ impl Encounter<'_> {
             stiffness: self.plan.structure.stiffest / point.area,
             dt: self.dt,
         };
-        let response = self.laws.respond(&before.history(), &trial);
+        let response = self.laws.respond(&before.history(), &trial, memory);
+        if !response.called {
+            memory.state.copy_from_slice(memory.committed);
+        }
         let (closed, traction) = (response.closed, response.traction);
         let status = match (closed, traction.status) {
             (false, _) => Status::Open,

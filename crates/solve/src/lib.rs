@@ -25,6 +25,11 @@ mod predict;
 mod run;
 mod state;
 mod structure;
+#[cfg(test)]
+mod tangent;
+mod users;
 
 pub use increments::{Control, Decision, StopReason, Verdict};
 pub use run::{Options, run};
+pub use slideline_mech::contact::friction;
+pub use users::UserFrictions;

@@ -23,7 +23,7 @@
 
 use slideline_linalg::{SolveError, Solver};
 use slideline_mech::contact::enforcement::Demand;
-use slideline_mech::contact::pair::Laws;
+use slideline_mech::contact::pair::{Laws, UserMemory};
 
 /// The most dofs one contact point couples.
 pub const MOST_DOFS: usize = 16;
@@ -39,6 +39,24 @@ pub struct Sliding {
     pub traction: f64,
     /// Stiffness lent to K [F/L3].
     pub stiffness: f64,
+    /// Where the point's state values of a user law begin, and how many.
+    pub memory: (usize, usize),
+}
+
+/// What is common to all points of an increment.
+#[derive(Debug)]
+pub struct Circumstances<'a> {
+    /// Laws, a pair each.
+    pub laws: &'a [Laws],
+    /// Total time at the end of the increment [T].
+    pub time: f64,
+    /// The increment [T].
+    pub dt: f64,
+    /// Committed state values of user friction laws.
+    pub committed: &'a [f64],
+    /// `UNSYMM=NO`: tractions take their limit from the pressure of the last
+    /// iteration, which is what a symmetrised tangent amounts to.
+    pub symmetrised: bool,
 }
 
 /// A contact point, linearised.
@@ -152,8 +170,7 @@ impl LinearisedContact {
     pub fn solve(
         &mut self,
         points: &mut [LinearPoint],
-        laws: &[Laws],
-        dt: f64,
+        circumstances: &Circumstances<'_>,
         solver: &mut Solver,
         correction: &mut [f64],
     ) -> Result<(), SolveError> {
@@ -163,21 +180,20 @@ impl LinearisedContact {
         self.response.clear();
         self.in_rows.clear();
         self.in_rows.resize(points.len(), false);
-        let problem = Problem { laws, dt };
         // First those that touch already: without their pressures the
         // structure would spring back and seem to touch everywhere.
         let mut touching = true;
         for _ in 0..ROUNDS {
-            let joined = self.admit(points, &problem, touching, solver, correction)?;
+            let joined = self.admit(points, circumstances, touching, solver, correction)?;
             if joined {
                 self.couple(points, correction);
-                self.iterate(points, &problem);
+                self.iterate(points, circumstances);
             } else if !touching {
                 break;
             }
             touching = false;
         }
-        self.hand_out(points, &problem, correction);
+        self.hand_out(points, circumstances, correction);
         Ok(())
     }
 
@@ -186,7 +202,7 @@ impl LinearisedContact {
     fn admit(
         &mut self,
         points: &[LinearPoint],
-        problem: &Problem,
+        circumstances: &Circumstances<'_>,
         touching: bool,
         solver: &mut Solver,
         base: &[f64],
@@ -199,7 +215,7 @@ impl LinearisedContact {
             let joins = if touching {
                 point.pressure > 0.0 || point.stiffness > 0.0
             } else {
-                let begins = problem.laws[point.pair].normal.contact_begins();
+                let begins = circumstances.laws[point.pair].normal.contact_begins();
                 point.overclosure + self.change(point, solved, base) > begins
             };
             if !joins {
@@ -288,7 +304,7 @@ impl LinearisedContact {
     }
 
     /// Semismooth Newton on the small system, with backtracking.
-    fn iterate(&mut self, points: &[LinearPoint], problem: &Problem) {
+    fn iterate(&mut self, points: &[LinearPoint], circumstances: &Circumstances<'_>) {
         let m = self.rows.len();
         for vector in [&mut self.residual, &mut self.step, &mut self.trial] {
             vector.clear();
@@ -302,7 +318,7 @@ impl LinearisedContact {
         let mut size = system.residual(
             unknown,
             points,
-            problem,
+            circumstances,
             &mut self.residual,
             Some(&mut self.jacobian),
         );
@@ -321,7 +337,7 @@ impl LinearisedContact {
                 let new = system.residual(
                     &self.trial,
                     points,
-                    problem,
+                    circumstances,
                     &mut self.residual,
                     Some(&mut self.jacobian),
                 );
@@ -340,7 +356,7 @@ impl LinearisedContact {
     }
 
     /// du from the multipliers, and the multipliers to their points.
-    fn hand_out(&mut self, points: &mut [LinearPoint], problem: &Problem, correction: &mut [f64]) {
+    fn hand_out(&mut self, points: &mut [LinearPoint], circumstances: &Circumstances<'_>, correction: &mut [f64]) {
         let n = correction.len();
         let system = System { rows: &self.rows, compliance: &self.compliance };
         for (place, point) in points.iter_mut().enumerate() {
@@ -348,7 +364,7 @@ impl LinearisedContact {
                 continue;
             }
             let fixed = !point.moves(Kind::Normal);
-            let laws = &problem.laws[point.pair];
+            let laws = &circumstances.laws[point.pair];
             point.pressure = if fixed { laws.pressure(point.overclosure, 0.0) } else { 0.0 };
             if let Some(sliding) = &mut point.sliding {
                 sliding.traction = 0.0;
@@ -360,7 +376,7 @@ impl LinearisedContact {
             match (row.kind, &mut point.sliding) {
                 (Kind::Tangential, Some(sliding)) => sliding.traction = multiplier,
                 _ => {
-                    let laws = &problem.laws[point.pair];
+                    let laws = &circumstances.laws[point.pair];
                     point.pressure = laws.demand_pressure(multiplier, value, row.kappa).value;
                 }
             }
@@ -371,11 +387,6 @@ impl LinearisedContact {
             }
         }
     }
-}
-
-struct Problem<'a> {
-    laws: &'a [Laws],
-    dt: f64,
 }
 
 /// The small system: e = free - C q, lambda = q + s (e - start).
@@ -406,7 +417,7 @@ impl System<'_> {
         &self,
         unknown: &[f64],
         points: &[LinearPoint],
-        problem: &Problem,
+        circumstances: &Circumstances<'_>,
         residual: &mut [f64],
         jacobian: Option<&mut [f64]>,
     ) -> f64 {
@@ -416,7 +427,7 @@ impl System<'_> {
             let (multiplier, value) = self.multiplier_and_value(i, unknown);
             let pressure = self.multiplier_and_value(row.pressure_row, unknown).0;
             let point = &points[row.point];
-            let law = problem.demand(row, point, [multiplier, value, pressure]);
+            let law = circumstances.demand(row, point, [multiplier, value, pressure]);
             residual[i] = multiplier - law.value;
             let Some(jacobian) = jacobian.as_deref_mut() else { continue };
             for j in 0..m {
@@ -437,7 +448,7 @@ impl System<'_> {
     }
 }
 
-impl Problem<'_> {
+impl Circumstances<'_> {
     /// What the law of a row demands of its multiplier.
     fn demand(
         &self,
@@ -447,14 +458,34 @@ impl Problem<'_> {
     ) -> Demand {
         let laws = &self.laws[point.pair];
         match (row.kind, &point.sliding) {
-            (Kind::Tangential, Some(sliding)) => laws.demand_traction(
-                [multiplier, value, pressure],
-                sliding.elastic_slip,
-                row.kappa,
-                self.dt,
-            ),
+            (Kind::Tangential, Some(sliding)) => {
+                let pressure = if self.symmetrised { point.pressure } else { pressure };
+                let values = [multiplier, value, pressure];
+                let demand = self.demand_traction(laws, values, sliding, row.kappa);
+                if self.symmetrised {
+                    Demand { by_pressure: 0.0, ..demand }
+                } else {
+                    demand
+                }
+            }
             _ => laws.demand_pressure(multiplier, value, row.kappa),
         }
+    }
+
+    fn demand_traction(
+        &self,
+        laws: &Laws,
+        values: [f64; 3],
+        sliding: &Sliding,
+        kappa: f64,
+    ) -> Demand {
+        let (begin, size) = sliding.memory;
+        let committed = self.committed.get(begin..begin + size).unwrap_or(&[]);
+        // Only a user law has a memory, and only then does this allocate.
+        let mut state = committed.to_vec();
+        let mut memory =
+            UserMemory { time: self.time, committed, state: &mut state, fault: &mut None };
+        laws.demand_traction(values, sliding.elastic_slip, (kappa, self.dt), &mut memory)
     }
 }
 

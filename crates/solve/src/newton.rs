@@ -13,7 +13,7 @@ use crate::contact::Meeting;
 use crate::convergence::{Field, FieldHistory, Measures, judge, largest_nodal};
 use crate::evaluate::{Evaluation, Trial, evaluate, slip};
 use crate::increments::Verdict;
-use crate::linearised::{LinearPoint, LinearisedContact, MOST_DOFS, Sliding};
+use crate::linearised::{Circumstances, LinearPoint, LinearisedContact, MOST_DOFS, Sliding};
 use crate::observe::{ContactChange, IterationReport};
 use crate::plan::Plan;
 use crate::predict;
@@ -121,6 +121,9 @@ pub fn attempt(
     loop {
         if let Err(fault) = work.iterate(plan, committed, target.dt) {
             return progress.end(Verdict::Broken, Some(fault));
+        }
+        if work.evaluation.fault.is_some() {
+            return progress.end(Verdict::Broken, None);
         }
         let report = work.judge(plan, committed, target, &mut progress);
         watch(&report);
@@ -242,6 +245,7 @@ impl Workspace {
             u: &self.u,
             pressures: &self.pressures,
             tractions: &self.tractions,
+            time: committed.total_time + dt,
             dt,
         };
         evaluate(plan, committed, &trial, &mut self.evaluation);
@@ -262,8 +266,13 @@ impl Workspace {
         }
         self.contact.solve(
             &mut self.points,
-            &plan.contact.laws,
-            dt,
+            &Circumstances {
+                laws: &plan.contact.laws,
+                time: committed.total_time + dt,
+                dt,
+                committed: &committed.memory,
+                symmetrised: plan.step.unsymmetric == Some(false),
+            },
             &mut self.solver,
             &mut self.correction,
         )?;
@@ -290,6 +299,7 @@ impl Workspace {
                 elastic_slip: before.elastic_slip,
                 traction: self.tractions[place],
                 stiffness: lent,
+                memory: (point.memory, point.memory_size),
             });
             let mut linear = LinearPoint {
                 pair: point.pair,

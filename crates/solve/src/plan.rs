@@ -3,6 +3,7 @@
 use crate::contact::Contact;
 use crate::layout::{Layout, Role};
 use crate::structure::Structure;
+use crate::users::UserFrictions;
 use rayon::ThreadPool;
 use slideline_linalg::{Kind, Pattern, Solver, analyse};
 use slideline_model::{Amplitude, Model, Step};
@@ -36,13 +37,13 @@ impl<'a> Plan<'a> {
     pub fn new(
         model: &'a Model,
         step: &'a Step,
-        start: &[f64],
-        start_load: &[f64],
+        (start, start_load): (&[f64], &[f64]),
+        users: &UserFrictions,
         pool: Option<&'a ThreadPool>,
     ) -> Self {
         let layout = Layout::new(model, step);
         let mut structure = Structure::new(model, &layout, step.nlgeom);
-        let contact = Contact::new(model, &layout);
+        let contact = Contact::new(model, &layout, users);
         let equations =
             |slots: &[usize]| -> Vec<usize> {
                 slots.iter().filter_map(|&slot| layout.equation(slot)).collect()

@@ -1,6 +1,7 @@
 //! The whole analysis: steps, increments, commits.
 
 use crate::commit::commit;
+use crate::contact::memory_size;
 use crate::diagnose;
 use crate::increments::{Control, Decision, Verdict};
 use crate::newton::{Outcome, Target, Workspace, attempt};
@@ -10,27 +11,30 @@ use crate::observe::{
 };
 use crate::plan::Plan;
 use crate::state::State;
+use crate::users::UserFrictions;
 use slideline_diag::Diagnostic;
-use slideline_model::{Model, Step};
+use slideline_model::{ContactPair, Model, Step};
 use std::ops::ControlFlow;
 
 /// How to run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Options {
     /// Threads for the evaluation of elements; results do not depend on it.
     pub threads: usize,
+    /// Friction laws of the embedding program.
+    pub user_frictions: UserFrictions,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { threads: 1 }
+        Self { threads: 1, user_frictions: UserFrictions::default() }
     }
 }
 
 /// Runs every step of a model and tells the observer.
 pub fn run(model: &Model, options: &Options, observer: &mut dyn Observer) -> Ending {
     let pool = thread_pool(options.threads);
-    let ending = Walk::new(model, pool.as_ref(), observer).steps();
+    let ending = Walk::new(model, options, pool.as_ref(), observer).steps();
     let _ = observer.event(Event::End(&ending));
     ending
 }
@@ -45,6 +49,7 @@ fn thread_pool(threads: usize) -> Option<rayon::ThreadPool> {
 /// A run under way.
 struct Walk<'a> {
     model: &'a Model,
+    users: &'a UserFrictions,
     observer: &'a mut dyn Observer,
     pool: Option<&'a rayon::ThreadPool>,
     committed: State,
@@ -63,14 +68,18 @@ enum Left {
 impl<'a> Walk<'a> {
     fn new(
         model: &'a Model,
+        options: &'a Options,
         pool: Option<&'a rayon::ThreadPool>,
         observer: &'a mut dyn Observer,
     ) -> Self {
         let slots = model.nodes.len() * 3;
         let points = model.contact_pairs.iter().map(|pair| pair.slave_nodes().len()).sum();
-        let committed = State::undeformed(slots, points);
+        let memory = |pair: &ContactPair| pair.slave_nodes().len() * memory_size(pair);
+        let memory = model.contact_pairs.iter().map(memory).sum();
+        let committed = State::undeformed(slots, points, memory);
         Self {
             model,
+            users: &options.user_frictions,
             observer,
             pool,
             trial: committed.clone(),
@@ -100,7 +109,8 @@ impl<'a> Walk<'a> {
         self.committed.increment_time = [0.0; 2];
         self.committed.flux = Default::default();
         let start = self.committed.displacement.clone();
-        let plan = Plan::new(self.model, step, &start, &self.committed.load, self.pool);
+        let load = &self.committed.load;
+        let plan = Plan::new(self.model, step, (&start, load), self.users, self.pool);
         let mut work = Workspace::new(&plan);
         self.begin(&plan, number, &mut work)?;
         let mut control = Control::begin(&step.procedure);

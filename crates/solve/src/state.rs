@@ -25,6 +25,8 @@ pub struct State {
     pub load: Vec<f64>,
     /// Contact points, in the order of the plan.
     pub points: Vec<PointState>,
+    /// State values of user friction laws.
+    pub memory: Vec<f64>,
     /// Average flux of forces and moments over the step.
     pub flux: [Flow; 2],
     /// Energies.
@@ -79,7 +81,7 @@ impl PointState {
 
 impl State {
     /// The undeformed model: everything zero, every point open.
-    pub fn undeformed(slots: usize, points: usize) -> Self {
+    pub fn undeformed(slots: usize, points: usize, memory: usize) -> Self {
         Self {
             displacement: vec![0.0; slots],
             increment: vec![0.0; slots],
@@ -87,6 +89,7 @@ impl State {
             reaction: vec![0.0; slots],
             load: vec![0.0; slots],
             points: vec![PointState::default(); points],
+            memory: vec![0.0; memory],
             ..Self::default()
         }
     }

@@ -9,7 +9,9 @@
 //! Everything is a pure function of the gap, the committed state and the multipliers of the trial.
 
 use super::enforcement::Demand;
-use super::friction::{FrictionLaw, Status, Traction};
+use super::friction::{
+    FrictionBatch, FrictionLaw, FrictionPoint, Registered, Status, Traction, UserFrictionError,
+};
 use super::normal::NormalLaw;
 use super::onset::Onset;
 
@@ -28,6 +30,21 @@ pub struct Laws {
     pub friction: FrictionLaw,
     /// When friction is called.
     pub onset: Onset,
+    /// The embedding program's law, where `friction` names one.
+    pub user: Option<Registered>,
+}
+
+/// The memory of a user law at a point.
+#[derive(Debug)]
+pub struct UserMemory<'a> {
+    /// Total time at the end of the increment [T].
+    pub time: f64,
+    /// Committed state.
+    pub committed: &'a [f64],
+    /// New state, written by the law.
+    pub state: &'a mut [f64],
+    /// What the law complained of.
+    pub fault: &'a mut Option<UserFrictionError>,
 }
 
 /// What a contact point remembers between increments.
@@ -86,18 +103,35 @@ impl Laws {
         self.normal.pressure(overclosure).map_or(estimate, |(pressure, _)| pressure)
     }
 
-    /// What a point does in a trial state. [semantics: friction onset]
-    pub fn respond(&self, history: &History, trial: &PointTrial) -> Response {
+    /// What a point does in a trial state; `memory` is that of a user law. [semantics: friction onset]
+    pub fn respond(
+        &self,
+        history: &History,
+        trial: &PointTrial,
+        memory: &mut UserMemory<'_>,
+    ) -> Response {
         let pressure = self.pressure(trial.overclosure, trial.pressure);
         let closed = pressure != 0.0;
         let called = self.has_friction() && self.onset.called(history.closed, closed);
-        let traction =
-            if called { self.traction(pressure, history, trial) } else { Traction::ZERO };
+        let traction = match called {
+            true => self.traction(pressure, history, trial, memory),
+            false => Traction::ZERO,
+        };
         Response { pressure, traction, closed, called }
     }
 
-    fn traction(&self, pressure: f64, history: &History, trial: &PointTrial) -> Traction {
+    fn traction(
+        &self,
+        pressure: f64,
+        history: &History,
+        trial: &PointTrial,
+        memory: &mut UserMemory<'_>,
+    ) -> Traction {
         let (slip, dt) = (trial.slip, trial.dt);
+        if self.user.is_some() {
+            let point = FrictionPoint { pressure, slip, elastic_slip: history.elastic_slip };
+            return self.ask_user(point, dt, memory);
+        }
         if !self.friction.needs_multiplier() {
             return self.friction.update(pressure, slip, history.elastic_slip, dt);
         }
@@ -111,6 +145,40 @@ impl Laws {
             dissipated_slip: if sticks { 0.0 } else { slip.abs() },
             status: projected.status,
             ..Traction::ZERO
+        }
+    }
+
+    /// Asks the embedding program's law about one point. An answer that is no number is a fault.
+    fn ask_user(&self, point: FrictionPoint, dt: f64, memory: &mut UserMemory<'_>) -> Traction {
+        let (Some(law), FrictionLaw::User { properties, .. }) = (&self.user, &self.friction) else {
+            return Traction::ZERO;
+        };
+        if point.pressure <= 0.0 {
+            memory.state.copy_from_slice(memory.committed);
+            return Traction::ZERO;
+        }
+        let mut tractions = [Traction::ZERO];
+        let answer = law.0.update(&mut FrictionBatch {
+            properties,
+            time: memory.time,
+            dt,
+            points: &[point],
+            committed: memory.committed,
+            state: memory.state,
+            tractions: &mut tractions,
+        });
+        let sum = tractions[0].tau + tractions[0].d_tau_d_slip + tractions[0].d_tau_d_pressure;
+        match answer {
+            Ok(()) if sum.is_finite() => tractions[0],
+            Ok(()) => {
+                let message = "the answer is not a finite number".to_string();
+                *memory.fault = Some(UserFrictionError { message });
+                Traction::ZERO
+            }
+            Err(fault) => {
+                *memory.fault = Some(fault);
+                Traction::ZERO
+            }
         }
     }
 
@@ -131,8 +199,8 @@ impl Laws {
         &self,
         [traction, slip, pressure]: [f64; 3],
         elastic_slip: f64,
-        kappa: f64,
-        dt: f64,
+        (kappa, dt): (f64, f64),
+        memory: &mut UserMemory<'_>,
     ) -> Demand {
         let closed = pressure.max(0.0);
         let of_pressure = if pressure > 0.0 { 1.0 } else { 0.0 };
@@ -145,7 +213,11 @@ impl Laws {
                 by_pressure: projected.by_pressure * of_pressure,
             };
         }
-        let updated = self.friction.update(closed, slip, elastic_slip, dt);
+        let updated = if self.user.is_some() {
+            self.ask_user(FrictionPoint { pressure: closed, slip, elastic_slip }, dt, memory)
+        } else {
+            self.friction.update(closed, slip, elastic_slip, dt)
+        };
         Demand::inserted(updated.tau, updated.d_tau_d_slip)
             .with_pressure(updated.d_tau_d_pressure * of_pressure)
     }

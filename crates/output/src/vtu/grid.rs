@@ -198,11 +198,8 @@ impl Grid {
         for (name, column) in &columns {
             push_floats(text, name, 1, column);
         }
-        let labels: Vec<i64> = self
-            .cells
-            .iter()
-            .map(|cell| i64::try_from(cell.label).unwrap_or(i64::MAX))
-            .collect();
+        let labels: Vec<i64> =
+            self.cells.iter().map(|cell| i64::try_from(cell.label).unwrap_or(i64::MAX)).collect();
         push_array(text, "Int64", "element", 1, &bytes(&labels, |label| label.to_le_bytes()));
         let kinds: Vec<i32> = self.cells.iter().map(|cell| cell.kind as i32).collect();
         push_array(text, "Int32", "kind", 1, &bytes(&kinds, |kind| kind.to_le_bytes()));
@@ -293,8 +290,7 @@ fn push_parabola(points: &mut Vec<[f64; 2]>, [from, middle, end]: [[f64; 2]; 3])
 
 fn topology(cells: &[Cell]) -> String {
     let count = |place: usize| i64::try_from(place).unwrap_or(i64::MAX);
-    let connectivity: Vec<i64> =
-        cells.iter().flat_map(|cell| cell.points.map(count)).collect();
+    let connectivity: Vec<i64> = cells.iter().flat_map(|cell| cell.points.map(count)).collect();
     let offsets: Vec<i64> = (1..=cells.len()).map(|cell| count(2 * cell)).collect();
     let types = vec![LINE; cells.len()];
     let mut text = "<Cells>\n".to_owned();
@@ -320,10 +316,8 @@ fn push_array(text: &mut String, kind: &str, name: &str, components: usize, data
         1 => String::new(),
         more => format!(" NumberOfComponents=\"{more}\""),
     };
-    let _ = write!(
-        text,
-        "<DataArray type=\"{kind}\" Name=\"{name}\"{components} format=\"binary\">"
-    ); // a String takes any text
+    let _ =
+        write!(text, "<DataArray type=\"{kind}\" Name=\"{name}\"{components} format=\"binary\">"); // a String takes any text
     let length = u32::try_from(data.len()).unwrap_or(u32::MAX);
     let mut block = length.to_le_bytes().to_vec();
     block.extend_from_slice(data);

@@ -11,7 +11,7 @@
 
 mod user;
 
-pub use user::{FrictionBatch, FrictionPoint, UserFriction, UserFrictionError};
+pub use user::{FrictionBatch, FrictionPoint, Registered, UserFriction, UserFrictionError};
 
 /// How sticking is carried.
 #[derive(Debug, Clone, Copy, PartialEq)]

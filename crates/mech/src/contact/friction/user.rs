@@ -2,6 +2,7 @@
 
 use super::Traction;
 use std::fmt;
+use std::sync::Arc;
 
 /// What a user law is told about one closed point.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,4 +56,20 @@ pub trait UserFriction: Send + Sync {
     /// # Errors
     /// If the law has no answer; the increment is then cut back.
     fn update(&self, batch: &mut FrictionBatch<'_>) -> Result<(), UserFrictionError>;
+}
+
+/// A law in the registry of a run; two are equal when they are the same object.
+#[derive(Clone)]
+pub struct Registered(pub Arc<dyn UserFriction>);
+
+impl fmt::Debug for Registered {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Registered(..)")
+    }
+}
+
+impl PartialEq for Registered {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
 }

@@ -10,11 +10,16 @@ fn coulomb(stick: Stick, decay: Option<Decay>) -> FrictionLaw {
 }
 
 fn laws(friction: FrictionLaw) -> Laws {
-    Laws { normal: soft(), friction, onset: Onset::Immediate }
+    Laws { normal: soft(), friction, onset: Onset::Immediate, user: None }
 }
 
 fn trial(overclosure: f64, slip: f64) -> PointTrial {
     PointTrial { overclosure, slip, pressure: 0.0, traction: 0.0, stiffness: 1e12, dt: 0.05 }
+}
+
+/// No law of a user, no memory.
+fn memory(fault: &mut Option<UserFrictionError>) -> UserMemory<'_> {
+    UserMemory { time: 0.0, committed: &[], state: &mut [], fault }
 }
 
 /// Requirement: the derivatives that a demand states are those of the demand. Central differences
@@ -28,7 +33,7 @@ fn demands_by_differences() {
     for friction in [elastic, decaying] {
         let laws = laws(friction);
         for (tau, slip, p) in [(1e5, 1e-6, 2e6), (9e5, 5e-6, 2e6), (-9e5, -5e-6, 1e6)] {
-            let at = |x: [f64; 3]| laws.demand_traction(x, 5e-7, kappa, 0.05);
+            let at = |x: [f64; 3]| laws.demand_traction(x, 5e-7, (kappa, 0.05), &mut memory(&mut None));
             let demand = at([tau, slip, p]);
             let stated = [demand.by_multiplier, demand.by_value, demand.by_pressure];
             for (k, size) in [1e5, 1e-6, 1e6].into_iter().enumerate() {
@@ -74,7 +79,7 @@ fn friction_dissipates() {
         let laws = laws(coulomb(stick, None));
         for slip in [-1e-3, -5e-6, 5e-6, 1e-3] {
             let history = History { closed: true, along: Some(0.0), elastic_slip: 0.0 };
-            let response = laws.respond(&history, &trial(-2e-6, slip));
+            let response = laws.respond(&history, &trial(-2e-6, slip), &mut memory(&mut None));
             assert!(response.traction.tau * slip > 0.0);
             assert!(response.traction.dissipated_slip >= 0.0);
         }
@@ -86,8 +91,12 @@ fn friction_dissipates() {
 fn nothing_faces_nothing() {
     let pulling = NormalLaw::CalculixLinear { stiffness: 1e10, tension: 1e3 };
     for normal in [soft(), pulling, NormalLaw::Hard] {
-        let laws = Laws { normal, friction: FrictionLaw::None, onset: Onset::Immediate };
-        let response = laws.respond(&History::default(), &trial(f64::NEG_INFINITY, 0.0));
+        let laws = Laws { normal, friction: FrictionLaw::None, onset: Onset::Immediate, user: None };
+        let response = laws.respond(
+            &History::default(),
+            &trial(f64::NEG_INFINITY, 0.0),
+            &mut memory(&mut None),
+        );
         assert!(!response.closed && response.pressure == 0.0);
     }
 }

@@ -1,0 +1,79 @@
+//! Keywords of other programs that are not read here. Named, so that none of
+//! them is taken for a misspelt keyword of ours: `*PLASTIC` is not `*ELASTIC`,
+//! and `*DLOAD` not `*CLOAD`.
+
+use slideline_deck::normalise;
+
+const SOLID: &str = "the structure is made of B21 beams and springs";
+const STATIC: &str = "steps are *STATIC";
+
+/// A keyword and what does its work here, where something does.
+const FOREIGN: &[(&str, &str)] = &[
+    ("BASE MOTION", STATIC),
+    ("BUCKLE", STATIC),
+    ("CHANGE FRICTION", "friction is a property of the model: *FRICTION before the first step"),
+    ("CONTACT", "name the surfaces that meet: *SLIDE LINE or *RIGID SURFACE with *INTERFACE"),
+    ("CONTACT FILE", "JOB.contact.csv is always written"),
+    ("CONTACT OUTPUT", "JOB.contact.csv is always written"),
+    ("CONTACT PAIR", "use *SLIDE LINE (ISL21) or *RIGID SURFACE (IRS21) with *INTERFACE"),
+    ("CONTACT PRINT", "JOB.contact.csv is always written"),
+    ("COUPLING", "use *MPC of type BEAM"),
+    ("CREEP", "materials are *ELASTIC"),
+    ("CYCLIC SYMMETRY MODEL", ""),
+    ("DAMPING", STATIC),
+    ("DENSITY", STATIC),
+    ("DISTRIBUTING COUPLING", ""),
+    ("DLOAD", "use *CLOAD on the nodes"),
+    ("DSLOAD", "use *CLOAD on the nodes"),
+    ("DYNAMIC", STATIC),
+    ("EL FILE", ""),
+    ("EL PRINT", ""),
+    ("ELEMENT OUTPUT", ""),
+    ("ENERGY FILE", "JOB.energy.csv is always written"),
+    ("ENERGY OUTPUT", "JOB.energy.csv is always written"),
+    ("ENERGY PRINT", "JOB.energy.csv is always written"),
+    ("EQUATION", "use *MPC of type BEAM for rigid links"),
+    ("EXPANSION", ""),
+    ("FREQUENCY", STATIC),
+    ("GAP", ""),
+    ("HEAT TRANSFER", STATIC),
+    ("HYPERELASTIC", "materials are *ELASTIC"),
+    ("IMPERFECTION", "give the imperfect shape with *NODE"),
+    ("INITIAL CONDITIONS", ""),
+    ("KINEMATIC", "use *MPC of type BEAM"),
+    ("MASS", STATIC),
+    ("MODEL CHANGE", ""),
+    ("MONITOR", "JOB.sta and JOB.history.csv grow line by line"),
+    ("NCOPY", "generate nodes with *NGEN"),
+    ("NFILL", "generate nodes with *NGEN"),
+    ("ORIENTATION", ""),
+    ("PLASTIC", "materials are *ELASTIC"),
+    ("PREPRINT", ""),
+    ("RIGID BODY", "use *MPC of type BEAM: dependent set, reference node"),
+    ("SHELL SECTION", SOLID),
+    ("SOLID SECTION", SOLID),
+    ("SURFACE", "use *RIGID SURFACE, or *SLIDE LINE with ISL21 elements"),
+    ("SURFACE INTERACTION", "use *INTERFACE, ELSET=...; its data line is the width"),
+    ("SYSTEM", "give global coordinates, or use *NMAP"),
+    ("TEMPERATURE", ""),
+    ("TIE", "use one node on both sides, or *MPC of type BEAM"),
+    ("TRANSFORM", ""),
+    ("USER MATERIAL", "materials are *ELASTIC"),
+    ("VISCO", STATIC),
+];
+
+/// The entry of a normalised keyword.
+pub(crate) fn find(word: &str) -> Option<&'static (&'static str, &'static str)> {
+    FOREIGN.iter().find(|(name, _)| normalise(name) == word)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::registry::REGISTRY;
+
+    #[test]
+    fn no_keyword_of_ours_is_foreign() {
+        assert!(REGISTRY.iter().all(|keyword| find(&normalise(keyword.name())).is_none()));
+    }
+}

@@ -1,0 +1,35 @@
+//! Runs decks and measures what comes out, for the claims in `tests/`.
+//!
+//! ```text
+//!   deck builder --> text --> slideline --> Curve --> metrics
+//!                                                       ^
+//!                     slideline-theory: closed form ----+
+//! ```
+//!
+//! Nothing here shares code with what it checks: the metrics are written
+//! again, and every reference comes from `slideline-theory`, which shares no
+//! code with the solver either.
+
+mod cam;
+mod curve;
+mod metrics;
+mod push;
+
+pub use cam::Cam;
+pub use curve::{Curve, Row, run, run_on};
+pub use metrics::{
+    Difference, differ, largest, largest_difference, peak, reversals, roughness, trapezoid,
+};
+pub use push::{Method, Placement, Push, Slaves, Units};
+
+/// The decks of the 1995 paper as shipped in the corpus.
+pub mod paper {
+    /// Circle on a cantilever, contact elements on the beam, 24 beams.
+    pub const IRS_COARSE: &str = include_str!("../../corpus/diehl1995/irs_coarse.inp");
+    /// The same with 99 beams.
+    pub const IRS_FINE: &str = include_str!("../../corpus/diehl1995/irs_fine.inp");
+    /// Circle on a cantilever, contact elements on the circle, 24 beams.
+    pub const ISL_COARSE: &str = include_str!("../../corpus/diehl1995/isl_coarse.inp");
+    /// The last one as the paper prints it, page furniture included.
+    pub const ISL_AS_PRINTED: &str = include_str!("../../corpus/bad/isl_as_printed.inp");
+}

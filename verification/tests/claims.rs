@@ -1,0 +1,25 @@
+//! All claims, one file each, named by source and figure. Every test states
+//! what is required, where that comes from, and why its tolerance is what it is.
+
+mod amplitudes_and_springs;
+mod balance;
+mod beams_bisshopp_drucker;
+mod beams_roll_up;
+mod beams_timoshenko;
+mod beams_williams_toggle;
+mod comb;
+mod determinism;
+mod energy;
+mod fig_4_methods_without_friction;
+mod fig_6_methods_with_friction;
+mod fig_8_cam;
+mod free_circle;
+mod incline;
+mod literal_deck;
+mod newton;
+mod objectivity;
+mod path_independence;
+mod return_stroke;
+mod rigid_link;
+mod stick_slip;
+mod units;
