@@ -1,1 +1,47 @@
-//! Follows.
+//! Balance of forces and of moments about the origin, every increment.
+//!
+//! Requirement: RF(clamp) + RF(circle) = 0, moments of both about the origin
+//! too, with and without friction. Source: verification section 7, semantics
+//! section 5 (action and reaction at any overclosure). Tolerance: what the
+//! free nodes may keep as residual, R_n = 1e-12 of the mean force or the floor
+//! of rounding, over a force that grows to 14 N: 1e-9 of the peak. A moment
+//! tau A h handed over wrongly would be 1e-5.
+
+use slideline_verification::{Curve, Method, Push, largest, run};
+
+fn totals(push: &Push) -> (f64, f64) {
+    let curve = run(&push.deck()).unwrap();
+    let [fx, fy, m] = sums(&curve, &[push.beam_label(0), Push::CIRCLE]);
+    let circle = [1, 2].map(|dof| curve.reaction(Push::CIRCLE, dof));
+    let force = largest(&circle[0], &circle[1]);
+    (largest(&fx, &fy) / force, largest(&m, &m) / (force * 50e-3))
+}
+
+/// Sum over the nodes of RF1, RF2 and of the moments about the origin.
+fn sums(curve: &Curve, labels: &[u64]) -> [Vec<f64>; 3] {
+    let mut sums = [(); 3].map(|()| vec![0.0; curve.rows.len()]);
+    for &label in labels {
+        let node = curve.model.nodes.find(label).unwrap();
+        let start = curve.model.nodes.plane(node);
+        for (k, row) in curve.rows.iter().enumerate() {
+            let ([fx, fy, m], u) = (row.reaction[node], row.displacement[node]);
+            sums[0][k] += fx;
+            sums[1][k] += fy;
+            sums[2][k] += m + (start[0] + u[0]) * fy - (start[1] + u[1]) * fx;
+        }
+    }
+    sums
+}
+
+#[test]
+fn supports_balance_one_another() {
+    for method in [Method::Irs, Method::Isl] {
+        for mu in [0.0, 0.3] {
+            let push = Push { mu, tolerance: Some(1e-12), ..Push::paper(method) };
+            let (force, moment) = totals(&push);
+            println!("balance {method:?} mu {mu}: forces {force:.1e} moments {moment:.1e}");
+            assert!(force < 1e-9, "{method:?} {mu}: {force:e}");
+            assert!(moment < 1e-9, "{method:?} {mu}: {moment:e}");
+        }
+    }
+}

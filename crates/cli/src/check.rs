@@ -32,13 +32,12 @@ fn report(read: &Read, start: Option<&InitialGaps>) -> String {
     let mut text = String::new();
     if let Some(model) = &read.model {
         let counts = [
-            (model.nodes.len(), "nodes"),
-            (elements(model), "elements"),
-            (model.contact_pairs.len(), "contact pairs"),
-            (model.steps.len(), "steps"),
+            (model.nodes.len(), "node"),
+            (elements(model), "element"),
+            (model.contact_pairs.len(), "contact pair"),
+            (model.steps.len(), "step"),
         ];
-        let counts: Vec<String> =
-            counts.iter().map(|(count, name)| format!("{count} {name}")).collect();
+        let counts: Vec<String> = counts.map(|(count, noun)| counted(count, noun)).into();
         let _ = write!(text, "{}", counts.join(", ")); // a String takes any text
         match start {
             Some(start) => {
@@ -125,19 +124,20 @@ fn push_verdict(text: &mut String, diagnostics: &[Diagnostic]) {
     let parts: Vec<String> = [
         (count(Severity::Error), "error"),
         (count(Severity::Warning), "warning"),
-        (count(Severity::Advice), "piece of advice"),
+        (count(Severity::Advice), "hint"),
         (count(Severity::Note), "note"),
     ]
     .into_iter()
     .filter(|(count, _)| *count > 0)
-    .map(|(count, word)| match (count, word) {
-        (1, word) => format!("1 {word}"),
-        (count, "piece of advice") => format!("{count} pieces of advice"),
-        (count, word) => format!("{count} {word}s"),
-    })
+    .map(|(count, noun)| counted(count, noun))
     .collect();
     let verdict = if parts.is_empty() { "nothing to object".to_owned() } else { parts.join(", ") };
     let _ = writeln!(text, "{}{verdict}", if text.is_empty() { "" } else { "\n" }); // as above
+}
+
+/// `1 step`, `2 steps`.
+fn counted(count: usize, noun: &str) -> String {
+    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
 }
 
 /// Every diagnostic, then one note per contact pair that carries its points.

@@ -1,6 +1,8 @@
 //! The program as a user meets it: standard output, standard error, exit
 //! codes and files.
 
+#![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
+
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};

@@ -201,8 +201,9 @@ pub fn labels(model: &Model, nodes: &[NodeIndex]) -> String {
 fn master(model: &Model, master: &Master) -> String {
     match master {
         Master::RigidSurface(surface) => format!(
-            "analytic rigid surface of {} segments, moving with node {}",
+            "analytic rigid surface of {} segment{}, moving with node {}",
             surface.segments.len(),
+            if surface.segments.len() == 1 { "" } else { "s" },
             model.nodes.label(surface.reference)
         ),
         Master::SlideLine(chain) => format!(

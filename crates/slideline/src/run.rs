@@ -70,6 +70,11 @@ pub fn run(read: &Read, options: &RunOptions, observer: &mut dyn Observer) -> Ou
         };
         return ended(Status::InputError, files, Vec::new(), failure);
     };
+    let missing = options.solve.user_frictions.missing(model);
+    if !missing.is_empty() {
+        let failure = slideline_output::write_input_error(&files, facts).err();
+        return ended(Status::InputError, files, missing, failure);
+    }
     let writers = match Writers::create(files.clone(), facts) {
         Ok(writers) => writers,
         Err(error) => return ended(Status::OutputError, files, Vec::new(), Some(error)),

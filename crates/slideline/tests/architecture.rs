@@ -1,6 +1,8 @@
 //! ARCHITECTURE.md is true: its floors are the crates' imports, every code
 //! and keyword has its page.
 
+#![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 

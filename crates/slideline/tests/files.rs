@@ -1,5 +1,7 @@
 //! Files of a run, made through the library.
 
+#![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
+
 use slideline::observe::{Event, Observer, Stop};
 use slideline::{Job, Quiet, Read, ReadOptions, RunOptions, Status, run};
 use std::ops::ControlFlow;

@@ -148,12 +148,16 @@ impl Meeting {
         }
         let mut gradient = [0.0; MOST_VARIABLES];
         let mut hessian = [0.0; MOST_VARIABLES * MOST_VARIABLES];
-        for i in 0..n {
-            gradient[i] =
-                normal * self.kernel.gradient[i] + tangential * self.kernel.slip_gradient[i];
+        let kernel = &self.kernel;
+        for (sum, (h, s)) in
+            gradient.iter_mut().zip(kernel.gradient.iter().zip(&kernel.slip_gradient)).take(n)
+        {
+            *sum = normal * h + tangential * s;
         }
-        for i in 0..n * n {
-            hessian[i] = normal * self.kernel.hessian[i] + tangential * self.kernel.slip_hessian[i];
+        for (sum, (h, s)) in
+            hessian.iter_mut().zip(kernel.hessian.iter().zip(&kernel.slip_hessian)).take(n * n)
+        {
+            *sum = normal * h + tangential * s;
         }
         let mut force = [0.0; MOST_DOFS];
         tangent[..m * m].fill(0.0);

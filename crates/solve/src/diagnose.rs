@@ -33,6 +33,9 @@ pub fn failure(
     if let Some(diagnosis) = unheld(plan, outcome) {
         return diagnosis;
     }
+    if let Some(fault) = &work.evaluation.fault {
+        return user_fault(plan, committed, &fault.message);
+    }
     if let Some(diagnosis) = slid_off(plan, committed, &trial_points(committed, work)).pop() {
         return Diagnostic { severity: slideline_diag::Severity::Error, ..diagnosis };
     }
@@ -62,6 +65,21 @@ pub fn failure(
         "everything up to that time is kept; let *STATIC start with a shorter increment and allow \
          smaller ones, or soften the contact with *SURFACE CONTACT, SOFTENED",
     )
+}
+
+/// The embedding program's friction law failed.
+fn user_fault(plan: &Plan<'_>, committed: &State, words: &str) -> Diagnostic {
+    let message = format!(
+        "the user friction law gave no answer beyond total time {:.6}: {words}",
+        committed.total_time
+    );
+    let user = |pair: &&slideline_model::ContactPair| {
+        matches!(pair.interaction.friction, slideline_model::Friction::User { .. })
+    };
+    let origin = plan.model.contact_pairs.iter().find(user);
+    Diagnostic::error(Code("SL0505"), message)
+        .at(origin.and_then(|pair| pair.interaction.friction_origin))
+        .help("everything up to that time is kept; the law must answer for any pressure and slip")
 }
 
 fn too_many_increments(plan: &Plan<'_>, committed: &State) -> Diagnostic {
@@ -94,14 +112,10 @@ fn unheld(plan: &Plan<'_>, outcome: &Outcome) -> Option<Diagnostic> {
         "nothing holds the model: node {label} can {motion} {way} ({}) without any resistance",
         dof.name()
     );
-    Some(
-        Diagnostic::error(Code("SL0503"), message)
-            .at(plan.model.nodes.get(node).origin)
-            .help(
-                "hold that motion with *BOUNDARY, or attach a weak *SPRING; a body that is only \
+    Some(Diagnostic::error(Code("SL0503"), message).at(plan.model.nodes.get(node).origin).help(
+        "hold that motion with *BOUNDARY, or attach a weak *SPRING; a body that is only \
                  held by contact must touch from the start",
-            ),
-    )
+    ))
 }
 
 /// Points that carried pressure at the last commit and now face no master:

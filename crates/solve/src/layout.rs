@@ -70,8 +70,7 @@ impl Layout {
         for (place, link) in links.iter().enumerate() {
             link_of[link.dependent] = Some(place);
         }
-        let mut layout =
-            Self { dofs, roles: vec![], links, link_of, slot_of_equation: Vec::new() };
+        let mut layout = Self { dofs, roles: vec![], links, link_of, slot_of_equation: Vec::new() };
         layout.roles = layout.find_roles(model, step);
         for slot in 0..layout.roles.len() {
             if layout.roles[slot] == Role::Free(0) {
@@ -155,7 +154,6 @@ impl Layout {
         }
     }
 
-
     /// Moves dependent nodes to where their masters take them.
     pub fn follow_links(&self, displacement: &mut [f64]) {
         let width = self.dofs.len();
@@ -217,9 +215,8 @@ fn active_dofs(model: &Model) -> Vec<(NodeIndex, Dof)> {
             for element in &block.elements {
                 match block.kind {
                     SpringKind::Ground(dof) => active.push((element.nodes[0], dof)),
-                    SpringKind::Axial => active.extend(
-                        element.nodes.iter().flat_map(|&n| [(n, Dof::U1), (n, Dof::U2)]),
-                    ),
+                    SpringKind::Axial => active
+                        .extend(element.nodes.iter().flat_map(|&n| [(n, Dof::U1), (n, Dof::U2)])),
                 }
             }
         }

@@ -155,9 +155,7 @@ impl LinearisedContact {
         self.response.reserve(rows * equations);
         self.compliance.reserve(rows * rows);
         self.jacobian.reserve(rows * rows);
-        for vector in
-            [&mut self.unknown, &mut self.residual, &mut self.step, &mut self.trial]
-        {
+        for vector in [&mut self.unknown, &mut self.residual, &mut self.step, &mut self.trial] {
             vector.reserve(rows);
         }
         self.in_rows.reserve(points);
@@ -331,8 +329,8 @@ impl LinearisedContact {
             eliminate(&mut self.jacobian, &mut self.step);
             let mut length = 1.0;
             loop {
-                for i in 0..m {
-                    self.trial[i] = unknown[i] - length * self.step[i];
+                for ((trial, q), step) in self.trial.iter_mut().zip(&*unknown).zip(&self.step) {
+                    *trial = q - length * step;
                 }
                 let new = system.residual(
                     &self.trial,
@@ -356,7 +354,12 @@ impl LinearisedContact {
     }
 
     /// du from the multipliers, and the multipliers to their points.
-    fn hand_out(&mut self, points: &mut [LinearPoint], circumstances: &Circumstances<'_>, correction: &mut [f64]) {
+    fn hand_out(
+        &mut self,
+        points: &mut [LinearPoint],
+        circumstances: &Circumstances<'_>,
+        correction: &mut [f64],
+    ) {
         let n = correction.len();
         let system = System { rows: &self.rows, compliance: &self.compliance };
         for (place, point) in points.iter_mut().enumerate() {
@@ -436,8 +439,8 @@ impl System<'_> {
                 let own = if i == j { 1.0 } else { 0.0 };
                 let by_multiplier = own + row.lent * by_value;
                 let k = row.pressure_row;
-                let of_pressure = if j == k { 1.0 } else { 0.0 }
-                    - self.rows[k].lent * self.compliance[k * m + j];
+                let of_pressure =
+                    if j == k { 1.0 } else { 0.0 } - self.rows[k].lent * self.compliance[k * m + j];
                 jacobian[i * m + j] = by_multiplier
                     - law.by_multiplier * by_multiplier
                     - law.by_value * by_value
@@ -462,11 +465,7 @@ impl Circumstances<'_> {
                 let pressure = if self.symmetrised { point.pressure } else { pressure };
                 let values = [multiplier, value, pressure];
                 let demand = self.demand_traction(laws, values, sliding, row.kappa);
-                if self.symmetrised {
-                    Demand { by_pressure: 0.0, ..demand }
-                } else {
-                    demand
-                }
+                if self.symmetrised { Demand { by_pressure: 0.0, ..demand } } else { demand }
             }
             _ => laws.demand_pressure(multiplier, value, row.kappa),
         }

@@ -252,12 +252,7 @@ impl Workspace {
     }
 
     /// One Newton iteration: assemble, factor, solve, move, evaluate.
-    fn iterate(
-        &mut self,
-        plan: &Plan<'_>,
-        committed: &State,
-        dt: f64,
-    ) -> Result<(), SolveError> {
+    fn iterate(&mut self, plan: &Plan<'_>, committed: &State, dt: f64) -> Result<(), SolveError> {
         self.linearise_points(plan, committed);
         self.assemble(plan);
         self.solver.refactor(&plan.pattern, &self.values)?;
@@ -292,8 +287,7 @@ impl Workspace {
                 && (self.pressures[place] > 0.0
                     || meeting.overclosure > laws.normal.contact_begins());
             let lent = if touching { lent_stiffness(plan, point.area) } else { 0.0 };
-            let called =
-                laws.has_friction() && laws.onset.called(before.closed, true);
+            let called = laws.has_friction() && laws.onset.called(before.closed, true);
             let sliding = (called && meeting.faces).then(|| Sliding {
                 slip: slip(plan, point.pair, before, meeting),
                 elastic_slip: before.elastic_slip,
@@ -472,8 +466,8 @@ impl Workspace {
     ) -> crate::observe::FieldReport {
         let layout = &plan.layout;
         for slot in 0..layout.slots() {
-            self.residual[slot] = self.evaluation.internal[slot] + self.evaluation.contact[slot]
-                - self.load[slot];
+            self.residual[slot] =
+                self.evaluation.internal[slot] + self.evaluation.contact[slot] - self.load[slot];
             self.increment[slot] = self.u[slot] - committed.displacement[slot];
         }
         let free = |slot: usize| layout.equation(slot).is_some();

@@ -44,10 +44,9 @@ impl<'a> Plan<'a> {
         let layout = Layout::new(model, step);
         let mut structure = Structure::new(model, &layout, step.nlgeom);
         let contact = Contact::new(model, &layout, users);
-        let equations =
-            |slots: &[usize]| -> Vec<usize> {
-                slots.iter().filter_map(|&slot| layout.equation(slot)).collect()
-            };
+        let equations = |slots: &[usize]| -> Vec<usize> {
+            slots.iter().filter_map(|&slot| layout.equation(slot)).collect()
+        };
         let contact_cliques = contact.cliques();
         let cliques =
             structure.cliques().chain(contact_cliques.iter().map(Vec::as_slice)).map(equations);

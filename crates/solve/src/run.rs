@@ -62,7 +62,7 @@ struct Walk<'a> {
 /// Why a step was left before its end.
 enum Left {
     Stopped(Stop),
-    Failed(Diagnostic),
+    Failed(Box<Diagnostic>),
 }
 
 impl<'a> Walk<'a> {
@@ -96,7 +96,7 @@ impl<'a> Walk<'a> {
             if let Err(left) = self.step(place + 1, step) {
                 return match left {
                     Left::Stopped(stop) => Ending::Stopped(self.totals, stop),
-                    Left::Failed(diagnosis) => Ending::NotConverged(self.totals, diagnosis),
+                    Left::Failed(diagnosis) => Ending::NotConverged(self.totals, *diagnosis),
                 };
             }
         }
@@ -144,7 +144,7 @@ impl<'a> Walk<'a> {
                     let diagnosis =
                         diagnose::failure(&plan, &self.committed, &work, &outcome, reason);
                     self.tell(Event::Diagnosed(&diagnosis))?;
-                    return Err(Left::Failed(diagnosis));
+                    return Err(Left::Failed(Box::new(diagnosis)));
                 }
             }
         }
@@ -171,12 +171,7 @@ impl<'a> Walk<'a> {
         }
     }
 
-    fn fail(
-        &mut self,
-        target: &Target,
-        outcome: &Outcome,
-        next: Option<f64>,
-    ) -> Result<(), Left> {
+    fn fail(&mut self, target: &Target, outcome: &Outcome, next: Option<f64>) -> Result<(), Left> {
         self.totals.cutbacks += 1;
         let report = AttemptReport {
             step: target.step,

@@ -84,8 +84,7 @@ pub struct Contribution {
 
 impl Contribution {
     /// Nothing.
-    pub const ZERO: Self =
-        Self { force: [0.0; WIDTH], tangent: [0.0; WIDTH * WIDTH], energy: 0.0 };
+    pub const ZERO: Self = Self { force: [0.0; WIDTH], tangent: [0.0; WIDTH * WIDTH], energy: 0.0 };
 }
 
 impl Structure {
@@ -109,11 +108,8 @@ impl Structure {
 
     fn place_beams(&mut self, model: &Model, layout: &Layout, block: &BeamBlock) {
         let section = &block.section;
-        let rectangle = Rectangle {
-            width: section.width,
-            height: section.height,
-            poisson: section.poisson,
-        };
+        let rectangle =
+            Rectangle { width: section.width, height: section.height, poisson: section.poisson };
         let shear = TransverseShear {
             slenderness: section.shear.slenderness_compensation,
             given: section.shear.stiffness,
@@ -245,8 +241,7 @@ impl Structure {
         for (element, contribution) in self.elements.iter().zip(from) {
             for i in 0..element.width {
                 let row = &contribution.tangent[i * WIDTH..][..element.width];
-                let sum: f64 =
-                    row.iter().zip(element.targets).map(|(k, slot)| k * v[slot]).sum();
+                let sum: f64 = row.iter().zip(element.targets).map(|(k, slot)| k * v[slot]).sum();
                 product[element.targets[i]] += sum;
             }
         }
@@ -296,8 +291,7 @@ impl Structure {
                 row.shear_force = stiffness.shear * strains.shear;
                 row.bending_moment = stiffness.bending * strains.curvature;
                 row.strains = [strains.axial, strains.shear, strains.curvature];
-                row.fibre_strain =
-                    strains.axial.abs() + strains.curvature.abs() * beam.half_height;
+                row.fibre_strain = strains.axial.abs() + strains.curvature.abs() * beam.half_height;
             }
             row
         })

@@ -144,6 +144,7 @@ mod tests {
     /// A curved chain of six beams along x, and a free rigid body above it
     /// with three slaves on its rim; `line`: the beams are the master,
     /// otherwise an arc of the body is.
+    #[allow(clippy::too_many_lines)] // one model, told in one piece
     fn model(line: bool) -> Model {
         let mut model = Model::default();
         let mut node = |label: u64, x: f64, y: f64| {
@@ -169,7 +170,8 @@ mod tests {
             nodes: [beam[k], beam[k + 1]],
             origin: AT,
         });
-        let block = BeamBlock { name: "B".into(), section, elements: elements.collect(), origin: AT };
+        let block =
+            BeamBlock { name: "B".into(), section, elements: elements.collect(), origin: AT };
         model.blocks.push(ElementBlock::B21(block));
         model.rigid_links = rim
             .iter()
@@ -189,8 +191,7 @@ mod tests {
                 SurfaceSegment::Circle { end: [3.2, 0.0], centre: [3.2, 1.0] },
                 SurfaceSegment::Circle { end: [2.2, 1.0], centre: [3.2, 1.0] },
             ];
-            let surface =
-                RigidSurface { reference: body, start: end, segments, origin: AT };
+            let surface = RigidSurface { reference: body, start: end, segments, origin: AT };
             (pairs(&beam), Master::RigidSurface(surface))
         };
         let interaction = Interaction {
@@ -242,7 +243,8 @@ mod tests {
     fn assembled_tangent_by_differences() {
         for (line, drag) in [(true, 0.3), (true, 0.02), (false, 0.3), (false, -0.02)] {
             let model = model(line);
-            let (slots, points) = (model.nodes.len() * 3, model.contact_pairs[0].slave_nodes().len());
+            let (slots, points) =
+                (model.nodes.len() * 3, model.contact_pairs[0].slave_nodes().len());
             let start = vec![0.0; slots];
             let users = crate::users::UserFrictions::default();
             let plan = Plan::new(&model, &model.steps[0], (&start, &start), &users, None);
@@ -267,9 +269,12 @@ mod tests {
             let largest = tangent.entries.iter().fold(0.0_f64, |most, k| most.max(k.abs()));
             for j in 0..n {
                 let column = column_by_differences(&plan, &committed, &trial, j, 1e-6);
-                for i in 0..n {
-                    let off = (column[i] - tangent.entries[i * n + j]).abs();
-                    assert!(off < 1e-6 * largest, "{line} {drag} ({i}, {j}): {off:e} of {largest:e}");
+                for (i, difference) in column.iter().enumerate() {
+                    let off = (difference - tangent.entries[i * n + j]).abs();
+                    assert!(
+                        off < 1e-6 * largest,
+                        "{line} {drag} ({i}, {j}): {off:e} of {largest:e}"
+                    );
                 }
             }
         }

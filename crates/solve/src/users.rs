@@ -1,7 +1,8 @@
 //! Friction laws of the embedding program, by name.
 
+use slideline_diag::{Code, Diagnostic};
 use slideline_mech::contact::friction::{Registered, UserFriction};
-use slideline_model::{Friction, Model};
+use slideline_model::{ContactPair, Friction, Model};
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -22,16 +23,22 @@ impl UserFrictions {
         self.laws.get(&name.to_ascii_uppercase()).cloned()
     }
 
-    /// The first law that a model names and the registry lacks: its name and
-    /// the place of the contact pair.
-    pub fn missing<'a>(&self, model: &'a Model) -> Option<(&'a str, usize)> {
-        model.contact_pairs.iter().enumerate().find_map(|(place, pair)| {
-            match &pair.interaction.friction {
-                Friction::User { name, .. } if self.find(name).is_none() => {
-                    Some((name.as_str(), place))
-                }
-                _ => None,
-            }
-        })
+    /// An error for every pair whose friction law nobody registered.
+    pub fn missing(&self, model: &Model) -> Vec<Diagnostic> {
+        let of_pair = |pair: &ContactPair| match &pair.interaction.friction {
+            Friction::User { name, .. } if self.find(name).is_none() => Some(
+                Diagnostic::error(
+                    Code("SL0326"),
+                    format!("no friction law named {name} is registered with this program"),
+                )
+                .at(pair.interaction.friction_origin.unwrap_or(pair.interaction.origin))
+                .help(
+                    "*FRICTION, USER= names a law of the program that embeds the solver; register \
+                     it there, or write Coulomb's law: *FRICTION with the coefficient below it",
+                ),
+            ),
+            _ => None,
+        };
+        model.contact_pairs.iter().filter_map(of_pair).collect()
     }
 }
