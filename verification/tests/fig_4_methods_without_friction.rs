@@ -132,8 +132,8 @@ fn linear_theory_is_not_the_target() {
     assert!(excess > 0.015 && excess < 0.035, "{excess}");
 }
 
-/// Requirement: softened and hard contact meet late in the stroke, and
-/// smoothing changes less than 0.03 % of the peak. Source: verification 1.3, 3.
+/// Requirement: smoothing changes about 0.03 % of the peak. Source:
+/// verification 3. Tolerance 0.05 %.
 #[test]
 fn smoothing_hardly_matters_here() {
     let smooth = found(&of(Method::Isl, 24, 20), 2);
@@ -141,7 +141,7 @@ fn smoothing_hardly_matters_here() {
     let sharp = found(&run(&push.deck()).unwrap(), 2);
     let off = differ(&sharp, &smooth);
     println!("SMOOTH 0 against 0.25: max {:.4} %", 100.0 * off.max);
-    assert!(off.max < 2e-3, "{}", off.max);
+    assert!(off.max < 5e-4, "{}", off.max);
 }
 
 /// Requirement: the decks as shipped and decks written node by node are the

@@ -28,7 +28,8 @@ fn turns_on_a_circle_and_hands_its_force_over() {
         assert!((u[k] - (shift[k] + arm[0] - 3.0)).abs() < 1e-12, "{} {:?}", u[k], arm);
         assert!((v[k] - (arm[1] - 4.0)).abs() < 1e-12, "{} {:?}", v[k], arm);
         let force = [3.0 * share, -7.0 * share];
-        assert!((fx[k] + force[0]).abs() < 1e-12 && (fy[k] + force[1]).abs() < 1e-12);
+        assert!((fx[k] + force[0]).abs() < 1e-12, "RF1 {} of load {}", fx[k], force[0]);
+        assert!((fy[k] + force[1]).abs() < 1e-12, "RF2 {} of load {}", fy[k], force[1]);
         let moment = arm[0] * force[1] - arm[1] * force[0];
         assert!((m[k] + moment).abs() < 1e-11, "{} {moment}", m[k]);
     }

@@ -8,14 +8,18 @@ use slideline_diag::{Code, Diagnostic};
 use slideline_linalg::SolveError;
 use slideline_model::{Dof, Master};
 
-/// An attempt's end in a few words.
-pub fn reason(verdict: Verdict) -> &'static str {
-    match verdict {
+/// An attempt's end in a few words, with those of the linear solver.
+pub fn reason(outcome: &Outcome) -> String {
+    let words = match outcome.verdict {
         Verdict::Converged { .. } => "converged",
         Verdict::Diverging => "the residual grew in two consecutive iterations",
         Verdict::TooSlow => "convergence is too slow",
         Verdict::Discontinuous => "contact went on changing",
         Verdict::Broken => "the equations could not be solved",
+    };
+    match &outcome.fault {
+        Some(fault) => format!("{words} ({fault})"),
+        None => words.to_string(),
     }
 }
 
@@ -57,7 +61,7 @@ pub fn failure(
     let message = format!(
         "no equilibrium was found beyond total time {:.6}: {}, and {}{}",
         committed.total_time,
-        reason(outcome.verdict),
+        reason(outcome),
         ended,
         place.unwrap_or_default()
     );

@@ -144,7 +144,16 @@ pub struct LinearisedContact {
 /// The most rounds in which further points may join.
 const ROUNDS: usize = 12;
 /// The most iterations of the small system.
-const ITERATIONS: usize = 60;
+const ITERATIONS: usize = 40;
+/// How often it is started again from settled pressures.
+const RESTARTS: usize = 3;
+/// Residual of the small system, relative to its multipliers, that counts as
+/// solved.
+const EXACT: f64 = 1e-13;
+/// The same where no step makes it smaller: rounding, not a wrong set.
+const ROUNDED: f64 = 1e-9;
+/// Shortest fraction of a step that is tried.
+const SHORTEST: f64 = 1e-3;
 
 impl LinearisedContact {
     /// Makes room for `points` points of a system of `equations`, so that
@@ -301,8 +310,21 @@ impl LinearisedContact {
         }
     }
 
-    /// Semismooth Newton on the small system, with backtracking.
+    /// Solves the small system: by Newton, and where Newton is lost among the
+    /// active sets of a hard law, from the set that a pivoting method finds.
     fn iterate(&mut self, points: &[LinearPoint], circumstances: &Circumstances<'_>) {
+        if self.newton(points, circumstances) {
+            return;
+        }
+        for _ in 0..RESTARTS {
+            if !self.settle_pressures(points, circumstances) || self.newton(points, circumstances) {
+                return;
+            }
+        }
+    }
+
+    /// Semismooth Newton with backtracking; says whether it converged.
+    fn newton(&mut self, points: &[LinearPoint], circumstances: &Circumstances<'_>) -> bool {
         let m = self.rows.len();
         for vector in [&mut self.residual, &mut self.step, &mut self.trial] {
             vector.clear();
@@ -311,46 +333,57 @@ impl LinearisedContact {
         self.jacobian.clear();
         self.jacobian.resize(m * m, 0.0);
         let system = System { rows: &self.rows, compliance: &self.compliance };
+        let (residual, jacobian) = (&mut self.residual, &mut self.jacobian);
         let unknown = &mut self.unknown;
-        unknown.truncate(m);
-        let mut size = system.residual(
-            unknown,
-            points,
-            circumstances,
-            &mut self.residual,
-            Some(&mut self.jacobian),
-        );
+        let mut size = system.residual(unknown, points, circumstances, residual, jacobian);
         for _ in 0..ITERATIONS {
             let scale = system.largest_multiplier(unknown);
-            if size <= 1e-13 * scale || !size.is_finite() {
-                break;
+            if size <= EXACT * scale || !size.is_finite() {
+                return size.is_finite();
             }
-            self.step.copy_from_slice(&self.residual);
-            eliminate(&mut self.jacobian, &mut self.step);
+            self.step.copy_from_slice(residual);
+            eliminate(jacobian, &mut self.step);
             let mut length = 1.0;
             loop {
                 for ((trial, q), step) in self.trial.iter_mut().zip(&*unknown).zip(&self.step) {
                     *trial = q - length * step;
                 }
-                let new = system.residual(
-                    &self.trial,
-                    points,
-                    circumstances,
-                    &mut self.residual,
-                    Some(&mut self.jacobian),
-                );
-                if new < size || length < 1e-3 {
+                let new = system.residual(&self.trial, points, circumstances, residual, jacobian);
+                if new < size {
                     unknown.copy_from_slice(&self.trial);
-                    let stalled = new >= size;
                     size = new;
-                    if stalled {
-                        return; // round-off, or no solution: the outer iteration judges
-                    }
                     break;
                 }
                 length *= 0.5;
+                if length < SHORTEST {
+                    return size <= ROUNDED * scale;
+                }
             }
         }
+        false
+    }
+
+    /// Finds the pressures of hard points for the present tractions by a
+    /// pivoting method that ends for any compliance: Lawson and Hanson's
+    /// non-negative least squares, written for h = b - C p <= 0, p >= 0,
+    /// p h = 0. Soft points keep their pressures. False: nothing to settle.
+    fn settle_pressures(
+        &mut self,
+        points: &[LinearPoint],
+        circumstances: &Circumstances<'_>,
+    ) -> bool {
+        let hard = |row: &Row| {
+            let law = &circumstances.laws[points[row.point].pair].normal;
+            row.kind == Kind::Normal && law.pressure(0.0).is_none()
+        };
+        let candidates: Vec<usize> =
+            (0..self.rows.len()).filter(|&i| hard(&self.rows[i])).collect();
+        if candidates.is_empty() {
+            return false;
+        }
+        let system = System { rows: &self.rows, compliance: &self.compliance };
+        settle(&system, &candidates, &mut self.unknown);
+        true
     }
 
     /// du from the multipliers, and the multipliers to their points.
@@ -422,17 +455,15 @@ impl System<'_> {
         points: &[LinearPoint],
         circumstances: &Circumstances<'_>,
         residual: &mut [f64],
-        jacobian: Option<&mut [f64]>,
+        jacobian: &mut [f64],
     ) -> f64 {
         let m = self.rows.len();
-        let mut jacobian = jacobian;
         for (i, row) in self.rows.iter().enumerate() {
             let (multiplier, value) = self.multiplier_and_value(i, unknown);
             let pressure = self.multiplier_and_value(row.pressure_row, unknown).0;
             let point = &points[row.point];
             let law = circumstances.demand(row, point, [multiplier, value, pressure]);
             residual[i] = multiplier - law.value;
-            let Some(jacobian) = jacobian.as_deref_mut() else { continue };
             for j in 0..m {
                 // d value/dq_j = -C_ij, d lambda_i/dq_j = delta_ij - s C_ij
                 let by_value = -self.compliance[i * m + j];
@@ -485,6 +516,65 @@ impl Circumstances<'_> {
         let mut memory =
             UserMemory { time: self.time, committed, state: &mut state, fault: &mut None };
         laws.demand_traction(values, sliding.elastic_slip, (kappa, self.dt), &mut memory)
+    }
+}
+
+/// Non-negative least squares on the rows `candidates` of a system; the
+/// other unknowns stay as they are.
+fn settle(system: &System<'_>, candidates: &[usize], unknown: &mut [f64]) {
+    let scale = candidates.iter().map(|&i| system.rows[i].free.abs()).fold(0.0, f64::max);
+    for &i in candidates {
+        // p = 0: q = -s (h - h0), to first order without the other rows.
+        unknown[i] = 0.0;
+    }
+    let mut active: Vec<usize> = Vec::new();
+    for _ in 0..4 * candidates.len() + 8 {
+        let value = |i: usize| system.multiplier_and_value(i, unknown).1;
+        let open = candidates.iter().copied().filter(|i| !active.contains(i));
+        let Some(worst) = open.max_by(|&a, &b| value(a).total_cmp(&value(b))) else { return };
+        if value(worst) <= 1e-13 * scale {
+            return;
+        }
+        active.push(worst);
+        while !close(system, &mut active, unknown) {}
+    }
+}
+
+/// Closes the active rows (h = 0, others p = 0); drops the row whose pressure
+/// turns negative first. False: a row was dropped, close again.
+fn close(system: &System<'_>, active: &mut Vec<usize>, unknown: &mut [f64]) -> bool {
+    let m = active.len();
+    let n = system.rows.len();
+    let mut matrix = vec![0.0; m * m];
+    let mut rhs = vec![0.0; m];
+    for (a, &i) in active.iter().enumerate() {
+        rhs[a] = system.multiplier_and_value(i, unknown).1;
+        for (b, &j) in active.iter().enumerate() {
+            matrix[a * m + b] = system.compliance[i * n + j];
+        }
+    }
+    eliminate(&mut matrix, &mut rhs);
+    let mut fraction = 1.0;
+    let mut leaves = None;
+    for (a, &i) in active.iter().enumerate() {
+        let end = unknown[i] + rhs[a];
+        if end < 0.0 && a + 1 < m {
+            let until = unknown[i] / (unknown[i] - end);
+            if until < fraction {
+                (fraction, leaves) = (until.max(0.0), Some(a));
+            }
+        }
+    }
+    for (a, &i) in active.iter().enumerate() {
+        unknown[i] += fraction * rhs[a];
+    }
+    match leaves {
+        Some(a) => {
+            unknown[active[a]] = 0.0;
+            active.remove(a);
+            false
+        }
+        None => true,
     }
 }
 

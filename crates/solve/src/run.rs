@@ -182,7 +182,7 @@ impl<'a> Walk<'a> {
             total_time: self.committed.total_time + target.dt,
             step_time: target.step_time,
             time_increment: target.dt,
-            reason: diagnose::reason(outcome.verdict).to_string(),
+            reason: diagnose::reason(outcome),
             next,
         };
         self.tell(Event::AttemptFailed(&report))

@@ -3,13 +3,13 @@
 use super::{Beam21, BeamSectionForces, BeamStrains};
 
 /// Cosine and sine of the angle of the section, mean rotation included.
-struct Frame {
+pub(in crate::element) struct Frame {
     c: f64,
     s: f64,
 }
 
 impl Beam21 {
-    fn frame(&self, mean: f64) -> Frame {
+    pub(in crate::element) fn frame(&self, mean: f64) -> Frame {
         let (s, c) = mean.sin_cos();
         let [ex, ey] = self.direction;
         Frame { c: ex * c - ey * s, s: ey * c + ex * s }
@@ -17,7 +17,7 @@ impl Beam21 {
 
     /// Internal force dW/dq: F2 = (cN - sV, sN + cV), F1 = -F2, moments -M + b and M + b with
     /// b = (l/2)[N gam - V(1 + eps)]. [semantics: B21, end forces]
-    fn end_forces(
+    pub(in crate::element) fn end_forces(
         &self,
         frame: &Frame,
         strains: &BeamStrains,
@@ -55,7 +55,7 @@ impl Beam21 {
     }
 
     /// The rows of B: derivatives of eps, gam, kap. [semantics: B21, B rows]
-    fn rows(&self, frame: &Frame, strains: &BeamStrains) -> [[f64; 6]; 3] {
+    pub(in crate::element) fn rows(&self, frame: &Frame, strains: &BeamStrains) -> [[f64; 6]; 3] {
         let (c, s) = (frame.c * self.inverse, frame.s * self.inverse);
         let (lean, stretch) = (0.5 * strains.shear, 0.5 * (1.0 + strains.axial));
         let inverse = self.inverse;
@@ -84,7 +84,7 @@ impl Beam21 {
     }
 
     /// Adds l (N eps'' + V gam'').
-    fn geometric_tangent(
+    pub(in crate::element) fn geometric_tangent(
         &self,
         frame: &Frame,
         strains: &BeamStrains,

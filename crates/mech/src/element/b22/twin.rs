@@ -1,0 +1,176 @@
+//! The hand-written derivatives of the energy of [`Beam22`]; tested against the energy itself.
+
+use super::{Beam22, Station, between};
+use crate::element::b21::{BeamSectionForces, BeamStrains};
+
+/// Derivatives at a point: the turned slopes and the strains.
+struct Turned {
+    /// Derivatives of eps by the nodes' ux and uy (of gam: (-y, x)).
+    slopes: [[f64; 2]; 3],
+    strains: BeamStrains,
+    forces: BeamSectionForces,
+}
+
+impl Beam22 {
+    fn turned(&self, station: &Station, strains: BeamStrains, rotation: f64) -> Turned {
+        let (s, c) = rotation.sin_cos();
+        let [ex, ey] = station.direction;
+        let axis = [ex * c - ey * s, ey * c + ex * s];
+        let slopes = station.slopes.map(|slope| axis.map(|a| a * slope));
+        Turned { slopes, strains, forces: self.forces_of(&strains) }
+    }
+
+    /// Writes the internal force dW/dq into `force`: (F, F, F L) of first end, middle, second end.
+    pub fn force(&self, q: &[f64; 9], force: &mut [f64; 9]) {
+        *force = [0.0; 9];
+        for station in &self.stations {
+            let turned = self.turned(station, station.strains(q), station.motion(q).1);
+            add_force(station, &turned, force);
+        }
+    }
+
+    /// Writes the internal force and the tangent d2W/dq2 (row-major, symmetric) and returns the
+    /// strain energy [F L].
+    pub fn force_and_tangent(
+        &self,
+        q: &[f64; 9],
+        force: &mut [f64; 9],
+        tangent: &mut [f64; 81],
+    ) -> f64 {
+        *force = [0.0; 9];
+        *tangent = [0.0; 81];
+        let mut energy = 0.0;
+        for station in &self.stations {
+            let turned = self.turned(station, station.strains(q), station.motion(q).1);
+            add_force(station, &turned, force);
+            self.add_material(station, &turned, tangent);
+            add_geometric(station, &turned, tangent);
+            energy += energy_of(station, &turned);
+        }
+        mirror(tangent);
+        energy
+    }
+
+    /// Strains of linear kinematics at the two integration points: B at zero displacement times q.
+    fn linear_station_strains(&self, q: &[f64; 9]) -> [BeamStrains; 2] {
+        self.stations.map(|station| {
+            let ([wx, wy, curvature], rotation) = station.motion(q);
+            let [ex, ey] = station.direction;
+            BeamStrains {
+                axial: ex * wx + ey * wy,
+                shear: ex * wy - ey * wx - rotation,
+                curvature,
+            }
+        })
+    }
+
+    /// Strains of linear kinematics at the middle.
+    pub fn linear_strains(&self, q: &[f64; 9]) -> BeamStrains {
+        between(&self.linear_station_strains(q), 0.0)
+    }
+
+    /// Force and tangent of a step without NLGEOM: the tangent is that at zero displacement, the
+    /// force its product with q. Returns the energy [F L].
+    pub fn linear_force_and_tangent(
+        &self,
+        q: &[f64; 9],
+        force: &mut [f64; 9],
+        tangent: &mut [f64; 81],
+    ) -> f64 {
+        *force = [0.0; 9];
+        *tangent = [0.0; 81];
+        let mut energy = 0.0;
+        let zero = BeamStrains { axial: 0.0, shear: 0.0, curvature: 0.0 };
+        for (station, strains) in self.stations.iter().zip(self.linear_station_strains(q)) {
+            // Rows of the undeformed state, forces of the linear strains.
+            let forces = self.forces_of(&strains);
+            let straight = Turned { forces, ..self.turned(station, zero, 0.0) };
+            add_force(station, &straight, force);
+            self.add_material(station, &straight, tangent);
+            energy += energy_of(station, &Turned { strains, ..straight });
+        }
+        mirror(tangent);
+        energy
+    }
+
+    /// Adds l_g B' D B to the upper triangle.
+    fn add_material(&self, station: &Station, turned: &Turned, tangent: &mut [f64; 81]) {
+        let rows = rows(station, turned);
+        let stiffness = [self.stiffness.axial, self.stiffness.shear, self.stiffness.bending];
+        for i in 0..9 {
+            let scaled: [f64; 3] =
+                std::array::from_fn(|r| station.length * stiffness[r] * rows[r][i]);
+            for j in i..9 {
+                tangent[9 * i + j] +=
+                    scaled[0] * rows[0][j] + scaled[1] * rows[1][j] + scaled[2] * rows[2][j];
+            }
+        }
+    }
+}
+
+fn energy_of(station: &Station, turned: &Turned) -> f64 {
+    let (strains, forces) = (&turned.strains, &turned.forces);
+    0.5 * station.length
+        * (forces.axial * strains.axial
+            + forces.shear * strains.shear
+            + forces.moment * strains.curvature)
+}
+
+/// The rows of B: derivatives of eps, gam, kap. By the rotation of the point, d eps = gam and
+/// d gam = -(1 + eps). [semantics: B21, B rows; derived]
+fn rows(station: &Station, turned: &Turned) -> [[f64; 9]; 3] {
+    let mut rows = [[0.0; 9]; 3];
+    for node in 0..3 {
+        let [x, y] = turned.slopes[node];
+        let (shape, first) = (station.shapes[node], 3 * node);
+        rows[0][first..first + 3].copy_from_slice(&[x, y, turned.strains.shear * shape]);
+        rows[1][first..first + 3]
+            .copy_from_slice(&[-y, x, -(1.0 + turned.strains.axial) * shape]);
+        rows[2][first + 2] = station.slopes[node];
+    }
+    rows
+}
+
+/// Adds l_g B' (N, V, M).
+fn add_force(station: &Station, turned: &Turned, force: &mut [f64; 9]) {
+    let (n, v, m) = (turned.forces.axial, turned.forces.shear, turned.forces.moment);
+    let couple = n * turned.strains.shear - v * (1.0 + turned.strains.axial);
+    for node in 0..3 {
+        let [x, y] = turned.slopes[node];
+        force[3 * node] += station.length * (x * n - y * v);
+        force[3 * node + 1] += station.length * (y * n + x * v);
+        force[3 * node + 2] +=
+            station.length * (couple * station.shapes[node] + m * station.slopes[node]);
+    }
+}
+
+/// Adds l_g (N eps'' + V gam'') to the upper triangle.
+fn add_geometric(station: &Station, turned: &Turned, tangent: &mut [f64; 81]) {
+    let (n, v) = (turned.forces.axial, turned.forces.shear);
+    let turn = -station.length * (n * (1.0 + turned.strains.axial) + v * turned.strains.shear);
+    let by_slope = turned.slopes.map(|[x, y]| {
+        [station.length * (-y * n - x * v), station.length * (x * n - y * v)]
+    });
+    for i in 0..3 {
+        let (shape, row) = (station.shapes[i], 3 * i + 2);
+        for j in 0..3 {
+            if j >= i {
+                tangent[9 * row + 3 * j + 2] += turn * shape * station.shapes[j];
+            }
+            for k in 0..2 {
+                let dof = 3 * j + k;
+                let (a, b) = if dof < row { (dof, row) } else { (row, dof) };
+                tangent[9 * a + b] += shape * by_slope[j][k];
+            }
+        }
+    }
+}
+
+/// Copies the upper triangle to the lower.
+fn mirror(tangent: &mut [f64; 81]) {
+    for i in 1..9 {
+        for j in 0..i {
+            tangent[9 * i + j] = tangent[9 * j + i];
+        }
+    }
+}

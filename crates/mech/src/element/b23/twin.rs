@@ -1,0 +1,87 @@
+//! Force and tangent of [`Beam23`]: its energy differentiated by the three strains of the chord in
+//! forward arithmetic, then carried to the dofs with the hand-written derivatives of [`Beam21`].
+
+use super::Beam23;
+use crate::differentiate::Second;
+use crate::element::b21::{Beam21, BeamSectionForces, BeamStrains};
+
+impl Beam23 {
+    fn law(&self, chord: &BeamStrains) -> Second<3> {
+        let [axial, shear, curvature] =
+            Second::variables(&[chord.axial, chord.shear, chord.curvature]);
+        self.energy_per_length(&BeamStrains { axial, shear, curvature })
+    }
+
+    /// Writes the internal force dW/dq into `force`: (F, F, F L) of node 1, then of node 2.
+    pub fn force(&self, q: &[f64; 6], force: &mut [f64; 6]) {
+        let strains = self.chord.strains(q);
+        let law = self.law(&strains);
+        self.chord.end_forces(&self.chord.frame(0.5 * (q[2] + q[5])), &strains, &forces(&law), force);
+    }
+
+    /// Writes the internal force and the tangent d2W/dq2 (row-major, symmetric) and returns the
+    /// strain energy [F L].
+    pub fn force_and_tangent(
+        &self,
+        q: &[f64; 6],
+        force: &mut [f64; 6],
+        tangent: &mut [f64; 36],
+    ) -> f64 {
+        let strains = self.chord.strains(q);
+        let law = self.law(&strains);
+        let forces = forces(&law);
+        let frame = self.chord.frame(0.5 * (q[2] + q[5]));
+        self.chord.end_forces(&frame, &strains, &forces, force);
+        material_tangent(self.length(), &self.chord.rows(&frame, &strains), &law.hessian, tangent);
+        self.chord.geometric_tangent(&frame, &strains, &forces, tangent);
+        self.length() * law.value
+    }
+
+    /// Strains of linear kinematics at the middle.
+    pub fn linear_strains(&self, q: &[f64; 6]) -> BeamStrains {
+        BeamStrains { shear: 0.0, ..self.chord.linear_strains(q) }
+    }
+
+    /// Section forces of linear kinematics at the middle.
+    pub fn linear_section_forces(&self, q: &[f64; 6]) -> BeamSectionForces {
+        let (strains, stiffness) = (self.chord.linear_strains(q), &self.chord.stiffness);
+        BeamSectionForces {
+            axial: stiffness.axial * strains.axial,
+            shear: stiffness.shear * strains.shear,
+            moment: stiffness.bending * strains.curvature,
+        }
+    }
+
+    /// Force and tangent of a step without NLGEOM: those of the Hermite beam, which is a B21 with
+    /// the transverse stiffness 12 EI/l^2. Returns the energy [F L].
+    pub fn linear_force_and_tangent(
+        &self,
+        q: &[f64; 6],
+        force: &mut [f64; 6],
+        tangent: &mut [f64; 36],
+    ) -> f64 {
+        Beam21::linear_force_and_tangent(&self.chord, q, force, tangent)
+    }
+}
+
+fn forces(law: &Second<3>) -> BeamSectionForces {
+    let [axial, shear, moment] = law.gradient;
+    BeamSectionForces { axial, shear, moment }
+}
+
+/// l B' D B with a full symmetric D, written over `tangent`.
+fn material_tangent(length: f64, rows: &[[f64; 6]; 3], law: &[[f64; 3]; 3], tangent: &mut [f64; 36]) {
+    let scaled: [[f64; 6]; 3] = std::array::from_fn(|r| {
+        std::array::from_fn(|i| {
+            length * (law[r][0] * rows[0][i] + law[r][1] * rows[1][i] + law[r][2] * rows[2][i])
+        })
+    });
+    for i in 0..6 {
+        for j in i..6 {
+            let sum =
+                rows[0][i] * scaled[0][j] + rows[1][i] * scaled[1][j] + rows[2][i] * scaled[2][j];
+            tangent[6 * i + j] = sum;
+            tangent[6 * j + i] = sum;
+        }
+    }
+}

@@ -1,0 +1,1 @@
+//! The study of Diehl (1995), repeated.
