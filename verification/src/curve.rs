@@ -80,12 +80,7 @@ impl Curve {
         row.beams.iter().map(energy).sum()
     }
 
-    fn column(
-        &self,
-        label: u64,
-        dof: usize,
-        of: impl Fn(&Row) -> &Vec<[f64; 3]>,
-    ) -> Vec<f64> {
+    fn column(&self, label: u64, dof: usize, of: impl Fn(&Row) -> &Vec<[f64; 3]>) -> Vec<f64> {
         let place = if dof == 6 { 2 } else { dof - 1 };
         match self.model.nodes.find(label) {
             Some(node) => self.rows.iter().map(|row| of(row)[node][place]).collect(),

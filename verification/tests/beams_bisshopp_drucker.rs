@@ -35,5 +35,9 @@ fn table_of_tip_angle_deflection_shortening() {
             assert!((found / exact - 1.0).abs() < 1e-3, "PL2/EI {load}: {found} {exact}");
         }
     }
-    println!("Bisshopp-Drucker: worst {:.4} %, {:.1} iterations", 100.0 * worst, curve.mean_iterations());
+    println!(
+        "Bisshopp-Drucker: worst {:.4} %, {:.1} iterations",
+        100.0 * worst,
+        curve.mean_iterations()
+    );
 }

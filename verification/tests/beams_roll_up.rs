@@ -36,7 +36,10 @@ fn polygon_at_every_load_and_closed_at_the_last() {
     }
     let gap = (1.0 + x[9]).hypot(y[9]);
     let turn = curve.displacement(11, 6)[9];
-    println!("roll-up: polygon {worst:.2e}, closing {gap:.2e}, {:.1} iterations", curve.mean_iterations());
+    println!(
+        "roll-up: polygon {worst:.2e}, closing {gap:.2e}, {:.1} iterations",
+        curve.mean_iterations()
+    );
     assert!(worst < 1e-10, "{worst:e}");
     assert!(gap < 1e-10, "{gap:e}");
     assert!((turn - 2.0 * PI).abs() < 1e-10, "{turn}");

@@ -65,7 +65,8 @@ impl Comb {
         };
         let dt = 1.0 / self.increments as f64;
         let controls = "*CONTROLS, PARAMETERS=FIELD\n1.0E-10\n*END STEP\n";
-        let lift = format!("*STEP, NLGEOM\n*STATIC\n1.0, 1.0\n*BOUNDARY\n999, 2, 2, -1.0E-3\n{controls}");
+        let lift =
+            format!("*STEP, NLGEOM\n*STATIC\n1.0, 1.0\n*BOUNDARY\n999, 2, 2, -1.0E-3\n{controls}");
         format!(
             "*HEADING\ncomb\n*NODE, NSET=TIPS\n1, 0.0, 0.0\n6, 50.0E-3, 0.0\n*NGEN, NSET=TIPS\n\
              1, 6, 1\n*NODE, NSET=ROOTS\n11, 0.0, 0.1\n16, 50.0E-3, 0.1\n*NGEN, NSET=ROOTS\n\

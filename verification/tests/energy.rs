@@ -19,10 +19,7 @@ fn contact_energy(row: &Row) -> f64 {
 /// (work, strain + contact energy, friction work), from the first row to the last.
 fn books(curve: &Curve) -> [f64; 3] {
     let (first, last) = (&curve.rows[0], curve.rows.last().unwrap());
-    let work = trapezoid(
-        &curve.displacement(Push::CIRCLE, 2),
-        &curve.reaction(Push::CIRCLE, 2),
-    );
+    let work = trapezoid(&curve.displacement(Push::CIRCLE, 2), &curve.reaction(Push::CIRCLE, 2));
     let held = |row: &Row| curve.beam_energy(row) + contact_energy(row);
     let lost = |row: &Row| row.energy.friction_dissipation + row.energy.friction_elastic;
     [work, held(last) - held(first), lost(last) - lost(first)]

@@ -39,7 +39,10 @@ fn irs_coarse_is_noisy() {
     let dense = found(&of(Method::Irs, 24, 200), 2);
     println!(
         "IRS coarse: RMS {:.2} % max {:.1} % reversals {} (20) {} (200)",
-        100.0 * off.rms, 100.0 * off.max, reversals(&force), reversals(&dense)
+        100.0 * off.rms,
+        100.0 * off.max,
+        reversals(&force),
+        reversals(&dense)
     );
     assert!((0.05..=0.12).contains(&off.rms), "RMS {}", off.rms);
     assert!((0.25..=0.60).contains(&off.max), "max {}", off.max);
@@ -54,7 +57,9 @@ fn irs_fine_is_less_noisy() {
     let dense = found(&of(Method::Irs, 99, 200), 2);
     println!(
         "IRS fine: RMS {:.2} % max {:.1} % reversals {} (200)",
-        100.0 * off.rms, 100.0 * off.max, reversals(&dense)
+        100.0 * off.rms,
+        100.0 * off.max,
+        reversals(&dense)
     );
     assert!((0.01..=0.025).contains(&off.rms), "RMS {}", off.rms);
     assert!(reversals(&dense) >= 40, "{}", reversals(&dense));
@@ -77,7 +82,10 @@ fn isl_coarse_is_smooth_and_accurate() {
         let side_off = differ(&found(&curve, 1), &side);
         println!(
             "ISL coarse, {increments}: RMS {:.3} % max {:.3} % reversals {} work {work:.5} RF1 max {:.3} % rough {:.4} %",
-            100.0 * off.rms, 100.0 * off.max, reversals(&force), 100.0 * side_off.max,
+            100.0 * off.rms,
+            100.0 * off.max,
+            reversals(&force),
+            100.0 * side_off.max,
             100.0 * roughness(&force, &exact)
         );
         assert!(off.rms <= 0.005, "RMS {}", off.rms);
@@ -115,8 +123,12 @@ fn fine_mesh_meets_the_continuum() {
     let off = differ(&found(&curve, 2), &exact);
     let force = found(&curve, 2);
     let local = force.iter().zip(&exact).map(|(f, e)| (f / e - 1.0).abs()).fold(0.0, f64::max);
-    println!("fine ISL against continuum: RMS {:.3} % max {:.3} % local {:.3} %",
-        100.0 * off.rms, 100.0 * off.max, 100.0 * local);
+    println!(
+        "fine ISL against continuum: RMS {:.3} % max {:.3} % local {:.3} %",
+        100.0 * off.rms,
+        100.0 * off.max,
+        100.0 * local
+    );
     assert!(off.max <= 0.003, "{}", off.max);
     assert!(local <= 0.01, "{local}");
 }

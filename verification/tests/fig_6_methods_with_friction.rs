@@ -6,7 +6,9 @@
 //! Lagrange agree. Source: the paper's text, verification section 3.
 
 use slideline_theory::{FirstProblem, Reference};
-use slideline_verification::{Curve, Method, Push, differ, largest_difference, peak, run, trapezoid};
+use slideline_verification::{
+    Curve, Method, Push, differ, largest_difference, peak, run, trapezoid,
+};
 
 const AREA: f64 = 1.570_477e-5;
 
@@ -42,7 +44,9 @@ fn isl_immediate_follows_theory() {
     let exact = differ(&found, &theory(Reference::Softened { area: AREA }));
     println!(
         "ISL mu 0.3: RMS {:.3} % of linear, {:.3} % of softened (max {:.3} %)",
-        100.0 * linear.rms, 100.0 * exact.rms, 100.0 * exact.max
+        100.0 * linear.rms,
+        100.0 * exact.rms,
+        100.0 * exact.max
     );
     assert!(linear.rms <= 0.01, "{}", linear.rms);
     assert!(exact.rms <= 0.005, "{}", exact.rms);
@@ -88,8 +92,7 @@ fn irs_fine_matfru_loses_all_friction() {
 fn isl_matfru_keeps_nearly_all() {
     let [none, full, lost] = [(0.0, "IMMEDIATE"), (0.3, "IMMEDIATE"), (0.3, "MATFRU")]
         .map(|(mu, onset)| of(model(Method::Isl, 24, mu, onset)));
-    let kept: Vec<f64> =
-        (0..20).map(|k| (lost[k] - none[k]) / (full[k] - none[k])).collect();
+    let kept: Vec<f64> = (0..20).map(|k| (lost[k] - none[k]) / (full[k] - none[k])).collect();
     let whole = kept.iter().filter(|kept| **kept > 0.95).count();
     println!("ISL MATFRU keeps {kept:.2?}");
     assert!(whole >= 15, "{kept:?}");

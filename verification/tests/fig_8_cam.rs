@@ -41,7 +41,8 @@ fn immediate_follows_theory() {
         let exact = differ(&found, &theory(mu, Reference::Softened { area }));
         println!(
             "cam {spacing} deg mu {mu}: RMS {:.3} % of linear, {:.3} % of softened",
-            100.0 * linear.rms, 100.0 * exact.rms
+            100.0 * linear.rms,
+            100.0 * exact.rms
         );
         assert!(linear.rms <= limit, "{spacing} {mu}: {}", linear.rms);
         assert!(exact.rms <= limit, "{spacing} {mu}: {}", exact.rms);
@@ -54,8 +55,11 @@ fn immediate_follows_theory() {
 fn fine_cam_meets_the_continuum() {
     for mu in [0.0, 0.3] {
         let off = differ(&moment(&turn(mu, "IMMEDIATE", 0.5)), &theory(mu, Reference::Continuum));
-        println!("cam 0.5 deg mu {mu} against continuum: RMS {:.3} % max {:.3} %",
-            100.0 * off.rms, 100.0 * off.max);
+        println!(
+            "cam 0.5 deg mu {mu} against continuum: RMS {:.3} % max {:.3} %",
+            100.0 * off.rms,
+            100.0 * off.max
+        );
         assert!(off.max <= 0.003, "{mu}: {off:?}");
     }
 }

@@ -40,8 +40,7 @@ fn spring_then_spring_and_column() {
     for (k, row) in curve.rows.iter().enumerate() {
         let force = load * row.time;
         let alone = force / SPRING;
-        let exact =
-            if alone <= GAP { alone } else { (force + COLUMN * GAP) / (SPRING + COLUMN) };
+        let exact = if alone <= GAP { alone } else { (force + COLUMN * GAP) / (SPRING + COLUMN) };
         assert!((u[k] - exact).abs() < 1e-9 * GAP, "{force}: {} {exact}", u[k]);
         assert!((tip[k] - (exact - GAP).max(0.0)).abs() < 1e-9 * GAP, "{force}: {}", tip[k]);
     }

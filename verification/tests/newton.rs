@@ -27,9 +27,7 @@ fn falls(curve: &Curve) -> Vec<Vec<f64>> {
 /// load q: ln(r'/q)/ln(r/q), the order in units in which the quadratic term is
 /// of the size of one, and r' q/r2.
 fn orders(curve: &Curve, load: f64) -> Vec<[f64; 2]> {
-    let of = |r: &[f64]| {
-        [(r[1] / load).ln() / (r[0] / load).ln(), r[1] * load / (r[0] * r[0])]
-    };
+    let of = |r: &[f64]| [(r[1] / load).ln() / (r[0] / load).ln(), r[1] * load / (r[0] * r[0])];
     let late = |fall: &Vec<f64>| -> Vec<[f64; 2]> {
         fall.windows(2).filter(|r| r[0] < 0.05 * load).map(of).collect()
     };
@@ -83,7 +81,9 @@ fn contact_is_quadratic_to_the_floor() {
                 .collect();
             let worst = ratios.iter().copied().fold(0.0, f64::max);
             let longest = falls.iter().map(Vec::len).max().unwrap();
-            println!("Newton {method:?} mu {mu}: r2/r1^2 <= {worst:.2e} 1/N, {longest} residuals above the floor");
+            println!(
+                "Newton {method:?} mu {mu}: r2/r1^2 <= {worst:.2e} 1/N, {longest} residuals above the floor"
+            );
             assert!(longest >= 2, "{falls:?}");
             assert!(worst < 100.0, "{falls:?}");
         }

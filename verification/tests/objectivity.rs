@@ -17,7 +17,8 @@ fn reactions(push: &Push) -> [Vec<f64>; 3] {
 fn check(push: &Push, placement: Placement) {
     let [fx, fy, m] = reactions(push);
     let peak = largest(&fx, &fy);
-    let turned: Vec<[f64; 2]> = fx.iter().zip(&fy).map(|(&x, &y)| placement.vector([x, y])).collect();
+    let turned: Vec<[f64; 2]> =
+        fx.iter().zip(&fy).map(|(&x, &y)| placement.vector([x, y])).collect();
     let found = reactions(&Push { placement, ..*push });
     let hand = if placement.mirror { -1.0 } else { 1.0 };
     for (what, found, expected, scale) in [

@@ -26,8 +26,7 @@ fn retraces_the_push_without_friction() {
 fn friction_opens_a_loop() {
     let push = Push { returns: true, mu: 0.3, ..Push::paper(Method::Isl) };
     let curve = run(&push.deck()).unwrap();
-    let (force, travel) =
-        (curve.reaction(Push::CIRCLE, 2), curve.displacement(Push::CIRCLE, 2));
+    let (force, travel) = (curve.reaction(Push::CIRCLE, 2), curve.displacement(Push::CIRCLE, 2));
     let work = trapezoid(&travel, &force);
     println!("loop: work {work:.5}, force at the turn {:.3} {:.3}", force[19], force[20]);
     assert!(work > 0.0);

@@ -123,8 +123,7 @@ fn force_and_tangent(gap: &AnyGap, slip: f64) -> (Vec<f64>, Vec<f64>) {
     let overclosure = gap.overclosure();
     let trial =
         PointTrial { overclosure, slip, pressure: 0.0, traction: 0.0, stiffness: 0.0, dt: 1.0 };
-    let mut memory =
-        UserMemory { time: 0.0, committed: &[], state: &mut [], fault: &mut None };
+    let mut memory = UserMemory { time: 0.0, committed: &[], state: &mut [], fault: &mut None };
     let response = laws.respond(&history, &trial, &mut memory);
     let (p, tau) = (response.pressure, response.traction);
     let slope = laws.normal.pressure(overclosure).unwrap().1;
@@ -135,7 +134,8 @@ fn force_and_tangent(gap: &AnyGap, slip: f64) -> (Vec<f64>, Vec<f64>) {
         let (i, j) = (k / n, k % n);
         let by_slip = tau.d_tau_d_slip * d.slip_gradient[j];
         let by_pressure = tau.d_tau_d_pressure * slope * d.gradient[j];
-        p * d.hessian[k] + tau.tau * d.slip_hessian[k]
+        p * d.hessian[k]
+            + tau.tau * d.slip_hessian[k]
             + slope * d.gradient[i] * d.gradient[j]
             + d.slip_gradient[i] * (by_slip + by_pressure)
     });

@@ -6,8 +6,10 @@ use slideline_diag::Span;
 /// Points, a master, and what happens between them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContactPair {
-    /// Name: the contact element set.
+    /// Name: the contact element set, or the names of both surfaces.
     pub name: String,
+    /// Where contact is sampled.
+    pub formulation: Formulation,
     /// Contact elements; their nodes are the slave nodes and their undeformed
     /// lengths the tributary areas.
     pub elements: Vec<ContactElement>,
@@ -29,6 +31,19 @@ impl ContactPair {
             .filter(|&node| seen.insert(node))
             .collect()
     }
+}
+
+/// Where contact is sampled along the slave surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Formulation {
+    /// At the slave nodes, each with its tributary area (IRS and ISL elements,
+    /// `TYPE=NODE TO SURFACE`).
+    #[default]
+    NodeToSurface,
+    /// Along the slave elements: beams whose surface is smooth, built from
+    /// positions and rotations of their nodes, against an analytic rigid
+    /// surface (`TYPE=SURFACE TO SURFACE`).
+    SurfaceToSurface,
 }
 
 /// ISL21 or IRS21: a stretch of slave surface between two slave nodes.

@@ -22,8 +22,8 @@ mod step;
 
 pub use amplitude::Amplitude;
 pub use contact::{
-    ContactElement, ContactPair, Decay, Friction, Interaction, Master, RigidSurface, SlideLine,
-    StickRule, SurfaceSegment,
+    ContactElement, ContactPair, Decay, Formulation, Friction, Interaction, Master, RigidSurface,
+    SlideLine, StickRule, SurfaceSegment,
 };
 pub use controls::{Controls, FieldControls, TimeIncrementation};
 pub use element::{

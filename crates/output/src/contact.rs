@@ -23,8 +23,9 @@ impl Contact {
         if self.file.is_none() {
             let mut file = Growing::create(self.job.path(".contact.csv"))?;
             file.text.push_str(
-                "step,increment,time,pair,node,status,COPEN,CPRESS,CSHEAR1,CSLIP1,friction\n",
+                "step,increment,time,pair,node,status,COPEN,CPRESS,CSHEAR1,CSLIP1,friction,",
             );
+            file.text.push_str("x,y,normal_x,normal_y,area\n");
             file.flush()?;
             self.file = Some(file);
         }
@@ -49,7 +50,13 @@ fn push_row(text: &mut String, frame: &Frame<'_>, row: &ContactRow) {
         text.push(',');
         push_shortest(text, value);
     }
-    let _ = writeln!(text, ",{}", row.friction.word());
+    let _ = write!(text, ",{}", row.friction.word()); // a String takes any text
+    let place = [row.position[0], row.position[1], row.normal[0], row.normal[1], row.area];
+    for value in place {
+        text.push(',');
+        push_shortest(text, value);
+    }
+    text.push('\n');
 }
 
 /// A name, quoted where it would break the row.

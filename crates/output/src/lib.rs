@@ -5,6 +5,7 @@
 //!   run -> Writers ---+-> JOB.history.csv  JOB.contact.csv  JOB.energy.csv
 //!                     +-> JOB_0001.vtu ...  JOB.pvd
 //!                     +-> JOB.json
+//!   these files -> report -> JOB.html      these files -> plot -> svg, png, csv
 //! ```
 //!
 //! One writer per kind of file, one line each in [`Writers`]' registry. A
@@ -24,9 +25,12 @@ pub mod json;
 mod ledger;
 mod msg;
 pub mod number;
+pub mod plot;
 mod record;
+pub mod report;
 mod sta;
 mod summary;
+mod understood;
 mod vtu;
 mod writers;
 

@@ -6,6 +6,7 @@ use crate::job::JobFiles;
 use crate::json::{self, Object};
 use crate::ledger::onset_word;
 use crate::record::record;
+use crate::understood::{self, Understood};
 use slideline_diag::{Diagnostic, Severity, Sources};
 use slideline_model::{Dialect, NodeIndex, Onset};
 use slideline_solve::observe::{Ending, Event, Frame, StepReport, Stop, Totals};
@@ -93,6 +94,9 @@ pub(crate) struct Summary<'a> {
     peaks: Vec<Option<Peak>>,
     dropped_work: f64,
     totals: Totals,
+    understood: Option<Understood>,
+    /// Largest fibre strain of a beam: value, element, total time.
+    strain: Option<(f64, u64, f64)>,
 }
 
 impl<'a> Summary<'a> {
@@ -114,6 +118,8 @@ impl<'a> Summary<'a> {
             peaks: Vec::new(),
             dropped_work: 0.0,
             totals: Totals::default(),
+            understood: None,
+            strain: None,
         }
     }
 
@@ -147,6 +153,7 @@ impl<'a> Summary<'a> {
     }
 
     fn list_curves(&mut self, step: &StepReport<'_>) {
+        self.understood.get_or_insert_with(|| understood::understood(step.model));
         let columns = columns(step.start.nodal.dofs());
         for node in step.model.history_nodes() {
             let label = step.model.nodes.label(node);
@@ -161,6 +168,11 @@ impl<'a> Summary<'a> {
         self.totals.increments += 1;
         self.dropped_work = frame.energy.dropped_friction;
         let time = frame.total_time;
+        for beam in frame.beams {
+            if self.strain.is_none_or(|(largest, ..)| beam.fibre_strain > largest) {
+                self.strain = Some((beam.fibre_strain, beam.label, time));
+            }
+        }
         for ((_, node, column), peak) in self.curves.iter().zip(&mut self.peaks) {
             let value = column.value(&frame.nodal, *node);
             let peak = peak.get_or_insert(Peak { least: (value, time), most: (value, time) });
@@ -190,6 +202,18 @@ impl<'a> Summary<'a> {
             .text("deck_hash", facts.deck_hash)
             .optional_text("dialect", facts.dialect.map(Dialect::word))
             .optional_text("friction_onset", facts.friction_onset.map(onset_word));
+        if let Some((value, element, time)) = self.strain {
+            let element = element.to_string();
+            let strain = Object::new().number("max", value).raw("element", &element);
+            object = object.raw("fibre_strain", &strain.number("time", time).finish());
+        }
+        if let Some(understood) = &self.understood {
+            object = object
+                .raw("driven", &understood.driven)
+                .raw("loaded", &understood.loaded)
+                .raw("pairs", &understood.pairs)
+                .raw("settings", &understood.settings);
+        }
         if status == Status::InputError {
             let errors = facts.diagnostics.iter().filter(|said| said.severity == Severity::Error);
             object = object.array("errors", errors.map(|e| record(e, facts.sources).finish()));

@@ -208,7 +208,10 @@ mod tests {
             friction_origin: None,
         };
         let name = "C".to_string();
-        model.contact_pairs.push(ContactPair { name, elements, master, interaction, origin: AT });
+        let formulation = Formulation::NodeToSurface;
+        let origin = AT;
+        let pair = ContactPair { name, formulation, elements, master, interaction, origin };
+        model.contact_pairs.push(pair);
         let fixed = [Dof::U1, Dof::U2, Dof::UR3];
         model.steps.push(Step {
             title: String::new(),

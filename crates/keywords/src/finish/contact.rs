@@ -114,7 +114,8 @@ fn pair(surface: &Surface, strayed: bool, in_pair: &mut HashMap<usize, Span>, dr
     let master = master(surface, reference.map(|(node, _)| node), draft);
     if let (Some(interaction), Some(master)) = (interaction, master) {
         let (name, origin) = (surface.set.clone(), surface.origin);
-        let pair = ContactPair { name, elements, master, interaction, origin };
+        let formulation = slideline_model::Formulation::NodeToSurface;
+        let pair = ContactPair { name, formulation, elements, master, interaction, origin };
         both_sides(&pair, surface, draft);
         draft.model.contact_pairs.push(pair);
     }

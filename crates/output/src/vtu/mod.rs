@@ -9,7 +9,7 @@
 //! Points stand where they are in that state; `displacement` leads there
 //! from the undeformed position.
 
-mod base64;
+pub(crate) mod base64;
 mod grid;
 
 use crate::file::{WriteError, replace};

@@ -33,7 +33,8 @@ fn demands_by_differences() {
     for friction in [elastic, decaying] {
         let laws = laws(friction);
         for (tau, slip, p) in [(1e5, 1e-6, 2e6), (9e5, 5e-6, 2e6), (-9e5, -5e-6, 1e6)] {
-            let at = |x: [f64; 3]| laws.demand_traction(x, 5e-7, (kappa, 0.05), &mut memory(&mut None));
+            let at =
+                |x: [f64; 3]| laws.demand_traction(x, 5e-7, (kappa, 0.05), &mut memory(&mut None));
             let demand = at([tau, slip, p]);
             let stated = [demand.by_multiplier, demand.by_value, demand.by_pressure];
             for (k, size) in [1e5, 1e-6, 1e6].into_iter().enumerate() {
@@ -43,7 +44,10 @@ fn demands_by_differences() {
                 down[k] -= step;
                 let difference = (at(up).value - at(down).value) / (2.0 * step);
                 let scale = stated[k].abs().max(1e5 / size * 1e-2);
-                assert!((difference - stated[k]).abs() < 1e-5 * scale, "{k} {difference} {stated:?}");
+                assert!(
+                    (difference - stated[k]).abs() < 1e-5 * scale,
+                    "{k} {difference} {stated:?}"
+                );
             }
         }
         for (p, h) in [(1e5, -8e-6), (3e6, -1e-6), (0.0, -2e-5)] {
@@ -91,7 +95,8 @@ fn friction_dissipates() {
 fn nothing_faces_nothing() {
     let pulling = NormalLaw::CalculixLinear { stiffness: 1e10, tension: 1e3 };
     for normal in [soft(), pulling, NormalLaw::Hard] {
-        let laws = Laws { normal, friction: FrictionLaw::None, onset: Onset::Immediate, user: None };
+        let laws =
+            Laws { normal, friction: FrictionLaw::None, onset: Onset::Immediate, user: None };
         let response = laws.respond(
             &History::default(),
             &trial(f64::NEG_INFINITY, 0.0),

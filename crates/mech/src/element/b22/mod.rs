@@ -64,7 +64,8 @@ impl Station {
     /// (du/ds, df/ds) and f of the point.
     fn motion<R: Real>(&self, q: &[R; 9]) -> ([R; 3], R) {
         let (first, last) = (R::from_f64(self.slopes[0]), R::from_f64(self.slopes[2]));
-        let slope = std::array::from_fn(|k| first * (q[k] - q[3 + k]) + last * (q[6 + k] - q[3 + k]));
+        let slope =
+            std::array::from_fn(|k| first * (q[k] - q[3 + k]) + last * (q[6 + k] - q[3 + k]));
         let [a, b, c] = self.shapes.map(R::from_f64);
         (slope, a * q[2] + b * q[5] + c * q[8])
     }
@@ -117,9 +118,8 @@ impl Beam22 {
         let chord = [last[0] - first[0], last[1] - first[1]];
         let forward = |xi: f64| {
             let by_xi = slopes(xi);
-            let along = |k: usize| {
-                by_xi[0] * (first[k] - middle[k]) + by_xi[2] * (last[k] - middle[k])
-            };
+            let along =
+                |k: usize| by_xi[0] * (first[k] - middle[k]) + by_xi[2] * (last[k] - middle[k]);
             along(0) * chord[0] + along(1) * chord[1] > 0.0
         };
         forward(-1.0) && forward(1.0)

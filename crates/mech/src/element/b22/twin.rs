@@ -56,11 +56,7 @@ impl Beam22 {
         self.stations.map(|station| {
             let ([wx, wy, curvature], rotation) = station.motion(q);
             let [ex, ey] = station.direction;
-            BeamStrains {
-                axial: ex * wx + ey * wy,
-                shear: ex * wy - ey * wx - rotation,
-                curvature,
-            }
+            BeamStrains { axial: ex * wx + ey * wy, shear: ex * wy - ey * wx - rotation, curvature }
         })
     }
 
@@ -124,8 +120,7 @@ fn rows(station: &Station, turned: &Turned) -> [[f64; 9]; 3] {
         let [x, y] = turned.slopes[node];
         let (shape, first) = (station.shapes[node], 3 * node);
         rows[0][first..first + 3].copy_from_slice(&[x, y, turned.strains.shear * shape]);
-        rows[1][first..first + 3]
-            .copy_from_slice(&[-y, x, -(1.0 + turned.strains.axial) * shape]);
+        rows[1][first..first + 3].copy_from_slice(&[-y, x, -(1.0 + turned.strains.axial) * shape]);
         rows[2][first + 2] = station.slopes[node];
     }
     rows
@@ -148,9 +143,9 @@ fn add_force(station: &Station, turned: &Turned, force: &mut [f64; 9]) {
 fn add_geometric(station: &Station, turned: &Turned, tangent: &mut [f64; 81]) {
     let (n, v) = (turned.forces.axial, turned.forces.shear);
     let turn = -station.length * (n * (1.0 + turned.strains.axial) + v * turned.strains.shear);
-    let by_slope = turned.slopes.map(|[x, y]| {
-        [station.length * (-y * n - x * v), station.length * (x * n - y * v)]
-    });
+    let by_slope = turned
+        .slopes
+        .map(|[x, y]| [station.length * (-y * n - x * v), station.length * (x * n - y * v)]);
     for i in 0..3 {
         let (shape, row) = (station.shapes[i], 3 * i + 2);
         for j in 0..3 {

@@ -16,7 +16,12 @@ impl Beam23 {
     pub fn force(&self, q: &[f64; 6], force: &mut [f64; 6]) {
         let strains = self.chord.strains(q);
         let law = self.law(&strains);
-        self.chord.end_forces(&self.chord.frame(0.5 * (q[2] + q[5])), &strains, &forces(&law), force);
+        self.chord.end_forces(
+            &self.chord.frame(0.5 * (q[2] + q[5])),
+            &strains,
+            &forces(&law),
+            force,
+        );
     }
 
     /// Writes the internal force and the tangent d2W/dq2 (row-major, symmetric) and returns the
@@ -70,7 +75,12 @@ fn forces(law: &Second<3>) -> BeamSectionForces {
 }
 
 /// l B' D B with a full symmetric D, written over `tangent`.
-fn material_tangent(length: f64, rows: &[[f64; 6]; 3], law: &[[f64; 3]; 3], tangent: &mut [f64; 36]) {
+fn material_tangent(
+    length: f64,
+    rows: &[[f64; 6]; 3],
+    law: &[[f64; 3]; 3],
+    tangent: &mut [f64; 36],
+) {
     let scaled: [[f64; 6]; 3] = std::array::from_fn(|r| {
         std::array::from_fn(|i| {
             length * (law[r][0] * rows[0][i] + law[r][1] * rows[1][i] + law[r][2] * rows[2][i])

@@ -1,0 +1,185 @@
+//! What the report needs to know of a model, as members of `JOB.json`: what
+//! is driven, who touches whom, and which settings ruled.
+
+use crate::echo::{friction_law, normal_law};
+use crate::json::{self, Object};
+use crate::ledger::onset_word;
+use crate::number::general;
+use slideline_model::{
+    Controls, Dialect, Dof, ElementBlock, FieldControls, Friction, Master, Model, NodeIndex, Onset,
+    Step, StickRule, TimeIncrementation,
+};
+
+/// JSON text of each member.
+#[derive(Clone, Debug)]
+pub(crate) struct Understood {
+    /// `[{"node","motion","reaction"}]`: prescribed motions that move.
+    pub driven: String,
+    /// `[{"node","motion"}]`: loads.
+    pub loaded: String,
+    /// `[{"name","slave":[..],"master","nodes":[..],"normal","friction"}]`.
+    pub pairs: String,
+    /// `[{"card","name","value","default"}]`.
+    pub settings: String,
+}
+
+/// Collects it.
+pub(crate) fn understood(model: &Model) -> Understood {
+    let mut motions: Vec<(NodeIndex, Dof)> = Vec::new();
+    let mut loads: Vec<(NodeIndex, Dof)> = Vec::new();
+    for step in &model.steps {
+        motions.extend(step.prescribed.iter().filter(|p| p.moves()).map(|p| (p.node, p.dof)));
+        loads.extend(step.loads.iter().map(|load| (load.node, load.dof)));
+    }
+    let label = |node: NodeIndex| model.nodes.label(node).to_string();
+    let driven = distinct(motions).into_iter().map(|(node, dof)| {
+        let object = Object::new().raw("node", &label(node)).text("motion", dof.name());
+        object.text("reaction", dof.reaction_name()).finish()
+    });
+    let loaded = distinct(loads)
+        .into_iter()
+        .map(|(node, dof)| Object::new().raw("node", &label(node)).text("motion", dof.name()))
+        .map(Object::finish);
+    Understood {
+        driven: json::array(driven),
+        loaded: json::array(loaded),
+        pairs: pairs(model),
+        settings: settings(model),
+    }
+}
+
+/// Each once, in the order of the deck.
+fn distinct(places: Vec<(NodeIndex, Dof)>) -> Vec<(NodeIndex, Dof)> {
+    let mut kept: Vec<(NodeIndex, Dof)> = Vec::new();
+    for place in places {
+        if !kept.contains(&place) {
+            kept.push(place);
+        }
+    }
+    kept
+}
+
+fn pairs(model: &Model) -> String {
+    let labels = |nodes: &[NodeIndex]| -> Vec<String> {
+        nodes.iter().map(|&node| model.nodes.label(node).to_string()).collect()
+    };
+    json::array(model.contact_pairs.iter().map(|pair| {
+        let (master, nodes) = match &pair.master {
+            Master::RigidSurface(surface) => ("rigid surface", labels(&[surface.reference])),
+            Master::SlideLine(chain) => ("slide line", labels(&chain.nodes)),
+        };
+        Object::new()
+            .text("name", &pair.name)
+            .array("slave", labels(&pair.slave_nodes()))
+            .text("master", master)
+            .array("nodes", nodes)
+            .text("normal", &normal_law(&pair.interaction.normal))
+            .text("friction", &friction_law(&pair.interaction.friction))
+            .finish()
+    }))
+}
+
+/// Settings that a deck may leave out, each with what ruled and whether that
+/// is the default.
+struct Settings(Vec<String>);
+
+impl Settings {
+    fn say(&mut self, card: &str, name: &str, value: &str, default: bool) {
+        let object = Object::new().text("card", card).text("name", name).text("value", value);
+        self.0.push(object.flag("default", default).finish());
+    }
+
+    fn number(&mut self, card: &str, name: &str, value: f64, default: f64) {
+        self.say(card, name, &general(value, 9), value.to_bits() == default.to_bits());
+    }
+}
+
+fn settings(model: &Model) -> String {
+    let mut list = Settings(Vec::new());
+    let dialect = model.dialect;
+    list.say("program", "dialect", dialect.word(), dialect == Dialect::default());
+    let onset = model.friction_onset;
+    list.say(
+        "*CONTACT CONTROLS",
+        "FRICTION ONSET",
+        onset_word(onset),
+        onset == Onset::Immediate,
+    );
+    for block in &model.blocks {
+        if let ElementBlock::B21(block) = block {
+            let shear = &block.section.shear;
+            let card = format!("*BEAM SECTION {}", block.name);
+            list.number(&card, "SCF", shear.slenderness_compensation, 0.25);
+            match shear.stiffness {
+                Some(given) => list.say(&card, "K23", &general(given, 9), false),
+                None => list.say(&card, "K23", "k G A with k = 0.85", true),
+            }
+        }
+    }
+    for pair in &model.contact_pairs {
+        if let Master::SlideLine(chain) = &pair.master {
+            let card = format!("*SLIDE LINE {}", pair.name);
+            list.number(&card, "SMOOTH", chain.smooth, 0.0);
+            list.number(&card, "EXTENSION ZONE", chain.extension, 0.1);
+        }
+        let interaction = &pair.interaction;
+        let card = format!("*INTERFACE {}", pair.name);
+        let given = interaction.normal_origin.is_some();
+        list.say(&card, "pressure-overclosure", &normal_law(&interaction.normal), !given);
+        friction(&mut list, &card, &interaction.friction, interaction.friction_origin.is_some());
+    }
+    for (place, step) in model.steps.iter().enumerate() {
+        controls(&mut list, place + 1, step);
+    }
+    json::array(list.0)
+}
+
+fn friction(list: &mut Settings, card: &str, friction: &Friction, given: bool) {
+    list.say(card, "friction", &friction_law(friction), !given);
+    if let Friction::Coulomb { limit, stick, .. } = friction {
+        let (word, default) = match stick {
+            StickRule::SlipTolerance(fraction) => {
+                (format!("SLIP TOLERANCE = {}", general(*fraction, 9)), StickRule::default() == *stick)
+            }
+            StickRule::ElasticSlip(slip) => (format!("ELASTIC SLIP = {}", general(*slip, 9)), false),
+            StickRule::Lagrange => ("LAGRANGE".to_owned(), false),
+        };
+        list.say(card, "stick", &word, default);
+        let limit = limit.map_or_else(|| "none".to_owned(), |limit| general(limit, 9));
+        list.say(card, "TAUMAX", &limit, limit == "none");
+    }
+}
+
+fn controls(list: &mut Settings, number: usize, step: &Step) {
+    let Controls { field, discontinuous, .. } = &step.controls;
+    let card = format!("*CONTROLS, step {number}");
+    let default = FieldControls::default();
+    list.number(&card, "R_n, residual tolerance", field.r_n, default.r_n);
+    list.number(&card, "C_n, correction tolerance", field.c_n, default.c_n);
+    list.number(&card, "R_p, residual tolerance after I_P", field.r_p, default.r_p);
+    let (time, usual) = (step.controls.effective_time(), TimeIncrementation::default());
+    let limits = [
+        ("I_0", time.i_0, usual.i_0),
+        ("I_R", time.i_r, usual.i_r),
+        ("I_P", time.i_p, usual.i_p),
+        ("I_C", time.i_c, usual.i_c),
+        ("I_S", time.i_s, usual.i_s),
+        ("I_A", time.i_a, usual.i_a),
+    ];
+    for (name, value, default) in limits {
+        list.say(&card, name, &value.to_string(), value == default);
+    }
+    let kind = if *discontinuous { "DISCONTINUOUS" } else { "continuous" };
+    list.say(&card, "ANALYSIS", kind, !discontinuous);
+    let card = format!("*STEP {number}");
+    list.say(&card, "NLGEOM", if step.nlgeom { "YES" } else { "NO" }, !step.nlgeom);
+    list.say(&card, "INC", &step.max_increments.to_string(), step.max_increments == 100);
+    let unsymmetric = match step.unsymmetric {
+        Some(true) => "YES",
+        Some(false) => "NO",
+        None => "as the friction asks",
+    };
+    list.say(&card, "UNSYMM", unsymmetric, step.unsymmetric.is_none());
+    let extrapolation = format!("{:?}", step.extrapolation).to_ascii_uppercase();
+    list.say(&card, "EXTRAPOLATION", &extrapolation, extrapolation == "LINEAR");
+}
