@@ -1,5 +1,8 @@
 //! Whole decks of the 1995 paper, text to last increment, without files.
 
+// a bench that cannot read its deck has nothing to measure
+#![allow(clippy::expect_used)]
+
 use criterion::{Criterion, criterion_group, criterion_main};
 use slideline::{Job, Quiet, ReadOptions, SolveOptions};
 use slideline_verification::paper;

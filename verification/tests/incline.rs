@@ -62,7 +62,7 @@ const SOFTENED: &str = "*SURFACE CONTACT, SOFTENED\n0.01, 5.0\n";
 
 #[test]
 fn nafems_cgs_4() {
-    for stick in ["", ", LAGRANGE"] {
+    for stick in [", ELASTIC SLIP=1.0E-4", ", LAGRANGE"] {
         for law in ["", SOFTENED] {
             for mu in [0.0, 0.1, 0.3] {
                 let laws = format!("*FRICTION{stick}\n{mu:?}\n{law}");

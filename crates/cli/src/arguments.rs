@@ -23,6 +23,14 @@ pub(crate) enum Command {
     Run(RunArguments),
     /// Read, check and explain a deck without solving it.
     Check(CheckArguments),
+    /// Repeat the 1995 study: models, theory, figures, error table, one page.
+    Reproduce(crate::reproduce::ReproduceArguments),
+    /// Print closed-form and exact reference solutions as CSV.
+    Theory(crate::theory::TheoryArguments),
+    /// Make JOB.html from the result files of a job.
+    Report(crate::report::ReportArguments),
+    /// Draw a curve of a job, or of two over each other with their difference.
+    Plot(crate::plot::PlotArguments),
     /// Print the page of a diagnostic code or of a deck keyword.
     Explain {
         /// A code such as SL0601, or a keyword such as "SLIDE LINE".
@@ -53,8 +61,11 @@ pub(crate) struct RunArguments {
     /// No progress; errors and warnings still go to standard error.
     #[arg(long, short)]
     pub quiet: bool,
-    /// Write no report (there is none yet).
-    #[arg(long, hide = true)]
+    /// Write the report JOB.html (it is, unless --no-html).
+    #[arg(long, overrides_with = "no_html")]
+    pub html: bool,
+    /// Write no report.
+    #[arg(long, overrides_with = "html")]
     pub no_html: bool,
 }
 

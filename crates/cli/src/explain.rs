@@ -25,6 +25,11 @@ pub(crate) fn explain(name: &str) -> Exit {
     }
 }
 
+/// The page of a code, as it stands in `docs/errors`.
+pub(crate) fn code_page(code: &str) -> Option<&'static str> {
+    PAGES.iter().find(|(known, _)| *known == code).map(|(_, page)| *page)
+}
+
 fn page(name: &str) -> Option<&'static str> {
     let name = name.trim();
     let code = PAGES.iter().find(|(code, _)| code.eq_ignore_ascii_case(name));

@@ -1,7 +1,7 @@
 //! The command line of slideline.
 //!
 //! ```text
-//!   slideline run | check | explain | completions
+//!   slideline run | check | report | plot | reproduce | theory | explain | completions
 //!        |
 //!   standard output: progress or JSON      standard error: what is to be said
 //! ```
@@ -11,10 +11,14 @@ mod check;
 mod exit;
 mod explain;
 mod interrupt;
+mod plot;
 mod progress;
 mod render;
+mod report;
+mod reproduce;
 mod run;
 mod screen;
+mod theory;
 
 use arguments::{Arguments, Command};
 use clap::{CommandFactory as _, Parser as _};
@@ -45,6 +49,10 @@ fn command() -> Exit {
     match arguments.command {
         Command::Run(arguments) => run::run(&arguments),
         Command::Check(arguments) => check::check(&arguments),
+        Command::Reproduce(arguments) => reproduce::reproduce(&arguments),
+        Command::Theory(arguments) => theory::theory(&arguments),
+        Command::Report(arguments) => report::report(&arguments),
+        Command::Plot(arguments) => plot::plot(&arguments),
         Command::Explain { name } => explain::explain(&name.join(" ")),
         Command::Completions { shell } => {
             let mut script = Vec::new();

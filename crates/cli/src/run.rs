@@ -3,7 +3,7 @@
 use crate::arguments::RunArguments;
 use crate::exit::Exit;
 use crate::progress::{Mode, Progress};
-use crate::{interrupt, render, screen};
+use crate::{interrupt, render, report, screen};
 use slideline::diag::{Code, Diagnostic, Severity};
 use slideline::output::json::Object;
 use slideline::output::{onset_word, record};
@@ -28,7 +28,10 @@ pub(crate) fn run(arguments: &RunArguments) -> Exit {
         folder: arguments.out.clone(),
         solve: SolveOptions { threads: arguments.threads, ..SolveOptions::default() },
     };
-    let outcome = run_job(&read, &options, &mut Progress::new(mode, &read.sources));
+    let mut outcome = run_job(&read, &options, &mut Progress::new(mode, &read.sources));
+    if !arguments.no_html {
+        report::after_run(&mut outcome);
+    }
     tell(&read, &outcome, mode, began);
     outcome.status.into()
 }

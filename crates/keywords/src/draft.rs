@@ -13,6 +13,7 @@ use slideline_model::{
 use crate::keyword::Subject;
 use crate::log::{Log, Target};
 use crate::sets::Sets;
+use crate::surfaces::{NamedInteraction, NamedSurface, Pairing, RigidBody};
 
 /// Most nodes, elements and set members that a deck may generate. A slip in
 /// an `*NGEN` line must not fill the memory.
@@ -34,6 +35,10 @@ pub(crate) struct Draft {
     pub springs: Vec<Spring>,
     pub surfaces: Vec<Surface>,
     pub interfaces: Vec<Interface>,
+    pub named_surfaces: Vec<NamedSurface>,
+    pub interactions: Vec<NamedInteraction>,
+    pub pairings: Vec<Pairing>,
+    pub bodies: Vec<RigidBody>,
     pub links: Vec<Link>,
     pub restart_every: Option<usize>,
     /// Boundary conditions before the first step.
@@ -51,6 +56,7 @@ pub(crate) enum Owner {
     #[default]
     Nobody,
     Interface(usize),
+    Interaction(usize),
     Material(usize),
     Section(usize),
     /// The owner is broken or missing, and that has been said.
@@ -83,6 +89,10 @@ impl ElementKind {
             Self::Spring1 => "SPRING1",
             Self::SpringA => "SPRINGA",
         }
+    }
+
+    pub fn is_beam(self) -> bool {
+        matches!(self, Self::B21)
     }
 
     pub fn is_contact(self) -> bool {
@@ -280,17 +290,29 @@ impl Draft {
         self.elements.push(element);
     }
 
-    /// The interface that a `*FRICTION` or `*SURFACE CONTACT` belongs to;
-    /// complains once where there is none.
-    pub fn owning_interface(&mut self, keyword: &str, span: Span) -> Option<&mut Interface> {
+    /// The interaction of the `*INTERFACE` or `*SURFACE INTERACTION` that a
+    /// `*FRICTION` or `*SURFACE CONTACT` belongs to, with the name of that
+    /// card; complains once where there is none.
+    pub fn owning_interaction(
+        &mut self,
+        keyword: &str,
+        span: Span,
+    ) -> Option<(&mut Interaction, &'static str)> {
         match self.owner {
-            Owner::Interface(index) => return self.interfaces.get_mut(index),
+            Owner::Interface(index) => {
+                let interface = self.interfaces.get_mut(index)?;
+                return Some((&mut interface.interaction, "*INTERFACE"));
+            }
+            Owner::Interaction(index) => {
+                let named = self.interactions.get_mut(index)?;
+                return Some((&mut named.interaction, "*SURFACE INTERACTION"));
+            }
             Owner::Broken => return None,
             _ => {}
         }
-        let message = format!("*{keyword} has no *INTERFACE to belong to");
+        let message = format!("*{keyword} has no *INTERFACE or *SURFACE INTERACTION to belong to");
         let error = Diagnostic::error(Code("SL0213"), message).at(span);
-        self.log.push(error.help("put it directly behind the *INTERFACE card whose law it is"));
+        self.log.push(error.help("put it directly behind the card whose law it is"));
         self.owner = Owner::Broken;
         self.mark_incomplete(Subject::Contact);
         None

@@ -21,6 +21,7 @@ mod log;
 mod reading;
 mod registry;
 mod sets;
+mod surfaces;
 mod traps;
 
 pub use draft::MAX_GENERATED;

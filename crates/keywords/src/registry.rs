@@ -3,10 +3,11 @@
 use slideline_deck::normalise;
 
 use crate::cards::{
-    amplitude, beam_section, boundary, cload, contact_controls, controls, elastic, element, elgen,
-    elset, end_step, friction, heading, interface, material, mpc, ngen, nmap, node, node_file,
-    node_output, node_print, nset, output, print, restart, rigid_surface, slide_line, spring,
-    static_, step, surface_behavior, surface_contact, transverse_shear,
+    amplitude, beam_section, boundary, cload, contact_controls, contact_pair, controls, elastic,
+    element, elgen, elset, end_step, friction, heading, interface, material, mpc, ngen, nmap, node,
+    node_file, node_output, node_print, nset, output, print, restart, rigid_body, rigid_surface,
+    slide_line, spring, static_, step, surface, surface_behavior, surface_contact,
+    surface_interaction, transverse_shear,
 };
 use crate::keyword::{Keyword, Level, Rule};
 use crate::reading::{Match, resolve};
@@ -30,9 +31,13 @@ pub(crate) const REGISTRY: &[&'static dyn Keyword] = &[
     &rigid_surface::RigidSurface,
     &slide_line::SlideLine,
     &interface::Interface,
+    &surface::Surface,
+    &rigid_body::RigidBody,
+    &surface_interaction::SurfaceInteraction,
     &friction::Friction,
     &surface_contact::SurfaceContact,
     &surface_behavior::SurfaceBehavior,
+    &contact_pair::ContactPair,
     &contact_controls::ContactControls,
     &mpc::Mpc,
     &amplitude::Amplitude,

@@ -26,8 +26,17 @@ use crate::registry::REGISTRY;
 
 /// Keywords that no data line follows: a comment that spells one hides
 /// nothing.
-const WITHOUT_DATA: [&str; 8] =
-    ["HEADING", "STEP", "RESTART", "MATERIAL", "PRINT", "CONTACT CONTROLS", "END STEP", "OUTPUT"];
+const WITHOUT_DATA: [&str; 9] = [
+    "HEADING",
+    "STEP",
+    "RESTART",
+    "MATERIAL",
+    "PRINT",
+    "CONTACT CONTROLS",
+    "END STEP",
+    "OUTPUT",
+    "RIGID BODY",
+];
 
 /// The cards of the deck with both misprints mended and reported.
 pub(crate) fn mend<'d>(deck: &'d Deck, log: &mut Log) -> Vec<Cow<'d, Card>> {

@@ -85,28 +85,87 @@ pub enum Attachment {
         /// Local number of the rotation dof.
         dof: usize,
     },
+    /// A position between two nodes: two variables, following the dofs (x, y, phi) of both.
+    Blend {
+        /// How the point follows its nodes.
+        blend: Blend,
+        /// Local numbers of the nodes' first dofs.
+        firsts: [usize; 2],
+    },
+}
+
+/// A point between two nodes, x = sum_k w_k X_k + R(phi_k) arm_k: a station of a smooth line whose
+/// tangents turn with its nodes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Blend {
+    /// Weights w_k of the two nodes' positions [1], sum 1.
+    pub weights: [f64; 2],
+    /// Arms that turn with the nodes, undeformed [L].
+    pub arms: [[f64; 2]; 2],
+}
+
+impl Blend {
+    /// Displacement of the point [L] for the dofs (x, y, phi) of both nodes.
+    pub fn displacement(&self, dofs: &[f64; 6]) -> [f64; 2] {
+        let mut sum = [0.0; 2];
+        for k in 0..2 {
+            let node = &dofs[3 * k..3 * k + 3];
+            let turned = PointMap::Arm { arm: self.arms[k] }.displacement(&[0.0, 0.0, node[2]]);
+            for c in 0..2 {
+                sum[c] += self.weights[k] * node[c] + turned[c];
+            }
+        }
+        sum
+    }
+
+    /// The arm of a node in the current state [L].
+    fn current_arm(&self, k: usize, rotation: f64) -> [f64; 2] {
+        PointMap::Arm { arm: self.arms[k] }.current_arm(&[0.0, 0.0, rotation])
+    }
+}
+
+/// Derivatives of one variable of an attachment: (dof, coefficient) pairs.
+struct Row {
+    pairs: [(usize, f64); 4],
+    count: usize,
+}
+
+impl Row {
+    fn of<const N: usize>(list: [(usize, f64); N]) -> Self {
+        let mut row = Self { pairs: [(0, 0.0); 4], count: N };
+        row.pairs[..N].copy_from_slice(&list);
+        row
+    }
+
+    fn pairs(&self) -> &[(usize, f64)] {
+        &self.pairs[..self.count]
+    }
 }
 
 impl Attachment {
     fn variables(&self) -> usize {
         match self {
-            Self::Point { .. } => 2,
+            Self::Point { .. } | Self::Blend { .. } => 2,
             Self::Rotation { .. } => 1,
         }
     }
 
-    /// Derivatives of variable `component` of this attachment: up to two (dof, coefficient) pairs.
-    fn row(&self, component: usize, dofs: &[f64]) -> [(usize, f64); 2] {
+    /// Derivatives of variable `component` of this attachment by the dofs.
+    fn row(&self, component: usize, dofs: &[f64]) -> Row {
+        let spin = |r: [f64; 2]| if component == 0 { -r[1] } else { r[0] };
         match self {
-            Self::Rotation { dof } => [(*dof, 1.0), (*dof, 0.0)],
-            Self::Point { map: PointMap::Free, first } => {
-                [(first + component, 1.0), (first + component, 0.0)]
-            }
+            Self::Rotation { dof } => Row::of([(*dof, 1.0)]),
+            Self::Point { map: PointMap::Free, first } => Row::of([(first + component, 1.0)]),
             Self::Point { map, first } => {
                 let r = map.current_arm(dofs.get(*first..).unwrap_or(&[]));
-                let spin = if component == 0 { -r[1] } else { r[0] };
-                [(first + component, 1.0), (first + 2, spin)]
+                Row::of([(first + component, 1.0), (first + 2, spin(r))])
             }
+            Self::Blend { blend, firsts: [a, b] } => Row::of([
+                (a + component, blend.weights[0]),
+                (a + 2, spin(blend.current_arm(0, dofs[a + 2]))),
+                (b + component, blend.weights[1]),
+                (b + 2, spin(blend.current_arm(1, dofs[b + 2]))),
+            ]),
         }
     }
 }
@@ -129,7 +188,7 @@ pub fn push_forward(
     tangent: &mut [f64],
 ) {
     let (n, m) = (gradient.len().min(MOST_VARIABLES), dofs.len());
-    let mut rows = [[(0_usize, 0.0_f64); 2]; MOST_VARIABLES];
+    let mut rows: [Row; MOST_VARIABLES] = std::array::from_fn(|_| Row::of([]));
     let mut variable = 0;
     for attachment in attachments {
         for component in 0..attachment.variables() {
@@ -140,10 +199,10 @@ pub fn push_forward(
         }
     }
     for i in 0..variable {
-        for (a, by_a) in rows[i] {
+        for &(a, by_a) in rows[i].pairs() {
             force[a] += by_a * gradient[i];
             for j in 0..variable {
-                for (b, by_b) in rows[j] {
+                for &(b, by_b) in rows[j].pairs() {
                     tangent[m * a + b] += by_a * by_b * hessian[n * i + j];
                 }
             }
@@ -159,7 +218,7 @@ pub fn push_gradient(attachments: &[Attachment], dofs: &[f64], gradient: &[f64],
     for attachment in attachments {
         for component in 0..attachment.variables() {
             let Some(value) = gradient.get(variable) else { return };
-            for (dof, coefficient) in attachment.row(component, dofs) {
+            for &(dof, coefficient) in attachment.row(component, dofs).pairs() {
                 into[dof] += coefficient * value;
             }
             variable += 1;
@@ -177,11 +236,20 @@ fn add_turning_terms(
     let m = dofs.len();
     let mut variable = 0;
     for attachment in attachments {
-        if let Attachment::Point { map: map @ PointMap::Arm { .. }, first } = attachment {
-            let r = map.current_arm(&dofs[*first..]);
-            let phi = first + 2;
-            let f = [gradient[variable], gradient[variable + 1]];
+        let f = [gradient[variable], gradient.get(variable + 1).copied().unwrap_or(0.0)];
+        let mut turn = |phi: usize, r: [f64; 2]| {
             tangent[m * phi + phi] -= r[0] * f[0] + r[1] * f[1];
+        };
+        match attachment {
+            Attachment::Point { map: map @ PointMap::Arm { .. }, first } => {
+                turn(first + 2, map.current_arm(&dofs[*first..]));
+            }
+            Attachment::Blend { blend, firsts } => {
+                for (k, first) in firsts.iter().enumerate() {
+                    turn(first + 2, blend.current_arm(k, dofs[first + 2]));
+                }
+            }
+            _ => {}
         }
         variable += attachment.variables();
     }

@@ -66,6 +66,15 @@ impl Default for TransverseShear {
     }
 }
 
+impl TransverseShear {
+    /// The rule as it stands for second-order elements: the slenderness factor multiplied by 1e-4
+    /// and no residual bending flexibility, both of which mend the one-point element only.
+    /// [semantics: B21, transverse shear]
+    pub fn second_order(self) -> Self {
+        Self { slenderness: 1e-4 * self.slenderness, residual_bending_flexibility: false, ..self }
+    }
+}
+
 /// EA, K, EI of a rectangular section in an element of the given length [L].
 ///
 /// K = f_p k G A with k = 0.85 and f_p = 1 / (1 + SCF l^2 A / 12 I); or, with residual bending

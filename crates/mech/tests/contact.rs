@@ -129,15 +129,15 @@ fn force_and_tangent(gap: &AnyGap, slip: f64) -> (Vec<f64>, Vec<f64>) {
     let slope = laws.normal.pressure(overclosure).unwrap().1;
     let d = gap.derivatives();
     let n = gap.width();
-    let force = (0..n).map(|i| p * d.gradient[i] + tau.tau * d.slip_gradient[i]).collect();
+    let force = (0..n).map(|i| p * d.gradient[i] + tau.tau * d.drag[i]).collect();
     let tangent = (0..n * n).map(|k| {
         let (i, j) = (k / n, k % n);
         let by_slip = tau.d_tau_d_slip * d.slip_gradient[j];
         let by_pressure = tau.d_tau_d_pressure * slope * d.gradient[j];
         p * d.hessian[k]
-            + tau.tau * d.slip_hessian[k]
+            + tau.tau * d.drag_derivative[k]
             + slope * d.gradient[i] * d.gradient[j]
-            + d.slip_gradient[i] * (by_slip + by_pressure)
+            + d.drag[i] * (by_slip + by_pressure)
     });
     (force, tangent.collect())
 }

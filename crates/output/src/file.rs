@@ -46,7 +46,7 @@ pub(crate) const PART: &str = ".part";
 ///
 /// # Errors
 /// When the file cannot be written or renamed.
-pub(crate) fn replace(path: &Path, content: &[u8]) -> Result<(), WriteError> {
+pub fn replace(path: &Path, content: &[u8]) -> Result<(), WriteError> {
     let part = beside(path);
     let written = std::fs::write(&part, content).and_then(|()| std::fs::rename(&part, path));
     if written.is_err() {

@@ -34,7 +34,7 @@ mod understood;
 mod vtu;
 mod writers;
 
-pub use file::WriteError;
+pub use file::{WriteError, replace as write_file};
 pub use job::JobFiles;
 pub use ledger::{dropped_friction, onset_word};
 pub use record::{card, columns, record};

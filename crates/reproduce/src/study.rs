@@ -52,6 +52,17 @@ impl ModelKind {
         }
     }
 
+    /// In a word or two, for tables read by machines.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::IrsCoarse => "IRS coarse",
+            Self::IrsFine => "IRS fine",
+            Self::Isl => "ISL coarse",
+            Self::Cam => "ISL cam 3 deg",
+            Self::CamWide => "ISL cam 4 deg",
+        }
+    }
+
     /// Number of the paper's problem.
     pub fn problem(self) -> u8 {
         if matches!(self, Self::Cam | Self::CamWide) { 2 } else { 1 }
@@ -263,13 +274,9 @@ fn run(case: Case) -> Result<Curve, Failure> {
     let mut watch =
         Watch { node: driven.node, dof: case.model.driven(), rows: Vec::new(), dropped: 0.0 };
     match slideline::solve(&model, &SolveOptions::default(), &mut watch) {
-        Ending::Completed(totals) => Ok(Curve {
-            case,
-            increments: watch.rows,
-            dropped_work: watch.dropped,
-            totals,
-            model,
-        }),
+        Ending::Completed(totals) => {
+            Ok(Curve { case, increments: watch.rows, dropped_work: watch.dropped, totals, model })
+        }
         Ending::NotConverged(_, diagnosis) => Err(failed(diagnosis.message)),
         Ending::Stopped(..) => Err(failed("stopped".to_owned())),
     }

@@ -99,9 +99,9 @@ pub fn csv(rows: &[Row]) -> String {
         // a String takes any text, here and below
         let _ = write!(
             text,
-            "{},\"{}\",{},{},{},{onset}",
+            "{},{},{},{},{},{onset}",
             case.model.problem(),
-            case.model.words(),
+            case.model.name(),
             case.deck.name,
             case.friction(),
             case.stick.word(),

@@ -27,7 +27,7 @@ pub fn commit(
     for (slot, role) in plan.layout.roles.iter().enumerate() {
         trial.reaction[slot] = match role {
             Role::Prescribed(_) => {
-                evaluation.internal[slot] + evaluation.contact[slot] - work.load[slot]
+                evaluation.internal[slot] + evaluation.contact[slot] - evaluation.external[slot]
             }
             _ => 0.0,
         };
@@ -59,10 +59,10 @@ fn account(plan: &Plan<'_>, committed: &State, work: &Workspace, trial: &mut Sta
         let mean_load = 0.5 * (committed.load[slot] + trial.load[slot]);
         energy.external_work += (mean_reaction + mean_load) * trial.increment[slot];
     }
-    for (place, point) in plan.contact.points.iter().enumerate() {
+    for place in 0..plan.contact.points.len() {
         let (old, new) = (&committed.points[place], &trial.points[place]);
         let mean = 0.5 * (old.traction.abs() + new.traction.abs());
-        energy.friction_dissipation += mean * new.dissipated * point.area;
+        energy.friction_dissipation += mean * new.dissipated * new.area;
         energy.dropped_friction += new.dropped_work;
     }
     let stored = energy.strain_energy
@@ -79,12 +79,14 @@ fn account(plan: &Plan<'_>, committed: &State, work: &Workspace, trial: &mut Sta
 /// touching their history: the gaps of the start, and the origin of slip for
 /// points that close in the first increment.
 pub fn locate_points(plan: &Plan<'_>, committed: &mut State, work: &mut Workspace) {
-    let mut positions = Vec::with_capacity(plan.contact.most_chain_nodes());
+    let mut positions = Vec::with_capacity(plan.contact.chain_nodes());
     plan.contact.meet(&committed.displacement, &mut positions, &mut work.evaluation.meetings);
     for (point, meeting) in committed.points.iter_mut().zip(&work.evaluation.meetings) {
         point.opening = -meeting.overclosure;
         point.along = meeting.faces.then_some(meeting.along);
         point.position = meeting.position;
         point.normal = meeting.normal;
+        point.area = meeting.area;
+        point.xi = meeting.xi;
     }
 }

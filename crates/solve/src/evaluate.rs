@@ -6,19 +6,21 @@
 //!
 //! The result depends on the arguments alone.
 
-use crate::contact::{Meeting, SlavePoint};
+use crate::contact::Meeting;
 use crate::observe::{FrictionCall, Status};
 use crate::plan::Plan;
 use crate::state::{PointState, State};
 use crate::structure::{Contribution, Flux};
 use slideline_mech::contact::friction::{self, UserFrictionError};
-use slideline_mech::contact::pair::{self, Laws, PointTrial, UserMemory};
+use slideline_mech::contact::pair::{Laws, PointTrial, UserMemory};
 
 /// A trial state.
 #[derive(Clone, Copy, Debug)]
 pub struct Trial<'a> {
     /// Displacements and rotations, a slot each [L or 1].
     pub u: &'a [f64],
+    /// Applied loads, a slot each [F or F L].
+    pub load: &'a [f64],
     /// Pressure of every contact point as the iteration estimates it [F/L2].
     pub pressures: &'a [f64],
     /// Traction of every contact point likewise [F/L2].
@@ -36,6 +38,8 @@ pub struct Evaluation {
     pub contributions: Vec<Contribution>,
     /// Internal forces of the elements, a slot each [F or F L].
     pub internal: Vec<f64>,
+    /// Applied loads, those of dependent nodes handed to their masters [F or F L].
+    pub external: Vec<f64>,
     /// Contact forces, a slot each, with pressures of the law [F or F L].
     pub contact: Vec<f64>,
     /// Where the contact points stand.
@@ -68,6 +72,7 @@ impl Evaluation {
         Self {
             contributions: vec![Contribution::ZERO; plan.structure.len()],
             internal: vec![0.0; slots],
+            external: vec![0.0; slots],
             contact: vec![0.0; slots],
             meetings: vec![Meeting::NOWHERE; points],
             points: vec![PointState::default(); points],
@@ -79,7 +84,7 @@ impl Evaluation {
             stick_slip: 0.0,
             memory: vec![0.0; plan.contact.memory_size],
             fault: None,
-            positions: Vec::with_capacity(plan.contact.most_chain_nodes()),
+            positions: Vec::with_capacity(plan.contact.chain_nodes()),
         }
     }
 }
@@ -90,6 +95,7 @@ pub fn evaluate(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into: &mu
     into.internal.fill(0.0);
     into.strain_energy = plan.structure.gather_force(&into.contributions, &mut into.internal);
     into.flux = plan.structure.flux(&into.contributions);
+    plan.layout.carry_loads(trial.u, trial.load, &mut into.external);
     plan.contact.meet(trial.u, &mut into.positions, &mut into.meetings);
     evaluate_contact(plan, committed, trial, into);
 }
@@ -106,7 +112,11 @@ fn evaluate_contact(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into:
         let laws = &plan.contact.laws[point.pair];
         let before = &committed.points[place];
         let estimate = (trial.pressures[place], trial.tractions[place]);
-        let encounter = Encounter { plan, laws, before, meeting, estimate, dt: trial.dt };
+        let slip = match meeting.faces {
+            true => plan.contact.slip(place, &before.history(), meeting, &committed.displacement),
+            false => 0.0,
+        };
+        let encounter = Encounter { plan, laws, before, meeting, estimate, slip, dt: trial.dt };
         let range = point.memory..point.memory + point.memory_size;
         let mut memory = UserMemory {
             time: trial.time,
@@ -114,15 +124,15 @@ fn evaluate_contact(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into:
             state: &mut into.memory[range],
             fault: &mut into.fault,
         };
-        let now = encounter.follow(point, &mut memory);
-        let (normal, tangential) = (point.area * now.pressure, point.area * now.traction);
+        let now = encounter.follow(&mut memory);
+        let (normal, tangential) = (now.area * now.pressure, now.area * now.traction);
         if now.closed {
             for k in 0..meeting.width {
                 into.contact[meeting.slots[k]] +=
-                    normal * meeting.gradient[k] + tangential * meeting.slip_gradient[k];
+                    normal * meeting.gradient[k] + tangential * meeting.drag[k];
             }
             into.flux.force(normal.hypot(tangential));
-            into.contact_energy += point.area * laws.normal.energy(meeting.overclosure);
+            into.contact_energy += now.area * laws.normal.energy(meeting.overclosure);
             into.elastic_slip_energy += 0.5 * tangential * now.elastic_slip;
         }
         if laws.normal.pressure(meeting.overclosure).is_none() && meeting.faces {
@@ -131,7 +141,7 @@ fn evaluate_contact(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into:
             into.penetration = into.penetration.max(defect);
         }
         if laws.friction.needs_multiplier() && now.status == Status::Stick {
-            into.stick_slip = into.stick_slip.max(encounter.slip(point.pair).abs());
+            into.stick_slip = into.stick_slip.max(slip.abs());
         }
         into.points[place] = now;
     }
@@ -144,24 +154,19 @@ struct Encounter<'a> {
     before: &'a PointState,
     meeting: &'a Meeting,
     estimate: (f64, f64),
+    slip: f64,
     dt: f64,
 }
 
 impl Encounter<'_> {
-    /// Change of the slip coordinate since the commit [L].
-    fn slip(&self, pair: usize) -> f64 {
-        slip(self.plan, pair, self.before, self.meeting)
-    }
-
-    fn follow(&self, point: &SlavePoint, memory: &mut UserMemory<'_>) -> PointState {
-        let (meeting, before) = (self.meeting, self.before);
-        let slip = self.slip(point.pair);
+    fn follow(&self, memory: &mut UserMemory<'_>) -> PointState {
+        let (meeting, before, slip) = (self.meeting, self.before, self.slip);
         let trial = PointTrial {
             overclosure: meeting.overclosure,
             slip,
             pressure: self.estimate.0,
             traction: self.estimate.1,
-            stiffness: self.plan.structure.stiffest / point.area,
+            stiffness: self.plan.structure.stiffest / meeting.area,
             dt: self.dt,
         };
         let response = self.laws.respond(&before.history(), &trial, memory);
@@ -194,20 +199,13 @@ impl Encounter<'_> {
             dropped_work: 0.0,
             position: meeting.position,
             normal: meeting.normal,
+            area: meeting.area,
+            xi: meeting.xi,
         };
         if friction == FrictionCall::Dropped {
             let limit = self.laws.friction.limit_traction(response.pressure, slip, self.dt);
-            now.dropped_work = point.area * limit * slip.abs();
+            now.dropped_work = now.area * limit * slip.abs();
         }
         now
     }
-}
-
-/// Change of the slip coordinate of a point since its commit [L]; zero where
-/// it faced nothing then or faces nothing now.
-pub fn slip(plan: &Plan<'_>, pair: usize, before: &PointState, meeting: &Meeting) -> f64 {
-    if !meeting.faces {
-        return 0.0;
-    }
-    pair::slip(&before.history(), meeting.along, plan.contact.period(pair))
 }

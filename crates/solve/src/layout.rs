@@ -96,8 +96,9 @@ impl Layout {
             }
         }
         for (place, prescribed) in step.prescribed.iter().enumerate() {
-            let slot = self.slot(prescribed.node, prescribed.dof);
-            if let Some(slot) = slot.filter(|&slot| roles[slot] != Role::Inactive) {
+            // Also a node without elements moves as it is told: it may be a
+            // contact point.
+            if let Some(slot) = self.slot(prescribed.node, prescribed.dof) {
                 roles[slot] = Role::Prescribed(place);
             }
         }
@@ -163,6 +164,47 @@ impl Layout {
             let [x, y] = PointMap::Arm { arm: link.arm }.displacement(&pose);
             displacement[link.dependent * width..][..3].copy_from_slice(&[x, y, pose[2]]);
         }
+    }
+
+    /// Hands the loads of dependent nodes to their masters, with the moment
+    /// of their arms.
+    pub fn carry_loads(&self, displacement: &[f64], load: &[f64], external: &mut [f64]) {
+        external.copy_from_slice(load);
+        let width = self.dofs.len();
+        for link in &self.links {
+            let dependent = link.dependent * width;
+            let [fx, fy, moment] = [0, 1, 2].map(|k| load[dependent + k]);
+            if fx == 0.0 && fy == 0.0 && moment == 0.0 {
+                continue;
+            }
+            let [x, y] = self.current_arm(link, displacement);
+            let master = link.master * width;
+            external[dependent..dependent + 3].fill(0.0);
+            external[master] += fx;
+            external[master + 1] += fy;
+            external[master + 2] += moment + x * fy - y * fx;
+        }
+    }
+
+    /// How the moment of loads on dependent nodes falls as their masters
+    /// turn, r.f: slot of the master's rotation and stiffness [F L].
+    pub fn load_stiffness<'a>(
+        &'a self,
+        displacement: &'a [f64],
+        load: &'a [f64],
+    ) -> impl Iterator<Item = (usize, f64)> + 'a {
+        let width = self.dofs.len();
+        self.links.iter().filter_map(move |link| {
+            let dependent = link.dependent * width;
+            let (fx, fy) = (load[dependent], load[dependent + 1]);
+            let [x, y] = self.current_arm(link, displacement);
+            (fx != 0.0 || fy != 0.0).then_some((link.master * width + 2, x * fx + y * fy))
+        })
+    }
+
+    fn current_arm(&self, link: &Link, displacement: &[f64]) -> [f64; 2] {
+        let turn = displacement[link.master * self.dofs.len() + 2];
+        PointMap::Arm { arm: link.arm }.current_arm(&[0.0, 0.0, turn])
     }
 }
 

@@ -22,6 +22,7 @@ mod newton;
 pub mod observe;
 mod plan;
 mod predict;
+mod rows;
 mod run;
 mod state;
 mod structure;

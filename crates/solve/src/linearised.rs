@@ -18,8 +18,9 @@
 //!
 //! Points that are closed already lend K a moderate stiffness s (it enters K
 //! and leaves the multipliers again: lambda = q + s (e - e0)), so that a body
-//! held by contact alone has a regular K. The matrix is symmetric also with
-//! friction: what is unsymmetric stands in the small system.
+//! held by contact alone has a regular K. The laws of friction, and with them
+//! the coupling of traction and pressure, stand in the small system; K itself
+//! is unsymmetric only by the turning of the tractions with the surface.
 
 use slideline_linalg::{SolveError, Solver};
 use slideline_mech::contact::enforcement::Demand;
@@ -64,8 +65,10 @@ pub struct Circumstances<'a> {
 pub struct LinearPoint {
     /// Place of its pair among the laws.
     pub pair: usize,
-    /// Tributary area [L2].
+    /// Area [L2].
     pub area: f64,
+    /// Whether it is one of the many stations of integrated contact.
+    pub integrated: bool,
     /// Number of equations it acts on.
     pub width: usize,
     /// Those equations.
@@ -74,6 +77,8 @@ pub struct LinearPoint {
     pub normal: [f64; MOST_DOFS],
     /// d slip/du of each [1].
     pub tangential: [f64; MOST_DOFS],
+    /// Direction of the tangential force on each [1].
+    pub drag: [f64; MOST_DOFS],
     /// Overclosure [L].
     pub overclosure: f64,
     /// Pressure: estimate in, solution out [F/L2].
@@ -97,6 +102,14 @@ impl LinearPoint {
         }
     }
 
+    /// Direction of the force of a multiplier.
+    fn force(&self, of: Kind) -> &[f64] {
+        match of {
+            Kind::Normal => &self.normal[..self.width],
+            Kind::Tangential => &self.drag[..self.width],
+        }
+    }
+
     fn moves(&self, of: Kind) -> bool {
         self.gradient(of).iter().any(|&g| g != 0.0)
     }
@@ -108,14 +121,26 @@ enum Kind {
     Tangential,
 }
 
-/// One pressure or traction.
+/// What a row of the small system stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Unknown {
+    /// A pressure or a traction of a point.
+    Multiplier {
+        point: usize,
+        kind: Kind,
+        /// Row of the same point's pressure (its own, for a pressure).
+        pressure_row: usize,
+    },
+    /// The contact force of all stations on an equation.
+    Interface { equation: usize },
+}
+
+/// One row of the small system.
 #[derive(Clone, Copy, Debug)]
 struct Row {
-    point: usize,
-    kind: Kind,
-    /// Row of the same point's pressure (its own, for a pressure).
-    pressure_row: usize,
-    /// Overclosure or slip without any multiplier beyond the lent stiffness [L].
+    unknown: Unknown,
+    /// Overclosure, slip or displacement without any multiplier beyond the
+    /// lent stiffness [L].
     free: f64,
     /// The same at the point of linearisation [L].
     start: f64,
@@ -123,6 +148,25 @@ struct Row {
     lent: f64,
     /// Stiffness of the structure as the row feels it [F/L3].
     kappa: f64,
+    /// Weight of the row in the norm, so that squares add up to an energy.
+    weight: f64,
+}
+
+impl Row {
+    /// The point of a pressure or traction.
+    fn point(&self) -> Option<(usize, Kind)> {
+        match self.unknown {
+            Unknown::Multiplier { point, kind, .. } => Some((point, kind)),
+            Unknown::Interface { .. } => None,
+        }
+    }
+}
+
+/// A station that takes part, with the rows of its equations.
+#[derive(Clone, Copy, Debug)]
+struct Station {
+    point: usize,
+    rows: [usize; MOST_DOFS],
 }
 
 /// Scratch of the small system, kept from iteration to iteration.
@@ -138,7 +182,10 @@ pub struct LinearisedContact {
     step: Vec<f64>,
     trial: Vec<f64>,
     jacobian: Vec<f64>,
+    /// dF/dd of the interface rows, row-major over all rows.
+    stiffness: Vec<f64>,
     in_rows: Vec<bool>,
+    stations: Vec<Station>,
 }
 
 /// The most rounds in which further points may join.
@@ -187,6 +234,7 @@ impl LinearisedContact {
         self.response.clear();
         self.in_rows.clear();
         self.in_rows.resize(points.len(), false);
+        self.stations.clear();
         // First those that touch already: without their pressures the
         // structure would spring back and seem to touch everywhere.
         let mut touching = true;
@@ -215,6 +263,7 @@ impl LinearisedContact {
         base: &[f64],
     ) -> Result<bool, SolveError> {
         let solved = self.rows.len();
+        let mut joined = false;
         for (place, point) in points.iter().enumerate() {
             if self.in_rows[place] || !point.moves(Kind::Normal) {
                 continue;
@@ -229,12 +278,17 @@ impl LinearisedContact {
                 continue;
             }
             self.in_rows[place] = true;
+            joined = true;
+            if point.integrated {
+                self.add_station(point, place, solver, base)?;
+                continue;
+            }
             self.add_row(point, place, Kind::Normal, solver, base)?;
             if point.sliding.is_some() && point.moves(Kind::Tangential) {
                 self.add_row(point, place, Kind::Tangential, solver, base)?;
             }
         }
-        Ok(self.rows.len() > solved)
+        Ok(joined)
     }
 
     /// Change of a point's overclosure under the multipliers of the rows
@@ -260,7 +314,7 @@ impl LinearisedContact {
         let begin = self.response.len();
         self.response.resize(begin + n, 0.0);
         let response = &mut self.response[begin..];
-        for (&equation, g) in point.equations[..point.width].iter().zip(point.gradient(kind)) {
+        for (&equation, g) in point.equations[..point.width].iter().zip(point.force(kind)) {
             response[equation] += point.area * g;
         }
         solver.solve(response)?;
@@ -273,13 +327,12 @@ impl LinearisedContact {
             Kind::Tangential => self.rows.len() - 1,
         };
         self.rows.push(Row {
-            point: place,
-            kind,
-            pressure_row,
+            unknown: Unknown::Multiplier { point: place, kind, pressure_row },
             free: start + point.dot(kind, base),
             start,
             lent,
             kappa: 0.0,
+            weight: 0.0,
         });
         let guess = match (kind, &point.sliding) {
             (Kind::Tangential, Some(sliding)) => sliding.traction,
@@ -290,15 +343,64 @@ impl LinearisedContact {
         Ok(())
     }
 
+    /// Lets a station join; its equations that no station has touched yet
+    /// become rows.
+    fn add_station(
+        &mut self,
+        point: &LinearPoint,
+        place: usize,
+        solver: &mut Solver,
+        base: &[f64],
+    ) -> Result<(), SolveError> {
+        let mut station = Station { point: place, rows: [0; MOST_DOFS] };
+        for (row, &equation) in station.rows.iter_mut().zip(&point.equations[..point.width]) {
+            let known = Unknown::Interface { equation };
+            let found = self.rows.iter().position(|row| row.unknown == known);
+            *row = match found {
+                Some(found) => found,
+                None => self.add_interface(equation, solver, base)?,
+            };
+        }
+        self.stations.push(station);
+        Ok(())
+    }
+
+    fn add_interface(
+        &mut self,
+        equation: usize,
+        solver: &mut Solver,
+        base: &[f64],
+    ) -> Result<usize, SolveError> {
+        let n = base.len();
+        let begin = self.response.len();
+        self.response.resize(begin + n, 0.0);
+        self.response[begin + equation] = 1.0;
+        solver.solve(&mut self.response[begin..])?;
+        self.rows.push(Row {
+            unknown: Unknown::Interface { equation },
+            free: base[equation],
+            start: 0.0,
+            lent: 0.0,
+            kappa: 0.0,
+            weight: 0.0,
+        });
+        self.unknown.truncate(self.rows.len() - 1);
+        self.unknown.push(0.0);
+        Ok(self.rows.len() - 1)
+    }
+
     /// Fills C and the stiffness that each row feels.
     fn couple(&mut self, points: &[LinearPoint], base: &[f64]) {
         let (m, n) = (self.rows.len(), base.len());
         self.compliance.clear();
         self.compliance.resize(m * m, 0.0);
         for i in 0..m {
-            let (point, kind) = (&points[self.rows[i].point], self.rows[i].kind);
             for j in 0..m {
-                self.compliance[i * m + j] = point.dot(kind, &self.response[j * n..][..n]);
+                let response = &self.response[j * n..][..n];
+                self.compliance[i * m + j] = match self.rows[i].unknown {
+                    Unknown::Multiplier { point, kind, .. } => points[point].dot(kind, response),
+                    Unknown::Interface { equation } => response[equation],
+                };
             }
         }
         for i in 0..m {
@@ -307,6 +409,8 @@ impl LinearisedContact {
             // C = 1/(k + s) where k is the structure's own stiffness.
             let felt = if own > 0.0 { 1.0 / own } else { f64::INFINITY };
             row.kappa = (felt - row.lent).max(1e-6 * felt);
+            let area = row.point().map_or(1.0, |(point, _)| points[point].area);
+            row.weight = (area * own.abs()).sqrt();
         }
     }
 
@@ -332,10 +436,15 @@ impl LinearisedContact {
         }
         self.jacobian.clear();
         self.jacobian.resize(m * m, 0.0);
-        let system = System { rows: &self.rows, compliance: &self.compliance };
+        self.stiffness.clear();
+        self.stiffness.resize(if self.stations.is_empty() { 0 } else { m * m }, 0.0);
+        let stiffness = &mut self.stiffness;
+        let system =
+            System { rows: &self.rows, compliance: &self.compliance, stations: &self.stations };
         let (residual, jacobian) = (&mut self.residual, &mut self.jacobian);
         let unknown = &mut self.unknown;
-        let mut size = system.residual(unknown, points, circumstances, residual, jacobian);
+        let mut size =
+            system.residual((unknown, points), circumstances, residual, (jacobian, stiffness));
         for _ in 0..ITERATIONS {
             let scale = system.largest_multiplier(unknown);
             if size <= EXACT * scale || !size.is_finite() {
@@ -348,7 +457,12 @@ impl LinearisedContact {
                 for ((trial, q), step) in self.trial.iter_mut().zip(&*unknown).zip(&self.step) {
                     *trial = q - length * step;
                 }
-                let new = system.residual(&self.trial, points, circumstances, residual, jacobian);
+                let new = system.residual(
+                    (&self.trial, points),
+                    circumstances,
+                    residual,
+                    (jacobian, stiffness),
+                );
                 if new < size {
                     unknown.copy_from_slice(&self.trial);
                     size = new;
@@ -373,15 +487,16 @@ impl LinearisedContact {
         circumstances: &Circumstances<'_>,
     ) -> bool {
         let hard = |row: &Row| {
-            let law = &circumstances.laws[points[row.point].pair].normal;
-            row.kind == Kind::Normal && law.pressure(0.0).is_none()
+            let Some((point, kind)) = row.point() else { return false };
+            let law = &circumstances.laws[points[point].pair].normal;
+            kind == Kind::Normal && law.pressure(0.0).is_none()
         };
         let candidates: Vec<usize> =
             (0..self.rows.len()).filter(|&i| hard(&self.rows[i])).collect();
         if candidates.is_empty() {
             return false;
         }
-        let system = System { rows: &self.rows, compliance: &self.compliance };
+        let system = System { rows: &self.rows, compliance: &self.compliance, stations: &[] };
         settle(&system, &candidates, &mut self.unknown);
         true
     }
@@ -394,7 +509,7 @@ impl LinearisedContact {
         correction: &mut [f64],
     ) {
         let n = correction.len();
-        let system = System { rows: &self.rows, compliance: &self.compliance };
+        let system = System { rows: &self.rows, compliance: &self.compliance, stations: &[] };
         for (place, point) in points.iter_mut().enumerate() {
             if self.in_rows[place] {
                 continue;
@@ -407,14 +522,23 @@ impl LinearisedContact {
             }
         }
         for (i, row) in self.rows.iter().enumerate() {
+            let Some((place, kind)) = row.point() else { continue };
             let (multiplier, value) = system.multiplier_and_value(i, &self.unknown);
-            let point = &mut points[row.point];
-            match (row.kind, &mut point.sliding) {
+            let point = &mut points[place];
+            match (kind, &mut point.sliding) {
                 (Kind::Tangential, Some(sliding)) => sliding.traction = multiplier,
                 _ => {
                     let laws = &circumstances.laws[point.pair];
                     point.pressure = laws.demand_pressure(multiplier, value, row.kappa).value;
                 }
+            }
+        }
+        for station in &self.stations {
+            let point = &mut points[station.point];
+            let answer = circumstances.station(&system, station, point, &self.unknown);
+            point.pressure = answer.pressure;
+            if let Some(sliding) = &mut point.sliding {
+                sliding.traction = answer.traction;
             }
         }
         for (i, &q) in self.unknown.iter().take(self.rows.len()).enumerate() {
@@ -430,6 +554,7 @@ impl LinearisedContact {
 struct System<'a> {
     rows: &'a [Row],
     compliance: &'a [f64],
+    stations: &'a [Station],
 }
 
 impl System<'_> {
@@ -442,44 +567,110 @@ impl System<'_> {
         (unknown[i] + row.lent * (value - row.start), value)
     }
 
+    /// Largest multiplier in the norm of the residual.
     fn largest_multiplier(&self, unknown: &[f64]) -> f64 {
         (0..self.rows.len())
-            .map(|i| self.multiplier_and_value(i, unknown).0.abs().max(unknown[i].abs()))
+            .map(|i| {
+                let multiplier = self.multiplier_and_value(i, unknown).0.abs();
+                multiplier.max(unknown[i].abs()) * self.rows[i].weight
+            })
             .fold(f64::MIN_POSITIVE, f64::max)
     }
 
     /// F = lambda - law, its norm, and dF/dq.
     fn residual(
         &self,
-        unknown: &[f64],
-        points: &[LinearPoint],
+        (unknown, points): (&[f64], &[LinearPoint]),
         circumstances: &Circumstances<'_>,
         residual: &mut [f64],
-        jacobian: &mut [f64],
+        (jacobian, stiffness): (&mut [f64], &mut [f64]),
     ) -> f64 {
-        let m = self.rows.len();
+        if !self.stations.is_empty() {
+            self.interface((unknown, points), circumstances, residual, (jacobian, stiffness));
+        }
         for (i, row) in self.rows.iter().enumerate() {
+            let Unknown::Multiplier { point, kind, pressure_row } = row.unknown else { continue };
             let (multiplier, value) = self.multiplier_and_value(i, unknown);
-            let pressure = self.multiplier_and_value(row.pressure_row, unknown).0;
-            let point = &points[row.point];
-            let law = circumstances.demand(row, point, [multiplier, value, pressure]);
-            residual[i] = multiplier - law.value;
-            for j in 0..m {
-                // d value/dq_j = -C_ij, d lambda_i/dq_j = delta_ij - s C_ij
-                let by_value = -self.compliance[i * m + j];
-                let own = if i == j { 1.0 } else { 0.0 };
-                let by_multiplier = own + row.lent * by_value;
-                let k = row.pressure_row;
-                let of_pressure =
-                    if j == k { 1.0 } else { 0.0 } - self.rows[k].lent * self.compliance[k * m + j];
-                jacobian[i * m + j] = by_multiplier
-                    - law.by_multiplier * by_multiplier
-                    - law.by_value * by_value
-                    - law.by_pressure * of_pressure;
+            let pressure = self.multiplier_and_value(pressure_row, unknown).0;
+            let values = [multiplier, value, pressure];
+            let demand = circumstances.demand(row, kind, &points[point], values);
+            residual[i] = multiplier - demand.value;
+            self.differentiate(i, pressure_row, &demand, jacobian);
+        }
+        let squares = residual.iter().zip(self.rows).map(|(f, row)| (f * row.weight).powi(2));
+        squares.sum::<f64>().sqrt()
+    }
+
+    /// dF/dq of a pressure or traction.
+    fn differentiate(&self, i: usize, k: usize, demand: &Demand, jacobian: &mut [f64]) {
+        let m = self.rows.len();
+        for j in 0..m {
+            // d value/dq_j = -C_ij, d lambda_i/dq_j = delta_ij - s C_ij
+            let by_value = -self.compliance[i * m + j];
+            let own = if i == j { 1.0 } else { 0.0 };
+            let by_multiplier = own + self.rows[i].lent * by_value;
+            let of_pressure =
+                if j == k { 1.0 } else { 0.0 } - self.rows[k].lent * self.compliance[k * m + j];
+            jacobian[i * m + j] = by_multiplier
+                - demand.by_multiplier * by_multiplier
+                - demand.by_value * by_value
+                - demand.by_pressure * of_pressure;
+        }
+    }
+
+    /// The rows of equations that stations press on: F = q - f(d), with f the
+    /// force of all stations at the displacements d = free - C q.
+    fn interface(
+        &self,
+        (unknown, points): (&[f64], &[LinearPoint]),
+        circumstances: &Circumstances<'_>,
+        residual: &mut [f64],
+        (jacobian, stiffness): (&mut [f64], &mut [f64]),
+    ) {
+        let m = self.rows.len();
+        stiffness.fill(0.0);
+        let is_interface = |i: &usize| self.rows[*i].point().is_none();
+        for i in (0..m).filter(is_interface) {
+            residual[i] = unknown[i];
+        }
+        for station in self.stations {
+            let point = &points[station.point];
+            let answer = circumstances.station(self, station, point, unknown);
+            for a in 0..point.width {
+                let i = station.rows[a];
+                let (n, t) = (point.area * point.normal[a], point.area * point.drag[a]);
+                residual[i] -= n * answer.force[0] + t * answer.force[1];
+                for b in 0..point.width {
+                    let (g, s) = (point.normal[b], point.tangential[b]);
+                    let [[nn, nt], [tn, tt]] = answer.slope;
+                    stiffness[i * m + station.rows[b]] +=
+                        n * (nn * g + nt * s) + t * (tn * g + tt * s);
+                }
             }
         }
-        residual.iter().map(|f| f * f).sum::<f64>().sqrt()
+        for i in (0..m).filter(is_interface) {
+            let row = &mut jacobian[i * m..(i + 1) * m];
+            row.fill(0.0);
+            row[i] = 1.0;
+            for k in 0..m {
+                let by = stiffness[i * m + k];
+                if by != 0.0 {
+                    let compliance = &self.compliance[k * m..(k + 1) * m];
+                    row.iter_mut().zip(compliance).for_each(|(sum, c)| *sum += by * c);
+                }
+            }
+        }
     }
+}
+
+/// A station at the displacements of the small system.
+struct StationAnswer {
+    pressure: f64,
+    traction: f64,
+    /// Pressure and traction less what the lent stiffness carries [F/L2].
+    force: [f64; 2],
+    /// Their derivatives by overclosure and slip [F/L3].
+    slope: [[f64; 2]; 2],
 }
 
 impl Circumstances<'_> {
@@ -487,11 +678,12 @@ impl Circumstances<'_> {
     fn demand(
         &self,
         row: &Row,
+        kind: Kind,
         point: &LinearPoint,
         [multiplier, value, pressure]: [f64; 3],
     ) -> Demand {
         let laws = &self.laws[point.pair];
-        match (row.kind, &point.sliding) {
+        match (kind, &point.sliding) {
             (Kind::Tangential, Some(sliding)) => {
                 let pressure = if self.symmetrised { point.pressure } else { pressure };
                 let values = [multiplier, value, pressure];
@@ -500,6 +692,41 @@ impl Circumstances<'_> {
             }
             _ => laws.demand_pressure(multiplier, value, row.kappa),
         }
+    }
+
+    /// A station with its laws inserted: among many stations of one element
+    /// none has a multiplier of its own.
+    fn station(
+        &self,
+        system: &System<'_>,
+        station: &Station,
+        point: &LinearPoint,
+        unknown: &[f64],
+    ) -> StationAnswer {
+        let (mut normal, mut tangential) = (0.0, 0.0);
+        for a in 0..point.width {
+            let d = system.multiplier_and_value(station.rows[a], unknown).1;
+            normal += point.normal[a] * d;
+            tangential += point.tangential[a] * d;
+        }
+        let laws = &self.laws[point.pair];
+        let demand = laws.demand_pressure(0.0, point.overclosure + normal, f64::INFINITY);
+        let mut answer = StationAnswer {
+            pressure: demand.value,
+            traction: 0.0,
+            force: [demand.value - point.stiffness * normal, 0.0],
+            slope: [[demand.by_value - point.stiffness, 0.0], [0.0, 0.0]],
+        };
+        if let Some(sliding) = &point.sliding {
+            let limit = if self.symmetrised { point.pressure } else { demand.value };
+            let values = [sliding.traction, sliding.slip + tangential, limit];
+            let drag = self.demand_traction(laws, values, sliding, f64::INFINITY);
+            let by_pressure = if self.symmetrised { 0.0 } else { drag.by_pressure };
+            answer.traction = drag.value;
+            answer.force[1] = drag.value - sliding.stiffness * tangential;
+            answer.slope[1] = [by_pressure * demand.by_value, drag.by_value - sliding.stiffness];
+        }
+        answer
     }
 
     fn demand_traction(

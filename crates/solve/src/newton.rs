@@ -9,9 +9,9 @@
 //! Newton knows nothing of time: it is told the state to start from and the
 //! values to reach.
 
-use crate::contact::Meeting;
+use crate::contact::{GeometryScratch, Meeting, STRIP_POINTS, SlavePoint};
 use crate::convergence::{Field, FieldHistory, Measures, judge, largest_nodal};
-use crate::evaluate::{Evaluation, Trial, evaluate, slip};
+use crate::evaluate::{Evaluation, Trial, evaluate};
 use crate::increments::Verdict;
 use crate::linearised::{Circumstances, LinearPoint, LinearisedContact, MOST_DOFS, Sliding};
 use crate::observe::{ContactChange, IterationReport};
@@ -69,6 +69,7 @@ pub struct Workspace {
     tractions: Vec<f64>,
     points: Vec<LinearPoint>,
     contact: LinearisedContact,
+    geometry: GeometryScratch,
     was_closed: Vec<bool>,
     /// The list of changes of the last report, to be used again.
     changes: Vec<ContactChange>,
@@ -76,8 +77,11 @@ pub struct Workspace {
 
 /// The largest rotation that one iteration may add [1].
 const LARGEST_ROTATION: f64 = 0.5;
+/// How far apart, in sizes of the model, points still count as touching when
+/// stiffness is lent.
+const TOUCH: f64 = 1e-9;
 /// Stiffness lent to a closed point, as a fraction of the stiffest element.
-const LENT: f64 = 1e-4;
+const LENT: f64 = 1e-2;
 
 impl Workspace {
     /// Room for a plan; the symbolic factorisation happens here.
@@ -100,6 +104,7 @@ impl Workspace {
             tractions: vec![0.0; points],
             points: Vec::with_capacity(points),
             contact,
+            geometry: GeometryScratch::new(&plan.contact),
             was_closed: vec![false; points],
             changes: Vec::with_capacity(points),
         }
@@ -243,6 +248,7 @@ impl Workspace {
     fn evaluate(&mut self, plan: &Plan<'_>, committed: &State, dt: f64) {
         let trial = Trial {
             u: &self.u,
+            load: &self.load,
             pressures: &self.pressures,
             tractions: &self.tractions,
             time: committed.total_time + dt,
@@ -255,9 +261,13 @@ impl Workspace {
     fn iterate(&mut self, plan: &Plan<'_>, committed: &State, dt: f64) -> Result<(), SolveError> {
         self.linearise_points(plan, committed);
         self.assemble(plan);
+        if plan.symmetrised() {
+            plan.symmetrise(&mut self.values);
+        }
         self.solver.refactor(&plan.pattern, &self.values)?;
         for (equation, &slot) in plan.layout.slot_of_equation.iter().enumerate() {
-            self.correction[equation] = self.load[slot] - self.evaluation.internal[slot];
+            self.correction[equation] =
+                self.evaluation.external[slot] - self.evaluation.internal[slot];
         }
         self.contact.solve(
             &mut self.points,
@@ -266,7 +276,7 @@ impl Workspace {
                 time: committed.total_time + dt,
                 dt,
                 committed: &committed.memory,
-                symmetrised: plan.step.unsymmetric == Some(false),
+                symmetrised: plan.symmetrised(),
             },
             &mut self.solver,
             &mut self.correction,
@@ -285,11 +295,11 @@ impl Workspace {
             let laws = &plan.contact.laws[point.pair];
             let touching = meeting.faces
                 && (self.pressures[place] > 0.0
-                    || meeting.overclosure > laws.normal.contact_begins());
-            let lent = if touching { lent_stiffness(plan, point.area) } else { 0.0 };
+                    || meeting.overclosure > laws.normal.contact_begins() - TOUCH * plan.reach);
+            let lent = if touching { lent_stiffness(plan, point) } else { 0.0 };
             let called = laws.has_friction() && laws.onset.called(before.closed, true);
             let sliding = (called && meeting.faces).then(|| Sliding {
-                slip: slip(plan, point.pair, before, meeting),
+                slip: plan.contact.slip(place, &before.history(), meeting, &committed.displacement),
                 elastic_slip: before.elastic_slip,
                 traction: self.tractions[place],
                 stiffness: lent,
@@ -297,11 +307,13 @@ impl Workspace {
             });
             let mut linear = LinearPoint {
                 pair: point.pair,
-                area: point.area,
+                area: meeting.area,
+                integrated: point.is_station(),
                 width: 0,
                 equations: [0; MOST_DOFS],
                 normal: [0.0; MOST_DOFS],
                 tangential: [0.0; MOST_DOFS],
+                drag: [0.0; MOST_DOFS],
                 overclosure: meeting.overclosure,
                 pressure: if meeting.faces { self.pressures[place] } else { 0.0 },
                 stiffness: lent,
@@ -312,6 +324,7 @@ impl Workspace {
                     linear.equations[linear.width] = equation;
                     linear.normal[linear.width] = meeting.gradient[k];
                     linear.tangential[linear.width] = meeting.slip_gradient[k];
+                    linear.drag[linear.width] = meeting.drag[k];
                     linear.width += 1;
                 }
             }
@@ -323,6 +336,13 @@ impl Workspace {
     fn assemble(&mut self, plan: &Plan<'_>) {
         self.values.fill(0.0);
         plan.structure.gather_tangent(&self.evaluation.contributions, &mut self.values);
+        for (slot, stiffness) in plan.layout.load_stiffness(&self.u, &self.load) {
+            let equation = plan.layout.equation(slot);
+            if let Some(at) = equation.and_then(|e| plan.pattern.position(e, e)) {
+                self.values[at] += stiffness;
+            }
+        }
+        plan.contact.fill_scratch(&self.u, &mut self.geometry);
         for place in 0..self.points.len() {
             if self.points[place].pressure == 0.0 && self.points[place].stiffness == 0.0 {
                 continue;
@@ -336,7 +356,7 @@ impl Workspace {
                     if let Some(at) = at {
                         self.values[at] += linear.area
                             * (linear.stiffness * linear.normal[i] * linear.normal[j]
-                                + sliding_stiffness * linear.tangential[i] * linear.tangential[j]);
+                                + sliding_stiffness * linear.drag[i] * linear.tangential[j]);
                     }
                 }
             }
@@ -346,16 +366,15 @@ impl Workspace {
     fn add_geometry(&mut self, plan: &Plan<'_>, place: usize) {
         let meeting: &Meeting = &self.evaluation.meetings[place];
         let width = meeting.width;
-        let area = plan.contact.points[place].area;
-        let (pressure, traction) = (self.pressures[place], self.tractions[place]);
-        let mut tangent = [0.0; MOST_DOFS * MOST_DOFS];
-        meeting.geometric_tangent(&self.u, area * pressure, area * traction, &mut tangent);
+        let forces = (meeting.area * self.pressures[place], meeting.area * self.tractions[place]);
+        let geometry = &mut self.geometry;
+        plan.contact.geometric_tangent(place, &self.u, meeting, forces, geometry);
         for i in 0..width {
             let Some(row) = plan.layout.equation(meeting.slots[i]) else { continue };
             for j in 0..width {
                 let Some(column) = plan.layout.equation(meeting.slots[j]) else { continue };
                 if let Some(at) = plan.pattern.position(row, column) {
-                    self.values[at] += tangent[width * i + j];
+                    self.values[at] += geometry.tangent[width * i + j];
                 }
             }
         }
@@ -484,20 +503,44 @@ impl Workspace {
         }
     }
 
-    /// 50 eps EA max|u| / l, and that times l: rounding of the internal force.
+    /// What rounding leaves of a residual: 50 eps EA max|u| / l of the
+    /// elements, and what the rounding of positions makes of contact.
+    /// Moments: the same times their levers.
     fn floors(&self, plan: &Plan<'_>) -> [f64; 2] {
-        let moved = (0..plan.layout.slots())
-            .filter(|&slot| plan.elastic[slot] && !plan.layout.name(slot).1.is_rotation())
-            .fold(0.0_f64, |largest, slot| largest.max(self.u[slot].abs()));
-        let force = 50.0 * f64::EPSILON * plan.structure.stiffest * moved;
-        [force, force * plan.structure.stiffest_length]
+        let mut moved = 0.0_f64;
+        let mut reach = plan.reach;
+        for (slot, &u) in self.u.iter().enumerate() {
+            if !plan.layout.name(slot).1.is_rotation() {
+                reach = reach.max(u.abs());
+                if plan.elastic[slot] {
+                    moved = moved.max(u.abs());
+                }
+            }
+        }
+        let elastic = 50.0 * f64::EPSILON * plan.structure.stiffest * moved;
+        let contact = 4.0 * f64::EPSILON * self.contact_size(plan, reach);
+        [elastic + contact, elastic * plan.structure.stiffest_length + contact * reach]
+    }
+
+    /// Largest contact force, and largest change of one when positions
+    /// change by the size of the model [F].
+    fn contact_size(&self, plan: &Plan<'_>, reach: f64) -> f64 {
+        let mut largest = 0.0_f64;
+        for (place, point) in self.evaluation.points.iter().enumerate() {
+            if point.closed {
+                let laws = &plan.contact.laws[plan.contact.points[place].pair];
+                let slope = laws.normal.pressure(-point.opening).map_or(0.0, |(_, slope)| slope);
+                largest = largest.max(point.area * (point.pressure.abs() + slope * reach));
+            }
+        }
+        largest
     }
 
     /// Notes points whose contact changed since the last iteration by more
     /// than the residual tolerance: below it a change is no discontinuity.
     fn note_changes(&mut self, plan: &Plan<'_>, negligible: f64, report: &mut IterationReport) {
         for (place, point) in self.evaluation.points.iter().enumerate() {
-            if point.closed == self.was_closed[place] {
+            if point.closed == self.was_closed[place] || plan.contact.points[place].is_station() {
                 continue;
             }
             let own = &plan.contact.points[place];
@@ -506,7 +549,7 @@ impl Workspace {
                 node: own.node,
                 closed: point.closed,
             });
-            report.severe |= !point.closed || own.area * point.pressure > negligible;
+            report.severe |= !point.closed || point.area * point.pressure > negligible;
             self.was_closed[place] = point.closed;
         }
     }
@@ -514,7 +557,8 @@ impl Workspace {
     /// Hard contact and exact stick have no stiffness that would turn a
     /// defect into a residual: it is held against the structure's own.
     fn contact_settled(&self, plan: &Plan<'_>, allowed: f64) -> bool {
-        let rounding = 8.0 * f64::EPSILON * plan.reach;
+        let moved = self.u.iter().fold(0.0_f64, |largest, u| largest.max(u.abs()));
+        let rounding = 8.0 * f64::EPSILON * (plan.reach + moved);
         let stiffest = plan.structure.stiffest;
         let by_force = if stiffest > 0.0 { allowed / stiffest } else { 0.0 };
         let tolerance = by_force.max(rounding);
@@ -522,9 +566,10 @@ impl Workspace {
     }
 }
 
-fn lent_stiffness(plan: &Plan<'_>, area: f64) -> f64 {
-    if plan.structure.stiffest > 0.0 && area > 0.0 {
-        LENT * plan.structure.stiffest / area
+fn lent_stiffness(plan: &Plan<'_>, point: &SlavePoint) -> f64 {
+    if plan.structure.stiffest > 0.0 && point.area > 0.0 {
+        let points = if point.is_station() { STRIP_POINTS as f64 } else { 1.0 };
+        LENT * plan.structure.stiffest / (points * point.area)
     } else {
         1.0
     }

@@ -6,7 +6,8 @@ use crate::structure::Structure;
 use crate::users::UserFrictions;
 use rayon::ThreadPool;
 use slideline_linalg::{Kind, Pattern, Solver, analyse};
-use slideline_model::{Amplitude, Model, Step};
+use slideline_mech::contact::pair::Laws;
+use slideline_model::{Amplitude, Master, Model, Step, SurfaceSegment};
 
 /// Everything about a step that does not change from increment to increment.
 pub struct Plan<'a> {
@@ -57,6 +58,7 @@ impl<'a> Plan<'a> {
             .nodes
             .iter()
             .flat_map(|node| node.position)
+            .chain(surface_points(model))
             .fold(0.0, |largest: f64, x| largest.max(x.abs()));
         let (start, start_load) = (start.to_vec(), start_load.to_vec());
         Self {
@@ -74,10 +76,36 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// Symbolic factorisation. The tangent that is factored is symmetric also
-    /// with friction (see [`crate::linearised`]).
+    /// Symbolic factorisation: unsymmetric where there is friction, unless
+    /// the deck says `UNSYMM=NO`.
     pub fn analyse(&self) -> Solver {
-        analyse(&self.pattern, Kind::Symmetric)
+        analyse(&self.pattern, if self.unsymmetric() { Kind::Unsymmetric } else { Kind::Symmetric })
+    }
+
+    /// Whether the tangent is factored as an unsymmetric matrix.
+    pub fn unsymmetric(&self) -> bool {
+        match self.step.unsymmetric {
+            Some(said) => said,
+            None => self.contact.laws.iter().any(Laws::has_friction),
+        }
+    }
+
+    /// Whether friction is there and the deck wants a symmetric tangent.
+    pub fn symmetrised(&self) -> bool {
+        self.step.unsymmetric == Some(false) && self.contact.laws.iter().any(Laws::has_friction)
+    }
+
+    /// Replaces matrix values by their symmetric part.
+    pub fn symmetrise(&self, values: &mut [f64]) {
+        for i in 0..self.pattern.size() {
+            let start = self.pattern.row_start()[i];
+            for (k, &j) in self.pattern.row(i).iter().enumerate().filter(|&(_, &j)| j > i) {
+                let Some(mirrored) = self.pattern.position(j, i) else { continue };
+                let mean = 0.5 * (values[start + k] + values[mirrored]);
+                values[start + k] = mean;
+                values[mirrored] = mean;
+            }
+        }
     }
 
     /// Puts the prescribed values of a time of the step into `u`.
@@ -114,4 +142,20 @@ impl<'a> Plan<'a> {
             None => start + (end - start) * (step_time / period),
         }
     }
+}
+
+/// Coordinates of the points of all rigid surfaces.
+fn surface_points(model: &Model) -> impl Iterator<Item = f64> {
+    let surfaces = model.contact_pairs.iter().filter_map(|pair| match &pair.master {
+        Master::RigidSurface(surface) => Some(surface),
+        Master::SlideLine(_) => None,
+    });
+    surfaces.flat_map(|surface| {
+        let ends = surface.segments.iter().flat_map(|segment| match *segment {
+            SurfaceSegment::Line { end } => [end, end],
+            SurfaceSegment::Circle { end, centre } => [end, centre],
+            SurfaceSegment::Parabola { middle, end } => [middle, end],
+        });
+        std::iter::once(surface.start).chain(ends).flatten()
+    })
 }

@@ -1,7 +1,7 @@
 //! The whole analysis: steps, increments, commits.
 
 use crate::commit::commit;
-use crate::contact::memory_size;
+use crate::contact::{memory_size, point_count};
 use crate::diagnose;
 use crate::increments::{Control, Decision, Verdict};
 use crate::newton::{Outcome, Target, Workspace, attempt};
@@ -10,6 +10,7 @@ use crate::observe::{
     StepReport, Stop, Totals,
 };
 use crate::plan::Plan;
+use crate::rows::contact_rows;
 use crate::state::State;
 use crate::users::UserFrictions;
 use slideline_diag::Diagnostic;
@@ -73,8 +74,8 @@ impl<'a> Walk<'a> {
         observer: &'a mut dyn Observer,
     ) -> Self {
         let slots = model.nodes.len() * 3;
-        let points = model.contact_pairs.iter().map(|pair| pair.slave_nodes().len()).sum();
-        let memory = |pair: &ContactPair| pair.slave_nodes().len() * memory_size(pair);
+        let points = model.contact_pairs.iter().map(point_count).sum();
+        let memory = |pair: &ContactPair| point_count(pair) * memory_size(pair);
         let memory = model.contact_pairs.iter().map(memory).sum();
         let committed = State::undeformed(slots, points, memory);
         Self {
@@ -207,7 +208,7 @@ impl<'a> Walk<'a> {
             equations: plan.layout.equations(),
             entries: plan.pattern.entries(),
             linear_solver: work.solver.description().to_string(),
-            unsymmetric: false,
+            unsymmetric: plan.unsymmetric(),
             total_time: self.committed.total_time,
             start: frame,
         };
@@ -250,25 +251,7 @@ impl<'a> Walk<'a> {
     }
 
     fn fill_rows(&mut self, plan: &Plan<'_>) {
-        self.contact_rows.clear();
-        self.contact_rows.extend(plan.contact.points.iter().zip(&self.committed.points).map(
-            |(point, state)| ContactRow {
-                pair: point.pair,
-                node: point.node,
-                status: state.status,
-                ever_closed: state.ever_closed,
-                opening: state.opening,
-                pressure: state.pressure,
-                shear: state.traction,
-                slip: state.slip,
-                area: point.area,
-                friction: state.friction,
-                position: state.position,
-                normal: state.normal,
-                along: state.along.unwrap_or(0.0),
-                dropped_work: state.dropped_work,
-            },
-        ));
+        contact_rows(plan, &self.committed, &mut self.contact_rows);
         self.beam_rows.clear();
         self.beam_rows.extend(plan.structure.beam_rows(&self.committed.displacement));
     }

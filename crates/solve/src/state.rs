@@ -70,6 +70,10 @@ pub struct PointState {
     pub position: [f64; 2],
     /// Outward normal of the master [1].
     pub normal: [f64; 2],
+    /// Area it stands for [L2].
+    pub area: f64,
+    /// Where a station stands on its element, 0 to 1.
+    pub xi: f64,
 }
 
 impl PointState {

@@ -2,15 +2,15 @@
 //!
 //! ```text
 //!   r(u) = f_int(u) + sum A (p a + tau b) - f_ext
-//!   K    = dr/du = elements + geometry + sum A [ p' a a' + b (tau_s b + tau_p p' a)' ]
+//!   K    = dr/du = elements + geometry + sum A [ p' a a' + b (tau_s s + tau_p p' a)' ]
 //! ```
 //!
 //! The contact step never forms K: it keeps the laws (see
 //! [`crate::linearised`]). It is formed here to be held against differences
 //! of the residual, law and geometry, friction and rigid links together.
 
+use crate::contact::GeometryScratch;
 use crate::evaluate::{Evaluation, Trial, evaluate};
-use crate::linearised::MOST_DOFS;
 use crate::plan::Plan;
 use crate::state::State;
 use slideline_mech::contact::pair::{PointTrial, UserMemory};
@@ -65,7 +65,7 @@ impl Tangent {
         }
         let laws = &plan.contact.laws[point.pair];
         let before = &committed.points[place];
-        let slip = crate::evaluate::slip(plan, point.pair, before, meeting);
+        let slip = plan.contact.slip(place, &before.history(), meeting, &committed.displacement);
         let response = laws.respond(
             &before.history(),
             &PointTrial {
@@ -85,23 +85,21 @@ impl Tangent {
         );
         let slope = laws.normal.pressure(meeting.overclosure).map_or(0.0, |(_, slope)| slope);
         let traction = response.traction;
-        let mut geometry = [0.0; MOST_DOFS * MOST_DOFS];
-        meeting.geometric_tangent(
-            trial.u,
-            point.area * now.pressure,
-            point.area * now.traction,
-            &mut geometry,
-        );
-        let (a, b) = (&meeting.gradient, &meeting.slip_gradient);
+        let mut scratch = GeometryScratch::new(&plan.contact);
+        plan.contact.fill_scratch(trial.u, &mut scratch);
+        let forces = (now.area * now.pressure, now.area * now.traction);
+        plan.contact.geometric_tangent(place, trial.u, meeting, forces, &mut scratch);
+        let geometry = &scratch.tangent;
+        let (a, b, drag) = (&meeting.gradient, &meeting.slip_gradient, &meeting.drag);
         for i in 0..meeting.width {
             let Some(row) = plan.layout.equation(meeting.slots[i]) else { continue };
             for j in 0..meeting.width {
                 let Some(column) = plan.layout.equation(meeting.slots[j]) else { continue };
                 let by_slip = traction.d_tau_d_slip * b[j];
                 let by_pressure = traction.d_tau_d_pressure * slope * a[j];
-                let law = slope * a[i] * a[j] + b[i] * (by_slip + by_pressure);
+                let law = slope * a[i] * a[j] + drag[i] * (by_slip + by_pressure);
                 self.entries[row * self.equations + column] +=
-                    geometry[meeting.width * i + j] + point.area * law;
+                    geometry[meeting.width * i + j] + now.area * law;
             }
         }
     }
@@ -263,7 +261,15 @@ mod tests {
             u[3 * body + 2] = 0.1 * drag;
             plan.layout.follow_links(&mut u);
             let none = vec![0.0; points];
-            let trial = Trial { u: &u, pressures: &none, tractions: &none, time: 1.0, dt: 1.0 };
+            let load = vec![0.0; slots];
+            let trial = Trial {
+                u: &u,
+                load: &load,
+                pressures: &none,
+                tractions: &none,
+                time: 1.0,
+                dt: 1.0,
+            };
             let mut evaluation = Evaluation::new(&plan);
             evaluate(&plan, &committed, &trial, &mut evaluation);
             assert!(evaluation.points.iter().any(|point| point.closed && point.traction != 0.0));

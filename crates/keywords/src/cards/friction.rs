@@ -48,18 +48,21 @@ impl Keyword for Friction {
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
         let span = card.span();
-        if draft.owning_interface(self.name(), span).is_none() {
+        if draft.owning_interaction(self.name(), span).is_none() {
             return;
         }
         exclusions(card, draft);
         let law = law(card, draft);
-        let Some(interface) = draft.owning_interface(self.name(), span) else { return };
-        let before = interface.interaction.friction_origin.replace(span);
+        let Some((interaction, owner)) = draft.owning_interaction(self.name(), span) else {
+            return;
+        };
+        let before = interaction.friction_origin.replace(span);
         if let Some(law) = law {
-            interface.interaction.friction = law;
+            interaction.friction = law;
         }
         if let Some(before) = before {
-            let error = Diagnostic::error(Code("SL0242"), "a second *FRICTION for one *INTERFACE");
+            let message = format!("a second *FRICTION for one {owner}");
+            let error = Diagnostic::error(Code("SL0242"), message);
             draft.log.push(error.at(span).label(before, "the first one"));
         }
     }

@@ -36,29 +36,38 @@ impl Keyword for RigidSurface {
     }
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
-        if card.has("FILLET RADIUS") {
-            let message = "FILLET RADIUS is not supported: write the fillets as CIRCL segments";
-            draft.log.error("SL0221", message, card.span_of("FILLET RADIUS"));
-        }
         card.choice("TYPE", &["SEGMENTS"], &mut draft.log);
         let Some(set) = card.name("ELSET") else { return };
-        let Some(first) = card.first_line("START, x, y", &mut draft.log) else { return };
-        let Some(start) = start(first, draft) else { return };
-        let mut segments = Vec::new();
-        let mut from = Some(start);
-        for line in &card.data()[1..] {
-            let segment = segment(line, from, draft);
-            from = segment.map(|segment| end_of(&segment));
-            segments.extend(segment);
-        }
-        if card.data().len() < 2 {
-            draft.log.error("SL0237", "a rigid surface needs at least one segment", card.span());
-            return;
-        }
+        let Some((start, segments)) = segments(card, draft) else { return };
         let set_span = card.span_of("ELSET");
         let shape = Shape::Rigid { start, segments };
         draft.surfaces.push(Surface { set, set_span, shape, origin: card.span() });
     }
+}
+
+/// The lines `START`, `LINE`, `CIRCL` and `PARAB` of a card: first point and
+/// segments, undeformed [L].
+pub(crate) fn segments(
+    card: &Reading<'_>,
+    draft: &mut Draft,
+) -> Option<([f64; 2], Vec<SurfaceSegment>)> {
+    if card.has("FILLET RADIUS") {
+        let message = "FILLET RADIUS is not supported: write the fillets as CIRCL segments";
+        draft.log.error("SL0221", message, card.span_of("FILLET RADIUS"));
+    }
+    let start = start(card.first_line("START, x, y", &mut draft.log)?, draft)?;
+    let mut segments = Vec::new();
+    let mut from = Some(start);
+    for line in &card.data()[1..] {
+        let segment = segment(line, from, draft);
+        from = segment.map(|segment| end_of(&segment));
+        segments.extend(segment);
+    }
+    if card.data().len() < 2 {
+        draft.log.error("SL0237", "a rigid surface needs at least one segment", card.span());
+        return None;
+    }
+    Some((start, segments))
 }
 
 /// Two radii of an arc may differ by this much, relative to their size.

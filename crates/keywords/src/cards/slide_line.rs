@@ -46,7 +46,12 @@ impl Keyword for SlideLine {
             let message = "*SLIDE LINE, TYPE=PARABOLIC is not supported: LINEAR only";
             draft.log.error("SL0221", message, card.span_of("TYPE"));
         }
-        let smooth = smooth(card, draft);
+        if !card.has("SMOOTH") {
+            let message = "SMOOTH is absent: the corners of this slide line stay sharp";
+            let note = Diagnostic::note(Code("SL0239"), message).at(card.span());
+            draft.log.push(note.help("SMOOTH=0.25 rounds them over a quarter of each segment"));
+        }
+        let smooth = smooth(card, 0.0, draft);
         let extension = extension(card, draft);
         let Some(set) = card.name("ELSET") else { return };
         if card.first_line("the master nodes", &mut draft.log).is_none() {
@@ -65,26 +70,20 @@ impl Keyword for SlideLine {
     }
 }
 
-fn smooth(card: &Reading<'_>, draft: &mut Draft) -> f64 {
-    let span = card.span_of("SMOOTH");
-    let Some(value) = card.number("SMOOTH", &mut draft.log) else { return 0.0 };
-    let Some(value) = value else {
-        if !card.has("SMOOTH") {
-            let message = "SMOOTH is absent: the corners of this slide line stay sharp";
-            let note = Diagnostic::note(Code("SL0239"), message).at(card.span());
-            draft.log.push(note.help("SMOOTH=0.25 rounds them over a quarter of each segment"));
-        }
-        return 0.0;
-    };
+/// The fraction of each segment that a corner takes; `absent` without `SMOOTH`.
+pub(crate) fn smooth(card: &Reading<'_>, absent: f64, draft: &mut Draft) -> f64 {
+    let Some(value) = card.number("SMOOTH", &mut draft.log) else { return absent };
+    let value = value.unwrap_or(absent);
     if !(0.0..0.5).contains(&value) {
         let message = format!("SMOOTH={value} is not at least 0 and less than 0.5");
-        draft.log.error("SL0238", message, span);
-        return 0.0;
+        draft.log.error("SL0238", message, card.span_of("SMOOTH"));
+        return absent;
     }
     value
 }
 
-fn extension(card: &Reading<'_>, draft: &mut Draft) -> f64 {
+/// The prolongation of open ends, as a fraction of the end segments.
+pub(crate) fn extension(card: &Reading<'_>, draft: &mut Draft) -> f64 {
     const DEFAULT: f64 = 0.1;
     let Some(value) = card.number("EXTENSION ZONE", &mut draft.log) else { return DEFAULT };
     let value = value.unwrap_or(DEFAULT);

@@ -36,7 +36,7 @@ impl Keyword for SurfaceBehavior {
     }
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
-        if draft.owning_interface(self.name(), card.span()).is_none() {
+        if draft.owning_interaction(self.name(), card.span()).is_none() {
             return;
         }
         let known = &["HARD", "LINEAR", "EXPONENTIAL", "TABULAR"];

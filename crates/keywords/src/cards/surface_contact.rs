@@ -37,7 +37,7 @@ impl Keyword for SurfaceContact {
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
         let span = card.span();
-        if draft.owning_interface(self.name(), span).is_none() {
+        if draft.owning_interaction(self.name(), span).is_none() {
             return;
         }
         let law = if card.has("SOFTENED") {
@@ -50,7 +50,7 @@ impl Keyword for SurfaceContact {
     }
 }
 
-/// Gives the owning interface its normal law.
+/// Gives the owning interaction its normal law.
 pub(crate) fn set_law(
     keyword: &str,
     card: &Reading<'_>,
@@ -58,13 +58,13 @@ pub(crate) fn set_law(
     draft: &mut Draft,
 ) {
     let span = card.span();
-    let Some(interface) = draft.owning_interface(keyword, span) else { return };
-    let before = interface.interaction.normal_origin.replace(span);
+    let Some((interaction, owner)) = draft.owning_interaction(keyword, span) else { return };
+    let before = interaction.normal_origin.replace(span);
     if let Some(law) = law {
-        interface.interaction.normal = law;
+        interaction.normal = law;
     }
     if let Some(before) = before {
-        let message = format!("a second normal law (*{keyword}) for one *INTERFACE");
+        let message = format!("a second normal law (*{keyword}) for one {owner}");
         let error = Diagnostic::error(Code("SL0242"), message).at(span);
         draft.log.push(error.label(before, "the first one"));
     }

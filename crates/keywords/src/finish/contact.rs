@@ -116,7 +116,7 @@ fn pair(surface: &Surface, strayed: bool, in_pair: &mut HashMap<usize, Span>, dr
         let (name, origin) = (surface.set.clone(), surface.origin);
         let formulation = slideline_model::Formulation::NodeToSurface;
         let pair = ContactPair { name, formulation, elements, master, interaction, origin };
-        both_sides(&pair, surface, draft);
+        both_sides(&pair, surface.set_span, draft);
         draft.model.contact_pairs.push(pair);
     }
 }
@@ -210,7 +210,7 @@ fn chain(nodes: &[(u64, Span)], surface: &Surface, draft: &mut Draft) -> Option<
 }
 
 /// A node cannot slide on a surface that it carries itself.
-fn both_sides(pair: &ContactPair, surface: &Surface, draft: &mut Draft) {
+pub(super) fn both_sides(pair: &ContactPair, span: Span, draft: &mut Draft) {
     let slaves = pair.slave_nodes();
     let own = match &pair.master {
         Master::RigidSurface(rigid) => slaves.contains(&rigid.reference).then_some(rigid.reference),
@@ -222,7 +222,7 @@ fn both_sides(pair: &ContactPair, surface: &Surface, draft: &mut Draft) {
     if let Some(node) = own {
         let label = draft.model.nodes.label(node);
         let message = format!("node {label} is slave and master of the same contact");
-        let error = Diagnostic::error(Code("SL0319"), message).at(surface.set_span);
+        let error = Diagnostic::error(Code("SL0319"), message).at(span);
         draft.consequence(Subject::Contact, error);
     }
 }

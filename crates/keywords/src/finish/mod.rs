@@ -1,11 +1,15 @@
 //! What can be said only when the whole deck is known: references by name,
 //! and whether the parts make a model.
 
+mod chain;
 mod contact;
 mod links;
+mod master_chain;
 mod nodes;
 mod sections;
 mod steps;
+mod surface_pairs;
+mod surfaces;
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{Model, NodeIndex};
@@ -22,6 +26,7 @@ pub(crate) fn finish(draft: &mut Draft, steps_doubted: bool) -> Model {
     sections::beams(draft);
     sections::springs(draft);
     contact::pairs(draft);
+    surface_pairs::pairs(draft);
     links::links(draft);
     steps::steps(draft, steps_doubted);
     std::mem::take(&mut draft.model)

@@ -41,8 +41,6 @@ impl Axis {
 /// A symbol at a computed point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Marker {
-    /// Open circle.
-    Circle,
     /// Black disc.
     Disc,
     /// Open square.
@@ -64,7 +62,6 @@ impl Marker {
             points.iter().map(|[dx, dy]| [x + r * dx, y + r * dy]).collect()
         };
         match self {
-            Self::Circle => scene.circle([x, y], r, Some(WHITE), Some(pen)),
             Self::Disc => scene.circle([x, y], 0.8 * r, Some(BLACK), Some(pen)),
             Self::Square => {
                 let corners = around(&[[-0.9, -0.9], [0.9, -0.9], [0.9, 0.9], [-0.9, 0.9]]);

@@ -41,6 +41,7 @@ pub(crate) fn width(face: Face, letters: &str, size: f64) -> f64 {
     units * size / f64::from(font.units_per_em())
 }
 
+#[cfg(test)]
 /// Whether the face has every one of these letters.
 pub(crate) fn has(face: Face, letters: &str) -> bool {
     parsed(face).is_some_and(|font| letters.chars().all(|l| font.glyph_index(l).is_some()))

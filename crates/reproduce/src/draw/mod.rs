@@ -18,7 +18,8 @@ mod svg;
 mod view;
 
 pub(crate) use axes::{Axis, Chart, Entry, Marker};
-pub(crate) use scene::{Anchor, Dash, Item, Pen, Scene, Text};
+pub(crate) use scene::{Anchor, Dash, Pen, Scene, Text};
+pub(crate) use svg::escaped;
 pub(crate) use view::{Rectangle, View};
 
 /// Grey levels, 0 black to 255 white.

@@ -67,8 +67,7 @@ fn push_paint(text: &mut String, fill: Option<u8>, pen: Option<Pen>) {
 
 fn push_text(text: &mut String, words: &Text) {
     let [x, y] = words.at;
-    let turn =
-        if words.upwards { format!(" rotate(-90)") } else { String::new() };
+    let turn = if words.upwards { " rotate(-90)" } else { "" };
     let _ = write!(text, "<g transform=\"translate({} {}){turn}\">", short(x), short(y)); // as above
     for run in words.runs() {
         let style = match run.face {

@@ -67,7 +67,8 @@ impl AnyGap {
             gradient: &gap.gradient,
             slip_gradient: &gap.slip_gradient,
             hessian: gap.hessian.as_flattened(),
-            slip_hessian: gap.slip_hessian.as_flattened(),
+            drag: &gap.drag,
+            drag_derivative: gap.drag_derivative.as_flattened(),
         })
     }
 }
@@ -81,8 +82,10 @@ pub struct Derivatives<'a> {
     pub slip_gradient: &'a [f64],
     /// d2h/dq2, n x n row-major [1/L].
     pub hessian: &'a [f64],
-    /// d2 sigma/dq2, n x n row-major [1/L].
-    pub slip_hessian: &'a [f64],
+    /// Direction of the tangential force, n [1].
+    pub drag: &'a [f64],
+    /// Its derivative, n x n row-major, not symmetric [1/L].
+    pub drag_derivative: &'a [f64],
 }
 
 /// Where the attachments of a stencil go, slave first.
@@ -217,6 +220,25 @@ impl RigidSurface {
         committed: Option<Facing>,
     ) -> Option<Facing> {
         rigid::closest(&self.segments, body.to_body(point), committed)
+    }
+
+    /// Overclosure of `point` (in space) alone [L], without derivatives; `None` where it faces
+    /// nothing.
+    pub fn overclosure(&self, body: &Body, point: [f64; 2]) -> Option<f64> {
+        let local = body.to_body(point);
+        let facing = rigid::closest(&self.segments, local, None)?;
+        let segment = self.segments.get(facing.segment)?;
+        match (facing.part, *segment) {
+            (Part::Interior, RigidSegment::Line { a, b }) => {
+                let (d, r) = ([b[0] - a[0], b[1] - a[1]], [local[0] - a[0], local[1] - a[1]]);
+                Some(-(d[0] * r[1] - d[1] * r[0]) / d[0].hypot(d[1]))
+            }
+            (Part::Interior, RigidSegment::Arc { centre, radius, convex, .. }) => {
+                let distance = (local[0] - centre[0]).hypot(local[1] - centre[1]);
+                Some(if convex { radius - distance } else { distance - radius })
+            }
+            _ => self.gap(body, &facing, point).map(|gap| gap.overclosure()),
+        }
     }
 
     /// Gap of `point` (in space) against what it faces.

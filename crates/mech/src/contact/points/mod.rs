@@ -5,6 +5,8 @@
 //!      |<-->|<------>|<---->|<>|     half of every element that meets there, times the width
 //! ```
 
+pub mod stations;
+
 /// Tributary area of each slave node [L2]: A_i = width (sum of lengths of the elements meeting at
 /// node i)/2, chords of the undeformed mesh. End nodes get half an element.
 ///

@@ -152,10 +152,9 @@ fn add_geometric(station: &Station, turned: &Turned, tangent: &mut [f64; 81]) {
             if j >= i {
                 tangent[9 * row + 3 * j + 2] += turn * shape * station.shapes[j];
             }
-            for k in 0..2 {
-                let dof = 3 * j + k;
+            for (dof, &value) in (3 * j..).zip(&by_slope[j]) {
                 let (a, b) = if dof < row { (dof, row) } else { (row, dof) };
-                tangent[9 * a + b] += shape * by_slope[j][k];
+                tangent[9 * a + b] += shape * value;
             }
         }
     }

@@ -56,9 +56,11 @@ impl Beam23 {
     pub fn new(reference: [[f64; 2]; 2], stiffness: BeamStiffness) -> Self {
         let mut chord = Beam21::new(reference, stiffness);
         let length = chord.length();
-        // Without length there is nothing to bend, and nothing that divides by it.
-        chord.stiffness.shear =
-            if length > 0.0 { 12.0 * stiffness.bending / (length * length) } else { 0.0 };
+        chord.stiffness = if length > 0.0 {
+            BeamStiffness { shear: 12.0 * stiffness.bending / (length * length), ..stiffness }
+        } else {
+            BeamStiffness { axial: 0.0, shear: 0.0, bending: 0.0 }
+        };
         Self { chord }
     }
 

@@ -1,0 +1,121 @@
+//! `slideline report`: JOB.html from the result files.
+
+use crate::exit::Exit;
+use crate::{explain, render, screen};
+use clap::{Args, ValueHint};
+use slideline::diag::{Code, Diagnostic, Sources};
+use slideline::output::JobFiles;
+use slideline::output::report::{CHANGED, Options, Problem, write};
+use slideline::{Job, Outcome, ReadOptions, Status};
+use std::path::{Path, PathBuf};
+
+/// `slideline report`.
+#[derive(Args, Debug)]
+pub(crate) struct ReportArguments {
+    /// The job: its deck, or any of its result files without the ending.
+    #[arg(value_name = "JOB", value_hint = ValueHint::FilePath)]
+    pub job: PathBuf,
+    /// Folder of the result files [default: that of JOB].
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub out: Option<PathBuf>,
+    /// A second curve: the columns of `slideline theory`, or a history.csv.
+    #[arg(long, value_name = "CSV", value_hint = ValueHint::FilePath)]
+    pub overlay: Option<PathBuf>,
+    /// Show a job that is running, or was killed, as far as it came.
+    #[arg(long)]
+    pub unfinished: bool,
+}
+
+/// Makes the report and says the verdict.
+pub(crate) fn report(arguments: &ReportArguments) -> Exit {
+    let (job, files) = named(&arguments.job, arguments.out.as_deref());
+    let now = deck_hash(&job);
+    let options = Options {
+        overlay: arguments.overlay.as_deref(),
+        unfinished: arguments.unfinished,
+        deck_hash: now.as_deref(),
+        page: explain::code_page,
+    };
+    match write(&files, &options) {
+        Ok(report) => {
+            if report.deck_changed {
+                tell(&Diagnostic::warning(Code("SL0706"), CHANGED));
+            }
+            screen::print(&format!(
+                "{}\n{}\n",
+                report.verdict.join(". "),
+                report.path.display()
+            ));
+            Exit::Completed
+        }
+        Err(problem) => refused(&problem),
+    }
+}
+
+/// The job that a user means by a deck or by a result file, and its files.
+pub(crate) fn named(path: &Path, folder: Option<&Path>) -> (Job, JobFiles) {
+    let endings = [".json", ".html", ".sta", ".msg", ".dat", ".pvd", ".rst"];
+    let csv = [".history.csv", ".contact.csv", ".energy.csv"];
+    let text = path.to_string_lossy();
+    let stripped = endings.iter().chain(&csv).find_map(|ending| text.strip_suffix(ending));
+    let job = Job::named(stripped.map_or(path, Path::new));
+    let files = job.files(folder);
+    (job, files)
+}
+
+/// Hash of the deck as it is now; `None` where it is not to be found.
+fn deck_hash(job: &Job) -> Option<String> {
+    let there = job.deck.is_file();
+    there.then(|| Job::read(&job.deck, &ReadOptions::default()).deck_hash)
+}
+
+/// Says why there is no answer; nothing was overwritten.
+pub(crate) fn refused(problem: &Problem) -> Exit {
+    let (code, help, exit) = match problem {
+        Problem::Missing(_) => (
+            "SL0704",
+            "Run the job first (slideline run JOB), or name the folder of its results with --out.",
+            Exit::Input,
+        ),
+        Problem::Unreadable { .. } => (
+            "SL0704",
+            "Run the job again; results are to be read by the program that wrote them, whole.",
+            Exit::Input,
+        ),
+        Problem::Running(_) => (
+            "SL0705",
+            "Wait for its end; if its process was killed, --unfinished shows it as far as it came.",
+            Exit::Input,
+        ),
+        Problem::NothingSolved(_) => {
+            ("SL0704", "Mend the deck (slideline check JOB) and run it.", Exit::Input)
+        }
+        Problem::Question(_) => {
+            ("SL0704", "Ask for columns and nodes that the history has.", Exit::Input)
+        }
+        Problem::Write(_) => {
+            ("SL0702", "Make room, or write to another folder.", Exit::Output)
+        }
+    };
+    tell(&Diagnostic::error(Code(code), problem.to_string()).help(help));
+    exit
+}
+
+fn tell(said: &Diagnostic) {
+    render::to_standard_error([said], &Sources::default());
+}
+
+/// The report that ends a run. A run whose other results are there but whose
+/// report could not be written says so like any other missing result.
+pub(crate) fn after_run(outcome: &mut Outcome) {
+    if outcome.status == Status::InputError || outcome.output_failure.is_some() {
+        return;
+    }
+    let options = Options { page: explain::code_page, ..Options::default() };
+    if let Err(problem) = write(&outcome.files, &options) {
+        outcome.output_failure = Some(problem.to_string());
+        if outcome.status == Status::Completed {
+            outcome.status = Status::OutputError;
+        }
+    }
+}

@@ -1,0 +1,156 @@
+//! `slideline theory`: closed forms and exact references of the 1995 paper's
+//! problems, as CSV.
+
+use crate::exit::Exit;
+use crate::screen;
+use clap::{Args, ValueEnum};
+use slideline::output::number::push_shortest;
+use slideline_theory::{FirstProblem, Reference, SecondProblem, Stroke, TheoryError};
+
+/// `slideline theory`.
+#[derive(Args, Debug)]
+pub(crate) struct TheoryArguments {
+    /// Which problem.
+    #[arg(value_name = "PROBLEM")]
+    problem: Problem,
+    /// Coefficient of friction.
+    #[arg(long, value_name = "M", allow_negative_numbers = true)]
+    mu: f64,
+    /// Equal increments; a row is printed for each, and one for the start.
+    #[arg(long, value_name = "N", default_value_t = 20, value_parser = increments)]
+    increments: usize,
+    /// An exact reference instead of the paper's linear theory [alone: reissner].
+    #[arg(long, value_name = "MODEL", num_args = 0..=1, default_missing_value = "reissner")]
+    exact: Option<Exact>,
+    /// Area of the contact point of `--exact softened` [default: the interior
+    /// slave node of the ISL deck].
+    #[arg(long, value_name = "A", allow_negative_numbers = true)]
+    area: Option<f64>,
+    /// Which way the circle slides; rows of the return are at the positions
+    /// of the push.
+    #[arg(long, value_name = "WAY", default_value = "push")]
+    stroke: Way,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Problem {
+    /// A circle pushed along a cantilever; columns RF1, RF2, U2.
+    #[value(name = "diehl-1")]
+    First,
+    /// A cam turned into a cantilever, with the project's dimensions; columns
+    /// RM3, UR3.
+    #[value(name = "diehl-2")]
+    Second,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Exact {
+    /// Large deflections, no shear, hard contact.
+    Elastica,
+    /// And shear and stretching.
+    Reissner,
+    /// And softened contact at one point.
+    Softened,
+    /// And pressure spread along the beam.
+    Continuum,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Way {
+    /// As the problem says.
+    Push,
+    /// Back again, friction reversed.
+    Return,
+}
+
+fn increments(text: &str) -> Result<usize, String> {
+    match text.parse() {
+        Ok(count @ 1..=1_000_000) => Ok(count),
+        _ => Err("a whole number from 1 to 1000000".to_owned()),
+    }
+}
+
+/// Prints the rows, or says why there are none.
+pub(crate) fn theory(arguments: &TheoryArguments) -> Exit {
+    if arguments.area.is_some() && arguments.exact != Some(Exact::Softened) {
+        screen::error("error: --area belongs to --exact softened\n");
+        return Exit::Usage;
+    }
+    match table(arguments) {
+        Ok(text) => {
+            screen::print(&text);
+            Exit::Completed
+        }
+        Err(reason) => {
+            screen::error(&format!("error: no reference: {reason}\n"));
+            Exit::Input
+        }
+    }
+}
+
+fn table(arguments: &TheoryArguments) -> Result<String, TheoryError> {
+    let stroke = match arguments.stroke {
+        Way::Push => Stroke::Push,
+        Way::Return => Stroke::Return,
+    };
+    let (mu, count) = (arguments.mu, arguments.increments);
+    match arguments.problem {
+        Problem::First => {
+            let problem = FirstProblem::diehl();
+            let reference = reference(arguments, problem.slave_area(4f64.to_radians()));
+            let rows = problem.stroke_rows(mu, count, reference, stroke)?;
+            let values = |r: &slideline_theory::FirstRow| {
+                vec![r.time, r.rf1, r.rf2, r.u2, length(r.contact_length), r.force]
+            };
+            let rows = rows.iter().map(|row| (row.increment, values(row)));
+            Ok(csv("increment,time,RF1,RF2,U2,xi_L,F\n", rows))
+        }
+        Problem::Second => {
+            let problem = SecondProblem::project();
+            let reference = reference(arguments, problem.slave_area(3f64.to_radians()));
+            let rows = problem.stroke_rows(mu, count, reference, stroke)?;
+            let values = |r: &slideline_theory::SecondRow| {
+                vec![r.time, r.rm3, r.ur3, length(r.contact_length), r.force]
+            };
+            let rows = rows.iter().map(|row| (row.increment, values(row)));
+            Ok(csv("increment,time,RM3,UR3,xi_L,F\n", rows))
+        }
+    }
+}
+
+/// Without contact there is no contact length: `nan`, which reads back as a number.
+fn length(found: Option<f64>) -> f64 {
+    found.unwrap_or(f64::NAN)
+}
+
+fn reference(arguments: &TheoryArguments, default_area: f64) -> Reference {
+    let area = arguments.area.unwrap_or(default_area);
+    match arguments.exact {
+        None => Reference::Linear,
+        Some(Exact::Elastica) => Reference::Elastica,
+        Some(Exact::Reissner) => Reference::Reissner,
+        Some(Exact::Softened) => Reference::Softened { area },
+        Some(Exact::Continuum) => Reference::Continuum,
+    }
+}
+
+fn csv(header: &str, rows: impl Iterator<Item = (usize, Vec<f64>)>) -> String {
+    let mut text = header.to_owned();
+    for (increment, values) in rows {
+        text.push_str(&increment.to_string());
+        for value in values {
+            text.push(',');
+            push_number(&mut text, value);
+        }
+        text.push('\n');
+    }
+    text
+}
+
+fn push_number(text: &mut String, value: f64) {
+    if value.is_nan() {
+        text.push_str("nan");
+    } else {
+        push_shortest(text, value + 0.0); // no minus before a zero
+    }
+}

@@ -1,0 +1,99 @@
+//! `*RIGID BODY`: nodes, elements and an analytical surface that move with a
+//! reference node.
+
+use slideline_deck::{Field, integer, normalise, parse_integer};
+use slideline_diag::{Code, Diagnostic};
+
+use crate::draft::Draft;
+use crate::keyword::{Keyword, Level, Rule, Subject};
+use crate::log::{MAX_LABEL, Target};
+use crate::reading::Reading;
+use crate::surfaces::{self, Named};
+
+/// `*RIGID BODY`.
+pub(crate) struct RigidBody;
+
+impl Keyword for RigidBody {
+    fn name(&self) -> &'static str {
+        "RIGID BODY"
+    }
+
+    fn parameters(&self) -> &'static [Rule] {
+        const RULES: &[Rule] = &[
+            Rule::required("REF NODE"),
+            Rule::value("ANALYTICAL SURFACE"),
+            Rule::value("TIE NSET"),
+            Rule::value("ELSET"),
+            Rule::value("PIN NSET"),
+            Rule::value("POSITION"),
+        ];
+        RULES
+    }
+
+    fn level(&self) -> Level {
+        Level::Model
+    }
+
+    fn subject(&self) -> Subject {
+        Subject::Links
+    }
+
+    fn page(&self) -> &'static str {
+        page!("RIGID-BODY")
+    }
+
+    fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
+        draft.log.at_most_lines(card.data(), 0, self.name());
+        unsupported(card, draft);
+        let named = |parameter: &str| {
+            card.name(parameter).map(|name| Named { name, span: card.span_of(parameter) })
+        };
+        let (tied, elements) = (named("TIE NSET"), named("ELSET"));
+        let surface = named("ANALYTICAL SURFACE");
+        let parts = ["TIE NSET", "ELSET", "ANALYTICAL SURFACE", "PIN NSET"];
+        if !parts.into_iter().any(|part| card.has(part)) {
+            let message = "*RIGID BODY needs ANALYTICAL SURFACE=, TIE NSET= or ELSET=";
+            draft.log.error("SL0205", message, card.span());
+            return;
+        }
+        let Some(reference) = reference(card, draft) else { return };
+        let (reference_span, origin) = (card.span_of("REF NODE"), card.span());
+        draft.bodies.push(surfaces::RigidBody {
+            reference,
+            reference_span,
+            tied,
+            elements,
+            surface,
+            origin,
+        });
+    }
+}
+
+fn unsupported(card: &Reading<'_>, draft: &mut Draft) {
+    if card.has("PIN NSET") {
+        let error = Diagnostic::error(Code("SL0221"), "PIN NSET is not supported");
+        let help = "TIE NSET ties displacements and rotation to the reference node";
+        draft.log.push(error.at(card.span_of("PIN NSET")).help(help));
+    }
+    let known = &["INPUT", "CENTER OF MASS"];
+    if let Some("CENTER OF MASS") = card.choice("POSITION", known, &mut draft.log) {
+        let message = "POSITION=CENTER OF MASS is not supported";
+        let error = Diagnostic::error(Code("SL0221"), message).at(card.span_of("POSITION"));
+        draft.log.push(error.help("the reference node stays where *NODE puts it: leave it out"));
+    }
+}
+
+/// A node, or the name of a set of one node.
+fn reference(card: &Reading<'_>, draft: &mut Draft) -> Option<Target> {
+    let word = card.word("REF NODE")?;
+    if parse_integer(&word.raw).is_err() {
+        return card.name("REF NODE").map(|_| Target::Set(normalise(&word.raw)));
+    }
+    let value = draft.log.take(integer(&Field { text: word.raw.clone(), span: word.span }))?;
+    let label = u64::try_from(value).ok().filter(|_| (1..=MAX_LABEL).contains(&value));
+    if label.is_none() {
+        let message = format!("{value} is no node or element number: 1 to {MAX_LABEL}");
+        draft.log.error("SL0224", message, word.span);
+    }
+    label.map(Target::Label)
+}

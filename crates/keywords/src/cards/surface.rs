@@ -1,0 +1,122 @@
+//! `*SURFACE`: a named surface.
+
+use slideline_deck::{DataLine, normalise};
+use slideline_diag::{Code, Diagnostic};
+
+use super::rigid_surface;
+use crate::draft::Draft;
+use crate::keyword::{Keyword, Level, Rule, Subject};
+use crate::reading::Reading;
+use crate::surfaces::{Extent, Named, NamedSurface, Side, Stretch};
+
+/// `*SURFACE`.
+pub(crate) struct Surface;
+
+impl Keyword for Surface {
+    fn name(&self) -> &'static str {
+        "SURFACE"
+    }
+
+    fn parameters(&self) -> &'static [Rule] {
+        const RULES: &[Rule] =
+            &[Rule::required("NAME"), Rule::value("TYPE"), Rule::value("FILLET RADIUS")];
+        RULES
+    }
+
+    fn level(&self) -> Level {
+        Level::Model
+    }
+
+    fn subject(&self) -> Subject {
+        Subject::Contact
+    }
+
+    fn page(&self) -> &'static str {
+        page!("SURFACE")
+    }
+
+    fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
+        let Some(name) = card.name("NAME") else { return };
+        let named = Named { name, span: card.span_of("NAME") };
+        if let Some(old) = draft.named_surfaces.iter().find(|old| old.named.name == named.name) {
+            let message = format!("the surface {} is defined twice", named.name);
+            let error = Diagnostic::error(Code("SL0250"), message).at(named.span);
+            draft.log.push(error.label(old.origin, "defined here first"));
+        }
+        let kind = card.choice("TYPE", &["ELEMENT", "NODE", "SEGMENTS"], &mut draft.log);
+        if card.has("TYPE") && kind.is_none() {
+            return;
+        }
+        let extent = match kind {
+            Some("SEGMENTS") => rigid_surface::segments(card, draft)
+                .map(|(start, segments)| Extent::Rigid { start, segments }),
+            Some("NODE") => nodes(card, draft),
+            _ => elements(card, draft),
+        };
+        if let Some(extent) = extent {
+            draft.named_surfaces.push(NamedSurface { named, extent, origin: card.span() });
+        }
+    }
+}
+
+fn without_fillets(card: &Reading<'_>, draft: &mut Draft) {
+    if card.has("FILLET RADIUS") {
+        let message = "FILLET RADIUS belongs to TYPE=SEGMENTS";
+        draft.log.error("SL0215", message, card.span_of("FILLET RADIUS"));
+    }
+}
+
+/// Lines of `element set or element, face`.
+fn elements(card: &Reading<'_>, draft: &mut Draft) -> Option<Extent> {
+    without_fillets(card, draft);
+    card.first_line("element set or element, face", &mut draft.log)?;
+    let mut stretches = Vec::new();
+    for line in card.data() {
+        draft.log.at_most(line, 2);
+        let elements = draft.log.target(line, 0, "the element set");
+        let side = side(line, draft);
+        let Some((elements, side)) = elements.zip(side) else { continue };
+        stretches.push(Stretch { elements, span: line.fields[0].span, side });
+    }
+    Some(Extent::Elements(stretches))
+}
+
+/// The face named by a line: `Some(None)` where there is no label, `None`
+/// after an error.
+fn side(line: &DataLine, draft: &mut Draft) -> Option<Option<Side>> {
+    let Some(field) = line.field(1) else { return Some(None) };
+    match normalise(&field.text).as_str() {
+        "SPOS" => Some(Some(Side::Positive)),
+        "SNEG" => Some(Some(Side::Negative)),
+        _ => {
+            let message = format!("`{}` is no face of a beam", field.text);
+            let error = Diagnostic::error(Code("SL0256"), message).at(field.span);
+            draft.log.push(error.help(
+                "SPOS is the face 90 degrees counter-clockwise of the element's direction, \
+                 SNEG the other one",
+            ));
+            None
+        }
+    }
+}
+
+/// Lines of `node set or node`.
+fn nodes(card: &Reading<'_>, draft: &mut Draft) -> Option<Extent> {
+    without_fillets(card, draft);
+    card.first_line("node set or node", &mut draft.log)?;
+    let mut nodes = Vec::new();
+    for line in card.data() {
+        draft.log.at_most(line, 2);
+        if let Some(area) = line.field(1) {
+            let message = "an area given for the nodes of a surface is not supported";
+            let error = Diagnostic::error(Code("SL0221"), message).at(area.span);
+            draft.log.push(error.help(
+                "take it away: the area of a node is half the distance to its neighbours times \
+                 the thickness of *SURFACE INTERACTION",
+            ));
+        }
+        let target = draft.log.target(line, 0, "the node set");
+        nodes.extend(target.map(|target| (target, line.fields[0].span)));
+    }
+    Some(Extent::Nodes(nodes))
+}

@@ -1,0 +1,74 @@
+//! `*SURFACE INTERACTION`: thickness and laws of a contact, by name.
+
+use slideline_diag::{Code, Diagnostic};
+use slideline_model::{Friction, Interaction, NormalLaw};
+
+use crate::draft::{Draft, Owner};
+use crate::keyword::{Keyword, Level, Rule, Subject};
+use crate::reading::Reading;
+use crate::surfaces::{Named, NamedInteraction};
+
+/// `*SURFACE INTERACTION`.
+pub(crate) struct SurfaceInteraction;
+
+impl Keyword for SurfaceInteraction {
+    fn name(&self) -> &'static str {
+        "SURFACE INTERACTION"
+    }
+
+    fn parameters(&self) -> &'static [Rule] {
+        const RULES: &[Rule] = &[Rule::required("NAME")];
+        RULES
+    }
+
+    fn level(&self) -> Level {
+        Level::Model
+    }
+
+    fn subject(&self) -> Subject {
+        Subject::Contact
+    }
+
+    fn page(&self) -> &'static str {
+        page!("SURFACE-INTERACTION")
+    }
+
+    fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
+        let Some(name) = card.name("NAME") else { return };
+        let named = Named { name, span: card.span_of("NAME") };
+        if let Some(old) = draft.interactions.iter().find(|old| old.named.name == named.name) {
+            let message = format!("the surface interaction {} is defined twice", named.name);
+            let error = Diagnostic::error(Code("SL0250"), message).at(named.span);
+            draft.log.push(error.label(old.interaction.origin, "defined here first"));
+        }
+        let interaction = Interaction {
+            width: thickness(card, draft),
+            normal: NormalLaw::Hard,
+            friction: Friction::Frictionless,
+            origin: card.span(),
+            normal_origin: None,
+            friction_origin: None,
+        };
+        // The laws that follow are read in any case: one error for one slip.
+        draft.owner = Owner::Interaction(draft.interactions.len());
+        draft.interactions.push(NamedInteraction { named, interaction });
+    }
+}
+
+/// Out-of-plane thickness [L]; 1.0 where the line is absent, and that is said.
+fn thickness(card: &Reading<'_>, draft: &mut Draft) -> f64 {
+    draft.log.at_most_lines(card.data(), 1, "SURFACE INTERACTION");
+    let line = card.data().first();
+    let Some((line, field)) = line.and_then(|line| Some((line, line.field(0)?))) else {
+        let message = "the contact is 1.0 thick out of the plane: no thickness is given";
+        let note = Diagnostic::note(Code("SL0255"), message).at(card.span());
+        draft.log.push(note.help("the data line is the thickness, as the width of *INTERFACE"));
+        return 1.0;
+    };
+    draft.log.at_most(line, 1);
+    let Some(value) = draft.log.number(line, 0, "the thickness") else { return 1.0 };
+    if value <= 0.0 {
+        draft.log.error("SL0210", "the thickness of a contact must be positive", field.span);
+    }
+    value
+}

@@ -1,0 +1,169 @@
+//! Beams as the master of a contact pair: their chain, and the face that is
+//! turned to the slaves.
+//!
+//! ```text
+//!       o  o  o      slaves
+//!
+//!   o------o------o  travel to the right puts the outward normal up: SPOS of
+//!                    beams that run to the right
+//! ```
+
+use slideline_diag::{Code, Diagnostic};
+use slideline_model::{ContactElement, SlideLine};
+
+use super::chain::{Broken, Chain, Facet, Travel};
+use crate::draft::Draft;
+use crate::keyword::Subject;
+use crate::surfaces::{NamedSurface, Pairing};
+
+/// The master chain of a surface of beams, its outer side to the slaves.
+pub(super) fn slide_line(
+    pairing: &Pairing,
+    surface: &NamedSurface,
+    (facets, slaves): (&[Facet], &[ContactElement]),
+    draft: &mut Draft,
+) -> Option<SlideLine> {
+    let facets = one_face_each(pairing, facets, draft)?;
+    let mut chain = match Chain::find(&facets) {
+        Ok(chain) => chain,
+        Err(broken) => {
+            not_a_chain(pairing, surface, broken, draft);
+            return None;
+        }
+    };
+    let mean = mean_distance(&chain, slaves, draft);
+    match chain.travel(&facets) {
+        Travel::AsFound => behind(mean, pairing, draft),
+        Travel::Reversed => {
+            chain.reverse();
+            behind(mean.map(|(distance, length)| (-distance, length)), pairing, draft);
+        }
+        Travel::Open => choose_side(&mut chain, mean, pairing, draft)?,
+        Travel::Contradiction(first, second) => {
+            let [first, second] = [first, second].map(|place| facets[place].label);
+            let message = format!(
+                "the faces of elements {first} and {second} of {} look to opposite sides",
+                pairing.master.name
+            );
+            let help = "one of the elements runs the other way: give its face the other label";
+            undecided(pairing, message, help, draft);
+            return None;
+        }
+    }
+    let (smooth, extension) = (pairing.smooth, pairing.extension);
+    Some(SlideLine { nodes: chain.nodes, smooth, extension, origin: surface.origin })
+}
+
+/// A master turns one face to its slaves.
+fn one_face_each(pairing: &Pairing, facets: &[Facet], draft: &mut Draft) -> Option<Vec<Facet>> {
+    let mut once: std::collections::HashMap<u64, usize> = std::collections::HashMap::new();
+    let mut kept: Vec<Facet> = Vec::with_capacity(facets.len());
+    for facet in facets {
+        let Some(&place) = once.get(&facet.label) else {
+            once.insert(facet.label, kept.len());
+            kept.push(*facet);
+            continue;
+        };
+        if kept[place].side.is_some() && facet.side.is_some() {
+            let message =
+                format!("element {} of {} has both faces", facet.label, pairing.master.name);
+            let help = "a master turns one face to its slaves: SPOS or SNEG, not both";
+            undecided(pairing, message, help, draft);
+            return None;
+        }
+        kept[place].side = kept[place].side.or(facet.side);
+    }
+    Some(kept)
+}
+
+fn undecided(pairing: &Pairing, message: String, help: &str, draft: &mut Draft) {
+    let error = Diagnostic::error(Code("SL0331"), message).at(pairing.master.span);
+    draft.consequence(Subject::Contact, error.help(help));
+}
+
+fn not_a_chain(pairing: &Pairing, surface: &NamedSurface, broken: Broken, draft: &mut Draft) {
+    let label = |node| draft.model.nodes.label(node);
+    let name = &pairing.master.name;
+    let (message, help) = match broken {
+        Broken::Branch(node) => (
+            format!("three or more beams of {name} meet at node {}", label(node)),
+            "name the branches as surfaces and pairs of their own",
+        ),
+        Broken::Loop(node) => (
+            format!("the beams of {name} close on themselves at node {}", label(node)),
+            "a master has two open ends: leave out a beam that nothing slides on",
+        ),
+        Broken::Apart(node) => (
+            format!("node {} of {name} is not joined to its first beam", label(node)),
+            "name each piece as a surface and pair of its own",
+        ),
+    };
+    let error = Diagnostic::error(Code("SL0329"), message).at(pairing.master.span);
+    let error = error.label(surface.origin, "the surface").help(help);
+    draft.consequence(Subject::Elements, error);
+}
+
+/// So many slaves are looked at, evenly chosen, to tell their side.
+const LOOKED_AT: usize = 1000;
+
+/// Mean signed distance of the slaves from the chain, and mean length of
+/// their nearest segments [L]; `None` where they stand on both sides alike.
+fn mean_distance(chain: &Chain, slaves: &[ContactElement], draft: &Draft) -> Option<(f64, f64)> {
+    let (mut signed, mut size, mut lengths, mut count) = (0.0, 0.0, 0.0, 0.0);
+    for element in slaves.iter().step_by(slaves.len().div_ceil(LOOKED_AT).max(1)) {
+        for node in element.nodes {
+            let nodes = &draft.model.nodes;
+            let (distance, length) = chain.distance(nodes, nodes.plane(node));
+            signed += distance;
+            size += distance.abs();
+            lengths += length;
+            count += 1.0;
+        }
+    }
+    (signed.abs() > 1e-6 * size).then(|| (signed / count, lengths / count))
+}
+
+/// Without a label the master turns to where its slaves are.
+fn choose_side(
+    chain: &mut Chain,
+    mean: Option<(f64, f64)>,
+    pairing: &Pairing,
+    draft: &mut Draft,
+) -> Option<()> {
+    let (slave, master) = (&pairing.slave.name, &pairing.master.name);
+    let Some((distance, _)) = mean else {
+        let message = format!("{slave} lies on both sides of {master}, which has no face label");
+        undecided(pairing, message, "give its elements a face: SPOS or SNEG", draft);
+        return None;
+    };
+    if distance < 0.0 {
+        chain.reverse();
+    }
+    let side = match chain.label() {
+        Some(side) => format!("its face {}", side.name()),
+        None => "the face".to_owned(),
+    };
+    let ends = [chain.nodes.first(), chain.nodes.last()];
+    let [from, to] = ends.map(|node| node.map_or(0, |&node| draft.model.nodes.label(node)));
+    let message = format!(
+        "{master} turns {side} to {slave}, where most of its nodes are: from {from} to {to}"
+    );
+    let note = Diagnostic::note(Code("SL0330"), message).at(pairing.master.span);
+    let help = "a face label on the data line of *SURFACE, SPOS or SNEG, takes its place";
+    draft.log.push(note.help(help));
+    Some(())
+}
+
+/// A label that turns the master's back to all of its slaves.
+fn behind(mean: Option<(f64, f64)>, pairing: &Pairing, draft: &mut Draft) {
+    let Some((distance, length)) = mean else { return };
+    if distance < -length {
+        let message = format!(
+            "{} lies behind {}, on average {:.3e} deep",
+            pairing.slave.name, pairing.master.name, -distance
+        );
+        let warning = Diagnostic::warning(Code("SL0337"), message).at(pairing.origin);
+        let help = "is the face label of the master the right one? SPOS and SNEG are opposite";
+        draft.consequence(Subject::Contact, warning.help(help));
+    }
+}

@@ -1,0 +1,273 @@
+//! `*CONTACT PAIR`: which surface carries the points, which is slid upon.
+//!
+//! ```text
+//!                    master: rigid surface    master: beams
+//!   NODE TO SURFACE
+//!     slave: beams    points at its nodes      points at its nodes, slide line
+//!     slave: nodes    the same                 the same
+//!     slave: rigid    -                        -
+//!   SURFACE TO SURFACE
+//!     slave: beams    along the beams          -
+//!     slave: nodes    -                        -
+//!     slave: rigid    -                        along the beams
+//! ```
+
+use slideline_diag::{Code, Diagnostic, Span};
+use slideline_model::{ContactElement, ContactPair, Formulation, Interaction, Master, NormalLaw};
+
+use super::chain::{Chain, Facet};
+use super::contact::both_sides;
+use super::master_chain::slide_line;
+use super::surfaces::{Found, contact_elements, found, stretches};
+use crate::draft::Draft;
+use crate::keyword::Subject;
+use crate::surfaces::{NamedSurface, Pairing};
+
+pub(super) fn pairs(draft: &mut Draft) {
+    bodies(draft);
+    let pairings = std::mem::take(&mut draft.pairings);
+    for (place, pairing) in pairings.iter().enumerate() {
+        let same = |other: &&Pairing| {
+            let names =
+                |pairing: &Pairing| [pairing.slave.name.clone(), pairing.master.name.clone()];
+            names(other) == names(pairing)
+        };
+        if let Some(first) = pairings[..place].iter().find(same) {
+            let message = "this pair of surfaces is given twice";
+            let error = Diagnostic::error(Code("SL0242"), message).at(pairing.origin);
+            draft.consequence(Subject::Contact, error.label(first.origin, "the first one"));
+            continue;
+        }
+        pair(pairing, draft);
+    }
+    unused(&pairings, draft);
+}
+
+/// Each rigid body names an analytical surface of its own.
+fn bodies(draft: &mut Draft) {
+    let mut owners: Vec<(String, Span)> = Vec::new();
+    for body in draft.bodies.clone() {
+        let Some(named) = body.surface else { continue };
+        let Some(surface) = draft.surface(&named) else { continue };
+        if !matches!(surface.extent, crate::surfaces::Extent::Rigid { .. }) {
+            let message = format!("the surface {} is not analytical", named.name);
+            let error = Diagnostic::error(Code("SL0332"), message).at(named.span);
+            let help = "only *SURFACE, TYPE=SEGMENTS is; nodes and elements are tied by TIE NSET= \
+                        and ELSET=";
+            draft.consequence(Subject::Contact, error.label(surface.origin, "here").help(help));
+        }
+        if let Some((_, first)) = owners.iter().find(|(name, _)| *name == named.name) {
+            let message = format!("the surface {} belongs to two rigid bodies", named.name);
+            let error = Diagnostic::error(Code("SL0334"), message).at(named.span);
+            draft.consequence(Subject::Links, error.label(*first, "the first one"));
+        }
+        owners.push((named.name, named.span));
+    }
+}
+
+/// Laws that no pair refers to: most likely a pair runs under another one.
+/// Where a pair refers to none, that has been said.
+fn unused(pairings: &[Pairing], draft: &mut Draft) {
+    let entries = draft.interactions.clone();
+    let known = |pairing: &Pairing| {
+        entries.iter().any(|entry| entry.named.name == pairing.interaction.name)
+    };
+    if !pairings.iter().all(known) {
+        return;
+    }
+    for entry in &entries {
+        let name = &entry.named.name;
+        if !pairings.iter().any(|pairing| pairing.interaction.name == *name) {
+            let message = format!("no *CONTACT PAIR refers to the surface interaction {name}");
+            let warning = Diagnostic::warning(Code("SL0338"), message).at(entry.named.span);
+            draft.consequence(Subject::Contact, warning);
+        }
+    }
+}
+
+fn interaction(pairing: &Pairing, draft: &mut Draft) -> Option<Interaction> {
+    let named = &pairing.interaction;
+    let list = &draft.interactions;
+    let found = list.iter().find(|entry| entry.named.name == named.name);
+    if let Some(entry) = found {
+        return Some(entry.interaction.clone());
+    }
+    let message = format!("there is no surface interaction {}", named.name);
+    let error = Diagnostic::error(Code("SL0328"), message).at(named.span);
+    let names = list.iter().map(|entry| entry.named.name.as_str());
+    let help = match slideline_deck::nearest(&named.name, names) {
+        Some(near) => format!("did you mean {near}?"),
+        None => format!("add *SURFACE INTERACTION, NAME={} with the thickness", named.name),
+    };
+    draft.consequence(Subject::Contact, error.help(help));
+    None
+}
+
+/// Both surfaces of a pair.
+struct Sides {
+    slave: NamedSurface,
+    master: NamedSurface,
+}
+
+fn pair(pairing: &Pairing, draft: &mut Draft) {
+    let interaction = interaction(pairing, draft);
+    let slave = draft.surface(&pairing.slave);
+    let master = draft.surface(&pairing.master);
+    let (Some(interaction), Some(slave), Some(master)) = (interaction, slave, master) else {
+        return;
+    };
+    let first = found(&slave, pairing.slave.span, draft);
+    let second = found(&master, pairing.master.span, draft);
+    let (Some(first), Some(second)) = (first, second) else { return };
+    let sides = Sides { slave, master };
+    let parts = match pairing.formulation {
+        Formulation::NodeToSurface => at_nodes(pairing, &sides, (first, second), draft),
+        Formulation::SurfaceToSurface => along(pairing, &sides, (first, second), draft),
+    };
+    let Some((elements, master)) = parts else { return };
+    remarks(pairing, &master, &interaction, draft);
+    let pair = ContactPair {
+        name: format!("{}/{}", pairing.slave.name, pairing.master.name),
+        formulation: pairing.formulation,
+        elements,
+        master,
+        interaction,
+        origin: pairing.origin,
+    };
+    both_sides(&pair, pairing.origin, draft);
+    draft.model.contact_pairs.push(pair);
+}
+
+type Parts = Option<(Vec<ContactElement>, Master)>;
+
+/// Contact sampled at the slave's nodes.
+fn at_nodes(
+    pairing: &Pairing,
+    sides: &Sides,
+    (slave, master): (Found, Found),
+    draft: &mut Draft,
+) -> Parts {
+    let (slave_name, master_name) = (&pairing.slave.name, &pairing.master.name);
+    let elements = match slave {
+        Found::Beams(facets) => contact_elements(&facets),
+        Found::Nodes(nodes) if nodes.len() < 2 => {
+            let message = format!("the slave surface {slave_name} has one node, which has no area");
+            let help = "name its neighbours too: areas come from the distances between them";
+            return refuse(pairing.slave.span, message, help, draft);
+        }
+        Found::Nodes(nodes) => stretches(&sides.slave, &nodes, draft),
+        Found::Rigid(_) => {
+            let message = format!(
+                "the analytical surface {slave_name} has no nodes and cannot be the slave of \
+                 NODE TO SURFACE"
+            );
+            let help = "name it second, as the master, or give TYPE=SURFACE TO SURFACE";
+            return refuse(pairing.slave.span, message, help, draft);
+        }
+    };
+    let master = match master {
+        Found::Rigid(surface) => Master::RigidSurface(surface),
+        Found::Beams(facets) => {
+            Master::SlideLine(slide_line(pairing, &sides.master, (&facets, &elements), draft)?)
+        }
+        Found::Nodes(_) => {
+            let message = format!("the node surface {master_name} has no segments to slide on");
+            let help = "name it first, as the slave, or give the master as elements";
+            return refuse(pairing.master.span, message, help, draft);
+        }
+    };
+    Some((elements, master))
+}
+
+/// Contact integrated along beams that meet an analytical surface.
+fn along(
+    pairing: &Pairing,
+    sides: &Sides,
+    (slave, master): (Found, Found),
+    draft: &mut Draft,
+) -> Parts {
+    let (beams, surface) = match (slave, master) {
+        (Found::Beams(beams), Found::Rigid(surface)) => (beams, surface),
+        (Found::Rigid(surface), Found::Beams(beams)) => {
+            let name = &pairing.master.name;
+            let message = format!("contact is integrated along {name}, named slave or master");
+            let note = Diagnostic::note(Code("SL0335"), message).at(pairing.origin);
+            draft.log.push(note.help("the order of the two surfaces does not change the result"));
+            (beams, surface)
+        }
+        (Found::Rigid(_), Found::Rigid(_)) => {
+            let help = "at least one of them must be made of beams";
+            return refuse(pairing.origin, "two analytical surfaces cannot meet", help, draft);
+        }
+        (Found::Beams(_), Found::Beams(_)) => {
+            let message = "SURFACE TO SURFACE between two surfaces of beams is not supported";
+            let error = Diagnostic::error(Code("SL0221"), message).at(pairing.origin);
+            let help = "take TYPE=NODE TO SURFACE; or, where one of them is rigid, give its shape \
+                        as *SURFACE, TYPE=SEGMENTS with *RIGID BODY, ANALYTICAL SURFACE=";
+            draft.consequence(Subject::Contact, error.help(help));
+            return None;
+        }
+        (slave, _) => {
+            let nodes = if matches!(slave, Found::Nodes(_)) { &sides.slave } else { &sides.master };
+            let named =
+                if matches!(slave, Found::Nodes(_)) { &pairing.slave } else { &pairing.master };
+            let message =
+                format!("nothing can be integrated along the node surface {}", named.name);
+            let error = Diagnostic::error(Code("SL0332"), message).at(named.span);
+            let help = "define it by elements, or take TYPE=NODE TO SURFACE";
+            draft.consequence(Subject::Contact, error.label(nodes.origin, "here").help(help));
+            return None;
+        }
+    };
+    Some((in_order(contact_elements(&beams)), Master::RigidSurface(surface)))
+}
+
+fn refuse(span: Span, message: impl Into<String>, help: &str, draft: &mut Draft) -> Parts {
+    let error = Diagnostic::error(Code("SL0332"), message).at(span);
+    draft.consequence(Subject::Contact, error.help(help));
+    None
+}
+
+/// Along the chain where the beams are one, else as they were named. Each
+/// element keeps its own direction.
+fn in_order(elements: Vec<ContactElement>) -> Vec<ContactElement> {
+    let facet =
+        |&ContactElement { label, nodes, origin }| Facet { label, nodes, origin, side: None };
+    let facets: Vec<Facet> = elements.iter().map(facet).collect();
+    match Chain::find(&facets) {
+        Ok(chain) => chain.steps.iter().map(|&(place, _)| elements[place]).collect(),
+        Err(_) => elements,
+    }
+}
+
+/// What is worth knowing about a pair that can be solved.
+fn remarks(pairing: &Pairing, master: &Master, interaction: &Interaction, draft: &mut Draft) {
+    let rigid = matches!(master, Master::RigidSurface(_));
+    if let Some((name, span)) = pairing.chain_parameter.filter(|_| rigid) {
+        let message = format!("{name} changes nothing here: the master is analytical");
+        let note = Diagnostic::note(Code("SL0253"), message).at(span);
+        draft.consequence(Subject::Contact, note);
+    }
+    if pairing.formulation == Formulation::NodeToSurface {
+        return;
+    }
+    if !pairing.no_thickness {
+        let message = "contact acts on the node line of the beams: their thickness is not counted";
+        let note = Diagnostic::note(Code("SL0336"), message).at(pairing.origin);
+        let help = "NO THICKNESS on *CONTACT PAIR says the same; to count it, move the rigid \
+                    surface by half the thickness";
+        draft.log.push(note.help(help));
+    }
+    if interaction.normal == NormalLaw::Hard {
+        let message = "hard contact that is integrated is imposed by a penalty";
+        let advice = Diagnostic::advice(Code("SL0401"), message).at(pairing.origin);
+        let advice = match interaction.normal_origin {
+            Some(span) => advice.label(span, "hard contact is asked for here"),
+            None => advice.label(interaction.origin, "no law is given here: contact is hard"),
+        };
+        let help = "say how stiff the contact is: *SURFACE BEHAVIOR, \
+                    PRESSURE-OVERCLOSURE=EXPONENTIAL with c0 a small fraction of the thickness \
+                    of the beam";
+        draft.log.push(advice.help(help));
+    }
+}

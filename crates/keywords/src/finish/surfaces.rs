@@ -1,0 +1,230 @@
+//! Named surfaces: what they are made of.
+
+use std::collections::HashSet;
+
+use slideline_diag::{Code, Diagnostic, Span};
+use slideline_model::{ContactElement, NodeIndex, RigidSurface, SurfaceSegment};
+
+use super::chain::Facet;
+use crate::draft::{Draft, Element};
+use crate::keyword::Subject;
+use crate::log::Target;
+use crate::surfaces::{Extent, Named, NamedSurface, Stretch};
+
+/// A surface whose references are resolved.
+pub(super) enum Found {
+    Beams(Vec<Facet>),
+    Nodes(Vec<NodeIndex>),
+    Rigid(RigidSurface),
+}
+
+impl Draft {
+    /// The surface of that name; complains where there is none.
+    pub(super) fn surface(&mut self, named: &Named) -> Option<NamedSurface> {
+        let list = &self.named_surfaces;
+        let found = list.iter().find(|surface| surface.named.name == named.name).cloned();
+        if found.is_none() {
+            let message = format!("there is no surface {}", named.name);
+            let error = Diagnostic::error(Code("SL0327"), message).at(named.span);
+            let names = list.iter().map(|surface| surface.named.name.as_str());
+            let help = match slideline_deck::nearest(&named.name, names) {
+                Some(near) => format!("did you mean {near}?"),
+                None => format!("define it: *SURFACE, NAME={}", named.name),
+            };
+            self.consequence(Subject::Contact, error.help(help));
+        }
+        found
+    }
+
+    /// The single node a rigid body moves with.
+    pub(super) fn reference_of(&mut self, target: &Target, span: Span) -> Option<NodeIndex> {
+        let nodes = self.nodes_of(target, span);
+        if nodes.len() > 1 {
+            let message = format!("REF NODE must be one node, but this set has {}", nodes.len());
+            let error = Diagnostic::error(Code("SL0317"), message).at(span);
+            self.consequence(Subject::Links, error);
+        }
+        match *nodes {
+            [node] => Some(node),
+            _ => None,
+        }
+    }
+
+    /// The end nodes of a beam; `None` where undefined, which has been
+    /// reported.
+    fn beam_ends(&self, beam: &Element) -> Option<[NodeIndex; 2]> {
+        let last = beam.nodes.get(beam.kind.node_count().checked_sub(1)?)?;
+        Some([self.model.nodes.find(beam.nodes[0])?, self.model.nodes.find(*last)?])
+    }
+}
+
+/// Resolves a surface; `user` is where a pair names it.
+pub(super) fn found(surface: &NamedSurface, user: Span, draft: &mut Draft) -> Option<Found> {
+    match &surface.extent {
+        Extent::Elements(stretches) => facets(surface, stretches, draft).map(Found::Beams),
+        Extent::Nodes(targets) => nodes(surface, targets, draft).map(Found::Nodes),
+        Extent::Rigid { start, segments } => {
+            rigid(surface, *start, segments, user, draft).map(Found::Rigid)
+        }
+    }
+}
+
+/// The beams of a surface, each once unless it is named with two faces.
+fn facets(surface: &NamedSurface, stretches: &[Stretch], draft: &mut Draft) -> Option<Vec<Facet>> {
+    let mut facets: Vec<Facet> = Vec::new();
+    let mut seen = HashSet::new();
+    for stretch in stretches {
+        for index in elements_of(stretch, draft) {
+            let element = draft.elements[index];
+            if !element.kind.is_beam() {
+                let message = format!(
+                    "element {} of the surface {} is of type {}, which has no surface",
+                    element.label,
+                    surface.named.name,
+                    element.kind.name()
+                );
+                let error = Diagnostic::error(Code("SL0332"), message).at(stretch.span);
+                draft.consequence(Subject::Elements, error.help("surfaces are made of beams"));
+                return None;
+            }
+            let Some(nodes) = draft.beam_ends(&element) else { continue };
+            let side = stretch.side;
+            if !draft.has_no_length(&element, nodes) && seen.insert((index, side)) {
+                facets.push(Facet { label: element.label, nodes, origin: element.origin, side });
+            }
+        }
+    }
+    if facets.is_empty() {
+        empty(surface, "elements", draft);
+        return None;
+    }
+    Some(facets)
+}
+
+fn elements_of(stretch: &Stretch, draft: &mut Draft) -> Vec<usize> {
+    match &stretch.elements {
+        Target::Set(set) => draft.elements_of(set, stretch.span).unwrap_or_default(),
+        Target::Label(label) => {
+            let found = draft.element_by_label.get(label).copied();
+            if found.is_none() {
+                let message = format!("element {label} is not defined");
+                let error = Diagnostic::error(Code("SL0308"), message).at(stretch.span);
+                draft.consequence(Subject::Elements, error);
+            }
+            found.into_iter().collect()
+        }
+    }
+}
+
+fn nodes(
+    surface: &NamedSurface,
+    targets: &[(Target, Span)],
+    draft: &mut Draft,
+) -> Option<Vec<NodeIndex>> {
+    let mut seen = HashSet::new();
+    let mut nodes = Vec::new();
+    for (target, span) in targets {
+        let found = draft.nodes_of(target, *span);
+        nodes.extend(found.into_iter().filter(|&node| seen.insert(node)));
+    }
+    if nodes.is_empty() {
+        empty(surface, "nodes", draft);
+        return None;
+    }
+    Some(nodes)
+}
+
+fn empty(surface: &NamedSurface, what: &str, draft: &mut Draft) {
+    if !(draft.is_complete(Subject::Nodes) && draft.is_complete(Subject::Elements)) {
+        return;
+    }
+    let already = draft.log.errors() > 0; // the members that do not exist have been reported
+    if !already {
+        let message = format!("the surface {} has no {what}", surface.named.name);
+        let error = Diagnostic::error(Code("SL0311"), message).at(surface.origin);
+        draft.consequence(Subject::Contact, error);
+    }
+}
+
+/// An analytical surface with the reference node of its body.
+fn rigid(
+    surface: &NamedSurface,
+    start: [f64; 2],
+    segments: &[SurfaceSegment],
+    user: Span,
+    draft: &mut Draft,
+) -> Option<RigidSurface> {
+    let name = &surface.named.name;
+    let owns = |body: &&crate::surfaces::RigidBody| {
+        body.surface.as_ref().is_some_and(|named| named.name == *name)
+    };
+    let Some(body) = draft.bodies.iter().find(owns).cloned() else {
+        if draft.is_complete(Subject::Contact) {
+            let message = format!("the analytical surface {name} belongs to no rigid body");
+            let error = Diagnostic::error(Code("SL0333"), message).at(user);
+            let error = error.label(surface.origin, "the surface");
+            let help = format!("add *RIGID BODY, ANALYTICAL SURFACE={name}, REF NODE=...");
+            draft.consequence(Subject::Links, error.help(help));
+        }
+        return None;
+    };
+    let reference = draft.reference_of(&body.reference, body.reference_span)?;
+    let (segments, origin) = (segments.to_vec(), surface.origin);
+    Some(RigidSurface { reference, start, segments, origin })
+}
+
+/// Stretches between the nodes of a node surface, for their tributary areas:
+/// the beams that join its nodes, where they reach every one of them; else
+/// from each node to the next in the order given.
+pub(super) fn stretches(
+    surface: &NamedSurface,
+    nodes: &[NodeIndex],
+    draft: &mut Draft,
+) -> Vec<ContactElement> {
+    let members: HashSet<NodeIndex> = nodes.iter().copied().collect();
+    let mut reached = HashSet::new();
+    let mut beams = Vec::new();
+    for element in draft.elements.iter().filter(|element| element.kind.is_beam()) {
+        let Some(ends) = draft.beam_ends(element) else { continue };
+        if ends.iter().all(|node| members.contains(node)) && ends[0] != ends[1] {
+            reached.extend(ends);
+            let (label, origin) = (element.label, element.origin);
+            beams.push(ContactElement { label, nodes: ends, origin });
+        }
+    }
+    let origin = surface.origin;
+    let joined = reached.len() == members.len();
+    let how = if joined { "the beams that join them" } else { "each node to the next" };
+    let message = format!("the areas of the nodes of {} come from {how}", surface.named.name);
+    let note = Diagnostic::note(Code("SL0254"), message).at(origin);
+    draft
+        .log
+        .push(note.help("half the length of both neighbouring stretches, times the thickness"));
+    if joined {
+        return beams;
+    }
+    let mut stretches = Vec::new();
+    for (pair, label) in nodes.windows(2).zip(1..) {
+        let ends = [pair[0], pair[1]];
+        if draft.model.nodes.plane(ends[0]) == draft.model.nodes.plane(ends[1]) {
+            let [a, b] = ends.map(|node| draft.model.nodes.label(node));
+            let message = format!("nodes {a} and {b} of the surface coincide: they have no area");
+            let error = Diagnostic::error(Code("SL0306"), message).at(origin);
+            draft.consequence(Subject::Nodes, error);
+        }
+        stretches.push(ContactElement { label, nodes: ends, origin });
+    }
+    stretches
+}
+
+/// Each beam of a slave surface once, whichever of its faces were named.
+pub(super) fn contact_elements(facets: &[Facet]) -> Vec<ContactElement> {
+    let mut seen = HashSet::new();
+    let once = facets.iter().filter(|facet| seen.insert(facet.label));
+    once.map(|facet| ContactElement {
+        label: facet.label,
+        nodes: facet.nodes,
+        origin: facet.origin,
+    })
+    .collect()
+}

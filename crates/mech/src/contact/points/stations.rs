@@ -1,0 +1,182 @@
+//! Stations along a smooth line: where integrated contact is sampled.
+//!
+//! ```text
+//!   node a                                            node b
+//!     o----:----:----:----:----:----:----:----:----:----o      cells of equal length
+//!                     [ x   x   x ]                            Gauss points of a cell
+//!                       [ x x x ]                              the same, where contact begins
+//!                                                              and ends inside the cell
+//! ```
+//!
+//! History lives in the cells, which are material; the Gauss points of a cell follow the part of it
+//! that is closed, so that the integral sees a smooth pressure that falls to zero at its ends. The
+//! line is the cubic Hermite curve through the nodes whose end tangents turn with them.
+
+use crate::rigid::Blend;
+
+/// Gauss points of a cell.
+pub const POINTS: usize = 3;
+
+/// Places of the Gauss points on [0, 1] and their weights.
+pub const GAUSS: [(f64, f64); POINTS] = [
+    (0.112_701_665_379_258_31, 5.0 / 18.0),
+    (0.5, 8.0 / 18.0),
+    (0.887_298_334_620_741_7, 5.0 / 18.0),
+];
+
+/// A cubic Hermite line between two nodes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HermiteLine {
+    /// Undeformed positions of the nodes [L].
+    pub nodes: [[f64; 2]; 2],
+    /// Undeformed tangents dx/dxi at the nodes [L], of the length of the line.
+    pub tangents: [[f64; 2]; 2],
+}
+
+impl HermiteLine {
+    /// How the station at `xi` in [0, 1] follows the nodes: Hermite polynomials on positions, and
+    /// on the tangents as arms that turn.
+    pub fn blend(&self, xi: f64) -> Blend {
+        let rest = 1.0 - xi;
+        let (h1, h2) = (xi * rest * rest, -xi * xi * rest);
+        let first = rest * rest * (1.0 + 2.0 * xi);
+        let scaled = |t: [f64; 2], by: f64| [by * t[0], by * t[1]];
+        Blend {
+            weights: [first, 1.0 - first],
+            arms: [scaled(self.tangents[0], h1), scaled(self.tangents[1], h2)],
+        }
+    }
+
+    /// Undeformed position of the station at `xi` [L].
+    pub fn reference(&self, xi: f64) -> [f64; 2] {
+        let blend = self.blend(xi);
+        let at =
+            |c: usize| (0..2).map(|k| blend.weights[k] * self.nodes[k][c] + blend.arms[k][c]).sum();
+        [at(0), at(1)]
+    }
+
+    /// Undeformed chord [L].
+    pub fn length(&self) -> f64 {
+        let [a, b] = self.nodes;
+        (b[0] - a[0]).hypot(b[1] - a[1])
+    }
+}
+
+/// The part of a cell, in its own coordinate [0, 1], on which `f` is positive: the cell as a whole
+/// where that is so at both ends and the middle, or nowhere (`None`) as far as these three and the
+/// top of the parabola through them tell. `f` is the overclosure beyond the point where contact
+/// begins; at most one stretch is looked for.
+pub fn closed_part(f: impl Fn(f64) -> f64) -> Option<(f64, f64)> {
+    let (left, middle, right) = (f(0.0), f(0.5), f(1.0));
+    if left > 0.0 && right > 0.0 && middle > 0.0 {
+        return Some((0.0, 1.0));
+    }
+    let inside = highest(&f, [left, middle, right])?;
+    let begin = if left > 0.0 { 0.0 } else { root(&f, (0.0, left), inside) };
+    let end = if right > 0.0 { 1.0 } else { root(&f, (1.0, right), inside) };
+    (end > begin).then_some((begin, end))
+}
+
+/// A place where `f` is positive, with its value.
+fn highest(f: &impl Fn(f64) -> f64, [left, middle, right]: [f64; 3]) -> Option<(f64, f64)> {
+    if middle > 0.0 {
+        return Some((0.5, middle));
+    }
+    if left > 0.0 {
+        return Some((0.0, left));
+    }
+    if right > 0.0 {
+        return Some((1.0, right));
+    }
+    let bend = left - 2.0 * middle + right;
+    if bend.is_nan() || bend >= 0.0 {
+        return None;
+    }
+    // Top of the parabola, then once more about it: overclosure is close to one.
+    let mut top = (0.5 - 0.25 * (right - left) / bend).clamp(0.0, 1.0);
+    let step = 0.05;
+    let (a, b, c) = (f(top - step), f(top), f(top + step));
+    let bend = a - 2.0 * b + c;
+    if bend < 0.0 {
+        top = (top - 0.5 * step * (c - a) / bend).clamp(0.0, 1.0);
+    }
+    let value = f(top);
+    (value > 0.0).then_some((top, value))
+}
+
+/// The zero of `f` between a place where it is not positive and one where it is: the false position
+/// method of Illinois, which converges superlinearly and keeps its bracket.
+fn root(f: &impl Fn(f64) -> f64, outside: (f64, f64), inside: (f64, f64)) -> f64 {
+    let (mut low, mut high) = (outside, inside);
+    let mut kept = 0;
+    for _ in 0..40 {
+        if (high.0 - low.0).abs() <= 1e-14 || low.1 == 0.0 {
+            break;
+        }
+        let x = high.0 - high.1 * (high.0 - low.0) / (high.1 - low.1);
+        let value = f(x);
+        if value > 0.0 {
+            high = (x, value);
+            if kept == 1 {
+                low.1 *= 0.5;
+            }
+            kept = 1;
+        } else {
+            low = (x, value);
+            if kept == -1 {
+                high.1 *= 0.5;
+            }
+            kept = -1;
+        }
+        if value == 0.0 {
+            return x;
+        }
+    }
+    high.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Requirement: the curve passes through its nodes with the given tangents, is straight and
+    /// uniform for straight reference geometry, and moves rigidly with its nodes. Tolerance:
+    /// round-off.
+    #[test]
+    fn hermite_line() {
+        let line =
+            HermiteLine { nodes: [[1.0, 2.0], [4.0, 6.0]], tangents: [[3.0, 4.0], [3.0, 4.0]] };
+        for xi in [0.0, 0.3, 0.5, 1.0] {
+            let x = line.reference(xi);
+            assert!((x[0] - 1.0 - 3.0 * xi).abs() < 1e-14 && (x[1] - 2.0 - 4.0 * xi).abs() < 1e-14);
+            // Turned by phi about the origin and shifted.
+            let phi = 0.7_f64;
+            let (s, c) = phi.sin_cos();
+            let moved = |p: [f64; 2]| [c * p[0] - s * p[1] + 0.2, s * p[0] + c * p[1] - 0.1];
+            let mut dofs = [0.0; 6];
+            for k in 0..2 {
+                let [x, y] = line.nodes[k];
+                let [u, v] = moved([x, y]);
+                dofs[3 * k..3 * k + 3].copy_from_slice(&[u - x, v - y, phi]);
+            }
+            let u = line.blend(xi).displacement(&dofs);
+            let expected = moved(x);
+            assert!((x[0] + u[0] - expected[0]).abs() < 1e-14);
+            assert!((x[1] + u[1] - expected[1]).abs() < 1e-14);
+        }
+    }
+
+    /// Requirement: the closed part of a parabola is found to round-off, also where it lies between
+    /// the three places looked at first; none is found where there is none.
+    #[test]
+    fn closed_part_of_a_parabola() {
+        for (centre, half) in [(0.5, 0.1), (0.3, 0.02), (0.9, 0.4), (0.05, 0.2), (0.71, 0.003)] {
+            let f = |x: f64| half * half - (x - centre) * (x - centre);
+            let (begin, end) = closed_part(f).unwrap();
+            assert!((begin - f64::max(0.0, centre - half)).abs() < 1e-9, "{centre} {begin}");
+            assert!((end - f64::min(1.0, centre + half)).abs() < 1e-9, "{centre} {end}");
+        }
+        assert_eq!(closed_part(|x| -1.0 - x * x), None);
+        assert_eq!(closed_part(|_| 1.0), Some((0.0, 1.0)));
+    }
+}

@@ -1,0 +1,17 @@
+//! Curves of a job as figures and tables.
+//!
+//! ```text
+//!   RF2 |      .-'   job            the files of one job, or of two
+//!       |   .-' --   other          laid over each other
+//!       +-----------> U2
+//!    dY |  ~~~~~                    other minus job, at equal times
+//! ```
+
+mod curve;
+mod drawing;
+mod figure;
+mod png;
+mod svg;
+
+pub use curve::{Curve, Question, csv, curve, difference};
+pub use figure::{Figure, figure};

@@ -1,0 +1,230 @@
+// The deformed shape: play, slider, scale, contact points and their forces.
+class Shape {
+  constructor() {
+    const f = data.frames;
+    this.reference = singles(f.reference);
+    this.moved = singles(f.displacement);
+    this.states = f.states;
+    this.size = this.reference.length;
+    this.points = {};
+    f.labels.forEach((label, k) => { if (label > 0) this.points[label] = k; });
+    this.contact = data.contact.map((point) => Object.assign({}, point, {
+      p: singles(point.pressure), t: singles(point.shear), n: singles(point.angle)
+    }));
+    this.scale = 1;
+    this.view = "all";
+    this.arrows = true;
+    this.frame = 0;
+    this.strongest = 0;
+    for (const point of this.contact) for (let i = 0; i < point.p.length; i++) this.strongest = Math.max(this.strongest, point.p[i] * (point.area || 1));
+    this.masters();
+    this.names();
+    this.stage();
+  }
+
+  // Cells whose both ends are masters of one slide line.
+  masters() {
+    this.lines = { beam: [], spring: [], slaves: [], masters: [], peak: [] };
+    const f = data.frames, of = [];
+    for (const pair of data.pairs) if (pair.master === "slide line") of.push(new Set(pair.nodes));
+    f.kinds.forEach((kind, k) => {
+      const ends = [f.cells[2 * k], f.cells[2 * k + 1]];
+      const labels = ends.map((end) => f.labels[end]);
+      if (kind === 3) this.lines.masters.push(ends);
+      else if (kind === 2) this.lines.slaves.push(ends);
+      else if (kind === 1) this.lines.spring.push(ends);
+      else {
+        this.lines.beam.push(ends);
+        if (of.some((set) => set.has(labels[0]) && set.has(labels[1]))) this.lines.masters.push(ends);
+        if (f.elements[k] === f.strained) this.lines.peak.push(ends);
+      }
+    });
+  }
+
+  names() {
+    const legend = document.getElementById("names");
+    const range = (list) => {
+      const out = [];
+      for (let i = 0; i < list.length; i++) {
+        let j = i;
+        while (j + 1 < list.length && list[j + 1] === list[j] + 1) j++;
+        out.push(j > i + 1 ? list[i] + "\u2013" + list[j] : list.slice(i, j + 1).join(", "));
+        i = j;
+      }
+      return out.length > 6 ? out.slice(0, 6).join(", ") + " \u2026" : out.join(", ");
+    };
+    const key = (colour, text) => {
+      const entry = make(legend, "span", { class: "key" });
+      make(entry, "i").style.background = "var(" + colour + ")";
+      entry.appendChild(document.createTextNode(text));
+    };
+    for (const pair of data.pairs) {
+      key("--c3", "slave of " + pair.name + ": nodes " + range(pair.slave));
+      key("--c2", "master of " + pair.name + ": " + pair.master + (pair.master === "slide line" ? ", nodes " + range(pair.nodes) : ", moves with node " + pair.nodes.join(", ")));
+    }
+    if (this.contact.length) {
+      key("--stick", "sticking point"); key("--slip", "sliding point (without friction too)");
+      key("--c0", "normal force on the slave"); key("--c1", "friction force on the slave");
+    }
+    if (this.lines.peak.length) key("--c4", "largest fibre strain: element " + data.frames.strained);
+  }
+
+  at(point, frame, scale) {
+    const k = frame * this.size + 2 * point;
+    return [this.reference[2 * point] + scale * this.moved[k], this.reference[2 * point + 1] + scale * this.moved[k + 1]];
+  }
+
+  // What is seen: the whole stroke, or where it touches.
+  bounds() {
+    let box = [Infinity, -Infinity, Infinity, -Infinity];
+    const add = ([x, y]) => { box = [Math.min(box[0], x), Math.max(box[1], x), Math.min(box[2], y), Math.max(box[3], y)]; };
+    if (this.view === "contact") {
+      for (const point of this.contact) {
+        const place = this.points[point.node];
+        if (place !== undefined && this.status(point, this.states[this.frame]) !== "o") add(this.at(place, this.frame, this.scale));
+      }
+    }
+    const near = Number.isFinite(box[0]);
+    if (!near) {
+      for (let frame = 0; frame < this.states.length; frame++) for (let p = 0; p < this.size / 2; p++) add(this.at(p, frame, this.scale));
+    }
+    if (!Number.isFinite(box[0])) box = [0, 1, 0, 1];
+    let [w, h] = [box[1] - box[0], box[3] - box[2]];
+    const least = near ? 0.12 * this.extent : 1e-30;
+    [w, h] = [Math.max(w, least), Math.max(h, least)];
+    const middle = [(box[0] + box[1]) / 2, (box[2] + box[3]) / 2];
+    const per = Math.min(860 / w, 400 / h);
+    return { middle, per: Number.isFinite(per) ? per : 1 };
+  }
+
+  stage() {
+    this.svg = draw(document.getElementById("stage"), "svg", { viewBox: "0 0 960 460", role: "img", "aria-label": "Deformed shape" });
+    const f = data.frames;
+    let low = [Infinity, Infinity], high = [-Infinity, -Infinity];
+    for (let p = 0; p < this.size; p++) { low[p % 2] = Math.min(low[p % 2], this.reference[p]); high[p % 2] = Math.max(high[p % 2], this.reference[p]); }
+    this.extent = Math.max(high[0] - low[0], high[1] - low[1], 1e-30);
+    this.parts = {};
+    this.parts.rest = draw(this.svg, "path", { class: "part rest" });
+    for (const name of ["peak", "beam", "spring", "slaves", "masters"]) this.parts[name] = draw(this.svg, "path", { class: "part " + name });
+    this.forces = draw(this.svg, "g");
+    this.rule = draw(this.svg, "g");
+    this.slider = document.getElementById("frame");
+    this.slider.max = Math.max(0, this.states.length - 1);
+    this.fit();
+    this.controls();
+    if (!f.states.length) document.getElementById("state").textContent = "There are no states to draw.";
+  }
+
+  controls() {
+    const play = document.getElementById("play"), scale = document.getElementById("scale");
+    this.slider.addEventListener("input", () => { this.stop(); this.go(Number(this.slider.value)); });
+    play.addEventListener("click", () => this.timer ? this.stop() : this.start());
+    scale.addEventListener("input", () => {
+      const value = Number(scale.value);
+      if (scale.value !== "" && Number.isFinite(value) && value >= 0) { this.scale = value; this.fit(); this.go(this.frame); }
+    });
+    const view = document.getElementById("view");
+    view.addEventListener("change", () => { this.view = view.value; this.fit(); this.go(this.frame); });
+    const arrows = document.getElementById("arrows");
+    arrows.addEventListener("click", () => {
+      this.arrows = !this.arrows;
+      arrows.setAttribute("aria-pressed", String(this.arrows));
+      this.go(this.frame);
+    });
+  }
+
+  start() {
+    const play = document.getElementById("play"), last = this.states.length - 1;
+    if (last < 1) return;
+    play.textContent = "Pause"; play.setAttribute("aria-pressed", "true");
+    if (this.frame >= last) this.go(0);
+    const beat = Math.max(16, Math.min(150, 6000 / last));
+    this.timer = setInterval(() => { this.go(this.frame + 1); if (this.frame >= last) this.stop(); }, beat);
+  }
+
+  stop() {
+    clearInterval(this.timer);
+    this.timer = null;
+    const play = document.getElementById("play");
+    play.textContent = "Play"; play.setAttribute("aria-pressed", "false");
+  }
+
+  fit() {
+    const view = this.bounds();
+    this.place = ([x, y]) => [480 + view.per * (x - view.middle[0]), 230 - view.per * (y - view.middle[1])];
+    this.parts.rest.setAttribute("d", this.path(this.lines.beam.concat(this.lines.masters, this.lines.slaves), 0, 0));
+    this.ruler(view.per);
+  }
+
+  ruler(per) {
+    this.rule.textContent = "";
+    const length = niceStep(150 / per * 3, 3), width = length * per;
+    draw(this.rule, "path", { class: "axis", fill: "none", d: "M20 438v6h" + width.toFixed(1) + "v-6" });
+    draw(this.rule, "text", { class: "soft", x: 26 + width, y: 446 }, show(length) + " (length)");
+  }
+
+  path(lines, frame, scale) {
+    const out = [];
+    let last = -1;
+    for (const [a, b] of lines) {
+      if (a !== last) { const p = this.place(this.at(a, frame, scale)); out.push("M" + p[0].toFixed(2) + " " + p[1].toFixed(2)); }
+      const q = this.place(this.at(b, frame, scale));
+      out.push("L" + q[0].toFixed(2) + " " + q[1].toFixed(2));
+      last = b;
+    }
+    return out.join("");
+  }
+
+  status(point, state) {
+    const k = state - 1 - point.first;
+    return k >= 0 && k < point.status.length ? point.status[k] : "o";
+  }
+
+  arrow(from, direction, length, kind) {
+    if (!(Math.abs(length) > 1)) return;
+    const d = [direction[0] * length, direction[1] * length], size = Math.hypot(d[0], d[1]);
+    // the tip stands at the point: the force pushes there
+    const tip = from, tail = [from[0] - d[0], from[1] + d[1]];
+    const u = [(tip[0] - tail[0]) / size, (tip[1] - tail[1]) / size], head = Math.min(9, 0.5 * size);
+    const back = [tip[0] - head * u[0], tip[1] - head * u[1]];
+    const wing = (s) => (back[0] - s * 0.5 * head * u[1]).toFixed(1) + " " + (back[1] + s * 0.5 * head * u[0]).toFixed(1);
+    draw(this.forces, "path", { class: "arrow " + kind, d: "M" + tail[0].toFixed(1) + " " + tail[1].toFixed(1) + "L" + tip[0].toFixed(1) + " " + tip[1].toFixed(1) + "M" + wing(1) + "L" + tip[0].toFixed(1) + " " + tip[1].toFixed(1) + "L" + wing(-1) });
+  }
+
+  touch() {
+    this.forces.textContent = "";
+    const state = this.states[this.frame];
+    let closed = 0;
+    for (const point of this.contact) {
+      const status = this.status(point, state), place = this.points[point.node];
+      if (status === "o" || place === undefined) continue;
+      closed++;
+      const k = state - 1 - point.first, at = this.place(this.at(place, this.frame, this.scale));
+      const n = [Math.cos(point.n[k]), Math.sin(point.n[k])];
+      const unit = 110 / (this.strongest || 1) * (point.area || 1);
+      if (this.arrows && Number.isFinite(n[0])) {
+        // pressure pushes the slave along the master's outward normal; the
+        // master's direction of travel is the normal turned clockwise, and
+        // friction on the slave acts against the sign of the shear there
+        this.arrow(at, n, point.p[k] * unit, "normal");
+        this.arrow(at, [-n[1], n[0]], point.t[k] * unit, "shear");
+      }
+      const dot = draw(this.forces, "circle", { class: "touch " + status, cx: at[0].toFixed(1), cy: at[1].toFixed(1), r: 4.5 });
+      draw(dot, "title", {}, "node " + point.node + ": " + (status === "t" ? "stick" : "slip") + ", pressure " + show(point.p[k]) + ", shear " + show(point.t[k]));
+    }
+    return closed;
+  }
+
+  go(frame) {
+    if (!this.states.length) return;
+    this.frame = Math.max(0, Math.min(this.states.length - 1, frame));
+    this.slider.value = this.frame;
+    if (this.view === "contact") this.fit();
+    for (const name of Object.keys(this.lines)) this.parts[name].setAttribute("d", this.path(this.lines[name], this.frame, this.scale));
+    const closed = this.touch(), state = this.states[this.frame];
+    const text = where(state) + "; " + (state === 0 ? "undeformed" : closed + (closed === 1 ? " point touches" : " points touch")) + (this.scale === 1 ? "" : "; displacements times " + show(this.scale));
+    document.getElementById("state").textContent = text;
+    this.slider.setAttribute("aria-valuetext", text);
+    if (this.moves) this.moves(state);
+  }
+}

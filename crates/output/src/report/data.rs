@@ -1,0 +1,184 @@
+//! What the charts of the page draw, as JSON that may stand in a script.
+
+use super::overlay::Overlay;
+use super::results::Results;
+use crate::json::{self, Object};
+use crate::vtu::base64;
+
+/// All numbers of the page.
+pub(crate) fn data(job: &str, results: &Results, overlay: Option<&Overlay>) -> String {
+    let energies = &results.energies;
+    let with_start = |values: &[f64]| -> Vec<f64> {
+        std::iter::once(0.0).chain(values.iter().copied()).collect()
+    };
+    let numbers = |place: usize| -> Vec<f64> {
+        energies.numbers.iter().map(|numbers| numbers[place] as f64).collect()
+    };
+    let energy = energies.columns.iter().zip(&energies.values);
+    let object = Object::new()
+        .text("job", job)
+        .raw("times", &doubles(&with_start(&energies.times)))
+        .raw("step", &doubles(&with_start(&numbers(0))))
+        .raw("increment", &doubles(&with_start(&numbers(1))))
+        .raw("driven", &driven(results))
+        .raw("history", &history(results))
+        .raw("energy", &columns(energy.map(|(name, values)| (name.as_str(), &values[..]))))
+        .array("contact", results.points.iter().map(point))
+        .raw("pairs", &pairs(results))
+        .raw("frames", &frames(results))
+        .array("attempts", results.attempts.iter().map(attempt));
+    let overlay = overlay.map(|overlay| {
+        let own = overlay.columns.iter().map(|(name, values)| (name.as_str(), &values[..]));
+        Object::new().text("name", &overlay.name).raw("columns", &columns(own)).finish()
+    });
+    safe(&object.raw("overlay", overlay.as_deref().unwrap_or("null")).finish())
+}
+
+/// No text in it ends a script or a line of one.
+fn safe(json: &str) -> String {
+    let mut text = String::with_capacity(json.len());
+    for letter in json.chars() {
+        match letter {
+            '<' => text.push_str("\\u003c"),
+            '>' => text.push_str("\\u003e"),
+            '&' => text.push_str("\\u0026"),
+            '\u{2028}' => text.push_str("\\u2028"),
+            '\u{2029}' => text.push_str("\\u2029"),
+            other => text.push(other),
+        }
+    }
+    text
+}
+
+/// Doubles in base64, little-endian.
+fn doubles(values: &[f64]) -> String {
+    quoted(values.iter().flat_map(|value| value.to_le_bytes()).collect())
+}
+
+/// Single precision where a picture is made of it.
+fn singles(values: &[f64]) -> String {
+    quoted(values.iter().flat_map(|value| (*value as f32).to_le_bytes()).collect())
+}
+
+fn quoted(bytes: Vec<u8>) -> String {
+    let mut text = "\"".to_owned();
+    base64::push(&mut text, &bytes);
+    text.push('"');
+    text
+}
+
+fn columns<'a>(columns: impl Iterator<Item = (&'a str, &'a [f64])>) -> String {
+    let mut object = Object::new();
+    for (name, values) in columns {
+        object = object.raw(name, &doubles(values));
+    }
+    object.finish()
+}
+
+fn driven(results: &Results) -> String {
+    json::array(results.driven.iter().map(|driven| {
+        Object::new()
+            .raw("node", &driven.node.to_string())
+            .text("motion", &driven.motion)
+            .text("reaction", &driven.reaction)
+            .finish()
+    }))
+}
+
+fn history(results: &Results) -> String {
+    json::array(results.history.nodes.iter().map(|node| {
+        let names = results.history.columns.iter().map(String::as_str);
+        let values = names.zip(node.values.iter().map(Vec::as_slice));
+        Object::new()
+            .raw("node", &node.node.to_string())
+            .raw("columns", &columns(values))
+            .finish()
+    }))
+}
+
+fn point(point: &super::contact::Point) -> String {
+    let [opening, pressure, shear, slip, angle] = &point.values;
+    Object::new()
+        .text("pair", &point.pair)
+        .raw("node", &point.node.to_string())
+        .count("first", point.first)
+        .text("status", &point.status)
+        .text("friction", &point.friction)
+        .number("area", point.area)
+        .raw("opening", &singles(opening))
+        .raw("pressure", &singles(pressure))
+        .raw("shear", &singles(shear))
+        .raw("slip", &singles(slip))
+        .raw("angle", &singles(angle))
+        .finish()
+}
+
+fn pairs(results: &Results) -> String {
+    json::array(results.summary.list("pairs").iter().map(|pair| {
+        let labels = |key: &str| -> Vec<String> {
+            let all = pair.list(key).iter();
+            all.filter_map(|label| match label {
+                super::value::Value::Number(number) => Some(number.to_string()),
+                _ => None,
+            })
+            .collect()
+        };
+        Object::new()
+            .text("name", pair.text("name").unwrap_or("?"))
+            .array("slave", labels("slave"))
+            .text("master", pair.text("master").unwrap_or("?"))
+            .array("nodes", labels("nodes"))
+            .finish()
+    }))
+}
+
+fn frames(results: &Results) -> String {
+    let frames = &results.frames;
+    let whole = |values: &[i64]| json::array(values.iter().map(i64::to_string));
+    let all: Vec<f64> = frames.displacement.iter().flatten().copied().collect();
+    Object::new()
+        .raw("labels", &whole(&frames.labels))
+        .raw("reference", &singles(&frames.reference))
+        .raw("cells", &whole(&frames.cells))
+        .array("kinds", frames.kinds.iter().map(i32::to_string))
+        .raw("elements", &whole(&frames.elements))
+        .array("states", frames.states.iter().map(usize::to_string))
+        .raw("displacement", &singles(&all))
+        .raw("strained", &strained(results))
+        .finish()
+}
+
+/// The element with the largest fibre strain.
+fn strained(results: &Results) -> String {
+    let summary = results.summary.get("fibre_strain");
+    let said = summary.and_then(|strain| strain.count("element"));
+    said.map_or_else(|| "null".to_owned(), |element| element.to_string())
+}
+
+fn attempt(attempt: &super::iterations::Attempt) -> String {
+    let iterations = attempt.iterations.iter().map(|iteration| {
+        let flags = usize::from(iteration.severe) + 2 * usize::from(iteration.converged);
+        let counts = [flags, iteration.changes, iteration.closed].map(|count| count.to_string());
+        let residuals = [iteration.force, iteration.moment].concat();
+        json::array(counts.into_iter().chain(residuals.into_iter().map(json::number)))
+    });
+    Object::new()
+        .count("step", attempt.step)
+        .count("increment", attempt.increment)
+        .count("attempt", attempt.attempt)
+        .optional_text("reason", attempt.reason.as_deref())
+        .array("iterations", iterations)
+        .finish()
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn no_text_ends_the_script() {
+        let object = crate::json::Object::new().text("job", "</script><!--\u{2028}").finish();
+        let safe = super::safe(&object);
+        assert!(!safe.contains(['<', '>', '\u{2028}']), "{safe}");
+        let back = super::super::value::Value::read(&safe).unwrap();
+        assert_eq!(back.text("job"), Some("</script><!--\u{2028}"));
+    }
+}

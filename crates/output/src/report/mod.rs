@@ -1,0 +1,105 @@
+//! `JOB.html`: one page that shows what came of a job, made from its result
+//! files alone.
+//!
+//! ```text
+//!   JOB.json  JOB.dat  JOB.msg ----+
+//!   JOB.history.csv  .contact.csv -+-> Results -> verdict, data -> page
+//!   JOB.energy.csv  JOB_nnnn.vtu --+
+//! ```
+//!
+//! The page needs no network and no library: style, script and numbers stand
+//! in it. Curves keep every increment; shapes are thinned where there are
+//! many. What each part means is said in `docs/report.md`.
+
+mod contact;
+mod data;
+mod frames;
+mod history;
+mod iterations;
+mod overlay;
+mod page;
+pub(crate) mod problem;
+mod prose;
+mod results;
+mod state;
+pub(crate) mod table;
+mod value;
+mod verdict;
+
+pub use problem::Problem;
+
+pub(crate) use prose::escaped;
+
+pub(crate) use history::{Energies, History};
+pub(crate) use results::{driven, summary};
+
+use crate::file::replace;
+use crate::job::JobFiles;
+use results::Results;
+use std::path::{Path, PathBuf};
+
+/// How a report is made.
+#[derive(Clone, Copy)]
+pub struct Options<'a> {
+    /// A CSV file with a second curve: the columns of `slideline theory`, or
+    /// a `JOB.history.csv`.
+    pub overlay: Option<&'a Path>,
+    /// Whether a job that still runs, or was killed, is shown as far as it
+    /// came.
+    pub unfinished: bool,
+    /// Hash of the deck as it is now, where it is known: a report of results
+    /// that belong to another text says so.
+    pub deck_hash: Option<&'a str>,
+    /// The page of a code, as `docs/errors` has it.
+    pub page: fn(&str) -> Option<&'static str>,
+}
+
+impl Default for Options<'_> {
+    fn default() -> Self {
+        Self { overlay: None, unfinished: false, deck_hash: None, page: |_| None }
+    }
+}
+
+/// A report that was written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Report {
+    /// The file.
+    pub path: PathBuf,
+    /// Its size in bytes.
+    pub size: usize,
+    /// The verdict, a sentence each.
+    pub verdict: Vec<String>,
+    /// Whether the deck is another one than the job ran.
+    pub deck_changed: bool,
+}
+
+/// Writes `JOB.html` from the result files.
+///
+/// # Errors
+/// Result files that are missing, truncated or foreign; a job that still runs
+/// (unless [`Options::unfinished`]); a page that cannot be written. A page
+/// that was there stays then.
+pub fn write(job: &JobFiles, options: &Options<'_>) -> Result<Report, Problem> {
+    let results = Results::read(job, options.unfinished)?;
+    let overlay = options.overlay.map(overlay::read).transpose()?;
+    let ran = results.summary.text("deck_hash");
+    let deck_changed = options.deck_hash.is_some_and(|now| ran.is_some_and(|ran| ran != now));
+    let mut remarks = Vec::new();
+    if deck_changed {
+        remarks.push(CHANGED.to_owned());
+    }
+    if results.summary.text("status") == Some("running") {
+        remarks.push(
+            "The job was running, or had been killed, when this page was made.".to_owned(),
+        );
+    }
+    let page = page::page(&job.name(), &results, overlay.as_ref(), options, &remarks);
+    let path = job.path(".html");
+    replace(&path, page.as_bytes())?;
+    let verdict = verdict::sentences(&results);
+    Ok(Report { path, size: page.len(), verdict, deck_changed })
+}
+
+/// What a report says whose deck was edited after the run.
+pub const CHANGED: &str = "The deck was changed after this run: these results belong to its \
+                           earlier text. Run it again to see what the deck says now.";

@@ -1,0 +1,228 @@
+//! The page itself: what can be said in words stands in it as HTML, what is
+//! drawn follows as data and script.
+
+use super::Options;
+use super::data::data;
+use super::overlay::Overlay;
+use super::prose::{escaped, html};
+use super::results::Results;
+use super::value::Value;
+use super::verdict;
+use crate::number::general;
+
+const STYLE: &str = include_str!("assets/page.css");
+/// In the order in which they need one another.
+const SCRIPTS: [&str; 4] = [
+    include_str!("assets/data.js"),
+    include_str!("assets/chart.js"),
+    include_str!("assets/shape.js"),
+    include_str!("assets/page.js"),
+];
+const BODY: &str = include_str!("assets/body.html");
+
+/// The whole page. `remarks` are what making it had to say.
+pub(crate) fn page(
+    job: &str,
+    results: &Results,
+    overlay: Option<&Overlay>,
+    options: &Options<'_>,
+    remarks: &[String],
+) -> String {
+    let data = data(job, results, overlay);
+    let mut text = String::with_capacity(data.len() + (1 << 17));
+    text.push_str("<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
+    text.push_str(
+        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; \
+         script-src 'unsafe-inline'; style-src 'unsafe-inline'\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <meta name=\"color-scheme\" content=\"light dark\">\n",
+    );
+    text.push_str(&format!("<title>{} - slideline</title>\n", escaped(job)));
+    text.push_str(&format!("<style>\n{STYLE}</style>\n</head>\n<body>\n"));
+    // names come last, so that no name is taken for a place to fill
+    let places = [
+        ("{{remarks}}", remarks.iter().map(|said| note(said)).collect()),
+        ("{{verdict}}", verdict_html(results)),
+        ("{{facts}}", facts(results)),
+        ("{{ledger}}", ledger(results)),
+        ("{{warnings}}", warnings(results, options)),
+        ("{{settings}}", settings(results)),
+        ("{{echo}}", format!("<pre class=\"echo\">{}</pre>", escaped(&results.echo))),
+        ("{{job}}", escaped(job)),
+    ];
+    text.push_str(&filled(BODY, &places));
+    text.push_str(&format!("<script type=\"application/json\" id=\"data\">{data}</script>\n"));
+    text.push_str("<script>\n\"use strict\";\n(function () {\n");
+    for script in SCRIPTS {
+        text.push_str(script);
+    }
+    text.push_str("})();\n</script>\n</body>\n</html>\n");
+    text
+}
+
+/// Fills the places of a template in one pass, so that what is filled in is
+/// never searched for places.
+fn filled(template: &str, places: &[(&str, String)]) -> String {
+    let mut text = String::new();
+    let mut rest = template;
+    while let Some(start) = rest.find("{{") {
+        text.push_str(&rest[..start]);
+        rest = &rest[start..];
+        let place = places.iter().find(|(name, _)| rest.starts_with(name));
+        let (name, content) = place.map_or(("{{", "{{"), |(name, content)| (*name, content));
+        text.push_str(content);
+        rest = &rest[name.len()..];
+    }
+    text.push_str(rest);
+    text
+}
+
+fn note(said: &str) -> String {
+    format!("<p class=\"remark\">{}</p>\n", escaped(said))
+}
+
+fn verdict_html(results: &Results) -> String {
+    let sentences = verdict::sentences(results);
+    let (first, rest) = match sentences.split_first() {
+        Some((first, rest)) => (first.as_str(), rest),
+        None => ("", &[][..]),
+    };
+    let good = results.summary.text("status") == Some("completed");
+    let rest: Vec<String> = rest.iter().map(|said| escaped(said)).collect();
+    format!(
+        "<p id=\"verdict\" class=\"verdict {}\"><strong>{}.</strong> {}.</p>",
+        if good { "good" } else { "bad" },
+        escaped(first),
+        rest.iter().map(|said| capital(said)).collect::<Vec<_>>().join(". ")
+    )
+}
+
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| {
+        first.to_uppercase().chain(letters).collect()
+    })
+}
+
+/// Version, deck, dialect: what a reader must know to repeat the run.
+fn facts(results: &Results) -> String {
+    let summary = &results.summary;
+    let text = |key: &str| summary.text(key).unwrap_or("-").to_owned();
+    let seconds = summary.number("wall_seconds").map_or("-".to_owned(), |s| general(s, 3));
+    let facts = [
+        ("program", format!("slideline {}", text("program_version"))),
+        ("deck (SHA-256)", text("deck_hash")),
+        ("dialect", text("dialect")),
+        ("friction onset", text("friction_onset")),
+        ("wall time", format!("{seconds} s")),
+    ];
+    let rows = facts.iter().map(|(name, value)| {
+        format!("<dt>{}</dt><dd>{}</dd>", escaped(name), escaped(value))
+    });
+    format!("<dl class=\"facts\">{}</dl>", rows.collect::<String>())
+}
+
+fn table(heading: &[&str], rows: &[Vec<String>]) -> String {
+    let heads: String = heading.iter().map(|head| format!("<th>{head}</th>")).collect();
+    let rows = rows.iter().map(|row| {
+        let cells: String = row.iter().map(|cell| format!("<td>{}</td>", escaped(cell))).collect();
+        format!("<tr>{cells}</tr>")
+    });
+    format!(
+        "<div class=\"wide\"><table><thead><tr>{heads}</tr></thead><tbody>{}</tbody></table></div>",
+        rows.collect::<String>()
+    )
+}
+
+/// Friction that acted, and friction that the onset did not call.
+fn ledger(results: &Results) -> String {
+    let energy = |name: &str| results.energies.last(name).unwrap_or(0.0);
+    let dropped = results.summary.get("dropped_friction");
+    let count = |friction: char| -> usize {
+        let letters = results.points.iter().flat_map(|point| point.friction.chars());
+        letters.filter(|letter| *letter == friction).count()
+    };
+    let points = dropped.and_then(|d| d.count("point_increments")).unwrap_or_else(|| count('d'));
+    let (lost, done) = (energy("dropped_friction"), energy("friction_dissipation"));
+    let share = if lost + done > 0.0 { 100.0 * lost / (lost + done) } else { 0.0 };
+    let number = |value: f64| general(value, 6);
+    let rows = [
+        vec!["friction dissipated".to_owned(), number(done)],
+        vec!["stored in elastic slip at the end".to_owned(), number(energy("friction_elastic"))],
+        vec!["point-increments with friction called".to_owned(), count('c').to_string()],
+        vec!["point-increments with friction dropped".to_owned(), points.to_string()],
+        vec![
+            "friction work dropped".to_owned(),
+            format!("{} ({} % of dropped and dissipated)", number(lost), general(share, 3)),
+        ],
+    ];
+    let said = match points {
+        0 => "Friction was called at every closed point that has any.",
+        _ => "Closed points went without friction (SL0601): forces are too low.",
+    };
+    format!("<p>{said}</p>{}", table(&["entry", "value"], &rows))
+}
+
+fn warnings(results: &Results, options: &Options<'_>) -> String {
+    let summary = &results.summary;
+    let warnings = summary.list("warnings").iter().map(|said| ("warning", said));
+    let diagnosis = summary.get("diagnosis").map(|said| ("error", said));
+    let all: Vec<(&str, &Value)> = diagnosis.into_iter().chain(warnings).collect();
+    if all.is_empty() {
+        return "<p>None.</p>".to_owned();
+    }
+    let mut told: Vec<&str> = Vec::new();
+    let mut text = String::new();
+    for (severity, said) in all {
+        let code = said.text("code").unwrap_or("?");
+        let place = match (said.text("file"), said.count("line")) {
+            (Some(file), Some(line)) => format!(" <span class=\"place\">{}:{line}</span>", escaped(file)),
+            _ => String::new(),
+        };
+        let message = escaped(said.text("message").unwrap_or_default());
+        text.push_str(&format!(
+            "<div class=\"said {severity}\"><p><strong>{severity} {}</strong>{place}: {message}</p>",
+            escaped(code)
+        ));
+        if let Some(help) = said.text("help") {
+            text.push_str(&format!("<p>What to do: {}</p>", escaped(help)));
+        }
+        if let Some(page) = (options.page)(code).filter(|_| !told.contains(&code)) {
+            let page = html(page);
+            text.push_str(&format!("<details><summary>The page of {}</summary>{page}</details>", escaped(code)));
+            told.push(code);
+        }
+        text.push_str("</div>");
+    }
+    text
+}
+
+fn settings(results: &Results) -> String {
+    let settings = results.summary.list("settings");
+    let rows: Vec<Vec<String>> = settings
+        .iter()
+        .map(|setting| {
+            let text = |key: &str| setting.text(key).unwrap_or_default().to_owned();
+            let origin = if setting.flag("default") { "default" } else { "deck or command line" };
+            vec![text("card"), text("name"), text("value"), origin.to_owned()]
+        })
+        .collect();
+    if rows.is_empty() {
+        return "<p>The summary lists no settings.</p>".to_owned();
+    }
+    table(&["card", "setting", "value that ruled", "it is the"], &rows)
+        .replace("<td>default</td>", "<td class=\"default\">default</td>")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Requirement: names are escaped everywhere, and a name that looks like
+    /// a place of the template is only a name.
+    #[test]
+    fn what_is_filled_in_is_not_filled_again() {
+        let places = [("{{a}}", "{{b}}".to_owned()), ("{{b}}", "x".to_owned())];
+        assert_eq!(filled("<{{a}}{{b}}{{c}}>", &places), "<{{b}}x{{c}}>");
+    }
+}

@@ -1,0 +1,153 @@
+//! All result files of a job, read back and held against one another.
+
+use super::contact::{self, Point};
+use super::frames::Frames;
+use super::history::{Energies, History};
+use super::iterations::{Attempt, attempts};
+use super::problem::{self, Problem, unreadable};
+use super::value::Value;
+use crate::job::JobFiles;
+use crate::summary::SCHEMA;
+
+/// A prescribed motion that moves.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Driven {
+    /// The node.
+    pub node: u64,
+    /// Column of its motion.
+    pub motion: String,
+    /// Column of its reaction.
+    pub reaction: String,
+}
+
+/// Most numbers of the history that a report carries for nodes that nothing
+/// drives.
+const HISTORY: usize = 60_000;
+
+/// What the files of a job say.
+#[derive(Clone, Debug)]
+pub(crate) struct Results {
+    /// `JOB.json`.
+    pub summary: Value,
+    /// What is driven.
+    pub driven: Vec<Driven>,
+    /// Motions and reactions.
+    pub history: History,
+    /// Energies, times.
+    pub energies: Energies,
+    /// Points that touched.
+    pub points: Vec<Point>,
+    /// Shapes.
+    pub frames: Frames,
+    /// How it converged.
+    pub attempts: Vec<Attempt>,
+    /// The model as it was understood.
+    pub echo: String,
+}
+
+/// Reads `JOB.json` and refuses what is no finished job.
+pub(crate) fn summary(job: &JobFiles, unfinished: bool) -> Result<Value, Problem> {
+    let path = job.path(".json");
+    let text = problem::text(&path)?;
+    let summary = Value::read(&text).map_err(|reason| unreadable(&path, reason))?;
+    let (Some(schema), Some(status)) = (summary.count("schema"), summary.text("status")) else {
+        return Err(unreadable(&path, "it is no summary written by this program"));
+    };
+    if schema > SCHEMA {
+        let reason = format!("its layout {schema} is newer than this program's {SCHEMA}");
+        return Err(unreadable(&path, reason));
+    }
+    match status {
+        "running" if !unfinished => Err(Problem::Running(path)),
+        "input_error" => Err(Problem::NothingSolved(path)),
+        _ => Ok(summary),
+    }
+}
+
+impl Results {
+    /// Reads everything. With `unfinished` a job may still run; what it has
+    /// written whole counts.
+    ///
+    /// # Errors
+    /// A file that is missing, foreign or truncated; a job that still runs.
+    pub fn read(job: &JobFiles, unfinished: bool) -> Result<Self, Problem> {
+        let summary = summary(job, unfinished)?;
+        let status = summary.text("status").unwrap_or_default();
+        // those that stopped while they wrote have no complete files
+        let lenient = matches!(status, "running" | "output_error" | "internal_error");
+        let energies = Energies::read(&job.path(".energy.csv"))?;
+        let count = energies.times.len();
+        let expected = summary.count("increments").unwrap_or_default();
+        if !lenient && count != expected {
+            return Err(length_fault(job, ".energy.csv", count, expected));
+        }
+        let driven = driven(&summary);
+        let loaded: Vec<usize> =
+            summary.list("loaded").iter().filter_map(|load| load.count("node")).collect();
+        let mut room = HISTORY / (6 * count.max(1));
+        let mut history = History::read(&job.path(".history.csv"), |node| {
+            let wanted = driven.iter().any(|d| d.node == node)
+                || loaded.iter().any(|load| *load as u64 == node);
+            if !wanted && room > 0 {
+                room -= 1;
+                return true;
+            }
+            wanted
+        })?;
+        for node in &history.nodes {
+            let length = node.values.first().map_or(0, Vec::len);
+            if length < count || (!lenient && length != count) {
+                return Err(length_fault(job, ".history.csv", length, count));
+            }
+        }
+        history.shorten(count);
+        let points = contact::read(&job.path(".contact.csv"), &energies.numbers)?;
+        let incomplete =
+            points.iter().find(|point| point.first + point.status.len() != count && !lenient);
+        if let Some(point) = incomplete {
+            let length = point.first + point.status.len();
+            return Err(length_fault(job, ".contact.csv", length, count));
+        }
+        let frames = Frames::read(job, count, lenient)?;
+        let attempts = attempts(&problem::text(&job.path(".msg"))?);
+        let echo = echo(job, lenient)?;
+        Ok(Self { summary, driven, history, energies, points, frames, attempts, echo })
+    }
+
+    /// A column of a node from the start on; at the start everything is zero.
+    pub fn curve(&self, node: u64, column: &str) -> Option<Vec<f64>> {
+        let values = self.history.column(node, column)?;
+        Some(std::iter::once(0.0).chain(values.iter().copied()).collect())
+    }
+}
+
+/// What the summary says is driven.
+pub(crate) fn driven(summary: &Value) -> Vec<Driven> {
+    let driven = summary.list("driven").iter().filter_map(|driven| {
+        Some(Driven {
+            node: driven.count("node")? as u64,
+            motion: driven.text("motion")?.to_owned(),
+            reaction: driven.text("reaction")?.to_owned(),
+        })
+    });
+    driven.collect()
+}
+
+fn length_fault(job: &JobFiles, ending: &str, found: usize, expected: usize) -> Problem {
+    let what = if found < expected { "it is truncated" } else { "it belongs to another run" };
+    unreadable(&job.path(ending), format!("{what}: {found} increments instead of {expected}"))
+}
+
+/// The opening of `JOB.dat`, without its tables.
+fn echo(job: &JobFiles, lenient: bool) -> Result<String, Problem> {
+    let text = match problem::text(&job.path(".dat")) {
+        Err(Problem::Missing(_)) if lenient => return Ok(String::new()),
+        other => other?,
+    };
+    let is_table = |line: &str| {
+        let rest = line.strip_prefix("STEP ");
+        rest.is_some_and(|rest| rest.contains("  INCREMENT ") && rest.contains("  TOTAL TIME "))
+    };
+    let lines: Vec<&str> = text.lines().take_while(|line| !is_table(line)).collect();
+    Ok(lines.join("\n").trim_end().to_owned())
+}

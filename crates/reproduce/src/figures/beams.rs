@@ -1,0 +1,116 @@
+//! What the drawings of models have in common: meshes at a moment of a run.
+
+use crate::draw::{BLACK, GREY, Pen, Rectangle, Scene, View, WHITE};
+use crate::study::Curve;
+use slideline::Model;
+use slideline::model::{ElementBlock, Master, NodeIndex};
+
+/// Undeformed places of all nodes [L].
+pub(super) fn at_rest(model: &Model) -> Vec<[f64; 2]> {
+    (0..model.nodes.len()).map(|node| model.nodes.plane(node)).collect()
+}
+
+/// Nodes of the flexible beam, in order: those of beams that are not tied to
+/// a rigid body.
+pub(super) fn beam_nodes(model: &Model) -> Vec<NodeIndex> {
+    let tied = |node| model.rigid_links.iter().any(|link| link.dependent == node);
+    let mut nodes = Vec::new();
+    for block in &model.blocks {
+        let ElementBlock::B21(block) = block else { continue };
+        for element in block.elements.iter().filter(|element| !tied(element.nodes[0])) {
+            if nodes.last() != Some(&element.nodes[0]) {
+                nodes.push(element.nodes[0]);
+            }
+            nodes.push(element.nodes[1]);
+        }
+    }
+    nodes
+}
+
+/// The node whose motion drives the model.
+pub(super) fn driver(model: &Model) -> Option<NodeIndex> {
+    let moving = model.steps.iter().flat_map(|step| &step.prescribed).find(|p| p.moves());
+    moving.map(|prescribed| prescribed.node)
+}
+
+/// Draws the beam's line and its nodes: discs where they are slaves, open
+/// circles where they are masters.
+pub(super) fn beam(
+    scene: &mut Scene,
+    view: &View,
+    model: &Model,
+    places: &[[f64; 2]],
+    radius: f64,
+) {
+    let nodes = beam_nodes(model);
+    let line: Vec<[f64; 2]> = nodes.iter().map(|&node| places[node]).collect();
+    view.line(scene, &line, Pen::solid(1.1));
+    let slaves = slaves(model);
+    for node in nodes {
+        let fill = if slaves.contains(&node) { BLACK } else { WHITE };
+        view.dot(scene, places[node], radius, Some(fill), Some(Pen::solid(0.7)));
+    }
+}
+
+/// Draws the slave nodes of a rigid body and the polygon they make, with the
+/// circle they lie on in grey; the circle itself where the surface is analytic.
+pub(super) fn body(
+    scene: &mut Scene,
+    view: &View,
+    curve: &Curve,
+    places: &[[f64; 2]],
+    radius: f64,
+) {
+    let model = &curve.model;
+    for pair in &model.contact_pairs {
+        match &pair.master {
+            Master::RigidSurface(surface) => {
+                view.circle(scene, places[surface.reference], 9e-3, Pen::solid(1.1));
+            }
+            Master::SlideLine(_) => {
+                let nodes = pair.slave_nodes();
+                let on_rim = [0, nodes.len() / 2, nodes.len() - 1].map(|i| places[nodes[i]]);
+                if let Some((centre, size)) = circle_through(on_rim) {
+                    view.circle(scene, centre, size, Pen::solid(0.7).grey(GREY));
+                }
+                let line: Vec<[f64; 2]> = nodes.iter().map(|&node| places[node]).collect();
+                view.line(scene, &line, Pen::solid(1.1));
+                for node in nodes {
+                    let pen = Some(Pen::solid(0.7));
+                    view.dot(scene, places[node], radius, Some(BLACK), pen);
+                }
+            }
+        }
+    }
+}
+
+/// Centre and radius of the circle through three points.
+fn circle_through([a, b, c]: [[f64; 2]; 3]) -> Option<([f64; 2], f64)> {
+    let [p, q] = [[b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]];
+    let twice = 2.0 * (p[0] * q[1] - p[1] * q[0]);
+    let [pp, qq] = [p, q].map(|v| v[0] * v[0] + v[1] * v[1]);
+    let [x, y] = [(q[1] * pp - p[1] * qq) / twice, (p[0] * qq - q[0] * pp) / twice];
+    (twice != 0.0).then(|| ([a[0] + x, a[1] + y], x.hypot(y)))
+}
+
+fn slaves(model: &Model) -> Vec<NodeIndex> {
+    model.contact_pairs.iter().flat_map(|pair| pair.slave_nodes()).collect()
+}
+
+/// Hatching beside a clamped end; `along` points along the beam.
+pub(super) fn clamp(scene: &mut Scene, view: &View, at: [f64; 2], along: [f64; 2], half: f64) {
+    let across = [-along[1], along[0]];
+    let point = |s: f64, d: f64| {
+        [at[0] + s * across[0] - d * along[0], at[1] + s * across[1] - d * along[1]]
+    };
+    view.line(scene, &[point(-half, 0.0), point(half, 0.0)], Pen::solid(1.4));
+    for place in 0..=6 {
+        let s = half * (f64::from(place) / 3.0 - 1.0);
+        view.line(scene, &[point(s, 0.0), point(s - 0.3 * half, 0.5 * half)], Pen::solid(0.6));
+    }
+}
+
+/// The edge of a window.
+pub(super) fn edge(scene: &mut Scene, window: Rectangle) {
+    scene.polygon(window.corners(), None, Some(Pen::solid(0.6)));
+}

@@ -1,0 +1,139 @@
+//! Contact points as output wants to see them: a row a slave node.
+//!
+//! ```text
+//!   node contact:        a row is a point
+//!   integrated contact:  a row gathers the stations beside a node,
+//!                        weighted by its linear shape function
+//! ```
+
+use crate::contact::{STRIP_POINTS, Strip};
+use crate::observe::{ContactRow, FrictionCall, Status};
+use crate::plan::Plan;
+use crate::state::{PointState, State};
+use slideline_model::{Formulation, NodeIndex};
+use std::collections::HashMap;
+
+/// Fills the rows of a committed state, pair by pair.
+pub fn contact_rows(plan: &Plan<'_>, state: &State, rows: &mut Vec<ContactRow>) {
+    rows.clear();
+    for (place, pair) in plan.model.contact_pairs.iter().enumerate() {
+        match pair.formulation {
+            Formulation::NodeToSurface => node_rows(plan, state, place, rows),
+            Formulation::SurfaceToSurface => {
+                strip_rows(plan, state, (place, &pair.slave_nodes()), rows);
+            }
+        }
+    }
+}
+
+fn node_rows(plan: &Plan<'_>, state: &State, pair: usize, rows: &mut Vec<ContactRow>) {
+    let of_pair = |(point, _): &(&crate::contact::SlavePoint, _)| point.pair == pair;
+    rows.extend(plan.contact.points.iter().zip(&state.points).filter(of_pair).map(
+        |(point, state)| ContactRow {
+            pair,
+            node: point.node,
+            status: state.status,
+            ever_closed: state.ever_closed,
+            opening: state.opening,
+            pressure: state.pressure,
+            shear: state.traction,
+            slip: state.slip,
+            area: point.area,
+            friction: state.friction,
+            position: state.position,
+            normal: state.normal,
+            along: state.along.unwrap_or(0.0),
+            dropped_work: state.dropped_work,
+        },
+    ));
+}
+
+/// Sums of a slave node of integrated contact.
+#[derive(Clone, Copy, Default)]
+struct Gathered {
+    row: ContactRow,
+    /// Normal force, for the weights of slip and place [F].
+    force: f64,
+}
+
+fn strip_rows(
+    plan: &Plan<'_>,
+    state: &State,
+    (pair, nodes): (usize, &[NodeIndex]),
+    rows: &mut Vec<ContactRow>,
+) {
+    let place: HashMap<NodeIndex, usize> =
+        nodes.iter().enumerate().map(|(place, &node)| (node, place)).collect();
+    let mut gathered = vec![Gathered::default(); nodes.len()];
+    for (sum, &node) in gathered.iter_mut().zip(nodes) {
+        sum.row.pair = pair;
+        sum.row.node = node;
+        sum.row.opening = f64::INFINITY;
+        sum.row.position = current(plan, state, node);
+    }
+    for strip in plan.contact.strips.iter().filter(|strip| strip.pair == pair) {
+        gather(plan, state, strip, &place, &mut gathered);
+    }
+    rows.extend(gathered.into_iter().map(Gathered::finish));
+}
+
+fn gather(
+    plan: &Plan<'_>,
+    state: &State,
+    strip: &Strip,
+    place: &HashMap<NodeIndex, usize>,
+    gathered: &mut [Gathered],
+) {
+    for k in strip.first..strip.first + STRIP_POINTS {
+        let (station, whole) = (&state.points[k], plan.contact.points[k].area);
+        for (node, share) in strip.nodes.iter().zip([1.0 - station.xi, station.xi]) {
+            if let Some(&at) = place.get(node) {
+                gathered[at].add(station, whole, share);
+            }
+        }
+    }
+}
+
+impl Gathered {
+    fn add(&mut self, station: &PointState, whole: f64, share: f64) {
+        let row = &mut self.row;
+        let force = share * station.area * station.pressure;
+        row.area += share * whole;
+        row.pressure += force;
+        row.shear += share * station.area * station.traction;
+        row.slip += force * station.slip;
+        row.dropped_work += share * station.dropped_work;
+        row.ever_closed |= station.ever_closed;
+        self.force += force;
+        if station.opening.is_finite() && station.opening < row.opening {
+            row.opening = station.opening;
+            row.normal = station.normal;
+            row.along = station.along.unwrap_or(0.0);
+        }
+        if station.closed && share > 0.0 {
+            if row.status != Status::Slip {
+                row.status = station.status;
+            }
+            if row.friction != FrictionCall::Dropped && station.friction != FrictionCall::None {
+                row.friction = station.friction;
+            }
+        }
+    }
+
+    fn finish(mut self) -> ContactRow {
+        if self.row.area > 0.0 {
+            self.row.pressure /= self.row.area;
+            self.row.shear /= self.row.area;
+        }
+        if self.force != 0.0 {
+            self.row.slip /= self.force;
+        }
+        self.row
+    }
+}
+
+fn current(plan: &Plan<'_>, state: &State, node: NodeIndex) -> [f64; 2] {
+    let [x, y] = plan.model.nodes.plane(node);
+    let slot = node * plan.layout.dofs.len();
+    [x + state.displacement[slot], y + state.displacement[slot + 1]]
+}
