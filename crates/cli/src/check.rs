@@ -60,7 +60,9 @@ fn elements(model: &Model) -> usize {
         .blocks
         .iter()
         .map(|block| match block {
-            ElementBlock::B21(block) => block.elements.len(),
+            ElementBlock::B21(block) | ElementBlock::B22(block) | ElementBlock::B23(block) => {
+                block.elements.len()
+            }
             ElementBlock::Spring(block) => block.elements.len(),
         })
         .sum()

@@ -41,11 +41,7 @@ pub(crate) fn report(arguments: &ReportArguments) -> Exit {
             if report.deck_changed {
                 tell(&Diagnostic::warning(Code("SL0706"), CHANGED));
             }
-            screen::print(&format!(
-                "{}\n{}\n",
-                report.verdict.join(". "),
-                report.path.display()
-            ));
+            screen::print(&format!("{}\n{}\n", report.verdict.join(". "), report.path.display()));
             Exit::Completed
         }
         Err(problem) => refused(&problem),
@@ -93,9 +89,7 @@ pub(crate) fn refused(problem: &Problem) -> Exit {
         Problem::Question(_) => {
             ("SL0704", "Ask for columns and nodes that the history has.", Exit::Input)
         }
-        Problem::Write(_) => {
-            ("SL0702", "Make room, or write to another folder.", Exit::Output)
-        }
+        Problem::Write(_) => ("SL0702", "Make room, or write to another folder.", Exit::Output),
     };
     tell(&Diagnostic::error(Code(code), problem.to_string()).help(help));
     exit

@@ -123,6 +123,7 @@ fn a_run_completes_and_leaves_the_files_of_the_contract() {
         "column.dat",
         "column.energy.csv",
         "column.history.csv",
+        "column.html",
         "column.json",
         "column.msg",
         "column.pvd",
@@ -153,7 +154,8 @@ fn a_run_completes_and_leaves_the_files_of_the_contract() {
     assert_eq!(header("column.history.csv"), "step,increment,time,node,U1,U2,UR3,RF1,RF2,RM3");
     assert_eq!(
         header("column.contact.csv"),
-        "step,increment,time,pair,node,status,COPEN,CPRESS,CSHEAR1,CSLIP1,friction"
+        "step,increment,time,pair,node,status,COPEN,CPRESS,CSHEAR1,CSLIP1,friction,x,y,normal_x,\
+         normal_y,area"
     );
     assert_eq!(
         header("column.energy.csv"),
@@ -208,7 +210,8 @@ fn a_run_removes_what_an_earlier_one_left_and_nothing_else() {
     }
     assert_eq!(code(&slideline(&folder, &["run", "column.inp"])), 0);
     let names = names(&folder);
-    for old in ["column_0099.vtu", "column.html", "column.rst", "column.json.part"] {
+    assert_ne!(read(&folder, "column.html"), "old");
+    for old in ["column_0099.vtu", "column.rst", "column.json.part"] {
         assert!(!names.contains(&old.to_owned()), "{old} is still there");
     }
     for other in ["column2.sta", "column.txt", "column_1.vtu", "column.inp"] {
@@ -363,7 +366,7 @@ fn quiet_silences_progress_only() {
     assert_eq!(summary["warnings"][0]["code"], "SL0601");
     assert!(summary["dropped_friction"]["point_increments"].as_u64().unwrap() > 0);
     assert!(summary["dropped_friction"]["work"].as_f64().unwrap() > 0.0);
-    assert!(read(&folder, "column.contact.csv").contains(",dropped\n"));
+    assert!(read(&folder, "column.contact.csv").contains(",dropped,"));
 }
 
 #[test]

@@ -137,6 +137,7 @@ catalogue! {
     "SL0336" "the thickness of a beam is not counted"
     "SL0337" "the slaves lie behind their master"
     "SL0338" "an interaction that nothing uses"
+    "SL0345" "a middle node far from the middle"
     "SL0400" "a contact pair as it was understood"
     "SL0401" "hard contact that is integrated"
     "SL0501" "no equilibrium was found"

@@ -66,6 +66,8 @@ pub(crate) enum Owner {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ElementKind {
     B21,
+    B22,
+    B23,
     Isl21,
     Irs21,
     Spring1,
@@ -73,17 +75,22 @@ pub(crate) enum ElementKind {
 }
 
 impl ElementKind {
+    /// The kinds that have a beam section.
+    pub const BEAMS: [Self; 3] = [Self::B21, Self::B22, Self::B23];
+
     pub fn node_count(self) -> usize {
         match self {
             Self::Spring1 => 1,
-            Self::B21 | Self::Isl21 | Self::SpringA => 2,
-            Self::Irs21 => 3,
+            Self::B21 | Self::B23 | Self::Isl21 | Self::SpringA => 2,
+            Self::B22 | Self::Irs21 => 3,
         }
     }
 
     pub fn name(self) -> &'static str {
         match self {
             Self::B21 => "B21",
+            Self::B22 => "B22",
+            Self::B23 => "B23",
             Self::Isl21 => "ISL21",
             Self::Irs21 => "IRS21",
             Self::Spring1 => "SPRING1",
@@ -92,7 +99,7 @@ impl ElementKind {
     }
 
     pub fn is_beam(self) -> bool {
-        matches!(self, Self::B21)
+        Self::BEAMS.contains(&self)
     }
 
     pub fn is_contact(self) -> bool {

@@ -4,7 +4,7 @@
 
 use slideline_deck::normalise;
 
-const SOLID: &str = "the structure is made of B21 beams and springs";
+const SOLID: &str = "the structure is made of plane beams (B21, B22, B23) and springs";
 const STATIC: &str = "steps are *STATIC";
 
 /// A keyword and what does its work here, where something does.

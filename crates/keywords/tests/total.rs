@@ -30,6 +30,10 @@ fn a_million_million_is_an_error_at_once() {
 }
 
 const DECK: &str = include_str!("../../../corpus/diehl1995/isl_coarse.inp");
+const SURFACES: [&str; 2] = [
+    include_str!("../../../corpus/keywords/RIGID-BODY.inp"),
+    include_str!("../../../corpus/keywords/CONTACT-PAIR.inp"),
+];
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(300))]
@@ -50,6 +54,25 @@ proptest! {
                 1 => lines.insert(a, lines[b]),
                 2 => lines.swap(a, b),
                 _ => lines[a] = "1, 2, , 3.5, X",
+            }
+        }
+        interpret(lines.join("\n").as_bytes());
+    }
+
+    /// Surfaces and pairs with some lines taken out, doubled or exchanged.
+    #[test]
+    fn shuffled_surfaces(
+        which in 0_usize..2,
+        moves in proptest::collection::vec((0_usize..50, 0_usize..50, 0..4), 1..12),
+    ) {
+        let mut lines: Vec<&str> = SURFACES[which].lines().collect();
+        for (a, b, kind) in moves {
+            let (a, b) = (a % lines.len(), b % lines.len());
+            match kind {
+                0 => { lines.remove(a); }
+                1 => lines.insert(a, lines[b]),
+                2 => lines.swap(a, b),
+                _ => lines[a] = "TIP, SNEG",
             }
         }
         interpret(lines.join("\n").as_bytes());

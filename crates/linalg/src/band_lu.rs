@@ -24,6 +24,8 @@ pub(crate) struct BandLu {
     exchange: Vec<u32>,
     /// Number of entries of each row of U.
     length: Vec<u32>,
+    /// Size of each row's diagonal before elimination.
+    diagonal: Vec<f64>,
 }
 
 /// Smallest pivot of a factorisation.
@@ -44,6 +46,7 @@ impl BandLu {
             multiplier: vec![0.0; n * half_bandwidth],
             exchange: vec![0; n],
             length: vec![0; n],
+            diagonal: vec![0.0; n],
         }
     }
 
@@ -71,6 +74,7 @@ impl BandLu {
     /// Factors in place; `size` gives the size of each equation. The ratio of the smallest pivot is
     /// zero when a column had none; the factors are then of no use.
     pub fn factor(&mut self, size: impl Fn(usize) -> f64) -> SmallestPivot {
+        self.note_diagonal();
         let mut smallest = SmallestPivot { ratio: f64::INFINITY, at: 0 };
         let mut last_column = 0;
         for j in 0..self.n {
@@ -82,6 +86,7 @@ impl BandLu {
             self.length[j] = length as u32;
             if pivot_row != j {
                 self.exchange_rows(j, pivot_row, length);
+                self.diagonal.swap(j, pivot_row);
             }
             let (pivot, size) = (self.row[self.place(j, j)].abs(), size(j));
             let usable = pivot > 0.0 && pivot.is_finite();
@@ -96,17 +101,37 @@ impl BandLu {
         smallest
     }
 
+    /// The row to eliminate column j with: the largest a_ij^2/|d_i|, with the row's own diagonal d_i
+    /// before elimination. In a system of forces and moments that ratio compares energies, so that
+    /// the choice does not depend on the units.
     fn find_pivot(&self, j: usize, below: usize) -> usize {
         let step = self.width - 1;
         let first = self.place(j, j);
-        let (mut best, mut largest) = (0, self.row[first].abs());
+        let merit = |p: usize| {
+            let entry = self.row[first + p * step];
+            entry * entry / self.diagonal[j + p]
+        };
+        let (mut best, mut largest) = (0, merit(0));
         for p in 1..=below {
-            let candidate = self.row[first + p * step].abs();
+            let candidate = merit(p);
             if candidate > largest {
                 (best, largest) = (p, candidate);
             }
         }
         j + best
+    }
+
+    /// Magnitudes of the diagonal; where it is zero, of the row's largest entry.
+    fn note_diagonal(&mut self) {
+        for i in 0..self.n {
+            let own = self.row[self.place(i, i)].abs();
+            let first = i.saturating_sub(self.half_bandwidth);
+            let last = (i + self.half_bandwidth).min(self.n - 1);
+            let largest =
+                || (first..=last).fold(0.0_f64, |a, j| a.max(self.row[self.place(i, j)].abs()));
+            let size = if own > 0.0 { own } else { largest() };
+            self.diagonal[i] = if size > 0.0 { size } else { 1.0 };
+        }
     }
 
     fn exchange_rows(&mut self, j: usize, pivot_row: usize, length: usize) {

@@ -3,6 +3,7 @@
 
 use proptest::prelude::*;
 use slideline_mech::differentiate::Second;
+use slideline_mech::element::b22::axis_runs_forward;
 use slideline_mech::element::{Beam21, Beam22, Beam23};
 use slideline_mech::section::BeamStiffness;
 use std::f64::consts::{PI, TAU};
@@ -205,8 +206,8 @@ fn rigid_motion_of_a_curved_element() {
         }
     }
     let bow = element.length() / 1e-3_f64.hypot(2e-3) - 1.0;
-    assert!(bow > 0.005 && bow < 0.02 && element.middle_is_sound());
-    assert!(!Beam22::new([[0.0; 2], [0.2, 0.0], [1.0, 0.0]], SEED).middle_is_sound());
+    assert!(bow > 0.005 && bow < 0.02 && axis_runs_forward(&element.reference));
+    assert!(!axis_runs_forward(&[[0.0; 2], [0.2, 0.0], [1.0, 0.0]]));
 }
 
 /// Requirement: without length nothing is carried and nothing is undefined.

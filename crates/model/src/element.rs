@@ -9,8 +9,33 @@ use slideline_mech::material::Elastic;
 pub enum ElementBlock {
     /// Two-node shear-flexible plane beams.
     B21(BeamBlock),
+    /// Three-node shear-flexible plane beams.
+    B22(BeamBlock),
+    /// Two-node shear-rigid plane beams.
+    B23(BeamBlock),
     /// Linear springs.
     Spring(SpringBlock),
+}
+
+impl ElementBlock {
+    /// The type in a deck's words.
+    pub fn word(&self) -> &'static str {
+        match self {
+            Self::B21(_) => "B21",
+            Self::B22(_) => "B22",
+            Self::B23(_) => "B23",
+            Self::Spring(block) if block.kind == SpringKind::Axial => "SPRINGA",
+            Self::Spring(_) => "SPRING1",
+        }
+    }
+
+    /// The beams, of whatever type; `None`: springs.
+    pub fn beams(&self) -> Option<&BeamBlock> {
+        match self {
+            Self::B21(block) | Self::B22(block) | Self::B23(block) => Some(block),
+            Self::Spring(_) => None,
+        }
+    }
 }
 
 /// Beams of one section.
@@ -26,15 +51,25 @@ pub struct BeamBlock {
     pub origin: Span,
 }
 
-/// A beam between two nodes.
+/// A beam between two nodes, with or without a third one in the middle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BeamElement {
     /// Its number in the deck.
     pub label: u64,
     /// Its ends.
     pub nodes: [NodeIndex; 2],
+    /// The node between them, of a three-node beam.
+    pub middle: Option<NodeIndex>,
     /// Where it was defined.
     pub origin: Span,
+}
+
+impl BeamElement {
+    /// Its nodes in order along the beam.
+    pub fn all_nodes(&self) -> impl Iterator<Item = NodeIndex> + use<> {
+        let [first, last] = self.nodes;
+        [Some(first), self.middle, Some(last)].into_iter().flatten()
+    }
 }
 
 /// A rectangular section of an elastic material.

@@ -4,8 +4,8 @@ use crate::ledger::onset_word;
 use crate::number::general;
 use slideline_mech::section::{BeamStiffness, Rectangle, TransverseShear, rectangle_stiffness};
 use slideline_model::{
-    BeamBlock, ContactPair, ElementBlock, Friction, Master, Model, NodeIndex, NormalLaw,
-    SpringBlock, SpringKind, Step, StickRule,
+    BeamBlock, BeamSection, ContactPair, ElementBlock, Friction, Master, Model, NodeIndex,
+    NormalLaw, SpringBlock, SpringKind, Step, StickRule,
 };
 use slideline_solve::observe::{ContactRow, Frame};
 use std::fmt::Write as _;
@@ -18,7 +18,9 @@ pub fn model_echo(model: &Model, start: &Frame<'_>) -> String {
     nodes(&mut text, model);
     for block in &model.blocks {
         match block {
-            ElementBlock::B21(block) => beams(&mut text, model, block),
+            ElementBlock::B21(beam) | ElementBlock::B22(beam) | ElementBlock::B23(beam) => {
+                beams(&mut text, model, block.word(), beam);
+            }
             ElementBlock::Spring(block) => springs(&mut text, block),
         }
     }
@@ -63,9 +65,9 @@ fn nodes(text: &mut String, model: &Model) {
     }
 }
 
-fn beams(text: &mut String, model: &Model, block: &BeamBlock) {
+fn beams(text: &mut String, model: &Model, word: &str, block: &BeamBlock) {
     let section = &block.section;
-    line(text, format_args!("\nBEAMS {}  {} elements B21", block.name, block.elements.len()));
+    line(text, format_args!("\nBEAMS {}  {} elements {word}", block.name, block.elements.len()));
     line(
         text,
         format_args!(
@@ -77,7 +79,7 @@ fn beams(text: &mut String, model: &Model, block: &BeamBlock) {
             general(section.material.shear_modulus(), 9),
         ),
     );
-    let stiffness = |length: f64| beam_stiffness(block, length);
+    let stiffness = |length: f64| beam_stiffness(word, block, length);
     let lengths: Vec<f64> =
         block.elements.iter().map(|element| distance(model, element.nodes)).collect();
     let Some((short, long)) = extremes(&lengths) else { return };
@@ -91,18 +93,7 @@ fn beams(text: &mut String, model: &Model, block: &BeamBlock) {
             range(short, long),
         ),
     );
-    let shear = match section.shear.stiffness {
-        Some(given) => format!("K23 = {} as given", general(given, 9)),
-        None => "k G A with k = 0.85".to_owned(),
-    };
-    line(
-        text,
-        format_args!(
-            "  transverse shear stiffness K = {}: f_p times {shear}, SCF = {}",
-            range(of_short.shear, of_long.shear),
-            general(section.shear.slenderness_compensation, 9),
-        ),
-    );
+    transverse_shear(text, word, section, [of_short.shear, of_long.shear]);
     if section.poisson != 0.0 {
         line(
             text,
@@ -114,8 +105,28 @@ fn beams(text: &mut String, model: &Model, block: &BeamBlock) {
     }
 }
 
+fn transverse_shear(text: &mut String, word: &str, section: &BeamSection, range_of: [f64; 2]) {
+    if word == "B23" {
+        line(text, format_args!("  rigid in transverse shear"));
+        return;
+    }
+    let shear = match section.shear.stiffness {
+        Some(given) => format!("K23 = {} as given", general(given, 9)),
+        None => "k G A with k = 0.85".to_owned(),
+    };
+    line(
+        text,
+        format_args!(
+            "  transverse shear stiffness K = {}: f_p times {shear}, SCF = {}{}",
+            range(range_of[0], range_of[1]),
+            general(section.shear.slenderness_compensation, 9),
+            if word == "B22" { " times 1e-4 (second order)" } else { "" },
+        ),
+    );
+}
+
 /// EA, K and EI of an element of that block and length [L].
-fn beam_stiffness(block: &BeamBlock, length: f64) -> BeamStiffness {
+fn beam_stiffness(word: &str, block: &BeamBlock, length: f64) -> BeamStiffness {
     let section = &block.section;
     let rectangle =
         Rectangle { width: section.width, height: section.height, poisson: section.poisson };
@@ -124,6 +135,7 @@ fn beam_stiffness(block: &BeamBlock, length: f64) -> BeamStiffness {
         given: section.shear.stiffness,
         ..TransverseShear::default()
     };
+    let shear = if word == "B22" { shear.second_order() } else { shear };
     rectangle_stiffness(&rectangle, &section.material, &shear, length)
 }
 

@@ -99,14 +99,10 @@ fn settings(model: &Model) -> String {
     let dialect = model.dialect;
     list.say("program", "dialect", dialect.word(), dialect == Dialect::default());
     let onset = model.friction_onset;
-    list.say(
-        "*CONTACT CONTROLS",
-        "FRICTION ONSET",
-        onset_word(onset),
-        onset == Onset::Immediate,
-    );
+    list.say("*CONTACT CONTROLS", "FRICTION ONSET", onset_word(onset), onset == Onset::Immediate);
     for block in &model.blocks {
-        if let ElementBlock::B21(block) = block {
+        // B23 is rigid in shear.
+        if let ElementBlock::B21(block) | ElementBlock::B22(block) = block {
             let shear = &block.section.shear;
             let card = format!("*BEAM SECTION {}", block.name);
             list.number(&card, "SCF", shear.slenderness_compensation, 0.25);
@@ -138,10 +134,13 @@ fn friction(list: &mut Settings, card: &str, friction: &Friction, given: bool) {
     list.say(card, "friction", &friction_law(friction), !given);
     if let Friction::Coulomb { limit, stick, .. } = friction {
         let (word, default) = match stick {
-            StickRule::SlipTolerance(fraction) => {
-                (format!("SLIP TOLERANCE = {}", general(*fraction, 9)), StickRule::default() == *stick)
+            StickRule::SlipTolerance(fraction) => (
+                format!("SLIP TOLERANCE = {}", general(*fraction, 9)),
+                StickRule::default() == *stick,
+            ),
+            StickRule::ElasticSlip(slip) => {
+                (format!("ELASTIC SLIP = {}", general(*slip, 9)), false)
             }
-            StickRule::ElasticSlip(slip) => (format!("ELASTIC SLIP = {}", general(*slip, 9)), false),
             StickRule::Lagrange => ("LAGRANGE".to_owned(), false),
         };
         list.say(card, "stick", &word, default);

@@ -16,6 +16,7 @@ system-ui,sans-serif;width:100%}.wide{overflow-x:auto}caption{text-align:left;pa
 font:.9rem Georgia,serif}th,td{padding:.2rem .45rem;text-align:right;border-bottom:1px solid #ccc;\
 white-space:nowrap}th{border-bottom:1px solid #111;vertical-align:bottom;white-space:normal}\
 td:first-child,th:first-child,td.t,th.t{text-align:left}code{font-size:.9em}\
+.runs table{font-size:11px}.runs th,.runs td{padding:.15rem .25rem}\
 @media print{body{max-width:none;margin:0;font-size:11pt}}";
 
 /// The whole page.
@@ -133,14 +134,14 @@ impl Page<'_> {
         let rms = |model| self.say(model, NONE, |row| row.linear[0], 2);
         let most = |model| self.say(model, NONE, |row| row.linear[1], 1);
         let turns = |model| self.say(model, NONE, |row| row.reversals as f64, 0);
-        let _ = write!(
+        let _ = writeln!(
             text,
             "<p>Without friction (Figure 4) the coarse IRS model is {} % of the peak off linear \
              theory in the mean (RMS) and {} % at worst; its force changes direction {} times on \
              a stroke on which theory never does. Four times as many beams bring that down to \
              {} % and {} %. The ISL model has {} % and {} % on the coarse mesh, and of that the \
              larger part is the fault of linear theory (section 4): against the exact reference \
-             it is {} % and {} %.</p>\n",
+             it is {} % and {} %.</p>",
             rms(ModelKind::IrsCoarse),
             most(ModelKind::IrsCoarse),
             turns(ModelKind::IrsCoarse),
@@ -155,13 +156,13 @@ impl Page<'_> {
         if let (Some(increment), Some([irs, isl])) =
             (figures::worst_increment(self.study), figures::tilts(self.study))
         {
-            let _ = write!(
+            let _ = writeln!(
                 text,
                 "<p>Figure 5 says why. A slave node of the beam meets the circle up to half an \
                  element away from the point of tangency, and the normal of the circle there \
                  points elsewhere: in increment {increment} by {} degrees, which is much for a \
                  force that is nearly all sideways. With the slaves on the circle the normal is \
-                 that of the beam, {} degrees off.</p>\n",
+                 that of the beam, {} degrees off.</p>",
                 fixed(irs.abs(), 1),
                 fixed(isl.abs(), 2),
             ); // as above
@@ -192,12 +193,12 @@ impl Page<'_> {
         ); // as above
         self.figure(text, "fig6a", "Figure 6.");
         let rms = |model| self.say(model, IMMEDIATE, |row| row.linear[0], 2);
-        let _ = write!(
+        let _ = writeln!(
             text,
             "<p>Called whenever a node is closed, friction is there in every increment \
              (Figure 6b): RMS {} %, {} % and {} % against linear theory. Sticking imposed by \
              elastic slip and by multipliers gives the same curves ({}), and neither costs more: {} and {} iterations an increment in the ISL model, {} with \
-             the old logic.</p>\n",
+             the old logic.</p>",
             rms(ModelKind::IrsCoarse),
             rms(ModelKind::IrsFine),
             rms(ModelKind::Isl),
@@ -243,13 +244,13 @@ impl Page<'_> {
         self.figure(text, "fig7", "Figure 7.");
         self.figure(text, "fig8a", "Figure 8.");
         let rms = |model| self.say(model, IMMEDIATE, |row| row.linear[0], 1);
-        let _ = write!(
+        let _ = writeln!(
             text,
             "<p>With the modified logic (Figure 8b) the moment follows theory, to {} % and {} % \
              of the peak (RMS). What is left is the polygon of slave nodes: the force acts at a \
              node, up to half the spacing beside the point of tangency, and that shifts its arm \
              about the pivot. Without friction the moment is small and the same shift is {} % \
-             and {} % of its peak.</p>\n",
+             and {} % of its peak.</p>",
             rms(ModelKind::Cam),
             rms(ModelKind::CamWide),
             self.say(ModelKind::Cam, NONE, |row| row.linear[0], 1),
@@ -294,15 +295,16 @@ impl Page<'_> {
 
     fn table(&self, text: &mut String) {
         text.push_str(
-            "<h2>5 All runs</h2>\n<div class=\"wide\"><table>\n<caption>Differences in percent \
-             of the peak of the reference: linear theory, and the shear-flexible beam with \
-             softened contact at one point. Roughness is the noise left when smooth bias is \
-             taken out. Work is that of the driver, over that of the exact reference. The same \
-             table with more columns is in <code>errors.csv</code>.</caption>\n<tr><th>model\
-             </th><th class=\"t\">stick</th><th class=\"t\">friction called</th><th>RMS, \
-             linear</th><th>max, linear</th><th>RMS, exact</th><th>max, exact</th>\
-             <th>roughness</th><th>reversals</th><th>work</th><th>friction kept (%)</th>\
-             <th>iterations</th><th>cutbacks</th><th>points dropped</th></tr>\n",
+            "<h2>5 All runs</h2>\n<p>Differences are in percent of the peak of the reference: linear \
+             theory, and the shear-flexible beam with softened contact at one point (exact). \
+             Roughness is the noise left when smooth bias is taken out, in percent of the peak. \
+             Work is that of the driver over that of the exact reference; friction kept is the \
+             share of the work of friction. The same table with more columns and digits is \
+             <code>errors.csv</code>.</p>\n<div class=\"wide runs\"><table>\n<tr><th>model</th>\
+             <th class=\"t\">stick</th><th class=\"t\">friction called</th><th>RMS, linear</th>\
+             <th>max, linear</th><th>RMS, exact</th><th>max, exact</th><th>rough&shy;ness</th>\
+             <th>rever&shy;sals</th><th>work</th><th>friction kept (%)</th>\
+             <th>itera&shy;tions</th><th>cut&shy;backs</th><th>points dropped</th></tr>\n",
         );
         for row in self.rows {
             let case = &row.case;
@@ -313,7 +315,7 @@ impl Page<'_> {
             let _ = write!(
                 text,
                 "<tr><td>{}</td><td class=\"t\">{}</td><td class=\"t\">{called}</td>",
-                case.model.words(),
+                case.model.name(),
                 case.stick.word(),
             ); // as above
             for value in

@@ -41,18 +41,7 @@ impl ModelKind {
     pub const ALL: [Self; 5] =
         [Self::IrsCoarse, Self::IrsFine, Self::Isl, Self::Cam, Self::CamWide];
 
-    /// In words.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::IrsCoarse => "IRS, coarse mesh",
-            Self::IrsFine => "IRS, fine mesh",
-            Self::Isl => "ISL, coarse mesh",
-            Self::Cam => "ISL, slaves every 3\u{b0}",
-            Self::CamWide => "ISL, slaves every 4\u{b0}",
-        }
-    }
-
-    /// In a word or two, for tables read by machines.
+    /// In a few words.
     pub fn name(self) -> &'static str {
         match self {
             Self::IrsCoarse => "IRS coarse",

@@ -680,7 +680,7 @@ const PENALTY: f64 = 10.0;
 fn stiffest_face(model: &Model, pair: &ContactPair) -> f64 {
     let length = average(model, pair);
     let axial = |block: &ElementBlock| match block {
-        ElementBlock::B21(block) => {
+        ElementBlock::B21(block) | ElementBlock::B22(block) | ElementBlock::B23(block) => {
             block.section.material.modulus * block.section.width * block.section.height
         }
         ElementBlock::Spring(_) => 0.0,

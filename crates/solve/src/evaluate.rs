@@ -10,7 +10,7 @@ use crate::contact::Meeting;
 use crate::observe::{FrictionCall, Status};
 use crate::plan::Plan;
 use crate::state::{PointState, State};
-use crate::structure::{Contribution, Flux};
+use crate::structure::{Contributions, Flux};
 use slideline_mech::contact::friction::{self, UserFrictionError};
 use slideline_mech::contact::pair::{Laws, PointTrial, UserMemory};
 
@@ -35,7 +35,7 @@ pub struct Trial<'a> {
 #[derive(Clone, Debug)]
 pub struct Evaluation {
     /// Elements, each for itself.
-    pub contributions: Vec<Contribution>,
+    pub contributions: Contributions,
     /// Internal forces of the elements, a slot each [F or F L].
     pub internal: Vec<f64>,
     /// Applied loads, those of dependent nodes handed to their masters [F or F L].
@@ -70,7 +70,7 @@ impl Evaluation {
     pub fn new(plan: &Plan<'_>) -> Self {
         let (slots, points) = (plan.layout.slots(), plan.contact.points.len());
         Self {
-            contributions: vec![Contribution::ZERO; plan.structure.len()],
+            contributions: plan.structure.room(),
             internal: vec![0.0; slots],
             external: vec![0.0; slots],
             contact: vec![0.0; slots],

@@ -10,7 +10,7 @@
 //! A slot is a place in the full vector of all nodes' dofs.
 
 use slideline_mech::rigid::PointMap;
-use slideline_model::{Dof, ElementBlock, Master, Model, NodeIndex, SpringKind, Step};
+use slideline_model::{BeamElement, Dof, ElementBlock, Master, Model, NodeIndex, SpringKind, Step};
 
 /// What a slot is in a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -246,10 +246,21 @@ fn active_dofs(model: &Model) -> Vec<(NodeIndex, Dof)> {
     }
     for block in &model.blocks {
         match block {
-            ElementBlock::B21(block) => {
-                block.elements.iter().flat_map(|element| element.nodes).for_each(&mut whole);
+            ElementBlock::B21(block) | ElementBlock::B22(block) | ElementBlock::B23(block) => {
+                block.elements.iter().flat_map(BeamElement::all_nodes).for_each(&mut whole);
             }
             ElementBlock::Spring(_) => {}
+        }
+    }
+    // A contact node needs no element: its translations matter all the same.
+    for pair in &model.contact_pairs {
+        let chain: &[NodeIndex] = match &pair.master {
+            Master::SlideLine(line) => &line.nodes,
+            Master::RigidSurface(_) => &[],
+        };
+        let slaves = pair.elements.iter().flat_map(|element| element.nodes);
+        for node in slaves.chain(chain.iter().copied()) {
+            active.extend([(node, Dof::U1), (node, Dof::U2)]);
         }
     }
     for block in &model.blocks {

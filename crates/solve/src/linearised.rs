@@ -148,7 +148,7 @@ struct Row {
     lent: f64,
     /// Stiffness of the structure as the row feels it [F/L3].
     kappa: f64,
-    /// Weight of the row in the norm, so that squares add up to an energy.
+    /// Weight of its square in the norm, so that squares add up to an energy.
     weight: f64,
 }
 
@@ -194,10 +194,8 @@ const ROUNDS: usize = 12;
 const ITERATIONS: usize = 40;
 /// How often it is started again from settled pressures.
 const RESTARTS: usize = 3;
-/// Residual of the small system, relative to its multipliers, that counts as
-/// solved.
-const EXACT: f64 = 1e-13;
-/// The same where no step makes it smaller: rounding, not a wrong set.
+/// Residual of the small system, relative to its multipliers, at which a step
+/// that gains nothing means rounding, not a wrong set.
 const ROUNDED: f64 = 1e-9;
 /// Shortest fraction of a step that is tried.
 const SHORTEST: f64 = 1e-3;
@@ -406,11 +404,9 @@ impl LinearisedContact {
         for i in 0..m {
             let own = self.compliance[i * m + i];
             let row = &mut self.rows[i];
-            // C = 1/(k + s) where k is the structure's own stiffness.
-            let felt = if own > 0.0 { 1.0 / own } else { f64::INFINITY };
-            row.kappa = (felt - row.lent).max(1e-6 * felt);
+            row.kappa = if own > 0.0 { 1.0 / own } else { f64::INFINITY };
             let area = row.point().map_or(1.0, |(point, _)| points[point].area);
-            row.weight = (area * own.abs()).sqrt();
+            row.weight = area * own.abs();
         }
     }
 
@@ -446,10 +442,10 @@ impl LinearisedContact {
         let mut size =
             system.residual((unknown, points), circumstances, residual, (jacobian, stiffness));
         for _ in 0..ITERATIONS {
-            let scale = system.largest_multiplier(unknown);
-            if size <= EXACT * scale || !size.is_finite() {
-                return size.is_finite();
+            if size == 0.0 || !size.is_finite() {
+                return size == 0.0;
             }
+            let rounded = size <= ROUNDED * ROUNDED * system.largest_multiplier(unknown);
             self.step.copy_from_slice(residual);
             eliminate(jacobian, &mut self.step);
             let mut length = 1.0;
@@ -469,8 +465,9 @@ impl LinearisedContact {
                     break;
                 }
                 length *= 0.5;
-                if length < SHORTEST {
-                    return size <= ROUNDED * scale;
+                // Nothing is gained from steps below rounding.
+                if rounded || length < SHORTEST {
+                    return rounded;
                 }
             }
         }
@@ -567,17 +564,17 @@ impl System<'_> {
         (unknown[i] + row.lent * (value - row.start), value)
     }
 
-    /// Largest multiplier in the norm of the residual.
+    /// Largest multiplier in the squared norm of the residual.
     fn largest_multiplier(&self, unknown: &[f64]) -> f64 {
         (0..self.rows.len())
             .map(|i| {
                 let multiplier = self.multiplier_and_value(i, unknown).0.abs();
-                multiplier.max(unknown[i].abs()) * self.rows[i].weight
+                multiplier.max(unknown[i].abs()).powi(2) * self.rows[i].weight
             })
             .fold(f64::MIN_POSITIVE, f64::max)
     }
 
-    /// F = lambda - law, its norm, and dF/dq.
+    /// F = lambda - law, its squared norm, and dF/dq.
     fn residual(
         &self,
         (unknown, points): (&[f64], &[LinearPoint]),
@@ -597,8 +594,7 @@ impl System<'_> {
             residual[i] = multiplier - demand.value;
             self.differentiate(i, pressure_row, &demand, jacobian);
         }
-        let squares = residual.iter().zip(self.rows).map(|(f, row)| (f * row.weight).powi(2));
-        squares.sum::<f64>().sqrt()
+        residual.iter().zip(self.rows).map(|(f, row)| f * f * row.weight).sum()
     }
 
     /// dF/dq of a pressure or traction.

@@ -166,6 +166,7 @@ mod tests {
         let elements = (0..6).map(|k| BeamElement {
             label: k as u64 + 1,
             nodes: [beam[k], beam[k + 1]],
+            middle: None,
             origin: AT,
         });
         let block =

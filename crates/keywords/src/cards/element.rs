@@ -52,8 +52,10 @@ impl Keyword for Element {
 }
 
 fn kind(card: &Reading<'_>, draft: &mut Draft) -> Option<ElementKind> {
-    const KINDS: [ElementKind; 5] = [
+    const KINDS: [ElementKind; 7] = [
         ElementKind::B21,
+        ElementKind::B22,
+        ElementKind::B23,
         ElementKind::Isl21,
         ElementKind::Irs21,
         ElementKind::Spring1,

@@ -103,14 +103,18 @@ fn not_a_chain(pairing: &Pairing, surface: &NamedSurface, broken: Broken, draft:
     draft.consequence(Subject::Elements, error);
 }
 
-/// So many slaves are looked at, evenly chosen, to tell their side.
+/// So many stretches of slaves are looked at, evenly chosen, to tell their
+/// side; fewer where the master is very long.
 const LOOKED_AT: usize = 1000;
+/// Most distances between slaves and segments that are computed for it.
+const DISTANCES: usize = 10_000_000;
 
 /// Mean signed distance of the slaves from the chain, and mean length of
 /// their nearest segments [L]; `None` where they stand on both sides alike.
 fn mean_distance(chain: &Chain, slaves: &[ContactElement], draft: &Draft) -> Option<(f64, f64)> {
+    let looked_at = (DISTANCES / chain.nodes.len().max(1)).clamp(1, LOOKED_AT);
     let (mut signed, mut size, mut lengths, mut count) = (0.0, 0.0, 0.0, 0.0);
-    for element in slaves.iter().step_by(slaves.len().div_ceil(LOOKED_AT).max(1)) {
+    for element in slaves.iter().step_by(slaves.len().div_ceil(looked_at).max(1)) {
         for node in element.nodes {
             let nodes = &draft.model.nodes;
             let (distance, length) = chain.distance(nodes, nodes.plane(node));

@@ -1,9 +1,11 @@
 //! Elements with their sections and stiffnesses become blocks.
 
 use slideline_diag::{Code, Diagnostic};
+use slideline_mech::element::b22::axis_runs_forward;
 use slideline_mech::material::Elastic;
 use slideline_model::{
-    BeamBlock, BeamElement, BeamSection, ElementBlock, SpringBlock, SpringElement, SpringKind,
+    BeamBlock, BeamElement, BeamSection, ElementBlock, NodeIndex, SpringBlock, SpringElement,
+    SpringKind,
 };
 
 use crate::draft::{Draft, Element, ElementKind, Section, Spring};
@@ -14,11 +16,12 @@ pub(super) fn beams(draft: &mut Draft) {
     let mut owner = vec![None; draft.elements.len()];
     for section in draft.sections.clone() {
         let Some(found) = draft.elements_of(&section.set, section.set_span) else { continue };
-        let mut elements = Vec::new();
+        let mut elements: [Vec<BeamElement>; 3] = Default::default();
         for index in found {
             let element = draft.elements[index];
             if claim(&element, &mut owner[index], &section, draft) {
-                elements.extend(beam(&element, draft));
+                let kind = ElementKind::BEAMS.iter().position(|&kind| kind == element.kind);
+                elements[kind.unwrap_or(0)].extend(beam(&element, draft));
             }
         }
         if let Some(material) = material(&section, draft) {
@@ -29,17 +32,32 @@ pub(super) fn beams(draft: &mut Draft) {
                 material,
                 shear: section.shear,
             };
-            let (name, origin) = (section.set.clone(), section.origin);
-            let block = BeamBlock { name, section: shape, elements, origin };
-            draft.model.blocks.push(ElementBlock::B21(block));
+            beam_blocks(&section, shape, elements, draft);
         }
     }
-    without(
-        ElementKind::B21,
-        "*BEAM SECTION",
-        &owner.iter().map(Option::is_some).collect::<Vec<_>>(),
-        draft,
-    );
+    let owned: Vec<bool> = owner.iter().map(Option::is_some).collect();
+    for kind in ElementKind::BEAMS {
+        without(kind, "*BEAM SECTION", &owned, draft);
+    }
+}
+
+/// A block for every type of beam in a section's set; one without elements
+/// where there are none at all.
+fn beam_blocks(
+    section: &Section,
+    shape: BeamSection,
+    elements: [Vec<BeamElement>; 3],
+    draft: &mut Draft,
+) {
+    let none = elements.iter().all(Vec::is_empty);
+    let variants = [ElementBlock::B21, ElementBlock::B22, ElementBlock::B23];
+    for (place, (elements, variant)) in elements.into_iter().zip(variants).enumerate() {
+        if !elements.is_empty() || (none && place == 0) {
+            let (name, origin) = (section.set.clone(), section.origin);
+            let block = BeamBlock { name, section: shape, elements, origin };
+            draft.model.blocks.push(variant(block));
+        }
+    }
 }
 
 /// Gives an element to a section; false where it is no beam or is taken.
@@ -49,7 +67,7 @@ fn claim(
     section: &Section,
     draft: &mut Draft,
 ) -> bool {
-    if element.kind != ElementKind::B21 {
+    if !element.kind.is_beam() {
         let message = format!(
             "element {} of the set {} is of type {}, which has no beam section",
             element.label,
@@ -71,11 +89,45 @@ fn claim(
 }
 
 fn beam(element: &Element, draft: &mut Draft) -> Option<BeamElement> {
-    let nodes = draft.ends_of(element)?;
-    if draft.has_no_length(element, nodes) {
+    let mut nodes = draft.ends_of(element)?;
+    let middle = if element.kind == ElementKind::B22 {
+        // In the deck the nodes stand in order along the beam.
+        let last = draft.model.nodes.find(element.nodes[2])?;
+        Some(std::mem::replace(&mut nodes[1], last))
+    } else {
+        None
+    };
+    if draft.has_no_length(element, nodes) || !middle_is_sound(element, nodes, middle, draft) {
         return None;
     }
-    Some(BeamElement { label: element.label, nodes, origin: element.origin })
+    Some(BeamElement { label: element.label, nodes, middle, origin: element.origin })
+}
+
+/// Complains about a middle node so far from the middle that the axis would
+/// turn back; false if so.
+fn middle_is_sound(
+    element: &Element,
+    [first, last]: [NodeIndex; 2],
+    middle: Option<NodeIndex>,
+    draft: &mut Draft,
+) -> bool {
+    let Some(middle) = middle else { return true };
+    let reference = [first, middle, last].map(|node| draft.model.nodes.plane(node));
+    let sound = axis_runs_forward(&reference);
+    if !sound {
+        let label = |node| draft.model.nodes.label(node);
+        let message = format!(
+            "element {}: its middle node {} does not stand in the middle half between {} and {}",
+            element.label,
+            label(middle),
+            label(first),
+            label(last)
+        );
+        let error = Diagnostic::error(Code("SL0345"), message).at(element.origin);
+        let help = "B22 takes its nodes in order along the beam: end, middle, end";
+        draft.consequence(Subject::Nodes, error.help(help));
+    }
+    sound
 }
 
 fn material(section: &Section, draft: &mut Draft) -> Option<Elastic> {

@@ -197,9 +197,10 @@ pub(super) fn stretches(
     let how = if joined { "the beams that join them" } else { "each node to the next" };
     let message = format!("the areas of the nodes of {} come from {how}", surface.named.name);
     let note = Diagnostic::note(Code("SL0254"), message).at(origin);
-    draft
-        .log
-        .push(note.help("half the length of both neighbouring stretches, times the thickness"));
+    draft.consequence(
+        Subject::Contact,
+        note.help("half the length of both neighbouring stretches, times the thickness"),
+    );
     if joined {
         return beams;
     }

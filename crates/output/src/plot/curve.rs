@@ -127,10 +127,7 @@ pub fn csv(question: &Question, one: &Curve, other: Option<&Curve>) -> String {
     let mut text = format!("time,{},{}", question.x, question.y);
     let differences = other.map(|other| difference(one, other));
     if other.is_some() {
-        text.push_str(&format!(
-            ",other_time,other_{},other_{},difference",
-            question.x, question.y
-        ));
+        text.push_str(&format!(",other_time,other_{},other_{},difference", question.x, question.y));
     }
     text.push('\n');
     let rows = one.times.len().max(other.map_or(0, |other| other.times.len()));

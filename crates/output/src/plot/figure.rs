@@ -80,10 +80,7 @@ impl Frame {
 
     fn at(&self, x: f64, y: f64) -> [f64; 2] {
         let part = |value: f64, [low, high]: [f64; 2]| (value - low) / (high - low);
-        [
-            self.left + self.width * part(x, self.x),
-            self.top + self.height * (1.0 - part(y, self.y)),
-        ]
+        [self.left + self.width * part(x, self.x), self.top + self.height * (1.0 - part(y, self.y))]
     }
 
     fn draw(&self, drawing: &mut Drawing, title: &str) {
@@ -173,8 +170,7 @@ mod tests {
 
     #[test]
     fn figures_escape_names_and_survive_curves_without_extent() {
-        let question =
-            Question { x: "U2".into(), y: "RF2".into(), node: None, unfinished: false };
+        let question = Question { x: "U2".into(), y: "RF2".into(), node: None, unfinished: false };
         let name = "</title><script>\u{44f}".to_owned();
         let flat = Curve { name, times: vec![0.0, 1.0], x: vec![0.0; 2], y: vec![f64::NAN, 0.0] };
         let figure = figure(&question, &flat, Some(&flat));

@@ -21,6 +21,12 @@ pub(crate) fn data(job: &str, results: &Results, overlay: Option<&Overlay>) -> S
         .raw("step", &doubles(&with_start(&numbers(0))))
         .raw("increment", &doubles(&with_start(&numbers(1))))
         .raw("driven", &driven(results))
+        .array(
+            "loaded",
+            results.loaded.iter().map(|(node, motion)| {
+                Object::new().raw("node", &node.to_string()).text("motion", motion).finish()
+            }),
+        )
         .raw("history", &history(results))
         .raw("energy", &columns(energy.map(|(name, values)| (name.as_str(), &values[..]))))
         .array("contact", results.points.iter().map(point))
@@ -89,21 +95,21 @@ fn history(results: &Results) -> String {
     json::array(results.history.nodes.iter().map(|node| {
         let names = results.history.columns.iter().map(String::as_str);
         let values = names.zip(node.values.iter().map(Vec::as_slice));
-        Object::new()
-            .raw("node", &node.node.to_string())
-            .raw("columns", &columns(values))
-            .finish()
+        Object::new().raw("node", &node.node.to_string()).raw("columns", &columns(values)).finish()
     }))
 }
 
 fn point(point: &super::contact::Point) -> String {
-    let [opening, pressure, shear, slip, angle] = &point.values;
+    // what is open for good needs no numbers
+    let end = point.closed_until();
+    let [opening, pressure, shear, slip, angle] =
+        [0, 1, 2, 3, 4].map(|place| &point.values[place][..end]);
     Object::new()
         .text("pair", &point.pair)
         .raw("node", &point.node.to_string())
         .count("first", point.first)
-        .text("status", &point.status)
-        .text("friction", &point.friction)
+        .text("status", &point.status[..end])
+        .text("friction", &point.friction[..end])
         .number("area", point.area)
         .raw("opening", &singles(opening))
         .raw("pressure", &singles(pressure))

@@ -2,6 +2,7 @@
 
 use super::problem::{Problem, unreadable};
 use super::table::Table;
+use std::collections::HashMap;
 use std::path::Path;
 
 /// Columns with which every growing CSV file begins.
@@ -23,8 +24,6 @@ pub(crate) struct History {
     pub columns: Vec<String>,
     /// Kept nodes in the order of the file.
     pub nodes: Vec<NodeHistory>,
-    /// Number of nodes that were left out.
-    pub left_out: usize,
 }
 
 impl History {
@@ -32,22 +31,19 @@ impl History {
     pub fn read(path: &Path, mut keep: impl FnMut(u64) -> bool) -> Result<Self, Problem> {
         let mut table = Table::open(path, &["step", "increment", "time", "node"])?;
         let columns: Vec<String> = table.columns[4..].to_vec();
-        let mut history = Self { columns, nodes: Vec::new(), left_out: 0 };
-        let mut refused: Vec<u64> = Vec::new();
+        let mut history = Self { columns, nodes: Vec::new() };
+        let mut places: HashMap<u64, Option<usize>> = HashMap::new();
         while let Some(row) = table.row()? {
             let label: u64 = row[3]
                 .parse()
                 .map_err(|_| unreadable(path, format!("`{}` is not a node", row[3])))?;
-            let mut place = history.nodes.iter().position(|node| node.node == label);
-            if place.is_none() && !refused.contains(&label) {
-                if keep(label) {
+            let place = *places.entry(label).or_insert_with(|| {
+                keep(label).then(|| {
                     let values = vec![Vec::new(); history.columns.len()];
                     history.nodes.push(NodeHistory { node: label, values });
-                    place = Some(history.nodes.len() - 1);
-                } else {
-                    refused.push(label);
-                }
-            }
+                    history.nodes.len() - 1
+                })
+            });
             if let Some(place) = place {
                 let numbers = table.numbers(4)?;
                 for (column, number) in history.nodes[place].values.iter_mut().zip(numbers) {
@@ -55,7 +51,6 @@ impl History {
                 }
             }
         }
-        history.left_out = refused.len();
         Ok(history)
     }
 

@@ -89,9 +89,8 @@ pub fn write(job: &JobFiles, options: &Options<'_>) -> Result<Report, Problem> {
         remarks.push(CHANGED.to_owned());
     }
     if results.summary.text("status") == Some("running") {
-        remarks.push(
-            "The job was running, or had been killed, when this page was made.".to_owned(),
-        );
+        remarks
+            .push("The job was running, or had been killed, when this page was made.".to_owned());
     }
     let page = page::page(&job.name(), &results, overlay.as_ref(), options, &remarks);
     let path = job.path(".html");

@@ -93,15 +93,8 @@ fn verdict_html(results: &Results) -> String {
         "<p id=\"verdict\" class=\"verdict {}\"><strong>{}.</strong> {}.</p>",
         if good { "good" } else { "bad" },
         escaped(first),
-        rest.iter().map(|said| capital(said)).collect::<Vec<_>>().join(". ")
+        rest.join(". ")
     )
-}
-
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| {
-        first.to_uppercase().chain(letters).collect()
-    })
 }
 
 /// Version, deck, dialect: what a reader must know to repeat the run.
@@ -116,9 +109,9 @@ fn facts(results: &Results) -> String {
         ("friction onset", text("friction_onset")),
         ("wall time", format!("{seconds} s")),
     ];
-    let rows = facts.iter().map(|(name, value)| {
-        format!("<dt>{}</dt><dd>{}</dd>", escaped(name), escaped(value))
-    });
+    let rows = facts
+        .iter()
+        .map(|(name, value)| format!("<dt>{}</dt><dd>{}</dd>", escaped(name), escaped(value)));
     format!("<dl class=\"facts\">{}</dl>", rows.collect::<String>())
 }
 
@@ -158,7 +151,7 @@ fn ledger(results: &Results) -> String {
     ];
     let said = match points {
         0 => "Friction was called at every closed point that has any.",
-        _ => "Closed points went without friction (SL0601): forces are too low.",
+        _ => "Closed points went without friction (SL0601): the forces lack it.",
     };
     format!("<p>{said}</p>{}", table(&["entry", "value"], &rows))
 }
@@ -176,7 +169,9 @@ fn warnings(results: &Results, options: &Options<'_>) -> String {
     for (severity, said) in all {
         let code = said.text("code").unwrap_or("?");
         let place = match (said.text("file"), said.count("line")) {
-            (Some(file), Some(line)) => format!(" <span class=\"place\">{}:{line}</span>", escaped(file)),
+            (Some(file), Some(line)) => {
+                format!(" <span class=\"place\">{}:{line}</span>", escaped(file))
+            }
             _ => String::new(),
         };
         let message = escaped(said.text("message").unwrap_or_default());
@@ -189,7 +184,10 @@ fn warnings(results: &Results, options: &Options<'_>) -> String {
         }
         if let Some(page) = (options.page)(code).filter(|_| !told.contains(&code)) {
             let page = html(page);
-            text.push_str(&format!("<details><summary>The page of {}</summary>{page}</details>", escaped(code)));
+            text.push_str(&format!(
+                "<details><summary>The page of {}</summary>{page}</details>",
+                escaped(code)
+            ));
             told.push(code);
         }
         text.push_str("</div>");

@@ -67,7 +67,7 @@ fn inline(text: &str) -> String {
 
 fn paired(text: &str, mark: &str, tag: &str) -> String {
     let parts: Vec<&str> = text.split(mark).collect();
-    if parts.len() % 2 == 0 {
+    if parts.len().is_multiple_of(2) {
         return text.to_owned();
     }
     let wrap = |(place, part): (usize, &&str)| match place % 2 {
@@ -83,7 +83,8 @@ mod tests {
 
     #[test]
     fn marks_become_tags_and_nothing_else_does() {
-        let page = "# SL1: a <b>\n\n**What.** Of `*NODE` & *so*\non.\n\n```\n*CARD, <x>\n\n1\n```\n";
+        let page =
+            "# SL1: a <b>\n\n**What.** Of `*NODE` & *so*\non.\n\n```\n*CARD, <x>\n\n1\n```\n";
         assert_eq!(
             html(page),
             "<h4>SL1: a &lt;b&gt;</h4><p><b>What.</b> Of <code>*NODE</code> &amp; <i>so</i> on.</p>\

@@ -20,10 +20,6 @@ pub(crate) struct Driven {
     pub reaction: String,
 }
 
-/// Most numbers of the history that a report carries for nodes that nothing
-/// drives.
-const HISTORY: usize = 60_000;
-
 /// What the files of a job say.
 #[derive(Clone, Debug)]
 pub(crate) struct Results {
@@ -31,7 +27,9 @@ pub(crate) struct Results {
     pub summary: Value,
     /// What is driven.
     pub driven: Vec<Driven>,
-    /// Motions and reactions.
+    /// What is loaded: node and column of its motion.
+    pub loaded: Vec<(u64, String)>,
+    /// Motions and reactions of driven and loaded nodes.
     pub history: History,
     /// Energies, times.
     pub energies: Energies,
@@ -82,17 +80,13 @@ impl Results {
             return Err(length_fault(job, ".energy.csv", count, expected));
         }
         let driven = driven(&summary);
-        let loaded: Vec<usize> =
-            summary.list("loaded").iter().filter_map(|load| load.count("node")).collect();
-        let mut room = HISTORY / (6 * count.max(1));
+        let loaded: Vec<(u64, String)> = summary
+            .list("loaded")
+            .iter()
+            .filter_map(|load| Some((load.count("node")? as u64, load.text("motion")?.to_owned())))
+            .collect();
         let mut history = History::read(&job.path(".history.csv"), |node| {
-            let wanted = driven.iter().any(|d| d.node == node)
-                || loaded.iter().any(|load| *load as u64 == node);
-            if !wanted && room > 0 {
-                room -= 1;
-                return true;
-            }
-            wanted
+            driven.iter().any(|d| d.node == node) || loaded.iter().any(|load| load.0 == node)
         })?;
         for node in &history.nodes {
             let length = node.values.first().map_or(0, Vec::len);
@@ -111,7 +105,7 @@ impl Results {
         let frames = Frames::read(job, count, lenient)?;
         let attempts = attempts(&problem::text(&job.path(".msg"))?);
         let echo = echo(job, lenient)?;
-        Ok(Self { summary, driven, history, energies, points, frames, attempts, echo })
+        Ok(Self { summary, driven, loaded, history, energies, points, frames, attempts, echo })
     }
 
     /// A column of a node from the start on; at the start everything is zero.

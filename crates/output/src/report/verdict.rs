@@ -116,7 +116,12 @@ pub(crate) fn sentences(results: &Results) -> Vec<String> {
         said.push("no node is driven, so there is no insertion or retention force".to_owned());
     }
     said.push(strain(results));
-    said
+    said.iter().map(|sentence| capital(sentence)).collect()
+}
+
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 fn ending(results: &Results) -> String {
@@ -128,7 +133,9 @@ fn ending(results: &Results) -> String {
         1 => "1 cutback".to_owned(),
         many => format!("{many} cutbacks"),
     };
-    let counts = format!("{increments} increments, {} iterations, {cutbacks}", count("iterations"));
+    let plural = if increments == 1 { "" } else { "s" };
+    let counts =
+        format!("{increments} increment{plural}, {} iterations, {cutbacks}", count("iterations"));
     let diagnosis = summary.get("diagnosis");
     let because = diagnosis.map_or_else(String::new, |said| {
         let (code, message) = (said.text("code"), said.text("message"));
@@ -139,7 +146,9 @@ fn ending(results: &Results) -> String {
         "not_converged" => format!("Not converged{because}; kept are {counts}"),
         "interrupted" => format!("Interrupted on request; kept are {counts}"),
         "output_error" => format!("Results could not be written to the end; kept are {counts}"),
-        "running" => format!("Not finished: running or killed; written so far are {increments} increments"),
+        "running" => {
+            format!("Not finished: running or killed; written so far are {increments} increments")
+        }
         _ => format!("Ended by a fault of the program{because}; kept are {counts}"),
     }
 }
@@ -148,7 +157,8 @@ fn of_stroke(driven: &Driven, stroke: &Stroke) -> Vec<String> {
     let Driven { node, motion, reaction } = driven;
     let kind = if reaction.starts_with("RM") { "moment" } else { "force" };
     let number = |value: f64| general(value, 5);
-    let taken = |taken: &Taken| format!("{} at {motion} = {}", number(taken.force), number(taken.at));
+    let taken =
+        |taken: &Taken| format!("{} at {motion} = {}", number(taken.force), number(taken.at));
     let mut said = vec![match &stroke.insertion {
         Some(found) => format!("peak insertion {kind} {} (node {node}, {reaction})", taken(found)),
         None => format!("no insertion {kind} (node {node}, {reaction})"),

@@ -37,8 +37,9 @@ struct Cell {
 pub(super) struct Grid {
     outlines: Vec<Outline>,
     cells: Vec<Cell>,
-    /// Place in the cell list of every beam's element label.
-    beam_cells: HashMap<u64, usize>,
+    /// First place in the cell list of every beam's element label and number
+    /// of its cells: two for a beam of three nodes.
+    beam_cells: HashMap<u64, (usize, usize)>,
     point_count: usize,
     /// The finished `<Cells>` element.
     topology: String,
@@ -48,12 +49,12 @@ impl Grid {
     /// Lays points and cells of a model out.
     pub fn new(model: &Model) -> Self {
         let mut cells = element_cells(model);
-        let beam_cells = cells
-            .iter()
-            .enumerate()
-            .filter(|(_, cell)| matches!(cell.kind, Kind::Beam))
-            .map(|(place, cell)| (cell.label, place))
-            .collect();
+        let mut beam_cells = HashMap::new();
+        for (place, cell) in cells.iter().enumerate() {
+            if matches!(cell.kind, Kind::Beam) {
+                beam_cells.entry(cell.label).or_insert((place, 0)).1 += 1;
+            }
+        }
         let mut outlines = Vec::new();
         let mut point_count = model.nodes.len();
         for pair in &model.contact_pairs {
@@ -188,11 +189,11 @@ impl Grid {
             ("fibre_strain", vec![0.0; count]),
         ];
         for beam in frame.beams {
-            let Some(&cell) = self.beam_cells.get(&beam.label) else { continue };
+            let Some(&(first, cells)) = self.beam_cells.get(&beam.label) else { continue };
             let values =
                 [beam.axial_force, beam.shear_force, beam.bending_moment, beam.fibre_strain];
             for ((_, column), value) in columns.iter_mut().zip(values) {
-                column[cell] = value;
+                column[first..first + cells].fill(value);
             }
         }
         for (name, column) in &columns {
@@ -211,8 +212,11 @@ fn element_cells(model: &Model) -> Vec<Cell> {
     let line = |nodes: [NodeIndex; 2], kind, label| Cell { points: nodes, kind, label };
     for block in &model.blocks {
         match block {
-            ElementBlock::B21(block) => {
-                cells.extend(block.elements.iter().map(|e| line(e.nodes, Kind::Beam, e.label)));
+            ElementBlock::B21(block) | ElementBlock::B22(block) | ElementBlock::B23(block) => {
+                for e in &block.elements {
+                    let ends = e.all_nodes().zip(e.all_nodes().skip(1));
+                    cells.extend(ends.map(|(a, b)| line([a, b], Kind::Beam, e.label)));
+                }
             }
             ElementBlock::Spring(block) => {
                 let joining = block.elements.iter().filter(|e| e.nodes[0] != e.nodes[1]);

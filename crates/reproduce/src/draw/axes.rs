@@ -144,7 +144,7 @@ impl Chart {
         scene.text(
             Text::new([middle[0], bottom + 27.0], self.x.title.clone()).anchor(Anchor::Middle),
         );
-        let title = Text::new([f.left - 34.0, middle[1]], self.y.title.clone());
+        let title = Text::new([f.left - 38.0, middle[1]], self.y.title.clone());
         scene.text(title.anchor(Anchor::Middle).upwards());
     }
 

@@ -32,7 +32,7 @@ fn theory(study: &Study, problem: u8, with_friction: bool) -> Vec<[f64; 2]> {
 }
 
 fn frame(height: f64) -> Rectangle {
-    Rectangle { left: 48.0, top: 10.0, width: WIDTH - 62.0, height: height - 46.0 }
+    Rectangle { left: 52.0, top: 10.0, width: WIDTH - 62.0, height: height - 46.0 }
 }
 
 /// F_y over the displacement, to `top` newton; a step of room below zero.

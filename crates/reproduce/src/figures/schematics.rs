@@ -142,7 +142,7 @@ fn second(scene: &mut Scene) {
     let centre = bent.centre(radius);
     let (arm, phi) = (13.0, 32f64.to_radians());
     let pivot = [centre[0] - arm * phi.sin(), centre[1] + arm * phi.cos()];
-    local_axes(scene, &view, &bent, [51.0, 12.0]);
+    local_axes(scene, &view, &bent, [49.0, 12.0]);
     view.line(scene, &bent.line(), HEAVY);
     clamp(scene, &view, bent.base, bent.along, 3.6);
     view.circle(scene, centre, radius, Pen::solid(1.2));

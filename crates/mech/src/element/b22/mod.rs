@@ -31,6 +31,19 @@ fn slopes(xi: f64) -> [f64; 3] {
     [xi - 0.5, -2.0 * xi, xi + 0.5]
 }
 
+/// Whether the parabola through first end, middle node and second end [L] runs from end to end
+/// without turning back: the tangents at both ends point along the chord, as they do for a middle
+/// node on the chord between 1/4 and 3/4 of it.
+pub fn axis_runs_forward([first, middle, last]: &[[f64; 2]; 3]) -> bool {
+    let chord = [last[0] - first[0], last[1] - first[1]];
+    let forward = |xi: f64| {
+        let by_xi = slopes(xi);
+        let along = |k: usize| by_xi[0] * (first[k] - middle[k]) + by_xi[2] * (last[k] - middle[k]);
+        along(0) * chord[0] + along(1) * chord[1] > 0.0
+    };
+    forward(-1.0) && forward(1.0)
+}
+
 /// What an integration point knows of the undeformed element.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Station {
@@ -100,7 +113,7 @@ pub struct Beam22 {
 
 impl Beam22 {
     /// The element on three undeformed positions [L]: first end, middle, second end. The middle
-    /// node belongs into the middle half (check [`Beam22::middle_is_sound`]).
+    /// node belongs into the middle half (check [`axis_runs_forward`]).
     pub fn new(reference: [[f64; 2]; 3], stiffness: BeamStiffness) -> Self {
         let stations = [-GAUSS, GAUSS].map(|xi| Station::new(&reference, xi));
         Self { reference, stiffness, stations }
@@ -109,20 +122,6 @@ impl Beam22 {
     /// Undeformed length of the axis [L], by the two integration points.
     pub fn length(&self) -> f64 {
         self.stations[0].length + self.stations[1].length
-    }
-
-    /// Whether the undeformed axis runs from end to end without turning back: the tangents at both
-    /// ends point forward, which a middle node on the chord does between 1/4 and 3/4 of it.
-    pub fn middle_is_sound(&self) -> bool {
-        let [first, middle, last] = self.reference;
-        let chord = [last[0] - first[0], last[1] - first[1]];
-        let forward = |xi: f64| {
-            let by_xi = slopes(xi);
-            let along =
-                |k: usize| by_xi[0] * (first[k] - middle[k]) + by_xi[2] * (last[k] - middle[k]);
-            along(0) * chord[0] + along(1) * chord[1] > 0.0
-        };
-        forward(-1.0) && forward(1.0)
     }
 
     /// Strain energy W = sum over the points of l_g/2 (EA eps^2 + K gam^2 + EI kap^2) [F L] of the

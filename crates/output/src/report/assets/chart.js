@@ -59,6 +59,7 @@ class Chart {
       for (let i = 0; i < one.x.length; i++) {
         const x = one.x[i], y = this.value(one.y[i]);
         if (!Number.isFinite(x) || !Number.isFinite(y)) continue;
+        if (one.base) box[2] = Math.min(box[2], 0);
         box = [Math.min(box[0], x), Math.max(box[1], x), Math.min(box[2], y), Math.max(box[3], y)];
       }
     }
@@ -118,7 +119,7 @@ class Chart {
       draw(svg, "line", { class: "grid", x1: at, x2: at, y1: TOP, y2: HEIGHT - BOTTOM });
       draw(svg, "text", { x: at, y: HEIGHT - BOTTOM + 17, "text-anchor": "middle" }, show(x));
     }
-    for (const y of ticks(y0, y1, 6, this.options.log)) {
+    for (const y of ticks(y0, y1, 6, this.options.log || this.options.counts)) {
       const at = this.py(y);
       draw(svg, "line", { class: "grid", y1: at, y2: at, x1: LEFT, x2: WIDTH - RIGHT });
       draw(svg, "text", { x: LEFT - 7, y: at + 4, "text-anchor": "end" }, this.options.log ? "1e" + String(y).replace("-", "\u2212") : show(y));
@@ -129,7 +130,17 @@ class Chart {
     draw(svg, "text", { class: "soft", transform: "translate(14 " + (TOP + HEIGHT - BOTTOM) / 2 + ") rotate(-90)", "text-anchor": "middle" }, this.options.y);
   }
 
+  bars(layer, one) {
+    const half = 0.36 * (this.px(1) - this.px(0));
+    for (let i = 0; i < one.x.length; i++) {
+      if (!(one.y[i] > one.base[i])) continue;
+      const top = this.py(one.y[i]), bar = draw(layer, "rect", { x: this.px(one.x[i]) - half, width: 2 * half, y: top, height: this.py(one.base[i]) - top });
+      bar.style.fill = "var(" + one.colour + ")";
+    }
+  }
+
   curve(layer, one) {
+    if (one.base) { this.bars(layer, one); return; }
     const path = [];
     let pen = false;
     for (let i = 0; i < one.x.length; i++) {
@@ -139,8 +150,9 @@ class Chart {
       path.push((pen ? "L" : "M") + px.toFixed(1) + " " + py.toFixed(1));
       pen = true;
       if (one.dots && one.x.length <= 200) {
-        const dot = draw(layer, "circle", { cx: px.toFixed(1), cy: py.toFixed(1), r: 2.4 });
+        const dot = draw(layer, "circle", { cx: px.toFixed(1), cy: py.toFixed(1), r: one.apart ? 4 : 2.4 });
         dot.style.fill = "var(" + one.colour + ")";
+        if (one.apart) dot.style.stroke = "var(--paper)";
       }
     }
     if (!one.apart) {

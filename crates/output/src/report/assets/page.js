@@ -23,6 +23,12 @@ function reactions() {
     }, series));
   });
   if (!made.length) make(parent, "p", {}, "No node is driven by a prescribed motion.");
+  data.loaded.forEach((load) => {
+    const history = data.history.find((one) => one.node === load.node);
+    if (!history || !history.columns[load.motion]) return;
+    new Chart(parent, { title: "Loaded node " + load.node + ": " + load.motion + " over time", x: "total time", y: load.motion, describe: (one, i) => load.motion + " = " + show(one.y[i], 7) + " (" + where(i) + ")" },
+      [{ name: data.job, x: times, y: start(doubles(history.columns[load.motion])), colour: "--c0", dots: true }]);
+  });
   if (overlay && !made.some((chart) => chart.series.length > 1)) make(parent, "p", { class: "remark" }, "The columns of " + data.overlay.name + " fit no driven node.");
   return made;
 }
@@ -54,6 +60,8 @@ function bands() {
       draw(svg, "rect", { class: "band-" + point.status[i], x: x(point.first + i), y: top, width: Math.max(0.5, x(point.first + j) - x(point.first + i)), height: h, "fill-opacity": point.status[i] === "o" ? 0.35 : 0.55 });
       i = j;
     }
+    const rest = point.first + point.status.length;
+    if (rest < count) draw(svg, "rect", { class: "band-o", x: x(rest), y: top, width: x(count) - x(rest), height: h, "fill-opacity": 0.35 });
     const d = Array.from(point.p, (p, i) => (i ? "L" : "M") + x(point.first + i + 0.5).toFixed(1) + " " + (top + h - (most > 0 ? p / most : 0) * (h - 2)).toFixed(1));
     draw(svg, "path", { class: "pressure", d: d.join("") });
     for (let i = 0; i < point.friction.length; i++) {
@@ -74,7 +82,7 @@ function bands() {
     const point = points[at[0]], j = at[1] - point.first;
     const words = { o: "open", t: "stick", s: "slip" }, calls = { c: "called", d: "dropped", n: "none" };
     for (const [name, value] of [["visibility", "visible"], ["x", x(at[1])], ["y", at[0] * row + 3], ["width", width / count]]) mark.setAttribute(name, value);
-    out.textContent = point.pair + " node " + point.node + ", " + where(at[1] + 1) + ": " + (j < 0 || j >= point.status.length ? "not yet in contact" : words[point.status[j]] + ", pressure " + show(point.p[j]) + ", shear " + show(point.t[j]) + ", gap " + show(point.g[j]) + ", slip " + show(point.u[j]) + ", friction " + calls[point.friction[j]]);
+    out.textContent = point.pair + " node " + point.node + ", " + where(at[1] + 1) + ": " + (j < 0 ? "not yet in contact" : j >= point.status.length ? "open again" : words[point.status[j]] + ", pressure " + show(point.p[j]) + ", shear " + show(point.t[j]) + ", gap " + show(point.g[j]) + ", slip " + show(point.u[j]) + ", friction " + calls[point.friction[j]]);
   };
   svg.addEventListener("pointermove", (event) => {
     const frame = svg.getBoundingClientRect();
@@ -116,12 +124,12 @@ function iterations() {
   }
   const describe = (one, i) => one.name + " of iteration " + one.x[i] + " (step " + force[2][i].step + ", increment " + force[2][i].increment + ", attempt " + force[2][i].attempt + "): " + show(one.y[i], 4) + " times what is allowed";
   const x = Float64Array.from(bars, (_, k) => k + 1), number = (one) => Float64Array.from(bars, one);
-  new Chart(parent, { id: "chart-iterations", title: "Iterations and contact changes per attempt", x: "attempt", y: "count", whole: true, apart: true,
-    describe: (one, i) => one.name + ": " + one.y[i] + " in step " + bars[i].attempt.step + ", increment " + bars[i].attempt.increment + ", attempt " + bars[i].attempt.attempt + (bars[i].attempt.reason ? "; given up: " + bars[i].attempt.reason : "")
+  new Chart(parent, { id: "chart-iterations", title: "Iterations and contact changes per attempt", x: "attempt", y: "count", whole: true, counts: true, apart: true,
+    describe: (one, i) => one.name + ": " + (one.base ? one.y[i] - one.base[i] : one.y[i]) + " in step " + bars[i].attempt.step + ", increment " + bars[i].attempt.increment + ", attempt " + bars[i].attempt.attempt + (bars[i].attempt.reason ? "; given up: " + bars[i].attempt.reason : "")
   }, [
-    { name: "equilibrium iterations", x, y: number((b) => b.equilibrium), colour: "--c0", dots: true },
-    { name: "severe discontinuity iterations", x, y: number((b) => b.severe), colour: "--c1", dots: true },
-    { name: "contact changes", x, y: Float64Array.from(rows, (r) => r[5]), colour: "--c4", dash: true },
+    { name: "equilibrium iterations", x, y: number((b) => b.equilibrium), base: number(() => 0), colour: "--c0" },
+    { name: "severe discontinuity iterations", x, y: number((b) => b.equilibrium + b.severe), base: number((b) => b.equilibrium), colour: "--c1" },
+    { name: "contact changes", x, y: Float64Array.from(rows, (r) => r[5]), colour: "--ink", dots: true, apart: true },
     { name: "attempts given up", x, y: number((b) => b.attempt.reason ? b.equilibrium + b.severe : NaN), colour: "--bad", dots: true, apart: true }
   ].filter((one) => one.name !== "attempts given up" || one.y.some(Number.isFinite)));
   new Chart(parent, { id: "chart-residuals", title: "Largest residual over what is allowed, iteration by iteration", x: "iteration", y: "residual / allowed", log: true, whole: true, apart: true, describe }, [
@@ -138,10 +146,23 @@ function iterations() {
   });
 }
 
+// The frame in which the first driven node is driven hardest.
+function tightest() {
+  const driven = data.driven[0], last = shape.states.length - 1;
+  const history = driven && data.history.find((one) => one.node === driven.node);
+  if (!history || !history.columns[driven.reaction]) return last;
+  const force = doubles(history.columns[driven.reaction]);
+  let best = -1, state = 0;
+  force.forEach((value, i) => { if (Math.abs(value) > best) { best = Math.abs(value); state = i + 1; } });
+  let frame = last;
+  for (let k = last; k >= 0; k--) if (Math.abs(shape.states[k] - state) <= Math.abs(shape.states[frame] - state)) frame = k;
+  return frame;
+}
+
 const shape = new Shape();
 const followed = reactions();
 shape.moves = (state) => followed.forEach((chart) => chart.follow(state));
-shape.go(shape.states.length - 1);
+shape.go(tightest());
 bands();
 energies();
 iterations();

@@ -93,7 +93,7 @@ class Shape {
     const least = near ? 0.12 * this.extent : 1e-30;
     [w, h] = [Math.max(w, least), Math.max(h, least)];
     const middle = [(box[0] + box[1]) / 2, (box[2] + box[3]) / 2];
-    const per = Math.min(860 / w, 400 / h);
+    const per = Math.min(820 / w, 330 / h);
     return { middle, per: Number.isFinite(per) ? per : 1 };
   }
 
@@ -201,13 +201,14 @@ class Shape {
       closed++;
       const k = state - 1 - point.first, at = this.place(this.at(place, this.frame, this.scale));
       const n = [Math.cos(point.n[k]), Math.sin(point.n[k])];
-      const unit = 110 / (this.strongest || 1) * (point.area || 1);
+      const unit = 85 / (this.strongest || 1) * (point.area || 1);
       if (this.arrows && Number.isFinite(n[0])) {
         // pressure pushes the slave along the master's outward normal; the
         // master's direction of travel is the normal turned clockwise, and
         // friction on the slave acts against the sign of the shear there
         this.arrow(at, n, point.p[k] * unit, "normal");
-        this.arrow(at, [-n[1], n[0]], point.t[k] * unit, "shear");
+        // beside the surface, where it can be seen
+        this.arrow([at[0] + 10 * n[0], at[1] - 10 * n[1]], [-n[1], n[0]], point.t[k] * unit, "shear");
       }
       const dot = draw(this.forces, "circle", { class: "touch " + status, cx: at[0].toFixed(1), cy: at[1].toFixed(1), r: 4.5 });
       draw(dot, "title", {}, "node " + point.node + ": " + (status === "t" ? "stick" : "slip") + ", pressure " + show(point.p[k]) + ", shear " + show(point.t[k]));

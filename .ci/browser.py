@@ -1,0 +1,339 @@
+"""Drives headless Chromium over its debugging pipe: standard library only.
+
+    browser.py PROGRAM PICTURES
+
+Makes reports with PROGRAM, opens each from disk with the network off, acts on
+it with the events of a mouse and a keyboard, and fails on anything that does
+not do what it should, on any console error and on any request for a network.
+"""
+
+import base64
+import csv
+import json
+import os
+import select
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+FLAGS = """--headless --no-sandbox --disable-gpu --disable-quic --no-first-run
+--disable-background-networking --disable-component-update --disable-sync
+--hide-scrollbars --force-device-scale-factor=1 --remote-debugging-pipe
+--host-resolver-rules=MAP\\x20*\\x20~NOTFOUND""".split()
+KEYS = {"ArrowRight": 39, "ArrowLeft": 37, "ArrowUp": 38, "ArrowDown": 40, "Home": 36, "End": 35, "0": 48, "+": 187, " ": 32}
+
+
+class Browser:
+    """One browser with one page; commands go out and answers come in as JSON
+    texts that end in a zero byte."""
+
+    def __init__(self, profile):
+        to_browser, self.out = os.pipe()
+        self.input, from_browser = os.pipe()
+        flags = [flag.replace("\\x20", " ") for flag in FLAGS]
+        command = ["bash", "-c", f'exec "$@" 3<&{to_browser} 4>&{from_browser}', "-", "chromium",
+                   *flags, f"--user-data-dir={profile}", "about:blank"]
+        self.log = tempfile.TemporaryFile()
+        self.process = subprocess.Popen(command, pass_fds=[to_browser, from_browser], stderr=self.log)
+        os.close(to_browser)
+        os.close(from_browser)
+        self.buffer, self.number, self.events, self.session = b"", 0, [], None
+        deadline = time.time() + 30
+        pages = []
+        while not pages and time.time() < deadline:
+            targets = self.call("Target.getTargets")["targetInfos"]
+            pages = [one for one in targets if one["type"] == "page"]
+        self.session = self.call("Target.attachToTarget", targetId=pages[0]["targetId"], flatten=True)["sessionId"]
+        for domain in ["Page", "Runtime", "Log", "Network"]:
+            self.call(domain + ".enable")
+        self.call("Network.emulateNetworkConditions", offline=True, latency=0, downloadThroughput=0, uploadThroughput=0)
+        self.size(1200, 900)
+
+    def message(self, deadline):
+        while b"\0" not in self.buffer:
+            ready, _, _ = select.select([self.input], [], [], max(0, deadline - time.time()))
+            if not ready:
+                return None
+            read = os.read(self.input, 1 << 20)
+            if not read:
+                raise SystemExit("the browser is gone")
+            self.buffer += read
+        text, self.buffer = self.buffer.split(b"\0", 1)
+        return json.loads(text)
+
+    def call(self, method, **parameters):
+        self.number += 1
+        command = {"id": self.number, "method": method, "params": parameters}
+        if self.session:
+            command["sessionId"] = self.session
+        os.write(self.out, json.dumps(command).encode() + b"\0")
+        deadline = time.time() + 60
+        while True:
+            answer = self.message(deadline)
+            if answer is None:
+                raise SystemExit(f"no answer to {method}")
+            if answer.get("id") == self.number:
+                if "error" in answer:
+                    raise SystemExit(f"{method}: {answer['error']}")
+                return answer["result"]
+            self.events.append(answer)
+
+    def size(self, width, height):
+        self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
+
+    def open(self, path):
+        self.events.clear()
+        self.call("Page.navigate", url=Path(path).resolve().as_uri())
+        deadline = time.time() + 30
+        while not any(e.get("method") == "Page.loadEventFired" for e in self.events):
+            event = self.message(deadline)
+            assert event is not None, f"{path} does not load"
+            self.events.append(event)
+
+    def evaluate(self, expression):
+        result = self.call("Runtime.evaluate", expression=expression, returnByValue=True)
+        assert "exceptionDetails" not in result, f"{expression}: {result['exceptionDetails']}"
+        return result["result"].get("value")
+
+    def place(self, selector):
+        self.evaluate(f"document.querySelector({selector!r}).scrollIntoView({{block: 'center'}})")
+        return self.evaluate(f"(() => {{ const r = document.querySelector({selector!r}).getBoundingClientRect(); return [r.x, r.y, r.width, r.height]; }})()")
+
+    def mouse(self, kind, x, y, pressed=False):
+        parameters = {"type": kind, "x": x, "y": y, "buttons": 1 if pressed else 0}
+        if kind != "mouseMoved" or pressed:
+            parameters.update(button="left", clickCount=1)
+        self.call("Input.dispatchMouseEvent", **parameters)
+
+    def click(self, selector):
+        x, y, width, height = self.place(selector)
+        self.mouse("mousePressed", x + width / 2, y + height / 2, True)
+        self.mouse("mouseReleased", x + width / 2, y + height / 2)
+
+    def drag(self, begin, end):
+        self.mouse("mouseMoved", *begin)
+        self.mouse("mousePressed", *begin, True)
+        for part in (0.25, 0.5, 0.75, 1.0):
+            self.mouse("mouseMoved", *[a + part * (b - a) for a, b in zip(begin, end)], True)
+        self.mouse("mouseReleased", *end)
+
+    def key(self, name):
+        text = {"text": name} if len(name) == 1 else {}
+        for kind in ("keyDown", "keyUp"):
+            self.call("Input.dispatchKeyEvent", type=kind, key=name, windowsVirtualKeyCode=KEYS[name], **(text if kind == "keyDown" else {}))
+
+    def until(self, expression, seconds=15):
+        deadline = time.time() + seconds
+        while time.time() < deadline:
+            if self.evaluate(expression):
+                return
+            time.sleep(0.05)
+        raise AssertionError(f"never became true: {expression}")
+
+    def picture(self, path):
+        size = self.call("Page.getLayoutMetrics")["cssContentSize"]
+        clip = {"x": 0, "y": 0, "width": size["width"], "height": min(size["height"], 9000), "scale": 1}
+        shot = self.call("Page.captureScreenshot", format="png", captureBeyondViewport=True, clip=clip)
+        Path(path).write_bytes(base64.b64decode(shot["data"]))
+
+    def faults(self):
+        """Everything the console or the network had to complain about."""
+        self.evaluate("1")
+        found = []
+        for event in self.events:
+            method, said = event.get("method"), event.get("params", {})
+            if method == "Runtime.exceptionThrown":
+                found.append(said["exceptionDetails"])
+            elif method == "Log.entryAdded" and said["entry"]["level"] in ("error", "warning"):
+                found.append(said["entry"])
+            elif method == "Runtime.consoleAPICalled" and said["type"] in ("error", "warning", "assert"):
+                found.append(said)
+            elif method == "Network.requestWillBeSent" and not said["request"]["url"].startswith(("file:", "data:")):
+                found.append(said["request"]["url"])
+        return found
+
+    def close(self):
+        try:
+            self.call("Browser.close")
+        except SystemExit:
+            pass
+        try:
+            self.process.wait(20)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+
+
+def run(program, *arguments, code=0):
+    done = subprocess.run([program, *map(str, arguments)], capture_output=True, text=True)
+    assert done.returncode == code, f"{arguments}: {done.returncode}\n{done.stdout}{done.stderr}"
+    return done
+
+
+def history(path, node):
+    with open(path, newline="") as file:
+        return [row for row in csv.DictReader(file) if int(row["node"]) == node]
+
+
+def number(text):
+    return float(text.replace("\u2212", "-"))
+
+
+def animation(browser):
+    """Plays to the end, then drags the slider."""
+    last = browser.evaluate("Number(document.getElementById('frame').max)")
+    assert last >= 1, "there is nothing to play"
+    value = "Number(document.getElementById('frame').value)"
+    beam = "document.querySelector('path.beam').getAttribute('d')"
+    browser.click("#play")
+    browser.until("document.getElementById('play').textContent === 'Pause'")
+    browser.until(f"{value} > 0 && {value} < {last}")
+    browser.click("#play")
+    browser.until("document.getElementById('play').textContent === 'Play'")
+    stopped = browser.evaluate(value)
+    time.sleep(0.3)
+    assert browser.evaluate(value) == stopped, "it plays on after Pause"
+    browser.click("#play")
+    browser.until(f"{value} === {last} && document.getElementById('play').textContent === 'Play'", 30)
+    at_end = browser.evaluate(beam)
+    x, y, width, height = browser.place("#frame")
+    browser.drag([x + width - 9, y + height / 2], [x + width / 2, y + height / 2])
+    dragged = browser.evaluate(value)
+    assert 0.3 * last < dragged < 0.7 * last, f"dragged to {dragged} of {last}"
+    assert browser.evaluate(beam) != at_end, "the shape stands still"
+    assert "increment" in browser.evaluate("document.getElementById('state').textContent")
+    browser.evaluate("document.getElementById('frame').focus()")
+    browser.key("ArrowRight")
+    assert browser.evaluate(value) == dragged + 1, "the slider does not hear the keyboard"
+    browser.key("End")
+
+
+def reading(browser, chart, rows, motion, reaction):
+    """Reads values off by keyboard and by pointer, zooms in and out."""
+    off = f"document.querySelector('#{chart} .readoff').textContent"
+    browser.place(f"#{chart} svg")
+    browser.evaluate(f"document.querySelector('#{chart} svg').focus()")
+    browser.key("End")
+    said = browser.evaluate(off)
+    values = [number(said.split(f"{name} = ")[1].split(",")[0].split(" ")[0]) for name in (motion, reaction)]
+    expected = [float(rows[-1][name]) for name in (motion, reaction)]
+    for found, wanted in zip(values, expected):
+        assert abs(found - wanted) <= 1e-6 * max(abs(wanted), 1e-30), f"{said}: {expected}"
+    browser.key("ArrowLeft")
+    assert browser.evaluate(off) != said, "the arrow keys read nothing off"
+    x, y, width, height = browser.place(f"#{chart} svg")
+    browser.mouse("mouseMoved", x + 0.3 * width, y + 0.3 * height)
+    hovered = browser.evaluate(off)
+    assert f"{motion} = " in hovered, hovered
+    ticks = f"Array.from(document.querySelectorAll('#{chart} svg text'), (t) => t.textContent).join('|')"
+    whole = browser.evaluate(ticks)
+    browser.drag([x + 0.2 * width, y + 0.2 * height], [x + 0.6 * width, y + 0.8 * height])
+    zoomed = browser.evaluate(ticks)
+    assert zoomed != whole, "dragging does not zoom"
+    browser.evaluate(f"document.querySelector('#{chart} svg').focus()")
+    browser.key("0")
+    assert browser.evaluate(ticks) == whole, "0 does not show the whole"
+
+
+def looks(browser, pictures, name):
+    colours = []
+    for scheme in ("light", "dark"):
+        browser.call("Emulation.setEmulatedMedia", media="screen", features=[{"name": "prefers-color-scheme", "value": scheme}])
+        colours.append(browser.evaluate("getComputedStyle(document.body).backgroundColor"))
+        browser.picture(pictures / f"{name}-{scheme}.png")
+    assert colours[0] != colours[1], "light and dark are the same"
+    # on paper it is light whatever the screen is
+    browser.call("Emulation.setEmulatedMedia", media="print", features=[{"name": "prefers-color-scheme", "value": "dark"}])
+    assert browser.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(255, 255, 255)"
+    browser.size(700, 900)
+    browser.picture(pictures / f"{name}-print.png")
+    pages = browser.call("Page.printToPDF", printBackground=True)["data"]
+    (pictures / f"{name}.pdf").write_bytes(base64.b64decode(pages))
+    browser.call("Emulation.setEmulatedMedia", media="screen", features=[])
+    browser.size(390, 844)
+    overflow = browser.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth")
+    assert overflow <= 0, f"a narrow screen must not scroll sideways: {overflow}"
+    browser.size(1200, 900)
+
+
+def strange_deck(folder):
+    """A deck whose names and texts try to leave their places."""
+    text = Path("corpus/diehl1995/isl_coarse.inp").read_text()
+    heading = "</script><script>window.injected = 1</script><img src=x onerror=\"window.injected=2\"> {{job}} \u0444\u6f22"
+    text = text.replace("*HEADING\n", f"*HEADING\n{heading}\n", 1)
+    path = folder / "a 'q' \"p\" <b>&amp; \u0436\u6f22.inp"
+    path.write_text(text)
+    return path
+
+
+def many_increments(folder):
+    text = Path("corpus/diehl1995/isl_coarse_mu03.inp").read_text()
+    text = text.replace("0.05, 1.0, 1.0E-6, 0.05", "0.001, 1.0, 1.0E-6, 0.001").replace("INC=100", "INC=2000")
+    path = folder / "many.inp"
+    path.write_text(text)
+    return path
+
+
+def main():
+    program, pictures = sys.argv[1], Path(sys.argv[2])
+    pictures.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as place:
+        folder = Path(place)
+        browser = Browser(folder / "profile")
+        try:
+            check(browser, program, folder, pictures)
+        finally:
+            browser.close()
+    print("browser: every report loads, plays, drags and reads off; no console error, no request")
+
+
+def check(browser, program, folder, pictures):
+    paper = [("isl_coarse", "U2", "RF2"), ("isl_coarse_push_pull_mu03", "U2", "RF2"),
+             ("irs_fine_mu03", "U2", "RF2"), ("cam_isl_mu03", "UR3", "RM3")]
+    for name, motion, reaction in paper:
+        run(program, "run", f"corpus/diehl1995/{name}.inp", "--out", folder, "--quiet")
+        page = folder / f"{name}.html"
+        assert page.stat().st_size <= 1_500_000, f"{name}: {page.stat().st_size} bytes"
+        browser.open(page)
+        assert "Completed" in browser.evaluate("document.getElementById('verdict').textContent")
+        animation(browser)
+        reading(browser, f"chart-9999-{motion}", history(folder / f"{name}.history.csv", 9999), motion, reaction)
+        looks(browser, pictures, name)
+        assert not browser.faults(), f"{name}: {browser.faults()}"
+        print(f"browser: {name}: {page.stat().st_size} bytes")
+
+    theory = subprocess.run([program, "theory", "diehl-1", "--mu", "0.3"], capture_output=True, text=True)
+    if theory.returncode == 0:
+        curve = folder / "theory.csv"
+        curve.write_text(theory.stdout)
+        run(program, "report", folder / "isl_coarse_push_pull_mu03", "--overlay", curve)
+        browser.open(folder / "isl_coarse_push_pull_mu03.html")
+        legend = browser.evaluate("document.querySelector('#chart-9999-U2 .legend').textContent")
+        assert "theory.csv" in legend, legend
+        browser.picture(pictures / "overlay.png")
+        assert not browser.faults(), browser.faults()
+
+    deck = strange_deck(folder)
+    run(program, "run", deck, "--quiet")
+    browser.open(deck.with_suffix(".html"))
+    assert browser.evaluate("document.querySelector('h1').textContent") == deck.stem
+    assert browser.evaluate("typeof window.injected") == "undefined", "a script was injected"
+    assert browser.evaluate("document.querySelectorAll('img, script[src], link').length") == 0
+    assert "onerror" in browser.evaluate("document.querySelector('.echo').textContent")
+    animation(browser)
+    assert not browser.faults(), browser.faults()
+
+    deck = many_increments(folder)
+    run(program, "run", deck, "--quiet")
+    began = time.time()
+    browser.open(deck.with_suffix(".html"))
+    points = browser.evaluate("document.querySelector('#chart-9999-U2 path.curve').getAttribute('d').split('L').length")
+    assert points == 1001, f"a curve of 1000 increments has {points} points"
+    animation(browser)
+    browser.picture(pictures / "many.png")
+    assert not browser.faults(), browser.faults()
+    print(f"browser: 1000 increments: {deck.with_suffix('.html').stat().st_size} bytes, used in {time.time() - began:.1f} s")
+
+
+main()

@@ -1,0 +1,227 @@
+//! One element: its physics, its places, its evaluation.
+
+use super::Flux;
+use slideline_mech::element::{AxialSpring, Beam21, Beam22, Beam23, BeamStrains, GroundSpring};
+use slideline_mech::rigid::{Attachment, push_forward};
+use slideline_mech::section::BeamStiffness;
+use std::ops::Range;
+
+/// The most dofs an element has.
+pub(super) const WIDTH: usize = 9;
+
+/// Force and tangent (row by row) of an element.
+type Slots<'a> = (&'a mut [f64], &'a mut [f64]);
+
+/// What an element is.
+#[derive(Clone, Debug)]
+pub(super) enum Shape {
+    Beam21(Beam21),
+    /// By far the largest, and rare.
+    Beam22(Box<Beam22>),
+    Beam23(Beam23),
+    /// A spring to the ground and which of the element's variables it acts on.
+    Ground(GroundSpring, usize),
+    Axial(AxialSpring),
+}
+
+/// One element with its places in the structure's lists.
+#[derive(Clone, Debug)]
+pub(super) struct Placed {
+    pub shape: Shape,
+    /// Number of its own variables and where their slots begin.
+    pub variables: usize,
+    pub first_own: usize,
+    /// Number of dofs its force goes to and where their slots begin.
+    pub width: usize,
+    pub first_target: usize,
+    /// Where the places of its tangent begin.
+    pub first_entry: usize,
+    /// How its variables follow the carriers; empty where none is dependent.
+    pub attachments: Vec<Attachment>,
+}
+
+impl Placed {
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
+    pub fn own(&self) -> Range<usize> {
+        self.first_own..self.first_own + self.variables
+    }
+
+    pub fn targets(&self) -> Range<usize> {
+        self.first_target..self.first_target + self.width
+    }
+
+    pub fn entries(&self) -> Range<usize> {
+        self.first_entry..self.first_entry + self.width * self.width
+    }
+
+    /// Writes force and tangent, returns the strain energy [F L]. `own` are
+    /// the slots of its variables, `targets` those its force goes to.
+    pub fn evaluate(
+        &self,
+        u: &[f64],
+        (own, targets): (&[usize], &[usize]),
+        nlgeom: bool,
+        (force, tangent): Slots<'_>,
+    ) -> f64 {
+        if self.attachments.is_empty() {
+            return self.shape.evaluate(u, own, nlgeom, (force, tangent));
+        }
+        let n = self.variables;
+        let (mut gradient, mut hessian) = ([0.0; WIDTH], [0.0; WIDTH * WIDTH]);
+        let slots = (&mut gradient[..n], &mut hessian[..n * n]);
+        let energy = self.shape.evaluate(u, own, nlgeom, slots);
+        self.carry(u, targets, (&gradient[..n], &hessian[..n * n]), (force, tangent));
+        energy
+    }
+
+    /// Hands force and tangent of dependent nodes to their masters.
+    fn carry(
+        &self,
+        u: &[f64],
+        targets: &[usize],
+        (gradient, hessian): (&[f64], &[f64]),
+        (force, tangent): Slots<'_>,
+    ) {
+        let mut dofs = [0.0; WIDTH];
+        for (dof, &slot) in dofs.iter_mut().zip(targets) {
+            *dof = u[slot];
+        }
+        force.fill(0.0);
+        tangent.fill(0.0);
+        let dofs = &dofs[..targets.len()];
+        push_forward(&self.attachments, dofs, gradient, hessian, force, tangent);
+    }
+
+    /// Counts the forces and moments at its nodes.
+    pub fn count(&self, force: &[f64], flux: &mut Flux) {
+        match &self.shape {
+            Shape::Beam21(_) | Shape::Beam22(_) | Shape::Beam23(_) => {
+                for node in force.as_chunks::<3>().0 {
+                    flux.force(node[0].hypot(node[1]));
+                    flux.moment(node[2].abs());
+                }
+            }
+            Shape::Axial(_) => {
+                // With a dependent end the slots of both nodes hold moments too.
+                for node in force.chunks_exact((force.len() / 2).max(2)) {
+                    flux.force(node[0].hypot(node[1]));
+                }
+            }
+            Shape::Ground(_, component) => {
+                flux.force(force.get(*component).map_or(0.0, |value| value.abs()));
+            }
+        }
+    }
+
+    /// Strains and section forces of a beam at its middle, (axial, shear,
+    /// bending) each.
+    pub fn section(&self, u: &[f64], own: &[usize], nlgeom: bool) -> Option<([f64; 3], [f64; 3])> {
+        match &self.shape {
+            Shape::Beam21(beam) => {
+                let q = values(u, own)?;
+                let strains = if nlgeom { beam.strains(&q) } else { beam.linear_strains(&q) };
+                Some(section(&beam.stiffness, &strains))
+            }
+            Shape::Beam22(beam) => {
+                let q = values(u, own)?;
+                let strains = if nlgeom { beam.strains(&q) } else { beam.linear_strains(&q) };
+                Some(section(&beam.stiffness, &strains))
+            }
+            Shape::Beam23(beam) => {
+                let q = values(u, own)?;
+                let (strains, forces) = if nlgeom {
+                    (beam.strains(&q), beam.section_forces(&q))
+                } else {
+                    (beam.linear_strains(&q), beam.linear_section_forces(&q))
+                };
+                let strains = [strains.axial, strains.shear, strains.curvature];
+                Some((strains, [forces.axial, forces.shear, forces.moment]))
+            }
+            Shape::Ground(..) | Shape::Axial(_) => None,
+        }
+    }
+}
+
+/// N = EA eps, V = K gam, M = EI kap beside the strains.
+fn section(stiffness: &BeamStiffness, strains: &BeamStrains) -> ([f64; 3], [f64; 3]) {
+    let of = [strains.axial, strains.shear, strains.curvature];
+    (of, [stiffness.axial * of[0], stiffness.shear * of[1], stiffness.bending * of[2]])
+}
+
+/// The values of an element's `N` variables; `None` for another number.
+fn values<const N: usize>(u: &[f64], own: &[usize]) -> Option<[f64; N]> {
+    let own: &[usize; N] = own.try_into().ok()?;
+    Some(own.map(|slot| u[slot]))
+}
+
+/// `slots` as the arrays of an element with `N` variables.
+fn arrays<'a, const N: usize, const NN: usize>(
+    (force, tangent): Slots<'a>,
+) -> Option<(&'a mut [f64; N], &'a mut [f64; NN])> {
+    Some((force.try_into().ok()?, tangent.try_into().ok()?))
+}
+
+impl Shape {
+    /// Writes force and tangent by the element's own variables, returns the
+    /// energy [F L].
+    fn evaluate(&self, u: &[f64], own: &[usize], nlgeom: bool, slots: Slots<'_>) -> f64 {
+        match self {
+            Self::Beam21(beam) => match (values(u, own), arrays(slots)) {
+                (Some(q), Some((force, tangent))) if nlgeom => {
+                    beam.force_and_tangent(&q, force, tangent)
+                }
+                (Some(q), Some((force, tangent))) => {
+                    beam.linear_force_and_tangent(&q, force, tangent)
+                }
+                _ => 0.0,
+            },
+            Self::Beam22(beam) => match (values(u, own), arrays(slots)) {
+                (Some(q), Some((force, tangent))) if nlgeom => {
+                    beam.force_and_tangent(&q, force, tangent)
+                }
+                (Some(q), Some((force, tangent))) => {
+                    beam.linear_force_and_tangent(&q, force, tangent)
+                }
+                _ => 0.0,
+            },
+            Self::Beam23(beam) => match (values(u, own), arrays(slots)) {
+                (Some(q), Some((force, tangent))) if nlgeom => {
+                    beam.force_and_tangent(&q, force, tangent)
+                }
+                (Some(q), Some((force, tangent))) => {
+                    beam.linear_force_and_tangent(&q, force, tangent)
+                }
+                _ => 0.0,
+            },
+            Self::Axial(spring) => match (values(u, own), arrays(slots)) {
+                (Some(q), Some((force, tangent))) if nlgeom => {
+                    spring.force_and_tangent(&q, force, tangent)
+                }
+                (Some(q), Some((force, tangent))) => {
+                    spring.linear_force_and_tangent(&q, force, tangent)
+                }
+                _ => 0.0,
+            },
+            Self::Ground(spring, component) => ground(spring, *component, u, own, slots),
+        }
+    }
+}
+
+fn ground(
+    spring: &GroundSpring,
+    component: usize,
+    u: &[f64],
+    own: &[usize],
+    (force, tangent): Slots<'_>,
+) -> f64 {
+    let displacement = u[own[component]];
+    let (value, stiffness) = spring.force_and_tangent(displacement);
+    force.fill(0.0);
+    tangent.fill(0.0);
+    force[component] = value;
+    tangent[component * (own.len() + 1)] = stiffness;
+    spring.energy(displacement)
+}

@@ -1,0 +1,185 @@
+//! Every type of element together, through the lists of slots.
+
+use super::*;
+use slideline_diag::{FileId, Span};
+use slideline_mech::material::Elastic;
+use slideline_model::*;
+
+const AT: Span = Span { file: FileId(0), start: 0, end: 0 };
+
+fn section() -> BeamSection {
+    let material = Elastic { modulus: 1e3, poisson: 0.3 };
+    BeamSection { width: 1.0, height: 0.2, poisson: 0.0, material, shear: ShearRule::default() }
+}
+
+fn beams(elements: Vec<BeamElement>) -> BeamBlock {
+    BeamBlock { name: "B".into(), section: section(), elements, origin: AT }
+}
+
+fn beam(a: NodeIndex, middle: Option<NodeIndex>, b: NodeIndex) -> BeamElement {
+    BeamElement { label: 1, nodes: [a, b], middle, origin: AT }
+}
+
+fn step() -> Step {
+    Step {
+        title: String::new(),
+        nlgeom: true,
+        max_increments: 1,
+        unsymmetric: None,
+        extrapolation: Extrapolation::None,
+        at_once: false,
+        procedure: Static {
+            initial: 1.0,
+            period: 1.0,
+            minimum: 1.0,
+            maximum: 1.0,
+            direct: true,
+            origin: None,
+        },
+        prescribed: vec![],
+        loads: vec![],
+        controls: Controls::default(),
+        output: OutputRequests::default(),
+        origin: AT,
+    }
+}
+
+/// A chain of `count` nodes on a parabola, the last of them and the first of
+/// the springs riding on a body.
+fn model(count: usize) -> Model {
+    let mut model = Model::default();
+    let mut node = |k: usize| {
+        let x = k as f64;
+        let position = [x, 0.02 * x * (6.0 - x), 0.0];
+        model.nodes.insert(Node { label: k as u64 + 1, position, origin: AT })
+    };
+    let n: Vec<NodeIndex> = (0..count + 2).map(&mut node).collect();
+    let (rider, body) = (n[count], n[count + 1]);
+    let last = beam(n[2], Some(n[3]), rider);
+    model.blocks = vec![
+        ElementBlock::B22(beams(vec![beam(n[0], Some(n[1]), n[2]), last])),
+        ElementBlock::B23(beams(vec![beam(n[0], None, n[2]), beam(n[1], None, rider)])),
+        ElementBlock::Spring(SpringBlock {
+            name: "S".into(),
+            stiffness: 7.0,
+            kind: SpringKind::Axial,
+            elements: vec![SpringElement { label: 1, nodes: [n[1], rider], origin: AT }],
+            origin: AT,
+        }),
+        ElementBlock::B21(beams(n[..count].windows(2).map(|w| beam(w[0], None, w[1])).collect())),
+    ];
+    model.rigid_links = vec![RigidLink { dependent: rider, master: body, origin: AT }];
+    model
+}
+
+struct Built {
+    layout: Layout,
+    structure: Structure,
+    pattern: Pattern,
+}
+
+fn build(model: &Model, nlgeom: bool) -> Built {
+    let layout = Layout::new(model, &step());
+    let mut structure = Structure::new(model, &layout, nlgeom);
+    let equations = |slots: &[usize]| -> Vec<usize> {
+        slots.iter().filter_map(|&slot| layout.equation(slot)).collect()
+    };
+    let pattern = Pattern::from_cliques(layout.equations(), structure.cliques().map(equations));
+    structure.find_entries(&layout, &pattern);
+    Built { layout, structure, pattern }
+}
+
+fn motion(layout: &Layout) -> Vec<f64> {
+    let mut u: Vec<f64> =
+        (0..layout.slots()).map(|k| 0.03 * ((k * 7919 % 13) as f64 / 6.0 - 1.0)).collect();
+    layout.follow_links(&mut u);
+    u
+}
+
+/// Requirement: the gathered tangent is the derivative of the gathered force,
+/// K v its product, and the force the derivative of the energy, with a node
+/// on a rigid arm. Central differences of step 1e-6; tolerance 1e-6 of the
+/// largest entry.
+#[test]
+fn gathered_tangent_by_differences() {
+    let model = model(4);
+    let Built { layout, structure, pattern } = build(&model, true);
+    let u = motion(&layout);
+    let mut room = structure.room();
+    let mut values = vec![0.0; pattern.entries()];
+    structure.evaluate(&u, &mut room, None);
+    structure.gather_tangent(&room, &mut values);
+    let largest = values.iter().fold(0.0_f64, |most, k| most.max(k.abs()));
+    let mut force = |u: &[f64]| {
+        let mut force = vec![0.0; layout.slots()];
+        structure.evaluate(u, &mut room, None);
+        let energy = structure.gather_force(&room, &mut force);
+        (energy, force)
+    };
+    let here = force(&u).1;
+    for column in 0..layout.equations() {
+        let slot = layout.slot_of_equation[column];
+        let mut moved = |sign: f64| {
+            let mut moved = u.clone();
+            moved[slot] += sign * 1e-6;
+            layout.follow_links(&mut moved);
+            force(&moved)
+        };
+        let (up, down) = (moved(1.0), moved(-1.0));
+        assert!(((up.0 - down.0) / 2e-6 - here[slot]).abs() < 1e-6 * largest, "{slot}");
+        for row in 0..layout.equations() {
+            let at = layout.slot_of_equation[row];
+            let difference = (up.1[at] - down.1[at]) / 2e-6;
+            let entry = pattern.position(row, column).map_or(0.0, |place| values[place]);
+            assert!((difference - entry).abs() < 1e-6 * largest, "{row} {column}");
+        }
+        let mut room = structure.room();
+        structure.evaluate(&u, &mut room, None);
+        let (mut unit, mut product) = (vec![0.0; u.len()], vec![0.0; u.len()]);
+        unit[slot] = 1.0;
+        structure.multiply(&room, &unit, &mut product);
+        for row in 0..layout.equations() {
+            let entry = pattern.position(row, column).map_or(0.0, |place| values[place]);
+            let off = product[layout.slot_of_equation[row]] - entry;
+            assert!(off.abs() < 1e-13 * largest, "{row} {column}");
+        }
+    }
+}
+
+/// Requirement: without NLGEOM the force is the tangent times u.
+#[test]
+fn linear_kinematics() {
+    let model = model(4);
+    let Built { layout, structure, .. } = build(&model, false);
+    let mut u = motion(&layout);
+    u[3 * 5..].fill(0.0); // a rigid arm turns by a finite angle all the same
+    layout.follow_links(&mut u);
+    let mut room = structure.room();
+    structure.evaluate(&u, &mut room, None);
+    let (mut force, mut product) = (vec![0.0; u.len()], vec![0.0; u.len()]);
+    let energy = structure.gather_force(&room, &mut force);
+    structure.multiply(&room, &u, &mut product);
+    let work: f64 = force.iter().zip(&u).map(|(f, u)| f * u).sum();
+    assert!((work - 2.0 * energy).abs() < 1e-12 * energy, "{work} {energy}");
+    let free = layout.slot_of_equation.iter().filter(|&&slot| slot < 12);
+    for &slot in free {
+        assert!((force[slot] - product[slot]).abs() < 1e-10, "{slot}");
+    }
+    let rows: Vec<BeamRow> = structure.beam_rows(&u).collect();
+    assert_eq!(rows.len(), 7);
+    assert!(rows[2].strains[1] == 0.0 && rows[2].shear_force != 0.0, "B23 has V without strain");
+}
+
+/// Requirement: the same bits on one thread and on several.
+#[test]
+fn threads_change_nothing() {
+    let model = model(PARALLEL + 300);
+    let Built { layout, structure, .. } = build(&model, true);
+    let u = motion(&layout);
+    let (mut one, mut many) = (structure.room(), structure.room());
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().unwrap();
+    structure.evaluate(&u, &mut one, None);
+    structure.evaluate(&u, &mut many, Some(&pool));
+    assert!(one.force == many.force && one.tangent == many.tangent && one.energy == many.energy);
+    assert!(one.force.iter().any(|&f| f != 0.0));
+}
