@@ -303,6 +303,14 @@ def check(browser, program, folder, pictures):
         assert not browser.faults(), f"{name}: {browser.faults()}"
         print(f"browser: {name}: {page.stat().st_size} bytes")
 
+    run(program, "run", "corpus/diehl1995/cam_isl_mu03.inp", "--friction-onset", "matfru", "--out", folder, "--quiet")
+    browser.open(folder / "cam_isl_mu03.html")
+    browser.call("Page.printToPDF")
+    page = browser.evaluate("document.querySelector('#warnings details[open]').textContent")
+    assert "What to change" in page, "the page of a warning is printed with it"
+    assert browser.evaluate("document.querySelectorAll('#bands .dropped').length") > 0
+    assert not browser.faults(), browser.faults()
+
     theory = subprocess.run([program, "theory", "diehl-1", "--mu", "0.3"], capture_output=True, text=True)
     if theory.returncode == 0:
         curve = folder / "theory.csv"

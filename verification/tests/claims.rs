@@ -7,6 +7,7 @@
 mod amplitudes_and_springs;
 mod balance;
 mod beams_bisshopp_drucker;
+mod beams_quadratic_and_cubic;
 mod beams_roll_up;
 mod beams_timoshenko;
 mod beams_williams_toggle;

@@ -157,7 +157,7 @@ fn every_code_has_a_page_and_every_page_a_code() {
 fn no_code_is_used_that_the_catalogue_lacks() {
     let mut files = Vec::new();
     for name in crates() {
-        collect(&root().join("crates").join(name).join("src"), &mut files);
+        collect(&folder(&name).join("src"), &mut files);
     }
     for file in files {
         let text = read(&file);
@@ -201,7 +201,7 @@ fn every_keyword_has_a_page_and_a_deck() {
 #[test]
 fn every_crate_has_a_description() {
     for name in crates() {
-        let manifest = read(&root().join("crates").join(&name).join("Cargo.toml"));
+        let manifest = read(&folder(&name).join("Cargo.toml"));
         assert!(manifest.contains("\ndescription = \""), "{name} has no description");
     }
 }

@@ -71,6 +71,8 @@ pub struct Workspace {
     contact: LinearisedContact,
     geometry: GeometryScratch,
     was_closed: Vec<bool>,
+    /// Whether every facing point lends its stiffness in this attempt.
+    lend_to_all: bool,
     /// The list of changes of the last report, to be used again.
     changes: Vec<ContactChange>,
 }
@@ -81,7 +83,7 @@ const LARGEST_ROTATION: f64 = 0.5;
 /// stiffness is lent.
 const TOUCH: f64 = 1e-9;
 /// Stiffness lent to a closed point, as a fraction of the stiffest element.
-const LENT: f64 = 1e-2;
+const LENT: f64 = 0.1;
 
 impl Workspace {
     /// Room for a plan; the symbolic factorisation happens here.
@@ -106,6 +108,7 @@ impl Workspace {
             contact,
             geometry: GeometryScratch::new(&plan.contact),
             was_closed: vec![false; points],
+            lend_to_all: false,
             changes: Vec::with_capacity(points),
         }
     }
@@ -200,6 +203,7 @@ impl Progress {
 impl Workspace {
     /// The first guess, evaluated.
     fn begin(&mut self, plan: &Plan<'_>, committed: &State, target: &Target) {
+        self.lend_to_all = false;
         self.u.copy_from_slice(&committed.displacement);
         predict::extrapolate(plan, committed, target.dt, &mut self.u);
         plan.prescribe(target.step_time, &mut self.u);
@@ -259,12 +263,7 @@ impl Workspace {
 
     /// One Newton iteration: assemble, factor, solve, move, evaluate.
     fn iterate(&mut self, plan: &Plan<'_>, committed: &State, dt: f64) -> Result<(), SolveError> {
-        self.linearise_points(plan, committed);
-        self.assemble(plan);
-        if plan.symmetrised() {
-            plan.symmetrise(&mut self.values);
-        }
-        self.solver.refactor(&plan.pattern, &self.values)?;
+        self.factor(plan, committed)?;
         for (equation, &slot) in plan.layout.slot_of_equation.iter().enumerate() {
             self.correction[equation] =
                 self.evaluation.external[slot] - self.evaluation.internal[slot];
@@ -286,6 +285,24 @@ impl Workspace {
         Ok(())
     }
 
+    /// Assembles and factors. Where nothing but contact that is still open
+    /// would hold the model, stiffness is lent to every point that faces its
+    /// master, and the contact step closes the gap.
+    fn factor(&mut self, plan: &Plan<'_>, committed: &State) -> Result<(), SolveError> {
+        loop {
+            self.linearise_points(plan, committed);
+            self.assemble(plan);
+            if plan.symmetrised() {
+                plan.symmetrise(&mut self.values);
+            }
+            match self.solver.refactor(&plan.pattern, &self.values) {
+                Ok(_) => return Ok(()),
+                Err(SolveError::Singular { .. }) if !self.lend_to_all => self.lend_to_all = true,
+                Err(fault) => return Err(fault),
+            }
+        }
+    }
+
     /// Contact points as the small system wants them.
     fn linearise_points(&mut self, plan: &Plan<'_>, committed: &State) {
         self.points.clear();
@@ -294,7 +311,8 @@ impl Workspace {
             let before = &committed.points[place];
             let laws = &plan.contact.laws[point.pair];
             let touching = meeting.faces
-                && (self.pressures[place] > 0.0
+                && (self.lend_to_all
+                    || self.pressures[place] > 0.0
                     || meeting.overclosure > laws.normal.contact_begins() - TOUCH * plan.reach);
             let lent = if touching { lent_stiffness(plan, point) } else { 0.0 };
             let called = laws.has_friction() && laws.onset.called(before.closed, true);

@@ -146,8 +146,13 @@ impl Structure {
             let (own_tangent, rest) = tangent.split_at_mut(width * width);
             tangent = rest;
             let own = &self.own[element.own()];
-            let targets = &self.targets[element.targets()];
-            *energy = element.evaluate(u, (own, targets), self.nlgeom, (own_force, own_tangent));
+            let slots = (own_force, own_tangent);
+            *energy = if element.attachments.is_empty() {
+                element.shape.evaluate(u, own, self.nlgeom, slots)
+            } else {
+                let targets = &self.targets[element.targets()];
+                element.evaluate_carried(u, (own, targets), self.nlgeom, slots)
+            };
         }
     }
 
@@ -185,8 +190,11 @@ impl Structure {
     /// elements, with the number of nodal vectors counted: the flux q.
     pub fn flux(&self, from: &Contributions) -> Flux {
         let mut flux = Flux::default();
+        let mut rest: &[f64] = &from.force;
         for element in &self.elements {
-            element.count(&from.force[element.targets()], &mut flux);
+            let (own, behind) = rest.split_at(element.width());
+            element.count(own, &mut flux);
+            rest = behind;
         }
         flux
     }

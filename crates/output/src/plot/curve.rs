@@ -23,7 +23,7 @@ pub struct Question {
 pub struct Curve {
     /// What the legend calls it.
     pub name: String,
-    /// Total times [T].
+    /// Total times.
     pub times: Vec<f64>,
     /// Horizontal values.
     pub x: Vec<f64>,

@@ -57,18 +57,16 @@ impl Placed {
         self.first_entry..self.first_entry + self.width * self.width
     }
 
-    /// Writes force and tangent, returns the strain energy [F L]. `own` are
-    /// the slots of its variables, `targets` those its force goes to.
-    pub fn evaluate(
+    /// Writes force and tangent of an element with dependent nodes, returns
+    /// the strain energy [F L]. `own` are the slots of its variables,
+    /// `targets` those its force goes to.
+    pub fn evaluate_carried(
         &self,
         u: &[f64],
         (own, targets): (&[usize], &[usize]),
         nlgeom: bool,
         (force, tangent): Slots<'_>,
     ) -> f64 {
-        if self.attachments.is_empty() {
-            return self.shape.evaluate(u, own, nlgeom, (force, tangent));
-        }
         let n = self.variables;
         let (mut gradient, mut hessian) = ([0.0; WIDTH], [0.0; WIDTH * WIDTH]);
         let slots = (&mut gradient[..n], &mut hessian[..n * n]);
@@ -96,6 +94,7 @@ impl Placed {
     }
 
     /// Counts the forces and moments at its nodes.
+    #[inline]
     pub fn count(&self, force: &[f64], flux: &mut Flux) {
         match &self.shape {
             Shape::Beam21(_) | Shape::Beam22(_) | Shape::Beam23(_) => {
@@ -167,7 +166,8 @@ fn arrays<'a, const N: usize, const NN: usize>(
 impl Shape {
     /// Writes force and tangent by the element's own variables, returns the
     /// energy [F L].
-    fn evaluate(&self, u: &[f64], own: &[usize], nlgeom: bool, slots: Slots<'_>) -> f64 {
+    #[inline]
+    pub fn evaluate(&self, u: &[f64], own: &[usize], nlgeom: bool, slots: Slots<'_>) -> f64 {
         match self {
             Self::Beam21(beam) => match (values(u, own), arrays(slots)) {
                 (Some(q), Some((force, tangent))) if nlgeom => {

@@ -235,7 +235,8 @@ fn fill_derivatives<const K: usize, const N: usize>(
     let mut growth = [0.0; N];
     for (j, v) in variables.iter().enumerate() {
         let c = v.component;
-        let stretch = (v.tangent * curve.first[c] + dot(curve.first, curve.second) * xi[j]) / metric;
+        let stretch =
+            (v.tangent * curve.first[c] + dot(curve.first, curve.second) * xi[j]) / metric;
         let turn = (change[j] + slope_xi * xi[j]) / slope;
         growth[j] = along.second / along.first * xi[j] + stretch - turn;
         gap.drag[j] = scale * gap.slip_gradient[j];

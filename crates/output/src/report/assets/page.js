@@ -166,3 +166,6 @@ shape.go(tightest());
 bands();
 energies();
 iterations();
+
+// On paper nothing can be unfolded.
+window.addEventListener("beforeprint", () => document.querySelectorAll("#warnings details").forEach((one) => { one.open = true; }));
