@@ -1,6 +1,8 @@
 //! `slideline report` and `slideline plot`: from files alone, and what they
 //! say about files that are none.
 
+#![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
+
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 

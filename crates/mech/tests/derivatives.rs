@@ -45,10 +45,10 @@ fn compare<const N: usize>(gap: &Gap<N>, h: &Second<N>, sigma: &Second<N>, lengt
             1.0 + sigma.gradient[i].abs(),
             1e-11
         ));
-        for j in 0..N {
+        for (j, column) in s[0].iter().zip(&s[1]).enumerate() {
             let (a, b) = (gap.hessian[i][j], h.hessian[i][j]);
             assert!(close(a, b, by_h, tolerance), "h {i} {j}: {a} {b}");
-            let growth = (g[0] * s[0][j] + g[1] * s[1][j]) / at_slave;
+            let growth = (g[0] * column.0 + g[1] * column.1) / at_slave;
             let (a, b) = (gap.drag_derivative[i][j], (s[i][j] - drag * growth) / at_slave);
             let by_drag = (1.0 + drag.abs()) * by_s / at_slave;
             assert!(close(a, b, by_drag, tolerance), "s {i} {j}: {a} {b}");
