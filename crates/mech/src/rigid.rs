@@ -211,15 +211,23 @@ pub fn push_forward(
     add_turning_terms(attachments, dofs, gradient, tangent);
 }
 
-/// Pushes the gradient of a scalar (an overclosure, a slip) to the local dofs: J' g. *Adds* into
-/// `into` (m entries, as many as `dofs`).
-pub fn push_gradient(attachments: &[Attachment], dofs: &[f64], gradient: &[f64], into: &mut [f64]) {
+/// Pushes gradients of scalars (an overclosure, a slip, a drag) to the local dofs: J' g each. *Adds*
+/// into `into` (m entries each, as many as `dofs`).
+pub fn push_gradients<const K: usize>(
+    attachments: &[Attachment],
+    dofs: &[f64],
+    gradients: [&[f64]; K],
+    mut into: [&mut [f64]; K],
+) {
     let mut variable = 0;
     for attachment in attachments {
         for component in 0..attachment.variables() {
-            let Some(value) = gradient.get(variable) else { return };
-            for &(dof, coefficient) in attachment.row(component, dofs).pairs() {
-                into[dof] += coefficient * value;
+            let row = attachment.row(component, dofs);
+            for (gradient, into) in gradients.iter().zip(&mut into) {
+                let Some(value) = gradient.get(variable) else { return };
+                for &(dof, coefficient) in row.pairs() {
+                    into[dof] += coefficient * value;
+                }
             }
             variable += 1;
         }

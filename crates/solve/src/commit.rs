@@ -34,11 +34,25 @@ pub fn commit(
     }
     trial.points.copy_from_slice(&evaluation.points);
     trial.memory.copy_from_slice(&evaluation.memory);
+    count_slip(plan, committed, work, trial);
     let controls = &plan.step.controls.field;
     trial.flux = committed.flux;
     trial.flux[0].commit(evaluation.flux.mean_force(), controls);
     trial.flux[1].commit(evaluation.flux.mean_moment(), controls);
     account(plan, committed, work, trial);
+}
+
+/// Slip of closed points without friction, which no law has asked for.
+fn count_slip(plan: &Plan<'_>, committed: &State, work: &Workspace, trial: &mut State) {
+    for (place, point) in plan.contact.points.iter().enumerate() {
+        let (now, before) = (&mut trial.points[place], &committed.points[place]);
+        if now.closed && !plan.contact.laws[point.pair].has_friction() {
+            let meeting = &work.evaluation.meetings[place];
+            let history = before.history();
+            now.slip =
+                before.slip + plan.contact.slip(place, &history, meeting, &committed.displacement);
+        }
+    }
 }
 
 /// Energies after the increment: work by the trapezoidal rule, dissipation

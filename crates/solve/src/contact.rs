@@ -19,11 +19,11 @@ use slideline_mech::contact::pair::{
     self, AnyGap, Body, History, Laws, RigidSurface, StencilAttachments, chain_attachments,
     chain_gap,
 };
-use slideline_mech::contact::points::stations::{GAUSS, HermiteLine, POINTS, closed_part};
+use slideline_mech::contact::points::stations::{GAUSS, HermiteLine, POINTS, closed_part_between};
 use slideline_mech::contact::points::{average_length, tributary_areas};
 use slideline_mech::contact::search::chain::Chain;
 use slideline_mech::contact::search::rigid::RigidSegment;
-use slideline_mech::rigid::{Attachment, push_forward, push_gradient};
+use slideline_mech::rigid::{Attachment, push_forward, push_gradients};
 use slideline_model::{
     ContactPair, Dof, ElementBlock, Formulation, Friction, Master, Model, NodeIndex, SlideLine,
     StickRule, SurfaceSegment,
@@ -318,25 +318,29 @@ impl Contact {
         }
     }
 
-    /// Stations follow the closed part of their cells.
+    /// Stations follow the closed part of their cells; those of cells that
+    /// contact cannot reach in an iteration face nothing.
     fn meet_strip(&self, strip: &Strip, u: &[f64], into: &mut [Meeting]) {
+        into.iter_mut().for_each(Meeting::turn_away);
         let begins = self.laws[strip.pair].normal.contact_begins();
         let Facade::Body { slots, reference, surface } = &self.facades[strip.pair] else { return };
         let body = Body { reference: *reference, dofs: slots.map(|slot| u[slot]) };
-        let overclosure = |xi: f64| {
-            let position = strip.position(xi, u);
-            surface.overclosure(&body, position).unwrap_or(f64::NEG_INFINITY)
+        let bent = strip.line.bent(&strip.slots.map(|slot| u[slot]));
+        let beyond = |xi: f64| {
+            let overclosure = surface.overclosure(&body, bent.position(xi));
+            overclosure.unwrap_or(f64::NEG_INFINITY) - begins
         };
         let length = strip.line.length();
-        // The middle is at most half a length from any station, and no
-        // overclosure changes faster than the position.
-        if overclosure(0.5) < begins - FAR * length {
-            into.fill(Meeting::NOWHERE);
+        if top_of_parabola([beyond(0.0), beyond(0.5), beyond(1.0)]) < -NEAR * length {
             return;
         }
         for cell in 0..CELLS {
             let at = |t: f64| (cell as f64 + t) / CELLS as f64;
-            let part = closed_part(|t| overclosure(at(t)) - begins);
+            let ends = [beyond(at(0.0)), beyond(at(0.5)), beyond(at(1.0))];
+            if top_of_parabola(ends) < -NEAR * length {
+                continue;
+            }
+            let part = closed_part_between(|t| beyond(at(t)), ends);
             let (begin, end) = part.unwrap_or((0.0, 1.0));
             for (k, (t, weight)) in GAUSS.into_iter().enumerate() {
                 let meeting = &mut into[cell * POINTS + k];
@@ -489,9 +493,20 @@ impl Contact {
     }
 }
 
-/// How far beyond the reach of contact an element may be looked at, in
-/// lengths of it: half its own, and as much again for what an iteration moves.
-const FAR: f64 = 1.5;
+/// How far beyond the reach of contact a cell is looked at, in lengths of its
+/// element: what an iteration may move it.
+const NEAR: f64 = 0.1;
+
+/// Largest value on [0, 1] of the parabola through values at 0, 1/2 and 1.
+fn top_of_parabola([left, middle, right]: [f64; 3]) -> f64 {
+    let largest = left.max(middle).max(right);
+    let bend = left - 2.0 * middle + right;
+    let slope = right - left;
+    if bend.is_nan() || bend >= 0.0 || slope.abs() >= -2.0 * bend {
+        return largest;
+    }
+    middle - slope * slope / (8.0 * bend)
+}
 
 /// Scratch of [`Contact::geometric_tangent`].
 #[derive(Clone, Debug)]
@@ -512,9 +527,7 @@ impl GeometryScratch {
 impl Strip {
     /// Current position of the station at `xi` [L].
     fn position(&self, xi: f64, u: &[f64]) -> [f64; 2] {
-        let [x, y] = self.line.reference(xi);
-        let [ux, uy] = self.line.blend(xi).displacement(&self.slots.map(|slot| u[slot]));
-        [x + ux, y + uy]
+        self.line.bent(&self.slots.map(|slot| u[slot])).position(xi)
     }
 }
 
@@ -538,6 +551,14 @@ impl Stencil {
 }
 
 impl Meeting {
+    /// The point faces nothing and stands for nothing.
+    fn turn_away(&mut self) {
+        self.faces = false;
+        self.overclosure = f64::NEG_INFINITY;
+        self.width = 0;
+        self.area = 0.0;
+    }
+
     /// Takes a gap in and pushes its gradients from kernel variables to slots.
     fn take(&mut self, gap: &AnyGap, stencil: &Stencil, u: &[f64]) {
         self.faces = true;
@@ -552,9 +573,12 @@ impl Meeting {
         self.drag[..m].fill(0.0);
         let (from, dofs) = (gap.derivatives(), stencil.dofs(u));
         let attachments = stencil.attachments();
-        push_gradient(attachments, &dofs[..m], from.gradient, &mut self.gradient[..m]);
-        push_gradient(attachments, &dofs[..m], from.slip_gradient, &mut self.slip_gradient[..m]);
-        push_gradient(attachments, &dofs[..m], from.drag, &mut self.drag[..m]);
+        push_gradients(
+            attachments,
+            &dofs[..m],
+            [from.gradient, from.slip_gradient, from.drag],
+            [&mut self.gradient[..m], &mut self.slip_gradient[..m], &mut self.drag[..m]],
+        );
     }
 }
 

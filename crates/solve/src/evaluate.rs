@@ -109,10 +109,18 @@ fn evaluate_contact(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into:
     into.fault = None;
     for (place, point) in plan.contact.points.iter().enumerate() {
         let meeting = &into.meetings[place];
+        if point.is_station() && !meeting.faces {
+            let (now, before) = (&mut into.points[place], &committed.points[place]);
+            if !now.is_untouched() || before.ever_closed {
+                now.open_from(before);
+            }
+            continue;
+        }
         let laws = &plan.contact.laws[point.pair];
         let before = &committed.points[place];
         let estimate = (trial.pressures[place], trial.tractions[place]);
-        let slip = match meeting.faces {
+        // Without friction the slip is only told, and found at the commit.
+        let slip = match meeting.faces && laws.has_friction() {
             true => plan.contact.slip(place, &before.history(), meeting, &committed.displacement),
             false => 0.0,
         };

@@ -63,6 +63,8 @@ pub struct Circumstances<'a> {
 /// A contact point, linearised.
 #[derive(Clone, Copy, Debug)]
 pub struct LinearPoint {
+    /// Place of the point in the plan.
+    pub place: usize,
     /// Place of its pair among the laws.
     pub pair: usize,
     /// Area [L2].
@@ -185,6 +187,10 @@ pub struct LinearisedContact {
     /// dF/dd of the interface rows, row-major over all rows.
     stiffness: Vec<f64>,
     in_rows: Vec<bool>,
+    /// du by the present estimate.
+    moved: Vec<f64>,
+    /// Displacements of the interface rows.
+    values: Vec<f64>,
     stations: Vec<Station>,
 }
 
@@ -213,6 +219,8 @@ impl LinearisedContact {
             vector.reserve(rows);
         }
         self.in_rows.reserve(points);
+        self.moved.reserve(equations);
+        self.values.reserve(rows);
     }
 
     /// Solves the linearised contact problem. `correction` holds -r on entry
@@ -239,6 +247,9 @@ impl LinearisedContact {
         for _ in 0..ROUNDS {
             let joined = self.admit(points, circumstances, touching, solver, correction)?;
             if joined {
+                if touching {
+                    self.press(points);
+                }
                 self.couple(points, correction);
                 self.iterate(points, circumstances);
             } else if !touching {
@@ -260,7 +271,9 @@ impl LinearisedContact {
         solver: &mut Solver,
         base: &[f64],
     ) -> Result<bool, SolveError> {
-        let solved = self.rows.len();
+        if !touching {
+            self.move_by_rows(base);
+        }
         let mut joined = false;
         for (place, point) in points.iter().enumerate() {
             if self.in_rows[place] || !point.moves(Kind::Normal) {
@@ -270,7 +283,7 @@ impl LinearisedContact {
                 point.pressure > 0.0 || point.stiffness > 0.0
             } else {
                 let begins = circumstances.laws[point.pair].normal.contact_begins();
-                point.overclosure + self.change(point, solved, base) > begins
+                point.overclosure + point.dot(Kind::Normal, &self.moved) > begins
             };
             if !joins {
                 continue;
@@ -289,15 +302,16 @@ impl LinearisedContact {
         Ok(joined)
     }
 
-    /// Change of a point's overclosure under the multipliers of the rows
-    /// that are solved already [L].
-    fn change(&self, point: &LinearPoint, solved: usize, base: &[f64]) -> f64 {
+    /// du under the multipliers of the rows that are solved already.
+    fn move_by_rows(&mut self, base: &[f64]) {
+        self.moved.clear();
+        self.moved.extend_from_slice(base);
         let n = base.len();
-        let kind = Kind::Normal;
-        let from_rows: f64 = (0..solved)
-            .map(|row| self.unknown[row] * point.dot(kind, &self.response[row * n..][..n]))
-            .sum();
-        point.dot(kind, base) - from_rows
+        for (row, q) in self.unknown.iter().enumerate() {
+            for (du, w) in self.moved.iter_mut().zip(&self.response[row * n..][..n]) {
+                *du -= q * w;
+            }
+        }
     }
 
     fn add_row(
@@ -387,6 +401,19 @@ impl LinearisedContact {
         Ok(self.rows.len() - 1)
     }
 
+    /// Starts the forces of the interface rows from the pressures and
+    /// tractions that the iteration estimates.
+    fn press(&mut self, points: &[LinearPoint]) {
+        for station in &self.stations {
+            let point = &points[station.point];
+            let traction = point.sliding.map_or(0.0, |sliding| sliding.traction);
+            for a in 0..point.width {
+                let force = point.pressure * point.normal[a] + traction * point.drag[a];
+                self.unknown[station.rows[a]] += point.area * force;
+            }
+        }
+    }
+
     /// Fills C and the stiffness that each row feels.
     fn couple(&mut self, points: &[LinearPoint], base: &[f64]) {
         let (m, n) = (self.rows.len(), base.len());
@@ -434,13 +461,18 @@ impl LinearisedContact {
         self.jacobian.resize(m * m, 0.0);
         self.stiffness.clear();
         self.stiffness.resize(if self.stations.is_empty() { 0 } else { m * m }, 0.0);
-        let stiffness = &mut self.stiffness;
+        self.values.resize(m, 0.0);
+        let (stiffness, values) = (&mut self.stiffness, &mut self.values);
         let system =
             System { rows: &self.rows, compliance: &self.compliance, stations: &self.stations };
         let (residual, jacobian) = (&mut self.residual, &mut self.jacobian);
         let unknown = &mut self.unknown;
-        let mut size =
-            system.residual((unknown, points), circumstances, residual, (jacobian, stiffness));
+        let mut size = system.residual(
+            (unknown, points),
+            circumstances,
+            residual,
+            (jacobian, stiffness, values),
+        );
         for _ in 0..ITERATIONS {
             if size == 0.0 || !size.is_finite() {
                 return size == 0.0;
@@ -457,7 +489,7 @@ impl LinearisedContact {
                     (&self.trial, points),
                     circumstances,
                     residual,
-                    (jacobian, stiffness),
+                    (jacobian, stiffness, values),
                 );
                 if new < size {
                     unknown.copy_from_slice(&self.trial);
@@ -530,9 +562,15 @@ impl LinearisedContact {
                 }
             }
         }
+        if !self.stations.is_empty() {
+            self.values.clear();
+            let values =
+                (0..self.rows.len()).map(|i| system.multiplier_and_value(i, &self.unknown).1);
+            self.values.extend(values);
+        }
         for station in &self.stations {
             let point = &mut points[station.point];
-            let answer = circumstances.station(&system, station, point, &self.unknown);
+            let answer = circumstances.station(station, point, &self.values);
             point.pressure = answer.pressure;
             if let Some(sliding) = &mut point.sliding {
                 sliding.traction = answer.traction;
@@ -580,10 +618,14 @@ impl System<'_> {
         (unknown, points): (&[f64], &[LinearPoint]),
         circumstances: &Circumstances<'_>,
         residual: &mut [f64],
-        (jacobian, stiffness): (&mut [f64], &mut [f64]),
+        (jacobian, stiffness, values): (&mut [f64], &mut [f64], &mut [f64]),
     ) -> f64 {
         if !self.stations.is_empty() {
-            self.interface((unknown, points), circumstances, residual, (jacobian, stiffness));
+            for (i, value) in values.iter_mut().enumerate() {
+                *value = self.multiplier_and_value(i, unknown).1;
+            }
+            let known = (unknown, &*values, points);
+            self.interface(known, circumstances, residual, (jacobian, stiffness));
         }
         for (i, row) in self.rows.iter().enumerate() {
             let Unknown::Multiplier { point, kind, pressure_row } = row.unknown else { continue };
@@ -618,7 +660,7 @@ impl System<'_> {
     /// force of all stations at the displacements d = free - C q.
     fn interface(
         &self,
-        (unknown, points): (&[f64], &[LinearPoint]),
+        (unknown, values, points): (&[f64], &[f64], &[LinearPoint]),
         circumstances: &Circumstances<'_>,
         residual: &mut [f64],
         (jacobian, stiffness): (&mut [f64], &mut [f64]),
@@ -631,7 +673,7 @@ impl System<'_> {
         }
         for station in self.stations {
             let point = &points[station.point];
-            let answer = circumstances.station(self, station, point, unknown);
+            let answer = circumstances.station(station, point, values);
             for a in 0..point.width {
                 let i = station.rows[a];
                 let (n, t) = (point.area * point.normal[a], point.area * point.drag[a]);
@@ -692,16 +734,10 @@ impl Circumstances<'_> {
 
     /// A station with its laws inserted: among many stations of one element
     /// none has a multiplier of its own.
-    fn station(
-        &self,
-        system: &System<'_>,
-        station: &Station,
-        point: &LinearPoint,
-        unknown: &[f64],
-    ) -> StationAnswer {
+    fn station(&self, station: &Station, point: &LinearPoint, values: &[f64]) -> StationAnswer {
         let (mut normal, mut tangential) = (0.0, 0.0);
         for a in 0..point.width {
-            let d = system.multiplier_and_value(station.rows[a], unknown).1;
+            let d = values[station.rows[a]];
             normal += point.normal[a] * d;
             tangential += point.tangential[a] * d;
         }

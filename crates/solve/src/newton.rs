@@ -308,6 +308,11 @@ impl Workspace {
         self.points.clear();
         for (place, point) in plan.contact.points.iter().enumerate() {
             let meeting = &self.evaluation.meetings[place];
+            if point.is_station() && !meeting.faces {
+                self.pressures[place] = 0.0;
+                self.tractions[place] = 0.0;
+                continue;
+            }
             let before = &committed.points[place];
             let laws = &plan.contact.laws[point.pair];
             let touching = meeting.faces
@@ -324,6 +329,7 @@ impl Workspace {
                 memory: (point.memory, point.memory_size),
             });
             let mut linear = LinearPoint {
+                place,
                 pair: point.pair,
                 area: meeting.area,
                 integrated: point.is_station(),
@@ -361,12 +367,12 @@ impl Workspace {
             }
         }
         plan.contact.fill_scratch(&self.u, &mut self.geometry);
-        for place in 0..self.points.len() {
-            if self.points[place].pressure == 0.0 && self.points[place].stiffness == 0.0 {
+        for k in 0..self.points.len() {
+            if self.points[k].pressure == 0.0 && self.points[k].stiffness == 0.0 {
                 continue;
             }
-            self.add_geometry(plan, place);
-            let linear = &self.points[place];
+            self.add_geometry(plan, self.points[k].place);
+            let linear = &self.points[k];
             let sliding_stiffness = linear.sliding.map_or(0.0, |sliding| sliding.stiffness);
             for i in 0..linear.width {
                 for j in 0..linear.width {
@@ -413,7 +419,8 @@ impl Workspace {
             *change *= length;
             self.u[slot] += *change;
         }
-        for (place, linear) in self.points.iter().enumerate() {
+        for linear in &self.points {
+            let place = linear.place;
             let pressure = &mut self.pressures[place];
             *pressure += length * (linear.pressure - *pressure);
             let traction = linear.sliding.map_or(0.0, |sliding| sliding.traction);

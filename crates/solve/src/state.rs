@@ -77,6 +77,19 @@ pub struct PointState {
 }
 
 impl PointState {
+    /// Whether this is what [`PointState::open_from`] makes of a station that
+    /// was never closed.
+    pub fn is_untouched(&self) -> bool {
+        self.opening == f64::INFINITY && self.area == 0.0 && !self.ever_closed
+    }
+
+    /// A station that faces nothing: open, what it has done before kept.
+    pub fn open_from(&mut self, before: &Self) {
+        let (ever_closed, slip) = (before.ever_closed, before.slip);
+        let opening = f64::INFINITY;
+        *self = Self { ever_closed, slip, opening, ..Self::default() };
+    }
+
     /// What the contact laws want to know of it.
     pub fn history(&self) -> History {
         History { closed: self.closed, along: self.along, elastic_slip: self.elastic_slip }

@@ -219,14 +219,14 @@ impl RigidSurface {
         point: [f64; 2],
         committed: Option<Facing>,
     ) -> Option<Facing> {
-        rigid::closest(&self.segments, body.to_body(point), committed)
+        rigid::closest_on(&self.segments, self.period.is_some(), body.to_body(point), committed)
     }
 
     /// Overclosure of `point` (in space) alone [L], without derivatives; `None` where it faces
     /// nothing.
     pub fn overclosure(&self, body: &Body, point: [f64; 2]) -> Option<f64> {
         let local = body.to_body(point);
-        let facing = rigid::closest(&self.segments, local, None)?;
+        let facing = rigid::closest_on(&self.segments, self.period.is_some(), local, None)?;
         let segment = self.segments.get(facing.segment)?;
         match (facing.part, *segment) {
             (Part::Interior, RigidSegment::Line { a, b }) => {

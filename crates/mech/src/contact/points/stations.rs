@@ -12,7 +12,7 @@
 //! that is closed, so that the integral sees a smooth pressure that falls to zero at its ends. The
 //! line is the cubic Hermite curve through the nodes whose end tangents turn with them.
 
-use crate::rigid::Blend;
+use crate::rigid::{Blend, PointMap};
 
 /// Gauss points of a cell.
 pub const POINTS: usize = 3;
@@ -55,10 +55,41 @@ impl HermiteLine {
         [at(0), at(1)]
     }
 
+    /// The line in its current state, for the dofs (x, y, phi) of both nodes.
+    pub fn bent(&self, dofs: &[f64; 6]) -> BentLine {
+        let turned = |k: usize| {
+            PointMap::Arm { arm: self.tangents[k] }.current_arm(&[0.0, 0.0, dofs[3 * k + 2]])
+        };
+        let (tangents, mut nodes) = ([turned(0), turned(1)], self.nodes);
+        for (k, node) in nodes.iter_mut().enumerate() {
+            *node = [node[0] + dofs[3 * k], node[1] + dofs[3 * k + 1]];
+        }
+        BentLine { nodes, tangents }
+    }
+
     /// Undeformed chord [L].
     pub fn length(&self) -> f64 {
         let [a, b] = self.nodes;
         (b[0] - a[0]).hypot(b[1] - a[1])
+    }
+}
+
+/// A Hermite line in its current state.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BentLine {
+    nodes: [[f64; 2]; 2],
+    tangents: [[f64; 2]; 2],
+}
+
+impl BentLine {
+    /// Position of the station at `xi` [L].
+    pub fn position(&self, xi: f64) -> [f64; 2] {
+        let rest = 1.0 - xi;
+        let (h1, h2) = (xi * rest * rest, -xi * xi * rest);
+        let first = rest * rest * (1.0 + 2.0 * xi);
+        let ([a, b], [s, t]) = (self.nodes, self.tangents);
+        let at = |c: usize| a[c] + (1.0 - first) * (b[c] - a[c]) + h1 * s[c] + h2 * t[c];
+        [at(0), at(1)]
     }
 }
 
@@ -67,7 +98,15 @@ impl HermiteLine {
 /// top of the parabola through them tell. `f` is the overclosure beyond the point where contact
 /// begins; at most one stretch is looked for.
 pub fn closed_part(f: impl Fn(f64) -> f64) -> Option<(f64, f64)> {
-    let (left, middle, right) = (f(0.0), f(0.5), f(1.0));
+    let known = [f(0.0), f(0.5), f(1.0)];
+    closed_part_between(f, known)
+}
+
+/// The same where the values at both ends and the middle are known already.
+pub fn closed_part_between(
+    f: impl Fn(f64) -> f64,
+    [left, middle, right]: [f64; 3],
+) -> Option<(f64, f64)> {
     if left > 0.0 && right > 0.0 && middle > 0.0 {
         return Some((0.0, 1.0));
     }
@@ -161,6 +200,9 @@ mod tests {
             }
             let u = line.blend(xi).displacement(&dofs);
             let expected = moved(x);
+            let bent = line.bent(&dofs).position(xi);
+            assert!((bent[0] - expected[0]).abs() < 1e-14);
+            assert!((bent[1] - expected[1]).abs() < 1e-14);
             assert!((x[0] + u[0] - expected[0]).abs() < 1e-14);
             assert!((x[1] + u[1] - expected[1]).abs() < 1e-14);
         }

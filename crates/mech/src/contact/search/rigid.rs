@@ -34,6 +34,8 @@ pub enum RigidSegment {
         radius: f64,
         /// Whether the normal points away from the centre: travel is clockwise.
         convex: bool,
+        /// Angle from start to end, positive [rad].
+        sweep: f64,
     },
     /// Parabola through the point `mid` halfway (quadratic Bezier with `mid` at parameter 1/2).
     Parabola {
@@ -55,7 +57,8 @@ impl RigidSegment {
         let radius = 0.5 * (rp + rq);
         let turn = cross(p, q);
         let valid = (rp - rq).abs() <= 1e-4 * radius && turn.abs() > 1e-9 * radius * radius;
-        valid.then_some(Self::Arc { start, end, centre, radius, convex: turn < 0.0 })
+        let sweep = turn.abs().atan2(dot(p, q));
+        valid.then_some(Self::Arc { start, end, centre, radius, convex: turn < 0.0, sweep })
     }
 
     /// Start of the segment [L].
@@ -99,10 +102,7 @@ impl RigidSegment {
     /// Angle of an arc, positive [rad]; 0 for others.
     pub fn sweep(&self) -> f64 {
         match *self {
-            Self::Arc { start, end, centre, .. } => {
-                let (p, q) = (sub(start, centre), sub(end, centre));
-                cross(p, q).abs().atan2(dot(p, q))
-            }
+            Self::Arc { sweep, .. } => sweep,
             _ => 0.0,
         }
     }
@@ -136,11 +136,11 @@ impl RigidSegment {
                 let along = sub(b, a);
                 Some((parameter, cross(along, sub(point, a)).abs() / along[0].hypot(along[1])))
             }
-            Self::Arc { start, centre, radius, convex, .. } => {
+            Self::Arc { start, centre, radius, convex, sweep, .. } => {
                 let (p, d) = (sub(start, centre), sub(point, centre));
                 let distance = d[0].hypot(d[1]);
                 let sign = if convex { -1.0 } else { 1.0 };
-                let parameter = (sign * cross(p, d)).atan2(dot(p, d)) / self.sweep();
+                let parameter = (sign * cross(p, d)).atan2(dot(p, d)) / sweep;
                 (distance > 0.0 && inside(parameter))
                     .then_some((parameter, (distance - radius).abs()))
             }
@@ -212,8 +212,17 @@ pub fn closest(
     point: Point,
     committed: Option<Facing>,
 ) -> Option<Facing> {
+    closest_on(segments, is_closed(segments), point, committed)
+}
+
+/// The same where it is known whether the surface is `closed`.
+pub fn closest_on(
+    segments: &[RigidSegment],
+    closed: bool,
+    point: Point,
+    committed: Option<Facing>,
+) -> Option<Facing> {
     let mut best: Option<(Facing, f64)> = None;
-    let closed = is_closed(segments);
     for (index, segment) in segments.iter().enumerate() {
         let interior = segment.project(point).map(|(parameter, distance)| {
             (Facing { segment: index, part: Part::Interior, parameter }, distance)
@@ -225,11 +234,22 @@ pub fn closest(
         } else {
             None
         };
-        let vertex = next.and_then(|next| vertex(segment, next, index, point));
-        for (facing, distance) in [interior, vertex].into_iter().flatten() {
+        let mut consider = |(facing, distance): (Facing, f64)| {
             if better(&facing, distance, best.as_ref(), committed.as_ref()) {
                 best = Some((facing, distance));
             }
+        };
+        if let Some(interior) = interior {
+            consider(interior);
+        }
+        let apart = sub(point, segment.end());
+        let nearer = |least: f64| dot(apart, apart) <= least * least * (1.0 + 4.0 * TIE);
+        let reached = best.as_ref().is_none_or(|&(_, least)| nearer(least));
+        if let Some(next) = next.filter(|_| reached)
+            && let Some((facing, distance)) = vertex(segment, next, index, point)
+            && better(&facing, distance, best.as_ref(), committed.as_ref())
+        {
+            best = Some((facing, distance));
         }
     }
     best.map(|(facing, _)| facing)
