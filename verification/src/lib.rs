@@ -30,6 +30,18 @@ pub mod paper {
     pub const IRS_FINE: &str = include_str!("../../corpus/diehl1995/irs_fine.inp");
     /// Circle on a cantilever, contact elements on the circle, 24 beams.
     pub const ISL_COARSE: &str = include_str!("../../corpus/diehl1995/isl_coarse.inp");
-    /// The last one as the paper prints it, page furniture included.
+    /// The circle on the cantilever there and back, ISL, mu = 0.3.
+    pub const ISL_PUSH_PULL: &str =
+        include_str!("../../corpus/diehl1995/isl_coarse_push_pull_mu03.inp");
+    /// The same without friction.
+    pub const ISL_PUSH_PULL_SMOOTH: &str =
+        include_str!("../../corpus/diehl1995/isl_coarse_push_pull.inp");
+    /// The cam turned into the cantilever and back, mu = 0.3.
+    pub const CAM_PUSH_PULL: &str =
+        include_str!("../../corpus/diehl1995/cam_isl_push_pull_mu03.inp");
+    /// The same without friction.
+    pub const CAM_PUSH_PULL_SMOOTH: &str =
+        include_str!("../../corpus/diehl1995/cam_isl_push_pull.inp");
+    /// The slide line deck as the paper prints it, page furniture included.
     pub const ISL_AS_PRINTED: &str = include_str!("../../corpus/bad/isl_as_printed.inp");
 }

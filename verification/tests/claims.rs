@@ -5,6 +5,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod amplitudes_and_springs;
+mod bad_friction;
 mod balance;
 mod beams_bisshopp_drucker;
 mod beams_quadratic_and_cubic;
@@ -18,12 +19,18 @@ mod fig_4_methods_without_friction;
 mod fig_6_methods_with_friction;
 mod fig_8_cam;
 mod free_circle;
+mod friction_laws;
 mod incline;
+mod jamming;
+mod ledger;
 mod literal_deck;
 mod newton;
 mod objectivity;
 mod path_independence;
+mod push_and_pull;
 mod return_stroke;
 mod rigid_link;
 mod stick_slip;
+mod sticking;
 mod units;
+mod unsymmetric_storage;

@@ -64,3 +64,22 @@ fn renumbered() {
         }
     });
 }
+
+/// Requirement: with friction both ways, the stick transition between, and
+/// exact stick, just the same.
+#[test]
+fn there_and_back_with_friction() {
+    for friction in ["", ", LAGRANGE"] {
+        for method in [Method::Irs, Method::Isl] {
+            let push = Push {
+                mu: 0.3,
+                friction,
+                returns: true,
+                tolerance: Some(1e-12),
+                ..Push::paper(method)
+            };
+            check(&push, Placement { angle: 1.1, shift: [0.05, 0.1], mirror: false });
+            check(&push, Placement { mirror: true, ..Placement::default() });
+        }
+    }
+}

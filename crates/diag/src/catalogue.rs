@@ -145,6 +145,7 @@ catalogue! {
     "SL0503" "nothing holds the model"
     "SL0504" "a point slid off the end of its master"
     "SL0505" "a user friction law gave no answer"
+    "SL0506" "the contact jams"
     "SL0590" "the run was interrupted"
     "SL0601" "friction was not called at closed points"
     "SL0701" "the deck cannot be read"

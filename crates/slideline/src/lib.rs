@@ -34,6 +34,7 @@ pub use slideline_model as model;
 pub use slideline_output as output;
 pub use slideline_solve::run as solve;
 pub use slideline_solve::{Options as SolveOptions, observe};
+pub use slideline_solve::{UserFrictions, friction};
 
 pub use slideline_diag::{Diagnostic, Severity};
 pub use slideline_model::{Dialect, Model, Onset};

@@ -40,6 +40,9 @@ pub fn failure(
     if let Some(fault) = &work.evaluation.fault {
         return user_fault(plan, committed, &fault.message);
     }
+    if let Some(diagnosis) = jam(plan, committed, work) {
+        return diagnosis;
+    }
     if let Some(diagnosis) = slid_off(plan, committed, &trial_points(committed, work)).pop() {
         return Diagnostic { severity: slideline_diag::Severity::Error, ..diagnosis };
     }
@@ -69,6 +72,33 @@ pub fn failure(
         "everything up to that time is kept; let *STATIC start with a shorter increment and allow \
          smaller ones, or soften the contact with *SURFACE CONTACT, SOFTENED",
     )
+}
+
+/// The most nodes that a message names.
+const NAMED: usize = 4;
+
+/// Points at which more pressure brings more friction than it opens.
+fn jam(plan: &Plan<'_>, committed: &State, work: &Workspace) -> Option<Diagnostic> {
+    let jammed = work.jammed(plan, committed);
+    let first = &plan.contact.points[*jammed.first()?];
+    let labels: Vec<String> = jammed
+        .iter()
+        .take(NAMED)
+        .map(|&place| plan.model.nodes.label(plan.contact.points[place].node).to_string())
+        .collect();
+    let more = if jammed.len() > NAMED { " and others" } else { "" };
+    let nodes = if labels.len() > 1 { "nodes" } else { "node" };
+    let message = format!(
+        "the contact jams at {nodes} {}{more} beyond total time {:.6}: there friction holds by \
+         more than a greater contact pressure would free, so no force moves it on",
+        labels.join(", "),
+        committed.total_time
+    );
+    let origin = plan.model.contact_pairs[first.pair].interaction.friction_origin;
+    Some(Diagnostic::error(Code("SL0506"), message).at(origin.unwrap_or(plan.step.origin)).help(
+        "everything up to that time is kept; lower the coefficient of *FRICTION or the slope at \
+         which the parts meet (mu tan a must stay below 1), or push from another side",
+    ))
 }
 
 /// The embedding program's friction law failed.

@@ -22,6 +22,8 @@
 //! the coupling of traction and pressure, stand in the small system; K itself
 //! is unsymmetric only by the turning of the tractions with the surface.
 
+mod jam;
+
 use slideline_linalg::{SolveError, Solver};
 use slideline_mech::contact::enforcement::Demand;
 use slideline_mech::contact::pair::{Laws, UserMemory};
@@ -58,6 +60,8 @@ pub struct Circumstances<'a> {
     /// `UNSYMM=NO`: tractions take their limit from the pressure of the last
     /// iteration, which is what a symmetrised tangent amounts to.
     pub symmetrised: bool,
+    /// What rounding leaves of a slip [L].
+    pub rounding: f64,
 }
 
 /// A contact point, linearised.
@@ -568,6 +572,9 @@ impl LinearisedContact {
                 (0..self.rows.len()).map(|i| system.multiplier_and_value(i, &self.unknown).1);
             self.values.extend(values);
         }
+        for point in points.iter_mut() {
+            circumstances.slide_as_prescribed(point);
+        }
         for station in &self.stations {
             let point = &mut points[station.point];
             let answer = circumstances.station(station, point, &self.values);
@@ -729,6 +736,24 @@ impl Circumstances<'_> {
                 if self.symmetrised { Demand { by_pressure: 0.0, ..demand } } else { demand }
             }
             _ => laws.demand_pressure(multiplier, value, row.kappa),
+        }
+    }
+
+    /// A slip that is prescribed leaves exact stick no choice: there is no
+    /// row that would carry it to the limit.
+    fn slide_as_prescribed(&self, point: &mut LinearPoint) {
+        if point.integrated || point.moves(Kind::Tangential) {
+            return;
+        }
+        let (friction, pressure) = (&self.laws[point.pair].friction, point.pressure);
+        if let Some(sliding) = &mut point.sliding
+            && friction.needs_multiplier()
+            && sliding.slip.abs() > self.rounding
+        {
+            let limit = friction.limit_traction(pressure, sliding.slip, self.dt);
+            if limit.is_finite() {
+                sliding.traction = limit * sliding.slip.signum();
+            }
         }
     }
 

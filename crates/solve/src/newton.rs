@@ -261,6 +261,19 @@ impl Workspace {
         evaluate(plan, committed, &trial, &mut self.evaluation);
     }
 
+    /// Points, closed at the last commit, whose friction locks them: by the
+    /// equations of the last iteration and the way they went until then.
+    pub fn jammed(&self, plan: &Plan<'_>, committed: &State) -> Vec<usize> {
+        let around = circumstances(plan, committed, 1.0);
+        let locked = |&place: &usize| {
+            let before = &committed.points[place];
+            let trial = self.points[place].sliding.map_or(0.0, |sliding| sliding.slip);
+            let way = if trial.abs() > around.rounding { trial } else { before.traction };
+            self.contact.jams(&self.points, place, (way, before.pressure), &around)
+        };
+        (0..self.points.len().min(committed.points.len())).filter(locked).collect()
+    }
+
     /// One Newton iteration: assemble, factor, solve, move, evaluate.
     fn iterate(&mut self, plan: &Plan<'_>, committed: &State, dt: f64) -> Result<(), SolveError> {
         self.factor(plan, committed)?;
@@ -270,13 +283,7 @@ impl Workspace {
         }
         self.contact.solve(
             &mut self.points,
-            &Circumstances {
-                laws: &plan.contact.laws,
-                time: committed.total_time + dt,
-                dt,
-                committed: &committed.memory,
-                symmetrised: plan.symmetrised(),
-            },
+            &circumstances(plan, committed, dt),
             &mut self.solver,
             &mut self.correction,
         )?;
@@ -588,6 +595,17 @@ impl Workspace {
         let by_force = if stiffest > 0.0 { allowed / stiffest } else { 0.0 };
         let tolerance = by_force.max(rounding);
         self.evaluation.penetration <= tolerance && self.evaluation.stick_slip <= tolerance
+    }
+}
+
+fn circumstances<'a>(plan: &'a Plan<'_>, committed: &'a State, dt: f64) -> Circumstances<'a> {
+    Circumstances {
+        laws: &plan.contact.laws,
+        time: committed.total_time + dt,
+        dt,
+        committed: &committed.memory,
+        symmetrised: plan.symmetrised(),
+        rounding: 8.0 * f64::EPSILON * plan.reach,
     }
 }
 
