@@ -1,0 +1,159 @@
+"""Reads states with VTK and meshio and compares them with the CSV files.
+
+Requirement: both readers open every state that JOB.pvd lists; times, motions,
+rotations, reactions, pressure, gap, shear and slip are those of
+JOB.history.csv and JOB.contact.csv, and both readers show the same section
+forces. Tolerance: none; both hold the same double.
+"""
+
+import csv
+import math
+import subprocess
+import sys
+import xml.etree.ElementTree as xml
+from pathlib import Path
+
+import meshio
+import numpy
+import vtk
+from vtk.util.numpy_support import vtk_to_numpy
+
+ROOT = Path(__file__).resolve().parent.parent
+DECKS = [
+    "corpus/diehl1995/isl_coarse_mu03.inp",
+    "corpus/diehl1995/irs_coarse_mu03.inp",
+    "corpus/diehl1995/cam_isl_mu03.inp",
+    "corpus/diehl1995/surface_coarse_mu03.inp",
+    "corpus/diehl1995/isl_coarse_push_pull_mu03.inp",
+    "corpus/keywords/element_b22.inp",
+]
+SECTIONS = ["axial_force", "shear_force", "bending_moment", "fibre_strain"]
+STATUS = {"open": 0, "stick": 1, "slip": 2}
+
+
+def rows(path):
+    """Rows of a CSV file by time, as the program wrote it."""
+    found = {}
+    with open(path, newline="", encoding="utf-8") as file:
+        for row in csv.DictReader(file):
+            found.setdefault(float(row["time"]), []).append(row)
+    return found
+
+
+def read_vtk(path):
+    """Points, point data, cell data and cells as VTK shows them."""
+    reader = vtk.vtkXMLUnstructuredGridReader()
+    complaints = []
+    reader.AddObserver("ErrorEvent", lambda *_: complaints.append("error"))
+    reader.AddObserver("WarningEvent", lambda *_: complaints.append("warning"))
+    reader.SetFileName(str(path))
+    reader.Update()
+    assert not complaints, f"VTK complains about {path}"
+    grid = reader.GetOutput()
+    assert grid.GetNumberOfPoints() > 0, f"VTK reads no points from {path}"
+
+    def arrays(data):
+        names = [data.GetArrayName(k) for k in range(data.GetNumberOfArrays())]
+        return {name: vtk_to_numpy(data.GetArray(name)) for name in names}
+
+    cells = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, 2)
+    points = vtk_to_numpy(grid.GetPoints().GetData())
+    return points, arrays(grid.GetPointData()), arrays(grid.GetCellData()), cells
+
+
+def read_meshio(path):
+    """The same as meshio shows it."""
+    mesh = meshio.read(path)
+    assert [block.type for block in mesh.cells] == ["line"], f"{path}: cells are not one block of lines"
+    cell_data = {name: blocks[0] for name, blocks in mesh.cell_data.items()}
+    return mesh.points, mesh.point_data, cell_data, mesh.cells[0].data
+
+
+def agree(path, first, second):
+    """Both readers show the same file."""
+    assert numpy.array_equal(first[0], second[0]), f"{path}: points differ"
+    assert numpy.array_equal(first[3], second[3]), f"{path}: cells differ"
+    for one, other in zip(first[1:3], second[1:3]):
+        assert set(one) == set(other), f"{path}: arrays differ: {set(one) ^ set(other)}"
+        for name in one:
+            other_values = numpy.asarray(other[name]).reshape(one[name].shape)
+            same = numpy.array_equal(one[name], other_values, equal_nan=one[name].dtype.kind == "f")
+            assert same, f"{path}: {name} differs between VTK and meshio"
+
+
+def same(what, shown, written):
+    """One value of a state against the text of a CSV file."""
+    value = float(written)
+    equal = shown == value or (math.isinf(value) and math.isinf(shown))
+    assert equal, f"{what}: the state shows {shown!r}, the table {written}"
+
+
+def check_state(path, state, history, contact):
+    points, nodal, cell, _ = state
+    place = {}
+    for index, label in enumerate(nodal["node"]):
+        if label:
+            place[int(label)] = index
+    for row in history:
+        at, label = place[int(row["node"])], row["node"]
+        for axis, name in enumerate(["U1", "U2"]):
+            same(f"{path} {label} {name}", nodal["displacement"][at][axis], row[name])
+        for axis, name in enumerate(["RF1", "RF2"]):
+            same(f"{path} {label} {name}", nodal["reaction_force"][at][axis], row[name])
+        same(f"{path} {label} UR3", nodal["rotation"][at][2], row["UR3"])
+        same(f"{path} {label} RM3", nodal["reaction_moment"][at][2], row["RM3"])
+    of_node = {}
+    for row in contact:
+        of_node.setdefault(int(row["node"]), []).append(row)
+    for label, own in of_node.items():
+        if len(own) > 1:
+            continue  # a node of several pairs shows one of them
+        row, at = own[0], place[label]
+        columns = [
+            ("contact_pressure", "CPRESS"),
+            ("contact_opening", "COPEN"),
+            ("contact_shear", "CSHEAR1"),
+            ("contact_slip", "CSLIP1"),
+        ]
+        for name, column in columns:
+            same(f"{path} {label} {column}", nodal[name][at], row[column])
+        assert nodal["contact_status"][at] == STATUS[row["status"]], f"{path} {label} status"
+    beams = cell["kind"] == 0
+    for name in SECTIONS:
+        assert name in cell and numpy.isfinite(cell[name]).all(), f"{path}: {name}"
+        assert (cell[name][~beams] == 0.0).all(), f"{path}: {name} away from beams"
+    return sum(1 for label in of_node if nodal["contact_pressure"][place[label]] > 0.0)
+
+
+def check_job(program, deck, folder):
+    command = [program, "run", str(ROOT / deck), "--out", str(folder), "--quiet", "--no-html"]
+    subprocess.run(command, check=True, stderr=subprocess.DEVNULL)
+    job = folder / Path(deck).stem
+    history, contact = rows(f"{job}.history.csv"), rows(f"{job}.contact.csv")
+    listed = [
+        (float(entry.get("timestep")), folder / entry.get("file"))
+        for entry in xml.parse(f"{job}.pvd").getroot().iter("DataSet")
+    ]
+    times = [time for time, _ in listed]
+    assert times[0] == 0.0 and times[1:] == list(history), f"{deck}: times of the list are {times}"
+    pressed, bent = 0, 0.0
+    for time, path in listed:
+        shown = read_vtk(path)
+        agree(path, shown, read_meshio(path))
+        if time in history:
+            pressed += check_state(path, shown, history[time], contact.get(time, []))
+        bent = max(bent, numpy.abs(shown[2]["bending_moment"]).max())
+    assert bent > 0.0, f"{deck}: no beam is bent"
+    assert pressed > 0 or not contact, f"{deck}: no pressure was compared"
+    print(f"{Path(deck).stem}: {len(listed)} states, {pressed} pressed points")
+
+
+def main():
+    program, folder = sys.argv[1], Path(sys.argv[2])
+    folder.mkdir(parents=True, exist_ok=True)
+    print(f"VTK {vtk.vtkVersion.GetVTKVersion()}, meshio {meshio.__version__}")
+    for deck in DECKS:
+        check_job(program, deck, folder)
+
+
+main()
