@@ -77,6 +77,9 @@ pub(crate) struct CheckArguments {
     /// One JSON object a line on standard output.
     #[arg(long)]
     pub json: bool,
+    /// Write JOB.fixed.inp beside the deck, with every suggested card in it.
+    #[arg(long)]
+    pub fix: bool,
 }
 
 /// The deck and what overrides it.

@@ -17,7 +17,8 @@ const CLOSEST: usize = 12;
 
 /// Checks a deck; ends as a run would on reading.
 pub(crate) fn check(arguments: &CheckArguments) -> Exit {
-    let read = Job::read(&arguments.deck.job, &arguments.deck.options());
+    let mut read = Job::read(&arguments.deck.job, &arguments.deck.options());
+    read.diagnostics.extend(slideline::advise(&read));
     let start = read.model.as_ref().and_then(|model| initial_gaps(model, &SolveOptions::default()));
     if arguments.json {
         screen::print(&json_lines(&read, start.as_ref()));
@@ -25,7 +26,26 @@ pub(crate) fn check(arguments: &CheckArguments) -> Exit {
         render::to_standard_error(&read.diagnostics, &read.sources);
         screen::print(&report(&read, start.as_ref()));
     }
+    if arguments.fix && !fix(&read) {
+        return Exit::Output;
+    }
     if has_errors(&read.diagnostics) { Exit::Input } else { Exit::Completed }
+}
+
+/// Writes the mended deck beside the old one; says so on standard error.
+fn fix(read: &Read) -> bool {
+    let Some(bytes) = slideline::mended(read, &read.diagnostics) else {
+        eprintln!("nothing to mend: no finding carries a card");
+        return true;
+    };
+    let mut name = read.job.stem.clone();
+    name.push(".fixed.inp");
+    let path = read.job.deck.with_file_name(name);
+    match std::fs::write(&path, bytes) {
+        Ok(()) => eprintln!("the mended deck is {}", path.display()),
+        Err(reason) => eprintln!("{} cannot be written: {reason}", path.display()),
+    }
+    path.exists()
 }
 
 fn report(read: &Read, start: Option<&InitialGaps>) -> String {

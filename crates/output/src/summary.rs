@@ -90,6 +90,7 @@ pub(crate) struct Summary<'a> {
     facts: Facts<'a>,
     began: Instant,
     warnings: Vec<String>,
+    advice: Vec<String>,
     curves: Vec<(String, NodeIndex, Column)>,
     peaks: Vec<Option<Peak>>,
     dropped_work: f64,
@@ -114,6 +115,7 @@ impl<'a> Summary<'a> {
             facts,
             began: Instant::now(),
             warnings,
+            advice: Vec::new(),
             curves: Vec::new(),
             peaks: Vec::new(),
             dropped_work: 0.0,
@@ -132,6 +134,9 @@ impl<'a> Summary<'a> {
             Event::Committed(frame) => self.follow(frame),
             Event::Diagnosed(said) => {
                 self.warnings.extend(warnings(std::slice::from_ref(said), self.facts.sources));
+                if said.severity == Severity::Advice {
+                    self.advice.push(record(said, self.facts.sources).finish());
+                }
             }
             _ => {}
         }
@@ -195,6 +200,7 @@ impl<'a> Summary<'a> {
             .count("iterations", self.totals.iterations)
             .number("wall_seconds", self.began.elapsed().as_secs_f64())
             .array("warnings", self.warnings.iter().cloned())
+            .array("advice", self.advice.iter().cloned())
             .raw("peaks", &self.peaks())
             .raw("dropped_friction", &self.dropped())
             .count("schema", SCHEMA)

@@ -18,14 +18,17 @@
 //! println!("{}", outcome.status.word());
 //! ```
 
+mod advice;
 mod check;
 mod read;
 mod run;
 
+pub use advice::{advise, mended};
 pub use check::{InitialGaps, initial_gaps};
 pub use read::{Job, Read, ReadOptions};
 pub use run::{Outcome, Quiet, RunOptions, run};
 
+pub use slideline_advice::{Noise, NoiseSummary};
 pub use slideline_deck as deck;
 pub use slideline_diag as diag;
 pub use slideline_keywords as keywords;

@@ -1,6 +1,7 @@
 //! A run with its files.
 
 use crate::{Read, VERSION};
+use slideline_advice::Noise;
 use slideline_diag::{Code, Diagnostic};
 use slideline_model::Onset;
 use slideline_output::{Facts, JobFiles, Status, WriteError, Writers, dropped_friction};
@@ -84,6 +85,7 @@ pub fn run(read: &Read, options: &RunOptions, observer: &mut dyn Observer) -> Ou
         observer,
         onset: model.friction_onset,
         dropped_work: 0.0,
+        noise: Noise::default(),
         diagnostics: Vec::new(),
     };
     let ending = slideline_solve::run(model, &options.solve, &mut watch);
@@ -125,6 +127,7 @@ struct Watch<'a> {
     observer: &'a mut dyn Observer,
     onset: Onset,
     dropped_work: f64,
+    noise: Noise,
     diagnostics: Vec<Diagnostic>,
 }
 
@@ -149,6 +152,14 @@ impl Watch<'_> {
         }
     }
 
+    /// What the noise of the run asks to be said.
+    fn judge_noise(&mut self) {
+        for said in self.noise.findings() {
+            let _ = self.tell(Event::Diagnosed(&said)); // as above
+            self.diagnostics.push(said);
+        }
+    }
+
     fn outcome(self, ending: &Ending) -> Outcome {
         let failure = self.writers.failure().map(ToString::to_string);
         let status = if failure.is_some() { Status::OutputError } else { Status::of(ending) };
@@ -164,10 +175,14 @@ impl Watch<'_> {
 
 impl Observer for Watch<'_> {
     fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
+        self.noise.watch(&event);
         match event {
             Event::Committed(frame) => self.dropped_work = frame.energy.dropped_friction,
             Event::Diagnosed(said) => self.diagnostics.push(said.clone()),
-            Event::End(ending) => self.close_ledger(ending),
+            Event::End(ending) => {
+                self.close_ledger(ending);
+                self.judge_noise();
+            }
             _ => {}
         }
         self.tell(event)

@@ -1,0 +1,50 @@
+//! What `check` says before a run, and what a run's noise asks to be said
+//! after it.
+//!
+//! ```text
+//!   Model --> Start (bodies, contact points, motions) --> findings SL04xx
+//!   run   --> Noise (watches every increment)         --> findings SL06xx
+//! ```
+//!
+//! A finding is a diagnostic with numbers and physical words, and where one
+//! card mends it, a [`Suggestion`] that `check --fix` can write. Nothing here
+//! changes a model or a run.
+
+mod bodies;
+mod finding;
+mod mesh;
+mod noise;
+mod overclosure;
+mod overconstraint;
+mod rigid_motion;
+mod roles;
+mod sides;
+mod start;
+mod stroke;
+mod units;
+
+pub use finding::{Finding, Place, Suggestion};
+pub use noise::{Noise, NoiseSummary, PairNoise, ReactionNoise};
+
+use slideline_model::Model;
+
+/// Everything the adviser finds in a model before it runs. A model that the
+/// solver refuses is judged without its contact points.
+pub fn advise(model: &Model) -> Vec<Finding> {
+    let start = start::Start::of(model);
+    let mut findings = Vec::new();
+    let parts: [fn(&start::Start<'_>, &mut Vec<Finding>); 8] = [
+        overclosure::judge,
+        roles::judge,
+        overconstraint::judge,
+        stroke::judge,
+        sides::judge,
+        rigid_motion::judge,
+        mesh::judge,
+        units::judge,
+    ];
+    for part in parts {
+        part(&start, &mut findings);
+    }
+    findings
+}

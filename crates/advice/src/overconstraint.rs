@@ -1,0 +1,70 @@
+//! Three rigidly linked slaves on one straight segment under hard contact.
+//!
+//! ```text
+//!      o . o . o     the link keeps them on their arc,
+//!   ---o---o---o---  hard contact wants them on the line: no solution
+//! ```
+
+use crate::finding::{Finding, Place};
+use crate::start::{Start, arc_of, length, less, spacing};
+use slideline_diag::{Code, Diagnostic};
+use slideline_model::{ContactPair, Master, NodeIndex, NormalLaw, SlideLine};
+
+/// SL0404: hard contact of a rigid row of slaves with straight segments.
+/// Diehl (1995), section 2.0.
+pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
+    for pair in &start.model.contact_pairs {
+        let (NormalLaw::Hard, Master::SlideLine(line)) = (&pair.interaction.normal, &pair.master)
+        else {
+            continue;
+        };
+        if let Some((nodes, sagitta)) = three(start, pair, line) {
+            findings.push(say(start, pair, nodes, sagitta));
+        }
+    }
+}
+
+/// Three neighbouring slaves of one rigid body that fit on the longest
+/// segment, and how far the middle one stands off their chord [L].
+fn three(start: &Start<'_>, pair: &ContactPair, line: &SlideLine) -> Option<([NodeIndex; 3], f64)> {
+    let at = |node| start.model.nodes.plane(node);
+    let sides = line.nodes.windows(2).map(|w| length(less(at(w[1]), at(w[0]))));
+    let straight = sides.fold(0.0, f64::max);
+    pair.elements.windows(2).find_map(|both| {
+        let [first, second] = [both[0].nodes, both[1].nodes];
+        let nodes = [first[0], first[1], second[1]];
+        let master = start.bodies.dependent[nodes[0]]?;
+        let linked = nodes.iter().all(|&node| start.bodies.dependent[node] == Some(master));
+        let chord = length(less(at(nodes[2]), at(nodes[0])));
+        if first[1] != second[0] || !linked || chord > straight {
+            return None;
+        }
+        let radius = arc_of(start.model, pair, nodes[1]).map(|(_, radius)| radius);
+        Some((nodes, radius.map_or(0.0, |radius| chord * chord / (8.0 * radius))))
+    })
+}
+
+fn say(start: &Start<'_>, pair: &ContactPair, nodes: [NodeIndex; 3], sagitta: f64) -> Finding {
+    let [a, b, c] = nodes.map(|node| start.model.nodes.label(node));
+    let message = format!(
+        "hard contact and rigid links can contradict each other: slaves {a}, {b} and {c} of {} fit \
+         on one straight segment of the slide line, but their rigid body keeps the middle one \
+         {sagitta:.3e} off that line",
+        pair.name
+    );
+    let clearance = sagitta.max(1e-2 * spacing(start.model, pair));
+    let pressure = pressure_scale(start, pair);
+    let card = format!("*SURFACE CONTACT, SOFTENED\n{clearance:.3E}, {pressure:.3E}\n");
+    let said = Diagnostic::warning(Code("SL0404"), message)
+        .at(pair.interaction.origin)
+        .help("soften the contact: *SURFACE CONTACT, SOFTENED after *INTERFACE");
+    Finding::with(said, Place::After(pair.interaction.origin), card)
+}
+
+/// A pressure of the order of contact pressures: a thousandth of the modulus.
+fn pressure_scale(start: &Start<'_>, pair: &ContactPair) -> f64 {
+    let beams = start.model.blocks.iter().filter_map(|block| block.beams());
+    let modulus = beams.map(|beam| beam.section.material.modulus).fold(0.0, f64::max);
+    let scale = if modulus > 0.0 { 1e-3 * modulus } else { 1.0 };
+    scale * (start.reach / (start.reach + pair.interaction.width.abs())).max(0.1)
+}

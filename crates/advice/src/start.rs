@@ -1,0 +1,205 @@
+//! The model before anything moves, and where its motions lead.
+//!
+//! ```text
+//!   slave point x, gap, normal n  -- prescribed motion of both bodies -->
+//!   travel of the slave relative to its master, along t and along n
+//! ```
+
+use crate::bodies::Bodies;
+use slideline_model::{
+    ContactPair, Dof, Master, Model, NodeIndex, Prescribed, Step, SurfaceSegment,
+};
+use slideline_solve::observe::{ContactRow, Event, Observer, Stop};
+use std::ops::ControlFlow;
+
+/// A model with what is known of it before it runs.
+pub struct Start<'a> {
+    /// The model.
+    pub model: &'a Model,
+    /// Who moves with whom.
+    pub bodies: Bodies,
+    /// Contact points of every pair; empty where the solver refuses.
+    pub points: Vec<ContactRow>,
+    /// Diagonal of the box around all nodes [L].
+    pub reach: f64,
+}
+
+impl<'a> Start<'a> {
+    /// Begins a run and ends it there.
+    pub fn of(model: &'a Model) -> Self {
+        let mut first = First(Vec::new());
+        let _ = slideline_solve::run(model, &slideline_solve::Options::default(), &mut first); // ended by us, on purpose
+        Self { model, bodies: Bodies::of(model), points: first.0, reach: reach(model) }
+    }
+
+    /// Points of a pair that face their master.
+    pub fn facing(&self, pair: usize) -> impl Iterator<Item = &ContactRow> {
+        self.points.iter().filter(move |row| row.pair == pair && row.opening.is_finite())
+    }
+
+    /// The point of a pair with the smallest gap.
+    pub fn nearest(&self, pair: usize) -> Option<&ContactRow> {
+        self.facing(pair).min_by(|a, b| a.opening.total_cmp(&b.opening))
+    }
+
+    /// Motion of `point` with the body of `node` at the end of a step,
+    /// counted from the end of the step before [L]. `None`: nothing moves it.
+    fn carried(
+        &self,
+        step: &Step,
+        before: Option<&Step>,
+        node: NodeIndex,
+        point: [f64; 2],
+    ) -> [f64; 2] {
+        let end = self.place(step, node, point);
+        let begin = before.map_or([0.0; 2], |step| self.place(step, node, point));
+        [end[0] - begin[0], end[1] - begin[1]]
+    }
+
+    /// Displacement of `point` if it goes rigidly with the prescribed nodes
+    /// of the body of `node`; zero where the body is held or free.
+    fn place(&self, step: &Step, node: NodeIndex, point: [f64; 2]) -> [f64; 2] {
+        let body = self.bodies.of_node(node);
+        let own = |p: &&Prescribed| self.bodies.of_node(p.node) == body && p.moves();
+        let Some(driver) = step.prescribed.iter().find(own).map(|p| p.node) else {
+            return [0.0; 2];
+        };
+        let value = |dof: Dof| {
+            let given = step.prescribed.iter().find(|p| p.node == driver && p.dof == dof);
+            given.map_or(0.0, |p| self.largest(p))
+        };
+        let at = self.model.nodes.plane(driver);
+        let (sin, cos) = value(Dof::UR3).sin_cos();
+        let arm = [point[0] - at[0], point[1] - at[1]];
+        [
+            value(Dof::U1) + (cos - 1.0) * arm[0] - sin * arm[1],
+            value(Dof::U2) + sin * arm[0] + (cos - 1.0) * arm[1],
+        ]
+    }
+
+    /// The value of largest magnitude that a prescribed motion takes.
+    fn largest(&self, prescribed: &Prescribed) -> f64 {
+        let factors = prescribed.amplitude.and_then(|place| self.model.amplitudes.get(place));
+        let factor = factors.map_or(1.0, |amplitude| {
+            let all = amplitude.points.iter().map(|&(_, factor)| factor);
+            all.max_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(1.0)
+        });
+        prescribed.value * factor
+    }
+
+    /// Rotation of the body of `node` in a step [1].
+    pub fn rotation(&self, place: usize, node: NodeIndex) -> f64 {
+        let body = self.bodies.of_node(node);
+        let of = |step: &Step| {
+            let own = step
+                .prescribed
+                .iter()
+                .filter(|p| p.dof == Dof::UR3 && self.bodies.of_node(p.node) == body);
+            own.map(|p| self.largest(p))
+                .fold(0.0, |a: f64, b| if b.abs() > a.abs() { b } else { a })
+        };
+        let steps = &self.model.steps;
+        of(&steps[place]) - place.checked_sub(1).map_or(0.0, |before| of(&steps[before]))
+    }
+
+    /// Travel of a slave point relative to its master in a step [L]; for
+    /// slaves that stand on an arc it is that of the arc's centre.
+    pub fn travel(&self, place: usize, pair: &ContactPair, row: &ContactRow) -> [f64; 2] {
+        let steps = &self.model.steps;
+        let (step, before) = (&steps[place], place.checked_sub(1).map(|k| &steps[k]));
+        let master = match &pair.master {
+            Master::RigidSurface(surface) => surface.reference,
+            Master::SlideLine(line) => line.nodes.first().copied().unwrap_or(row.node),
+        };
+        let centre = arc_of(self.model, pair, row.node).map_or(row.position, |(centre, _)| centre);
+        let slave = self.carried(step, before, row.node, centre);
+        let centre = circle_of(pair).map_or(row.position, |(centre, _)| centre);
+        let master = self.carried(step, before, master, centre);
+        [slave[0] - master[0], slave[1] - master[1]]
+    }
+}
+
+/// Centre and radius of the tightest convex circle of a pair's rigid surface.
+pub fn circle_of(pair: &ContactPair) -> Option<([f64; 2], f64)> {
+    let Master::RigidSurface(surface) = &pair.master else { return None };
+    let mut from = surface.start;
+    let mut tightest: Option<([f64; 2], f64)> = None;
+    for segment in &surface.segments {
+        let end = match *segment {
+            SurfaceSegment::Line { end } | SurfaceSegment::Parabola { end, .. } => end,
+            SurfaceSegment::Circle { end, centre } => {
+                let (a, b) = (less(from, centre), less(end, centre));
+                let radius = length(a);
+                let clockwise = a[0] * b[1] - a[1] * b[0] < 0.0;
+                if clockwise && tightest.is_none_or(|(_, least)| radius < least) {
+                    tightest = Some((centre, radius));
+                }
+                end
+            }
+        };
+        from = end;
+    }
+    tightest
+}
+
+/// Centre and radius of the arc on which a slave and its neighbours stand;
+/// `None` at the ends of the slaves and on straight rows.
+pub fn arc_of(model: &Model, pair: &ContactPair, node: NodeIndex) -> Option<([f64; 2], f64)> {
+    let other = |nodes: [NodeIndex; 2]| if nodes[0] == node { nodes[1] } else { nodes[0] };
+    let mut beside =
+        pair.elements.iter().filter(|e| e.nodes.contains(&node)).map(|e| other(e.nodes));
+    let (before, after) = (beside.next()?, beside.next()?);
+    let here = model.nodes.plane(node);
+    let (a, b) = (less(model.nodes.plane(before), here), less(model.nodes.plane(after), here));
+    let area = 2.0 * (a[0] * b[1] - a[1] * b[0]);
+    let (aa, bb) = (a[0] * a[0] + a[1] * a[1], b[0] * b[0] + b[1] * b[1]);
+    if area.abs() < 1e-6 * (aa + bb) {
+        return None;
+    }
+    let centre = [(b[1] * aa - a[1] * bb) / area, (a[0] * bb - b[0] * aa) / area];
+    Some(([here[0] + centre[0], here[1] + centre[1]], length(centre)))
+}
+
+/// Average length of a pair's contact elements [L].
+pub fn spacing(model: &Model, pair: &ContactPair) -> f64 {
+    let sum: f64 = pair
+        .elements
+        .iter()
+        .map(|e| length(less(model.nodes.plane(e.nodes[1]), model.nodes.plane(e.nodes[0]))))
+        .sum();
+    sum / pair.elements.len().max(1) as f64
+}
+
+/// a - b.
+pub fn less(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+/// Length of a vector.
+pub fn length(a: [f64; 2]) -> f64 {
+    a[0].hypot(a[1])
+}
+
+fn reach(model: &Model) -> f64 {
+    let mut low = [f64::INFINITY; 2];
+    let mut high = [f64::NEG_INFINITY; 2];
+    for node in model.nodes.iter() {
+        for axis in 0..2 {
+            low[axis] = low[axis].min(node.position[axis]);
+            high[axis] = high[axis].max(node.position[axis]);
+        }
+    }
+    let reach = length(less(high, low));
+    if reach.is_finite() { reach } else { 0.0 }
+}
+
+struct First(Vec<ContactRow>);
+
+impl Observer for First {
+    fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
+        if let Event::StepBegin(report) = event {
+            self.0 = report.start.contact.to_vec();
+        }
+        ControlFlow::Break(Stop::Interrupted)
+    }
+}

@@ -1,0 +1,159 @@
+//! Where prescribed motions lead the contact point.
+
+use crate::finding::{Finding, Place};
+use crate::start::{Start, arc_of, length, less, spacing};
+use slideline_diag::{Code, Diagnostic};
+use slideline_model::{ContactPair, Friction, Master, Onset, SlideLine, Step};
+use slideline_solve::observe::ContactRow;
+
+/// SL0405, SL0406 and SL0408.
+pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
+    for (place, pair) in start.model.contact_pairs.iter().enumerate() {
+        let Some(nearest) = start.nearest(place) else { continue };
+        // tangent: 90 degrees clockwise of the master's outward normal
+        let tangent = [nearest.normal[1], -nearest.normal[0]];
+        let mut along = 0.0;
+        for (number, step) in start.model.steps.iter().enumerate() {
+            let travel = start.travel(number, pair, nearest);
+            let slide = travel[0] * tangent[0] + travel[1] * tangent[1];
+            along += slide;
+            let each = slide.abs() * fraction(step);
+            findings.extend(too_far(start, pair, step, each));
+            let turn = start.rotation(number, nearest.node) * fraction(step);
+            findings.extend(loses_friction(start, pair, nearest, each, turn));
+            if let Master::SlideLine(line) = &pair.master {
+                findings.extend(too_short(start, pair, line, nearest.along + along));
+            }
+        }
+    }
+}
+
+/// The first increment as a fraction of its step [1].
+fn fraction(step: &Step) -> f64 {
+    let procedure = &step.procedure;
+    (procedure.initial.min(procedure.maximum) / procedure.period).clamp(0.0, 1.0)
+}
+
+/// Length of the pieces that the contact point passes [L].
+fn pieces(start: &Start<'_>, pair: &ContactPair) -> f64 {
+    match &pair.master {
+        Master::RigidSurface(_) => spacing(start.model, pair),
+        Master::SlideLine(line) => line_length(start, line) / (line.nodes.len().max(2) - 1) as f64,
+    }
+}
+
+fn line_length(start: &Start<'_>, line: &SlideLine) -> f64 {
+    let at = |node| start.model.nodes.plane(node);
+    line.nodes.windows(2).map(|w| length(less(at(w[1]), at(w[0])))).sum()
+}
+
+/// SL0405: more than one segment passes in an increment.
+fn too_far(start: &Start<'_>, pair: &ContactPair, step: &Step, each: f64) -> Option<Finding> {
+    let piece = pieces(start, pair);
+    if each <= piece || piece <= 0.0 {
+        return None;
+    }
+    let message = format!(
+        "an increment moves the contact point of {} by about {each:.3e}, {:.1} segments of \
+         {piece:.3e}: what happens in between is not seen, and noise of the mesh is aliased",
+        pair.name,
+        each / piece
+    );
+    let procedure = &step.procedure;
+    let initial = procedure.initial.min(procedure.maximum) * piece / each;
+    let card = format!(
+        "*STATIC\n{initial:.4E}, {:?}, {:.4E}, {initial:.4E}\n",
+        procedure.period,
+        procedure.minimum.min(initial)
+    );
+    let said = Diagnostic::advice(Code("SL0405"), message)
+        .at(procedure.origin.unwrap_or(step.origin))
+        .help(format!("for a smooth history take increments of {initial:.3e} or less on *STATIC"));
+    Some(match procedure.origin {
+        Some(origin)
+            if !procedure.direct && step.max_increments as f64 > procedure.period / initial =>
+        {
+            Finding::with(said, Place::Instead(origin), card)
+        }
+        _ => Finding::said(said),
+    })
+}
+
+/// SL0406: a new slave in every increment, whose friction the onset drops.
+/// Diehl (1995), sections 2.0 and 3.0.
+fn loses_friction(
+    start: &Start<'_>,
+    pair: &ContactPair,
+    nearest: &ContactRow,
+    each: f64,
+    turn: f64,
+) -> Option<Finding> {
+    let model = start.model;
+    if model.friction_onset == Onset::Immediate
+        || pair.interaction.friction == Friction::Frictionless
+    {
+        return None;
+    }
+    let wander = match &pair.master {
+        Master::RigidSurface(_) => each,
+        Master::SlideLine(_) => {
+            arc_of(model, pair, nearest.node).map_or(0.0, |(_, radius)| radius * turn.abs())
+        }
+    };
+    let spacing = spacing(model, pair);
+    if wander < 0.5 * spacing {
+        return None;
+    }
+    let message = format!(
+        "contact of {} wanders by about {wander:.3e} in an increment over slaves {spacing:.3e} \
+         apart: about {:.0} of 100 increments close a new node, and the friction onset of this run \
+         drops friction at nodes that have just closed",
+        pair.name,
+        100.0 * (wander / spacing).min(1.0)
+    );
+    let said = Diagnostic::warning(Code("SL0406"), message)
+        .at(pair.interaction.friction_origin.unwrap_or(pair.origin))
+        .help(
+            "call friction from the first contact on: *CONTACT CONTROLS, FRICTION ONSET=IMMEDIATE",
+        );
+    let first = model.steps.first()?.origin;
+    let card = "*CONTACT CONTROLS, FRICTION ONSET=IMMEDIATE\n";
+    Some(Finding::with(said, Place::Before(first), card))
+}
+
+/// SL0408: the stroke leads beyond an end of the slide line.
+fn too_short(
+    start: &Start<'_>,
+    pair: &ContactPair,
+    line: &SlideLine,
+    reached: f64,
+) -> Option<Finding> {
+    let at = |node| start.model.nodes.plane(node);
+    let whole = line_length(start, line);
+    let ends = [
+        line.nodes.first()?,
+        line.nodes.get(1)?,
+        line.nodes.iter().rev().nth(1)?,
+        line.nodes.last()?,
+    ];
+    let before = line.extension * length(less(at(*ends[1]), at(*ends[0])));
+    let after = line.extension * length(less(at(*ends[3]), at(*ends[2])));
+    let (beyond, node) = if reached < -before {
+        (-before - reached, *ends[0])
+    } else if reached > whole + after {
+        (reached - whole - after, *ends[3])
+    } else {
+        return None;
+    };
+    let message = format!(
+        "the slide line of {} is too short for the stroke: the contact point would end about \
+         {beyond:.3e} beyond node {}, and contact is lost there",
+        pair.name,
+        start.model.nodes.label(node)
+    );
+    Some(Finding::said(
+        Diagnostic::warning(Code("SL0408"), message)
+            .at(line.origin)
+            .help("add nodes to *SLIDE LINE on that side, or end the motion earlier on *BOUNDARY"),
+    ))
+}

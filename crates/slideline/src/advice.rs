@@ -1,0 +1,73 @@
+//! The adviser's findings as diagnostics of a deck, and the deck mended.
+
+use crate::Read;
+use slideline_advice::{Finding, Place, Suggestion};
+use slideline_deck::{Card, Deck};
+use slideline_diag::{Diagnostic, Edit, FileId, Span};
+
+/// What the adviser says about a deck that was read; nothing where it has no
+/// model. A finding that one card mends carries the edit.
+pub fn advise(read: &Read) -> Vec<Diagnostic> {
+    let Some(model) = &read.model else { return Vec::new() };
+    let findings = slideline_advice::advise(model);
+    findings.into_iter().map(|finding| with_edit(&read.deck, finding)).collect()
+}
+
+/// The deck with the edits of these diagnostics, each with a comment that
+/// says why. `None`: there is nothing to mend in the deck itself.
+pub fn mended(read: &Read, diagnostics: &[Diagnostic]) -> Option<Vec<u8>> {
+    let mut places: Vec<Span> = Vec::new();
+    let mut edits = Vec::new();
+    for said in diagnostics {
+        let Some(edit) = said.edit.as_ref().filter(|edit| edit.span.file == FileId(0)) else {
+            continue;
+        };
+        let whole_line = edit.replacement.starts_with('*') && edit.replacement.ends_with('\n');
+        if places.contains(&edit.span) {
+            continue; // one card at a place: the first finding has it
+        }
+        places.push(edit.span);
+        let comment = format!("** {}: {}\n", said.code, said.message.replace('\n', " "));
+        let replacement =
+            if whole_line { comment + &edit.replacement } else { edit.replacement.clone() };
+        edits.push(Edit { span: edit.span, replacement });
+    }
+    (!edits.is_empty()).then(|| slideline_deck::apply(&read.deck, FileId(0), &edits).bytes)
+}
+
+fn with_edit(deck: &Deck, finding: Finding) -> Diagnostic {
+    let mut said = finding.diagnostic;
+    if let Some(Suggestion { place, text }) = finding.card {
+        said.edit = edit(deck, &place, text);
+    }
+    said
+}
+
+fn edit(deck: &Deck, place: &Place, text: String) -> Option<Edit> {
+    let (Place::Before(at) | Place::After(at) | Place::Instead(at)) = *place;
+    let card = deck.cards.iter().find(|card| {
+        card.keyword.span.file == at.file && (start_of(card)..=card.span.end).contains(&at.start)
+    })?;
+    let (start, end) = (start_of(card), end_of(deck, card));
+    let span = |start, end| Span { file: at.file, start, end };
+    let span = match place {
+        Place::Before(_) => span(start, start),
+        Place::After(_) => span(end, end),
+        Place::Instead(_) => span(start, end),
+    };
+    Some(Edit { span, replacement: text })
+}
+
+/// First byte of the card's line.
+fn start_of(card: &Card) -> u32 {
+    card.span.start.min(card.keyword.span.start.saturating_sub(1))
+}
+
+/// First byte of the line behind the card and its data.
+fn end_of(deck: &Deck, card: &Card) -> u32 {
+    let last = card.full_span().end;
+    let file = deck.files.iter().find(|file| file.file == card.span.file);
+    let rest = file.and_then(|file| file.bytes.get(last as usize..)).unwrap_or_default();
+    let line = rest.iter().position(|&byte| byte == b'\n').map_or(rest.len(), |at| at + 1);
+    last + u32::try_from(line).unwrap_or(0)
+}

@@ -1,0 +1,97 @@
+//! The adviser on decks good and broken.
+//!
+//! Requirement: no warning or error on any deck of the good corpus (advice is
+//! allowed, and due where slaves stand coarsely on a beam), and on each broken
+//! deck of `corpus/advice` the codes that it announces.
+
+#![allow(clippy::unwrap_used)] // a test may fail where it stands
+
+use slideline::{Diagnostic, Job, Read, ReadOptions, Severity, advise, mended};
+use std::path::{Path, PathBuf};
+
+fn decks(folder: &str) -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../corpus").join(folder);
+    let mut decks: Vec<PathBuf> =
+        std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    decks.retain(|path| path.extension().is_some_and(|ending| ending == "inp"));
+    decks.sort();
+    decks
+}
+
+fn read(path: &Path) -> (Read, Vec<Diagnostic>) {
+    let read = Job::read(path, &ReadOptions::default());
+    let said = advise(&read);
+    (read, said)
+}
+
+#[test]
+fn good_decks_raise_no_warning() {
+    let mut failed = Vec::new();
+    let mut count = 0;
+    for path in ["diehl1995", "keywords"].iter().flat_map(|folder| decks(folder)) {
+        count += 1;
+        for said in read(&path).1.iter().filter(|said| said.severity >= Severity::Warning) {
+            failed.push(format!("{}: {} {}", path.display(), said.code, said.message));
+        }
+    }
+    assert!(count >= 40 && failed.is_empty(), "{}", failed.join("\n"));
+}
+
+/// Diehl (1995), figure 4: the coarse IRS model is the noisy one.
+#[test]
+fn the_papers_coarse_irs_model_gets_its_advice() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../corpus/diehl1995");
+    let (_, said) = read(&folder.join("irs_coarse.inp"));
+    let role = said.iter().find(|said| said.code.0 == "SL0403").unwrap();
+    // l/(2r) = 2.0853895 mm / 18 mm [verification: metrics and expectations]
+    assert!(role.message.contains("0.116"), "{}", role.message);
+}
+
+#[test]
+fn broken_decks_are_told_what_is_wrong() {
+    let mut failed = Vec::new();
+    for path in decks("advice") {
+        let text = std::fs::read_to_string(&path).unwrap();
+        let (read, said) = read(&path);
+        let codes: Vec<&str> = said.iter().map(|said| said.code.0).collect();
+        for code in text.lines().filter_map(|line| line.strip_prefix("**! ")) {
+            if !codes.contains(&code) {
+                let errors: Vec<_> = read.diagnostics.iter().map(|d| &d.message).collect();
+                failed.push(format!("{}: {code} not in {codes:?}; {errors:?}", path.display()));
+            }
+        }
+        failed.extend(
+            said.iter()
+                .filter(|d| d.span.is_none() || d.help.is_none())
+                .map(|d| format!("{}: {} without a place or a remedy", path.display(), d.code)),
+        );
+    }
+    assert!(failed.is_empty(), "{}", failed.join("\n"));
+}
+
+/// The mended deck reads without error and has lost the finding.
+#[test]
+fn a_suggested_card_mends_what_it_names() {
+    let mut failed = Vec::new();
+    let mut mended_decks = 0;
+    for path in decks("advice") {
+        let (read, said) = read(&path);
+        let Some(bytes) = mended(&read, &said) else { continue };
+        mended_decks += 1;
+        let text = String::from_utf8(bytes).unwrap();
+        let again = Job::read_text("mended", &text, &ReadOptions::default());
+        if again.model.is_none() {
+            let errors: Vec<_> = again.diagnostics.iter().map(|d| &d.message).collect();
+            failed.push(format!("{}: mended deck has errors: {errors:?}", path.display()));
+            continue;
+        }
+        let left = advise(&again);
+        for was in said.iter().filter(|was| was.edit.is_some()) {
+            let still = |d: &&Diagnostic| d.code == was.code && d.message == was.message;
+            if left.iter().any(|d| still(&d)) {
+                failed.push(format!("{}: {} is still there", path.display(), was.code));
+            }
+        }
+    }
+    assert!(mended_decks >= 8 && failed.is_empty(), "{mended_decks}: {}", failed.join("\n"));
+}
