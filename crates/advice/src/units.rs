@@ -14,7 +14,7 @@ pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
         let in_pascal = modulus >= 2e7;
         let (said, unit) = if in_pascal && height > 0.5 && start.reach > 10.0 {
             (true, "lengths look like mm, the modulus like Pa; with mm and N it is in MPa")
-        } else if modulus < 1e6 && modulus >= 1e2 && height < 0.02 && start.reach < 0.5 {
+        } else if (1e2..1e6).contains(&modulus) && height < 0.02 && start.reach < 0.5 {
             (true, "lengths look like m, the modulus like MPa; with m and N it is in Pa")
         } else {
             (false, "")

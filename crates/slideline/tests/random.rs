@@ -161,8 +161,7 @@ impl Observer for Judge {
             }
             Event::Committed(frame) => {
                 let all = |dof| {
-                    let values =
-                        (0..frame.model.nodes.len()).map(|i| frame.nodal.reaction(i, dof));
+                    let values = (0..frame.model.nodes.len()).map(|i| frame.nodal.reaction(i, dof));
                     values.fold((0.0, 0.0), |(sum, size), v: f64| (sum + v, size + v.abs()))
                 };
                 let ((x, size_x), (y, size_y)) = (all(Dof::U1), all(Dof::U2));
