@@ -21,12 +21,9 @@ mod fig_8_cam;
 mod free_circle;
 mod friction_laws;
 mod incline;
-<<<<<<< HEAD
+mod invariances;
 mod jamming;
 mod ledger;
-=======
-mod invariances;
->>>>>>> a47ce98 (Restart: saved states, bit for bit; the tangent held against differences)
 mod literal_deck;
 mod newton;
 mod objectivity;

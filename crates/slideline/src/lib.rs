@@ -32,14 +32,9 @@ pub use slideline_keywords as keywords;
 pub use slideline_mech as mech;
 pub use slideline_model as model;
 pub use slideline_output as output;
-<<<<<<< HEAD
-pub use slideline_solve::run as solve;
-pub use slideline_solve::{Options as SolveOptions, observe};
-pub use slideline_solve::{UserFrictions, friction};
-=======
 pub use slideline_solve::{Checkpoint, resume, run as solve};
 pub use slideline_solve::{Options as SolveOptions, TangentCheck, observe};
->>>>>>> a47ce98 (Restart: saved states, bit for bit; the tangent held against differences)
+pub use slideline_solve::{UserFrictions, friction};
 
 pub use slideline_diag::{Diagnostic, Severity};
 pub use slideline_model::{Dialect, Model, Onset};
