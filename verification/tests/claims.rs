@@ -21,6 +21,7 @@ mod fig_8_cam;
 mod free_circle;
 mod friction_laws;
 mod incline;
+mod invariances;
 mod jamming;
 mod ledger;
 mod literal_deck;

@@ -61,6 +61,13 @@ pub(crate) struct RunArguments {
     /// No progress; errors and warnings still go to standard error.
     #[arg(long, short)]
     pub quiet: bool,
+    /// Hold the tangent of every converged increment, or of that one in each
+    /// step, against differences of the residual.
+    #[arg(long, value_name = "INCREMENT", num_args = 0..=1, require_equals = true)]
+    pub check_tangent: Option<Option<usize>>,
+    /// Go on from JOB.rst, which a deck with *RESTART, WRITE leaves.
+    #[arg(long)]
+    pub restart: bool,
     /// Write the report JOB.html (it is, unless --no-html).
     #[arg(long, overrides_with = "no_html")]
     pub html: bool,

@@ -10,7 +10,7 @@ use slideline::diag::Sources;
 use slideline::model::{Dof, NodeIndex};
 use slideline::observe::{
     AttemptReport, Event, FieldReport, Frame, FrictionCall, IterationReport, Observer, Status,
-    StepReport, Stop,
+    StepReport, Stop, TangentReport,
 };
 use slideline::output::json::Object;
 use slideline::output::number::general;
@@ -42,19 +42,29 @@ pub(crate) struct Progress<'a> {
     /// Driven dofs: at most two are shown in the table.
     driven: Vec<(NodeIndex, Dof)>,
     labels: Vec<u64>,
+    /// Names of the contact pairs.
+    pairs: Vec<String>,
     waiting: String,
     shown: Instant,
 }
 
 impl<'a> Progress<'a> {
     pub fn new(mode: Mode, sources: &'a Sources) -> Self {
-        let (driven, labels, waiting) = (Vec::new(), Vec::new(), String::new());
-        Self { mode, sources, driven, labels, waiting, shown: Instant::now() }
+        Self {
+            mode,
+            sources,
+            driven: Vec::new(),
+            labels: Vec::new(),
+            pairs: Vec::new(),
+            waiting: String::new(),
+            shown: Instant::now(),
+        }
     }
 
     fn begin(&mut self, report: &StepReport<'_>) {
         let model = report.model;
         self.labels = model.nodes.iter().map(|node| node.label).collect();
+        self.pairs = model.contact_pairs.iter().map(|pair| pair.name.clone()).collect();
         self.driven = driven(report);
         if self.mode == Mode::Json {
             return;
@@ -148,6 +158,31 @@ impl<'a> Progress<'a> {
         }
     }
 
+    fn tangent(&mut self, report: &TangentReport) {
+        let entry = report.entry(&self.labels, &self.pairs);
+        if self.mode == Mode::Json {
+            self.json(
+                Object::new()
+                    .text("event", "tangent")
+                    .count("step", report.step)
+                    .count("increment", report.increment)
+                    .count("equations", report.equations)
+                    .number("off", report.off)
+                    .text("entry", &entry)
+                    .number("assembled", report.assembled)
+                    .number("difference", report.difference),
+            );
+            return;
+        }
+        self.clear_line();
+        let _ = writeln!(
+            self.waiting,
+            "      tangent of increment {}: off by {} at {entry}",
+            report.increment,
+            general(report.off, 3),
+        ); // a String takes any text
+    }
+
     fn clear_line(&mut self) {
         if self.mode == Mode::Live {
             self.waiting.push_str("\r\x1b[K");
@@ -171,11 +206,12 @@ impl<'a> Progress<'a> {
             Event::Iteration(report) => self.iteration(report),
             Event::AttemptFailed(attempt) => self.failed(attempt),
             Event::Committed(frame) => self.increment(frame),
+            Event::Tangent(report) => self.tangent(report),
             Event::Diagnosed(said) if self.mode == Mode::Json => {
                 let text = record(said, self.sources).finish();
                 let _ = writeln!(self.waiting, "{{\"event\":\"diagnosis\",{}", &text[1..]); // a String takes any text
             }
-            Event::Diagnosed(_) => {}
+            Event::Diagnosed(_) | Event::Checkpoint(_) => {}
             Event::End(_) => self.clear_line(),
         }
         if !self.waiting.is_empty()

@@ -7,7 +7,9 @@ use crate::{interrupt, render, report, screen};
 use slideline::diag::{Code, Diagnostic, Severity};
 use slideline::output::json::Object;
 use slideline::output::{onset_word, record};
-use slideline::{Job, Outcome, Read, RunOptions, SolveOptions, Status, VERSION, run as run_job};
+use slideline::{
+    Job, Outcome, Read, RunOptions, SolveOptions, Status, TangentCheck, VERSION, run as run_job,
+};
 use std::time::Instant;
 
 /// Runs a deck and says how it went.
@@ -26,7 +28,16 @@ pub(crate) fn run(arguments: &RunArguments) -> Exit {
     }
     let options = RunOptions {
         folder: arguments.out.clone(),
-        solve: SolveOptions { threads: arguments.threads, ..SolveOptions::default() },
+        restart: arguments.restart,
+        solve: SolveOptions {
+            threads: arguments.threads,
+            check_tangent: match arguments.check_tangent {
+                None => TangentCheck::Never,
+                Some(None) => TangentCheck::Every,
+                Some(Some(increment)) => TangentCheck::Increment(increment),
+            },
+            ..SolveOptions::default()
+        },
     };
     let mut outcome = run_job(&read, &options, &mut Progress::new(mode, &read.sources));
     if !arguments.no_html {
@@ -113,13 +124,25 @@ fn last_words(read: &Read, outcome: &Outcome) -> Option<Diagnostic> {
                 Code("SL0590"),
                 format!("interrupted after {kept} converged increments; everything up to there is written"),
             )
-            .help(format!(
-                "To go on, run the job again from its beginning: slideline run {}",
-                read.job.deck.display()
-            )),
+            .help(how_to_go_on(read, outcome)),
         ),
         _ => None,
     }
+}
+
+fn how_to_go_on(read: &Read, outcome: &Outcome) -> String {
+    let deck = read.job.deck.display();
+    if !outcome.files.path(".rst").exists() {
+        return format!("To go on, run the job again from its beginning: slideline run {deck}");
+    }
+    let beside = read.job.files(None);
+    let elsewhere = beside.folder() != outcome.files.folder();
+    let out = if elsewhere {
+        format!(" --out {}", outcome.files.folder().display())
+    } else {
+        String::new()
+    };
+    format!("To go on from there: slideline run {deck} --restart{out}")
 }
 
 fn kept_files(outcome: &Outcome) -> String {

@@ -160,6 +160,7 @@ catalogue! {
     "SL0505" "a user friction law gave no answer"
     "SL0506" "the contact jams"
     "SL0590" "the run was interrupted"
+    "SL0591" "the job is complete already"
     "SL0601" "friction was not called at closed points"
     "SL0610" "a noisy reaction"
     "SL0611" "contact that moves from node to node"
@@ -170,7 +171,12 @@ catalogue! {
     "SL0704" "results cannot be read"
     "SL0705" "the job is still running"
     "SL0706" "the deck was changed after the run"
+    "SL0707" "no saved state to go on from"
+    "SL0708" "a saved state that cannot be used"
+    "SL0709" "what a saved state belongs to was changed"
+    "SL0710" "result files that do not fit the saved state"
     "SL0901" "internal error"
+    "SL0906" "the tangent is not the derivative of the residual"
 }
 
 #[cfg(test)]

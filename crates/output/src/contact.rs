@@ -4,6 +4,7 @@ use crate::file::{Growing, WriteError};
 use crate::history::push_time;
 use crate::job::JobFiles;
 use crate::number::push_shortest;
+use crate::restart::Kept;
 use crate::writers::Writer;
 use slideline_solve::observe::{ContactRow, Event, Frame};
 use std::fmt::Write as _;
@@ -14,6 +15,11 @@ pub(crate) struct Contact {
     file: Option<Growing>,
 }
 
+const HEADER: &str = concat!(
+    "step,increment,time,pair,node,status,COPEN,CPRESS,CSHEAR1,CSLIP1,friction,",
+    "x,y,normal_x,normal_y,area\n",
+);
+
 impl Contact {
     pub fn new(job: &JobFiles) -> Self {
         Self { job: job.clone(), file: None }
@@ -21,13 +27,7 @@ impl Contact {
 
     fn begin(&mut self) -> Result<(), WriteError> {
         if self.file.is_none() {
-            let mut file = Growing::create(self.job.path(".contact.csv"))?;
-            file.text.push_str(
-                "step,increment,time,pair,node,status,COPEN,CPRESS,CSHEAR1,CSLIP1,friction,",
-            );
-            file.text.push_str("x,y,normal_x,normal_y,area\n");
-            file.flush()?;
-            self.file = Some(file);
+            self.file = Some(Growing::begin(&self.job, ".contact.csv", HEADER)?);
         }
         Ok(())
     }
@@ -75,5 +75,9 @@ impl Writer for Contact {
             Event::Committed(frame) => self.rows(frame),
             _ => Ok(()),
         }
+    }
+
+    fn keep(&self, kept: &mut Kept) {
+        kept.file(".contact.csv", self.file.as_ref());
     }
 }

@@ -4,6 +4,7 @@ use crate::echo::model_echo;
 use crate::file::{Growing, WriteError, beside};
 use crate::history::Column;
 use crate::job::JobFiles;
+use crate::restart::Kept;
 use crate::summary::Facts;
 use crate::writers::Writer;
 use slideline_model::{Dof, NodeIndex, NodePrint, NodeVariable, PrintTarget};
@@ -29,7 +30,15 @@ impl Dat {
             return Ok(());
         }
         self.begun = true;
-        let mut file = Growing::create(beside(&self.job.path(".dat")))?;
+        let path = self.job.path(".dat");
+        if report.resumed {
+            // A file without tables was finished before the saved state.
+            if let Some(length) = self.job.kept_length(".dat") {
+                self.file = Some(Growing::reopen(beside(&path), length)?);
+            }
+            return Ok(());
+        }
+        let mut file = Growing::create(beside(&path))?;
         // A String takes any text.
         let _ = writeln!(file.text, "slideline {}   job {}\n", self.version, self.job.name());
         file.text.push_str(&model_echo(report.model, &report.start));
@@ -134,5 +143,9 @@ impl Writer for Dat {
             Event::End(_) => self.finish(),
             _ => Ok(()),
         }
+    }
+
+    fn keep(&self, kept: &mut Kept) {
+        kept.file(".dat", self.file.as_ref());
     }
 }

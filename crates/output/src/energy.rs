@@ -4,6 +4,7 @@ use crate::file::{Growing, WriteError};
 use crate::history::push_time;
 use crate::job::JobFiles;
 use crate::number::push_shortest;
+use crate::restart::Kept;
 use crate::writers::Writer;
 use slideline_solve::observe::{Event, Frame};
 
@@ -13,6 +14,11 @@ pub(crate) struct Energy {
     file: Option<Growing>,
 }
 
+const HEADER: &str = concat!(
+    "step,increment,time,external_work,strain_energy,contact_energy,",
+    "friction_dissipation,friction_elastic,dropped_friction,balance\n",
+);
+
 impl Energy {
     pub fn new(job: &JobFiles) -> Self {
         Self { job: job.clone(), file: None }
@@ -20,11 +26,7 @@ impl Energy {
 
     fn begin(&mut self) -> Result<(), WriteError> {
         if self.file.is_none() {
-            let mut file = Growing::create(self.job.path(".energy.csv"))?;
-            file.text.push_str("step,increment,time,external_work,strain_energy,contact_energy,");
-            file.text.push_str("friction_dissipation,friction_elastic,dropped_friction,balance\n");
-            file.flush()?;
-            self.file = Some(file);
+            self.file = Some(Growing::begin(&self.job, ".energy.csv", HEADER)?);
         }
         Ok(())
     }
@@ -60,5 +62,9 @@ impl Writer for Energy {
             Event::Committed(frame) => self.row(frame),
             _ => Ok(()),
         }
+    }
+
+    fn keep(&self, kept: &mut Kept) {
+        kept.file(".energy.csv", self.file.as_ref());
     }
 }

@@ -1,8 +1,9 @@
 //! Files that grow by whole lines, and files that appear whole.
 
+use crate::job::JobFiles;
 use std::ffi::OsString;
 use std::fs::File;
-use std::io::{self, Write as _};
+use std::io::{self, Seek as _, SeekFrom, Write as _};
 use std::path::{Path, PathBuf};
 
 /// A file that could not be written.
@@ -71,6 +72,35 @@ impl Growing {
     pub fn create(path: PathBuf) -> Result<Self, WriteError> {
         let file = File::create(&path).map_err(at(&path))?;
         Ok(Self { path, file, length: 0, text: String::new() })
+    }
+
+    /// Creates a job's file with its first lines; in a run that goes on, opens
+    /// it where the saved state left it, cut back to there.
+    pub fn begin(job: &JobFiles, ending: &str, heading: &str) -> Result<Self, WriteError> {
+        if let Some(length) = job.kept_length(ending) {
+            return Self::reopen(job.path(ending), length);
+        }
+        let mut file = Self::create(job.path(ending))?;
+        file.text.push_str(heading);
+        file.flush()?;
+        Ok(file)
+    }
+
+    /// Opens a file, cut back to a length.
+    pub fn reopen(path: PathBuf, length: u64) -> Result<Self, WriteError> {
+        let open = || {
+            let mut file = File::options().write(true).open(&path)?;
+            file.set_len(length)?;
+            file.seek(SeekFrom::Start(length))?;
+            Ok(file)
+        };
+        let file = open().map_err(at(&path))?;
+        Ok(Self { path, file, length, text: String::new() })
+    }
+
+    /// Bytes handed to the system.
+    pub fn length(&self) -> u64 {
+        self.length
     }
 
     /// Hands the waiting lines to the system; a line that does not fit on a

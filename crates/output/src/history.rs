@@ -4,6 +4,7 @@
 use crate::file::{Growing, WriteError};
 use crate::job::JobFiles;
 use crate::number::push_shortest;
+use crate::restart::Kept;
 use crate::writers::Writer;
 use slideline_model::{Dof, Model, NodeIndex};
 use slideline_solve::observe::{Event, Frame, Nodal};
@@ -66,15 +67,14 @@ impl History {
         if self.open.is_some() {
             return Ok(());
         }
-        let mut file = Growing::create(self.job.path(".history.csv"))?;
         let columns = columns(dofs);
-        file.text.push_str("step,increment,time,node");
+        let mut heading = String::from("step,increment,time,node");
         for column in &columns {
-            file.text.push(',');
-            file.text.push_str(column.name());
+            heading.push(',');
+            heading.push_str(column.name());
         }
-        file.text.push('\n');
-        file.flush()?;
+        heading.push('\n');
+        let file = Growing::begin(&self.job, ".history.csv", &heading)?;
         self.open = Some(Open { file, nodes: model.history_nodes(), columns });
         Ok(())
     }
@@ -110,5 +110,9 @@ impl Writer for History {
             (Event::Committed(frame), Some(open)) => open.rows(frame),
             _ => Ok(()),
         }
+    }
+
+    fn keep(&self, kept: &mut Kept) {
+        kept.file(".history.csv", self.open.as_ref().map(|open| &open.file));
     }
 }

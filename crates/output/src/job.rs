@@ -1,8 +1,10 @@
 //! Where a job's files go and what they are called.
 
 use crate::file::{PART, WriteError, at};
+use crate::restart::Kept;
 use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// Endings of the files of a job, beside its numbered `_0001.vtu` files.
 const ENDINGS: &[&str] = &[
@@ -23,12 +25,14 @@ const ENDINGS: &[&str] = &[
 pub struct JobFiles {
     folder: PathBuf,
     stem: OsString,
+    /// What a run that goes on finds there.
+    kept: Option<Arc<Kept>>,
 }
 
 impl JobFiles {
     /// Files called `stem` and an ending, in `folder`.
     pub fn new(folder: impl Into<PathBuf>, stem: impl Into<OsString>) -> Self {
-        Self { folder: folder.into(), stem: stem.into() }
+        Self { folder: folder.into(), stem: stem.into(), kept: None }
     }
 
     /// The folder.
@@ -68,6 +72,22 @@ impl JobFiles {
         Ok(found)
     }
 
+    /// The same files for a run that goes on.
+    pub(crate) fn going_on(&self, kept: Kept) -> Self {
+        Self { kept: Some(Arc::new(kept)), ..self.clone() }
+    }
+
+    /// What a run that goes on finds.
+    pub(crate) fn kept(&self) -> Option<&Kept> {
+        self.kept.as_deref()
+    }
+
+    /// Length of a file at the saved state that the run goes on from.
+    pub(crate) fn kept_length(&self, ending: &str) -> Option<u64> {
+        let lengths = &self.kept()?.lengths;
+        lengths.iter().find(|(own, _)| own == ending).map(|&(_, length)| length)
+    }
+
     /// Creates the folder where it is missing and removes every file of an
     /// earlier run.
     ///
@@ -75,7 +95,10 @@ impl JobFiles {
     /// When the folder cannot be made or read, or a file cannot be removed.
     pub fn clear(&self) -> Result<(), WriteError> {
         std::fs::create_dir_all(&self.folder).map_err(at(&self.folder))?;
-        for path in self.existing()? {
+        let mut existing = self.existing()?;
+        // Without its files a saved state is worth nothing: it goes first.
+        existing.sort_by_key(|path| path != &self.path(".rst"));
+        for path in existing {
             std::fs::remove_file(&path).map_err(at(&path))?;
         }
         Ok(())
@@ -90,6 +113,11 @@ impl JobFiles {
         };
         ENDINGS.iter().any(|own| own.as_bytes() == ending) || is_state(ending)
     }
+}
+
+/// Whether a result file of one of our kinds ends so.
+pub(crate) fn is_ending(ending: &str) -> bool {
+    ENDINGS.contains(&ending)
 }
 
 /// `_0001.vtu` with four digits or more.

@@ -28,6 +28,7 @@ pub mod number;
 pub mod plot;
 mod record;
 pub mod report;
+pub mod restart;
 mod sta;
 mod summary;
 mod understood;

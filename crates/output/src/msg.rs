@@ -3,13 +3,14 @@
 use crate::file::{Growing, WriteError};
 use crate::job::JobFiles;
 use crate::number::general;
+use crate::restart::Kept;
 use crate::summary::Facts;
 use crate::writers::Writer;
 use slideline_diag::{Diagnostic, Sources};
 use slideline_model::{Dof, Model, NodeIndex};
 use slideline_solve::observe::{
     AttemptReport, ContactChange, Ending, Event, FieldReport, Frame, IterationReport, StepReport,
-    Totals,
+    TangentReport, Totals,
 };
 use std::fmt::Write as _;
 
@@ -42,12 +43,14 @@ impl<'a> Msg<'a> {
     fn begin(&mut self, report: &StepReport<'_>) -> Result<(), WriteError> {
         let mut file = match self.file.take() {
             Some(file) => file,
-            None => Growing::create(self.job.path(".msg"))?,
+            None => Growing::begin(&self.job, ".msg", "")?,
         };
         self.labels = report.model.nodes.iter().map(|node| node.label).collect();
         self.pairs = report.model.contact_pairs.iter().map(|pair| pair.name.clone()).collect();
         self.list_changes = step_of(report).is_some_and(|step| step.output.contact_changes);
-        step_heading(&mut file.text, report);
+        if !report.resumed {
+            step_heading(&mut file.text, report);
+        }
         file.flush()?;
         self.file = Some(file);
         Ok(())
@@ -105,6 +108,19 @@ impl<'a> Msg<'a> {
             let now = if change.closed { "closes" } else { "opens" };
             line(text, format_args!("    {pair} node {} {now}", self.label(change.node)));
         }
+    }
+
+    fn tangent(&mut self, report: &TangentReport) -> Result<(), WriteError> {
+        let text = format!(
+            "  TANGENT of {} equations against differences: off by {} of the largest entry of its \
+             kind at {}: assembled {}, by differences {}",
+            report.equations,
+            general(report.off, 3),
+            report.entry(&self.labels, &self.pairs),
+            general(report.assembled, 7),
+            general(report.difference, 7),
+        );
+        self.with_file(|file| line(file, format_args!("{text}")))
     }
 
     fn with_file(&mut self, write: impl FnOnce(&mut String)) -> Result<(), WriteError> {
@@ -266,8 +282,14 @@ impl Writer for Msg<'_> {
             }
             Event::Committed(frame) => self.with_file(|text| committed(text, frame)),
             Event::AttemptFailed(attempt) => self.with_file(|text| attempt_failed(text, attempt)),
+            Event::Tangent(report) => self.tangent(report),
+            Event::Checkpoint(_) => Ok(()),
             Event::Diagnosed(said) => self.with_file(|text| diagnosed(text, said, sources)),
             Event::End(ending) => self.with_file(|text| ended(text, ending)),
         }
+    }
+
+    fn keep(&self, kept: &mut Kept) {
+        kept.file(".msg", self.file.as_ref());
     }
 }

@@ -9,6 +9,7 @@
 use crate::file::{Growing, WriteError};
 use crate::job::JobFiles;
 use crate::number::general;
+use crate::restart::Kept;
 use crate::writers::Writer;
 use slideline_solve::observe::{AttemptReport, Event, Frame};
 use std::fmt::Write as _;
@@ -26,10 +27,7 @@ impl Sta {
 
     fn begin(&mut self) -> Result<(), WriteError> {
         if self.file.is_none() {
-            let mut file = Growing::create(self.job.path(".sta"))?;
-            file.text.push_str(HEADER);
-            file.flush()?;
-            self.file = Some(file);
+            self.file = Some(Growing::begin(&self.job, ".sta", HEADER)?);
         }
         Ok(())
     }
@@ -99,5 +97,9 @@ impl Writer for Sta {
             Event::AttemptFailed(attempt) => self.line(&Line::from(*attempt)),
             _ => Ok(()),
         }
+    }
+
+    fn keep(&self, kept: &mut Kept) {
+        kept.file(".sta", self.file.as_ref());
     }
 }

@@ -9,8 +9,10 @@ use crate::record::record;
 use crate::understood::{self, Understood};
 use slideline_diag::{Diagnostic, Severity, Sources};
 use slideline_model::{Dialect, NodeIndex, Onset};
+use slideline_solve::Checkpoint;
+use slideline_solve::bytes::{Packed, Unpacking};
 use slideline_solve::observe::{Ending, Event, Frame, StepReport, Stop, Totals};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// Version of the layout of `JOB.json`.
 pub const SCHEMA: usize = 1;
@@ -84,11 +86,47 @@ struct Peak {
     most: (f64, f64),
 }
 
+/// What a summary remembers of the events of a run.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Memory {
+    before: Duration,
+    warnings: Vec<String>,
+    peaks: Vec<Option<Peak>>,
+    strain: Option<(f64, u64, f64)>,
+}
+
+impl Memory {
+    /// Reads what [`Summary::pack`] has written.
+    pub fn unpack(bytes: &mut Unpacking<'_>) -> Option<Self> {
+        let before = Duration::try_from_secs_f64(bytes.number()?).ok()?;
+        let count = bytes.length(8)?;
+        let warnings = (0..count).map(|_| bytes.text()).collect::<Option<_>>()?;
+        let count = bytes.length(1)?;
+        let peaks = (0..count).map(|_| unpack_peak(bytes)).collect::<Option<_>>()?;
+        let mut strain = None;
+        if bytes.flag()? {
+            let [value, time] = bytes.numbers()?;
+            strain = Some((value, bytes.text()?.parse().ok()?, time));
+        }
+        Some(Self { before, warnings, peaks, strain })
+    }
+}
+
+fn unpack_peak(bytes: &mut Unpacking<'_>) -> Option<Option<Peak>> {
+    if !bytes.flag()? {
+        return Some(None);
+    }
+    let [low, low_at, high, high_at] = bytes.numbers()?;
+    Some(Some(Peak { least: (low, low_at), most: (high, high_at) }))
+}
+
 /// Collects what `JOB.json` says and writes it at both ends of a run.
 pub(crate) struct Summary<'a> {
     job: JobFiles,
     facts: Facts<'a>,
     began: Instant,
+    /// Wall time of the runs that this one goes on from.
+    before: Duration,
     warnings: Vec<String>,
     advice: Vec<String>,
     curves: Vec<(String, NodeIndex, Column)>,
@@ -114,6 +152,7 @@ impl<'a> Summary<'a> {
             job: job.clone(),
             facts,
             began: Instant::now(),
+            before: Duration::ZERO,
             warnings,
             advice: Vec::new(),
             curves: Vec::new(),
@@ -123,6 +162,44 @@ impl<'a> Summary<'a> {
             understood: None,
             strain: None,
         }
+    }
+
+    /// Writes the summary of a job that goes on from a checkpoint.
+    pub fn resume(
+        job: &JobFiles,
+        facts: Facts<'a>,
+        memory: Memory,
+        from: &Checkpoint<'_>,
+    ) -> Result<Self, WriteError> {
+        let Memory { before, warnings, peaks, strain } = memory;
+        let (totals, dropped_work) = (from.totals, from.energy().dropped_friction);
+        let new = Self::new(job, facts);
+        let summary = Self { before, warnings, peaks, strain, totals, dropped_work, ..new };
+        summary.write(Status::Running, None)?;
+        Ok(summary)
+    }
+
+    /// Appends what only the events of the run so far have told.
+    pub fn pack(&self, bytes: &mut Packed) {
+        bytes.number(self.elapsed().as_secs_f64());
+        bytes.count(self.warnings.len());
+        self.warnings.iter().for_each(|warning| bytes.text(warning));
+        bytes.count(self.peaks.len());
+        for peak in &self.peaks {
+            bytes.flag(peak.is_some());
+            if let Some(Peak { least, most }) = peak {
+                bytes.numbers(&[least.0, least.1, most.0, most.1]);
+            }
+        }
+        bytes.flag(self.strain.is_some());
+        if let Some((strain, element, time)) = self.strain {
+            bytes.numbers(&[strain, time]);
+            bytes.text(&element.to_string());
+        }
+    }
+
+    fn elapsed(&self) -> Duration {
+        self.before + self.began.elapsed()
     }
 
     /// Takes note of everything but the end.
@@ -166,7 +243,9 @@ impl<'a> Summary<'a> {
                 columns.iter().map(|&column| (format!("{label}.{}", column.name()), node, column)),
             );
         }
-        self.peaks = vec![None; self.curves.len()];
+        if self.peaks.len() != self.curves.len() {
+            self.peaks = vec![None; self.curves.len()]; // else they were recalled
+        }
     }
 
     fn follow(&mut self, frame: &Frame<'_>) {
@@ -198,7 +277,7 @@ impl<'a> Summary<'a> {
             .count("increments", self.totals.increments)
             .count("cutbacks", self.totals.cutbacks)
             .count("iterations", self.totals.iterations)
-            .number("wall_seconds", self.began.elapsed().as_secs_f64())
+            .number("wall_seconds", self.elapsed().as_secs_f64())
             .array("warnings", self.warnings.iter().cloned())
             .array("advice", self.advice.iter().cloned())
             .raw("peaks", &self.peaks())

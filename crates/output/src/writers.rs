@@ -2,6 +2,7 @@
 
 use crate::file::WriteError;
 use crate::job::JobFiles;
+use crate::restart::{self, Kept, Saved};
 use crate::summary::{Facts, Status, Summary};
 use crate::{contact, dat, energy, history, msg, sta, vtu};
 use slideline_solve::observe::{Event, Observer, Stop};
@@ -11,6 +12,9 @@ use std::ops::ControlFlow;
 pub(crate) trait Writer {
     /// Takes note of an event.
     fn event(&mut self, event: &Event<'_>) -> Result<(), WriteError>;
+
+    /// Notes what a run that goes on from here has to find.
+    fn keep(&self, _kept: &mut Kept) {}
 }
 
 type Make = for<'a> fn(&JobFiles, &Facts<'a>) -> Box<dyn Writer + 'a>;
@@ -44,6 +48,9 @@ pub struct Writers<'a> {
     writers: Vec<Box<dyn Writer + 'a>>,
     summary: Summary<'a>,
     failure: Option<WriteError>,
+    /// `JOB.rst` stands apart: it is written when everything else is, and
+    /// says where.
+    restart: restart::Writer,
     ended: bool,
 }
 
@@ -56,8 +63,23 @@ impl<'a> Writers<'a> {
     pub fn create(job: JobFiles, facts: Facts<'a>) -> Result<Self, WriteError> {
         job.clear()?;
         let writers = REGISTRY.iter().map(|kind| (kind.make)(&job, &facts)).collect();
+        let restart = restart::Writer::new(&facts);
         let summary = Summary::begin(&job, facts)?;
-        Ok(Self { job, writers, summary, failure: None, ended: false })
+        Ok(Self { job, writers, summary, failure: None, restart, ended: false })
+    }
+
+    /// Cuts the files of a job back to a saved state and goes on with them.
+    ///
+    /// # Errors
+    /// When a file is not there any more, or cannot be cut.
+    pub fn resume(job: &JobFiles, facts: Facts<'a>, saved: Saved) -> Result<Self, WriteError> {
+        let Saved { checkpoint, kept, memory, .. } = saved;
+        restart::cut_back(job, &kept)?;
+        let job = job.going_on(kept);
+        let writers = REGISTRY.iter().map(|kind| (kind.make)(&job, &facts)).collect();
+        let restart = restart::Writer::new(&facts);
+        let summary = Summary::resume(&job, facts, memory, &checkpoint)?;
+        Ok(Self { job, writers, summary, failure: None, restart, ended: false })
     }
 
     /// Where the files are.
@@ -86,6 +108,18 @@ impl<'a> Writers<'a> {
         }
         self.writers = writers;
         let result = match event {
+            Event::StepBegin(report) => {
+                self.restart.begin(report);
+                self.summary.watch(event);
+                Ok(())
+            }
+            Event::Checkpoint(checkpoint)
+                if self.failure.is_none() && self.restart.is_due(checkpoint) =>
+            {
+                let mut kept = Kept::default();
+                self.writers.iter().for_each(|writer| writer.keep(&mut kept));
+                self.restart.write(&self.job, checkpoint, &kept, &self.summary)
+            }
             Event::End(ending) => {
                 self.ended = true;
                 let status = match &self.failure {

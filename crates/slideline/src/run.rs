@@ -3,7 +3,8 @@
 use crate::{Read, VERSION};
 use slideline_advice::Noise;
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::Onset;
+use slideline_model::{Model, Onset};
+use slideline_output::restart::{self, Saved};
 use slideline_output::{Facts, JobFiles, Status, WriteError, Writers, dropped_friction};
 use slideline_solve::observe::{Ending, Event, Observer, Stop, Totals};
 use std::ops::ControlFlow;
@@ -14,6 +15,8 @@ use std::path::PathBuf;
 pub struct RunOptions {
     /// Folder of the result files; beside the deck unless said.
     pub folder: Option<PathBuf>,
+    /// Go on from `JOB.rst` instead of beginning anew.
+    pub restart: bool,
     /// How the solver works.
     pub solve: slideline_solve::Options,
 }
@@ -64,7 +67,7 @@ pub fn run(read: &Read, options: &RunOptions, observer: &mut dyn Observer) -> Ou
         return ended(Status::InputError, files, vec![said], None);
     }
     let Some(model) = &read.model else {
-        let failure = if read.has_text {
+        let failure = if read.has_text && !options.restart {
             slideline_output::write_input_error(&files, facts).err()
         } else {
             None
@@ -72,6 +75,9 @@ pub fn run(read: &Read, options: &RunOptions, observer: &mut dyn Observer) -> Ou
         return ended(Status::InputError, files, Vec::new(), failure);
     };
     let missing = options.solve.user_frictions.missing(model);
+    if options.restart {
+        return go_on((read, model), files, facts, (options, missing), observer);
+    }
     if !missing.is_empty() {
         let failure = slideline_output::write_input_error(&files, facts).err();
         return ended(Status::InputError, files, missing, failure);
@@ -80,16 +86,63 @@ pub fn run(read: &Read, options: &RunOptions, observer: &mut dyn Observer) -> Ou
         Ok(writers) => writers,
         Err(error) => return ended(Status::OutputError, files, Vec::new(), Some(error)),
     };
-    let mut watch = Watch {
-        writers,
-        observer,
-        onset: model.friction_onset,
-        dropped_work: 0.0,
-        noise: Noise::default(),
-        diagnostics: Vec::new(),
-    };
+    let mut watch = Watch::new(writers, observer, model.friction_onset, 0.0);
     let ending = slideline_solve::run(model, &options.solve, &mut watch);
     watch.outcome(&ending)
+}
+
+/// Goes on from the saved state of the job. Where that cannot be done the
+/// files stay as they are.
+fn go_on(
+    (read, model): (&Read, &Model),
+    files: JobFiles,
+    facts: Facts<'_>,
+    (options, missing): (&RunOptions, Vec<Diagnostic>),
+    observer: &mut dyn Observer,
+) -> Outcome {
+    if !missing.is_empty() {
+        return ended(Status::InputError, files, missing, None);
+    }
+    let saved = match usable(model, &files, &facts) {
+        Ok(saved) => saved,
+        Err(said) => return ended(Status::InputError, files, vec![*said], None),
+    };
+    let checkpoint = saved.checkpoint.clone();
+    if checkpoint.finishes(model) && restart::is_completed(&files) {
+        let message = format!("the job {} is complete: nothing is left to do", files.name());
+        let said = Diagnostic::note(Code("SL0591"), message).help(format!(
+            "To run it again from its beginning: slideline run {}",
+            read.job.deck.display()
+        ));
+        let outcome = ended(Status::Completed, files, vec![said], None);
+        return Outcome { totals: checkpoint.totals, ..outcome };
+    }
+    let writers = match Writers::resume(&files, facts, saved) {
+        Ok(writers) => writers,
+        Err(error) => return ended(Status::OutputError, files, Vec::new(), Some(error)),
+    };
+    let dropped_work = checkpoint.energy().dropped_friction;
+    let mut watch = Watch::new(writers, observer, model.friction_onset, dropped_work);
+    match slideline_solve::resume(model, &options.solve, checkpoint, &mut watch) {
+        Some(ending) => watch.outcome(&ending),
+        // the state was held against the model before
+        None => ended(Status::InternalError, files, Vec::new(), None),
+    }
+}
+
+/// The saved state, if this run can go on from it.
+fn usable(model: &Model, files: &JobFiles, facts: &Facts<'_>) -> Result<Saved, Box<Diagnostic>> {
+    let saved = restart::read(files)?;
+    if let Some(said) = saved.objection(files, facts) {
+        return Err(Box::new(said));
+    }
+    if !saved.checkpoint.fits(model) {
+        let path = files.path(".rst");
+        let message = format!("the saved state {} is not one of this model", path.display());
+        let said = Diagnostic::error(Code("SL0708"), message);
+        return Err(Box::new(said.help("Run the job from its beginning.")));
+    }
+    Ok(saved)
 }
 
 fn ended(
@@ -131,7 +184,17 @@ struct Watch<'a> {
     diagnostics: Vec<Diagnostic>,
 }
 
-impl Watch<'_> {
+impl<'a> Watch<'a> {
+    fn new(
+        writers: Writers<'a>,
+        observer: &'a mut dyn Observer,
+        onset: Onset,
+        dropped_work: f64,
+    ) -> Self {
+        let (noise, diagnostics) = (Noise::default(), Vec::new());
+        Self { writers, observer, onset, dropped_work, noise, diagnostics }
+    }
+
     /// The event reaches both even where the first one asks to stop; being
     /// unable to write weighs more than a wish to stop.
     fn tell(&mut self, event: Event<'_>) -> ControlFlow<Stop> {

@@ -104,3 +104,14 @@ pub fn locate_points(plan: &Plan<'_>, committed: &mut State, work: &mut Workspac
         point.xi = meeting.xi;
     }
 }
+
+/// The places of a committed state as the evaluation that led to it left
+/// them, so that points without a master keep what was last said of them.
+pub fn recall_points(committed: &State, work: &mut Workspace) {
+    for (point, meeting) in committed.points.iter().zip(&mut work.evaluation.meetings) {
+        meeting.position = point.position;
+        meeting.normal = point.normal;
+        meeting.area = point.area;
+        meeting.xi = point.xi;
+    }
+}

@@ -296,6 +296,17 @@ impl Contact {
         }
     }
 
+    /// As [`Contact::meet`], with stations left where they stand on their
+    /// elements.
+    pub fn meet_in_place(&self, u: &[f64], positions: &mut Vec<[f64; 2]>, into: &mut [Meeting]) {
+        self.place_chains(u, positions);
+        for (point, meeting) in self.points.iter().zip(into) {
+            if meeting.faces || !point.is_station() {
+                self.meet_one(point, u, positions, meeting);
+            }
+        }
+    }
+
     fn place_chains(&self, u: &[f64], positions: &mut Vec<[f64; 2]>) {
         positions.clear();
         for facade in &self.facades {

@@ -69,6 +69,16 @@ pub struct FluxAverage {
 }
 
 impl FluxAverage {
+    /// Sum and count, to be kept.
+    pub fn parts(&self) -> [f64; 2] {
+        [self.sum, self.count]
+    }
+
+    /// From what was kept.
+    pub fn of_parts([sum, count]: [f64; 2]) -> Self {
+        Self { sum, count }
+    }
+
     /// qt with the present flux counted in [F or F L]; increments without
     /// flux do not dilute it.
     pub fn with(&self, now: f64, controls: &FieldControls) -> f64 {

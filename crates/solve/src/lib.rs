@@ -10,6 +10,8 @@
 //! linearises structure and geometry and solves contact exactly in every
 //! linearisation; the increment control is a pure machine; commit is a swap.
 
+pub mod bytes;
+mod checkpoint;
 mod commit;
 mod contact;
 mod convergence;
@@ -26,11 +28,11 @@ mod rows;
 mod run;
 mod state;
 mod structure;
-#[cfg(test)]
 mod tangent;
 mod users;
 
+pub use checkpoint::Checkpoint;
 pub use increments::{Control, Decision, StopReason, Verdict};
-pub use run::{Options, run};
+pub use run::{Options, TangentCheck, resume, run};
 pub use slideline_mech::contact::friction;
 pub use users::UserFrictions;

@@ -249,6 +249,18 @@ impl Workspace {
         }
     }
 
+    /// The trial state that was evaluated last.
+    pub fn trial(&self, committed: &State, dt: f64) -> Trial<'_> {
+        Trial {
+            u: &self.u,
+            load: &self.load,
+            pressures: &self.pressures,
+            tractions: &self.tractions,
+            time: committed.total_time + dt,
+            dt,
+        }
+    }
+
     fn evaluate(&mut self, plan: &Plan<'_>, committed: &State, dt: f64) {
         let trial = Trial {
             u: &self.u,

@@ -3,12 +3,13 @@
 //! ```text
 //!   run --> StepBegin --> Iteration, Iteration ... --> Committed(frame)
 //!                     \-> Iteration ... --> AttemptFailed --> (again, shorter)
-//!       --> Diagnosed --> End
+//!       --> Diagnosed --> Checkpoint --> ... --> End
 //! ```
 //!
 //! Observers borrow; nothing here owns a result. Files, tables, progress and
 //! embedding programs are observers. Any of them may stop the run.
 
+use crate::checkpoint::Checkpoint;
 use slideline_diag::Diagnostic;
 use slideline_model::{Dof, Model, NodeIndex};
 use std::ops::ControlFlow;
@@ -40,6 +41,10 @@ pub enum Event<'a> {
     AttemptFailed(&'a AttemptReport),
     /// An increment has converged.
     Committed(&'a Frame<'a>),
+    /// The tangent of a converged increment was held against differences.
+    Tangent(&'a TangentReport),
+    /// An increment was told in full; the run could go on from here.
+    Checkpoint(&'a Checkpoint<'a>),
     /// Something to be said about the run.
     Diagnosed(&'a Diagnostic),
     /// The run is over.
@@ -66,6 +71,9 @@ pub struct StepReport<'a> {
     /// The committed state at the beginning of the step (positions, initial
     /// contact); increment 0.
     pub start: Frame<'a>,
+    /// Whether the run goes on in the step from a saved state: then `start`
+    /// is that state, with its increment.
+    pub resumed: bool,
 }
 
 /// One Newton iteration.
@@ -129,6 +137,52 @@ pub struct FieldReport {
     pub increment: f64,
     /// Whether the field has converged.
     pub converged: bool,
+}
+
+/// The assembled tangent of a converged increment against differences of the
+/// residual.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct TangentReport {
+    /// Step number from 1.
+    pub step: usize,
+    /// Increment number from 1.
+    pub increment: usize,
+    /// Number of equations.
+    pub equations: usize,
+    /// Largest disagreement, in largest entries of its kind [1].
+    pub off: f64,
+    /// Row and column where it is; `None` without equations.
+    pub at: Option<((NodeIndex, Dof), (NodeIndex, Dof))>,
+    /// Label of an element that couples them.
+    pub element: Option<u64>,
+    /// Pair and slave node of a closed contact point that couples them.
+    pub contact: Option<(usize, NodeIndex)>,
+    /// The assembled entry [F/L and the like].
+    pub assembled: f64,
+    /// The same by differences.
+    pub difference: f64,
+}
+
+impl TangentReport {
+    /// The entry in words: nodes, dofs, and what couples them. `labels` are
+    /// those of the nodes, `pairs` the names of the contact pairs.
+    pub fn entry(&self, labels: &[u64], pairs: &[String]) -> String {
+        let Some(((row, by_row), (column, by_column))) = self.at else {
+            return "no entry".to_owned();
+        };
+        let label = |node: NodeIndex| labels.get(node).copied().unwrap_or_default();
+        let (row, column) = (label(row), label(column));
+        let mut text =
+            format!("node {row} {} by node {column} {}", by_row.reaction_name(), by_column.name());
+        if let Some(element) = self.element {
+            text.push_str(&format!(", element {element}"));
+        }
+        if let Some((pair, node)) = self.contact {
+            let name = pairs.get(pair).map_or("", String::as_str);
+            text.push_str(&format!(", contact {name} node {}", label(node)));
+        }
+        text
+    }
 }
 
 /// An attempt that was given up.

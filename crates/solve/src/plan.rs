@@ -76,6 +76,11 @@ impl<'a> Plan<'a> {
         }
     }
 
+    /// Displacements and loads at the beginning of the step.
+    pub fn start(&self) -> (&[f64], &[f64]) {
+        (&self.start, &self.start_load)
+    }
+
     /// Symbolic factorisation: unsymmetric where there is friction, unless
     /// the deck says `UNSYMM=NO`.
     pub fn analyse(&self) -> Solver {

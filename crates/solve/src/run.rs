@@ -1,5 +1,6 @@
 //! The whole analysis: steps, increments, commits.
 
+use crate::checkpoint::Checkpoint;
 use crate::commit::commit;
 use crate::contact::{memory_size, point_count};
 use crate::diagnose;
@@ -12,9 +13,11 @@ use crate::observe::{
 use crate::plan::Plan;
 use crate::rows::contact_rows;
 use crate::state::State;
+use crate::tangent;
 use crate::users::UserFrictions;
 use slideline_diag::Diagnostic;
 use slideline_model::{ContactPair, Model, Step};
+use std::borrow::Cow;
 use std::ops::ControlFlow;
 
 /// How to run.
@@ -24,11 +27,39 @@ pub struct Options {
     pub threads: usize,
     /// Friction laws of the embedding program.
     pub user_frictions: UserFrictions,
+    /// Which tangents are held against differences.
+    pub check_tangent: TangentCheck,
+}
+
+/// Which tangents are held against differences of the residual.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum TangentCheck {
+    /// None.
+    #[default]
+    Never,
+    /// Those of every converged increment.
+    Every,
+    /// That of the increment with this number in every step.
+    Increment(usize),
+}
+
+impl TangentCheck {
+    fn is_due(self, increment: usize) -> bool {
+        match self {
+            Self::Never => false,
+            Self::Every => true,
+            Self::Increment(number) => number == increment,
+        }
+    }
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { threads: 1, user_frictions: UserFrictions::default() }
+        Self {
+            threads: 1,
+            user_frictions: UserFrictions::default(),
+            check_tangent: TangentCheck::Never,
+        }
     }
 }
 
@@ -38,6 +69,27 @@ pub fn run(model: &Model, options: &Options, observer: &mut dyn Observer) -> End
     let ending = Walk::new(model, options, pool.as_ref(), observer).steps();
     let _ = observer.event(Event::End(&ending));
     ending
+}
+
+/// Goes on from a checkpoint of the same model and tells the observer; the
+/// step it stands in begins anew for the observer, as resumed. `None` where
+/// the checkpoint is not one of this model: nothing was told.
+pub fn resume(
+    model: &Model,
+    options: &Options,
+    from: Checkpoint<'static>,
+    observer: &mut dyn Observer,
+) -> Option<Ending> {
+    if !from.fits(model) {
+        return None;
+    }
+    let pool = thread_pool(options.threads);
+    let mut walk = Walk::new(model, options, pool.as_ref(), observer);
+    walk.committed = from.state.clone().into_owned();
+    walk.totals = from.totals;
+    let ending = walk.go_on(&from);
+    let _ = observer.event(Event::End(&ending));
+    Some(ending)
 }
 
 fn thread_pool(threads: usize) -> Option<rayon::ThreadPool> {
@@ -56,6 +108,9 @@ struct Walk<'a> {
     committed: State,
     trial: State,
     totals: Totals,
+    check_tangent: TangentCheck,
+    /// One fault of the tangent is enough to be told.
+    tangent_is_wrong: bool,
     contact_rows: Vec<ContactRow>,
     beam_rows: Vec<BeamRow>,
 }
@@ -86,22 +141,41 @@ impl<'a> Walk<'a> {
             trial: committed.clone(),
             committed,
             totals: Totals::default(),
+            check_tangent: options.check_tangent,
+            tangent_is_wrong: false,
             contact_rows: Vec::new(),
             beam_rows: Vec::new(),
         }
     }
 
     fn steps(mut self) -> Ending {
+        self.ending(1)
+    }
+
+    /// The rest of the step of a checkpoint, then the others.
+    fn go_on(mut self, from: &Checkpoint<'_>) -> Ending {
+        match self.rest_of_step(from) {
+            Ok(()) => self.ending(from.step + 1),
+            Err(left) => self.left(left),
+        }
+    }
+
+    /// All steps from that number on.
+    fn ending(&mut self, from: usize) -> Ending {
         let model = self.model;
-        for (place, step) in model.steps.iter().enumerate() {
+        for (place, step) in model.steps.iter().enumerate().skip(from - 1) {
             if let Err(left) = self.step(place + 1, step) {
-                return match left {
-                    Left::Stopped(stop) => Ending::Stopped(self.totals, stop),
-                    Left::Failed(diagnosis) => Ending::NotConverged(self.totals, *diagnosis),
-                };
+                return self.left(left);
             }
         }
         Ending::Completed(self.totals)
+    }
+
+    fn left(&self, left: Left) -> Ending {
+        match left {
+            Left::Stopped(stop) => Ending::Stopped(self.totals, stop),
+            Left::Failed(diagnosis) => Ending::NotConverged(self.totals, *diagnosis),
+        }
     }
 
     /// One step: increments until its end, or until none can be found.
@@ -113,8 +187,34 @@ impl<'a> Walk<'a> {
         let load = &self.committed.load;
         let plan = Plan::new(self.model, step, (&start, load), self.users, self.pool);
         let mut work = Workspace::new(&plan);
-        self.begin(&plan, number, &mut work)?;
-        let mut control = Control::begin(&step.procedure);
+        crate::commit::locate_points(&plan, &mut self.committed, &mut work);
+        self.begin(&plan, number, None, &work)?;
+        self.increments(&plan, number, Control::begin(&step.procedure), &mut work)
+    }
+
+    /// What is left of a step.
+    fn rest_of_step(&mut self, from: &Checkpoint<'_>) -> Result<(), Left> {
+        let Some(step) = self.model.steps.get(from.step - 1) else { return Ok(()) };
+        let start = (&*from.start, &*from.start_load);
+        let plan = Plan::new(self.model, step, start, self.users, self.pool);
+        let mut work = Workspace::new(&plan);
+        crate::commit::recall_points(&self.committed, &mut work);
+        self.begin(&plan, from.step, Some(from), &work)?;
+        match from.control {
+            Some(control) => self.increments(&plan, from.step, control, &mut work),
+            None => Ok(()),
+        }
+    }
+
+    /// Increments until the end of the step, or until none can be found.
+    fn increments(
+        &mut self,
+        plan: &Plan<'_>,
+        number: usize,
+        mut control: Control,
+        work: &mut Workspace,
+    ) -> Result<(), Left> {
+        let step = plan.step;
         let limits = step.controls.effective_time();
         loop {
             let target = Target {
@@ -124,12 +224,11 @@ impl<'a> Walk<'a> {
                 step_time: control.target(&step.procedure),
                 dt: control.target(&step.procedure) - control.time,
             };
-            let outcome = self.attempt(&plan, &target, &mut work)?;
+            let outcome = self.attempt(plan, &target, work)?;
             let decision =
                 control.after(outcome.verdict, &step.procedure, &limits, step.max_increments);
             if let Verdict::Converged { .. } = outcome.verdict {
-                let last = decision == Decision::StepDone;
-                self.commit(&plan, &target, &outcome, last, &work)?;
+                self.commit(plan, &target, &outcome, &decision, work)?;
             }
             match decision {
                 Decision::StepDone => return Ok(()),
@@ -143,7 +242,7 @@ impl<'a> Walk<'a> {
                         self.fail(&target, &outcome, None)?;
                     }
                     let diagnosis =
-                        diagnose::failure(&plan, &self.committed, &work, &outcome, reason);
+                        diagnose::failure(plan, &self.committed, work, &outcome, reason);
                     self.tell(Event::Diagnosed(&diagnosis))?;
                     return Err(Left::Failed(Box::new(diagnosis)));
                 }
@@ -196,11 +295,17 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// Announces a step with the state it begins from.
-    fn begin(&mut self, plan: &Plan<'_>, number: usize, work: &mut Workspace) -> Result<(), Left> {
-        crate::commit::locate_points(plan, &mut self.committed, work);
+    /// Announces a step with the state it begins from, or goes on from.
+    fn begin(
+        &mut self,
+        plan: &Plan<'_>,
+        number: usize,
+        from: Option<&Checkpoint<'_>>,
+        work: &Workspace,
+    ) -> Result<(), Left> {
         self.fill_rows(plan);
-        let numbers = Numbers { step: number, ..Numbers::default() };
+        let increment = from.map_or(0, |from| from.increment);
+        let numbers = Numbers { step: number, increment, ..Numbers::default() };
         let frame = frame(plan, &self.committed, &numbers, &self.contact_rows, &self.beam_rows);
         let report = StepReport {
             model: self.model,
@@ -211,6 +316,7 @@ impl<'a> Walk<'a> {
             unsymmetric: plan.unsymmetric(),
             total_time: self.committed.total_time,
             start: frame,
+            resumed: from.is_some(),
         };
         match self.observer.event(Event::StepBegin(&report)) {
             ControlFlow::Continue(()) => Ok(()),
@@ -224,9 +330,12 @@ impl<'a> Walk<'a> {
         plan: &Plan<'_>,
         target: &Target,
         outcome: &Outcome,
-        last: bool,
+        decision: &Decision,
         work: &Workspace,
     ) -> Result<(), Left> {
+        if self.check_tangent.is_due(target.increment) {
+            self.check(plan, target, work)?;
+        }
         commit(plan, &self.committed, target, work, &mut self.trial);
         let left = diagnose::slid_off(plan, &self.committed, &self.trial);
         std::mem::swap(&mut self.committed, &mut self.trial);
@@ -241,13 +350,65 @@ impl<'a> Walk<'a> {
             severe: outcome.severe,
             equilibrium: outcome.equilibrium,
             dt: target.dt,
-            last,
+            last: *decision == Decision::StepDone,
         };
         let frame = frame(plan, &self.committed, &numbers, &self.contact_rows, &self.beam_rows);
-        if let ControlFlow::Break(stop) = self.observer.event(Event::Committed(&frame)) {
-            return Err(Left::Stopped(stop));
+        // A wish to stop does not keep back what belongs to the increment.
+        let mut told = match self.observer.event(Event::Committed(&frame)) {
+            ControlFlow::Continue(()) => Ok(()),
+            ControlFlow::Break(stop) => Err(Left::Stopped(stop)),
+        };
+        for diagnosis in &left {
+            told = told.and(self.tell(Event::Diagnosed(diagnosis)));
         }
-        left.iter().try_for_each(|diagnosis| self.tell(Event::Diagnosed(diagnosis)))
+        let kept = self.keep(plan, target, decision, told.is_err());
+        told.and(kept)
+    }
+
+    /// Holds the tangent of the converged trial against differences.
+    fn check(&mut self, plan: &Plan<'_>, target: &Target, work: &Workspace) -> Result<(), Left> {
+        let trial = work.trial(&self.committed, target.dt);
+        let place = tangent::Place {
+            plan,
+            committed: &self.committed,
+            trial,
+            evaluation: &work.evaluation,
+        };
+        let report = tangent::check(&place, (target.step, target.increment));
+        let fault = tangent::fault(plan, &report).filter(|_| !self.tangent_is_wrong);
+        self.tell(Event::Tangent(&report))?;
+        self.tangent_is_wrong |= fault.is_some();
+        fault.iter().try_for_each(|said| self.tell(Event::Diagnosed(said)))
+    }
+
+    /// Shows the state that the run could go on from, if it goes on.
+    fn keep(
+        &mut self,
+        plan: &Plan<'_>,
+        target: &Target,
+        decision: &Decision,
+        stopping: bool,
+    ) -> Result<(), Left> {
+        let control = match decision {
+            Decision::Continue(next) => Some(*next),
+            Decision::StepDone => None,
+            Decision::Cut(_) | Decision::Stop(_) => return Ok(()),
+        };
+        let (start, start_load) = plan.start();
+        let checkpoint = Checkpoint {
+            step: target.step,
+            increment: target.increment,
+            stopping,
+            totals: self.totals,
+            state: Cow::Borrowed(&self.committed),
+            start: Cow::Borrowed(start),
+            start_load: Cow::Borrowed(start_load),
+            control,
+        };
+        match self.observer.event(Event::Checkpoint(&checkpoint)) {
+            ControlFlow::Continue(()) => Ok(()),
+            ControlFlow::Break(stop) => Err(Left::Stopped(stop)),
+        }
     }
 
     fn fill_rows(&mut self, plan: &Plan<'_>) {

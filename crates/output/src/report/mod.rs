@@ -23,7 +23,7 @@ mod prose;
 mod results;
 mod state;
 pub(crate) mod table;
-mod value;
+pub(crate) mod value;
 mod verdict;
 
 pub use problem::Problem;

@@ -12,9 +12,10 @@
 pub(crate) mod base64;
 mod grid;
 
-use crate::file::{WriteError, replace};
+use crate::file::{WriteError, at, replace};
 use crate::job::JobFiles;
 use crate::number::push_shortest;
+use crate::restart::Kept;
 use crate::writers::Writer;
 use grid::Grid;
 use slideline_solve::observe::{Event, Frame};
@@ -39,14 +40,33 @@ impl States {
         Self { job: job.clone(), grid: None, list: String::new(), count: 0, listed: None }
     }
 
+    /// The list of the states that a run which goes on finds: the start and
+    /// one for each row of `JOB.energy.csv`.
+    fn recall(&mut self, kept: &Kept) -> Result<(), WriteError> {
+        let path = self.job.path(".energy.csv");
+        let text = std::fs::read_to_string(&path).map_err(at(&path))?;
+        let times = text.lines().skip(1).filter_map(|row| row.split(',').nth(2));
+        for time in std::iter::once("0").chain(times).take(kept.states) {
+            self.list(time);
+        }
+        Ok(())
+    }
+
+    fn list(&mut self, time: &str) {
+        let name = escaped(&self.job.state_name(self.count));
+        // A String takes any text.
+        let _ =
+            writeln!(self.list, "    <DataSet timestep=\"{time}\" part=\"0\" file=\"{name}\"/>");
+        self.count += 1;
+    }
+
     fn state(&mut self, frame: &Frame<'_>) -> Result<(), WriteError> {
         let grid = self.grid.get_or_insert_with(|| Grid::new(frame.model));
         let name = self.job.state_name(self.count);
         replace(&self.job.folder().join(&name), grid.state(frame).as_bytes())?;
-        self.list.push_str("    <DataSet timestep=\"");
-        push_shortest(&mut self.list, frame.total_time);
-        let _ = writeln!(self.list, "\" part=\"0\" file=\"{}\"/>", escaped(&name)); // a String takes any text
-        self.count += 1;
+        let mut time = String::new();
+        push_shortest(&mut time, frame.total_time);
+        self.list(&time);
         if self.listed.is_none_or(|written| written.elapsed() >= RENEWAL) {
             self.write_list()?;
         }
@@ -73,10 +93,18 @@ fn escaped(text: &str) -> String {
 impl Writer for States {
     fn event(&mut self, event: &Event<'_>) -> Result<(), WriteError> {
         match event {
+            Event::StepBegin(report) if report.resumed => match self.job.clone().kept() {
+                Some(kept) => self.recall(kept),
+                None => Ok(()),
+            },
             Event::StepBegin(report) if self.count == 0 => self.state(&report.start),
             Event::Committed(frame) => self.state(frame),
             Event::End(_) if self.count > 0 => self.write_list(),
             _ => Ok(()),
         }
+    }
+
+    fn keep(&self, kept: &mut Kept) {
+        kept.states = self.count;
     }
 }
