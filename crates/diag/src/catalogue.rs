@@ -148,6 +148,7 @@ catalogue! {
     "SL0506" "the contact jams"
     "SL0590" "the run was interrupted"
     "SL0601" "friction was not called at closed points"
+    "SL0602" "there are no error bars"
     "SL0701" "the deck cannot be read"
     "SL0702" "results cannot be written"
     "SL0703" "the deck includes a file that is a result of the same job"

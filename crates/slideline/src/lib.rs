@@ -19,10 +19,12 @@
 //! ```
 
 mod check;
+mod error_bars;
 mod read;
 mod run;
 
 pub use check::{InitialGaps, initial_gaps};
+pub use error_bars::{ErrorBars, Reactions, Recorder, error_bars};
 pub use read::{Job, Read, ReadOptions};
 pub use run::{Outcome, Quiet, RunOptions, run};
 
