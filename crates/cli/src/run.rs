@@ -66,7 +66,7 @@ fn add_error_bars(
             }
             None
         }
-        Err(said) => Some(said),
+        Err(said) => Some(*said),
     }
 }
 

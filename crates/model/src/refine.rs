@@ -30,7 +30,7 @@ const NOT_HALVED: Code = Code("SL0602");
 /// # Errors
 /// Where a contact element or a slide line joins nodes between which the
 /// shape is not known.
-pub fn refine(model: &Model) -> Result<Model, Diagnostic> {
+pub fn refine(model: &Model) -> Result<Model, Box<Diagnostic>> {
     let mut halving = Halving::new(model);
     halving.beams();
     for place in 0..model.contact_pairs.len() {
@@ -171,7 +171,7 @@ impl Halving {
         }
     }
 
-    fn contact(&mut self, model: &Model, place: usize) -> Result<(), Diagnostic> {
+    fn contact(&mut self, model: &Model, place: usize) -> Result<(), Box<Diagnostic>> {
         let pair = &model.contact_pairs[place];
         let chain: Vec<Edge> = pair.elements.iter().map(|element| element.nodes).collect();
         let mut halves = Vec::with_capacity(2 * chain.len());
@@ -206,7 +206,7 @@ impl Halving {
         chain: &[Edge],
         place: usize,
         origin: Span,
-    ) -> Result<NodeIndex, Diagnostic> {
+    ) -> Result<NodeIndex, Box<Diagnostic>> {
         let ends = chain[place];
         if let Some(&known) = self.middles.get(&edge(ends)) {
             return Ok(known);
@@ -255,14 +255,14 @@ fn held_together(step: &Step, ends: Edge, dof: Dof) -> Option<Prescribed> {
     same.then(|| first.clone())
 }
 
-fn refusal([a, b]: [u64; 2], reason: &str, origin: Span) -> Diagnostic {
+fn refusal([a, b]: [u64; 2], reason: &str, origin: Span) -> Box<Diagnostic> {
     let message = format!(
         "the mesh cannot be halved: what lies between nodes {a} and {b} is not known, since {reason}"
     );
-    Diagnostic::error(NOT_HALVED, message).at(origin).help(
+    Box::new(Diagnostic::error(NOT_HALVED, message).at(origin).help(
         "Run without error bars, or run decks of two meshes and compare. Contact elements can \
          be halved on beams and on rigid rims that are circular or straight.",
-    )
+    ))
 }
 
 fn largest_element(model: &Model) -> u64 {

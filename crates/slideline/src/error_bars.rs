@@ -121,8 +121,9 @@ pub fn error_bars(
     found: &Reactions,
     options: &Options,
     observer: &mut dyn Observer,
-) -> Result<ErrorBars, Diagnostic> {
-    let as_warning = |said: Diagnostic| Diagnostic { severity: Severity::Warning, ..said };
+) -> Result<ErrorBars, Box<Diagnostic>> {
+    let as_warning =
+        |said: Box<Diagnostic>| Box::new(Diagnostic { severity: Severity::Warning, ..*said });
     let half = refine(model).map_err(as_warning)?;
     let quarter = refine(&half).map_err(as_warning)?;
     let mut finer = Vec::with_capacity(2);
@@ -132,8 +133,9 @@ pub fn error_bars(
         if !matches!(ending, Ending::Completed(_)) {
             let message =
                 format!("no error bars: the mesh of {width} of the width did not come to its end");
-            return Err(Diagnostic::warning(Code("SL0602"), message)
-                .help("Smaller increments may help; the results of the deck's own mesh stand."));
+            let said = Diagnostic::warning(Code("SL0602"), message)
+                .help("Smaller increments may help; the results of the deck's own mesh stand.");
+            return Err(Box::new(said));
         }
         finer.push(reactions);
     }
