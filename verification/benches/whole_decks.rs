@@ -13,6 +13,7 @@ fn whole_decks(c: &mut Criterion) {
         ("irs_coarse", paper::IRS_COARSE),
         ("irs_fine", paper::IRS_FINE),
         ("isl_coarse", paper::ISL_COARSE),
+        ("surface_coarse", paper::SURFACE_COARSE),
     ];
     let mut group = c.benchmark_group("whole_decks");
     for (name, deck) in decks {

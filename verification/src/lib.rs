@@ -42,6 +42,15 @@ pub mod paper {
     /// The same without friction.
     pub const CAM_PUSH_PULL_SMOOTH: &str =
         include_str!("../../corpus/diehl1995/cam_isl_push_pull.inp");
-    /// The slide line deck as the paper prints it, page furniture included.
+    /// Circle on a cantilever, contact integrated along 24 beams.
+    pub const SURFACE_COARSE: &str = include_str!("../../corpus/diehl1995/surface_coarse.inp");
+    /// The same with friction.
+    pub const SURFACE_COARSE_MU03: &str =
+        include_str!("../../corpus/diehl1995/surface_coarse_mu03.inp");
+    /// Cam turned into a cantilever, contact integrated along 24 beams.
+    pub const CAM_SURFACE: &str = include_str!("../../corpus/diehl1995/cam_surface.inp");
+    /// The same with friction.
+    pub const CAM_SURFACE_MU03: &str = include_str!("../../corpus/diehl1995/cam_surface_mu03.inp");
+    /// `ISL_COARSE` as the paper prints it, page furniture included.
     pub const ISL_AS_PRINTED: &str = include_str!("../../corpus/bad/isl_as_printed.inp");
 }

@@ -19,6 +19,8 @@ pub enum Method {
     Irs,
     /// The circle (ISL21 against a slide line on the beam).
     Isl,
+    /// The beam, integrated along it (SURFACE TO SURFACE).
+    Surface,
 }
 
 /// Slave nodes on the circle.
@@ -135,8 +137,13 @@ impl Push {
         match self.method {
             Method::Irs => self.rigid_surface(&mut text),
             Method::Isl => self.slide_line(&mut text),
+            Method::Surface => self.surfaces(&mut text),
         }
-        self.laws(&mut text);
+        if self.method == Method::Surface {
+            self.pair(&mut text);
+        } else {
+            self.laws(&mut text);
+        }
         self.step(&mut text, 1.0);
         if self.returns {
             self.step(&mut text, 0.0);
@@ -180,7 +187,7 @@ impl Push {
 
     fn slave_nodes(&self) -> Vec<(u64, f64)> {
         let angles: Vec<f64> = match (self.method, self.slaves) {
-            (Method::Irs, _) => Vec::new(),
+            (Method::Irs | Method::Surface, _) => Vec::new(),
             (_, Slaves::Paper) => {
                 let lower = (0..10).map(|k| 6.0 * f64::from(k));
                 lower.chain((0..=10).map(|k| 60.0 + 4.0 * f64::from(k))).collect()
@@ -208,17 +215,59 @@ impl Push {
         );
     }
 
-    fn rigid_surface(&self, text: &mut String) {
+    /// Two arcs of the circle, as the lines of a surface.
+    fn arcs(&self) -> String {
         let (top, side, bottom) = ([0.0, 54.0e-3], [9.0e-3, 45.0e-3], [0.0, 36.0e-3]);
         let (first, last) = if self.placement.mirror { (bottom, top) } else { (top, bottom) };
         let centre = self.place([0.0, 45.0e-3]);
-        let _ = writeln!(
-            text,
-            "*RIGID SURFACE, ELSET=CONTACT, TYPE=SEGMENTS\nSTART, {}\nCIRCL, {}, {centre}\n\
-             CIRCL, {}, {centre}\n*ELEMENT, TYPE=IRS21, ELSET=CONTACT",
+        format!(
+            "START, {}\nCIRCL, {}, {centre}\nCIRCL, {}, {centre}",
             self.place(first),
             self.place(side),
             self.place(last)
+        )
+    }
+
+    fn surfaces(&self, text: &mut String) {
+        let _ = writeln!(
+            text,
+            "*SURFACE, NAME=CIRCLE, TYPE=SEGMENTS\n{}\n\
+             *RIGID BODY, REF NODE=9999, ANALYTICAL SURFACE=CIRCLE\n\
+             *SURFACE, NAME=BEAM, TYPE=ELEMENT\nBEAM, {}",
+            self.arcs(),
+            if self.placement.mirror { "SNEG" } else { "SPOS" }
+        );
+    }
+
+    fn pair(&self, text: &mut String) {
+        let _ = writeln!(
+            text,
+            "*SURFACE INTERACTION, NAME=SLIDING\n{:?}\n*FRICTION{}\n{:?}",
+            self.length(25.0e-3),
+            self.friction,
+            self.mu
+        );
+        if self.softened {
+            let (c0, p0) = (self.length(1.0e-5), self.modulus(4.8e6));
+            let _ = writeln!(
+                text,
+                "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=EXPONENTIAL\n{c0:?}, {p0:?}"
+            );
+        }
+        let _ = writeln!(
+            text,
+            "*CONTACT PAIR, INTERACTION=SLIDING, TYPE=SURFACE TO SURFACE, NO THICKNESS\n\
+             BEAM, CIRCLE\n*CONTACT CONTROLS, FRICTION ONSET={}",
+            self.onset
+        );
+    }
+
+    fn rigid_surface(&self, text: &mut String) {
+        let _ = writeln!(
+            text,
+            "*RIGID SURFACE, ELSET=CONTACT, TYPE=SEGMENTS\n{}\n\
+             *ELEMENT, TYPE=IRS21, ELSET=CONTACT",
+            self.arcs()
         );
         for k in 1..self.elements {
             let ends = [self.beam_label(k), self.beam_label(k + 1)];

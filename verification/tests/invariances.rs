@@ -8,8 +8,8 @@
 //! The problems are drawn by a generator with a fixed seed, so that a failure
 //! comes again.
 
-use slideline_verification::{Method, Placement, Push, Units, largest, largest_difference};
 use slideline_verification::{Curve, run, run_on};
+use slideline_verification::{Method, Placement, Push, Units, largest, largest_difference};
 
 const TOLERANCE: f64 = 1e-8;
 
@@ -86,8 +86,18 @@ fn random_problems_in_other_words() {
 fn blocks(deck: &str) -> (String, Vec<String>, String) {
     let step = deck.find("*STEP").unwrap();
     let first = deck.find("*NODE").unwrap();
-    let begins = ["*NODE", "*ELEMENT, TYPE=B21", "*BEAM SECTION", "*MATERIAL", "*MPC",
-        "*RIGID SURFACE", "*ELEMENT, TYPE=I", "*SLIDE LINE", "*INTERFACE", "*CONTACT CONTROLS"];
+    let begins = [
+        "*NODE",
+        "*ELEMENT, TYPE=B21",
+        "*BEAM SECTION",
+        "*MATERIAL",
+        "*MPC",
+        "*RIGID SURFACE",
+        "*ELEMENT, TYPE=I",
+        "*SLIDE LINE",
+        "*INTERFACE",
+        "*CONTACT CONTROLS",
+    ];
     let mut blocks: Vec<String> = Vec::new();
     for line in deck[first..step].lines() {
         if begins.iter().any(|begin| line.starts_with(begin)) {

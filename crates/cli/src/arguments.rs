@@ -68,6 +68,10 @@ pub(crate) struct RunArguments {
     /// Go on from JOB.rst, which a deck with *RESTART, WRITE leaves.
     #[arg(long)]
     pub restart: bool,
+    /// Estimate the discretisation error of every reaction, by running the same
+    /// model on meshes of half and a quarter of the width.
+    #[arg(long)]
+    pub error_bars: bool,
     /// Write the report JOB.html (it is, unless --no-html).
     #[arg(long, overrides_with = "no_html")]
     pub html: bool,

@@ -8,8 +8,10 @@ use slideline::diag::{Code, Diagnostic, Severity};
 use slideline::output::json::Object;
 use slideline::output::{onset_word, record};
 use slideline::{
-    Job, Outcome, Read, RunOptions, SolveOptions, Status, TangentCheck, VERSION, run as run_job,
+    Event, Job, Observer, Outcome, Reactions, Read, RunOptions, SolveOptions, Status, Stop,
+    TangentCheck, VERSION, error_bars, run as run_job,
 };
+use std::ops::ControlFlow;
 use std::time::Instant;
 
 /// Runs a deck and says how it went.
@@ -39,12 +41,54 @@ pub(crate) fn run(arguments: &RunArguments) -> Exit {
             ..SolveOptions::default()
         },
     };
-    let mut outcome = run_job(&read, &options, &mut Progress::new(mode, &read.sources));
+    let mut found = read.model.as_ref().map(Reactions::of).unwrap_or_default();
+    let mut progress = Progress::new(mode, &read.sources);
+    let mut outcome = run_job(&read, &options, &mut found.watch(&mut progress));
+    if arguments.error_bars {
+        let said = add_error_bars(&read, &found, &options.solve, &mut outcome);
+        if let (Some(said), Mode::Json) = (&said, mode) {
+            screen::print(&diagnosis_line(said, &read));
+        }
+        outcome.diagnostics.extend(said);
+    }
     if !arguments.no_html {
         report::after_run(&mut outcome);
     }
     tell(&read, &outcome, mode, began);
     outcome.status.into()
+}
+
+/// Estimates errors of a run that came to its end and adds them to its files.
+/// What stands against it is returned.
+fn add_error_bars(
+    read: &Read,
+    found: &Reactions,
+    options: &SolveOptions,
+    outcome: &mut Outcome,
+) -> Option<Diagnostic> {
+    let (Some(model), Status::Completed) = (&read.model, outcome.status) else { return None };
+    match error_bars(model, found, options, &mut Interruptible) {
+        Ok(bars) => {
+            if let Err(failure) = bars.write(&outcome.files) {
+                outcome.output_failure = Some(failure.to_string());
+                outcome.status = Status::OutputError;
+            }
+            None
+        }
+        Err(said) => Some(*said),
+    }
+}
+
+/// Stops a run when the user asks for it, and says nothing.
+struct Interruptible;
+
+impl Observer for Interruptible {
+    fn event(&mut self, _: Event<'_>) -> ControlFlow<Stop> {
+        if interrupt::asked() {
+            return ControlFlow::Break(Stop::Interrupted);
+        }
+        ControlFlow::Continue(())
+    }
 }
 
 fn mode(arguments: &RunArguments) -> Mode {

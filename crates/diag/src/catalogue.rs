@@ -162,6 +162,7 @@ catalogue! {
     "SL0590" "the run was interrupted"
     "SL0591" "the job is complete already"
     "SL0601" "friction was not called at closed points"
+    "SL0602" "there are no error bars"
     "SL0610" "a noisy reaction"
     "SL0611" "contact that moves from node to node"
     "SL0612" "penetration beyond the pressure law"

@@ -16,12 +16,14 @@
 #![allow(rustdoc::broken_intra_doc_links)]
 
 mod difference;
+mod error_bar;
 mod friction;
 mod peak;
 mod shape;
 mod work;
 
 pub use difference::{max_error, maximum, rms, rms_error};
+pub use error_bar::error_bar;
 pub use friction::friction_kept;
 pub use peak::{Peak, Peaks, SnapForces, peaks, snap_forces};
 pub use shape::{DEFAULT_NOISE_FLOOR, reversals, roughness, roughness_against};

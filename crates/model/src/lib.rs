@@ -18,6 +18,7 @@ mod controls;
 mod element;
 mod node;
 mod output;
+mod refine;
 mod step;
 
 pub use amplitude::Amplitude;
@@ -32,6 +33,7 @@ pub use element::{
 };
 pub use node::{Dof, Node, NodeIndex, Nodes, RigidLink};
 pub use output::{NodePrint, NodeVariable, OutputRequests, PrintTarget};
+pub use refine::refine;
 pub use slideline_mech::contact::normal::NormalLaw;
 pub use slideline_mech::contact::onset::Onset;
 pub use step::{Extrapolation, Load, Prescribed, Static, Step};

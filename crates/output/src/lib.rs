@@ -14,6 +14,7 @@
 //! grow by whole lines at every commit and are valid whenever the program
 //! ends.
 
+mod bars;
 mod contact;
 mod dat;
 pub mod echo;
@@ -35,6 +36,7 @@ mod understood;
 mod vtu;
 mod writers;
 
+pub use bars::{BarRows, add_error_bars};
 pub use file::{WriteError, replace as write_file};
 pub use job::JobFiles;
 pub use ledger::{dropped_friction, onset_word};

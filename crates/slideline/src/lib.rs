@@ -20,11 +20,13 @@
 
 mod advice;
 mod check;
+mod error_bars;
 mod read;
 mod run;
 
 pub use advice::{advise, mended};
 pub use check::{InitialGaps, initial_gaps};
+pub use error_bars::{ErrorBars, Reactions, Recorder, error_bars};
 pub use read::{Job, Read, ReadOptions};
 pub use run::{Outcome, Quiet, RunOptions, run};
 

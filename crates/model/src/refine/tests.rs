@@ -1,0 +1,160 @@
+//! Halved meshes by hand.
+
+#![allow(clippy::unwrap_used, clippy::cast_precision_loss)] // a test may fail where it stands
+
+use super::*;
+use crate::{
+    BeamBlock, BeamSection, ContactPair, Formulation, Friction, Interaction, NodeSet, NormalLaw,
+    RigidSurface, ShearRule, SlideLine,
+};
+use slideline_mech::material::Elastic;
+
+fn node(model: &mut Model, label: u64, x: f64, y: f64) -> NodeIndex {
+    model.nodes.insert(Node { label, position: [x, y, 0.0], origin: Span::default() })
+}
+
+fn block(elements: Vec<BeamElement>) -> BeamBlock {
+    let material = Elastic { modulus: 1.0, poisson: 0.0 };
+    let section = BeamSection {
+        width: 1.0,
+        height: 1.0,
+        poisson: 0.0,
+        material,
+        shear: ShearRule::default(),
+    };
+    BeamBlock { name: "BEAM".into(), section, elements, origin: Span::default() }
+}
+
+fn beam(label: u64, nodes: [NodeIndex; 2], middle: Option<NodeIndex>) -> BeamElement {
+    BeamElement { label, nodes, middle, origin: Span::default() }
+}
+
+fn pair(nodes: &[NodeIndex], master: Master) -> ContactPair {
+    let elements = (1..).zip(nodes.windows(2)).map(|(label, ends)| ContactElement {
+        label,
+        nodes: [ends[0], ends[1]],
+        origin: Span::default(),
+    });
+    ContactPair {
+        name: "C".into(),
+        formulation: Formulation::NodeToSurface,
+        elements: elements.collect(),
+        master,
+        interaction: Interaction {
+            width: 1.0,
+            normal: NormalLaw::Hard,
+            friction: Friction::Frictionless,
+            origin: Span::default(),
+            normal_origin: None,
+            friction_origin: None,
+        },
+        origin: Span::default(),
+    }
+}
+
+/// Two beams from (0, 0) to (2, 0), labels 10 and 11, nodes 1 to 3.
+fn two_beams() -> Model {
+    let mut model = Model::default();
+    let n: Vec<_> = (0..3).map(|k| node(&mut model, k + 1, k as f64, 0.0)).collect();
+    let beams = vec![beam(10, [n[0], n[1]], None), beam(11, [n[1], n[2]], None)];
+    model.blocks.push(ElementBlock::B21(block(beams)));
+    let members = vec![n[0], n[1]];
+    model.node_sets.push(NodeSet { name: "LEFT".into(), members, origin: Span::default() });
+    model
+}
+
+fn slide_line(nodes: Vec<NodeIndex>) -> Master {
+    Master::SlideLine(SlideLine { nodes, smooth: 0.2, extension: 0.1, origin: Span::default() })
+}
+
+#[test]
+fn beams_sets_and_contact_elements_share_the_new_nodes() {
+    let mut model = two_beams();
+    let reference = node(&mut model, 99, 0.0, 5.0);
+    let surface =
+        RigidSurface { reference, start: [0.0; 2], segments: Vec::new(), origin: Span::default() };
+    model.contact_pairs.push(pair(&[0, 1, 2], Master::RigidSurface(surface)));
+    let fine = refine(&model).unwrap();
+    let beams = &fine.blocks[0].beams().unwrap().elements;
+    let ends: Vec<_> = beams.iter().map(|b| b.nodes.map(|n| fine.nodes.label(n))).collect();
+    assert_eq!(ends, [[1, 100], [100, 2], [2, 101], [101, 3]]);
+    assert_eq!(beams.iter().map(|b| b.label).collect::<Vec<_>>(), [10, 12, 11, 13]);
+    let contact = &fine.contact_pairs[0].elements;
+    let of = |k: usize| contact[k].nodes.map(|n| fine.nodes.label(n));
+    assert_eq!([of(0), of(1), of(2), of(3)], ends[..]);
+    assert_eq!(fine.node_sets[0].members, [0, 1, 4]); // 100 joins, 101 does not
+    assert_eq!(fine.nodes.plane(4), [0.5, 0.0]);
+    // again: four times as many
+    assert_eq!(refine(&fine).unwrap().contact_pairs[0].elements.len(), 8);
+}
+
+#[test]
+fn three_node_beams_keep_their_parabola() {
+    let mut model = Model::default();
+    let n = [(0.0, 0.0), (1.0, 1.0), (2.0, 0.0)];
+    let n: Vec<_> = (1..).zip(n).map(|(l, (x, y))| node(&mut model, l, x, y)).collect();
+    let beams = vec![beam(1, [n[0], n[2]], Some(n[1]))];
+    model.blocks.push(ElementBlock::B22(block(beams)));
+    let fine = refine(&model).unwrap();
+    let halves = &fine.blocks[0].beams().unwrap().elements;
+    assert_eq!([halves[0].nodes, halves[1].nodes], [[0, 1], [1, 2]]);
+    assert_eq!([halves[0].middle, halves[1].middle], [Some(3), Some(4)]);
+    // y = 1 - (x - 1)2 at the quarters
+    assert_eq!([fine.nodes.plane(3), fine.nodes.plane(4)], [[0.5, 0.75], [1.5, 0.75]]);
+}
+
+/// Slave nodes on the rim of a body: unequal steps, one circle.
+#[test]
+fn rims_are_halved_on_their_circle() {
+    let mut model = two_beams();
+    let reference = node(&mut model, 99, 1.0, 3.0);
+    let slaves: Vec<_> = (200..)
+        .zip([-20.0_f64, -6.0, 0.0, 4.0])
+        .map(|(label, degrees)| {
+            let (s, c) = degrees.to_radians().sin_cos();
+            node(&mut model, label, 1.0 + 2.0 * s, 3.0 - 2.0 * c)
+        })
+        .collect();
+    for &dependent in &slaves {
+        model.rigid_links.push(RigidLink { dependent, master: reference, origin: Span::default() });
+    }
+    model.contact_pairs.push(pair(&slaves, slide_line(vec![0, 1, 2])));
+    let fine = refine(&model).unwrap();
+    let contact = &fine.contact_pairs[0];
+    assert_eq!(contact.elements.len(), 6);
+    for node in contact.slave_nodes() {
+        let [x, y] = fine.nodes.plane(node);
+        assert!(((x - 1.0).hypot(y - 3.0) - 2.0).abs() < 1e-12);
+        assert!(fine.rigid_links.iter().any(|l| l.dependent == node && l.master == reference));
+    }
+    let Master::SlideLine(line) = &contact.master else { unreachable!("a slide line") };
+    assert_eq!((line.nodes.len(), line.extension), (5, 0.2));
+}
+
+#[test]
+fn what_cannot_be_halved_says_so() {
+    // a corner on a body
+    let mut model = two_beams();
+    let reference = node(&mut model, 99, 1.0, 3.0);
+    let corner = [(0.0, 1.0), (1.0, 1.0), (1.1, 1.5), (1.1, 3.0)];
+    let slaves: Vec<_> =
+        (200..).zip(corner).map(|(label, (x, y))| node(&mut model, label, x, y)).collect();
+    for &dependent in &slaves {
+        model.rigid_links.push(RigidLink { dependent, master: reference, origin: Span::default() });
+    }
+    model.contact_pairs.push(pair(&slaves, slide_line(vec![0, 1, 2])));
+    let said = refine(&model).unwrap_err();
+    assert_eq!(said.code, NOT_HALVED);
+    assert!(said.message.contains("circle"), "{}", said.message);
+    // free points that no beam joins
+    model.rigid_links.clear();
+    assert!(refine(&model).unwrap_err().message.contains("no beam"));
+}
+
+#[test]
+fn a_straight_rim_is_halved_on_its_line() {
+    assert_eq!(sagitta([0.0, 0.0], [1.0, 0.0], [2.0, 0.0]), 0.0);
+    // quarter circle about (0, 0) of radius 1: sagitta 1 - cos 45 degrees, outwards
+    let s = sagitta([1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]);
+    assert!((s + (1.0 - 0.5f64.sqrt())).abs() < 1e-15, "{s}");
+}

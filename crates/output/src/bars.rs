@@ -1,0 +1,91 @@
+//! Error bars, added to the files of a finished run.
+
+use crate::file::{WriteError, at, replace};
+use crate::job::JobFiles;
+use crate::json::{self, Object};
+use crate::number::push_shortest;
+
+/// Error bars as the rows of `JOB.history.csv` want them.
+#[derive(Clone, Copy, Debug)]
+pub struct BarRows<'a> {
+    /// Labels of the nodes, in the order of the rows of an increment.
+    pub nodes: &'a [u64],
+    /// Names of the columns.
+    pub columns: &'a [String],
+    /// A curve each node and column, node by node [F or F L].
+    pub bars: &'a [Vec<f64>],
+}
+
+/// Appends columns to `JOB.history.csv` and the member `error_bars` to
+/// `JOB.json`.
+///
+/// # Errors
+/// When a file cannot be read or written.
+pub fn add_error_bars(job: &JobFiles, rows: &BarRows<'_>) -> Result<(), WriteError> {
+    let history = job.path(".history.csv");
+    let old = std::fs::read_to_string(&history).map_err(at(&history))?;
+    let summary = job.path(".json");
+    let object = std::fs::read_to_string(&summary).map_err(at(&summary))?;
+    replace(&history, with_columns(&old, rows).as_bytes())?;
+    if let Some(open) = object.trim_end().strip_suffix('}') {
+        let text = format!("{open},\"error_bars\":{}}}\n", largest(rows));
+        replace(&summary, text.as_bytes())?;
+    }
+    Ok(())
+}
+
+fn with_columns(old: &str, rows: &BarRows<'_>) -> String {
+    let mut text = String::with_capacity(2 * old.len());
+    let nodes = rows.nodes.len().max(1);
+    for (line, row) in old.lines().enumerate() {
+        text.push_str(row);
+        for (column, name) in rows.columns.iter().enumerate() {
+            text.push(',');
+            let Some(place) = line.checked_sub(1) else {
+                text.push_str(name);
+                continue;
+            };
+            let curve = rows.bars.get(place % nodes * rows.columns.len() + column);
+            if let Some(&bar) = curve.and_then(|curve| curve.get(place / nodes)) {
+                push_shortest(&mut text, bar);
+            }
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// The largest bar of every reaction, by its column.
+fn largest(rows: &BarRows<'_>) -> String {
+    let mut object = Object::new();
+    for (k, node) in rows.nodes.iter().enumerate() {
+        for (column, name) in rows.columns.iter().enumerate() {
+            let curve = rows.bars.get(k * rows.columns.len() + column);
+            let most = curve.map_or(0.0, |c| c.iter().copied().fold(0.0, f64::max));
+            object = object.number(&format!("{node}.{name}"), most);
+        }
+    }
+    Object::new()
+        .raw("method", &json::text("halved and quartered mesh"))
+        .raw("largest", &object.finish())
+        .finish()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_come_last_and_rows_keep_their_order() {
+        let columns = ["RF1_error".to_owned(), "RF2_error".to_owned()];
+        let bars = [vec![0.1, 0.2], vec![0.3, 0.4], vec![1.0, 2.0], vec![3.0, 4.0]];
+        let rows = BarRows { nodes: &[7, 9], columns: &columns, bars: &bars };
+        let old = "step,node\n1,7\n1,9\n2,7\n2,9\n";
+        assert_eq!(
+            with_columns(old, &rows),
+            "step,node,RF1_error,RF2_error\n1,7,0.1,0.3\n1,9,1,3\n2,7,0.2,0.4\n2,9,2,4\n"
+        );
+        let json = largest(&rows);
+        assert!(json.contains("\"9.RF2_error\":4"), "{json}");
+    }
+}

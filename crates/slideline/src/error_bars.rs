@@ -1,0 +1,147 @@
+//! Error bars of reactions: the same model on finer meshes.
+//!
+//! ```text
+//!   model --refine--> half --refine--> quarter
+//!     |                |                 |       reactions of the same nodes
+//!     '--- run --------'------ run ------'-----> bar, an increment and component
+//! ```
+
+use slideline_diag::{Code, Diagnostic, Severity};
+use slideline_measures::error_bar;
+use slideline_model::{Dof, Model, NodeIndex, refine};
+use slideline_output::{BarRows, JobFiles, WriteError, add_error_bars};
+use slideline_solve::Options;
+use slideline_solve::observe::{Ending, Event, Observer, Stop};
+use std::ops::ControlFlow;
+
+/// Reactions of the history nodes of a model, increment by increment.
+#[derive(Clone, Debug, Default)]
+pub struct Reactions {
+    nodes: Vec<NodeIndex>,
+    labels: Vec<u64>,
+    /// Total times of the increments [T].
+    times: Vec<f64>,
+    /// One curve a node and plane dof, node by node [F or F L].
+    curves: Vec<Vec<f64>>,
+}
+
+impl Reactions {
+    /// None yet, of the nodes of `JOB.history.csv`.
+    pub fn of(model: &Model) -> Self {
+        let nodes = model.history_nodes();
+        let labels = nodes.iter().map(|&node| model.nodes.label(node)).collect();
+        let curves = vec![Vec::new(); nodes.len() * Dof::PLANE.len()];
+        Self { nodes, labels, times: Vec::new(), curves }
+    }
+
+    /// An observer that takes them down and passes everything on.
+    pub fn watch<'a>(&'a mut self, observer: &'a mut dyn Observer) -> Recorder<'a> {
+        Recorder { reactions: self, observer }
+    }
+
+    fn emptied(&self) -> Self {
+        let curves = vec![Vec::new(); self.curves.len()];
+        Self { times: Vec::new(), curves, ..self.clone() }
+    }
+
+    /// A curve at other times, linear between increments.
+    fn at(&self, curve: usize, times: &[f64]) -> Vec<f64> {
+        let values = &self.curves[curve];
+        let value = |&time: &f64| {
+            let after = self.times.partition_point(|&t| t < time);
+            let known = |place: usize| Some((*self.times.get(place)?, *values.get(place)?));
+            match (after.checked_sub(1).and_then(known), known(after)) {
+                (_, Some((t1, v1))) if t1 == time => v1,
+                (Some((t0, v0)), Some((t1, v1))) => v0 + (v1 - v0) * (time - t0) / (t1 - t0),
+                (None, Some((t1, v1))) => v1 * time / t1,
+                (Some((_, last)), None) => last,
+                (None, None) => 0.0,
+            }
+        };
+        times.iter().map(value).collect()
+    }
+}
+
+/// Takes reactions down as a run goes.
+pub struct Recorder<'a> {
+    reactions: &'a mut Reactions,
+    observer: &'a mut dyn Observer,
+}
+
+impl Observer for Recorder<'_> {
+    fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
+        if let Event::Committed(frame) = &event {
+            self.reactions.times.push(frame.total_time);
+            let nodes = &self.reactions.nodes;
+            let pairs = nodes.iter().flat_map(|&node| Dof::PLANE.map(|dof| (node, dof)));
+            for (curve, (node, dof)) in self.reactions.curves.iter_mut().zip(pairs) {
+                curve.push(frame.nodal.reaction(node, dof));
+            }
+        }
+        self.observer.event(event)
+    }
+}
+
+/// Estimated errors of the reactions of the history nodes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ErrorBars {
+    /// Labels of the nodes.
+    pub nodes: Vec<u64>,
+    /// One curve a node and plane dof, node by node [F or F L].
+    pub bars: Vec<Vec<f64>>,
+}
+
+impl ErrorBars {
+    /// Bars of one reaction, a value an increment [F or F L].
+    pub fn of(&self, label: u64, dof: Dof) -> Option<&[f64]> {
+        let node = self.nodes.iter().position(|&node| node == label)?;
+        let place = Dof::PLANE.iter().position(|&plane| plane == dof)?;
+        self.bars.get(node * Dof::PLANE.len() + place).map(Vec::as_slice)
+    }
+
+    /// Adds them to the result files of the job.
+    ///
+    /// # Errors
+    /// When a file cannot be read or written.
+    pub fn write(&self, files: &JobFiles) -> Result<(), WriteError> {
+        let columns = Dof::PLANE.map(|dof| format!("{}_error", dof.reaction_name()));
+        add_error_bars(files, &BarRows { nodes: &self.nodes, columns: &columns, bars: &self.bars })
+    }
+}
+
+/// Estimates the discretisation error of the reactions of a finished run:
+/// `found` on the model's own mesh, against the same on meshes of half and a
+/// quarter of the width. `observer` sees both runs.
+///
+/// # Errors
+/// A warning that says why there are none: the mesh cannot be halved, or a
+/// finer one did not converge.
+pub fn error_bars(
+    model: &Model,
+    found: &Reactions,
+    options: &Options,
+    observer: &mut dyn Observer,
+) -> Result<ErrorBars, Box<Diagnostic>> {
+    let as_warning =
+        |said: Box<Diagnostic>| Box::new(Diagnostic { severity: Severity::Warning, ..*said });
+    let half = refine(model).map_err(as_warning)?;
+    let quarter = refine(&half).map_err(as_warning)?;
+    let mut finer = Vec::with_capacity(2);
+    for (model, width) in [(&half, "half"), (&quarter, "a quarter")] {
+        let mut reactions = found.emptied();
+        let ending = slideline_solve::run(model, options, &mut reactions.watch(observer));
+        if !matches!(ending, Ending::Completed(_)) {
+            let message =
+                format!("no error bars: the mesh of {width} of the width did not come to its end");
+            let said = Diagnostic::warning(Code("SL0602"), message)
+                .help("Smaller increments may help; the results of the deck's own mesh stand.");
+            return Err(Box::new(said));
+        }
+        finer.push(reactions);
+    }
+    let bars = found.curves.iter().enumerate().map(|(place, coarse)| {
+        let [half, quarter] = [0, 1].map(|k: usize| finer[k].at(place, &found.times));
+        error_bar(coarse, &half, &quarter).unwrap_or_default()
+    });
+    Ok(ErrorBars { nodes: found.labels.clone(), bars: bars.collect() })
+}
