@@ -141,11 +141,11 @@ struct Judge {
 }
 
 impl Judge {
-    /// Largest sum of reactions, relative to their size; forces a million
-    /// times below the peak are within the tolerance of an increment.
+    /// Largest sum of reactions, relative to their size; forces a thousand
+    /// times below the peak (contact has just been lost) are held against it.
     fn unbalanced(&self) -> f64 {
         let peak = self.states.iter().map(|state| state.1).fold(0.0, f64::max);
-        let ratio = |&(sum, size): &(f64, f64)| sum / (size + 1e-6 * peak).max(f64::MIN_POSITIVE);
+        let ratio = |&(sum, size): &(f64, f64)| sum / (size + 1e-3 * peak).max(f64::MIN_POSITIVE);
         self.states.iter().map(ratio).fold(0.0, f64::max)
     }
 }

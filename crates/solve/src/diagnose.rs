@@ -46,6 +46,15 @@ pub fn failure(
     if let Some(diagnosis) = slid_off(plan, committed, &trial_points(committed, work)).pop() {
         return Diagnostic { severity: slideline_diag::Severity::Error, ..diagnosis };
     }
+    if stop == StopReason::Fixed {
+        return step_too_large(plan, committed, outcome);
+    }
+    if let Some(diagnosis) = snap_through(plan, committed, work) {
+        return diagnosis;
+    }
+    if let Some(diagnosis) = chattering(plan, committed, outcome) {
+        return diagnosis;
+    }
     let ended = match stop {
         StopReason::TooManyAttempts => "every shorter increment failed as well",
         StopReason::TooSmall => "the next increment would be shorter than the smallest allowed",
@@ -98,6 +107,69 @@ fn jam(plan: &Plan<'_>, committed: &State, work: &Workspace) -> Option<Diagnosti
     Some(Diagnostic::error(Code("SL0506"), message).at(origin.unwrap_or(plan.step.origin)).help(
         "everything up to that time is kept; lower the coefficient of *FRICTION or the slope at \
          which the parts meet (mu tan a must stay below 1), or push from another side",
+    ))
+}
+
+/// A structure that gives way under a load: its stiffness is no longer
+/// positive, and no nearby state carries more.
+fn snap_through(plan: &Plan<'_>, committed: &State, work: &Workspace) -> Option<Diagnostic> {
+    let load = plan.step.loads.iter().max_by(|a, b| a.value.abs().total_cmp(&b.value.abs()))?;
+    if work.negative_pivots == 0 || load.value == 0.0 {
+        return None;
+    }
+    let label = plan.model.nodes.label(load.node);
+    let dof = load.dof;
+    let message = format!(
+        "the structure snaps through beyond total time {:.6}: under the load at node {label}, {} it \
+         gives way in {} direction{} instead of resisting",
+        committed.total_time,
+        dof.name(),
+        work.negative_pivots,
+        if work.negative_pivots == 1 { "" } else { "s" }
+    );
+    let help = format!(
+        "everything up to that time is kept; drive the motion instead of the load: *BOUNDARY with \
+         node {label}, degree of freedom {} in place of *CLOAD",
+        dof.number()
+    );
+    Some(Diagnostic::error(Code("SL0511"), message).at(load.origin).help(help))
+}
+
+/// One fixed increment that Newton's method cannot walk.
+fn step_too_large(plan: &Plan<'_>, committed: &State, outcome: &Outcome) -> Diagnostic {
+    let procedure = &plan.step.procedure;
+    let message = format!(
+        "the fixed increment of {:.4e} beyond total time {:.6} is too large: {}",
+        procedure.initial,
+        committed.total_time,
+        reason(outcome)
+    );
+    Diagnostic::error(Code("SL0512"), message)
+        .at(procedure.origin.unwrap_or(plan.step.origin))
+        .help(format!(
+            "everything up to that time is kept; leave out DIRECT, or begin with *STATIC and an \
+             increment of {:.3e}",
+            0.1 * procedure.initial
+        ))
+}
+
+/// Points that went on opening and closing.
+fn chattering(plan: &Plan<'_>, committed: &State, outcome: &Outcome) -> Option<Diagnostic> {
+    let changes = &outcome.last.as_ref()?.contact_changes;
+    let first = changes.first().filter(|_| outcome.verdict == Verdict::Discontinuous)?;
+    let labels: Vec<String> =
+        changes.iter().take(5).map(|c| plan.model.nodes.label(c.node).to_string()).collect();
+    let pair = &plan.model.contact_pairs[first.pair];
+    let message = format!(
+        "contact of {} chatters beyond total time {:.6}: in every iteration points open and close, \
+         at last node{} {}",
+        pair.name,
+        committed.total_time,
+        if labels.len() == 1 { "" } else { "s" },
+        labels.join(", ")
+    );
+    Some(Diagnostic::error(Code("SL0513"), message).at(pair.interaction.origin).help(
+        "everything up to that time is kept; soften the contact with *SURFACE CONTACT, SOFTENED",
     ))
 }
 

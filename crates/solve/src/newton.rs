@@ -71,6 +71,9 @@ pub struct Workspace {
     contact: LinearisedContact,
     geometry: GeometryScratch,
     was_closed: Vec<bool>,
+    /// Most negative pivots of a symmetric factorisation in this attempt:
+    /// directions in which the structure gives way.
+    pub negative_pivots: usize,
     /// Whether every facing point lends its stiffness in this attempt.
     lend_to_all: bool,
     /// The list of changes of the last report, to be used again.
@@ -108,6 +111,7 @@ impl Workspace {
             contact,
             geometry: GeometryScratch::new(&plan.contact),
             was_closed: vec![false; points],
+            negative_pivots: 0,
             lend_to_all: false,
             changes: Vec::with_capacity(points),
         }
@@ -204,6 +208,7 @@ impl Workspace {
     /// The first guess, evaluated.
     fn begin(&mut self, plan: &Plan<'_>, committed: &State, target: &Target) {
         self.lend_to_all = false;
+        self.negative_pivots = 0;
         self.u.copy_from_slice(&committed.displacement);
         predict::extrapolate(plan, committed, target.dt, &mut self.u);
         plan.prescribe(target.step_time, &mut self.u);
@@ -315,7 +320,11 @@ impl Workspace {
                 plan.symmetrise(&mut self.values);
             }
             match self.solver.refactor(&plan.pattern, &self.values) {
-                Ok(_) => return Ok(()),
+                Ok(report) => {
+                    let negative = report.negative_pivots.unwrap_or(0);
+                    self.negative_pivots = self.negative_pivots.max(negative);
+                    return Ok(());
+                }
                 Err(SolveError::Singular { .. }) if !self.lend_to_all => self.lend_to_all = true,
                 Err(fault) => return Err(fault),
             }
