@@ -2,8 +2,8 @@
 
 Requirement: both readers open every state that JOB.pvd lists; times, motions,
 rotations, reactions, pressure, gap, shear and slip are those of
-JOB.history.csv and JOB.contact.csv, and both readers show the same section
-forces. Tolerance: none; both hold the same double.
+JOB.history.csv and JOB.contact.csv, section forces and stresses those of
+JOB.element.csv. Tolerance: none; both hold the same double.
 """
 
 import csv
@@ -26,8 +26,17 @@ DECKS = [
     "corpus/diehl1995/surface_coarse_mu03.inp",
     "corpus/diehl1995/isl_coarse_push_pull_mu03.inp",
     "corpus/keywords/element_b22.inp",
+    "corpus/keywords/EL-FILE.inp",
 ]
-SECTIONS = ["axial_force", "shear_force", "bending_moment", "fibre_strain"]
+SECTIONS = {
+    "axial_force": "SF1",
+    "shear_force": "SF2",
+    "bending_moment": "SM1",
+    "S11_1": "S11_1",
+    "S11_5": "S11_5",
+    "mises": "MISES",
+    "fibre_strain": None,
+}
 STATUS = {"open": 0, "stick": 1, "slip": 2}
 
 
@@ -125,6 +134,16 @@ def check_state(path, state, history, contact):
     return sum(1 for label in of_node if nodal["contact_pressure"][place[label]] > 0.0)
 
 
+def check_sections(path, cell, elements):
+    """Section forces and stresses are those of JOB.element.csv."""
+    for row in elements:
+        for at in numpy.flatnonzero((cell["element"] == int(row["element"])) & (cell["kind"] == 0)):
+            for name, column in SECTIONS.items():
+                if column:
+                    same(f"{path} element {row['element']} {name}", cell[name][at], row[column])
+    return len(elements)
+
+
 def check_job(program, deck, folder):
     command = [program, "run", str(ROOT / deck), "--out", str(folder), "--quiet", "--no-html"]
     subprocess.run(command, check=True, stderr=subprocess.DEVNULL)
@@ -136,15 +155,18 @@ def check_job(program, deck, folder):
     ]
     times = [time for time, _ in listed]
     assert times[0] == 0.0 and times[1:] == list(history), f"{deck}: times of the list are {times}"
-    pressed, bent = 0, 0.0
+    pressed, sections, bent = 0, 0, 0.0
+    elements = rows(f"{job}.element.csv") if Path(f"{job}.element.csv").exists() else {}
     for time, path in listed:
         shown = read_vtk(path)
         agree(path, shown, read_meshio(path))
         if time in history:
+            sections += check_sections(path, shown[2], elements.get(time, []))
             pressed += check_state(path, shown, history[time], contact.get(time, []))
         bent = max(bent, numpy.abs(shown[2]["bending_moment"]).max())
     assert bent > 0.0, f"{deck}: no beam is bent"
     assert pressed > 0 or not contact, f"{deck}: no pressure was compared"
+    assert ("EL-FILE" in deck) == bool(sections), f"{deck}: section forces were compared"
     print(f"{Path(deck).stem}: {len(listed)} states, {pressed} pressed points")
 
 

@@ -12,6 +12,7 @@ const ENDINGS: &[&str] = &[
     ".history.csv",
     ".contact.csv",
     ".energy.csv",
+    ".element.csv",
     ".json",
     ".pvd",
     ".html",

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!                     +-> JOB.sta  JOB.msg  JOB.dat
-//!   run -> Writers ---+-> JOB.history.csv  JOB.contact.csv  JOB.energy.csv
+//!   run -> Writers ---+-> JOB.history.csv  JOB.contact.csv  JOB.energy.csv  JOB.element.csv
 //!                     +-> JOB_0001.vtu ...  JOB.pvd
 //!                     +-> JOB.json
 //!   these files -> report -> JOB.html      these files -> plot -> svg, png, csv
@@ -17,6 +17,7 @@
 mod contact;
 mod dat;
 pub mod echo;
+mod element;
 mod energy;
 mod file;
 mod history;
@@ -28,8 +29,10 @@ pub mod number;
 pub mod plot;
 mod record;
 pub mod report;
+mod section;
 mod sta;
 mod summary;
+mod tables;
 mod understood;
 mod vtu;
 mod writers;
