@@ -36,6 +36,9 @@ pub(crate) enum Mode {
     Json,
 }
 
+/// A last line that wraps could not be taken back.
+const WIDTH: usize = 80;
+
 /// Text waits no longer than this.
 const PATIENCE: Duration = Duration::from_millis(50);
 
@@ -188,13 +191,13 @@ impl<'a> Progress<'a> {
             Mode::Json => self.json(iteration_object(report, &self.labels)),
             Mode::Live if self.shown.elapsed() >= PATIENCE => {
                 self.clear_line();
-                let _ = write!(
-                    self.waiting,
-                    "{}  increment {} iteration {}",
-                    self.live.line(),
-                    report.increment,
-                    report.iteration,
-                ); // a String takes any text
+                let line = self.live.line();
+                let more =
+                    format!("  increment {}, iteration {}", report.increment, report.iteration);
+                self.waiting.push_str(&line);
+                if line.chars().count() + more.len() < WIDTH {
+                    self.waiting.push_str(&more);
+                }
                 self.show();
             }
             _ => {}
