@@ -84,6 +84,11 @@ fn every_command_shown_runs() {
                 assert!(root().join("crates/cli/Cargo.toml").exists());
                 continue;
             }
+            if let Some((_, example)) = line.split_once("-p slideline --example ") {
+                let path = format!("crates/slideline/examples/{example}.rs");
+                assert!(root().join(path).exists(), "{line}"); // cargo test builds it
+                continue;
+            }
             if line.starts_with("cargo test ") {
                 continue; // that is what runs here
             }

@@ -18,6 +18,7 @@ const MENU: &[(&str, &str)] = &[
     ("reproduce", "The 1995 study"),
     ("keywords/index", "Keywords"),
     ("errors/index", "Errors"),
+    ("user-friction", "User friction"),
     ("theory", "Theory"),
 ];
 
@@ -91,14 +92,22 @@ fn set(event: Event<'_>) -> Event<'_> {
         Event::InlineMath(tex) => Event::InlineHtml(formula(&tex, DisplayMode::Inline).into()),
         Event::DisplayMath(tex) => Event::Html(equation(&tex).into()),
         Event::Start(Tag::Link { link_type, dest_url, title, id }) => {
-            let dest_url = if dest_url.contains("://") {
-                dest_url
-            } else {
-                dest_url.replace(".md", ".html").into()
-            };
+            let dest_url = leads_to(dest_url);
             Event::Start(Tag::Link { link_type, dest_url, title, id })
         }
         other => other,
+    }
+}
+
+/// Where a link of a text leads from a page; sources stand in the repository.
+fn leads_to(target: CowStr<'_>) -> CowStr<'_> {
+    let source = target.trim_start_matches("../");
+    if target.contains("://") {
+        target
+    } else if ["crates/", "corpus/", "verification/"].iter().any(|root| source.starts_with(root)) {
+        format!("{}/blob/main/{source}", env!("CARGO_PKG_REPOSITORY")).into()
+    } else {
+        target.replace(".md", ".html").into()
     }
 }
 
