@@ -16,6 +16,7 @@ from pathlib import Path
 import meshio
 import numpy
 import vtk
+from ccx2paraview.common import FRD
 from vtk.util.numpy_support import vtk_to_numpy
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -28,6 +29,7 @@ DECKS = [
     "corpus/keywords/element_b22.inp",
     "corpus/keywords/EL-FILE.inp",
 ]
+FRD_DECKS = ["corpus/keywords/NODE-FILE.inp", "corpus/diehl1995/isl_coarse_mu03.inp"]
 SECTIONS = {
     "axial_force": "SF1",
     "shear_force": "SF2",
@@ -170,12 +172,54 @@ def check_job(program, deck, folder):
     print(f"{Path(deck).stem}: {len(listed)} states, {pressed} pressed points")
 
 
+def near(what, shown, written):
+    """Six digits stand in a .frd file."""
+    value = float(written)
+    assert abs(shown - value) <= 6e-6 * abs(value) + 1e-99, f"{what}: {shown} against {written}"
+
+
+def check_frd(program, deck, folder):
+    job = folder / f"{Path(deck).stem}_frd"
+    text = (ROOT / deck).read_text(encoding="utf-8")
+    if "FILE" not in text:
+        text = text.replace("*END STEP", "*CONTACT FILE\nCSTRESS, CDISP\n*END STEP")
+    Path(f"{job}.inp").write_text(text, encoding="utf-8")
+    command = [program, "run", f"{job}.inp", "--quiet", "--no-html"]
+    subprocess.run(command, check=True, stderr=subprocess.DEVNULL)
+    history, contact = rows(f"{job}.history.csv"), rows(f"{job}.contact.csv")
+    compared = 0
+    with open(f"{job}.frd", encoding="ascii") as file:
+        frd = FRD(file)
+        frd.parse_mesh()
+        frd.count_increments()
+        assert len(frd.steps_increments) == len(history), f"{deck}: {frd.steps_increments}"
+        for (step, shown), time in zip(frd.steps_increments, history):
+            near(f"{deck} time", shown, time)
+            blocks = {block.name: block for block in frd.parse_results(step, shown)}
+            for row in history[time]:
+                for name, columns in {"U": ["U1", "U2"], "RF": ["RF1", "RF2"]}.items():
+                    values = blocks[name].results[int(row["node"])]
+                    for value, column in zip(values, columns):
+                        near(f"{deck} {row['node']} {column}", value, row[column])
+                        compared += 1
+            for row in contact.get(time, []):
+                if math.isfinite(float(row["COPEN"])):
+                    values = blocks["CONTACT"].results[int(row["node"])]
+                    for place, column in [(0, "COPEN"), (1, "CSLIP1"), (3, "CPRESS"), (4, "CSHEAR1")]:
+                        near(f"{deck} {row['node']} {column}", values[place], row[column])
+                        compared += 1
+    assert compared > 0 and (contact or "keywords" in deck), f"{deck}: nothing was compared"
+    print(f"{Path(deck).stem}.frd: {compared} values")
+
+
 def main():
     program, folder = sys.argv[1], Path(sys.argv[2])
     folder.mkdir(parents=True, exist_ok=True)
     print(f"VTK {vtk.vtkVersion.GetVTKVersion()}, meshio {meshio.__version__}")
     for deck in DECKS:
         check_job(program, deck, folder)
+    for deck in FRD_DECKS:
+        check_frd(program, deck, folder)
 
 
 main()

@@ -15,6 +15,7 @@ const ENDINGS: &[&str] = &[
     ".element.csv",
     ".json",
     ".pvd",
+    ".frd",
     ".html",
     ".rst",
 ];

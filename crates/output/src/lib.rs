@@ -20,6 +20,7 @@ pub mod echo;
 mod element;
 mod energy;
 mod file;
+mod frd;
 mod history;
 mod job;
 pub mod json;
