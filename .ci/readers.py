@@ -2,8 +2,8 @@
 
 Requirement: both readers open every state that JOB.pvd lists; times, motions,
 rotations, reactions, pressure, gap, shear and slip are those of
-JOB.history.csv and JOB.contact.csv, and both readers show the same section
-forces. Tolerance: none; both hold the same double.
+JOB.history.csv and JOB.contact.csv, section forces and stresses those of
+JOB.element.csv. Tolerance: none; both hold the same double.
 """
 
 import csv
@@ -16,6 +16,7 @@ from pathlib import Path
 import meshio
 import numpy
 import vtk
+from ccx2paraview.common import FRD
 from vtk.util.numpy_support import vtk_to_numpy
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -26,8 +27,18 @@ DECKS = [
     "corpus/diehl1995/surface_coarse_mu03.inp",
     "corpus/diehl1995/isl_coarse_push_pull_mu03.inp",
     "corpus/keywords/element_b22.inp",
+    "corpus/keywords/EL-FILE.inp",
 ]
-SECTIONS = ["axial_force", "shear_force", "bending_moment", "fibre_strain"]
+FRD_DECKS = ["corpus/keywords/NODE-FILE.inp", "corpus/diehl1995/isl_coarse_mu03.inp"]
+SECTIONS = {
+    "axial_force": "SF1",
+    "shear_force": "SF2",
+    "bending_moment": "SM1",
+    "S11_1": "S11_1",
+    "S11_5": "S11_5",
+    "mises": "MISES",
+    "fibre_strain": None,
+}
 STATUS = {"open": 0, "stick": 1, "slip": 2}
 
 
@@ -125,6 +136,16 @@ def check_state(path, state, history, contact):
     return sum(1 for label in of_node if nodal["contact_pressure"][place[label]] > 0.0)
 
 
+def check_sections(path, cell, elements):
+    """Section forces and stresses are those of JOB.element.csv."""
+    for row in elements:
+        for at in numpy.flatnonzero((cell["element"] == int(row["element"])) & (cell["kind"] == 0)):
+            for name, column in SECTIONS.items():
+                if column:
+                    same(f"{path} element {row['element']} {name}", cell[name][at], row[column])
+    return len(elements)
+
+
 def check_job(program, deck, folder):
     command = [program, "run", str(ROOT / deck), "--out", str(folder), "--quiet", "--no-html"]
     subprocess.run(command, check=True, stderr=subprocess.DEVNULL)
@@ -136,16 +157,59 @@ def check_job(program, deck, folder):
     ]
     times = [time for time, _ in listed]
     assert times[0] == 0.0 and times[1:] == list(history), f"{deck}: times of the list are {times}"
-    pressed, bent = 0, 0.0
+    pressed, sections, bent = 0, 0, 0.0
+    elements = rows(f"{job}.element.csv") if Path(f"{job}.element.csv").exists() else {}
     for time, path in listed:
         shown = read_vtk(path)
         agree(path, shown, read_meshio(path))
         if time in history:
+            sections += check_sections(path, shown[2], elements.get(time, []))
             pressed += check_state(path, shown, history[time], contact.get(time, []))
         bent = max(bent, numpy.abs(shown[2]["bending_moment"]).max())
     assert bent > 0.0, f"{deck}: no beam is bent"
     assert pressed > 0 or not contact, f"{deck}: no pressure was compared"
+    assert ("EL-FILE" in deck) == bool(sections), f"{deck}: section forces were compared"
     print(f"{Path(deck).stem}: {len(listed)} states, {pressed} pressed points")
+
+
+def near(what, shown, written):
+    """Six digits stand in a .frd file."""
+    value = float(written)
+    assert abs(shown - value) <= 6e-6 * abs(value) + 1e-99, f"{what}: {shown} against {written}"
+
+
+def check_frd(program, deck, folder):
+    job = folder / f"{Path(deck).stem}_frd"
+    text = (ROOT / deck).read_text(encoding="utf-8")
+    if "FILE" not in text:
+        text = text.replace("*END STEP", "*CONTACT FILE\nCSTRESS, CDISP\n*END STEP")
+    Path(f"{job}.inp").write_text(text, encoding="utf-8")
+    command = [program, "run", f"{job}.inp", "--quiet", "--no-html"]
+    subprocess.run(command, check=True, stderr=subprocess.DEVNULL)
+    history, contact = rows(f"{job}.history.csv"), rows(f"{job}.contact.csv")
+    compared = 0
+    with open(f"{job}.frd", encoding="ascii") as file:
+        frd = FRD(file)
+        frd.parse_mesh()
+        frd.count_increments()
+        assert len(frd.steps_increments) == len(history), f"{deck}: {frd.steps_increments}"
+        for (step, shown), time in zip(frd.steps_increments, history):
+            near(f"{deck} time", shown, time)
+            blocks = {block.name: block for block in frd.parse_results(step, shown)}
+            for row in history[time]:
+                for name, columns in {"U": ["U1", "U2"], "RF": ["RF1", "RF2"]}.items():
+                    values = blocks[name].results[int(row["node"])]
+                    for value, column in zip(values, columns):
+                        near(f"{deck} {row['node']} {column}", value, row[column])
+                        compared += 1
+            for row in contact.get(time, []):
+                if math.isfinite(float(row["COPEN"])):
+                    values = blocks["CONTACT"].results[int(row["node"])]
+                    for place, column in [(0, "COPEN"), (1, "CSLIP1"), (3, "CPRESS"), (4, "CSHEAR1")]:
+                        near(f"{deck} {row['node']} {column}", values[place], row[column])
+                        compared += 1
+    assert compared > 0 and (contact or "keywords" in deck), f"{deck}: nothing was compared"
+    print(f"{Path(deck).stem}.frd: {compared} values")
 
 
 def main():
@@ -154,6 +218,8 @@ def main():
     print(f"VTK {vtk.vtkVersion.GetVTKVersion()}, meshio {meshio.__version__}")
     for deck in DECKS:
         check_job(program, deck, folder)
+    for deck in FRD_DECKS:
+        check_frd(program, deck, folder)
 
 
 main()

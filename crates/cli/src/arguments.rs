@@ -37,6 +37,8 @@ pub(crate) enum Command {
         #[arg(required = true, value_name = "CODE|KEYWORD")]
         name: Vec<String>,
     },
+    /// Write the documentation as pages that need no network.
+    Docs(crate::docs::DocsArguments),
     /// Print completions for a shell.
     Completions {
         /// The shell.

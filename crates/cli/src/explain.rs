@@ -30,6 +30,11 @@ pub(crate) fn code_page(code: &str) -> Option<&'static str> {
     PAGES.iter().find(|(known, _)| *known == code).map(|(_, page)| *page)
 }
 
+/// All codes with their pages.
+pub(crate) fn code_pages() -> &'static [(&'static str, &'static str)] {
+    PAGES
+}
+
 fn page(name: &str) -> Option<&'static str> {
     let name = name.trim();
     let code = PAGES.iter().find(|(code, _)| code.eq_ignore_ascii_case(name));

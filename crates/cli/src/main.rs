@@ -1,16 +1,18 @@
 //! The command line of slideline.
 //!
 //! ```text
-//!   slideline run | check | report | plot | reproduce | theory | explain | completions
+//!   slideline run | check | report | plot | reproduce | theory | explain | docs | completions
 //!        |
 //!   standard output: progress or JSON      standard error: what is to be said
 //! ```
 
 mod arguments;
 mod check;
+mod docs;
 mod exit;
 mod explain;
 mod interrupt;
+mod live;
 mod plot;
 mod progress;
 mod render;
@@ -54,6 +56,7 @@ fn command() -> Exit {
         Command::Report(arguments) => report::report(&arguments),
         Command::Plot(arguments) => plot::plot(&arguments),
         Command::Explain { name } => explain::explain(&name.join(" ")),
+        Command::Docs(arguments) => docs::docs(&arguments),
         Command::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(shell, &mut Arguments::command(), "slideline", &mut script);

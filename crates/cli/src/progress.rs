@@ -4,7 +4,11 @@
 //!    STEP   INC  ATT  SDI  EQU         TIME  CLOSED       9999.U2      9999.RF2
 //!       1     1    1    2    4         0.05       1       -0.0015   -0.01203451
 //! ```
+//!
+//! On a terminal the table is narrower, has the residual, and a last line
+//! below it tells how far the run is ([`Live`]).
 
+use crate::live::Live;
 use crate::{interrupt, screen};
 use slideline::diag::Sources;
 use slideline::model::{Dof, NodeIndex};
@@ -32,6 +36,9 @@ pub(crate) enum Mode {
     Json,
 }
 
+/// A last line that wraps could not be taken back.
+const WIDTH: usize = 80;
+
 /// Text waits no longer than this.
 const PATIENCE: Duration = Duration::from_millis(50);
 
@@ -46,19 +53,17 @@ pub(crate) struct Progress<'a> {
     pairs: Vec<String>,
     waiting: String,
     shown: Instant,
+    live: Live,
+    /// Largest residual of the last iteration [F].
+    residual: f64,
 }
 
 impl<'a> Progress<'a> {
     pub fn new(mode: Mode, sources: &'a Sources) -> Self {
-        Self {
-            mode,
-            sources,
-            driven: Vec::new(),
-            labels: Vec::new(),
-            pairs: Vec::new(),
-            waiting: String::new(),
-            shown: Instant::now(),
-        }
+        let (driven, labels, pairs) = (Vec::new(), Vec::new(), Vec::new());
+        let waiting = String::new();
+        let (shown, live, residual) = (Instant::now(), Live::new(), 0.0);
+        Self { mode, sources, driven, labels, pairs, waiting, shown, live, residual }
     }
 
     fn begin(&mut self, report: &StepReport<'_>) {
@@ -69,6 +74,7 @@ impl<'a> Progress<'a> {
         if self.mode == Mode::Json {
             return;
         }
+        self.clear_line();
         let title = model.steps.get(report.step - 1).map_or("", |step| step.title.as_str());
         let _ = writeln!(
             self.waiting,
@@ -77,6 +83,10 @@ impl<'a> Progress<'a> {
             title.replace('\n', " / "),
             report.equations
         ); // a String takes any text
+        if self.mode == Mode::Live {
+            self.begin_live(report);
+            return;
+        }
         let _ = write!(
             self.waiting,
             "{:>5} {:>6} {:>4} {:>4} {:>4} {:>12} {:>7}",
@@ -90,6 +100,43 @@ impl<'a> Progress<'a> {
         self.waiting.push('\n');
     }
 
+    /// Head of the table of a terminal.
+    fn begin_live(&mut self, report: &StepReport<'_>) {
+        let name = |dof: &str, node| format!("{}.{dof}", self.labels[node]);
+        let first = self.driven.first().copied();
+        let names =
+            first.map(|(node, dof)| (name(dof.name(), node), name(dof.reaction_name(), node)));
+        let (motion, reaction) = names.clone().unwrap_or_default();
+        let _ = writeln!(
+            self.waiting,
+            "{:>4} {:>5} {:>11} {:>5} {:>7} {:>10} {motion:>13} {reaction:>13}",
+            "STEP", "INC", "TIME", "ITER", "CLOSED", "RESIDUAL"
+        ); // a String takes any text
+        let whole = report.model.steps.iter().map(|step| step.procedure.period).sum();
+        self.live.step(whole, names.map(|(_, reaction)| reaction));
+    }
+
+    /// A row of the table of a terminal.
+    fn increment_live(&mut self, frame: &Frame<'_>, closed: usize) {
+        let _ = write!(
+            self.waiting,
+            "{:>4} {:>5} {:>11} {:>5} {closed:>7} {:>10}",
+            frame.step,
+            frame.increment,
+            general(frame.total_time, 6),
+            frame.severe_iterations + frame.equilibrium_iterations,
+            general(self.residual, 3),
+        ); // a String takes any text
+        let first = self.driven.first();
+        let reaction = first.map(|&(node, dof)| frame.nodal.reaction(node, dof));
+        if let (Some(&(node, dof)), Some(reaction)) = (first, reaction) {
+            let moved = general(frame.nodal.displacement(node, dof), 7);
+            let _ = write!(self.waiting, " {moved:>13} {:>13}", general(reaction, 7)); // as above
+        }
+        self.waiting.push('\n');
+        self.live.increment(frame.total_time, reaction);
+    }
+
     fn increment(&mut self, frame: &Frame<'_>) {
         if self.mode == Mode::Json {
             self.json(increment_object(frame, &self.driven));
@@ -97,6 +144,10 @@ impl<'a> Progress<'a> {
         }
         self.clear_line();
         let closed = frame.contact.iter().filter(|row| row.status != Status::Open).count();
+        if self.mode == Mode::Live {
+            self.increment_live(frame, closed);
+            return;
+        }
         let _ = write!(
             self.waiting,
             "{:>5} {:>6} {:>4} {:>4} {:>4} {:>12} {closed:>7}",
@@ -139,19 +190,18 @@ impl<'a> Progress<'a> {
     }
 
     fn iteration(&mut self, report: &IterationReport) {
+        self.residual = report.force.residual;
         match self.mode {
             Mode::Json => self.json(iteration_object(report, &self.labels)),
             Mode::Live if self.shown.elapsed() >= PATIENCE => {
                 self.clear_line();
-                let _ = write!(
-                    self.waiting,
-                    "      increment {} attempt {} iteration {}: residual {}, allowed {}",
-                    report.increment,
-                    report.attempt,
-                    report.iteration,
-                    general(report.force.residual, 4),
-                    general(report.force.allowed, 4),
-                ); // a String takes any text
+                let line = self.live.line();
+                let more =
+                    format!("  increment {}, iteration {}", report.increment, report.iteration);
+                self.waiting.push_str(&line);
+                if line.chars().count() + more.len() < WIDTH {
+                    self.waiting.push_str(&more);
+                }
                 self.show();
             }
             _ => {}
@@ -217,6 +267,10 @@ impl<'a> Progress<'a> {
         if !self.waiting.is_empty()
             && (matches!(event, Event::End(_)) || self.shown.elapsed() >= PATIENCE)
         {
+            if self.mode == Mode::Live && matches!(event, Event::Committed(_)) {
+                let line = self.live.line();
+                self.waiting.push_str(&line);
+            }
             self.show();
         }
     }

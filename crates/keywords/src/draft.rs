@@ -6,8 +6,8 @@ use slideline_deck::DataLine;
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::material::Elastic;
 use slideline_model::{
-    Controls, Dialect, Dof, Extrapolation, Interaction, Model, Node, NodePrint, ShearRule, Static,
-    SurfaceSegment,
+    ContactPrint, Controls, Dialect, Dof, ElementPrint, Extrapolation, Interaction, Model, Node,
+    NodePrint, ShearRule, Static, SurfaceSegment,
 };
 
 use crate::keyword::Subject;
@@ -210,6 +210,10 @@ pub(crate) struct StepDraft {
     pub controls: Option<Controls>,
     pub restart_every: Option<usize>,
     pub prints: Vec<(NodePrint, Option<Span>)>,
+    pub element_prints: Vec<(ElementPrint, Option<Span>)>,
+    pub contact_prints: Vec<(ContactPrint, Option<Span>)>,
+    /// `FREQUENCY` of the last `*OUTPUT`, which rules the requests below it.
+    pub output_frequency: usize,
     pub contact_changes: bool,
     pub origin: Span,
 }

@@ -3,8 +3,9 @@
 use slideline_deck::normalise;
 
 use crate::cards::{
-    amplitude, beam_section, boundary, cload, contact_controls, contact_pair, controls, elastic,
-    element, elgen, elset, end_step, friction, heading, interface, material, mpc, ngen, nmap, node,
+    amplitude, beam_section, boundary, cload, contact_controls, contact_file, contact_output,
+    contact_pair, contact_print, controls, el_file, el_print, elastic, element, element_output,
+    elgen, elset, end_step, friction, heading, interface, material, mpc, ngen, nmap, node,
     node_file, node_output, node_print, nset, output, print, restart, rigid_body, rigid_surface,
     slide_line, spring, static_, step, surface, surface_behavior, surface_contact,
     surface_interaction, transverse_shear,
@@ -51,6 +52,12 @@ pub(crate) const REGISTRY: &[&'static dyn Keyword] = &[
     &node_print::NodePrint,
     &node_file::NodeFile,
     &node_output::NodeOutput,
+    &el_print::ElPrint,
+    &el_file::ElFile,
+    &element_output::ElementOutput,
+    &contact_print::ContactPrint,
+    &contact_file::ContactFile,
+    &contact_output::ContactOutput,
     &end_step::EndStep,
 ];
 

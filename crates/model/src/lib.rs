@@ -32,7 +32,10 @@ pub use element::{
     SpringKind,
 };
 pub use node::{Dof, Node, NodeIndex, Nodes, RigidLink};
-pub use output::{NodePrint, NodeVariable, OutputRequests, PrintTarget};
+pub use output::{
+    ContactPrint, ContactVariable, ElementPrint, ElementVariable, NodePrint, NodeVariable,
+    OutputRequests, PrintTarget, SECTION_POINTS,
+};
 pub use refine::refine;
 pub use slideline_mech::contact::normal::NormalLaw;
 pub use slideline_mech::contact::onset::Onset;

@@ -6,8 +6,9 @@ use crate::history::Column;
 use crate::job::JobFiles;
 use crate::restart::Kept;
 use crate::summary::Facts;
+use crate::tables::{push_contact, push_elements, push_title};
 use crate::writers::Writer;
-use slideline_model::{Dof, NodeIndex, NodePrint, NodeVariable, PrintTarget};
+use slideline_model::{Dof, NodeIndex, NodePrint, NodeVariable, OutputRequests, PrintTarget};
 use slideline_solve::observe::{Event, Frame, StepReport};
 use std::fmt::Write as _;
 
@@ -43,8 +44,7 @@ impl Dat {
         let _ = writeln!(file.text, "slideline {}   job {}\n", self.version, self.job.name());
         file.text.push_str(&model_echo(report.model, &report.start));
         self.file = Some(file);
-        let tables = report.model.steps.iter().flat_map(|step| &step.output.node_prints);
-        if tables.into_iter().any(|print| print.target == PrintTarget::Table) {
+        if report.model.steps.iter().any(|step| has_tables(&step.output)) {
             return Ok(());
         }
         self.finish()
@@ -53,11 +53,19 @@ impl Dat {
     fn tables(&mut self, frame: &Frame<'_>) -> Result<(), WriteError> {
         let Some(file) = &mut self.file else { return Ok(()) };
         let Some(step) = frame.model.steps.get(frame.step - 1) else { return Ok(()) };
-        for print in &step.output.node_prints {
-            let due = frame.increment.is_multiple_of(print.frequency.max(1)) || frame.last_of_step;
-            if print.target == PrintTarget::Table && due {
-                push_table(&mut file.text, frame, print);
-            }
+        let due = |target, frequency: usize| {
+            target == PrintTarget::Table
+                && (frame.increment.is_multiple_of(frequency.max(1)) || frame.last_of_step)
+        };
+        let output = &step.output;
+        for print in output.node_prints.iter().filter(|p| due(p.target, p.frequency)) {
+            push_table(&mut file.text, frame, print);
+        }
+        for print in output.element_prints.iter().filter(|p| due(p.target, p.frequency)) {
+            push_elements(&mut file.text, frame, print);
+        }
+        for print in output.contact_prints.iter().filter(|p| due(p.target, p.frequency)) {
+            push_contact(&mut file.text, frame, print);
         }
         file.flush()
     }
@@ -68,6 +76,14 @@ impl Dat {
             None => Ok(()),
         }
     }
+}
+
+/// Whether anything is to be printed.
+fn has_tables(output: &OutputRequests) -> bool {
+    let nodes = output.node_prints.iter().map(|print| print.target);
+    let elements = output.element_prints.iter().map(|print| print.target);
+    let contact = output.contact_prints.iter().map(|print| print.target);
+    nodes.chain(elements).chain(contact).any(|target| target == PrintTarget::Table)
 }
 
 /// A column of a printed table.
@@ -116,11 +132,7 @@ fn push_table(text: &mut String, frame: &Frame<'_>, print: &NodePrint) {
     let columns: Vec<Printed> =
         print.variables.iter().flat_map(|&variable| Printed::of(variable, dofs)).collect();
     let set = if print.set.is_empty() { "all nodes" } else { &print.set };
-    let _ = writeln!(
-        text,
-        "\nSTEP {}  INCREMENT {}  TOTAL TIME {}  NODES {set}",
-        frame.step, frame.increment, frame.total_time
-    );
+    push_title(text, frame, &format!("NODES {set}"));
     let _ = write!(text, "{:>10}", "NODE");
     for column in &columns {
         let _ = write!(text, " {:>15}", column.name());

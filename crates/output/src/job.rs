@@ -14,8 +14,10 @@ const ENDINGS: &[&str] = &[
     ".history.csv",
     ".contact.csv",
     ".energy.csv",
+    ".element.csv",
     ".json",
     ".pvd",
+    ".frd",
     ".html",
     ".rst",
 ];

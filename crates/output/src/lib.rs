@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!                     +-> JOB.sta  JOB.msg  JOB.dat
-//!   run -> Writers ---+-> JOB.history.csv  JOB.contact.csv  JOB.energy.csv
+//!   run -> Writers ---+-> JOB.history.csv  JOB.contact.csv  JOB.energy.csv  JOB.element.csv
 //!                     +-> JOB_0001.vtu ...  JOB.pvd
 //!                     +-> JOB.json
 //!   these files -> report -> JOB.html      these files -> plot -> svg, png, csv
@@ -18,8 +18,10 @@ mod bars;
 mod contact;
 mod dat;
 pub mod echo;
+mod element;
 mod energy;
 mod file;
+mod frd;
 mod history;
 mod job;
 pub mod json;
@@ -30,8 +32,10 @@ pub mod plot;
 mod record;
 pub mod report;
 pub mod restart;
+mod section;
 mod sta;
 mod summary;
+mod tables;
 mod understood;
 mod vtu;
 mod writers;

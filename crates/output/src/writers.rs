@@ -4,7 +4,7 @@ use crate::file::WriteError;
 use crate::job::JobFiles;
 use crate::restart::{self, Kept, Saved};
 use crate::summary::{Facts, Status, Summary};
-use crate::{contact, dat, energy, history, msg, sta, vtu};
+use crate::{contact, dat, element, energy, frd, history, msg, sta, vtu};
 use slideline_solve::observe::{Event, Observer, Stop};
 use std::ops::ControlFlow;
 
@@ -34,6 +34,8 @@ const REGISTRY: &[Kind] = &[
     Kind { name: "history.csv", make: |job, _| Box::new(history::History::new(job)) },
     Kind { name: "contact.csv", make: |job, _| Box::new(contact::Contact::new(job)) },
     Kind { name: "energy.csv", make: |job, _| Box::new(energy::Energy::new(job)) },
+    Kind { name: "element.csv", make: |job, _| Box::new(element::Elements::new(job)) },
+    Kind { name: "frd", make: |job, _| Box::new(frd::Frd::new(job)) },
     Kind { name: "vtu", make: |job, _| Box::new(vtu::States::new(job)) },
 ];
 

@@ -16,7 +16,7 @@ impl Keyword for NodeOutput {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] = &[Rule::value("NSET")];
+        const RULES: &[Rule] = &[Rule::value("NSET"), Rule::value("VARIABLE")];
         RULES
     }
 

@@ -45,7 +45,7 @@ impl Keyword for NodePrint {
 
 /// Takes in a request for nodal values.
 pub(crate) fn request(card: &Reading<'_>, target: PrintTarget, draft: &mut Draft) {
-    let frequency = card.count("FREQUENCY", 1, &mut draft.log);
+    let frequency = frequency(card, target, draft);
     let mut variables = Vec::new();
     for line in card.data() {
         for field in line.fields.iter().filter(|field| !field.text.is_empty()) {
@@ -55,6 +55,9 @@ pub(crate) fn request(card: &Reading<'_>, target: PrintTarget, draft: &mut Draft
                 None => unknown(field, draft),
             }
         }
+    }
+    if card.has("VARIABLE") && variables.is_empty() {
+        variables = vec![NodeVariable::U, NodeVariable::RF];
     }
     if variables.is_empty() {
         if card.data().is_empty() {
@@ -70,6 +73,15 @@ pub(crate) fn request(card: &Reading<'_>, target: PrintTarget, draft: &mut Draft
     if let Some(step) = draft.step() {
         step.prints.push((print, span));
     }
+}
+
+/// `FREQUENCY` of a request: its own, or that of the `*OUTPUT` above it.
+pub(crate) fn frequency(card: &Reading<'_>, target: PrintTarget, draft: &mut Draft) -> usize {
+    let above = match target {
+        PrintTarget::File => draft.step().map_or(1, |step| step.output_frequency),
+        PrintTarget::Table => 1,
+    };
+    card.count("FREQUENCY", above, &mut draft.log)
 }
 
 /// `U`, `RF`, `CF`, `COORD`, or one of their components such as `RF2`.

@@ -36,7 +36,10 @@ impl Keyword for Output {
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
         draft.log.at_most_lines(card.data(), 0, self.name());
-        card.count("FREQUENCY", 1, &mut draft.log);
+        let frequency = card.count("FREQUENCY", 1, &mut draft.log);
+        if let Some(step) = draft.step() {
+            step.output_frequency = frequency;
+        }
         if card.has("FIELD") && card.has("HISTORY") {
             let message = "FIELD and HISTORY exclude one another";
             draft.log.error("SL0215", message, card.span_of("HISTORY"));

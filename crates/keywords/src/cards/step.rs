@@ -76,6 +76,9 @@ impl Keyword for Step {
             controls: None,
             restart_every: None,
             prints: Vec::new(),
+            element_prints: Vec::new(),
+            contact_prints: Vec::new(),
+            output_frequency: 1,
             contact_changes: false,
             origin: card.span(),
         });

@@ -5,7 +5,8 @@ use std::collections::{HashMap, HashSet};
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{
-    Controls, Dof, Load, NodeIndex, NodePrint, OutputRequests, Prescribed, Static, Step,
+    ContactPrint, Controls, Dof, ElementPrint, Load, NodeIndex, NodePrint, OutputRequests,
+    Prescribed, Static, Step,
 };
 
 use crate::draft::{Boundary, Draft, StepDraft};
@@ -44,6 +45,8 @@ struct Carried {
     controls: Controls,
     restart_every: Option<usize>,
     prints: Vec<NodePrint>,
+    element_prints: Vec<ElementPrint>,
+    contact_prints: Vec<ContactPrint>,
     contact_changes: bool,
 }
 
@@ -101,9 +104,7 @@ fn finish(
     carried.controls = step.controls.unwrap_or(carried.controls);
     carried.restart_every = step.restart_every.or(carried.restart_every);
     carried.contact_changes |= step.contact_changes;
-    if !step.prints.is_empty() {
-        carried.prints = step.prints.into_iter().map(|(p, at)| print(p, at, draft)).collect();
-    }
+    carry_requests(carried, &step, draft);
     let origin = None;
     let default =
         Static { initial: 1.0, period: 1.0, minimum: 1e-5, maximum: 1.0, direct: false, origin };
@@ -121,6 +122,8 @@ fn finish(
         output: OutputRequests {
             restart_every: carried.restart_every,
             node_prints: carried.prints.clone(),
+            element_prints: carried.element_prints.clone(),
+            contact_prints: carried.contact_prints.clone(),
             contact_changes: carried.contact_changes,
         },
         origin: step.origin,
@@ -191,12 +194,58 @@ fn load(line: &Boundary, into: &mut InForce<Load>, draft: &mut Draft) {
     }
 }
 
-fn print(mut print: NodePrint, span: Option<Span>, draft: &mut Draft) -> NodePrint {
-    print.nodes = match span {
-        Some(span) => draft.nodes_of(&crate::log::Target::Set(print.set.clone()), span),
+/// Requests of a kind stand until a step makes new ones of that kind.
+fn carry_requests(carried: &mut Carried, step: &StepDraft, draft: &mut Draft) {
+    if !step.prints.is_empty() {
+        let requests = step.prints.iter().cloned();
+        carried.prints = requests
+            .map(|(mut print, span)| {
+                print.nodes = nodes_to_print(&print.set, span, draft);
+                print
+            })
+            .collect();
+    }
+    if !step.element_prints.is_empty() {
+        let requests = step.element_prints.iter().cloned();
+        carried.element_prints = requests
+            .map(|(mut print, span)| {
+                print.elements = beams_to_print(&print.set, span, draft);
+                print
+            })
+            .collect();
+    }
+    if !step.contact_prints.is_empty() {
+        let requests = step.contact_prints.iter().cloned();
+        carried.contact_prints = requests
+            .map(|(mut print, span)| {
+                print.nodes = nodes_to_print(&print.set, span, draft);
+                print
+            })
+            .collect();
+    }
+}
+
+/// The nodes of a set, each once; without a set all nodes.
+fn nodes_to_print(set: &str, span: Option<Span>, draft: &mut Draft) -> Vec<NodeIndex> {
+    let mut nodes = match span {
+        Some(span) => draft.nodes_of(&crate::log::Target::Set(set.to_owned()), span),
         None => (0..draft.model.nodes.len()).collect(),
     };
     let mut seen = HashSet::new();
-    print.nodes.retain(|node| seen.insert(*node));
-    print
+    nodes.retain(|node| seen.insert(*node));
+    nodes
+}
+
+/// Labels of the beams of an element set, ascending; without a set all beams.
+fn beams_to_print(set: &str, span: Option<Span>, draft: &mut Draft) -> Vec<u64> {
+    let asked: Option<HashSet<u64>> = span.map(|span| {
+        let found = draft.elements_of(set, span);
+        found.unwrap_or_default().into_iter().map(|index| draft.elements[index].label).collect()
+    });
+    let blocks = draft.model.blocks.iter().filter_map(|block| block.beams());
+    let beams = blocks.flat_map(|block| &block.elements).map(|beam| beam.label);
+    let mut labels: Vec<u64> =
+        beams.filter(|label| asked.as_ref().is_none_or(|asked| asked.contains(label))).collect();
+    labels.sort_unstable();
+    labels
 }

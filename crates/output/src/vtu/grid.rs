@@ -1,6 +1,7 @@
 //! One state as an unstructured grid.
 
 use super::base64;
+use crate::section::{axial_stresses, beams, outer_mises};
 use slideline_model::{Dof, ElementBlock, Master, Model, NodeIndex, RigidSurface, SurfaceSegment};
 use slideline_solve::observe::{Frame, Status};
 use std::collections::HashMap;
@@ -187,11 +188,22 @@ impl Grid {
             ("shear_force", vec![0.0; count]),
             ("bending_moment", vec![0.0; count]),
             ("fibre_strain", vec![0.0; count]),
+            ("S11_1", vec![0.0; count]),
+            ("S11_5", vec![0.0; count]),
+            ("mises", vec![0.0; count]),
         ];
-        for beam in frame.beams {
+        for (beam, section) in beams(frame) {
             let Some(&(first, cells)) = self.beam_cells.get(&beam.label) else { continue };
-            let values =
-                [beam.axial_force, beam.shear_force, beam.bending_moment, beam.fibre_strain];
+            let stresses = axial_stresses(beam, section);
+            let values = [
+                beam.axial_force,
+                beam.shear_force,
+                beam.bending_moment,
+                beam.fibre_strain,
+                stresses[0],
+                stresses[4],
+                outer_mises(&stresses),
+            ];
             for ((_, column), value) in columns.iter_mut().zip(values) {
                 column[first..first + cells].fill(value);
             }

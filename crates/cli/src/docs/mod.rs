@@ -1,0 +1,169 @@
+//! `slideline docs`: the documentation as a folder of pages that need no
+//! network.
+//!
+//! ```text
+//!   docs/*.md, docs/guide/*.md  --+
+//!   pages of the keywords       --+--> page::html --> DIR/*.html, keywords/, errors/
+//!   pages of the codes          --+
+//! ```
+
+mod page;
+
+use crate::exit::Exit;
+use crate::{explain, screen};
+use clap::{Args, ValueHint};
+use slideline::keywords::keywords;
+use slideline::output::{WriteError, write_file};
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+/// `slideline docs`.
+#[derive(Args, Debug)]
+pub(crate) struct DocsArguments {
+    /// Folder of the pages, made if missing.
+    #[arg(long, value_name = "DIR", default_value = "site", value_hint = ValueHint::DirPath)]
+    out: PathBuf,
+}
+
+/// A page before it is set: where it goes, without ending, and its Markdown.
+pub(crate) struct Page {
+    /// `theory`, `errors/SL0101`.
+    pub path: String,
+    /// Markdown.
+    pub text: String,
+}
+
+/// Pages that stand in the repository, in the order of the menu.
+const WRITTEN: &[(&str, &str)] = &[
+    ("index", include_str!("../../../../docs/guide/index.md")),
+    ("getting-started", include_str!("../../../../docs/guide/getting-started.md")),
+    ("snap-fit", include_str!("../../../../docs/guide/snap-fit.md")),
+    ("paper", include_str!("../../../../docs/guide/paper.md")),
+    ("files", include_str!("../../../../docs/files.md")),
+    ("report", include_str!("../../../../docs/report.md")),
+    ("reproduce", include_str!("../../../../docs/reproduce.md")),
+    ("user-friction", include_str!("../../../../docs/user-friction.md")),
+    ("theory", include_str!("../../../../docs/theory.md")),
+];
+
+const IMAGES: &[(&str, &[u8])] = &[
+    ("images/methods.png", include_bytes!("../../../../docs/images/methods.png")),
+    ("images/friction-dropped.png", include_bytes!("../../../../docs/images/friction-dropped.png")),
+];
+
+/// Writes the pages.
+pub(crate) fn docs(arguments: &DocsArguments) -> Exit {
+    let pages = pages();
+    match write(&arguments.out, &pages) {
+        Ok(()) => {
+            let index = arguments.out.join("index.html");
+            screen::print(&format!("{} pages; begin with {}\n", pages.len(), index.display()));
+            Exit::Completed
+        }
+        Err(error) => {
+            screen::error(&format!("error[SL0702]: the pages could not be written: {error}\n"));
+            Exit::Output
+        }
+    }
+}
+
+fn write(folder: &Path, pages: &[Page]) -> Result<(), WriteError> {
+    let save = |name: &str, content: &[u8]| {
+        let path = folder.join(name);
+        let parent = path.parent().unwrap_or(folder);
+        std::fs::create_dir_all(parent)
+            .map_err(|reason| WriteError { path: parent.to_owned(), reason })?;
+        write_file(&path, content)
+    };
+    for (name, content) in IMAGES {
+        save(name, content)?;
+    }
+    for page in pages {
+        save(&format!("{}.html", page.path), page::html(page).as_bytes())?;
+    }
+    Ok(())
+}
+
+/// Every page of the site.
+fn pages() -> Vec<Page> {
+    let written = WRITTEN.iter();
+    let mut pages: Vec<Page> = written
+        .map(|(path, text)| Page { path: (*path).to_owned(), text: (*text).to_owned() })
+        .collect();
+    let mut list = "# Keywords\n\n| keyword | |\n|---|---|\n".to_owned();
+    let mut described: Vec<_> = keywords().collect();
+    described.sort_by_key(|keyword| keyword.name);
+    for keyword in described {
+        let file = keyword.name.replace(' ', "-");
+        let says = first_sentence(keyword.page);
+        let _ = writeln!(list, "| [*{}]({file}.md) | {says} |", keyword.name); // a String takes any text
+        pages.push(Page { path: format!("keywords/{file}"), text: keyword.page.to_owned() });
+    }
+    pages.push(Page { path: "keywords/index".to_owned(), text: list });
+    let mut list = "# Errors, warnings and notes\n\n| code | |\n|---|---|\n".to_owned();
+    for (code, text) in explain::code_pages() {
+        let title = text.lines().next().unwrap_or_default();
+        let says = title.split_once(": ").map_or("", |(_, says)| says);
+        let _ = writeln!(list, "| [{code}]({code}.md) | {says} |"); // a String takes any text
+        pages.push(Page { path: format!("errors/{code}"), text: (*text).to_owned() });
+    }
+    pages.push(Page { path: "errors/index".to_owned(), text: list });
+    pages
+}
+
+/// What stands below the title, up to the first full stop.
+fn first_sentence(page: &str) -> String {
+    let body = page.lines().skip(1).find(|line| !line.is_empty()).unwrap_or_default();
+    body.split_once(". ").map_or(body, |(sentence, _)| sentence).to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    /// Requirement: a link within the site leads to a page or picture of it.
+    #[test]
+    fn links_lead_to_pages() {
+        let pages = pages();
+        let names: BTreeSet<String> = pages
+            .iter()
+            .map(|page| format!("{}.html", page.path))
+            .chain(IMAGES.iter().map(|(name, _)| (*name).to_owned()))
+            .collect();
+        for page in &pages {
+            let html = page::html(page);
+            let folder = page.path.rsplit_once('/').map_or("", |(folder, _)| folder);
+            for target in html.split("href=\"").chain(html.split("src=\"")).skip(1) {
+                let target = target.split('"').next().unwrap_or_default();
+                if !target.ends_with(".html") && !target.ends_with(".png") {
+                    continue;
+                }
+                if target.starts_with("http") {
+                    continue;
+                }
+                let whole = match target.strip_prefix("../") {
+                    Some(above) => above.to_owned(),
+                    None if folder.is_empty() => target.to_owned(),
+                    None => format!("{folder}/{target}"),
+                };
+                assert!(names.contains(&whole), "{} links to {target}", page.path);
+            }
+        }
+    }
+
+    /// Requirement: every equation becomes MathML; none is left as TeX.
+    #[test]
+    fn every_equation_is_set() {
+        for page in pages() {
+            let html = page::html(&page);
+            assert!(!html.contains("class=\"tex\""), "{} has TeX left", page.path);
+            assert!(!html.contains("<merror"), "{} has an error in MathML", page.path);
+        }
+        let theory = pages().into_iter().find(|page| page.path == "theory").unwrap();
+        assert_eq!(
+            page::html(&theory).matches("class=\"number\"").count(),
+            theory.text.matches("\\tag{").count()
+        );
+    }
+}

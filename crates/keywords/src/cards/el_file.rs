@@ -1,0 +1,38 @@
+//! `*EL FILE`: beam results for the result files.
+
+use slideline_model::PrintTarget;
+
+use super::el_print::request;
+use crate::draft::Draft;
+use crate::keyword::{Keyword, Level, Rule, Subject};
+use crate::reading::Reading;
+
+/// `*EL FILE`.
+pub(crate) struct ElFile;
+
+impl Keyword for ElFile {
+    fn name(&self) -> &'static str {
+        "EL FILE"
+    }
+
+    fn parameters(&self) -> &'static [Rule] {
+        const RULES: &[Rule] = &[Rule::value("ELSET"), Rule::value("FREQUENCY")];
+        RULES
+    }
+
+    fn level(&self) -> Level {
+        Level::History
+    }
+
+    fn subject(&self) -> Subject {
+        Subject::Steps
+    }
+
+    fn page(&self) -> &'static str {
+        page!("EL-FILE")
+    }
+
+    fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
+        request(card, PrintTarget::File, draft);
+    }
+}
