@@ -4,14 +4,14 @@
 //! and number of threads change nothing but rounding. Source: verification
 //! section 7. Tolerance: residuals are held at 1e-12, decimal coordinates and
 //! unit factors round at 1e-16 and an equilibrium multiplies that by its
-//! condition; 1e-8 of the peak force. Order of cards and threads: every bit.
+//! condition; 1e-9 of the peak force (found: 3.5e-12). Order of cards and threads: every bit.
 //! The problems are drawn by a generator with a fixed seed, so that a failure
 //! comes again.
 
 use slideline_verification::{Curve, run, run_on};
 use slideline_verification::{Method, Placement, Push, Units, largest, largest_difference};
 
-const TOLERANCE: f64 = 1e-8;
+const TOLERANCE: f64 = 1e-9;
 
 /// A linear congruential generator.
 struct Draw(u64);
