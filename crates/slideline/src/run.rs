@@ -218,7 +218,9 @@ impl<'a> Watch<'a> {
     /// What the noise of the run asks to be said.
     fn judge_noise(&mut self) {
         for said in self.noise.findings() {
-            let _ = self.tell(Event::Diagnosed(&said)); // as above
+            // Not into the files: a run that went on from a saved state has
+            // only seen its own part of the curve.
+            let _ = self.observer.event(Event::Diagnosed(&said));
             self.diagnostics.push(said);
         }
     }
