@@ -5,6 +5,7 @@ use crate::file::{Growing, WriteError};
 use crate::history::push_time;
 use crate::job::JobFiles;
 use crate::number::push_shortest;
+use crate::restart::Kept;
 use crate::section::{axial_stresses, beams, outer_mises};
 use crate::writers::Writer;
 use slideline_model::{BeamSection, ElementPrint, Model, PrintTarget};
@@ -30,10 +31,7 @@ impl Elements {
         if !asked || self.file.is_some() {
             return Ok(());
         }
-        let mut file = Growing::create(self.job.path(".element.csv"))?;
-        file.text.push_str(HEADER);
-        file.flush()?;
-        self.file = Some(file);
+        self.file = Some(Growing::begin(&self.job, ".element.csv", HEADER)?);
         Ok(())
     }
 
@@ -80,5 +78,9 @@ impl Writer for Elements {
             Event::Committed(frame) => self.rows(frame),
             _ => Ok(()),
         }
+    }
+
+    fn keep(&self, kept: &mut Kept) {
+        kept.file(".element.csv", self.file.as_ref());
     }
 }
