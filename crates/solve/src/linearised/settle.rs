@@ -6,7 +6,7 @@
 //!   close the set exactly, drop what pulls, until nothing is violated
 //! ```
 
-use super::System;
+use super::system::System;
 
 /// Non-negative least squares on the rows `candidates` of a system; the
 /// other unknowns stay as they are.

@@ -1,0 +1,112 @@
+//! Masters, ready to be searched.
+
+use super::meeting::Stencil;
+use super::slots_of;
+use crate::layout::{Carried, Layout};
+use slideline_mech::contact::pair::{AnyGap, Body, RigidSurface, chain_attachments, chain_gap};
+use slideline_mech::contact::search::chain::Chain;
+use slideline_mech::contact::search::rigid::RigidSegment;
+use slideline_mech::rigid::Attachment;
+use slideline_model::{Model, SlideLine, SurfaceSegment};
+
+/// A master, ready to be searched.
+#[derive(Clone, Debug)]
+pub enum Facade {
+    /// A rigid surface on the body of a node.
+    Body {
+        /// Slots of the body's dofs.
+        slots: [usize; 3],
+        /// Undeformed position of its node [L].
+        reference: [f64; 2],
+        /// The surface, undeformed.
+        surface: RigidSurface,
+    },
+    /// A chain of nodes, and where its positions begin in the scratch.
+    Line {
+        /// Its reference geometry.
+        chain: Chain,
+        /// Its nodes with their slots.
+        nodes: Vec<(Carried, [usize; 3])>,
+        /// Place of its first position in the scratch.
+        offset: usize,
+    },
+    /// Nothing to slide on (a master that reading has refused).
+    Nothing,
+}
+
+impl Facade {
+    /// The facade of a chain of nodes.
+    pub fn chain(model: &Model, layout: &Layout, line: &SlideLine, offset: usize) -> Facade {
+        let reference: Vec<_> = line.nodes.iter().map(|&node| model.nodes.plane(node)).collect();
+        let nodes = line.nodes.iter().map(|&node| {
+            let carried = layout.carried_node(model, node);
+            (carried, slots_of(layout, carried.node))
+        });
+        match Chain::new(&reference, line.smooth, line.extension) {
+            Some(chain) => Facade::Line { chain, nodes: nodes.collect(), offset },
+            None => Facade::Nothing,
+        }
+    }
+
+    /// The facade of a rigid surface on the body of its node.
+    pub fn body(model: &Model, layout: &Layout, surface: &slideline_model::RigidSurface) -> Facade {
+        let carrier = layout.carrier(surface.reference);
+        let mut from = surface.start;
+        let mut segments = Vec::with_capacity(surface.segments.len());
+        for segment in &surface.segments {
+            let placed = match *segment {
+                SurfaceSegment::Line { end } => Some(RigidSegment::Line { a: from, b: end }),
+                SurfaceSegment::Circle { end, centre } => RigidSegment::arc(from, end, centre),
+                SurfaceSegment::Parabola { middle, end } => {
+                    Some(RigidSegment::Parabola { start: from, mid: middle, end })
+                }
+            };
+            let Some(placed) = placed else { return Facade::Nothing };
+            from = placed.end();
+            segments.push(placed);
+        }
+        Facade::Body {
+            slots: slots_of(layout, carrier),
+            reference: model.nodes.plane(carrier),
+            surface: RigidSurface::new(segments),
+        }
+    }
+
+    /// What the point of a stencil faces; the master's part is added to it.
+    /// `slave` tells how the point follows its own dofs, `positions` are
+    /// those of all chains.
+    pub fn face(
+        &self,
+        slave: Attachment,
+        u: &[f64],
+        positions: &[[f64; 2]],
+        stencil: &mut Stencil,
+    ) -> Option<AnyGap> {
+        match self {
+            Facade::Nothing => None,
+            Facade::Body { slots, reference, surface } => {
+                let body = Body { reference: *reference, dofs: slots.map(|slot| u[slot]) };
+                let facing = surface.closest(&body, stencil.position, None)?;
+                let gap = surface.gap(&body, &facing, stencil.position)?;
+                let first = stencil.width;
+                stencil.attachments = surface.attachments(&body, &facing, slave, first);
+                stencil.add(slots);
+                Some(gap)
+            }
+            Facade::Line { chain, nodes, offset } => {
+                let positions = positions.get(*offset..offset + nodes.len())?;
+                let piece = chain.closest(positions, stencil.position, None)?;
+                let gap = chain_gap(chain, &piece, positions, stencil.position)?;
+                let mut control = [slave; 3];
+                let facing = &nodes[piece.nodes()];
+                for (attachment, (carried, slots)) in control.iter_mut().zip(facing) {
+                    let first = stencil.width;
+                    *attachment = Attachment::Point { map: carried.map, first };
+                    stencil.add(&slots[..carried.map.width()]);
+                }
+                stencil.attachments = Some(chain_attachments(slave, &control[..facing.len()]));
+                Some(gap)
+            }
+        }
+    }
+}

@@ -1,0 +1,81 @@
+//! The laws of a pair, with the lengths of its mesh filled in.
+
+use super::local_elements;
+use crate::users::UserFrictions;
+use slideline_mech::contact::friction::{Decay, FrictionLaw, Stick};
+use slideline_mech::contact::normal::NormalLaw;
+use slideline_mech::contact::pair::Laws;
+use slideline_mech::contact::points::average_length;
+use slideline_model::{ContactPair, ElementBlock, Formulation, Friction, Model, StickRule};
+
+/// State values a point of the pair keeps for a user friction law.
+pub fn memory_size(pair: &ContactPair) -> usize {
+    match &pair.interaction.friction {
+        Friction::User { state_size, .. } => *state_size,
+        _ => 0,
+    }
+}
+
+/// The laws of a pair with lengths filled in.
+pub fn laws(model: &Model, pair: &ContactPair, users: &UserFrictions) -> Laws {
+    let integrated = pair.formulation == Formulation::SurfaceToSurface;
+    let elastic = |fraction: f64| Stick::Elastic { slip: fraction * average(model, pair) };
+    let friction = match &pair.interaction.friction {
+        Friction::Frictionless => FrictionLaw::None,
+        Friction::Coulomb { coefficient, .. } if *coefficient == 0.0 => FrictionLaw::None,
+        Friction::Coulomb { coefficient, limit, decay, stick } => FrictionLaw::Coulomb {
+            coefficient: *coefficient,
+            limit: *limit,
+            decay: decay.map(|decay| Decay { kinetic: decay.kinetic, rate: decay.rate }),
+            stick: match stick {
+                // Exact stick at every station would fix more than the nodes can follow.
+                StickRule::Lagrange if integrated => elastic(0.005),
+                StickRule::Lagrange => Stick::Lagrange,
+                StickRule::ElasticSlip(slip) => Stick::Elastic { slip: *slip },
+                StickRule::SlipTolerance(fraction) => elastic(*fraction),
+            },
+        },
+        Friction::Rough if integrated => FrictionLaw::Rough { stick: elastic(0.005) },
+        Friction::Rough => FrictionLaw::Rough { stick: Stick::Lagrange },
+        Friction::User { name, properties, state_size } => FrictionLaw::User {
+            name: name.clone(),
+            properties: properties.clone(),
+            state_size: *state_size,
+        },
+    };
+    let onset = model.friction_onset;
+    let user = match &pair.interaction.friction {
+        Friction::User { name, .. } => users.find(name),
+        _ => None,
+    };
+    let normal = match &pair.interaction.normal {
+        NormalLaw::Hard if integrated => {
+            NormalLaw::Linear { stiffness: PENALTY * stiffest_face(model, pair) }
+        }
+        other => other.clone(),
+    };
+    Laws { normal, friction, onset, user }
+}
+
+/// Stiffness of an integrated hard contact, in multiples of the stiffest
+/// slave element's own, per area.
+const PENALTY: f64 = 10.0;
+
+/// Largest EA/l of the beams, per area of a contact element [F/L3].
+fn stiffest_face(model: &Model, pair: &ContactPair) -> f64 {
+    let length = average(model, pair);
+    let axial = |block: &ElementBlock| match block {
+        ElementBlock::B21(block) | ElementBlock::B22(block) | ElementBlock::B23(block) => {
+            block.section.material.modulus * block.section.width * block.section.height
+        }
+        ElementBlock::Spring(_) => 0.0,
+    };
+    let largest = model.blocks.iter().map(axial).fold(0.0, f64::max);
+    largest / (length * length * pair.interaction.width)
+}
+
+fn average(model: &Model, pair: &ContactPair) -> f64 {
+    let nodes = pair.slave_nodes();
+    let (elements, coordinates) = local_elements(model, pair, &nodes);
+    average_length(&elements, &coordinates)
+}

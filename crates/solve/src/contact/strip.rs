@@ -1,0 +1,164 @@
+//! Integrated contact: slave elements as strips of stations.
+//!
+//! ```text
+//!   o==:==:==:==:==:==:==:==o   a strip: smooth line over a slave element, in cells
+//!              [x x x]          stations follow the closed part of their cell
+//!            ___________
+//!           /  master   \
+//! ```
+
+use super::facade::Facade;
+use super::meeting::Meeting;
+use super::{Carrier, Contact, slots_of};
+use crate::layout::Layout;
+use slideline_mech::contact::pair::Body;
+use slideline_mech::contact::points::stations::{GAUSS, HermiteLine, POINTS, closed_part_between};
+use slideline_model::{ContactPair, Model, NodeIndex};
+use std::collections::HashMap;
+
+/// Cells of a slave element along which contact is integrated.
+pub const CELLS: usize = 8;
+
+/// A slave element along which contact is integrated.
+#[derive(Clone, Debug)]
+pub struct Strip {
+    /// Place of its pair in the model.
+    pub pair: usize,
+    /// Its nodes.
+    pub nodes: [NodeIndex; 2],
+    /// Its smooth line.
+    pub line: HermiteLine,
+    /// Slots of both nodes.
+    pub slots: [usize; 6],
+    /// Out-of-plane width [L].
+    pub width: f64,
+    /// Its first point; cell by cell, Gauss point by Gauss point.
+    pub first: usize,
+}
+
+/// Points of a strip.
+pub const STRIP_POINTS: usize = CELLS * POINTS;
+
+impl Strip {
+    /// Current position of the station at `xi` [L].
+    pub fn position(&self, xi: f64, u: &[f64]) -> [f64; 2] {
+        self.line.bent(&self.slots.map(|slot| u[slot])).position(xi)
+    }
+
+    /// Places the stations of the strip where `beyond`, the overclosure
+    /// beyond the point where contact begins at a place on it, lets them
+    /// follow the closed part of their cells, and says which stations contact
+    /// may reach in an iteration: `place(station, xi, area)`.
+    fn place_stations(&self, beyond: impl Fn(f64) -> f64, mut place: impl FnMut(usize, f64, f64)) {
+        let length = self.line.length();
+        if top_of_parabola([beyond(0.0), beyond(0.5), beyond(1.0)]) < -NEAR * length {
+            return;
+        }
+        for cell in 0..CELLS {
+            let at = |t: f64| (cell as f64 + t) / CELLS as f64;
+            let ends = [beyond(at(0.0)), beyond(at(0.5)), beyond(at(1.0))];
+            if top_of_parabola(ends) < -NEAR * length {
+                continue;
+            }
+            let part = closed_part_between(|t| beyond(at(t)), ends);
+            let (begin, end) = part.unwrap_or((0.0, 1.0));
+            for (k, (t, weight)) in GAUSS.into_iter().enumerate() {
+                let area = self.width * length * weight * (end - begin) / CELLS as f64;
+                place(cell * POINTS + k, at(begin + t * (end - begin)), area);
+            }
+        }
+    }
+}
+
+impl Contact {
+    /// Adds the elements of a pair as strips of stations.
+    pub(super) fn add_strips(
+        &mut self,
+        model: &Model,
+        layout: &Layout,
+        place: usize,
+        pair: &ContactPair,
+    ) {
+        let tangents = node_tangents(model, pair);
+        for element in &pair.elements {
+            let nodes = element.nodes.map(|node| model.nodes.plane(node));
+            let length = (nodes[1][0] - nodes[0][0]).hypot(nodes[1][1] - nodes[0][1]);
+            let tangents = element.nodes.map(|node| tangents[&node].map(|t| t * length));
+            let [a, b] = element.nodes.map(|node| slots_of(layout, node));
+            let strip = self.strips.len();
+            let first = self.points.len();
+            let width = pair.interaction.width;
+            for cell in 0..CELLS {
+                for (_, weight) in GAUSS {
+                    let area = width * length * weight / CELLS as f64;
+                    let node = element.nodes[usize::from(2 * cell >= CELLS)];
+                    self.add_point(place, pair, (node, area), Carrier::Station { strip });
+                }
+            }
+            self.strips.push(Strip {
+                pair: place,
+                nodes: element.nodes,
+                line: HermiteLine { nodes, tangents },
+                slots: [a[0], a[1], a[2], b[0], b[1], b[2]],
+                width,
+                first,
+            });
+        }
+    }
+
+    /// Stations follow the closed part of their cells; those of cells that
+    /// contact cannot reach in an iteration face nothing.
+    pub(super) fn meet_strip(&self, strip: &Strip, u: &[f64], into: &mut [Meeting]) {
+        into.iter_mut().for_each(Meeting::turn_away);
+        let begins = self.laws[strip.pair].normal.contact_begins();
+        let Facade::Body { slots, reference, surface } = &self.facades[strip.pair] else { return };
+        let body = Body { reference: *reference, dofs: slots.map(|slot| u[slot]) };
+        let bent = strip.line.bent(&strip.slots.map(|slot| u[slot]));
+        let beyond = |xi: f64| {
+            let overclosure = surface.overclosure(&body, bent.position(xi));
+            overclosure.unwrap_or(f64::NEG_INFINITY) - begins
+        };
+        strip.place_stations(beyond, |station, xi, area| {
+            let meeting = &mut into[station];
+            (meeting.xi, meeting.area) = (xi, area);
+            self.meet_one(&self.points[strip.first + station], u, &[], meeting);
+        });
+    }
+}
+
+/// How far beyond the reach of contact a cell is looked at, in lengths of its
+/// element: what an iteration may move it.
+const NEAR: f64 = 0.1;
+
+/// Largest value on [0, 1] of the parabola through values at 0, 1/2 and 1.
+fn top_of_parabola([left, middle, right]: [f64; 3]) -> f64 {
+    let largest = left.max(middle).max(right);
+    let bend = left - 2.0 * middle + right;
+    let slope = right - left;
+    if bend.is_nan() || bend >= 0.0 || slope.abs() >= -2.0 * bend {
+        return largest;
+    }
+    middle - slope * slope / (8.0 * bend)
+}
+
+/// Unit tangents of a slave surface at its nodes: the mean direction of the
+/// elements that meet there, so that the surface has no corners.
+fn node_tangents(model: &Model, pair: &ContactPair) -> HashMap<NodeIndex, [f64; 2]> {
+    let mut tangents: HashMap<NodeIndex, [f64; 2]> = HashMap::new();
+    for element in &pair.elements {
+        let [a, b] = element.nodes.map(|node| model.nodes.plane(node));
+        let d = [b[0] - a[0], b[1] - a[1]];
+        let length = d[0].hypot(d[1]);
+        for node in element.nodes {
+            let sum = tangents.entry(node).or_default();
+            *sum = [sum[0] + d[0] / length, sum[1] + d[1] / length];
+        }
+    }
+    for tangent in tangents.values_mut() {
+        let size = tangent[0].hypot(tangent[1]);
+        if size > 0.0 {
+            *tangent = tangent.map(|t| t / size);
+        }
+    }
+    tangents
+}

@@ -1,0 +1,110 @@
+//! The semismooth Newton method of the small system.
+
+use super::settle::{eliminate, settle};
+use super::system::{Row, System};
+use super::{Circumstances, Kind, LinearPoint, LinearisedContact};
+
+/// The most iterations of the small system.
+const ITERATIONS: usize = 40;
+/// How often it is started again from settled pressures.
+const RESTARTS: usize = 3;
+/// Residual of the small system, relative to its multipliers, at which a step
+/// that gains nothing means rounding, not a wrong set.
+const ROUNDED: f64 = 1e-9;
+/// Shortest fraction of a step that is tried.
+const SHORTEST: f64 = 1e-3;
+
+impl LinearisedContact {
+    /// Solves the small system: by Newton, and where Newton is lost among the
+    /// active sets of a hard law, from the set that a pivoting method finds.
+    pub(super) fn iterate(&mut self, points: &[LinearPoint], circumstances: &Circumstances<'_>) {
+        if self.newton(points, circumstances) {
+            return;
+        }
+        for _ in 0..RESTARTS {
+            if !self.settle_pressures(points, circumstances) || self.newton(points, circumstances) {
+                return;
+            }
+        }
+    }
+
+    /// Semismooth Newton with backtracking; says whether it converged.
+    fn newton(&mut self, points: &[LinearPoint], circumstances: &Circumstances<'_>) -> bool {
+        let m = self.rows.len();
+        for vector in [&mut self.residual, &mut self.step, &mut self.trial] {
+            vector.clear();
+            vector.resize(m, 0.0);
+        }
+        self.jacobian.clear();
+        self.jacobian.resize(m * m, 0.0);
+        self.stiffness.clear();
+        self.stiffness.resize(if self.stations.is_empty() { 0 } else { m * m }, 0.0);
+        self.values.resize(m, 0.0);
+        let (stiffness, values) = (&mut self.stiffness, &mut self.values);
+        let system =
+            System { rows: &self.rows, compliance: &self.compliance, stations: &self.stations };
+        let (residual, jacobian) = (&mut self.residual, &mut self.jacobian);
+        let unknown = &mut self.unknown;
+        let mut size = system.residual(
+            (unknown, points),
+            circumstances,
+            residual,
+            (jacobian, stiffness, values),
+        );
+        for _ in 0..ITERATIONS {
+            if size == 0.0 || !size.is_finite() {
+                return size == 0.0;
+            }
+            let rounded = size <= ROUNDED * ROUNDED * system.largest_multiplier(unknown);
+            self.step.copy_from_slice(residual);
+            eliminate(jacobian, &mut self.step);
+            let mut length = 1.0;
+            loop {
+                for ((trial, q), step) in self.trial.iter_mut().zip(&*unknown).zip(&self.step) {
+                    *trial = q - length * step;
+                }
+                let new = system.residual(
+                    (&self.trial, points),
+                    circumstances,
+                    residual,
+                    (jacobian, stiffness, values),
+                );
+                if new < size {
+                    unknown.copy_from_slice(&self.trial);
+                    size = new;
+                    break;
+                }
+                length *= 0.5;
+                // Nothing is gained from steps below rounding.
+                if rounded || length < SHORTEST {
+                    return rounded;
+                }
+            }
+        }
+        false
+    }
+
+    /// Finds the pressures of hard points for the present tractions by a
+    /// pivoting method that ends for any compliance: Lawson and Hanson's
+    /// non-negative least squares, written for h = b - C p <= 0, p >= 0,
+    /// p h = 0. Soft points keep their pressures. False: nothing to settle.
+    fn settle_pressures(
+        &mut self,
+        points: &[LinearPoint],
+        circumstances: &Circumstances<'_>,
+    ) -> bool {
+        let hard = |row: &Row| {
+            let Some((point, kind)) = row.point() else { return false };
+            let law = &circumstances.laws[points[point].pair].normal;
+            kind == Kind::Normal && law.pressure(0.0).is_none()
+        };
+        let candidates: Vec<usize> =
+            (0..self.rows.len()).filter(|&i| hard(&self.rows[i])).collect();
+        if candidates.is_empty() {
+            return false;
+        }
+        let system = System { rows: &self.rows, compliance: &self.compliance, stations: &[] };
+        settle(&system, &candidates, &mut self.unknown);
+        true
+    }
+}

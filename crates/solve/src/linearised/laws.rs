@@ -1,0 +1,106 @@
+//! What the laws of contact ask of a row or a station.
+
+use super::system::{Row, Station};
+use super::{Circumstances, Kind, LinearPoint, Sliding};
+use slideline_mech::contact::enforcement::Demand;
+use slideline_mech::contact::pair::{Laws, UserMemory};
+
+/// A station at the displacements of the small system.
+pub(super) struct StationAnswer {
+    pub pressure: f64,
+    pub traction: f64,
+    /// Pressure and traction less what the lent stiffness carries [F/L2].
+    pub force: [f64; 2],
+    /// Their derivatives by overclosure and slip [F/L3].
+    pub slope: [[f64; 2]; 2],
+}
+
+impl Circumstances<'_> {
+    /// What the law of a row demands of its multiplier.
+    pub(super) fn demand(
+        &self,
+        row: &Row,
+        kind: Kind,
+        point: &LinearPoint,
+        [multiplier, value, pressure]: [f64; 3],
+    ) -> Demand {
+        let laws = &self.laws[point.pair];
+        match (kind, &point.sliding) {
+            (Kind::Tangential, Some(sliding)) => {
+                let pressure = if self.symmetrised { point.pressure } else { pressure };
+                let values = [multiplier, value, pressure];
+                let demand = self.demand_traction(laws, values, sliding, row.kappa);
+                if self.symmetrised { Demand { by_pressure: 0.0, ..demand } } else { demand }
+            }
+            _ => laws.demand_pressure(multiplier, value, row.kappa),
+        }
+    }
+
+    /// A slip that is prescribed leaves exact stick no choice: there is no
+    /// row that would carry it to the limit.
+    pub(super) fn slide_as_prescribed(&self, point: &mut LinearPoint) {
+        if point.integrated || point.moves(Kind::Tangential) {
+            return;
+        }
+        let (friction, pressure) = (&self.laws[point.pair].friction, point.pressure);
+        if let Some(sliding) = &mut point.sliding
+            && friction.needs_multiplier()
+            && sliding.slip.abs() > self.rounding
+        {
+            let limit = friction.limit_traction(pressure, sliding.slip, self.dt);
+            if limit.is_finite() {
+                sliding.traction = limit * sliding.slip.signum();
+            }
+        }
+    }
+
+    /// A station with its laws inserted: among many stations of one element
+    /// none has a multiplier of its own.
+    pub(super) fn station(
+        &self,
+        station: &Station,
+        point: &LinearPoint,
+        values: &[f64],
+    ) -> StationAnswer {
+        let (mut normal, mut tangential) = (0.0, 0.0);
+        for a in 0..point.width {
+            let d = values[station.rows[a]];
+            normal += point.normal[a] * d;
+            tangential += point.tangential[a] * d;
+        }
+        let laws = &self.laws[point.pair];
+        let demand = laws.demand_pressure(0.0, point.overclosure + normal, f64::INFINITY);
+        let mut answer = StationAnswer {
+            pressure: demand.value,
+            traction: 0.0,
+            force: [demand.value - point.stiffness * normal, 0.0],
+            slope: [[demand.by_value - point.stiffness, 0.0], [0.0, 0.0]],
+        };
+        if let Some(sliding) = &point.sliding {
+            let limit = if self.symmetrised { point.pressure } else { demand.value };
+            let values = [sliding.traction, sliding.slip + tangential, limit];
+            let drag = self.demand_traction(laws, values, sliding, f64::INFINITY);
+            let by_pressure = if self.symmetrised { 0.0 } else { drag.by_pressure };
+            answer.traction = drag.value;
+            answer.force[1] = drag.value - sliding.stiffness * tangential;
+            answer.slope[1] = [by_pressure * demand.by_value, drag.by_value - sliding.stiffness];
+        }
+        answer
+    }
+
+    fn demand_traction(
+        &self,
+        laws: &Laws,
+        values: [f64; 3],
+        sliding: &Sliding,
+        kappa: f64,
+    ) -> Demand {
+        let (begin, size) = sliding.memory;
+        let committed = self.committed.get(begin..begin + size).unwrap_or(&[]);
+        // Only a user law has a memory, and only then does this allocate.
+        let mut state = committed.to_vec();
+        let mut memory =
+            UserMemory { time: self.time, committed, state: &mut state, fault: &mut None };
+        laws.demand_traction(values, sliding.elastic_slip, (kappa, self.dt), &mut memory)
+    }
+}

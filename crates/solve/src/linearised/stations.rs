@@ -1,0 +1,69 @@
+//! Stations of integrated contact in the small system.
+//!
+//! Many stations press on few equations: none has a row of its own, the
+//! equations that they press on have.
+
+use super::system::{Row, Station, Unknown};
+use super::{LinearPoint, LinearisedContact, MOST_DOFS};
+use slideline_linalg::{SolveError, Solver};
+
+impl LinearisedContact {
+    /// Lets a station join; its equations that no station has touched yet
+    /// become rows.
+    pub(super) fn add_station(
+        &mut self,
+        point: &LinearPoint,
+        place: usize,
+        solver: &mut Solver,
+        base: &[f64],
+    ) -> Result<(), SolveError> {
+        let mut station = Station { point: place, rows: [0; MOST_DOFS] };
+        for (row, &equation) in station.rows.iter_mut().zip(&point.equations[..point.width]) {
+            let known = Unknown::Interface { equation };
+            let found = self.rows.iter().position(|row| row.unknown == known);
+            *row = match found {
+                Some(found) => found,
+                None => self.add_interface(equation, solver, base)?,
+            };
+        }
+        self.stations.push(station);
+        Ok(())
+    }
+
+    fn add_interface(
+        &mut self,
+        equation: usize,
+        solver: &mut Solver,
+        base: &[f64],
+    ) -> Result<usize, SolveError> {
+        let n = base.len();
+        let begin = self.response.len();
+        self.response.resize(begin + n, 0.0);
+        self.response[begin + equation] = 1.0;
+        solver.solve(&mut self.response[begin..])?;
+        self.rows.push(Row {
+            unknown: Unknown::Interface { equation },
+            free: base[equation],
+            start: 0.0,
+            lent: 0.0,
+            kappa: 0.0,
+            weight: 0.0,
+        });
+        self.unknown.truncate(self.rows.len() - 1);
+        self.unknown.push(0.0);
+        Ok(self.rows.len() - 1)
+    }
+
+    /// Starts the forces of the interface rows from the pressures and
+    /// tractions that the iteration estimates.
+    pub(super) fn press(&mut self, points: &[LinearPoint]) {
+        for station in &self.stations {
+            let point = &points[station.point];
+            let traction = point.sliding.map_or(0.0, |sliding| sliding.traction);
+            for a in 0..point.width {
+                let force = point.pressure * point.normal[a] + traction * point.drag[a];
+                self.unknown[station.rows[a]] += point.area * force;
+            }
+        }
+    }
+}
