@@ -13,6 +13,7 @@
 mod facade;
 mod laws;
 mod meeting;
+mod shear;
 mod strip;
 
 pub use laws::memory_size;
@@ -23,7 +24,7 @@ use crate::layout::{Carried, Layout};
 use crate::linearised::MOST_DOFS;
 use crate::users::UserFrictions;
 use facade::Facade;
-use meeting::Stencil;
+use meeting::{MOST_DIRECT, Stencil};
 use slideline_mech::contact::pair::{self, AnyGap, History, Laws};
 use slideline_mech::contact::points::tributary_areas;
 use slideline_mech::rigid::{Attachment, push_forward};
@@ -139,7 +140,7 @@ impl Contact {
         let mut cliques = Vec::new();
         for strip in &self.strips {
             if let Facade::Body { slots, .. } = &self.facades[strip.pair] {
-                cliques.push([&strip.slots[..], slots].concat());
+                cliques.push([&strip.all_slots()[..], slots].concat());
             }
         }
         for point in &self.points {
@@ -202,7 +203,16 @@ impl Contact {
     }
 
     fn meet_one(&self, point: &SlavePoint, u: &[f64], positions: &[[f64; 2]], into: &mut Meeting) {
-        let mut stencil = self.slave(point, into.xi, u);
+        self.meet_stencil(point, self.slave(point, into.xi, u), (u, positions), into);
+    }
+
+    fn meet_stencil(
+        &self,
+        point: &SlavePoint,
+        mut stencil: Stencil<'_>,
+        (u, positions): (&[f64], &[[f64; 2]]),
+        into: &mut Meeting,
+    ) {
         into.position = stencil.position;
         match self.face(point, into.xi, u, positions, &mut stencil) {
             Some(gap) => into.take(&gap, &stencil, u),
@@ -214,23 +224,19 @@ impl Contact {
         }
     }
 
-    /// Stations follow the closed part of their cells; those of cells that
-    /// contact cannot reach in an iteration face nothing.
-    fn slave(&self, point: &SlavePoint, xi: f64, u: &[f64]) -> Stencil {
-        let mut stencil =
-            Stencil { position: [0.0; 2], width: 0, slots: [0; MOST_DOFS], attachments: None };
+    /// The slave's part of a stencil.
+    fn slave(&self, point: &SlavePoint, xi: f64, u: &[f64]) -> Stencil<'_> {
         match &point.carrier {
             Carrier::Node { carried, slots } => {
-                stencil.position = place(carried, slots, u);
-                stencil.add(&slots[..carried.map.width()]);
+                let mut stencil = Stencil::new(place(carried, slots, u));
+                stencil.add_from(&slots[..carried.map.width()], u);
+                stencil
             }
             Carrier::Station { strip } => {
                 let strip = &self.strips[*strip];
-                stencil.position = strip.position(xi, u);
-                stencil.add(&strip.slots);
+                strip.stencil(&strip.ends(u), xi)
             }
         }
-        stencil
     }
 
     fn attachment(&self, point: &SlavePoint, xi: f64) -> Attachment {
@@ -249,7 +255,7 @@ impl Contact {
         xi: f64,
         u: &[f64],
         positions: &[[f64; 2]],
-        stencil: &mut Stencil,
+        stencil: &mut Stencil<'_>,
     ) -> Option<AnyGap> {
         let slave = self.attachment(point, xi);
         self.facades[point.pair].face(slave, u, positions, stencil)
@@ -284,17 +290,24 @@ impl Contact {
         {
             *into = sum(h, s);
         }
-        let mut force = [0.0; MOST_DOFS];
-        let attachments = stencil.attachments();
-        let dofs = stencil.dofs(u);
+        let direct = stencil.width;
+        let (mut force, mut tangent) = ([0.0; MOST_DOFS], [0.0; MOST_DIRECT * MOST_DIRECT]);
+        let room = match stencil.shear {
+            Some(_) => &mut tangent[..direct * direct],
+            None => &mut scratch.tangent[..m * m],
+        };
         push_forward(
-            attachments,
-            &dofs[..m],
+            stencil.attachments(),
+            &stencil.values[..direct],
             &gradient[..n],
             &hessian[..n * n],
-            &mut force[..m],
-            &mut scratch.tangent[..m * m],
+            &mut force[..direct],
+            room,
         );
+        if let Some(shear) = stencil.shear {
+            let slots = &meeting.slots[..m];
+            shear.push_tangent((slots, u), &force, (&tangent, direct), &mut scratch.tangent);
+        }
     }
 
     /// Positions of all chains at displacements `u`.

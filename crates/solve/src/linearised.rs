@@ -34,7 +34,7 @@ use slideline_mech::contact::pair::Laws;
 use system::{Row, Station, System, Unknown};
 
 /// The most dofs one contact point couples.
-pub const MOST_DOFS: usize = 16;
+pub const MOST_DOFS: usize = 18;
 
 /// Friction at a point whose friction is called.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -80,7 +80,7 @@ impl Facade {
         slave: Attachment,
         u: &[f64],
         positions: &[[f64; 2]],
-        stencil: &mut Stencil,
+        stencil: &mut Stencil<'_>,
     ) -> Option<AnyGap> {
         match self {
             Facade::Nothing => None,
@@ -90,7 +90,7 @@ impl Facade {
                 let gap = surface.gap(&body, &facing, stencil.position)?;
                 let first = stencil.width;
                 stencil.attachments = surface.attachments(&body, &facing, slave, first);
-                stencil.add(slots);
+                stencil.add_from(slots, u);
                 Some(gap)
             }
             Facade::Line { chain, nodes, offset } => {
@@ -102,7 +102,7 @@ impl Facade {
                 for (attachment, (carried, slots)) in control.iter_mut().zip(facing) {
                     let first = stencil.width;
                     *attachment = Attachment::Point { map: carried.map, first };
-                    stencil.add(&slots[..carried.map.width()]);
+                    stencil.add_from(&slots[..carried.map.width()], u);
                 }
                 stencil.attachments = Some(chain_attachments(slave, &control[..facing.len()]));
                 Some(gap)

@@ -7,6 +7,7 @@
 //! ```
 
 use super::Contact;
+use super::shear::{Shear, TURNS};
 use crate::linearised::MOST_DOFS;
 use slideline_mech::contact::pair::{AnyGap, StencilAttachments};
 use slideline_mech::rigid::{Attachment, push_gradients};
@@ -41,16 +42,23 @@ pub struct Meeting {
 }
 
 /// The dofs that a point and what it faces depend on.
-pub struct Stencil {
+pub struct Stencil<'a> {
     /// Position of the point [L].
     pub position: [f64; 2],
     /// Number of slots.
     pub width: usize,
     /// The slots.
     pub slots: [usize; MOST_DOFS],
+    /// Their values; in place of a strip's rotations the turns of its line.
+    pub values: [f64; MOST_DOFS],
     /// How the variables of the gap follow them.
     pub attachments: Option<StencilAttachments>,
+    /// The shear that turns the line of a strip beyond its rotations.
+    pub shear: Option<&'a Shear>,
 }
+
+/// The most slots that a gap follows directly, those of shear left out.
+pub const MOST_DIRECT: usize = 16;
 
 impl Meeting {
     /// A point that faces nothing.
@@ -80,7 +88,7 @@ impl Meeting {
     }
 
     /// Takes a gap in and pushes its gradients from kernel variables to slots.
-    pub fn take(&mut self, gap: &AnyGap, stencil: &Stencil, u: &[f64]) {
+    pub fn take(&mut self, gap: &AnyGap, stencil: &Stencil<'_>, u: &[f64]) {
         self.faces = true;
         self.overclosure = gap.overclosure();
         self.along = gap.along();
@@ -91,36 +99,64 @@ impl Meeting {
         self.gradient[..m].fill(0.0);
         self.slip_gradient[..m].fill(0.0);
         self.drag[..m].fill(0.0);
-        let (from, dofs) = (gap.derivatives(), stencil.dofs(u));
-        let attachments = stencil.attachments();
+        let from = gap.derivatives();
         push_gradients(
-            attachments,
-            &dofs[..m],
+            stencil.attachments(),
+            &stencil.values[..m],
             [from.gradient, from.slip_gradient, from.drag],
             [&mut self.gradient[..m], &mut self.slip_gradient[..m], &mut self.drag[..m]],
         );
+        if let Some(shear) = stencil.shear {
+            self.follow_shear(shear, u);
+        }
+    }
+
+    /// Derivatives by the turns of a strip's ends become derivatives by all
+    /// dofs that shear follows.
+    fn follow_shear(&mut self, shear: &Shear, u: &[f64]) {
+        let direct = self.width;
+        self.width += shear.further.len();
+        self.slots[direct..self.width].copy_from_slice(&shear.further);
+        let by_end = shear.gradients(&self.slots[..self.width], u);
+        for derivative in [&mut self.gradient, &mut self.slip_gradient, &mut self.drag] {
+            derivative[direct..self.width].fill(0.0);
+            let by_turn = TURNS.map(|turn| derivative[turn]);
+            for (factor, gradient) in by_turn.into_iter().zip(&by_end) {
+                derivative.iter_mut().zip(gradient).for_each(|(sum, g)| *sum += factor * g);
+            }
+        }
     }
 }
 
-impl Stencil {
-    /// Adds slots.
-    pub fn add(&mut self, slots: &[usize]) {
+impl<'a> Stencil<'a> {
+    /// The stencil of a slave point at `position`.
+    pub fn new(position: [f64; 2]) -> Self {
+        Self {
+            position,
+            width: 0,
+            slots: [0; MOST_DOFS],
+            values: [0.0; MOST_DOFS],
+            attachments: None,
+            shear: None,
+        }
+    }
+
+    /// Adds slots with their values.
+    pub fn add(&mut self, slots: &[usize], values: impl IntoIterator<Item = f64>) {
         self.slots[self.width..][..slots.len()].copy_from_slice(slots);
+        let room = &mut self.values[self.width..][..slots.len()];
+        room.iter_mut().zip(values).for_each(|(room, value)| *room = value);
         self.width += slots.len();
+    }
+
+    /// Adds slots with their values in the state vector.
+    pub fn add_from(&mut self, slots: &[usize], u: &[f64]) {
+        self.add(slots, slots.iter().map(|&slot| u[slot]));
     }
 
     /// How the variables of the gap follow the slots.
     pub fn attachments(&self) -> &[Attachment] {
         self.attachments.as_ref().map_or(&[], StencilAttachments::as_slice)
-    }
-
-    /// Values of the slots.
-    pub fn dofs(&self, u: &[f64]) -> [f64; MOST_DOFS] {
-        let mut dofs = [0.0; MOST_DOFS];
-        for (dof, &slot) in dofs.iter_mut().zip(&self.slots[..self.width]) {
-            *dof = u[slot];
-        }
-        dofs
     }
 }
 

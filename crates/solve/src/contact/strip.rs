@@ -8,7 +8,8 @@
 //! ```
 
 use super::facade::Facade;
-use super::meeting::Meeting;
+use super::meeting::{Meeting, Stencil};
+use super::shear::{Shear, TURNS, sheared_beams};
 use super::{Carrier, Contact, slots_of};
 use crate::layout::Layout;
 use slideline_mech::contact::pair::Body;
@@ -30,6 +31,8 @@ pub struct Strip {
     pub line: HermiteLine,
     /// Slots of both nodes.
     pub slots: [usize; 6],
+    /// What turns its tangents beyond its nodes, of shear-flexible beams.
+    pub shear: Option<Shear>,
     /// Out-of-plane width [L].
     pub width: f64,
     /// Its first point; cell by cell, Gauss point by Gauss point.
@@ -40,9 +43,30 @@ pub struct Strip {
 pub const STRIP_POINTS: usize = CELLS * POINTS;
 
 impl Strip {
-    /// Current position of the station at `xi` [L].
-    pub fn position(&self, xi: f64, u: &[f64]) -> [f64; 2] {
-        self.line.bent(&self.slots.map(|slot| u[slot])).position(xi)
+    /// Displacements and turns of both ends of its line.
+    pub fn ends(&self, u: &[f64]) -> [f64; 6] {
+        let mut ends = self.slots.map(|slot| u[slot]);
+        if let Some(shear) = &self.shear {
+            let turns = shear.turns(&self.slots, u);
+            for (turn, by_shear) in TURNS.into_iter().zip(turns) {
+                ends[turn] += by_shear;
+            }
+        }
+        ends
+    }
+
+    /// The stencil of its station at `xi`, its ends known.
+    pub fn stencil(&self, ends: &[f64; 6], xi: f64) -> Stencil<'_> {
+        let mut stencil = Stencil::new(self.line.bent(ends).position(xi));
+        stencil.add(&self.slots, *ends);
+        stencil.shear = self.shear.as_ref();
+        stencil
+    }
+
+    /// All slots that its line follows.
+    pub fn all_slots(&self) -> Vec<usize> {
+        let further = self.shear.iter().flat_map(|shear| &shear.further);
+        self.slots.iter().chain(further).copied().collect()
     }
 
     /// Places the stations of the strip where `beyond`, the overclosure
@@ -80,6 +104,7 @@ impl Contact {
         pair: &ContactPair,
     ) {
         let tangents = node_tangents(model, pair);
+        let beams = sheared_beams(model);
         for element in &pair.elements {
             let nodes = element.nodes.map(|node| model.nodes.plane(node));
             let length = (nodes[1][0] - nodes[0][0]).hypot(nodes[1][1] - nodes[0][1]);
@@ -100,6 +125,7 @@ impl Contact {
                 nodes: element.nodes,
                 line: HermiteLine { nodes, tangents },
                 slots: [a[0], a[1], a[2], b[0], b[1], b[2]],
+                shear: Shear::new(model, layout, element.nodes, &beams),
                 width,
                 first,
             });
@@ -113,7 +139,8 @@ impl Contact {
         let begins = self.laws[strip.pair].normal.contact_begins();
         let Facade::Body { slots, reference, surface } = &self.facades[strip.pair] else { return };
         let body = Body { reference: *reference, dofs: slots.map(|slot| u[slot]) };
-        let bent = strip.line.bent(&strip.slots.map(|slot| u[slot]));
+        let ends = strip.ends(u);
+        let bent = strip.line.bent(&ends);
         let beyond = |xi: f64| {
             let overclosure = surface.overclosure(&body, bent.position(xi));
             overclosure.unwrap_or(f64::NEG_INFINITY) - begins
@@ -121,7 +148,8 @@ impl Contact {
         strip.place_stations(beyond, |station, xi, area| {
             let meeting = &mut into[station];
             (meeting.xi, meeting.area) = (xi, area);
-            self.meet_one(&self.points[strip.first + station], u, &[], meeting);
+            let point = &self.points[strip.first + station];
+            self.meet_stencil(point, strip.stencil(&ends, xi), (u, &[]), meeting);
         });
     }
 }

@@ -5,6 +5,7 @@
 //!      |<-->|<------>|<---->|<>|     half of every element that meets there, times the width
 //! ```
 
+pub mod slopes;
 pub mod stations;
 
 /// Tributary area of each slave node [L2]: A_i = width (sum of lengths of the elements meeting at

@@ -1,0 +1,167 @@
+//! The shear angles of the beams about a strip, by slots.
+
+use super::slots_of;
+use crate::layout::Layout;
+use crate::linearised::MOST_DOFS;
+use slideline_mech::contact::points::slopes::{MOST_SLOPE_DOFS, ShearSlopes, ShearedBeam};
+use slideline_model::{BeamElement, ElementBlock, Model, NodeIndex};
+use std::collections::HashMap;
+
+/// Places of the ends' turns among the slots of a strip.
+pub const TURNS: [usize; 2] = [2, 5];
+/// Slots of a strip and of the rigid body that it faces, before those that
+/// shear alone follows.
+const DIRECT: usize = 9;
+
+/// What turns the tangents of a strip beyond its nodes.
+#[derive(Clone, Debug)]
+pub struct Shear {
+    /// The turning, by local numbers: 0 to 5 the strip's slots, from 9 on the
+    /// further ones.
+    slopes: ShearSlopes,
+    /// Slots beyond those of the strip and of the body that it faces.
+    pub further: Vec<usize>,
+}
+
+/// Shear-flexible beams by their nodes.
+pub type ShearedBeams<'a> = HashMap<NodeIndex, Vec<&'a BeamElement>>;
+
+/// The beams of a model whose chords turn beyond their sections. A shear-rigid
+/// beam's do so by bending.
+pub fn sheared_beams(model: &Model) -> ShearedBeams<'_> {
+    let mut beams = ShearedBeams::new();
+    for block in &model.blocks {
+        if let ElementBlock::B22(block) = block {
+            for beam in &block.elements {
+                beam.nodes.iter().for_each(|node| beams.entry(*node).or_default().push(beam));
+            }
+        }
+    }
+    beams
+}
+
+impl Shear {
+    /// Shear about the element between two nodes; `None` where no beam of
+    /// its own is shear-flexible.
+    pub fn new(
+        model: &Model,
+        layout: &Layout,
+        nodes: [NodeIndex; 2],
+        beams: &ShearedBeams<'_>,
+    ) -> Option<Self> {
+        let is_own = |beam: &&&BeamElement| nodes.iter().all(|node| beam.nodes.contains(node));
+        let own = *beams.get(&nodes[0])?.iter().find(is_own)?;
+        // Where more than two beams meet, none is the next one.
+        let next = |node: NodeIndex| match beams[&node][..] {
+            [a, b] => Some(if std::ptr::eq(a, own) { b } else { a }),
+            _ => None,
+        };
+        let mut places = Places { layout, nodes, further: Vec::new() };
+        let [left, right] = nodes.map(next);
+        let beams = [left, Some(own), right].map(|beam| Some(places.sheared(model, beam?)));
+        Some(Self { slopes: ShearSlopes { beams }, further: places.further })
+    }
+
+    fn dofs(&self, slots: &[usize], u: &[f64]) -> [f64; MOST_SLOPE_DOFS] {
+        let mut dofs = [0.0; MOST_SLOPE_DOFS];
+        for (dof, &slot) in dofs.iter_mut().zip(&slots[..6]) {
+            *dof = u[slot];
+        }
+        for (dof, &slot) in dofs[DIRECT..].iter_mut().zip(&self.further) {
+            *dof = u[slot];
+        }
+        dofs
+    }
+
+    /// Turns of both ends beyond their rotations [rad]; `slots` begin with the
+    /// strip's.
+    pub fn turns(&self, slots: &[usize], u: &[f64]) -> [f64; 2] {
+        let dofs = self.dofs(slots, u);
+        [0, 1].map(|end| self.slopes.turn(end, &dofs))
+    }
+
+    /// Their derivatives by all slots.
+    pub fn gradients(&self, slots: &[usize], u: &[f64]) -> [[f64; MOST_SLOPE_DOFS]; 2] {
+        let dofs = self.dofs(slots, u);
+        [0, 1].map(|end| self.slopes.gradient(end, &dofs))
+    }
+
+    /// Tangent by all slots from force and tangent by the direct ones, the
+    /// ends' turns among them.
+    pub fn push_tangent(
+        &self,
+        (slots, u): (&[usize], &[f64]),
+        force: &[f64; MOST_DOFS],
+        (direct, n): (&[f64], usize),
+        tangent: &mut [f64],
+    ) {
+        let (m, dofs) = (slots.len(), self.dofs(slots, u));
+        for (row, from) in tangent.chunks_exact_mut(m).zip(direct.chunks_exact(n).take(n)) {
+            row[..n].copy_from_slice(from);
+        }
+        let gradients = self.gradients(slots, u);
+        for (&turn, gradient) in TURNS.iter().zip(&gradients) {
+            // By one turn and one slot, and back.
+            for j in 0..n {
+                let (across, along) = (direct[j * n + turn], direct[turn * n + j]);
+                for (k, g) in gradient[..m].iter().enumerate() {
+                    tangent[j * m + k] += across * g;
+                    tangent[k * m + j] += along * g;
+                }
+            }
+            for (&other, other_gradient) in TURNS.iter().zip(&gradients) {
+                let both = direct[turn * n + other];
+                for (i, g) in gradient[..m].iter().enumerate() {
+                    for (k, h) in other_gradient[..m].iter().enumerate() {
+                        tangent[i * m + k] += both * g * h;
+                    }
+                }
+            }
+        }
+        for (end, turn) in TURNS.into_iter().enumerate() {
+            self.slopes.add_hessian(end, &dofs, force[turn], (&mut *tangent, m));
+        }
+    }
+}
+
+/// Local numbers of the dofs about a strip.
+struct Places<'a> {
+    layout: &'a Layout,
+    nodes: [NodeIndex; 2],
+    further: Vec<usize>,
+}
+
+impl Places<'_> {
+    fn sheared(&mut self, model: &Model, beam: &BeamElement) -> ShearedBeam {
+        let [a, b] = beam.nodes.map(|node| model.nodes.plane(node));
+        let ends = beam.nodes.map(|node| self.node(node));
+        let rotations = match beam.middle {
+            // Simpson's rule, as exact as the element's own two points.
+            Some(middle) => {
+                let middle = self.further(slots_of(self.layout, middle)[2]);
+                [(ends[0] + 2, 1.0 / 6.0), (middle, 4.0 / 6.0), (ends[1] + 2, 1.0 / 6.0)]
+            }
+            None => [(ends[0] + 2, 0.5), (ends[1] + 2, 0.5), (ends[1] + 2, 0.0)],
+        };
+        ShearedBeam { chord: [b[0] - a[0], b[1] - a[1]], ends, rotations }
+    }
+
+    /// First local number of a node's three dofs.
+    fn node(&mut self, node: NodeIndex) -> usize {
+        match self.nodes.iter().position(|&own| own == node) {
+            Some(own) => 3 * own,
+            None => {
+                let [x, y, turn] = slots_of(self.layout, node);
+                let first = self.further(x);
+                self.further(y);
+                self.further(turn);
+                first
+            }
+        }
+    }
+
+    fn further(&mut self, slot: usize) -> usize {
+        self.further.push(slot);
+        DIRECT + self.further.len() - 1
+    }
+}
