@@ -11,8 +11,8 @@
 //! knows its mean shear angle: the turn of its chord less the mean turn of its sections. At a node
 //! the line takes the mean of the beams that meet there, so that it has no corner although the
 //! shear force of two elements with a load between them differs; under a load that stands on the
-//! node that is the mean of both slopes, which is where a resultant points. [derived, docs/theory.md
-//! "Integrated contact"]
+//! node that is the mean of both slopes, which is where a resultant points. Equations (8.19) and (8.20) of
+//! docs/theory.md. [derived]
 
 use std::f64::consts::{PI, TAU};
 
