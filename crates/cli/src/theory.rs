@@ -26,6 +26,10 @@ pub(crate) struct TheoryArguments {
     /// slave node of the ISL deck].
     #[arg(long, value_name = "A", allow_negative_numbers = true)]
     area: Option<f64>,
+    /// Another dimension than the paper's, in its units (m, N, rad), again and
+    /// again if need be; `--set list` tells the names.
+    #[arg(long = "set", value_name = "NAME=VALUE", allow_negative_numbers = true)]
+    dimensions: Vec<String>,
     /// Which way the circle slides; rows of the return are at the positions
     /// of the push.
     #[arg(long, value_name = "WAY", default_value = "push")]
@@ -76,46 +80,91 @@ pub(crate) fn theory(arguments: &TheoryArguments) -> Exit {
         screen::error("error: --area belongs to --exact softened\n");
         return Exit::Usage;
     }
-    match table(arguments) {
-        Ok(text) => {
+    let table = match arguments.problem {
+        Problem::First => first_problem(arguments).map(|problem| first_table(arguments, &problem)),
+        Problem::Second => {
+            second_problem(arguments).map(|problem| second_table(arguments, &problem))
+        }
+    };
+    match table {
+        Ok(Ok(text)) => {
             screen::print(&text);
             Exit::Completed
         }
-        Err(reason) => {
+        Ok(Err(reason)) => {
             screen::error(&format!("error: no reference: {reason}\n"));
             Exit::Input
+        }
+        Err(wrong) => {
+            screen::error(&format!("error: {wrong}\n"));
+            Exit::Usage
         }
     }
 }
 
-fn table(arguments: &TheoryArguments) -> Result<String, TheoryError> {
-    let stroke = match arguments.stroke {
+fn first_problem(arguments: &TheoryArguments) -> Result<FirstProblem, String> {
+    let mut problem = FirstProblem::diehl();
+    let set = |name: &str, value| problem.dimension(name).map(|dimension| *dimension = value);
+    set_dimensions(&arguments.dimensions, FirstProblem::DIMENSIONS, set)?;
+    Ok(problem)
+}
+
+fn second_problem(arguments: &TheoryArguments) -> Result<SecondProblem, String> {
+    let mut problem = SecondProblem::project();
+    let set = |name: &str, value| problem.dimension(name).map(|dimension| *dimension = value);
+    set_dimensions(&arguments.dimensions, SecondProblem::DIMENSIONS, set)?;
+    Ok(problem)
+}
+
+/// Each `NAME=VALUE` to the dimension of that name.
+fn set_dimensions(
+    given: &[String],
+    names: &[&str],
+    mut set: impl FnMut(&str, f64) -> Option<()>,
+) -> Result<(), String> {
+    for text in given {
+        let (name, value) = text.split_once('=').unwrap_or((text, ""));
+        let unknown = || format!("--set {text}: the dimensions are {}", names.join(", "));
+        if !names.contains(&name) {
+            return Err(unknown());
+        }
+        let value: Option<f64> = value.trim().parse().ok().filter(|value: &f64| value.is_finite());
+        let value = value.ok_or_else(|| format!("--set {text}: {name} needs a number"))?;
+        set(name, value).ok_or_else(unknown)?;
+    }
+    Ok(())
+}
+
+fn stroke(arguments: &TheoryArguments) -> Stroke {
+    match arguments.stroke {
         Way::Push => Stroke::Push,
         Way::Return => Stroke::Return,
-    };
-    let (mu, count) = (arguments.mu, arguments.increments);
-    match arguments.problem {
-        Problem::First => {
-            let problem = FirstProblem::diehl();
-            let reference = reference(arguments, problem.slave_area(4f64.to_radians()));
-            let rows = problem.stroke_rows(mu, count, reference, stroke)?;
-            let values = |r: &slideline_theory::FirstRow| {
-                vec![r.time, r.rf1, r.rf2, r.u2, length(r.contact_length), r.force]
-            };
-            let rows = rows.iter().map(|row| (row.increment, values(row)));
-            Ok(csv("increment,time,RF1,RF2,U2,xi_L,F\n", rows))
-        }
-        Problem::Second => {
-            let problem = SecondProblem::project();
-            let reference = reference(arguments, problem.slave_area(3f64.to_radians()));
-            let rows = problem.stroke_rows(mu, count, reference, stroke)?;
-            let values = |r: &slideline_theory::SecondRow| {
-                vec![r.time, r.rm3, r.ur3, length(r.contact_length), r.force]
-            };
-            let rows = rows.iter().map(|row| (row.increment, values(row)));
-            Ok(csv("increment,time,RM3,UR3,xi_L,F\n", rows))
-        }
     }
+}
+
+fn first_table(arguments: &TheoryArguments, problem: &FirstProblem) -> Result<String, TheoryError> {
+    let reference = reference(arguments, problem.slave_area(4f64.to_radians()));
+    let (mu, count) = (arguments.mu, arguments.increments);
+    let rows = problem.stroke_rows(mu, count, reference, stroke(arguments))?;
+    let values = |r: &slideline_theory::FirstRow| {
+        vec![r.time, r.rf1, r.rf2, r.u2, length(r.contact_length), r.force]
+    };
+    let rows = rows.iter().map(|row| (row.increment, values(row)));
+    Ok(csv("increment,time,RF1,RF2,U2,xi_L,F\n", rows))
+}
+
+fn second_table(
+    arguments: &TheoryArguments,
+    problem: &SecondProblem,
+) -> Result<String, TheoryError> {
+    let reference = reference(arguments, problem.slave_area(3f64.to_radians()));
+    let (mu, count) = (arguments.mu, arguments.increments);
+    let rows = problem.stroke_rows(mu, count, reference, stroke(arguments))?;
+    let values = |r: &slideline_theory::SecondRow| {
+        vec![r.time, r.rm3, r.ur3, length(r.contact_length), r.force]
+    };
+    let rows = rows.iter().map(|row| (row.increment, values(row)));
+    Ok(csv("increment,time,RM3,UR3,xi_L,F\n", rows))
 }
 
 /// Without contact there is no contact length: `nan`, which reads back as a number.

@@ -57,6 +57,43 @@ fn defaults_of_the_exact_references() {
     assert_ne!(of(&["--stroke", "return"]), of(&[]));
 }
 
+/// Requirement: references hold for any dimensions. Source: dimensional analysis: lengths times
+/// 1000 and moduli and pressures over 1e6 leave forces, which are E times a length squared, as they
+/// are; the clamp moved along with the circle changes nothing. Tolerance: the references' 1e-8.
+#[test]
+fn other_dimensions() {
+    let scaled = [
+        "base-x=7",
+        "tip-x=9.222",
+        "tip-y=50",
+        "width=25",
+        "thickness=1.5",
+        "modulus=6900",
+        "radius=9",
+        "start-y=45",
+        "travel=-30",
+        "clearance=1e-2",
+        "pressure=4.8",
+    ];
+    let moved = ["base-x=0.107", "tip-x=0.109222", "circle-x=0.1"];
+    let of = |set: &[&str]| {
+        let mut line =
+            vec!["theory", "diehl-1", "--mu", "0.3", "--increments", "5", "--exact", "continuum"];
+        set.iter().for_each(|entry| line.extend(["--set", entry]));
+        table(&line).1
+    };
+    let plain = of(&[]);
+    for set in [&scaled[..], &moved[..]] {
+        for (row, other) in plain.iter().zip(of(set)) {
+            for column in [2, 3, 6] {
+                let close = (other[column] - row[column]).abs() < 1e-8 * plain[5][column].abs();
+                assert!(close, "{set:?}: {row:?} {other:?}");
+            }
+        }
+    }
+    assert_ne!(plain, of(&["thickness=1.6e-3"]));
+}
+
 #[test]
 fn what_does_not_exist_is_told() {
     for (arguments, code, words) in [
@@ -67,6 +104,10 @@ fn what_does_not_exist_is_told() {
         (vec!["diehl-1", "--mu", "0", "--area", "1e-5"], 64, "--exact softened"),
         (vec!["diehl-1", "--mu", "0", "--increments", "0"], 64, "whole number"),
         (vec!["diehl-3", "--mu", "0"], 64, "diehl-1"),
+        (vec!["diehl-1", "--mu", "0", "--set", "list"], 64, "thickness"),
+        (vec!["diehl-1", "--mu", "0", "--set", "radius=nine"], 64, "needs a number"),
+        (vec!["diehl-1", "--mu", "0", "--set", "radius=-1"], 1, "radius"),
+        (vec!["diehl-1", "--mu", "0", "--set", "start-y=9e-3"], 1, "clamp"),
     ] {
         let output = slideline(&[vec!["theory"], arguments.clone()].concat());
         let said = String::from_utf8(output.stderr).unwrap();

@@ -21,6 +21,7 @@
 #![allow(rustdoc::broken_intra_doc_links)]
 
 pub mod closed;
+mod dimensions;
 mod error;
 mod frame;
 mod numerics;
