@@ -104,6 +104,8 @@ fn what_does_not_exist_is_told() {
         (vec!["diehl-1", "--mu", "0", "--area", "1e-5"], 64, "--exact softened"),
         (vec!["diehl-1", "--mu", "0", "--increments", "0"], 64, "whole number"),
         (vec!["diehl-3", "--mu", "0"], 64, "diehl-1"),
+        (vec!["diehl-1", "--mu", "0", "--exact", "--set", "circle-x=-1"], 1, "no contact"),
+        (vec!["diehl-2", "--mu", "0", "--set", "pivot-y=1"], 1, "no contact"),
         (vec!["diehl-1", "--mu", "0", "--set", "list"], 64, "thickness"),
         (vec!["diehl-1", "--mu", "0", "--set", "radius=nine"], 64, "needs a number"),
         (vec!["diehl-1", "--mu", "0", "--set", "radius=-1"], 1, "radius"),

@@ -13,6 +13,8 @@ pub enum TheoryError {
         /// Clearance left between circle and beam [L].
         gap: f64,
     },
+    /// The circle is clear of the beam at every increment of the stroke.
+    NeverTouches,
     /// The circle lies over the clamped end, or no contact length above zero
     /// fulfils the equations.
     PastClamp,
@@ -52,6 +54,9 @@ impl fmt::Display for TheoryError {
             Self::InvalidInput(what) => write!(f, "invalid input: {what}"),
             Self::NoContact { gap } => {
                 write!(f, "no contact: the circle clears the beam by {gap:e}")
+            }
+            Self::NeverTouches => {
+                write!(f, "no contact: the circle clears the beam at every increment")
             }
             Self::PastClamp => write!(f, "the circle lies over the clamped end of the beam"),
             Self::BeyondTip { contact_length, length } => {

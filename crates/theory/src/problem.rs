@@ -169,7 +169,8 @@ impl FirstProblem {
     ///
     /// # Errors
     /// [`TheoryError::AtIncrement`] with the reason; a circle that is clear of
-    /// the beam is no error but a row of zeros.
+    /// the beam now and then is no error but a row of zeros,
+    /// [`TheoryError::NeverTouches`] one that is so throughout.
     pub fn rows(
         &self,
         mu: f64,
@@ -191,7 +192,7 @@ impl FirstProblem {
         reference: Reference,
         direction: Stroke,
     ) -> Result<Vec<FirstRow>, TheoryError> {
-        each_increment(increments, |increment, time| {
+        let row = |increment, time| {
             let u2 = self.stroke * time;
             let found = self.equilibrium(u2, mu, reference, direction)?;
             let [rf1, rf2] = found.map_or([0.0; 2], |e| e.reaction);
@@ -205,7 +206,8 @@ impl FirstProblem {
                 contact_length: found.map(|e| e.contact_length),
                 force,
             })
-        })
+        };
+        each_increment(increments, row, |row| row.contact_length.is_some())
     }
 
     /// Equilibrium with the circle displaced by `u2` [L] from its start;
@@ -284,7 +286,7 @@ impl SecondProblem {
         reference: Reference,
         direction: Stroke,
     ) -> Result<Vec<SecondRow>, TheoryError> {
-        each_increment(increments, |increment, time| {
+        let row = |increment, time| {
             let ur3 = self.sweep * time;
             let found = self.equilibrium(ur3, mu, reference, direction)?;
             let rm3 = found.map_or(0.0, |e| self.moment(&e));
@@ -297,7 +299,8 @@ impl SecondProblem {
                 contact_length: found.map(|e| e.contact_length),
                 force,
             })
-        })
+        };
+        each_increment(increments, row, |row| row.contact_length.is_some())
     }
 
     /// Equilibrium with the cam turned by `ur3` [rad] from its start; `None`
@@ -339,6 +342,7 @@ impl SecondProblem {
 fn each_increment<R>(
     increments: usize,
     row: impl Fn(usize, f64) -> Result<R, TheoryError>,
+    touches: impl Fn(&R) -> bool,
 ) -> Result<Vec<R>, TheoryError> {
     if increments == 0 {
         return Err(TheoryError::InvalidInput("at least one increment is needed"));
@@ -347,7 +351,8 @@ fn each_increment<R>(
         row(increment, increment as f64 / increments as f64)
             .map_err(|reason| TheoryError::AtIncrement { increment, reason: Box::new(reason) })
     };
-    (0..=increments).map(at).collect()
+    let rows: Vec<R> = (0..=increments).map(at).collect::<Result<_, _>>()?;
+    if rows.iter().any(touches) { Ok(rows) } else { Err(TheoryError::NeverTouches) }
 }
 
 fn check_positive(values: &[(f64, &'static str)]) -> Result<(), TheoryError> {

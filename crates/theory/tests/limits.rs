@@ -14,20 +14,21 @@ fn at(problem: &FirstProblem, y: f64, mu: f64, reference: Reference) -> Result<b
     problem.equilibrium(y - problem.start_y, mu, reference, Stroke::Push).map(|e| e.is_some())
 }
 
-/// A circle that is clear of the beam is an answer of zeros.
+/// Requirement: where the circle is clear of the beam nothing acts; a stroke that never touches has
+/// no reference, and that is said. Source: verification section 2, k = 0 and 1 of the cam.
 #[test]
 fn clear_of_the_beam() {
     let mut problem = FirstProblem::diehl();
     problem.circle_x = -5e-3;
     problem.stroke = -1e-3;
     for reference in ALL {
-        let rows = problem.rows(0.3, 2, reference).unwrap();
-        assert!(
-            rows.iter().all(|r| r.rf1 == 0.0
-                && r.rf2 == 0.0
-                && r.force == 0.0
-                && r.contact_length.is_none())
-        );
+        assert_eq!(at(&problem, 45e-3, 0.3, reference), Ok(false), "{reference:?}");
+        assert_eq!(problem.rows(0.3, 2, reference), Err(TheoryError::NeverTouches));
+        let cam = SecondProblem::project().rows(0.3, 20, reference).unwrap();
+        for row in &cam[..2] {
+            assert!(row.rm3 == 0.0 && row.force == 0.0 && row.contact_length.is_none());
+        }
+        assert!(cam[3].force > 0.0);
     }
 }
 
