@@ -30,9 +30,15 @@ pub(crate) const IRS_FINE: Family =
 /// First problem, contact elements on the circle, 24 beams.
 pub(crate) const ISL: Family =
     [deck!("isl_coarse"), deck!("isl_coarse_mu03"), deck!("isl_coarse_mu03_lagrange")];
+/// First problem, contact integrated along 24 beams. Not in the paper.
+pub(crate) const INTEGRATED: Family =
+    [deck!("surface_coarse"), deck!("surface_coarse_mu03"), deck!("surface_coarse_mu03_lagrange")];
 /// Second problem, slave nodes every 3 degrees of the cam.
 pub(crate) const CAM: Family =
     [deck!("cam_isl"), deck!("cam_isl_mu03"), deck!("cam_isl_mu03_lagrange")];
 /// The same with slave nodes every 4 degrees.
 pub(crate) const CAM_WIDE: Family =
     [deck!("cam_isl_4deg"), deck!("cam_isl_4deg_mu03"), deck!("cam_isl_4deg_mu03_lagrange")];
+/// Second problem, contact integrated along 24 beams. Not in the paper.
+pub(crate) const CAM_INTEGRATED: Family =
+    [deck!("cam_surface"), deck!("cam_surface_mu03"), deck!("cam_surface_mu03_lagrange")];

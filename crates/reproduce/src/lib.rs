@@ -17,6 +17,7 @@ mod decks;
 mod draw;
 mod failure;
 mod figures;
+mod fine;
 mod page;
 mod study;
 mod table;
@@ -24,6 +25,7 @@ mod theory;
 
 pub use decks::Deck;
 pub use failure::Failure;
+pub use fine::{Errors, FINE};
 pub use study::{
     Case, Curve, FRICTION, INCREMENTS, Increment, ModelKind, Progress, Stick, Study, Tell, cases,
 };
@@ -53,7 +55,7 @@ pub struct Report {
 /// were written stay.
 pub fn reproduce(folder: &Path, tell: Tell<'_>) -> Result<Report, Failure> {
     std::fs::create_dir_all(folder.join("decks")).map_err(at(folder))?;
-    let total = cases().len() + theory::count_of_references() + figures::COUNT;
+    let total = cases().len() + theory::count_of_references() + fine::count() + figures::COUNT;
     let count = study::Count::new(total, tell);
     let study = study::compute(&count)?;
     let rows = table::rows(&study);

@@ -8,7 +8,8 @@
 
 use crate::decks::{self, Deck, Family};
 use crate::failure::Failure;
-use crate::theory::{References, references};
+use crate::fine;
+use crate::theory::{References, Theory, references};
 use rayon::prelude::*;
 use slideline::model::Dof;
 use slideline::observe::{ContactRow, Ending, Frame, Totals};
@@ -21,7 +22,7 @@ pub const FRICTION: f64 = 0.3;
 /// Equal increments of every model.
 pub const INCREMENTS: usize = 20;
 
-/// A finite element model of the paper.
+/// A finite element model of the paper, or ours beside it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ModelKind {
     /// First problem, contact elements on 24 beams.
@@ -30,16 +31,27 @@ pub enum ModelKind {
     IrsFine,
     /// First problem, contact elements on the circle.
     Isl,
+    /// First problem, contact integrated along 24 beams; not in the paper.
+    Integrated,
     /// Second problem, slave nodes every 3 degrees.
     Cam,
     /// Second problem, slave nodes every 4 degrees.
     CamWide,
+    /// Second problem, contact integrated along 24 beams; not in the paper.
+    CamIntegrated,
 }
 
 impl ModelKind {
     /// In the order of the study.
-    pub const ALL: [Self; 5] =
-        [Self::IrsCoarse, Self::IrsFine, Self::Isl, Self::Cam, Self::CamWide];
+    pub const ALL: [Self; 7] = [
+        Self::IrsCoarse,
+        Self::IrsFine,
+        Self::Isl,
+        Self::Integrated,
+        Self::Cam,
+        Self::CamWide,
+        Self::CamIntegrated,
+    ];
 
     /// In a few words.
     pub fn name(self) -> &'static str {
@@ -47,14 +59,36 @@ impl ModelKind {
             Self::IrsCoarse => "IRS coarse",
             Self::IrsFine => "IRS fine",
             Self::Isl => "ISL coarse",
+            Self::Integrated => "integrated",
             Self::Cam => "ISL cam 3 deg",
             Self::CamWide => "ISL cam 4 deg",
+            Self::CamIntegrated => "integrated cam",
         }
     }
 
     /// Number of the paper's problem.
     pub fn problem(self) -> u8 {
-        if matches!(self, Self::Cam | Self::CamWide) { 2 } else { 1 }
+        if matches!(self, Self::Cam | Self::CamWide | Self::CamIntegrated) { 2 } else { 1 }
+    }
+
+    /// The model whose references are its own too: where contact is integrated
+    /// there is no slave node, and the share of one that softened contact at
+    /// one point asks for is that of the ISL model of the same problem.
+    pub fn shares_references_of(self) -> Self {
+        match self {
+            Self::Integrated => Self::Isl,
+            Self::CamIntegrated => Self::Cam,
+            own => own,
+        }
+    }
+
+    /// The reference that a model of its kind goes to when everything is made
+    /// fine but the share of a slave node.
+    pub fn exact(self) -> Theory {
+        match self {
+            Self::Integrated | Self::CamIntegrated => Theory::Continuum,
+            _ => Theory::Softened,
+        }
     }
 
     /// Dof that drives the model.
@@ -67,8 +101,10 @@ impl ModelKind {
             Self::IrsCoarse => decks::IRS_COARSE,
             Self::IrsFine => decks::IRS_FINE,
             Self::Isl => decks::ISL,
+            Self::Integrated => decks::INTEGRATED,
             Self::Cam => decks::CAM,
             Self::CamWide => decks::CAM_WIDE,
+            Self::CamIntegrated => decks::CAM_INTEGRATED,
         }
     }
 }
@@ -148,6 +184,8 @@ pub struct Increment {
     pub motion: f64,
     /// Its reaction: RF2 [F], or RM3 about the pivot [F L].
     pub reaction: f64,
+    /// Force of the support on the circle or cam [F].
+    pub resultant: [f64; 2],
     /// Iterations, severe ones included.
     pub iterations: usize,
     /// Current places of all nodes, in model order [L].
@@ -190,6 +228,8 @@ pub struct Study {
     pub curves: Vec<Curve>,
     /// What the curves are held against.
     pub references: References,
+    /// The three formulations of 24 beams in small increments.
+    pub fine: Vec<fine::Errors>,
 }
 
 impl Study {
@@ -238,25 +278,33 @@ impl<'a> Count<'a> {
 pub(crate) fn compute(count: &Count<'_>) -> Result<Study, Failure> {
     let curves = || {
         let each = |case: Case| {
-            let curve = run(case)?;
+            let curve = run(case, None)?;
             count.tick(case.words());
             Ok(curve)
         };
         cases().into_par_iter().map(each).collect::<Result<Vec<Curve>, Failure>>()
     };
-    let (found, curves) = rayon::join(|| references(count), curves);
-    Ok(Study { curves: curves?, references: found? })
+    let all = || rayon::join(curves, || fine::curves(count));
+    let (references, (curves, small)) = rayon::join(|| references(count), all);
+    let references = references?;
+    Ok(Study { curves: curves?, fine: fine::errors(&small?, &references), references })
 }
 
-/// Reads and runs a deck of ours.
-fn run(case: Case) -> Result<Curve, Failure> {
+/// Reads and runs a deck of ours, in its own increments or in so many equal ones.
+pub(crate) fn run(case: Case, increments: Option<usize>) -> Result<Curve, Failure> {
     let options = ReadOptions { friction_onset: Some(case.onset), ..ReadOptions::default() };
     let read = Job::read_text(case.deck.name, case.deck.text, &options);
     let failed = |reason: String| Failure::Run { what: case.words(), reason };
-    let Some(model) = read.model else {
+    let Some(mut model) = read.model else {
         let said: Vec<String> = read.diagnostics.into_iter().map(|said| said.message).collect();
         return Err(failed(said.join("; ")));
     };
+    for (step, count) in model.steps.iter_mut().zip(increments) {
+        let size = step.procedure.period / count as f64;
+        step.procedure.initial = size;
+        step.procedure.maximum = size;
+        step.max_increments = 2 * count;
+    }
     let Some(driven) = model.steps.iter().flat_map(|s| &s.prescribed).find(|p| p.moves()) else {
         return Err(failed("nothing moves".to_owned()));
     };
@@ -299,6 +347,7 @@ impl Watch {
         Increment {
             motion: frame.nodal.displacement(self.node, self.dof),
             reaction: frame.nodal.reaction(self.node, self.dof),
+            resultant: [Dof::U1, Dof::U2].map(|dof| frame.nodal.reaction(self.node, dof)),
             iterations: frame.severe_iterations + frame.equilibrium_iterations,
             places: (0..frame.model.nodes.len()).map(place).collect(),
             contact: frame.contact.to_vec(),

@@ -16,7 +16,11 @@ pub struct Row {
     /// RMS and largest difference from the shear-flexible beam with softened
     /// contact [% of its peak].
     pub softened: [f64; 2],
-    /// Roughness against the same [% of its peak].
+    /// RMS and largest difference from the shear-flexible beam with pressure
+    /// spread along it [% of its peak].
+    pub continuum: [f64; 2],
+    /// Roughness against the exact reference of the model's kind, softened or
+    /// continuum [% of its peak].
     pub roughness: f64,
     /// Changes of direction of the curve.
     pub reversals: usize,
@@ -48,6 +52,7 @@ fn row(study: &Study, curve: &Curve) -> Row {
     let (found, motions) = (curve.reactions(), curve.motions());
     let reference = |theory| study.references.get(case.model, theory, case.friction());
     let (linear, softened) = (reference(Theory::Linear), reference(Theory::Softened));
+    let exact = reference(case.model.exact());
     let percent = |value: Option<f64>| 100.0 * value.unwrap_or(f64::NAN);
     let errors = |reference| {
         [measures::rms_error(&found, reference), measures::max_error(&found, reference)]
@@ -58,10 +63,11 @@ fn row(study: &Study, curve: &Curve) -> Row {
         case,
         linear: errors(linear),
         softened: errors(softened),
-        roughness: percent(measures::roughness_against(&found, softened)),
+        continuum: errors(reference(Theory::Continuum)),
+        roughness: percent(measures::roughness_against(&found, exact)),
         reversals: measures::reversals(&found, measures::DEFAULT_NOISE_FLOOR),
-        reversals_exact: measures::reversals(softened, measures::DEFAULT_NOISE_FLOOR),
-        work_ratio: measures::work_ratio(&found, softened, &motions).unwrap_or(f64::NAN),
+        reversals_exact: measures::reversals(exact, measures::DEFAULT_NOISE_FLOOR),
+        work_ratio: measures::work_ratio(&found, exact, &motions).unwrap_or(f64::NAN),
         peak: measures::maximum(&found).unwrap_or(f64::NAN),
         friction_kept: friction_kept(study, curve),
         mean_iterations: curve.increments.iter().map(|i| i.iterations).sum::<usize>() as f64
@@ -89,8 +95,8 @@ fn friction_kept(study: &Study, curve: &Curve) -> Option<f64> {
 pub fn csv(rows: &[Row]) -> String {
     let mut text = String::from(
         "problem,model,deck,friction,stick,onset,rms_linear_percent,max_linear_percent,\
-         rms_softened_percent,max_softened_percent,roughness_percent,reversals,\
-         reversals_exact,work_ratio,peak,friction_kept_percent,mean_iterations,cutbacks,\
+         rms_softened_percent,max_softened_percent,rms_continuum_percent,max_continuum_percent,\
+         roughness_percent,reversals,reversals_exact,work_ratio,peak,friction_kept_percent,mean_iterations,cutbacks,\
          dropped_points,dropped_work\n",
     );
     for row in rows {
@@ -106,8 +112,8 @@ pub fn csv(rows: &[Row]) -> String {
             case.friction(),
             case.stick.word(),
         );
-        let [[a, b], [c, d]] = [row.linear, row.softened];
-        for value in [a, b, c, d, row.roughness] {
+        let errors = [row.linear, row.softened, row.continuum];
+        for value in errors.into_iter().flatten().chain([row.roughness]) {
             let _ = write!(text, ",{value:.4}"); // as above
         }
         let _ = write!(
@@ -130,21 +136,25 @@ pub fn csv(rows: &[Row]) -> String {
 
 /// `curves.csv`: every point of every curve, with theory beside it.
 pub fn curves_csv(study: &Study) -> String {
-    let mut text = String::from("deck,onset,increment,motion,reaction,linear,softened\n");
+    let mut text = String::from("deck,onset,increment,motion,reaction,linear,softened,continuum\n");
     for curve in &study.curves {
         let case = &curve.case;
         let onset = slideline::output::onset_word(case.onset);
         let reference = |theory| study.references.get(case.model, theory, case.friction());
-        let beside = reference(Theory::Linear).iter().zip(reference(Theory::Softened));
-        for (place, (row, (linear, softened))) in curve.increments.iter().zip(beside).enumerate() {
-            let _ = writeln!(
+        let theories = [Theory::Linear, Theory::Softened, Theory::Continuum].map(reference);
+        for (place, row) in curve.increments.iter().enumerate() {
+            let _ = write!(
                 text,
-                "{},{onset},{},{:?},{:?},{linear:?},{softened:?}",
+                "{},{onset},{},{:?},{:?}",
                 case.deck.name,
                 place + 1,
                 row.motion,
                 row.reaction,
             ); // as above
+            for values in theories {
+                let _ = write!(text, ",{:?}", values.get(place).copied().unwrap_or(f64::NAN)); // as above
+            }
+            text.push('\n');
         }
     }
     text

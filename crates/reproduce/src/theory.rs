@@ -2,6 +2,7 @@
 //! references, at the study's increments.
 
 use crate::failure::Failure;
+use crate::fine::FINE;
 use crate::study::{Count, FRICTION, INCREMENTS, ModelKind};
 use rayon::prelude::*;
 use slideline_theory::{FirstProblem, Reference, SecondProblem, TheoryError};
@@ -36,6 +37,8 @@ pub struct Values {
     pub model: ModelKind,
     /// RF2 [F] or RM3 [F L].
     pub reactions: Vec<f64>,
+    /// The same at the increments of [`FINE`], where they were asked for.
+    pub fine: Vec<f64>,
 }
 
 /// All references, and fine curves of the linear theory for the figures.
@@ -51,15 +54,22 @@ pub struct References {
 impl References {
     /// A reference at the increments; empty if it was not computed.
     pub fn get(&self, model: ModelKind, theory: Theory, friction: f64) -> &[f64] {
+        self.find(model, theory, friction).map_or(&[], |values| values.reactions.as_slice())
+    }
+
+    /// The first problem with pressure along the beam, in small increments.
+    pub(crate) fn fine(&self, friction: f64) -> &[f64] {
+        let found = self.find(ModelKind::Isl, Theory::Continuum, friction);
+        found.map_or(&[], |values| values.fine.as_slice())
+    }
+
+    fn find(&self, model: ModelKind, theory: Theory, friction: f64) -> Option<&Values> {
         // only softened contact asks how large a slave node's share is
         let same = |own: ModelKind| match theory {
-            Theory::Softened => own == model,
+            Theory::Softened => own == model.shares_references_of(),
             _ => own.problem() == model.problem(),
         };
-        self.values
-            .iter()
-            .find(|v| v.theory == theory && v.friction == friction && same(v.model))
-            .map_or(&[], |values| values.reactions.as_slice())
+        self.values.iter().find(|v| v.theory == theory && v.friction == friction && same(v.model))
     }
 }
 
@@ -72,7 +82,8 @@ pub(crate) fn count_of_references() -> usize {
 
 fn wanted() -> Vec<(ModelKind, Theory, f64)> {
     let mut wanted = Vec::new();
-    for model in ModelKind::ALL {
+    let own = |model: &ModelKind| model.shares_references_of() == *model;
+    for model in ModelKind::ALL.into_iter().filter(own) {
         let first_of_problem = matches!(model, ModelKind::Isl | ModelKind::Cam);
         for theory in THEORIES {
             if theory == Theory::Softened || first_of_problem {
@@ -87,10 +98,15 @@ fn wanted() -> Vec<(ModelKind, Theory, f64)> {
 
 pub(crate) fn references(count: &Count<'_>) -> Result<References, Failure> {
     let each = |(model, theory, friction): (ModelKind, Theory, f64)| {
-        let reactions = reactions(model, theory, friction, INCREMENTS)?;
+        let small = theory == Theory::Continuum && model.problem() == 1;
+        let increments = if small { FINE } else { INCREMENTS };
+        let reactions = reactions(model, theory, friction, increments)?;
         count.tick(format!("theory {theory:?}, problem {}", model.problem()).to_lowercase());
-        let reactions = reactions.into_iter().skip(1).map(|[_, value]| value).collect();
-        Ok(Values { theory, friction, model, reactions })
+        let all: Vec<f64> = reactions.into_iter().skip(1).map(|[_, value]| value).collect();
+        let every = increments / INCREMENTS;
+        let reactions = all.iter().copied().skip(every - 1).step_by(every).collect();
+        let fine = if small { all } else { Vec::new() };
+        Ok(Values { theory, friction, model, reactions, fine })
     };
     let values: Result<Vec<Values>, TheoryError> = wanted().into_par_iter().map(each).collect();
     let line = |model, friction| reactions(model, Theory::Linear, friction, PIECES);
@@ -125,15 +141,18 @@ fn reactions(
     }
 }
 
-/// Share of the surface of a slave node inside the deck's contact elements [L2].
+/// Share of the surface of a slave node inside the deck's contact elements [L2]; where contact is
+/// integrated, of the ISL model.
 fn slave_area(model: ModelKind) -> f64 {
     let first = FirstProblem::diehl();
     let strip = first.beam.width * first.beam.length();
     match model {
         ModelKind::IrsCoarse => strip / 24.0,
         ModelKind::IrsFine => strip / 99.0,
-        ModelKind::Isl => first.slave_area(4f64.to_radians()),
-        ModelKind::Cam => SecondProblem::project().slave_area(3f64.to_radians()),
+        ModelKind::Isl | ModelKind::Integrated => first.slave_area(4f64.to_radians()),
+        ModelKind::Cam | ModelKind::CamIntegrated => {
+            SecondProblem::project().slave_area(3f64.to_radians())
+        }
         ModelKind::CamWide => SecondProblem::project().slave_area(4f64.to_radians()),
     }
 }

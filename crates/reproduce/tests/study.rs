@@ -3,12 +3,12 @@
 #![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
 
 use slideline::Onset;
-use slideline_reproduce::{ModelKind, Progress, Report, Stick, cases, reproduce};
+use slideline_reproduce::{FINE, ModelKind, Progress, Report, Stick, cases, reproduce};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock};
 
-const FIGURES: [&str; 11] = [
+const FIGURES: [&str; 12] = [
     "fig1",
     "fig2",
     "fig3",
@@ -20,6 +20,7 @@ const FIGURES: [&str; 11] = [
     "fig8a",
     "fig8b",
     "linear_theory",
+    "formulations",
 ];
 
 struct Made {
@@ -124,6 +125,33 @@ fn the_ledger_is_in_the_table() {
         assert_eq!(row.dropped_work > 0.0, drops, "{:?}", row.case.words());
     }
     assert!(report.study.curve(ModelKind::Cam, Stick::Lagrange, Onset::Matfru).is_some());
+}
+
+/// Requirement: on the same 24 beams contact integrated along the beam is within
+/// 0.1 % RMS and 0.4 % of the peak of the exact reference, without and with
+/// friction; slave nodes on the beam are a hundred times off and their force
+/// goes back and forth. Source: the targets of the project for 20 increments;
+/// 100 increments, which show more of the noise, get a tenth more.
+#[test]
+fn integrated_contact_is_the_smoothest_of_three() {
+    let fine = &made().report.study.fine;
+    assert_eq!(fine.len(), 6);
+    for friction in [0.0, 0.3] {
+        let of = |model| fine.iter().find(|e| e.model == model && e.friction == friction).unwrap();
+        let [irs, isl, integrated] =
+            [ModelKind::IrsCoarse, ModelKind::Isl, ModelKind::Integrated].map(of);
+        assert!(integrated.rms < 0.1 && integrated.largest < 0.44, "{friction}");
+        assert!(integrated.roughness < 0.05 && integrated.reversals == 0, "{friction}");
+        assert!(integrated.rms < isl.rms && 50.0 * integrated.rms < irs.rms, "{friction}");
+        assert!(irs.reversals > 20 && isl.reversals == 0, "{friction}");
+        assert_eq!(integrated.errors.len(), FINE);
+    }
+    for row in &made().report.rows {
+        let integrated = matches!(row.case.model, ModelKind::Integrated | ModelKind::CamIntegrated);
+        if integrated && row.case.onset == Onset::Immediate {
+            assert!(row.continuum[0] <= 0.1 && row.continuum[1] <= 0.4, "{}", row.case.words());
+        }
+    }
 }
 
 /// Decks of a family say the same but for heading, remarks and friction.

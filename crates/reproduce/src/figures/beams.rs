@@ -3,7 +3,7 @@
 use crate::draw::{BLACK, GREY, Pen, Rectangle, Scene, View, WHITE};
 use crate::study::Curve;
 use slideline::Model;
-use slideline::model::{ElementBlock, Master, NodeIndex};
+use slideline::model::{Master, NodeIndex};
 
 /// Undeformed places of all nodes [L].
 pub(super) fn at_rest(model: &Model) -> Vec<[f64; 2]> {
@@ -16,12 +16,10 @@ pub(super) fn beam_nodes(model: &Model) -> Vec<NodeIndex> {
     let tied = |node| model.rigid_links.iter().any(|link| link.dependent == node);
     let mut nodes = Vec::new();
     for block in &model.blocks {
-        let ElementBlock::B21(block) = block else { continue };
+        let Some(block) = block.beams() else { continue };
         for element in block.elements.iter().filter(|element| !tied(element.nodes[0])) {
-            if nodes.last() != Some(&element.nodes[0]) {
-                nodes.push(element.nodes[0]);
-            }
-            nodes.push(element.nodes[1]);
+            let begun = usize::from(nodes.last() == Some(&element.nodes[0]));
+            nodes.extend(element.all_nodes().skip(begun));
         }
     }
     nodes
@@ -113,4 +111,28 @@ pub(super) fn clamp(scene: &mut Scene, view: &View, at: [f64; 2], along: [f64; 2
 /// The edge of a window.
 pub(super) fn edge(scene: &mut Scene, window: Rectangle) {
     scene.polygon(window.corners(), None, Some(Pen::solid(0.6)));
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)] // a test may fail where it stands
+
+    use super::*;
+    use slideline::{Job, ReadOptions};
+
+    /// Requirement: the line of the beam passes through every node in order,
+    /// whichever type its elements are.
+    #[test]
+    fn every_type_of_beam_is_drawn_through_its_nodes() {
+        let b21 = include_str!("../../../../corpus/diehl1995/surface_coarse.inp");
+        let b22 =
+            b21.replace("101, 1, 2\n", "101, 1, 2, 3\n").replace("101, 24, 1, 1", "101, 12, 2, 1");
+        for (kind, text) in [("B21", b21), ("B22", &b22), ("B23", b21)] {
+            let text = text.replace("TYPE=B21", &format!("TYPE={kind}"));
+            let model = Job::read_text("beams", &text, &ReadOptions::default()).model.unwrap();
+            let labels: Vec<u64> =
+                beam_nodes(&model).into_iter().map(|node| model.nodes.get(node).label).collect();
+            assert_eq!(labels, (1..=25).collect::<Vec<u64>>(), "{kind}");
+        }
+    }
 }

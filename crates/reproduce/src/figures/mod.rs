@@ -2,6 +2,7 @@
 
 mod beams;
 mod curves;
+mod formulations;
 mod models;
 mod normals;
 mod schematics;
@@ -23,12 +24,12 @@ pub(crate) struct Figure {
 }
 
 /// How many there are.
-pub(crate) const COUNT: usize = 11;
+pub(crate) const COUNT: usize = 12;
 
 /// Width of a figure on paper, in points: 160 mm.
 pub(crate) const WIDTH: f64 = 453.5;
 
-/// All figures, in the paper's order; the last one is ours.
+/// All figures, in the paper's order; the last two are ours.
 pub(crate) fn all(study: &Study) -> Vec<Figure> {
     vec![
         schematics::figure_1(),
@@ -42,5 +43,6 @@ pub(crate) fn all(study: &Study) -> Vec<Figure> {
         curves::figure_8a(study),
         curves::figure_8b(study),
         curves::linear_theory(study),
+        formulations::figure(study),
     ]
 }

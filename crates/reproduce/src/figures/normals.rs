@@ -47,7 +47,8 @@ fn sum(forces: &[([f64; 2], [f64; 2])]) -> [f64; 2] {
 /// Angle from the exact direction to that of the resultant [degree].
 fn tilt(curve: &Curve, increment: usize) -> Option<f64> {
     let exact = exact(increment)?.force;
-    let [x, y] = sum(&forces(curve, increment));
+    // what holds the circle is the force on the beam: the circle is in equilibrium
+    let [x, y] = curve.increments.get(increment - 1)?.resultant;
     let angle = (exact[0] * y - exact[1] * x).atan2(exact[0] * x + exact[1] * y);
     Some(angle.to_degrees())
 }
@@ -60,11 +61,13 @@ pub(crate) fn worst_increment(study: &Study) -> Option<usize> {
     (INCREMENTS / 2..=INCREMENTS).max_by(|a, b| off(a).total_cmp(&off(b)))
 }
 
-/// Tilt of the resultant normal force of the coarse IRS and the ISL model in
-/// that increment [degree].
-pub(crate) fn tilts(study: &Study) -> Option<[f64; 2]> {
+/// Tilt of the resultant normal force of the coarse IRS, the ISL and the
+/// integrated model in that increment [degree].
+pub(crate) fn tilts(study: &Study) -> Option<[f64; 3]> {
     let increment = worst_increment(study)?;
-    Some([tilt(irs(study)?, increment)?, tilt(isl(study)?, increment)?])
+    let integrated = study.curve(ModelKind::Integrated, Stick::Frictionless, Onset::Immediate)?;
+    let [irs, isl] = [irs(study)?, isl(study)?].map(|curve| tilt(curve, increment));
+    Some([irs?, isl?, tilt(integrated, increment)?])
 }
 
 fn irs(study: &Study) -> Option<&Curve> {
