@@ -71,6 +71,8 @@ enum Carrier {
 pub struct Contact {
     /// Slave points of all pairs, pair by pair.
     pub points: Vec<SlavePoint>,
+    /// Slave nodes, a list a pair.
+    pub slave_nodes: Vec<Vec<NodeIndex>>,
     /// Laws, a pair each.
     pub laws: Vec<Laws>,
     /// Elements along which contact is integrated.
@@ -86,6 +88,7 @@ impl Contact {
     pub fn new(model: &Model, layout: &Layout, users: &UserFrictions) -> Self {
         let mut contact = Self {
             points: Vec::new(),
+            slave_nodes: model.contact_pairs.iter().map(ContactPair::slave_nodes).collect(),
             laws: Vec::new(),
             strips: Vec::new(),
             memory_size: 0,
@@ -111,7 +114,7 @@ impl Contact {
     }
 
     fn add_nodes(&mut self, model: &Model, layout: &Layout, place: usize, pair: &ContactPair) {
-        let nodes = pair.slave_nodes();
+        let nodes = self.slave_nodes[place].clone();
         let (elements, coordinates) = local_elements(model, pair, &nodes);
         let width = pair.interaction.width;
         let areas = tributary_areas(nodes.len(), &elements, &coordinates, width);

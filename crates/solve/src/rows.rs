@@ -11,7 +11,6 @@ use crate::observe::{ContactRow, FrictionCall, Status};
 use crate::plan::Plan;
 use crate::state::{PointState, State};
 use slideline_model::{Formulation, NodeIndex};
-use std::collections::HashMap;
 
 /// Fills the rows of a committed state, pair by pair.
 pub fn contact_rows(plan: &Plan<'_>, state: &State, rows: &mut Vec<ContactRow>) {
@@ -19,9 +18,7 @@ pub fn contact_rows(plan: &Plan<'_>, state: &State, rows: &mut Vec<ContactRow>) 
     for (place, pair) in plan.model.contact_pairs.iter().enumerate() {
         match pair.formulation {
             Formulation::NodeToSurface => node_rows(plan, state, place, rows),
-            Formulation::SurfaceToSurface => {
-                strip_rows(plan, state, (place, &pair.slave_nodes()), rows);
-            }
+            Formulation::SurfaceToSurface => strip_rows(plan, state, place, rows),
         }
     }
 }
@@ -56,14 +53,8 @@ struct Gathered {
     force: f64,
 }
 
-fn strip_rows(
-    plan: &Plan<'_>,
-    state: &State,
-    (pair, nodes): (usize, &[NodeIndex]),
-    rows: &mut Vec<ContactRow>,
-) {
-    let place: HashMap<NodeIndex, usize> =
-        nodes.iter().enumerate().map(|(place, &node)| (node, place)).collect();
+fn strip_rows(plan: &Plan<'_>, state: &State, pair: usize, rows: &mut Vec<ContactRow>) {
+    let nodes = &plan.contact.slave_nodes[pair];
     let mut gathered = vec![Gathered::default(); nodes.len()];
     for (sum, &node) in gathered.iter_mut().zip(nodes) {
         sum.row.pair = pair;
@@ -72,24 +63,16 @@ fn strip_rows(
         sum.row.position = current(plan, state, node);
     }
     for strip in plan.contact.strips.iter().filter(|strip| strip.pair == pair) {
-        gather(plan, state, strip, &place, &mut gathered);
+        gather(plan, state, strip, &mut gathered);
     }
     rows.extend(gathered.into_iter().map(Gathered::finish));
 }
 
-fn gather(
-    plan: &Plan<'_>,
-    state: &State,
-    strip: &Strip,
-    place: &HashMap<NodeIndex, usize>,
-    gathered: &mut [Gathered],
-) {
+fn gather(plan: &Plan<'_>, state: &State, strip: &Strip, gathered: &mut [Gathered]) {
     for k in strip.first..strip.first + STRIP_POINTS {
         let (station, whole) = (&state.points[k], plan.contact.points[k].area);
-        for (node, share) in strip.nodes.iter().zip([1.0 - station.xi, station.xi]) {
-            if let Some(&at) = place.get(node) {
-                gathered[at].add(station, whole, share);
-            }
+        for (row, share) in strip.rows.into_iter().zip([1.0 - station.xi, station.xi]) {
+            gathered[row].add(station, whole, share);
         }
     }
 }

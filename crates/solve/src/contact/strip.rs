@@ -25,8 +25,8 @@ pub const CELLS: usize = 8;
 pub struct Strip {
     /// Place of its pair in the model.
     pub pair: usize,
-    /// Its nodes.
-    pub nodes: [NodeIndex; 2],
+    /// Places of its nodes among the slave nodes of its pair.
+    pub rows: [usize; 2],
     /// Its smooth line.
     pub line: HermiteLine,
     /// Slots of both nodes.
@@ -105,6 +105,8 @@ impl Contact {
     ) {
         let tangents = node_tangents(model, pair);
         let beams = sheared_beams(model);
+        let rows: HashMap<_, _> =
+            self.slave_nodes[place].iter().enumerate().map(|(row, &node)| (node, row)).collect();
         for element in &pair.elements {
             let nodes = element.nodes.map(|node| model.nodes.plane(node));
             let length = (nodes[1][0] - nodes[0][0]).hypot(nodes[1][1] - nodes[0][1]);
@@ -122,7 +124,7 @@ impl Contact {
             }
             self.strips.push(Strip {
                 pair: place,
-                nodes: element.nodes,
+                rows: element.nodes.map(|node| rows[&node]),
                 line: HermiteLine { nodes, tangents },
                 slots: [a[0], a[1], a[2], b[0], b[1], b[2]],
                 shear: Shear::new(model, layout, element.nodes, &beams),

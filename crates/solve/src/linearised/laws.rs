@@ -1,7 +1,7 @@
 //! What the laws of contact ask of a row or a station.
 
 use super::system::{Row, Station};
-use super::{Circumstances, Kind, LinearPoint, Sliding};
+use super::{Circumstances, Kind, LinearPoint, MOST_DOFS, Sliding};
 use slideline_mech::contact::enforcement::Demand;
 use slideline_mech::contact::pair::{Laws, UserMemory};
 
@@ -13,6 +13,44 @@ pub(super) struct StationAnswer {
     pub force: [f64; 2],
     /// Their derivatives by overclosure and slip [F/L3].
     pub slope: [[f64; 2]; 2],
+}
+
+impl StationAnswer {
+    /// Whether it neither presses nor would with a little more closing.
+    pub(super) fn is_idle(&self) -> bool {
+        self.force == [0.0; 2] && self.slope == [[0.0; 2]; 2]
+    }
+
+    /// Adds the derivative of its force by the displacements of its rows,
+    /// A (a dp/du + d dtau/du), to a matrix of `m` columns.
+    pub(super) fn add_slope(
+        &self,
+        point: &LinearPoint,
+        rows: &[usize],
+        m: usize,
+        stiffness: &mut [f64],
+    ) {
+        let [[nn, nt], [tn, tt]] = self.slope;
+        let (mut pressure, mut traction) = ([0.0; MOST_DOFS], [0.0; MOST_DOFS]);
+        for b in 0..rows.len() {
+            let (g, s) = (point.area * point.normal[b], point.area * point.tangential[b]);
+            pressure[b] = nn * g + nt * s;
+            traction[b] = tn * g + tt * s;
+        }
+        let drags = [tn, tt] != [0.0; 2];
+        for (a, &i) in rows.iter().enumerate() {
+            let row = &mut stiffness[i * m..][..m];
+            let (n, t) = (point.normal[a], point.drag[a]);
+            for (&k, by) in rows.iter().zip(&pressure) {
+                row[k] += n * by;
+            }
+            if drags {
+                for (&k, by) in rows.iter().zip(&traction) {
+                    row[k] += t * by;
+                }
+            }
+        }
+    }
 }
 
 impl Circumstances<'_> {

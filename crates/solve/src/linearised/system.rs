@@ -141,17 +141,15 @@ impl System<'_> {
         for station in self.stations {
             let point = &points[station.point];
             let answer = circumstances.station(station, point, values);
-            for a in 0..point.width {
-                let i = station.rows[a];
-                let (n, t) = (point.area * point.normal[a], point.area * point.drag[a]);
-                residual[i] -= n * answer.force[0] + t * answer.force[1];
-                for b in 0..point.width {
-                    let (g, s) = (point.normal[b], point.tangential[b]);
-                    let [[nn, nt], [tn, tt]] = answer.slope;
-                    stiffness[i * m + station.rows[b]] +=
-                        n * (nn * g + nt * s) + t * (tn * g + tt * s);
-                }
+            if answer.is_idle() {
+                continue;
             }
+            let rows = &station.rows[..point.width];
+            for (a, &i) in rows.iter().enumerate() {
+                residual[i] -= point.area
+                    * (point.normal[a] * answer.force[0] + point.drag[a] * answer.force[1]);
+            }
+            answer.add_slope(point, rows, m, stiffness);
         }
         for i in (0..m).filter(is_interface) {
             let row = &mut jacobian[i * m..(i + 1) * m];

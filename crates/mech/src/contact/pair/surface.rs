@@ -226,7 +226,8 @@ impl RigidSurface {
     /// nothing.
     pub fn overclosure(&self, body: &Body, point: [f64; 2]) -> Option<f64> {
         let local = body.to_body(point);
-        let facing = rigid::closest_on(&self.segments, self.period.is_some(), local, None)?;
+        let (facing, distance) =
+            rigid::nearest_on(&self.segments, self.period.is_some(), local, None)?;
         let segment = self.segments.get(facing.segment)?;
         match (facing.part, *segment) {
             (Part::Interior, RigidSegment::Line { a, b }) => {
@@ -234,9 +235,11 @@ impl RigidSurface {
                 Some(-(d[0] * r[1] - d[1] * r[0]) / d[0].hypot(d[1]))
             }
             (Part::Interior, RigidSegment::Arc { centre, radius, convex, .. }) => {
-                let distance = (local[0] - centre[0]).hypot(local[1] - centre[1]);
-                Some(if convex { radius - distance } else { distance - radius })
+                let r = [local[0] - centre[0], local[1] - centre[1]];
+                let outside = r[0] * r[0] + r[1] * r[1] > radius * radius;
+                Some(if outside == convex { -distance } else { distance })
             }
+            (Part::Vertex { convex }, _) => Some(if convex { -distance } else { distance }),
             _ => self.gap(body, &facing, point).map(|gap| gap.overclosure()),
         }
     }

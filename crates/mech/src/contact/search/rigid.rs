@@ -83,6 +83,14 @@ impl RigidSegment {
         [start, [middle(0), middle(1)], end]
     }
 
+    /// Parameter of the place on an arc that faces `point`; `None` for other segments.
+    fn arc_parameter(&self, point: Point) -> Option<f64> {
+        let Self::Arc { start, centre, convex, sweep, .. } = *self else { return None };
+        let (p, d) = (sub(start, centre), sub(point, centre));
+        let sign = if convex { -1.0 } else { 1.0 };
+        Some((sign * cross(p, d)).atan2(dot(p, d)) / sweep)
+    }
+
     /// Length of the segment [L].
     pub fn length(&self) -> f64 {
         self.arc_length(1.0)
@@ -127,7 +135,8 @@ impl RigidSegment {
         }
     }
 
-    /// Parameter and distance |g| of the projection, if the point faces the segment.
+    /// Parameter and distance |g| of the projection, if the point faces the segment. The parameter
+    /// of an arc costs an arc tangent and is left for [`RigidSegment::arc_parameter`].
     fn project(&self, point: Point) -> Option<(f64, f64)> {
         let inside = |parameter: f64| (-INSIDE..=1.0 + INSIDE).contains(&parameter);
         match *self {
@@ -136,13 +145,19 @@ impl RigidSegment {
                 let along = sub(b, a);
                 Some((parameter, cross(along, sub(point, a)).abs() / along[0].hypot(along[1])))
             }
-            Self::Arc { start, centre, radius, convex, sweep, .. } => {
-                let (p, d) = (sub(start, centre), sub(point, centre));
-                let distance = d[0].hypot(d[1]);
+            Self::Arc { start, end, centre, radius, convex, sweep } => {
+                // A sector of less than 180 degrees is what lies ahead of its start and short of
+                // its end.
+                let (p, q, d) = (sub(start, centre), sub(end, centre), sub(point, centre));
                 let sign = if convex { -1.0 } else { 1.0 };
-                let parameter = (sign * cross(p, d)).atan2(dot(p, d)) / sweep;
-                (distance > 0.0 && inside(parameter))
-                    .then_some((parameter, (distance - radius).abs()))
+                let (ahead, short) = (sign * cross(p, d), sign * cross(d, q));
+                let slack = -INSIDE * sweep * radius;
+                if ahead.min(short) < slack * (d[0].abs() + d[1].abs()) {
+                    return None;
+                }
+                let distance = d[0].hypot(d[1]);
+                let faces = distance > 0.0 && ahead.min(short) >= slack * distance;
+                faces.then_some((0.0, (distance - radius).abs()))
             }
             Self::Parabola { start, mid, end } => {
                 let control = Self::parabola_control(start, mid, end);
@@ -222,6 +237,22 @@ pub fn closest_on(
     point: Point,
     committed: Option<Facing>,
 ) -> Option<Facing> {
+    let (mut facing, _) = nearest_on(segments, closed, point, committed)?;
+    if facing.part == Part::Interior
+        && let Some(parameter) = segments[facing.segment].arc_parameter(point)
+    {
+        facing.parameter = parameter;
+    }
+    Some(facing)
+}
+
+/// The same with the distance |g| [L], and without the parameter of an arc.
+pub fn nearest_on(
+    segments: &[RigidSegment],
+    closed: bool,
+    point: Point,
+    committed: Option<Facing>,
+) -> Option<(Facing, f64)> {
     let mut best: Option<(Facing, f64)> = None;
     for (index, segment) in segments.iter().enumerate() {
         let interior = segment.project(point).map(|(parameter, distance)| {
@@ -252,7 +283,7 @@ pub fn closest_on(
             best = Some((facing, distance));
         }
     }
-    best.map(|(facing, _)| facing)
+    best
 }
 
 /// Whether the surface ends where it starts.
