@@ -330,3 +330,23 @@ fn patterns() {
     assert_eq!(y, [5.0, -3.0, 17.0, 18.0]);
     assert_eq!(z, [9.0, -3.0, 15.5, 16.0]);
 }
+
+/// Requirement: a further right-hand side gives the very solution that a checked one gives, before
+/// and after a checked one and after another factorisation. Tolerance: none, the same operations.
+#[test]
+fn respond_is_solve() {
+    let pattern = band(9, 2);
+    let mut solver = analyse(&pattern, Kind::Symmetric);
+    let rhs: [f64; 9] = std::array::from_fn(|i| 0.5 * i as f64 - 1.0);
+    assert_eq!(solver.respond(&mut rhs.clone()), Err(SolveError::NotFactored));
+    for factor in [1.0, 7.0] {
+        let values = fill(&pattern, |i, j| if i == j { 9.0 * factor } else { -1.5 });
+        solver.refactor(&pattern, &values).unwrap();
+        let [mut first, mut checked, mut further] = [rhs; 3];
+        solver.respond(&mut first).unwrap();
+        solver.solve(&mut checked).unwrap();
+        solver.respond(&mut further).unwrap();
+        assert_eq!(first, checked);
+        assert_eq!(further, checked);
+    }
+}

@@ -280,7 +280,7 @@ impl LinearisedContact {
         for (&equation, g) in point.equations[..point.width].iter().zip(point.force(kind)) {
             response[equation] += point.area * g;
         }
-        solver.solve(response)?;
+        solver.respond(response)?;
         let (start, lent) = match (kind, &point.sliding) {
             (Kind::Tangential, Some(sliding)) => (sliding.slip, sliding.stiffness),
             _ => (point.overclosure, point.stiffness),

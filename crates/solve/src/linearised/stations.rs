@@ -40,7 +40,7 @@ impl LinearisedContact {
         let begin = self.response.len();
         self.response.resize(begin + n, 0.0);
         self.response[begin + equation] = 1.0;
-        solver.solve(&mut self.response[begin..])?;
+        solver.respond(&mut self.response[begin..])?;
         self.rows.push(Row {
             unknown: Unknown::Interface { equation },
             free: base[equation],
