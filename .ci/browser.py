@@ -275,6 +275,44 @@ def many_increments(folder):
     return path
 
 
+def error_bars(browser, program, folder, pictures):
+    """The band of the error bars: drawn at its true width, read off, switched
+    off and on; and where the mesh cannot be halved, the warning in its place."""
+    run(program, "run", "corpus/diehl1995/irs_coarse.inp", "--error-bars", "--out", folder, "--quiet", "--no-html")
+    run(program, "report", folder / "irs_coarse")
+    browser.open(folder / "irs_coarse.html")
+    rows = history(folder / "irs_coarse.history.csv", 9999)
+    chart, band = "chart-9999-U2", "document.querySelector('#chart-9999-U2 path.error')"
+    browser.place(f"#{chart} svg")
+    browser.evaluate(f"document.querySelector('#{chart} svg').focus()")
+    browser.key("End")
+    said = browser.evaluate(f"document.querySelector('#{chart} .readoff').textContent")
+    force, bar = [number(part.split(" ")[0]) for part in said.split("RF2 = ")[1].split(" \u00b1 ")]
+    assert abs(force - float(rows[-1]["RF2"])) <= 1e-6 * abs(force), said
+    assert abs(bar - float(rows[-1]["RF2_error"])) <= 5e-3 * bar, f"{said}: {rows[-1]['RF2_error']}"
+    # upper edge forwards, lower edge back: their distance in the last increment
+    # is to twice the bar as the height of the curve is to the force
+    edge = browser.evaluate(f"{band}.getAttribute('d')").strip("MZ").split("L")
+    assert len(edge) == 2 * (len(rows) + 1), f"{len(edge)} points for {len(rows)} increments"
+    y = [float(point.split(" ")[1]) for point in edge]
+    mark = browser.evaluate(f"Number(document.querySelector('#{chart} circle.mark').getAttribute('cy'))")
+    middle = len(rows) + 1
+    drawn, expected = (y[middle] - y[middle - 1]) / (mark - y[0]), 2 * bar / -force
+    assert abs(drawn / expected - 1) < 0.02, f"drawn {drawn}, expected {expected}"
+    legend = f"Array.from(document.querySelectorAll('#{chart} .entry')).find((e) => e.textContent.startsWith('error bars'))"
+    assert "% of the peak" in browser.evaluate(f"{legend}.textContent")
+    browser.picture(pictures / "error-bars.png")
+    browser.evaluate(f"{legend}.click()")
+    assert browser.evaluate(f"{band} === null"), "the band cannot be switched off"
+    browser.evaluate(f"{legend}.click()")
+    assert not browser.faults(), browser.faults()
+    run(program, "run", "corpus/tutorial/snap_fit.inp", "--error-bars", "--out", folder, "--quiet")
+    browser.open(folder / "snap_fit.html")
+    assert "SL0602" in browser.evaluate("document.getElementById('warnings').textContent")
+    assert browser.evaluate("document.querySelector('path.error') === null")
+    assert not browser.faults(), browser.faults()
+
+
 def main():
     program, pictures = sys.argv[1], Path(sys.argv[2])
     pictures.mkdir(parents=True, exist_ok=True)
@@ -310,6 +348,8 @@ def check(browser, program, folder, pictures):
     assert "What to change" in page, "the page of a warning is printed with it"
     assert browser.evaluate("document.querySelectorAll('#bands .dropped').length") > 0
     assert not browser.faults(), browser.faults()
+
+    error_bars(browser, program, folder, pictures)
 
     theory = subprocess.run([program, "theory", "diehl-1", "--mu", "0.3"], capture_output=True, text=True)
     if theory.returncode == 0:

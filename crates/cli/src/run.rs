@@ -6,7 +6,7 @@ use crate::progress::{Mode, Progress};
 use crate::{interrupt, render, report, screen};
 use slideline::diag::{Code, Diagnostic, Severity};
 use slideline::output::json::Object;
-use slideline::output::{onset_word, record};
+use slideline::output::{add_warning, onset_word, record};
 use slideline::{
     Event, Job, Observer, Outcome, Reactions, Read, RunOptions, SolveOptions, Status, Stop,
     TangentCheck, VERSION, error_bars, run as run_job,
@@ -59,7 +59,7 @@ pub(crate) fn run(arguments: &RunArguments) -> Exit {
 }
 
 /// Estimates errors of a run that came to its end and adds them to its files.
-/// What stands against it is returned.
+/// What stands against it is added instead, and returned.
 fn add_error_bars(
     read: &Read,
     found: &Reactions,
@@ -67,16 +67,30 @@ fn add_error_bars(
     outcome: &mut Outcome,
 ) -> Option<Diagnostic> {
     let (Some(model), Status::Completed) = (&read.model, outcome.status) else { return None };
-    match error_bars(model, found, options, &mut Interruptible) {
-        Ok(bars) => {
-            if let Err(failure) = bars.write(&outcome.files) {
-                outcome.output_failure = Some(failure.to_string());
-                outcome.status = Status::OutputError;
-            }
-            None
-        }
-        Err(said) => Some(*said),
+    let estimated = if found.count() == outcome.totals.increments {
+        error_bars(model, found, options, &mut Interruptible)
+    } else {
+        Err(Box::new(begun_elsewhere()))
+    };
+    let (written, said) = match estimated {
+        Ok(bars) => (bars.write(&outcome.files), None),
+        // a job that was complete before keeps its files as they are
+        Err(said) if found.count() == 0 => (Ok(()), Some(*said)),
+        Err(said) => (add_warning(&outcome.files, &said, &read.sources), Some(*said)),
+    };
+    if let Err(failure) = written {
+        outcome.output_failure = Some(failure.to_string());
+        outcome.status = Status::OutputError;
     }
+    said
+}
+
+/// A run that goes on from a saved state knows only its own increments.
+fn begun_elsewhere() -> Diagnostic {
+    let message = "no error bars: this run went on from a saved state, and the reactions before \
+                   it are not at hand";
+    Diagnostic::warning(Code("SL0602"), message)
+        .help("Run the deck from its beginning, without --restart.")
 }
 
 /// Stops a run when the user asks for it, and says nothing.

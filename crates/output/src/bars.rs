@@ -1,9 +1,11 @@
-//! Error bars, added to the files of a finished run.
+//! Error bars, or why there are none, added to the files of a finished run.
 
 use crate::file::{WriteError, at, replace};
 use crate::job::JobFiles;
 use crate::json::{self, Object};
 use crate::number::push_shortest;
+use crate::record::record;
+use slideline_diag::{Diagnostic, Sources};
 
 /// Error bars as the rows of `JOB.history.csv` want them.
 #[derive(Clone, Copy, Debug)]
@@ -33,6 +35,28 @@ pub fn add_error_bars(job: &JobFiles, rows: &BarRows<'_>) -> Result<(), WriteErr
     }
     Ok(())
 }
+
+/// Adds a warning that came after the end of the run to `JOB.json`.
+///
+/// # Errors
+/// When the file cannot be read or written.
+pub fn add_warning(job: &JobFiles, said: &Diagnostic, sources: &Sources) -> Result<(), WriteError> {
+    let summary = job.path(".json");
+    let object = std::fs::read_to_string(&summary).map_err(at(&summary))?;
+    let text = with_warning(&object, &record(said, sources).finish());
+    replace(&summary, text.as_bytes())
+}
+
+/// In a text quotation marks are escaped: what is looked for stands there once.
+fn with_warning(object: &str, warning: &str) -> String {
+    let Some(end) = object.find(AFTER_WARNINGS) else { return object.to_owned() };
+    let (before, after) = object.split_at(end);
+    let comma = if before.ends_with('[') { "" } else { "," };
+    format!("{before}{comma}{warning}{after}")
+}
+
+/// What follows the last warning of a summary.
+const AFTER_WARNINGS: &str = "],\"advice\":[";
 
 fn with_columns(old: &str, rows: &BarRows<'_>) -> String {
     let mut text = String::with_capacity(2 * old.len());
@@ -74,6 +98,15 @@ fn largest(rows: &BarRows<'_>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_late_warning_comes_last() {
+        let none = r#"{"job":"],\"advice\":[","warnings":[],"advice":[]}"#;
+        let one = with_warning(none, "1");
+        assert_eq!(one, r#"{"job":"],\"advice\":[","warnings":[1],"advice":[]}"#);
+        let two = with_warning(&one, "2");
+        assert_eq!(two, r#"{"job":"],\"advice\":[","warnings":[1,2],"advice":[]}"#);
+    }
 
     #[test]
     fn columns_come_last_and_rows_keep_their_order() {

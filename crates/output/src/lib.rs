@@ -40,7 +40,7 @@ mod understood;
 mod vtu;
 mod writers;
 
-pub use bars::{BarRows, add_error_bars};
+pub use bars::{BarRows, add_error_bars, add_warning};
 pub use file::{WriteError, replace as write_file};
 pub use job::JobFiles;
 pub use ledger::{dropped_friction, onset_word};

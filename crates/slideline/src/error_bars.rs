@@ -34,6 +34,11 @@ impl Reactions {
         Self { nodes, labels, times: Vec::new(), curves }
     }
 
+    /// Number of increments that were taken down.
+    pub fn count(&self) -> usize {
+        self.times.len()
+    }
+
     /// An observer that takes them down and passes everything on.
     pub fn watch<'a>(&'a mut self, observer: &'a mut dyn Observer) -> Recorder<'a> {
         Recorder { reactions: self, observer }

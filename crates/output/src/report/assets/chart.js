@@ -1,6 +1,7 @@
 // A line chart in SVG: zoom by dragging, read-off by pointer and keyboard.
 // options: title, x, y (axis titles), log, describe(series, place) -> text
-// series: [{name, x, y, colour, dash, dots}]
+// series: [{name, x, y, colour, dash, dots, half}]; one with half is a band
+// of y plus and minus half, to be looked at and not read off
 const WIDTH = 960, HEIGHT = 380, LEFT = 84, RIGHT = 18, TOP = 14, BOTTOM = 46;
 let charts = 0;
 
@@ -37,6 +38,7 @@ class Chart {
       const entry = make(legend, "button", { type: "button", class: "entry", "aria-pressed": "true" });
       const swatch = make(entry, "span", { class: "swatch" });
       swatch.style.background = one.dash ? "repeating-linear-gradient(90deg, var(" + one.colour + ") 0 .35em, transparent .35em .6em)" : "var(" + one.colour + ")";
+      if (one.half) swatch.classList.add("band");
       entry.appendChild(document.createTextNode(one.name));
       entry.addEventListener("click", () => {
         one.shown = !one.shown;
@@ -59,8 +61,9 @@ class Chart {
       for (let i = 0; i < one.x.length; i++) {
         const x = one.x[i], y = this.value(one.y[i]);
         if (!Number.isFinite(x) || !Number.isFinite(y)) continue;
+        const half = one.half && Number.isFinite(one.half[i]) ? one.half[i] : 0;
         if (one.base) box[2] = Math.min(box[2], 0);
-        box = [Math.min(box[0], x), Math.max(box[1], x), Math.min(box[2], y), Math.max(box[3], y)];
+        box = [Math.min(box[0], x), Math.max(box[1], x), Math.min(box[2], y - half), Math.max(box[3], y + half)];
       }
     }
     if (box[0] > box[1]) box = [0, 1, 0, 1];
@@ -97,7 +100,8 @@ class Chart {
     draw(clip, "rect", { x: LEFT, y: TOP, width: WIDTH - LEFT - RIGHT, height: HEIGHT - TOP - BOTTOM });
     this.axes(svg);
     const layer = draw(svg, "g", { "clip-path": "url(#" + this.clip + ")" });
-    for (const one of this.series) if (one.shown) this.curve(layer, one);
+    for (const one of this.series) if (one.shown && one.half) this.band(layer, one);
+    for (const one of this.series) if (one.shown && !one.half) this.curve(layer, one);
     this.nowMark = draw(layer, "circle", { class: "now", r: 4.5, visibility: "hidden" });
     this.mark = draw(layer, "circle", { class: "mark", r: 5, visibility: "hidden" });
     this.boxMark = draw(layer, "rect", { class: "box", visibility: "hidden" });
@@ -137,6 +141,18 @@ class Chart {
       const top = this.py(one.y[i]), bar = draw(layer, "rect", { x: this.px(one.x[i]) - half, width: 2 * half, y: top, height: this.py(one.base[i]) - top });
       bar.style.fill = "var(" + one.colour + ")";
     }
+  }
+
+  band(layer, one) {
+    const upper = [], lower = [];
+    for (let i = 0; i < one.x.length; i++) {
+      if (![one.x[i], one.y[i], one.half[i]].every(Number.isFinite)) continue;
+      const at = (y) => this.px(one.x[i]).toFixed(2) + " " + Math.max(-1e5, Math.min(1e5, this.py(y))).toFixed(2);
+      upper.push(at(one.y[i] + one.half[i]));
+      lower.push(at(one.y[i] - one.half[i]));
+    }
+    const path = draw(layer, "path", { class: "error", d: upper.length ? "M" + upper.concat(lower.reverse()).join("L") + "Z" : "" });
+    path.style.fill = "var(" + one.colour + ")";
   }
 
   curve(layer, one) {
@@ -194,7 +210,7 @@ class Chart {
   nearest([sx, sy]) {
     let best = Infinity, found = null;
     this.series.forEach((one, k) => {
-      if (!one.shown) return;
+      if (!one.shown || one.half) return;
       for (let i = 0; i < one.x.length; i++) {
         const d = Math.hypot(this.px(one.x[i]) - sx, this.py(this.value(one.y[i])) - sy);
         if (d < best) { best = d; found = [k, i]; }
@@ -245,7 +261,7 @@ class Chart {
   key(event) {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const one = this.series[this.active], last = one ? one.x.length - 1 : -1;
-    const shown = this.series.map((s, k) => s.shown ? k : -1).filter((k) => k >= 0);
+    const shown = this.series.map((s, k) => s.shown && !s.half ? k : -1).filter((k) => k >= 0);
     const other = (by) => {
       if (!shown.length) return;
       const at = shown.indexOf(this.active);

@@ -11,6 +11,13 @@ function reactions() {
     const own = columns(history.columns);
     if (!own[driven.motion] || !own[driven.reaction]) return;
     const series = [{ name: data.job, x: start(own[driven.motion]), y: start(own[driven.reaction]), colour: "--c0", dots: true }];
+    const half = own[driven.reaction + "_error"] ? start(own[driven.reaction + "_error"]) : null;
+    if (half) {
+      const most = half.reduce((a, b) => Math.max(a, b), 0), peak = series[0].y.reduce((a, b) => Math.max(a, Math.abs(b)), 0);
+      const share = peak > 0 ? " (" + show(100 * most / peak, 2) + " % of the peak)" : "";
+      series.push({ name: "error bars, at most \u00b1" + show(most, 3) + share, x: series[0].x, y: series[0].y, half, colour: "--c0" });
+    }
+    const read = (one, i) => show(one.y[i], 7) + (half && one.x === series[0].x ? " \u00b1 " + show(half[i], 3) : "");
     if (overlay && overlay[driven.motion] && overlay[driven.reaction]) {
       const keep = overlay.node ? Array.from(overlay.node.keys()).filter((i) => overlay.node[i] === driven.node) : null;
       const pick = (column) => keep ? Float64Array.from(keep, (i) => column[i]) : column;
@@ -19,7 +26,7 @@ function reactions() {
     made.push(new Chart(parent, {
       id: "chart-" + driven.node + "-" + driven.motion,
       title: "Node " + driven.node + ": " + driven.reaction + " against " + driven.motion, x: driven.motion, y: driven.reaction,
-      describe: (one, i) => one.name + ": " + driven.motion + " = " + show(one.x[i], 7) + ", " + driven.reaction + " = " + show(one.y[i], 7) + (one === made.find((c) => c.series[0] === one)?.series[0] ? " (" + where(i) + ")" : "")
+      describe: (one, i) => one.name + ": " + driven.motion + " = " + show(one.x[i], 7) + ", " + driven.reaction + " = " + read(one, i) + (one === made.find((c) => c.series[0] === one)?.series[0] ? " (" + where(i) + ")" : "")
     }, series));
   });
   if (!made.length) make(parent, "p", {}, "No node is driven by a prescribed motion.");
@@ -29,7 +36,7 @@ function reactions() {
     new Chart(parent, { title: "Loaded node " + load.node + ": " + load.motion + " over time", x: "total time", y: load.motion, describe: (one, i) => load.motion + " = " + show(one.y[i], 7) + " (" + where(i) + ")" },
       [{ name: data.job, x: times, y: start(doubles(history.columns[load.motion])), colour: "--c0", dots: true }]);
   });
-  if (overlay && !made.some((chart) => chart.series.length > 1)) make(parent, "p", { class: "remark" }, "The columns of " + data.overlay.name + " fit no driven node.");
+  if (overlay && !made.some((chart) => chart.series.some((one) => one.dash))) make(parent, "p", { class: "remark" }, "The columns of " + data.overlay.name + " fit no driven node.");
   return made;
 }
 
