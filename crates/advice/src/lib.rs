@@ -24,7 +24,7 @@ mod stroke;
 mod units;
 
 pub use finding::{Finding, Place, Suggestion};
-pub use noise::{Noise, NoiseSummary, PairNoise, ReactionNoise};
+pub use noise::Noise;
 
 use slideline_model::Model;
 

@@ -2,25 +2,28 @@
 //!
 //! ```text
 //!   RF |  /\/\/\    roughness and reversals of driven reactions
-//!      | /          contact changes per increment, penetration/c0
+//!      | /          contact changes, penetration/c0 and balance of every pair
 //!      +--------> t
 //! ```
 
 use slideline_diag::{Code, Diagnostic, Span};
-use slideline_measures::{DEFAULT_NOISE_FLOOR, maximum, reversals, roughness};
-use slideline_model::{ContactPair, Dof, Model, NodeIndex, NormalLaw};
-use slideline_solve::observe::{Event, Frame, Observer, Status, Stop};
+use slideline_measures::{NoiseSummary, PairNoise, ReactionNoise};
+use slideline_model::{ContactPair, Dof, Formulation, Master, Model, NodeIndex, NormalLaw};
+use slideline_solve::observe::{Event, Frame, Observer, PairRow, Stop};
 use std::ops::ControlFlow;
 
 /// Roughness above which a driven reaction is called noisy [1].
 const ROUGH: f64 = 0.01;
-/// Wiggles below this fraction of the peak are not counted [1].
-const FLOOR: f64 = 0.002;
+/// Reversals that a smooth slide may have: in, over a crest, and out.
+const SMOOTH_TURNS: usize = 2;
 /// Penetration above which a softened law has been pressed too far, in c0 [1].
 const DEEP: f64 = 3.0;
+/// Forces of one pair that are left over, relative to their magnitudes [1]:
+/// thousands of times what rounding leaves.
+const UNBALANCED: f64 = 1e-9;
 
-/// Watches a run and measures its noise: one pass over the contact points of
-/// every increment, a few numbers kept for each.
+/// Watches a run and measures its noise: one row per pair and increment, a
+/// few numbers kept for each.
 #[derive(Clone, Debug, Default)]
 pub struct Noise {
     curves: Vec<Curve>,
@@ -34,152 +37,137 @@ struct Curve {
     label: u64,
     dof: Dof,
     origin: Span,
-    values: Vec<f64>,
+    motion: Vec<f64>,
+    reaction: Vec<f64>,
 }
 
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 struct Pair {
     name: String,
-    origin: Option<Span>,
+    origin: Span,
     clearance: Option<f64>,
-    closed: Vec<bool>,
+    /// Whether its slaves stand on the side along which contact wanders.
+    wanders: bool,
     changes: usize,
-    penetration: (f64, u64),
-}
-
-/// Noise of one driven reaction.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ReactionNoise {
-    /// Node label and component, such as `9999.RF2`.
-    pub name: String,
-    /// Roughness [1]; none for fewer than three increments or a zero curve.
-    pub roughness: Option<f64>,
-    /// Sign changes of the slope beyond a small fraction of the peak.
-    pub reversals: usize,
-}
-
-/// Noise of one contact pair.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PairNoise {
-    /// The pair's name.
-    pub name: String,
-    /// Points that opened or closed, per increment [1].
-    pub changes_per_increment: f64,
-    /// Deepest penetration [L].
-    pub penetration: f64,
-    /// The same in units of c0 [1], for a softened law.
-    pub penetration_over_c0: Option<f64>,
-}
-
-/// What was measured.
-#[derive(Clone, Debug, PartialEq, Default)]
-pub struct NoiseSummary {
-    /// Increments seen.
-    pub increments: usize,
-    /// Driven reactions.
-    pub reactions: Vec<ReactionNoise>,
-    /// Contact pairs.
-    pub pairs: Vec<PairNoise>,
+    penetration: f64,
+    deepest: u64,
+    /// Largest imbalance of forces and of moments, and its increment.
+    imbalance: [(f64, usize); 2],
 }
 
 impl Noise {
+    /// Ready to watch a run of the model.
+    pub fn of(model: &Model) -> Self {
+        let mut noise = Self::default();
+        for driven in model.steps.iter().flat_map(|step| &step.prescribed).filter(|p| p.moves()) {
+            let known = |curve: &Curve| curve.node == driven.node && curve.dof == driven.dof;
+            if !noise.curves.iter().any(known) {
+                noise.curves.push(Curve {
+                    node: driven.node,
+                    label: model.nodes.label(driven.node),
+                    dof: driven.dof,
+                    origin: driven.origin,
+                    motion: Vec::new(),
+                    reaction: Vec::new(),
+                });
+            }
+        }
+        noise.pairs = model.contact_pairs.iter().map(Pair::new).collect();
+        noise
+    }
+
+    /// Takes in what a run that goes on from a saved state has told before:
+    /// the motion and reaction of a driven dof (asked for by node label), and
+    /// the rows of the pairs, increment by increment.
+    pub fn recall<'a>(
+        &mut self,
+        model: &Model,
+        mut curve: impl FnMut(u64, Dof) -> Option<(&'a [f64], &'a [f64])>,
+        pairs: &[Vec<PairRow>],
+    ) {
+        let mut longest = pairs.len();
+        for own in &mut self.curves {
+            if let Some((motion, reaction)) = curve(own.label, own.dof) {
+                own.motion.extend(motion);
+                own.reaction.extend(reaction);
+                longest = longest.max(reaction.len());
+            }
+        }
+        for (place, rows) in pairs.iter().enumerate() {
+            for (pair, row) in self.pairs.iter_mut().zip(rows) {
+                pair.follow(model, row, place + 1);
+            }
+        }
+        self.increments += longest;
+    }
+
     /// The measures so far.
     pub fn summary(&self) -> NoiseSummary {
-        let reactions = self.curves.iter().map(|curve| ReactionNoise {
-            name: format!("{}.{}", curve.label, curve.dof.reaction_name()),
-            roughness: roughness(&curve.values),
-            reversals: reversals(&curve.values, FLOOR.max(DEFAULT_NOISE_FLOOR)),
-        });
-        let pairs = self.pairs.iter().map(|pair| PairNoise {
-            name: pair.name.clone(),
-            changes_per_increment: pair.changes as f64 / self.increments.max(1) as f64,
-            penetration: pair.penetration.0,
-            penetration_over_c0: pair.clearance.map(|c0| pair.penetration.0 / c0),
-        });
         NoiseSummary {
             increments: self.increments,
-            reactions: reactions.collect(),
-            pairs: pairs.collect(),
+            reactions: self.curves.iter().map(Curve::noise).collect(),
+            pairs: self.pairs.iter().map(|pair| pair.noise(self.increments)).collect(),
         }
     }
 
     /// What the measures ask to be said.
-    pub fn findings(&self) -> Vec<Diagnostic> {
-        let mut said: Vec<Diagnostic> = self.curves.iter().filter_map(noisy).collect();
-        for pair in &self.pairs {
-            said.extend(self.changing(pair));
-            said.extend(pressed(pair));
+    pub fn findings(&self, summary: &NoiseSummary) -> Vec<Diagnostic> {
+        let curves = self.curves.iter().zip(&summary.reactions);
+        let mut said: Vec<Diagnostic> =
+            curves.filter_map(|(curve, noise)| curve.noisy(noise)).collect();
+        for (pair, noise) in self.pairs.iter().zip(&summary.pairs) {
+            said.extend(pair.changing(noise, self.increments));
+            said.extend(pair.pressed(noise));
+            said.extend(pair.unbalanced());
         }
         said
     }
 
     /// Takes note of an event that others watch as well.
     pub fn watch(&mut self, event: &Event<'_>) {
-        match event {
-            Event::StepBegin(report) if report.step == 1 => self.begin(report.model),
-            Event::Committed(frame) => self.follow(frame),
-            _ => {}
+        if let Event::Committed(frame) = event {
+            self.follow(frame);
         }
-    }
-
-    fn begin(&mut self, model: &Model) {
-        for step in &model.steps {
-            for driven in step.prescribed.iter().filter(|p| p.moves()) {
-                let known = |curve: &Curve| curve.node == driven.node && curve.dof == driven.dof;
-                if !self.curves.iter().any(known) {
-                    self.curves.push(Curve {
-                        node: driven.node,
-                        label: model.nodes.label(driven.node),
-                        dof: driven.dof,
-                        origin: driven.origin,
-                        values: Vec::new(),
-                    });
-                }
-            }
-        }
-        self.pairs = model.contact_pairs.iter().map(Pair::new).collect();
     }
 
     fn follow(&mut self, frame: &Frame<'_>) {
         self.increments += 1;
         for curve in &mut self.curves {
-            curve.values.push(frame.nodal.reaction(curve.node, curve.dof));
+            curve.motion.push(frame.nodal.displacement(curve.node, curve.dof));
+            curve.reaction.push(frame.nodal.reaction(curve.node, curve.dof));
         }
-        let mut place = vec![0usize; self.pairs.len()];
-        for row in frame.contact {
-            let (Some(pair), Some(at)) = (self.pairs.get_mut(row.pair), place.get_mut(row.pair))
-            else {
-                continue;
-            };
-            let closed = row.status != Status::Open;
-            match pair.closed.get_mut(*at) {
-                Some(was) => pair.changes += usize::from(std::mem::replace(was, closed) != closed),
-                None => {
-                    pair.closed.push(closed);
-                    pair.changes += usize::from(closed);
-                }
-            }
-            *at += 1;
-            if closed && -row.opening > pair.penetration.0 {
-                pair.penetration = (-row.opening, frame.model.nodes.label(row.node));
-            }
+        for (pair, row) in self.pairs.iter_mut().zip(frame.pairs) {
+            pair.follow(frame.model, row, self.increments);
         }
     }
+}
 
-    /// SL0611: contact moves to other points in nearly every increment.
-    fn changing(&self, pair: &Pair) -> Option<Diagnostic> {
-        let rate = pair.changes as f64 / self.increments.max(1) as f64;
-        if rate <= 1.0 || self.increments < 5 {
+impl Curve {
+    fn noise(&self) -> ReactionNoise {
+        let name = format!("{}.{}", self.label, self.dof.reaction_name());
+        ReactionNoise::of(name, &self.reaction, &self.motion)
+    }
+
+    /// SL0610: a driven reaction with more turns than a smooth slide has, and
+    /// rough whichever differences are taken.
+    fn noisy(&self, noise: &ReactionNoise) -> Option<Diagnostic> {
+        let rough = noise.roughness?;
+        if rough.min(noise.roughness_of_fourth?) <= ROUGH || noise.reversals <= SMOOTH_TURNS {
             return None;
         }
         let message = format!(
-            "contact of {} changed at {rate:.1} points per increment: the force is handed from \
-             node to node, and a friction onset other than IMMEDIATE would drop it",
-            pair.name
+            "the reaction {} at node {} is noisy: roughness {:.1} % of its peak of {:.3e}, {} \
+             reversals in {} increments",
+            self.dof.reaction_name(),
+            self.label,
+            100.0 * rough,
+            noise.peak,
+            noise.reversals,
+            self.reaction.len()
         );
-        Some(Diagnostic::advice(Code("SL0611"), message).at(pair.origin).help(
-            "keep FRICTION ONSET=IMMEDIATE; for a smoother force give the slaves to the body on \
-             which the contact point rests, or use *CONTACT PAIR, TYPE=SURFACE TO SURFACE",
+        Some(Diagnostic::advice(Code("SL0610"), message).at(self.origin).help(
+            "swap the roles so that the curved body carries the slaves, use *CONTACT PAIR, \
+             TYPE=SURFACE TO SURFACE, or refine the side with the slaves",
         ))
     }
 }
@@ -191,53 +179,184 @@ impl Pair {
             | NormalLaw::CalculixExponential { clearance, .. } => Some(clearance),
             _ => None,
         };
-        Self { name: pair.name.clone(), origin: Some(pair.origin), clearance, ..Self::default() }
+        Self {
+            name: pair.name.clone(),
+            origin: pair.origin,
+            clearance,
+            wanders: pair.formulation == Formulation::NodeToSurface
+                && matches!(pair.master, Master::RigidSurface(_)),
+            changes: 0,
+            penetration: 0.0,
+            deepest: 0,
+            imbalance: [(0.0, 0); 2],
+        }
     }
-}
 
-/// SL0610: a driven reaction with more turns than a smooth slide has.
-fn noisy(curve: &Curve) -> Option<Diagnostic> {
-    let rough = roughness(&curve.values)?;
-    let turns = reversals(&curve.values, FLOOR);
-    if rough <= ROUGH || turns < 3 {
-        return None;
+    fn follow(&mut self, model: &Model, row: &PairRow, increment: usize) {
+        self.changes += row.changes;
+        if row.penetration > self.penetration {
+            self.penetration = row.penetration;
+            self.deepest = row.deepest.map_or(0, |node| model.nodes.label(node));
+        }
+        let now = [row.force_imbalance, row.moment_imbalance];
+        for (largest, now) in self.imbalance.iter_mut().zip(now) {
+            if now > largest.0 || now.is_nan() {
+                *largest = (now, increment);
+            }
+        }
     }
-    let message = format!(
-        "the reaction {} at node {} is noisy: roughness {:.1} % of its peak of {:.3e}, {turns} \
-         reversals in {} increments",
-        curve.dof.reaction_name(),
-        curve.label,
-        100.0 * rough,
-        maximum(&curve.values).unwrap_or(0.0),
-        curve.values.len()
-    );
-    Some(Diagnostic::advice(Code("SL0610"), message).at(curve.origin).help(
-        "swap the roles so that the curved body carries the slaves, use *CONTACT PAIR, \
-         TYPE=SURFACE TO SURFACE, or refine the side with the slaves",
-    ))
-}
 
-/// SL0612: a softened law pressed beyond what it was made for.
-fn pressed(pair: &Pair) -> Option<Diagnostic> {
-    let ratio = pair.penetration.0 / pair.clearance?;
-    if ratio <= DEEP {
-        return None;
+    fn noise(&self, increments: usize) -> PairNoise {
+        PairNoise {
+            name: self.name.clone(),
+            changes: self.changes,
+            changes_per_increment: self.changes as f64 / increments.max(1) as f64,
+            penetration: self.penetration,
+            penetration_over_c0: self.clearance.map(|c0| self.penetration / c0),
+            force_imbalance: self.imbalance[0].0,
+            moment_imbalance: self.imbalance[1].0,
+        }
     }
-    let message = format!(
-        "node {} of {} penetrates by {:.3e}, {ratio:.1} times c0: the contact is softer than the \
-         law promises",
-        pair.penetration.1, pair.name, pair.penetration.0
-    );
-    Some(
-        Diagnostic::advice(Code("SL0612"), message)
-            .at(pair.origin)
-            .help("raise p0 on *SURFACE CONTACT, SOFTENED to the order of the contact pressure"),
-    )
+
+    /// SL0611: contact moves to other points in nearly every increment.
+    fn changing(&self, noise: &PairNoise, increments: usize) -> Option<Diagnostic> {
+        let rate = noise.changes_per_increment;
+        if rate <= 1.0 || increments < 5 {
+            return None;
+        }
+        let message = format!(
+            "contact of {} changed at {rate:.1} points per increment: the force is handed from \
+             node to node, and a friction onset other than IMMEDIATE would drop it",
+            self.name
+        );
+        let help = if self.wanders {
+            "keep FRICTION ONSET=IMMEDIATE; for a smoother force give the slaves to the body on \
+             which the contact point rests, or use *CONTACT PAIR, TYPE=SURFACE TO SURFACE"
+        } else {
+            "keep FRICTION ONSET=IMMEDIATE; shorter increments on *STATIC show the changes one by \
+             one"
+        };
+        Some(Diagnostic::advice(Code("SL0611"), message).at(self.origin).help(help))
+    }
+
+    /// SL0612: a softened law pressed beyond what it was made for.
+    fn pressed(&self, noise: &PairNoise) -> Option<Diagnostic> {
+        let ratio = noise.penetration_over_c0.filter(|&ratio| ratio > DEEP)?;
+        let message = format!(
+            "node {} of {} penetrates by {:.3e}, {ratio:.1} times c0: the contact is softer than \
+             the law promises",
+            self.deepest, self.name, self.penetration
+        );
+        Some(
+            Diagnostic::advice(Code("SL0612"), message).at(self.origin).help(
+                "raise p0 on *SURFACE CONTACT, SOFTENED to the order of the contact pressure",
+            ),
+        )
+    }
+
+    /// SL0613: forces on one side of the pair that the other does not feel.
+    fn unbalanced(&self) -> Option<Diagnostic> {
+        let [force, moment] = self.imbalance;
+        let balances = |(left, _): (f64, usize)| left <= UNBALANCED; // not so for what is no number
+        let (what, (left, increment)) = match (balances(force), balances(moment)) {
+            (true, true) => return None,
+            (false, _) => ("forces", force),
+            (true, false) => ("moments", moment),
+        };
+        let message = format!(
+            "the {what} that the two sides of {} exert on one another do not cancel: {left:.1e} of \
+             their magnitude is left over in increment {increment}",
+            self.name
+        );
+        Some(Diagnostic::warning(Code("SL0613"), message).at(self.origin).help(
+            "do not trust this run: action and reaction must cancel to rounding; report the deck",
+        ))
+    }
 }
 
 impl Observer for Noise {
     fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
         self.watch(&event);
         ControlFlow::Continue(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pair() -> Pair {
+        Pair {
+            name: "IRS".into(),
+            origin: Span::default(),
+            clearance: Some(1e-5),
+            wanders: true,
+            changes: 0,
+            penetration: 0.0,
+            deepest: 0,
+            imbalance: [(0.0, 0); 2],
+        }
+    }
+
+    /// Requirement: a pair out of balance is found, wherever in the run, and
+    /// told with its increment; rounding is not.
+    #[test]
+    fn a_pair_out_of_balance_is_found() {
+        let model = Model::default();
+        let mut pair = pair();
+        for increment in 1..=20 {
+            let row =
+                PairRow { force_imbalance: 1e-15, moment_imbalance: 3e-13, ..PairRow::default() };
+            pair.follow(&model, &row, increment);
+        }
+        assert_eq!(pair.unbalanced(), None);
+        let row = PairRow { moment_imbalance: 1e-5, ..PairRow::default() };
+        pair.follow(&model, &row, 21);
+        let said = pair.unbalanced().map(|said| (said.code, said.message));
+        let (code, message) = said.unwrap_or((Code(""), String::new()));
+        assert_eq!(code, Code("SL0613"));
+        assert!(message.contains("moments") && message.contains("increment 21"), "{message}");
+        let row = PairRow { force_imbalance: f64::NAN, ..PairRow::default() };
+        pair.follow(&model, &row, 22);
+        assert!(pair.unbalanced().is_some_and(|said| said.message.contains("forces")));
+    }
+
+    /// Requirement: a history of known noise raises SL0610, the same amplitude
+    /// as a smooth wave does not. Closed form: a zigzag of amplitude a over a
+    /// peak p has roughness 4 a/sqrt(6)/p.
+    #[test]
+    fn a_noisy_curve_is_told_from_a_wavy_one() {
+        let curve = |reaction: Vec<f64>| Curve {
+            node: 0,
+            label: 9999,
+            dof: Dof::U2,
+            origin: Span::default(),
+            motion: (1..=reaction.len()).map(|k| -(k as f64)).collect(),
+            reaction,
+        };
+        let zigzag: Vec<f64> = (0..40).map(|k| -1.0 - 0.02 * f64::from(k % 2)).collect();
+        let noisy = curve(zigzag);
+        let noise = noisy.noise();
+        let expected = 4.0 * 0.01 / 6f64.sqrt() / 1.02;
+        assert!((noise.roughness.unwrap_or(0.0) / expected - 1.0).abs() < 1e-12);
+        assert_eq!(noise.reversals, 38);
+        assert!(noisy.noisy(&noise).is_some_and(|said| said.message.contains("9999")));
+        let wave = curve((0..40).map(|k| (0.3 * f64::from(k)).sin()).collect());
+        assert_eq!(wave.noisy(&wave.noise()), None);
+    }
+
+    #[test]
+    fn penetration_is_held_against_c0() {
+        let model = Model::default();
+        let mut pair = pair();
+        let row = PairRow { penetration: 2.9e-5, changes: 2, ..PairRow::default() };
+        pair.follow(&model, &row, 1);
+        assert_eq!(pair.pressed(&pair.noise(1)), None);
+        let row = PairRow { penetration: 4e-5, ..PairRow::default() };
+        pair.follow(&model, &row, 2);
+        let noise = pair.noise(2);
+        assert_eq!(noise.changes_per_increment, 1.0);
+        assert_eq!(noise.penetration_over_c0, Some(4e-5 / 1e-5));
+        assert!(pair.pressed(&noise).is_some());
     }
 }

@@ -51,7 +51,7 @@ pub(crate) fn report(arguments: &ReportArguments) -> Exit {
 /// The job that a user means by a deck or by a result file, and its files.
 pub(crate) fn named(path: &Path, folder: Option<&Path>) -> (Job, JobFiles) {
     let endings = [".json", ".html", ".sta", ".msg", ".dat", ".pvd", ".rst"];
-    let csv = [".history.csv", ".contact.csv", ".energy.csv"];
+    let csv = [".history.csv", ".contact.csv", ".pair.csv", ".energy.csv", ".element.csv"];
     let text = path.to_string_lossy();
     let stripped = endings.iter().chain(&csv).find_map(|ending| text.strip_suffix(ending));
     let job = Job::named(stripped.map_or(path, Path::new));

@@ -126,6 +126,7 @@ fn a_run_completes_and_leaves_the_files_of_the_contract() {
         "column.html",
         "column.json",
         "column.msg",
+        "column.pair.csv",
         "column.pvd",
         "column.sta",
         "column_0000.vtu",

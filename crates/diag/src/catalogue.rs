@@ -169,6 +169,7 @@ catalogue! {
     "SL0610" "a noisy reaction"
     "SL0611" "contact that moves from node to node"
     "SL0612" "penetration beyond the pressure law"
+    "SL0613" "a contact pair out of balance"
     "SL0701" "the deck cannot be read"
     "SL0702" "results cannot be written"
     "SL0703" "the deck includes a file that is a result of the same job"

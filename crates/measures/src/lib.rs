@@ -18,6 +18,7 @@
 mod difference;
 mod error_bar;
 mod friction;
+mod noise;
 mod peak;
 mod shape;
 mod work;
@@ -25,8 +26,12 @@ mod work;
 pub use difference::{max_error, maximum, rms, rms_error};
 pub use error_bar::error_bar;
 pub use friction::friction_kept;
+pub use noise::{NoiseSummary, PairNoise, ReactionNoise};
 pub use peak::{Peak, Peaks, SnapForces, peaks, snap_forces};
-pub use shape::{DEFAULT_NOISE_FLOOR, reversals, roughness, roughness_against};
+pub use shape::{
+    DEFAULT_NOISE_FLOOR, reversals, roughness, roughness_against, stroke_reversals,
+    stroke_roughness, strokes,
+};
 pub use work::{work, work_ratio};
 
 /// Two slices of equal length, not empty.

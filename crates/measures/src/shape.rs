@@ -2,6 +2,7 @@
 
 use crate::difference::{maximum, rms};
 use crate::paired;
+use std::ops::Range;
 
 /// Noise floor of [`reversals`] relative to the peak [-]: far above round-off
 /// and the tolerance of an increment, far below the noise to be counted.
@@ -34,14 +35,77 @@ fn scaled_roughness(values: &[f64], peak: f64) -> Option<f64> {
     Some(rms(&second)? / 6f64.sqrt() / peak)
 }
 
+/// Roughness [-] of the strokes of a curve: as [`roughness`], but second
+/// differences are taken within strokes only, and so are fourth ones, in which
+/// whatever is smooth all but vanishes: sqrt(mean(d4(v)^2)/70)/max|v|, for
+/// white noise the same. `None` where neither exists.
+///
+/// A curve that bends sharply has large second and small fourth differences; noise has
+/// both.
+pub fn stroke_roughness(values: &[f64], strokes: &[Range<usize>]) -> Option<[f64; 2]> {
+    let peak = maximum(values).filter(|&peak| peak > 0.0)?;
+    let mut sums = [0.0; 2];
+    let mut counts = [0usize; 2];
+    for stroke in strokes.iter().filter_map(|stroke| values.get(stroke.clone())) {
+        for w in stroke.windows(3) {
+            sums[0] += ((w[2] - w[1]) - (w[1] - w[0])).powi(2);
+            counts[0] += 1;
+        }
+        for w in stroke.windows(5) {
+            sums[1] +=
+                ((w[4] - w[3]) - 3.0 * (w[3] - w[2]) + 3.0 * (w[2] - w[1]) - (w[1] - w[0])).powi(2);
+            counts[1] += 1;
+        }
+    }
+    let rough = |k: usize, variance: f64| match counts[k] {
+        0 => 0.0,
+        count => (sums[k] / count as f64 / variance).sqrt() / peak,
+    };
+    (counts[0] > 0).then(|| [rough(0, 6.0), rough(1, 70.0)])
+}
+
+/// Reversals within the strokes of a curve, as [`reversals`] counts them, the
+/// floor relative to the peak of the whole curve.
+pub fn stroke_reversals(values: &[f64], strokes: &[Range<usize>], noise_floor: f64) -> usize {
+    let Some(peak) = maximum(values) else { return 0 };
+    let parts = strokes.iter().filter_map(|stroke| values.get(stroke.clone()));
+    parts.map(|part| turns(part, noise_floor * peak)).sum()
+}
+
+/// The strokes of a motion that starts at zero: stretches over which it does
+/// not turn back. `motion` has a value for each increment.
+pub fn strokes(motion: &[f64]) -> Vec<Range<usize>> {
+    let mut found: Vec<Range<usize>> = Vec::new();
+    let (mut before, mut way, mut from) = (0.0, 0.0, 0);
+    for (place, &now) in motion.iter().enumerate() {
+        let moved = now - before;
+        if moved * way < 0.0 {
+            found.push(from..place);
+            from = place;
+        }
+        if moved != 0.0 {
+            way = moved.signum();
+        }
+        before = now;
+    }
+    if from < motion.len() {
+        found.push(from..motion.len());
+    }
+    found
+}
+
 /// Number of sign changes of the slope. A change of direction counts once the
 /// curve has gone back from its last extreme by more than `noise_floor` times
 /// max|v|; smaller wiggles, plateaus and round-off do not.
 ///
 /// [`DEFAULT_NOISE_FLOOR`] suits curves of a converged analysis.
 pub fn reversals(values: &[f64], noise_floor: f64) -> usize {
-    let (Some(peak), Some(&first)) = (maximum(values), values.first()) else { return 0 };
-    let floor = noise_floor * peak;
+    maximum(values).map_or(0, |peak| turns(values, noise_floor * peak))
+}
+
+/// Sign changes of the slope beyond wiggles of the size `floor`.
+fn turns(values: &[f64], floor: f64) -> usize {
+    let Some(&first) = values.first() else { return 0 };
     let (mut low, mut high, mut direction, mut count) = (first, first, 0i8, 0);
     for &v in values {
         low = low.min(v);
@@ -112,6 +176,48 @@ mod tests {
         let up_down: Vec<f64> = [0.0].into_iter().chain(fall).collect();
         assert_eq!(reversals(&up_down, 1e-2), 1);
         assert_eq!(reversals(&[], 1e-6), 0);
+    }
+
+    /// Requirement: a curve of known noise has the roughness of its closed form. On the ramp i
+    /// stands a zigzag of amplitude a: second differences are 4 a, fourth ones 16 a, and the
+    /// slope turns at every point but the ends where a > 1/2.
+    #[test]
+    fn a_zigzag_has_its_closed_form() {
+        let (n, a) = (51usize, 0.75);
+        let zigzag: Vec<f64> = (0..n).map(|i| i as f64 + if i % 2 == 0 { a } else { -a }).collect();
+        let peak = (n - 1) as f64 + a;
+        let whole = std::slice::from_ref(&(0..51));
+        let [second, fourth] = stroke_roughness(&zigzag, whole).unwrap();
+        assert!((second - 4.0 * a / 6f64.sqrt() / peak).abs() < 1e-15);
+        assert!((fourth - 16.0 * a / 70f64.sqrt() / peak).abs() < 1e-15);
+        assert!((roughness(&zigzag).unwrap() - second).abs() < 1e-15);
+        assert_eq!(stroke_reversals(&zigzag, whole, 1e-6), n - 2);
+        assert_eq!(reversals(&zigzag, 1e-6), n - 2);
+    }
+
+    /// Requirement: a sine of 20 points is smooth: its fourth differences are those of h^4 with
+    /// h = 2 pi/20, 1/h^2 times smaller than the second ones (Taylor; 5 % for h^2/6).
+    #[test]
+    fn a_coarse_sine_is_not_noise() {
+        let h = std::f64::consts::TAU / 20.0;
+        let sine: Vec<f64> = (0..200).map(|i| (h * f64::from(i)).sin()).collect();
+        let [second, fourth] = stroke_roughness(&sine, std::slice::from_ref(&(0..200))).unwrap();
+        let mean = std::f64::consts::FRAC_1_SQRT_2;
+        assert!((second / (mean * h * h / 6f64.sqrt()) - 1.0).abs() < 0.05);
+        assert!((fourth / (mean * h.powi(4) / 70f64.sqrt()) - 1.0).abs() < 0.05);
+    }
+
+    /// Requirement: pushing and pulling are two strokes; the jump of friction between them is no
+    /// noise, and neither is their turning.
+    #[test]
+    fn strokes_end_where_the_motion_turns() {
+        let motion = [-1.0, -2.0, -2.0, -3.0, -2.0, -1.0, 0.0, 0.0];
+        assert_eq!(strokes(&motion), [0..4, 4..8]);
+        let force = [-1.0, -2.0, -3.0, -4.0, 5.0, 4.0, 3.0, 2.0];
+        assert_eq!(stroke_reversals(&force, &strokes(&motion), 1e-6), 0);
+        assert_eq!(stroke_roughness(&force, &strokes(&motion)).unwrap(), [0.0; 2]);
+        assert!(strokes(&[]).is_empty());
+        assert_eq!(stroke_roughness(&[1.0, 2.0], std::slice::from_ref(&(0..2))), None);
     }
 
     /// Property: mirrored, reversed in time or in other units, the count stays.

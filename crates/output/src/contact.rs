@@ -60,7 +60,7 @@ fn push_row(text: &mut String, frame: &Frame<'_>, row: &ContactRow) {
 }
 
 /// A name, quoted where it would break the row.
-fn push_name(text: &mut String, name: &str) {
+pub(crate) fn push_name(text: &mut String, name: &str) {
     if name.contains([',', '"', '\n']) {
         let _ = write!(text, "\"{}\"", name.replace('"', "\"\"")); // a String takes any text
     } else {

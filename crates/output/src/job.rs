@@ -13,6 +13,7 @@ const ENDINGS: &[&str] = &[
     ".dat",
     ".history.csv",
     ".contact.csv",
+    ".pair.csv",
     ".energy.csv",
     ".element.csv",
     ".json",

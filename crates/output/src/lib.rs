@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!                     +-> JOB.sta  JOB.msg  JOB.dat
-//!   run -> Writers ---+-> JOB.history.csv  JOB.contact.csv  JOB.energy.csv  JOB.element.csv
+//!   run -> Writers ---+-> JOB.history.csv  JOB.contact.csv  JOB.pair.csv  JOB.energy.csv  JOB.element.csv
 //!                     +-> JOB_0001.vtu ...  JOB.pvd
 //!                     +-> JOB.json
 //!   these files -> report -> JOB.html      these files -> plot -> svg, png, csv
@@ -28,6 +28,8 @@ pub mod json;
 mod ledger;
 mod msg;
 pub mod number;
+mod pair;
+mod past;
 pub mod plot;
 mod record;
 pub mod report;
@@ -44,6 +46,7 @@ pub use bars::{BarRows, add_error_bars, add_warning};
 pub use file::{WriteError, replace as write_file};
 pub use job::JobFiles;
 pub use ledger::{dropped_friction, onset_word};
+pub use past::Past;
 pub use record::{card, columns, record};
 pub use summary::{Facts, SCHEMA, Status, write_input_error};
 pub use writers::{Writers, kinds};

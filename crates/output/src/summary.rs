@@ -8,6 +8,7 @@ use crate::ledger::onset_word;
 use crate::record::record;
 use crate::understood::{self, Understood};
 use slideline_diag::{Diagnostic, Severity, Sources};
+use slideline_measures::NoiseSummary;
 use slideline_model::{Dialect, NodeIndex, Onset};
 use slideline_solve::Checkpoint;
 use slideline_solve::bytes::{Packed, Unpacking};
@@ -136,6 +137,8 @@ pub(crate) struct Summary<'a> {
     understood: Option<Understood>,
     /// Largest fibre strain of a beam: value, element, total time.
     strain: Option<(f64, u64, f64)>,
+    /// Noise of the run, as JSON.
+    noise: Option<String>,
 }
 
 impl<'a> Summary<'a> {
@@ -161,6 +164,7 @@ impl<'a> Summary<'a> {
             totals: Totals::default(),
             understood: None,
             strain: None,
+            noise: None,
         }
     }
 
@@ -217,6 +221,29 @@ impl<'a> Summary<'a> {
             }
             _ => {}
         }
+    }
+
+    /// Takes in the noise of the run.
+    pub fn measured(&mut self, noise: &NoiseSummary) {
+        let reactions = noise.reactions.iter().fold(Object::new(), |all, reaction| {
+            let object = optional(Object::new(), "roughness", reaction.roughness);
+            let object = optional(object, "roughness_of_fourth", reaction.roughness_of_fourth);
+            all.raw(&reaction.name, &object.count("reversals", reaction.reversals).finish())
+        });
+        let pairs = noise.pairs.iter().map(|pair| {
+            let object = Object::new()
+                .text("name", &pair.name)
+                .count("contact_changes", pair.changes)
+                .number("changes_per_increment", pair.changes_per_increment)
+                .number("penetration", pair.penetration);
+            optional(object, "penetration_over_c0", pair.penetration_over_c0)
+                .number("force_imbalance", pair.force_imbalance)
+                .number("moment_imbalance", pair.moment_imbalance)
+                .finish()
+        });
+        let object = Object::new().count("increments", noise.increments);
+        let object = object.raw("reactions", &reactions.finish()).array("pairs", pairs);
+        self.noise = Some(object.finish());
     }
 
     /// Writes the summary of a run that is over.
@@ -292,6 +319,9 @@ impl<'a> Summary<'a> {
             let strain = Object::new().number("max", value).raw("element", &element);
             object = object.raw("fibre_strain", &strain.number("time", time).finish());
         }
+        if let Some(noise) = &self.noise {
+            object = object.raw("noise", noise);
+        }
         if let Some(understood) = &self.understood {
             object = object
                 .raw("driven", &understood.driven)
@@ -331,6 +361,14 @@ impl<'a> Summary<'a> {
             .count("point_increments", self.totals.dropped_points)
             .number("work", self.dropped_work)
             .finish()
+    }
+}
+
+/// A number, or null where there is none.
+fn optional(object: Object, key: &str, value: Option<f64>) -> Object {
+    match value {
+        Some(value) => object.number(key, value),
+        None => object.raw(key, "null"),
     }
 }
 

@@ -4,7 +4,8 @@ use crate::file::WriteError;
 use crate::job::JobFiles;
 use crate::restart::{self, Kept, Saved};
 use crate::summary::{Facts, Status, Summary};
-use crate::{contact, dat, element, energy, frd, history, msg, sta, vtu};
+use crate::{contact, dat, element, energy, frd, history, msg, pair, sta, vtu};
+use slideline_measures::NoiseSummary;
 use slideline_solve::observe::{Event, Observer, Stop};
 use std::ops::ControlFlow;
 
@@ -33,6 +34,7 @@ const REGISTRY: &[Kind] = &[
     Kind { name: "dat", make: |job, facts| Box::new(dat::Dat::new(job, facts)) },
     Kind { name: "history.csv", make: |job, _| Box::new(history::History::new(job)) },
     Kind { name: "contact.csv", make: |job, _| Box::new(contact::Contact::new(job)) },
+    Kind { name: "pair.csv", make: |job, _| Box::new(pair::Pairs::new(job)) },
     Kind { name: "energy.csv", make: |job, _| Box::new(energy::Energy::new(job)) },
     Kind { name: "element.csv", make: |job, _| Box::new(element::Elements::new(job)) },
     Kind { name: "frd", make: |job, _| Box::new(frd::Frd::new(job)) },
@@ -92,6 +94,11 @@ impl<'a> Writers<'a> {
     /// Why results are incomplete, if they are.
     pub fn failure(&self) -> Option<&WriteError> {
         self.failure.as_ref()
+    }
+
+    /// Takes in the noise of the run, which `JOB.json` says at the end.
+    pub fn measured(&mut self, noise: &NoiseSummary) {
+        self.summary.measured(noise);
     }
 
     fn note(&mut self, result: Result<(), WriteError>) {

@@ -30,7 +30,7 @@ pub use error_bars::{ErrorBars, Reactions, Recorder, error_bars};
 pub use read::{Job, Read, ReadOptions};
 pub use run::{Outcome, Quiet, RunOptions, run};
 
-pub use slideline_advice::{Noise, NoiseSummary};
+pub use slideline_advice::Noise;
 pub use slideline_deck as deck;
 pub use slideline_diag as diag;
 pub use slideline_keywords as keywords;
@@ -42,6 +42,7 @@ pub use slideline_solve::{Options as SolveOptions, TangentCheck, observe};
 pub use slideline_solve::{UserFrictions, friction};
 
 pub use slideline_diag::{Diagnostic, Severity};
+pub use slideline_measures::{NoiseSummary, PairNoise, ReactionNoise};
 pub use slideline_model::{Dialect, Model, Onset};
 pub use slideline_output::Status;
 pub use slideline_solve::observe::{Event, Observer, Stop};

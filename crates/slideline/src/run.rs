@@ -5,7 +5,7 @@ use slideline_advice::Noise;
 use slideline_diag::{Code, Diagnostic};
 use slideline_model::{Model, Onset};
 use slideline_output::restart::{self, Saved};
-use slideline_output::{Facts, JobFiles, Status, WriteError, Writers, dropped_friction};
+use slideline_output::{Facts, JobFiles, Past, Status, WriteError, Writers, dropped_friction};
 use slideline_solve::observe::{Ending, Event, Observer, Stop, Totals};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
@@ -86,7 +86,7 @@ pub fn run(read: &Read, options: &RunOptions, observer: &mut dyn Observer) -> Ou
         Ok(writers) => writers,
         Err(error) => return ended(Status::OutputError, files, Vec::new(), Some(error)),
     };
-    let mut watch = Watch::new(writers, observer, model.friction_onset, 0.0);
+    let mut watch = Watch::new(writers, observer, model, 0.0);
     let ending = slideline_solve::run(model, &options.solve, &mut watch);
     watch.outcome(&ending)
 }
@@ -117,12 +117,20 @@ fn go_on(
         let outcome = ended(Status::Completed, files, vec![said], None);
         return Outcome { totals: checkpoint.totals, ..outcome };
     }
+    let past = match Past::read(&files, model, checkpoint.totals.increments) {
+        Ok(past) => past,
+        Err(problem) => {
+            let said = damaged(&problem.to_string());
+            return ended(Status::InputError, files, vec![said], None);
+        }
+    };
     let writers = match Writers::resume(&files, facts, saved) {
         Ok(writers) => writers,
         Err(error) => return ended(Status::OutputError, files, Vec::new(), Some(error)),
     };
     let dropped_work = checkpoint.energy().dropped_friction;
-    let mut watch = Watch::new(writers, observer, model.friction_onset, dropped_work);
+    let mut watch = Watch::new(writers, observer, model, dropped_work);
+    watch.noise.recall(model, |label, dof| past.curve(label, dof), &past.pairs);
     match slideline_solve::resume(model, &options.solve, checkpoint, &mut watch) {
         Some(ending) => watch.outcome(&ending),
         // the state was held against the model before
@@ -143,6 +151,13 @@ fn usable(model: &Model, files: &JobFiles, facts: &Facts<'_>) -> Result<Saved, B
         return Err(Box::new(said.help("Run the job from its beginning.")));
     }
     Ok(saved)
+}
+
+/// Result files that cannot be read back.
+fn damaged(reason: &str) -> Diagnostic {
+    let message = format!("the results up to the saved state cannot be read back: {reason}");
+    Diagnostic::error(Code("SL0710"), message)
+        .help("Put the result files back as they were, or run the job from its beginning.")
 }
 
 fn ended(
@@ -188,10 +203,11 @@ impl<'a> Watch<'a> {
     fn new(
         writers: Writers<'a>,
         observer: &'a mut dyn Observer,
-        onset: Onset,
+        model: &Model,
         dropped_work: f64,
     ) -> Self {
-        let (noise, diagnostics) = (Noise::default(), Vec::new());
+        let (noise, diagnostics) = (Noise::of(model), Vec::new());
+        let onset = model.friction_onset;
         Self { writers, observer, onset, dropped_work, noise, diagnostics }
     }
 
@@ -215,12 +231,12 @@ impl<'a> Watch<'a> {
         }
     }
 
-    /// What the noise of the run asks to be said.
+    /// The noise of the run in numbers, and what it asks to be said.
     fn judge_noise(&mut self) {
-        for said in self.noise.findings() {
-            // Not into the files: a run that went on from a saved state has
-            // only seen its own part of the curve.
-            let _ = self.observer.event(Event::Diagnosed(&said));
+        let measured = self.noise.summary();
+        self.writers.measured(&measured);
+        for said in self.noise.findings(&measured) {
+            let _ = self.tell(Event::Diagnosed(&said)); // the run is over: there is nothing to stop
             self.diagnostics.push(said);
         }
     }

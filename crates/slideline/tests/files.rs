@@ -203,5 +203,5 @@ fn two_runs_write_the_same_files() {
             compared += 1;
         }
     }
-    assert_eq!(compared, 7 + 3);
+    assert_eq!(compared, 8 + 3);
 }

@@ -135,7 +135,14 @@ fn what_was_left_is_finished() {
     let outcome = run(&job(), &options, &mut Quiet);
     assert_eq!(outcome.status, Status::Completed, "{:?}", outcome.diagnostics);
     assert_eq!(outcome.totals.increments, 4);
-    for name in ["job.history.csv", "job.contact.csv", "job.energy.csv", "job.msg", "job.pvd"] {
+    for name in [
+        "job.history.csv",
+        "job.contact.csv",
+        "job.pair.csv",
+        "job.energy.csv",
+        "job.msg",
+        "job.pvd",
+    ] {
         let of = |folder: &Path| std::fs::read(folder.join(name)).unwrap();
         assert!(of(&folder) == of(&whole), "{name}");
     }

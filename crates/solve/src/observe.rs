@@ -237,6 +237,8 @@ pub struct Frame<'a> {
     pub nodal: Nodal<'a>,
     /// One row per contact point of every pair, in order.
     pub contact: &'a [ContactRow],
+    /// One row per contact pair; none at the start of a step.
+    pub pairs: &'a [PairRow],
     /// Section results of the beams, block by block in element order.
     pub beams: &'a [BeamRow],
     /// Energies.
@@ -357,6 +359,28 @@ pub struct ContactRow {
     pub along: f64,
     /// Friction work that this increment dropped [F L]; see the ledger.
     pub dropped_work: f64,
+}
+
+/// A contact pair in a committed state.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct PairRow {
+    /// Rows of its points that are closed.
+    pub closed: usize,
+    /// Rows that opened or closed in the increment.
+    pub changes: usize,
+    /// Deepest overclosure of a closed point [L]; zero without.
+    pub penetration: f64,
+    /// Its node.
+    pub deepest: Option<NodeIndex>,
+    /// Sum of the forces on the slaves [F].
+    pub force: [f64; 2],
+    /// Their moment about the origin [F L].
+    pub moment: f64,
+    /// What is left of all forces on slaves, masters and reference nodes
+    /// together, relative to the sum of their magnitudes [1]: rounding.
+    pub force_imbalance: f64,
+    /// The same of moments [1].
+    pub moment_imbalance: f64,
 }
 
 /// Section results of a beam element at its middle.

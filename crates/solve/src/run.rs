@@ -1,5 +1,6 @@
 //! The whole analysis: steps, increments, commits.
 
+use crate::balance::pair_rows;
 use crate::checkpoint::Checkpoint;
 use crate::commit::commit;
 use crate::contact::{memory_size, point_count};
@@ -8,7 +9,7 @@ use crate::increments::{Control, Decision, Verdict};
 use crate::newton::{Outcome, Target, Workspace, attempt};
 use crate::observe::{
     AttemptReport, BeamRow, ContactRow, Ending, Event, Frame, FrictionCall, Nodal, Observer,
-    StepReport, Stop, Totals,
+    PairRow, Status, StepReport, Stop, Totals,
 };
 use crate::plan::Plan;
 use crate::rows::contact_rows;
@@ -111,8 +112,17 @@ struct Walk<'a> {
     check_tangent: TangentCheck,
     /// One fault of the tangent is enough to be told.
     tangent_is_wrong: bool,
-    contact_rows: Vec<ContactRow>,
-    beam_rows: Vec<BeamRow>,
+    rows: Rows,
+}
+
+/// What observers are shown of the committed state.
+#[derive(Default)]
+struct Rows {
+    contact: Vec<ContactRow>,
+    /// Which contact rows were closed before the increment.
+    closed: Vec<bool>,
+    pairs: Vec<PairRow>,
+    beams: Vec<BeamRow>,
 }
 
 /// Why a step was left before its end.
@@ -143,8 +153,7 @@ impl<'a> Walk<'a> {
             totals: Totals::default(),
             check_tangent: options.check_tangent,
             tangent_is_wrong: false,
-            contact_rows: Vec::new(),
-            beam_rows: Vec::new(),
+            rows: Rows::default(),
         }
     }
 
@@ -304,9 +313,10 @@ impl<'a> Walk<'a> {
         work: &Workspace,
     ) -> Result<(), Left> {
         self.fill_rows(plan);
+        self.rows.pairs.clear();
         let increment = from.map_or(0, |from| from.increment);
         let numbers = Numbers { step: number, increment, ..Numbers::default() };
-        let frame = frame(plan, &self.committed, &numbers, &self.contact_rows, &self.beam_rows);
+        let frame = frame(plan, &self.committed, &numbers, &self.rows);
         let report = StepReport {
             model: self.model,
             step: number,
@@ -340,6 +350,9 @@ impl<'a> Walk<'a> {
         let left = diagnose::slid_off(plan, &self.committed, &self.trial);
         std::mem::swap(&mut self.committed, &mut self.trial);
         self.totals.increments += 1;
+        let Rows { contact, closed, .. } = &mut self.rows;
+        closed.clear();
+        closed.extend(contact.iter().map(|row| row.status != Status::Open));
         let dropped = |point: &&crate::state::PointState| point.friction == FrictionCall::Dropped;
         self.totals.dropped_points += self.committed.points.iter().filter(dropped).count();
         self.fill_rows(plan);
@@ -352,7 +365,9 @@ impl<'a> Walk<'a> {
             dt: target.dt,
             last: *decision == Decision::StepDone,
         };
-        let frame = frame(plan, &self.committed, &numbers, &self.contact_rows, &self.beam_rows);
+        let Rows { contact, closed, pairs, .. } = &mut self.rows;
+        pair_rows(plan, &self.committed, work, (contact, closed), pairs);
+        let frame = frame(plan, &self.committed, &numbers, &self.rows);
         // A wish to stop does not keep back what belongs to the increment.
         let mut told = match self.observer.event(Event::Committed(&frame)) {
             ControlFlow::Continue(()) => Ok(()),
@@ -412,9 +427,9 @@ impl<'a> Walk<'a> {
     }
 
     fn fill_rows(&mut self, plan: &Plan<'_>) {
-        contact_rows(plan, &self.committed, &mut self.contact_rows);
-        self.beam_rows.clear();
-        self.beam_rows.extend(plan.structure.beam_rows(&self.committed.displacement));
+        contact_rows(plan, &self.committed, &mut self.rows.contact);
+        self.rows.beams.clear();
+        self.rows.beams.extend(plan.structure.beam_rows(&self.committed.displacement));
     }
 }
 
@@ -430,13 +445,7 @@ struct Numbers {
     last: bool,
 }
 
-fn frame<'a>(
-    plan: &Plan<'a>,
-    state: &'a State,
-    numbers: &Numbers,
-    contact: &'a [ContactRow],
-    beams: &'a [BeamRow],
-) -> Frame<'a> {
+fn frame<'a>(plan: &Plan<'a>, state: &'a State, numbers: &Numbers, rows: &'a Rows) -> Frame<'a> {
     Frame {
         model: plan.model,
         step: numbers.step,
@@ -454,8 +463,9 @@ fn frame<'a>(
             reaction: &state.reaction,
             load: &state.load,
         },
-        contact,
-        beams,
+        contact: &rows.contact,
+        pairs: &rows.pairs,
+        beams: &rows.beams,
         energy: state.energy,
     }
 }

@@ -45,6 +45,7 @@ pub(crate) fn page(
         ("{{verdict}}", verdict_html(results)),
         ("{{facts}}", facts(results)),
         ("{{ledger}}", ledger(results)),
+        ("{{noise}}", noise(results)),
         ("{{warnings}}", warnings(results, options)),
         ("{{settings}}", settings(results)),
         ("{{echo}}", format!("<pre class=\"echo\">{}</pre>", escaped(&results.echo))),
@@ -154,6 +155,57 @@ fn ledger(results: &Results) -> String {
         _ => "Closed points went without friction (SL0601): the forces lack it.",
     };
     format!("<p>{said}</p>{}", table(&["entry", "value"], &rows))
+}
+
+/// Noise of the driven reactions and of the contact pairs.
+fn noise(results: &Results) -> String {
+    let Some(noise) = results.summary.get("noise") else {
+        return "<p>The summary holds no measures of noise.</p>".to_owned();
+    };
+    let cell = |value: Option<f64>| value.map_or("-".to_owned(), |value| general(value, 3));
+    let percent = |value: Option<f64>| cell(value.map(|value| 100.0 * value));
+    let reactions: Vec<Vec<String>> = results
+        .driven
+        .iter()
+        .map(|driven| format!("{}.{}", driven.node, driven.reaction))
+        .filter_map(|name| Some((noise.get("reactions")?.get(&name)?, name)))
+        .map(|(reaction, name)| {
+            let turns = reaction.count("reversals").unwrap_or_default();
+            vec![name, percent(reaction.number("roughness")), turns.to_string()]
+        })
+        .collect();
+    let pairs: Vec<Vec<String>> = noise
+        .list("pairs")
+        .iter()
+        .map(|pair| {
+            let number = |key: &str| cell(pair.number(key));
+            vec![
+                pair.text("name").unwrap_or("?").to_owned(),
+                number("changes_per_increment"),
+                number("penetration"),
+                number("penetration_over_c0"),
+                number("force_imbalance"),
+                number("moment_imbalance"),
+            ]
+        })
+        .collect();
+    let mut text = String::new();
+    if !reactions.is_empty() {
+        let heads = ["driven reaction", "roughness, % of peak", "reversals"];
+        text.push_str(&table(&heads, &reactions));
+    }
+    if !pairs.is_empty() {
+        let heads = [
+            "contact pair",
+            "contact changes per increment",
+            "deepest penetration",
+            "in c0",
+            "forces left over",
+            "moments left over",
+        ];
+        text.push_str(&table(&heads, &pairs));
+    }
+    if text.is_empty() { "<p>Nothing is driven and nothing touches.</p>".to_owned() } else { text }
 }
 
 fn warnings(results: &Results, options: &Options<'_>) -> String {

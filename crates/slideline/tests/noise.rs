@@ -1,0 +1,174 @@
+//! The noise of a run, in its files.
+//!
+//! Requirement: roughness, reversals, contact changes, penetration and balance
+//! of every pair stand in `JOB.json`; they are a function of the history alone,
+//! so that a run that was interrupted and went on says the same; coarse slaves
+//! on the beam are called noisy, a slide line and integrated contact are not
+//! (Diehl 1995, figure 4).
+
+#![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
+
+use slideline::observe::{Event, Observer, Stop};
+use slideline::{Job, Outcome, Quiet, Read, ReadOptions, RunOptions, Status, run};
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+
+fn corpus(name: &str) -> Read {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../corpus/diehl1995");
+    Job::read(&folder.join(name), &ReadOptions::default())
+}
+
+/// The same deck with increments ten times shorter.
+fn finer(name: &str) -> Read {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../corpus/diehl1995").join(name);
+    let text = std::fs::read_to_string(path).unwrap();
+    let text = text
+        .replace("0.05, 1.0, 1.0E-6, 0.05", "0.005, 1.0, 1.0E-6, 0.005")
+        .replace("INC=100", "INC=1000");
+    assert!(text.contains("0.005, 1.0"));
+    Job::read_text("finer", &text, &ReadOptions::default())
+}
+
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("noise_{name}"));
+    let _ = std::fs::remove_dir_all(&folder);
+    folder
+}
+
+fn run_in(folder: &Path, read: &Read) -> Outcome {
+    let options = RunOptions { folder: Some(folder.to_owned()), ..RunOptions::default() };
+    run(read, &options, &mut Quiet)
+}
+
+fn codes(outcome: &Outcome) -> Vec<&str> {
+    outcome.diagnostics.iter().map(|said| said.code.0).collect()
+}
+
+#[test]
+fn coarse_slaves_on_the_beam_are_noisy_and_others_are_not() {
+    for name in ["irs_coarse.inp", "irs_coarse_mu03.inp"] {
+        for (kind, read) in [("20", corpus(name)), ("200", finer(name))] {
+            let outcome = run_in(&folder(&format!("{name}_{kind}")), &read);
+            assert!(codes(&outcome).contains(&"SL0610"), "{name} {kind}: {:?}", codes(&outcome));
+        }
+    }
+    let quiet = [
+        "isl_coarse.inp",
+        "isl_coarse_mu03.inp",
+        "surface_coarse.inp",
+        "surface_coarse_mu03.inp",
+        "cam_isl_push_pull_mu03.inp",
+        "isl_coarse_push_pull_mu03.inp",
+    ];
+    for name in quiet {
+        let outcome = run_in(&folder(name), &corpus(name));
+        assert_eq!(outcome.status, Status::Completed);
+        assert!(!codes(&outcome).contains(&"SL0610"), "{name}: {:?}", outcome.diagnostics);
+    }
+    for name in ["isl_coarse.inp", "surface_coarse_mu03.inp"] {
+        let outcome = run_in(&folder(&format!("{name}_200")), &finer(name));
+        assert!(!codes(&outcome).contains(&"SL0610"), "{name}: {:?}", outcome.diagnostics);
+    }
+}
+
+/// Numbers of a column of a CSV file.
+fn column(path: &Path, name: &str) -> Vec<f64> {
+    let text = std::fs::read_to_string(path).unwrap();
+    let mut lines = text.lines();
+    let place = lines.next().unwrap().split(',').position(|cell| cell == name).unwrap();
+    lines.map(|line| line.split(',').nth(place).unwrap().parse().unwrap()).collect()
+}
+
+/// The number behind a key, the first after a mark.
+fn said(json: &str, mark: &str, key: &str) -> f64 {
+    let from = &json[json.find(mark).unwrap_or_else(|| panic!("{mark}"))..];
+    let from = &from[from.find(&format!("\"{key}\":")).unwrap() + key.len() + 3..];
+    from.split([',', '}']).next().unwrap().trim().parse().unwrap()
+}
+
+/// The numbers of `JOB.json` are those of the curves in the CSV files, by a
+/// formula written anew; the force on the slaves is the reaction of the circle
+/// (the slide line's slaves ride on it), and every pair balances to rounding:
+/// 1e-12, for a thousand summands of 1e-16.
+#[test]
+fn the_numbers_are_those_of_the_curves() {
+    for (name, sign) in
+        [("irs_coarse_mu03", 1.0), ("isl_coarse_mu03", -1.0), ("surface_coarse_mu03", 1.0)]
+    {
+        let folder = folder(&format!("numbers_{name}"));
+        assert_eq!(run_in(&folder, &corpus(&format!("{name}.inp"))).status, Status::Completed);
+        let file = |ending: &str| folder.join(format!("{name}{ending}"));
+        let json = std::fs::read_to_string(file(".json")).unwrap();
+        let noise = &json[json.find("\"noise\"").unwrap()..];
+        let rf2 = column(&file(".history.csv"), "RF2");
+        let peak = rf2.iter().fold(0.0f64, |most, v| most.max(v.abs()));
+        let sum: f64 = rf2.windows(3).map(|w| (w[0] - 2.0 * w[1] + w[2]).powi(2)).sum();
+        let rough = (sum / (rf2.len() - 2) as f64 / 6.0).sqrt() / peak;
+        let found = said(noise, "\"9999.RF2\"", "roughness");
+        assert!((found / rough - 1.0).abs() < 1e-9, "{name}: {found} {rough}");
+        let (force, rf1) = (["force_x", "force_y"], column(&file(".history.csv"), "RF1"));
+        for (axis, reaction) in force.iter().zip([&rf1, &rf2]) {
+            for (force, reaction) in column(&file(".pair.csv"), axis).iter().zip(reaction) {
+                assert!((force - sign * reaction).abs() < 1e-9 * peak, "{name} {axis}");
+            }
+        }
+        let changes: f64 = column(&file(".pair.csv"), "changes").iter().sum();
+        assert_eq!(said(noise, "\"pairs\"", "contact_changes"), changes);
+        let deepest = column(&file(".pair.csv"), "penetration").into_iter().fold(0.0, f64::max);
+        assert_eq!(said(noise, "\"pairs\"", "penetration"), deepest);
+        for key in ["force_imbalance", "moment_imbalance"] {
+            let left = said(noise, "\"pairs\"", key);
+            println!("{name} {key} {left:e}");
+            assert!(left < 1e-12, "{name} {key} {left:e}");
+        }
+    }
+}
+
+struct Until(usize);
+
+impl Observer for Until {
+    fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
+        match event {
+            Event::Committed(frame) if frame.increment == self.0 => {
+                ControlFlow::Break(Stop::Interrupted)
+            }
+            _ => ControlFlow::Continue(()),
+        }
+    }
+}
+
+/// Wherever a run was left, having gone on it says what a whole run says.
+#[test]
+fn a_run_that_went_on_measures_the_whole_history() {
+    let read = corpus("irs_coarse_mu03.inp");
+    let whole = folder("whole");
+    run_in(&whole, &read);
+    let member = |folder: &Path, name: &str| {
+        let json = std::fs::read_to_string(folder.join("irs_coarse_mu03.json")).unwrap();
+        let from = json.find(&format!("\"{name}\":")).unwrap_or_else(|| panic!("{name}"));
+        json[from..]
+            .split("\"schema\"")
+            .next()
+            .unwrap()
+            .split("\"driven\"")
+            .next()
+            .unwrap()
+            .to_owned()
+    };
+    for stop in [1, 7, 13, 19] {
+        let part = folder(&format!("part_{stop}"));
+        let options = RunOptions { folder: Some(part.clone()), ..RunOptions::default() };
+        assert_eq!(run(&read, &options, &mut Until(stop)).status, Status::Interrupted);
+        let options = RunOptions { restart: true, ..options };
+        let outcome = run(&read, &options, &mut Quiet);
+        assert_eq!(outcome.status, Status::Completed, "{:?}", outcome.diagnostics);
+        assert_eq!(member(&part, "noise"), member(&whole, "noise"), "{stop}");
+        assert_eq!(member(&part, "warnings"), member(&whole, "warnings"), "{stop}");
+        for ending in ["msg", "pair.csv", "history.csv", "contact.csv", "energy.csv", "sta"] {
+            let of = |folder: &Path| {
+                std::fs::read(folder.join(format!("irs_coarse_mu03.{ending}"))).unwrap()
+            };
+            assert!(of(&part) == of(&whole), "{stop}: {ending}");
+        }
+    }
+}
