@@ -3,12 +3,12 @@
 use crate::checkpoint::Checkpoint;
 use crate::commit::commit;
 use crate::contact::{memory_size, point_count};
-use crate::diagnose;
-use crate::increments::{Control, Decision, Verdict};
+use crate::diagnose::{self, Case};
+use crate::increments::{Control, Decision, StopReason, Verdict};
 use crate::newton::{Outcome, Target, Workspace, attempt};
 use crate::observe::{
     AttemptReport, BeamRow, ContactRow, Ending, Event, Frame, FrictionCall, Nodal, Observer,
-    StepReport, Stop, Totals,
+    StepReport, Stop, Totals, Unconverged,
 };
 use crate::plan::Plan;
 use crate::rows::contact_rows;
@@ -240,9 +240,9 @@ impl<'a> Walk<'a> {
                 Decision::Stop(reason) => {
                     if !matches!(outcome.verdict, Verdict::Converged { .. }) {
                         self.fail(&target, &outcome, None)?;
+                        self.show_unconverged(plan, &target, &outcome, work)?;
                     }
-                    let diagnosis =
-                        diagnose::failure(plan, &self.committed, work, &outcome, reason);
+                    let diagnosis = self.diagnosis(plan, &target, &outcome, reason, work);
                     self.tell(Event::Diagnosed(&diagnosis))?;
                     return Err(Left::Failed(Box::new(diagnosis)));
                 }
@@ -286,6 +286,53 @@ impl<'a> Walk<'a> {
             next,
         };
         self.tell(Event::AttemptFailed(&report))
+    }
+
+    /// The state in which the last attempt was given up.
+    fn show_unconverged(
+        &mut self,
+        plan: &Plan<'_>,
+        target: &Target,
+        outcome: &Outcome,
+        work: &Workspace,
+    ) -> Result<(), Left> {
+        commit(plan, &self.committed, target, work, &mut self.trial);
+        contact_rows(plan, &self.trial, &mut self.contact_rows);
+        self.beam_rows.clear();
+        self.beam_rows.extend(plan.structure.beam_rows(&self.trial.displacement));
+        let residual = work.residuals(plan);
+        let numbers = Numbers::of(target, outcome);
+        let frame = frame(plan, &self.trial, &numbers, &self.contact_rows, &self.beam_rows);
+        match self.observer.event(Event::Unconverged(&Unconverged { frame, residual: &residual })) {
+            ControlFlow::Continue(()) => Ok(()),
+            ControlFlow::Break(stop) => Err(Left::Stopped(stop)),
+        }
+    }
+
+    /// Why no increment was found. Fixed increments are walked in shorter ones
+    /// first: where these reach the end the size was the cause, and where they
+    /// do not they come closer to it.
+    fn diagnosis(
+        &self,
+        plan: &Plan<'_>,
+        target: &Target,
+        outcome: &Outcome,
+        stop: StopReason,
+        work: &mut Workspace,
+    ) -> Diagnostic {
+        if stop != StopReason::Fixed {
+            let (committed, dt) = (&self.committed, target.dt);
+            return diagnose::failure(&Case { plan, committed, work, outcome, stop, dt });
+        }
+        match walk_shorter(plan, &self.committed, target, work) {
+            Shorter::Reached(needed) => {
+                diagnose::step_too_large(plan, &self.committed, outcome, needed)
+            }
+            Shorter::Lost { committed, outcome, dt } => {
+                let (committed, outcome) = (&committed, &outcome);
+                diagnose::failure(&Case { plan, committed, work, outcome, stop, dt })
+            }
+        }
     }
 
     fn tell(&mut self, event: Event<'_>) -> Result<(), Left> {
@@ -343,15 +390,8 @@ impl<'a> Walk<'a> {
         let dropped = |point: &&crate::state::PointState| point.friction == FrictionCall::Dropped;
         self.totals.dropped_points += self.committed.points.iter().filter(dropped).count();
         self.fill_rows(plan);
-        let numbers = Numbers {
-            step: target.step,
-            increment: target.increment,
-            attempt: target.attempt,
-            severe: outcome.severe,
-            equilibrium: outcome.equilibrium,
-            dt: target.dt,
-            last: *decision == Decision::StepDone,
-        };
+        let last = *decision == Decision::StepDone;
+        let numbers = Numbers { last, ..Numbers::of(target, outcome) };
         let frame = frame(plan, &self.committed, &numbers, &self.contact_rows, &self.beam_rows);
         // A wish to stop does not keep back what belongs to the increment.
         let mut told = match self.observer.event(Event::Committed(&frame)) {
@@ -418,6 +458,47 @@ impl<'a> Walk<'a> {
     }
 }
 
+/// What shorter increments made of one that failed.
+enum Shorter {
+    /// They lead to its end; the shortest of them [T].
+    Reached(f64),
+    /// They do not.
+    Lost { committed: Box<State>, outcome: Box<Outcome>, dt: f64 },
+}
+
+/// Shortest increment that is tried, as a fraction of the one that failed.
+const SHORTEST: f64 = 1.0 / 256.0;
+
+/// Walks an increment that failed in shorter ones, unseen.
+fn walk_shorter(
+    plan: &Plan<'_>,
+    committed: &State,
+    target: &Target,
+    work: &mut Workspace,
+) -> Shorter {
+    let mut from = Box::new(committed.clone());
+    let mut to = from.clone();
+    let mut needed = 0.25 * target.dt;
+    loop {
+        let left = target.step_time - from.step_time;
+        let dt = if needed > left * (1.0 - 1e-9) { left } else { needed };
+        let step_time = if dt == left { target.step_time } else { from.step_time + dt };
+        let aim = Target { step_time, dt, ..*target };
+        let outcome = attempt(plan, &from, &aim, work, &mut |_| {});
+        if matches!(outcome.verdict, Verdict::Converged { .. }) {
+            commit(plan, &from, &aim, work, &mut to);
+            std::mem::swap(&mut from, &mut to);
+            if dt == left {
+                return Shorter::Reached(needed);
+            }
+        } else if needed <= SHORTEST * target.dt {
+            return Shorter::Lost { committed: from, outcome: Box::new(outcome), dt };
+        } else {
+            needed *= 0.25;
+        }
+    }
+}
+
 /// Counts of a frame.
 #[derive(Clone, Copy, Debug, Default)]
 struct Numbers {
@@ -428,6 +509,21 @@ struct Numbers {
     equilibrium: usize,
     dt: f64,
     last: bool,
+}
+
+impl Numbers {
+    /// Those of an attempt.
+    fn of(target: &Target, outcome: &Outcome) -> Self {
+        Self {
+            step: target.step,
+            increment: target.increment,
+            attempt: target.attempt,
+            severe: outcome.severe,
+            equilibrium: outcome.equilibrium,
+            dt: target.dt,
+            last: false,
+        }
+    }
 }
 
 fn frame<'a>(
