@@ -1,6 +1,7 @@
 //! A finding and the card that mends it.
 
-use slideline_diag::{Diagnostic, Span};
+use slideline_diag::Diagnostic;
+pub use slideline_diag::{Place, Suggestion};
 
 /// Something found, with the card to write where one mends it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -9,26 +10,6 @@ pub struct Finding {
     pub diagnostic: Diagnostic,
     /// The card, if one card helps.
     pub card: Option<Suggestion>,
-}
-
-/// One card and where it belongs.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Suggestion {
-    /// Where.
-    pub place: Place,
-    /// The card: keyword line and data lines, each ended by a line feed.
-    pub text: String,
-}
-
-/// Where a suggested card belongs.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Place {
-    /// In front of the card at that place.
-    Before(Span),
-    /// Behind the card at that place and its data.
-    After(Span),
-    /// Instead of the card at that place and its data.
-    Instead(Span),
 }
 
 impl Finding {

@@ -261,7 +261,7 @@ impl<'a> Progress<'a> {
                 let text = record(said, self.sources).finish();
                 let _ = writeln!(self.waiting, "{{\"event\":\"diagnosis\",{}", &text[1..]); // a String takes any text
             }
-            Event::Diagnosed(_) | Event::Checkpoint(_) => {}
+            Event::Diagnosed(_) | Event::Checkpoint(_) | Event::Unconverged(_) => {}
             Event::End(_) => self.clear_line(),
         }
         if !self.waiting.is_empty()

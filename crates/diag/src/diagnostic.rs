@@ -59,6 +59,27 @@ pub struct Edit {
     pub replacement: String,
 }
 
+/// One card that helps, and where it belongs. What knows the deck turns it
+/// into an [`Edit`].
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Suggestion {
+    /// Where.
+    pub place: Place,
+    /// The card: keyword line and data lines, each ended by a line feed.
+    pub text: String,
+}
+
+/// Where a suggested card belongs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// In front of the card at that place.
+    Before(Span),
+    /// Behind the card at that place and its data; data lines prolong it.
+    After(Span),
+    /// Instead of the card at that place and its data.
+    Instead(Span),
+}
+
 /// One thing to say about a deck, a model or a run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
@@ -76,13 +97,16 @@ pub struct Diagnostic {
     pub help: Option<String>,
     /// The mend itself, where it is certain.
     pub edit: Option<Edit>,
+    /// The card that helps, where its edit has not been worked out.
+    pub card: Option<Suggestion>,
 }
 
 impl Diagnostic {
     /// A diagnostic of any severity.
     pub fn new(severity: Severity, code: Code, message: impl Into<String>) -> Self {
         let message = message.into();
-        Self { code, severity, message, span: None, labels: Vec::new(), help: None, edit: None }
+        let (span, labels, help, edit, card) = (None, Vec::new(), None, None, None);
+        Self { code, severity, message, span, labels, help, edit, card }
     }
 
     /// An error.
@@ -123,6 +147,13 @@ impl Diagnostic {
     #[must_use]
     pub fn help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
+        self
+    }
+
+    /// Suggests a card.
+    #[must_use]
+    pub fn card(mut self, place: Place, text: impl Into<String>) -> Self {
+        self.card = Some(Suggestion { place, text: text.into() });
         self
     }
 

@@ -14,5 +14,5 @@ mod diagnostic;
 mod source;
 
 pub use catalogue::{CATALOGUE, Entry, entry};
-pub use diagnostic::{Code, Diagnostic, Edit, Label, Severity, has_errors};
+pub use diagnostic::{Code, Diagnostic, Edit, Label, Place, Severity, Suggestion, has_errors};
 pub use source::{FileId, Location, Source, Sources, Span};

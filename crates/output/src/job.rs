@@ -6,6 +6,9 @@ use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+/// Ending of the state in which a run gave up.
+pub(crate) const FAILED: &str = ".failed.vtu";
+
 /// Endings of the files of a job, beside its numbered `_0001.vtu` files.
 const ENDINGS: &[&str] = &[
     ".sta",
@@ -21,6 +24,7 @@ const ENDINGS: &[&str] = &[
     ".frd",
     ".html",
     ".rst",
+    FAILED,
 ];
 
 /// Folder and name of a job's files.
@@ -58,6 +62,11 @@ impl JobFiles {
     /// Name of the deformed state of that number, without its folder.
     pub fn state_name(&self, number: usize) -> String {
         format!("{}_{number:04}.vtu", self.name())
+    }
+
+    /// The state in which a run gave up.
+    pub fn failed_state(&self) -> PathBuf {
+        self.path(FAILED)
     }
 
     /// The files of this job that exist, temporary ones too, in no order.
@@ -136,7 +145,8 @@ mod tests {
     #[test]
     fn a_job_owns_its_results_and_nothing_else() {
         let job = JobFiles::new("out", "beam");
-        let owned = ["beam.sta", "beam.json.part", "beam_0001.vtu", "beam_12345.vtu", "beam.rst"];
+        let owned =
+            ["beam.sta", "beam.json.part", "beam_0001.vtu", "beam_12345.vtu", "beam.failed.vtu"];
         let strange = [
             "beam.inp",
             "beam2.sta",

@@ -1,9 +1,9 @@
 //! The adviser's findings as diagnostics of a deck, and the deck mended.
 
 use crate::Read;
-use slideline_advice::{Finding, Place, Suggestion};
+use slideline_advice::Finding;
 use slideline_deck::{Card, Deck};
-use slideline_diag::{Diagnostic, Edit, FileId, Span};
+use slideline_diag::{Diagnostic, Edit, FileId, Place, Span, Suggestion};
 
 /// What the adviser says about a deck that was read; nothing where it has no
 /// model. A finding that one card mends carries the edit.
@@ -19,7 +19,9 @@ pub fn mended(read: &Read, diagnostics: &[Diagnostic]) -> Option<Vec<u8>> {
     let mut places: Vec<Span> = Vec::new();
     let mut edits = Vec::new();
     for said in diagnostics {
-        let Some(edit) = said.edit.as_ref().filter(|edit| edit.span.file == FileId(0)) else {
+        let by_card = || said.card.clone().and_then(|card| edit(&read.deck, &card));
+        let edit = said.edit.clone().or_else(by_card);
+        let Some(edit) = edit.filter(|edit| edit.span.file == FileId(0)) else {
             continue;
         };
         let whole_line = edit.replacement.starts_with('*') && edit.replacement.ends_with('\n');
@@ -37,16 +39,19 @@ pub fn mended(read: &Read, diagnostics: &[Diagnostic]) -> Option<Vec<u8>> {
 
 fn with_edit(deck: &Deck, finding: Finding) -> Diagnostic {
     let mut said = finding.diagnostic;
-    if let Some(Suggestion { place, text }) = finding.card {
-        said.edit = edit(deck, &place, text);
+    if let Some(card) = finding.card {
+        said.edit = edit(deck, &card);
     }
     said
 }
 
-fn edit(deck: &Deck, place: &Place, text: String) -> Option<Edit> {
+/// The edit that writes a card.
+fn edit(deck: &Deck, card: &Suggestion) -> Option<Edit> {
+    let Suggestion { place, text } = card;
     let (Place::Before(at) | Place::After(at) | Place::Instead(at)) = *place;
     let card = deck.cards.iter().find(|card| {
-        card.keyword.span.file == at.file && (start_of(card)..=card.span.end).contains(&at.start)
+        card.keyword.span.file == at.file
+            && (start_of(card)..=card.full_span().end).contains(&at.start)
     })?;
     let (start, end) = (start_of(card), end_of(deck, card));
     let span = |start, end| Span { file: at.file, start, end };
@@ -55,7 +60,7 @@ fn edit(deck: &Deck, place: &Place, text: String) -> Option<Edit> {
         Place::After(_) => span(end, end),
         Place::Instead(_) => span(start, end),
     };
-    Some(Edit { span, replacement: text })
+    Some(Edit { span, replacement: text.clone() })
 }
 
 /// First byte of the card's line.

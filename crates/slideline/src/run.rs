@@ -6,7 +6,7 @@ use slideline_diag::{Code, Diagnostic};
 use slideline_model::{Model, Onset};
 use slideline_output::restart::{self, Saved};
 use slideline_output::{Facts, JobFiles, Past, Status, WriteError, Writers, dropped_friction};
-use slideline_solve::observe::{Ending, Event, Observer, Stop, Totals};
+use slideline_solve::observe::{Ending, Event, Frame, Observer, Stop, Totals};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 
@@ -222,6 +222,22 @@ impl<'a> Watch<'a> {
         }
     }
 
+    /// Says where the state stands in which the run gave up.
+    fn name_failed(&mut self, frame: &Frame<'_>) -> ControlFlow<Stop> {
+        let path = self.writers.job().failed_state();
+        let message = format!(
+            "the state of the last attempt (increment {}, total time {:.6}), with the forces that \
+             nothing balances in it, stands in {}",
+            frame.increment,
+            frame.total_time,
+            path.display()
+        );
+        let said = Diagnostic::note(Code("SL0592"), message)
+            .help("open it in ParaView and colour it by residual_force");
+        self.diagnostics.push(said.clone());
+        self.tell(Event::Diagnosed(&said))
+    }
+
     /// What the ledger has to say goes before the end.
     fn close_ledger(&mut self, ending: &Ending) {
         let points = totals(ending).dropped_points;
@@ -260,6 +276,10 @@ impl Observer for Watch<'_> {
         match event {
             Event::Committed(frame) => self.dropped_work = frame.energy.dropped_friction,
             Event::Diagnosed(said) => self.diagnostics.push(said.clone()),
+            Event::Unconverged(state) => {
+                self.tell(event)?;
+                return self.name_failed(&state.frame);
+            }
             Event::End(ending) => {
                 self.close_ledger(ending);
                 self.judge_noise();

@@ -18,6 +18,7 @@ mod contact;
 mod convergence;
 mod diagnose;
 mod evaluate;
+mod evidence;
 mod increments;
 mod layout;
 mod linearised;

@@ -22,6 +22,7 @@
 //! the coupling of traction and pressure, stand in the small system; K itself
 //! is unsymmetric only by the turning of the tractions with the surface.
 
+mod contradiction;
 mod iterate;
 mod jam;
 mod laws;
@@ -29,6 +30,7 @@ mod settle;
 mod stations;
 mod system;
 
+pub use contradiction::Contradiction;
 use slideline_linalg::{SolveError, Solver};
 use slideline_mech::contact::pair::Laws;
 use system::{Row, Station, System, Unknown};

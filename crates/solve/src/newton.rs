@@ -9,9 +9,12 @@
 //! Newton knows nothing of time: it is told the state to start from and the
 //! values to reach.
 
+mod questions;
+
 use crate::contact::{GeometryScratch, Meeting, STRIP_POINTS, SlavePoint};
 use crate::convergence::{Field, FieldHistory, Measures, judge, largest_nodal};
 use crate::evaluate::{Evaluation, Trial, evaluate};
+use crate::evidence::Evidence;
 use crate::increments::Verdict;
 use crate::linearised::{Circumstances, LinearPoint, LinearisedContact, MOST_DOFS, Sliding};
 use crate::observe::{ContactChange, IterationReport};
@@ -74,6 +77,8 @@ pub struct Workspace {
     /// Most negative pivots of a symmetric factorisation in this attempt:
     /// directions in which the structure gives way.
     pub negative_pivots: usize,
+    /// What the iterations of this attempt showed of every contact point.
+    pub evidence: Evidence,
     /// Whether every facing point lends its stiffness in this attempt.
     lend_to_all: bool,
     /// The list of changes of the last report, to be used again.
@@ -112,6 +117,7 @@ impl Workspace {
             geometry: GeometryScratch::new(&plan.contact),
             was_closed: vec![false; points],
             negative_pivots: 0,
+            evidence: Evidence::new(points),
             lend_to_all: false,
             changes: Vec::with_capacity(points),
         }
@@ -223,6 +229,7 @@ impl Workspace {
             self.spread_prescribed(plan, committed, target);
         }
         self.evaluate(plan, committed, target.dt);
+        self.evidence.begin(&self.evaluation.points);
     }
 
     /// Without a last increment to repeat, what is prescribed on the
@@ -276,19 +283,6 @@ impl Workspace {
             dt,
         };
         evaluate(plan, committed, &trial, &mut self.evaluation);
-    }
-
-    /// Points, closed at the last commit, whose friction locks them: by the
-    /// equations of the last iteration and the way they went until then.
-    pub fn jammed(&self, plan: &Plan<'_>, committed: &State) -> Vec<usize> {
-        let around = circumstances(plan, committed, 1.0);
-        let locked = |&place: &usize| {
-            let before = &committed.points[place];
-            let trial = self.points[place].sliding.map_or(0.0, |sliding| sliding.slip);
-            let way = if trial.abs() > around.rounding { trial } else { before.traction };
-            self.contact.jams(&self.points, place, (way, before.pressure), &around)
-        };
-        (0..self.points.len().min(committed.points.len())).filter(locked).collect()
     }
 
     /// One Newton iteration: assemble, factor, solve, move, evaluate.
@@ -485,6 +479,7 @@ impl Workspace {
         let controls = &plan.step.controls.field;
         let averages = [0, 1].map(|field| committed.flux[field].with(flux[field], controls));
         self.note_changes(plan, controls.r_n * averages[0], &mut report);
+        self.evidence.note(&self.evaluation.points);
         if report.severe {
             progress.severe += 1;
             progress.since_change = 0;
@@ -610,12 +605,18 @@ impl Workspace {
     /// Hard contact and exact stick have no stiffness that would turn a
     /// defect into a residual: it is held against the structure's own.
     fn contact_settled(&self, plan: &Plan<'_>, allowed: f64) -> bool {
+        let tolerance = self.contact_tolerance(plan, allowed);
+        self.evaluation.penetration <= tolerance && self.evaluation.stick_slip <= tolerance
+    }
+
+    /// Overclosure that the structure would answer with the residual allowed,
+    /// or that rounding leaves [L].
+    fn contact_tolerance(&self, plan: &Plan<'_>, allowed: f64) -> f64 {
         let moved = self.u.iter().fold(0.0_f64, |largest, u| largest.max(u.abs()));
         let rounding = 8.0 * f64::EPSILON * (plan.reach + moved);
         let stiffest = plan.structure.stiffest;
         let by_force = if stiffest > 0.0 { allowed / stiffest } else { 0.0 };
-        let tolerance = by_force.max(rounding);
-        self.evaluation.penetration <= tolerance && self.evaluation.stick_slip <= tolerance
+        by_force.max(rounding)
     }
 }
 

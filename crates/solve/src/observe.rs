@@ -3,7 +3,7 @@
 //! ```text
 //!   run --> StepBegin --> Iteration, Iteration ... --> Committed(frame)
 //!                     \-> Iteration ... --> AttemptFailed --> (again, shorter)
-//!       --> Diagnosed --> Checkpoint --> ... --> End
+//!       --> Checkpoint --> ... --> Unconverged --> Diagnosed --> End
 //! ```
 //!
 //! Observers borrow; nothing here owns a result. Files, tables, progress and
@@ -45,6 +45,9 @@ pub enum Event<'a> {
     Tangent(&'a TangentReport),
     /// An increment was told in full; the run could go on from here.
     Checkpoint(&'a Checkpoint<'a>),
+    /// The last state of an increment that was not found, before its cause is
+    /// told.
+    Unconverged(&'a Unconverged<'a>),
     /// Something to be said about the run.
     Diagnosed(&'a Diagnostic),
     /// The run is over.
@@ -243,6 +246,21 @@ pub struct Frame<'a> {
     pub beams: &'a [BeamRow],
     /// Energies.
     pub energy: Energies,
+}
+
+/// The state in which an attempt was given up, for viewing: no equilibrium.
+#[derive(Clone, Copy, Debug)]
+pub struct Unconverged<'a> {
+    /// The state, as if it were one; energies count up to it.
+    pub frame: Frame<'a>,
+    pub(crate) residual: &'a [f64],
+}
+
+impl Unconverged<'_> {
+    /// Force or moment at a node that nothing balances [F or F L].
+    pub fn residual(&self, node: NodeIndex, dof: Dof) -> f64 {
+        self.frame.nodal.read(self.residual, node, dof)
+    }
 }
 
 /// Nodal vectors of a frame; dofs that a model does not have read zero.

@@ -113,6 +113,11 @@ impl<'a> Plan<'a> {
         }
     }
 
+    /// Average length of the contact elements of a pair [L].
+    pub fn contact_length(&self, pair: &slideline_model::ContactPair) -> f64 {
+        crate::contact::average_element(self.model, pair)
+    }
+
     /// Puts the prescribed values of a time of the step into `u`.
     pub fn prescribe(&self, step_time: f64, u: &mut [f64]) {
         for (slot, role) in self.layout.roles.iter().enumerate() {

@@ -4,12 +4,12 @@ use crate::balance::pair_rows;
 use crate::checkpoint::Checkpoint;
 use crate::commit::commit;
 use crate::contact::{memory_size, point_count};
-use crate::diagnose;
-use crate::increments::{Control, Decision, Verdict};
+use crate::diagnose::{self, Case};
+use crate::increments::{Control, Decision, StopReason, Verdict};
 use crate::newton::{Outcome, Target, Workspace, attempt};
 use crate::observe::{
     AttemptReport, BeamRow, ContactRow, Ending, Event, Frame, FrictionCall, Nodal, Observer,
-    PairRow, Status, StepReport, Stop, Totals,
+    PairRow, Status, StepReport, Stop, Totals, Unconverged,
 };
 use crate::plan::Plan;
 use crate::rows::contact_rows;
@@ -249,9 +249,9 @@ impl<'a> Walk<'a> {
                 Decision::Stop(reason) => {
                     if !matches!(outcome.verdict, Verdict::Converged { .. }) {
                         self.fail(&target, &outcome, None)?;
+                        self.show_unconverged(plan, &target, &outcome, work)?;
                     }
-                    let diagnosis =
-                        diagnose::failure(plan, &self.committed, work, &outcome, reason);
+                    let diagnosis = self.diagnosis(plan, &target, &outcome, reason, work);
                     self.tell(Event::Diagnosed(&diagnosis))?;
                     return Err(Left::Failed(Box::new(diagnosis)));
                 }
@@ -297,6 +297,51 @@ impl<'a> Walk<'a> {
         self.tell(Event::AttemptFailed(&report))
     }
 
+    /// The state in which the last attempt was given up.
+    fn show_unconverged(
+        &mut self,
+        plan: &Plan<'_>,
+        target: &Target,
+        outcome: &Outcome,
+        work: &Workspace,
+    ) -> Result<(), Left> {
+        commit(plan, &self.committed, target, work, &mut self.trial);
+        self.rows.fill(plan, &self.trial);
+        let residual = work.residuals(plan);
+        let numbers = Numbers::of(target, outcome);
+        let frame = frame(plan, &self.trial, &numbers, &self.rows);
+        match self.observer.event(Event::Unconverged(&Unconverged { frame, residual: &residual })) {
+            ControlFlow::Continue(()) => Ok(()),
+            ControlFlow::Break(stop) => Err(Left::Stopped(stop)),
+        }
+    }
+
+    /// Why no increment was found. Fixed increments are walked in shorter ones
+    /// first: where these reach the end the size was the cause, and where they
+    /// do not they come closer to it.
+    fn diagnosis(
+        &self,
+        plan: &Plan<'_>,
+        target: &Target,
+        outcome: &Outcome,
+        stop: StopReason,
+        work: &mut Workspace,
+    ) -> Diagnostic {
+        if stop != StopReason::Fixed {
+            let (committed, dt) = (&self.committed, target.dt);
+            return diagnose::failure(&Case { plan, committed, work, outcome, stop, dt });
+        }
+        match walk_shorter(plan, &self.committed, target, work) {
+            Shorter::Reached(needed) => {
+                diagnose::step_too_large(plan, &self.committed, outcome, needed)
+            }
+            Shorter::Lost { committed, outcome, dt } => {
+                let (committed, outcome) = (&committed, &outcome);
+                diagnose::failure(&Case { plan, committed, work, outcome, stop, dt })
+            }
+        }
+    }
+
     fn tell(&mut self, event: Event<'_>) -> Result<(), Left> {
         match self.observer.event(event) {
             ControlFlow::Continue(()) => Ok(()),
@@ -312,7 +357,7 @@ impl<'a> Walk<'a> {
         from: Option<&Checkpoint<'_>>,
         work: &Workspace,
     ) -> Result<(), Left> {
-        self.fill_rows(plan);
+        self.rows.fill(plan, &self.committed);
         self.rows.pairs.clear();
         let increment = from.map_or(0, |from| from.increment);
         let numbers = Numbers { step: number, increment, ..Numbers::default() };
@@ -355,16 +400,9 @@ impl<'a> Walk<'a> {
         closed.extend(contact.iter().map(|row| row.status != Status::Open));
         let dropped = |point: &&crate::state::PointState| point.friction == FrictionCall::Dropped;
         self.totals.dropped_points += self.committed.points.iter().filter(dropped).count();
-        self.fill_rows(plan);
-        let numbers = Numbers {
-            step: target.step,
-            increment: target.increment,
-            attempt: target.attempt,
-            severe: outcome.severe,
-            equilibrium: outcome.equilibrium,
-            dt: target.dt,
-            last: *decision == Decision::StepDone,
-        };
+        self.rows.fill(plan, &self.committed);
+        let last = *decision == Decision::StepDone;
+        let numbers = Numbers { last, ..Numbers::of(target, outcome) };
         let Rows { contact, closed, pairs, .. } = &mut self.rows;
         pair_rows(plan, &self.committed, work, (contact, closed), pairs);
         let frame = frame(plan, &self.committed, &numbers, &self.rows);
@@ -425,11 +463,55 @@ impl<'a> Walk<'a> {
             ControlFlow::Break(stop) => Err(Left::Stopped(stop)),
         }
     }
+}
 
-    fn fill_rows(&mut self, plan: &Plan<'_>) {
-        contact_rows(plan, &self.committed, &mut self.rows.contact);
-        self.rows.beams.clear();
-        self.rows.beams.extend(plan.structure.beam_rows(&self.committed.displacement));
+impl Rows {
+    /// Those of a state; pairs are left as they are.
+    fn fill(&mut self, plan: &Plan<'_>, state: &State) {
+        contact_rows(plan, state, &mut self.contact);
+        self.beams.clear();
+        self.beams.extend(plan.structure.beam_rows(&state.displacement));
+    }
+}
+
+/// What shorter increments made of one that failed.
+enum Shorter {
+    /// They lead to its end; the shortest of them [T].
+    Reached(f64),
+    /// They do not.
+    Lost { committed: Box<State>, outcome: Box<Outcome>, dt: f64 },
+}
+
+/// Shortest increment that is tried, as a fraction of the one that failed.
+const SHORTEST: f64 = 1.0 / 256.0;
+
+/// Walks an increment that failed in shorter ones, unseen.
+fn walk_shorter(
+    plan: &Plan<'_>,
+    committed: &State,
+    target: &Target,
+    work: &mut Workspace,
+) -> Shorter {
+    let mut from = Box::new(committed.clone());
+    let mut to = from.clone();
+    let mut needed = 0.25 * target.dt;
+    loop {
+        let left = target.step_time - from.step_time;
+        let dt = if needed > left * (1.0 - 1e-9) { left } else { needed };
+        let step_time = if dt == left { target.step_time } else { from.step_time + dt };
+        let aim = Target { step_time, dt, ..*target };
+        let outcome = attempt(plan, &from, &aim, work, &mut |_| {});
+        if matches!(outcome.verdict, Verdict::Converged { .. }) {
+            commit(plan, &from, &aim, work, &mut to);
+            std::mem::swap(&mut from, &mut to);
+            if dt == left {
+                return Shorter::Reached(needed);
+            }
+        } else if needed <= SHORTEST * target.dt {
+            return Shorter::Lost { committed: from, outcome: Box::new(outcome), dt };
+        } else {
+            needed *= 0.25;
+        }
     }
 }
 
@@ -443,6 +525,21 @@ struct Numbers {
     equilibrium: usize,
     dt: f64,
     last: bool,
+}
+
+impl Numbers {
+    /// Those of an attempt.
+    fn of(target: &Target, outcome: &Outcome) -> Self {
+        Self {
+            step: target.step,
+            increment: target.increment,
+            attempt: target.attempt,
+            severe: outcome.severe,
+            equilibrium: outcome.equilibrium,
+            dt: target.dt,
+            last: false,
+        }
+    }
 }
 
 fn frame<'a>(plan: &Plan<'a>, state: &'a State, numbers: &Numbers, rows: &'a Rows) -> Frame<'a> {

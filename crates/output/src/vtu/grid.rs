@@ -3,7 +3,7 @@
 use super::base64;
 use crate::section::{axial_stresses, beams, outer_mises};
 use slideline_model::{Dof, ElementBlock, Master, Model, NodeIndex, RigidSurface, SurfaceSegment};
-use slideline_solve::observe::{Frame, Status};
+use slideline_solve::observe::{Frame, Status, Unconverged};
 use std::collections::HashMap;
 use std::fmt::Write as _;
 
@@ -77,6 +77,15 @@ impl Grid {
 
     /// The whole file of a state.
     pub fn state(&self, frame: &Frame<'_>) -> String {
+        self.file(frame, None)
+    }
+
+    /// The file of a state that is no equilibrium, with what is missing to it.
+    pub fn unconverged(&self, state: &Unconverged<'_>) -> String {
+        self.file(&state.frame, Some(state))
+    }
+
+    fn file(&self, frame: &Frame<'_>, unconverged: Option<&Unconverged<'_>>) -> String {
         let mut text = String::with_capacity(self.topology.len() + 400 * self.point_count);
         let _ = write!(
             text,
@@ -94,6 +103,12 @@ impl Grid {
         text.push_str("<PointData>\n");
         push_floats(&mut text, "displacement", 3, &displacement);
         self.push_nodal(&mut text, frame);
+        if let Some(state) = unconverged {
+            let residual = |node, dof| state.residual(node, dof);
+            let (forces, moments) = Dof::ALL.split_at(3);
+            push_floats(&mut text, "residual_force", 3, &self.vectors(frame, forces, &residual));
+            push_floats(&mut text, "residual_moment", 3, &self.vectors(frame, moments, &residual));
+        }
         self.push_contact(&mut text, frame);
         text.push_str("</PointData>\n<CellData>\n");
         self.push_sections(&mut text, frame);
@@ -124,20 +139,26 @@ impl Grid {
 
     fn push_nodal(&self, text: &mut String, frame: &Frame<'_>) {
         let (move_dofs, turn_dofs) = Dof::ALL.split_at(3);
-        let nodes = frame.model.nodes.len();
-        let vectors = |dofs: &[Dof], value: &dyn Fn(NodeIndex, Dof) -> f64| {
-            let mut values = Vec::with_capacity(3 * self.point_count);
-            for node in 0..nodes {
-                values.extend(dofs.iter().map(|&dof| value(node, dof)));
-            }
-            values.resize(3 * self.point_count, 0.0);
-            values
-        };
         let motion = |node, dof| frame.nodal.displacement(node, dof);
         let reaction = |node, dof| frame.nodal.reaction(node, dof);
-        push_floats(text, "rotation", 3, &vectors(turn_dofs, &motion));
-        push_floats(text, "reaction_force", 3, &vectors(move_dofs, &reaction));
-        push_floats(text, "reaction_moment", 3, &vectors(turn_dofs, &reaction));
+        push_floats(text, "rotation", 3, &self.vectors(frame, turn_dofs, &motion));
+        push_floats(text, "reaction_force", 3, &self.vectors(frame, move_dofs, &reaction));
+        push_floats(text, "reaction_moment", 3, &self.vectors(frame, turn_dofs, &reaction));
+    }
+
+    /// Three components at every node, zero at the points of outlines.
+    fn vectors(
+        &self,
+        frame: &Frame<'_>,
+        dofs: &[Dof],
+        value: &dyn Fn(NodeIndex, Dof) -> f64,
+    ) -> Vec<f64> {
+        let mut values = Vec::with_capacity(3 * self.point_count);
+        for node in 0..frame.model.nodes.len() {
+            values.extend(dofs.iter().map(|&dof| value(node, dof)));
+        }
+        values.resize(3 * self.point_count, 0.0);
+        values
     }
 
     /// Contact at slave nodes: elsewhere no pressure, no opening (not a

@@ -1,4 +1,5 @@
-//! `JOB_0000.vtu` ... and `JOB.pvd`: deformed states for viewers.
+//! `JOB_0000.vtu` ... and `JOB.pvd`: deformed states for viewers; and
+//! `JOB.failed.vtu`, where a run gave up, with the forces nothing balances.
 //!
 //! ```text
 //!   o---o---o---o    beams, springs, slave surfaces
@@ -13,12 +14,12 @@ pub(crate) mod base64;
 mod grid;
 
 use crate::file::{WriteError, at, replace};
-use crate::job::JobFiles;
+use crate::job::{FAILED, JobFiles};
 use crate::number::push_shortest;
 use crate::restart::Kept;
 use crate::writers::Writer;
 use grid::Grid;
-use slideline_solve::observe::{Event, Frame};
+use slideline_solve::observe::{Event, Frame, Unconverged};
 use std::fmt::Write as _;
 use std::time::{Duration, Instant};
 
@@ -73,6 +74,12 @@ impl States {
         Ok(())
     }
 
+    /// Beside the states, for it is none: `JOB.failed.vtu`.
+    fn unconverged(&mut self, state: &Unconverged<'_>) -> Result<(), WriteError> {
+        let grid = self.grid.get_or_insert_with(|| Grid::new(state.frame.model));
+        replace(&self.job.path(FAILED), grid.unconverged(state).as_bytes())
+    }
+
     fn write_list(&mut self) -> Result<(), WriteError> {
         let text = format!(
             "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" \
@@ -99,6 +106,7 @@ impl Writer for States {
             },
             Event::StepBegin(report) if self.count == 0 => self.state(&report.start),
             Event::Committed(frame) => self.state(frame),
+            Event::Unconverged(state) => self.unconverged(state),
             Event::End(_) if self.count > 0 => self.write_list(),
             _ => Ok(()),
         }

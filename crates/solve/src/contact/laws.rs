@@ -74,7 +74,8 @@ fn stiffest_face(model: &Model, pair: &ContactPair) -> f64 {
     largest / (length * length * pair.interaction.width)
 }
 
-fn average(model: &Model, pair: &ContactPair) -> f64 {
+/// Average length of the contact elements of a pair, undeformed [L].
+pub fn average(model: &Model, pair: &ContactPair) -> f64 {
     let nodes = pair.slave_nodes();
     let (elements, coordinates) = local_elements(model, pair, &nodes);
     average_length(&elements, &coordinates)

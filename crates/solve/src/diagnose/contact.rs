@@ -1,0 +1,335 @@
+//! Causes that lie in contact.
+
+use super::{Case, step_card};
+use crate::linearised::Contradiction;
+use crate::plan::Plan;
+use crate::state::State;
+use slideline_diag::{Code, Diagnostic, Place, Severity};
+use slideline_model::{
+    ContactPair, Friction, Master, Model, NodeIndex, RigidSurface, SlideLine, StickRule,
+    SurfaceSegment,
+};
+
+impl Case<'_> {
+    fn pair_of(&self, place: usize) -> &ContactPair {
+        &self.plan.model.contact_pairs[self.plan.contact.points[place].pair]
+    }
+
+    /// Hard points that cannot all close.
+    pub(super) fn overconstrained(&self) -> Option<Diagnostic> {
+        let (found, why) = match self.work.told_apart(self.plan) {
+            Some(found) => (found, "nothing between them and their master can yield"),
+            None => (
+                self.work.contradiction(self.plan, self.committed, self.dt)?,
+                "what opens one of them closes another",
+            ),
+        };
+        let Contradiction { places, left } = found;
+        let pair = self.pair_of(*places.first()?);
+        let message = format!(
+            "hard contact of {} asks more than the motions allow {}: {} would have to close, but \
+             {why}; an overclosure of {left:.3e} is left",
+            pair.name,
+            self.beyond(),
+            self.nodes(&places),
+        );
+        let said = Diagnostic::error(Code("SL0514"), message).at(pair.interaction.origin);
+        Some(self.soften(said, pair))
+    }
+
+    /// Suggests an exponential law, or one of ten times the clearance.
+    fn soften(&self, said: Diagnostic, pair: &ContactPair) -> Diagnostic {
+        let interaction = &pair.interaction;
+        let begins = -interaction.normal.contact_begins();
+        let clearance = match begins > 0.0 && begins.is_finite() {
+            true => 10.0 * begins,
+            false => 0.02 * self.plan.contact_length(pair),
+        };
+        let pressure = self.pressure_scale(pair);
+        let card = format!("*SURFACE CONTACT, SOFTENED\n{clearance:.3E}, {pressure:.3E}\n");
+        let help = format!(
+            "everything up to that time is kept; let the contact yield a little: *SURFACE CONTACT, \
+             SOFTENED with a clearance of {clearance:.3E} and a pressure of {pressure:.3E}"
+        );
+        let place = match interaction.normal_origin {
+            Some(law) => Place::Instead(law),
+            None => Place::After(interaction.origin),
+        };
+        said.help(help).card(place, card)
+    }
+
+    /// The largest pressure that points of the pair have carried, or a
+    /// thousandth of the largest modulus [F/L2].
+    fn pressure_scale(&self, pair: &ContactPair) -> f64 {
+        let model = self.plan.model;
+        let own = |place: &usize| {
+            std::ptr::eq(&model.contact_pairs[self.plan.contact.points[*place].pair], pair)
+        };
+        let carried = (0..self.committed.points.len())
+            .filter(own)
+            .map(|place| self.committed.points[place].pressure)
+            .fold(0.0, f64::max);
+        if carried > 0.0 && carried.is_finite() {
+            return carried;
+        }
+        let beams = model.blocks.iter().filter_map(|block| block.beams());
+        let modulus = beams.map(|beam| beam.section.material.modulus).fold(0.0, f64::max);
+        if modulus > 0.0 { 1e-3 * modulus } else { 1.0 }
+    }
+
+    /// Points at which more pressure brings more friction than it opens.
+    pub(super) fn jam(&self) -> Option<Diagnostic> {
+        let jammed = self.work.jammed(self.plan, self.committed);
+        let pair = self.pair_of(*jammed.first()?);
+        let message = format!(
+            "the contact jams at {} {}: there friction holds by more than a greater contact \
+             pressure would free, so no force moves it on",
+            self.nodes(&jammed),
+            self.beyond()
+        );
+        let origin = pair.interaction.friction_origin;
+        let said = Diagnostic::error(Code("SL0506"), message)
+            .at(origin.unwrap_or(self.plan.step.origin))
+            .help(
+                "everything up to that time is kept; lower the coefficient of *FRICTION or the \
+                 slope at which the parts meet (mu tan a must stay below 1), or push from another \
+                 side",
+            );
+        Some(match (origin, &pair.interaction.friction) {
+            (Some(origin), Friction::Coulomb { coefficient, stick, .. }) => {
+                let exact = if *stick == StickRule::Lagrange { ", LAGRANGE" } else { "" };
+                let lower = 0.5 * coefficient;
+                said.card(Place::Instead(origin), format!("*FRICTION{exact}\n{lower:.4}\n"))
+            }
+            _ => said,
+        })
+    }
+
+    /// Points that went on opening and closing.
+    pub(super) fn chattering(&self) -> Option<Diagnostic> {
+        let evidence = &self.work.evidence;
+        let places = evidence.chattering();
+        let worst = *places.first()?;
+        let pair = self.pair_of(worst);
+        let point = &evidence.points[worst];
+        let message = format!(
+            "contact of {} chatters at {} {}: {} opened or closed in {} of the last {} iterations, \
+             at last from {} to {}",
+            pair.name,
+            self.nodes(&places),
+            self.beyond(),
+            self.nodes(&places[..1]),
+            point.changes(),
+            evidence.window(),
+            stands(point.overclosure[1]),
+            stands(point.overclosure[0]),
+        );
+        let said = Diagnostic::error(Code("SL0513"), message);
+        if point.overclosure.contains(&f64::NEG_INFINITY) {
+            // It goes to and fro over an end of its master.
+            let end = master_end(self.plan, pair, self.work.evaluation.meetings[worst].along);
+            let said = said.at(end.origin).help(end.remedy);
+            return Some(match end.card {
+                Some((place, card)) => said.card(place, card),
+                None => said,
+            });
+        }
+        let said = said.at(pair.interaction.origin);
+        Some(if self.plan.symmetrised() {
+            self.steady(said, pair)
+        } else {
+            self.soften(said, pair)
+        })
+    }
+
+    /// Closed points that went on changing between stick and slip, or the way
+    /// they slide.
+    pub(super) fn wavering(&self) -> Option<Diagnostic> {
+        let evidence = &self.work.evidence;
+        let places = evidence.wavering();
+        let worst = *places.first()?;
+        let pair = self.pair_of(worst);
+        let point = &evidence.points[worst];
+        let message = format!(
+            "friction of {} wavers at {} {}: {} changed between stick and slip or its way in {} of \
+             the last {} iterations, at a traction of up to {:.3e} under a pressure of {:.3e}",
+            pair.name,
+            self.nodes(&places),
+            self.beyond(),
+            self.nodes(&places[..1]),
+            point.flips(),
+            evidence.window(),
+            point.dragged[0],
+            point.dragged[1],
+        );
+        let origin = pair.interaction.friction_origin;
+        let said = Diagnostic::error(Code("SL0515"), message).at(origin);
+        Some(self.steady(said, pair))
+    }
+
+    /// The card that steadies friction: the whole tangent, or elastic slip.
+    fn steady(&self, said: Diagnostic, pair: &ContactPair) -> Diagnostic {
+        let step = self.plan.step;
+        if self.plan.symmetrised() {
+            return said
+                .help(
+                    "everything up to that time is kept; UNSYMM=NO keeps the friction limit of the \
+                     iteration before: say UNSYMM=YES on *STEP",
+                )
+                .card(
+                    Place::Instead(step.origin),
+                    step_card(step, Some(true), step.max_increments),
+                );
+        }
+        let slip = 0.02 * self.plan.contact_length(pair);
+        let help = format!(
+            "everything up to that time is kept; let points give a little before they slide: \
+             *FRICTION, ELASTIC SLIP={slip:.3E}"
+        );
+        match (&pair.interaction.friction, pair.interaction.friction_origin) {
+            (Friction::Coulomb { coefficient, decay, .. }, Some(origin)) => {
+                let mu = decay.map_or(*coefficient, |decay| decay.kinetic);
+                let card = format!("*FRICTION, ELASTIC SLIP={slip:.3E}\n{mu}\n");
+                said.help(help).card(Place::Instead(origin), card)
+            }
+            _ => said.help(help),
+        }
+    }
+
+    /// The run ends where a point has slid off the end of its master.
+    pub(super) fn off_the_end(&self) -> Option<Diagnostic> {
+        let now = State {
+            points: self.work.evaluation.points.clone(),
+            total_time: self.committed.total_time + self.dt,
+            ..State::default()
+        };
+        let last = slid_off(self.plan, self.committed, &now).pop()?;
+        Some(Diagnostic { severity: Severity::Error, ..last })
+    }
+}
+
+/// An overclosure in words.
+fn stands(overclosure: f64) -> String {
+    match overclosure {
+        none if none == f64::NEG_INFINITY => "no master in front of it".to_string(),
+        gap if gap < 0.0 => format!("a gap of {:.3e}", -gap),
+        deep => format!("an overclosure of {deep:.3e}"),
+    }
+}
+
+/// Points that carried pressure at the last commit and now face no master:
+/// they have slid off its end.
+pub fn slid_off(plan: &Plan<'_>, committed: &State, now: &State) -> Vec<Diagnostic> {
+    let mut left = Vec::new();
+    for (place, point) in plan.contact.points.iter().enumerate() {
+        let before = &committed.points[place];
+        if !before.closed || now.points[place].along.is_some() {
+            continue;
+        }
+        let pair = &plan.model.contact_pairs[point.pair];
+        let label = plan.model.nodes.label(point.node);
+        let end = master_end(plan, pair, before.along.unwrap_or(0.0));
+        let message = format!(
+            "node {label} has slid off the end of {} between total time {:.6} and {:.6}",
+            end.what, committed.total_time, now.total_time
+        );
+        let mut said = Diagnostic::warning(Code("SL0504"), message).at(end.origin).help(end.remedy);
+        if let Some((place, card)) = end.card {
+            said = said.card(place, card);
+        }
+        left.push(said);
+    }
+    left
+}
+
+/// The end of a master, and how it is prolonged.
+struct End {
+    what: &'static str,
+    remedy: &'static str,
+    origin: slideline_diag::Span,
+    card: Option<(Place, String)>,
+}
+
+/// The end of the master of a pair that is nearer to a place on it.
+fn master_end(plan: &Plan<'_>, pair: &ContactPair, along: f64) -> End {
+    match &pair.master {
+        Master::SlideLine(line) => line_end(plan.model, line, pair, along),
+        Master::RigidSurface(surface) => surface_end(surface, along),
+    }
+}
+
+/// The beam's own nodes beyond the end prolong a slide line; where there are
+/// none, its longest extension zone does.
+fn line_end(model: &Model, line: &SlideLine, pair: &ContactPair, along: f64) -> End {
+    let at = |node| model.nodes.plane(node);
+    let sides = line.nodes.windows(2).map(|w| {
+        let (a, b) = (at(w[0]), at(w[1]));
+        (b[0] - a[0]).hypot(b[1] - a[1])
+    });
+    let in_front = along < 0.5 * sides.sum::<f64>();
+    let mut nodes = line.nodes.clone();
+    if in_front {
+        nodes.reverse();
+    }
+    while let Some(next) = nodes.last().and_then(|&end| neighbour(model, end, &nodes)) {
+        nodes.push(next);
+    }
+    let extension = if nodes.len() > line.nodes.len() { line.extension } else { 0.2 };
+    if in_front {
+        nodes.reverse();
+    }
+    let known = nodes.len() == line.nodes.len() && line.extension >= extension;
+    let card = (!known && !pair.name.contains('/')).then(|| {
+        let head = format!("*SLIDE LINE, TYPE=LINEAR, ELSET={}", pair.name);
+        let mut text = format!("{head}, SMOOTH={}, EXTENSION ZONE={extension}\n", line.smooth);
+        let labels: Vec<String> = nodes.iter().map(|&n| model.nodes.label(n).to_string()).collect();
+        for row in labels.chunks(16) {
+            text.push_str(&row.join(", "));
+            text.push('\n');
+        }
+        (Place::Instead(line.origin), text)
+    });
+    let remedy = "add nodes to *SLIDE LINE, or prolong its ends with EXTENSION ZONE";
+    End { what: "the slide line", remedy, origin: line.origin, card }
+}
+
+/// The other end of a beam at a node that is not among the nodes known.
+fn neighbour(model: &Model, end: NodeIndex, known: &[NodeIndex]) -> Option<NodeIndex> {
+    let beams = model.blocks.iter().filter_map(|block| block.beams());
+    let mut elements = beams.flat_map(|block| &block.elements);
+    elements.find_map(|beam| {
+        let [a, b] = beam.nodes;
+        let other = if a == end { b } else { a };
+        ((a == end || b == end) && !known.contains(&other)).then_some(other)
+    })
+}
+
+/// One more data line prolongs a rigid surface by twice its length.
+fn surface_end(surface: &RigidSurface, along: f64) -> End {
+    let remedy = "prolong *RIGID SURFACE beyond the stroke";
+    let end = End { what: "the rigid surface", remedy, origin: surface.origin, card: None };
+    let mut from = surface.start;
+    let mut length = 0.0;
+    let mut last = None;
+    for segment in &surface.segments {
+        let to = match *segment {
+            SurfaceSegment::Line { end } => {
+                last = Some((from, end));
+                end
+            }
+            SurfaceSegment::Circle { end, .. } | SurfaceSegment::Parabola { end, .. } => {
+                last = None;
+                end
+            }
+        };
+        length += (to[0] - from[0]).hypot(to[1] - from[1]);
+        from = to;
+    }
+    let Some((a, b)) = last else { return end };
+    if along < 0.5 * length {
+        return end; // it left at the start, where no data line can be added
+    }
+    let size = (b[0] - a[0]).hypot(b[1] - a[1]);
+    let [x, y] = [0, 1].map(|k| b[k] + (b[k] - a[k]) / size * 2.0 * length);
+    End { card: Some((Place::After(surface.origin), format!("LINE, {x:.6E}, {y:.6E}\n"))), ..end }
+}

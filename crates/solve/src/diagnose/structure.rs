@@ -1,0 +1,186 @@
+//! Causes that lie in the structure: motions without resistance, limits of
+//! its strength, steps too long for a first guess.
+
+use super::{Case, reason};
+use crate::plan::Plan;
+use crate::state::State;
+use slideline_diag::{Code, Diagnostic, Place};
+use slideline_linalg::SolveError;
+use slideline_model::{Dof, NodeIndex};
+
+/// A motion that meets no resistance, as a rigid one.
+struct Motion {
+    /// The node that moves most.
+    node: NodeIndex,
+    /// Its motion [1].
+    way: [f64; 2],
+    /// Its turn, per size of the motion [1/L].
+    turn: f64,
+}
+
+impl Case<'_> {
+    /// A singular tangent: something can move without resistance.
+    pub(super) fn unheld(&self) -> Option<Diagnostic> {
+        let equation = match self.outcome.fault.as_ref()? {
+            SolveError::Singular { equation, .. } => *equation,
+            _ => return None,
+        };
+        let (node, _) = self.plan.layout.name(*self.plan.layout.slot_of_equation.get(equation)?);
+        let motion = self.motion(equation).unwrap_or(Motion { node, way: [0.0; 2], turn: 1.0 });
+        let label = self.label(motion.node);
+        let message = format!(
+            "nothing holds the body of node {label} {}: it can {} without any resistance{}",
+            self.beyond(),
+            self.way(&motion),
+            self.distance(&motion)
+        );
+        let dof = motion.dof(self.plan.reach);
+        let said = Diagnostic::error(Code("SL0503"), message)
+            .at(self.plan.model.nodes.get(motion.node).origin)
+            .help(format!(
+                "hold it with *BOUNDARY: node {label}, degree of freedom {dof}; or attach a weak \
+                 *SPRING until contact holds it"
+            ));
+        Some(match self.plan.step.procedure.origin {
+            Some(origin) => {
+                said.card(Place::After(origin), format!("*BOUNDARY\n{label}, {dof}, {dof}\n"))
+            }
+            None => said,
+        })
+    }
+
+    fn way(&self, motion: &Motion) -> String {
+        let ([u, v], w) = (motion.way, motion.turn);
+        if !motion.turns(self.plan.reach) {
+            return format!("move along ({u:.3}, {v:.3})");
+        }
+        let [x, y] = self.plan.model.nodes.plane(motion.node);
+        let slot = |dof| self.plan.layout.slot(motion.node, dof).map_or(0.0, |s| self.work.u[s]);
+        let (x, y) = (x + slot(Dof::U1) - v / w, y + slot(Dof::U2) + u / w);
+        format!("turn about ({x:.4e}, {y:.4e})")
+    }
+
+    /// How far the contact is that the motion would close or open.
+    fn distance(&self, motion: &Motion) -> String {
+        let carrier = |node| self.plan.layout.carrier(node);
+        let points = self.plan.contact.points.iter().zip(&self.work.evaluation.points);
+        let own = points.filter(|(point, now)| {
+            carrier(point.node) == carrier(motion.node) && now.opening.is_finite()
+        });
+        let nearest = own.min_by(|a, b| a.1.opening.total_cmp(&b.1.opening));
+        match nearest {
+            Some((point, now)) if !now.closed && now.opening > 0.0 => format!(
+                "; its contact at node {} is still open by {:.3e}",
+                self.label(point.node),
+                now.opening
+            ),
+            _ => String::new(),
+        }
+    }
+
+    /// The motion that the tangent resists least: a vector of the null space,
+    /// by inverse iteration.
+    fn motion(&self, equation: usize) -> Option<Motion> {
+        let layout = &self.plan.layout;
+        let mode = self.work.null_mode(self.plan, equation)?;
+        let reach = self.plan.reach.max(f64::MIN_POSITIVE);
+        let at = |node: NodeIndex, dof: Dof| {
+            let equation = layout.slot(node, dof).and_then(|slot| layout.equation(slot));
+            equation.map_or(0.0, |equation| mode[equation])
+        };
+        // a turn counts where nothing moves with it
+        let size = |node: NodeIndex| {
+            at(node, Dof::U1).hypot(at(node, Dof::U2)) + 1e-6 * at(node, Dof::UR3).abs() * reach
+        };
+        let node = (0..self.plan.model.nodes.len()).max_by(|&a, &b| size(a).total_cmp(&size(b)))?;
+        let largest = size(node);
+        let [u, v, w] = [Dof::U1, Dof::U2, Dof::UR3].map(|dof| at(node, dof) / largest);
+        Some(Motion { node, way: [u, v], turn: w }).filter(|_| largest > 0.0)
+    }
+
+    /// A structure that gives way under a load: its stiffness is no longer
+    /// positive, and no nearby state carries more.
+    pub(super) fn snap_through(&self) -> Option<Diagnostic> {
+        let (plan, directions) = (self.plan, self.work.negative_pivots);
+        let load = plan.step.loads.iter().max_by(|a, b| a.value.abs().total_cmp(&b.value.abs()))?;
+        if directions == 0 || load.value == 0.0 {
+            return None;
+        }
+        let (label, dof) = (self.label(load.node), load.dof);
+        let slot = plan.layout.slot(load.node, dof);
+        let moved = slot.map_or(0.0, |slot| self.committed.displacement[slot]);
+        let message = format!(
+            "the structure snaps through {}: under the load at node {label}, {} it gives way in {} \
+             direction{} instead of resisting, after a motion of {moved:.4e}",
+            self.beyond(),
+            dof.name(),
+            directions,
+            if directions == 1 { "" } else { "s" }
+        );
+        let further = 2.0 * moved;
+        let help = format!(
+            "everything up to that time is kept; drive the motion instead of the load: *BOUNDARY \
+             with node {label}, degree of freedom {} in place of *CLOAD, for instance to {further:.4e}",
+            dof.number()
+        );
+        let said = Diagnostic::error(Code("SL0511"), message).at(load.origin).help(help);
+        let number = dof.number();
+        Some(match plan.step.loads.len() {
+            1 => said.card(
+                Place::Instead(load.origin),
+                format!("*BOUNDARY\n{label}, {number}, {number}, {further:.6E}\n"),
+            ),
+            _ => said,
+        })
+    }
+}
+
+impl Motion {
+    fn turns(&self, reach: f64) -> bool {
+        self.turn.abs() * reach > 1e-6
+    }
+
+    /// Number of the degree of freedom that would stop it.
+    fn dof(&self, reach: f64) -> usize {
+        let [u, v] = self.way;
+        match self.turns(reach) {
+            true => 6,
+            false if u.abs() > v.abs() => 1,
+            false => 2,
+        }
+    }
+}
+
+/// One fixed increment that is too large, as walking it in shorter ones has
+/// shown: `needed` is the shortest of them [T].
+pub fn step_too_large(
+    plan: &Plan<'_>,
+    committed: &State,
+    why: &crate::newton::Outcome,
+    needed: f64,
+) -> Diagnostic {
+    let procedure = &plan.step.procedure;
+    let message = format!(
+        "the fixed increment of {:.4e} beyond total time {:.6} is too large: {}; increments of \
+         {needed:.3e} lead to its end",
+        procedure.initial,
+        committed.total_time,
+        reason(why)
+    );
+    let card = format!(
+        "*STATIC\n{needed:.6E}, {:?}, {:.6E}, {:?}\n",
+        procedure.period,
+        1e-5 * needed.min(procedure.period),
+        procedure.initial
+    );
+    let said = Diagnostic::error(Code("SL0512"), message)
+        .at(procedure.origin.unwrap_or(plan.step.origin))
+        .help(format!(
+            "everything up to that time is kept; leave out DIRECT and begin with *STATIC and an \
+             increment of {needed:.3e}"
+        ));
+    match procedure.origin {
+        Some(origin) => said.card(Place::Instead(origin), card),
+        None => said,
+    }
+}

@@ -1,0 +1,154 @@
+//! What the iterations of an attempt showed, point by point.
+//!
+//! ```text
+//!   iteration        1  2  3  4  5  6  7  8
+//!   closed           #  .  #  .  #  .  #  .     changes 1111111: it chatters
+//!   slides           >  >  <  >  <  <  >  <     flips    110101: it wavers
+//! ```
+//!
+//! A diagnosis rests on this, not on the last iteration alone.
+
+use crate::observe::Status;
+use crate::state::PointState;
+
+/// Iterations that are looked back upon.
+const WINDOW: u32 = 8;
+/// How often a point must change in them to count as restless.
+const RESTLESS: u32 = 4;
+
+/// A contact point in the iterations of an attempt.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct PointEvidence {
+    closed: bool,
+    status: Status,
+    traction: f64,
+    /// One bit an iteration, the latest lowest: it opened or closed.
+    changes: u32,
+    /// Likewise: it began or ceased to slide, or slid the other way.
+    flips: u32,
+    /// Overclosure in the last iteration and in the one before [L].
+    pub overclosure: [f64; 2],
+    /// Largest shear traction, and pressure with it, of the attempt [F/L2].
+    pub dragged: [f64; 2],
+}
+
+impl PointEvidence {
+    fn note(&mut self, now: &PointState) {
+        let both = self.closed && now.closed;
+        let turned = self.traction * now.traction < 0.0;
+        let wavers = both && (self.status != now.status || turned);
+        self.changes = self.changes << 1 | u32::from(self.closed != now.closed);
+        self.flips = self.flips << 1 | u32::from(wavers);
+        (self.closed, self.status, self.traction) = (now.closed, now.status, now.traction);
+        self.overclosure = [-now.opening, self.overclosure[0]];
+        if now.traction.abs() > self.dragged[0] {
+            self.dragged = [now.traction.abs(), now.pressure];
+        }
+    }
+
+    /// In how many of the last iterations it opened or closed.
+    pub fn changes(&self) -> u32 {
+        latest(self.changes)
+    }
+
+    /// In how many of them it changed between stick and slip, or its way.
+    pub fn flips(&self) -> u32 {
+        latest(self.flips)
+    }
+}
+
+fn latest(bits: u32) -> u32 {
+    (bits & ((1 << WINDOW) - 1)).count_ones()
+}
+
+/// All contact points in the iterations of an attempt.
+#[derive(Clone, Debug, Default)]
+pub struct Evidence {
+    /// In the order of the plan.
+    pub points: Vec<PointEvidence>,
+    iterations: u32,
+}
+
+impl Evidence {
+    /// Room for `points` points.
+    pub fn new(points: usize) -> Self {
+        Self { points: vec![PointEvidence::default(); points], iterations: 0 }
+    }
+
+    /// Begins an attempt at its first guess.
+    pub fn begin(&mut self, guess: &[PointState]) {
+        self.iterations = 0;
+        for (point, now) in self.points.iter_mut().zip(guess) {
+            *point = PointEvidence::default();
+            point.note(now);
+            (point.changes, point.flips) = (0, 0);
+        }
+    }
+
+    /// Takes an iteration in.
+    pub fn note(&mut self, now: &[PointState]) {
+        self.iterations += 1;
+        for (point, now) in self.points.iter_mut().zip(now) {
+            if point.closed || now.closed || point.changes != 0 {
+                point.note(now);
+            }
+        }
+    }
+
+    /// Iterations that counts refer to.
+    pub fn window(&self) -> u32 {
+        self.iterations.min(WINDOW)
+    }
+
+    /// Points that opened and closed again and again, the most restless first.
+    pub fn chattering(&self) -> Vec<usize> {
+        self.restless(PointEvidence::changes)
+    }
+
+    /// Closed points that went on changing between stick and slip, or their
+    /// way, the most restless first.
+    pub fn wavering(&self) -> Vec<usize> {
+        self.restless(PointEvidence::flips)
+    }
+
+    fn restless(&self, count: fn(&PointEvidence) -> u32) -> Vec<usize> {
+        let mut places: Vec<usize> =
+            (0..self.points.len()).filter(|&k| count(&self.points[k]) >= RESTLESS).collect();
+        places.sort_by_key(|&k| std::cmp::Reverse(count(&self.points[k])));
+        places
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn point(closed: bool, status: Status, traction: f64) -> PointState {
+        PointState { closed, status, traction, ..PointState::default() }
+    }
+
+    /// Requirement: a point that opens and closes in every iteration chatters;
+    /// one that changes twice does not; one that stays closed and turns its
+    /// slip round wavers.
+    #[test]
+    fn restless_points_are_told_apart() {
+        let at = |k: u32| {
+            let swing = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
+            [
+                point(k.is_multiple_of(2), Status::Slip, 0.0),
+                point(k > 3, Status::Stick, 1.0),
+                point(true, Status::Slip, swing),
+            ]
+        };
+        let mut evidence = Evidence::new(3);
+        evidence.begin(&at(0));
+        for k in 1..10 {
+            evidence.note(&at(k));
+        }
+        assert_eq!((evidence.window(), evidence.chattering()), (8, vec![0]));
+        assert_eq!(evidence.wavering(), [2]);
+        assert_eq!((evidence.points[0].changes(), evidence.points[2].flips()), (8, 8));
+        evidence.begin(&at(0));
+        assert!(evidence.chattering().is_empty() && evidence.wavering().is_empty());
+    }
+}

@@ -1,0 +1,96 @@
+//! What a diagnosis asks of an attempt that has failed.
+
+use super::{Workspace, circumstances};
+use crate::linearised::Contradiction;
+use crate::plan::Plan;
+use crate::state::State;
+
+/// Rounds of inverse iteration for the null motion: each gains the ratio of
+/// the shift to the next eigenvalue, many decades.
+const ROUNDS: usize = 3;
+/// Shift of the diagonal that makes a singular matrix regular [1].
+const SHIFT: f64 = 1e-9;
+
+impl Workspace {
+    /// Points, closed at the last commit, whose friction locks them: by the
+    /// equations of the last iteration and the way they went until then.
+    pub fn jammed(&self, plan: &Plan<'_>, committed: &State) -> Vec<usize> {
+        let around = circumstances(plan, committed, 1.0);
+        let locked = |&place: &usize| {
+            let before = &committed.points[place];
+            let trial = self.points[place].sliding.map_or(0.0, |sliding| sliding.slip);
+            let way = if trial.abs() > around.rounding { trial } else { before.traction };
+            self.contact.jams(&self.points, place, (way, before.pressure), &around)
+        };
+        (0..self.points.len().min(committed.points.len())).filter(locked).collect()
+    }
+
+    /// Hard points whose place is prescribed, as that of their master is, and
+    /// that stand too deep in it.
+    pub fn told_apart(&self, plan: &Plan<'_>) -> Option<Contradiction> {
+        let tolerance = self.contact_tolerance(plan, 0.0);
+        let (mut places, mut left) = (Vec::new(), 0.0_f64);
+        for (place, point) in plan.contact.points.iter().enumerate() {
+            let meeting = &self.evaluation.meetings[place];
+            let law = &plan.contact.laws[point.pair].normal;
+            let free = meeting.slots[..meeting.width].iter().zip(meeting.gradient);
+            let yields =
+                free.into_iter().any(|(&s, g)| g != 0.0 && plan.layout.equation(s).is_some());
+            let deep = meeting.faces && meeting.overclosure > tolerance;
+            if deep && !yields && !point.is_station() && law.pressure(0.0).is_none() {
+                places.push(place);
+                left = left.max(meeting.overclosure);
+            }
+        }
+        (!places.is_empty()).then_some(Contradiction { places, left })
+    }
+
+    /// Hard points that contradict one another in the last iteration.
+    pub fn contradiction(
+        &self,
+        plan: &Plan<'_>,
+        committed: &State,
+        dt: f64,
+    ) -> Option<Contradiction> {
+        let tolerance = self.contact_tolerance(plan, 0.0);
+        if self.evaluation.penetration <= tolerance {
+            return None;
+        }
+        self.contact.contradiction(&self.points, &circumstances(plan, committed, dt), tolerance)
+    }
+
+    /// What moves without resistance under the tangent that was assembled
+    /// last: its null vector, by inverse iteration from an equation without
+    /// pivot.
+    pub fn null_mode(&self, plan: &Plan<'_>, equation: usize) -> Option<Vec<f64>> {
+        let mut values = self.values.clone();
+        let largest = values.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
+        let diagonal = (0..plan.layout.equations()).filter_map(|e| plan.pattern.position(e, e));
+        for at in diagonal {
+            values[at] += SHIFT * if largest > 0.0 { largest } else { 1.0 };
+        }
+        let mut solver = plan.analyse();
+        solver.refactor(&plan.pattern, &values).ok()?;
+        let mut mode = vec![0.0; plan.layout.equations()];
+        *mode.get_mut(equation)? = 1.0;
+        for _ in 0..ROUNDS {
+            solver.solve(&mut mode).ok()?;
+            let size = mode.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
+            mode.iter_mut().for_each(|value| *value /= size);
+        }
+        mode.iter().all(|value| value.is_finite()).then_some(mode)
+    }
+
+    /// Forces that nothing balances in the trial state, a slot each; zero
+    /// where supports balance them [F or F L].
+    pub fn residuals(&self, plan: &Plan<'_>) -> Vec<f64> {
+        let force = |slot: usize| match plan.layout.equation(slot) {
+            Some(_) => {
+                self.evaluation.internal[slot] + self.evaluation.contact[slot]
+                    - self.evaluation.external[slot]
+            }
+            None => 0.0,
+        };
+        (0..plan.layout.slots()).map(force).collect()
+    }
+}
