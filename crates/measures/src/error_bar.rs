@@ -16,7 +16,8 @@
 /// That is the order assumed: contact loses the order of the beam where it
 /// passes nodes. Differences change sign along a curve without the error being
 /// zero there, so that of the second halving is the largest within
-/// `REACH` values on both sides. (choice) The whole is taken 1.25 times.
+/// `REACH` values on both sides. (choice) The whole is taken 1.25 times:
+/// docs/theory.md eq. (12.2).
 pub fn error_bar(coarse: &[f64], half: &[f64], quarter: &[f64]) -> Option<Vec<f64>> {
     if coarse.len() != half.len() || half.len() != quarter.len() {
         return None;

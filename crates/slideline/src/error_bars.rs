@@ -116,7 +116,8 @@ impl ErrorBars {
 
 /// Estimates the discretisation error of the reactions of a finished run:
 /// `found` on the model's own mesh, against the same on meshes of half and a
-/// quarter of the width. `observer` sees both runs.
+/// quarter of the width (docs/theory.md, "Error bars"). `observer` sees both
+/// runs.
 ///
 /// # Errors
 /// A warning that says why there are none: the mesh cannot be halved, or a

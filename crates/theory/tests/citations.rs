@@ -299,6 +299,22 @@ fn every_claim_stands_in_the_appendix() {
     check_tags("verification", "Appendix B");
 }
 
+/// Numbers of equations cited as "docs/theory.md eq. (3.9)" or "docs/theory.md
+/// eqs. (3.17) and (3.19)".
+fn theory_equations(comments: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    for (at, start) in comments.match_indices("docs/theory.md eq") {
+        let rest = comments[at + start.len()..].trim_start_matches('s').trim_start_matches('.');
+        let mut rest = rest.trim_start();
+        while let Some((number, tail)) = rest.strip_prefix('(').and_then(|r| r.split_once(')')) {
+            found.push(number.to_owned());
+            rest = tail.trim_start_matches(", ").trim_start_matches(" and ");
+        }
+        assert!(!found.is_empty(), "no equation in: {}", &comments[at..]);
+    }
+    found
+}
+
 /// Requirement: equations are numbered consecutively within their section, and
 /// every reference in the page and every part named in code exists.
 #[test]
@@ -326,6 +342,9 @@ fn equation_numbers_and_headings_hold_together() {
         for part in enclosed(&comments(&document.text), "docs/theory.md, \"", '"') {
             let found = theory.lines().any(|line| line.starts_with('#') && line.contains(part));
             assert!(found, "{}: no part \"{part}\" in docs/theory.md", document.path);
+        }
+        for number in theory_equations(&comments(&document.text)) {
+            assert!(tags.contains(&number), "{}: no equation ({number})", document.path);
         }
     }
 }

@@ -10,7 +10,7 @@
 //! without locking and without spurious modes (rank 6 of 9), and its end nodes exact in linear
 //! bending by end loads. Strains are those of [`Beam21`](super::Beam21) with the mean values of the
 //! element replaced by those of the point; the reference curve enters through its own tangent
-//! there, so that an undeformed curved beam has no strain. [derived]
+//! there, so that an undeformed curved beam has no strain. [derived: docs/theory.md, "Three nodes: B22"]
 
 mod twin;
 
@@ -18,10 +18,11 @@ use super::b21::{BeamSectionForces, BeamStrains};
 use crate::differentiate::Real;
 use crate::section::BeamStiffness;
 
-/// xi of the second integration point, 1/sqrt 3; both have weight 1.
+/// xi of the second integration point, 1/sqrt 3; both have weight 1. Why there: docs/theory.md
+/// eq. (3.13).
 const GAUSS: f64 = 0.577_350_269_189_625_8;
 
-/// Shape functions of the three nodes at xi.
+/// Shape functions of the three nodes at xi: docs/theory.md eq. (3.9).
 fn shapes(xi: f64) -> [f64; 3] {
     [0.5 * xi * (xi - 1.0), (1.0 - xi) * (1.0 + xi), 0.5 * xi * (xi + 1.0)]
 }
@@ -84,7 +85,7 @@ impl Station {
     }
 
     /// eps = c x' + s y' - 1, gam = -s x' + c y', kap = f', written in the frame of the undeformed
-    /// tangent as those of B21 are. [semantics: B21, strains; derived]
+    /// tangent as those of B21 are: docs/theory.md eq. (3.10). [semantics: B21, strains; derived]
     fn strains<R: Real>(&self, q: &[R; 9]) -> BeamStrains<R> {
         let ([wx, wy, curvature], rotation) = self.motion(q);
         let number = R::from_f64;
@@ -125,7 +126,8 @@ impl Beam22 {
     }
 
     /// Strain energy W = sum over the points of l_g/2 (EA eps^2 + K gam^2 + EI kap^2) [F L] of the
-    /// displacements q = (ux, uy, f) of first end, middle, second end. [semantics: B21, energy]
+    /// displacements q = (ux, uy, f) of first end, middle, second end: docs/theory.md eq. (3.11).
+    /// [semantics: B21, energy]
     pub fn energy<R: Real>(&self, q: &[R; 9]) -> R {
         let number = R::from_f64;
         let of = |station: &Station| {
@@ -144,7 +146,7 @@ impl Beam22 {
     }
 
     /// Strains at xi in [-1, 1], linear through those of the integration points: elsewhere the
-    /// interpolation itself holds spurious strains.
+    /// interpolation itself holds spurious strains. docs/theory.md eq. (3.14).
     pub fn strains_at(&self, q: &[f64; 9], xi: f64) -> BeamStrains {
         between(&self.station_strains(q), xi)
     }

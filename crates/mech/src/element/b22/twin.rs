@@ -126,7 +126,7 @@ fn rows(station: &Station, turned: &Turned) -> [[f64; 9]; 3] {
     rows
 }
 
-/// Adds l_g B' (N, V, M).
+/// Adds l_g B' (N, V, M): docs/theory.md eq. (3.12).
 fn add_force(station: &Station, turned: &Turned, force: &mut [f64; 9]) {
     let (n, v, m) = (turned.forces.axial, turned.forces.shear, turned.forces.moment);
     let couple = n * turned.strains.shear - v * (1.0 + turned.strains.axial);

@@ -16,7 +16,8 @@
 //! locking. The trigonometric functions are kept, so an arc of a circle is exact at any turn.
 //! Neglected are theta^3 in the direction of the chord and the variation of the axial force over
 //! the element: both of fourth order in its length, the second up to a term of second order with
-//! the factor I/A times (curvature gradient)^2, below what neglecting shear costs. [derived]
+//! the factor I/A times (curvature gradient)^2, below what neglecting shear costs. [derived:
+//! docs/theory.md, "Without shear: B23"]
 //!
 //! Rotated by the mean rotation, the chord has the components 1 + e and g, the strains of the
 //! one-point Reissner element B21: W is a function of those and the curvature, so that kinematics
@@ -80,7 +81,8 @@ impl Beam23 {
     }
 
     /// Stretch eps [1] and psi [1], the angle from the mean rotation to the chord, of the strains
-    /// of the chord. L/l - 1 and 1 - cos theta are formed without cancellation.
+    /// of the chord: docs/theory.md eqs. (3.17) and (3.19). L/l - 1 and 1 - cos theta are formed
+    /// without cancellation.
     fn stretch_and_lean<R: Real>(&self, chord: &BeamStrains<R>) -> (R, R) {
         let number = R::from_f64;
         let (e, g) = (chord.axial, chord.shear);
@@ -105,7 +107,7 @@ impl Beam23 {
 
     /// Strain energy W = l/2 (EA eps^2 + EI kap^2 + 12 EI psi^2/l^2) [F L] of the displacements
     /// q = (u1x, u1y, f1, u2x, u2y, f2), kap = (f2 - f1)/l. The last two terms are the integral of
-    /// EI (dtheta/ds)^2/2. [derived]
+    /// EI (dtheta/ds)^2/2. [derived: docs/theory.md eqs. (3.16) and (3.18)]
     pub fn energy<R: Real>(&self, q: &[R; 6]) -> R {
         R::from_f64(self.length()) * self.energy_per_length(&self.chord.strains_of(q))
     }
@@ -115,7 +117,8 @@ impl Beam23 {
         self.strains_at(q, 0.0)
     }
 
-    /// Strains at xi in [-1, 1]: the curvature is dtheta/ds = kap - 6 psi xi/l.
+    /// Strains at xi in [-1, 1]: the curvature is dtheta/ds = kap - 6 psi xi/l, docs/theory.md
+    /// eq. (3.15).
     pub fn strains_at(&self, q: &[f64; 6], xi: f64) -> BeamStrains {
         let chord = self.chord.strains(q);
         let (axial, psi) = self.stretch_and_lean(&chord);
@@ -124,7 +127,7 @@ impl Beam23 {
     }
 
     /// Section forces at the middle: N = EA eps, M = EI kap, and V = -dM/ds = 12 EI psi/l^2, which
-    /// equilibrium asks for where no shear strain tells it.
+    /// equilibrium asks for where no shear strain tells it: docs/theory.md eq. (3.22).
     pub fn section_forces(&self, q: &[f64; 6]) -> BeamSectionForces {
         let chord = self.chord.strains(q);
         let (stretch, psi) = self.stretch_and_lean(&chord);

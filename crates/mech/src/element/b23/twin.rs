@@ -1,5 +1,6 @@
 //! Force and tangent of [`Beam23`]: its energy differentiated by the three strains of the chord in
-//! forward arithmetic, then carried to the dofs with the hand-written derivatives of [`Beam21`].
+//! forward arithmetic, then carried to the dofs with the hand-written derivatives of [`Beam21`]:
+//! docs/theory.md eq. (3.20).
 
 use super::Beam23;
 use crate::differentiate::Second;
