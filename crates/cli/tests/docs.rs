@@ -101,7 +101,7 @@ fn every_command_shown_runs() {
             count += 1;
         }
     }
-    assert!(count >= 15, "only {count} commands");
+    assert!(count >= 20, "only {count} commands");
 }
 
 /// Requirement: one command makes the site; it has a page for each keyword
@@ -118,41 +118,176 @@ fn one_command_makes_the_site() {
     }
 }
 
-/// Requirement: the forces of the snap-fit are those its page states, and
-/// within 10 % of the designers' rule (Bayer) at the ends of the ramps.
-/// Source: verification table, snap-fit rule, gate 5-15 %: the rule leaves out
-/// what the force along the arm does to its stiffness.
-#[test]
-fn the_snap_fit_is_near_the_rule() {
-    let place = folder("snap_fit");
+/// Driven motion and reactions of the snap-fit's catch: step, U1, RF1, RF2.
+fn snap_fit(name: &str) -> Vec<(usize, [f64; 3])> {
+    let place = folder(name);
     let deck = root().join("corpus/tutorial/snap_fit.inp");
     let mut run = Command::new(PROGRAM);
-    run.arg("run").arg(deck).args(["--quiet", "--out", "."]).current_dir(&place);
+    run.arg("run").arg(deck).args(["--quiet", "--no-html", "--out", "."]).current_dir(&place);
     assert!(run.output().unwrap().status.success());
     let text = std::fs::read_to_string(place.join("snap_fit.history.csv")).unwrap();
     let mut lines = text.lines();
     let header: Vec<&str> = lines.next().unwrap().split(',').collect();
     let column = |name: &str| header.iter().position(|own| *own == name).unwrap();
-    let (step, node, force) = (column("step"), column("node"), column("RF1"));
+    let (step, node) = (column("step"), column("node"));
+    let columns = ["U1", "RF1", "RF2"].map(column);
+    let rows = lines.map(|line| line.split(',').collect::<Vec<&str>>());
+    rows.filter(|cells| cells[node] == "100")
+        .map(|cells| (cells[step].parse().unwrap(), columns.map(|at| cells[at].parse().unwrap())))
+        .collect()
+}
+
+/// Requirement: the forces of the snap-fit are those its page states, within
+/// 10 % of the designers' rule (Bayer) at the ends of the ramps, and within
+/// 1.5 % of the same rule for an arm that bears the force along itself: that is
+/// the page's explanation of the difference. Source: verification table,
+/// snap-fit rule, gate 5-15 %; beam under end load and axial force, textbook.
+/// 1.5 %: increments of 0.1 mm and the foreshortened arm put the hook up to
+/// 0.05 mm off the end of the ramp, 1.4 % of its height at 30 degrees.
+#[test]
+fn the_snap_fit_is_near_the_rule_and_the_reason_is_the_axial_force() {
     let mut peaks = [0.0_f64; 2];
-    for line in lines {
-        let cells: Vec<&str> = line.split(',').collect();
-        if cells[node] == "100" {
-            let way: usize = cells[step].parse().unwrap();
-            // Against the motion: to the left on the way in, to the right on the way out.
-            let driven = cells[force].parse::<f64>().unwrap() * if way == 1 { -1.0 } else { 1.0 };
-            peaks[way - 1] = peaks[way - 1].max(driven);
-        }
+    for (way, [_, force, _]) in snap_fit("snap_fit") {
+        // Against the motion: to the left on the way in, to the right on the way out.
+        let driven = if way == 1 { -force } else { force };
+        peaks[way - 1] = peaks[way - 1].max(driven);
     }
-    let deflection = |y: f64| 6900.0 * 25.0 * (1.5_f64 / 50.0).powi(3) * y / 4.0;
-    let rule = |y: f64, ramp: f64| {
+    let (modulus, width, height, length) = (6900.0, 25.0, 1.5_f64, 50.0_f64);
+    let bending = modulus * width * height.powi(3) / 12.0;
+    let along = |ramp: f64| {
         let slope = ramp.to_radians().tan();
-        deflection(y) * (0.3 + slope) / (1.0 - 0.3 * slope)
+        (0.3 + slope) / (1.0 - 0.3 * slope)
+    };
+    let rule = |y: f64, ramp: f64| 3.0 * bending * y / length.powi(3) * along(ramp);
+    let under_force = |y: f64, ramp: f64, pressed: bool| {
+        let mut force = rule(y, ramp);
+        for _ in 0..50 {
+            let wave = (force / bending).sqrt();
+            let flexibility = if pressed {
+                (wave * length).tan() / wave - length
+            } else {
+                length - (wave * length).tanh() / wave
+            };
+            force = force * y / flexibility * along(ramp);
+        }
+        force
     };
     let rules = [rule(1.973_205, 30.0), rule(1.941_421, 45.0)];
+    let loaded = [under_force(1.973_205, 30.0, true), under_force(1.941_421, 45.0, false)];
     let page = std::fs::read_to_string(root().join("docs/guide/snap-fit.md")).unwrap();
-    for (peak, rule) in peaks.into_iter().zip(rules) {
+    for ((peak, rule), loaded) in peaks.into_iter().zip(rules).zip(loaded) {
         assert!((peak / rule - 1.0).abs() < 0.10, "{peak} against {rule}");
-        assert!(page.contains(&format!("| {rule:.3} N | {peak:.3} N |")), "{rule:.3} {peak:.3}");
+        assert!((peak / loaded - 1.0).abs() < 0.015, "{peak} against {loaded}");
+        let row = format!("| {rule:.3} N | {peak:.3} N | {loaded:.3} N |");
+        assert!(page.contains(&row), "{row}");
     }
+    let off = [rules[0] / peaks[0] - 1.0, 1.0 - rules[1] / peaks[1]];
+    let said = format!(
+        "{:.0} % too high on the way\nin and {:.0} % too low",
+        100.0 * off[0],
+        100.0 * off[1]
+    );
+    assert!(page.contains(&said), "{said}");
+}
+
+/// Requirement: the five parts of the curve that the page names. On a ramp of
+/// angle a the force along over the force across is (mu + tan a)/(1 - mu tan a)
+/// where the hook climbs, (tan a - mu)/(1 + mu tan a) the other way where it
+/// falls, mu on the flat crest: the wedge. 1e-6, as the residual allows. A ramp
+/// of which mu tan a = 1 locks: 73.3 degrees.
+#[test]
+fn the_snap_fit_has_the_parts_that_its_page_names() {
+    let tangent = |ramp: f64| ramp.to_radians().tan();
+    let climbs = |ramp: f64| (0.3 + tangent(ramp)) / (1.0 - 0.3 * tangent(ramp));
+    let falls = |ramp: f64| (tangent(ramp) - 0.3) / (1.0 + 0.3 * tangent(ramp));
+    // of the support on the catch: step, from and to U1, RF1/RF2
+    let parts = [
+        (1, [-4.8, -1.7], -climbs(30.0)),
+        (1, [-6.8, -5.3], -0.3),
+        (1, [-8.9, -7.3], falls(45.0)),
+        (2, [-8.7, -7.3], climbs(45.0)),
+        (2, [-6.8, -5.3], 0.3),
+    ];
+    let rows = snap_fit("snap_fit_parts");
+    for (step, [from, to], ratio) in parts {
+        let inside = |(way, row): &&(usize, [f64; 3])| *way == step && from < row[0] && row[0] < to;
+        let found: Vec<[f64; 3]> = rows.iter().filter(inside).map(|(_, row)| *row).collect();
+        assert!(found.len() >= 10, "{step} {from} {to}");
+        for [motion, along, across] in &found {
+            assert!((along / across / ratio - 1.0).abs() < 1e-6, "step {step}, U1 {motion}");
+        }
+        let grows = found.windows(2).all(|pair| match step {
+            1 => pair[1][1].abs() > pair[0][1].abs(),
+            _ => pair[1][1] > pair[0][1],
+        });
+        assert_eq!(grows, ratio == -climbs(30.0) || ratio == climbs(45.0), "{step} {from} {to}");
+    }
+    let (_, [_, end, _]) = rows[99];
+    let (_, [_, back, _]) = rows[199];
+    assert_eq!([end, back], [0.0, 0.0], "free behind the catch, and in the end");
+    let page = std::fs::read_to_string(root().join("docs/guide/snap-fit.md")).unwrap();
+    let locks = (1.0_f64 / 0.3).atan().to_degrees();
+    assert!(page.contains(&format!("a ramp of {locks:.1} degrees locks")), "{locks}");
+}
+
+/// Texts of the blocks that are not marked as commands.
+fn other_blocks(text: &str) -> impl Iterator<Item = &str> {
+    let inside = text.split("\n```").skip(1).step_by(2);
+    inside.filter(|block| !block.starts_with("sh\n"))
+}
+
+/// Requirement: commands stand in blocks that are run. In other blocks there is
+/// none but the synopsis of one, with places to be filled in.
+#[test]
+fn commands_stand_where_they_are_run() {
+    for page in pages() {
+        let text = std::fs::read_to_string(&page).unwrap();
+        for line in other_blocks(&text).flat_map(str::lines).map(str::trim) {
+            let is_command = line.starts_with("slideline ") || line.starts_with("cargo ");
+            assert!(!is_command || line.contains('['), "{}: {line}", page.display());
+        }
+    }
+}
+
+/// Requirement: what a page says about a command between the lines is so: the
+/// options are those of the command, the benches exist.
+#[test]
+fn commands_in_sentences_exist() {
+    let help = |command: &str| {
+        let output = Command::new(PROGRAM).args([command, "--help"]).output().unwrap();
+        assert!(output.status.success(), "there is no command {command}");
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let mut known = std::collections::HashMap::new();
+    let mut count = 0;
+    for page in pages() {
+        let text = std::fs::read_to_string(&page).unwrap();
+        let spans = text.split('`').skip(1).step_by(2).filter(|span| !span.contains('\n'));
+        for span in spans {
+            let words = words(span);
+            match words.first().map(String::as_str) {
+                Some("slideline") if words.len() > 1 => {
+                    let help = known.entry(words[1].clone()).or_insert_with(|| help(&words[1]));
+                    let options = words.iter().filter(|word| word.starts_with("--"));
+                    for option in options.map(|word| word.split(['=', '[']).next().unwrap()) {
+                        assert!(help.contains(option), "{}: {span}", page.display());
+                    }
+                    count += 1;
+                }
+                Some("cargo") if span.contains(" --bench ") => {
+                    let after = |flag: &str| {
+                        let at = words.iter().position(|word| word == flag).unwrap();
+                        words[at + 1].clone()
+                    };
+                    let package = after("-p").replace("slideline-", "");
+                    let bench = format!("{package}/benches/{}.rs", after("--bench"));
+                    let there = ["", "crates/"].map(|at| root().join(at).join(&bench).is_file());
+                    assert!(there.contains(&true), "{}: {span}", page.display());
+                    count += 1;
+                }
+                _ => {}
+            }
+        }
+    }
+    assert!(count >= 30, "only {count}");
 }
