@@ -1,7 +1,7 @@
 //! What may stand on the command line.
 
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
-use slideline::{Dialect, Onset};
+use slideline::{Dialect, OldJob, Onset};
 use std::path::PathBuf;
 
 /// Sliding contact of flexible and rigid bodies: runs Abaqus-style decks.
@@ -104,6 +104,10 @@ pub(crate) struct DeckArguments {
     /// When friction is called after a change of contact [default: as the deck says].
     #[arg(long, value_name = "RULE")]
     friction_onset: Option<OnsetArgument>,
+    /// The earlier job that a deck with *RESTART, READ goes on from: its
+    /// states are in OLDJOB.rst.
+    #[arg(long, value_name = "OLDJOB", value_hint = ValueHint::FilePath)]
+    oldjob: Option<PathBuf>,
     /// Whose reading counts where two programs differ [default: abaqus].
     #[arg(long, value_name = "PROGRAM")]
     dialect: Option<DialectArgument>,
@@ -122,6 +126,7 @@ impl DeckArguments {
                 OnsetArgument::Delayed => Onset::Delayed,
                 OnsetArgument::Matfru => Onset::Matfru,
             }),
+            old_job: self.oldjob.clone().map_or(OldJob::None, OldJob::Named),
         }
     }
 }

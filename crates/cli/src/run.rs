@@ -8,8 +8,8 @@ use slideline::diag::{Code, Diagnostic, Severity};
 use slideline::output::json::Object;
 use slideline::output::{add_warning, onset_word, record};
 use slideline::{
-    Event, Job, Observer, Outcome, Reactions, Read, RunOptions, SolveOptions, Status, Stop,
-    TangentCheck, VERSION, error_bars, run as run_job,
+    Event, Job, Observer, OldJob, Outcome, Reactions, Read, ReadOptions, RunOptions, SolveOptions,
+    Status, Stop, TangentCheck, VERSION, error_bars, run as run_job,
 };
 use std::ops::ControlFlow;
 use std::time::Instant;
@@ -17,7 +17,7 @@ use std::time::Instant;
 /// Runs a deck and says how it went.
 pub(crate) fn run(arguments: &RunArguments) -> Exit {
     let began = Instant::now();
-    let read = Job::read(&arguments.deck.job, &arguments.deck.options());
+    let read = Job::read(&arguments.deck.job, &read_options(arguments));
     let mode = mode(arguments);
     if mode == Mode::Json {
         screen::print(&start_lines(&read));
@@ -58,6 +58,15 @@ pub(crate) fn run(arguments: &RunArguments) -> Exit {
     outcome.status.into()
 }
 
+/// A job that goes on after an interruption knows where it came from.
+fn read_options(arguments: &RunArguments) -> ReadOptions {
+    let options = arguments.deck.options();
+    if arguments.restart {
+        return ReadOptions { old_job: OldJob::Begun(arguments.out.clone()), ..options };
+    }
+    options
+}
+
 /// Estimates errors of a run that came to its end and adds them to its files.
 /// What stands against it is added instead, and returned.
 fn add_error_bars(
@@ -67,7 +76,9 @@ fn add_error_bars(
     outcome: &mut Outcome,
 ) -> Option<Diagnostic> {
     let (Some(model), Status::Completed) = (&read.model, outcome.status) else { return None };
-    let estimated = if found.count() == outcome.totals.increments {
+    let estimated = if read.from.is_some() {
+        Err(Box::new(from_another_job()))
+    } else if found.count() == outcome.totals.increments {
         error_bars(model, found, options, &mut Interruptible)
     } else {
         Err(Box::new(begun_elsewhere()))
@@ -83,6 +94,13 @@ fn add_error_bars(
         outcome.status = Status::OutputError;
     }
     said
+}
+
+/// Steps that begin in the state of an earlier job have the history of its mesh.
+fn from_another_job() -> Diagnostic {
+    let message = "no error bars: the job goes on from the state of another mesh's history";
+    Diagnostic::warning(Code("SL0602"), message)
+        .help("Put all steps into one deck to have error bars.")
 }
 
 /// A run that goes on from a saved state knows only its own increments.

@@ -7,145 +7,15 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
 
-use std::collections::BTreeMap;
-use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+mod jobs;
+
+use jobs::{
+    PROGRAM, WRITE, code, columns, corpus, files, folder, irs, isl, same, sections, slideline,
+    stderr,
+};
+use std::path::Path;
+use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
-
-const PROGRAM: &str = env!("CARGO_BIN_EXE_slideline");
-
-fn folder(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("restart").join(name);
-    let _ = std::fs::remove_dir_all(&folder);
-    std::fs::create_dir_all(&folder).unwrap();
-    folder
-}
-
-fn slideline(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(PROGRAM).args(arguments).current_dir(folder).output().unwrap()
-}
-
-fn code(output: &Output) -> i32 {
-    output.status.code().unwrap_or_else(|| panic!("{output:?}"))
-}
-
-fn corpus(name: &str) -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../corpus/diehl1995").join(name);
-    std::fs::read_to_string(path).unwrap()
-}
-
-/// The files of a job but the report and the saved state; wall time blanked.
-fn files(folder: &Path, job: &str) -> BTreeMap<String, Vec<u8>> {
-    let mut files = BTreeMap::new();
-    for entry in std::fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
-        let name = path.file_name().unwrap().to_str().unwrap().to_owned();
-        let aside = [".inp", ".html", ".rst"].iter().any(|ending| name.ends_with(ending));
-        if !name.starts_with(job) || aside {
-            continue;
-        }
-        let mut content = std::fs::read(&path).unwrap();
-        if name.ends_with(".json") {
-            let text = String::from_utf8(content).unwrap();
-            let (before, after) = text.split_once("\"wall_seconds\":").unwrap();
-            content = [before, &after[after.find(',').unwrap()..]].concat().into_bytes();
-        }
-        files.insert(name, content);
-    }
-    files
-}
-
-fn same(left: &BTreeMap<String, Vec<u8>>, right: &BTreeMap<String, Vec<u8>>, case: &str) {
-    let names = |files: &BTreeMap<String, Vec<u8>>| files.keys().cloned().collect::<Vec<_>>();
-    assert_eq!(names(left), names(right), "{case}");
-    for (name, content) in left {
-        assert!(*content == right[name], "{case}: {name} differs");
-    }
-}
-
-/// A column that is pressed on a plane and dragged along it with friction, in
-/// three steps: press, drag, drag back.
-fn columns(increments: usize, restart: &str, contact: &str) -> String {
-    let dt = 1.0 / increments as f64;
-    let mut text = format!(
-        "*HEADING
-columns on a plane
-{restart}*NODE, NSET=ALL
-1, 0.0, 0.1
-2, 0.0, 0.0
-3, 0.01, 0.1
-4, 0.01, 0.0
-9, 0.0, 0.0
-21, -1.0, -1.0E-4
-22, 0.0, -1.0E-4
-23, 1.0, -1.0E-4
-*ELEMENT, TYPE=B21, ELSET=BEAMS
-1, 1, 2
-2, 3, 4
-*BEAM SECTION, SECTION=RECT, ELSET=BEAMS, MATERIAL=M
-0.01, 0.01
-*MATERIAL, NAME=M
-*ELASTIC
-1.0E9, 0.3
-{contact}*NSET, NSET=PLANE
-9
-*MPC
-BEAM, 21, 9
-BEAM, 22, 9
-BEAM, 23, 9
-"
-    );
-    for (x, y) in [(0.0, 1.2e-4), (1.0e-3, 1.2e-4), (-5.0e-4, 1.25e-4)] {
-        let _ = write!(
-            text,
-            "*STEP, NLGEOM, INC=10000
-PRESS, DRAG
-*STATIC
-{dt:?}, 1.0, 1.0E-9, {dt:?}
-*BOUNDARY
-1, 1, 6
-3, 1, 6
-9, 1, 1, {x:?}
-9, 2, 2, {y:?}
-9, 6, 6
-*NODE PRINT, NSET=PLANE
-U, RF
-*END STEP
-"
-        );
-    }
-    text
-}
-
-const LAWS: &str = "*INTERFACE, ELSET=TIPS
-0.025
-*FRICTION
-0.3
-*SURFACE CONTACT, SOFTENED
-1.0E-5, 4.8E6
-";
-
-fn irs() -> String {
-    format!(
-        "*RIGID SURFACE, TYPE=SEGMENTS, ELSET=TIPS
-START, -1.0, -1.0E-4
-LINE, 1.0, -1.0E-4
-*ELEMENT, TYPE=IRS21, ELSET=TIPS
-11, 2, 4, 9
-{LAWS}"
-    )
-}
-
-fn isl() -> String {
-    format!(
-        "*ELEMENT, TYPE=ISL21, ELSET=TIPS
-11, 2, 4
-*SLIDE LINE, ELSET=TIPS, TYPE=LINEAR
-21, 22, 23
-{LAWS}"
-    )
-}
 
 /// Runs a deck whole, then with a saved state taken away in the middle, and
 /// compares.
@@ -186,8 +56,6 @@ fn leave_and_go_on(name: &str, deck: &str, signal_after: &[usize]) {
     }
     assert!(left > 0, "{name}: every run was faster than its kill");
 }
-
-const WRITE: &str = "*RESTART, WRITE\n";
 
 #[test]
 fn irs_with_friction_and_three_steps() {
@@ -284,10 +152,6 @@ fn twenty_kills_at_random_moments() {
     println!("{kills} kills in {rounds} rounds of a run of {lifetime:?}");
 }
 
-fn stderr(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
-}
-
 /// What cannot be gone on from is an input error, and nothing is touched.
 #[test]
 fn what_cannot_be_gone_on_from() {
@@ -307,11 +171,15 @@ fn what_cannot_be_gone_on_from() {
 
     let mut moments = Moments(3);
     let mut damaged: Vec<Vec<u8>> = vec![Vec::new(), b"*HEADING\n".to_vec(), vec![0xff; 4096]];
+    let places = sections(&state);
+    let last = places[places.len() - 2];
     for _ in 0..12 {
         let length = moments.below(state.len() as u64) as usize;
         damaged.push(state[..length].to_vec());
         let mut flipped = state.clone();
-        flipped[length] ^= 1 << moments.below(8);
+        // head, preface or the last state: the others are not used
+        let place = if length < last { length % places[1] } else { length };
+        flipped[place] ^= 1 << moments.below(8);
         damaged.push(flipped);
     }
     for bytes in damaged {

@@ -1,6 +1,6 @@
 //! Where included files come from.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// A file that was found.
 #[derive(Clone, Debug)]
@@ -38,7 +38,7 @@ pub struct FromDisk;
 impl Loader for FromDisk {
     fn load(&self, including: &str, input: &str, limit: usize) -> Result<Loaded, LoadError> {
         use std::io::Read;
-        let path = Path::new(including).parent().unwrap_or(Path::new("")).join(input);
+        let path = beside(including, input);
         let unreadable = |error: std::io::Error| LoadError::Unreadable(error.to_string());
         let file = std::fs::File::open(&path).map_err(unreadable)?;
         let mut bytes = Vec::new();
@@ -48,6 +48,11 @@ impl Loader for FromDisk {
         }
         Ok(Loaded { name: plain(&path), bytes })
     }
+}
+
+/// A path as the including file names it.
+fn beside(including: &str, input: &str) -> PathBuf {
+    Path::new(including).parent().unwrap_or(Path::new("")).join(input)
 }
 
 /// `a/./b/../c` as `a/c`, so that one file has one name.
@@ -63,7 +68,7 @@ fn plain(path: &Path) -> String {
             _ => parts.push(part),
         }
     }
-    parts.iter().collect::<std::path::PathBuf>().display().to_string()
+    parts.iter().collect::<PathBuf>().display().to_string()
 }
 
 /// Knows no files: every `*INCLUDE` is an error.
@@ -73,5 +78,22 @@ pub struct NoFiles;
 impl Loader for NoFiles {
     fn load(&self, _: &str, _: &str, _: usize) -> Result<Loaded, LoadError> {
         Err(LoadError::Unreadable("files are not read here".to_owned()))
+    }
+}
+
+/// Knows the texts of a deck that was read from disk before, by name.
+#[derive(Clone, Copy, Debug)]
+pub struct Texts<'a>(pub &'a [(String, String)]);
+
+impl Loader for Texts<'_> {
+    fn load(&self, including: &str, input: &str, limit: usize) -> Result<Loaded, LoadError> {
+        let name = plain(&beside(including, input));
+        match self.0.iter().find(|(own, _)| *own == name) {
+            Some((_, text)) if text.len() > limit => Err(LoadError::TooLarge),
+            Some((_, text)) => Ok(Loaded { name, bytes: text.clone().into_bytes() }),
+            None => {
+                Err(LoadError::Unreadable("it is not among the texts that were kept".to_owned()))
+            }
+        }
     }
 }

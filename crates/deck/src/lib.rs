@@ -23,7 +23,7 @@ mod values;
 
 pub use card::{Card, Comment, DataLine, Deck, Field, FileLines, Line, LineKind, Parameter, Word};
 pub use edit::{Applied, apply};
-pub use include::{FromDisk, LoadError, Loaded, Loader, NoFiles};
+pub use include::{FromDisk, LoadError, Loaded, Loader, NoFiles, Texts};
 pub use limits::{
     MAX_BYTES, MAX_DEPTH, MAX_DIAGNOSTICS, MAX_FILES, MAX_LINE_BYTES, MAX_VALUES_PER_LINE,
 };

@@ -184,6 +184,8 @@ catalogue! {
     "SL0708" "a saved state that cannot be used"
     "SL0709" "what a saved state belongs to was changed"
     "SL0710" "result files that do not fit the saved state"
+    "SL0711" "the earlier job that a deck goes on from"
+    "SL0712" "a state that was not saved"
     "SL0901" "internal error"
     "SL0906" "the tangent is not the derivative of the residual"
 }

@@ -7,7 +7,7 @@ use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::material::Elastic;
 use slideline_model::{
     ContactPrint, Controls, Dialect, Dof, ElementPrint, Extrapolation, Interaction, Model, Node,
-    NodePrint, ShearRule, Static, SurfaceSegment,
+    NodePrint, SavedStates, ShearRule, Static, SurfaceSegment,
 };
 
 use crate::keyword::Subject;
@@ -40,7 +40,11 @@ pub(crate) struct Draft {
     pub pairings: Vec<Pairing>,
     pub bodies: Vec<RigidBody>,
     pub links: Vec<Link>,
-    pub restart_every: Option<usize>,
+    pub restart: Option<SavedStates>,
+    /// Whether the cards are those of a deck that goes on from an earlier job.
+    pub goes_on: bool,
+    /// Steps of the jobs it goes on from.
+    pub earlier_steps: usize,
     /// Boundary conditions before the first step.
     pub initial: Vec<Boundary>,
     pub steps: Vec<StepDraft>,
@@ -208,7 +212,7 @@ pub(crate) struct StepDraft {
     pub boundary: Vec<Boundary>,
     pub loads: Vec<Boundary>,
     pub controls: Option<Controls>,
-    pub restart_every: Option<usize>,
+    pub restart: Option<SavedStates>,
     pub prints: Vec<(NodePrint, Option<Span>)>,
     pub element_prints: Vec<(ElementPrint, Option<Span>)>,
     pub contact_prints: Vec<(ContactPrint, Option<Span>)>,

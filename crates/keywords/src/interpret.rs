@@ -1,10 +1,13 @@
 //! The pass over the cards.
 
+use std::borrow::Cow;
+
 use slideline_deck::{Card, Loader, Parsed, nearest, normalise, parse};
 use slideline_diag::{Code, Diagnostic, Severity, Sources, Span};
 use slideline_model::{Dialect, Model};
 
 use crate::draft::{Draft, Owner};
+use crate::earlier::{Earlier, MAY_FOLLOW};
 use crate::keyword::{Keyword, Level};
 use crate::reading::{Match, Reading, note_abbreviation, resolve};
 use crate::registry::REGISTRY;
@@ -34,21 +37,45 @@ pub fn read(
 /// Gives a parsed deck its meaning. Total: any deck, every error in one pass,
 /// the syntax errors of `parsed` included.
 pub fn interpret(parsed: &Parsed, dialect: Dialect) -> Interpreted {
+    interpret_after(&[], parsed, dialect)
+}
+
+/// Gives a deck with `*RESTART, READ` its meaning: the cards of the decks it
+/// goes on from, as far as they were walked, then its own.
+pub fn interpret_after(earlier: &[Earlier<'_>], parsed: &Parsed, dialect: Dialect) -> Interpreted {
     let mut draft = Draft::new(dialect);
+    for (place, part) in earlier.iter().enumerate() {
+        draft.goes_on = place > 0;
+        let cards = traps::mend(&part.parsed.deck, &mut draft.log);
+        read_cards(&cards, &mut draft, part.steps);
+    }
+    draft.log.keep_errors(); // the rest was said when those decks were run
+    draft.goes_on = !earlier.is_empty();
+    draft.earlier_steps = draft.steps.len();
     if slideline_diag::has_errors(&parsed.diagnostics) {
         draft.mark_all_incomplete();
     }
     let cards = traps::mend(&parsed.deck, &mut draft.log);
-    let mut stray_history = false;
-    for card in &cards {
-        if let Some(keyword) = find_keyword(card, &mut draft) {
-            read_card(card, keyword, &mut draft, &mut stray_history);
-        }
-    }
+    let stray_history = read_cards(&cards, &mut draft, usize::MAX);
     let nothing = cards.is_empty();
     let model = finish::finish(&mut draft, stray_history || nothing);
     let diagnostics = together(parsed, draft.log.into_diagnostics());
     Interpreted { model, diagnostics }
+}
+
+/// Reads cards until so many steps are closed. Whether cards of a step stand
+/// where no step was ever opened.
+fn read_cards(cards: &[Cow<'_, Card>], draft: &mut Draft, steps: usize) -> bool {
+    let mut stray_history = false;
+    for card in cards {
+        if draft.steps.len() >= steps && !draft.in_step {
+            break;
+        }
+        if let Some(keyword) = find_keyword(card, draft) {
+            read_card(card, keyword, draft, &mut stray_history);
+        }
+    }
+    stray_history
 }
 
 /// Syntax and meaning in one list, in the order of the text. Where the syntax
@@ -64,7 +91,11 @@ fn together(parsed: &Parsed, meaning: Vec<Diagnostic>) -> Vec<Diagnostic> {
             broken.iter().any(meets)
         })
     };
-    let meaning = meaning.into_iter().filter(|diagnostic| !follows(diagnostic));
+    let own = |said: &Diagnostic| {
+        let here = |span: Span| parsed.deck.files.iter().any(|lines| lines.file == span.file);
+        said.severity == Severity::Error || said.span.is_none_or(here)
+    };
+    let meaning = meaning.into_iter().filter(|said| own(said) && !follows(said));
     let mut all: Vec<Diagnostic> = syntax.iter().cloned().chain(meaning).collect();
     all.sort_by_key(|diagnostic| {
         diagnostic.span.map_or((u32::MAX, 0), |span| (span.file.0, span.start))
@@ -120,6 +151,17 @@ fn misplaced(
             let message = format!("*{name} belongs before the first *STEP");
             draft.log.error("SL0214", message, card.span);
             false
+        }
+        (Level::Model | Level::Both, false) if draft.goes_on && !MAY_FOLLOW.contains(&name) => {
+            let message =
+                format!("*{name} belongs to the deck of the job that this one goes on from");
+            let error = Diagnostic::error(Code("SL0214"), message).at(card.span);
+            let help = format!(
+                "the model comes from the saved state; before *STEP only {} may stand here",
+                MAY_FOLLOW.map(|name| format!("*{name}")).join(", ")
+            );
+            draft.log.push(error.help(help));
+            true
         }
         (Level::History, false) if name != "STEP" => {
             if !*stray_history {

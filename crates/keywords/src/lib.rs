@@ -13,6 +13,7 @@
 
 mod cards;
 mod draft;
+mod earlier;
 mod finish;
 mod foreign;
 mod interpret;
@@ -25,6 +26,7 @@ mod surfaces;
 mod traps;
 
 pub use draft::MAX_GENERATED;
-pub use interpret::{Interpreted, interpret, read};
+pub use earlier::{Earlier, ReadRequest, read_request};
+pub use interpret::{Interpreted, interpret, interpret_after, read};
 pub use keyword::{Level, Rule, Takes};
 pub use registry::{Description, describe, keywords};

@@ -53,6 +53,12 @@ impl Log {
         self.errors
     }
 
+    /// Forgets everything but errors.
+    pub fn keep_errors(&mut self) {
+        self.diagnostics.retain(|said| said.severity == Severity::Error);
+        self.said.clear();
+    }
+
     /// How many names are worth comparing for a likely spelling: fewer once
     /// there is much to say, so that a broken deck is still read in no time.
     pub fn names_to_compare(&self) -> usize {

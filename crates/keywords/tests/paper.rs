@@ -112,7 +112,7 @@ fn the_step() {
     ];
     assert_eq!(said, expected);
     assert!(step.controls.discontinuous && step.output.contact_changes);
-    assert_eq!(step.output.restart_every, Some(1));
+    assert_eq!(step.output.restart.map(|states| states.every), Some(1));
     assert_eq!(model.friction_onset, Onset::Immediate);
     let history: Vec<u64> =
         model.history_nodes().into_iter().map(|node| model.nodes.label(node)).collect();

@@ -34,7 +34,7 @@ pub use element::{
 pub use node::{Dof, Node, NodeIndex, Nodes, RigidLink};
 pub use output::{
     ContactPrint, ContactVariable, ElementPrint, ElementVariable, NodePrint, NodeVariable,
-    OutputRequests, PrintTarget, SECTION_POINTS,
+    OutputRequests, PrintTarget, SECTION_POINTS, SavedStates,
 };
 pub use refine::refine;
 pub use slideline_mech::contact::normal::NormalLaw;

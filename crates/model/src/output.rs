@@ -6,8 +6,8 @@ use slideline_diag::Span;
 /// Requests of one step.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct OutputRequests {
-    /// `*RESTART, WRITE, FREQUENCY=N`: write the state every N increments.
-    pub restart_every: Option<usize>,
+    /// `*RESTART, WRITE`: states to go on from.
+    pub restart: Option<SavedStates>,
     /// Node tables.
     pub node_prints: Vec<NodePrint>,
     /// Element tables.
@@ -16,6 +16,15 @@ pub struct OutputRequests {
     pub contact_prints: Vec<ContactPrint>,
     /// `*PRINT, CONTACT=YES`: contact status changes into the message file.
     pub contact_changes: bool,
+}
+
+/// `*RESTART, WRITE, FREQUENCY=N`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SavedStates {
+    /// Every how many increments; the end of the step always.
+    pub every: usize,
+    /// `OVERLAY`: only the last state of a step is kept.
+    pub overlay: bool,
 }
 
 /// A table of nodal values.

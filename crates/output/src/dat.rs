@@ -4,7 +4,7 @@ use crate::echo::model_echo;
 use crate::file::{Growing, WriteError, beside};
 use crate::history::Column;
 use crate::job::JobFiles;
-use crate::restart::Kept;
+use crate::restart::{Kept, Origin};
 use crate::summary::Facts;
 use crate::tables::{push_contact, push_elements, push_title};
 use crate::writers::Writer;
@@ -17,13 +17,17 @@ use std::fmt::Write as _;
 pub(crate) struct Dat {
     job: JobFiles,
     version: String,
+    /// The state that the job goes on from, if it does.
+    origin: Option<Origin>,
     file: Option<Growing>,
     begun: bool,
 }
 
 impl Dat {
     pub fn new(job: &JobFiles, facts: &Facts<'_>) -> Self {
-        Self { job: job.clone(), version: facts.version.to_owned(), file: None, begun: false }
+        let origin = facts.earlier.map(|earlier| earlier.origin.clone());
+        let version = facts.version.to_owned();
+        Self { job: job.clone(), version, origin, file: None, begun: false }
     }
 
     fn begin(&mut self, report: &StepReport<'_>) -> Result<(), WriteError> {
@@ -42,6 +46,13 @@ impl Dat {
         let mut file = Growing::create(beside(&path))?;
         // A String takes any text.
         let _ = writeln!(file.text, "slideline {}   job {}\n", self.version, self.job.name());
+        if let Some(Origin { job, step, increment }) = &self.origin {
+            let _ = writeln!(
+                file.text,
+                "goes on from job {job}, step {step}, increment {increment}; gaps and energies \
+                 below are those of that state\n"
+            );
+        }
         file.text.push_str(&model_echo(report.model, &report.start));
         self.file = Some(file);
         if report.model.steps.iter().any(|step| has_tables(&step.output)) {

@@ -6,6 +6,7 @@ use crate::job::JobFiles;
 use crate::json::{self, Object};
 use crate::ledger::onset_word;
 use crate::record::record;
+use crate::restart::Earlier;
 use crate::understood::{self, Understood};
 use slideline_diag::{Diagnostic, Severity, Sources};
 use slideline_measures::NoiseSummary;
@@ -33,6 +34,11 @@ pub struct Facts<'a> {
     pub dialect: Option<Dialect>,
     /// Friction onset that rules, where known.
     pub friction_onset: Option<Onset>,
+    /// How many of the texts, from the first on, are those of the job's own
+    /// deck.
+    pub own_texts: usize,
+    /// The jobs that this one goes on from.
+    pub earlier: Option<&'a Earlier>,
 }
 
 /// How a job stands.
@@ -314,6 +320,13 @@ impl<'a> Summary<'a> {
             .text("deck_hash", facts.deck_hash)
             .optional_text("dialect", facts.dialect.map(Dialect::word))
             .optional_text("friction_onset", facts.friction_onset.map(onset_word));
+        if let Some(Earlier { origin, .. }) = facts.earlier {
+            let origin = Object::new()
+                .text("job", &origin.job)
+                .count("step", origin.step)
+                .count("increment", origin.increment);
+            object = object.raw("goes_on_from", &origin.finish());
+        }
         if let Some((value, element, time)) = self.strain {
             let element = element.to_string();
             let strain = Object::new().number("max", value).raw("element", &element);

@@ -54,7 +54,7 @@ pub struct Writers<'a> {
     failure: Option<WriteError>,
     /// `JOB.rst` stands apart: it is written when everything else is, and
     /// says where.
-    restart: restart::Writer,
+    restart: restart::Writer<'a>,
     ended: bool,
 }
 
@@ -67,7 +67,7 @@ impl<'a> Writers<'a> {
     pub fn create(job: JobFiles, facts: Facts<'a>) -> Result<Self, WriteError> {
         job.clear()?;
         let writers = REGISTRY.iter().map(|kind| (kind.make)(&job, &facts)).collect();
-        let restart = restart::Writer::new(&facts);
+        let restart = restart::Writer::new(facts.clone(), None);
         let summary = Summary::begin(&job, facts)?;
         Ok(Self { job, writers, summary, failure: None, restart, ended: false })
     }
@@ -77,11 +77,11 @@ impl<'a> Writers<'a> {
     /// # Errors
     /// When a file is not there any more, or cannot be cut.
     pub fn resume(job: &JobFiles, facts: Facts<'a>, saved: Saved) -> Result<Self, WriteError> {
-        let Saved { checkpoint, kept, memory, .. } = saved;
-        restart::cut_back(job, &kept)?;
+        let Saved { checkpoint, kept, memory, place, .. } = saved;
+        restart::cut_back(job, &kept, place)?;
         let job = job.going_on(kept);
         let writers = REGISTRY.iter().map(|kind| (kind.make)(&job, &facts)).collect();
-        let restart = restart::Writer::new(&facts);
+        let restart = restart::Writer::new(facts.clone(), Some(place));
         let summary = Summary::resume(&job, facts, memory, &checkpoint)?;
         Ok(Self { job, writers, summary, failure: None, restart, ended: false })
     }

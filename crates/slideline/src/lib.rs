@@ -21,13 +21,15 @@
 mod advice;
 mod check;
 mod error_bars;
+mod further;
 mod read;
 mod run;
 
 pub use advice::{advise, mended};
 pub use check::{InitialGaps, initial_gaps};
 pub use error_bars::{ErrorBars, Reactions, Recorder, error_bars};
-pub use read::{Job, Read, ReadOptions};
+pub use further::From;
+pub use read::{Job, OldJob, Read, ReadOptions};
 pub use run::{Outcome, Quiet, RunOptions, run};
 
 pub use slideline_advice::Noise;
@@ -37,7 +39,7 @@ pub use slideline_keywords as keywords;
 pub use slideline_mech as mech;
 pub use slideline_model as model;
 pub use slideline_output as output;
-pub use slideline_solve::{Checkpoint, resume, run as solve};
+pub use slideline_solve::{Checkpoint, resume, run as solve, run_from};
 pub use slideline_solve::{Options as SolveOptions, TangentCheck, observe};
 pub use slideline_solve::{UserFrictions, friction};
 

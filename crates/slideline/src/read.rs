@@ -1,5 +1,6 @@
 //! From a path or a text to a model.
 
+use crate::further::{self, From};
 use sha2::{Digest, Sha256};
 use slideline_deck::{Deck, FromDisk, Loader, NoFiles};
 use slideline_diag::{Code, Diagnostic, Sources, has_errors};
@@ -10,13 +11,28 @@ use std::fmt::Write as _;
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
-/// What overrides a deck.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// What overrides a deck, and what it goes on from.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ReadOptions {
     /// Whose reading of a keyword counts; Abaqus's unless said.
     pub dialect: Option<Dialect>,
     /// When friction is called, whatever the deck says.
     pub friction_onset: Option<Onset>,
+    /// Whose states a deck with `*RESTART, READ` goes on from.
+    pub old_job: OldJob,
+}
+
+/// Where the states are that a deck with `*RESTART, READ` goes on from.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub enum OldJob {
+    /// None is named: such a deck is an error.
+    #[default]
+    None,
+    /// An earlier job by its path, with or without ending.
+    Named(PathBuf),
+    /// The job has begun already and goes on itself: its own saved states in
+    /// this folder, or beside the deck, know where they came from.
+    Begun(Option<PathBuf>),
 }
 
 /// A deck and where its results go unless another folder is named.
@@ -45,6 +61,8 @@ pub struct Read {
     pub deck_hash: String,
     /// Whether there was any text; if not, a run leaves the folder alone.
     pub has_text: bool,
+    /// The state of an earlier job that this one goes on from.
+    pub from: Option<From>,
     /// What overrode the deck.
     pub options: ReadOptions,
 }
@@ -124,7 +142,8 @@ fn unreadable(job: Job, path: &Path, reason: &str, options: &ReadOptions) -> Rea
         diagnostics: vec![Diagnostic::error(Code("SL0701"), message).help(help)],
         deck_hash: String::new(),
         has_text: false,
-        options: *options,
+        from: None,
+        options: options.clone(),
     }
 }
 
@@ -137,9 +156,17 @@ fn interpret(
 ) -> Read {
     let mut sources = Sources::default();
     let parsed = slideline_deck::parse(&mut sources, name, bytes, loader);
-    let interpreted = slideline_keywords::interpret(&parsed, options.dialect.unwrap_or_default());
+    let found = further::find(&job, &parsed, options);
+    let (interpreted, from) = match found {
+        Ok(Some(from)) => (from.interpret(&parsed, &mut sources), Some(from)),
+        Ok(None) => {
+            let dialect = options.dialect.unwrap_or_default();
+            (slideline_keywords::interpret(&parsed, dialect), None)
+        }
+        Err(said) => (further::without_meaning(&parsed, *said), None),
+    };
     let mut model = interpreted.model;
-    if let Some(onset) = options.friction_onset {
+    if let Some(onset) = options.friction_onset.or(from.as_ref().map(|from| from.onset)) {
         model.friction_onset = onset;
     }
     let model = (!has_errors(&interpreted.diagnostics)).then_some(model);
@@ -151,7 +178,8 @@ fn interpret(
         deck: parsed.deck,
         model,
         diagnostics: interpreted.diagnostics,
-        options: *options,
+        from,
+        options: options.clone(),
     }
 }
 

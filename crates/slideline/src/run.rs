@@ -2,10 +2,11 @@
 
 use crate::{Read, VERSION};
 use slideline_advice::Noise;
-use slideline_diag::{Code, Diagnostic};
+use slideline_diag::{Code, Diagnostic, Severity};
 use slideline_model::{Model, Onset};
 use slideline_output::restart::{self, Saved};
 use slideline_output::{Facts, JobFiles, Past, Status, WriteError, Writers, dropped_friction};
+use slideline_solve::Checkpoint;
 use slideline_solve::observe::{Ending, Event, Frame, Observer, Stop, Totals};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
@@ -62,12 +63,14 @@ pub fn run(read: &Read, options: &RunOptions, observer: &mut dyn Observer) -> Ou
             Some(model) => Some(model.friction_onset),
             None => read.options.friction_onset,
         },
+        own_texts: read.deck.files.len(),
+        earlier: read.from.as_ref().map(|from| &from.earlier),
     };
     if let Some(said) = would_destroy(read, &files) {
         return ended(Status::InputError, files, vec![said], None);
     }
     let Some(model) = &read.model else {
-        let failure = if read.has_text && !options.restart {
+        let failure = if read.has_text && !options.restart && !misses_files(read) {
             slideline_output::write_input_error(&files, facts).err()
         } else {
             None
@@ -82,13 +85,46 @@ pub fn run(read: &Read, options: &RunOptions, observer: &mut dyn Observer) -> Ou
         let failure = slideline_output::write_input_error(&files, facts).err();
         return ended(Status::InputError, files, missing, failure);
     }
+    let from = match first_state(read, model) {
+        Ok(from) => from,
+        Err(said) => return ended(Status::InputError, files, vec![*said], None),
+    };
     let writers = match Writers::create(files.clone(), facts) {
         Ok(writers) => writers,
         Err(error) => return ended(Status::OutputError, files, Vec::new(), Some(error)),
     };
-    let mut watch = Watch::new(writers, observer, model, 0.0);
-    let ending = slideline_solve::run(model, &options.solve, &mut watch);
-    watch.outcome(&ending)
+    let dropped_work = from.map_or(0.0, |from| from.energy().dropped_friction);
+    let mut watch = Watch::new(writers, observer, model, dropped_work);
+    let ending = match from {
+        None => Some(slideline_solve::run(model, &options.solve, &mut watch)),
+        Some(from) => slideline_solve::run_from(model, &options.solve, from, &mut watch),
+    };
+    match ending {
+        Some(ending) => watch.outcome(&ending),
+        // the state was held against the model before
+        None => ended(Status::InternalError, files, Vec::new(), None),
+    }
+}
+
+/// The state of an earlier job that a deck with `*RESTART, READ` begins with.
+fn first_state<'a>(
+    read: &'a Read,
+    model: &Model,
+) -> Result<Option<&'a Checkpoint<'static>>, Box<Diagnostic>> {
+    let Some(from) = &read.from else { return Ok(None) };
+    let states = from.states.display();
+    match &from.checkpoint {
+        Some(checkpoint) if checkpoint.fits(model) => Ok(Some(checkpoint)),
+        Some(_) => {
+            let message = format!("the saved state {states} is not one of this model");
+            let said = Diagnostic::error(Code("SL0708"), message);
+            Err(Box::new(said.help("Run the earlier job again.")))
+        }
+        None => {
+            let message = "this deck goes on from an earlier job, and none is named";
+            Err(Box::new(Diagnostic::error(Code("SL0711"), message)))
+        }
+    }
 }
 
 /// Goes on from the saved state of the job. Where that cannot be done the
@@ -170,9 +206,26 @@ fn ended(
     Outcome { status, totals: Totals::default(), diagnostics, files, output_failure }
 }
 
+/// Whether an earlier job or its states are what is wrong: the deck may be
+/// right, and results that it has are not lost for a word on the command line.
+fn misses_files(read: &Read) -> bool {
+    let mut errors = read.diagnostics.iter().filter(|said| said.severity == Severity::Error);
+    errors.any(|said| said.code.0.starts_with("SL07"))
+}
+
 /// A file that the deck was read from must not be taken for an old result.
 fn would_destroy(read: &Read, files: &JobFiles) -> Option<Diagnostic> {
     let folder = std::fs::canonicalize(files.folder()).ok()?;
+    let begins = read.from.as_ref().filter(|from| from.checkpoint.is_some());
+    let own = std::fs::canonicalize(files.path(".rst")).ok();
+    if let Some(from) = begins.filter(|from| std::fs::canonicalize(&from.states).ok() == own) {
+        let message = format!(
+            "the job goes on from {}, which this run would replace by its own states",
+            from.states.display()
+        );
+        let help = "Give the new deck another name, or write the results elsewhere (--out).";
+        return Some(Diagnostic::error(Code("SL0711"), message).help(help));
+    }
     let read_from = read.sources.files().iter().find(|source| {
         let path = std::fs::canonicalize(&source.name).ok();
         path.is_some_and(|path| {

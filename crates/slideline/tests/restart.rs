@@ -1,11 +1,12 @@
-//! Saved states that were made to harm.
+//! Files of saved states that were damaged, or made to harm.
 //!
-//! Requirement: whatever `JOB.rst` holds, going on from it ends in a status,
-//! never in a panic or in memory that the file has not got. The checksum is
-//! made right again after every change, so that the content itself is read.
+//! Requirement: whatever `JOB.rst` holds, reading it ends in a state that was
+//! saved or in a reason, never in a panic, a wrong number or in memory that the
+//! file has not got. Source: docs/restart.md, "The file".
 
 #![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
 
+use slideline::output::restart::unpack;
 use slideline::{Job, Quiet, Read, ReadOptions, RunOptions, Status, run};
 use std::path::{Path, PathBuf};
 
@@ -47,7 +48,7 @@ LINE, 1.0, -1.0E-4
 *END STEP
 ";
 
-/// Bytes before the content: name, format, length, checksum.
+/// Bytes of the head: name, format, valid length, checksum.
 const HEAD: usize = 14 + 8 + 8 + 8;
 
 fn job() -> Read {
@@ -83,34 +84,124 @@ fn checksum(bytes: &[u8]) -> u64 {
     })
 }
 
-fn sealed(mut file: Vec<u8>) -> Vec<u8> {
-    let length = (file.len() - HEAD) as u64;
-    file[22..30].copy_from_slice(&length.to_le_bytes());
-    let sum = checksum(&file[HEAD..]);
+fn word(file: &[u8], at: usize) -> usize {
+    u64::from_le_bytes(*file[at..].first_chunk().unwrap()) as usize
+}
+
+/// First byte of every section, and the end of the last.
+fn sections(file: &[u8]) -> Vec<usize> {
+    let mut places = vec![HEAD];
+    while *places.last().unwrap() < word(file, 22) {
+        let start = *places.last().unwrap();
+        places.push(start + 16 + word(file, start));
+    }
+    places
+}
+
+/// The file with all checksums made right, each section as long as `places`
+/// say.
+fn sealed(mut file: Vec<u8>, places: &[usize]) -> Vec<u8> {
+    let end = file.len();
+    file[22..30].copy_from_slice(&(end as u64).to_le_bytes());
+    let sum = checksum(&file[..30]);
     file[30..38].copy_from_slice(&sum.to_le_bytes());
+    for pair in places.windows(2) {
+        let (start, end) = (pair[0], pair[1].min(end));
+        let length = (end - start - 16) as u64;
+        file[start..start + 8].copy_from_slice(&length.to_le_bytes());
+        let bytes = [&length.to_le_bytes(), &file[start + 16..end]].concat();
+        file[start + 8..start + 16].copy_from_slice(&checksum(&bytes).to_le_bytes());
+    }
     file
+}
+
+/// Requirement: a file cut off anywhere gives a reason. (A byte more than it
+/// says is no damage: it is what a kill leaves of a state that did not count
+/// yet.)
+#[test]
+fn every_truncation_is_found() {
+    let (_, file) = left("truncated");
+    let whole = unpack(&file).unwrap();
+    for length in 0..file.len() {
+        let reason = unpack(&file[..length]).map(|_| ()).unwrap_err();
+        assert!(!reason.is_empty(), "{length}");
+    }
+    let longer = [&file[..], &[0xff; 100]].concat();
+    assert_eq!(unpack(&longer).unwrap().checkpoint, whole.checkpoint);
+}
+
+/// Requirement: every flipped bit is found, or lies in a state that is not
+/// used: never another state than the one that was saved.
+#[test]
+fn every_flipped_bit_is_found() {
+    let (_, file) = left("flipped");
+    let places = sections(&file);
+    let [.., last, end] = places[..] else { panic!("{places:?}") };
+    assert_eq!((places.len(), end), (4, file.len()), "preface and two states");
+    let whole = unpack(&file).unwrap();
+    for place in 0..file.len() {
+        for bit in 0..8 {
+            let mut flipped = file.clone();
+            flipped[place] ^= 1 << bit;
+            match unpack(&flipped) {
+                Err(reason) => assert!(!reason.is_empty()),
+                Ok(saved) => {
+                    assert!((places[1]..last).contains(&place), "byte {place}, bit {bit}");
+                    assert_eq!(saved.checkpoint, whole.checkpoint, "byte {place}, bit {bit}");
+                }
+            }
+        }
+    }
+}
+
+/// Requirement: lengths that lie cost no memory, with right checksums too.
+#[test]
+fn lengths_that_lie() {
+    let (_, file) = left("lengths");
+    let places = sections(&file);
+    for at in [22, places[0], places[1], places[2]] {
+        for length in [0, 1, 15, 16, 17, 1 << 32, 1 << 47, 1 << 60, u64::MAX - 15, u64::MAX] {
+            let mut lying = file.clone();
+            lying[at..at + 8].copy_from_slice(&length.to_le_bytes());
+            let sum = checksum(&lying[..30]);
+            lying[30..38].copy_from_slice(&sum.to_le_bytes());
+            assert!(unpack(&lying).is_err(), "{at}: {length}");
+        }
+    }
+    for start in (HEAD + 16..file.len() - 8).step_by(8) {
+        for length in [1 << 40, (1 << 47) - 1, u64::MAX] {
+            let mut lying = file.clone();
+            lying[start..start + 8].copy_from_slice(&u64::to_le_bytes(length));
+            let _ = unpack(&sealed(lying, &places)); // must come back, and soon
+        }
+    }
 }
 
 #[test]
 fn no_content_makes_it_panic() {
-    let (folder, state) = left("hostile");
-    assert_eq!(sealed(state.clone()), state, "the layout of the head");
+    let (folder, file) = left("hostile");
+    let places = sections(&file);
+    assert_eq!(sealed(file.clone(), &places), file, "the layout");
     let options =
         RunOptions { folder: Some(folder.clone()), restart: true, ..RunOptions::default() };
     let mut refused = 0;
-    for place in (HEAD..state.len()).step_by(3) {
+    for place in (HEAD + 16..file.len()).step_by(3) {
+        if places.iter().any(|start| (*start..start + 16).contains(&place)) {
+            continue;
+        }
         for value in [0x00, 0x7f, 0xff] {
-            let mut file = state.clone();
-            file[place] = value;
-            let end = (place + 8).min(file.len());
+            let mut other = file.clone();
+            other[place] = value;
+            let end = (place + 8).min(other.len());
             if place % 2 == 0 {
-                file[place..end].fill(value);
+                other[place..end].fill(value);
             }
-            if slideline::output::restart::unpack(&sealed(file.clone())).is_err() {
+            let other = sealed(other, &places);
+            if unpack(&other).is_err() {
                 refused += 1;
                 continue;
             }
-            std::fs::write(folder.join("job.rst"), sealed(file)).unwrap();
+            std::fs::write(folder.join("job.rst"), other).unwrap();
             if place % 13 == 0 {
                 let outcome = run(&job(), &options, &mut Quiet);
                 assert_ne!(outcome.status, Status::InternalError, "{place} {value}");
@@ -118,9 +209,9 @@ fn no_content_makes_it_panic() {
         }
     }
     assert!(refused > 0);
-    for length in HEAD..state.len() {
-        let cut = sealed(state[..length].to_vec());
-        assert!(slideline::output::restart::unpack(&cut).is_err(), "{length}");
+    for length in places[2] + 16..file.len() {
+        let cut = sealed(file[..length].to_vec(), &places);
+        assert!(unpack(&cut).is_err(), "{length}");
     }
 }
 

@@ -35,6 +35,6 @@ mod users;
 
 pub use checkpoint::Checkpoint;
 pub use increments::{Control, Decision, StopReason, Verdict};
-pub use run::{Options, TangentCheck, resume, run};
+pub use run::{Options, TangentCheck, resume, run, run_from};
 pub use slideline_mech::contact::friction;
 pub use users::UserFrictions;

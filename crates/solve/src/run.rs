@@ -86,9 +86,30 @@ pub fn resume(
     }
     let pool = thread_pool(options.threads);
     let mut walk = Walk::new(model, options, pool.as_ref(), observer);
-    walk.committed = from.state.clone().into_owned();
     walk.totals = from.totals;
+    walk.resumes = true;
     let ending = walk.go_on(&from);
+    let _ = observer.event(Event::End(&ending));
+    Some(ending)
+}
+
+/// Walks what a model has behind a checkpoint, as a run of its own: the rest
+/// of its step, where there is one, and the steps after it. Increments and
+/// iterations count from zero, time and energies go on. `None` where the
+/// checkpoint is not one of this model: nothing was told.
+pub fn run_from(
+    model: &Model,
+    options: &Options,
+    from: &Checkpoint<'_>,
+    observer: &mut dyn Observer,
+) -> Option<Ending> {
+    if !from.fits(model) {
+        return None;
+    }
+    let pool = thread_pool(options.threads);
+    let mut walk = Walk::new(model, options, pool.as_ref(), observer);
+    walk.totals.dropped_points = from.totals.dropped_points;
+    let ending = walk.go_on(from);
     let _ = observer.event(Event::End(&ending));
     Some(ending)
 }
@@ -109,6 +130,8 @@ struct Walk<'a> {
     committed: State,
     trial: State,
     totals: Totals,
+    /// Whether the observer has seen what came before.
+    resumes: bool,
     check_tangent: TangentCheck,
     /// One fault of the tangent is enough to be told.
     tangent_is_wrong: bool,
@@ -151,6 +174,7 @@ impl<'a> Walk<'a> {
             trial: committed.clone(),
             committed,
             totals: Totals::default(),
+            resumes: false,
             check_tangent: options.check_tangent,
             tangent_is_wrong: false,
             rows: Rows::default(),
@@ -163,6 +187,10 @@ impl<'a> Walk<'a> {
 
     /// The rest of the step of a checkpoint, then the others.
     fn go_on(mut self, from: &Checkpoint<'_>) -> Ending {
+        self.committed.clone_from(from.state.as_ref());
+        if from.last_of_step() && !self.resumes {
+            return self.ending(from.step + 1);
+        }
         match self.rest_of_step(from) {
             Ok(()) => self.ending(from.step + 1),
             Err(left) => self.left(left),
@@ -371,7 +399,7 @@ impl<'a> Walk<'a> {
             unsymmetric: plan.unsymmetric(),
             total_time: self.committed.total_time,
             start: frame,
-            resumed: from.is_some(),
+            resumed: from.is_some() && self.resumes,
         };
         match self.observer.event(Event::StepBegin(&report)) {
             ControlFlow::Continue(()) => Ok(()),

@@ -1,6 +1,7 @@
 //! `*RESTART`: state files to go on from.
 
 use slideline_diag::{Code, Diagnostic};
+use slideline_model::SavedStates;
 
 use crate::draft::Draft;
 use crate::keyword::{Keyword, Level, Rule, Subject};
@@ -20,6 +21,9 @@ impl Keyword for Restart {
             Rule::flag("READ"),
             Rule::value("FREQUENCY"),
             Rule::flag("OVERLAY"),
+            Rule::value("STEP"),
+            Rule::value("INC"),
+            Rule::flag("END STEP"),
         ];
         RULES
     }
@@ -38,18 +42,45 @@ impl Keyword for Restart {
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
         draft.log.at_most_lines(card.data(), 0, self.name());
-        if card.has("READ") {
-            let message = "*RESTART, READ is not read from a deck";
-            let error = Diagnostic::error(Code("SL0221"), message).at(card.span_of("READ"));
-            draft.log.push(error.help("go on from a saved state with `slideline run --restart`"));
-        }
+        go_on(card, draft);
         if !card.has("WRITE") {
             return;
         }
-        let every = Some(card.count("FREQUENCY", 1, &mut draft.log));
+        let every = card.count("FREQUENCY", 1, &mut draft.log);
+        let states = Some(SavedStates { every, overlay: card.has("OVERLAY") });
         match draft.step() {
-            Some(step) => step.restart_every = every,
-            None => draft.restart_every = every,
+            Some(step) => step.restart = states,
+            None => draft.restart = states,
         }
+    }
+}
+
+/// `READ`: the state itself is found before the deck is interpreted.
+fn go_on(card: &Reading<'_>, draft: &mut Draft) {
+    for name in ["STEP", "INC"] {
+        card.count(name, 1, &mut draft.log);
+        let needs = if name == "INC" { "STEP" } else { "READ" };
+        if card.has(name) && !card.has(needs) {
+            let message = format!("{name} means nothing without {needs}");
+            draft.log.error("SL0205", message, card.span_of(name));
+        }
+    }
+    if card.has("END STEP") {
+        let message = "*RESTART, READ, END STEP is not supported";
+        let error = Diagnostic::error(Code("SL0221"), message).at(card.span_of("END STEP"));
+        draft.log.push(error.help("without it the step is walked to its end, then the new ones"));
+    }
+    if !card.has("READ") {
+        return;
+    }
+    if draft.in_step {
+        let message = "*RESTART, READ belongs before the first *STEP";
+        draft.log.error("SL0214", message, card.span_of("READ"));
+    } else if !draft.goes_on {
+        let message = "this deck goes on from an earlier job, and none is named";
+        let error = Diagnostic::error(Code("SL0711"), message).at(card.span_of("READ"));
+        let help = "name the job whose states are read: --oldjob OLD, where OLD.rst is";
+        draft.log.push(error.help(help));
+        draft.mark_all_incomplete();
     }
 }

@@ -74,7 +74,7 @@ impl Keyword for Step {
             boundary: Vec::new(),
             loads: Vec::new(),
             controls: None,
-            restart_every: None,
+            restart: None,
             prints: Vec::new(),
             element_prints: Vec::new(),
             contact_prints: Vec::new(),

@@ -6,7 +6,7 @@ use std::collections::{HashMap, HashSet};
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{
     ContactPrint, Controls, Dof, ElementPrint, Load, NodeIndex, NodePrint, OutputRequests,
-    Prescribed, Static, Step,
+    Prescribed, SavedStates, Static, Step,
 };
 
 use crate::draft::{Boundary, Draft, StepDraft};
@@ -43,7 +43,7 @@ struct Carried {
     prescribed: InForce<Prescribed>,
     loads: InForce<Load>,
     controls: Controls,
-    restart_every: Option<usize>,
+    restart: Option<SavedStates>,
     prints: Vec<NodePrint>,
     element_prints: Vec<ElementPrint>,
     contact_prints: Vec<ContactPrint>,
@@ -54,7 +54,7 @@ pub(super) fn steps(draft: &mut Draft, doubted: bool) {
     presence(draft, doubted);
     let dependents: HashMap<NodeIndex, Span> =
         draft.model.rigid_links.iter().map(|link| (link.dependent, link.origin)).collect();
-    let mut carried = Carried { restart_every: draft.restart_every, ..Carried::default() };
+    let mut carried = Carried { restart: draft.restart, ..Carried::default() };
     for line in std::mem::take(&mut draft.initial) {
         prescribe(&line, &dependents, &mut carried.prescribed, draft);
     }
@@ -76,6 +76,12 @@ fn presence(draft: &mut Draft, doubted: bool) {
         }
         return;
     };
+    if draft.earlier_steps == draft.steps.len() && !doubted {
+        let message = "the deck has no *STEP: nothing is added to the job it goes on from";
+        let error = Diagnostic::error(Code("SL0301"), message).at(last.origin);
+        draft.log.push(error.help("end the deck with *STEP, *STATIC, *BOUNDARY ... *END STEP"));
+        return;
+    }
     if draft.in_step {
         let error = Diagnostic::error(Code("SL0302"), "this step has no *END STEP");
         let error = error.at(last.origin).help("add *END STEP as the last line of the deck");
@@ -102,7 +108,7 @@ fn finish(
         load(line, &mut carried.loads, draft);
     }
     carried.controls = step.controls.unwrap_or(carried.controls);
-    carried.restart_every = step.restart_every.or(carried.restart_every);
+    carried.restart = step.restart.or(carried.restart);
     carried.contact_changes |= step.contact_changes;
     carry_requests(carried, &step, draft);
     let origin = None;
@@ -120,7 +126,7 @@ fn finish(
         loads: carried.loads.list.clone(),
         controls: carried.controls,
         output: OutputRequests {
-            restart_every: carried.restart_every,
+            restart: carried.restart,
             node_prints: carried.prints.clone(),
             element_prints: carried.element_prints.clone(),
             contact_prints: carried.contact_prints.clone(),

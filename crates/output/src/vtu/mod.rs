@@ -33,12 +33,14 @@ pub(crate) struct States {
     grid: Option<Grid>,
     list: String,
     count: usize,
+    first_time: String,
     listed: Option<Instant>,
 }
 
 impl States {
     pub fn new(job: &JobFiles) -> Self {
-        Self { job: job.clone(), grid: None, list: String::new(), count: 0, listed: None }
+        let (list, first_time) = (String::new(), String::new());
+        Self { job: job.clone(), grid: None, list, count: 0, first_time, listed: None }
     }
 
     /// The list of the states that a run which goes on finds: the start and
@@ -47,13 +49,16 @@ impl States {
         let path = self.job.path(".energy.csv");
         let text = std::fs::read_to_string(&path).map_err(at(&path))?;
         let times = text.lines().skip(1).filter_map(|row| row.split(',').nth(2));
-        for time in std::iter::once("0").chain(times).take(kept.states) {
+        for time in std::iter::once(kept.first_time.as_str()).chain(times).take(kept.states) {
             self.list(time);
         }
         Ok(())
     }
 
     fn list(&mut self, time: &str) {
+        if self.count == 0 {
+            time.clone_into(&mut self.first_time);
+        }
         let name = escaped(&self.job.state_name(self.count));
         // A String takes any text.
         let _ =
@@ -114,5 +119,6 @@ impl Writer for States {
 
     fn keep(&self, kept: &mut Kept) {
         kept.states = self.count;
+        kept.first_time.clone_from(&self.first_time);
     }
 }

@@ -1,0 +1,129 @@
+//! Adds states to `JOB.rst`.
+
+use super::states::{HEAD, Place, head, section};
+use super::{Kept, Preface};
+use crate::file::{WriteError, at, replace};
+use crate::job::JobFiles;
+use crate::summary::{Facts, Summary};
+use slideline_model::SavedStates;
+use slideline_solve::Checkpoint;
+use slideline_solve::bytes::Packed;
+use slideline_solve::observe::StepReport;
+use std::fs::File;
+use std::io::{self, Read as _, Seek as _, SeekFrom, Write as _};
+use std::path::Path;
+
+/// Writes `JOB.rst`.
+pub(crate) struct Writer<'a> {
+    facts: Facts<'a>,
+    /// What the step asks for; `None`: nothing.
+    asked: Option<SavedStates>,
+    /// The last state of the file; `None`: there is no file yet.
+    last: Option<Place>,
+}
+
+impl<'a> Writer<'a> {
+    /// For a file that goes on behind a state, or for a new one.
+    pub fn new(facts: Facts<'a>, last: Option<Place>) -> Self {
+        Self { facts, asked: None, last }
+    }
+
+    /// Learns what a step asks for.
+    pub fn begin(&mut self, report: &StepReport<'_>) {
+        let step = report.step.checked_sub(1).and_then(|place| report.model.steps.get(place));
+        self.asked = step.and_then(|step| step.output.restart);
+    }
+
+    /// Whether a state is to be saved: in the increments asked for, at the end
+    /// of a step, and when the run is stopped.
+    pub fn is_due(&self, checkpoint: &Checkpoint<'_>) -> bool {
+        self.asked.is_some_and(|SavedStates { every, .. }| {
+            let asked = checkpoint.increment.is_multiple_of(every.max(1));
+            asked || checkpoint.last_of_step() || checkpoint.stopping
+        })
+    }
+
+    pub fn write(
+        &mut self,
+        job: &JobFiles,
+        checkpoint: &Checkpoint<'_>,
+        kept: &Kept,
+        summary: &Summary<'_>,
+    ) -> Result<(), WriteError> {
+        let (step, increment) = (checkpoint.step, checkpoint.increment);
+        let mut content = Packed::default();
+        content.count(step);
+        content.count(increment);
+        kept.pack(&mut content);
+        summary.pack(&mut content);
+        checkpoint.pack(&mut content);
+        let state = section(&content.0);
+        let path = job.path(".rst");
+        let overlay = self.asked.is_some_and(|asked| asked.overlay);
+        let start = match self.last {
+            None => self.create(&path, &state)?,
+            Some(last) if overlay && last.step == step => {
+                put_instead(&path, last.start, &state).map_err(at(&path))??
+            }
+            Some(last) => append(&path, last.end, &state).map_err(at(&path))?,
+        };
+        let end = start + state.len() as u64;
+        self.last = Some(Place { step, increment, start, end });
+        Ok(())
+    }
+
+    /// The file with its first state; returns where that begins.
+    fn create(&self, path: &Path, state: &[u8]) -> Result<u64, WriteError> {
+        let mut preface = Packed::default();
+        Preface::of(&self.facts).pack(&mut preface);
+        let preface = section(&preface.0);
+        let start = (HEAD + preface.len()) as u64;
+        let head = head(start + state.len() as u64);
+        replace(path, &[&head, &preface, state].concat())?;
+        Ok(start)
+    }
+}
+
+/// Appends a state behind `end`, then makes it count. Where that fails the
+/// file is what it was.
+fn append(path: &Path, end: u64, state: &[u8]) -> io::Result<u64> {
+    let mut file = whole(path, end)?;
+    file.seek(SeekFrom::Start(end))?;
+    if let Err(reason) = file.write_all(state) {
+        let _ = file.set_len(end); // the first error is the one to tell
+        return Err(reason);
+    }
+    file.rewind()?;
+    file.write_all(&head(end + state.len() as u64))?;
+    Ok(end)
+}
+
+/// The file with a state in place of what begins at `start`, written beside
+/// and renamed.
+fn put_instead(path: &Path, start: u64, state: &[u8]) -> io::Result<Result<u64, WriteError>> {
+    let mut bytes = Vec::new();
+    whole(path, start)?.take(start).read_to_end(&mut bytes)?;
+    bytes[..HEAD].copy_from_slice(&head(start + state.len() as u64));
+    bytes.extend(state);
+    Ok(replace(path, &bytes).map(|()| start))
+}
+
+/// The file, if it has so many bytes still.
+fn whole(path: &Path, length: u64) -> io::Result<File> {
+    let file = File::options().read(true).write(true).open(path)?;
+    if file.metadata()?.len() < length {
+        let message = "somebody made the file shorter while the job was running";
+        return Err(io::Error::new(io::ErrorKind::UnexpectedEof, message));
+    }
+    Ok(file)
+}
+
+/// Makes a state the last one of its file.
+pub(super) fn forget_after(path: &Path, last: Place) -> Result<(), WriteError> {
+    let forget = || {
+        let mut file = whole(path, last.end)?;
+        file.write_all(&head(last.end))?;
+        file.set_len(last.end)
+    };
+    forget().map_err(at(path))
+}
