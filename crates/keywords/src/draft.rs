@@ -208,6 +208,7 @@ pub(crate) struct StepDraft {
     pub boundary: Vec<Boundary>,
     pub loads: Vec<Boundary>,
     pub controls: Option<Controls>,
+    pub stabilisation: Option<slideline_model::Stabilisation>,
     pub restart_every: Option<usize>,
     pub prints: Vec<(NodePrint, Option<Span>)>,
     pub element_prints: Vec<(ElementPrint, Option<Span>)>,

@@ -28,7 +28,7 @@ use std::path::PathBuf;
 /// How every such file begins.
 const MAGIC: &[u8; 14] = b"slideline.rst\n";
 /// Version of the layout.
-const FORMAT: usize = 1;
+const FORMAT: usize = 2;
 
 /// What a run that goes on has to find.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -74,6 +74,7 @@ impl Keyword for Step {
             boundary: Vec::new(),
             loads: Vec::new(),
             controls: None,
+            stabilisation: None,
             restart_every: None,
             prints: Vec::new(),
             element_prints: Vec::new(),

@@ -119,6 +119,7 @@ fn finish(
         prescribed: carried.prescribed.list.clone(),
         loads: carried.loads.list.clone(),
         controls: carried.controls,
+        stabilisation: step.stabilisation,
         output: OutputRequests {
             restart_every: carried.restart_every,
             node_prints: carried.prints.clone(),
