@@ -237,9 +237,8 @@ impl<'a> Walk<'a> {
                 step_time: control.target(&step.procedure),
                 dt: control.target(&step.procedure) - control.time,
             };
-            let after = |verdict| {
-                control.after(verdict, &step.procedure, &limits, step.max_increments)
-            };
+            let after =
+                |verdict| control.after(verdict, &step.procedure, &limits, step.max_increments);
             let mut outcome = self.attempt(plan, &target, work)?;
             if self.stabilise(plan, &outcome, work)? {
                 continue;

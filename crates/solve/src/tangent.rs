@@ -368,7 +368,8 @@ impl<'a> Differences<'a> {
             }
         }
         for dashpot in trial.dashpots {
-            let _size = dashpot.press(&self.u, &self.place.committed.displacement, &mut self.internal);
+            let _size =
+                dashpot.press(&self.u, &self.place.committed.displacement, &mut self.internal);
         }
         let at = |&slot: &usize| self.internal[slot] - self.external[slot];
         plan.layout.slot_of_equation.iter().map(at).collect()

@@ -73,7 +73,8 @@ impl Keyword for ContactControls {
 fn stabilise(card: &Reading<'_>, draft: &mut Draft) {
     draft.log.at_most_lines(card.data(), 1, "CONTACT CONTROLS, STABILIZE");
     let mut found = Stabilisation::automatic(card.span());
-    let values = [("STABILIZE", &mut found.factor), ("TANGENT FRACTION", &mut found.tangent_fraction)];
+    let values =
+        [("STABILIZE", &mut found.factor), ("TANGENT FRACTION", &mut found.tangent_fraction)];
     for (name, value) in values {
         let Some(given) = card.number(name, &mut draft.log) else { return };
         *value = given.unwrap_or(*value);

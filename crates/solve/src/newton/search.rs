@@ -33,12 +33,7 @@ pub fn limits(of: &TimeIncrementation) -> TimeIncrementation {
 impl Workspace {
     /// Moves by the fraction, of at most `longest`, that lessens the residual
     /// enough, or else by the one that leaves least of it.
-    pub(super) fn search(
-        &mut self,
-        plan: &Plan<'_>,
-        committed: &State,
-        (dt, longest): (f64, f64),
-    ) {
+    pub(super) fn search(&mut self, plan: &Plan<'_>, committed: &State, (dt, longest): (f64, f64)) {
         let from = (self.u.clone(), self.pressures.clone(), self.tractions.clone());
         let before = self.merit(plan);
         let mut best = (f64::INFINITY, longest);

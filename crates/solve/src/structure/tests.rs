@@ -39,7 +39,7 @@ fn step() -> Step {
         prescribed: vec![],
         loads: vec![],
         controls: Controls::default(),
-            stabilisation: None,
+        stabilisation: None,
         output: OutputRequests::default(),
         origin: AT,
     }
