@@ -172,6 +172,23 @@ def check_job(program, deck, folder):
     print(f"{Path(deck).stem}: {len(listed)} states, {pressed} pressed points")
 
 
+def check_failed(program, deck, folder):
+    """Where a run gave up: the state opens and shows what is not balanced."""
+    command = [program, "run", str(ROOT / deck), "--out", str(folder), "--quiet", "--no-html"]
+    ended = subprocess.run(command, stderr=subprocess.DEVNULL)
+    assert ended.returncode == 2, f"{deck} ends with {ended.returncode}"
+    path = folder / f"{Path(deck).stem}.failed.vtu"
+    shown = read_vtk(path)
+    agree(path, shown, read_meshio(path))
+    nodal = shown[1]
+    residual = numpy.linalg.norm(nodal["residual_force"], axis=1)
+    assert numpy.isfinite(residual).all() and residual.max() > 0.0, f"{deck}: no residual"
+    assert "residual_moment" in nodal and "contact_pressure" in nodal
+    listed = (folder / f"{Path(deck).stem}.pvd").read_text(encoding="utf-8")
+    assert "failed" not in listed, f"{deck}: the list names what is no result"
+    print(f"{path.name}: largest residual force {residual.max():.3e}")
+
+
 def near(what, shown, written):
     """Six digits stand in a .frd file."""
     value = float(written)
@@ -218,6 +235,7 @@ def main():
     print(f"VTK {vtk.vtkVersion.GetVTKVersion()}, meshio {meshio.__version__}")
     for deck in DECKS:
         check_job(program, deck, folder)
+    check_failed(program, "corpus/bad/SL0511-toggle.inp", folder)
     for deck in FRD_DECKS:
         check_frd(program, deck, folder)
 

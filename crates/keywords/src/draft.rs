@@ -213,6 +213,7 @@ pub(crate) struct StepDraft {
     pub loads: Vec<Boundary>,
     pub controls: Option<Controls>,
     pub restart: Option<SavedStates>,
+    pub stabilisation: Option<slideline_model::Stabilisation>,
     pub prints: Vec<(NodePrint, Option<Span>)>,
     pub element_prints: Vec<(ElementPrint, Option<Span>)>,
     pub contact_prints: Vec<(ContactPrint, Option<Span>)>,

@@ -19,6 +19,7 @@ mod element;
 mod node;
 mod output;
 mod refine;
+mod stabilisation;
 mod step;
 
 pub use amplitude::Amplitude;
@@ -39,6 +40,7 @@ pub use output::{
 pub use refine::refine;
 pub use slideline_mech::contact::normal::NormalLaw;
 pub use slideline_mech::contact::onset::Onset;
+pub use stabilisation::Stabilisation;
 pub use step::{Extrapolation, Load, Prescribed, Static, Step};
 
 use slideline_diag::Span;

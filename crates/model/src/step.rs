@@ -1,6 +1,6 @@
 //! Steps: what is prescribed, and how the way there is walked.
 
-use crate::{Controls, Dof, NodeIndex, OutputRequests};
+use crate::{Controls, Dof, NodeIndex, OutputRequests, Stabilisation};
 use slideline_diag::Span;
 
 /// One step of the history. Boundary conditions and loads are listed whole:
@@ -27,6 +27,8 @@ pub struct Step {
     pub loads: Vec<Load>,
     /// Tolerances and limits.
     pub controls: Controls,
+    /// Stabilisation of contact, where the deck asks for it.
+    pub stabilisation: Option<Stabilisation>,
     /// What to write.
     pub output: OutputRequests,
     /// The `*STEP` card.

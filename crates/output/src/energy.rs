@@ -6,27 +6,32 @@ use crate::job::JobFiles;
 use crate::number::push_shortest;
 use crate::restart::Kept;
 use crate::writers::Writer;
-use slideline_solve::observe::{Event, Frame};
+use slideline_solve::observe::{Event, Frame, StepReport};
 
 /// Writes `JOB.energy.csv`.
 pub(crate) struct Energy {
     job: JobFiles,
     file: Option<Growing>,
+    /// Whether contact may be stabilised: one more column.
+    stabilised: bool,
 }
 
 const HEADER: &str = concat!(
     "step,increment,time,external_work,strain_energy,contact_energy,",
-    "friction_dissipation,friction_elastic,dropped_friction,balance\n",
+    "friction_dissipation,friction_elastic,dropped_friction,balance",
 );
 
 impl Energy {
     pub fn new(job: &JobFiles) -> Self {
-        Self { job: job.clone(), file: None }
+        Self { job: job.clone(), file: None, stabilised: false }
     }
 
-    fn begin(&mut self) -> Result<(), WriteError> {
+    fn begin(&mut self, report: &StepReport<'_>) -> Result<(), WriteError> {
         if self.file.is_none() {
-            self.file = Some(Growing::begin(&self.job, ".energy.csv", HEADER)?);
+            self.stabilised = report.may_stabilise;
+            let more = if self.stabilised { ",stabilisation" } else { "" };
+            let header = format!("{HEADER}{more}\n");
+            self.file = Some(Growing::begin(&self.job, ".energy.csv", &header)?);
         }
         Ok(())
     }
@@ -50,6 +55,10 @@ impl Energy {
             }
             push_shortest(&mut file.text, value);
         }
+        if self.stabilised {
+            file.text.push(',');
+            push_shortest(&mut file.text, energy.stabilisation);
+        }
         file.text.push('\n');
         file.flush()
     }
@@ -58,7 +67,7 @@ impl Energy {
 impl Writer for Energy {
     fn event(&mut self, event: &Event<'_>) -> Result<(), WriteError> {
         match event {
-            Event::StepBegin(_) => self.begin(),
+            Event::StepBegin(report) => self.begin(report),
             Event::Committed(frame) => self.row(frame),
             _ => Ok(()),
         }

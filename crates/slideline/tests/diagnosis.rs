@@ -239,6 +239,49 @@ impl Observer for Closed {
     }
 }
 
+/// Requirement: what is safe is tried before the run gives up. Increments as
+/// long as half a step, and one attempt each: Newton's method alone is lost to
+/// wavering friction, and the attempt with a line search that follows ends in
+/// equilibrium.
+#[test]
+fn a_line_search_is_tried_before_the_run_gives_up() {
+    #[derive(Default)]
+    struct Watch {
+        lengths: Vec<(usize, f64)>,
+        failed: Vec<usize>,
+        residual: f64,
+    }
+    impl Observer for Watch {
+        fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
+            match event {
+                Event::Iteration(report) => {
+                    self.lengths.push((report.attempt, report.step_length));
+                    if report.converged {
+                        let ratio = report.force.residual / report.force.average;
+                        self.residual = self.residual.max(ratio);
+                    }
+                }
+                Event::AttemptFailed(report) => self.failed.push(report.attempt),
+                _ => {}
+            }
+            ControlFlow::Continue(())
+        }
+    }
+    let text = std::fs::read_to_string(folder().join("SL0515-trailing-strut.inp")).unwrap();
+    let limits = "PARAMETERS=TIME INCREMENTATION\n8, 10, 9, 10, 10, 4, 12, 1";
+    let text = text.replace("ANALYSIS=DISCONTINUOUS", limits).replace("0.1, 1.0\n", "0.5, 1.0\n");
+    let text = text.replace("99, 1, 1, -0.225", "99, 1, 1, -0.3");
+    let mut watch = Watch::default();
+    let ending = solve(read(&text).model.as_ref().unwrap(), &options(), &mut watch);
+    assert!(matches!(ending, Ending::Completed(_)), "{ending:?}");
+    assert!(!watch.failed.is_empty() && watch.failed.iter().all(|&attempt| attempt == 1));
+    let shortened = |&&(_, length): &&(usize, f64)| length < 1.0;
+    assert!(watch.lengths.iter().filter(shortened).all(|&(attempt, _)| attempt == 2));
+    assert!(watch.lengths.iter().any(|&(attempt, length)| attempt == 2 && length < 1.0));
+    // the state is judged as any other: R_p = 4e-6
+    assert!(watch.residual <= 4e-6, "{}", watch.residual);
+}
+
 /// The number that follows these words.
 fn number_after(text: &str, words: &str) -> f64 {
     let rest = &text[text.find(words).unwrap_or_else(|| panic!("{words}: {text}")) + words.len()..];

@@ -40,6 +40,16 @@ pub struct Checkpoint<'a> {
 }
 
 impl Checkpoint<'_> {
+    /// The same, to be kept for longer than the event that shows it.
+    pub fn owned(&self) -> Checkpoint<'static> {
+        Checkpoint {
+            state: Cow::Owned(self.state.clone().into_owned()),
+            start: Cow::Owned(self.start.clone().into_owned()),
+            start_load: Cow::Owned(self.start_load.clone().into_owned()),
+            ..*self
+        }
+    }
+
     /// Whether the step ends here.
     pub fn last_of_step(&self) -> bool {
         self.control.is_none()
@@ -90,6 +100,8 @@ impl Checkpoint<'_> {
             && vectors.iter().all(|vector| vector.len() == slots)
             && vectors.iter().all(|vector| vector.iter().all(|value| value.is_finite()))
             && (state.points.len(), state.memory.len()) == (points, memory)
+            && [0, slots].contains(&state.damping.len())
+            && state.damping.iter().all(|value| value.is_finite())
     }
 
     /// Appends everything to `bytes`.
@@ -152,14 +164,17 @@ fn pack_state(state: &State, bytes: &mut Packed) {
         points,
         memory,
         flux,
+        damping,
+        stabilised,
         energy,
         balance_origin,
     } = state;
     bytes.numbers(&[*total_time, *step_time]);
     bytes.numbers(increment_time);
-    for vector in [displacement, increment, increment_before, reaction, load, memory] {
+    for vector in [displacement, increment, increment_before, reaction, load, memory, damping] {
         bytes.list(vector);
     }
+    bytes.flag(*stabilised);
     bytes.count(points.len());
     points.iter().for_each(|point| pack_point(point, bytes));
     flux.iter().for_each(|average| bytes.numbers(&average.parts()));
@@ -170,10 +185,11 @@ fn pack_state(state: &State, bytes: &mut Packed) {
         friction_dissipation,
         friction_elastic,
         dropped_friction,
+        stabilisation,
         balance,
     } = *energy;
     bytes.numbers(&[external_work, strain_energy, contact_energy, friction_dissipation]);
-    bytes.numbers(&[friction_elastic, dropped_friction, balance]);
+    bytes.numbers(&[friction_elastic, dropped_friction, stabilisation, balance]);
     bytes.optional(*balance_origin);
 }
 
@@ -182,6 +198,7 @@ fn unpack_state(bytes: &mut Unpacking<'_>) -> Option<State> {
     let increment_time = bytes.numbers()?;
     let [displacement, increment, increment_before] = [bytes.list()?, bytes.list()?, bytes.list()?];
     let [reaction, load, memory] = [bytes.list()?, bytes.list()?, bytes.list()?];
+    let (damping, stabilised) = (bytes.list()?, bytes.flag()?);
     let points = (0..bytes.length(POINT)?).map(|_| unpack_point(bytes)).collect::<Option<_>>()?;
     let flux = [FluxAverage::of_parts(bytes.numbers()?), FluxAverage::of_parts(bytes.numbers()?)];
     let energy = Energies {
@@ -191,6 +208,7 @@ fn unpack_state(bytes: &mut Unpacking<'_>) -> Option<State> {
         friction_dissipation: bytes.number()?,
         friction_elastic: bytes.number()?,
         dropped_friction: bytes.number()?,
+        stabilisation: bytes.number()?,
         balance: bytes.number()?,
     };
     let balance_origin = bytes.optional()?;
@@ -206,6 +224,8 @@ fn unpack_state(bytes: &mut Unpacking<'_>) -> Option<State> {
         points,
         memory,
         flux,
+        damping,
+        stabilised,
         energy,
         balance_origin,
     })

@@ -33,6 +33,11 @@ pub fn commit(
         };
     }
     trial.points.copy_from_slice(&evaluation.points);
+    trial.stabilised = committed.stabilised;
+    trial.damping.clear();
+    if crate::stabilise::settings(plan, committed).is_some() {
+        trial.damping.extend_from_slice(&evaluation.damping);
+    }
     trial.memory.copy_from_slice(&evaluation.memory);
     count_slip(plan, committed, work, trial);
     let controls = &plan.step.controls.field;
@@ -66,6 +71,7 @@ fn account(plan: &Plan<'_>, committed: &State, work: &Workspace, trial: &mut Sta
         friction_dissipation: before.friction_dissipation,
         friction_elastic: work.evaluation.elastic_slip_energy,
         dropped_friction: before.dropped_friction,
+        stabilisation: before.stabilisation + damped(committed, trial),
         balance: 0.0,
     };
     for slot in 0..plan.layout.slots() {
@@ -82,11 +88,21 @@ fn account(plan: &Plan<'_>, committed: &State, work: &Workspace, trial: &mut Sta
     let stored = energy.strain_energy
         + energy.contact_energy
         + energy.friction_elastic
-        + energy.friction_dissipation;
+        + energy.friction_dissipation
+        + energy.stabilisation;
     let unbalanced = energy.external_work - stored;
     let origin = *trial.balance_origin.insert(committed.balance_origin.unwrap_or(unbalanced));
     energy.balance = unbalanced - origin;
     trial.energy = energy;
+}
+
+/// Energy that the dashpots of stabilisation took, by the trapezoidal rule as
+/// the external work.
+fn damped(committed: &State, trial: &State) -> f64 {
+    let at = |state: &State, slot: usize| state.damping.get(slot).copied().unwrap_or(0.0);
+    let slots = 0..committed.damping.len().max(trial.damping.len());
+    let mean = |slot| 0.5 * (at(committed, slot) + at(trial, slot));
+    slots.map(|slot| mean(slot) * trial.increment[slot]).sum()
 }
 
 /// Fills in where the contact points of a committed state stand, without

@@ -196,13 +196,26 @@ impl Contact {
         }
     }
 
-    fn place_chains(&self, u: &[f64], positions: &mut Vec<[f64; 2]>) {
+    /// Positions of all chains at displacements `u`.
+    pub fn place_chains(&self, u: &[f64], positions: &mut Vec<[f64; 2]>) {
         positions.clear();
         for facade in &self.facades {
             if let Facade::Line { nodes, .. } = facade {
                 positions.extend(nodes.iter().map(|(node, slots)| place(node, slots, u)));
             }
         }
+    }
+
+    /// Where a point stands at displacements `u`, however far from its
+    /// master; a station where its cell, wholly closed, has it.
+    pub fn stand(&self, place: usize, u: &[f64], positions: &[[f64; 2]]) -> Meeting {
+        let point = &self.points[place];
+        let mut meeting = Meeting { area: point.area, ..Meeting::NOWHERE };
+        if let Carrier::Station { strip } = point.carrier {
+            meeting.xi = Strip::resting_place(place - self.strips[strip].first);
+        }
+        self.meet_one(point, u, positions, &mut meeting);
+        meeting
     }
 
     fn meet_one(&self, point: &SlavePoint, u: &[f64], positions: &[[f64; 2]], into: &mut Meeting) {

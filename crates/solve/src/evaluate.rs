@@ -9,6 +9,7 @@
 use crate::contact::Meeting;
 use crate::observe::{FrictionCall, Status};
 use crate::plan::Plan;
+use crate::stabilise::Dashpot;
 use crate::state::{PointState, State};
 use crate::structure::{Contributions, Flux};
 use slideline_mech::contact::friction::{self, UserFrictionError};
@@ -25,6 +26,8 @@ pub struct Trial<'a> {
     pub pressures: &'a [f64],
     /// Traction of every contact point likewise [F/L2].
     pub tractions: &'a [f64],
+    /// Dashpots of the increment, where contact is stabilised.
+    pub dashpots: &'a [Dashpot],
     /// Total time at the end of the increment [T].
     pub time: f64,
     /// Increment [T].
@@ -40,8 +43,11 @@ pub struct Evaluation {
     pub internal: Vec<f64>,
     /// Applied loads, those of dependent nodes handed to their masters [F or F L].
     pub external: Vec<f64>,
-    /// Contact forces, a slot each, with pressures of the law [F or F L].
+    /// Contact forces, a slot each, with pressures of the law, and those of
+    /// stabilisation [F or F L].
     pub contact: Vec<f64>,
+    /// Forces of stabilisation alone [F or F L].
+    pub damping: Vec<f64>,
     /// Where the contact points stand.
     pub meetings: Vec<Meeting>,
     /// Their history, were this state committed.
@@ -74,6 +80,7 @@ impl Evaluation {
             internal: vec![0.0; slots],
             external: vec![0.0; slots],
             contact: vec![0.0; slots],
+            damping: vec![0.0; slots],
             meetings: vec![Meeting::NOWHERE; points],
             points: vec![PointState::default(); points],
             strain_energy: 0.0,
@@ -98,6 +105,14 @@ pub fn evaluate(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into: &mu
     plan.layout.carry_loads(trial.u, trial.load, &mut into.external);
     plan.contact.meet(trial.u, &mut into.positions, &mut into.meetings);
     evaluate_contact(plan, committed, trial, into);
+    into.damping.fill(0.0);
+    for dashpot in trial.dashpots {
+        let force = dashpot.press(trial.u, &committed.displacement, &mut into.damping);
+        into.flux.force(force);
+    }
+    if !trial.dashpots.is_empty() {
+        into.contact.iter_mut().zip(&into.damping).for_each(|(force, own)| *force += own);
+    }
 }
 
 fn evaluate_contact(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into: &mut Evaluation) {

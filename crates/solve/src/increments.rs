@@ -42,6 +42,14 @@ pub enum Verdict {
     Broken,
 }
 
+impl Verdict {
+    /// Whether iterations with a line search may end otherwise: not those of
+    /// equations that could not be solved.
+    pub fn may_be_searched(self) -> bool {
+        matches!(self, Self::Diverging | Self::TooSlow | Self::Discontinuous)
+    }
+}
+
 /// What to do next.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Decision {

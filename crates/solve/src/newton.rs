@@ -10,6 +10,7 @@
 //! values to reach.
 
 mod questions;
+mod search;
 
 use crate::contact::{GeometryScratch, Meeting, STRIP_POINTS, SlavePoint};
 use crate::convergence::{Field, FieldHistory, Measures, judge, largest_nodal};
@@ -20,6 +21,7 @@ use crate::linearised::{Circumstances, LinearPoint, LinearisedContact, MOST_DOFS
 use crate::observe::{ContactChange, IterationReport};
 use crate::plan::Plan;
 use crate::predict;
+use crate::stabilise::{self, Dashpot};
 use crate::state::State;
 use slideline_linalg::{SolveError, Solver};
 
@@ -73,12 +75,18 @@ pub struct Workspace {
     points: Vec<LinearPoint>,
     contact: LinearisedContact,
     geometry: GeometryScratch,
+    dashpots: Vec<Dashpot>,
+    chain_positions: Vec<[f64; 2]>,
     was_closed: Vec<bool>,
     /// Most negative pivots of a symmetric factorisation in this attempt:
     /// directions in which the structure gives way.
     pub negative_pivots: usize,
     /// What the iterations of this attempt showed of every contact point.
     pub evidence: Evidence,
+    /// Whether corrections are shortened until they lessen the residual.
+    pub line_search: bool,
+    /// Fraction of the last correction that was taken [1].
+    step_length: f64,
     /// Whether every facing point lends its stiffness in this attempt.
     lend_to_all: bool,
     /// The list of changes of the last report, to be used again.
@@ -115,9 +123,13 @@ impl Workspace {
             points: Vec::with_capacity(points),
             contact,
             geometry: GeometryScratch::new(&plan.contact),
+            dashpots: Vec::new(),
+            chain_positions: Vec::new(),
             was_closed: vec![false; points],
             negative_pivots: 0,
             evidence: Evidence::new(points),
+            line_search: false,
+            step_length: 1.0,
             lend_to_all: false,
             changes: Vec::with_capacity(points),
         }
@@ -134,7 +146,10 @@ pub fn attempt(
     watch: &mut dyn FnMut(&IterationReport),
 ) -> Outcome {
     work.begin(plan, committed, target);
-    let limits = plan.step.controls.effective_time();
+    let limits = match work.line_search {
+        false => plan.step.controls.effective_time(),
+        true => search::limits(&plan.step.controls.effective_time()),
+    };
     let mut progress = Progress::default();
     loop {
         if let Err(fault) = work.iterate(plan, committed, target.dt) {
@@ -215,6 +230,8 @@ impl Workspace {
     fn begin(&mut self, plan: &Plan<'_>, committed: &State, target: &Target) {
         self.lend_to_all = false;
         self.negative_pivots = 0;
+        let times = (target.step_time, target.dt);
+        stabilise::fill(plan, committed, times, &mut self.chain_positions, &mut self.dashpots);
         self.u.copy_from_slice(&committed.displacement);
         predict::extrapolate(plan, committed, target.dt, &mut self.u);
         plan.prescribe(target.step_time, &mut self.u);
@@ -268,6 +285,7 @@ impl Workspace {
             load: &self.load,
             pressures: &self.pressures,
             tractions: &self.tractions,
+            dashpots: &self.dashpots,
             time: committed.total_time + dt,
             dt,
         }
@@ -279,6 +297,7 @@ impl Workspace {
             load: &self.load,
             pressures: &self.pressures,
             tractions: &self.tractions,
+            dashpots: &self.dashpots,
             time: committed.total_time + dt,
             dt,
         };
@@ -292,14 +311,24 @@ impl Workspace {
             self.correction[equation] =
                 self.evaluation.external[slot] - self.evaluation.internal[slot];
         }
+        if !self.dashpots.is_empty() {
+            for (equation, &slot) in plan.layout.slot_of_equation.iter().enumerate() {
+                self.correction[equation] -= self.evaluation.damping[slot];
+            }
+        }
         self.contact.solve(
             &mut self.points,
             &circumstances(plan, committed, dt),
             &mut self.solver,
             &mut self.correction,
         )?;
-        self.advance(plan);
-        self.evaluate(plan, committed, dt);
+        let length = self.limit_turns(plan);
+        if self.line_search {
+            self.search(plan, committed, (dt, length));
+        } else {
+            self.advance(plan, length);
+            self.evaluate(plan, committed, dt);
+        }
         Ok(())
     }
 
@@ -388,6 +417,7 @@ impl Workspace {
                 self.values[at] += stiffness;
             }
         }
+        self.dashpots.iter().for_each(|dashpot| dashpot.stiffen(plan, &mut self.values));
         plan.contact.fill_scratch(&self.u, &mut self.geometry);
         for k in 0..self.points.len() {
             if self.points[k].pressure == 0.0 && self.points[k].stiffness == 0.0 {
@@ -426,17 +456,24 @@ impl Workspace {
         }
     }
 
-    /// Moves by the correction, shortened where it would turn a node too far.
-    fn advance(&mut self, plan: &Plan<'_>) {
-        self.correction_slots.fill(0.0);
+    /// Fraction of the correction at which no node turns too far.
+    fn limit_turns(&self, plan: &Plan<'_>) -> f64 {
         let mut turn = 0.0_f64;
         for (equation, &slot) in plan.layout.slot_of_equation.iter().enumerate() {
-            self.correction_slots[slot] = self.correction[equation];
             if plan.layout.name(slot).1.is_rotation() {
                 turn = turn.max(self.correction[equation].abs());
             }
         }
-        let length = if turn > LARGEST_ROTATION { LARGEST_ROTATION / turn } else { 1.0 };
+        if turn > LARGEST_ROTATION { LARGEST_ROTATION / turn } else { 1.0 }
+    }
+
+    /// Moves by a fraction of the correction.
+    fn advance(&mut self, plan: &Plan<'_>, length: f64) {
+        self.step_length = length;
+        self.correction_slots.fill(0.0);
+        for (equation, &slot) in plan.layout.slot_of_equation.iter().enumerate() {
+            self.correction_slots[slot] = self.correction[equation];
+        }
         for (slot, change) in self.correction_slots.iter_mut().enumerate() {
             *change *= length;
             self.u[slot] += *change;
@@ -472,7 +509,7 @@ impl Workspace {
             force: self.measure(plan, committed, Field::Force),
             moment: self.measure(plan, committed, Field::Moment),
             contact_defect: self.evaluation.penetration.max(self.evaluation.stick_slip),
-            step_length: 1.0,
+            step_length: self.step_length,
             converged: false,
         };
         let flux = [self.evaluation.flux.mean_force(), self.evaluation.flux.mean_moment()];

@@ -67,6 +67,8 @@ pub struct StepReport<'a> {
     pub entries: usize,
     /// How the linear equations are solved, in words.
     pub linear_solver: String,
+    /// Whether contact may be stabilised in any step of the model.
+    pub may_stabilise: bool,
     /// Whether the tangent is treated as unsymmetric.
     pub unsymmetric: bool,
     /// Total time at the beginning [T].
@@ -435,6 +437,8 @@ pub struct Energies {
     pub friction_elastic: f64,
     /// Friction work that the onset dropped (the ledger).
     pub dropped_friction: f64,
+    /// Dissipated by contact stabilisation.
+    pub stabilisation: f64,
     /// External work minus the change of everything else since the first
     /// converged state.
     pub balance: f64,

@@ -1,15 +1,17 @@
 //! The whole analysis: steps, increments, commits.
 
+mod giving_up;
+
 use crate::balance::pair_rows;
 use crate::checkpoint::Checkpoint;
 use crate::commit::commit;
 use crate::contact::{memory_size, point_count};
-use crate::diagnose::{self, Case};
-use crate::increments::{Control, Decision, StopReason, Verdict};
+use crate::diagnose;
+use crate::increments::{Control, Decision, Verdict};
 use crate::newton::{Outcome, Target, Workspace, attempt};
 use crate::observe::{
     AttemptReport, BeamRow, ContactRow, Ending, Event, Frame, FrictionCall, Nodal, Observer,
-    PairRow, Status, StepReport, Stop, Totals, Unconverged,
+    PairRow, Status, StepReport, Stop, Totals,
 };
 use crate::plan::Plan;
 use crate::rows::contact_rows;
@@ -220,6 +222,8 @@ impl<'a> Walk<'a> {
         self.committed.step_time = 0.0;
         self.committed.increment_time = [0.0; 2];
         self.committed.flux = Default::default();
+        self.committed.damping.clear();
+        self.committed.stabilised = false;
         let start = self.committed.displacement.clone();
         let load = &self.committed.load;
         let plan = Plan::new(self.model, step, (&start, load), self.users, self.pool);
@@ -254,16 +258,32 @@ impl<'a> Walk<'a> {
         let step = plan.step;
         let limits = step.controls.effective_time();
         loop {
-            let target = Target {
+            let mut target = Target {
                 step: number,
                 increment: control.committed + 1,
                 attempt: control.attempts as usize + 1,
                 step_time: control.target(&step.procedure),
                 dt: control.target(&step.procedure) - control.time,
             };
-            let outcome = self.attempt(plan, &target, work)?;
-            let decision =
-                control.after(outcome.verdict, &step.procedure, &limits, step.max_increments);
+            let after =
+                |verdict| control.after(verdict, &step.procedure, &limits, step.max_increments);
+            let mut outcome = self.attempt(plan, &target, work)?;
+            if self.stabilise(plan, &outcome, work)? {
+                continue;
+            }
+            let mut decision = after(outcome.verdict);
+            let mut diagnosis = None;
+            let converged = matches!(outcome.verdict, Verdict::Converged { .. });
+            if let (Decision::Stop(reason), false) = (decision, converged) {
+                let cause = self.diagnosis(plan, &target, &outcome, reason, work);
+                if outcome.verdict.may_be_searched() {
+                    self.fail(&target, &outcome, Some(target.dt))?;
+                    target.attempt += 1;
+                    outcome = self.search(plan, &target, work)?;
+                    decision = after(outcome.verdict);
+                }
+                diagnosis = Some(Box::new(cause));
+            }
             if let Verdict::Converged { .. } = outcome.verdict {
                 self.commit(plan, &target, &outcome, &decision, work)?;
             }
@@ -279,9 +299,12 @@ impl<'a> Walk<'a> {
                         self.fail(&target, &outcome, None)?;
                         self.show_unconverged(plan, &target, &outcome, work)?;
                     }
-                    let diagnosis = self.diagnosis(plan, &target, &outcome, reason, work);
+                    let diagnosis = match diagnosis {
+                        Some(found) => found,
+                        None => Box::new(self.diagnosis(plan, &target, &outcome, reason, work)),
+                    };
                     self.tell(Event::Diagnosed(&diagnosis))?;
-                    return Err(Left::Failed(Box::new(diagnosis)));
+                    return Err(Left::Failed(diagnosis));
                 }
             }
         }
@@ -325,51 +348,6 @@ impl<'a> Walk<'a> {
         self.tell(Event::AttemptFailed(&report))
     }
 
-    /// The state in which the last attempt was given up.
-    fn show_unconverged(
-        &mut self,
-        plan: &Plan<'_>,
-        target: &Target,
-        outcome: &Outcome,
-        work: &Workspace,
-    ) -> Result<(), Left> {
-        commit(plan, &self.committed, target, work, &mut self.trial);
-        self.rows.fill(plan, &self.trial);
-        let residual = work.residuals(plan);
-        let numbers = Numbers::of(target, outcome);
-        let frame = frame(plan, &self.trial, &numbers, &self.rows);
-        match self.observer.event(Event::Unconverged(&Unconverged { frame, residual: &residual })) {
-            ControlFlow::Continue(()) => Ok(()),
-            ControlFlow::Break(stop) => Err(Left::Stopped(stop)),
-        }
-    }
-
-    /// Why no increment was found. Fixed increments are walked in shorter ones
-    /// first: where these reach the end the size was the cause, and where they
-    /// do not they come closer to it.
-    fn diagnosis(
-        &self,
-        plan: &Plan<'_>,
-        target: &Target,
-        outcome: &Outcome,
-        stop: StopReason,
-        work: &mut Workspace,
-    ) -> Diagnostic {
-        if stop != StopReason::Fixed {
-            let (committed, dt) = (&self.committed, target.dt);
-            return diagnose::failure(&Case { plan, committed, work, outcome, stop, dt });
-        }
-        match walk_shorter(plan, &self.committed, target, work) {
-            Shorter::Reached(needed) => {
-                diagnose::step_too_large(plan, &self.committed, outcome, needed)
-            }
-            Shorter::Lost { committed, outcome, dt } => {
-                let (committed, outcome) = (&committed, &outcome);
-                diagnose::failure(&Case { plan, committed, work, outcome, stop, dt })
-            }
-        }
-    }
-
     fn tell(&mut self, event: Event<'_>) -> Result<(), Left> {
         match self.observer.event(event) {
             ControlFlow::Continue(()) => Ok(()),
@@ -396,6 +374,7 @@ impl<'a> Walk<'a> {
             equations: plan.layout.equations(),
             entries: plan.pattern.entries(),
             linear_solver: work.solver.description().to_string(),
+            may_stabilise: crate::stabilise::may_stabilise(self.model),
             unsymmetric: plan.unsymmetric(),
             total_time: self.committed.total_time,
             start: frame,
@@ -439,6 +418,9 @@ impl<'a> Walk<'a> {
             ControlFlow::Continue(()) => Ok(()),
             ControlFlow::Break(stop) => Err(Left::Stopped(stop)),
         };
+        if *decision == Decision::StepDone {
+            told = told.and(self.judge_stabilisation(plan));
+        }
         for diagnosis in &left {
             told = told.and(self.tell(Event::Diagnosed(diagnosis)));
         }
@@ -499,47 +481,6 @@ impl Rows {
         contact_rows(plan, state, &mut self.contact);
         self.beams.clear();
         self.beams.extend(plan.structure.beam_rows(&state.displacement));
-    }
-}
-
-/// What shorter increments made of one that failed.
-enum Shorter {
-    /// They lead to its end; the shortest of them [T].
-    Reached(f64),
-    /// They do not.
-    Lost { committed: Box<State>, outcome: Box<Outcome>, dt: f64 },
-}
-
-/// Shortest increment that is tried, as a fraction of the one that failed.
-const SHORTEST: f64 = 1.0 / 256.0;
-
-/// Walks an increment that failed in shorter ones, unseen.
-fn walk_shorter(
-    plan: &Plan<'_>,
-    committed: &State,
-    target: &Target,
-    work: &mut Workspace,
-) -> Shorter {
-    let mut from = Box::new(committed.clone());
-    let mut to = from.clone();
-    let mut needed = 0.25 * target.dt;
-    loop {
-        let left = target.step_time - from.step_time;
-        let dt = if needed > left * (1.0 - 1e-9) { left } else { needed };
-        let step_time = if dt == left { target.step_time } else { from.step_time + dt };
-        let aim = Target { step_time, dt, ..*target };
-        let outcome = attempt(plan, &from, &aim, work, &mut |_| {});
-        if matches!(outcome.verdict, Verdict::Converged { .. }) {
-            commit(plan, &from, &aim, work, &mut to);
-            std::mem::swap(&mut from, &mut to);
-            if dt == left {
-                return Shorter::Reached(needed);
-            }
-        } else if needed <= SHORTEST * target.dt {
-            return Shorter::Lost { committed: from, outcome: Box::new(outcome), dt };
-        } else {
-            needed *= 0.25;
-        }
     }
 }
 

@@ -29,6 +29,10 @@ pub struct State {
     pub memory: Vec<f64>,
     /// Average flux of forces and moments over the step.
     pub flux: [Flow; 2],
+    /// Nodal forces of contact stabilisation, a slot each; empty without it.
+    pub damping: Vec<f64>,
+    /// Whether contact of this step is stabilised without the deck's asking.
+    pub stabilised: bool,
     /// Energies.
     pub energy: Energies,
     /// Sum of the energies that `balance` counts from [F L]; set by the first

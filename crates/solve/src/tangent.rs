@@ -188,6 +188,7 @@ pub fn assembled(place: &Place<'_>) -> Vec<f64> {
             values[at] += stiffness;
         }
     }
+    trial.dashpots.iter().for_each(|dashpot| dashpot.stiffen(plan, &mut values));
     let mut scratch = GeometryScratch::new(&plan.contact);
     plan.contact.fill_scratch(trial.u, &mut scratch);
     for point in 0..plan.contact.points.len() {
@@ -366,6 +367,10 @@ impl<'a> Differences<'a> {
                     normal * meeting.gradient[k] + tangential * meeting.drag[k];
             }
         }
+        for dashpot in trial.dashpots {
+            let _size =
+                dashpot.press(&self.u, &self.place.committed.displacement, &mut self.internal);
+        }
         let at = |&slot: &usize| self.internal[slot] - self.external[slot];
         plan.layout.slot_of_equation.iter().map(at).collect()
     }
@@ -476,6 +481,7 @@ mod tests {
             prescribed: fixed.iter().map(|&dof| prescribed(beam[0], dof)).collect(),
             loads: vec![],
             controls: Controls::default(),
+            stabilisation: None,
             output: OutputRequests::default(),
             origin: AT,
         });
@@ -484,7 +490,8 @@ mod tests {
 
     /// Requirement: the tangent is the derivative of the residual, with
     /// beams, rigid links under a free rotation, normal rotation, curvature,
-    /// the exponential law and friction (stick and slip) together.
+    /// the exponential law, friction (stick and slip) and stabilisation
+    /// together.
     /// Extrapolated differences with a step of 1e-7 leave 1e-9 by rounding;
     /// tolerance 1e-7 of the largest entry of its kind.
     #[test]
@@ -507,6 +514,12 @@ mod tests {
             u[3 * body + 1] = -0.06;
             u[3 * body + 2] = 0.1 * drag;
             plan.layout.follow_links(&mut u);
+            let mut dashpots = Vec::new();
+            committed.stabilised = true;
+            let halfway = (0.5, 0.5);
+            crate::stabilise::fill(&plan, &committed, halfway, &mut vec![], &mut dashpots);
+            // as stiff as the contact itself, lest the differences miss it
+            dashpots.iter_mut().for_each(|dashpot| dashpot.scale_to(1.0));
             let none = vec![0.0; points];
             let load = vec![0.0; slots];
             let trial = Trial {
@@ -514,12 +527,14 @@ mod tests {
                 load: &load,
                 pressures: &none,
                 tractions: &none,
+                dashpots: &dashpots,
                 time: 1.0,
                 dt: 1.0,
             };
             let mut evaluation = Evaluation::new(&plan);
             evaluate(&plan, &committed, &trial, &mut evaluation);
             assert!(evaluation.points.iter().any(|point| point.closed && point.traction != 0.0));
+            assert!(evaluation.damping.iter().any(|force| force.abs() > 1e-3));
             let place =
                 Place { plan: &plan, committed: &committed, trial, evaluation: &evaluation };
             let report = check(&place, (1, 1));

@@ -1,7 +1,8 @@
-//! `*CONTACT CONTROLS`: when friction begins to act.
+//! `*CONTACT CONTROLS`: when friction begins to act, and stabilisation.
 
+use slideline_deck::DataLine;
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::Onset;
+use slideline_model::{Onset, Stabilisation};
 
 use crate::draft::Draft;
 use crate::keyword::{Keyword, Level, Rule, Subject};
@@ -16,7 +17,11 @@ impl Keyword for ContactControls {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] = &[Rule::required("FRICTION ONSET")];
+        const RULES: &[Rule] = &[
+            Rule::value("FRICTION ONSET"),
+            Rule::maybe("STABILIZE"),
+            Rule::value("TANGENT FRACTION"),
+        ];
         RULES
     }
 
@@ -33,7 +38,22 @@ impl Keyword for ContactControls {
     }
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
-        draft.log.at_most_lines(card.data(), 0, self.name());
+        if card.has("STABILIZE") {
+            stabilise(card, draft);
+        } else {
+            draft.log.at_most_lines(card.data(), 0, self.name());
+            if card.has("TANGENT FRACTION") {
+                let message = "TANGENT FRACTION belongs to STABILIZE";
+                draft.log.error("SL0236", message, card.span_of("TANGENT FRACTION"));
+            }
+        }
+        if !card.has("FRICTION ONSET") {
+            if !card.has("STABILIZE") {
+                let message = "*CONTACT CONTROLS needs FRICTION ONSET or STABILIZE";
+                draft.log.error("SL0205", message, card.span());
+            }
+            return;
+        }
         if draft.in_step {
             let message = "the friction onset is a property of the model";
             let error = Diagnostic::error(Code("SL0214"), message).at(card.span());
@@ -47,4 +67,49 @@ impl Keyword for ContactControls {
             _ => {}
         }
     }
+}
+
+/// `STABILIZE[=factor]`; data `coefficient, fraction at the end, clearance`.
+fn stabilise(card: &Reading<'_>, draft: &mut Draft) {
+    draft.log.at_most_lines(card.data(), 1, "CONTACT CONTROLS, STABILIZE");
+    let mut found = Stabilisation::automatic(card.span());
+    let values =
+        [("STABILIZE", &mut found.factor), ("TANGENT FRACTION", &mut found.tangent_fraction)];
+    for (name, value) in values {
+        let Some(given) = card.number(name, &mut draft.log) else { return };
+        *value = given.unwrap_or(*value);
+        if *value < 0.0 || *value == 0.0 && name == "STABILIZE" {
+            let message = format!("{name} must be positive");
+            draft.log.error("SL0210", message, card.span_of(name));
+            return;
+        }
+    }
+    if let Some(line) = card.data().first() {
+        draft.log.at_most(line, 3);
+        found.coefficient = positive(line, 0, draft);
+        found.range = positive(line, 2, draft);
+        if draft.log.maybe_number(line, 1).flatten().is_some_and(|fraction| fraction != 0.0) {
+            let message = "stabilisation that stays at the end of the step would change the result";
+            let error = Diagnostic::error(Code("SL0221"), message).at(line.fields[1].span);
+            draft.log.push(error.help("leave the fraction at the end out: it is zero"));
+        }
+    }
+    match draft.step() {
+        Some(step) => step.stabilisation = Some(found),
+        None => {
+            let message = "contact is stabilised in a step";
+            let error = Diagnostic::error(Code("SL0214"), message).at(card.span());
+            draft.log.push(error.help("put *CONTACT CONTROLS, STABILIZE below a *STEP"));
+        }
+    }
+}
+
+/// A value that is blank or positive.
+fn positive(line: &DataLine, at: usize, draft: &mut Draft) -> Option<f64> {
+    let value = draft.log.maybe_number(line, at)??;
+    if value <= 0.0 {
+        draft.log.error("SL0210", "this value must be positive", line.fields[at].span);
+        return None;
+    }
+    Some(value)
 }

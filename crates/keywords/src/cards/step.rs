@@ -75,6 +75,7 @@ impl Keyword for Step {
             loads: Vec::new(),
             controls: None,
             restart: None,
+            stabilisation: None,
             prints: Vec::new(),
             element_prints: Vec::new(),
             contact_prints: Vec::new(),

@@ -125,6 +125,7 @@ fn finish(
         prescribed: carried.prescribed.list.clone(),
         loads: carried.loads.list.clone(),
         controls: carried.controls,
+        stabilisation: step.stabilisation,
         output: OutputRequests {
             restart: carried.restart,
             node_prints: carried.prints.clone(),

@@ -43,6 +43,11 @@ pub struct Strip {
 pub const STRIP_POINTS: usize = CELLS * POINTS;
 
 impl Strip {
+    /// Place on the element of one of its stations while its cell is closed.
+    pub fn resting_place(station: usize) -> f64 {
+        ((station / POINTS) as f64 + GAUSS[station % POINTS].0) / CELLS as f64
+    }
+
     /// Displacements and turns of both ends of its line.
     pub fn ends(&self, u: &[f64]) -> [f64; 6] {
         let mut ends = self.slots.map(|slot| u[slot]);

@@ -29,10 +29,14 @@ impl Case<'_> {
         let motion = self.motion(equation).unwrap_or(Motion { node, way: [0.0; 2], turn: 1.0 });
         let label = self.label(motion.node);
         let message = format!(
-            "nothing holds the body of node {label} {}: it can {} without any resistance{}",
+            "nothing holds the body of node {label} {}: it can {} without any resistance{}{}",
             self.beyond(),
             self.way(&motion),
-            self.distance(&motion)
+            self.distance(&motion),
+            match crate::stabilise::settings(self.plan, self.committed) {
+                Some(_) => "; contact stabilisation held it until it had faded",
+                None => "",
+            }
         );
         let dof = motion.dof(self.plan.reach);
         let said = Diagnostic::error(Code("SL0503"), message)

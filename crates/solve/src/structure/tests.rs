@@ -39,6 +39,7 @@ fn step() -> Step {
         prescribed: vec![],
         loads: vec![],
         controls: Controls::default(),
+        stabilisation: None,
         output: OutputRequests::default(),
         origin: AT,
     }

@@ -1,0 +1,85 @@
+//! Line search: a correction is shortened until it lessens the residual.
+//!
+//! ```text
+//!   residual |\        full step: worse
+//!            | \__  /
+//!            |    \/   <-- half of it: better, taken
+//!            +-----------> fraction of the correction
+//! ```
+//!
+//! Only the last attempt at an increment searches, when shorter increments are
+//! used up: a full step is the better one wherever Newton converges at all.
+
+use super::Workspace;
+use crate::plan::Plan;
+use crate::state::State;
+use slideline_model::TimeIncrementation;
+
+/// Fractions that are tried.
+const FRACTIONS: [f64; 6] = [1.0, 0.5, 0.25, 0.125, 0.0625, 0.03125];
+/// Part of the residual that a step must take away, for its length [1]
+/// (Armijo's rule).
+const GAIN: f64 = 1e-4;
+/// Shorter steps need more iterations.
+const PATIENCE: u32 = 4;
+
+/// Limits of an attempt that searches: more iterations, and a residual that
+/// grows ends nothing.
+pub fn limits(of: &TimeIncrementation) -> TimeIncrementation {
+    let (i_c, i_s) = (of.i_c.saturating_mul(PATIENCE), of.i_s.saturating_mul(PATIENCE));
+    TimeIncrementation { i_0: u32::MAX, i_r: u32::MAX, i_c, i_s, ..*of }
+}
+
+impl Workspace {
+    /// Moves by the fraction, of at most `longest`, that lessens the residual
+    /// enough, or else by the one that leaves least of it.
+    pub(super) fn search(&mut self, plan: &Plan<'_>, committed: &State, (dt, longest): (f64, f64)) {
+        let from = (self.u.clone(), self.pressures.clone(), self.tractions.clone());
+        let before = self.merit(plan);
+        let mut best = (f64::INFINITY, longest);
+        let mut taken = 0.0;
+        for fraction in FRACTIONS {
+            taken = fraction * longest;
+            self.go_back(&from);
+            self.advance(plan, taken);
+            self.evaluate(plan, committed, dt);
+            let now = self.merit(plan);
+            if now < best.0 {
+                best = (now, taken);
+            }
+            if now <= before * (1.0 - GAIN * fraction) {
+                return;
+            }
+        }
+        if best.1 != taken {
+            self.go_back(&from);
+            self.advance(plan, best.1);
+            self.evaluate(plan, committed, dt);
+        }
+    }
+
+    fn go_back(&mut self, (u, pressures, tractions): &(Vec<f64>, Vec<f64>, Vec<f64>)) {
+        self.u.copy_from_slice(u);
+        self.pressures.copy_from_slice(pressures);
+        self.tractions.copy_from_slice(tractions);
+    }
+
+    /// Size of what is not balanced: forces, moments over the length of the
+    /// stiffest element, and what hard contact and exact stick miss, times the
+    /// stiffness lent to them [F].
+    fn merit(&self, plan: &Plan<'_>) -> f64 {
+        let length = plan.structure.stiffest_length;
+        let lever = if length > 0.0 { length } else { plan.reach.max(f64::MIN_POSITIVE) };
+        let mut sum = 0.0;
+        for &slot in &plan.layout.slot_of_equation {
+            let force = self.evaluation.internal[slot] + self.evaluation.contact[slot]
+                - self.evaluation.external[slot];
+            let force = if plan.layout.name(slot).1.is_rotation() { force / lever } else { force };
+            sum += force * force;
+        }
+        let missed = self.evaluation.penetration + self.evaluation.stick_slip;
+        let missed = super::LENT * plan.structure.stiffest * missed;
+        let all = (sum + missed * missed).sqrt();
+        if all.is_finite() { all } else { f64::MAX }
+    }
+}

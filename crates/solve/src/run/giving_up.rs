@@ -1,0 +1,180 @@
+//! What is tried before a run gives up, and what is said when it does.
+//!
+//! ```text
+//!   attempt fails --> body held by open contact alone? stabilise, again
+//!                 --> shorter increments (the increment control)
+//!                 --> used up: the cause is found, then once more with a
+//!                     line search --> state of the last attempt, diagnosis
+//! ```
+
+use super::{Left, Numbers, Walk, frame};
+use crate::commit::commit;
+use crate::diagnose::{self, Case};
+use crate::increments::{StopReason, Verdict};
+use crate::newton::{Outcome, Target, Workspace, attempt};
+use crate::observe::{Event, Unconverged};
+use crate::plan::Plan;
+use crate::stabilise;
+use crate::state::State;
+use slideline_diag::{Code, Diagnostic};
+use slideline_linalg::SolveError;
+
+/// Energy of stabilisation, as a part of all energy, from which on it is told.
+const MUCH: f64 = 0.05;
+
+impl Walk<'_> {
+    /// Stabilises contact where a body that only open contact would hold has
+    /// made the tangent singular; says whether it did.
+    pub(super) fn stabilise(
+        &mut self,
+        plan: &Plan<'_>,
+        outcome: &Outcome,
+        work: &Workspace,
+    ) -> Result<bool, Left> {
+        let Some(SolveError::Singular { equation, .. }) = outcome.fault else { return Ok(false) };
+        if stabilise::settings(plan, &self.committed).is_some() {
+            return Ok(false);
+        }
+        let mode = work.null_mode(plan, equation);
+        if !mode.is_some_and(|mode| stabilise::would_hold(plan, &self.committed, &mode)) {
+            return Ok(false);
+        }
+        self.committed.stabilised = true;
+        let (node, _) = plan.layout.name(plan.layout.slot_of_equation[equation]);
+        let message = format!(
+            "only contact that is still open will hold the body of node {}: contact is stabilised \
+             from total time {:.6} on, by tractions that fade to nothing by the end of the step",
+            plan.model.nodes.label(node),
+            self.committed.total_time
+        );
+        let said = Diagnostic::warning(Code("SL0517"), message)
+            .at(plan.model.nodes.get(node).origin)
+            .help(
+                "nothing has to be done; *CONTACT CONTROLS, STABILIZE=factor in the step sets how \
+                 strong it is, *BOUNDARY or a *SPRING on the body makes it needless",
+            );
+        self.tell(Event::Diagnosed(&said))?;
+        Ok(true)
+    }
+
+    /// Says so where stabilisation took much of the energy until now.
+    pub(super) fn judge_stabilisation(&mut self, plan: &Plan<'_>) -> Result<(), Left> {
+        let energy = &self.committed.energy;
+        let stored = energy.strain_energy + energy.contact_energy + energy.friction_dissipation;
+        let all = energy.external_work.abs().max(stored);
+        if energy.stabilisation.abs() <= MUCH * all {
+            return Ok(());
+        }
+        let message = format!(
+            "contact stabilisation has taken {:.3e}, {:.0} % of the energy of the run: the way \
+             there was damped; the end of the step is not, for it has faded there",
+            energy.stabilisation,
+            100.0 * energy.stabilisation / all
+        );
+        let origin = stabilise::settings(plan, &self.committed).map(|settings| settings.origin);
+        let said = Diagnostic::warning(Code("SL0618"), message)
+            .at(origin)
+            .help("where the way matters, lower it: *CONTACT CONTROLS, STABILIZE=0.1");
+        self.tell(Event::Diagnosed(&said))
+    }
+
+    /// The last attempt at an increment that no shorter one replaces: with a
+    /// line search.
+    pub(super) fn search(
+        &mut self,
+        plan: &Plan<'_>,
+        target: &Target,
+        work: &mut Workspace,
+    ) -> Result<Outcome, Left> {
+        work.line_search = true;
+        let outcome = self.attempt(plan, target, work);
+        work.line_search = false;
+        outcome
+    }
+
+    /// The state in which the last attempt was given up.
+    pub(super) fn show_unconverged(
+        &mut self,
+        plan: &Plan<'_>,
+        target: &Target,
+        outcome: &Outcome,
+        work: &Workspace,
+    ) -> Result<(), Left> {
+        commit(plan, &self.committed, target, work, &mut self.trial);
+        self.rows.fill(plan, &self.trial);
+        let residual = work.residuals(plan);
+        let numbers = Numbers::of(target, outcome);
+        let frame = frame(plan, &self.trial, &numbers, &self.rows);
+        match self.observer.event(Event::Unconverged(&Unconverged { frame, residual: &residual })) {
+            std::ops::ControlFlow::Continue(()) => Ok(()),
+            std::ops::ControlFlow::Break(stop) => Err(Left::Stopped(stop)),
+        }
+    }
+
+    /// Why no increment was found. Fixed increments are walked in shorter ones
+    /// first: where these reach the end the size was the cause, and where they
+    /// do not they come closer to it.
+    pub(super) fn diagnosis(
+        &self,
+        plan: &Plan<'_>,
+        target: &Target,
+        outcome: &Outcome,
+        stop: StopReason,
+        work: &mut Workspace,
+    ) -> Diagnostic {
+        if stop != StopReason::Fixed {
+            let (committed, dt) = (&self.committed, target.dt);
+            return diagnose::failure(&Case { plan, committed, work, outcome, stop, dt });
+        }
+        match walk_shorter(plan, &self.committed, target, work) {
+            Shorter::Reached(needed) => {
+                diagnose::step_too_large(plan, &self.committed, outcome, needed)
+            }
+            Shorter::Lost { committed, outcome, dt } => {
+                let (committed, outcome) = (&committed, &outcome);
+                diagnose::failure(&Case { plan, committed, work, outcome, stop, dt })
+            }
+        }
+    }
+}
+
+/// What shorter increments made of one that failed.
+enum Shorter {
+    /// They lead to its end; the shortest of them [T].
+    Reached(f64),
+    /// They do not.
+    Lost { committed: Box<State>, outcome: Box<Outcome>, dt: f64 },
+}
+
+/// Shortest increment that is tried, as a fraction of the one that failed.
+const SHORTEST: f64 = 1.0 / 256.0;
+
+/// Walks an increment that failed in shorter ones, unseen.
+fn walk_shorter(
+    plan: &Plan<'_>,
+    committed: &State,
+    target: &Target,
+    work: &mut Workspace,
+) -> Shorter {
+    let mut from = Box::new(committed.clone());
+    let mut to = from.clone();
+    let mut needed = 0.25 * target.dt;
+    loop {
+        let left = target.step_time - from.step_time;
+        let dt = if needed > left * (1.0 - 1e-9) { left } else { needed };
+        let step_time = if dt == left { target.step_time } else { from.step_time + dt };
+        let aim = Target { step_time, dt, ..*target };
+        let outcome = attempt(plan, &from, &aim, work, &mut |_| {});
+        if matches!(outcome.verdict, Verdict::Converged { .. }) {
+            commit(plan, &from, &aim, work, &mut to);
+            std::mem::swap(&mut from, &mut to);
+            if dt == left {
+                return Shorter::Reached(needed);
+            }
+        } else if needed <= SHORTEST * target.dt {
+            return Shorter::Lost { committed: from, outcome: Box::new(outcome), dt };
+        } else {
+            needed *= 0.25;
+        }
+    }
+}

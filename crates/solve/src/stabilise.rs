@@ -1,0 +1,290 @@
+//! Contact stabilisation: dashpots between slave points and their master that
+//! fade to nothing by the end of the step.
+//!
+//! ```text
+//!   slave o        p = c phi dh/dt           phi 1 |\
+//!         #        tau = f c phi dsigma/dt         |  \
+//!   ______#____                                    |____\ t
+//!      master      along the committed a, b        0     T
+//! ```
+//!
+//! docs/theory.md eqs (8.21) to (8.24). The directions are those of the
+//! committed state, so that within an increment the dashpots are linear: their
+//! tangent is exact, symmetric and never negative.
+
+use crate::contact::Meeting;
+use crate::linearised::MOST_DOFS;
+use crate::plan::Plan;
+use crate::state::State;
+use slideline_model::{Dof, ElementBlock, Model, NodeIndex, SpringKind, Stabilisation, Step};
+
+/// Stiffness of all dashpots of a pair, walked in one increment as long as
+/// the step, in stiffnesses EA/l of the stiffest element [1]. Bending is
+/// softer than that by the square of the slenderness: about 1e-5.
+const SHARE: f64 = 1e-7;
+
+/// The dashpots of a point, within an increment.
+#[derive(Clone, Copy, Debug)]
+pub struct Dashpot {
+    width: usize,
+    slots: [usize; MOST_DOFS],
+    normal: [f64; MOST_DOFS],
+    tangential: [f64; MOST_DOFS],
+    /// Force by the motion of the increment, along the normal and along the
+    /// tangent [F/L].
+    stiffness: [f64; 2],
+}
+
+impl Dashpot {
+    fn new(meeting: &Meeting, stiffness: [f64; 2]) -> Self {
+        Self {
+            width: meeting.width,
+            slots: meeting.slots,
+            normal: meeting.gradient,
+            tangential: meeting.slip_gradient,
+            stiffness,
+        }
+    }
+
+    /// Adds the forces of having moved from `committed` to `u`, a slot each;
+    /// says how large they are together [F].
+    pub fn press(&self, u: &[f64], committed: &[f64], into: &mut [f64]) -> f64 {
+        let (mut closing, mut sliding) = (0.0, 0.0);
+        for (k, &slot) in self.slots[..self.width].iter().enumerate() {
+            let moved = u[slot] - committed[slot];
+            closing += self.normal[k] * moved;
+            sliding += self.tangential[k] * moved;
+        }
+        let (p, t) = (self.stiffness[0] * closing, self.stiffness[1] * sliding);
+        for (k, &slot) in self.slots[..self.width].iter().enumerate() {
+            into[slot] += p * self.normal[k] + t * self.tangential[k];
+        }
+        p.hypot(t)
+    }
+
+    /// Sets both stiffnesses [F/L].
+    #[cfg(test)]
+    pub fn scale_to(&mut self, stiffness: f64) {
+        self.stiffness = [stiffness; 2];
+    }
+
+    /// Adds its stiffness to the values of the pattern.
+    pub fn stiffen(&self, plan: &Plan<'_>, values: &mut [f64]) {
+        for i in 0..self.width {
+            let Some(row) = plan.layout.equation(self.slots[i]) else { continue };
+            for j in 0..self.width {
+                let Some(column) = plan.layout.equation(self.slots[j]) else { continue };
+                if let Some(at) = plan.pattern.position(row, column) {
+                    values[at] += self.stiffness[0] * self.normal[i] * self.normal[j]
+                        + self.stiffness[1] * self.tangential[i] * self.tangential[j];
+                }
+            }
+        }
+    }
+}
+
+/// What stabilises contact in a step: the deck's word, or the program's own
+/// where it had to be switched on.
+pub fn settings(plan: &Plan<'_>, committed: &State) -> Option<Stabilisation> {
+    let own = committed.stabilised.then(|| Stabilisation::automatic(plan.step.origin));
+    plan.step.stabilisation.or(own)
+}
+
+/// The dashpots of an increment of length `dt` that ends at `step_time`.
+pub fn fill(
+    plan: &Plan<'_>,
+    committed: &State,
+    (step_time, dt): (f64, f64),
+    positions: &mut Vec<[f64; 2]>,
+    into: &mut Vec<Dashpot>,
+) {
+    into.clear();
+    let Some(settings) = settings(plan, committed) else { return };
+    let fading = 1.0 - step_time / plan.step.procedure.period;
+    if fading <= 0.0 || dt <= 0.0 {
+        return;
+    }
+    let u = &committed.displacement;
+    plan.contact.place_chains(u, positions);
+    for place in 0..plan.contact.points.len() {
+        let meeting = plan.contact.stand(place, u, positions);
+        let near = nearness(&settings, -meeting.overclosure);
+        if !meeting.faces || near == 0.0 {
+            continue;
+        }
+        let own = settings.coefficient;
+        let coefficient = own.unwrap_or_else(|| automatic(plan, place, settings.factor));
+        let stiffness = near * meeting.area * coefficient * fading / dt;
+        into.push(Dashpot::new(&meeting, [stiffness, settings.tangent_fraction * stiffness]));
+    }
+}
+
+/// Within the range all, beyond it nothing, linear from its half on. (choice)
+fn nearness(settings: &Stabilisation, gap: f64) -> f64 {
+    match settings.range {
+        Some(range) => (2.0 - 2.0 * gap / range).clamp(0.0, 1.0),
+        None => 1.0,
+    }
+}
+
+/// c of a pair [F T/L3]: soft against the stiffest element, yet stiff enough
+/// that the loads of the step move a body that nothing else holds by no more
+/// than the size of the model. (choice)
+fn automatic(plan: &Plan<'_>, place: usize, factor: f64) -> f64 {
+    let pair = plan.contact.points[place].pair;
+    let own = plan.contact.points.iter().filter(|point| point.pair == pair);
+    let area: f64 = own.map(|point| point.area).sum();
+    let load = plan.step.loads.iter().map(|load| load.value.abs()).fold(0.0, f64::max);
+    let by_load = if plan.reach > 0.0 { load / plan.reach } else { 0.0 };
+    let stiffness = (SHARE * plan.structure.stiffest).max(by_load);
+    factor * stiffness * plan.step.procedure.period / area.max(f64::MIN_POSITIVE)
+}
+
+/// Whether contact that is open, and was so at the last commit, would oppose
+/// a motion if its points had dashpots; and no contact that was closed.
+pub fn would_hold(plan: &Plan<'_>, committed: &State, mode: &[f64]) -> bool {
+    let mut positions = Vec::new();
+    let u = &committed.displacement;
+    plan.contact.place_chains(u, &mut positions);
+    let mut holds = false;
+    for (place, before) in committed.points.iter().enumerate() {
+        let meeting = plan.contact.stand(place, u, &positions);
+        if !moves(plan, &meeting, mode) {
+            continue;
+        }
+        if before.closed {
+            return false;
+        }
+        holds = true;
+    }
+    holds
+}
+
+/// Whether a motion closes, opens or slides a point.
+fn moves(plan: &Plan<'_>, meeting: &Meeting, mode: &[f64]) -> bool {
+    let (mut closing, mut sliding, mut size) = (0.0, 0.0, 0.0_f64);
+    for k in 0..meeting.width {
+        let Some(equation) = plan.layout.equation(meeting.slots[k]) else { continue };
+        closing += meeting.gradient[k] * mode[equation];
+        sliding += meeting.slip_gradient[k] * mode[equation];
+        size = size.max(meeting.gradient[k].abs() + meeting.slip_gradient[k].abs());
+    }
+    meeting.faces && f64::max(closing.abs(), sliding.abs()) > 1e-6 * size
+}
+
+/// Whether contact may be stabilised in some step: because the deck asks for
+/// it, or because supports and springs to ground leave a body of a model with
+/// contact some rigid motion.
+pub fn may_stabilise(model: &Model) -> bool {
+    model.steps.iter().any(|step| {
+        let floats = !model.contact_pairs.is_empty() && has_loose_body(model, step);
+        step.stabilisation.is_some() || floats
+    })
+}
+
+fn has_loose_body(model: &Model, step: &Step) -> bool {
+    let mut bodies = Bodies::of(model);
+    let held = step.prescribed.iter().map(|prescribed| (prescribed.node, prescribed.dof));
+    let springs = model.blocks.iter().filter_map(|block| match block {
+        ElementBlock::Spring(block) => match block.kind {
+            SpringKind::Ground(dof) => Some(block.elements.iter().map(move |e| (e.nodes[0], dof))),
+            SpringKind::Axial => None,
+        },
+        _ => None,
+    });
+    let held: Vec<(NodeIndex, Dof)> = held.chain(springs.flatten()).collect();
+    let mut rows: std::collections::HashMap<NodeIndex, Vec<[f64; 3]>> =
+        std::collections::HashMap::new();
+    for (node, dof) in held {
+        let [x, y] = model.nodes.plane(node);
+        let row = match dof {
+            Dof::U1 => [1.0, 0.0, -y],
+            Dof::U2 => [0.0, 1.0, x],
+            _ => [0.0, 0.0, 1.0],
+        };
+        rows.entry(bodies.root(node)).or_default().push(row);
+    }
+    let roots: Vec<NodeIndex> = bodies.used.clone().into_iter().map(|n| bodies.root(n)).collect();
+    roots.into_iter().any(|root| {
+        let needed = if bodies.turns.contains(&root) { 3 } else { 2 };
+        rank(rows.get(&root).map_or(&[], Vec::as_slice)) < needed
+    })
+}
+
+/// Nodes that move as one because beams or rigid links join them.
+struct Bodies {
+    parent: Vec<NodeIndex>,
+    /// Nodes that something uses.
+    used: Vec<NodeIndex>,
+    /// Roots of bodies that can turn: all but lone contact nodes.
+    turns: std::collections::HashSet<NodeIndex>,
+}
+
+impl Bodies {
+    fn of(model: &Model) -> Self {
+        let parent = (0..model.nodes.len()).collect();
+        let mut new = Self { parent, used: Vec::new(), turns: Default::default() };
+        let mut turning = Vec::new();
+        for beam in model.blocks.iter().filter_map(|block| block.beams()) {
+            for element in &beam.elements {
+                let nodes: Vec<NodeIndex> = element.all_nodes().collect();
+                nodes.windows(2).for_each(|w| new.join(w[0], w[1]));
+                turning.extend(nodes);
+            }
+        }
+        for link in &model.rigid_links {
+            new.join(link.master, link.dependent);
+            turning.push(link.master);
+        }
+        for pair in &model.contact_pairs {
+            new.used.extend(pair.slave_nodes());
+            match &pair.master {
+                slideline_model::Master::RigidSurface(surface) => turning.push(surface.reference),
+                slideline_model::Master::SlideLine(line) => new.used.extend(&line.nodes),
+            }
+        }
+        for &node in &turning {
+            let root = new.root(node);
+            new.turns.insert(root);
+        }
+        new.used.extend(turning);
+        new
+    }
+
+    fn root(&mut self, mut node: NodeIndex) -> NodeIndex {
+        while self.parent[node] != node {
+            self.parent[node] = self.parent[self.parent[node]];
+            node = self.parent[node];
+        }
+        node
+    }
+
+    fn join(&mut self, a: NodeIndex, b: NodeIndex) {
+        let (a, b) = (self.root(a), self.root(b));
+        self.parent[b] = a;
+    }
+}
+
+/// Rank of a few rows of three.
+fn rank(rows: &[[f64; 3]]) -> usize {
+    let mut rows = rows.to_vec();
+    let mut found = 0;
+    for column in 0..3 {
+        let scale = rows.iter().flatten().fold(0.0_f64, |a, b| a.max(b.abs()));
+        let pivot = (found..rows.len())
+            .max_by(|&a, &b| rows[a][column].abs().total_cmp(&rows[b][column].abs()));
+        let Some(pivot) = pivot.filter(|&row| rows[row][column].abs() > 1e-9 * scale) else {
+            continue;
+        };
+        rows.swap(found, pivot);
+        let top = rows[found];
+        for row in rows.iter_mut().skip(found + 1) {
+            let factor = row[column] / top[column];
+            for (value, above) in row.iter_mut().zip(top) {
+                *value -= factor * above;
+            }
+        }
+        found += 1;
+    }
+    found
+}
