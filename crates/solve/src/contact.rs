@@ -218,6 +218,21 @@ impl Contact {
         meeting
     }
 
+    /// Whether a point faces nothing because its master ends, and would touch
+    /// it were that end prolonged; a station at `xi` of its element.
+    pub fn has_slid_off(&self, place: usize, xi: f64, u: &[f64]) -> bool {
+        let mut positions = Vec::with_capacity(self.chain_nodes);
+        self.place_chains(u, &mut positions);
+        let point = &self.points[place];
+        let mut stencil = self.slave(point, xi, u);
+        if self.face(point, xi, u, &positions, &mut stencil).is_some() {
+            return false;
+        }
+        let begins = self.laws[point.pair].normal.contact_begins();
+        let beyond = self.facades[point.pair].beyond_end(stencil.position, u, &positions);
+        beyond.is_some_and(|overclosure| overclosure > begins)
+    }
+
     fn meet_one(&self, point: &SlavePoint, u: &[f64], positions: &[[f64; 2]], into: &mut Meeting) {
         self.meet_stencil(point, self.slave(point, into.xi, u), (u, positions), into);
     }

@@ -109,4 +109,19 @@ impl Facade {
             }
         }
     }
+
+    /// Overclosure [L] that `point` would have were the end prolonged beyond
+    /// which it lies; `None` where it lies beyond none.
+    pub fn beyond_end(&self, point: [f64; 2], u: &[f64], positions: &[[f64; 2]]) -> Option<f64> {
+        match self {
+            Self::Nothing => None,
+            Self::Body { slots, reference, surface } => {
+                let body = Body { reference: *reference, dofs: slots.map(|slot| u[slot]) };
+                surface.beyond_end(&body, point)
+            }
+            Self::Line { chain, nodes, offset } => {
+                chain.beyond_end(positions.get(*offset..offset + nodes.len())?, point)
+            }
+        }
+    }
 }

@@ -217,15 +217,21 @@ fn stands(overclosure: f64) -> String {
     }
 }
 
-/// Points that carried pressure at the last commit and now face no master:
-/// they have slid off its end.
+/// Points that carried pressure at the last commit, now face no master, and
+/// would touch it were its end prolonged: they have slid off. A word a node.
 pub fn slid_off(plan: &Plan<'_>, committed: &State, now: &State) -> Vec<Diagnostic> {
     let mut left = Vec::new();
+    let mut last = None;
     for (place, point) in plan.contact.points.iter().enumerate() {
         let before = &committed.points[place];
-        if !before.closed || now.points[place].along.is_some() {
+        let gone = before.closed
+            && now.points[place].along.is_none()
+            && last != Some((point.pair, point.node))
+            && plan.contact.has_slid_off(place, before.xi, &now.displacement);
+        if !gone {
             continue;
         }
+        last = Some((point.pair, point.node));
         let pair = &plan.model.contact_pairs[point.pair];
         let label = plan.model.nodes.label(point.node);
         let end = master_end(plan, pair, before.along.unwrap_or(0.0));

@@ -244,6 +244,15 @@ impl RigidSurface {
         }
     }
 
+    /// Overclosure [L] that `point` (in space) would have were the end prolonged beyond which it
+    /// lies; `None` where it lies beyond none.
+    pub fn beyond_end(&self, body: &Body, point: [f64; 2]) -> Option<f64> {
+        match self.period {
+            None => rigid::beyond_end(&self.segments, body.to_body(point)),
+            Some(_) => None,
+        }
+    }
+
     /// Gap of `point` (in space) against what it faces.
     pub fn gap(&self, body: &Body, facing: &Facing, point: [f64; 2]) -> Option<AnyGap> {
         let segment = self.segments.get(facing.segment)?;

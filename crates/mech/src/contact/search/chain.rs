@@ -48,15 +48,6 @@ impl Piece {
     }
 }
 
-/// An end of the chain.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ChainEnd {
-    /// Before the first node.
-    Start,
-    /// After the last node.
-    End,
-}
-
 /// The undeformed chain.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chain {
@@ -196,20 +187,19 @@ impl Chain {
         Some(Piece { index, kind, parameter })
     }
 
-    /// Whether `point` lies beyond the extension of an end, within a segment's length of the
-    /// prolonged line: slid off, not merely far away.
-    pub fn off_end(&self, positions: &[Point], point: Point) -> Option<ChainEnd> {
+    /// Overclosure [L] that a point beyond an end would have against the straight line that prolongs
+    /// the nearer end; `None` where no end lies behind it.
+    pub fn beyond_end(&self, positions: &[Point], point: Point) -> Option<f64> {
         let last = self.lengths.len().checked_sub(1)?;
-        let ends = [(0, ChainEnd::Start), (last, ChainEnd::End)];
-        ends.into_iter().find_map(|(index, end)| {
+        let ends = [(0, 0.0), (last, 1.0)].into_iter().filter_map(|(index, end)| {
             let (a, b) = (*positions.get(index)?, *positions.get(index + 1)?);
             let xi = project_line(a, b, point)?;
-            let over = if end == ChainEnd::Start { -xi } else { xi - 1.0 };
-            let d = sub(b, a);
-            let distance = cross(d, sub(point, a)).abs() / dot(d, d);
-            (over > self.extension && over <= 1.0 + self.extension && distance <= 1.0)
-                .then_some(end)
-        })
+            let beyond = if end == 0.0 { xi < 0.0 } else { xi > 1.0 };
+            let apart = sub(point, if end == 0.0 { a } else { b });
+            let overclosure = -cross(sub(b, a), sub(point, a)) / sub(b, a)[0].hypot(sub(b, a)[1]);
+            beyond.then_some((dot(apart, apart), overclosure))
+        });
+        ends.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, overclosure)| overclosure)
     }
 
     /// Range of the straight part's parameter.

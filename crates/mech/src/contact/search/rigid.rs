@@ -286,6 +286,28 @@ pub fn nearest_on(
     best
 }
 
+/// Overclosure [L] that a point beyond an end of an open surface would have against what prolongs
+/// the nearer end: the line, the circle, or the tangent of the parabola. `None` where no end lies
+/// behind the point.
+pub fn beyond_end(segments: &[RigidSegment], point: Point) -> Option<f64> {
+    let (first, last) = (segments.first()?, segments.last()?);
+    let ends = [(first, true), (last, false)].into_iter().filter_map(|(segment, at_start)| {
+        let end = if at_start { segment.start() } else { segment.end() };
+        let (apart, tangent) = (sub(point, end), segment.tangent(at_start));
+        let beyond = if at_start { dot(apart, tangent) < 0.0 } else { dot(apart, tangent) > 0.0 };
+        let overclosure = match *segment {
+            RigidSegment::Arc { centre, radius, convex, .. } => {
+                let r = sub(point, centre);
+                let outside = r[0].hypot(r[1]) - radius;
+                if convex { -outside } else { outside }
+            }
+            _ => -cross(tangent, apart),
+        };
+        beyond.then_some((dot(apart, apart), overclosure))
+    });
+    ends.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, overclosure)| overclosure)
+}
+
 /// Whether the surface ends where it starts.
 pub fn is_closed(segments: &[RigidSegment]) -> bool {
     match (segments.first(), segments.last()) {

@@ -1,4 +1,4 @@
-use super::{Chain, ChainEnd, Piece, PieceKind};
+use super::{Chain, Piece, PieceKind};
 
 fn zigzag() -> Vec<[f64; 2]> {
     vec![[0.0, 0.0], [1.0, 0.0], [2.0, 0.5], [3.5, 0.0]]
@@ -23,10 +23,10 @@ fn sliding_off_the_end() {
     let chain = Chain::new(&zigzag(), 0.25, 0.1).unwrap();
     let x = zigzag();
     assert!(chain.closest(&x, [-0.11, 0.02], None).is_none());
-    assert_eq!(chain.off_end(&x, [-0.11, 0.02]), Some(ChainEnd::Start));
-    assert_eq!(chain.off_end(&x, [3.9, -0.1]), Some(ChainEnd::End));
-    assert_eq!(chain.off_end(&x, [-7.0, 0.0]), None);
-    assert_eq!(chain.off_end(&x, [0.5, 0.0]), None);
+    assert!((chain.beyond_end(&x, [-0.11, 0.02]).unwrap() + 0.02).abs() < 1e-15);
+    assert!(chain.beyond_end(&x, [3.9, -0.1]).is_some());
+    assert!(chain.beyond_end(&x, [-7.0, 0.0]).is_some());
+    assert_eq!(chain.beyond_end(&x, [0.5, 0.0]), None);
 }
 
 /// Requirement: no hole within 0.1 of the chain on either side, smoothed or not, and the distance

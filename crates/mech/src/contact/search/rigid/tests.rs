@@ -1,4 +1,4 @@
-use super::{Facing, Part, RigidSegment, closest, is_closed};
+use super::{Facing, Part, RigidSegment, beyond_end, closest, is_closed};
 
 /// The circle of the 1995 deck: two arcs, clockwise over +x, as listed there.
 fn half_circle() -> Vec<RigidSegment> {
@@ -91,4 +91,18 @@ fn length_of_a_parabola() {
     assert!((segment.length() - exact).abs() < 1e-12 * exact, "{}", segment.length());
     let facing = closest(&[segment], [0.3, 0.3 * 0.3], None).unwrap();
     assert!((facing.parameter - 0.65).abs() < 1e-14);
+}
+
+/// Requirement: beyond an end the prolonged surface tells whether a point would still touch: on and
+/// off the circle of an arc, above and below the line. Source: distances. Tolerance: rounding.
+#[test]
+fn beyond_an_end() {
+    let quarter = [RigidSegment::arc([0.0, 1.0], [1.0, 0.0], [0.0, 0.0]).unwrap()];
+    assert!((beyond_end(&quarter, [0.5, -0.5]).unwrap() - (1.0 - 0.5f64.sqrt())).abs() < 1e-15);
+    assert!((beyond_end(&quarter, [-1.0, 1.0]).unwrap() - (1.0 - 2f64.sqrt())).abs() < 1e-15);
+    assert_eq!(beyond_end(&quarter, [0.5, 0.5]), None);
+    let line = [RigidSegment::Line { a: [0.0, 0.0], b: [2.0, 0.0] }];
+    assert!((beyond_end(&line, [2.5, -0.1]).unwrap() - 0.1).abs() < 1e-15);
+    assert!((beyond_end(&line, [-0.5, 0.2]).unwrap() + 0.2).abs() < 1e-15);
+    assert_eq!(beyond_end(&line, [1.0, 0.2]), None);
 }
