@@ -157,8 +157,14 @@ impl Record {
         self.measured.push(Measured { quantity: quantity.into(), value, limit });
     }
 
-    /// A chart of one frame.
+    /// A chart of one frame, its series in colours in their order.
     pub fn chart(&mut self, title: impl Into<String>, x: Axis, y: Axis, series: Vec<Series>) {
+        let coloured = series.into_iter().enumerate();
+        let series = coloured.map(|(colour, series)| Series { colour, ..series }).collect();
+        self.frame(title, x, y, series);
+    }
+
+    fn frame(&mut self, title: impl Into<String>, x: Axis, y: Axis, series: Vec<Series>) {
         let panels = vec![Panel { x, y, height: 280.0, series }];
         self.charts.push(Chart { title: title.into(), panels });
     }
@@ -174,13 +180,16 @@ impl Record {
         reference: Named<'_>,
     ) {
         let (exact, scale) = (reference.1, 100.0 / peak(reference.1));
-        let mut upper: Vec<Series> = curves.iter().map(|curve| series(x, *curve)).collect();
-        upper.push(Series { mark: Mark::Guide, ..series(x, reference) });
-        let rest = |&(_, values): &Named<'_>| {
+        let coloured = || curves.iter().enumerate();
+        let curve = |(colour, curve): (usize, &Named<'_>)| Series { colour, ..series(x, *curve) };
+        let mut upper: Vec<Series> = coloured().map(curve).collect();
+        let colour = curves.len();
+        upper.push(Series { mark: Mark::Guide, colour, ..series(x, reference) });
+        let rest = |(colour, &(_, values)): (usize, &Named<'_>)| {
             let rest: Vec<f64> = values.iter().zip(exact).map(|(a, b)| scale * (a - b)).collect();
-            series(x, ("", &rest))
+            Series { colour, ..series(x, ("", &rest)) }
         };
-        let lower = curves.iter().map(rest).collect();
+        let lower = coloured().map(rest).collect();
         let panel = |y: &str, height, series| Panel {
             x: Axis::linear(axes[0]),
             y: Axis::linear(y),
@@ -194,25 +203,28 @@ impl Record {
 
     /// Errors over the number of elements, with the slopes that fit them.
     pub fn convergence(&mut self, title: impl Into<String>, error: &str, studies: &[Study]) {
-        let measured = studies.iter().map(|study| Series {
+        let coloured = || studies.iter().enumerate();
+        let measured = coloured().map(|(colour, study)| Series {
             name: format!("{}: order {:.2}", study.name, study.order()),
             points: study.points.clone(),
             mark: Mark::Discs,
+            colour,
         });
-        let slopes = studies.iter().map(|study| Series {
+        let slopes = coloured().map(|(colour, study)| Series {
             name: String::new(),
             points: fitted(&study.points),
             mark: Mark::Guide,
+            colour,
         });
         let series = measured.chain(slopes).collect();
-        self.chart(title, Axis::logarithmic("elements"), Axis::logarithmic(error), series);
+        self.frame(title, Axis::logarithmic("elements"), Axis::logarithmic(error), series);
     }
 }
 
 /// A curve over `x` with its points.
 pub fn series(x: &[f64], (name, y): Named<'_>) -> Series {
     let points = x.iter().zip(y).map(|(x, y)| [*x, *y]).collect();
-    Series { name: name.to_owned(), points, mark: Mark::Curve }
+    Series { name: name.to_owned(), points, mark: Mark::Curve, colour: 0 }
 }
 
 /// Ends of the line that fits the logarithms best.

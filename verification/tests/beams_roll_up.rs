@@ -55,6 +55,7 @@ fn polygon_at_every_load_and_closed_at_the_last(record: &mut Record) {
             })
             .collect(),
         mark: Mark::Curve,
+        colour: 0,
     };
     let shapes = [0, 2, 4, 6, 9].map(shape).to_vec();
     let (x, y) = (Axis::linear("x / L"), Axis::linear("y / L"));

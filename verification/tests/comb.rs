@@ -177,7 +177,7 @@ fn first_contacts_in_every_increment(record: &mut Record) {
 
 fn drag(name: &str, curve: &Curve) -> Series {
     let points = (1..).zip(curve.reaction(999, 1)).map(|(k, force)| [f64::from(k), force]);
-    Series { name: name.to_owned(), points: points.collect(), mark: Mark::Discs }
+    Series { name: name.to_owned(), points: points.collect(), mark: Mark::Discs, colour: 0 }
 }
 
 fn reversed_motion(record: &mut Record) {

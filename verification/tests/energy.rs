@@ -62,7 +62,7 @@ fn push(mu: f64) -> Curve {
 }
 
 fn chart(record: &mut Record, curve: &Curve) {
-    let travel: Vec<f64> = curve.displacement(Push::CIRCLE, 2).iter().map(|u| 1e3 * u).collect();
+    let travel: Vec<f64> = curve.displacement(Push::CIRCLE, 2).iter().map(|u| -1e3 * u).collect();
     let of = |energy: &dyn Fn(&Row) -> f64| -> Vec<f64> { curve.rows.iter().map(energy).collect() };
     let strain = of(&|row| curve.beam_energy(row));
     let contact = of(&contact_energy);
@@ -70,7 +70,12 @@ fn chart(record: &mut Record, curve: &Curve) {
     let work = of(&|row| row.energy.external_work);
     let curves = [("work", &work), ("strain", &strain), ("contact", &contact), ("friction", &lost)];
     let curves = curves.iter().map(|(name, values)| series(&travel, (name, values))).collect();
-    record.chart("Energies", Axis::linear("U2 (mm)"), Axis::linear("energy (J)"), curves);
+    record.chart(
+        "Energies",
+        Axis::linear("travel of the circle (mm)"),
+        Axis::linear("energy (J)"),
+        curves,
+    );
 }
 
 fn frictionless_work_is_stored(record: &mut Record) {

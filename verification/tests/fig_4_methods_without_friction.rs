@@ -89,7 +89,7 @@ pub const GROUP: Group = Group {
 
 const AREA: f64 = 1.570_477e-5; // interior slave of the ISL deck, 4 degrees
 const IRS_AREA: f64 = 5.213_474e-5; // interior slave of the coarse IRS deck
-const AXES: [&str; 2] = ["U2 (mm)", "RF2 (N)"];
+const AXES: [&str; 2] = ["travel of the circle (mm)", "RF2 (N)"];
 
 fn softened(increments: usize, area: f64) -> Vec<f64> {
     of_first(&FirstProblem::diehl(), 0.0, increments, Reference::Softened { area })
@@ -154,7 +154,7 @@ fn isl_coarse_is_smooth_and_accurate(record: &mut Record) {
             let rough = 100.0 * roughness(&force, &exact);
             record.at_most(what("roughness (% of peak)"), rough, 0.02);
         }
-        let travel: Vec<f64> = travel.iter().map(|u| 1e3 * u).collect();
+        let travel: Vec<f64> = travel.iter().map(|u| -1e3 * u).collect();
         let title = format!("ISL, 24 B21, {increments} increments");
         record.comparison(title, AXES, &travel, &[("ISL", &force)], ("softened Reissner", &exact));
     }

@@ -72,7 +72,7 @@ pub const GROUP: Group = Group {
 };
 
 const AREA: f64 = 1.570_477e-5;
-const AXES: [&str; 2] = ["U2 (mm)", "RF2 (N)"];
+const AXES: [&str; 2] = ["travel of the circle (mm)", "RF2 (N)"];
 
 fn force(curve: &Curve) -> Vec<f64> {
     curve.reaction(Push::CIRCLE, 2)

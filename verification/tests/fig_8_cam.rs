@@ -49,10 +49,10 @@ pub const GROUP: Group = Group {
     ],
 };
 
-const AXES: [&str; 2] = ["UR3 (degree)", "RM3 (N m)"];
+const AXES: [&str; 2] = ["turn of the cam (degree)", "RM3 (N m)"];
 
 fn turned() -> Vec<f64> {
-    (1..=20).map(|k| -3.0 * f64::from(k)).collect()
+    (1..=20).map(|k| 3.0 * f64::from(k)).collect()
 }
 
 fn turn(mu: f64, onset: &'static str, spacing: f64) -> Curve {

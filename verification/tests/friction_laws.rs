@@ -112,8 +112,8 @@ fn static_to_kinetic_decay(record: &mut Record) {
         .collect();
     let (x, y) = (Axis::logarithmic("speed"), Axis::linear("force"));
     let curves = vec![
-        Series { name: "slideline".into(), points: forces, mark: Mark::Discs },
-        Series { name: "law".into(), points: law, mark: Mark::Guide },
+        Series { name: "slideline".into(), points: forces, mark: Mark::Discs, colour: 0 },
+        Series { name: "law".into(), points: law, mark: Mark::Guide, colour: 0 },
     ];
     record.chart("Force over speed", x, y, curves);
 }

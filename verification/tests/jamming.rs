@@ -124,7 +124,7 @@ fn at_the_limit_it_is_told(record: &mut Record) {
             record.equal(what("increments told"), totals.increments, rows.len() + 1);
             if friction == STICKS[0] {
                 let name = format!("mu {mu}, jams at {:.3}", 0.5 / mu);
-                curves.push(Series { name, points: rows, mark: Mark::Curve });
+                curves.push(Series { name, points: rows, mark: Mark::Curve, colour: 0 });
             }
         }
     }

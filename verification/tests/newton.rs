@@ -90,7 +90,7 @@ fn beams_are_quadratic_to_the_floor(record: &mut Record) {
         let fall = falls(&curve).pop().unwrap_or_default();
         let points = (1..).zip(fall).map(|(k, r)| [f64::from(k), r]).collect();
         let name = format!("last of {increments} increments");
-        series.push(Series { name, points, mark: Mark::Curve });
+        series.push(Series { name, points, mark: Mark::Curve, colour: 0 });
     }
     let (x, y) = (Axis::linear("iteration"), Axis::logarithmic("largest residual"));
     record.chart("Residuals of a cantilever under a dead load", x, y, series);

@@ -64,11 +64,31 @@ fn verdict(outcomes: &[Outcome]) -> String {
     }
 }
 
+/// Names that are not written in small letters.
+const NAMES: [(&str, &str); 10] = [
+    ("irs", "IRS"),
+    ("isl", "ISL"),
+    ("b21", "B21"),
+    ("b22", "B22"),
+    ("b23", "B23"),
+    ("matfru", "MATFRU"),
+    ("lagrange", "Lagrange"),
+    ("nafems", "NAFEMS"),
+    ("cgs", "CGS"),
+    ("newton", "Newton"),
+];
+
 /// The name of a claim as words.
 fn words(outcome: &Outcome) -> String {
-    let words = outcome.claim.name.replace('_', " ");
+    let word = |word: &str| {
+        let name = NAMES.iter().find(|(small, _)| *small == word);
+        name.map_or_else(|| word.to_owned(), |(_, name)| (*name).to_owned())
+    };
+    let words: Vec<String> = outcome.claim.name.split('_').map(word).collect();
+    let words = words.join(" ");
     let mut letters = words.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+    let first = letters.next().into_iter().flat_map(char::to_uppercase);
+    first.chain(letters).collect()
 }
 
 #[cfg(test)]

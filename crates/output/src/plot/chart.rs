@@ -27,6 +27,9 @@ pub struct Series {
     pub points: Vec<[f64; 2]>,
     /// How they are shown.
     pub mark: Mark,
+    /// Which of the colours of curves they have, from 0; series of one colour
+    /// belong together.
+    pub colour: usize,
 }
 
 /// A frame with its curves.
@@ -46,31 +49,25 @@ const LEFT: f64 = 90.0;
 const WIDTH: f64 = 600.0;
 const LINE: f64 = 16.0;
 
-/// Draws panels below one another, the legend of all above. Series have
-/// colours in their order through all panels.
+/// Draws panels below one another, the legend of all above. In a frame the
+/// first series stands above the others, guides above all.
 pub fn chart(title: impl Into<String>, panels: &[Panel]) -> Figure {
-    let named: Vec<(usize, &Series)> = panels
-        .iter()
-        .flat_map(|panel| &panel.series)
-        .enumerate()
-        .filter(|(_, series)| !series.name.is_empty())
-        .collect();
+    let series = panels.iter().flat_map(|panel| &panel.series);
+    let named: Vec<&Series> = series.filter(|series| !series.name.is_empty()).collect();
     let mut drawing =
         Drawing { width: LEFT + WIDTH + 30.0, height: 0.0, title: title.into(), items: Vec::new() };
-    for (line, (place, series)) in named.iter().enumerate() {
-        let y = 22.0 + LINE * line as f64;
-        legend(&mut drawing, series, *place, y);
+    for (line, series) in named.iter().enumerate() {
+        legend(&mut drawing, series, 22.0 + LINE * line as f64);
     }
     let mut top = 18.0 + LINE * named.len().max(1) as f64;
-    let mut first = 0;
     for (place, panel) in panels.iter().enumerate() {
         let frame = Frame::around(panel, top);
         frame.draw(&mut drawing, panel);
-        // the first stands above the others
-        for (place, series) in panel.series.iter().enumerate().rev() {
-            frame.series(&mut drawing, panel, series, first + place);
+        let (guides, others): (Vec<&Series>, Vec<&Series>) =
+            panel.series.iter().partition(|series| series.mark == Mark::Guide);
+        for series in others.iter().rev().chain(&guides) {
+            frame.series(&mut drawing, panel, series);
         }
-        first += panel.series.len();
         let bottom = top + panel.height;
         let shared = panels.get(place + 1).is_some_and(|next| next.x.title == panel.x.title);
         if !shared {
@@ -83,19 +80,19 @@ pub fn chart(title: impl Into<String>, panels: &[Panel]) -> Figure {
     Figure { drawing }
 }
 
-fn colour(place: usize) -> Colour {
-    CURVES[place % CURVES.len()]
+fn colour(series: &Series) -> Colour {
+    CURVES[series.colour % CURVES.len()]
 }
 
-fn legend(drawing: &mut Drawing, series: &Series, place: usize, y: f64) {
+fn legend(drawing: &mut Drawing, series: &Series, y: f64) {
     let (from, to) = ([LEFT, y - 4.0], [LEFT + 28.0, y - 4.0]);
     if series.mark == Mark::Discs {
         let at = [LEFT + 14.0, y - 4.0];
-        drawing.items.push(Item::Disc { at, radius: 3.2, colour: colour(place) });
+        drawing.items.push(Item::Disc { at, radius: 3.2, colour: colour(series) });
     } else {
         let dashed = matches!(series.mark, Mark::Dashed | Mark::Guide);
         let points = vec![from, to];
-        drawing.items.push(Item::Line { points, width: 2.0, colour: colour(place), dashed });
+        drawing.items.push(Item::Line { points, width: 2.0, colour: colour(series), dashed });
     }
     drawing.words([LEFT + 36.0, y], series.name.as_str(), Anchor::Start);
 }
@@ -150,8 +147,8 @@ impl Frame {
         });
     }
 
-    fn series(&self, drawing: &mut Drawing, panel: &Panel, series: &Series, place: usize) {
-        let colour = colour(place);
+    fn series(&self, drawing: &mut Drawing, panel: &Panel, series: &Series) {
+        let colour = colour(series);
         let placed = series
             .points
             .iter()
@@ -191,6 +188,7 @@ mod tests {
             name: "error".into(),
             points: points.clone(),
             mark,
+            colour: 7,
         });
         let panel = Panel {
             x: Axis::logarithmic("elements"),

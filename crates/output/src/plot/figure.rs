@@ -44,19 +44,19 @@ pub fn figure(question: &Question, one: &Curve, other: Option<&Curve>) -> Figure
         height,
         series,
     };
-    let mut shown = vec![series(&one.name, &one.x, &one.y, Mark::Curve)];
-    shown.extend(other.map(|other| series(&other.name, &other.x, &other.y, Mark::Dashed)));
+    let mut shown = vec![series(&one.name, [&one.x, &one.y], Mark::Curve, 0)];
+    shown.extend(other.map(|other| series(&other.name, [&other.x, &other.y], Mark::Dashed, 1)));
     let mut panels = vec![panel(&question.y, 350.0, shown)];
     if let Some(other) = other {
-        let rest = series("", &one.x, &difference(one, other), Mark::Curve);
+        let rest = series("", [&one.x, &difference(one, other)], Mark::Curve, 2);
         panels.push(panel("difference", 170.0, vec![rest]));
     }
     chart(title, &panels)
 }
 
-fn series(name: &str, x: &[f64], y: &[f64], mark: Mark) -> Series {
+fn series(name: &str, [x, y]: [&[f64]; 2], mark: Mark, colour: usize) -> Series {
     let points = x.iter().zip(y).map(|(x, y)| [*x, *y]).collect();
-    Series { name: name.to_owned(), points, mark }
+    Series { name: name.to_owned(), points, mark, colour }
 }
 
 #[cfg(test)]
