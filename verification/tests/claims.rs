@@ -16,6 +16,7 @@ mod amplitudes_and_springs;
 mod bad_friction;
 mod balance;
 mod beams_bisshopp_drucker;
+mod beams_lee_frame;
 mod beams_quadratic_and_cubic;
 mod beams_roll_up;
 mod beams_timoshenko;
@@ -83,6 +84,7 @@ const CHAPTERS: &[Chapter] = &[
             beams_timoshenko::GROUP,
             beams_bisshopp_drucker::GROUP,
             beams_williams_toggle::GROUP,
+            beams_lee_frame::GROUP,
             beams_quadratic_and_cubic::GROUP,
             rigid_link::GROUP,
             amplitudes_and_springs::GROUP,
