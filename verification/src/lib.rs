@@ -1,9 +1,10 @@
-//! Runs decks and measures what comes out, for the claims in `tests/`.
+//! Runs decks and measures what comes out, for the claims in `tests/`; makes
+//! the verification report of what they measured.
 //!
 //! ```text
-//!   deck builder --> text --> slideline --> Curve --> metrics
-//!                                                       ^
-//!                     slideline-theory: closed form ----+
+//!   deck builder --> text --> slideline --> Curve --> metrics --> Record --> report
+//!                                                       ^            ^
+//!                     slideline-theory: closed form ----+   Claim ---+
 //! ```
 //!
 //! Nothing here shares code with what it checks: the metrics are written
@@ -11,16 +12,22 @@
 //! code with the solver either.
 
 mod cam;
+mod claim;
 mod curve;
 mod metrics;
 mod push;
+mod record;
+mod report;
 
 pub use cam::Cam;
+pub use claim::{Chapter, Claim, Group, Outcome};
 pub use curve::{Curve, Row, run, run_on};
 pub use metrics::{
-    Difference, differ, largest, largest_difference, peak, reversals, roughness, trapezoid,
+    Difference, differ, largest, largest_difference, peak, reversals, roughness, trapezoid, worst,
 };
-pub use push::{Method, Placement, Push, Slaves, Units};
+pub use push::{Beam, Method, Placement, Push, Slaves, Units};
+pub use record::{Chart, Limit, Measured, Record, Study, series};
+pub use report::{write_record, write_report};
 
 /// The decks of the 1995 paper as shipped in the corpus.
 pub mod paper {

@@ -10,14 +10,20 @@ pub struct Difference {
     pub max: f64,
 }
 
+/// The largest of many numbers, not below zero; not a number if one of them is not.
+pub fn worst(values: impl IntoIterator<Item = f64>) -> f64 {
+    let larger = |most: f64, value: f64| if value <= most || most.is_nan() { most } else { value };
+    values.into_iter().fold(0.0, larger)
+}
+
 /// Largest magnitude [unit of the curve].
 pub fn peak(curve: &[f64]) -> f64 {
-    curve.iter().fold(0.0, |most, value| value.abs().max(most))
+    worst(curve.iter().map(|value| value.abs()))
 }
 
 /// The larger of two curves' largest magnitudes [unit of the curves].
 pub fn largest(a: &[f64], b: &[f64]) -> f64 {
-    peak(a).max(peak(b))
+    worst([peak(a), peak(b)])
 }
 
 /// Largest magnitude of a - b [unit of the curves]; infinite where they differ in length.
@@ -25,7 +31,7 @@ pub fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
     if a.len() != b.len() {
         return f64::INFINITY;
     }
-    a.iter().zip(b).fold(0.0, |most, (a, b)| (a - b).abs().max(most))
+    worst(a.iter().zip(b).map(|(a, b)| (a - b).abs()))
 }
 
 /// RMS and largest difference over all rows, against the peak of `reference`.
@@ -74,6 +80,15 @@ pub fn trapezoid(abscissa: &[f64], curve: &[f64]) -> f64 {
     pieces.map(|(x, y)| 0.5 * (y[0] + y[1]) * (x[1] - x[0])).sum()
 }
 
+/// Least squares slope of the logarithms of points.
+pub fn order(points: &[[f64; 2]]) -> f64 {
+    let points: Vec<[f64; 2]> = points.iter().map(|point| point.map(f64::ln)).collect();
+    let mean = [0, 1].map(|k| points.iter().map(|p| p[k]).sum::<f64>() / points.len() as f64);
+    let products = points.iter().map(|p| (p[0] - mean[0]) * (p[1] - mean[1]));
+    let squares = points.iter().map(|p| (p[0] - mean[0]).powi(2));
+    products.sum::<f64>() / squares.sum::<f64>()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -88,5 +103,8 @@ mod tests {
         let rough = roughness(&[1.0, 2.0, 3.0, 4.0], &[0.0, 0.0, 0.0, 1.0]);
         assert!((rough - (1.0f64 / 12.0).sqrt()).abs() < 1e-15);
         assert_eq!(largest_difference(&[1.0], &[]), f64::INFINITY);
+        // what is not a number is never overlooked
+        assert!(largest_difference(&[f64::NAN, 1.0], &[0.0, 0.0]).is_nan());
+        assert!(peak(&[2.0, f64::NAN, 1.0]).is_nan() && peak(&[-2.0, 1.0]) == 2.0);
     }
 }

@@ -23,6 +23,17 @@ pub enum Method {
     Surface,
 }
 
+/// What the beam is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Beam {
+    /// Two nodes, shear-flexible.
+    B21,
+    /// Three nodes, shear-flexible.
+    B22,
+    /// Two nodes, without shear.
+    B23,
+}
+
 /// Slave nodes on the circle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Slaves {
@@ -71,7 +82,9 @@ pub struct Units {
 pub struct Push {
     /// Who carries the contact elements.
     pub method: Method,
-    /// Beams.
+    /// Which beams.
+    pub beam: Beam,
+    /// How many.
     pub elements: usize,
     /// Equal increments of the push.
     pub increments: usize,
@@ -104,6 +117,7 @@ impl Push {
     pub fn paper(method: Method) -> Self {
         Self {
             method,
+            beam: Beam::B21,
             elements: 24,
             increments: 20,
             mu: 0.0,
@@ -125,8 +139,13 @@ impl Push {
 
     /// Label of beam node `k`, counted from 0 at the clamp.
     pub fn beam_label(&self, k: usize) -> u64 {
-        let k = k as u64;
-        if self.renumbered { 20_000 + (self.elements as u64 - k) * 7 } else { 1 + k }
+        let (k, last) = (k as u64, (self.elements * self.nodes_a_beam()) as u64);
+        if self.renumbered { 20_000 + (last - k) * 7 } else { 1 + k }
+    }
+
+    /// Nodes from one beam to the next.
+    fn nodes_a_beam(&self) -> usize {
+        if self.beam == Beam::B22 { 2 } else { 1 }
     }
 
     /// The deck.
@@ -165,12 +184,13 @@ impl Push {
     }
 
     fn nodes(&self, text: &mut String) {
+        let last = self.elements * self.nodes_a_beam();
         let at = |k: usize| {
-            let t = k as f64 / self.elements as f64;
+            let t = k as f64 / last as f64;
             [7.0e-3 + t * 2.222e-3, t * 50.0e-3]
         };
         let mut lines = vec![format!("9999, {}", self.place([0.0, 45.0e-3]))];
-        for k in 0..=self.elements {
+        for k in 0..=last {
             lines.push(format!("{}, {}", self.beam_label(k), self.place(at(k))));
         }
         for (label, degrees) in self.slave_nodes() {
@@ -200,10 +220,12 @@ impl Push {
     }
 
     fn beam(&self, text: &mut String) {
-        let _ = writeln!(text, "*ELEMENT, TYPE=B21, ELSET=BEAM");
+        let _ = writeln!(text, "*ELEMENT, TYPE={:?}, ELSET=BEAM", self.beam);
+        let step = self.nodes_a_beam();
         for k in 0..self.elements {
-            let ends = [self.beam_label(k), self.beam_label(k + 1)];
-            let _ = writeln!(text, "{}, {}, {}", 100_001 + k, ends[0], ends[1]);
+            let nodes = (0..=step).map(|n| self.beam_label(step * k + n).to_string());
+            let nodes: Vec<String> = nodes.collect();
+            let _ = writeln!(text, "{}, {}", 100_001 + k, nodes.join(", "));
         }
         let _ = writeln!(
             text,

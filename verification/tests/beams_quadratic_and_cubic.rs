@@ -1,10 +1,28 @@
-//! B22 and B23 through the whole program: linear cantilever, roll-up, curved
-//! beam, a contact deck; orders of convergence.
-//!
-//! Requirements and sources beside each test (verification section 5).
+//! B22 and B23 through the whole program: linear cantilever, roll-up.
 
 use slideline_theory::closed::timoshenko::ShearBeam;
-use slideline_verification::run;
+use slideline_verification::{Claim, Group, Record, run, worst};
+
+pub const GROUP: Group = Group {
+    file: "beams_quadratic_and_cubic",
+    claims: &[
+        Claim {
+            name: "linear_cantilever_is_exact",
+            requirement: "Under a load at the tip B22 gives Timoshenko's beam, B23 Bernoulli's, at \
+                          any number of elements.",
+            source: "Closed forms PL3/3EI + PL/kGA and PL3/3EI.",
+            tolerance: "1e-9: an identity, up to rounding.",
+            measure: linear_cantilever_is_exact,
+        },
+        Claim {
+            name: "rolled_up_cantilever_closes",
+            requirement: "Ten B23 under an end moment q EI/L lie on the circle, closed at q = 2 pi.",
+            source: "Simo and Vu-Quoc (1986).",
+            tolerance: "1e-8 of the length (1e-6 of 100): what the force tolerance leaves.",
+            measure: rolled_up_cantilever_closes,
+        },
+    ],
+};
 
 const LOAD: f64 = 0.01;
 
@@ -23,29 +41,21 @@ fn cantilever(kind: &str, elements: usize) -> f64 {
     run(&deck).unwrap().displacement(tip as u64, 2)[0]
 }
 
-/// Requirement: B22 gives Timoshenko's beam, B23 Bernoulli's, at any number of
-/// elements. Tolerance 1e-9: an identity, up to rounding.
-#[test]
-fn linear_cantilever_is_exact() {
+fn linear_cantilever_is_exact(record: &mut Record) {
     let bending = 6.9e9 * 25e-3 * 1.5e-3f64.powi(3) / 12.0;
     let shear = 0.85 * 6.9e9 / 2.6 * 25e-3 * 1.5e-3;
     let flexible = ShearBeam { length: 50e-3, bending_stiffness: bending, shear_stiffness: shear };
     let rigid = LOAD * 50e-3f64.powi(3) / (3.0 * bending);
-    for n in [1, 4, 12] {
-        for (kind, exact) in [("B22", flexible.deflection(LOAD)), ("B23", rigid)] {
-            let found = cantilever(kind, n);
-            assert!((found / exact - 1.0).abs() < 1e-9, "{kind} {n}: {found} {exact}");
-        }
+    for (kind, exact) in [("B22", flexible.deflection(LOAD)), ("B23", rigid)] {
+        let off = [1, 4, 12].map(|n| (cantilever(kind, n) / exact - 1.0).abs());
+        record.at_most(format!("{kind}, 1, 4, 12 elements, largest error"), worst(off), 1e-9);
     }
 }
 
-/// Requirement: ten B23 under M = q EI/L lie on the circle, closed at q = 2 pi
-/// (Simo and Vu-Quoc). Tolerance 1e-8 L: what the force tolerance leaves.
-#[test]
-fn rolled_up_cantilever_closes() {
-    let text = include_str!("../../corpus/keywords/element_b23.inp");
-    let curve = run(text).unwrap();
+fn rolled_up_cantilever_closes(record: &mut Record) {
+    let curve = run(include_str!("../../corpus/keywords/element_b23.inp")).unwrap();
     let last = |dof| *curve.displacement(11, dof).last().unwrap();
-    assert!((last(1) + 100.0).abs() < 1e-6 && last(2).abs() < 1e-6);
-    assert!((last(6) - std::f64::consts::TAU).abs() < 1e-8);
+    record.at_most("distance of the tip from the clamp", (last(1) + 100.0).hypot(last(2)), 1e-6);
+    let turn = (last(6) - std::f64::consts::TAU).abs();
+    record.at_most("rotation of the tip less 2 pi", turn, 1e-8);
 }

@@ -1,13 +1,20 @@
 //! Williams' toggle, its apex brought down by displacement.
-//!
-//! Requirement: the load through both limit points. Source: Williams (1964);
-//! the exact extensible beam of verification section 5. Tolerance 0.1 %: a
-//! clamped and guided one-point beam lacks 1/n2 of its bending flexibility,
-//! 0.016 % with 80 elements a side (0.06 % with 40, which the fall between the
-//! limit points doubles).
 
 use slideline_theory::closed::toggle::Toggle;
-use slideline_verification::{Curve, run};
+use slideline_verification::{Claim, Curve, Group, Record, run};
+
+pub const GROUP: Group = Group {
+    file: "beams_williams_toggle",
+    claims: &[Claim {
+        name: "load_and_limit_points",
+        requirement: "The load of the toggle through both of its limit points.",
+        source: "Williams (1964); the exact extensible beam (derived).",
+        tolerance: "0.1 %: a clamped and guided one-point beam lacks 1/n2 of its bending \
+                    flexibility, 0.016 % with 80 elements a side, which the fall between the limit \
+                    points doubles.",
+        measure: load_and_limit_points,
+    }],
+};
 
 const STEPS: usize = 140;
 
@@ -43,21 +50,25 @@ fn path() -> (Curve, Vec<f64>, Vec<f64>) {
     (curve, v, load)
 }
 
-#[test]
-fn load_and_limit_points() {
+fn load_and_limit_points(record: &mut Record) {
     let toggle = Toggle::williams();
     let (curve, v, load) = path();
-    assert_eq!(curve.rows.len(), STEPS, "no cutback");
+    record.equal("increments, without a cutback", curve.rows.len(), STEPS);
     for at in [0.1, 0.5, 0.7] {
         let k = v.iter().position(|u| (u - at).abs() < 1e-9).unwrap();
-        let exact = toggle.load(at).unwrap();
-        assert!((load[k] / exact - 1.0).abs() < 1e-3, "v {at}: {} {exact}", load[k]);
+        let off = (load[k] / toggle.load(at).unwrap() - 1.0).abs();
+        record.at_most(format!("load at v = {at}, error (%)"), 100.0 * off, 0.1);
     }
-    for (range, sign, from, to) in [(20..70, 1.0, 0.15, 0.3), (60..100, -1.0, 0.3, 0.5)] {
+    for (name, range, sign, from, to) in
+        [("upper", 20..70, 1.0, 0.15, 0.3), ("lower", 60..100, -1.0, 0.3, 0.5)]
+    {
         let (at, found) = extreme(&v, &load, range, sign);
         let (exact_at, exact) = toggle.limit(from, to).unwrap();
-        println!("toggle: limit {found:.6} at {at:.6}, exact {exact:.6} at {exact_at:.6}");
-        assert!((found / exact - 1.0).abs() < 1e-3, "{found} {exact}");
-        assert!((at - exact_at).abs() < 1e-3, "{at} {exact_at}");
+        let off = 100.0 * (found / exact - 1.0).abs();
+        record.at_most(format!("{name} limit load, error (%)"), off, 0.1);
+        record.at_most(format!("{name} limit point, error of v"), (at - exact_at).abs(), 1e-3);
     }
+    let exact: Vec<f64> = v.iter().map(|&v| toggle.load(v).unwrap_or(f64::NAN)).collect();
+    let axes = ["deflection of the apex", "load"];
+    record.comparison("Williams' toggle", axes, &v, &[("80 B21 a side", &load)], ("exact", &exact));
 }

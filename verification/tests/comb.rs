@@ -6,12 +6,55 @@
 //!     .--.                   crest 20 um above the tips
 //!    (    )  -> 10 mm an increment
 //! ```
-//!
-//! Requirement and numbers: verification section 4. Tolerance 1e-9: every
-//! column is a linear spring, nothing is discretised.
 
+use slideline::output::plot::{Axis, Mark, Series};
 use slideline_theory::{ExponentialLaw, closed::comb};
-use slideline_verification::{Curve, run};
+use slideline_verification::{Claim, Curve, Group, Record, largest_difference, run, worst};
+
+const SOURCE: &str = "Linear springs against hard contact or the exponential law; the table of \
+                      friction onset (derived).";
+const EXACT: &str = "1e-9 of the normal force: every column is a linear spring, nothing is \
+                     discretised.";
+
+pub const GROUP: Group = Group {
+    file: "comb",
+    claims: &[
+        Claim {
+            name: "first_contacts_in_every_increment",
+            requirement: "Every increment ends exactly under a new tip, so that every contact is a \
+                          first contact: mu N under IMMEDIATE, no friction under DELAYED and \
+                          MATFRU, for hard and softened contact, inner and end tips.",
+            source: SOURCE,
+            tolerance: EXACT,
+            measure: first_contacts_in_every_increment,
+        },
+        Claim {
+            name: "reversed_motion",
+            requirement: "Reversed motion flips the sign of friction exactly.",
+            source: SOURCE,
+            tolerance: EXACT,
+            measure: reversed_motion,
+        },
+        Claim {
+            name: "half_pitch",
+            requirement: "With half the pitch every second increment is open, and a tip is never \
+                          closed twice running: no friction but under IMMEDIATE, none in the open \
+                          increments.",
+            source: SOURCE,
+            tolerance: EXACT,
+            measure: half_pitch,
+        },
+        Claim {
+            name: "flat_drag",
+            requirement: "A plane in contact from the first increment on: five times mu N under \
+                          IMMEDIATE, nothing and then four times mu N under DELAYED and MATFRU, \
+                          nothing once it is lifted off.",
+            source: SOURCE,
+            tolerance: EXACT,
+            measure: flat_drag,
+        },
+    ],
+};
 
 const STIFFNESS: f64 = 1e6;
 const RISE: f64 = 2e-5;
@@ -98,72 +141,73 @@ fn normal_force(softened: bool, end: bool) -> f64 {
     }
 }
 
-fn close(found: f64, exact: f64, scale: f64, what: &str) {
-    assert!((found - exact).abs() <= TOLERANCE * scale, "{what}: {found:?}, exact {exact:?}");
+/// Largest difference of both forces [of the normal force].
+fn off(curve: &Curve, [side, up]: [&[f64]; 2], scale: f64) -> f64 {
+    let [fx, fy] = [1, 2].map(|dof| curve.reaction(999, dof));
+    worst([largest_difference(&fx, side), largest_difference(&fy, up)]) / scale
 }
 
-/// Every increment ends exactly under a new tip, so every contact is a first
-/// contact: the decisive case for the onset.
-#[test]
-fn first_contacts_in_every_increment() {
+fn law(softened: bool) -> &'static str {
+    if softened { "softened" } else { "hard" }
+}
+
+fn first_contacts_in_every_increment(record: &mut Record) {
+    let mut drags = Vec::new();
     for softened in [false, true] {
+        let up: Vec<f64> = (0..6).map(|k| normal_force(softened, k == 0 || k == 5)).collect();
         for stick in ["", ", LAGRANGE"] {
             for (onset, mu) in
                 [("IMMEDIATE", 0.3), ("DELAYED", 0.3), ("MATFRU", 0.3), ("IMMEDIATE", 0.0)]
             {
-                let comb = Comb { softened, onset, mu, stick, ..FORWARD };
-                let curve = comb.run();
-                let (side, up) = (curve.reaction(999, 1), curve.reaction(999, 2));
-                assert_eq!(up.len(), 6);
-                for k in 0..6 {
-                    let normal = normal_force(softened, k == 0 || k == 5);
-                    let drag = if onset == "IMMEDIATE" { mu * normal } else { 0.0 };
-                    let what = format!("softened {softened}{stick} {onset} mu {mu} tip {k}");
-                    close(up[k], normal, normal, &what);
-                    close(side[k], drag, normal, &what);
+                let curve = Comb { softened, onset, mu, stick, ..FORWARD }.run();
+                let called = onset == "IMMEDIATE";
+                let side: Vec<f64> =
+                    up.iter().map(|normal| if called { mu * normal } else { 0.0 }).collect();
+                let what = format!("{}{stick}, {onset}, mu {mu}", law(softened));
+                record.at_most(what, off(&curve, [&side, &up], up[0]), TOLERANCE);
+                if stick.is_empty() && mu > 0.0 {
+                    drags.push(drag(&format!("{}, {onset}", law(softened)), &curve));
                 }
             }
         }
     }
+    let (x, y) = (Axis::linear("increment"), Axis::linear("RF1 (N)"));
+    record.chart("Friction of first contacts", x, y, drags);
 }
 
-/// Requirement: reversed motion flips the sign of friction exactly.
-#[test]
-fn reversed_motion() {
+fn drag(name: &str, curve: &Curve) -> Series {
+    let points = (1..).zip(curve.reaction(999, 1)).map(|(k, force)| [f64::from(k), force]);
+    Series { name: name.to_owned(), points: points.collect(), mark: Mark::Discs, colour: 0 }
+}
+
+fn reversed_motion(record: &mut Record) {
     for softened in [false, true] {
         let there = Comb { softened, ..FORWARD }.run().reaction(999, 1);
         let back = Comb { softened, start: 0.06, way: -0.06, ..FORWARD }.run().reaction(999, 1);
-        for k in 0..6 {
-            close(back[5 - k], -there[k], there[k].abs(), "reversed");
-        }
+        let turned: Vec<f64> = back.iter().rev().map(|force| -force).collect();
+        let off = largest_difference(&there, &turned) / there[0];
+        record.at_most(format!("{}, forward against backward", law(softened)), off, TOLERANCE);
     }
 }
 
-/// Requirement: with half the pitch every second increment is open, and a tip
-/// is never closed twice running: no friction but under IMMEDIATE.
-#[test]
-fn half_pitch() {
+fn half_pitch(record: &mut Record) {
+    let up: Vec<f64> = (0..12).map(|k| if k % 2 == 1 { 20.0 } else { 0.0 }).collect();
     for onset in ["IMMEDIATE", "DELAYED", "MATFRU"] {
         let curve = Comb { increments: 12, onset, ..FORWARD }.run();
-        let (side, up) = (curve.reaction(999, 1), curve.reaction(999, 2));
-        for k in 0..12 {
-            let normal = if k % 2 == 1 { 20.0 } else { 0.0 };
-            let drag = if onset == "IMMEDIATE" { 0.3 * normal } else { 0.0 };
-            close(up[k], normal, 20.0, &format!("{onset} increment {}", k + 1));
-            close(side[k], drag, 20.0, &format!("{onset} increment {}", k + 1));
-        }
+        let mu = if onset == "IMMEDIATE" { 0.3 } else { 0.0 };
+        let side: Vec<f64> = up.iter().map(|normal| mu * normal).collect();
+        record.at_most(onset, off(&curve, [&side, &up], 20.0), TOLERANCE);
     }
 }
 
-/// Requirement: a plane in contact from the first increment on: five times
-/// mu N under IMMEDIATE, nothing and then four times mu N under the other two,
-/// nothing once it is lifted off.
-#[test]
-fn flat_drag() {
+fn flat_drag(record: &mut Record) {
+    let mut drags = Vec::new();
     for softened in [false, true] {
+        let normal = 4.0 * normal_force(softened, false) + 2.0 * normal_force(softened, true);
+        let up: Vec<f64> = (0..6).map(|k| if k < 5 { normal } else { 0.0 }).collect();
         for stick in ["", ", LAGRANGE"] {
             for onset in ["IMMEDIATE", "DELAYED", "MATFRU"] {
-                let curve = Comb {
+                let comb = Comb {
                     circle: false,
                     softened,
                     stick,
@@ -173,20 +217,19 @@ fn flat_drag() {
                     way: 5e-3,
                     lift: true,
                     ..FORWARD
-                }
-                .run();
-                let normal =
-                    4.0 * normal_force(softened, false) + 2.0 * normal_force(softened, true);
-                let (side, up) = (curve.reaction(999, 1), curve.reaction(999, 2));
-                for k in 0..6 {
-                    let in_contact = if k < 5 { normal } else { 0.0 };
-                    let called = k > 0 || onset == "IMMEDIATE";
-                    let drag = if called { 0.3 * in_contact } else { 0.0 };
-                    let what = format!("softened {softened}{stick} {onset} increment {}", k + 1);
-                    close(up[k], in_contact, normal, &what);
-                    close(side[k], drag, normal, &what);
+                };
+                let curve = comb.run();
+                let called = |k: usize| k > 0 || onset == "IMMEDIATE";
+                let side: Vec<f64> =
+                    (0..6).map(|k| if called(k) { 0.3 * up[k] } else { 0.0 }).collect();
+                let what = format!("{}{stick}, {onset}", law(softened));
+                record.at_most(what, off(&curve, [&side, &up], normal), TOLERANCE);
+                if stick.is_empty() {
+                    drags.push(drag(&format!("{}, {onset}", law(softened)), &curve));
                 }
             }
         }
     }
+    let (x, y) = (Axis::linear("increment, the last lifts off"), Axis::linear("RF1 (N)"));
+    record.chart("Drag of a plane", x, y, drags);
 }

@@ -5,14 +5,49 @@
 //!        v __--
 //!   F ->[-]      tan a = 0.1
 //! ```
-//!
-//! Requirement: NAFEMS CGS-4, F/G = (tan a + mu)/(1 - mu tan a) upwards and
-//! (mu - tan a)/(1 + mu tan a) against it downwards; on a frictionless
-//! parabola F/G is its slope. Source: verification section 6. Gate there
-//! 0.1 %; statics of a point is exact, so 1e-9 here.
 
+use slideline::output::plot::Axis;
 use slideline_theory::closed::incline;
-use slideline_verification::run;
+use slideline_verification::{Claim, Group, Record, run, series, worst};
+
+const STATICS: &str = "NAFEMS CGS-4 asks 0.1 %; the statics of a point is exact, so that 1e-9 is \
+                       asked here.";
+
+pub const GROUP: Group = Group {
+    file: "incline",
+    claims: &[
+        Claim {
+            name: "nafems_cgs_4",
+            requirement: "F/G = (tan a + mu)/(1 - mu tan a) upwards and (mu - tan a)/(1 + mu tan \
+                          a) against it downwards, for mu 0, 0.1, 0.3.",
+            source: "NAFEMS CGS-4 (R0081).",
+            tolerance: STATICS,
+            measure: nafems_cgs_4,
+        },
+        Claim {
+            name: "parabola_pushes_along_its_slope",
+            requirement: "On a frictionless parabola F/G is its slope.",
+            source: "Statics of a point (derived).",
+            tolerance: "1e-9 for the height, 1e-8 for the force.",
+            measure: parabola_pushes_along_its_slope,
+        },
+        Claim {
+            name: "parabola_pushes_a_point_without_elements",
+            requirement: "The same where the point belongs to no element but the contact's.",
+            source: "Statics of a point (derived).",
+            tolerance: "1e-9 for the height, 1e-8 for the force.",
+            measure: parabola_pushes_a_point_without_elements,
+        },
+        Claim {
+            name: "block_held_by_contact_alone",
+            requirement: "A block on two rigidly linked points that touch from the start may be \
+                          held by contact alone, hard or softened; CGS-4 once more.",
+            source: "NAFEMS CGS-4 (R0081).",
+            tolerance: "1e-5: the default residual tolerance.",
+            measure: block_held_by_contact_alone,
+        },
+    ],
+};
 
 /// Springs of 1 to ground, up and to the side, so that the point has a
 /// stiffness of its own; what they carry is taken off the balance.
@@ -60,56 +95,55 @@ fn forces(deck: &str, start: [f64; 2], spring: f64) -> Vec<[f64; 5]> {
 const SLOPE: &str = "START, -1.0, -0.1\nLINE, 2.0, 0.2";
 const SOFTENED: &str = "*SURFACE CONTACT, SOFTENED\n0.01, 5.0\n";
 
-#[test]
-fn nafems_cgs_4() {
+fn nafems_cgs_4(record: &mut Record) {
     for stick in [", ELASTIC SLIP=1.0E-4", ", LAGRANGE"] {
-        for law in ["", SOFTENED] {
+        for (name, law) in [("hard", ""), ("softened", SOFTENED)] {
             for mu in [0.0, 0.1, 0.3] {
                 let laws = format!("*FRICTION{stick}\n{mu:?}\n{law}");
                 let rows = forces(&deck([0.0; 2], SLOPE, &laws, SPRINGS), [0.0; 2], 1.0);
                 let (up, down) = (incline::raising(0.1, mu).unwrap(), -incline::lowering(0.1, mu));
-                let mut worst: f64 = 0.0;
-                for [time, _, _, force, weight] in rows {
-                    let exact = if time < 1.0 + 1e-9 { up } else { down };
-                    worst = worst.max((force / weight - exact).abs());
-                    assert!(
-                        (force / weight - exact).abs() < 1e-9,
-                        "mu {mu}{stick} {law} {time}: {} {exact}",
-                        force / weight
-                    );
+                let exact = |time: f64| if time < 1.0 + 1e-9 { up } else { down };
+                let off = rows
+                    .iter()
+                    .map(|[time, _, _, force, weight]| (force / weight - exact(*time)).abs());
+                record.at_most(
+                    format!("{name}{stick}, mu {mu}: F/G, largest error"),
+                    worst(off),
+                    1e-9,
+                );
+                if stick == ", LAGRANGE" && law.is_empty() && mu == 0.3 {
+                    let of = |k: usize| rows.iter().map(|row| row[k]).collect::<Vec<f64>>();
+                    let ratio: Vec<f64> = rows.iter().map(|row| row[3] / row[4]).collect();
+                    let curves = vec![series(&of(0), ("slideline", &ratio))];
+                    let (x, y) = (Axis::linear("time"), Axis::linear("F/G"));
+                    record.chart("Up the slope, then down, mu 0.3", x, y, curves);
                 }
-                println!("incline mu {mu}{stick}: {up:.9} up {down:.9} down to {worst:.1e}");
             }
         }
     }
 }
 
 /// y = x2 from -1 to 1.
-fn parabola(springs: &str, spring: f64) {
+fn parabola(record: &mut Record, springs: &str, spring: f64) {
     let start = [-0.5, 0.25];
     let text = deck(start, "START, -1.0, 1.0\nPARAB, 0.0, 0.0, 1.0, 1.0", "", springs);
-    for [_, x, y, force, weight] in forces(&text, start, spring) {
-        assert!((y - x * x).abs() < 1e-9, "on the parabola: {x} {y}");
-        assert!((force - 2.0 * x * weight).abs() < 1e-8, "{x}: {force} {}", 2.0 * x * weight);
-    }
+    let rows = forces(&text, start, spring);
+    let height = worst(rows.iter().map(|[_, x, y, ..]| (y - x * x).abs()));
+    record.at_most("height above the parabola, largest", height, 1e-9);
+    let force = rows.iter().map(|[_, x, _, force, weight]| (force - 2.0 * x * weight).abs());
+    record.at_most("force less slope times weight, largest", worst(force), 1e-8);
 }
 
-#[test]
-fn parabola_pushes_along_its_slope() {
-    parabola(SPRINGS, 1.0);
+fn parabola_pushes_along_its_slope(record: &mut Record) {
+    parabola(record, SPRINGS, 1.0);
 }
 
-/// Requirement: as before; the point belongs to no element but the contact's.
-#[test]
-fn parabola_pushes_a_point_without_elements() {
-    parabola("", 0.0);
+fn parabola_pushes_a_point_without_elements(record: &mut Record) {
+    parabola(record, "", 0.0);
 }
 
-/// Requirement: a block on two rigidly linked points that touch from the start
-/// may be held by contact alone, hard or softened; CGS-4 once more.
-#[test]
-fn block_held_by_contact_alone() {
-    for law in ["", SOFTENED] {
+fn block_held_by_contact_alone(record: &mut Record) {
+    for (name, law) in [("hard", ""), ("softened", SOFTENED)] {
         let text = format!(
             "*HEADING\nblock\n*NODE\n1, -0.5, -0.05\n2, 0.5, 0.05\n9, 0.0, 0.0\n99, 0.0, -1.0\n\
              *MPC\nBEAM, 1, 9\nBEAM, 2, 9\n\
@@ -121,7 +155,6 @@ fn block_held_by_contact_alone() {
         let curve = run(&text).unwrap();
         let ratio = curve.reaction(9, 1).last().unwrap() / 5.0;
         let exact = incline::raising(0.1, 0.3).unwrap();
-        // default residual tolerance
-        assert!((ratio - exact).abs() < 1e-5, "{law} {ratio} {exact}");
+        record.at_most(format!("{name}: F/G, error at the end"), (ratio - exact).abs(), 1e-5);
     }
 }

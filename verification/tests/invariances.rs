@@ -1,15 +1,42 @@
 //! The same problem told in another way, over random problems.
 //!
-//! Requirement: units, place, mirror image, numbers of nodes, order of cards
-//! and number of threads change nothing but rounding. Source: verification
-//! section 7. Tolerance: residuals are held at 1e-12, decimal coordinates and
-//! unit factors round at 1e-16 and an equilibrium multiplies that by its
-//! condition; 1e-9 of the peak force (found: 3.5e-12). Order of cards and threads: every bit.
 //! The problems are drawn by a generator with a fixed seed, so that a failure
 //! comes again.
 
-use slideline_verification::{Curve, run, run_on};
-use slideline_verification::{Method, Placement, Push, Units, largest, largest_difference};
+use slideline_verification::{
+    Claim, Curve, Group, Method, Placement, Push, Record, Units, largest, largest_difference, run,
+    run_on, worst,
+};
+
+pub const GROUP: Group = Group {
+    file: "invariances",
+    claims: &[
+        Claim {
+            name: "random_problems_in_other_words",
+            requirement: "Units (m-N, mm-N, inch-lbf), place, mirror image and numbers of nodes \
+                          change nothing but rounding, over twelve random problems.",
+            source: "Mechanics has no units, no origin, no numbers of nodes.",
+            tolerance: "1e-9 of the peak force: residuals are held at 1e-12, decimal coordinates \
+                        and unit factors round at 1e-16, and an equilibrium multiplies that by its \
+                        condition.",
+            measure: random_problems_in_other_words,
+        },
+        Claim {
+            name: "order_of_cards",
+            requirement: "Model cards may stand in any order, over six random problems.",
+            source: "The manual's rules on the order of keywords.",
+            tolerance: "None: bits.",
+            measure: order_of_cards,
+        },
+        Claim {
+            name: "random_problems_on_two_threads",
+            requirement: "Two threads give the bits of one, over two random problems of 2100 beams.",
+            source: "Sums are taken in a fixed order.",
+            tolerance: "None: bits.",
+            measure: random_problems_on_two_threads,
+        },
+    ],
+};
 
 const TOLERANCE: f64 = 1e-9;
 
@@ -46,40 +73,42 @@ fn forces(curve: &Curve) -> [Vec<f64>; 2] {
     [1, 2].map(|dof| curve.reaction(Push::CIRCLE, dof))
 }
 
-/// m-N against mm-N and inch-lbf, here and elsewhere, under other numbers.
-#[test]
-fn random_problems_in_other_words() {
+/// Largest difference of the forces of `other` from `expected` [of `peak`].
+fn off(other: &Push, expected: &[Vec<f64>; 2], peak: f64) -> f64 {
+    let found = forces(&run(&other.deck()).unwrap());
+    worst(found.iter().zip(expected).map(|(found, expected)| {
+        let found: Vec<f64> = found.iter().map(|force| force / other.units.force).collect();
+        largest_difference(&found, expected) / peak
+    }))
+}
+
+fn random_problems_in_other_words(record: &mut Record) {
     let mut draw = Draw(2);
     let inch_pound = Units { length: 1.0 / 0.0254, force: 1.0 / 4.448_221_615_260_5 };
     let millimetre = Units { length: 1e3, force: 1.0 };
-    let mut largest_off = 0.0_f64;
+    let mut found = [const { Vec::new() }; 4];
     for _ in 0..12 {
         let push = draw.problem();
-        let [fx, fy] = forces(&run(&push.deck()).unwrap());
-        let peak = largest(&fx, &fy);
+        let same = forces(&run(&push.deck()).unwrap());
+        let [fx, fy] = &same;
+        let peak = largest(fx, fy);
         let placement = Placement {
             angle: 6.0 * draw.number() - 3.0,
             shift: [0.2 * draw.number() - 0.1, 0.2 * draw.number() - 0.1],
             mirror: draw.number() < 0.5,
         };
         let turned: Vec<[f64; 2]> =
-            fx.iter().zip(&fy).map(|(&x, &y)| placement.vector([x, y])).collect();
-        for (other, expected) in [
-            (Push { units: millimetre, ..push }, [fx.clone(), fy.clone()]),
-            (Push { units: inch_pound, ..push }, [fx.clone(), fy.clone()]),
-            (Push { renumbered: true, ..push }, [fx.clone(), fy.clone()]),
-            (Push { placement, ..push }, [0, 1].map(|k| turned.iter().map(|v| v[k]).collect())),
-        ] {
-            let found = forces(&run(&other.deck()).unwrap());
-            for (found, expected) in found.iter().zip(&expected) {
-                let found: Vec<f64> = found.iter().map(|f| f / other.units.force).collect();
-                let off = largest_difference(&found, expected) / peak;
-                largest_off = largest_off.max(off);
-                assert!(off < TOLERANCE, "{off:e}: {other:?}");
-            }
-        }
+            fx.iter().zip(fy).map(|(&x, &y)| placement.vector([x, y])).collect();
+        let turned = [0, 1].map(|k| turned.iter().map(|v| v[k]).collect());
+        found[0].push(off(&Push { units: millimetre, ..push }, &same, peak));
+        found[1].push(off(&Push { units: inch_pound, ..push }, &same, peak));
+        found[2].push(off(&Push { renumbered: true, ..push }, &same, peak));
+        found[3].push(off(&Push { placement, ..push }, &turned, peak));
     }
-    println!("largest difference: {largest_off:.1e} of the peak");
+    let names = ["mm-N", "inch-lbf", "other numbers", "elsewhere, turned, mirrored"];
+    for (name, off) in names.iter().zip(found) {
+        record.at_most(format!("{name}, largest difference (of peak)"), worst(off), TOLERANCE);
+    }
 }
 
 /// Cards of the model part, cut before each keyword that may begin anywhere.
@@ -117,13 +146,11 @@ fn bits(curve: &Curve) -> Vec<u64> {
         .collect()
 }
 
-/// Model cards may stand in any order.
-#[test]
-fn order_of_cards() {
+fn order_of_cards(record: &mut Record) {
     let mut draw = Draw(5);
+    let mut same = 0;
     for _ in 0..6 {
-        let push = draw.problem();
-        let deck = push.deck();
+        let deck = draw.problem().deck();
         let expected = bits(&run(&deck).unwrap());
         let (head, mut blocks, step) = blocks(&deck);
         for place in (1..blocks.len()).rev() {
@@ -132,18 +159,18 @@ fn order_of_cards() {
         }
         let shuffled = format!("{head}{}{step}", blocks.concat());
         assert_ne!(shuffled, deck);
-        assert!(bits(&run(&shuffled).unwrap()) == expected, "{push:?}\n{shuffled}");
+        same += usize::from(bits(&run(&shuffled).unwrap()) == expected);
     }
+    record.equal("problems with the same bits", same, 6);
 }
 
-/// Two threads give the bits of one, whatever the problem.
-#[test]
-fn random_problems_on_two_threads() {
+fn random_problems_on_two_threads(record: &mut Record) {
     let mut draw = Draw(9);
+    let mut same = 0;
     for _ in 0..2 {
         let push = Push { elements: 2100, increments: 4, ..draw.problem() };
-        let push = Push { tolerance: None, ..push };
-        let deck = push.deck();
-        assert!(bits(&run_on(&deck, 1).unwrap()) == bits(&run_on(&deck, 2).unwrap()), "{push:?}");
+        let deck = Push { tolerance: None, ..push }.deck();
+        same += usize::from(bits(&run_on(&deck, 1).unwrap()) == bits(&run_on(&deck, 2).unwrap()));
     }
+    record.equal("problems with the same bits", same, 2);
 }

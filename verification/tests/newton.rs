@@ -1,11 +1,41 @@
 //! Newton's order, and how many iterations the paper's decks take.
-//!
-//! Source: verification section 7. Order: with the active set fixed the
-//! residual falls as the square of the one before. Iterations: <= 8 on
-//! average, no cutback, 20 increments.
 
 use slideline::observe::IterationReport;
-use slideline_verification::{Curve, Method, Push, paper, run};
+use slideline::output::plot::{Axis, Mark, Series};
+use slideline_verification::{Claim, Curve, Group, Method, Push, Record, paper, run, worst};
+
+pub const GROUP: Group = Group {
+    file: "newton",
+    claims: &[
+        Claim {
+            name: "beams_are_quadratic_to_the_floor",
+            requirement: "With the active set fixed the residual falls as the square of the one \
+                          before, down to the floor of rounding: mean order 1.8, r' q/r2 bounded.",
+            source: "Newton's method with an exact tangent.",
+            tolerance: "r' q/r2 below 100 for every pair down to the floor; a rate of convergence \
+                        would make it 1e6 and more there.",
+            measure: beams_are_quadratic_to_the_floor,
+        },
+        Claim {
+            name: "contact_is_quadratic_to_the_floor",
+            requirement: "With contact r'/r2 is bounded over the whole stroke, the residual at the \
+                          floor included: only two residuals as a rule lie between the first and \
+                          the floor.",
+            source: "Newton's method with an exact tangent.",
+            tolerance: "100 per newton: with a tangent that is wrong by one part in a thousand it \
+                        would be 1e-3/r, a thousand times as much when the floor of 1e-9 N is near.",
+            measure: contact_is_quadratic_to_the_floor,
+        },
+        Claim {
+            name: "few_iterations_and_no_cutback",
+            requirement: "The paper's decks in 20 increments: at most 8 iterations an increment \
+                          on average, no cutback.",
+            source: "Plain Newton needs 20 to 30 here.",
+            tolerance: "None: counts.",
+            measure: few_iterations_and_no_cutback,
+        },
+    ],
+};
 
 /// Residuals of every increment from the last change of contact on, down to
 /// the first at the floor of rounding.
@@ -47,67 +77,59 @@ fn dead_load(increments: usize) -> String {
     )
 }
 
-/// Tolerance: the mean order >= 1.8, and r' q/r2 below 100 for every pair down
-/// to the floor; a rate of convergence would make it 1e6 and more there.
-#[test]
-fn beams_are_quadratic_to_the_floor() {
+fn beams_are_quadratic_to_the_floor(record: &mut Record) {
+    let mut series = Vec::new();
     for increments in [1, 2, 3] {
         let curve = run(&dead_load(increments)).unwrap();
         let orders = orders(&curve, 5.0);
-        println!("order, beam, {increments} increments: {orders:.2?}");
-        assert!(!orders.is_empty(), "nothing to measure");
+        let what = |what: &str| format!("{increments} increments: {what}");
+        record.at_least(what("pairs of residuals"), orders.len() as f64, 1.0);
         let mean = orders.iter().map(|[order, _]| order).sum::<f64>() / orders.len() as f64;
-        assert!(mean >= 1.8, "{orders:?}");
-        assert!(orders.iter().all(|[_, constant]| *constant < 100.0), "{orders:?}");
+        record.at_least(what("mean order"), mean, 1.8);
+        record.at_most(what("r' q/r2, largest"), worst(orders.iter().map(|o| o[1])), 100.0);
+        let fall = falls(&curve).pop().unwrap_or_default();
+        let points = (1..).zip(fall).map(|(k, r)| [f64::from(k), r]).collect();
+        let name = format!("last of {increments} increments");
+        series.push(Series { name, points, mark: Mark::Curve, colour: 0 });
     }
+    let (x, y) = (Axis::linear("iteration"), Axis::logarithmic("largest residual"));
+    record.chart("Residuals of a cantilever under a dead load", x, y, series);
 }
 
-/// With contact only two residuals as a rule lie between the first and the
-/// floor, so that r_{i+1}/r_i2 is looked at, the residual at the floor
-/// included: bounded by 100 per newton over the whole stroke. With a tangent
-/// that is wrong by one part in a thousand it would be 1e-3/r_i, a thousand
-/// times as much when the floor of 1e-9 N is near.
-#[test]
-fn contact_is_quadratic_to_the_floor() {
+fn contact_is_quadratic_to_the_floor(record: &mut Record) {
     for method in [Method::Irs, Method::Isl] {
         for mu in [0.0, 0.3] {
             let push = Push { mu, tolerance: Some(1e-13), ..Push::paper(method) };
             let deck = push.deck().replace("*STEP, NLGEOM", "*STEP, NLGEOM, EXTRAPOLATION=NO");
-            let curve = run(&deck).unwrap();
-            let falls = falls(&curve);
-            let ratios: Vec<f64> = falls
-                .iter()
-                .flat_map(|fall| fall.windows(2).map(|r| r[1] / (r[0] * r[0])))
-                .collect();
-            let worst = ratios.iter().copied().fold(0.0, f64::max);
+            let falls = falls(&run(&deck).unwrap());
+            let pairs = falls.iter().flat_map(|fall| fall.windows(2));
+            let ratio = worst(pairs.map(|r| r[1] / (r[0] * r[0])));
             let longest = falls.iter().map(Vec::len).max().unwrap();
-            println!(
-                "Newton {method:?} mu {mu}: r2/r1^2 <= {worst:.2e} 1/N, {longest} residuals above the floor"
-            );
-            assert!(longest >= 2, "{falls:?}");
-            assert!(worst < 100.0, "{falls:?}");
+            let what = |what: &str| format!("{method:?}, mu {mu}: {what}");
+            record.at_least(what("residuals above the floor, most"), longest as f64, 2.0);
+            record.at_most(what("r'/r2, largest (1/N)"), ratio, 100.0);
         }
     }
 }
 
-#[test]
-fn few_iterations_and_no_cutback() {
+fn few_iterations_and_no_cutback(record: &mut Record) {
     for (name, deck) in [
-        ("IRS coarse", paper::IRS_COARSE),
-        ("IRS fine", paper::IRS_FINE),
-        ("ISL coarse", paper::ISL_COARSE),
+        ("IRS, 24 B21", paper::IRS_COARSE),
+        ("IRS, 99 B21", paper::IRS_FINE),
+        ("ISL, 24 B21", paper::ISL_COARSE),
+        ("integrated, 24 B21", paper::SURFACE_COARSE),
     ] {
         for mu in ["0.0", "0.3"] {
             let deck = deck.replace("*FRICTION\n0.0", &format!("*FRICTION\n{mu}"));
+            assert!(deck.contains(&format!("*FRICTION\n{mu}")));
             let curve = run(&deck).unwrap();
-            println!(
-                "{name}, mu {mu}: {:.2} iterations, {} cutbacks",
-                curve.mean_iterations(),
-                curve.totals.cutbacks
-            );
-            assert_eq!(curve.totals.cutbacks, 0, "{name} mu {mu}");
-            assert_eq!(curve.rows.len(), 20, "{name} mu {mu}");
-            assert!(curve.mean_iterations() <= 8.0, "{name}: {}", curve.mean_iterations());
+            let what = |what: &str| format!("{name}, mu {mu}: {what}");
+            let mean = curve.mean_iterations();
+            record.at_most(what("iterations an increment"), mean, 8.0);
+            let most = curve.rows.iter().map(|row| row.equilibrium + row.severe).max().unwrap();
+            record.tell(what("iterations in an increment, most"), most as f64);
+            record.equal(what("cutbacks"), curve.totals.cutbacks, 0);
+            record.equal(what("increments"), curve.rows.len(), 20);
         }
     }
 }

@@ -6,22 +6,49 @@
 //!   A [block]--/\/\/\--o B, U1 = 0 .. 0.1 .. -0.1 .. 0.1
 //!   ============ mu = 0.3
 //! ```
-//!
-//! Requirement: the elastic, perfectly plastic loop of verification section 6:
-//! sticks to mu N/k, slips at mu N, slips back after 2 mu N/k, area
-//! 4 mu N (A - mu N/k). Tolerance 1e-8 with LAGRANGE; elastic slip adds
-//! gamma_crit to each onset, exactly too, for backward Euler is exact while
-//! the drive keeps its direction within an increment.
 
+use slideline::output::plot::Axis;
 use slideline_theory::closed::stick_slip::Block;
-use slideline_verification::{run, trapezoid};
+use slideline_verification::{Claim, Group, Record, run, series, trapezoid, worst};
+
+const LOOP: &str = "The elastic, perfectly plastic loop (closed form).";
+
+pub const GROUP: Group = Group {
+    file: "stick_slip",
+    claims: &[
+        Claim {
+            name: "loop_with_lagrange",
+            requirement: "The block sticks to mu N/k, slips at mu N, slips back after 2 mu N/k; the \
+                          loop's area is 4 mu N (A - mu N/k).",
+            source: LOOP,
+            tolerance: "1e-8 with LAGRANGE, which sticks exactly.",
+            measure: loop_with_lagrange,
+        },
+        Claim {
+            name: "loop_with_elastic_slip",
+            requirement: "Elastic slip adds gamma_crit to each onset, exactly.",
+            source: LOOP,
+            tolerance: "1e-8: backward Euler is exact while the drive keeps its direction within \
+                        an increment.",
+            measure: loop_with_elastic_slip,
+        },
+        Claim {
+            name: "loop_held_by_contact_alone",
+            requirement: "A point that touches from the start may be held across by contact alone: \
+                          the same loop.",
+            source: LOOP,
+            tolerance: "1e-8 with LAGRANGE.",
+            measure: loop_held_by_contact_alone,
+        },
+    ],
+};
 
 /// A spring to ground across the plane. It carries nothing, for hard contact
 /// lets nothing move across; the block then does not depend on contact alone
 /// for being held, and the compressed drive does not buckle without it.
 const HELD: &str = "*ELEMENT, TYPE=SPRING1, ELSET=ACROSS\n2, 1\n*SPRING, ELSET=ACROSS\n2\n100.0\n";
 
-fn check(stick: &str, elastic_slip: f64, held: &str) {
+fn check(record: &mut Record, stick: &str, elastic_slip: f64, held: &str) {
     let deck = format!(
         "*HEADING\nblock\n*NODE\n1, 0.0, 0.0\n2, 1.0, 0.0\n3, 0.0, 1.0\n99, 0.0, -1.0\n\
          *ELEMENT, TYPE=SPRINGA, ELSET=SPRING\n1, 1, 2\n*SPRING, ELSET=SPRING\n\n100.0\n{held}\
@@ -36,38 +63,33 @@ fn check(stick: &str, elastic_slip: f64, held: &str) {
     );
     let block = Block { stiffness: 100.0, normal: 10.0, mu: 0.3, elastic_slip };
     let curve = run(&deck).unwrap();
-    assert_eq!(curve.rows.len(), 51, "no cutback");
+    record.equal("increments, without a cutback", curve.rows.len(), 51);
     let (drive, force) = (curve.displacement(2, 1), curve.reaction(2, 1));
-    for k in 1..51 {
-        let path: &[f64] = match k {
-            0..=10 => &[drive[k]],
-            11..=30 => &[0.1, drive[k]],
-            _ => &[0.1, -0.1, drive[k]],
-        };
-        let exact = block.force(path);
-        assert!((force[k] - exact).abs() < 1e-8 * 3.0, "{stick} row {k}: {} {exact}", force[k]);
-    }
+    let exact = |k: usize| match k {
+        0..=10 => block.force(&[drive[k]]),
+        11..=30 => block.force(&[0.1, drive[k]]),
+        _ => block.force(&[0.1, -0.1, drive[k]]),
+    };
+    let off = worst((1..51).map(|k| (force[k] - exact(k)).abs() / 3.0));
+    record.at_most("force, largest error (of mu N)", off, 1e-8);
     // corners of the loop lie on increments where onset is a whole number of them
-    let area = trapezoid(&drive[10..], &force[10..]);
-    println!("stick-slip{stick}: loop {area:.9}, exact {:.9}", block.loop_work(0.1));
     if elastic_slip == 0.0 {
-        assert!((area / block.loop_work(0.1) - 1.0).abs() < 1e-8, "{area}");
+        let area = trapezoid(&drive[10..], &force[10..]);
+        let off = (area / block.loop_work(0.1) - 1.0).abs();
+        record.at_most("area of the loop, error (relative)", off, 1e-8);
     }
+    let (x, y) = (Axis::linear("drive U1"), Axis::linear("force RF1"));
+    record.chart("The loop", x, y, vec![series(&drive, ("slideline", &force))]);
 }
 
-#[test]
-fn loop_with_lagrange() {
-    check(", LAGRANGE", 0.0, HELD);
+fn loop_with_lagrange(record: &mut Record) {
+    check(record, ", LAGRANGE", 0.0, HELD);
 }
 
-#[test]
-fn loop_with_elastic_slip() {
-    check(", ELASTIC SLIP=0.004", 0.004, HELD);
+fn loop_with_elastic_slip(record: &mut Record) {
+    check(record, ", ELASTIC SLIP=0.004", 0.004, HELD);
 }
 
-/// Requirement: a point that touches from the start may be held across by
-/// contact alone.
-#[test]
-fn loop_held_by_contact_alone() {
-    check(", LAGRANGE", 0.0, "");
+fn loop_held_by_contact_alone(record: &mut Record) {
+    check(record, ", LAGRANGE", 0.0, "");
 }

@@ -1,14 +1,30 @@
 //! How far a sticking point slips.
-//!
-//! Requirement: with LAGRANGE a point that sticks over an increment slips by
-//! at most 1e-8 of the elastic slip (0.005 of the contact length) or 8 units
-//! in the last place of the largest coordinate, whichever is larger; with
-//! penalty its elastic slip stays within gamma_crit, so that its slip between
-//! two sticking states is at most 2 gamma_crit. Source: the issue; semantics
-//! section 3.
 
 use slideline::observe::{ContactRow, Status};
-use slideline_verification::{Curve, paper, run};
+use slideline_verification::{Claim, Curve, Group, Record, paper, run, worst};
+
+pub const GROUP: Group = Group {
+    file: "sticking",
+    claims: &[
+        Claim {
+            name: "lagrange_sticks_exactly",
+            requirement: "With LAGRANGE a point that sticks over an increment does not slip.",
+            source: "The manual: the slip increment of a sticking point is zero.",
+            tolerance: "1e-8 of the elastic slip (0.005 of the contact length) or 8 units in the \
+                        last place of the largest coordinate, whichever is larger.",
+            measure: lagrange_sticks_exactly,
+        },
+        Claim {
+            name: "penalty_slips_elastically",
+            requirement: "With penalty the elastic slip of a sticking point stays within \
+                          gamma_crit, so that its slip between two sticking states is at most twice \
+                          that.",
+            source: "The manual's elastic slip (docs/theory.md, friction).",
+            tolerance: "Rounding.",
+            measure: penalty_slips_elastically,
+        },
+    ],
+};
 
 /// A block on a plane, driven to and fro through a spring; once the force
 /// needed exceeds mu N it slides.
@@ -59,8 +75,7 @@ fn turn(friction: &str) -> String {
     format!("{push}PULL BEARING BACK{back}").replace("*FRICTION", &format!("*FRICTION{friction}"))
 }
 
-#[test]
-fn lagrange_sticks_exactly() {
+fn lagrange_sticks_exactly(record: &mut Record) {
     // elastic slip: 0.005 of the length of the contact elements, 1 and 0.785 mm
     for (name, deck, elastic_slip) in
         [("block", block(", LAGRANGE"), 5e-3), ("circle", turn(", LAGRANGE"), 3.9256e-6)]
@@ -69,33 +84,27 @@ fn lagrange_sticks_exactly() {
         let (slip, count) = stuck(&curve);
         let ulp = largest_coordinate(&curve) * f64::EPSILON;
         let allowed = f64::max(1e-8 * elastic_slip, 8.0 * ulp);
-        println!("{name}, LAGRANGE: {count} sticking increments, slip {slip:.1e} of {allowed:.1e}");
-        assert!(count > 0, "{name}: nothing sticks");
-        assert!(slip <= allowed, "{name}: {slip:e}");
+        record.at_least(format!("{name}: sticking increments"), count as f64, 1.0);
+        record.at_most(format!("{name}: slip in one, largest (m)"), slip, allowed);
     }
 }
 
-#[test]
-fn penalty_slips_elastically() {
+fn penalty_slips_elastically(record: &mut Record) {
     for (name, deck, elastic_slip) in [
         ("block", block(", ELASTIC SLIP=4.0E-3"), 4e-3),
         ("circle", turn(", ELASTIC SLIP=2.0E-6"), 2e-6),
     ] {
         let curve = run(&deck).unwrap();
-        let mut count = 0;
-        let mut worst: f64 = 0.0;
-        for row in &curve.rows {
-            for point in row.contact.iter().filter(|point| point.status == Status::Stick) {
-                // elastic slip over gamma_crit, from the law itself
-                worst = worst.max(point.shear.abs() / (0.3 * point.pressure));
-                count += 1;
-            }
-        }
+        let points = curve.rows.iter().flat_map(|row| &row.contact);
+        let sticking: Vec<&ContactRow> =
+            points.filter(|point| point.status == Status::Stick).collect();
+        // elastic slip over gamma_crit, from the law itself
+        let elastic = worst(sticking.iter().map(|p| p.shear.abs() / (0.3 * p.pressure)));
         let (slip, _) = stuck(&curve);
-        println!(
-            "{name}, penalty: {count} sticking points, elastic slip {worst:.4} gamma, slip {slip:.2e}"
-        );
-        assert!(count > 0 && worst <= 1.0 + 1e-12, "{name}: {worst}");
-        assert!(slip <= 2.0 * elastic_slip * (1.0 + 1e-9), "{name}: {slip:e}");
+        record.at_least(format!("{name}: sticking points"), sticking.len() as f64, 1.0);
+        let what = format!("{name}: elastic slip, largest (of gamma_crit)");
+        record.at_most(what, elastic, 1.0 + 1e-12);
+        let what = format!("{name}: slip between sticking states, largest (of gamma_crit)");
+        record.at_most(what, slip / elastic_slip, 2.0 * (1.0 + 1e-9));
     }
 }

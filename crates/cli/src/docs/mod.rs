@@ -42,6 +42,7 @@ const WRITTEN: &[(&str, &str)] = &[
     ("files", include_str!("../../../../docs/files.md")),
     ("report", include_str!("../../../../docs/report.md")),
     ("reproduce", include_str!("../../../../docs/reproduce.md")),
+    ("verification", include_str!("../../../../docs/verification.md")),
     ("user-friction", include_str!("../../../../docs/user-friction.md")),
     ("theory", include_str!("../../../../docs/theory.md")),
 ];

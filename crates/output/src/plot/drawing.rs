@@ -8,7 +8,8 @@ pub(super) const INK: Colour = [27, 31, 36];
 /// Grids.
 pub(super) const LIGHT: Colour = [222, 226, 231];
 /// Curves, told apart by everybody.
-pub(super) const CURVES: [Colour; 3] = [[0, 96, 168], [196, 60, 0], [0, 122, 90]];
+pub(super) const CURVES: [Colour; 6] =
+    [[0, 96, 168], [196, 60, 0], [0, 122, 90], [154, 63, 143], [138, 106, 0], [59, 127, 158]];
 
 /// Which point of a text is placed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

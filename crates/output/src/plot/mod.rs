@@ -7,11 +7,15 @@
 //!    dY |  ~~~~~                    other minus job, at equal times
 //! ```
 
+mod axis;
+mod chart;
 mod curve;
 mod drawing;
 mod figure;
 mod png;
 mod svg;
 
+pub use axis::Axis;
+pub use chart::{Mark, Panel, Series, chart};
 pub use curve::{Curve, Question, csv, curve, difference};
 pub use figure::{Figure, figure};

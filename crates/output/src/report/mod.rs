@@ -26,9 +26,9 @@ pub(crate) mod table;
 pub(crate) mod value;
 mod verdict;
 
+pub use page::STYLE;
 pub use problem::Problem;
-
-pub(crate) use prose::escaped;
+pub use prose::escaped;
 
 pub(crate) use history::{Energies, History};
 pub(crate) use results::{driven, summary};

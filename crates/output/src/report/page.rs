@@ -10,7 +10,9 @@ use super::value::Value;
 use super::verdict;
 use crate::number::general;
 
-const STYLE: &str = include_str!("assets/page.css");
+/// Style sheet of the report, light, dark and on paper, for other pages that
+/// shall look like it.
+pub const STYLE: &str = include_str!("assets/page.css");
 /// In the order in which they need one another.
 const SCRIPTS: [&str; 4] = [
     include_str!("assets/data.js"),

@@ -1,7 +1,7 @@
 //! The pages of codes as HTML: headings, paragraphs, code, bold.
 
 /// Text as it may stand in HTML, in an attribute too.
-pub(crate) fn escaped(text: &str) -> String {
+pub fn escaped(text: &str) -> String {
     let mut safe = String::with_capacity(text.len());
     for letter in text.chars() {
         match letter {

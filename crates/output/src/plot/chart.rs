@@ -1,0 +1,203 @@
+//! Curves in frames that stand below one another.
+
+use super::axis::{Axis, Scale, number};
+use super::drawing::{Anchor, CURVES, Colour, Drawing, INK, Item, LIGHT};
+use super::figure::Figure;
+
+/// How points are shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mark {
+    /// A line, with a disc at each point where there are not too many.
+    Curve,
+    /// The same, dashed.
+    Dashed,
+    /// A dashed line alone.
+    Guide,
+    /// Discs alone.
+    Discs,
+}
+
+/// Points that belong together. A point that has no place, such as one that
+/// is not a number, is a gap in the line.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Series {
+    /// What the legend calls it; without a name it is not in the legend.
+    pub name: String,
+    /// Abscissa and ordinate of each point.
+    pub points: Vec<[f64; 2]>,
+    /// How they are shown.
+    pub mark: Mark,
+    /// Which of the colours of curves they have, from 0; series of one colour
+    /// belong together.
+    pub colour: usize,
+}
+
+/// A frame with its curves.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Panel {
+    /// Horizontal axis.
+    pub x: Axis,
+    /// Vertical axis.
+    pub y: Axis,
+    /// Height of the frame, in dots of 1/96 inch.
+    pub height: f64,
+    /// What is drawn in it.
+    pub series: Vec<Series>,
+}
+
+const LEFT: f64 = 90.0;
+const WIDTH: f64 = 600.0;
+const LINE: f64 = 16.0;
+
+/// Draws panels below one another, the legend of all above. In a frame the
+/// first series stands above the others, guides above all.
+pub fn chart(title: impl Into<String>, panels: &[Panel]) -> Figure {
+    let series = panels.iter().flat_map(|panel| &panel.series);
+    let named: Vec<&Series> = series.filter(|series| !series.name.is_empty()).collect();
+    let mut drawing =
+        Drawing { width: LEFT + WIDTH + 30.0, height: 0.0, title: title.into(), items: Vec::new() };
+    for (line, series) in named.iter().enumerate() {
+        legend(&mut drawing, series, 22.0 + LINE * line as f64);
+    }
+    let mut top = 18.0 + LINE * named.len().max(1) as f64;
+    for (place, panel) in panels.iter().enumerate() {
+        let frame = Frame::around(panel, top);
+        frame.draw(&mut drawing, panel);
+        let (guides, others): (Vec<&Series>, Vec<&Series>) =
+            panel.series.iter().partition(|series| series.mark == Mark::Guide);
+        for series in others.iter().rev().chain(&guides) {
+            frame.series(&mut drawing, panel, series);
+        }
+        let bottom = top + panel.height;
+        let shared = panels.get(place + 1).is_some_and(|next| next.x.title == panel.x.title);
+        if !shared {
+            let middle = [LEFT + 0.5 * WIDTH, bottom + 40.0];
+            drawing.words(middle, panel.x.title.as_str(), Anchor::Middle);
+        }
+        top = bottom + if shared { 40.0 } else { 60.0 };
+    }
+    drawing.height = top;
+    Figure { drawing }
+}
+
+fn colour(series: &Series) -> Colour {
+    CURVES[series.colour % CURVES.len()]
+}
+
+fn legend(drawing: &mut Drawing, series: &Series, y: f64) {
+    let (from, to) = ([LEFT, y - 4.0], [LEFT + 28.0, y - 4.0]);
+    if series.mark == Mark::Discs {
+        let at = [LEFT + 14.0, y - 4.0];
+        drawing.items.push(Item::Disc { at, radius: 3.2, colour: colour(series) });
+    } else {
+        let dashed = matches!(series.mark, Mark::Dashed | Mark::Guide);
+        let points = vec![from, to];
+        drawing.items.push(Item::Line { points, width: 2.0, colour: colour(series), dashed });
+    }
+    drawing.words([LEFT + 36.0, y], series.name.as_str(), Anchor::Start);
+}
+
+/// A frame on the paper with the values at its edges.
+struct Frame {
+    top: f64,
+    height: f64,
+    x: Scale,
+    y: Scale,
+}
+
+impl Frame {
+    fn around(panel: &Panel, top: f64) -> Self {
+        let points = || panel.series.iter().flat_map(|series| &series.points);
+        let seen = || points().filter(|[x, y]| panel.x.shows(*x) && panel.y.shows(*y));
+        let x = panel.x.around(seen().map(|[x, _]| *x));
+        let y = panel.y.around(seen().map(|[_, y]| *y));
+        Self { top, height: panel.height, x, y }
+    }
+
+    fn at(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        [LEFT + WIDTH * self.x.place(x), self.top + self.height * (1.0 - self.y.place(y))]
+    }
+
+    fn draw(&self, drawing: &mut Drawing, panel: &Panel) {
+        let (right, bottom) = (LEFT + WIDTH, self.top + self.height);
+        for value in self.x.ticks(7.0) {
+            let x = LEFT + WIDTH * self.x.place(value);
+            drawing.line(vec![[x, self.top], [x, bottom]], 1.0, LIGHT);
+            drawing.words([x, bottom + 18.0], number(value), Anchor::Middle);
+        }
+        for value in self.y.ticks(if self.height > 200.0 { 7.0 } else { 4.0 }) {
+            let y = self.top + self.height * (1.0 - self.y.place(value));
+            drawing.line(vec![[LEFT, y], [right, y]], 1.0, LIGHT);
+            drawing.words([LEFT - 7.0, y + 4.5], number(value), Anchor::End);
+        }
+        let corners = [
+            [LEFT, self.top],
+            [right, self.top],
+            [right, bottom],
+            [LEFT, bottom],
+            [LEFT, self.top],
+        ];
+        drawing.line(corners.to_vec(), 1.0, INK);
+        drawing.items.push(Item::Words {
+            at: [22.0, self.top + 0.5 * self.height],
+            text: panel.y.title.clone(),
+            anchor: Anchor::Middle,
+            upwards: true,
+            bold: false,
+        });
+    }
+
+    fn series(&self, drawing: &mut Drawing, panel: &Panel, series: &Series) {
+        let colour = colour(series);
+        let placed = series
+            .points
+            .iter()
+            .map(|&[x, y]| (panel.x.shows(x) && panel.y.shows(y)).then(|| self.at([x, y])));
+        let placed: Vec<Option<[f64; 2]>> = placed.collect();
+        let discs = match series.mark {
+            Mark::Curve | Mark::Dashed => (placed.len() <= 120).then_some(2.4),
+            Mark::Guide => None,
+            Mark::Discs => Some(3.2),
+        };
+        let line = series.mark != Mark::Discs;
+        let dashed = matches!(series.mark, Mark::Dashed | Mark::Guide);
+        let width = if series.mark == Mark::Guide { 1.2 } else { 1.8 };
+        for part in placed.split(Option::is_none) {
+            let points: Vec<[f64; 2]> = part.iter().flatten().copied().collect();
+            if let Some(radius) = discs {
+                let discs = points.iter().map(|at| Item::Disc { at: *at, radius, colour });
+                drawing.items.extend(discs);
+            }
+            if line {
+                drawing.items.push(Item::Line { points, width, colour, dashed });
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Requirement: points without a place are left out, and nothing that is
+    /// not a number reaches the paper.
+    #[test]
+    fn logarithms_are_drawn_of_what_has_one() {
+        let points = vec![[12.0, 1e-3], [24.0, 0.0], [48.0, f64::NAN], [96.0, 1e-5]];
+        let series = [Mark::Curve, Mark::Dashed, Mark::Guide, Mark::Discs].map(|mark| Series {
+            name: "error".into(),
+            points: points.clone(),
+            mark,
+            colour: 7,
+        });
+        let panel = Panel {
+            x: Axis::logarithmic("elements"),
+            y: Axis::logarithmic("error"),
+            height: 300.0,
+            series: series.to_vec(),
+        };
+        let svg = chart("order", &[panel.clone(), panel]).svg();
+        assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
+        assert_eq!(svg.matches(">error</text>").count(), 8 + 2, "legend and axes");
+    }
+}
