@@ -313,6 +313,94 @@ def error_bars(browser, program, folder, pictures):
     assert not browser.faults(), browser.faults()
 
 
+def many_points(folder, elements, increments):
+    """Every node of a beam stays closed on a plane that slides along it."""
+    path = folder / "points.inp"
+    path.write_text(f"""*NODE, NSET=BEAM
+1, 0.0, 0.0
+{elements + 1}, 1.0, 0.0
+*NGEN, NSET=BEAM
+1, {elements + 1}, 1
+*ELEMENT, TYPE=B21, ELSET=BEAM
+1, 1, 2
+*ELGEN, ELSET=BEAM
+1, {elements}, 1, 1
+*BEAM SECTION, ELSET=BEAM, SECTION=RECT, MATERIAL=M
+25.0E-3, 1.5E-3
+*MATERIAL, NAME=M
+*ELASTIC
+6.9E9, 0.3
+*NODE
+9999, 0.5, -0.1
+*SURFACE, NAME=PLANE, TYPE=SEGMENTS
+START, -1.0, 0.0
+LINE, 2.0, 0.0
+*RIGID BODY, REF NODE=9999, ANALYTICAL SURFACE=PLANE
+*SURFACE, NAME=BEAM, TYPE=ELEMENT
+BEAM, SNEG
+*SURFACE INTERACTION, NAME=S
+25.0E-3
+*FRICTION
+0.3
+*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR
+1.0E9
+*CONTACT PAIR, INTERACTION=S, TYPE=NODE TO SURFACE, NO THICKNESS
+BEAM, PLANE
+*STEP, NLGEOM, INC=2000
+SLIDE
+*STATIC, DIRECT
+{1 / increments}, 1.0
+*BOUNDARY
+1, 1, 6
+BEAM, 1, 2
+9999, 6
+9999, 1, 1, 0.3
+9999, 2, 2, 1.0E-5
+*END STEP
+""")
+    return path
+
+
+def thinned(browser, program, folder, pictures):
+    """Many points over many increments: numbers are thinned and say where they
+    are from, statuses and curves are whole, forces are drawn in every frame."""
+    increments = 400
+    deck = many_points(folder, 200, increments)
+    run(program, "run", deck, "--quiet")
+    page = deck.with_suffix(".html")
+    assert page.stat().st_size <= 1_500_000, f"{page.stat().st_size} bytes"
+    browser.open(page)
+    legend = browser.evaluate("document.querySelector('#bands .legend').textContent")
+    assert "at one increment in 4" in legend, legend
+    points = browser.evaluate("document.querySelector('#chart-9999-U1 path.curve').getAttribute('d').split('L').length")
+    assert points == increments + 1, f"a curve of {points} points"
+    off = "document.querySelector('#bands .readoff').textContent"
+    browser.place("#bands svg")
+    browser.evaluate("document.querySelector('#bands svg').focus()")
+    said = []
+    for _ in range(9):
+        browser.key("ArrowRight")
+        said.append(browser.evaluate(off))
+    assert all("slip, pressure" in one for one in said), said
+    exact = [one for one in said if "numbers of" not in one]
+    assert len(exact) in (2, 3), said
+    with open(folder / "points.contact.csv", newline="") as file:
+        rows = [row for row in csv.DictReader(file) if row["node"] == "1"]
+    for one in exact:
+        place = int(one.split("increment ")[1].split(",")[0])
+        pressure = number(one.split("pressure ")[1].split(",")[0])
+        wanted = float(rows[place - 1]["CPRESS"])
+        assert abs(pressure - wanted) <= 1e-4 * wanted, f"{one}: {wanted}"
+    browser.evaluate("document.getElementById('frame').focus()")
+    for key in ("End", "ArrowLeft"):
+        browser.key(key)
+        arrows = browser.evaluate("document.querySelectorAll('#stage .arrow.normal').length")
+        assert arrows == 201, f"{arrows} arrows after {key}"
+    browser.picture(pictures / "points.png")
+    assert not browser.faults(), browser.faults()
+    print(f"browser: 201 points over {increments} increments: {page.stat().st_size} bytes")
+
+
 def main():
     program, pictures = sys.argv[1], Path(sys.argv[2])
     pictures.mkdir(parents=True, exist_ok=True)
@@ -361,6 +449,8 @@ def check(browser, program, folder, pictures):
         assert "theory.csv" in legend, legend
         browser.picture(pictures / "overlay.png")
         assert not browser.faults(), browser.faults()
+
+    thinned(browser, program, folder, pictures)
 
     deck = strange_deck(folder)
     run(program, "run", deck, "--quiet")

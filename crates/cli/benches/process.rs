@@ -1,5 +1,5 @@
 //! The whole process: start, deck, solution, result files written, report off;
-//! and its peak memory. `cargo bench -p slideline-cli`.
+//! and its peak memory. `cargo bench -p slideline-cli --bench process`.
 //!
 //! Memory is what the system's `time` says of the child; without `/usr/bin/time`
 //! only times are measured.
@@ -7,38 +7,21 @@
 // a bench that cannot run the program has nothing to measure
 #![allow(clippy::expect_used, clippy::panic)]
 
-use criterion::{Criterion, criterion_group, criterion_main};
-use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+mod common;
 
-const PROGRAM: &str = env!("CARGO_BIN_EXE_slideline");
-const TIME: &str = "/usr/bin/time";
+use criterion::{Criterion, criterion_group, criterion_main};
+use std::ffi::OsString;
+use std::path::Path;
+
 const DECKS: [&str; 4] = ["irs_coarse", "irs_fine", "isl_coarse", "isl_coarse_mu03"];
 
-fn deck(name: &str) -> PathBuf {
+/// `run DECK --out FOLDER --quiet --no-html`.
+fn arguments(name: &str, folder: &Path) -> Vec<OsString> {
     let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../corpus/diehl1995");
-    corpus.join(name).with_extension("inp")
-}
-
-/// `run DECK --out FOLDER --quiet --no-html` behind `program`.
-fn command(program: &str, before: &[&str], name: &str, folder: &Path) -> Command {
-    let mut command = Command::new(program);
-    command.args(before).arg("run").arg(deck(name)).arg("--out").arg(folder);
-    command.args(["--quiet", "--no-html"]).stdout(Stdio::null()).stderr(Stdio::null());
-    command
-}
-
-/// Largest resident memory of five runs [kB].
-fn memory(name: &str, folder: &Path) -> Option<u64> {
-    let once = || {
-        let output = command(TIME, &["-f", "%M", PROGRAM], name, folder)
-            .stderr(Stdio::piped())
-            .output()
-            .ok()?;
-        let said = String::from_utf8(output.stderr).ok()?;
-        said.lines().last()?.trim().parse().ok()
-    };
-    (0..5).map(|_| once()).max().flatten()
+    let deck = corpus.join(name).with_extension("inp");
+    let words = [deck.as_os_str(), "--out".as_ref(), folder.as_os_str()].map(OsString::from);
+    let ends = ["--quiet", "--no-html"].map(OsString::from);
+    [OsString::from("run")].into_iter().chain(words).chain(ends).collect()
 }
 
 fn process(c: &mut Criterion) {
@@ -46,16 +29,9 @@ fn process(c: &mut Criterion) {
     std::fs::create_dir_all(&folder).expect("the folder of results");
     let mut group = c.benchmark_group("process");
     for name in DECKS {
-        match memory(name, &folder) {
-            Some(peak) => println!("process/{name}: peak memory {:.1} MB", peak as f64 / 1024.0),
-            None => println!("process/{name}: peak memory not measured, {TIME} is missing"),
-        }
-        group.bench_function(name, |b| {
-            b.iter(|| {
-                let status = command(PROGRAM, &[], name, &folder).status();
-                assert!(status.is_ok_and(|status| status.success()), "{name}");
-            });
-        });
+        let arguments = arguments(name, &folder);
+        common::tell_memory(&format!("process/{name}"), &arguments);
+        group.bench_function(name, |b| b.iter(|| common::run(&arguments)));
     }
     group.finish();
 }

@@ -5,6 +5,29 @@ use super::table::Table;
 use std::collections::HashMap;
 use std::path::Path;
 
+/// Most numbers of closed points that are kept, a column each: with more, the
+/// increments at which there are numbers are thinned.
+const MOST: usize = 24_000;
+
+/// Every slave point that touched.
+///
+/// ```text
+///   place      0 1 2 3 4 5 6 7 8 9     increments of the job
+///   status     o o t t t s s s s o     at every one
+///   numbers    -     x     x     x     at every stride-th, counted from the last
+/// ```
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Contacts {
+    /// In the order in which they closed.
+    pub points: Vec<Point>,
+    /// How many increments there are from one with numbers to the next.
+    pub stride: usize,
+    /// Number of increments of the job.
+    count: usize,
+    /// Numbers of closed points that are kept.
+    kept: usize,
+}
+
 /// A slave point from the increment in which it first closed.
 #[derive(Clone, Debug)]
 pub(crate) struct Point {
@@ -18,8 +41,9 @@ pub(crate) struct Point {
     pub status: String,
     /// `c` (called), `d` (dropped) or `n` (none), a letter an increment.
     pub friction: String,
-    /// Gap, pressure, shear traction, slip; normal's angle; one list each.
-    pub values: [Vec<f64>; 5],
+    /// Gap, pressure, shear traction, slip; normal's angle; one list each, at
+    /// the increments with numbers from the first on.
+    pub values: [Vec<f32>; 5],
     /// Tributary area; not a number where the file does not say.
     pub area: f64,
 }
@@ -45,10 +69,9 @@ impl Columns {
     }
 }
 
-/// A row of the file.
+/// What stands before the numbers of a row.
 struct Row {
     at: [usize; 2],
-    pair: String,
     node: u64,
     status: char,
     friction: char,
@@ -56,11 +79,11 @@ struct Row {
 
 /// Reads all points. `numbers` are the steps and increments there are; rows of
 /// others are those of a job that was killed while it wrote.
-pub(crate) fn read(path: &Path, numbers: &[[usize; 2]]) -> Result<Vec<Point>, Problem> {
+pub(crate) fn read(path: &Path, numbers: &[[usize; 2]]) -> Result<Contacts, Problem> {
     let start = ["step", "increment", "time", "pair", "node", "status"];
     let mut table = Table::open(path, &start)?;
     let columns = Columns::of(&table);
-    let mut points: Vec<Point> = Vec::new();
+    let mut contacts = Contacts { stride: 1, count: numbers.len(), ..Contacts::default() };
     let mut places: HashMap<u64, Vec<usize>> = HashMap::new();
     let mut now = 0;
     while let Some(cells) = table.row()? {
@@ -71,20 +94,23 @@ pub(crate) fn read(path: &Path, numbers: &[[usize; 2]]) -> Result<Vec<Point>, Pr
         if now == numbers.len() {
             break;
         }
+        let pair = cells[3].as_str();
         let own = places.entry(row.node).or_default();
-        let known = own.iter().copied().find(|place| points[*place].pair == row.pair);
+        let points = &mut contacts.points;
+        let known = own.iter().copied().find(|place| points[*place].pair == pair);
         let place = match known {
             Some(place) => place,
             None => {
                 own.push(points.len());
+                let pair = pair.to_owned();
                 let area = optional(&table, columns.area)?;
-                points.push(Point::first_closed(&row, now, area));
+                points.push(Point::first_closed(pair, row.node, now, area));
                 points.len() - 1
             }
         };
-        points[place].push(&table, &columns, &row)?;
+        contacts.push(place, now, &row, &table, &columns)?;
     }
-    Ok(points)
+    Ok(contacts)
 }
 
 fn row(path: &Path, cells: &[String], columns: &Columns) -> Result<Row, Problem> {
@@ -97,10 +123,70 @@ fn row(path: &Path, cells: &[String], columns: &Columns) -> Result<Row, Problem>
     let called = columns.friction.map_or("none", |place| cells[place].as_str());
     let friction = letter(called, &[("called", 'c'), ("dropped", 'd'), ("none", 'n')]);
     match (status, friction) {
-        (Some(status), Some(friction)) => {
-            Ok(Row { at, pair: cells[3].clone(), node: whole(4)?, status, friction })
-        }
+        (Some(status), Some(friction)) => Ok(Row { at, node: whole(4)?, status, friction }),
         _ => Err(unreadable(path, format!("`{}`, `{called}` is no status", cells[5]))),
+    }
+}
+
+impl Contacts {
+    /// Whether there are numbers at that place in the list of increments; at
+    /// the last one there are.
+    pub fn has_numbers(&self, place: usize) -> bool {
+        place < self.count && (self.count - 1 - place).is_multiple_of(self.stride)
+    }
+
+    /// The numbers of a point up to the last increment in which it is closed,
+    /// a list a column: what is open for good needs none.
+    pub fn numbers<'a>(&self, point: &'a Point) -> [&'a [f32]; 5] {
+        let closed = point.first..point.first + point.closed_until();
+        let length = closed.filter(|place| self.has_numbers(*place)).count();
+        point.values.each_ref().map(|column| &column[..length.min(column.len())])
+    }
+
+    fn push(
+        &mut self,
+        place: usize,
+        now: usize,
+        row: &Row,
+        table: &Table,
+        columns: &Columns,
+    ) -> Result<(), Problem> {
+        let has_numbers = self.has_numbers(now);
+        let point = &mut self.points[place];
+        point.status.push(row.status);
+        point.friction.push(row.friction);
+        if has_numbers {
+            point.push(table, columns)?;
+            self.kept += usize::from(row.status != 'o');
+        }
+        while self.kept > MOST && self.stride < self.count {
+            self.thin();
+        }
+        Ok(())
+    }
+
+    /// Drops the numbers of every second increment that has some.
+    fn thin(&mut self) {
+        let old = self.stride;
+        self.stride *= 2;
+        self.kept = 0;
+        let (count, stride) = (self.count, self.stride);
+        for point in &mut self.points {
+            let skipped = (count - 1 - point.first) % old;
+            let place = |index: usize| point.first + skipped + old * index;
+            let stays = |index: usize| (count - 1 - place(index)).is_multiple_of(stride);
+            let statuses = point.status.as_bytes();
+            let closed = |index: usize| statuses.get(place(index) - point.first) != Some(&b'o');
+            let length = point.values[0].len();
+            self.kept += (0..length).filter(|index| stays(*index) && closed(*index)).count();
+            for column in &mut point.values {
+                let mut index = 0;
+                column.retain(|_| {
+                    index += 1;
+                    stays(index - 1)
+                });
+            }
+        }
     }
 }
 
@@ -110,26 +196,17 @@ fn optional(table: &Table, place: Option<usize>) -> Result<f64, Problem> {
 }
 
 impl Point {
-    fn first_closed(row: &Row, now: usize, area: f64) -> Self {
-        Self {
-            pair: row.pair.clone(),
-            node: row.node,
-            first: now,
-            status: String::new(),
-            friction: String::new(),
-            values: std::array::from_fn(|_| Vec::new()),
-            area,
-        }
+    fn first_closed(pair: String, node: u64, first: usize, area: f64) -> Self {
+        let values = std::array::from_fn(|_| Vec::new());
+        Self { pair, node, first, status: String::new(), friction: String::new(), values, area }
     }
 
-    fn push(&mut self, table: &Table, columns: &Columns, row: &Row) -> Result<(), Problem> {
-        self.status.push(row.status);
-        self.friction.push(row.friction);
+    fn push(&mut self, table: &Table, columns: &Columns) -> Result<(), Problem> {
         for (column, place) in self.values.iter_mut().zip(columns.numbers) {
-            column.push(optional(table, place)?);
+            column.push(optional(table, place)? as f32);
         }
         let [x, y] = columns.normal;
-        self.values[4].push(optional(table, y)?.atan2(optional(table, x)?));
+        self.values[4].push(optional(table, y)?.atan2(optional(table, x)?) as f32);
         Ok(())
     }
 
@@ -139,6 +216,68 @@ impl Point {
     }
 }
 
+/// A letter and how often it stands in a row, in turn: `ooottt` is `o3t3`.
+pub(crate) fn runs(letters: &str) -> String {
+    let mut text = String::new();
+    for run in letters.as_bytes().chunk_by(|a, b| a == b) {
+        text.push(char::from(run[0]));
+        text.push_str(&run.len().to_string());
+    }
+    text
+}
+
 fn letter(word: &str, words: &[(&str, char)]) -> Option<char> {
     words.iter().find(|(known, _)| *known == word).map(|(_, letter)| *letter)
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)] // a test may fail where it stands
+
+    use super::*;
+
+    /// Contacts of `points` slave points closed over `count` increments but
+    /// for the first one's first third; the pressure tells the place.
+    fn contacts(points: u64, count: usize) -> Contacts {
+        let path = std::env::temp_dir()
+            .join(format!("slideline_contacts_{}_{points}_{count}.csv", std::process::id()));
+        let mut text = String::from("step,increment,time,pair,node,status,COPEN,CPRESS\n");
+        for increment in 1..=count {
+            for node in 1..=points {
+                let status = if node == 1 && increment <= count / 3 { "open" } else { "slip" };
+                text.push_str(&format!("1,{increment},0,P,{node},{status},0,{increment}\n"));
+            }
+        }
+        std::fs::write(&path, text).unwrap();
+        let numbers: Vec<[usize; 2]> = (1..=count).map(|increment| [1, increment]).collect();
+        let contacts = read(&path, &numbers).unwrap();
+        std::fs::remove_file(&path).unwrap();
+        contacts
+    }
+
+    /// Requirement: numbers are thinned where there are many, evenly, the last
+    /// increment always among them; statuses never are.
+    #[test]
+    fn numbers_are_thinned_and_statuses_are_not() {
+        let few = contacts(20, 100);
+        assert_eq!((few.stride, few.points[3].values[1].len()), (1, 100));
+        let many = contacts(300, 500);
+        assert!(many.stride >= 8 && many.stride.is_power_of_two(), "{}", many.stride);
+        let kept: Vec<usize> = (0..500).filter(|place| many.has_numbers(*place)).collect();
+        let expected: Vec<f32> = kept.iter().map(|place| (place + 1) as f32).collect();
+        for point in &many.points {
+            assert_eq!(point.status.len(), 500);
+            assert_eq!(many.numbers(point)[1], expected, "{}", point.node);
+        }
+        assert_eq!(expected.last(), Some(&500.0));
+        let closed = 300 * kept.len() - kept.iter().filter(|place| **place < 166).count();
+        assert_eq!(many.kept, closed);
+        assert!(closed <= MOST && 2 * closed > MOST, "{closed}");
+    }
+
+    #[test]
+    fn runs_are_counted() {
+        assert_eq!(runs("oottts"), "o2t3s1");
+        assert_eq!(runs(""), "");
+    }
 }

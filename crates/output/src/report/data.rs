@@ -1,5 +1,6 @@
 //! What the charts of the page draw, as JSON that may stand in a script.
 
+use super::contact::{Contacts, Point, runs};
 use super::overlay::Overlay;
 use super::results::Results;
 use crate::json::{self, Object};
@@ -29,7 +30,8 @@ pub(crate) fn data(job: &str, results: &Results, overlay: Option<&Overlay>) -> S
         )
         .raw("history", &history(results))
         .raw("energy", &columns(energy.map(|(name, values)| (name.as_str(), &values[..]))))
-        .array("contact", results.points.iter().map(point))
+        .count("stride", results.contacts.stride)
+        .array("contact", results.contacts.points.iter().map(|own| point(&results.contacts, own)))
         .raw("pairs", &pairs(results))
         .raw("frames", &frames(results))
         .array("attempts", results.attempts.iter().map(attempt));
@@ -62,8 +64,8 @@ fn doubles(values: &[f64]) -> String {
 }
 
 /// Single precision where a picture is made of it.
-fn singles(values: &[f64]) -> String {
-    quoted(values.iter().flat_map(|value| (*value as f32).to_le_bytes()).collect())
+fn singles(values: impl Iterator<Item = f32>) -> String {
+    quoted(values.flat_map(f32::to_le_bytes).collect())
 }
 
 fn quoted(bytes: Vec<u8>) -> String {
@@ -99,23 +101,22 @@ fn history(results: &Results) -> String {
     }))
 }
 
-fn point(point: &super::contact::Point) -> String {
-    // what is open for good needs no numbers
+fn point(contacts: &Contacts, point: &Point) -> String {
     let end = point.closed_until();
     let [opening, pressure, shear, slip, angle] =
-        [0, 1, 2, 3, 4].map(|place| &point.values[place][..end]);
+        contacts.numbers(point).map(|column| singles(column.iter().copied()));
     Object::new()
         .text("pair", &point.pair)
         .raw("node", &point.node.to_string())
         .count("first", point.first)
-        .text("status", &point.status[..end])
-        .text("friction", &point.friction[..end])
+        .text("status", &runs(&point.status[..end]))
+        .text("friction", &runs(&point.friction[..end]))
         .number("area", point.area)
-        .raw("opening", &singles(opening))
-        .raw("pressure", &singles(pressure))
-        .raw("shear", &singles(shear))
-        .raw("slip", &singles(slip))
-        .raw("angle", &singles(angle))
+        .raw("opening", &opening)
+        .raw("pressure", &pressure)
+        .raw("shear", &shear)
+        .raw("slip", &slip)
+        .raw("angle", &angle)
         .finish()
 }
 
@@ -141,15 +142,15 @@ fn pairs(results: &Results) -> String {
 fn frames(results: &Results) -> String {
     let frames = &results.frames;
     let whole = |values: &[i64]| json::array(values.iter().map(i64::to_string));
-    let all: Vec<f64> = frames.displacement.iter().flatten().copied().collect();
+    let moved = frames.displacement.iter().flatten().copied();
     Object::new()
         .raw("labels", &whole(&frames.labels))
-        .raw("reference", &singles(&frames.reference))
+        .raw("reference", &singles(frames.reference.iter().map(|x| *x as f32)))
         .raw("cells", &whole(&frames.cells))
         .array("kinds", frames.kinds.iter().map(i32::to_string))
         .raw("elements", &whole(&frames.elements))
         .array("states", frames.states.iter().map(usize::to_string))
-        .raw("displacement", &singles(&all))
+        .raw("displacement", &singles(moved))
         .raw("strained", &strained(results))
         .finish()
 }

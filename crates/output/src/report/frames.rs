@@ -7,7 +7,7 @@ use crate::job::JobFiles;
 /// Most states that are drawn.
 const MOST: usize = 201;
 /// Most numbers that displacements may take.
-const NUMBERS: usize = 130_000;
+const NUMBERS: usize = 100_000;
 
 /// Shapes over the increments.
 #[derive(Clone, Debug, Default)]
@@ -25,15 +25,15 @@ pub(crate) struct Frames {
     /// Number of the state of each frame; 0 is the start.
     pub states: Vec<usize>,
     /// x and y of the displacements in turn, frame by frame.
-    pub displacement: Vec<Vec<f64>>,
+    pub displacement: Vec<Vec<f32>>,
     /// Largest fibre strain that the frames show, with element and state.
     pub strain: Option<(f64, i64, usize)>,
 }
 
 impl Frames {
-    /// Reads states 0 to `last`. States that are missing are left out if
-    /// `lenient`.
-    pub fn read(job: &JobFiles, last: usize, lenient: bool) -> Result<Self, Problem> {
+    /// Reads the start and of `candidates`, ascending, as many as can be drawn.
+    /// States that are missing are left out if `lenient`.
+    pub fn read(job: &JobFiles, candidates: &[usize], lenient: bool) -> Result<Self, Problem> {
         let mut frames = Self::default();
         let first = match frames.open(job, 0) {
             Ok(file) => file,
@@ -41,7 +41,8 @@ impl Frames {
             Err(problem) => return Err(problem),
         };
         frames.topology(job, &first)?;
-        for state in chosen(last, frames.reference.len()) {
+        for place in chosen(candidates.len().saturating_sub(1), frames.reference.len()) {
+            let state = candidates[place];
             let file = match frames.open(job, state) {
                 Err(Problem::Missing(_)) if lenient => continue,
                 other => other?,
@@ -85,7 +86,7 @@ impl Frames {
             }
         }
         self.states.push(state);
-        self.displacement.push(moved);
+        self.displacement.push(moved.into_iter().map(|u| u as f32).collect());
         Ok(())
     }
 }
@@ -95,7 +96,7 @@ fn plane(values: &[f64]) -> Vec<f64> {
     values.as_chunks::<3>().0.iter().flat_map(|point| [point[0], point[1]]).collect()
 }
 
-/// Numbers of the states to draw, first and last among them.
+/// Places of the states to draw, first and last among them.
 fn chosen(last: usize, numbers: usize) -> Vec<usize> {
     let most = (NUMBERS / numbers.max(1)).clamp(2, MOST);
     if last < most {

@@ -135,7 +135,7 @@ fn ledger(results: &Results) -> String {
     let energy = |name: &str| results.energies.last(name).unwrap_or(0.0);
     let dropped = results.summary.get("dropped_friction");
     let count = |friction: char| -> usize {
-        let letters = results.points.iter().flat_map(|point| point.friction.chars());
+        let letters = results.contacts.points.iter().flat_map(|point| point.friction.chars());
         letters.filter(|letter| *letter == friction).count()
     };
     let points = dropped.and_then(|d| d.count("point_increments")).unwrap_or_else(|| count('d'));

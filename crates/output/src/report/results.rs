@@ -1,6 +1,6 @@
 //! All result files of a job, read back and held against one another.
 
-use super::contact::{self, Point};
+use super::contact::{self, Contacts};
 use super::frames::Frames;
 use super::history::{Energies, History};
 use super::iterations::{Attempt, attempts};
@@ -34,7 +34,7 @@ pub(crate) struct Results {
     /// Energies, times.
     pub energies: Energies,
     /// Points that touched.
-    pub points: Vec<Point>,
+    pub contacts: Contacts,
     /// Shapes.
     pub frames: Frames,
     /// How it converged.
@@ -95,17 +95,19 @@ impl Results {
             }
         }
         history.shorten(count);
-        let points = contact::read(&job.path(".contact.csv"), &energies.numbers)?;
-        let incomplete =
-            points.iter().find(|point| point.first + point.status.len() != count && !lenient);
+        let contacts = contact::read(&job.path(".contact.csv"), &energies.numbers)?;
+        let whole = |point: &&contact::Point| point.first + point.status.len() == count;
+        let incomplete = contacts.points.iter().find(|point| !whole(point) && !lenient);
         if let Some(point) = incomplete {
             let length = point.first + point.status.len();
             return Err(length_fault(job, ".contact.csv", length, count));
         }
-        let frames = Frames::read(job, count, lenient)?;
+        // forces can be drawn where contact has numbers
+        let drawn = (0..=count).filter(|state| *state == 0 || contacts.has_numbers(state - 1));
+        let frames = Frames::read(job, &drawn.collect::<Vec<usize>>(), lenient)?;
         let attempts = attempts(&problem::text(&job.path(".msg"))?);
         let echo = echo(job, lenient)?;
-        Ok(Self { summary, driven, loaded, history, energies, points, frames, attempts, echo })
+        Ok(Self { summary, driven, loaded, history, energies, contacts, frames, attempts, echo })
     }
 
     /// A column of a node from the start on; at the start everything is zero.

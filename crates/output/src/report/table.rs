@@ -109,6 +109,10 @@ impl Table {
 
 /// Cells between commas; a quoted one may hold commas and doubled quotes.
 fn split(line: &str, cells: &mut Vec<String>) {
+    if !line.contains('"') {
+        split_plain(line, cells);
+        return;
+    }
     cells.clear();
     let mut cell = String::new();
     let mut quoted = false;
@@ -127,6 +131,23 @@ fn split(line: &str, cells: &mut Vec<String>) {
     cells.push(cell);
 }
 
+/// The same without quotation marks: long files have no others, and the cells
+/// of the line before are filled again.
+fn split_plain(line: &str, cells: &mut Vec<String>) {
+    let mut count = 0;
+    for part in line.split(',') {
+        match cells.get_mut(count) {
+            Some(cell) => {
+                cell.clear();
+                cell.push_str(part);
+            }
+            None => cells.push(part.to_owned()),
+        }
+        count += 1;
+    }
+    cells.truncate(count);
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -136,5 +157,11 @@ mod tests {
         let mut cells = Vec::new();
         split("1,\"a,\"\"b\"\"\",,x", &mut cells);
         assert_eq!(cells, ["1", "a,\"b\"", "", "x"]);
+        for (line, expected) in
+            [("1,,3", vec!["1", "", "3"]), ("", vec![""]), ("7,8", vec!["7", "8"])]
+        {
+            split(line, &mut cells);
+            assert_eq!(cells, expected);
+        }
     }
 }

@@ -41,3 +41,14 @@ function make(parent, name, attributes, text) {
 
 const times = doubles(data.times), steps = doubles(data.step), increments = doubles(data.increment);
 const where = (i) => i === 0 ? "start" : "step " + steps[i] + ", increment " + increments[i] + ", time " + show(times[i]);
+
+// Slave points: a letter of status and friction at every increment; numbers at
+// every stride-th, counted from the last.
+const spread = (text) => text.replace(/([a-z])(\d+)/g, (_, letter, length) => letter.repeat(Number(length)));
+const contact = data.contact.map((point) => Object.assign({}, point, {
+  status: spread(point.status), friction: spread(point.friction), start: point.first + (times.length - 2 - point.first) % data.stride,
+  p: singles(point.pressure), t: singles(point.shear), g: singles(point.opening), u: singles(point.slip), n: singles(point.angle)
+}));
+// Which of its numbers belong to the increment at `place` of the list, or stand nearest to it.
+const nearest = (point, place) => Math.max(0, Math.min(point.p.length - 1, Math.round((place - point.start) / data.stride)));
+const placed = (point, index) => point.start + index * data.stride;

@@ -42,15 +42,15 @@ function reactions() {
 
 function bands() {
   const parent = document.getElementById("bands");
-  if (!data.contact.length) { make(parent, "p", {}, "Nothing touched."); return; }
+  if (!contact.length) { make(parent, "p", {}, "Nothing touched."); return; }
   const key = make(parent, "div", { class: "legend" });
   for (const [colour, text] of [["--stick", "stick"], ["--slip", "slip"], ["--open", "open again"]]) {
     const entry = make(key, "span", { class: "key" });
     make(entry, "i").style.background = "var(" + colour + ")";
     entry.appendChild(document.createTextNode(text));
   }
-  make(key, "span", {}, "line: pressure, one scale for all; \u25c6 friction was not called");
-  const points = data.contact.map((point) => Object.assign({}, point, { p: singles(point.pressure), t: singles(point.shear), g: singles(point.opening), u: singles(point.slip) }));
+  make(key, "span", {}, "line: pressure, one scale for all" + (data.stride > 1 ? ", at one increment in " + data.stride : "") + "; \u25c6 friction was not called");
+  const points = contact.slice();
   points.sort((a, b) => a.pair < b.pair ? -1 : a.pair > b.pair ? 1 : a.node - b.node);
   const count = times.length - 1, row = 22, left = 150, width = 790, height = points.length * row + 34;
   let most = 0;
@@ -69,7 +69,7 @@ function bands() {
     }
     const rest = point.first + point.status.length;
     if (rest < count) draw(svg, "rect", { class: "band-o", x: x(rest), y: top, width: x(count) - x(rest), height: h, "fill-opacity": 0.35 });
-    const d = Array.from(point.p, (p, i) => (i ? "L" : "M") + x(point.first + i + 0.5).toFixed(1) + " " + (top + h - (most > 0 ? p / most : 0) * (h - 2)).toFixed(1));
+    const d = Array.from(point.p, (p, i) => (i ? "L" : "M") + x(placed(point, i) + 0.5).toFixed(1) + " " + (top + h - (most > 0 ? p / most : 0) * (h - 2)).toFixed(1));
     draw(svg, "path", { class: "pressure", d: d.join("") });
     for (let i = 0; i < point.friction.length; i++) {
       if (point.friction[i] === "d") draw(svg, "path", { class: "dropped", d: "M" + x(point.first + i + 0.5).toFixed(1) + " " + (top + 3) + "l4 4l-4 4l-4-4z" });
@@ -87,9 +87,10 @@ function bands() {
   const read = (k, i) => {
     at = [Math.max(0, Math.min(points.length - 1, k)), Math.max(0, Math.min(count - 1, i))];
     const point = points[at[0]], j = at[1] - point.first;
+    const k0 = nearest(point, at[1]), elsewhere = placed(point, k0) === at[1] ? "" : "; numbers of " + where(placed(point, k0) + 1);
     const words = { o: "open", t: "stick", s: "slip" }, calls = { c: "called", d: "dropped", n: "none" };
     for (const [name, value] of [["visibility", "visible"], ["x", x(at[1])], ["y", at[0] * row + 3], ["width", width / count]]) mark.setAttribute(name, value);
-    out.textContent = point.pair + " node " + point.node + ", " + where(at[1] + 1) + ": " + (j < 0 ? "not yet in contact" : j >= point.status.length ? "open again" : words[point.status[j]] + ", pressure " + show(point.p[j]) + ", shear " + show(point.t[j]) + ", gap " + show(point.g[j]) + ", slip " + show(point.u[j]) + ", friction " + calls[point.friction[j]]);
+    out.textContent = point.pair + " node " + point.node + ", " + where(at[1] + 1) + ": " + (j < 0 ? "not yet in contact" : j >= point.status.length ? "open again" : words[point.status[j]] + ", pressure " + show(point.p[k0]) + ", shear " + show(point.t[k0]) + ", gap " + show(point.g[k0]) + ", slip " + show(point.u[k0]) + ", friction " + calls[point.friction[j]] + elsewhere);
   };
   svg.addEventListener("pointermove", (event) => {
     const frame = svg.getBoundingClientRect();

@@ -8,9 +8,7 @@ class Shape {
     this.size = this.reference.length;
     this.points = {};
     f.labels.forEach((label, k) => { if (label > 0) this.points[label] = k; });
-    this.contact = data.contact.map((point) => Object.assign({}, point, {
-      p: singles(point.pressure), t: singles(point.shear), n: singles(point.angle)
-    }));
+    this.contact = contact;
     this.scale = 1;
     this.view = "all";
     this.arrows = true;
@@ -199,7 +197,7 @@ class Shape {
       const status = this.status(point, state), place = this.points[point.node];
       if (status === "o" || place === undefined) continue;
       closed++;
-      const k = state - 1 - point.first, at = this.place(this.at(place, this.frame, this.scale));
+      const k = nearest(point, state - 1), at = this.place(this.at(place, this.frame, this.scale));
       const n = [Math.cos(point.n[k]), Math.sin(point.n[k])];
       const unit = 85 / (this.strongest || 1) * (point.area || 1);
       if (this.arrows && Number.isFinite(n[0])) {
