@@ -46,6 +46,9 @@ struct Pair {
     name: String,
     origin: Span,
     clearance: Option<f64>,
+    /// Whether contact is sampled at nodes that hand the force on; stations of
+    /// integrated contact come and go without pressure.
+    hands_over: bool,
     /// Whether its slaves stand on the side along which contact wanders.
     wanders: bool,
     changes: usize,
@@ -183,6 +186,7 @@ impl Pair {
             name: pair.name.clone(),
             origin: pair.origin,
             clearance,
+            hands_over: pair.formulation == Formulation::NodeToSurface,
             wanders: pair.formulation == Formulation::NodeToSurface
                 && matches!(pair.master, Master::RigidSurface(_)),
             changes: 0,
@@ -221,7 +225,7 @@ impl Pair {
     /// SL0611: contact moves to other points in nearly every increment.
     fn changing(&self, noise: &PairNoise, increments: usize) -> Option<Diagnostic> {
         let rate = noise.changes_per_increment;
-        if rate <= 1.0 || increments < 5 {
+        if !self.hands_over || rate <= 1.0 || increments < 5 {
             return None;
         }
         let message = format!(
@@ -290,6 +294,7 @@ mod tests {
             name: "IRS".into(),
             origin: Span::default(),
             clearance: Some(1e-5),
+            hands_over: true,
             wanders: true,
             changes: 0,
             penetration: 0.0,
