@@ -9,20 +9,23 @@
 //! Newton knows nothing of time: it is told the state to start from and the
 //! values to reach.
 
+mod assembly;
+mod measures;
 mod questions;
 mod search;
 
-use crate::contact::{GeometryScratch, Meeting, STRIP_POINTS, SlavePoint};
-use crate::convergence::{Field, FieldHistory, Measures, judge, largest_nodal};
+use crate::contact::GeometryScratch;
+use crate::convergence::{Field, FieldHistory, Measures, judge};
 use crate::evaluate::{Evaluation, Trial, evaluate};
 use crate::evidence::Evidence;
 use crate::increments::Verdict;
-use crate::linearised::{Circumstances, LinearPoint, LinearisedContact, MOST_DOFS, Sliding};
+use crate::linearised::{LinearPoint, LinearisedContact};
 use crate::observe::{ContactChange, IterationReport};
 use crate::plan::Plan;
 use crate::predict;
 use crate::stabilise::{self, Dashpot};
 use crate::state::State;
+use assembly::circumstances;
 use slideline_linalg::{SolveError, Solver};
 
 /// What an attempt aims at.
@@ -95,11 +98,6 @@ pub struct Workspace {
 
 /// The largest rotation that one iteration may add [1].
 const LARGEST_ROTATION: f64 = 0.5;
-/// How far apart, in sizes of the model, points still count as touching when
-/// stiffness is lent.
-const TOUCH: f64 = 1e-9;
-/// Stiffness lent to a closed point, as a fraction of the stiffest element.
-const LENT: f64 = 0.1;
 
 impl Workspace {
     /// Room for a plan; the symbolic factorisation happens here.
@@ -332,130 +330,6 @@ impl Workspace {
         Ok(())
     }
 
-    /// Assembles and factors. Where nothing but contact that is still open
-    /// would hold the model, stiffness is lent to every point that faces its
-    /// master, and the contact step closes the gap.
-    fn factor(&mut self, plan: &Plan<'_>, committed: &State) -> Result<(), SolveError> {
-        loop {
-            self.linearise_points(plan, committed);
-            self.assemble(plan);
-            if plan.symmetrised() {
-                plan.symmetrise(&mut self.values);
-            }
-            match self.solver.refactor(&plan.pattern, &self.values) {
-                Ok(report) => {
-                    let negative = report.negative_pivots.unwrap_or(0);
-                    self.negative_pivots = self.negative_pivots.max(negative);
-                    return Ok(());
-                }
-                Err(SolveError::Singular { .. }) if !self.lend_to_all => self.lend_to_all = true,
-                Err(fault) => return Err(fault),
-            }
-        }
-    }
-
-    /// Contact points as the small system wants them.
-    fn linearise_points(&mut self, plan: &Plan<'_>, committed: &State) {
-        self.points.clear();
-        for (place, point) in plan.contact.points.iter().enumerate() {
-            let meeting = &self.evaluation.meetings[place];
-            if point.is_station() && !meeting.faces {
-                self.pressures[place] = 0.0;
-                self.tractions[place] = 0.0;
-                continue;
-            }
-            let before = &committed.points[place];
-            let laws = &plan.contact.laws[point.pair];
-            let touching = meeting.faces
-                && (self.lend_to_all
-                    || self.pressures[place] > 0.0
-                    || meeting.overclosure > laws.normal.contact_begins() - TOUCH * plan.reach);
-            let lent = if touching { lent_stiffness(plan, point) } else { 0.0 };
-            let called = laws.has_friction() && laws.onset.called(before.closed, true);
-            let sliding = (called && meeting.faces).then(|| Sliding {
-                slip: plan.contact.slip(place, &before.history(), meeting, &committed.displacement),
-                elastic_slip: before.elastic_slip,
-                traction: self.tractions[place],
-                stiffness: lent,
-                memory: (point.memory, point.memory_size),
-            });
-            let mut linear = LinearPoint {
-                place,
-                pair: point.pair,
-                area: meeting.area,
-                integrated: point.is_station(),
-                width: 0,
-                equations: [0; MOST_DOFS],
-                normal: [0.0; MOST_DOFS],
-                tangential: [0.0; MOST_DOFS],
-                drag: [0.0; MOST_DOFS],
-                overclosure: meeting.overclosure,
-                pressure: if meeting.faces { self.pressures[place] } else { 0.0 },
-                stiffness: lent,
-                sliding,
-            };
-            for k in 0..meeting.width {
-                if let Some(equation) = plan.layout.equation(meeting.slots[k]) {
-                    linear.equations[linear.width] = equation;
-                    linear.normal[linear.width] = meeting.gradient[k];
-                    linear.tangential[linear.width] = meeting.slip_gradient[k];
-                    linear.drag[linear.width] = meeting.drag[k];
-                    linear.width += 1;
-                }
-            }
-            self.points.push(linear);
-        }
-    }
-
-    /// Elements, geometry of contact, and the stiffness lent to closed points.
-    fn assemble(&mut self, plan: &Plan<'_>) {
-        self.values.fill(0.0);
-        plan.structure.gather_tangent(&self.evaluation.contributions, &mut self.values);
-        for (slot, stiffness) in plan.layout.load_stiffness(&self.u, &self.load) {
-            let equation = plan.layout.equation(slot);
-            if let Some(at) = equation.and_then(|e| plan.pattern.position(e, e)) {
-                self.values[at] += stiffness;
-            }
-        }
-        self.dashpots.iter().for_each(|dashpot| dashpot.stiffen(plan, &mut self.values));
-        plan.contact.fill_scratch(&self.u, &mut self.geometry);
-        for k in 0..self.points.len() {
-            if self.points[k].pressure == 0.0 && self.points[k].stiffness == 0.0 {
-                continue;
-            }
-            self.add_geometry(plan, self.points[k].place);
-            let linear = &self.points[k];
-            let sliding_stiffness = linear.sliding.map_or(0.0, |sliding| sliding.stiffness);
-            for i in 0..linear.width {
-                for j in 0..linear.width {
-                    let at = plan.pattern.position(linear.equations[i], linear.equations[j]);
-                    if let Some(at) = at {
-                        self.values[at] += linear.area
-                            * (linear.stiffness * linear.normal[i] * linear.normal[j]
-                                + sliding_stiffness * linear.drag[i] * linear.tangential[j]);
-                    }
-                }
-            }
-        }
-    }
-
-    fn add_geometry(&mut self, plan: &Plan<'_>, place: usize) {
-        let meeting: &Meeting = &self.evaluation.meetings[place];
-        let width = meeting.width;
-        let forces = (meeting.area * self.pressures[place], meeting.area * self.tractions[place]);
-        let geometry = &mut self.geometry;
-        plan.contact.geometric_tangent(place, &self.u, meeting, forces, geometry);
-        for i in 0..width {
-            let Some(row) = plan.layout.equation(meeting.slots[i]) else { continue };
-            for j in 0..width {
-                let Some(column) = plan.layout.equation(meeting.slots[j]) else { continue };
-                if let Some(at) = plan.pattern.position(row, column) {
-                    self.values[at] += geometry.tangent[width * i + j];
-                }
-            }
-        }
-    }
-
     /// Fraction of the correction at which no node turns too far.
     fn limit_turns(&self, plan: &Plan<'_>) -> f64 {
         let mut turn = 0.0_f64;
@@ -551,128 +425,5 @@ impl Workspace {
             && report.moment.converged
             && self.contact_settled(plan, report.force.allowed);
         report
-    }
-
-    /// The list of the report before, emptied: iterations allocate nothing.
-    fn empty_changes(&mut self, progress: &mut Progress) -> Vec<ContactChange> {
-        if let Some(last) = progress.last.take() {
-            self.changes = last.contact_changes;
-        }
-        self.changes.clear();
-        std::mem::take(&mut self.changes)
-    }
-
-    fn measure(
-        &mut self,
-        plan: &Plan<'_>,
-        committed: &State,
-        field: Field,
-    ) -> crate::observe::FieldReport {
-        let layout = &plan.layout;
-        for slot in 0..layout.slots() {
-            self.residual[slot] =
-                self.evaluation.internal[slot] + self.evaluation.contact[slot] - self.load[slot];
-            self.increment[slot] = self.u[slot] - committed.displacement[slot];
-        }
-        let free = |slot: usize| layout.equation(slot).is_some();
-        let (residual, at) = largest_nodal(layout, field, &self.residual, free);
-        let (correction, moved) = largest_nodal(layout, field, &self.correction_slots, free);
-        let (increment, _) = largest_nodal(layout, field, &self.increment, |_| true);
-        crate::observe::FieldReport {
-            residual,
-            residual_at: at.map(|slot| layout.name(slot)),
-            correction,
-            correction_at: moved.map(|slot| layout.name(slot)),
-            increment,
-            ..crate::observe::FieldReport::default()
-        }
-    }
-
-    /// What rounding leaves of a residual: 50 eps EA max|u| / l of the
-    /// elements, and what the rounding of positions makes of contact.
-    /// Moments: the same times their levers.
-    fn floors(&self, plan: &Plan<'_>) -> [f64; 2] {
-        let mut moved = 0.0_f64;
-        let mut reach = plan.reach;
-        for (slot, &u) in self.u.iter().enumerate() {
-            if !plan.layout.name(slot).1.is_rotation() {
-                reach = reach.max(u.abs());
-                if plan.elastic[slot] {
-                    moved = moved.max(u.abs());
-                }
-            }
-        }
-        let elastic = 50.0 * f64::EPSILON * plan.structure.stiffest * moved;
-        let contact = 4.0 * f64::EPSILON * self.contact_size(plan, reach);
-        [elastic + contact, elastic * plan.structure.stiffest_length + contact * reach]
-    }
-
-    /// Largest contact force, and largest change of one when positions
-    /// change by the size of the model [F].
-    fn contact_size(&self, plan: &Plan<'_>, reach: f64) -> f64 {
-        let mut largest = 0.0_f64;
-        for (place, point) in self.evaluation.points.iter().enumerate() {
-            if point.closed {
-                let laws = &plan.contact.laws[plan.contact.points[place].pair];
-                let slope = laws.normal.pressure(-point.opening).map_or(0.0, |(_, slope)| slope);
-                largest = largest.max(point.area * (point.pressure.abs() + slope * reach));
-            }
-        }
-        largest
-    }
-
-    /// Notes points whose contact changed since the last iteration by more
-    /// than the residual tolerance: below it a change is no discontinuity.
-    fn note_changes(&mut self, plan: &Plan<'_>, negligible: f64, report: &mut IterationReport) {
-        for (place, point) in self.evaluation.points.iter().enumerate() {
-            if point.closed == self.was_closed[place] || plan.contact.points[place].is_station() {
-                continue;
-            }
-            let own = &plan.contact.points[place];
-            report.contact_changes.push(ContactChange {
-                pair: own.pair,
-                node: own.node,
-                closed: point.closed,
-            });
-            report.severe |= !point.closed || point.area * point.pressure > negligible;
-            self.was_closed[place] = point.closed;
-        }
-    }
-
-    /// Hard contact and exact stick have no stiffness that would turn a
-    /// defect into a residual: it is held against the structure's own.
-    fn contact_settled(&self, plan: &Plan<'_>, allowed: f64) -> bool {
-        let tolerance = self.contact_tolerance(plan, allowed);
-        self.evaluation.penetration <= tolerance && self.evaluation.stick_slip <= tolerance
-    }
-
-    /// Overclosure that the structure would answer with the residual allowed,
-    /// or that rounding leaves [L].
-    fn contact_tolerance(&self, plan: &Plan<'_>, allowed: f64) -> f64 {
-        let moved = self.u.iter().fold(0.0_f64, |largest, u| largest.max(u.abs()));
-        let rounding = 8.0 * f64::EPSILON * (plan.reach + moved);
-        let stiffest = plan.structure.stiffest;
-        let by_force = if stiffest > 0.0 { allowed / stiffest } else { 0.0 };
-        by_force.max(rounding)
-    }
-}
-
-fn circumstances<'a>(plan: &'a Plan<'_>, committed: &'a State, dt: f64) -> Circumstances<'a> {
-    Circumstances {
-        laws: &plan.contact.laws,
-        time: committed.total_time + dt,
-        dt,
-        committed: &committed.memory,
-        symmetrised: plan.symmetrised(),
-        rounding: 8.0 * f64::EPSILON * plan.reach,
-    }
-}
-
-fn lent_stiffness(plan: &Plan<'_>, point: &SlavePoint) -> f64 {
-    if plan.structure.stiffest > 0.0 && point.area > 0.0 {
-        let points = if point.is_station() { STRIP_POINTS as f64 } else { 1.0 };
-        LENT * plan.structure.stiffest / (points * point.area)
-    } else {
-        1.0
     }
 }

@@ -1,6 +1,7 @@
 //! What a diagnosis asks of an attempt that has failed.
 
-use super::{Workspace, circumstances};
+use super::Workspace;
+use super::assembly::circumstances;
 use crate::linearised::Contradiction;
 use crate::plan::Plan;
 use crate::state::State;

@@ -78,7 +78,7 @@ impl Workspace {
             sum += force * force;
         }
         let missed = self.evaluation.penetration + self.evaluation.stick_slip;
-        let missed = super::LENT * plan.structure.stiffest * missed;
+        let missed = super::assembly::LENT * plan.structure.stiffest * missed;
         let all = (sum + missed * missed).sqrt();
         if all.is_finite() { all } else { f64::MAX }
     }

@@ -1,0 +1,164 @@
+//! The tangent of an iteration: elements, geometry of contact, lent stiffness.
+
+use super::Workspace;
+use crate::contact::{Meeting, STRIP_POINTS, SlavePoint};
+use crate::linearised::{Circumstances, LinearPoint, MOST_DOFS, Sliding};
+use crate::plan::Plan;
+use crate::state::State;
+use slideline_linalg::SolveError;
+
+/// How far apart, in sizes of the model, points still count as touching when
+/// stiffness is lent.
+const TOUCH: f64 = 1e-9;
+/// Stiffness lent to a closed point, as a fraction of the stiffest element.
+pub(super) const LENT: f64 = 0.1;
+
+impl Workspace {
+    /// Assembles and factors. Where nothing but contact that is still open
+    /// would hold the model, stiffness is lent to every point that faces its
+    /// master, and the contact step closes the gap.
+    pub(super) fn factor(&mut self, plan: &Plan<'_>, committed: &State) -> Result<(), SolveError> {
+        loop {
+            self.linearise_points(plan, committed);
+            self.assemble(plan);
+            if plan.symmetrised() {
+                plan.symmetrise(&mut self.values);
+            }
+            match self.solver.refactor(&plan.pattern, &self.values) {
+                Ok(report) => {
+                    let negative = report.negative_pivots.unwrap_or(0);
+                    self.negative_pivots = self.negative_pivots.max(negative);
+                    return Ok(());
+                }
+                Err(SolveError::Singular { .. }) if !self.lend_to_all => self.lend_to_all = true,
+                Err(fault) => return Err(fault),
+            }
+        }
+    }
+
+    /// Contact points as the small system wants them.
+    pub(super) fn linearise_points(&mut self, plan: &Plan<'_>, committed: &State) {
+        self.points.clear();
+        for (place, point) in plan.contact.points.iter().enumerate() {
+            let meeting = &self.evaluation.meetings[place];
+            if point.is_station() && !meeting.faces {
+                self.pressures[place] = 0.0;
+                self.tractions[place] = 0.0;
+                continue;
+            }
+            let before = &committed.points[place];
+            let laws = &plan.contact.laws[point.pair];
+            let touching = meeting.faces
+                && (self.lend_to_all
+                    || self.pressures[place] > 0.0
+                    || meeting.overclosure > laws.normal.contact_begins() - TOUCH * plan.reach);
+            let lent = if touching { lent_stiffness(plan, point) } else { 0.0 };
+            let called = laws.has_friction() && laws.onset.called(before.closed, true);
+            let sliding = (called && meeting.faces).then(|| Sliding {
+                slip: plan.contact.slip(place, &before.history(), meeting, &committed.displacement),
+                elastic_slip: before.elastic_slip,
+                traction: self.tractions[place],
+                stiffness: lent,
+                memory: (point.memory, point.memory_size),
+            });
+            let mut linear = LinearPoint {
+                place,
+                pair: point.pair,
+                area: meeting.area,
+                integrated: point.is_station(),
+                width: 0,
+                equations: [0; MOST_DOFS],
+                normal: [0.0; MOST_DOFS],
+                tangential: [0.0; MOST_DOFS],
+                drag: [0.0; MOST_DOFS],
+                overclosure: meeting.overclosure,
+                pressure: if meeting.faces { self.pressures[place] } else { 0.0 },
+                stiffness: lent,
+                sliding,
+            };
+            for k in 0..meeting.width {
+                if let Some(equation) = plan.layout.equation(meeting.slots[k]) {
+                    linear.equations[linear.width] = equation;
+                    linear.normal[linear.width] = meeting.gradient[k];
+                    linear.tangential[linear.width] = meeting.slip_gradient[k];
+                    linear.drag[linear.width] = meeting.drag[k];
+                    linear.width += 1;
+                }
+            }
+            self.points.push(linear);
+        }
+    }
+
+    /// Elements, geometry of contact, and the stiffness lent to closed points.
+    pub(super) fn assemble(&mut self, plan: &Plan<'_>) {
+        self.values.fill(0.0);
+        plan.structure.gather_tangent(&self.evaluation.contributions, &mut self.values);
+        for (slot, stiffness) in plan.layout.load_stiffness(&self.u, &self.load) {
+            let equation = plan.layout.equation(slot);
+            if let Some(at) = equation.and_then(|e| plan.pattern.position(e, e)) {
+                self.values[at] += stiffness;
+            }
+        }
+        self.dashpots.iter().for_each(|dashpot| dashpot.stiffen(plan, &mut self.values));
+        plan.contact.fill_scratch(&self.u, &mut self.geometry);
+        for k in 0..self.points.len() {
+            if self.points[k].pressure == 0.0 && self.points[k].stiffness == 0.0 {
+                continue;
+            }
+            self.add_geometry(plan, self.points[k].place);
+            let linear = &self.points[k];
+            let sliding_stiffness = linear.sliding.map_or(0.0, |sliding| sliding.stiffness);
+            for i in 0..linear.width {
+                for j in 0..linear.width {
+                    let at = plan.pattern.position(linear.equations[i], linear.equations[j]);
+                    if let Some(at) = at {
+                        self.values[at] += linear.area
+                            * (linear.stiffness * linear.normal[i] * linear.normal[j]
+                                + sliding_stiffness * linear.drag[i] * linear.tangential[j]);
+                    }
+                }
+            }
+        }
+    }
+
+    pub(super) fn add_geometry(&mut self, plan: &Plan<'_>, place: usize) {
+        let meeting: &Meeting = &self.evaluation.meetings[place];
+        let width = meeting.width;
+        let forces = (meeting.area * self.pressures[place], meeting.area * self.tractions[place]);
+        let geometry = &mut self.geometry;
+        plan.contact.geometric_tangent(place, &self.u, meeting, forces, geometry);
+        for i in 0..width {
+            let Some(row) = plan.layout.equation(meeting.slots[i]) else { continue };
+            for j in 0..width {
+                let Some(column) = plan.layout.equation(meeting.slots[j]) else { continue };
+                if let Some(at) = plan.pattern.position(row, column) {
+                    self.values[at] += geometry.tangent[width * i + j];
+                }
+            }
+        }
+    }
+}
+
+pub(super) fn circumstances<'a>(
+    plan: &'a Plan<'_>,
+    committed: &'a State,
+    dt: f64,
+) -> Circumstances<'a> {
+    Circumstances {
+        laws: &plan.contact.laws,
+        time: committed.total_time + dt,
+        dt,
+        committed: &committed.memory,
+        symmetrised: plan.symmetrised(),
+        rounding: 8.0 * f64::EPSILON * plan.reach,
+    }
+}
+
+pub(super) fn lent_stiffness(plan: &Plan<'_>, point: &SlavePoint) -> f64 {
+    if plan.structure.stiffest > 0.0 && point.area > 0.0 {
+        let points = if point.is_station() { STRIP_POINTS as f64 } else { 1.0 };
+        LENT * plan.structure.stiffest / (points * point.area)
+    } else {
+        1.0
+    }
+}

@@ -1,0 +1,118 @@
+//! What an iteration leaves: residuals, corrections, changes of contact, and
+//! what rounding and the laws of contact allow of them.
+
+use super::{Progress, Workspace};
+use crate::convergence::{Field, largest_nodal};
+use crate::observe::{ContactChange, IterationReport};
+use crate::plan::Plan;
+use crate::state::State;
+
+impl Workspace {
+    /// The list of the report before, emptied: iterations allocate nothing.
+    pub(super) fn empty_changes(&mut self, progress: &mut Progress) -> Vec<ContactChange> {
+        if let Some(last) = progress.last.take() {
+            self.changes = last.contact_changes;
+        }
+        self.changes.clear();
+        std::mem::take(&mut self.changes)
+    }
+
+    pub(super) fn measure(
+        &mut self,
+        plan: &Plan<'_>,
+        committed: &State,
+        field: Field,
+    ) -> crate::observe::FieldReport {
+        let layout = &plan.layout;
+        for slot in 0..layout.slots() {
+            self.residual[slot] =
+                self.evaluation.internal[slot] + self.evaluation.contact[slot] - self.load[slot];
+            self.increment[slot] = self.u[slot] - committed.displacement[slot];
+        }
+        let free = |slot: usize| layout.equation(slot).is_some();
+        let (residual, at) = largest_nodal(layout, field, &self.residual, free);
+        let (correction, moved) = largest_nodal(layout, field, &self.correction_slots, free);
+        let (increment, _) = largest_nodal(layout, field, &self.increment, |_| true);
+        crate::observe::FieldReport {
+            residual,
+            residual_at: at.map(|slot| layout.name(slot)),
+            correction,
+            correction_at: moved.map(|slot| layout.name(slot)),
+            increment,
+            ..crate::observe::FieldReport::default()
+        }
+    }
+
+    /// What rounding leaves of a residual: 50 eps EA max|u| / l of the
+    /// elements, and what the rounding of positions makes of contact.
+    /// Moments: the same times their levers.
+    pub(super) fn floors(&self, plan: &Plan<'_>) -> [f64; 2] {
+        let mut moved = 0.0_f64;
+        let mut reach = plan.reach;
+        for (slot, &u) in self.u.iter().enumerate() {
+            if !plan.layout.name(slot).1.is_rotation() {
+                reach = reach.max(u.abs());
+                if plan.elastic[slot] {
+                    moved = moved.max(u.abs());
+                }
+            }
+        }
+        let elastic = 50.0 * f64::EPSILON * plan.structure.stiffest * moved;
+        let contact = 4.0 * f64::EPSILON * self.contact_size(plan, reach);
+        [elastic + contact, elastic * plan.structure.stiffest_length + contact * reach]
+    }
+
+    /// Largest contact force, and largest change of one when positions
+    /// change by the size of the model [F].
+    pub(super) fn contact_size(&self, plan: &Plan<'_>, reach: f64) -> f64 {
+        let mut largest = 0.0_f64;
+        for (place, point) in self.evaluation.points.iter().enumerate() {
+            if point.closed {
+                let laws = &plan.contact.laws[plan.contact.points[place].pair];
+                let slope = laws.normal.pressure(-point.opening).map_or(0.0, |(_, slope)| slope);
+                largest = largest.max(point.area * (point.pressure.abs() + slope * reach));
+            }
+        }
+        largest
+    }
+
+    /// Notes points whose contact changed since the last iteration by more
+    /// than the residual tolerance: below it a change is no discontinuity.
+    pub(super) fn note_changes(
+        &mut self,
+        plan: &Plan<'_>,
+        negligible: f64,
+        report: &mut IterationReport,
+    ) {
+        for (place, point) in self.evaluation.points.iter().enumerate() {
+            if point.closed == self.was_closed[place] || plan.contact.points[place].is_station() {
+                continue;
+            }
+            let own = &plan.contact.points[place];
+            report.contact_changes.push(ContactChange {
+                pair: own.pair,
+                node: own.node,
+                closed: point.closed,
+            });
+            report.severe |= !point.closed || point.area * point.pressure > negligible;
+            self.was_closed[place] = point.closed;
+        }
+    }
+
+    /// Hard contact and exact stick have no stiffness that would turn a
+    /// defect into a residual: it is held against the structure's own.
+    pub(super) fn contact_settled(&self, plan: &Plan<'_>, allowed: f64) -> bool {
+        let tolerance = self.contact_tolerance(plan, allowed);
+        self.evaluation.penetration <= tolerance && self.evaluation.stick_slip <= tolerance
+    }
+
+    /// Overclosure that the structure would answer with the residual allowed,
+    /// or that rounding leaves [L].
+    pub(super) fn contact_tolerance(&self, plan: &Plan<'_>, allowed: f64) -> f64 {
+        let moved = self.u.iter().fold(0.0_f64, |largest, u| largest.max(u.abs()));
+        let rounding = 8.0 * f64::EPSILON * (plan.reach + moved);
+        let stiffest = plan.structure.stiffest;
+        let by_force = if stiffest > 0.0 { allowed / stiffest } else { 0.0 };
+        by_force.max(rounding)
+    }
+}
