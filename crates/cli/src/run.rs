@@ -192,7 +192,7 @@ fn last_words(read: &Read, outcome: &Outcome) -> Option<Diagnostic> {
         } else {
             Diagnostic::warning(Code("SL0702"), message)
         };
-        return Some(said.help(kept_files(outcome)));
+        return Some(said.help(kept_files(read, outcome)));
     }
     match outcome.status {
         Status::Interrupted => Some(
@@ -207,10 +207,21 @@ fn last_words(read: &Read, outcome: &Outcome) -> Option<Diagnostic> {
 }
 
 fn how_to_go_on(read: &Read, outcome: &Outcome) -> String {
-    let deck = read.job.deck.display();
+    restart_command(read, outcome).map_or_else(
+        || {
+            let deck = read.job.deck.display();
+            format!("To go on, run the job again from its beginning: slideline run {deck}")
+        },
+        |command| format!("To go on from there: {command}"),
+    )
+}
+
+/// The command that goes on from the last saved state, if there is one.
+fn restart_command(read: &Read, outcome: &Outcome) -> Option<String> {
     if !outcome.files.path(".rst").exists() {
-        return format!("To go on, run the job again from its beginning: slideline run {deck}");
+        return None;
     }
+    let deck = read.job.deck.display();
     let beside = read.job.files(None);
     let elsewhere = beside.folder() != outcome.files.folder();
     let out = if elsewhere {
@@ -218,10 +229,10 @@ fn how_to_go_on(read: &Read, outcome: &Outcome) -> String {
     } else {
         String::new()
     };
-    format!("To go on from there: slideline run {deck} --restart{out}")
+    Some(format!("slideline run {deck} --restart{out}"))
 }
 
-fn kept_files(outcome: &Outcome) -> String {
+fn kept_files(read: &Read, outcome: &Outcome) -> String {
     let names: Vec<String> = outcome
         .files
         .existing()
@@ -241,9 +252,13 @@ fn kept_files(outcome: &Outcome) -> String {
     let mut others: Vec<String> =
         names.into_iter().filter(|name| !name.ends_with(".vtu")).collect();
     others.sort();
+    let again = match restart_command(read, outcome) {
+        Some(command) => format!("Make room and go on from the last saved state: {command}"),
+        None => "Make room or choose another folder with --out, and run again.".to_owned(),
+    };
     format!(
         "Written into {folder} and valid up to the last whole line: {} and {states} .vtu files. \
-         Make room or choose another folder with --out, and run again.",
+         {again}",
         others.join(", ")
     )
 }

@@ -103,53 +103,60 @@ impl Moments {
     }
 }
 
-/// Requirement: a run of 200 increments, killed at 20 random moments of its
-/// life (the rest of it too), has the files of a run that was left alone.
+fn begin(folder: &Path, go_on: bool) -> std::process::Child {
+    Command::new(PROGRAM)
+        .args(["run", "job", "--quiet", "--no-html"])
+        .args(go_on.then_some("--restart"))
+        .current_dir(folder)
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap()
+}
+
+/// Requirement: 100 runs of 200 increments, each killed at a random moment of
+/// its life, every third one once or twice more while it goes on, end with 100
+/// times the files of a run that was left alone.
 #[test]
-fn twenty_kills_at_random_moments() {
+fn a_hundred_kills_at_random_moments() {
     let deck = columns(67, WRITE, &irs());
     let whole = folder("kills_whole");
     std::fs::write(whole.join("job.inp"), &deck).unwrap();
     let began = Instant::now();
-    assert_eq!(code(&slideline(&whole, &["run", "job", "--quiet", "--no-html"])), 0);
-    let lifetime = began.elapsed();
+    assert!(begin(&whole, false).wait().unwrap().success());
+    let lifetime = began.elapsed().as_micros() as u64;
     let expected = files(&whole, "job");
     let part = folder("kills");
-    std::fs::write(part.join("job.inp"), &deck).unwrap();
     let mut moments = Moments(7);
-    let (mut kills, mut rounds) = (0, 0);
-    while kills < 20 && rounds < 400 {
+    let (mut histories, mut kills, mut anew, mut rounds) = (0, 0, 0, 0);
+    while histories < 100 {
         rounds += 1;
-        let begins_anew = !part.join("job.rst").exists();
-        let mut child = Command::new(PROGRAM)
-            .args(["run", "job", "--quiet", "--no-html"])
-            .args((!begins_anew).then_some("--restart"))
-            .current_dir(&part)
-            .stdout(Stdio::null())
-            .stderr(Stdio::null())
-            .spawn()
-            .unwrap();
-        let moment = lifetime.as_micros() as u64 / 4;
-        std::thread::sleep(Duration::from_micros(moments.below(moment)));
-        let ended = child.try_wait().unwrap();
-        let _ = child.kill();
-        let _ = child.wait();
-        match ended {
-            None => kills += 1,
-            Some(status) => {
-                assert_eq!(status.code(), Some(0), "after {kills} kills");
-                same(&expected, &files(&part, "job"), &format!("after {kills} kills"));
-                std::fs::remove_file(part.join("job.rst")).unwrap();
+        assert!(rounds < 1000, "{histories} histories with {kills} kills");
+        let _ = std::fs::remove_dir_all(&part);
+        std::fs::create_dir_all(&part).unwrap();
+        std::fs::write(part.join("job.inp"), &deck).unwrap();
+        let mut killed = 0;
+        for _ in 0..1 + rounds % 3 {
+            let mut child = begin(&part, part.join("job.rst").exists());
+            std::thread::sleep(Duration::from_micros(moments.below(lifetime)));
+            let ended = child.try_wait().unwrap();
+            let _ = child.kill();
+            let _ = child.wait();
+            match ended {
+                None => killed += 1,
+                Some(status) => assert_eq!(status.code(), Some(0), "after {kills} kills"),
             }
         }
+        let case = format!("round {rounds}, killed {killed} times");
+        let saved = part.join("job.rst").exists();
+        anew += usize::from(!saved);
+        let status = begin(&part, saved).wait().unwrap();
+        assert_eq!(status.code(), Some(0), "{case}");
+        same(&expected, &files(&part, "job"), &case);
+        kills += killed;
+        histories += usize::from(killed > 0);
     }
-    assert!(kills >= 20, "{kills} kills in {rounds} rounds");
-    if part.join("job.rst").exists() {
-        let output = slideline(&part, &["run", "job", "--restart", "--quiet", "--no-html"]);
-        assert_eq!(code(&output), 0);
-        same(&expected, &files(&part, "job"), "after the last kill");
-    }
-    println!("{kills} kills in {rounds} rounds of a run of {lifetime:?}");
+    println!("{kills} kills, {histories} histories, {anew} before the first state, {lifetime} us");
 }
 
 /// What cannot be gone on from is an input error, and nothing is touched.
@@ -177,8 +184,9 @@ fn what_cannot_be_gone_on_from() {
         let length = moments.below(state.len() as u64) as usize;
         damaged.push(state[..length].to_vec());
         let mut flipped = state.clone();
-        // head, preface or the last state: the others are not used
-        let place = if length < last { length % places[1] } else { length };
+        // what both marks are in, the preface or the last state: the rest is not used
+        let used = [length % 22, 54 + length % (places[1] - 54), length.max(last)];
+        let place = used[length % 3];
         flipped[place] ^= 1 << moments.below(8);
         damaged.push(flipped);
     }
@@ -206,41 +214,44 @@ fn what_cannot_be_gone_on_from() {
     assert!(stderr(&output).contains("SL0710"), "{}", stderr(&output));
 }
 
-/// Ctrl-C saves the state of the last increment, whatever FREQUENCY says.
+/// Requirement: every signal that asks for an end lets the increment come to
+/// its own, saves the state of it whatever FREQUENCY says, tells how to go on,
+/// and the job goes on from it to the files of a run that was left alone.
 #[cfg(unix)]
 #[test]
-fn an_interrupted_run_says_how_to_go_on() {
-    let deck = columns(2000, "*RESTART, WRITE, FREQUENCY=100000\n", &irs());
-    let part = folder("interrupted");
-    std::fs::write(part.join("job.inp"), &deck).unwrap();
-    let child = Command::new(PROGRAM)
-        .args(["run", "job", "--no-html"])
-        .current_dir(&part)
-        .stdout(Stdio::null())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    while !part.join("job_0005.vtu").exists() {
-        std::thread::yield_now();
+fn signals_end_a_run_after_an_increment() {
+    let deck = columns(700, "*RESTART, WRITE, FREQUENCY=100000\n", &irs());
+    let whole = folder("signals_whole");
+    std::fs::write(whole.join("job.inp"), &deck).unwrap();
+    assert!(begin(&whole, false).wait().unwrap().success());
+    let expected = files(&whole, "job");
+    for signal in ["INT", "TERM", "HUP"] {
+        let part = folder(&format!("signals_{signal}"));
+        std::fs::write(part.join("job.inp"), &deck).unwrap();
+        let child = Command::new(PROGRAM)
+            .args(["run", "job", "--no-html"])
+            .current_dir(&part)
+            .stdout(Stdio::null())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        while !part.join("job_0005.vtu").exists() {
+            std::thread::yield_now();
+        }
+        let id = child.id().to_string();
+        let sent = Command::new("kill").args([&format!("-{signal}"), &id]).status().unwrap();
+        assert!(sent.success());
+        let output = child.wait_with_output().unwrap();
+        let said = stderr(&output);
+        assert_eq!(code(&output), 130, "{signal}: {said}");
+        assert!(said.contains("slideline run job.inp --restart"), "{signal}: {said}");
+        let summary = std::fs::read_to_string(part.join("job.json")).unwrap();
+        assert!(summary.contains("\"status\":\"interrupted\""), "{signal}: {summary}");
+        let rows =
+            std::fs::read_to_string(part.join("job.energy.csv")).unwrap().lines().count() - 1;
+        assert!(summary.contains(&format!("\"increments\":{rows},")), "{signal}: {summary}");
+        assert!((5..2100).contains(&rows), "{signal} after {rows} increments");
+        assert!(begin(&part, true).wait().unwrap().success(), "{signal}");
+        same(&expected, &files(&part, "job"), signal);
     }
-    let id = child.id().to_string();
-    assert!(Command::new("kill").args(["-INT", &id]).status().unwrap().success());
-    let output = child.wait_with_output().unwrap();
-    assert_eq!(code(&output), 130, "{}", stderr(&output));
-    assert!(stderr(&output).contains("slideline run job.inp --restart"), "{}", stderr(&output));
-    let rows = |name: &str| std::fs::read_to_string(part.join(name)).unwrap().lines().count();
-    let before = rows("job.energy.csv");
-    // interrupted at once: only what is left of one increment is solved again
-    let mut child = Command::new(PROGRAM)
-        .args(["run", "job", "--restart", "--quiet", "--no-html"])
-        .current_dir(&part)
-        .spawn()
-        .unwrap();
-    let began = Instant::now();
-    while rows("job.energy.csv") <= before && began.elapsed() < Duration::from_secs(10) {
-        std::thread::yield_now();
-    }
-    let _ = child.kill();
-    let _ = child.wait();
-    assert!(rows("job.energy.csv") > before);
 }

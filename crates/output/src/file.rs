@@ -110,7 +110,9 @@ impl Growing {
             return Ok(());
         }
         if let Err(reason) = self.file.write_all(self.text.as_bytes()) {
-            let _ = self.file.set_len(self.length); // the first error is the one to tell
+            // The first error is the one to tell.
+            let back = SeekFrom::Start(self.length);
+            let _ = self.file.set_len(self.length).and_then(|()| self.file.seek(back));
             return Err(at(&self.path)(reason));
         }
         self.length += self.text.len() as u64;

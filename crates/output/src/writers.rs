@@ -77,8 +77,8 @@ impl<'a> Writers<'a> {
     /// # Errors
     /// When a file is not there any more, or cannot be cut.
     pub fn resume(job: &JobFiles, facts: Facts<'a>, saved: Saved) -> Result<Self, WriteError> {
+        restart::cut_back(job, &saved)?;
         let Saved { checkpoint, kept, memory, place, .. } = saved;
-        restart::cut_back(job, &kept, place)?;
         let job = job.going_on(kept);
         let writers = REGISTRY.iter().map(|kind| (kind.make)(&job, &facts)).collect();
         let restart = restart::Writer::new(facts.clone(), Some(place));

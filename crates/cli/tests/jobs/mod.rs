@@ -167,7 +167,7 @@ pub fn checksum(bytes: &[u8]) -> u64 {
 /// and the end of the last.
 pub fn sections(file: &[u8]) -> Vec<usize> {
     let word = |at: usize| u64::from_le_bytes(*file[at..].first_chunk().unwrap()) as usize;
-    let (mut places, valid) = (vec![38], word(22));
+    let (mut places, valid) = (vec![54], word(22).max(word(38)));
     while *places.last().unwrap() < valid {
         let start = *places.last().unwrap();
         places.push(start + 16 + word(start));
@@ -177,10 +177,7 @@ pub fn sections(file: &[u8]) -> Vec<usize> {
 
 /// A `JOB.rst` whose head says that it ends after the state of that number.
 pub fn up_to_state(file: &[u8], number: usize) -> Vec<u8> {
-    let end = sections(file)[number + 1];
-    let mut file = file.to_vec();
-    file[22..30].copy_from_slice(&(end as u64).to_le_bytes());
-    let sum = checksum(&file[..30]);
-    file[30..38].copy_from_slice(&sum.to_le_bytes());
-    file
+    let end = sections(file)[number + 1] as u64;
+    let mark = [end.to_le_bytes(), checksum(&end.to_le_bytes()).to_le_bytes()].concat();
+    [&file[..22], &mark, &mark, &file[54..]].concat()
 }

@@ -73,6 +73,8 @@ pub struct Saved {
     pub(crate) kept: Kept,
     pub(crate) memory: Memory,
     pub(crate) place: Place,
+    /// The mark of the file to write next.
+    next_mark: usize,
 }
 
 /// The states of a job.
@@ -257,9 +259,9 @@ pub fn is_completed(job: &JobFiles) -> bool {
 
 /// Removes what came after a saved state. Files that grow are cut when they
 /// are opened. May be interrupted and done again.
-pub(crate) fn cut_back(job: &JobFiles, kept: &Kept, place: Place) -> Result<(), WriteError> {
-    // First, for later states would ask for more than will be there.
-    writer::forget_after(&job.path(".rst"), place)?;
+pub(crate) fn cut_back(job: &JobFiles, saved: &Saved) -> Result<(), WriteError> {
+    writer::end_at(&job.path(".rst"), saved.place, saved.next_mark)?;
+    let kept = &saved.kept;
     let dat = job.path(".dat");
     let tables = beside(&dat);
     let waits = kept.lengths.iter().any(|(ending, _)| ending == ".dat");

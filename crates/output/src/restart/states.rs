@@ -1,15 +1,16 @@
 //! The layout of `JOB.rst`, and how states are found in it.
 //!
 //! ```text
-//!   head    "slideline.rst\n"  format  valid length  checksum
+//!   head    "slideline.rst\n"  format  mark  mark
+//!           mark: valid length, checksum
 //!   section length  checksum | preface: program, options, texts of the decks
 //!   section length  checksum | step, increment, result files, summary, state
 //!   section ...                                          <- valid length
 //! ```
 //!
-//! A state is appended behind the valid length; then the head, which takes one
-//! write within one page, makes it count. Whenever a process is killed the
-//! head says where the last whole state ends.
+//! A state is appended behind the valid length; then one of the two marks, in
+//! turn, makes it count. Whenever a process ends, one mark at least is whole
+//! and says where a whole state ends.
 
 use super::{Kept, Preface, Saved};
 use crate::summary::Memory;
@@ -21,8 +22,12 @@ use std::io::{ErrorKind, Read, Seek, SeekFrom};
 const MAGIC: &[u8; 14] = b"slideline.rst\n";
 /// Version of the layout.
 const FORMAT: usize = 2;
+/// Bytes before the marks.
+const MARKS: usize = 22;
+/// Bytes of a mark.
+const MARK: usize = 16;
 /// Bytes of the head.
-pub(super) const HEAD: usize = 38;
+pub(super) const HEAD: usize = MARKS + 2 * MARK;
 /// Bytes before the content of a section.
 const SECTION: u64 = 16;
 
@@ -33,10 +38,19 @@ pub(super) type Reason = String;
 pub(super) fn head(valid: u64) -> Vec<u8> {
     let mut head = Packed(MAGIC.to_vec());
     head.count(FORMAT);
-    head.0.extend(valid.to_le_bytes());
-    let sum = sum(&[&head.0]);
-    head.0.extend(sum.to_le_bytes());
-    head.0
+    [head.0, mark(valid).to_vec(), mark(valid).to_vec()].concat()
+}
+
+/// A mark that says so.
+pub(super) fn mark(valid: u64) -> [u8; MARK] {
+    let valid = valid.to_le_bytes();
+    let sum = sum(&[&valid]).to_le_bytes();
+    std::array::from_fn(|place| if place < 8 { valid[place] } else { sum[place - 8] })
+}
+
+/// Where the mark of that number begins.
+pub(super) fn mark_at(number: usize) -> u64 {
+    (MARKS + number % 2 * MARK) as u64
 }
 
 /// Content as a section.
@@ -71,13 +85,15 @@ pub(super) struct States<R> {
     pub preface: Preface,
     /// In the order in which they were saved.
     pub places: Vec<Place>,
+    /// The mark to write next.
+    next_mark: usize,
 }
 
 impl<R: Read + Seek> States<R> {
     /// Reads everything but the states themselves.
     pub fn open(mut file: R) -> Result<Self, Reason> {
         let size = file.seek(SeekFrom::End(0)).map_err(|reason| reason.to_string())?;
-        let valid = valid_length(&mut file)?;
+        let (valid, next_mark) = valid_length(&mut file, size)?;
         if valid > size {
             return Err(format!("it has {size} bytes and should have {valid}"));
         }
@@ -85,7 +101,7 @@ impl<R: Read + Seek> States<R> {
         let mut bytes = Unpacking(&content);
         let preface = Preface::unpack(&mut bytes).filter(|_| bytes.is_done()).ok_or(SENSELESS)?;
         let places = places(&mut file, end, valid)?;
-        Ok(Self { file, preface, places })
+        Ok(Self { file, preface, places, next_mark })
     }
 
     /// The last state of a step and increment, where they are said.
@@ -112,14 +128,16 @@ impl<R: Read + Seek> States<R> {
         let checkpoint = Checkpoint::unpack(bytes)?;
         let fits = said == (checkpoint.step, checkpoint.increment);
         let preface = self.preface.clone();
-        fits.then_some(Saved { checkpoint, preface, kept, memory, place })
+        let next_mark = self.next_mark;
+        fits.then_some(Saved { checkpoint, preface, kept, memory, place, next_mark })
     }
 }
 
 const SENSELESS: &str = "its content makes no sense";
 const SHORT: &str = "it is shorter than it says";
 
-fn valid_length(file: &mut (impl Read + Seek)) -> Result<u64, Reason> {
+/// What the marks say; `None` for one that was damaged.
+fn marks(file: &mut (impl Read + Seek)) -> Result<[Option<u64>; 2], Reason> {
     file.rewind().map_err(|reason| reason.to_string())?;
     let mut bytes = Vec::with_capacity(HEAD);
     file.take(HEAD as u64).read_to_end(&mut bytes).map_err(|reason| reason.to_string())?;
@@ -130,12 +148,29 @@ fn valid_length(file: &mut (impl Read + Seek)) -> Result<u64, Reason> {
         Some(_) => return Err("it was written by another version of this program".to_owned()),
         None => return Err("it is shorter than its own heading".to_owned()),
     }
-    let fields = head.count().zip(head.number());
-    let (valid, said) = fields.ok_or("its heading is damaged or cut off")?;
-    if bytes.len() != HEAD || sum(&[&bytes[..HEAD - 8]]) != said.to_bits() {
-        return Err("its heading is damaged".to_owned());
+    let mut valid = || {
+        let said = head.count()? as u64;
+        let whole = sum(&[&said.to_le_bytes()]) == head.number()?.to_bits();
+        Some(whole.then_some(said))
+    };
+    let marks = valid().zip(valid());
+    marks.map(|(a, b)| [a, b]).ok_or("it is shorter than its own heading".to_owned())
+}
+
+/// The end of the last state that counts, and the mark to write next. Where a
+/// mark was torn the state that it was to speak of is there, whole.
+fn valid_length(file: &mut (impl Read + Seek), size: u64) -> Result<(u64, usize), Reason> {
+    let (said, next) = match marks(file)? {
+        [Some(a), Some(b)] => return Ok((a.max(b), usize::from(a > b))),
+        [Some(a), None] => (a, 1),
+        [None, Some(b)] => (b, 0),
+        [None, None] => return Err("its heading is damaged".to_owned()),
+    };
+    let mut valid = said;
+    while let Ok((_, end)) = content(file, valid, size) {
+        valid = end;
     }
-    Ok(valid as u64)
+    Ok((valid, next))
 }
 
 /// The content of the section that begins at `start` and ends at `limit` at

@@ -1,6 +1,6 @@
 //! Adds states to `JOB.rst`.
 
-use super::states::{HEAD, Place, head, section};
+use super::states::{HEAD, Place, head, mark, mark_at, section};
 use super::{Kept, Preface};
 use crate::file::{WriteError, at, replace};
 use crate::job::JobFiles;
@@ -20,12 +20,14 @@ pub(crate) struct Writer<'a> {
     asked: Option<SavedStates>,
     /// The last state of the file; `None`: there is no file yet.
     last: Option<Place>,
+    /// The mark to write next.
+    next_mark: usize,
 }
 
 impl<'a> Writer<'a> {
     /// For a file that goes on behind a state, or for a new one.
     pub fn new(facts: Facts<'a>, last: Option<Place>) -> Self {
-        Self { facts, asked: None, last }
+        Self { facts, asked: None, last, next_mark: 0 }
     }
 
     /// Learns what a step asks for.
@@ -65,7 +67,11 @@ impl<'a> Writer<'a> {
             Some(last) if overlay && last.step == step => {
                 put_instead(&path, last.start, &state).map_err(at(&path))??
             }
-            Some(last) => append(&path, last.end, &state).map_err(at(&path))?,
+            Some(last) => {
+                append(&path, last.end, &state, self.next_mark).map_err(at(&path))?;
+                self.next_mark += 1;
+                last.end
+            }
         };
         let end = start + state.len() as u64;
         self.last = Some(Place { step, increment, start, end });
@@ -85,17 +91,16 @@ impl<'a> Writer<'a> {
 }
 
 /// Appends a state behind `end`, then makes it count. Where that fails the
-/// file is what it was.
-fn append(path: &Path, end: u64, state: &[u8]) -> io::Result<u64> {
+/// states before it are what counts.
+fn append(path: &Path, end: u64, state: &[u8], number: usize) -> io::Result<()> {
     let mut file = whole(path, end)?;
     file.seek(SeekFrom::Start(end))?;
     if let Err(reason) = file.write_all(state) {
         let _ = file.set_len(end); // the first error is the one to tell
         return Err(reason);
     }
-    file.rewind()?;
-    file.write_all(&head(end + state.len() as u64))?;
-    Ok(end)
+    file.seek(SeekFrom::Start(mark_at(number)))?;
+    file.write_all(&mark(end + state.len() as u64))
 }
 
 /// The file with a state in place of what begins at `start`, written beside
@@ -118,12 +123,14 @@ fn whole(path: &Path, length: u64) -> io::Result<File> {
     Ok(file)
 }
 
-/// Makes a state the last one of its file.
-pub(super) fn forget_after(path: &Path, last: Place) -> Result<(), WriteError> {
-    let forget = || {
+/// Makes a state the last one of its file, whatever a bad end left behind it.
+/// Afterwards both marks say so.
+pub(super) fn end_at(path: &Path, last: Place, number: usize) -> Result<(), WriteError> {
+    let end = || {
         let mut file = whole(path, last.end)?;
-        file.write_all(&head(last.end))?;
+        file.seek(SeekFrom::Start(mark_at(number)))?;
+        file.write_all(&mark(last.end))?;
         file.set_len(last.end)
     };
-    forget().map_err(at(path))
+    end().map_err(at(path))
 }
