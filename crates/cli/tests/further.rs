@@ -32,7 +32,7 @@ fn rows(folder: &Path, name: &str) -> Vec<String> {
 /// The last increments of `whole` are those of `part`, which begins after the
 /// increment with that number, counted through all steps.
 fn ends_like(folder: &Path, whole: &str, part: &str, after: usize) {
-    for ending in ["history.csv", "contact.csv", "energy.csv", "sta"] {
+    for ending in ["history.csv", "contact.csv", "energy.csv", "pair.csv", "sta"] {
         let [all, own] = [whole, part].map(|job| rows(folder, &format!("{job}.{ending}")));
         let fewer = own.len() < all.len() || ending == "contact.csv"; // no rows before contact
         assert!(!own.is_empty() && fewer, "{part}.{ending}");
@@ -40,7 +40,7 @@ fn ends_like(folder: &Path, whole: &str, part: &str, after: usize) {
     }
     let messages = |job: &str| {
         let text = text(folder, &format!("{job}.msg"));
-        let end = text.find("\nTHE RUN IS").unwrap();
+        let end = text.rfind(" IS DONE").unwrap(); // what is said of the whole run follows
         text[..end].split_once("ATTEMPT").map(|(_, rest)| rest.to_owned()).unwrap()
     };
     assert!(messages(whole).ends_with(&messages(part)), "{part}.msg");

@@ -7,9 +7,12 @@
 mod example;
 
 use example::{Constants, DECK, NAME, pull};
-use slideline::friction::{FrictionBatch, FrictionPoint, Traction, UserFriction};
+use slideline::friction::{
+    FrictionBatch, FrictionPoint, Traction, UserFriction, UserFrictionError,
+};
 use slideline::observe::Ending;
-use slideline::{Job, Quiet, ReadOptions, RunOptions, Status, run};
+use slideline::{Job, Quiet, ReadOptions, RunOptions, Severity, Status, TangentCheck, run};
+use std::sync::Arc;
 
 const CONSTANTS: Constants =
     Constants { fresh: 0.3, pressure: 10.0, left: 0.4, distance: 0.2, elastic_slip: 1e-3 };
@@ -90,4 +93,59 @@ fn no_answer_and_no_law() {
     let outcome = run(&read, &options, &mut Quiet);
     assert_eq!(outcome.status, Status::InputError);
     assert!(outcome.diagnostics[0].message.contains(NAME));
+}
+
+/// The example's law with a derivative that is a tenth too large.
+#[derive(Debug)]
+struct WrongSlope;
+
+impl UserFriction for WrongSlope {
+    fn update(&self, batch: &mut FrictionBatch<'_>) -> Result<(), UserFrictionError> {
+        example::RunningIn.update(batch)?;
+        for traction in batch.tractions.iter_mut() {
+            traction.d_tau_d_slip *= 1.1;
+        }
+        Ok(())
+    }
+}
+
+/// Requirement: a tangent that is not the derivative of the residual is found
+/// where it is asked for, and named: SL0906 once, as a warning, on the outcome
+/// and in the files, with the entry and the contact point; the converged
+/// increments stand. With the right derivative nothing is said.
+#[test]
+fn a_wrong_derivative_is_found() {
+    let spring = "*NODE\n5, 1.0, 0.0\n*ELEMENT, TYPE=SPRINGA, ELSET=SPRING\n21, 1, 5\n\
+                  *SPRING, ELSET=SPRING\n\n100.0\n*RIGID SURFACE";
+    let deck = DECK
+        .replacen("*RIGID SURFACE", spring, 1)
+        .replacen("1, 1\n1, 6\n", "5, 1, 6\n1, 6\n", 1)
+        .replace("1, 1, 1, 0", "5, 1, 1, 0");
+    let read = Job::read_text("tangent", &deck, &ReadOptions::default());
+    assert!(read.model.is_some(), "{:?}", read.diagnostics);
+    let laws: [(Arc<dyn UserFriction>, usize); 2] =
+        [(Arc::new(example::RunningIn), 0), (Arc::new(WrongSlope), 1)];
+    for (law, expected) in laws {
+        let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("wrong_slope");
+        let mut options = RunOptions { folder: Some(folder), ..RunOptions::default() };
+        options.solve.user_frictions.register(NAME, law);
+        options.solve.check_tangent = TangentCheck::Every;
+        let outcome = run(&read, &options, &mut Quiet);
+        assert_eq!(outcome.status, Status::Completed, "{:?}", outcome.diagnostics);
+        let said: Vec<_> =
+            outcome.diagnostics.iter().filter(|said| said.code.0 == "SL0906").collect();
+        assert_eq!(said.len(), expected, "{said:?}");
+        let messages = std::fs::read_to_string(outcome.files.path(".msg")).unwrap();
+        assert_eq!(messages.matches("SL0906").count(), expected);
+        for said in said {
+            assert_eq!(said.severity, Severity::Warning);
+            assert!(
+                said.message.contains("node 1") && said.message.contains("CONTACT"),
+                "{said:?}"
+            );
+            assert!(said.help.as_ref().is_some_and(|help| help.contains("report")), "{said:?}");
+            let summary = std::fs::read_to_string(outcome.files.path(".json")).unwrap();
+            assert!(summary.contains("SL0906"), "{summary}");
+        }
+    }
 }
