@@ -262,8 +262,20 @@ def strange_deck(folder):
     text = Path("corpus/diehl1995/isl_coarse.inp").read_text()
     heading = "</script><script>window.injected = 1</script><img src=x onerror=\"window.injected=2\"> {{job}} \u0444\u6f22"
     text = text.replace("*HEADING\n", f"*HEADING\n{heading}\n", 1)
+    # the name of the pair stands in legends and bands, the title in the echo
+    name = "\"</SCRIPT><IMG/SRC=X/ONERROR=WINDOW.INJECTED=3>\u0436\""
+    text = text.replace("ELSET=ISL", f"ELSET={name}")
+    text = text.replace("MOVE BEARING", "</title><script>window.injected = 4</script> MOVE BEARING")
     path = folder / "a 'q' \"p\" <b>&amp; \u0436\u6f22.inp"
     path.write_text(text)
+    return path
+
+
+def thinned_deck(folder, every):
+    """A deck that asks for fewer states than increments."""
+    text = Path("corpus/diehl1995/isl_coarse_mu03.inp").read_text()
+    path = folder / f"every_{every}.inp"
+    path.write_text(text.replace("*END STEP", f"*OUTPUT, FIELD, FREQUENCY={every}\n*END STEP"))
     return path
 
 
@@ -459,7 +471,34 @@ def check(browser, program, folder, pictures):
     assert browser.evaluate("typeof window.injected") == "undefined", "a script was injected"
     assert browser.evaluate("document.querySelectorAll('img, script[src], link').length") == 0
     assert "onerror" in browser.evaluate("document.querySelector('.echo').textContent")
+    named = browser.evaluate("document.querySelector('#names').textContent")
+    assert "</SCRIPT><IMG" in named and "\u0436" in named.lower(), f"the pair's name is shown: {named}"
     animation(browser)
+    assert not browser.faults(), browser.faults()
+    curve = folder / "</x> <img src=x onerror=\"window.injected=5\"> \u6f22.csv".replace("/", "\u2215")
+    curve.write_text("increment,time,RF2,U2\n0,0,0,0\n1,1,-9,-0.03\n")
+    run(program, "report", deck, "--overlay", curve)
+    browser.open(deck.with_suffix(".html"))
+    legend = browser.evaluate("document.querySelector('#chart-9999-U2 .legend').textContent")
+    assert curve.name in legend, legend
+    assert browser.evaluate("typeof window.injected") == "undefined", "a script was injected"
+    assert not browser.faults(), browser.faults()
+
+    deck = thinned_deck(folder, 4)
+    run(program, "run", deck, "--quiet")
+    browser.open(deck.with_suffix(".html"))
+    animation(browser)
+    assert browser.evaluate("document.getElementById('frame').max") == "5", "start and five states"
+    said = browser.evaluate("document.querySelector('#shape .remark').textContent")
+    assert "5 of 20" in said and "4, 8, 12, 16, 20" in said, said
+    reading(browser, "chart-9999-U2", history(deck.with_suffix(".history.csv"), 9999), "U2", "RF2")
+    assert not browser.faults(), browser.faults()
+    deck = thinned_deck(folder, 0)
+    run(program, "run", deck, "--quiet")
+    browser.open(deck.with_suffix(".html"))
+    browser.click("#play")
+    assert "no states" in browser.evaluate("document.querySelector('#shape').textContent")
+    reading(browser, "chart-9999-U2", history(deck.with_suffix(".history.csv"), 9999), "U2", "RF2")
     assert not browser.faults(), browser.faults()
 
     deck = many_increments(folder)

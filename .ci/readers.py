@@ -3,7 +3,9 @@
 Requirement: both readers open every state that JOB.pvd lists; times, motions,
 rotations, reactions, pressure, gap, shear and slip are those of
 JOB.history.csv and JOB.contact.csv, section forces and stresses those of
-JOB.element.csv. Tolerance: none; both hold the same double.
+JOB.element.csv. Tolerance: none; both hold the same double. A .frd file holds
+six digits of the same; its stresses are means over the beams of a node, its
+outlines of rigid surfaces move with their bodies.
 """
 
 import csv
@@ -29,7 +31,14 @@ DECKS = [
     "corpus/keywords/element_b22.inp",
     "corpus/keywords/EL-FILE.inp",
 ]
-FRD_DECKS = ["corpus/keywords/NODE-FILE.inp", "corpus/diehl1995/isl_coarse_mu03.inp"]
+FRD_DECKS = [
+    "corpus/keywords/NODE-FILE.inp",
+    "corpus/keywords/CONTACT-FILE.inp",
+    "corpus/keywords/element_b22.inp",
+    "corpus/diehl1995/isl_coarse_mu03.inp",
+    "corpus/diehl1995/irs_coarse_mu03.inp",
+    "corpus/diehl1995/isl_coarse_push_pull_mu03.inp",
+]
 SECTIONS = {
     "axial_force": "SF1",
     "shear_force": "SF2",
@@ -195,16 +204,83 @@ def near(what, shown, written):
     assert abs(shown - value) <= 6e-6 * abs(value) + 1e-99, f"{what}: {shown} against {written}"
 
 
+def beams_at_nodes(job):
+    """Which beams meet at a node, taken from the first state."""
+    _, nodal, cell, cells = read_meshio(f"{job}_0000.vtu")
+    found = {}
+    for ends, element, kind in zip(cells, cell["element"], cell["kind"]):
+        for end in ends if kind == 0 else []:
+            found.setdefault(int(nodal["node"][end]), set()).add(str(element))
+    return found
+
+
+def mean(values):
+    return sum(values) / len(values)
+
+
+def check_nodal_stresses(what, blocks, elements, meeting):
+    """Means over the beams of a node; the tensor is a pull of that size. A
+    mean of numbers of both signs keeps fewer digits than its parts."""
+    of = {row["element"]: row for row in elements}
+    for node, labels in meeting.items():
+        labels = [label for label in labels if label in of]
+        if not labels:
+            continue  # beams that only draw a rigid body have no results
+        points = []
+        for place in range(5):
+            parts = [float(of[label][f"S11_{place + 1}"]) for label in labels]
+            shown = blocks["S11"].results[node][place]
+            slack = 6e-6 * max(abs(part) for part in parts) + 1e-99
+            assert abs(shown - mean(parts)) <= slack, f"{what} node {node} S11_{place + 1}"
+            points.append(shown)
+        for place, column in enumerate(["SF1", "SF2", "SM1"]):
+            parts = [float(of[label][column]) for label in labels]
+            slack = 6e-6 * max(abs(part) for part in parts) + 1e-99
+            shown = blocks["SECTION"].results[node][place]
+            assert abs(shown - mean(parts)) <= slack, f"{what} node {node} {column}"
+        outer = max(abs(points[0]), abs(points[4]))
+        stress, mises = blocks["S"].results[node], blocks["S_Mises"].results[node][0]
+        # in pure bending both fibres are the outer one
+        misfit = min(abs(sum(stress[:3]) - points[0]), abs(sum(stress[:3]) - points[4]))
+        assert misfit <= 3e-5 * outer, f"{what} node {node}: trace"
+        assert abs(mises - outer) <= 3e-5 * outer, f"{what} node {node}: Mises"
+    return len(meeting)
+
+
+def check_outlines(what, frd, blocks, known):
+    """Points of rigid surfaces are numbered behind the deck's nodes; they keep
+    their distance from the node that carries them, and some of them move."""
+    numbers = list(frd.node_block.get_node_numbers())
+    places = [frd.node_block.points.GetPoint(k) for k in range(len(numbers))]
+    place = {number: numpy.array(at) for number, at in zip(numbers, places)}
+    moved = {number: place[number] + numpy.array(blocks["U"].results[number]) for number in numbers}
+    outline = [number for number in numbers if number not in known]
+    if not outline:
+        return 0.0
+    assert min(outline) == max(known) + 1, f"{what}: numbers of the outline"
+    # the centre of the circle carries it: all points are equally far from it
+    def spread(node, of):
+        distances = [numpy.linalg.norm(of[point] - of[node]) for point in outline]
+        return max(distances) - min(distances)
+    size = max(numpy.linalg.norm(place[a] - place[b]) for a in outline for b in outline[:1])
+    carrier = min(known, key=lambda node: spread(node, place))
+    assert spread(carrier, place) < 2e-5 * size, f"{what}: no node carries the outline"
+    assert spread(carrier, moved) < 2e-4 * size, f"{what}: the outline is left behind"
+    return max(numpy.linalg.norm(moved[point] - place[point]) for point in outline)
+
+
 def check_frd(program, deck, folder):
     job = folder / f"{Path(deck).stem}_frd"
     text = (ROOT / deck).read_text(encoding="utf-8")
-    if "FILE" not in text:
-        text = text.replace("*END STEP", "*CONTACT FILE\nCSTRESS, CDISP\n*END STEP")
+    text = text.replace("*END STEP", "*EL FILE\nS\n*END STEP", 1)
     Path(f"{job}.inp").write_text(text, encoding="utf-8")
     command = [program, "run", f"{job}.inp", "--quiet", "--no-html"]
     subprocess.run(command, check=True, stderr=subprocess.DEVNULL)
     history, contact = rows(f"{job}.history.csv"), rows(f"{job}.contact.csv")
-    compared = 0
+    elements, meeting = rows(f"{job}.element.csv"), beams_at_nodes(job)
+    known = {int(label) for label in read_meshio(f"{job}_0000.vtu")[1]["node"] if label}
+    rigid = "RIGID SURFACE" in text
+    compared, stressed, travel = 0, 0, 0.0
     with open(f"{job}.frd", encoding="ascii") as file:
         frd = FRD(file)
         frd.parse_mesh()
@@ -213,6 +289,9 @@ def check_frd(program, deck, folder):
         for (step, shown), time in zip(frd.steps_increments, history):
             near(f"{deck} time", shown, time)
             blocks = {block.name: block for block in frd.parse_results(step, shown)}
+            what = f"{deck} at {time}"
+            stressed += check_nodal_stresses(what, blocks, elements[time], meeting)
+            travel = max(travel, check_outlines(what, frd, blocks, known))
             for row in history[time]:
                 for name, columns in {"U": ["U1", "U2"], "RF": ["RF1", "RF2"]}.items():
                     values = blocks[name].results[int(row["node"])]
@@ -226,7 +305,8 @@ def check_frd(program, deck, folder):
                         near(f"{deck} {row['node']} {column}", values[place], row[column])
                         compared += 1
     assert compared > 0 and (contact or "keywords" in deck), f"{deck}: nothing was compared"
-    print(f"{Path(deck).stem}.frd: {compared} values")
+    assert stressed > 0 and (travel > 0.0) == rigid, f"{deck}: {stressed} stresses, outline {travel}"
+    print(f"{Path(deck).stem}.frd: {compared} values, {stressed} nodes with stresses, outline moved {travel:.3g}")
 
 
 def main():

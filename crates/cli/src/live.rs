@@ -1,16 +1,81 @@
-//! The last line of a run on a terminal.
+//! A run on a terminal: a table that grows, and a last line below it.
 //!
 //! ```text
+//!   STEP   INC        TIME  ITER  CLOSED   RESIDUAL       9999.U2      9999.RF2
+//!      1     1        0.05     4       1    1.2e-09       -0.0015   -0.01203451
 //!   [#########-----------]  45 %  0:03 left  9999.RF2 __..--==
 //! ```
+//!
+//! Nothing is wider than the terminal: a line that wraps could not be taken
+//! back, and a table that wraps cannot be read.
 
+use slideline::output::number::general;
 use std::fmt::Write as _;
 use std::time::{Duration, Instant};
 
-/// Signs of the bar.
-const BAR: usize = 20;
 /// Most signs of the curve.
 const CURVE: usize = 24;
+/// Fewer signs than these are no curve.
+const LEAST_CURVE: usize = 4;
+/// Terminals narrower than this lose columns of the table.
+const ROOMY: usize = 76;
+
+/// What a row of the table tells.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Row {
+    pub step: usize,
+    pub increment: usize,
+    /// Total time [T].
+    pub time: f64,
+    pub iterations: usize,
+    /// Closed contact points.
+    pub closed: usize,
+    /// Largest residual [F].
+    pub residual: f64,
+    /// Driven motion and its reaction.
+    pub driven: Option<[f64; 2]>,
+}
+
+/// Heading of the table; `names` are those of the driven motion and reaction.
+pub(crate) fn heading(width: usize, names: Option<&[String; 2]>) -> String {
+    let numbers = ["STEP", "INC", "TIME", "ITER", "CLOSED", "RESIDUAL"].map(str::to_owned);
+    laid_out(width, &numbers, names)
+}
+
+impl Row {
+    /// The row as a line of the table.
+    pub fn line(&self, width: usize) -> String {
+        let digits = if width < ROOMY { 4 } else { 6 };
+        let numbers = [
+            self.step.to_string(),
+            self.increment.to_string(),
+            general(self.time, digits),
+            self.iterations.to_string(),
+            self.closed.to_string(),
+            general(self.residual, 3),
+        ];
+        let driven = self.driven.map(|driven| driven.map(|value| general(value, 7)));
+        laid_out(width, &numbers, driven.as_ref())
+    }
+}
+
+/// A line of the table: the motion goes first where there is little room,
+/// then the residual.
+fn laid_out(width: usize, numbers: &[String; 6], driven: Option<&[String; 2]>) -> String {
+    let [step, increment, time, iterations, closed, residual] = numbers;
+    let room = if width < ROOMY { 9 } else { 11 };
+    let mut line = format!("{step:>4} {increment:>5} {time:>room$} {iterations:>5} {closed:>7}");
+    if width >= 60 {
+        let _ = write!(line, " {residual:>10}"); // a String takes any text
+    }
+    if let Some([motion, reaction]) = driven {
+        if width >= ROOMY {
+            let _ = write!(line, " {motion:>13}"); // as above
+        }
+        let _ = write!(line, " {reaction:>13}"); // as above
+    }
+    line
+}
 
 /// What the last line tells.
 pub(crate) struct Live {
@@ -50,32 +115,35 @@ impl Live {
         self.reactions.extend(reaction);
     }
 
-    /// The line, without its end.
-    pub fn line(&self) -> String {
-        self.line_after(self.began.elapsed())
+    /// The last line, without its end.
+    pub fn line(&self, width: usize) -> String {
+        self.line_after(self.began.elapsed(), width)
     }
 
-    fn line_after(&self, elapsed: Duration) -> String {
+    fn line_after(&self, elapsed: Duration, width: usize) -> String {
         let part = if self.whole > 0.0 { (self.reached / self.whole).clamp(0.0, 1.0) } else { 0.0 };
         let (full, empty) = if self.unicode { ('\u{2588}', '\u{2591}') } else { ('#', '-') };
-        let full_signs = (1..=BAR).filter(|&k| k as f64 <= part * BAR as f64 + 1e-9).count();
-        let bar = (0..BAR).map(|k| if k < full_signs { full } else { empty });
+        let signs = if width < ROOMY { 10 } else { 20 };
+        let full_signs = (1..=signs).filter(|&k| k as f64 <= part * signs as f64 + 1e-9).count();
+        let bar = (0..signs).map(|k| if k < full_signs { full } else { empty });
         let mut line = format!("[{}] {:>3.0} %", bar.collect::<String>(), 100.0 * part);
         if part > 0.0 && part < 1.0 {
             let left = elapsed.as_secs_f64() * (1.0 - part) / part;
             let _ = write!(line, "  {} left", clock(left)); // a String takes any text
         }
-        if !self.name.is_empty() && !self.reactions.is_empty() {
-            let _ = write!(line, "  {} {}", self.name, self.curve()); // as above
+        let taken = line.chars().count() + self.name.chars().count() + 3;
+        let room = width.saturating_sub(taken + 1).min(CURVE);
+        if !self.name.is_empty() && !self.reactions.is_empty() && room >= LEAST_CURVE {
+            let _ = write!(line, "  {} {}", self.name, self.curve(room)); // as above
         }
-        line
+        line.chars().take(width.saturating_sub(1)).collect()
     }
 
-    /// The reactions as a curve of signs, the whole run in at most
-    /// [`CURVE`] of them; a sign is the mean of what falls into it.
-    fn curve(&self) -> String {
+    /// The reactions as a curve of signs, the whole run in at most `most` of
+    /// them; a sign is the mean of what falls into it.
+    fn curve(&self, most: usize) -> String {
         let count = self.reactions.len();
-        let signs = count.min(CURVE);
+        let signs = count.min(most);
         let means: Vec<f64> = (0..signs)
             .map(|k| &self.reactions[k * count / signs..(k + 1) * count / signs])
             .map(|part| part.iter().sum::<f64>() / part.len().max(1) as f64)
@@ -128,12 +196,69 @@ mod tests {
         for k in 1_u32..=8 {
             live.increment(f64::from(k) / 16.0, Some(-f64::from(k)));
         }
-        let line = live.line_after(Duration::from_secs(30));
+        let line = live.line_after(Duration::from_secs(30), 80);
         assert_eq!(line, "[#####---------------]  25 %  1:30 left  9999.RF2 #*=+~-._");
         for k in 0_u32..1000 {
             live.increment(0.5, Some(f64::from(k)));
         }
-        assert!(live.line_after(Duration::from_secs(360_000)).len() < 80);
+        for width in [20, 40, 60, 75, 76, 80, 200] {
+            let line = live.line_after(Duration::from_secs(360_000), width);
+            assert!(line.len() < width, "{width}: {line}");
+        }
+        let line = live.line_after(Duration::from_secs(30), 60);
+        assert!(line.starts_with("[##--------]  25 %  1:30 left  9999.RF2 __"), "{line}");
+        assert!(line.ends_with('#') && line.len() == 59, "{line}");
         assert_eq!(clock(3723.9), "1:02:03");
+    }
+
+    /// Requirement: at 80 columns the table has all there is, at 60 increment,
+    /// time, iterations, contact points, residual and reaction; headings stand
+    /// over their numbers, and no number, however long, makes a line wrap.
+    #[test]
+    fn the_table_fits_the_terminal() {
+        let names = ["9999.U2".to_owned(), "9999.RF2".to_owned()];
+        let row = Row {
+            step: 1,
+            increment: 12,
+            time: 0.6,
+            iterations: 4,
+            closed: 1,
+            residual: 1.234e-9,
+            driven: Some([-0.018, -1.234_567_8]),
+        };
+        assert_eq!(
+            [heading(80, Some(&names)), row.line(80)],
+            [
+                "STEP   INC        TIME  ITER  CLOSED   RESIDUAL       9999.U2      9999.RF2",
+                "   1    12         0.6     4       1    1.23e-9        -0.018     -1.234568",
+            ]
+        );
+        assert_eq!(
+            [heading(60, Some(&names)), row.line(60)],
+            [
+                "STEP   INC      TIME  ITER  CLOSED   RESIDUAL      9999.RF2",
+                "   1    12       0.6     4       1    1.23e-9     -1.234568",
+            ]
+        );
+        assert_eq!(
+            [heading(50, Some(&names)), row.line(50)],
+            [
+                "STEP   INC      TIME  ITER  CLOSED      9999.RF2",
+                "   1    12       0.6     4       1     -1.234568",
+            ]
+        );
+        assert_eq!(heading(80, None).len(), 47);
+        let long = Row {
+            step: 1000,
+            increment: 10_000,
+            time: 1.234_567_89e-10,
+            iterations: 10_000,
+            closed: 1_000_000,
+            residual: 1.234e-100,
+            driven: Some([-1.234_567_891e-10; 2]),
+        };
+        for width in [48, 60, 76, 80] {
+            assert!(long.line(width).len() <= width, "{width}: {}", long.line(width));
+        }
     }
 }

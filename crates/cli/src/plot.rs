@@ -1,7 +1,7 @@
 //! `slideline plot`: a curve of a job as a figure or as numbers.
 
 use crate::exit::Exit;
-use crate::report::{named, refused};
+use crate::report::{named, refused, warn_of_change};
 use crate::screen;
 use clap::{Args, ValueHint};
 use slideline::output::plot::{Curve, Question, csv, curve, difference, figure};
@@ -62,12 +62,14 @@ fn drawn(arguments: &PlotArguments) -> Result<String, Problem> {
         node: arguments.node,
         unfinished: arguments.unfinished,
     };
-    let (_, files) = named(&arguments.job, arguments.dir.as_deref());
+    let (job, files) = named(&arguments.job, arguments.dir.as_deref());
     let mut one = curve(&files, &question)?;
+    warn_of_change(&job, &files);
     let mut other = None;
     if let Some(path) = &arguments.compare {
-        let (_, files) = named(path, None);
+        let (job, files) = named(path, None);
         let mut second = curve(&files, &question)?;
+        warn_of_change(&job, &files);
         if second.name == one.name {
             // two runs of one deck in two folders: the folders tell them apart
             one.name = arguments.job.display().to_string();

@@ -8,7 +8,7 @@
 //! On a terminal the table is narrower, has the residual, and a last line
 //! below it tells how far the run is ([`Live`]).
 
-use crate::live::Live;
+use crate::live::{self, Live, Row};
 use crate::{interrupt, screen};
 use slideline::diag::Sources;
 use slideline::model::{Dof, NodeIndex};
@@ -35,9 +35,6 @@ pub(crate) enum Mode {
     /// JSON objects, one a line.
     Json,
 }
-
-/// A last line that wraps could not be taken back.
-const WIDTH: usize = 80;
 
 /// Text waits no longer than this.
 const PATIENCE: Duration = Duration::from_millis(50);
@@ -102,39 +99,32 @@ impl<'a> Progress<'a> {
 
     /// Head of the table of a terminal.
     fn begin_live(&mut self, report: &StepReport<'_>) {
-        let name = |dof: &str, node| format!("{}.{dof}", self.labels[node]);
-        let first = self.driven.first().copied();
-        let names =
-            first.map(|(node, dof)| (name(dof.name(), node), name(dof.reaction_name(), node)));
-        let (motion, reaction) = names.clone().unwrap_or_default();
-        let _ = writeln!(
-            self.waiting,
-            "{:>4} {:>5} {:>11} {:>5} {:>7} {:>10} {motion:>13} {reaction:>13}",
-            "STEP", "INC", "TIME", "ITER", "CLOSED", "RESIDUAL"
-        ); // a String takes any text
+        let names = self.driven.first().map(|&(node, dof)| {
+            [dof.name(), dof.reaction_name()].map(|name| format!("{}.{name}", self.labels[node]))
+        });
+        self.waiting.push_str(&live::heading(screen::output_width(), names.as_ref()));
+        self.waiting.push('\n');
         let whole = report.model.steps.iter().map(|step| step.procedure.period).sum();
-        self.live.step(whole, names.map(|(_, reaction)| reaction));
+        self.live.step(whole, names.map(|[_, reaction]| reaction));
     }
 
     /// A row of the table of a terminal.
     fn increment_live(&mut self, frame: &Frame<'_>, closed: usize) {
-        let _ = write!(
-            self.waiting,
-            "{:>4} {:>5} {:>11} {:>5} {closed:>7} {:>10}",
-            frame.step,
-            frame.increment,
-            general(frame.total_time, 6),
-            frame.severe_iterations + frame.equilibrium_iterations,
-            general(self.residual, 3),
-        ); // a String takes any text
-        let first = self.driven.first();
-        let reaction = first.map(|&(node, dof)| frame.nodal.reaction(node, dof));
-        if let (Some(&(node, dof)), Some(reaction)) = (first, reaction) {
-            let moved = general(frame.nodal.displacement(node, dof), 7);
-            let _ = write!(self.waiting, " {moved:>13} {:>13}", general(reaction, 7)); // as above
-        }
+        let driven = self.driven.first().map(|&(node, dof)| {
+            [frame.nodal.displacement(node, dof), frame.nodal.reaction(node, dof)]
+        });
+        let row = Row {
+            step: frame.step,
+            increment: frame.increment,
+            time: frame.total_time,
+            iterations: frame.severe_iterations + frame.equilibrium_iterations,
+            closed,
+            residual: self.residual,
+            driven,
+        };
+        self.waiting.push_str(&row.line(screen::output_width()));
         self.waiting.push('\n');
-        self.live.increment(frame.total_time, reaction);
+        self.live.increment(frame.total_time, driven.map(|[_, reaction]| reaction));
     }
 
     fn increment(&mut self, frame: &Frame<'_>) {
@@ -195,11 +185,12 @@ impl<'a> Progress<'a> {
             Mode::Json => self.json(iteration_object(report, &self.labels)),
             Mode::Live if self.shown.elapsed() >= PATIENCE => {
                 self.clear_line();
-                let line = self.live.line();
+                let width = screen::output_width();
+                let line = self.live.line(width);
                 let more =
                     format!("  increment {}, iteration {}", report.increment, report.iteration);
                 self.waiting.push_str(&line);
-                if line.chars().count() + more.len() < WIDTH {
+                if line.chars().count() + more.len() < width {
                     self.waiting.push_str(&more);
                 }
                 self.show();
@@ -264,14 +255,19 @@ impl<'a> Progress<'a> {
             Event::Diagnosed(_) | Event::Checkpoint(_) | Event::Unconverged(_) => {}
             Event::End(_) => self.clear_line(),
         }
-        if !self.waiting.is_empty()
-            && (matches!(event, Event::End(_)) || self.shown.elapsed() >= PATIENCE)
-        {
-            if self.mode == Mode::Live && matches!(event, Event::Committed(_)) {
-                let line = self.live.line();
-                self.waiting.push_str(&line);
-            }
+        let over = matches!(event, Event::End(_));
+        if !self.waiting.is_empty() && (over || self.shown.elapsed() >= PATIENCE) {
+            self.close_with_line(over);
             self.show();
+        }
+    }
+
+    /// On a terminal the last line stands below whatever is shown, until the
+    /// run is over.
+    fn close_with_line(&mut self, over: bool) {
+        if self.mode == Mode::Live && !over {
+            let line = self.live.line(screen::output_width());
+            self.waiting.push_str(&line);
         }
     }
 }
@@ -371,5 +367,28 @@ fn attempt_object(attempt: &AttemptReport) -> Object {
     match attempt.next {
         Some(next) => object.number("next_time_increment", next),
         None => object.raw("next_time_increment", "null"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Requirement: the last line is there whatever event it was that let the
+    /// text go, and gone at the end; in a pipe it never is.
+    #[test]
+    fn the_last_line_stands_below_until_the_end() {
+        let sources = Sources::default();
+        let shown = |mode, over| {
+            let mut progress = Progress::new(mode, &sources);
+            progress.live.step(1.0, None);
+            progress.waiting.push_str("row\n");
+            progress.close_with_line(over);
+            progress.waiting
+        };
+        let line = shown(Mode::Live, false);
+        assert!(line.starts_with("row\n[") && line.ends_with("  0 %"), "{line}");
+        assert_eq!(shown(Mode::Live, true), "row\n");
+        assert_eq!(shown(Mode::Lines, false), "row\n");
     }
 }

@@ -4,8 +4,8 @@ use crate::exit::Exit;
 use crate::{explain, render, screen};
 use clap::{Args, ValueHint};
 use slideline::diag::{Code, Diagnostic, Sources};
-use slideline::output::JobFiles;
-use slideline::output::report::{CHANGED, Options, Problem, write};
+use slideline::output::report::{CHANGED, Options, Problem, deck_hash as ran_deck_hash, write};
+use slideline::output::{JobFiles, without_ending};
 use slideline::{Job, Outcome, ReadOptions, Status};
 use std::path::{Path, PathBuf};
 
@@ -50,13 +50,19 @@ pub(crate) fn report(arguments: &ReportArguments) -> Exit {
 
 /// The job that a user means by a deck or by a result file, and its files.
 pub(crate) fn named(path: &Path, folder: Option<&Path>) -> (Job, JobFiles) {
-    let endings = [".json", ".html", ".sta", ".msg", ".dat", ".pvd", ".rst"];
-    let csv = [".history.csv", ".contact.csv", ".pair.csv", ".energy.csv", ".element.csv"];
-    let text = path.to_string_lossy();
-    let stripped = endings.iter().chain(&csv).find_map(|ending| text.strip_suffix(ending));
+    let stripped = path.to_str().and_then(without_ending);
     let job = Job::named(stripped.map_or(path, Path::new));
     let files = job.files(folder);
     (job, files)
+}
+
+/// Says so where the deck is another one than the job ran.
+pub(crate) fn warn_of_change(job: &Job, files: &JobFiles) {
+    if let (Some(ran), Some(now)) = (ran_deck_hash(files), deck_hash(job))
+        && ran != now
+    {
+        tell(&Diagnostic::warning(Code("SL0706"), CHANGED));
+    }
 }
 
 /// Hash of the deck as it is now; `None` where it is not to be found.
@@ -78,9 +84,13 @@ pub(crate) fn refused(problem: &Problem) -> Exit {
             "Run the job again; results are to be read by the program that wrote them, whole.",
             Exit::Input,
         ),
-        Problem::Running(_) => (
+        Problem::Running(_) => {
+            ("SL0705", "Wait for its end; --unfinished shows it as far as it came.", Exit::Input)
+        }
+        Problem::Killed(_) => (
             "SL0705",
-            "Wait for its end; if its process was killed, --unfinished shows it as far as it came.",
+            "--unfinished shows it as far as it came; a deck with *RESTART, WRITE goes on from there \
+             (slideline run JOB --restart).",
             Exit::Input,
         ),
         Problem::NothingSolved(_) => {

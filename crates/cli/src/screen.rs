@@ -19,6 +19,13 @@ pub(crate) fn output_is_terminal() -> bool {
     std::io::stdout().is_terminal()
 }
 
+/// Columns of the terminal that standard output goes to; 80 where it does not
+/// say.
+pub(crate) fn output_width() -> usize {
+    terminal_size::terminal_size_of(std::io::stdout())
+        .map_or(80, |(terminal_size::Width(width), _)| usize::from(width))
+}
+
 /// Whether standard error takes colours.
 pub(crate) fn error_takes_colour() -> bool {
     std::io::stderr().is_terminal()

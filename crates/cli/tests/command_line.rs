@@ -349,6 +349,89 @@ fn json_progress_is_one_object_a_line() {
     }
 }
 
+/// Members of each kind of event.
+const MEMBERS: &[(&str, &str)] = &[
+    ("start", "job deck deck_hash program_version dialect friction_onset steps"),
+    (
+        "iteration",
+        "step increment attempt iteration severe equilibrium contact_changes closed force moment \
+         converged",
+    ),
+    (
+        "increment",
+        "step increment attempt severe_iterations equilibrium_iterations total_time step_time \
+         time_increment closed friction_dropped values",
+    ),
+    (
+        "attempt_failed",
+        "step increment attempt severe_iterations equilibrium_iterations total_time step_time \
+         time_increment reason next_time_increment",
+    ),
+    ("tangent", "step increment equations off entry assembled difference"),
+    ("diagnosis", "code severity message file line columns card"),
+    ("end", "status exit_code increments cutbacks iterations wall_seconds folder"),
+];
+
+/// Requirement: every line of `--json` is one object, in the order of the run,
+/// with the members that a reader needs to follow it. Source: the contract's
+/// list of events; docs of the members: crates/cli/src/progress.rs.
+#[test]
+fn every_json_event_has_its_members() {
+    let folder = folder("json-members");
+    // too few increments for the step: the run ends with a diagnosis
+    write_deck(&folder, "column.inp", &column(&SLIDE.replace("INC=100", "INC=3")));
+    let output = slideline(&folder, &["run", "column", "--json", "--check-tangent"]);
+    let text = stdout(&output);
+    assert!(text.ends_with('\n') && !text.contains('\u{1b}'));
+    let events: Vec<Value> = text.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    for event in &events {
+        let kind = event["event"].as_str().unwrap();
+        let (_, expected) = MEMBERS.iter().find(|(known, _)| *known == kind).unwrap();
+        for member in expected.split_whitespace() {
+            assert!(event.get(member).is_some(), "{member} in {event}");
+        }
+    }
+    for kind in ["start", "iteration", "increment", "diagnosis", "end"] {
+        assert!(events.iter().any(|event| event["event"] == kind), "{kind}: {text}");
+    }
+    let force = &events.iter().find(|event| event["event"] == "iteration").unwrap()["force"];
+    for member in ["residual", "average", "allowed", "correction"] {
+        assert!(force[member].is_number(), "{member} in {force}");
+    }
+    assert_eq!(events[events.len() - 1]["exit_code"], code(&output));
+}
+
+/// Requirement: a pipe gets plain lines, one an increment under one heading a
+/// step, without anything that moves a cursor. The numbers are those of the
+/// history.
+#[test]
+fn a_pipe_gets_plain_lines() {
+    let folder = folder("plain-lines");
+    write_deck(&folder, "column.inp", &column(SLIDE));
+    let output = slideline(&folder, &["run", "column"]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    let text = stdout(&output);
+    assert!(text.chars().all(|c| c == '\n' || !c.is_control()), "{text:?}");
+    let words = |line: &str| line.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
+    let heading = text.lines().position(|line| line.trim_start().starts_with("STEP ")).unwrap();
+    let names = words(text.lines().nth(heading).unwrap());
+    assert_eq!(names[..7], ["STEP", "INC", "ATT", "SDI", "EQU", "TIME", "CLOSED"]);
+    let rows: Vec<Vec<String>> = text.lines().skip(heading + 1).take(5).map(words).collect();
+    let motion = names.iter().position(|name| name == "9.U2").unwrap();
+    let history = read(&folder, "column.history.csv");
+    let mut history = history.lines().skip(1).filter(|row| row.split(',').nth(3) == Some("9"));
+    for (place, row) in rows.iter().enumerate() {
+        assert_eq!(row.len(), names.len(), "{row:?}");
+        assert_eq!(row[..2], ["1".to_owned(), (place + 1).to_string()]);
+        let cells: Vec<&str> = history.next().unwrap().split(',').collect();
+        for (shown, written) in [(&row[motion], cells[5]), (&row[motion + 1], cells[8])] {
+            let (shown, written): (f64, f64) = (shown.parse().unwrap(), written.parse().unwrap());
+            assert!((shown - written).abs() <= 1e-6 * written.abs(), "{row:?}: {cells:?}");
+        }
+    }
+    assert!(text.lines().last().unwrap().starts_with("column: completed after 5 increments"));
+}
+
 #[test]
 fn quiet_silences_progress_only() {
     let folder = folder("quiet");

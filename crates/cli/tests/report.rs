@@ -54,7 +54,7 @@ fn a_run_ends_with_a_report_that_the_files_alone_give_again() {
     let folder = job("again");
     let first = read(&folder, "job.html");
     assert!(first.len() <= 1_500_000, "{} bytes", first.len());
-    for asked in ["job", "job.json", "job.inp"] {
+    for asked in ["job", "job.json", "job.inp", "job.history.csv", "job.pvd"] {
         std::fs::remove_file(folder.join("job.html")).unwrap();
         let output = slideline(&folder, &["report", asked]);
         assert_eq!(code(&output), 0, "{}", stderr(&output));
@@ -137,6 +137,157 @@ fn a_job_that_runs_is_refused_unless_asked_for() {
     assert!(said.contains("Not finished") && said.contains("39 increments"), "{said}");
 }
 
+/// A process that runs a long job, in a folder of its own.
+fn long_run(name: &str) -> (PathBuf, std::process::Child) {
+    let folder = folder(name);
+    let deck = std::fs::read_to_string(DECK).unwrap();
+    let long = deck.replace("0.05, 1.0, 1.0E-6, 0.05", "1.0E-5, 1.0, 1.0E-9, 1.0E-5");
+    assert_ne!(deck, long);
+    std::fs::write(folder.join("job.inp"), long.replace("INC=100", "INC=1000000")).unwrap();
+    let run = Command::new(env!("CARGO_BIN_EXE_slideline"))
+        .args(["run", "job", "--quiet"])
+        .current_dir(&folder)
+        .spawn()
+        .unwrap();
+    while !folder.join("job_0005.vtu").exists() {
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    (folder, run)
+}
+
+/// Requirement: "a job still running: a clear message, nothing overwritten":
+/// neither a report of it nor a second run of it, and a kill does not leave it
+/// running for ever.
+#[test]
+fn a_job_that_runs_is_told_from_one_that_was_killed() {
+    let (folder, mut run) = long_run("lock");
+    for ask in [&["report", "job"][..], &["plot", "job", "--x", "U2", "--y", "RF2"]] {
+        let output = slideline(&folder, ask);
+        assert_eq!(code(&output), 1, "{}", stderr(&output));
+        let said = stderr(&output);
+        assert!(said.contains("SL0705") && said.contains("still running, and it is"), "{said}");
+    }
+    let count = || read(&folder, "job.energy.csv").lines().count();
+    let before = count();
+    for ask in [&["run", "job"][..], &["run", "job", "--restart"]] {
+        let output = slideline(&folder, ask);
+        assert_eq!(code(&output), 1, "{}", stderr(&output));
+        let said = stderr(&output);
+        assert!(said.contains("SL0705") && said.contains("another process"), "{said}");
+    }
+    // a deck that was spoilt in the meantime does not take the files away either
+    std::fs::rename(folder.join("job.inp"), folder.join("kept.inp")).unwrap();
+    std::fs::write(folder.join("job.inp"), "*NODE\n1, x\n").unwrap();
+    assert_eq!(code(&slideline(&folder, &["run", "job"])), 1);
+    assert!(count() >= before && folder.join("job_0005.vtu").exists(), "the run goes on");
+    let output = slideline(&folder, &["report", "job", "--unfinished"]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    assert!(read(&folder, "job.html").contains("The job was running when this page was made"));
+    run.kill().unwrap();
+    run.wait().unwrap();
+    std::fs::rename(folder.join("kept.inp"), folder.join("job.inp")).unwrap();
+    std::fs::write(folder.join("job.html"), "kept").unwrap();
+    let output = slideline(&folder, &["report", "job"]);
+    assert_eq!(code(&output), 1);
+    let said = stderr(&output);
+    assert!(said.contains("SL0705") && said.contains("it was killed"), "{said}");
+    assert_eq!(read(&folder, "job.html"), "kept");
+    let output = slideline(&folder, &["report", "job", "--unfinished"]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    assert!(read(&folder, "job.html").contains("The job had been killed when this page"));
+    std::fs::copy(DECK, folder.join("job.inp")).unwrap();
+    let output = slideline(&folder, &["run", "job", "--quiet"]);
+    assert_eq!(code(&output), 0, "what a kill left stops nobody: {}", stderr(&output));
+    assert!(!folder.join("job.lck").exists());
+}
+
+/// Requirement: `plot` says what is wrong with the files it reads, and leaves
+/// a figure that was there as it was.
+#[test]
+fn plots_of_bad_files_are_refused_and_nothing_is_written() {
+    let folder = job("bad-plots");
+    std::fs::write(folder.join("f.svg"), "kept").unwrap();
+    let half = |name: &str| {
+        let text = std::fs::read(folder.join(name)).unwrap();
+        text[..text.len() / 2].to_vec()
+    };
+    let cases: Vec<(&str, Option<Vec<u8>>)> = vec![
+        ("job.json", None),
+        ("job.json", Some(half("job.json"))),
+        ("job.json", Some(b"{\"name\":\"of something else\"}".to_vec())),
+        ("job.history.csv", None),
+        ("job.history.csv", Some(half("job.history.csv"))),
+        ("job.history.csv", Some(b"time;force\n1;2\n".to_vec())),
+        ("job.history.csv", Some(vec![0xff, 0xfe, 0, 1])),
+        ("job.energy.csv", None),
+        ("job.energy.csv", Some(Vec::new())),
+    ];
+    for (name, content) in cases {
+        let path = folder.join(name);
+        let good = std::fs::read(&path).unwrap();
+        match &content {
+            Some(content) => std::fs::write(&path, content).unwrap(),
+            None => std::fs::remove_file(&path).unwrap(),
+        }
+        let ask = ["plot", "job", "--x", "U2", "--y", "RF2", "-o", "f.svg"];
+        let output = slideline(&folder, &ask);
+        assert_eq!(code(&output), 1, "{name}: {}", stderr(&output));
+        let said = stderr(&output);
+        assert!(said.contains("SL0704") && said.contains(name), "{name}: {said}");
+        assert_eq!(read(&folder, "f.svg"), "kept", "{name}");
+        std::fs::write(&path, good).unwrap();
+    }
+}
+
+/// Requirement: names with spaces, quotes, brackets and letters of other
+/// scripts, in the folder, the job, the sets and the texts: every file has its
+/// name, reads back, and shows it as text. Source: issue, "Bad input".
+#[test]
+fn strange_names_are_only_names() {
+    let folder = folder("a <b> 'q' \"p\" & \u{6f22}");
+    let name = "j <script>alert(1) 'q' \"p\" & \u{436}";
+    let deck = std::fs::read_to_string(DECK).unwrap();
+    let heading = "*HEADING\n</script><script>alert(2)</script> \u{6f22}\n";
+    // names of a deck lose blanks and case
+    let (pair, name_of_pair) = ("\"</script><img/src=x>\u{436}\"", "</SCRIPT><IMG/SRC=X>\u{416}");
+    let deck =
+        deck.replacen("*HEADING\n", heading, 1).replace("ELSET=ISL", &format!("ELSET={pair}"));
+    let requests = "*NODE FILE\nU\n*CONTACT PRINT, FREQUENCY=20\nCSTRESS\n*END STEP";
+    let deck = deck.replace("*END STEP", requests);
+    std::fs::write(folder.join(format!("{name}.inp")), deck).unwrap();
+    let output = slideline(&folder, &["run", name, "--quiet"]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    let html = read(&folder, &format!("{name}.html"));
+    assert_eq!(html.matches("<script").count(), 2, "data and program, nothing else");
+    assert!(
+        !html.to_lowercase().contains("<img") && !html.contains("alert(2)<"),
+        "texts are escaped"
+    );
+    assert!(
+        html.contains("<title>j &lt;script&gt;alert(1) &#39;q&#39; &quot;p&quot; &amp; \u{436}")
+    );
+    let json: serde_json::Value =
+        serde_json::from_str(&read(&folder, &format!("{name}.json"))).unwrap();
+    assert_eq!(json["job"], name);
+    assert_eq!(json["pairs"][0]["name"], name_of_pair);
+    let list = read(&folder, &format!("{name}.pvd"));
+    let file = format!("{name}_0001.vtu").replace('&', "&amp;").replace('<', "&lt;");
+    assert!(list.contains(&format!("file=\"{}\"", file.replace('"', "&quot;"))), "{list}");
+    let contact = read(&folder, &format!("{name}.contact.csv"));
+    assert!(contact.contains(name_of_pair), "{contact}");
+    assert!(read(&folder, &format!("{name}.dat")).contains(name_of_pair));
+    assert!(read(&folder, &format!("{name}.frd")).is_ascii(), "the format knows no other letters");
+    std::fs::remove_file(folder.join(format!("{name}.html"))).unwrap();
+    let output = slideline(&folder, &["report", &format!("{name}.json")]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    assert_eq!(read(&folder, &format!("{name}.html")), html);
+    let plot = ["plot", name, "--x", "U2", "--y", "RF2", "--compare", name, "-o", "f <1>.svg"];
+    let output = slideline(&folder, &plot);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    let svg = read(&folder, "f <1>.svg");
+    assert!(!svg.contains("<script") && svg.contains("&lt;script&gt;"), "{svg}");
+}
+
 #[test]
 fn a_deck_that_was_changed_is_told() {
     let folder = job("changed");
@@ -146,6 +297,10 @@ fn a_deck_that_was_changed_is_told() {
     assert_eq!(code(&output), 0);
     assert!(stderr(&output).contains("SL0706"), "{}", stderr(&output));
     assert!(read(&folder, "job.html").contains("The deck was changed after this run"));
+    let output = slideline(&folder, &["plot", "job", "--x", "U2", "--y", "RF2"]);
+    assert_eq!(code(&output), 0);
+    assert!(stderr(&output).contains("SL0706"), "{}", stderr(&output));
+    assert!(stdout(&output).starts_with("time,U2,RF2\n"), "the numbers stand alone");
 }
 
 #[test]

@@ -73,6 +73,14 @@ fn states_are_saved_every_so_many_increments() {
     leave_and_go_on("frequency", &deck, &[8, 50, 100]);
 }
 
+/// States thinned by requests, results for cgx, and tables that wait.
+#[test]
+fn thinned_states_and_frd_results_go_on() {
+    let requests = "*NODE FILE, FREQUENCY=7\nU\n*EL PRINT, FREQUENCY=9\nS\n*END STEP";
+    let deck = columns(40, WRITE, &irs()).replace("*END STEP", requests);
+    leave_and_go_on("thinned", &deck, &[1, 8, 44, 81, 110]);
+}
+
 /// The paper's models with friction and softened contact, and integrated
 /// contact along a beam.
 #[test]
@@ -254,4 +262,52 @@ fn signals_end_a_run_after_an_increment() {
         assert!(begin(&part, true).wait().unwrap().success(), "{signal}");
         same(&expected, &files(&part, "job"), signal);
     }
+}
+
+/// Requirement: interrupted, a run whose states and tables are thinned gives every file its name
+/// and goes on from the increment it had ended.
+#[cfg(unix)]
+#[test]
+fn an_interrupted_run_says_how_to_go_on() {
+    let deck = columns(2000, "*RESTART, WRITE, FREQUENCY=100000\n", &irs());
+    let deck = deck.replace("*END STEP", "*NODE FILE, FREQUENCY=5\nU\n*END STEP");
+    let part = folder("interrupted");
+    std::fs::write(part.join("job.inp"), &deck).unwrap();
+    let child = Command::new(PROGRAM)
+        .args(["run", "job", "--no-html"])
+        .current_dir(&part)
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    while !part.join("job_0005.vtu").exists() {
+        std::thread::yield_now();
+    }
+    let id = child.id().to_string();
+    assert!(Command::new("kill").args(["-INT", &id]).status().unwrap().success());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(code(&output), 130, "{}", stderr(&output));
+    assert!(stderr(&output).contains("slideline run job.inp --restart"), "{}", stderr(&output));
+    let rows = |name: &str| std::fs::read_to_string(part.join(name)).unwrap().lines().count();
+    let before = rows("job.energy.csv");
+    // everything is written: files that wait for the end have their names
+    let text = |name: &str| std::fs::read_to_string(part.join(name)).unwrap();
+    assert!(text("job.frd").ends_with(" -3\n 9999\n") && text("job.dat").contains("NODES PLANE"));
+    let left = std::fs::read_dir(&part).unwrap();
+    let names: Vec<String> =
+        left.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    assert!(!names.iter().any(|n| n.ends_with(".part") || n.ends_with(".lck")), "{names:?}");
+    // interrupted at once: only what is left of one increment is solved again
+    let mut child = Command::new(PROGRAM)
+        .args(["run", "job", "--restart", "--quiet", "--no-html"])
+        .current_dir(&part)
+        .spawn()
+        .unwrap();
+    let began = Instant::now();
+    while rows("job.energy.csv") <= before && began.elapsed() < Duration::from_secs(10) {
+        std::thread::yield_now();
+    }
+    let _ = child.kill();
+    let _ = child.wait();
+    assert!(rows("job.energy.csv") > before);
 }

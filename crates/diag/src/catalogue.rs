@@ -180,7 +180,7 @@ catalogue! {
     "SL0702" "results cannot be written"
     "SL0703" "the deck includes a file that is a result of the same job"
     "SL0704" "results cannot be read"
-    "SL0705" "the job is still running"
+    "SL0705" "the job is running, or was killed"
     "SL0706" "the deck was changed after the run"
     "SL0707" "no saved state to go on from"
     "SL0708" "a saved state that cannot be used"

@@ -7,7 +7,7 @@ use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::material::Elastic;
 use slideline_model::{
     ContactPrint, Controls, Dialect, Dof, ElementPrint, Extrapolation, Interaction, Model, Node,
-    NodePrint, SavedStates, ShearRule, Static, SurfaceSegment,
+    NodePrint, PrintTarget, SavedStates, ShearRule, Static, SurfaceSegment,
 };
 
 use crate::keyword::Subject;
@@ -217,8 +217,11 @@ pub(crate) struct StepDraft {
     pub prints: Vec<(NodePrint, Option<Span>)>,
     pub element_prints: Vec<(ElementPrint, Option<Span>)>,
     pub contact_prints: Vec<(ContactPrint, Option<Span>)>,
-    /// `FREQUENCY` of the last `*OUTPUT`, which rules the requests below it.
-    pub output_frequency: usize,
+    /// File and `FREQUENCY` of the last `*OUTPUT`, which rules the requests
+    /// below it.
+    pub output: Option<(PrintTarget, usize)>,
+    /// How often each card wants states.
+    pub states_every: Vec<usize>,
     pub contact_changes: bool,
     pub origin: Span,
 }

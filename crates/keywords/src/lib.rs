@@ -21,6 +21,7 @@ mod keyword;
 mod log;
 mod reading;
 mod registry;
+mod requests;
 mod sets;
 mod surfaces;
 mod traps;

@@ -114,12 +114,17 @@ impl<'a> Reading<'a> {
 
     /// A positive whole number given as value, or the default.
     pub fn count(&self, name: &str, default: usize, log: &mut Log) -> usize {
+        self.at_least(1, name, default, log)
+    }
+
+    /// A whole number of at least `least` given as value, or the default.
+    pub fn at_least(&self, least: usize, name: &str, default: usize, log: &mut Log) -> usize {
         let Some(word) = self.word(name) else { return default };
         let field = Field { text: word.raw.clone(), span: word.span };
         let Some(value) = log.take(slideline_deck::integer(&field)) else { return default };
-        let value = usize::try_from(value).ok().filter(|&value| value >= 1);
+        let value = usize::try_from(value).ok().filter(|&value| value >= least);
         if value.is_none() {
-            log.error("SL0210", format!("{name} must be at least 1"), word.span);
+            log.error("SL0210", format!("{name} must be at least {least}"), word.span);
         }
         value.unwrap_or(default)
     }

@@ -223,7 +223,7 @@ fn springs_and_tables() {
     let step = model(BEAM, "*END STEP", print).steps[0].clone();
     let print = &step.output.node_prints[0];
     assert_eq!(print.variables, [NodeVariable::U, NodeVariable::RF]);
-    assert_eq!((print.nodes.len(), print.frequency), (5, 3));
+    assert_eq!((print.nodes.len(), print.request.frequency), (5, 3));
 }
 
 #[test]

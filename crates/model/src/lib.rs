@@ -35,7 +35,7 @@ pub use element::{
 pub use node::{Dof, Node, NodeIndex, Nodes, RigidLink};
 pub use output::{
     ContactPrint, ContactVariable, ElementPrint, ElementVariable, NodePrint, NodeVariable,
-    OutputRequests, PrintTarget, SECTION_POINTS, SavedStates,
+    OutputRequests, PrintTarget, Request, SECTION_POINTS, SavedStates,
 };
 pub use refine::refine;
 pub use slideline_mech::contact::normal::NormalLaw;

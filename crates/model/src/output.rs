@@ -14,6 +14,9 @@ pub struct OutputRequests {
     pub element_prints: Vec<ElementPrint>,
     /// Contact tables.
     pub contact_prints: Vec<ContactPrint>,
+    /// FREQUENCY of each card that asks for states (`*OUTPUT, FIELD`,
+    /// `*NODE FILE` and the like); without any there is one in every increment.
+    pub states_every: Vec<usize>,
     /// `*PRINT, CONTACT=YES`: contact status changes into the message file.
     pub contact_changes: bool,
 }
@@ -21,27 +24,57 @@ pub struct OutputRequests {
 /// `*RESTART, WRITE, FREQUENCY=N`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SavedStates {
-    /// Every how many increments; the end of the step always.
+    /// Every how many increments; the end of the step always; 0: never.
     pub every: usize,
     /// `OVERLAY`: only the last state of a step is kept.
     pub overlay: bool,
 }
 
-/// A table of nodal values.
+impl OutputRequests {
+    /// Whether an increment leaves a state (`JOB_nnnn.vtu`).
+    pub fn state_is_due(&self, increment: usize, last_of_step: bool) -> bool {
+        self.states_every.is_empty() || self.states_are_asked_for(increment, last_of_step)
+    }
+
+    /// Whether a card asks for the state of an increment.
+    pub fn states_are_asked_for(&self, increment: usize, last_of_step: bool) -> bool {
+        self.states_every.iter().any(|&every| is_due(every, increment, last_of_step))
+    }
+
+    /// Whether any increment may leave a state.
+    pub fn has_states(&self) -> bool {
+        self.state_is_due(1, true)
+    }
+}
+
+/// Whether a request with that FREQUENCY is due: every so many increments and
+/// at the end of a step; with 0 never. (manual)
+fn is_due(frequency: usize, increment: usize, last_of_step: bool) -> bool {
+    frequency > 0 && (last_of_step || increment.is_multiple_of(frequency))
+}
+
+/// What requests for nodes, beams and contact have in common.
 #[derive(Clone, Debug, PartialEq)]
-pub struct NodePrint {
-    /// Name of the node set as written; empty for all nodes.
+pub struct Request {
+    /// Name of the set as written; empty for all there are.
     pub set: String,
-    /// Its nodes.
-    pub nodes: Vec<NodeIndex>,
-    /// Columns.
-    pub variables: Vec<NodeVariable>,
-    /// Every how many increments; the last one always.
+    /// Every how many increments; the last one of a step always; 0 never.
     pub frequency: usize,
     /// Where it goes.
     pub target: PrintTarget,
+    /// `TOTALS=YES`: the sum of each column below its table.
+    pub totals: bool,
+    /// `SUMMARY=YES`: the extremes of each column below its table.
+    pub summary: bool,
     /// The card.
     pub origin: Span,
+}
+
+impl Request {
+    /// Whether it is for that file and due in that increment.
+    pub fn is_due(&self, is_target: fn(PrintTarget) -> bool, increment: usize, last: bool) -> bool {
+        is_target(self.target) && is_due(self.frequency, increment, last)
+    }
 }
 
 /// Which file a request is for.
@@ -49,8 +82,34 @@ pub struct NodePrint {
 pub enum PrintTarget {
     /// `*NODE PRINT`, `*EL PRINT`, `*CONTACT PRINT`: the printed table.
     Table,
-    /// `*NODE FILE`, `*ELEMENT OUTPUT` and the like: the result files.
-    File,
+    /// `*NODE FILE` and the like, cards below `*OUTPUT, FIELD`: states and
+    /// element results.
+    Field,
+    /// Cards below `*OUTPUT, HISTORY`: histories and element results.
+    History,
+}
+
+impl PrintTarget {
+    /// The printed table.
+    pub fn is_table(self) -> bool {
+        self == Self::Table
+    }
+
+    /// The result files.
+    pub fn is_file(self) -> bool {
+        self != Self::Table
+    }
+}
+
+/// A table of nodal values.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NodePrint {
+    /// Set, frequency, file.
+    pub request: Request,
+    /// The nodes of the set.
+    pub nodes: Vec<NodeIndex>,
+    /// Columns.
+    pub variables: Vec<NodeVariable>,
 }
 
 /// A nodal quantity.
@@ -69,20 +128,14 @@ pub enum NodeVariable {
 /// A table of beam results.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ElementPrint {
-    /// Name of the element set as written; empty for all beams.
-    pub set: String,
-    /// Labels of its beams, ascending.
+    /// Set, frequency, file.
+    pub request: Request,
+    /// Labels of the beams of the set, ascending.
     pub elements: Vec<u64>,
     /// Columns.
     pub variables: Vec<ElementVariable>,
     /// Section points of the stresses, from 1 to [`SECTION_POINTS`].
     pub section_points: Vec<usize>,
-    /// Every how many increments; the last one always.
-    pub frequency: usize,
-    /// Where it goes.
-    pub target: PrintTarget,
-    /// The card.
-    pub origin: Span,
 }
 
 /// Section points over the height of a beam: 1 on the side against the normal
@@ -110,18 +163,12 @@ pub enum ElementVariable {
 /// A table of contact results.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContactPrint {
-    /// Name of the node set as written; empty for all slave nodes.
-    pub set: String,
-    /// Its nodes.
+    /// Set, frequency, file.
+    pub request: Request,
+    /// The nodes of the set.
     pub nodes: Vec<NodeIndex>,
     /// Columns.
     pub variables: Vec<ContactVariable>,
-    /// Every how many increments; the last one always.
-    pub frequency: usize,
-    /// Where it goes.
-    pub target: PrintTarget,
-    /// The card.
-    pub origin: Span,
 }
 
 /// A quantity of a contact point.
@@ -133,4 +180,29 @@ pub enum ContactVariable {
     CDISP,
     /// Normal force CNORMF and shear force CSHEARF.
     CFORCE,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Requirement: FREQUENCY=N is every N-th increment and the last of each
+    /// step, 0 is never, several requests give what any of them asks for, and
+    /// without a request there is a state in every increment. Source: Abaqus
+    /// manual, `*OUTPUT` and `*NODE FILE`.
+    #[test]
+    fn frequency_rules_the_increments() {
+        let shown = |states_every: &[usize]| -> Vec<usize> {
+            let states_every = states_every.to_vec();
+            let requests = OutputRequests { states_every, ..OutputRequests::default() };
+            (1..=10)
+                .filter(|&increment| requests.state_is_due(increment, increment == 10))
+                .collect()
+        };
+        assert_eq!(shown(&[]), (1..=10).collect::<Vec<_>>());
+        assert_eq!(shown(&[4]), [4, 8, 10]);
+        assert_eq!(shown(&[4, 3]), [3, 4, 6, 8, 9, 10]);
+        assert_eq!(shown(&[0]), [0; 0]);
+        assert_eq!(shown(&[0, 100]), [10]);
+    }
 }

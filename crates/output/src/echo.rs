@@ -333,6 +333,19 @@ fn initial_contact_energy(text: &mut String, model: &Model, start: &Frame<'_>) {
     }
 }
 
+/// How often states are written, where the deck says so.
+fn states_echo(text: &mut String, every: &[usize]) {
+    let words = |every: &usize| match every {
+        0 => "never".to_owned(),
+        1 => "every increment".to_owned(),
+        many => format!("every {many} increments and at the end"),
+    };
+    if !every.is_empty() {
+        let words: Vec<String> = every.iter().map(words).collect();
+        line(text, format_args!("  states {}", words.join(", ")));
+    }
+}
+
 fn step_echo(text: &mut String, model: &Model, number: usize, step: &Step) {
     line(text, format_args!("\nSTEP {number}  {}", step.title.replace('\n', " / ")));
     let time = &step.procedure;
@@ -349,6 +362,7 @@ fn step_echo(text: &mut String, model: &Model, number: usize, step: &Step) {
             step.max_increments
         ),
     );
+    states_echo(text, &step.output.states_every);
     let fixed = step.prescribed.iter().filter(|motion| !motion.moves()).count();
     line(text, format_args!("  {fixed} dofs held"));
     for motion in step.prescribed.iter().filter(|motion| motion.moves()) {

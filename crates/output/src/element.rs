@@ -27,7 +27,8 @@ impl Elements {
     }
 
     fn begin(&mut self, model: &Model) -> Result<(), WriteError> {
-        let asked = model.steps.iter().any(|step| step.output.element_prints.iter().any(is_file));
+        let mut prints = model.steps.iter().flat_map(|step| &step.output.element_prints);
+        let asked = prints.any(|p| p.request.target.is_file() && p.request.frequency > 0);
         if !asked || self.file.is_some() {
             return Ok(());
         }
@@ -38,24 +39,17 @@ impl Elements {
     fn rows(&mut self, frame: &Frame<'_>) -> Result<(), WriteError> {
         let Some(file) = &mut self.file else { return Ok(()) };
         let Some(step) = frame.model.steps.get(frame.step - 1) else { return Ok(()) };
-        let requests = step.output.element_prints.iter();
-        let due: Vec<&ElementPrint> = requests
-            .filter(|print| is_file(print))
-            .filter(|print| {
-                frame.last_of_step || frame.increment.is_multiple_of(print.frequency.max(1))
-            })
-            .collect();
-        for (row, section) in beams(frame) {
+        let (increment, last) = (frame.increment, frame.last_of_step);
+        let due =
+            |print: &&ElementPrint| print.request.is_due(PrintTarget::is_file, increment, last);
+        let due: Vec<&ElementPrint> = step.output.element_prints.iter().filter(due).collect();
+        for (row, _, section) in beams(frame) {
             if due.iter().any(|print| print.elements.binary_search(&row.label).is_ok()) {
                 push_row(&mut file.text, frame, row, section);
             }
         }
         file.flush()
     }
-}
-
-fn is_file(print: &ElementPrint) -> bool {
-    print.target == PrintTarget::File
 }
 
 fn push_row(text: &mut String, frame: &Frame<'_>, row: &BeamRow, section: &BeamSection) {

@@ -1,16 +1,22 @@
 //! `JOB.frd`: mesh and nodal results in the ASCII format of CalculiX, which
-//! cgx and PrePoMax open. Written where the deck asks for result files.
+//! cgx and PrePoMax open. Written where the deck asks for states.
 //!
 //! ```text
 //!     1C title      2C nodes      3C elements (type 11: lines)
-//!   100C DISP, FORC, CONTACT for each increment that is due
+//!   100C DISP, FORC, STRESS, S11, SECTION, CONTACT for each increment due
 //!  9999
 //! ```
+//!
+//! Points of rigid surfaces are nodes of their own, numbered behind the
+//! deck's, so that a viewer shows the surfaces moving.
 
 use crate::file::{Growing, WriteError, beside};
 use crate::job::JobFiles;
+use crate::outline::{Outline, outlines};
+use crate::restart::Kept;
+use crate::section::nodal_sections;
 use crate::writers::Writer;
-use slideline_model::{Dof, ElementBlock, Model, NodeIndex, OutputRequests, PrintTarget};
+use slideline_model::{Dof, ElementBlock, Model, NodeIndex};
 use slideline_solve::observe::{ContactRow, Event, Frame};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -19,36 +25,48 @@ use std::fmt::Write as _;
 pub(crate) struct Frd {
     job: JobFiles,
     file: Option<Growing>,
-    blocks: usize,
+    mesh: Mesh,
+    /// Converged increments of all steps, which number the results.
+    increments: usize,
 }
 
 impl Frd {
     pub fn new(job: &JobFiles) -> Self {
-        Self { job: job.clone(), file: None, blocks: 0 }
+        Self { job: job.clone(), file: None, mesh: Mesh::default(), increments: 0 }
     }
 
     fn begin(&mut self, model: &Model) -> Result<(), WriteError> {
-        let asked = model.steps.iter().any(|step| !frequencies(&step.output).is_empty());
+        let asked = model.steps.iter().any(|step| step.output.states_are_asked_for(1, true));
         if !asked || self.file.is_some() {
             return Ok(());
         }
-        let mut file = Growing::create(beside(&self.job.path(".frd")))?;
-        push_mesh(&mut file.text, model, &self.job.name());
+        self.mesh = Mesh::of(model);
+        let waiting = beside(&self.job.path(".frd"));
+        if let Some(kept) = self.job.kept() {
+            self.increments = kept.increments;
+        }
+        if let Some(length) = self.job.kept_length(".frd") {
+            self.file = Some(Growing::reopen(waiting, length)?);
+            return Ok(());
+        }
+        let mut file = Growing::create(waiting)?;
+        self.mesh.push(&mut file.text, model, &self.job.name());
         file.flush()?;
         self.file = Some(file);
         Ok(())
     }
 
     fn state(&mut self, frame: &Frame<'_>) -> Result<(), WriteError> {
+        self.increments += 1;
         let Some(file) = &mut self.file else { return Ok(()) };
         let Some(step) = frame.model.steps.get(frame.step - 1) else { return Ok(()) };
-        let asked = frequencies(&step.output);
-        let due = asked.iter().any(|&every| frame.increment.is_multiple_of(every.max(1)));
-        if asked.is_empty() || !(due || frame.last_of_step) {
+        if !step.output.states_are_asked_for(frame.increment, frame.last_of_step) {
             return Ok(());
         }
-        self.blocks += 1;
-        push_results(&mut file.text, frame, self.blocks);
+        let mut results = Results { text: &mut file.text, frame, number: self.increments };
+        results.push_motion(&self.mesh);
+        results.push_sections();
+        results.push_contact();
         file.flush()
     }
 
@@ -59,78 +77,176 @@ impl Frd {
     }
 }
 
-/// Every how many increments the requests for result files are due.
-fn frequencies(output: &OutputRequests) -> Vec<usize> {
-    let nodes = output.node_prints.iter().map(|print| (print.target, print.frequency));
-    let elements = output.element_prints.iter().map(|print| (print.target, print.frequency));
-    let contact = output.contact_prints.iter().map(|print| (print.target, print.frequency));
-    let all = nodes.chain(elements).chain(contact);
-    all.filter(|(target, _)| *target == PrintTarget::File).map(|(_, every)| every).collect()
+/// What does not change: lines between nodes, outlines of rigid surfaces.
+#[derive(Default)]
+struct Mesh {
+    /// Group and ends of each line: beams 0, springs 1, slave surfaces 2,
+    /// rigid surfaces 3. Numbered in turn: a beam of three nodes is two lines.
+    lines: Vec<(u32, [u64; 2])>,
+    outlines: Vec<Outline>,
+    /// Number of the first point of an outline.
+    first: u64,
 }
 
-/// Title, nodes and line elements. A String takes any text.
-fn push_mesh(text: &mut String, model: &Model, job: &str) {
-    let _ = writeln!(text, "    1C{:<66}", job.chars().filter(char::is_ascii).collect::<String>());
-    let _ = writeln!(text, "    2C{:18}{:>12}{:37}1", "", model.nodes.len(), "");
-    for node in model.nodes.iter() {
-        let _ = write!(text, " -1{:>10}", node.label);
-        push_floats(text, &node.position);
-    }
-    text.push_str(" -3\n");
-    let lines = lines(model);
-    let _ = writeln!(text, "    3C{:18}{:>12}{:37}1", "", lines.len(), "");
-    for (place, (group, nodes)) in lines.iter().enumerate() {
-        let [a, b] = nodes.map(|node| model.nodes.label(node));
-        let _ = writeln!(text, " -1{:>10}{:>5}{group:>5}{:>5}", place + 1, 11, 1);
-        let _ = writeln!(text, " -2{a:>10}{b:>10}");
-    }
-    text.push_str(" -3\n");
-}
-
-/// Beams and springs (groups 0 and 1), slave surfaces (2), numbered in turn:
-/// a beam of three nodes is two lines.
-fn lines(model: &Model) -> Vec<(u32, [NodeIndex; 2])> {
-    let mut lines = Vec::new();
-    for block in &model.blocks {
-        if let Some(beams) = block.beams() {
-            for beam in &beams.elements {
-                let ends = beam.all_nodes().zip(beam.all_nodes().skip(1));
-                lines.extend(ends.map(|(a, b)| (0, [a, b])));
+impl Mesh {
+    fn of(model: &Model) -> Self {
+        let mut lines: Vec<(u32, [NodeIndex; 2])> = Vec::new();
+        for block in &model.blocks {
+            if let Some(beams) = block.beams() {
+                for beam in &beams.elements {
+                    let ends = beam.all_nodes().zip(beam.all_nodes().skip(1));
+                    lines.extend(ends.map(|(a, b)| (0, [a, b])));
+                }
+            } else if let ElementBlock::Spring(springs) = block {
+                let joining = springs.elements.iter().filter(|e| e.nodes[0] != e.nodes[1]);
+                lines.extend(joining.map(|e| (1, e.nodes)));
             }
-        } else if let ElementBlock::Spring(springs) = block {
-            let joining = springs.elements.iter().filter(|e| e.nodes[0] != e.nodes[1]);
-            lines.extend(joining.map(|e| (1, e.nodes)));
+        }
+        let pairs = model.contact_pairs.iter();
+        lines.extend(pairs.flat_map(|pair| &pair.elements).map(|element| (2, element.nodes)));
+        let label = |node| model.nodes.label(node);
+        let mut lines: Vec<(u32, [u64; 2])> =
+            lines.into_iter().map(|(group, ends)| (group, ends.map(label))).collect();
+        let outlines = outlines(model);
+        let first = model.nodes.iter().map(|node| node.label).max().unwrap_or(0) + 1;
+        let mut from = first;
+        for outline in &outlines {
+            let to = from + outline.points.len() as u64;
+            lines.extend((from + 1..to).map(|point| (3, [point - 1, point])));
+            from = to;
+        }
+        Self { lines, outlines, first }
+    }
+
+    /// Number, carrier and undeformed place of the points of outlines.
+    fn points(&self) -> impl Iterator<Item = (u64, &Outline, [f64; 2])> {
+        let points = self.outlines.iter().flat_map(|o| o.points.iter().map(move |&p| (o, p)));
+        (self.first..).zip(points).map(|(label, (outline, point))| (label, outline, point))
+    }
+
+    /// Title, nodes and elements. A String takes any text.
+    fn push(&self, text: &mut String, model: &Model, job: &str) {
+        let job: String = job.chars().filter(char::is_ascii).collect();
+        let _ = writeln!(text, "    1C{job:<66}");
+        let count = model.nodes.len() + self.points().count();
+        let _ = writeln!(text, "    2C{:18}{count:>12}{:37}1", "", "");
+        for node in model.nodes.iter() {
+            push_node(text, node.label, &node.position);
+        }
+        for (label, _, [x, y]) in self.points() {
+            push_node(text, label, &[x, y, 0.0]);
+        }
+        text.push_str(" -3\n");
+        let _ = writeln!(text, "    3C{:18}{:>12}{:37}1", "", self.lines.len(), "");
+        for (place, (group, [a, b])) in self.lines.iter().enumerate() {
+            let _ = writeln!(text, " -1{:>10}{:>5}{group:>5}{:>5}", place + 1, 11, 1);
+            let _ = writeln!(text, " -2{a:>10}{b:>10}");
+        }
+        text.push_str(" -3\n");
+    }
+}
+
+/// How a viewer combines components.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Shape {
+    Scalars,
+    /// With a magnitude that viewers compute.
+    Vector,
+    /// xx, yy, zz, xy, yz, zx.
+    Tensor,
+}
+
+/// The results of one increment on their way to the file.
+struct Results<'a> {
+    text: &'a mut String,
+    frame: &'a Frame<'a>,
+    number: usize,
+}
+
+impl Results<'_> {
+    /// DISP and FORC of every node.
+    fn push_motion(&mut self, mesh: &Mesh) {
+        let frame = self.frame;
+        let dofs = [Dof::U1, Dof::U2, Dof::U3];
+        let nodes = || frame.model.nodes.iter().map(|node| node.label).enumerate();
+        let motion = nodes().map(|(k, l)| (l, dofs.map(|dof| frame.nodal.displacement(k, dof))));
+        let carried = mesh.points().map(|(label, outline, point)| {
+            let moved = outline.carried(frame, point);
+            (label, [moved[0] - point[0], moved[1] - point[1], 0.0])
+        });
+        self.push("DISP", Shape::Vector, &["D1", "D2", "D3"], motion.chain(carried).collect());
+        let forces = nodes().map(|(k, l)| (l, dofs.map(|dof| frame.nodal.reaction(k, dof))));
+        let none = mesh.points().map(|(label, ..)| (label, [0.0; 3]));
+        self.push("FORC", Shape::Vector, &["F1", "F2", "F3"], forces.chain(none).collect());
+    }
+
+    /// Stresses and section forces at the nodes of beams.
+    fn push_sections(&mut self) {
+        let nodes = nodal_sections(self.frame);
+        if nodes.is_empty() {
+            return;
+        }
+        let label = |node: &NodeIndex| self.frame.model.nodes.label(*node);
+        let stress = nodes.iter().map(|(node, at)| (label(node), at.tensor())).collect();
+        let points = nodes.iter().map(|(node, at)| (label(node), at.stresses())).collect();
+        let forces = nodes.iter().map(|(node, at)| (label(node), at.forces())).collect();
+        let names = ["SXX", "SYY", "SZZ", "SXY", "SYZ", "SZX"];
+        self.push("STRESS", Shape::Tensor, &names, stress);
+        let names = ["S11_1", "S11_2", "S11_3", "S11_4", "S11_5"];
+        self.push("S11", Shape::Scalars, &names, points);
+        self.push("SECTION", Shape::Scalars, &["SF1", "SF2", "SM1"], forces);
+    }
+
+    fn push_contact(&mut self) {
+        let label = |node: &NodeIndex| self.frame.model.nodes.label(*node);
+        let values = |row: &ContactRow| [row.opening, row.slip, 0.0, row.pressure, row.shear, 0.0];
+        let rows: Vec<(u64, [f64; 6])> =
+            contact(self.frame).iter().map(|(node, row)| (label(node), values(row))).collect();
+        if !rows.is_empty() {
+            let names = ["COPEN", "CSLIP1", "CSLIP2", "CPRESS", "CSHEAR1", "CSHEAR2"];
+            self.push("CONTACT", Shape::Scalars, &names, rows);
         }
     }
-    let pairs = model.contact_pairs.iter();
-    lines.extend(pairs.flat_map(|pair| &pair.elements).map(|element| (2, element.nodes)));
-    lines
+
+    /// A block of results. A String takes any text.
+    fn push<const N: usize>(
+        &mut self,
+        name: &str,
+        shape: Shape,
+        components: &[&str; N],
+        rows: Vec<(u64, [f64; N])>,
+    ) {
+        let (frame, number, text) = (self.frame, self.number, &mut *self.text);
+        let (time, nodes) = (exponent(frame.total_time), rows.len());
+        let (step, increment) = (frame.step, frame.increment);
+        let _ = writeln!(text, "    1PSTEP{:16}{number:>10}{increment:>10}{step:>10}", "");
+        let _ =
+            writeln!(text, "  100CL  {:>3}{time}{nodes:>12}{:20} 0{number:>5}{:10} 1", 100, "", "");
+        let count = N + usize::from(shape == Shape::Vector);
+        let _ = writeln!(text, " -4  {name:<8}{count:>5}    1");
+        for (place, component) in components.iter().enumerate() {
+            let (kind, first, second) = match shape {
+                Shape::Scalars => (1, place + 1, 0),
+                Shape::Vector => (2, place + 1, 0),
+                Shape::Tensor => {
+                    let (first, second) = TENSOR[place % 6];
+                    (4, first, second)
+                }
+            };
+            let _ = writeln!(text, " -5  {component:<8}    1{kind:>5}{first:>5}{second:>5}    0");
+        }
+        if shape == Shape::Vector {
+            text.push_str(" -5  ALL         1    2    0    0    1ALL\n");
+        }
+        for (label, values) in &rows {
+            push_node(text, *label, values);
+        }
+        text.push_str(" -3\n");
+    }
 }
 
-fn push_results(text: &mut String, frame: &Frame<'_>, block: usize) {
-    let moves = [Dof::U1, Dof::U2, Dof::U3];
-    let nodes: Vec<NodeIndex> = (0..frame.model.nodes.len()).collect();
-    push_head(text, frame, (block, nodes.len()), ("DISP", &["D1", "D2", "D3"]));
-    for &node in &nodes {
-        push_node(text, frame, node, &moves.map(|dof| frame.nodal.displacement(node, dof)));
-    }
-    text.push_str(" -3\n");
-    push_head(text, frame, (block, nodes.len()), ("FORC", &["F1", "F2", "F3"]));
-    for &node in &nodes {
-        push_node(text, frame, node, &moves.map(|dof| frame.nodal.reaction(node, dof)));
-    }
-    text.push_str(" -3\n");
-    let contact = contact(frame);
-    if contact.is_empty() {
-        return;
-    }
-    let names = ["COPEN", "CSLIP1", "CSLIP2", "CPRESS", "CSHEAR1", "CSHEAR2"];
-    push_head(text, frame, (block, contact.len()), ("CONTACT", &names));
-    for (&node, row) in &contact {
-        push_node(text, frame, node, &[row.opening, row.slip, 0.0, row.pressure, row.shear, 0.0]);
-    }
-    text.push_str(" -3\n");
-}
+/// Places of the components of a tensor.
+const TENSOR: [(usize, usize); 6] = [(1, 1), (2, 2), (3, 3), (1, 2), (2, 3), (3, 1)];
 
 /// Slave nodes that face a master; a node of several pairs shows where it is
 /// pressed most.
@@ -145,34 +261,8 @@ fn contact<'a>(frame: &Frame<'a>) -> BTreeMap<NodeIndex, &'a ContactRow> {
     shown
 }
 
-/// Head of a result block: vectors have a magnitude that viewers compute.
-fn push_head(
-    text: &mut String,
-    frame: &Frame<'_>,
-    (block, nodes): (usize, usize),
-    (name, components): (&str, &[&str]),
-) {
-    let vector = components.len() == 3;
-    let (step, increment, time) = (frame.step, frame.increment, exponent(frame.total_time));
-    let _ = writeln!(text, "    1PSTEP{:16}{block:>10}{increment:>10}{step:>10}", "");
-    let _ = writeln!(text, "  100CL  {:>3}{time}{nodes:>12}{:20} 0{block:>5}{:10} 1", 100, "", "");
-    let count = components.len() + usize::from(vector);
-    let _ = writeln!(text, " -4  {name:<8}{count:>5}    1");
-    for (place, component) in components.iter().enumerate() {
-        let kind = if vector { 2 } else { 1 };
-        let _ = writeln!(text, " -5  {component:<8}    1{kind:>5}{:>5}    0", place + 1);
-    }
-    if vector {
-        text.push_str(" -5  ALL         1    2    0    0    1ALL\n");
-    }
-}
-
-fn push_node(text: &mut String, frame: &Frame<'_>, node: NodeIndex, values: &[f64]) {
-    let _ = write!(text, " -1{:>10}", frame.model.nodes.label(node));
-    push_floats(text, values);
-}
-
-fn push_floats(text: &mut String, values: &[f64]) {
+fn push_node(text: &mut String, label: u64, values: &[f64]) {
+    let _ = write!(text, " -1{label:>10}"); // a String takes any text
     for &value in values {
         text.push_str(&exponent(value));
     }
@@ -200,6 +290,10 @@ impl Writer for Frd {
             Event::End(_) => self.finish(),
             _ => Ok(()),
         }
+    }
+
+    fn keep(&self, kept: &mut Kept) {
+        kept.file(".frd", self.file.as_ref());
     }
 }
 

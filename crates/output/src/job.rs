@@ -25,6 +25,7 @@ const ENDINGS: &[&str] = &[
     ".html",
     ".rst",
     FAILED,
+    ".lck",
 ];
 
 /// Folder and name of a job's files.
@@ -84,6 +85,21 @@ impl JobFiles {
         Ok(found)
     }
 
+    /// Numbers of the deformed states that exist, ascending.
+    ///
+    /// # Errors
+    /// When the folder cannot be read.
+    pub fn states(&self) -> Result<Vec<usize>, WriteError> {
+        let existing = self.existing()?;
+        let names = existing.iter().filter_map(|path| path.file_name());
+        let mut numbers: Vec<usize> = names
+            .filter_map(|name| name.as_encoded_bytes().strip_prefix(self.stem.as_encoded_bytes()))
+            .filter_map(state_number)
+            .collect();
+        numbers.sort_unstable();
+        Ok(numbers)
+    }
+
     /// The same files for a run that goes on.
     pub(crate) fn going_on(&self, kept: Kept) -> Self {
         Self { kept: Some(Arc::new(kept)), ..self.clone() }
@@ -123,8 +139,13 @@ impl JobFiles {
         let Some(ending) = name.strip_prefix(self.stem.as_encoded_bytes()) else {
             return false;
         };
-        ENDINGS.iter().any(|own| own.as_bytes() == ending) || is_state(ending)
+        ENDINGS.iter().any(|own| own.as_bytes() == ending) || state_number(ending).is_some()
     }
+}
+
+/// The path of a job's files without the ending of one of them.
+pub fn without_ending(path: &str) -> Option<&str> {
+    ENDINGS.iter().find_map(|ending| path.strip_suffix(ending))
 }
 
 /// Whether a result file of one of our kinds ends so.
@@ -132,10 +153,11 @@ pub(crate) fn is_ending(ending: &str) -> bool {
     ENDINGS.contains(&ending)
 }
 
-/// `_0001.vtu` with four digits or more.
-fn is_state(ending: &[u8]) -> bool {
-    let number = ending.strip_prefix(b"_").and_then(|rest| rest.strip_suffix(b".vtu"));
-    number.is_some_and(|digits| digits.len() >= 4 && digits.iter().all(u8::is_ascii_digit))
+/// Number of `_0001.vtu`, with four digits or more.
+fn state_number(ending: &[u8]) -> Option<usize> {
+    let digits = ending.strip_prefix(b"_")?.strip_suffix(b".vtu")?;
+    let whole = digits.len() >= 4 && digits.iter().all(u8::is_ascii_digit);
+    whole.then(|| std::str::from_utf8(digits).ok()?.parse().ok()).flatten()
 }
 
 #[cfg(test)]

@@ -8,8 +8,9 @@
 //!     1 o-------   y = -height/2
 //! ```
 
-use slideline_model::{BeamSection, SECTION_POINTS};
+use slideline_model::{BeamElement, BeamSection, Dof, NodeIndex, SECTION_POINTS};
 use slideline_solve::observe::{BeamRow, Frame};
+use std::collections::BTreeMap;
 
 /// Axial stress at the section points [F/L2]: N/A - y M/I. A positive moment
 /// turns the beam counter-clockwise along its way, which shortens the fibres
@@ -28,14 +29,80 @@ pub(crate) fn outer_mises(stresses: &[f64; SECTION_POINTS]) -> f64 {
     stresses[0].abs().max(stresses[SECTION_POINTS - 1].abs())
 }
 
-/// The beams of a frame with their sections.
+/// Section results of beams at a node: the mean over the beams that meet
+/// there, as viewers expect of nodal results.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct NodalSection {
+    beams: f64,
+    /// Sum of the chords of the beams, as they lie now [L].
+    chord: [f64; 2],
+    /// Sums of SF1, SF2 [F] and SM1 [F L].
+    forces: [f64; 3],
+    /// Sums of S11 at the section points [F/L2].
+    stresses: [f64; SECTION_POINTS],
+}
+
+impl NodalSection {
+    /// SF1, SF2 [F] and SM1 [F L].
+    pub fn forces(&self) -> [f64; 3] {
+        self.forces.map(|sum| sum / self.beams)
+    }
+
+    /// S11 at the section points [F/L2].
+    pub fn stresses(&self) -> [f64; SECTION_POINTS] {
+        self.stresses.map(|sum| sum / self.beams)
+    }
+
+    /// The stress of the outer fibre with the larger magnitude, along the
+    /// beam: xx, yy, zz, xy, yz, zx [F/L2].
+    pub fn tensor(&self) -> [f64; 6] {
+        let [first, .., last] = self.stresses();
+        let stress = if last.abs() > first.abs() { last } else { first };
+        let [x, y] = self.chord;
+        let length = x.hypot(y);
+        if length == 0.0 {
+            return [0.0; 6];
+        }
+        let [x, y] = [x / length, y / length];
+        [stress * x * x, stress * y * y, 0.0, stress * x * y, 0.0, 0.0]
+    }
+}
+
+/// Section results at the nodes of the beams, in the order of the nodes.
+pub(crate) fn nodal_sections(frame: &Frame<'_>) -> BTreeMap<NodeIndex, NodalSection> {
+    let place = |node: NodeIndex| {
+        let position = frame.model.nodes.plane(node);
+        let moved = |dof| frame.nodal.displacement(node, dof);
+        [position[0] + moved(Dof::U1), position[1] + moved(Dof::U2)]
+    };
+    let mut found: BTreeMap<NodeIndex, NodalSection> = BTreeMap::new();
+    for (row, element, section) in beams(frame) {
+        let [from, to] = row.nodes.map(place);
+        let stresses = axial_stresses(row, section);
+        let forces = [row.axial_force, row.shear_force, row.bending_moment];
+        for node in element.all_nodes() {
+            let sums = found.entry(node).or_default();
+            sums.beams += 1.0;
+            (0..2).for_each(|axis| sums.chord[axis] += to[axis] - from[axis]);
+            sums.forces.iter_mut().zip(forces).for_each(|(sum, force)| *sum += force);
+            sums.stresses.iter_mut().zip(stresses).for_each(|(sum, stress)| *sum += stress);
+        }
+    }
+    found
+}
+
+/// The beams of a frame with their elements and sections. Beams that belong
+/// to one rigid body have no results.
 pub(crate) fn beams<'a>(
     frame: &Frame<'a>,
-) -> impl Iterator<Item = (&'a BeamRow, &'a BeamSection)> + use<'a> {
+) -> impl Iterator<Item = (&'a BeamRow, &'a BeamElement, &'a BeamSection)> + use<'a> {
     let blocks = frame.model.blocks.iter().filter_map(|block| block.beams());
-    let sections =
-        blocks.flat_map(|block| std::iter::repeat_n(&block.section, block.elements.len()));
-    frame.beams.iter().zip(sections)
+    let mut elements =
+        blocks.flat_map(|block| block.elements.iter().map(|element| (element, &block.section)));
+    frame.beams.iter().filter_map(move |row| {
+        let (element, section) = elements.find(|(element, _)| element.label == row.label)?;
+        Some((row, element, section))
+    })
 }
 
 #[cfg(test)]
@@ -63,5 +130,20 @@ mod tests {
         assert!((normal - 5.0).abs() < 1e-13 && (moment + 7.0).abs() < 1e-13);
         assert!((s[1] - 0.5 * (s[0] + s[2])).abs() < 1e-13);
         assert_eq!(outer_mises(&s), s[4]);
+    }
+
+    /// Requirement: the tensor is a pull along the beam: its trace is the
+    /// outer stress, it has no part across, and its Mises stress is that of
+    /// the outer fibres. Tolerance: rounding.
+    #[test]
+    fn the_tensor_is_a_pull_along_the_beam() {
+        let stresses = [6.0, 0.0, 0.0, 0.0, -20.0];
+        let node = NodalSection { beams: 2.0, chord: [3.0, 4.0], stresses, ..Default::default() };
+        let [xx, yy, zz, xy, yz, zx] = node.tensor();
+        assert!((xx + yy + 10.0).abs() < 1e-14 && zz == 0.0 && yz == 0.0 && zx == 0.0);
+        let across = 0.64 * xx + 0.36 * yy - 2.0 * 0.48 * xy;
+        assert!(across.abs() < 1e-14, "{across}");
+        let mises = (0.5 * ((xx - yy).powi(2) + xx * xx + yy * yy) + 3.0 * xy * xy).sqrt();
+        assert!((mises - outer_mises(&node.stresses())).abs() < 1e-13);
     }
 }

@@ -8,6 +8,7 @@ use crate::ledger::onset_word;
 use crate::record::record;
 use crate::restart::Earlier;
 use crate::understood::{self, Understood};
+use crate::vtu::state_is_due;
 use slideline_diag::{Diagnostic, Severity, Sources};
 use slideline_measures::NoiseSummary;
 use slideline_model::{Dialect, NodeIndex, Onset};
@@ -145,6 +146,8 @@ pub(crate) struct Summary<'a> {
     strain: Option<(f64, u64, f64)>,
     /// Noise of the run, as JSON.
     noise: Option<String>,
+    /// How many states were written, the start among them.
+    states: usize,
 }
 
 impl<'a> Summary<'a> {
@@ -171,6 +174,7 @@ impl<'a> Summary<'a> {
             understood: None,
             strain: None,
             noise: None,
+            states: 0,
         }
     }
 
@@ -183,8 +187,9 @@ impl<'a> Summary<'a> {
     ) -> Result<Self, WriteError> {
         let Memory { before, warnings, peaks, strain } = memory;
         let (totals, dropped_work) = (from.totals, from.energy().dropped_friction);
+        let states = job.kept().map_or(0, |kept| kept.states.len());
         let new = Self::new(job, facts);
-        let summary = Self { before, warnings, peaks, strain, totals, dropped_work, ..new };
+        let summary = Self { before, warnings, peaks, strain, totals, dropped_work, states, ..new };
         summary.write(Status::Running, None)?;
         Ok(summary)
     }
@@ -215,7 +220,11 @@ impl<'a> Summary<'a> {
     /// Takes note of everything but the end.
     pub fn watch(&mut self, event: &Event<'_>) {
         match event {
-            Event::StepBegin(step) if self.curves.is_empty() => self.list_curves(step),
+            Event::StepBegin(step) if self.curves.is_empty() => {
+                let any = step.model.steps.iter().any(|step| step.output.has_states());
+                self.states += usize::from(any && !step.resumed);
+                self.list_curves(step);
+            }
             Event::Iteration(_) => self.totals.iterations += 1,
             Event::AttemptFailed(_) => self.totals.cutbacks += 1,
             Event::Committed(frame) => self.follow(frame),
@@ -283,6 +292,7 @@ impl<'a> Summary<'a> {
 
     fn follow(&mut self, frame: &Frame<'_>) {
         self.totals.increments += 1;
+        self.states += usize::from(state_is_due(frame));
         self.dropped_work = frame.energy.dropped_friction;
         let time = frame.total_time;
         for beam in frame.beams {
@@ -315,6 +325,7 @@ impl<'a> Summary<'a> {
             .array("advice", self.advice.iter().cloned())
             .raw("peaks", &self.peaks())
             .raw("dropped_friction", &self.dropped())
+            .count("states", self.states)
             .count("schema", SCHEMA)
             .text("program_version", facts.version)
             .text("deck_hash", facts.deck_hash)

@@ -1,59 +1,182 @@
-//! Printed tables of beams and of contact.
+//! Printed tables of nodes, beams and contact.
+//!
+//! ```text
+//!   STEP 1  INCREMENT 20  TOTAL TIME 1  NODES TIP
+//!         NODE             RF1             RF2
+//!         9999     1.2345670e0    -8.7654321e0
+//!        TOTAL     1.2345670e0    -8.7654321e0     TOTALS=YES
+//!      MAXIMUM     1.2345670e0    -8.7654321e0     SUMMARY=YES
+//!           AT            9999            9999
+//! ```
 
+use crate::history::Column;
 use crate::section::{axial_stresses, beams, outer_mises};
 use slideline_model::{
-    BeamSection, ContactPrint, ContactVariable, ElementPrint, ElementVariable, Model,
+    BeamSection, ContactPrint, ContactVariable, Dof, ElementPrint, ElementVariable, Model,
+    NodeIndex, NodePrint, NodeVariable, Request,
 };
 use slideline_solve::observe::{BeamRow, ContactRow, Frame};
 use std::fmt::Write as _;
 
-/// The line above a table. A String takes any text.
-pub(crate) fn push_title(text: &mut String, frame: &Frame<'_>, what: &str) {
-    let _ = writeln!(
-        text,
-        "\nSTEP {}  INCREMENT {}  TOTAL TIME {}  {what}",
-        frame.step, frame.increment, frame.total_time
-    );
+/// A table on its way to the file.
+struct Table {
+    /// What stands above the places, such as `NODE`.
+    head: String,
+    names: Vec<&'static str>,
+    rows: Vec<Row>,
 }
 
-fn push_names<'a>(text: &mut String, names: impl Iterator<Item = &'a str>) {
-    for name in names {
-        let _ = write!(text, " {name:>15}");
+struct Row {
+    /// What stands before the values, as wide as the table's head.
+    head: String,
+    /// Number of the node or element.
+    label: u64,
+    values: Vec<f64>,
+}
+
+impl Table {
+    /// Appends it under its title, then what the request wants below.
+    fn push(&self, text: &mut String, frame: &Frame<'_>, (what, request): (&str, &Request)) {
+        let set = &request.set;
+        let of = if set.is_empty() { String::new() } else { format!(" {set}") };
+        // A String takes any text.
+        let _ = writeln!(
+            text,
+            "\nSTEP {}  INCREMENT {}  TOTAL TIME {}  {what}{of}",
+            frame.step, frame.increment, frame.total_time
+        );
+        push_cells(text, &self.head, self.names.iter());
+        for row in &self.rows {
+            push_values(text, &row.head, &row.values);
+        }
+        let columns = 0..self.names.len();
+        if request.totals {
+            let sum = |column| self.rows.iter().map(|row| row.values[column]).sum();
+            let sums: Vec<f64> = columns.clone().map(sum).collect();
+            push_values(text, &self.below("TOTAL"), &sums);
+        }
+        if request.summary && !self.rows.is_empty() {
+            self.push_extreme(text, "MAXIMUM", |value, most| value > most);
+            self.push_extreme(text, "MINIMUM", |value, least| value < least);
+        }
+    }
+
+    /// A row of extremes, and below it where they are: the first of equals.
+    fn push_extreme(&self, text: &mut String, what: &str, beyond: fn(f64, f64) -> bool) {
+        let mut extremes: Vec<(f64, u64)> = Vec::new();
+        for row in &self.rows {
+            for (column, &value) in row.values.iter().enumerate() {
+                match extremes.get_mut(column) {
+                    Some(extreme) if beyond(value, extreme.0) => *extreme = (value, row.label),
+                    Some(_) => {}
+                    None => extremes.push((value, row.label)),
+                }
+            }
+        }
+        let (values, labels): (Vec<f64>, Vec<u64>) = extremes.into_iter().unzip();
+        push_values(text, &self.below(what), &values);
+        push_cells(text, &self.below("AT"), labels.iter());
+    }
+
+    fn below(&self, what: &str) -> String {
+        format!("{what:>width$}", width = self.head.chars().count())
+    }
+}
+
+fn push_cells(text: &mut String, head: &str, cells: impl Iterator<Item = impl std::fmt::Display>) {
+    text.push_str(head);
+    for cell in cells {
+        let _ = write!(text, " {cell:>15}"); // a String takes any text
     }
     text.push('\n');
 }
 
-fn push_values(text: &mut String, values: impl Iterator<Item = f64>) {
-    for value in values {
-        let _ = write!(text, " {value:>15.7e}");
+fn push_values(text: &mut String, head: &str, values: &[f64]) {
+    push_cells(text, head, values.iter().map(|value| format!("{value:.7e}")));
+}
+
+/// A column of a printed table.
+enum Printed {
+    Nodal(Column),
+    Load(Dof),
+    Coordinate(Dof),
+}
+
+impl Printed {
+    fn of(variable: NodeVariable, dofs: &[Dof]) -> Vec<Self> {
+        let all = dofs.iter().copied();
+        match variable {
+            NodeVariable::U => all.map(|dof| Self::Nodal(Column::Motion(dof))).collect(),
+            NodeVariable::RF => all.map(|dof| Self::Nodal(Column::Reaction(dof))).collect(),
+            NodeVariable::CF => all.map(Self::Load).collect(),
+            NodeVariable::COORD => {
+                all.filter(|dof| !dof.is_rotation()).map(Self::Coordinate).collect()
+            }
+        }
     }
-    text.push('\n');
+
+    fn name(&self) -> &'static str {
+        match self {
+            Self::Nodal(column) => column.name(),
+            Self::Load(dof) => ["CF1", "CF2", "CF3", "CM1", "CM2", "CM3"][dof.number() - 1],
+            Self::Coordinate(dof) => ["COOR1", "COOR2", "COOR3"][dof.number() - 1],
+        }
+    }
+
+    fn value(&self, frame: &Frame<'_>, node: NodeIndex) -> f64 {
+        match *self {
+            Self::Nodal(column) => column.value(&frame.nodal, node),
+            Self::Load(dof) => frame.nodal.load(node, dof),
+            Self::Coordinate(dof) => {
+                frame.model.nodes.get(node).position[dof.number() - 1]
+                    + frame.nodal.displacement(node, dof)
+            }
+        }
+    }
+}
+
+/// A table that `*NODE PRINT` asks for: a row a node.
+pub(crate) fn push_nodes(text: &mut String, frame: &Frame<'_>, print: &NodePrint) {
+    let dofs = frame.nodal.dofs();
+    let columns: Vec<Printed> =
+        print.variables.iter().flat_map(|&variable| Printed::of(variable, dofs)).collect();
+    let row = |&node: &NodeIndex| {
+        let label = frame.model.nodes.label(node);
+        let values = columns.iter().map(|column| column.value(frame, node)).collect();
+        Row { head: format!("{label:>10}"), label, values }
+    };
+    let table = Table {
+        head: format!("{:>10}", "NODE"),
+        names: columns.iter().map(Printed::name).collect(),
+        rows: print.nodes.iter().map(row).collect(),
+    };
+    let what = if print.request.set.is_empty() { "NODES all nodes" } else { "NODES" };
+    table.push(text, frame, (what, &print.request));
 }
 
 /// A table that `*EL PRINT` asks for: a row a beam and, where stresses are
 /// asked for, one a section point.
 pub(crate) fn push_elements(text: &mut String, frame: &Frame<'_>, print: &ElementPrint) {
-    let set = if print.set.is_empty() { "all beams" } else { &print.set };
-    push_title(text, frame, &format!("ELEMENTS {set}"));
     let stressed = print.variables.contains(&ElementVariable::S);
-    let names = print.variables.iter().flat_map(|&variable| element_columns(variable));
-    let _ = write!(text, "{:>10}", "ELEMENT");
-    if stressed {
-        let _ = write!(text, " {:>5}", "POINT");
-    }
-    push_names(text, names.copied());
+    let place = |element: &str, point: &str| match stressed {
+        true => format!("{element:>10} {point:>5}"),
+        false => format!("{element:>10}"),
+    };
+    let points: &[usize] = if stressed { &print.section_points } else { &[1] };
     let own = |label: &u64| print.elements.binary_search(label).is_ok();
-    for (row, section) in beams(frame).filter(|(row, _)| own(&row.label)) {
-        let points: &[usize] = if stressed { &print.section_points } else { &[1] };
+    let mut rows = Vec::new();
+    for (beam, _, section) in beams(frame).filter(|(beam, ..)| own(&beam.label)) {
         for &point in points {
-            let _ = write!(text, "{:>10}", row.label);
-            if stressed {
-                let _ = write!(text, " {point:>5}");
-            }
             let values = print.variables.iter();
-            push_values(text, values.flat_map(|&v| element_values(v, row, section, point)));
+            let values = values.flat_map(|&v| element_values(v, beam, section, point)).collect();
+            let head = place(&beam.label.to_string(), &point.to_string());
+            rows.push(Row { head, label: beam.label, values });
         }
     }
+    let names = print.variables.iter().flat_map(|&variable| element_columns(variable));
+    let table = Table { head: place("ELEMENT", "POINT"), names: names.copied().collect(), rows };
+    let what = if print.request.set.is_empty() { "ELEMENTS all beams" } else { "ELEMENTS" };
+    table.push(text, frame, (what, &print.request));
 }
 
 fn element_columns(variable: ElementVariable) -> &'static [&'static str] {
@@ -86,15 +209,21 @@ fn element_values(
 
 /// A table that `*CONTACT PRINT` asks for: a row a slave node of every pair.
 pub(crate) fn push_contact(text: &mut String, frame: &Frame<'_>, print: &ContactPrint) {
-    let set = if print.set.is_empty() { "all slave nodes" } else { &print.set };
-    push_title(text, frame, &format!("CONTACT {set}"));
-    let _ = write!(text, "{:<16} {:>10} {:<6}", "PAIR", "NODE", "STATUS");
-    push_names(text, print.variables.iter().flat_map(|&v| contact_columns(v)).copied());
-    for row in frame.contact.iter().filter(|row| print.nodes.contains(&row.node)) {
+    let row = |row: &ContactRow| {
         let (pair, label) = (pair_name(frame.model, row), frame.model.nodes.label(row.node));
-        let _ = write!(text, "{pair:<16} {label:>10} {:<6}", row.status.word());
-        push_values(text, print.variables.iter().flat_map(|&v| contact_values(v, row)));
-    }
+        let values = print.variables.iter().flat_map(|&v| contact_values(v, row)).collect();
+        let head = format!("{pair:<16} {label:>10} {:<6}", row.status.word());
+        Row { head, label, values }
+    };
+    let names = print.variables.iter().flat_map(|&variable| contact_columns(variable));
+    let own = frame.contact.iter().filter(|row| print.nodes.contains(&row.node));
+    let table = Table {
+        head: format!("{:<16} {:>10} {:<6}", "PAIR", "NODE", "STATUS"),
+        names: names.copied().collect(),
+        rows: own.map(row).collect(),
+    };
+    let what = if print.request.set.is_empty() { "CONTACT all slave nodes" } else { "CONTACT" };
+    table.push(text, frame, (what, &print.request));
 }
 
 fn pair_name<'a>(model: &'a Model, row: &ContactRow) -> &'a str {

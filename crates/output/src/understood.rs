@@ -179,6 +179,10 @@ fn controls(list: &mut Settings, number: usize, step: &Step) {
         None => "as the friction asks",
     };
     list.say(&card, "UNSYMM", unsymmetric, step.unsymmetric.is_none());
+    let states = &step.output.states_every;
+    let every: Vec<String> = states.iter().map(usize::to_string).collect();
+    let every = if states.is_empty() { "1".to_owned() } else { every.join(" and ") };
+    list.say(&card, "FREQUENCY of states", &every, states.is_empty());
     let extrapolation = format!("{:?}", step.extrapolation).to_ascii_uppercase();
     list.say(&card, "EXTRAPOLATION", &extrapolation, extrapolation == "LINEAR");
 }

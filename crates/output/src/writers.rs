@@ -2,6 +2,7 @@
 
 use crate::file::WriteError;
 use crate::job::JobFiles;
+use crate::lock::Lock;
 use crate::restart::{self, Kept, Saved};
 use crate::summary::{Facts, Status, Summary};
 use crate::{contact, dat, element, energy, frd, history, msg, pair, sta, vtu};
@@ -55,6 +56,7 @@ pub struct Writers<'a> {
     /// `JOB.rst` stands apart: it is written when everything else is, and
     /// says where.
     restart: restart::Writer<'a>,
+    lock: Option<Lock>,
     ended: bool,
 }
 
@@ -66,10 +68,11 @@ impl<'a> Writers<'a> {
     /// summary cannot be written.
     pub fn create(job: JobFiles, facts: Facts<'a>) -> Result<Self, WriteError> {
         job.clear()?;
+        let lock = Lock::take(&job);
         let writers = REGISTRY.iter().map(|kind| (kind.make)(&job, &facts)).collect();
         let restart = restart::Writer::new(facts.clone(), None);
         let summary = Summary::begin(&job, facts)?;
-        Ok(Self { job, writers, summary, failure: None, restart, ended: false })
+        Ok(Self { job, writers, summary, failure: None, restart, lock, ended: false })
     }
 
     /// Cuts the files of a job back to a saved state and goes on with them.
@@ -77,13 +80,14 @@ impl<'a> Writers<'a> {
     /// # Errors
     /// When a file is not there any more, or cannot be cut.
     pub fn resume(job: &JobFiles, facts: Facts<'a>, saved: Saved) -> Result<Self, WriteError> {
+        let lock = Lock::take(job);
         restart::cut_back(job, &saved)?;
         let Saved { checkpoint, kept, memory, place, .. } = saved;
         let job = job.going_on(kept);
         let writers = REGISTRY.iter().map(|kind| (kind.make)(&job, &facts)).collect();
         let restart = restart::Writer::new(facts.clone(), Some(place));
         let summary = Summary::resume(&job, facts, memory, &checkpoint)?;
-        Ok(Self { job, writers, summary, failure: None, restart, ended: false })
+        Ok(Self { job, writers, summary, failure: None, restart, lock, ended: false })
     }
 
     /// Where the files are.
@@ -135,7 +139,9 @@ impl<'a> Writers<'a> {
                     Some(_) => Status::OutputError,
                     None => Status::of(ending),
                 };
-                self.summary.end(status, ending)
+                let written = self.summary.end(status, ending);
+                self.lock = None;
+                written
             }
             _ => {
                 self.summary.watch(event);

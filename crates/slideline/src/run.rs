@@ -66,7 +66,7 @@ pub fn run(read: &Read, options: &RunOptions, observer: &mut dyn Observer) -> Ou
         own_texts: read.deck.files.len(),
         earlier: read.from.as_ref().map(|from| &from.earlier),
     };
-    if let Some(said) = would_destroy(read, &files) {
+    if let Some(said) = would_destroy(read, &files).or_else(|| runs_already(&files)) {
         return ended(Status::InputError, files, vec![said], None);
     }
     let Some(model) = &read.model else {
@@ -211,6 +211,19 @@ fn ended(
 fn misses_files(read: &Read) -> bool {
     let mut errors = read.diagnostics.iter().filter(|said| said.severity == Severity::Error);
     errors.any(|said| said.code.0.starts_with("SL07"))
+}
+
+/// Two processes must not write the same files.
+fn runs_already(files: &JobFiles) -> Option<Diagnostic> {
+    slideline_output::is_running(files).then(|| {
+        let message = format!(
+            "another process is running the job {} in {}",
+            files.name(),
+            files.folder().display()
+        );
+        Diagnostic::error(Code("SL0705"), message)
+            .help("Wait for its end, or write the results elsewhere (--out).")
+    })
 }
 
 /// A file that the deck was read from must not be taken for an old result.

@@ -1,11 +1,10 @@
 //! `*CONTACT FILE`: contact results for the result files.
 
-use slideline_model::PrintTarget;
-
 use super::contact_print::request;
 use crate::draft::Draft;
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
+use crate::requests::Kind;
 
 /// `*CONTACT FILE`.
 pub(crate) struct ContactFile;
@@ -33,6 +32,6 @@ impl Keyword for ContactFile {
     }
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
-        request(card, PrintTarget::File, draft);
+        request(card, Kind::File, draft);
     }
 }

@@ -1,13 +1,12 @@
 //! `*CONTACT PRINT`: tables of contact results.
 
-use slideline_deck::{Field, normalise};
-use slideline_diag::{Code, Diagnostic};
-use slideline_model::{self as model, ContactVariable, PrintTarget};
+use slideline_deck::normalise;
+use slideline_model::{self as model, ContactVariable};
 
-use super::node_print::frequency;
 use crate::draft::Draft;
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
+use crate::requests::{self, Kind, Variable};
 
 /// `*CONTACT PRINT`.
 pub(crate) struct ContactPrint;
@@ -40,60 +39,33 @@ impl Keyword for ContactPrint {
     }
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
-        request(card, PrintTarget::Table, draft);
+        request(card, Kind::Print, draft);
     }
 }
 
 /// Takes in a request for contact results.
-pub(crate) fn request(card: &Reading<'_>, target: PrintTarget, draft: &mut Draft) {
-    let frequency = frequency(card, target, draft);
-    let mut variables = Vec::new();
-    for line in card.data() {
-        for field in line.fields.iter().filter(|field| !field.text.is_empty()) {
-            match variable(&field.text) {
-                Some(found) if !variables.contains(&found) => variables.push(found),
-                Some(_) => {}
-                None => unknown(field, draft),
-            }
-        }
-    }
-    if card.has("VARIABLE") && variables.is_empty() {
-        variables = vec![ContactVariable::CSTRESS, ContactVariable::CDISP];
-    }
-    if variables.is_empty() {
-        if card.data().is_empty() {
-            let message = "no variables are listed: CSTRESS, CDISP or CFORCE";
-            draft.log.error("SL0208", message, card.span());
-        }
-        return;
-    }
-    let set = card.name("NSET");
-    let span = set.is_some().then(|| card.span_of("NSET"));
-    let print = model::ContactPrint {
-        set: set.unwrap_or_default(),
-        nodes: Vec::new(),
-        variables,
-        frequency,
-        target,
-        origin: card.span(),
-    };
-    if let Some(step) = draft.step() {
-        step.contact_prints.push((print, span));
+pub(crate) fn request(card: &Reading<'_>, kind: Kind, draft: &mut Draft) {
+    let asked = requests::read(card, kind, &mut |_| false, draft);
+    if let (Some(asked), Some(step)) = (asked, draft.step()) {
+        let (request, variables) = (asked.request, asked.variables);
+        let print = model::ContactPrint { request, nodes: Vec::new(), variables };
+        step.contact_prints.push((print, asked.set));
     }
 }
 
-/// Abaqus' words and CalculiX' shorter ones, or a component.
-fn variable(text: &str) -> Option<ContactVariable> {
-    match normalise(text).as_str() {
-        "CSTRESS" | "CSTR" | "CPRESS" | "CSHEAR1" => Some(ContactVariable::CSTRESS),
-        "CDISP" | "CDIS" | "COPEN" | "CSLIP1" => Some(ContactVariable::CDISP),
-        "CFORCE" | "CNORMF" | "CSHEARF" => Some(ContactVariable::CFORCE),
-        _ => None,
-    }
-}
+impl Variable for ContactVariable {
+    const KIND: &'static str = "contact variable";
+    const KNOWN: &'static str = "CSTRESS, CDISP, CFORCE";
+    const SET: &'static str = "NSET";
+    const PRESELECTED: &'static [Self] = &[Self::CSTRESS, Self::CDISP];
 
-fn unknown(field: &Field, draft: &mut Draft) {
-    let message = format!("`{}` is no contact variable", field.text);
-    let error = Diagnostic::error(Code("SL0252"), message).at(field.span);
-    draft.log.push(error.help("known: CSTRESS, CDISP, CFORCE"));
+    /// Abaqus' words and CalculiX' shorter ones, or a component.
+    fn named(text: &str) -> Option<Self> {
+        match normalise(text).as_str() {
+            "CSTRESS" | "CSTR" | "CPRESS" | "CSHEAR1" => Some(Self::CSTRESS),
+            "CDISP" | "CDIS" | "COPEN" | "CSLIP1" => Some(Self::CDISP),
+            "CFORCE" | "CNORMF" | "CSHEARF" => Some(Self::CFORCE),
+            _ => None,
+        }
+    }
 }

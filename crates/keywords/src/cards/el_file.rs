@@ -1,11 +1,10 @@
 //! `*EL FILE`: beam results for the result files.
 
-use slideline_model::PrintTarget;
-
 use super::el_print::request;
 use crate::draft::Draft;
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
+use crate::requests::Kind;
 
 /// `*EL FILE`.
 pub(crate) struct ElFile;
@@ -16,7 +15,8 @@ impl Keyword for ElFile {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] = &[Rule::value("ELSET"), Rule::value("FREQUENCY")];
+        const RULES: &[Rule] =
+            &[Rule::value("ELSET"), Rule::value("FREQUENCY"), Rule::flag("SECTION FORCES")];
         RULES
     }
 
@@ -33,6 +33,6 @@ impl Keyword for ElFile {
     }
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
-        request(card, PrintTarget::File, draft);
+        request(card, Kind::File, draft);
     }
 }

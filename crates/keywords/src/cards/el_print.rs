@@ -1,13 +1,12 @@
 //! `*EL PRINT`: tables of section forces and stresses of beams.
 
-use slideline_deck::{Field, normalise};
-use slideline_diag::{Code, Diagnostic};
-use slideline_model::{self as model, ElementVariable, PrintTarget, SECTION_POINTS};
+use slideline_deck::normalise;
+use slideline_model::{self as model, ElementVariable, SECTION_POINTS};
 
-use super::node_print::frequency;
 use crate::draft::Draft;
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
+use crate::requests::{self, Kind, Variable};
 
 /// `*EL PRINT`.
 pub(crate) struct ElPrint;
@@ -40,65 +39,28 @@ impl Keyword for ElPrint {
     }
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
-        request(card, PrintTarget::Table, draft);
+        request(card, Kind::Print, draft);
     }
 }
 
 /// Takes in a request for beam results: section points, where numbers are
 /// listed, and variables.
-pub(crate) fn request(card: &Reading<'_>, target: PrintTarget, draft: &mut Draft) {
-    let frequency = frequency(card, target, draft);
-    let (mut variables, mut section_points) = (Vec::new(), Vec::new());
-    for line in card.data() {
-        for field in line.fields.iter().filter(|field| !field.text.is_empty()) {
-            match (variable(&field.text), section_point(&field.text)) {
-                (Some(found), _) if !variables.contains(&found) => variables.push(found),
-                (_, Some(point)) if !section_points.contains(&point) => section_points.push(point),
-                (None, None) => unknown(field, draft),
-                _ => {}
-            }
-        }
-    }
-    if card.has("VARIABLE") && variables.is_empty() {
-        variables = vec![ElementVariable::SF, ElementVariable::SM, ElementVariable::S];
-    }
-    if variables.is_empty() {
-        if card.data().is_empty() {
-            let message = "no variables are listed: SF, SM, SE, SK, S or MISES";
-            draft.log.error("SL0208", message, card.span());
-        }
-        return;
-    }
+pub(crate) fn request(card: &Reading<'_>, kind: Kind, draft: &mut Draft) {
+    let mut section_points = Vec::new();
+    let mut point = |text: &str| {
+        let point = section_point(text);
+        section_points.extend(point.filter(|point| !section_points.contains(point)));
+        point.is_some()
+    };
+    let Some(asked) = requests::read(card, kind, &mut point, draft) else { return };
     if section_points.is_empty() {
         section_points = vec![1, SECTION_POINTS];
     }
-    let set = card.name("ELSET");
-    let span = set.is_some().then(|| card.span_of("ELSET"));
-    let print = model::ElementPrint {
-        set: set.unwrap_or_default(),
-        elements: Vec::new(),
-        variables,
-        section_points,
-        frequency,
-        target,
-        origin: card.span(),
-    };
     if let Some(step) = draft.step() {
-        step.element_prints.push((print, span));
-    }
-}
-
-/// `SF`, `SM` ..., or one of their components such as `SF1`.
-fn variable(text: &str) -> Option<ElementVariable> {
-    let name = normalise(text);
-    match name.trim_end_matches(|c: char| c.is_ascii_digit()) {
-        "SF" => Some(ElementVariable::SF),
-        "SM" => Some(ElementVariable::SM),
-        "SE" => Some(ElementVariable::SE),
-        "SK" => Some(ElementVariable::SK),
-        "S" => Some(ElementVariable::S),
-        "MISES" => Some(ElementVariable::MISES),
-        _ => None,
+        let (request, variables) = (asked.request, asked.variables);
+        let elements = Vec::new();
+        let print = model::ElementPrint { request, elements, variables, section_points };
+        step.element_prints.push((print, asked.set));
     }
 }
 
@@ -106,9 +68,22 @@ fn section_point(text: &str) -> Option<usize> {
     text.trim().parse().ok().filter(|point| (1..=SECTION_POINTS).contains(point))
 }
 
-fn unknown(field: &Field, draft: &mut Draft) {
-    let message = format!("`{}` is no variable of a beam", field.text);
-    let error = Diagnostic::error(Code("SL0252"), message).at(field.span);
-    let help = "known: SF, SM, SE, SK, S, MISES; numbers from 1 to 5 are section points";
-    draft.log.push(error.help(help));
+impl Variable for ElementVariable {
+    const KIND: &'static str = "variable of a beam";
+    const KNOWN: &'static str = "SF, SM, SE, SK, S, MISES; numbers from 1 to 5 are section points";
+    const SET: &'static str = "ELSET";
+    const PRESELECTED: &'static [Self] = &[Self::SF, Self::SM, Self::S];
+
+    fn named(text: &str) -> Option<Self> {
+        let name = normalise(text);
+        match name.trim_end_matches(|c: char| c.is_ascii_digit()) {
+            "SF" => Some(Self::SF),
+            "SM" => Some(Self::SM),
+            "SE" => Some(Self::SE),
+            "SK" => Some(Self::SK),
+            "S" => Some(Self::S),
+            "MISES" => Some(Self::MISES),
+            _ => None,
+        }
+    }
 }

@@ -1,11 +1,10 @@
 //! `*ELEMENT OUTPUT`: beam results for the result files.
 
-use slideline_model::PrintTarget;
-
 use super::el_print::request;
 use crate::draft::Draft;
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
+use crate::requests::Kind;
 
 /// `*ELEMENT OUTPUT`.
 pub(crate) struct ElementOutput;
@@ -16,7 +15,8 @@ impl Keyword for ElementOutput {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] = &[Rule::value("ELSET"), Rule::value("VARIABLE")];
+        const RULES: &[Rule] =
+            &[Rule::value("ELSET"), Rule::value("VARIABLE"), Rule::maybe("DIRECTIONS")];
         RULES
     }
 
@@ -33,6 +33,6 @@ impl Keyword for ElementOutput {
     }
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
-        request(card, PrintTarget::File, draft);
+        request(card, Kind::Output, draft);
     }
 }

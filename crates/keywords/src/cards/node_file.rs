@@ -1,11 +1,10 @@
 //! `*NODE FILE`: nodal values for the result files.
 
-use slideline_model::PrintTarget;
-
 use super::node_print::request;
 use crate::draft::Draft;
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
+use crate::requests::Kind;
 
 /// `*NODE FILE`.
 pub(crate) struct NodeFile;
@@ -33,6 +32,6 @@ impl Keyword for NodeFile {
     }
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
-        request(card, PrintTarget::File, draft);
+        request(card, Kind::File, draft);
     }
 }

@@ -1,11 +1,10 @@
 //! `*NODE OUTPUT`: nodal values for the result files.
 
-use slideline_model::PrintTarget;
-
 use super::node_print::request;
 use crate::draft::Draft;
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
+use crate::requests::Kind;
 
 /// `*NODE OUTPUT`.
 pub(crate) struct NodeOutput;
@@ -33,6 +32,6 @@ impl Keyword for NodeOutput {
     }
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
-        request(card, PrintTarget::File, draft);
+        request(card, Kind::Output, draft);
     }
 }

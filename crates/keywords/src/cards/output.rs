@@ -1,8 +1,11 @@
 //! `*OUTPUT`: opens requests for result files.
 
+use slideline_model::PrintTarget;
+
 use crate::draft::Draft;
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
+use crate::requests::ask_for_states;
 
 /// `*OUTPUT`.
 pub(crate) struct Output;
@@ -36,9 +39,16 @@ impl Keyword for Output {
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
         draft.log.at_most_lines(card.data(), 0, self.name());
-        let frequency = card.count("FREQUENCY", 1, &mut draft.log);
+        let frequency = card.at_least(0, "FREQUENCY", 1, &mut draft.log);
+        let target = match card.has("HISTORY") {
+            true => PrintTarget::History,
+            false => PrintTarget::Field,
+        };
         if let Some(step) = draft.step() {
-            step.output_frequency = frequency;
+            step.output = Some((target, frequency));
+        }
+        if target == PrintTarget::Field {
+            ask_for_states(frequency, draft);
         }
         if card.has("FIELD") && card.has("HISTORY") {
             let message = "FIELD and HISTORY exclude one another";

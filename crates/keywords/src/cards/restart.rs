@@ -46,7 +46,7 @@ impl Keyword for Restart {
         if !card.has("WRITE") {
             return;
         }
-        let every = card.count("FREQUENCY", 1, &mut draft.log);
+        let every = card.at_least(0, "FREQUENCY", 1, &mut draft.log);
         let states = Some(SavedStates { every, overlay: card.has("OVERLAY") });
         match draft.step() {
             Some(step) => step.restart = states,

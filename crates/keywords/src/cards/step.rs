@@ -79,7 +79,8 @@ impl Keyword for Step {
             prints: Vec::new(),
             element_prints: Vec::new(),
             contact_prints: Vec::new(),
-            output_frequency: 1,
+            output: None,
+            states_every: Vec::new(),
             contact_changes: false,
             origin: card.span(),
         });

@@ -6,7 +6,7 @@ use std::collections::{HashMap, HashSet};
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{
     ContactPrint, Controls, Dof, ElementPrint, Load, NodeIndex, NodePrint, OutputRequests,
-    Prescribed, SavedStates, Static, Step,
+    Prescribed, PrintTarget, Request, SavedStates, Static, Step,
 };
 
 use crate::draft::{Boundary, Draft, StepDraft};
@@ -48,6 +48,7 @@ struct Carried {
     element_prints: Vec<ElementPrint>,
     contact_prints: Vec<ContactPrint>,
     contact_changes: bool,
+    states_every: Vec<usize>,
 }
 
 pub(super) fn steps(draft: &mut Draft, doubted: bool) {
@@ -132,6 +133,7 @@ fn finish(
             element_prints: carried.element_prints.clone(),
             contact_prints: carried.contact_prints.clone(),
             contact_changes: carried.contact_changes,
+            states_every: carried.states_every.clone(),
         },
         origin: step.origin,
     }
@@ -201,35 +203,33 @@ fn load(line: &Boundary, into: &mut InForce<Load>, draft: &mut Draft) {
     }
 }
 
-/// Requests of a kind stand until a step makes new ones of that kind.
+/// Requests of a kind for a file stand until a step makes new ones of that
+/// kind for that file.
 fn carry_requests(carried: &mut Carried, step: &StepDraft, draft: &mut Draft) {
-    if !step.prints.is_empty() {
-        let requests = step.prints.iter().cloned();
-        carried.prints = requests
-            .map(|(mut print, span)| {
-                print.nodes = nodes_to_print(&print.set, span, draft);
-                print
-            })
-            .collect();
+    let asked = step.prints.iter().cloned().map(|(mut print, span)| {
+        print.nodes = nodes_to_print(&print.request.set, span, draft);
+        print
+    });
+    renew(&mut carried.prints, asked.collect(), |print| &print.request);
+    let asked = step.element_prints.iter().cloned().map(|(mut print, span)| {
+        print.elements = beams_to_print(&print.request.set, span, draft);
+        print
+    });
+    renew(&mut carried.element_prints, asked.collect(), |print| &print.request);
+    let asked = step.contact_prints.iter().cloned().map(|(mut print, span)| {
+        print.nodes = nodes_to_print(&print.request.set, span, draft);
+        print
+    });
+    renew(&mut carried.contact_prints, asked.collect(), |print| &print.request);
+    if !step.states_every.is_empty() {
+        carried.states_every.clone_from(&step.states_every);
     }
-    if !step.element_prints.is_empty() {
-        let requests = step.element_prints.iter().cloned();
-        carried.element_prints = requests
-            .map(|(mut print, span)| {
-                print.elements = beams_to_print(&print.set, span, draft);
-                print
-            })
-            .collect();
-    }
-    if !step.contact_prints.is_empty() {
-        let requests = step.contact_prints.iter().cloned();
-        carried.contact_prints = requests
-            .map(|(mut print, span)| {
-                print.nodes = nodes_to_print(&print.set, span, draft);
-                print
-            })
-            .collect();
-    }
+}
+
+fn renew<P>(standing: &mut Vec<P>, new: Vec<P>, request: fn(&P) -> &Request) {
+    let targets: Vec<PrintTarget> = new.iter().map(|print| request(print).target).collect();
+    standing.retain(|print| !targets.contains(&request(print).target));
+    standing.extend(new);
 }
 
 /// The nodes of a set, each once; without a set all nodes.

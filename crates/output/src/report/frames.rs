@@ -1,6 +1,6 @@
 //! Deformed states for the animation, thinned where there are many.
 
-use super::problem::{Problem, unreadable};
+use super::problem::{self, Problem, unreadable};
 use super::state::StateFile;
 use crate::job::JobFiles;
 
@@ -24,6 +24,8 @@ pub(crate) struct Frames {
     pub elements: Vec<i64>,
     /// Number of the state of each frame; 0 is the start.
     pub states: Vec<usize>,
+    /// Numbers of all states that were written.
+    pub written: Vec<usize>,
     /// x and y of the displacements in turn, frame by frame.
     pub displacement: Vec<Vec<f32>>,
     /// Largest fibre strain that the frames show, with element and state.
@@ -31,24 +33,24 @@ pub(crate) struct Frames {
 }
 
 impl Frames {
-    /// Reads the start and of `candidates`, ascending, as many as can be drawn.
-    /// States that are missing are left out if `lenient`.
-    pub fn read(job: &JobFiles, candidates: &[usize], lenient: bool) -> Result<Self, Problem> {
+    /// Reads as many as can be drawn of the states `written`, ascending, that
+    /// are among those `drawable`.
+    pub fn read(
+        job: &JobFiles,
+        written: Vec<usize>,
+        drawable: impl Fn(usize) -> bool,
+    ) -> Result<Self, Problem> {
         let mut frames = Self::default();
-        let first = match frames.open(job, 0) {
-            Ok(file) => file,
-            Err(Problem::Missing(_)) if lenient => return Ok(frames),
-            Err(problem) => return Err(problem),
-        };
-        frames.topology(job, &first)?;
+        let Some(&first) = written.first() else { return Ok(frames) };
+        frames.topology(job, first)?;
+        let candidates: Vec<usize> =
+            written.iter().copied().filter(|state| drawable(*state)).collect();
         for place in chosen(candidates.len().saturating_sub(1), frames.reference.len()) {
-            let state = candidates[place];
-            let file = match frames.open(job, state) {
-                Err(Problem::Missing(_)) if lenient => continue,
-                other => other?,
-            };
-            frames.add(job, state, &file)?;
+            if let Some(&state) = candidates.get(place) {
+                frames.add(job, state)?;
+            }
         }
+        frames.written = written;
         Ok(frames)
     }
 
@@ -56,7 +58,8 @@ impl Frames {
         StateFile::open(&job.folder().join(job.state_name(state)))
     }
 
-    fn topology(&mut self, job: &JobFiles, file: &StateFile) -> Result<(), Problem> {
+    fn topology(&mut self, job: &JobFiles, state: usize) -> Result<(), Problem> {
+        let file = self.open(job, state)?;
         let positions = plane(&file.doubles("Points")?);
         let moved = plane(&file.doubles("displacement")?);
         self.reference = positions.iter().zip(&moved).map(|(x, u)| x - u).collect();
@@ -70,11 +73,12 @@ impl Frames {
             && self.cells.len() == 2 * self.kinds.len()
             && self.elements.len() == self.kinds.len()
             && self.cells.iter().all(inside);
-        let path = job.folder().join(job.state_name(0));
+        let path = job.folder().join(job.state_name(state));
         if fits { Ok(()) } else { Err(unreadable(&path, "its arrays do not fit one another")) }
     }
 
-    fn add(&mut self, job: &JobFiles, state: usize, file: &StateFile) -> Result<(), Problem> {
+    fn add(&mut self, job: &JobFiles, state: usize) -> Result<(), Problem> {
+        let file = self.open(job, state)?;
         let moved = plane(&file.doubles("displacement")?);
         if moved.len() != self.reference.len() {
             let path = job.folder().join(job.state_name(state));
@@ -94,6 +98,45 @@ impl Frames {
 /// x and y of every point.
 fn plane(values: &[f64]) -> Vec<f64> {
     values.as_chunks::<3>().0.iter().flat_map(|point| [point[0], point[1]]).collect()
+}
+
+/// Numbers of the states that a job has, of at most `last` increments. A job
+/// that is over lists them, one that is not may be ahead of its list.
+///
+/// # Errors
+/// A list that is missing, foreign, or shorter or longer than `expected`.
+pub(crate) fn written(
+    job: &JobFiles,
+    last: usize,
+    expected: Option<usize>,
+) -> Result<Vec<usize>, Problem> {
+    let Some(expected) = expected else {
+        let mut numbers = job.states().map_err(Problem::Write)?;
+        numbers.retain(|number| *number <= last);
+        return Ok(numbers);
+    };
+    if expected == 0 {
+        return Ok(Vec::new());
+    }
+    let path = job.path(".pvd");
+    let list = problem::text(&path)?;
+    if !list.contains("<VTKFile type=\"Collection\"") {
+        return Err(unreadable(&path, "it is no list written by this program"));
+    }
+    let files = list.split("<DataSet ").skip(1);
+    let number = |entry: &str| -> Option<usize> {
+        let (before, _) = entry.split_once(".vtu\"")?;
+        before.rsplit_once('_')?.1.parse().ok()
+    };
+    let numbers: Vec<usize> = files.map_while(number).collect();
+    if numbers.len() != expected {
+        let found = numbers.len();
+        return Err(unreadable(&path, format!("it lists {found} states instead of {expected}")));
+    }
+    match numbers.is_sorted_by(|a, b| a < b) && numbers.last().is_some_and(|most| *most <= last) {
+        true => Ok(numbers),
+        false => Err(unreadable(&path, "its states are not those of this job")),
+    }
 }
 
 /// Places of the states to draw, first and last among them.

@@ -35,6 +35,7 @@ pub(crate) use results::{driven, summary};
 
 use crate::file::replace;
 use crate::job::JobFiles;
+use crate::lock::is_running;
 use results::Results;
 use std::path::{Path, PathBuf};
 
@@ -89,14 +90,22 @@ pub fn write(job: &JobFiles, options: &Options<'_>) -> Result<Report, Problem> {
         remarks.push(CHANGED.to_owned());
     }
     if results.summary.text("status") == Some("running") {
-        remarks
-            .push("The job was running, or had been killed, when this page was made.".to_owned());
+        let said = match is_running(job) {
+            true => "The job was running when this page was made.",
+            false => "The job had been killed when this page was made.",
+        };
+        remarks.push(said.to_owned());
     }
     let page = page::page(&job.name(), &results, overlay.as_ref(), options, &remarks);
     let path = job.path(".html");
     replace(&path, page.as_bytes())?;
     let verdict = verdict::sentences(&results);
     Ok(Report { path, size: page.len(), verdict, deck_changed })
+}
+
+/// Hash of the deck that a job ran, where its summary says so.
+pub fn deck_hash(job: &JobFiles) -> Option<String> {
+    results::summary(job, true).ok()?.text("deck_hash").map(str::to_owned)
 }
 
 /// What a report says whose deck was edited after the run.

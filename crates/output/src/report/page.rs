@@ -46,6 +46,7 @@ pub(crate) fn page(
         ("{{remarks}}", remarks.iter().map(|said| note(said)).collect()),
         ("{{verdict}}", verdict_html(results)),
         ("{{facts}}", facts(results)),
+        ("{{states}}", states(results)),
         ("{{ledger}}", ledger(results)),
         ("{{noise}}", noise(results)),
         ("{{warnings}}", warnings(results, options)),
@@ -116,6 +117,27 @@ fn facts(results: &Results) -> String {
         .iter()
         .map(|(name, value)| format!("<dt>{}</dt><dd>{}</dd>", escaped(name), escaped(value)));
     format!("<dl class=\"facts\">{}</dl>", rows.collect::<String>())
+}
+
+/// Which increments the shape can be drawn at, where it is not all of them.
+fn states(results: &Results) -> String {
+    let (written, count) = (&results.frames.written, results.energies.times.len());
+    if written.is_empty() {
+        return note("The deck asked for no states, so there is no shape to draw.");
+    }
+    if written.len() > count {
+        return String::new();
+    }
+    let after: Vec<String> = written.iter().filter(|n| **n > 0).map(usize::to_string).collect();
+    let list = match after.len() {
+        0..=24 => after.join(", "),
+        many => format!("{}, ..., {}", after[..20].join(", "), after[many - 1]),
+    };
+    note(&format!(
+        "States were written for {} of {count} converged increments, as FREQUENCY asks (counted \
+         over all steps: {list}); the shape is drawn at those, curves have every increment.",
+        after.len()
+    ))
 }
 
 fn table(heading: &[&str], rows: &[Vec<String>]) -> String {

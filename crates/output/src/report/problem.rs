@@ -15,8 +15,10 @@ pub enum Problem {
         /// What is wrong with it.
         reason: String,
     },
-    /// The summary says that the job runs.
+    /// A process runs the job.
     Running(PathBuf),
+    /// The summary says that the job runs, but no process does.
+    Killed(PathBuf),
     /// The deck had errors, so there are no results.
     NothingSolved(PathBuf),
     /// The question does not fit the results: a column or a node they lack.
@@ -33,7 +35,14 @@ impl std::fmt::Display for Problem {
                 write!(f, "{} cannot be read: {reason}", path.display())
             }
             Self::Running(path) => {
-                write!(f, "{} says that the job is still running", path.display())
+                write!(f, "{} says that the job is still running, and it is", path.display())
+            }
+            Self::Killed(path) => {
+                let path = path.display();
+                write!(
+                    f,
+                    "{path} says that the job is running, but no process runs it: it was killed"
+                )
             }
             Self::NothingSolved(path) => {
                 write!(f, "{} says that the deck has errors: nothing was solved", path.display())

@@ -1,12 +1,13 @@
 //! All result files of a job, read back and held against one another.
 
 use super::contact::{self, Contacts};
-use super::frames::Frames;
+use super::frames::{self, Frames};
 use super::history::{Energies, History};
 use super::iterations::{Attempt, attempts};
 use super::problem::{self, Problem, unreadable};
 use super::value::Value;
 use crate::job::JobFiles;
+use crate::lock::is_running;
 use crate::summary::SCHEMA;
 
 /// A prescribed motion that moves.
@@ -56,7 +57,8 @@ pub(crate) fn summary(job: &JobFiles, unfinished: bool) -> Result<Value, Problem
         return Err(unreadable(&path, reason));
     }
     match status {
-        "running" if !unfinished => Err(Problem::Running(path)),
+        "running" if !unfinished && is_running(job) => Err(Problem::Running(path)),
+        "running" if !unfinished => Err(Problem::Killed(path)),
         "input_error" => Err(Problem::NothingSolved(path)),
         _ => Ok(summary),
     }
@@ -102,9 +104,12 @@ impl Results {
             let length = point.first + point.status.len();
             return Err(length_fault(job, ".contact.csv", length, count));
         }
+        // earlier layouts have no number of states: one for each increment
+        let expected = summary.count("states").unwrap_or(count + 1);
+        let written = frames::written(job, count, (!lenient).then_some(expected))?;
         // forces can be drawn where contact has numbers
-        let drawn = (0..=count).filter(|state| *state == 0 || contacts.has_numbers(state - 1));
-        let frames = Frames::read(job, &drawn.collect::<Vec<usize>>(), lenient)?;
+        let drawable = |state: usize| state == 0 || contacts.has_numbers(state - 1);
+        let frames = Frames::read(job, written, drawable)?;
         let attempts = attempts(&problem::text(&job.path(".msg"))?);
         let echo = echo(job, lenient)?;
         Ok(Self { summary, driven, loaded, history, energies, contacts, frames, attempts, echo })

@@ -17,6 +17,7 @@ use crate::file::{Growing, PART, WriteError, at, beside};
 use crate::job::{JobFiles, is_ending};
 use crate::report::value::Value;
 use crate::summary::{Facts, Memory};
+use crate::vtu::StateNumbers;
 use preface::Preface;
 use slideline_diag::{Code, Diagnostic};
 use slideline_solve::Checkpoint;
@@ -32,9 +33,11 @@ use std::path::PathBuf;
 pub struct Kept {
     /// Ending and length of the files that grow.
     pub(crate) lengths: Vec<(String, u64)>,
-    /// Number of deformed states.
-    pub(crate) states: usize,
-    /// Time of the first of them as it is written.
+    /// Converged increments of the job.
+    pub(crate) increments: usize,
+    /// Numbers of the deformed states.
+    pub(crate) states: StateNumbers,
+    /// Time of the start as it is written.
     pub(crate) first_time: String,
 }
 
@@ -50,7 +53,9 @@ impl Kept {
             bytes.text(ending);
             bytes.0.extend(length.to_le_bytes());
         }
-        bytes.count(self.states);
+        bytes.count(self.increments);
+        bytes.count(self.states.runs().len());
+        self.states.runs().iter().flatten().for_each(|&number| bytes.count(number));
         bytes.text(&self.first_time);
     }
 
@@ -59,8 +64,11 @@ impl Kept {
         let lengths = (0..files).map(|_| Some((bytes.text()?, bytes.count()? as u64)));
         let lengths = lengths.collect::<Option<Vec<(String, u64)>>>()?;
         let known = lengths.iter().all(|(ending, _)| is_ending(ending));
-        let (states, first_time) = (bytes.count()?, bytes.text()?);
-        known.then_some(Self { lengths, states, first_time })
+        let (increments, runs) = (bytes.count()?, bytes.length(24)?);
+        let runs = (0..runs).map(|_| Some([bytes.count()?, bytes.count()?, bytes.count()?]));
+        let states = StateNumbers::of_runs(runs.collect::<Option<_>>()?)?;
+        let first_time = bytes.text()?;
+        known.then_some(Self { lengths, increments, states, first_time })
     }
 }
 
@@ -230,7 +238,7 @@ impl Saved {
         });
         // One after the other, so that no number is too large.
         let lost = || {
-            let mut states = (0..self.kept.states).map(|number| job.state_name(number));
+            let mut states = self.kept.states.iter().map(|number| job.state_name(number));
             let lost = states.find(|state| !job.folder().join(state).exists())?;
             Some(format!("{lost} is missing; it was there when the state was saved"))
         };
@@ -242,12 +250,14 @@ impl Saved {
     }
 }
 
-/// Where a file that grows is: printed tables wait beside their file until
-/// the run ends.
+/// Files that wait beside their own name until the run ends.
+const WAITING: [&str; 2] = [".dat", ".frd"];
+
+/// Where a file that grows is.
 fn found(job: &JobFiles, ending: &str) -> PathBuf {
     let path = job.path(ending);
     let part = beside(&path);
-    if ending == ".dat" && part.exists() { part } else { path }
+    if WAITING.contains(&ending) && part.exists() { part } else { path }
 }
 
 /// Whether the job's own summary says that it is complete.
@@ -260,18 +270,23 @@ pub fn is_completed(job: &JobFiles) -> bool {
 /// Removes what came after a saved state. Files that grow are cut when they
 /// are opened. May be interrupted and done again.
 pub(crate) fn cut_back(job: &JobFiles, saved: &Saved) -> Result<(), WriteError> {
+    // First, for later states would ask for more than will be there.
     writer::end_at(&job.path(".rst"), saved.place, saved.next_mark)?;
     let kept = &saved.kept;
-    let dat = job.path(".dat");
-    let tables = beside(&dat);
-    let waits = kept.lengths.iter().any(|(ending, _)| ending == ".dat");
-    if waits && !tables.exists() {
-        std::fs::rename(&dat, &tables).map_err(at(&dat))?;
+    let waits = |ending: &&str| kept.lengths.iter().any(|(own, _)| own == ending);
+    let waiting: Vec<PathBuf> =
+        WAITING.into_iter().filter(waits).map(|ending| job.path(ending)).collect();
+    for path in &waiting {
+        if !beside(path).exists() {
+            std::fs::rename(path, beside(path)).map_err(at(path))?;
+        }
     }
-    let states: BTreeSet<String> = (0..kept.states).map(|number| job.state_name(number)).collect();
+    let waiting: Vec<PathBuf> = waiting.iter().map(|path| beside(path)).collect();
+    let states: BTreeSet<String> =
+        kept.states.iter().map(|number| job.state_name(number)).collect();
     for path in job.existing()? {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let unfinished = name.ends_with(PART) && !(waits && path == tables);
+        let unfinished = name.ends_with(PART) && !waiting.contains(&path);
         let later = name.ends_with(".vtu") && !states.contains(&*name);
         if unfinished || later || path == job.path(".html") {
             std::fs::remove_file(&path).map_err(at(&path))?;

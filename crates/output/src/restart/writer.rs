@@ -40,8 +40,8 @@ impl<'a> Writer<'a> {
     /// of a step, and when the run is stopped.
     pub fn is_due(&self, checkpoint: &Checkpoint<'_>) -> bool {
         self.asked.is_some_and(|SavedStates { every, .. }| {
-            let asked = checkpoint.increment.is_multiple_of(every.max(1));
-            asked || checkpoint.last_of_step() || checkpoint.stopping
+            let asked = checkpoint.increment.is_multiple_of(every);
+            every > 0 && (asked || checkpoint.last_of_step() || checkpoint.stopping)
         })
     }
 

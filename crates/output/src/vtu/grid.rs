@@ -1,17 +1,15 @@
 //! One state as an unstructured grid.
 
 use super::base64;
+use crate::outline::{Outline, outlines};
 use crate::section::{axial_stresses, beams, outer_mises};
-use slideline_model::{Dof, ElementBlock, Master, Model, NodeIndex, RigidSurface, SurfaceSegment};
+use slideline_model::{Dof, ElementBlock, Model, NodeIndex};
 use slideline_solve::observe::{Frame, Status, Unconverged};
 use std::collections::HashMap;
 use std::fmt::Write as _;
 
 /// VTK_LINE; every cell is one (some readers know no poly-lines).
 const LINE: u8 = 3;
-
-/// Chords of an arc or parabola per segment; at most 7.5 degrees of arc.
-const CHORDS: u32 = 24;
 
 /// What a cell stands for, as written to `kind`.
 #[derive(Clone, Copy)]
@@ -20,12 +18,6 @@ enum Kind {
     Spring = 1,
     SlaveSurface = 2,
     RigidSurface = 3,
-}
-
-/// A rigid surface as a chain of points, undeformed.
-struct Outline {
-    reference: NodeIndex,
-    points: Vec<[f64; 2]>,
 }
 
 struct Cell {
@@ -56,20 +48,16 @@ impl Grid {
                 beam_cells.entry(cell.label).or_insert((place, 0)).1 += 1;
             }
         }
-        let mut outlines = Vec::new();
+        let outlines = outlines(model);
         let mut point_count = model.nodes.len();
-        for pair in &model.contact_pairs {
-            if let Master::RigidSurface(surface) = &pair.master {
-                let outline = outline(surface);
-                let end = point_count + outline.points.len();
-                cells.extend((point_count + 1..end).map(|point| Cell {
-                    points: [point - 1, point],
-                    kind: Kind::RigidSurface,
-                    label: 0,
-                }));
-                point_count = end;
-                outlines.push(outline);
-            }
+        for outline in &outlines {
+            let end = point_count + outline.points.len();
+            cells.extend((point_count + 1..end).map(|point| Cell {
+                points: [point - 1, point],
+                kind: Kind::RigidSurface,
+                label: 0,
+            }));
+            point_count = end;
         }
         let topology = topology(&cells);
         Self { outlines, cells, beam_cells, point_count, topology }
@@ -129,7 +117,7 @@ impl Grid {
         }
         for outline in &self.outlines {
             for &point in &outline.points {
-                let moved = carried(frame, outline.reference, point);
+                let moved = outline.carried(frame, point);
                 points.extend([moved[0], moved[1], 0.0]);
                 displacement.extend([moved[0] - point[0], moved[1] - point[1], 0.0]);
             }
@@ -213,7 +201,7 @@ impl Grid {
             ("S11_5", vec![0.0; count]),
             ("mises", vec![0.0; count]),
         ];
-        for (beam, section) in beams(frame) {
+        for (beam, _, section) in beams(frame) {
             let Some(&(first, cells)) = self.beam_cells.get(&beam.label) else { continue };
             let stresses = axial_stresses(beam, section);
             let values = [
@@ -262,67 +250,6 @@ fn element_cells(model: &Model) -> Vec<Cell> {
         cells.extend(surface.map(|e| line(e.nodes, Kind::SlaveSurface, e.label)));
     }
     cells
-}
-
-/// A point of a rigid body: x = x_ref + R(phi) (X - X_ref).
-/// [semantics: segments of a rigid surface]
-fn carried(frame: &Frame<'_>, reference: NodeIndex, point: [f64; 2]) -> [f64; 2] {
-    let origin = frame.model.nodes.plane(reference);
-    let (sine, cosine) = frame.nodal.displacement(reference, Dof::UR3).sin_cos();
-    let arm = [point[0] - origin[0], point[1] - origin[1]];
-    [
-        origin[0] + frame.nodal.displacement(reference, Dof::U1) + cosine * arm[0] - sine * arm[1],
-        origin[1] + frame.nodal.displacement(reference, Dof::U2) + sine * arm[0] + cosine * arm[1],
-    ]
-}
-
-fn outline(surface: &RigidSurface) -> Outline {
-    let mut points = vec![surface.start];
-    let mut at = surface.start;
-    for segment in &surface.segments {
-        at = match *segment {
-            SurfaceSegment::Line { end } => {
-                points.push(end);
-                end
-            }
-            SurfaceSegment::Circle { end, centre } => {
-                push_arc(&mut points, at, end, centre);
-                end
-            }
-            SurfaceSegment::Parabola { middle, end } => {
-                push_parabola(&mut points, [at, middle, end]);
-                end
-            }
-        };
-    }
-    Outline { reference: surface.reference, points }
-}
-
-/// The shorter arc from `from` to `end`.
-fn push_arc(points: &mut Vec<[f64; 2]>, from: [f64; 2], end: [f64; 2], centre: [f64; 2]) {
-    let arm = [from[0] - centre[0], from[1] - centre[1]];
-    let last = [end[0] - centre[0], end[1] - centre[1]];
-    let turn = (arm[0] * last[1] - arm[1] * last[0]).atan2(arm[0] * last[0] + arm[1] * last[1]);
-    for chord in 1..CHORDS {
-        let (sine, cosine) = (turn * f64::from(chord) / f64::from(CHORDS)).sin_cos();
-        points.push([
-            centre[0] + cosine * arm[0] - sine * arm[1],
-            centre[1] + sine * arm[0] + cosine * arm[1],
-        ]);
-    }
-    points.push(end);
-}
-
-/// The quadratic through three points, the second at half the parameter.
-fn push_parabola(points: &mut Vec<[f64; 2]>, [from, middle, end]: [[f64; 2]; 3]) {
-    for chord in 1..CHORDS {
-        let s = f64::from(chord) / f64::from(CHORDS);
-        let weights = [(1.0 - s) * (1.0 - 2.0 * s), 4.0 * s * (1.0 - s), s * (2.0 * s - 1.0)];
-        points.push([0, 1].map(|axis| {
-            weights[0] * from[axis] + weights[1] * middle[axis] + weights[2] * end[axis]
-        }));
-    }
-    points.push(end);
 }
 
 fn topology(cells: &[Cell]) -> String {

@@ -1,5 +1,7 @@
-//! `JOB_0000.vtu` ... and `JOB.pvd`: deformed states for viewers; and
-//! `JOB.failed.vtu`, where a run gave up, with the forces nothing balances.
+//! `JOB_0000.vtu` ... and `JOB.pvd`: deformed states for viewers. The number
+//! of a state is that of the converged increments before it, of all steps; 0
+//! is the start. Without a request there is one for every increment.
+//! `JOB.failed.vtu` is where a run gave up, with the forces nothing balances.
 //!
 //! ```text
 //!   o---o---o---o    beams, springs, slave surfaces
@@ -12,6 +14,7 @@
 
 pub(crate) mod base64;
 mod grid;
+mod numbers;
 
 use crate::file::{WriteError, at, replace};
 use crate::job::{FAILED, JobFiles};
@@ -19,7 +22,8 @@ use crate::number::push_shortest;
 use crate::restart::Kept;
 use crate::writers::Writer;
 use grid::Grid;
-use slideline_solve::observe::{Event, Frame, Unconverged};
+pub(crate) use numbers::StateNumbers;
+use slideline_solve::observe::{Event, Frame, StepReport, Unconverged};
 use std::fmt::Write as _;
 use std::time::{Duration, Instant};
 
@@ -32,7 +36,9 @@ pub(crate) struct States {
     job: JobFiles,
     grid: Option<Grid>,
     list: String,
-    count: usize,
+    numbers: StateNumbers,
+    /// Converged increments of all steps.
+    increments: usize,
     first_time: String,
     listed: Option<Instant>,
 }
@@ -40,39 +46,58 @@ pub(crate) struct States {
 impl States {
     pub fn new(job: &JobFiles) -> Self {
         let (list, first_time) = (String::new(), String::new());
-        Self { job: job.clone(), grid: None, list, count: 0, first_time, listed: None }
+        let (numbers, listed) = (StateNumbers::default(), None);
+        Self { job: job.clone(), grid: None, list, numbers, increments: 0, first_time, listed }
     }
 
-    /// The list of the states that a run which goes on finds: the start and
-    /// one for each row of `JOB.energy.csv`.
+    /// The list of the states that a run which goes on finds; their times
+    /// stand in `JOB.energy.csv`, a row for each increment.
     fn recall(&mut self, kept: &Kept) -> Result<(), WriteError> {
         let path = self.job.path(".energy.csv");
         let text = std::fs::read_to_string(&path).map_err(at(&path))?;
         let times = text.lines().skip(1).filter_map(|row| row.split(',').nth(2));
-        for time in std::iter::once(kept.first_time.as_str()).chain(times).take(kept.states) {
-            self.list(time);
+        let mut states = kept.states.iter().peekable();
+        for (number, time) in std::iter::once(kept.first_time.as_str()).chain(times).enumerate() {
+            if states.next_if_eq(&number).is_some() {
+                self.list(number, time);
+            }
+        }
+        self.increments = kept.increments;
+        Ok(())
+    }
+
+    fn list(&mut self, number: usize, time: &str) {
+        if number == 0 {
+            time.clone_into(&mut self.first_time);
+        }
+        let name = escaped(&self.job.state_name(number));
+        // A String takes any text.
+        let _ =
+            writeln!(self.list, "    <DataSet timestep=\"{time}\" part=\"0\" file=\"{name}\"/>");
+        self.numbers.push(number);
+    }
+
+    /// The start, unless no step leaves states.
+    fn begin(&mut self, report: &StepReport<'_>) -> Result<(), WriteError> {
+        let first = self.increments == 0 && self.numbers.is_empty();
+        if first && report.model.steps.iter().any(|step| step.output.has_states()) {
+            return self.state(&report.start);
         }
         Ok(())
     }
 
-    fn list(&mut self, time: &str) {
-        if self.count == 0 {
-            time.clone_into(&mut self.first_time);
-        }
-        let name = escaped(&self.job.state_name(self.count));
-        // A String takes any text.
-        let _ =
-            writeln!(self.list, "    <DataSet timestep=\"{time}\" part=\"0\" file=\"{name}\"/>");
-        self.count += 1;
+    fn increment(&mut self, frame: &Frame<'_>) -> Result<(), WriteError> {
+        self.increments += 1;
+        if state_is_due(frame) { self.state(frame) } else { Ok(()) }
     }
 
     fn state(&mut self, frame: &Frame<'_>) -> Result<(), WriteError> {
         let grid = self.grid.get_or_insert_with(|| Grid::new(frame.model));
-        let name = self.job.state_name(self.count);
+        let name = self.job.state_name(self.increments);
         replace(&self.job.folder().join(&name), grid.state(frame).as_bytes())?;
         let mut time = String::new();
         push_shortest(&mut time, frame.total_time);
-        self.list(&time);
+        self.list(self.increments, &time);
         if self.listed.is_none_or(|written| written.elapsed() >= RENEWAL) {
             self.write_list()?;
         }
@@ -97,6 +122,12 @@ impl States {
     }
 }
 
+/// Whether a committed increment leaves a state.
+pub(crate) fn state_is_due(frame: &Frame<'_>) -> bool {
+    let step = frame.model.steps.get(frame.step.wrapping_sub(1));
+    step.is_none_or(|step| step.output.state_is_due(frame.increment, frame.last_of_step))
+}
+
 /// A text as an XML attribute.
 fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
@@ -109,16 +140,17 @@ impl Writer for States {
                 Some(kept) => self.recall(kept),
                 None => Ok(()),
             },
-            Event::StepBegin(report) if self.count == 0 => self.state(&report.start),
-            Event::Committed(frame) => self.state(frame),
+            Event::StepBegin(report) => self.begin(report),
+            Event::Committed(frame) => self.increment(frame),
             Event::Unconverged(state) => self.unconverged(state),
-            Event::End(_) if self.count > 0 => self.write_list(),
+            Event::End(_) if !self.numbers.is_empty() => self.write_list(),
             _ => Ok(()),
         }
     }
 
     fn keep(&self, kept: &mut Kept) {
-        kept.states = self.count;
+        kept.states = self.numbers.clone();
+        kept.increments = self.increments;
         kept.first_time.clone_from(&self.first_time);
     }
 }

@@ -1,0 +1,139 @@
+//! Requests for results: what the PRINT, FILE and OUTPUT cards of nodes,
+//! beams and contact have in common.
+//!
+//! ```text
+//!   *NODE PRINT   *EL PRINT   *CONTACT PRINT     JOB.dat
+//!   *NODE FILE    *EL FILE    *CONTACT FILE      result files
+//!   *OUTPUT, FIELD | HISTORY, FREQUENCY=n        result files
+//!     *NODE OUTPUT, *ELEMENT OUTPUT, *CONTACT OUTPUT
+//! ```
+
+use slideline_deck::Field;
+use slideline_diag::{Code, Diagnostic, Span};
+use slideline_model::{PrintTarget, Request};
+
+use crate::draft::Draft;
+use crate::reading::Reading;
+
+/// A result that cards list by its name.
+pub(crate) trait Variable: Copy + PartialEq + 'static {
+    /// What such a name is called.
+    const KIND: &'static str;
+    /// All there are, as a help says it.
+    const KNOWN: &'static str;
+    /// The parameter that names the set.
+    const SET: &'static str;
+    /// Those of `VARIABLE=PRESELECT`.
+    const PRESELECTED: &'static [Self];
+
+    /// The variable, or the one that a component such as `RF2` belongs to.
+    fn named(text: &str) -> Option<Self>;
+}
+
+/// What a card asks for.
+pub(crate) struct Asked<V> {
+    pub request: Request,
+    /// Where the set is named.
+    pub set: Option<Span>,
+    pub variables: Vec<V>,
+}
+
+/// Which kind of card it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Print,
+    File,
+    /// A card below `*OUTPUT`, which says which file and how often.
+    Output,
+}
+
+/// Reads a request; `other` takes fields that are no variables and says
+/// whether it could. `None` where nothing is asked for.
+pub(crate) fn read<V: Variable>(
+    card: &Reading<'_>,
+    kind: Kind,
+    other: &mut dyn FnMut(&str) -> bool,
+    draft: &mut Draft,
+) -> Option<Asked<V>> {
+    let (target, frequency) = file(card, kind, draft);
+    let variables = variables(card, target, other, draft);
+    if variables.is_empty() {
+        if card.data().is_empty() {
+            let message = format!("no variables are listed: {}", V::KNOWN);
+            draft.log.error("SL0208", message, card.span());
+        }
+        return None;
+    }
+    let set = card.name(V::SET);
+    let span = set.is_some().then(|| card.span_of(V::SET));
+    let request = Request {
+        set: set.unwrap_or_default(),
+        frequency,
+        target,
+        totals: card.yes("TOTALS", &mut draft.log).unwrap_or_default(),
+        summary: card.yes("SUMMARY", &mut draft.log).unwrap_or_default(),
+        origin: card.span(),
+    };
+    Some(Asked { request, set: span, variables })
+}
+
+/// Which file a card is for, and how often.
+fn file(card: &Reading<'_>, kind: Kind, draft: &mut Draft) -> (PrintTarget, usize) {
+    if kind == Kind::Output {
+        let above = draft.step().and_then(|step| step.output);
+        let (target, frequency) = above.unwrap_or((PrintTarget::Field, 1));
+        if target == PrintTarget::Field {
+            ask_for_states(frequency, draft);
+        }
+        return (target, frequency);
+    }
+    let frequency = card.at_least(0, "FREQUENCY", 1, &mut draft.log);
+    if kind == Kind::Print {
+        return (PrintTarget::Table, frequency);
+    }
+    ask_for_states(frequency, draft);
+    (PrintTarget::Field, frequency)
+}
+
+/// Notes how often a card wants states.
+pub(crate) fn ask_for_states(frequency: usize, draft: &mut Draft) {
+    if let Some(step) = draft.step()
+        && !step.states_every.contains(&frequency)
+    {
+        step.states_every.push(frequency);
+    }
+}
+
+/// The variables of the data lines, each once.
+fn variables<V: Variable>(
+    card: &Reading<'_>,
+    target: PrintTarget,
+    other: &mut dyn FnMut(&str) -> bool,
+    draft: &mut Draft,
+) -> Vec<V> {
+    let mut found = Vec::new();
+    let fields = card.data().iter().flat_map(|line| &line.fields);
+    for field in fields.filter(|field| !field.text.is_empty()) {
+        match V::named(&field.text) {
+            Some(variable) if !found.contains(&variable) => found.push(variable),
+            Some(_) => {}
+            None if other(&field.text) => {}
+            None => unknown::<V>(field, target, draft),
+        }
+    }
+    if card.has("VARIABLE") && found.is_empty() {
+        found.extend(V::PRESELECTED);
+    }
+    found
+}
+
+/// A table would lack a column: an error. The result files hold all there is
+/// whatever is asked for: a warning.
+fn unknown<V: Variable>(field: &Field, target: PrintTarget, draft: &mut Draft) {
+    let message = format!("`{}` is no {}", field.text, V::KIND);
+    let said = match target {
+        PrintTarget::Table => Diagnostic::error(Code("SL0252"), message),
+        _ => Diagnostic::warning(Code("SL0252"), format!("{message}: it is not written")),
+    };
+    draft.log.push(said.at(field.span).help(format!("known: {}", V::KNOWN)));
+}
