@@ -261,3 +261,35 @@ fn a_foreign_keyword_is_not_a_misspelt_one() {
     assert_eq!(codes(BEAM, "*CLOAD\n5, 1, 1.0", "*DLOAD\nBEAM, P1, 1.0"), ["SL0221"]);
     assert_eq!(codes(BEAM, "*BEAM SECTION", "*SHELL SECTION"), ["SL0221"]);
 }
+
+/// `*CONTACT CONTROLS, STABILIZE` belongs to its own step; its factor, the
+/// fraction along the tangent, and data in place of the program's choice.
+#[test]
+fn contact_is_stabilised_in_its_step() {
+    let card = "*CONTACT CONTROLS, STABILIZE=2.5, TANGENT FRACTION=0.5\n40.0, , 0.01\n*END STEP\n";
+    let later = "*STEP\n*STATIC\n*END STEP\n";
+    let model = model(BEAM, "*END STEP\n", &format!("{card}{later}"));
+    let found = model.steps[0].stabilisation.unwrap();
+    assert_eq!((found.factor, found.tangent_fraction), (2.5, 0.5));
+    assert_eq!((found.coefficient, found.range), (Some(40.0), Some(0.01)));
+    assert!(model.steps[1].stabilisation.is_none());
+}
+
+#[test]
+fn what_stabilisation_cannot_be() {
+    for (card, code) in [
+        ("STABILIZE=0.0\n", "SL0210"),
+        ("STABILIZE, TANGENT FRACTION=-1.0\n", "SL0210"),
+        ("STABILIZE\n-1.0\n", "SL0210"),
+        ("STABILIZE\n1.0, 0.1\n", "SL0221"),
+        ("TANGENT FRACTION=0.5\n", "SL0236"),
+    ] {
+        let new = format!("*CONTACT CONTROLS, {card}*END STEP\n");
+        let read = interpret(&BEAM.replacen("*END STEP\n", &new, 1), Dialect::Abaqus);
+        let codes: Vec<_> = read.diagnostics.iter().map(|d| d.code.0).collect();
+        assert!(codes.contains(&code), "{card}: {codes:?}");
+    }
+    let early = BEAM.replacen("*STEP", "*CONTACT CONTROLS, STABILIZE\n*STEP", 1);
+    let read = interpret(&early, Dialect::Abaqus);
+    assert!(read.diagnostics.iter().any(|d| d.code.0 == "SL0214"));
+}

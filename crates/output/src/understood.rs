@@ -185,4 +185,12 @@ fn controls(list: &mut Settings, number: usize, step: &Step) {
     list.say(&card, "FREQUENCY of states", &every, states.is_empty());
     let extrapolation = format!("{:?}", step.extrapolation).to_ascii_uppercase();
     list.say(&card, "EXTRAPOLATION", &extrapolation, extrapolation == "LINEAR");
+    if let Some(stabilisation) = &step.stabilisation {
+        let card = format!("*CONTACT CONTROLS, step {number}");
+        match stabilisation.coefficient {
+            Some(coefficient) => list.say(&card, "damping", &general(coefficient, 9), false),
+            None => list.number(&card, "STABILIZE", stabilisation.factor, 1.0),
+        }
+        list.number(&card, "TANGENT FRACTION", stabilisation.tangent_fraction, 1.0);
+    }
 }

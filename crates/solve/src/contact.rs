@@ -219,8 +219,9 @@ impl Contact {
     }
 
     /// Whether a point faces nothing because its master ends, and would touch
-    /// it were that end prolonged; a station at `xi` of its element.
-    pub fn has_slid_off(&self, place: usize, xi: f64, u: &[f64]) -> bool {
+    /// it, up to a gap of `slack`, were that end prolonged; a station at `xi`
+    /// of its element.
+    pub fn has_slid_off(&self, place: usize, (xi, slack): (f64, f64), u: &[f64]) -> bool {
         let mut positions = Vec::with_capacity(self.chain_nodes);
         self.place_chains(u, &mut positions);
         let point = &self.points[place];
@@ -230,7 +231,7 @@ impl Contact {
         }
         let begins = self.laws[point.pair].normal.contact_begins();
         let beyond = self.facades[point.pair].beyond_end(stencil.position, u, &positions);
-        beyond.is_some_and(|overclosure| overclosure > begins)
+        beyond.is_some_and(|overclosure| overclosure > begins - slack)
     }
 
     fn meet_one(&self, point: &SlavePoint, u: &[f64], positions: &[[f64; 2]], into: &mut Meeting) {

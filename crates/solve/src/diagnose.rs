@@ -72,6 +72,11 @@ pub fn failure(case: &Case<'_>) -> Diagnostic {
     causes.iter().find_map(|cause| cause(case)).unwrap_or_else(|| case.unknown())
 }
 
+/// Whether a diagnosis proves no cause.
+pub fn is_unknown(said: &Diagnostic) -> bool {
+    said.code == Code("SL0501")
+}
+
 /// The most nodes that a message names.
 const NAMED: usize = 4;
 

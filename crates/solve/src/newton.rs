@@ -25,6 +25,7 @@ use crate::plan::Plan;
 use crate::predict;
 use crate::stabilise::{self, Dashpot};
 use crate::state::State;
+pub use assembly::TOUCH;
 use assembly::circumstances;
 use slideline_linalg::{SolveError, Solver};
 

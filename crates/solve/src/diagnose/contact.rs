@@ -2,6 +2,7 @@
 
 use super::{Case, step_card};
 use crate::linearised::Contradiction;
+use crate::newton::TOUCH;
 use crate::plan::Plan;
 use crate::state::State;
 use slideline_diag::{Code, Diagnostic, Place, Severity};
@@ -200,6 +201,7 @@ impl Case<'_> {
     pub(super) fn off_the_end(&self) -> Option<Diagnostic> {
         let now = State {
             points: self.work.evaluation.points.clone(),
+            displacement: self.work.u.clone(),
             total_time: self.committed.total_time + self.dt,
             ..State::default()
         };
@@ -220,6 +222,8 @@ fn stands(overclosure: f64) -> String {
 /// Points that carried pressure at the last commit, now face no master, and
 /// would touch it were its end prolonged: they have slid off. A word a node.
 pub fn slid_off(plan: &Plan<'_>, committed: &State, now: &State) -> Vec<Diagnostic> {
+    // Hard contact touches with a gap of nothing but rounding.
+    let slack = TOUCH * plan.reach;
     let mut left = Vec::new();
     let mut last = None;
     for (place, point) in plan.contact.points.iter().enumerate() {
@@ -227,7 +231,7 @@ pub fn slid_off(plan: &Plan<'_>, committed: &State, now: &State) -> Vec<Diagnost
         let gone = before.closed
             && now.points[place].along.is_none()
             && last != Some((point.pair, point.node))
-            && plan.contact.has_slid_off(place, before.xi, &now.displacement);
+            && plan.contact.has_slid_off(place, (before.xi, slack), &now.displacement);
         if !gone {
             continue;
         }

@@ -7,9 +7,8 @@ use crate::plan::Plan;
 use crate::state::State;
 use slideline_linalg::SolveError;
 
-/// How far apart, in sizes of the model, points still count as touching when
-/// stiffness is lent.
-const TOUCH: f64 = 1e-9;
+/// How far apart, in sizes of the model, points still count as touching.
+pub const TOUCH: f64 = 1e-9;
 /// Stiffness lent to a closed point, as a fraction of the stiffest element.
 pub(super) const LENT: f64 = 0.1;
 

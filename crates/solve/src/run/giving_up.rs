@@ -112,8 +112,8 @@ impl Walk<'_> {
     }
 
     /// Why no increment was found. Fixed increments are walked in shorter ones
-    /// first: where these reach the end the size was the cause, and where they
-    /// do not they come closer to it.
+    /// as well: where these reach the end the size was the cause, and where
+    /// they do not they come closer to it.
     pub(super) fn diagnosis(
         &self,
         plan: &Plan<'_>,
@@ -122,17 +122,17 @@ impl Walk<'_> {
         stop: StopReason,
         work: &mut Workspace,
     ) -> Diagnostic {
+        let (committed, dt) = (&self.committed, target.dt);
+        let shown = diagnose::failure(&Case { plan, committed, work, outcome, stop, dt });
         if stop != StopReason::Fixed {
-            let (committed, dt) = (&self.committed, target.dt);
-            return diagnose::failure(&Case { plan, committed, work, outcome, stop, dt });
+            return shown;
         }
-        match walk_shorter(plan, &self.committed, target, work) {
-            Shorter::Reached(needed) => {
-                diagnose::step_too_large(plan, &self.committed, outcome, needed)
-            }
+        match walk_shorter(plan, committed, target, work) {
+            Shorter::Reached(needed) => diagnose::step_too_large(plan, committed, outcome, needed),
             Shorter::Lost { committed, outcome, dt } => {
                 let (committed, outcome) = (&committed, &outcome);
-                diagnose::failure(&Case { plan, committed, work, outcome, stop, dt })
+                let nearer = diagnose::failure(&Case { plan, committed, work, outcome, stop, dt });
+                if diagnose::is_unknown(&nearer) { shown } else { nearer }
             }
         }
     }
