@@ -48,7 +48,7 @@ pub use bars::{BarRows, add_error_bars, add_warning};
 pub use file::{WriteError, replace as write_file};
 pub use job::{JobFiles, without_ending};
 pub use ledger::{dropped_friction, onset_word};
-pub use lock::is_running;
+pub use lock::{is_running, remove_stale_lock};
 pub use past::Past;
 pub use record::{card, columns, record};
 pub use summary::{Facts, SCHEMA, Status, write_input_error};

@@ -46,6 +46,11 @@ pub fn is_running(job: &JobFiles) -> bool {
     matches!(file.try_lock_shared(), Err(TryLockError::WouldBlock))
 }
 
+/// Removes what a process left that was killed while it held the lock.
+pub fn remove_stale_lock(job: &JobFiles) {
+    drop(Lock::take(job)); // whoever holds it keeps it
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -64,6 +69,13 @@ mod tests {
         assert!(!is_running(&job) && !job.path(ENDING).exists());
         std::fs::write(job.path(ENDING), "").unwrap();
         assert!(!is_running(&job) && Lock::take(&job).is_some());
+        std::fs::write(job.path(ENDING), "").unwrap();
+        remove_stale_lock(&job);
+        assert!(!job.path(ENDING).exists());
+        let lock = Lock::take(&job).unwrap();
+        remove_stale_lock(&job);
+        assert!(is_running(&job));
+        drop(lock);
         std::fs::remove_dir_all(&folder).unwrap();
     }
 }

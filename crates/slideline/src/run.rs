@@ -5,7 +5,9 @@ use slideline_advice::Noise;
 use slideline_diag::{Code, Diagnostic, Severity};
 use slideline_model::{Model, Onset};
 use slideline_output::restart::{self, Saved};
-use slideline_output::{Facts, JobFiles, Past, Status, WriteError, Writers, dropped_friction};
+use slideline_output::{
+    Facts, JobFiles, Past, Status, WriteError, Writers, dropped_friction, remove_stale_lock,
+};
 use slideline_solve::Checkpoint;
 use slideline_solve::observe::{Ending, Event, Frame, Observer, Stop, Totals};
 use std::ops::ControlFlow;
@@ -145,6 +147,7 @@ fn go_on(
     };
     let checkpoint = saved.checkpoint.clone();
     if checkpoint.finishes(model) && restart::is_completed(&files) {
+        remove_stale_lock(&files); // killed after its last file was whole
         let message = format!("the job {} is complete: nothing is left to do", files.name());
         let said = Diagnostic::note(Code("SL0591"), message).help(format!(
             "To run it again from its beginning: slideline run {}",
