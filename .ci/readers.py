@@ -309,6 +309,36 @@ def check_frd(program, deck, folder):
     print(f"{Path(deck).stem}.frd: {compared} values, {stressed} nodes with stresses, outline moved {travel:.3g}")
 
 
+def check_thinned(program, folder):
+    """With FREQUENCY=6 the readers find the start, increments 6, 12, 18 and
+    the last one, each with the values of its increment."""
+    job = folder / "thinned"
+    text = (ROOT / "corpus/diehl1995/isl_coarse_mu03.inp").read_text(encoding="utf-8")
+    asked = "*OUTPUT, FIELD, FREQUENCY=6\n*NODE OUTPUT\nU\n*END STEP"
+    Path(f"{job}.inp").write_text(text.replace("*END STEP", asked), encoding="utf-8")
+    command = [program, "run", f"{job}.inp", "--quiet", "--no-html"]
+    subprocess.run(command, check=True, stderr=subprocess.DEVNULL)
+    history, contact = rows(f"{job}.history.csv"), rows(f"{job}.contact.csv")
+    times = [0.0] + list(history)
+    expected = [(times[number], f"thinned_{number:04}.vtu") for number in (0, 6, 12, 18, 20)]
+    listed = [
+        (float(entry.get("timestep")), entry.get("file"))
+        for entry in xml.parse(f"{job}.pvd").getroot().iter("DataSet")
+    ]
+    assert listed == expected, f"thinned: {listed}"
+    for time, name in listed[1:]:
+        check_state(name, read_vtk(folder / name), history[time], contact[time])
+    with open(f"{job}.frd", encoding="ascii") as file:
+        frd = FRD(file)
+        frd.parse_mesh()
+        frd.count_increments()
+        shown = [time for _, time in frd.steps_increments]
+    assert len(shown) == 4, f"thinned: .frd shows {shown}"
+    for value, (time, _) in zip(shown, expected[1:]):
+        near("thinned time", value, time)
+    print(f"thinned: {len(listed)} of {len(times)} states")
+
+
 def main():
     program, folder = sys.argv[1], Path(sys.argv[2])
     folder.mkdir(parents=True, exist_ok=True)
@@ -318,6 +348,7 @@ def main():
     check_failed(program, "corpus/bad/SL0511-toggle.inp", folder)
     for deck in FRD_DECKS:
         check_frd(program, deck, folder)
+    check_thinned(program, folder)
 
 
 main()
