@@ -199,8 +199,9 @@ impl<'a> Holds<'a> {
                  {how} until then"
             );
             return Finding::said(Diagnostic::advice(Code("SL0414"), message).at(origin).help(
-                "drive the body by a displacement on *BOUNDARY until it touches, or attach a \
-                 weak *SPRING",
+                "the run will stabilise its contact where it must (*CONTACT CONTROLS, STABILIZE); \
+                 for a way that is not damped drive the body by a displacement on *BOUNDARY until \
+                 it touches, or attach a weak *SPRING",
             ));
         }
         let message = format!("nothing holds the body of node {label}: it can {how} freely");
