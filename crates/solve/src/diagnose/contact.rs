@@ -200,6 +200,7 @@ impl Case<'_> {
     pub(super) fn off_the_end(&self) -> Option<Diagnostic> {
         let now = State {
             points: self.work.evaluation.points.clone(),
+            displacement: self.work.u.clone(),
             total_time: self.committed.total_time + self.dt,
             ..State::default()
         };
