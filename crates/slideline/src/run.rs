@@ -146,9 +146,11 @@ fn go_on(
     let checkpoint = saved.checkpoint.clone();
     if checkpoint.finishes(model) && restart::is_completed(&files) {
         let message = format!("the job {} is complete: nothing is left to do", files.name());
+        let origin = read.from.as_ref().map(|from| &from.earlier.origin);
         let said = Diagnostic::note(Code("SL0591"), message).help(format!(
-            "To run it again from its beginning: slideline run {}",
-            read.job.deck.display()
+            "To run it again from its beginning: slideline run {}{}",
+            read.job.deck.display(),
+            origin.map_or_else(String::new, |origin| format!(" --oldjob {}", origin.job))
         ));
         let outcome = ended(Status::Completed, files, vec![said], None);
         return Outcome { totals: checkpoint.totals, ..outcome };
