@@ -19,7 +19,9 @@ const CLOSEST: usize = 12;
 pub(crate) fn check(arguments: &CheckArguments) -> Exit {
     let mut read = Job::read(&arguments.deck.job, &arguments.deck.options());
     read.diagnostics.extend(slideline::advise(&read));
-    let start = read.model.as_ref().and_then(|model| initial_gaps(model, &SolveOptions::default()));
+    let from = read.from.as_ref().and_then(|from| from.checkpoint.as_ref());
+    let options = SolveOptions::default();
+    let start = read.model.as_ref().and_then(|model| initial_gaps(model, &options, from));
     if arguments.json {
         screen::print(&json_lines(&read, start.as_ref()));
     } else {

@@ -52,7 +52,7 @@ const GO_ON: [&str; 5] = ["run", "job", "--restart", "--quiet", "--no-html"];
 /// A folder with the deck and the files that a run leaves.
 fn whole(name: &str) -> (PathBuf, BTreeMap<String, Vec<u8>>) {
     let folder = folder(name);
-    std::fs::write(folder.join("job.inp"), columns(3, WRITE, &irs())).unwrap();
+    std::fs::write(folder.join("job.inp"), columns(2, WRITE, &irs())).unwrap();
     assert_eq!(code(&slideline(&folder, &BEGIN)), 0);
     let files = files(&folder, "job");
     (folder, files)
@@ -146,7 +146,7 @@ fn going_on_may_end_badly_too() {
     let (folder, expected) = whole("going_on");
     for kind in ["full", "read-only", "once", "kill"] {
         clear(&folder);
-        let output = faulty(&folder, &BEGIN, "kill", 90);
+        let output = faulty(&folder, &BEGIN, "kill", 70);
         assert_eq!(output.status.code(), None);
         assert!(folder.join("job.rst").exists());
         let left: BTreeMap<PathBuf, Vec<u8>> = std::fs::read_dir(&folder)

@@ -1,6 +1,7 @@
 //! The state in which a model starts, without solving anything.
 
 use slideline_model::Model;
+use slideline_solve::Checkpoint;
 use slideline_solve::observe::{ContactRow, Event, Observer, Stop};
 use std::ops::ControlFlow;
 
@@ -15,11 +16,20 @@ pub struct InitialGaps {
     pub equations: usize,
 }
 
-/// Begins a run, takes note of how it starts, and ends it there. `None`
-/// where the solver refuses the model.
-pub fn initial_gaps(model: &Model, options: &slideline_solve::Options) -> Option<InitialGaps> {
+/// Begins a run, from the state of an earlier job where there is one, takes
+/// note of how it starts, and ends it there. `None` where the solver refuses
+/// the model.
+pub fn initial_gaps(
+    model: &Model,
+    options: &slideline_solve::Options,
+    from: Option<&Checkpoint<'_>>,
+) -> Option<InitialGaps> {
     let mut first = First(None);
-    let _ = slideline_solve::run(model, options, &mut first); // ended by us, on purpose
+    // Ended by us, on purpose.
+    let _ = match from {
+        None => Some(slideline_solve::run(model, options, &mut first)),
+        Some(from) => slideline_solve::run_from(model, options, from, &mut first),
+    };
     first.0
 }
 

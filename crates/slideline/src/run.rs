@@ -149,9 +149,11 @@ fn go_on(
     if checkpoint.finishes(model) && restart::is_completed(&files) {
         remove_stale_lock(&files); // killed after its last file was whole
         let message = format!("the job {} is complete: nothing is left to do", files.name());
+        let origin = read.from.as_ref().map(|from| &from.earlier.origin);
         let said = Diagnostic::note(Code("SL0591"), message).help(format!(
-            "To run it again from its beginning: slideline run {}",
-            read.job.deck.display()
+            "To run it again from its beginning: slideline run {}{}",
+            read.job.deck.display(),
+            origin.map_or_else(String::new, |origin| format!(" --oldjob {}", origin.job))
         ));
         let outcome = ended(Status::Completed, files, vec![said], None);
         return Outcome { totals: checkpoint.totals, ..outcome };

@@ -158,7 +158,20 @@ impl SavedStates {
     ) -> Result<Saved, Box<Diagnostic>> {
         let place = self.states.find(step, increment);
         let place = place.ok_or_else(|| Box::new(self.not_saved(step, increment)))?;
-        self.states.load(place).map_err(|reason| Box::new(unusable(&self.job, &reason)))
+        self.states.load(place).map_err(|reason| Box::new(self.damaged(place, &reason)))
+    }
+
+    /// A state that cannot be used, with the one before it as the way out.
+    fn damaged(&self, place: Place, reason: &str) -> Diagnostic {
+        let said = unusable(&self.job, reason);
+        let before = self.states.places.iter().rev().find(|other| other.end == place.start);
+        match before {
+            None => said,
+            Some(Place { step, increment, .. }) => said.help(format!(
+                "Run the job from its beginning, or go on from an earlier state with a new deck: \
+                 *RESTART, READ, STEP={step}, INC={increment}. Nothing was changed so far."
+            )),
+        }
     }
 
     fn not_saved(&self, step: Option<usize>, increment: Option<usize>) -> Diagnostic {
