@@ -4,14 +4,17 @@ use crate::arguments::CheckArguments;
 use crate::exit::Exit;
 use crate::{render, screen};
 use slideline::diag::{Code, Diagnostic, Severity, has_errors};
-use slideline::model::{ContactPair, Master, NormalLaw};
+use slideline::model::{ContactPair, Formulation, Master, NormalLaw};
 use slideline::observe::ContactRow;
 use slideline::output::json::{Object, array, number};
 use slideline::output::number::general;
 use slideline::output::{echo, record};
 use slideline::{InitialGaps, Job, Model, Read, SolveOptions, initial_gaps};
 use std::fmt::Write as _;
+use std::io::{ErrorKind, Write as _};
 
+/// Mended decks that may stand beside a deck.
+const MOST_FIXED: usize = 99;
 /// Rows of the table of initial gaps.
 const CLOSEST: usize = 12;
 
@@ -32,20 +35,32 @@ pub(crate) fn check(arguments: &CheckArguments) -> Exit {
     if has_errors(&read.diagnostics) { Exit::Input } else { Exit::Completed }
 }
 
-/// Writes the mended deck beside the old one; says so on standard error.
+/// Writes the mended deck beside the old one, under a name that nothing has;
+/// says so on standard error.
 fn fix(read: &Read) -> bool {
     let Some(bytes) = slideline::mended(read, &read.diagnostics) else {
         eprintln!("nothing to mend: no finding carries a card");
         return true;
     };
-    let mut name = read.job.stem.clone();
-    name.push(".fixed.inp");
-    let path = read.job.deck.with_file_name(name);
-    match std::fs::write(&path, bytes) {
-        Ok(()) => eprintln!("the mended deck is {}", path.display()),
-        Err(reason) => eprintln!("{} cannot be written: {reason}", path.display()),
+    for number in 1..=MOST_FIXED {
+        let mut name = read.job.stem.clone();
+        name.push(if number == 1 { ".fixed.inp".into() } else { format!(".fixed-{number}.inp") });
+        let path = read.job.deck.with_file_name(name);
+        let written = std::fs::File::create_new(&path).and_then(|mut file| file.write_all(&bytes));
+        match written {
+            Ok(()) => {
+                eprintln!("the mended deck is {}", path.display());
+                return true;
+            }
+            Err(reason) if reason.kind() == ErrorKind::AlreadyExists => {}
+            Err(reason) => {
+                eprintln!("{} cannot be written: {reason}", path.display());
+                return false;
+            }
+        }
     }
-    path.exists()
+    eprintln!("{MOST_FIXED} mended decks stand beside {} already", read.job.deck.display());
+    false
 }
 
 fn report(read: &Read, start: Option<&InitialGaps>) -> String {
@@ -67,7 +82,7 @@ fn report(read: &Read, start: Option<&InitialGaps>) -> String {
         }
         for (place, pair) in model.contact_pairs.iter().enumerate() {
             let points = start.map_or(Vec::new(), |start| nearest_first(start, place));
-            push_pair(&mut text, model, pair, &points);
+            push_pair(&mut text, read, pair, &points);
         }
     }
     push_verdict(&mut text, &read.diagnostics);
@@ -96,10 +111,11 @@ fn nearest_first(start: &InitialGaps, pair: usize) -> Vec<ContactRow> {
     points
 }
 
-fn push_pair(text: &mut String, model: &Model, pair: &ContactPair, points: &[ContactRow]) {
+fn push_pair(text: &mut String, read: &Read, pair: &ContactPair, points: &[ContactRow]) {
+    let Some(model) = &read.model else { return };
     text.push('\n');
     text.push_str(&echo::pair_echo(model, pair));
-    let _ = writeln!(text, "  why      {}", why(pair)); // a String takes any text
+    let _ = writeln!(text, "  why      {}", why(read, pair)); // a String takes any text
     if points.is_empty() {
         return;
     }
@@ -130,12 +146,29 @@ fn push_pair(text: &mut String, model: &Model, pair: &ContactPair, points: &[Con
 }
 
 /// Why the sides are as they are: the deck decides, never the program.
-fn why(pair: &ContactPair) -> &'static str {
-    match pair.master {
-        Master::RigidSurface(_) => {
+fn why(read: &Read, pair: &ContactPair) -> &'static str {
+    let card = read.deck.cards.iter().find(|card| {
+        card.span.file == pair.origin.file
+            && (card.span.start..=card.span.end).contains(&pair.origin.start)
+    });
+    let modern = card.is_some_and(|card| card.keyword.name == "CONTACTPAIR");
+    match (&pair.master, modern, pair.formulation) {
+        (Master::RigidSurface(_), true, Formulation::SurfaceToSurface) => {
+            "contact is integrated along the first surface of *CONTACT PAIR, the slave; the \
+             rigid surface, named second, is the master"
+        }
+        (Master::RigidSurface(_), true, Formulation::NodeToSurface) => {
+            "nodes of the first surface of *CONTACT PAIR are slaves, the rigid surface, named \
+             second, is the master"
+        }
+        (Master::SlideLine(_), true, _) => {
+            "nodes of the first surface of *CONTACT PAIR are slaves, the beams of the second \
+             one are the master"
+        }
+        (Master::RigidSurface(_), false, _) => {
             "nodes of IRS elements are slaves, their rigid surface is the master"
         }
-        Master::SlideLine(_) => {
+        (Master::SlideLine(_), false, _) => {
             "nodes of ISL elements are slaves, the nodes of *SLIDE LINE are the master"
         }
     }
@@ -178,7 +211,7 @@ fn json_lines(read: &Read, start: Option<&InitialGaps>) -> String {
             pair.name,
             slaves.len(),
             echo::labels(model, &slaves),
-            why(pair)
+            why(read, pair)
         );
         let note = Diagnostic::note(Code("SL0400"), message).at(pair.origin);
         let object = record(&note, &read.sources).raw("pair", &pair_object(model, pair, &points));

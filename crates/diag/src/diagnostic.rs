@@ -78,6 +78,8 @@ pub enum Place {
     After(Span),
     /// Instead of the card at that place and its data.
     Instead(Span),
+    /// Instead of the data of the card at that place, if they begin alike.
+    Data(Span),
 }
 
 /// One thing to say about a deck, a model or a run.
