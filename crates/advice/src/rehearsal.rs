@@ -7,7 +7,7 @@
 //! ```
 
 use crate::motion::motion;
-use crate::start::Start;
+use crate::start::{Start, length, less};
 use slideline_mech::contact::pair::{Body, RigidSurface, chain_gap};
 use slideline_mech::contact::search::chain::Chain;
 use slideline_mech::contact::search::rigid::{RigidSegment, beyond_end};
@@ -33,8 +33,9 @@ pub struct Moment {
     /// The slave that carries contact, if any is in reach of the law.
     pub carrier: Option<Carrier>,
     /// How far all that was in contact has gone beyond an end of the master
-    /// [L], if that is why nothing is in contact now.
-    pub off: Option<f64>,
+    /// [L], if that is why nothing is in contact now; and whether that is
+    /// where the master starts.
+    pub off: Option<(f64, bool)>,
     /// Smallest and largest overclosure of slaves that face the master [L].
     pub range: Option<(f64, f64)>,
 }
@@ -58,8 +59,13 @@ enum Facade {
 
 /// What a slave meets.
 enum Met {
-    Facing { overclosure: f64, along: f64, trusted: bool },
-    Off(f64),
+    Facing {
+        overclosure: f64,
+        along: f64,
+        trusted: bool,
+    },
+    /// Beyond an end by so much; whether that is the start.
+    Off(f64, bool),
     Nothing,
 }
 
@@ -147,7 +153,7 @@ fn arc_places(start: &Start<'_>, pair: &ContactPair, slaves: &[NodeIndex]) -> Ve
     for element in &pair.elements {
         let [a, b] = element.nodes.map(|node| start.model.nodes.plane(node));
         if let (Some(from), Some(to)) = (place(element.nodes[0]), place(element.nodes[1])) {
-            places[to] = places[from] + crate::start::length(crate::start::less(b, a));
+            places[to] = places[from] + length(less(b, a));
         }
     }
     places
@@ -180,7 +186,7 @@ fn walk(
     let mut moment = Moment { step: time.0, carrier: None, off: None, range: None };
     let (mut deepest, mut sound) = (f64::NEG_INFINITY, false);
     let mut now = vec![false; slaves.len()];
-    let mut off: Option<f64> = None;
+    let mut off: Option<(f64, bool)> = None;
     for (k, &slave) in slaves.iter().enumerate() {
         let body = if one_body { common } else { moved(slave)? };
         match meet(facade, &chain, &master, place(slave, &body)) {
@@ -195,8 +201,10 @@ fn walk(
                     }
                 }
             }
-            Met::Off(beyond) if carried[k] => off = Some(off.unwrap_or(0.0).max(beyond)),
-            Met::Off(_) | Met::Nothing => {}
+            Met::Off(beyond, at_start) if carried[k] => {
+                off = off.filter(|&(most, _)| most >= beyond).or(Some((beyond, at_start)));
+            }
+            Met::Off(..) | Met::Nothing => {}
         }
     }
     if moment.carrier.is_none() {
@@ -227,7 +235,9 @@ fn meet(facade: &Facade, chain: &[[f64; 2]], master: &Body, point: [f64; 2]) -> 
             }
             let size = surface.segments().iter().map(RigidSegment::length).fold(0.0, f64::max);
             match beyond_end(surface.segments(), at) {
-                Some((beyond, depth)) if depth > 0.0 && depth < 0.5 * size => Met::Off(beyond),
+                Some(end) if end.depth > 0.0 && end.depth < 0.5 * size => {
+                    Met::Off(end.beyond, end.at_start)
+                }
                 _ => Met::Nothing,
             }
         }
@@ -237,17 +247,20 @@ fn meet(facade: &Facade, chain: &[[f64; 2]], master: &Body, point: [f64; 2]) -> 
                 let (overclosure, along) = (gap.overclosure(), gap.along());
                 return Met::Facing { overclosure, along, trusted: true };
             }
-            match line.off_end(chain, point) {
-                Some(_) => Met::Off(beyond_chain(chain, point)),
-                None => Met::Nothing,
+            match line.beyond_end(chain, point) {
+                Some(overclosure) if overclosure > 0.0 => {
+                    let (beyond, at_start) = beyond_chain(chain, point);
+                    Met::Off(beyond, at_start)
+                }
+                _ => Met::Nothing,
             }
         }
     }
 }
 
-/// How far a point lies beyond the nearer end of a chain, along it [L].
-fn beyond_chain(chain: &[[f64; 2]], point: [f64; 2]) -> f64 {
-    use crate::start::{length, less};
+/// How far a point lies beyond the nearer end of a chain, along it [L], and
+/// whether that is its start.
+fn beyond_chain(chain: &[[f64; 2]], point: [f64; 2]) -> (f64, bool) {
     let over = |end: [f64; 2], next: [f64; 2]| {
         let out = less(end, next);
         let d = less(point, end);
@@ -255,9 +268,10 @@ fn beyond_chain(chain: &[[f64; 2]], point: [f64; 2]) -> f64 {
     };
     match chain {
         [first, second, ..] => {
-            let last = over(chain[chain.len() - 1], chain[chain.len() - 2]);
-            over(*first, *second).max(last)
+            let end = over(chain[chain.len() - 1], chain[chain.len() - 2]);
+            let start = over(*first, *second);
+            (start.max(end), start > end)
         }
-        _ => 0.0,
+        _ => (0.0, false),
     }
 }

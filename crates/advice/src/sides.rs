@@ -58,7 +58,7 @@ fn say(start: &Start<'_>, pair: &ContactPair, behind: usize, facing: usize) -> F
     let said = Diagnostic::warning(Code("SL0407"), message).at(origin).help(help);
     let text = match &pair.master {
         Master::SlideLine(line) => reversed(start, pair, line),
-        Master::RigidSurface(surface) => backwards(surface),
+        Master::RigidSurface(surface) => SurfacePoints::of(surface).backwards().lines(),
     };
     match &pair.master {
         // of a modern pair another card names the line
@@ -68,26 +68,51 @@ fn say(start: &Start<'_>, pair: &ContactPair, behind: usize, facing: usize) -> F
     }
 }
 
-/// The points of a rigid surface in opposite order.
-fn backwards(surface: &RigidSurface) -> String {
-    let mut points: Vec<[f64; 2]> = vec![surface.start];
-    points.extend(surface.segments.iter().map(SurfaceSegment::end));
-    let mut text = String::new();
-    if let Some([x, y]) = points.last() {
-        let _ = writeln!(text, "START, {x:?}, {y:?}"); // a String takes any text
+/// The points of a rigid surface, to be written as data lines.
+pub struct SurfacePoints {
+    /// The first one [L].
+    pub start: [f64; 2],
+    /// The way from there.
+    pub segments: Vec<SurfaceSegment>,
+}
+
+impl SurfacePoints {
+    /// Those of a surface.
+    pub fn of(surface: &RigidSurface) -> Self {
+        Self { start: surface.start, segments: surface.segments.clone() }
     }
-    for (segment, [x, y]) in surface.segments.iter().zip(&points).rev() {
-        let _ = match *segment {
-            SurfaceSegment::Line { .. } => writeln!(text, "LINE, {x:?}, {y:?}"),
-            SurfaceSegment::Circle { centre, .. } => {
-                writeln!(text, "CIRCL, {x:?}, {y:?}, {:?}, {:?}", centre[0], centre[1])
-            }
-            SurfaceSegment::Parabola { middle, .. } => {
-                writeln!(text, "PARAB, {:?}, {:?}, {x:?}, {y:?}", middle[0], middle[1])
-            }
-        }; // as above
+
+    /// The same from the other end.
+    fn backwards(self) -> Self {
+        let mut points: Vec<[f64; 2]> = vec![self.start];
+        points.extend(self.segments.iter().map(SurfaceSegment::end));
+        let segments =
+            self.segments.iter().zip(&points).rev().map(|(segment, &end)| match *segment {
+                SurfaceSegment::Line { .. } => SurfaceSegment::Line { end },
+                SurfaceSegment::Circle { centre, .. } => SurfaceSegment::Circle { end, centre },
+                SurfaceSegment::Parabola { middle, .. } => SurfaceSegment::Parabola { middle, end },
+            });
+        let segments = segments.collect();
+        Self { start: points.last().copied().unwrap_or(self.start), segments }
     }
-    text
+
+    /// Data lines, each ended by a line feed.
+    pub fn lines(&self) -> String {
+        let mut text = format!("START, {:?}, {:?}\n", self.start[0], self.start[1]);
+        for segment in &self.segments {
+            let [x, y] = segment.end();
+            let _ = match *segment {
+                SurfaceSegment::Line { .. } => writeln!(text, "LINE, {x:?}, {y:?}"),
+                SurfaceSegment::Circle { centre: [cx, cy], .. } => {
+                    writeln!(text, "CIRCL, {x:?}, {y:?}, {cx:?}, {cy:?}")
+                }
+                SurfaceSegment::Parabola { middle: [mx, my], .. } => {
+                    writeln!(text, "PARAB, {mx:?}, {my:?}, {x:?}, {y:?}")
+                }
+            }; // a String takes any text
+        }
+        text
+    }
 }
 
 /// The slide line's card with its nodes in opposite order.

@@ -2,9 +2,10 @@
 
 use crate::finding::{Finding, Place};
 use crate::rehearsal::{Carrier, Rehearsal};
+use crate::sides::SurfacePoints;
 use crate::start::{Start, arc_of, circle_of, length, less, spacing};
 use slideline_diag::{Code, Diagnostic, Severity};
-use slideline_model::{ContactPair, Master, Onset, SlideLine, Step};
+use slideline_model::{ContactPair, Master, Onset, RigidSurface, SlideLine, Step, SurfaceSegment};
 
 /// SL0405, SL0406 and SL0408.
 pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
@@ -49,10 +50,16 @@ fn rehearsed(
     if let Some((share, wander)) = lost.filter(|(share, _)| *share >= 0.5) {
         findings.extend(loses_friction(start, pair, wander, share));
     }
-    if let Some((number, beyond)) =
-        rehearsal.moments.iter().find_map(|moment| Some((moment.step, moment.off?)))
-    {
-        findings.push(off_the_end(pair, number, beyond));
+    let lost = rehearsal.moments.iter().find_map(|moment| Some((moment.step, moment.off?)));
+    if let Some((number, (beyond, at_start))) = lost {
+        let said = off_the_end(pair, number, beyond);
+        findings.push(match &pair.master {
+            Master::RigidSurface(surface) => {
+                let text = prolonged(surface, at_start, start.size());
+                Finding::with(said, Place::Data(surface.origin), text)
+            }
+            Master::SlideLine(_) => Finding::said(said),
+        });
     } else if rehearsal.moments.first().is_some_and(|moment| moment.carrier.is_some()) {
         findings.extend(drifts_off(start, pair));
     }
@@ -189,7 +196,7 @@ fn loses_friction(
 }
 
 /// SL0408: everything that was in contact ends beyond the master.
-fn off_the_end(pair: &ContactPair, number: usize, beyond: f64) -> Finding {
+fn off_the_end(pair: &ContactPair, number: usize, beyond: f64) -> Diagnostic {
     let (what, help, origin) = match &pair.master {
         Master::SlideLine(line) => (
             "slide line",
@@ -210,7 +217,28 @@ fn off_the_end(pair: &ContactPair, number: usize, beyond: f64) -> Finding {
         pair.name,
         number + 1
     );
-    Finding::said(Diagnostic::warning(Code("SL0408"), message).at(origin).help(help))
+    Diagnostic::warning(Code("SL0408"), message).at(origin).help(help)
+}
+
+/// The points of a rigid surface with a line more at one end, as long as the
+/// model.
+fn prolonged(surface: &RigidSurface, at_start: bool, by: f64) -> String {
+    let way = slideline_solve::rigid_surface(surface).and_then(|placed| {
+        let segments = placed.segments();
+        let end = if at_start { segments.first() } else { segments.last() };
+        end.map(|segment| segment.tangent(at_start))
+    });
+    let [tx, ty] = way.unwrap_or([0.0; 2]);
+    let mut points = SurfacePoints::of(surface);
+    if at_start {
+        let [x, y] = points.start;
+        points.segments.insert(0, SurfaceSegment::Line { end: [x, y] });
+        points.start = [x - by * tx, y - by * ty];
+    } else {
+        let [x, y] = surface.segments.last().map_or(surface.start, SurfaceSegment::end);
+        points.segments.push(SurfaceSegment::Line { end: [x + by * tx, y + by * ty] });
+    }
+    points.lines()
 }
 
 /// SL0408: the stroke leads beyond an end of the slide line.

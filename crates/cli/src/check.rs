@@ -129,12 +129,14 @@ fn push_pair(text: &mut String, read: &Read, pair: &ContactPair, points: &[Conta
             _ => format!("contact begins below a gap of {}", general(-begins, 9)),
         }
     );
-    let _ = writeln!(text, "  {:>10} {:>20} {:>16}", "node", "gap", "area");
+    let over = if begins < 0.0 { "h/c0" } else { "" };
+    let _ = writeln!(text, "  {:>10} {:>20} {:>16} {over:>10}", "node", "gap", "area");
     for row in points.iter().take(CLOSEST) {
         let state = if row.opening < -begins { "  in contact" } else { "" };
+        let over = overclosure_over_c0(pair, row).map_or(String::new(), |h| general(h, 4));
         let _ = writeln!(
             text,
-            "  {:>10} {:>20} {:>16}{state}",
+            "  {:>10} {:>20} {:>16} {over:>10}{state}",
             model.nodes.label(row.node),
             echo::gap(row.opening),
             general(row.area, 7),
@@ -145,11 +147,22 @@ fn push_pair(text: &mut String, read: &Read, pair: &ContactPair, points: &[Conta
     }
 }
 
+/// Overclosure in units of c0 [1], for a softened law and a point that faces
+/// its master.
+fn overclosure_over_c0(pair: &ContactPair, row: &ContactRow) -> Option<f64> {
+    let c0 = match pair.interaction.normal {
+        NormalLaw::Exponential { clearance, .. }
+        | NormalLaw::CalculixExponential { clearance, .. } => clearance,
+        _ => return None,
+    };
+    row.opening.is_finite().then(|| -row.opening / c0)
+}
+
 /// Why the sides are as they are: the deck decides, never the program.
 fn why(read: &Read, pair: &ContactPair) -> &'static str {
     let card = read.deck.cards.iter().find(|card| {
         card.span.file == pair.origin.file
-            && (card.span.start..=card.span.end).contains(&pair.origin.start)
+            && (card.span.start..=card.full_span().end).contains(&pair.origin.start)
     });
     let modern = card.is_some_and(|card| card.keyword.name == "CONTACTPAIR");
     match (&pair.master, modern, pair.formulation) {
@@ -232,11 +245,14 @@ fn pair_object(model: &Model, pair: &ContactPair, points: &[ContactRow]) -> Stri
             .array("nodes", chain.nodes.iter().map(|&node| label(node))),
     };
     let gaps = points.iter().map(|row| {
-        Object::new()
+        let object = Object::new()
             .raw("node", &label(row.node))
             .number("gap", row.opening)
-            .number("area", row.area)
-            .finish()
+            .number("area", row.area);
+        match overclosure_over_c0(pair, row) {
+            Some(over) => object.number("overclosure_over_c0", over).finish(),
+            None => object.finish(),
+        }
     });
     Object::new()
         .text("name", &pair.name)

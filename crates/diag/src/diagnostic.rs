@@ -131,6 +131,14 @@ impl Diagnostic {
         Self::new(Severity::Note, code, message)
     }
 
+    /// The text of the card that helps, keyword line or data lines; none for
+    /// mends within a line.
+    pub fn suggestion(&self) -> Option<&str> {
+        let edit = self.edit.as_ref().map(|edit| edit.replacement.as_str());
+        let card = || self.card.as_ref().map(|card| card.text.as_str());
+        edit.filter(|text| text.ends_with('\n')).or_else(card)
+    }
+
     /// Says where.
     #[must_use]
     pub fn at(mut self, span: impl Into<Option<Span>>) -> Self {
