@@ -98,7 +98,9 @@ fn length_of_a_parabola() {
 #[test]
 fn beyond_an_end() {
     let quarter = [RigidSegment::arc([0.0, 1.0], [1.0, 0.0], [0.0, 0.0]).unwrap()];
-    assert!((beyond_end(&quarter, [0.5, -0.5]).unwrap().depth - (1.0 - 0.5f64.sqrt())).abs() < 1e-15);
+    assert!(
+        (beyond_end(&quarter, [0.5, -0.5]).unwrap().depth - (1.0 - 0.5f64.sqrt())).abs() < 1e-15
+    );
     assert!((beyond_end(&quarter, [-1.0, 1.0]).unwrap().depth - (1.0 - 2f64.sqrt())).abs() < 1e-15);
     assert_eq!(beyond_end(&quarter, [0.5, 0.5]), None);
     let line = [RigidSegment::Line { a: [0.0, 0.0], b: [2.0, 0.0] }];
