@@ -203,7 +203,6 @@ impl Case<'_> {
             points: self.work.evaluation.points.clone(),
             displacement: self.work.u.clone(),
             total_time: self.committed.total_time + self.dt,
-            displacement: self.work.u.clone(),
             ..State::default()
         };
         let last = slid_off(self.plan, self.committed, &now).pop()?;
