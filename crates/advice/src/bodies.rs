@@ -9,6 +9,9 @@ pub struct Bodies {
     pub active: Vec<bool>,
     /// Whether a node hangs on a rigid link.
     pub dependent: Vec<Option<NodeIndex>>,
+    /// Whether a beam of the node's body can bend, by the node that stands
+    /// for the body.
+    flexible: Vec<bool>,
 }
 
 impl Bodies {
@@ -19,6 +22,7 @@ impl Bodies {
             parent: (0..count).collect(),
             active: vec![false; count],
             dependent: vec![None; count],
+            flexible: vec![false; count],
         };
         for beam in model.blocks.iter().filter_map(|block| block.beams()) {
             for element in &beam.elements {
@@ -40,7 +44,30 @@ impl Bodies {
                 bodies.active[surface.reference] = true;
             }
         }
+        bodies.find_flexible(model);
         bodies
+    }
+
+    fn find_flexible(&mut self, model: &Model) {
+        for beam in model.blocks.iter().filter_map(|block| block.beams()) {
+            for element in &beam.elements {
+                if element.nodes.iter().any(|&node| self.dependent[node].is_none()) {
+                    let body = self.of_node(element.nodes[0]);
+                    self.flexible[body] = true;
+                }
+            }
+        }
+    }
+
+    /// Whether a beam of the body of `node` can bend.
+    pub fn is_flexible(&self, node: NodeIndex) -> bool {
+        self.flexible[self.of_node(node)]
+    }
+
+    /// The node that the rigid body of `node` follows, itself where it is
+    /// that node; `None` for a node that moves on its own.
+    pub fn rigid_with(&self, node: NodeIndex) -> Option<NodeIndex> {
+        self.dependent[node].or_else(|| self.dependent.contains(&Some(node)).then_some(node))
     }
 
     /// The node that stands for a node's body.

@@ -2,8 +2,8 @@
 //! after it.
 //!
 //! ```text
-//!   Model --> Start (bodies, contact points, motions) --> findings SL04xx
-//!   run   --> Noise (watches every increment)         --> findings SL06xx
+//!   Model --> Start (bodies, contact points, rehearsed motions) --> findings SL04xx
+//!   run   --> Noise (watches every increment)                   --> findings SL06xx
 //! ```
 //!
 //! A finding is a diagnostic with numbers and physical words, and where one
@@ -13,9 +13,12 @@
 mod bodies;
 mod finding;
 mod mesh;
+mod motion;
 mod noise;
 mod overclosure;
 mod overconstraint;
+mod overlap;
+mod rehearsal;
 mod rigid_motion;
 mod roles;
 mod sides;
@@ -33,14 +36,15 @@ use slideline_model::Model;
 pub fn advise(model: &Model) -> Vec<Finding> {
     let start = start::Start::of(model);
     let mut findings = Vec::new();
-    let parts: [fn(&start::Start<'_>, &mut Vec<Finding>); 8] = [
+    let parts: [fn(&start::Start<'_>, &mut Vec<Finding>); 9] = [
         overclosure::judge,
         roles::judge,
         overconstraint::judge,
         stroke::judge,
         sides::judge,
-        rigid_motion::judge,
         mesh::judge,
+        rigid_motion::judge,
+        overlap::judge,
         units::judge,
     ];
     for part in parts {

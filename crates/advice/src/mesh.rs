@@ -3,19 +3,24 @@
 use crate::finding::{Finding, Place};
 use crate::start::{Start, length, less};
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{BeamBlock, NodeIndex};
+use slideline_model::{
+    BeamElement, ContactPair, Dof, ElementBlock, Master, NodeIndex, SlideLine, SpringElement,
+    SpringKind,
+};
 use std::collections::BTreeMap;
 
 /// Ratio of neighbouring element lengths that spoils both [1].
 const UNEVEN: f64 = 10.0;
 
-/// SL0410, SL0411 and SL0412.
+/// SL0410 and SL0412.
 pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
     same_place(start, findings);
-    twice(start, findings);
-    for block in start.model.blocks.iter().filter_map(|block| block.beams()) {
-        findings.extend(stout(start, block));
-        findings.extend(uneven(start, block));
+    stout(start, findings);
+    findings.extend(uneven(start));
+    for pair in &start.model.contact_pairs {
+        if let Master::SlideLine(line) = &pair.master {
+            findings.extend(doubles_back(start, pair, line));
+        }
     }
 }
 
@@ -28,105 +33,163 @@ fn beam_nodes(start: &Start<'_>) -> Vec<NodeIndex> {
     nodes
 }
 
-/// SL0410: two beam nodes at one place that do not move together.
+/// Whether two nodes of two bodies may stand at one place: both held there,
+/// joined by a spring, or sides of a contact pair.
+fn stand_apart(start: &Start<'_>, a: NodeIndex, b: NodeIndex) -> bool {
+    let model = start.model;
+    let held = |node| {
+        let holds = |dof| {
+            let step = model.steps.first();
+            step.is_some_and(|step| step.prescribed.iter().any(|p| p.node == node && p.dof == dof))
+        };
+        holds(Dof::U1) && holds(Dof::U2)
+    };
+    let joined = model.blocks.iter().any(|block| match block {
+        ElementBlock::Spring(block) if block.kind == SpringKind::Axial => {
+            let both = |e: &SpringElement| e.nodes.contains(&a) && e.nodes.contains(&b);
+            block.elements.iter().any(both)
+        }
+        _ => false,
+    });
+    let touching = model.contact_pairs.iter().any(|pair| {
+        let slave = |node| pair.elements.iter().any(|element| element.nodes.contains(&node));
+        let master = |node| match &pair.master {
+            Master::SlideLine(line) => line.nodes.contains(&node),
+            Master::RigidSurface(_) => false,
+        };
+        slave(a) && master(b) || slave(b) && master(a)
+    });
+    held(a) && held(b) || joined || touching
+}
+
+/// More common places of two bodies than a joint has: one is a copy.
+const JOINT: usize = 2;
+
+/// SL0410: two beam nodes at one place that do not move together. Of a body
+/// that is there twice SL0411 speaks.
 fn same_place(start: &Start<'_>, findings: &mut Vec<Finding>) {
     let nodes = &start.model.nodes;
     let mut beams = beam_nodes(start);
     beams.retain(|&node| start.bodies.dependent[node].is_none());
     beams.sort_by(|&a, &b| nodes.plane(a)[0].total_cmp(&nodes.plane(b)[0]));
     let near = 1e-9 * start.reach;
+    let mut found: Vec<[NodeIndex; 2]> = Vec::new();
     for (place, &a) in beams.iter().enumerate() {
         let follow = beams[place + 1..].iter();
         for &b in follow.take_while(|&&b| nodes.plane(b)[0] - nodes.plane(a)[0] <= near) {
             let apart = length(less(nodes.plane(a), nodes.plane(b))) > near;
-            if apart || start.bodies.of_node(a) == start.bodies.of_node(b) {
+            let one_body = start.bodies.of_node(a) == start.bodies.of_node(b);
+            if apart || one_body || stand_apart(start, a, b) {
                 continue;
             }
-            let (first, second) = (a.min(b), a.max(b));
-            let labels = [nodes.label(first), nodes.label(second)];
-            let message = format!(
-                "beam nodes {} and {} stand at the same place but nothing joins them: the beam is \
-                 broken there",
-                labels[0], labels[1]
-            );
-            let said = Diagnostic::warning(Code("SL0410"), message)
-                .at(nodes.get(second).origin)
-                .help("use one node for both elements, or weld them with *MPC, BEAM");
-            let card = format!("*MPC\nBEAM, {}, {}\n", labels[1], labels[0]);
-            findings.push(match start.model.steps.first() {
-                Some(step) => Finding::with(said, Place::Before(step.origin), card),
-                None => Finding::said(said),
-            });
+            found.push([a.min(b), a.max(b)]);
+        }
+    }
+    let bodies = |pair: &[NodeIndex; 2]| pair.map(|node| start.bodies.of_node(node));
+    for pair in &found {
+        if found.iter().filter(|other| bodies(other) == bodies(pair)).count() <= JOINT {
+            findings.push(not_joined(start, *pair));
         }
     }
 }
 
-/// SL0411: two beams between the same nodes.
-fn twice(start: &Start<'_>, findings: &mut Vec<Finding>) {
-    let mut seen: BTreeMap<[NodeIndex; 2], u64> = BTreeMap::new();
-    for block in start.model.blocks.iter().filter_map(|block| block.beams()) {
-        for element in &block.elements {
-            let mut ends = element.nodes;
-            ends.sort_unstable();
-            if ends.iter().all(|&node| start.bodies.dependent[node].is_some()) {
-                continue; // for plotting only: it has no stiffness
-            }
-            if let Some(first) = seen.insert(ends, element.label) {
-                let message = format!(
-                    "beams {first} and {} lie on one another between the same two nodes: their \
-                     stiffness counts twice",
-                    element.label
-                );
-                let said = Diagnostic::warning(Code("SL0411"), message).at(element.origin);
-                findings.push(Finding::said(said.help("remove one of them from *ELEMENT")));
-            }
-        }
-    }
-}
-
-fn lengths(start: &Start<'_>, block: &BeamBlock) -> Vec<f64> {
-    let at = |node| start.model.nodes.plane(node);
-    let elements = block.elements.iter();
-    elements.map(|e| length(less(at(e.nodes[1]), at(e.nodes[0])))).collect()
-}
-
-/// SL0412: a part that is no beam.
-fn stout(start: &Start<'_>, block: &BeamBlock) -> Option<Finding> {
-    let whole: f64 = lengths(start, block).iter().sum();
-    let height = block.section.height;
-    let rigid = block
-        .elements
-        .iter()
-        .all(|e| e.nodes.iter().all(|&node| start.bodies.dependent[node].is_some()));
-    if whole >= 3.0 * height || rigid {
-        return None;
-    }
+fn not_joined(start: &Start<'_>, [first, second]: [NodeIndex; 2]) -> Finding {
+    let nodes = &start.model.nodes;
+    let labels = [nodes.label(first), nodes.label(second)];
     let message = format!(
-        "the beams of {} are {whole:.3e} long in all and {height:.3e} high: beam theory does not \
-         describe such a part",
-        block.name
+        "beam nodes {} and {} stand at the same place but nothing joins them: the beam is broken \
+         there",
+        labels[0], labels[1]
     );
-    let said = Diagnostic::warning(Code("SL0412"), message).at(block.origin);
-    Some(Finding::said(said.help(
-        "check *BEAM SECTION: width (out of plane) first, then height; and that both are in the \
-         unit of *NODE",
-    )))
+    let said = Diagnostic::warning(Code("SL0410"), message)
+        .at(nodes.get(second).origin)
+        .help("use one node for both elements, or weld them with *MPC, BEAM");
+    let card = format!("*MPC\nBEAM, {}, {}\n", labels[1], labels[0]);
+    match start.model.steps.first() {
+        Some(step) => Finding::with(said, Place::Before(step.origin), card),
+        None => Finding::said(said),
+    }
+}
+
+fn long(start: &Start<'_>, element: &BeamElement) -> f64 {
+    let [a, b] = element.nodes.map(|node| start.model.nodes.plane(node));
+    length(less(b, a))
+}
+
+/// SL0412: a part that is no beam. All beams of a body count together: a set
+/// may be a short piece of a long beam.
+fn stout(start: &Start<'_>, findings: &mut Vec<Finding>) {
+    let blocks = || start.model.blocks.iter().filter_map(|block| block.beams());
+    let mut whole: BTreeMap<NodeIndex, f64> = BTreeMap::new();
+    for element in blocks().flat_map(|block| &block.elements) {
+        *whole.entry(start.bodies.of_node(element.nodes[0])).or_default() += long(start, element);
+    }
+    let mut told: Vec<NodeIndex> = Vec::new();
+    for block in blocks() {
+        let height = block.section.height;
+        let flexible = block
+            .elements
+            .iter()
+            .filter(|e| e.nodes.iter().any(|&node| start.bodies.dependent[node].is_none()));
+        for element in flexible {
+            let body = start.bodies.of_node(element.nodes[0]);
+            let whole = whole.get(&body).copied().unwrap_or_default();
+            if whole >= 3.0 * height || told.contains(&body) {
+                continue;
+            }
+            told.push(body);
+            let message = format!(
+                "the beams of {} and of the body they belong to are {whole:.3e} long in all and \
+                 {height:.3e} high: beam theory does not describe such a part",
+                block.name
+            );
+            let said = Diagnostic::warning(Code("SL0412"), message).at(block.origin);
+            findings.push(Finding::said(said.help(
+                "check *BEAM SECTION: width (out of plane) first, then height; and that both are \
+                 in the unit of *NODE",
+            )));
+        }
+    }
 }
 
 /// SL0412: neighbours of very different length.
-fn uneven(start: &Start<'_>, block: &BeamBlock) -> Option<Finding> {
-    let lengths = lengths(start, block);
-    let place = block.elements.windows(2).zip(lengths.windows(2)).position(|(both, long)| {
-        both[0].nodes[1] == both[1].nodes[0] && long[0].max(long[1]) > UNEVEN * long[0].min(long[1])
+fn uneven(start: &Start<'_>) -> Option<Finding> {
+    let blocks = start.model.blocks.iter().filter_map(|block| block.beams());
+    let mut at_node: BTreeMap<NodeIndex, &BeamElement> = BTreeMap::new();
+    let rigid = |e: &BeamElement| e.nodes.iter().all(|&n| start.bodies.dependent[n].is_some());
+    for element in blocks.flat_map(|block| &block.elements).filter(|element| !rigid(element)) {
+        for node in element.nodes {
+            let Some(other) = at_node.insert(node, element) else { continue };
+            let (one, two) = (long(start, other), long(start, element));
+            if one.max(two) > UNEVEN * one.min(two) {
+                let message = format!(
+                    "neighbouring beams {} and {} are {one:.3e} and {two:.3e} long: contact areas \
+                     and forces jump between them",
+                    other.label, element.label
+                );
+                let said = Diagnostic::advice(Code("SL0412"), message).at(element.origin);
+                return Some(Finding::said(
+                    said.help("grade the mesh of *NODE and *NGEN more gently"),
+                ));
+            }
+        }
+    }
+    None
+}
+
+/// SL0412: a slide line that turns back upon itself.
+fn doubles_back(start: &Start<'_>, pair: &ContactPair, line: &SlideLine) -> Option<Finding> {
+    let at = |node| start.model.nodes.plane(node);
+    let back = line.nodes.windows(3).find(|w| {
+        let (a, b) = (less(at(w[1]), at(w[0])), less(at(w[2]), at(w[1])));
+        a[0] * b[0] + a[1] * b[1] < -0.5 * length(a) * length(b)
     })?;
     let message = format!(
-        "neighbouring beams {} and {} are {:.3e} and {:.3e} long: contact areas and forces jump \
-         between them",
-        block.elements[place].label,
-        block.elements[place + 1].label,
-        lengths[place],
-        lengths[place + 1]
+        "the slide line of {} turns back at node {}: its nodes are not listed in their order \
+         along the part",
+        pair.name,
+        start.model.nodes.label(back[1])
     );
-    let said = Diagnostic::advice(Code("SL0412"), message).at(block.elements[place + 1].origin);
-    Some(Finding::said(said.help("grade the mesh of *NODE and *NGEN more gently")))
+    let said = Diagnostic::warning(Code("SL0412"), message).at(line.origin);
+    Some(Finding::said(said.help("list the nodes of *SLIDE LINE in order along the part")))
 }

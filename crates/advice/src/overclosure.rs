@@ -38,7 +38,12 @@ fn say(start: &Start<'_>, pair: &ContactPair, deepest: &ContactRow, count: usize
         if count == 1 { "s" } else { "" },
         start.model.nodes.label(deepest.node),
     );
-    let said = if depth > DEEP * spacing(start.model, pair) {
+    let small = match pair.interaction.normal {
+        NormalLaw::Exponential { clearance, .. }
+        | NormalLaw::CalculixExponential { clearance, .. } => 3.0 * clearance,
+        _ => 1e-6 * start.reach,
+    };
+    let said = if depth > small.max(DEEP * spacing(start.model, pair)) {
         Diagnostic::warning(Code("SL0402"), message)
     } else {
         Diagnostic::advice(Code("SL0402"), message)

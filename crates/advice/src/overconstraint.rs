@@ -8,35 +8,61 @@
 use crate::finding::{Finding, Place};
 use crate::start::{Start, arc_of, length, less, spacing};
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{ContactPair, Master, NodeIndex, NormalLaw, SlideLine};
+use slideline_model::{ContactPair, Formulation, Master, NodeIndex, NormalLaw, SurfaceSegment};
 
 /// SL0404: hard contact of a rigid row of slaves with straight segments.
 /// Diehl (1995), section 2.0.
 pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
     for pair in &start.model.contact_pairs {
-        let (NormalLaw::Hard, Master::SlideLine(line)) = (&pair.interaction.normal, &pair.master)
-        else {
+        if pair.interaction.normal != NormalLaw::Hard
+            || pair.formulation == Formulation::SurfaceToSurface
+        {
             continue;
-        };
-        if let Some((nodes, sagitta)) = three(start, pair, line) {
+        }
+        if let Some((nodes, sagitta)) = three(start, pair, straight(start, pair)) {
             findings.push(say(start, pair, nodes, sagitta));
         }
     }
 }
 
-/// Three neighbouring slaves of one rigid body that fit on the longest
-/// segment, and how far the middle one stands off their chord [L].
-fn three(start: &Start<'_>, pair: &ContactPair, line: &SlideLine) -> Option<([NodeIndex; 3], f64)> {
+/// Length of the longest straight segment of the master [L].
+fn straight(start: &Start<'_>, pair: &ContactPair) -> f64 {
     let at = |node| start.model.nodes.plane(node);
-    let sides = line.nodes.windows(2).map(|w| length(less(at(w[1]), at(w[0]))));
-    let straight = sides.fold(0.0, f64::max);
+    match &pair.master {
+        Master::SlideLine(line) => {
+            let sides = line.nodes.windows(2).map(|w| length(less(at(w[1]), at(w[0]))));
+            sides.fold(0.0, f64::max)
+        }
+        Master::RigidSurface(surface) => {
+            let mut from = surface.start;
+            let mut longest: f64 = 0.0;
+            for segment in &surface.segments {
+                if let SurfaceSegment::Line { end } = *segment {
+                    longest = longest.max(length(less(end, from)));
+                }
+                from = segment.end();
+            }
+            longest
+        }
+    }
+}
+
+/// Three neighbouring slaves of one rigid body that fit on a segment of the
+/// length `straight`, and how far the middle one stands off their chord [L].
+fn three(start: &Start<'_>, pair: &ContactPair, straight: f64) -> Option<([NodeIndex; 3], f64)> {
+    let at = |node| start.model.nodes.plane(node);
     pair.elements.windows(2).find_map(|both| {
         let [first, second] = [both[0].nodes, both[1].nodes];
-        let nodes = [first[0], first[1], second[1]];
-        let master = start.bodies.dependent[nodes[0]]?;
-        let linked = nodes.iter().all(|&node| start.bodies.dependent[node] == Some(master));
+        let nodes = if first[1] == second[0] {
+            [first[0], first[1], second[1]]
+        } else {
+            [second[0], first[0], first[1]] // listed the other way round
+        };
+        let body = start.bodies.rigid_with(nodes[0])?;
+        let linked = nodes.iter().all(|&node| start.bodies.rigid_with(node) == Some(body));
         let chord = length(less(at(nodes[2]), at(nodes[0])));
-        if first[1] != second[0] || !linked || chord > straight {
+        let neighbours = first[1] == second[0] || second[1] == first[0];
+        if !neighbours || !linked || chord > straight {
             return None;
         }
         let radius = arc_of(start.model, pair, nodes[1]).map(|(_, radius)| radius);
@@ -46,9 +72,13 @@ fn three(start: &Start<'_>, pair: &ContactPair, line: &SlideLine) -> Option<([No
 
 fn say(start: &Start<'_>, pair: &ContactPair, nodes: [NodeIndex; 3], sagitta: f64) -> Finding {
     let [a, b, c] = nodes.map(|node| start.model.nodes.label(node));
+    let what = match &pair.master {
+        Master::SlideLine(_) => "slide line",
+        Master::RigidSurface(_) => "rigid surface",
+    };
     let message = format!(
         "hard contact and rigid links can contradict each other: slaves {a}, {b} and {c} of {} fit \
-         on one straight segment of the slide line, but their rigid body keeps the middle one \
+         on one straight segment of the {what}, but their rigid body keeps the middle one \
          {sagitta:.3e} off that line",
         pair.name
     );

@@ -10,28 +10,51 @@
 //! stiffness holds rigid motions of whole bodies only, and a few rows find it.
 
 use crate::finding::{Finding, Place};
-use crate::start::{Start, length, less};
+use crate::start::{Start, arc_of, circle_of, length, less, spacing};
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{
-    ContactPair, Dof, ElementBlock, Friction, Master, NodeIndex, SpringKind, Step,
-};
+use slideline_model::{ContactPair, Dof, ElementBlock, Master, NodeIndex, SpringKind, Step};
 use std::collections::BTreeMap;
 
 /// Pivots below this count as zero; rows are of length one [1].
 const ZERO: f64 = 1e-8;
+/// Turn over the size of the model, relative to the way, below which a motion
+/// is told as straight [1].
+const STRAIGHT: f64 = 0.2;
 
 /// SL0409, and SL0414 where contact that is still open will hold the motion.
+/// A motion is told in the step in which it becomes free.
 pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
-    let Some(step) = start.model.steps.first() else { return };
-    let mut holds = Holds::new(start);
-    holds.supports(step);
-    holds.springs();
-    holds.contact(true);
-    let Some(free) = holds.motion() else { return };
-    holds.contact(false);
-    let remaining = holds.motion();
-    findings.push(holds.say(step, remaining.as_ref().unwrap_or(&free), remaining.is_some()));
+    let mut told = Vec::new();
+    for (number, step) in start.model.steps.iter().enumerate() {
+        let mut holds = Holds::new(start);
+        holds.supports(step);
+        holds.springs();
+        // what touches at the end of the step before is not known here
+        holds.contact(number == 0);
+        let free = holds.motions();
+        if free.is_empty() {
+            continue;
+        }
+        holds.contact(false);
+        let remaining = holds.motions();
+        let for_good = !remaining.is_empty();
+        let broken = findings.iter().any(|other| other.diagnostic.code == Code("SL0410"));
+        for (body, motions) in if for_good { remaining } else { free } {
+            if told.contains(&(body, for_good)) {
+                continue;
+            }
+            told.push((body, for_good));
+            let mut finding = holds.say((number, step), (body, &motions), for_good);
+            if broken {
+                finding.card = None; // joining what is broken comes first
+            }
+            findings.push(finding);
+        }
+    }
 }
+
+/// A rigid motion u, v, w of a body about its node.
+type Motion = [f64; 3];
 
 struct Holds<'a> {
     start: &'a Start<'a>,
@@ -119,39 +142,49 @@ impl<'a> Holds<'a> {
         self.rows.push(row);
     }
 
-    /// Contact that touches, or all contact that faces its master.
+    /// Contact that touches, or all contact that faces its master. Only the
+    /// nearest points of a pair hold, and only along the normal there: the
+    /// others of a round body touch nothing when these do.
     fn contact(&mut self, touching: bool) {
         let model = self.start.model;
         for (place, pair) in model.contact_pairs.iter().enumerate() {
             let begins = pair.interaction.normal.contact_begins();
+            let Some(nearest) = self.start.nearest(place).copied() else { continue };
+            if touching && nearest.opening > -begins + 1e-9 * self.size {
+                continue;
+            }
+            let round = circle_of(pair).is_some() || arc_of(model, pair, nearest.node).is_some();
+            let reach = nearest.opening + 0.05 * spacing(model, pair);
             let near: Vec<_> = self
                 .start
                 .facing(place)
-                .filter(|row| !touching || row.opening <= -begins + 1e-9 * self.size)
+                .filter(|row| row.node == nearest.node || (!round && row.opening <= reach))
                 .copied()
                 .collect();
             for row in near {
                 let nodes = [row.node, master_node(pair)];
-                self.between(nodes, row.position, row.normal);
-                if pair.interaction.friction != Friction::Frictionless {
-                    let way = [row.normal[1], -row.normal[0]];
+                self.between(nodes, row.position, nearest.normal);
+                if pair.interaction.has_friction() {
+                    let way = [nearest.normal[1], -nearest.normal[0]];
                     self.between(nodes, row.position, way);
                 }
             }
         }
     }
 
-    /// A motion that no row hinders: (body, u, v, w), the largest body first.
-    fn motion(&self) -> Option<(NodeIndex, [f64; 3])> {
+    /// Motions that no row hinders, by the body that each moves.
+    fn motions(&self) -> BTreeMap<NodeIndex, Vec<Motion>> {
         let width = self.width();
         let mut rows = self.rows.clone();
         let mut pivots: Vec<usize> = Vec::new();
+        let mut free: Vec<usize> = Vec::new();
         for column in 0..width {
             let from = pivots.len();
             let largest = (from..rows.len())
                 .max_by(|&a, &b| rows[a][column].abs().total_cmp(&rows[b][column].abs()));
             let Some(largest) = largest.filter(|&row| rows[row][column].abs() > ZERO) else {
-                return Some(self.read(&rows, &pivots, column));
+                free.push(column);
+                continue;
             };
             rows.swap(from, largest);
             let pivot = rows[from].clone();
@@ -165,38 +198,60 @@ impl<'a> Holds<'a> {
             }
             pivots.push(column);
         }
-        None
+        let mut motions: BTreeMap<NodeIndex, Vec<Motion>> = BTreeMap::new();
+        for &column in &free {
+            let (body, motion) = self.read(&rows, &pivots, column);
+            motions.entry(body).or_default().push(motion);
+        }
+        motions
     }
 
-    /// The motion with the free unknown at one; all earlier ones are pivots.
-    fn read(&self, rows: &[Vec<f64>], pivots: &[usize], free: usize) -> (NodeIndex, [f64; 3]) {
+    /// The motion with one free unknown at one and the others at zero.
+    fn read(&self, rows: &[Vec<f64>], pivots: &[usize], free: usize) -> (NodeIndex, Motion) {
         let mut motion = vec![0.0; self.width()];
         motion[free] = 1.0;
         for (row, &pivot) in pivots.iter().enumerate() {
             motion[pivot] = -rows[row][free] / rows[row][pivot];
         }
-        let body = self.column.iter().find(|&(_, &first)| first == free / 3 * 3);
-        let body = body.map_or(0, |(&body, _)| body);
         let first = free / 3 * 3;
+        let body = self.column.iter().find(|&(_, &own)| own == first);
+        let body = body.map_or(0, |(&body, _)| body);
         (body, [motion[first], motion[first + 1], motion[first + 2] / self.size])
     }
 
-    fn say(&self, step: &Step, free: &(NodeIndex, [f64; 3]), for_good: bool) -> Finding {
-        let (body, [u, v, w]) = *free;
+    /// A motion in words, and the dof that stops it.
+    fn describe(&self, body: NodeIndex, [u, v, w]: Motion) -> (String, usize) {
+        // what turns about a place far outside the model moves straight on
+        if w.abs() * self.size > STRAIGHT * u.hypot(v) {
+            let at = self.start.model.nodes.plane(body);
+            let centre = [at[0] - v / w, at[1] + u / w];
+            return (format!("turn about ({:.4e}, {:.4e})", centre[0], centre[1]), 6);
+        }
+        let dof = if u.abs() > v.abs() { 1 } else { 2 };
+        let size = u.hypot(v);
+        let way = [u / size + 0.0, v / size + 0.0]; // no minus before a zero
+        (format!("move along ({:.3}, {:.3})", way[0], way[1]), dof)
+    }
+
+    fn say(
+        &self,
+        (number, step): (usize, &Step),
+        (body, motions): (NodeIndex, &[Motion]),
+        for_good: bool,
+    ) -> Finding {
         let nodes = &self.start.model.nodes;
         let (label, origin) = (nodes.label(body), nodes.get(body).origin);
-        let turns = w.abs() * self.size > ZERO;
-        let how = if turns {
-            let at = nodes.plane(body);
-            let centre = [at[0] - v / w, at[1] + u / w];
-            format!("turn about ({:.4e}, {:.4e})", centre[0], centre[1])
-        } else {
-            format!("move along ({u:.3}, {v:.3})")
-        };
+        let (how, mut dofs): (Vec<String>, Vec<usize>) =
+            motions.iter().map(|motion| self.describe(body, *motion)).unzip();
+        dofs.sort_unstable();
+        dofs.dedup();
+        let how = how.join(", and ");
+        let when =
+            if number == 0 { String::new() } else { format!("from step {} on ", number + 1) };
         if !for_good {
             let message = format!(
-                "only contact that is still open will hold the body of node {label}, which can \
-                 {how} until then"
+                "{when}only contact that is still open will hold the body of node {label}, which \
+                 can {how} until then"
             );
             return Finding::said(Diagnostic::advice(Code("SL0414"), message).at(origin).help(
                 "the run will stabilise its contact where it must (*CONTACT CONTROLS, STABILIZE); \
@@ -204,21 +259,18 @@ impl<'a> Holds<'a> {
                  it touches, or attach a weak *SPRING",
             ));
         }
-        let message = format!("nothing holds the body of node {label}: it can {how} freely");
-        let dof = if turns {
-            6
-        } else if u.abs() > v.abs() {
-            1
-        } else {
-            2
-        };
-        let said = Diagnostic::warning(Code("SL0409"), message)
-            .at(origin)
-            .help(format!("hold it: *BOUNDARY with node {label}, degree of freedom {dof}"));
-        match step.procedure.origin {
-            Some(at) => {
-                Finding::with(said, Place::After(at), format!("*BOUNDARY\n{label}, {dof}, {dof}\n"))
-            }
+        let message = format!("{when}nothing holds the body of node {label}: it can {how} freely");
+        let list: Vec<String> = dofs.iter().map(ToString::to_string).collect();
+        let said = Diagnostic::warning(Code("SL0409"), message).at(origin).help(format!(
+            "hold it: *BOUNDARY with node {label}, degree of freedom {}",
+            list.join(" and ")
+        ));
+        let lines: String = dofs.iter().map(|dof| format!("{label}, {dof}, {dof}\n")).collect();
+        // behind the step's own cards, of which one may begin with OP=NEW
+        let own = step.prescribed.iter().map(|p| p.origin);
+        let own = own.filter(|at| at.file == step.origin.file && at.start > step.origin.start);
+        match own.max_by_key(|at| at.start).or(step.procedure.origin) {
+            Some(at) => Finding::with(said, Place::After(at), format!("*BOUNDARY\n{lines}")),
             None => Finding::said(said),
         }
     }

@@ -3,7 +3,7 @@
 use crate::finding::{Finding, Place};
 use crate::start::{Start, spacing};
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{ContactPair, Master, SlideLine};
+use slideline_model::{ContactPair, Master, RigidSurface, SlideLine, SurfaceSegment};
 use std::fmt::Write as _;
 
 /// SL0407: most slaves lie deeper behind their master than a contact element
@@ -15,34 +15,103 @@ pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
         let behind = start.facing(place).filter(|row| row.opening < -spacing).count();
         if behind > 0 && 2 * behind >= facing {
             findings.push(say(start, pair, behind, facing));
+        } else if opens(start, place, pair) {
+            findings.push(say(start, pair, facing, facing));
         }
     }
+}
+
+/// Whether every slave lies behind the master at first, deeper than its law
+/// reaches, and the prescribed motion brings them all out in front of it:
+/// parts that meet do the opposite.
+fn opens(start: &Start<'_>, place: usize, pair: &ContactPair) -> bool {
+    let Some(Some(rehearsal)) = start.rehearsals.get(place) else { return false };
+    let ranges = || rehearsal.moments.iter().filter_map(|moment| moment.range);
+    let (Some((least, _)), Some((_, most))) = (ranges().next(), ranges().next_back()) else {
+        return false;
+    };
+    let floor = (1e-6 * start.reach).max(pair.interaction.normal.contact_begins().abs());
+    least > floor && most < 0.0
 }
 
 fn say(start: &Start<'_>, pair: &ContactPair, behind: usize, facing: usize) -> Finding {
     let (origin, help) = match &pair.master {
         Master::SlideLine(line) => (
             line.origin,
-            "list the nodes of *SLIDE LINE in the opposite order: the outward normal stands 90 \
-             degrees counter-clockwise of travel",
+            "list the nodes of *SLIDE LINE in the opposite order, or name the other side of *SURFACE \
+             (SPOS, SNEG): the outward normal stands 90 degrees counter-clockwise of travel",
         ),
         Master::RigidSurface(surface) => (
             surface.origin,
-            "give the points of *RIGID SURFACE in the opposite order: the outward normal stands \
-             90 degrees counter-clockwise of travel",
+            "give the points of *RIGID SURFACE (*SURFACE, TYPE=SEGMENTS) in the opposite order: the \
+             outward normal stands 90 degrees counter-clockwise of travel",
         ),
     };
+    let place = start.model.contact_pairs.iter().position(|own| own == pair);
+    let nearest = place.into_iter().flat_map(|place| start.facing(place));
+    let deepest = nearest.map(|row| -row.opening).fold(0.0, f64::max);
     let message = format!(
         "the master of {} seems to look the wrong way: {behind} of {facing} slave points lie \
-         behind it, deeper than a contact element is long",
-        pair.name
+         behind it at the start, the deepest by {:.3e}",
+        pair.name, deepest
     );
     let said = Diagnostic::warning(Code("SL0407"), message).at(origin).help(help);
+    let text = match &pair.master {
+        Master::SlideLine(line) => reversed(start, pair, line),
+        Master::RigidSurface(surface) => SurfacePoints::of(surface).backwards().lines(),
+    };
     match &pair.master {
-        Master::SlideLine(line) if line.origin != pair.origin || pair.name.is_ascii() => {
-            Finding::with(said, Place::Instead(line.origin), reversed(start, pair, line))
+        // of a modern pair another card names the line
+        Master::SlideLine(_) if pair.name.contains('/') => Finding::said(said),
+        Master::SlideLine(_) => Finding::with(said, Place::Instead(origin), text),
+        Master::RigidSurface(_) => Finding::with(said, Place::Data(origin), text),
+    }
+}
+
+/// The points of a rigid surface, to be written as data lines.
+pub struct SurfacePoints {
+    /// The first one [L].
+    pub start: [f64; 2],
+    /// The way from there.
+    pub segments: Vec<SurfaceSegment>,
+}
+
+impl SurfacePoints {
+    /// Those of a surface.
+    pub fn of(surface: &RigidSurface) -> Self {
+        Self { start: surface.start, segments: surface.segments.clone() }
+    }
+
+    /// The same from the other end.
+    fn backwards(self) -> Self {
+        let mut points: Vec<[f64; 2]> = vec![self.start];
+        points.extend(self.segments.iter().map(SurfaceSegment::end));
+        let segments =
+            self.segments.iter().zip(&points).rev().map(|(segment, &end)| match *segment {
+                SurfaceSegment::Line { .. } => SurfaceSegment::Line { end },
+                SurfaceSegment::Circle { centre, .. } => SurfaceSegment::Circle { end, centre },
+                SurfaceSegment::Parabola { middle, .. } => SurfaceSegment::Parabola { middle, end },
+            });
+        let segments = segments.collect();
+        Self { start: points.last().copied().unwrap_or(self.start), segments }
+    }
+
+    /// Data lines, each ended by a line feed.
+    pub fn lines(&self) -> String {
+        let mut text = format!("START, {:?}, {:?}\n", self.start[0], self.start[1]);
+        for segment in &self.segments {
+            let [x, y] = segment.end();
+            let _ = match *segment {
+                SurfaceSegment::Line { .. } => writeln!(text, "LINE, {x:?}, {y:?}"),
+                SurfaceSegment::Circle { centre: [cx, cy], .. } => {
+                    writeln!(text, "CIRCL, {x:?}, {y:?}, {cx:?}, {cy:?}")
+                }
+                SurfaceSegment::Parabola { middle: [mx, my], .. } => {
+                    writeln!(text, "PARAB, {mx:?}, {my:?}, {x:?}, {y:?}")
+                }
+            }; // a String takes any text
         }
-        _ => Finding::said(said),
+        text
     }
 }
 

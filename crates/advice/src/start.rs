@@ -6,6 +6,7 @@
 //! ```
 
 use crate::bodies::Bodies;
+use crate::rehearsal::{Rehearsal, fill_gaps};
 use slideline_model::{
     ContactPair, Dof, Master, Model, NodeIndex, Prescribed, Step, SurfaceSegment,
 };
@@ -22,6 +23,9 @@ pub struct Start<'a> {
     pub points: Vec<ContactRow>,
     /// Diagonal of the box around all nodes [L].
     pub reach: f64,
+    /// Every pair walked through the prescribed motions; `None` where these
+    /// do not determine it.
+    pub rehearsals: Vec<Option<Rehearsal>>,
 }
 
 impl<'a> Start<'a> {
@@ -29,7 +33,30 @@ impl<'a> Start<'a> {
     pub fn of(model: &'a Model) -> Self {
         let mut first = First(Vec::new());
         let _ = slideline_solve::run(model, &slideline_solve::Options::default(), &mut first); // ended by us, on purpose
-        Self { model, bodies: Bodies::of(model), points: first.0, reach: reach(model) }
+        let mut start = Self {
+            model,
+            bodies: Bodies::of(model),
+            points: first.0,
+            reach: reach(model),
+            rehearsals: Vec::new(),
+        };
+        fill_gaps(&mut start);
+        start.rehearsals =
+            model.contact_pairs.iter().map(|pair| Rehearsal::of(&start, pair)).collect();
+        start
+    }
+
+    /// Largest extent of nodes and rigid surfaces together [L].
+    pub fn size(&self) -> f64 {
+        let mut points: Vec<[f64; 2]> =
+            self.model.nodes.iter().map(|node| [node.position[0], node.position[1]]).collect();
+        for pair in &self.model.contact_pairs {
+            if let Master::RigidSurface(surface) = &pair.master {
+                points.push(surface.start);
+                points.extend(surface.segments.iter().map(SurfaceSegment::end));
+            }
+        }
+        extent(points.into_iter())
     }
 
     /// Points of a pair that face their master.
@@ -181,16 +208,21 @@ pub fn length(a: [f64; 2]) -> f64 {
 }
 
 fn reach(model: &Model) -> f64 {
+    extent(model.nodes.iter().map(|node| [node.position[0], node.position[1]]))
+}
+
+/// Diagonal of the box around points [L].
+fn extent(points: impl Iterator<Item = [f64; 2]>) -> f64 {
     let mut low = [f64::INFINITY; 2];
     let mut high = [f64::NEG_INFINITY; 2];
-    for node in model.nodes.iter() {
+    for point in points {
         for axis in 0..2 {
-            low[axis] = low[axis].min(node.position[axis]);
-            high[axis] = high[axis].max(node.position[axis]);
+            low[axis] = low[axis].min(point[axis]);
+            high[axis] = high[axis].max(point[axis]);
         }
     }
-    let reach = length(less(high, low));
-    if reach.is_finite() { reach } else { 0.0 }
+    let extent = length(less(high, low));
+    if extent.is_finite() { extent } else { 0.0 }
 }
 
 struct First(Vec<ContactRow>);

@@ -1,29 +1,115 @@
 //! Where prescribed motions lead the contact point.
 
 use crate::finding::{Finding, Place};
-use crate::start::{Start, arc_of, length, less, spacing};
-use slideline_diag::{Code, Diagnostic};
-use slideline_model::{ContactPair, Friction, Master, Onset, SlideLine, Step};
-use slideline_solve::observe::ContactRow;
+use crate::rehearsal::{Carrier, Rehearsal};
+use crate::sides::SurfacePoints;
+use crate::start::{Start, arc_of, circle_of, length, less, spacing};
+use slideline_diag::{Code, Diagnostic, Severity};
+use slideline_model::{ContactPair, Master, Onset, RigidSurface, SlideLine, Step, SurfaceSegment};
 
 /// SL0405, SL0406 and SL0408.
 pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
     for (place, pair) in start.model.contact_pairs.iter().enumerate() {
-        let Some(nearest) = start.nearest(place) else { continue };
-        // tangent: 90 degrees clockwise of the master's outward normal
-        let tangent = [nearest.normal[1], -nearest.normal[0]];
-        let mut along = 0.0;
-        for (number, step) in start.model.steps.iter().enumerate() {
-            let travel = start.travel(number, pair, nearest);
-            let slide = travel[0] * tangent[0] + travel[1] * tangent[1];
-            along += slide;
-            let each = slide.abs() * fraction(step);
-            findings.extend(too_far(start, pair, step, each));
-            let turn = start.rotation(number, nearest.node) * fraction(step);
-            findings.extend(loses_friction(start, pair, nearest, each, turn));
-            if let Master::SlideLine(line) = &pair.master {
-                findings.extend(too_short(start, pair, line, nearest.along + along));
+        match start.rehearsals.get(place) {
+            Some(Some(rehearsal)) => rehearsed(start, pair, rehearsal, findings),
+            _ => estimated(start, place, pair, findings),
+        }
+    }
+}
+
+/// Where all motions are prescribed, the pair was walked through them.
+fn rehearsed(
+    start: &Start<'_>,
+    pair: &ContactPair,
+    rehearsal: &Rehearsal,
+    findings: &mut Vec<Finding>,
+) {
+    let on_master = matches!(pair.master, Master::SlideLine(_));
+    let mut lost = None;
+    for (number, step) in start.model.steps.iter().enumerate() {
+        let slides: Vec<(Carrier, Carrier)> = rehearsal
+            .slides()
+            .filter_map(|(at, from, to)| (at == number).then_some((from, to)))
+            .collect();
+        if slides.is_empty() {
+            continue;
+        }
+        let passed = |(from, to): &(Carrier, Carrier)| match on_master {
+            true => (to.along - from.along).abs(),
+            false => (to.slave - from.slave).abs(),
+        };
+        let each = slides.iter().map(passed).sum::<f64>() / slides.len() as f64;
+        findings.extend(too_far(start, pair, step, each));
+        let changed = slides.iter().filter(|(from, to)| from.node != to.node).count();
+        let share = changed as f64 / slides.len() as f64;
+        if lost.is_none_or(|(worst, _)| share > worst) {
+            let wander = slides.iter().map(|(from, to)| (to.slave - from.slave).abs());
+            lost = Some((share, wander.sum::<f64>() / slides.len() as f64));
+        }
+    }
+    if let Some((share, wander)) = lost.filter(|(share, _)| *share >= 0.5) {
+        findings.extend(loses_friction(start, pair, wander, share));
+    }
+    let lost = rehearsal.moments.iter().find_map(|moment| Some((moment.step, moment.off?)));
+    if let Some((number, (beyond, at_start))) = lost {
+        let said = off_the_end(pair, number, beyond);
+        findings.push(match &pair.master {
+            Master::RigidSurface(surface) => {
+                let text = prolonged(surface, at_start, start.size());
+                Finding::with(said, Place::Data(surface.origin), text)
             }
+            Master::SlideLine(_) => Finding::said(said),
+        });
+    } else if rehearsal.moments.first().is_some_and(|moment| moment.carrier.is_some()) {
+        findings.extend(drifts_off(start, pair));
+    }
+}
+
+/// SL0408 as advice: what touches at first is led past the end of the slide
+/// line, although a rigid body would lift off before.
+fn drifts_off(start: &Start<'_>, pair: &ContactPair) -> Option<Finding> {
+    let Master::SlideLine(line) = &pair.master else { return None };
+    let place = start.model.contact_pairs.iter().position(|own| own == pair)?;
+    let nearest = start.nearest(place)?;
+    let tangent = [nearest.normal[1], -nearest.normal[0]];
+    let mut along = nearest.along;
+    (0..start.model.steps.len()).find_map(|number| {
+        let travel = start.travel(number, pair, nearest);
+        along += travel[0] * tangent[0] + travel[1] * tangent[1];
+        let mut finding = too_short(start, pair, line, along)?;
+        finding.diagnostic.severity = Severity::Advice;
+        Some(finding)
+    })
+}
+
+/// Where something floats, the nearest slave is led along straight.
+fn estimated(start: &Start<'_>, place: usize, pair: &ContactPair, findings: &mut Vec<Finding>) {
+    let Some(nearest) = start.nearest(place) else { return };
+    // tangent: 90 degrees clockwise of the master's outward normal
+    let tangent = [nearest.normal[1], -nearest.normal[0]];
+    let mut along = 0.0;
+    for (number, step) in start.model.steps.iter().enumerate() {
+        let travel = start.travel(number, pair, nearest);
+        let slide = travel[0] * tangent[0] + travel[1] * tangent[1];
+        along += slide;
+        let each = slide.abs() * fraction(step);
+        let slave_side = circle_of(pair).is_some() || matches!(pair.master, Master::SlideLine(_));
+        if slave_side {
+            findings.extend(too_far(start, pair, step, each));
+        }
+        let turn = start.rotation(number, nearest.node) * fraction(step);
+        let wander = match &pair.master {
+            Master::RigidSurface(_) if slave_side => each,
+            Master::RigidSurface(_) => 0.0,
+            Master::SlideLine(_) => arc_of(start.model, pair, nearest.node)
+                .map_or(0.0, |(_, radius)| radius * turn.abs()),
+        };
+        let share = (wander / spacing(start.model, pair)).min(1.0);
+        if share >= 0.5 {
+            findings.extend(loses_friction(start, pair, wander, share));
+        }
+        if let Master::SlideLine(line) = &pair.master {
+            findings.extend(too_short(start, pair, line, nearest.along + along));
         }
     }
 }
@@ -84,32 +170,20 @@ fn too_far(start: &Start<'_>, pair: &ContactPair, step: &Step, each: f64) -> Opt
 fn loses_friction(
     start: &Start<'_>,
     pair: &ContactPair,
-    nearest: &ContactRow,
-    each: f64,
-    turn: f64,
+    wander: f64,
+    share: f64,
 ) -> Option<Finding> {
     let model = start.model;
-    if model.friction_onset == Onset::Immediate
-        || pair.interaction.friction == Friction::Frictionless
-    {
+    if model.friction_onset == Onset::Immediate || !pair.interaction.has_friction() {
         return None;
     }
-    let wander = match &pair.master {
-        Master::RigidSurface(_) => each,
-        Master::SlideLine(_) => {
-            arc_of(model, pair, nearest.node).map_or(0.0, |(_, radius)| radius * turn.abs())
-        }
-    };
     let spacing = spacing(model, pair);
-    if wander < 0.5 * spacing {
-        return None;
-    }
     let message = format!(
         "contact of {} wanders by about {wander:.3e} in an increment over slaves {spacing:.3e} \
          apart: about {:.0} of 100 increments close a new node, and the friction onset of this run \
          drops friction at nodes that have just closed",
         pair.name,
-        100.0 * (wander / spacing).min(1.0)
+        100.0 * share
     );
     let said = Diagnostic::warning(Code("SL0406"), message)
         .at(pair.interaction.friction_origin.unwrap_or(pair.origin))
@@ -119,6 +193,52 @@ fn loses_friction(
     let first = model.steps.first()?.origin;
     let card = "*CONTACT CONTROLS, FRICTION ONSET=IMMEDIATE\n";
     Some(Finding::with(said, Place::Before(first), card))
+}
+
+/// SL0408: everything that was in contact ends beyond the master.
+fn off_the_end(pair: &ContactPair, number: usize, beyond: f64) -> Diagnostic {
+    let (what, help, origin) = match &pair.master {
+        Master::SlideLine(line) => (
+            "slide line",
+            "add nodes to *SLIDE LINE on that side, or end the motion earlier on *BOUNDARY",
+            line.origin,
+        ),
+        Master::RigidSurface(surface) => (
+            "rigid surface",
+            "prolong *RIGID SURFACE (*SURFACE, TYPE=SEGMENTS) on that side by a LINE, or end the \
+             motion earlier on *BOUNDARY",
+            surface.origin,
+        ),
+    };
+    let message = format!(
+        "the {what} of {} is too short for the stroke: in step {} all slaves that were in contact \
+         go beyond its end, by {beyond:.3e} in the first increment in which none is left, and \
+         contact is lost there although the parts still overlap",
+        pair.name,
+        number + 1
+    );
+    Diagnostic::warning(Code("SL0408"), message).at(origin).help(help)
+}
+
+/// The points of a rigid surface with a line more at one end, as long as the
+/// model.
+fn prolonged(surface: &RigidSurface, at_start: bool, by: f64) -> String {
+    let way = slideline_solve::rigid_surface(surface).and_then(|placed| {
+        let segments = placed.segments();
+        let end = if at_start { segments.first() } else { segments.last() };
+        end.map(|segment| segment.tangent(at_start))
+    });
+    let [tx, ty] = way.unwrap_or([0.0; 2]);
+    let mut points = SurfacePoints::of(surface);
+    if at_start {
+        let [x, y] = points.start;
+        points.segments.insert(0, SurfaceSegment::Line { end: [x, y] });
+        points.start = [x - by * tx, y - by * ty];
+    } else {
+        let [x, y] = surface.segments.last().map_or(surface.start, SurfaceSegment::end);
+        points.segments.push(SurfaceSegment::Line { end: [x + by * tx, y + by * ty] });
+    }
+    points.lines()
 }
 
 /// SL0408: the stroke leads beyond an end of the slide line.

@@ -3,7 +3,12 @@
 use crate::finding::Finding;
 use crate::start::Start;
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::NormalLaw;
+use slideline_model::{Dof, NormalLaw};
+
+/// Rotation that nobody means in radians: three times round [1].
+const TURNS: f64 = 3.0 * std::f64::consts::TAU;
+/// Stroke in sizes of the model that no part makes [1].
+const FAR: f64 = 30.0;
 
 /// SL0413: modulus against size, pressures and clearances against both. The
 /// program assumes no unit; it only compares orders of magnitude.
@@ -11,7 +16,7 @@ pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
     for block in start.model.blocks.iter().filter_map(|block| block.beams()) {
         let (modulus, height) = (block.section.material.modulus, block.section.height);
         // solids have moduli of 1e6 to 1e12 Pa: 1 to 1e6 in MPa
-        let in_pascal = modulus >= 2e7;
+        let in_pascal = modulus >= 1e8; // above any solid in psi
         let (said, unit) = if in_pascal && height > 0.5 && start.reach > 10.0 {
             (true, "lengths look like mm, the modulus like Pa; with mm and N it is in MPa")
         } else if (1e2..1e6).contains(&modulus) && height < 0.02 && start.reach < 0.5 {
@@ -32,6 +37,61 @@ pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
         }
     }
     laws(start, findings);
+    widths(start, findings);
+    strokes(start, findings);
+}
+
+/// Out-of-plane widths of contact and beams that differ by a unit.
+fn widths(start: &Start<'_>, findings: &mut Vec<Finding>) {
+    let blocks = || start.model.blocks.iter().filter_map(|block| block.beams());
+    let widest = blocks().map(|block| block.section.width).fold(0.0, f64::max);
+    let least = blocks().map(|block| block.section.width).fold(f64::INFINITY, f64::min);
+    for pair in &start.model.contact_pairs {
+        let width = pair.interaction.width;
+        if widest <= 0.0 || (least / 100.0 < width && width < 100.0 * widest) {
+            continue;
+        }
+        let message = format!(
+            "contact of {} is {width:.3e} wide, the beams are {least:.3e} to {widest:.3e} wide: \
+             pressures and areas look like different units",
+            pair.name
+        );
+        let said = Diagnostic::warning(Code("SL0413"), message).at(pair.interaction.origin);
+        findings.push(Finding::said(said.help(
+            "give the out-of-plane width on *INTERFACE (*SURFACE INTERACTION) in the unit of \
+             *BEAM SECTION",
+        )));
+    }
+}
+
+/// Motions that are far larger than the model, and rotations in degrees.
+fn strokes(start: &Start<'_>, findings: &mut Vec<Finding>) {
+    let size = start.size();
+    for prescribed in start.model.steps.iter().flat_map(|step| &step.prescribed) {
+        let (value, label) = (prescribed.value.abs(), start.model.nodes.label(prescribed.node));
+        let (message, help) = if prescribed.dof == Dof::UR3 && value > TURNS {
+            (
+                format!(
+                    "node {label} is turned by {value} rad, {:.1} times round: it looks like degrees",
+                    value / std::f64::consts::TAU
+                ),
+                "give rotations on *BOUNDARY in radians",
+            )
+        } else if !prescribed.dof.is_rotation() && size > 0.0 && value > FAR * size {
+            (
+                format!(
+                    "node {label} is moved by {value:.3e}, {:.0} times the size of the model, \
+                     {size:.3e}: it looks like another unit of length",
+                    value / size
+                ),
+                "give displacements on *BOUNDARY in the unit of *NODE",
+            )
+        } else {
+            continue;
+        };
+        let said = Diagnostic::warning(Code("SL0413"), message).at(prescribed.origin);
+        findings.push(Finding::said(said.help(help)));
+    }
 }
 
 fn laws(start: &Start<'_>, findings: &mut Vec<Finding>) {
@@ -42,7 +102,18 @@ fn laws(start: &Start<'_>, findings: &mut Vec<Finding>) {
         let NormalLaw::Exponential { clearance, pressure } = pair.interaction.normal else {
             continue;
         };
-        let why = if modulus > 0.0 && pressure > 10.0 * modulus {
+        let softest = blocks()
+            .map(|block| {
+                let section = &block.section;
+                section.material.modulus * (section.height / start.reach).powi(3)
+            })
+            .fold(f64::INFINITY, f64::min);
+        let why = if softest.is_finite() && pressure < 1e-3 * softest {
+            format!(
+                "p0 = {pressure:.3e} is {:.1e} times the pressure E (h/L)^3 that bends a beam",
+                pressure / softest
+            )
+        } else if modulus > 0.0 && pressure > 10.0 * modulus {
             format!("p0 = {pressure:.3e} is {:.1e} times Young's modulus", pressure / modulus)
         } else if height.is_finite() && clearance > height {
             format!(

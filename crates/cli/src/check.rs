@@ -4,14 +4,17 @@ use crate::arguments::CheckArguments;
 use crate::exit::Exit;
 use crate::{render, screen};
 use slideline::diag::{Code, Diagnostic, Severity, has_errors};
-use slideline::model::{ContactPair, Master, NormalLaw};
+use slideline::model::{ContactPair, Formulation, Master, NormalLaw};
 use slideline::observe::ContactRow;
 use slideline::output::json::{Object, array, number};
 use slideline::output::number::general;
 use slideline::output::{echo, record};
 use slideline::{InitialGaps, Job, Model, Read, SolveOptions, initial_gaps};
 use std::fmt::Write as _;
+use std::io::{ErrorKind, Write as _};
 
+/// Mended decks that may stand beside a deck.
+const MOST_FIXED: usize = 99;
 /// Rows of the table of initial gaps.
 const CLOSEST: usize = 12;
 
@@ -34,20 +37,32 @@ pub(crate) fn check(arguments: &CheckArguments) -> Exit {
     if has_errors(&read.diagnostics) { Exit::Input } else { Exit::Completed }
 }
 
-/// Writes the mended deck beside the old one; says so on standard error.
+/// Writes the mended deck beside the old one, under a name that nothing has;
+/// says so on standard error.
 fn fix(read: &Read) -> bool {
     let Some(bytes) = slideline::mended(read, &read.diagnostics) else {
         eprintln!("nothing to mend: no finding carries a card");
         return true;
     };
-    let mut name = read.job.stem.clone();
-    name.push(".fixed.inp");
-    let path = read.job.deck.with_file_name(name);
-    match std::fs::write(&path, bytes) {
-        Ok(()) => eprintln!("the mended deck is {}", path.display()),
-        Err(reason) => eprintln!("{} cannot be written: {reason}", path.display()),
+    for number in 1..=MOST_FIXED {
+        let mut name = read.job.stem.clone();
+        name.push(if number == 1 { ".fixed.inp".into() } else { format!(".fixed-{number}.inp") });
+        let path = read.job.deck.with_file_name(name);
+        let written = std::fs::File::create_new(&path).and_then(|mut file| file.write_all(&bytes));
+        match written {
+            Ok(()) => {
+                eprintln!("the mended deck is {}", path.display());
+                return true;
+            }
+            Err(reason) if reason.kind() == ErrorKind::AlreadyExists => {}
+            Err(reason) => {
+                eprintln!("{} cannot be written: {reason}", path.display());
+                return false;
+            }
+        }
     }
-    path.exists()
+    eprintln!("{MOST_FIXED} mended decks stand beside {} already", read.job.deck.display());
+    false
 }
 
 fn report(read: &Read, start: Option<&InitialGaps>) -> String {
@@ -69,7 +84,7 @@ fn report(read: &Read, start: Option<&InitialGaps>) -> String {
         }
         for (place, pair) in model.contact_pairs.iter().enumerate() {
             let points = start.map_or(Vec::new(), |start| nearest_first(start, place));
-            push_pair(&mut text, model, pair, &points);
+            push_pair(&mut text, read, pair, &points);
         }
     }
     push_verdict(&mut text, &read.diagnostics);
@@ -98,10 +113,11 @@ fn nearest_first(start: &InitialGaps, pair: usize) -> Vec<ContactRow> {
     points
 }
 
-fn push_pair(text: &mut String, model: &Model, pair: &ContactPair, points: &[ContactRow]) {
+fn push_pair(text: &mut String, read: &Read, pair: &ContactPair, points: &[ContactRow]) {
+    let Some(model) = &read.model else { return };
     text.push('\n');
     text.push_str(&echo::pair_echo(model, pair));
-    let _ = writeln!(text, "  why      {}", why(pair)); // a String takes any text
+    let _ = writeln!(text, "  why      {}", why(read, pair)); // a String takes any text
     if points.is_empty() {
         return;
     }
@@ -115,12 +131,14 @@ fn push_pair(text: &mut String, model: &Model, pair: &ContactPair, points: &[Con
             _ => format!("contact begins below a gap of {}", general(-begins, 9)),
         }
     );
-    let _ = writeln!(text, "  {:>10} {:>20} {:>16}", "node", "gap", "area");
+    let over = if begins < 0.0 { "h/c0" } else { "" };
+    let _ = writeln!(text, "  {:>10} {:>20} {:>16} {over:>10}", "node", "gap", "area");
     for row in points.iter().take(CLOSEST) {
         let state = if row.opening < -begins { "  in contact" } else { "" };
+        let over = overclosure_over_c0(pair, row).map_or(String::new(), |h| general(h, 4));
         let _ = writeln!(
             text,
-            "  {:>10} {:>20} {:>16}{state}",
+            "  {:>10} {:>20} {:>16} {over:>10}{state}",
             model.nodes.label(row.node),
             echo::gap(row.opening),
             general(row.area, 7),
@@ -131,13 +149,41 @@ fn push_pair(text: &mut String, model: &Model, pair: &ContactPair, points: &[Con
     }
 }
 
+/// Overclosure in units of c0 [1], for a softened law and a point that faces
+/// its master.
+fn overclosure_over_c0(pair: &ContactPair, row: &ContactRow) -> Option<f64> {
+    let c0 = match pair.interaction.normal {
+        NormalLaw::Exponential { clearance, .. }
+        | NormalLaw::CalculixExponential { clearance, .. } => clearance,
+        _ => return None,
+    };
+    row.opening.is_finite().then(|| -row.opening / c0)
+}
+
 /// Why the sides are as they are: the deck decides, never the program.
-fn why(pair: &ContactPair) -> &'static str {
-    match pair.master {
-        Master::RigidSurface(_) => {
+fn why(read: &Read, pair: &ContactPair) -> &'static str {
+    let card = read.deck.cards.iter().find(|card| {
+        card.span.file == pair.origin.file
+            && (card.span.start..=card.full_span().end).contains(&pair.origin.start)
+    });
+    let modern = card.is_some_and(|card| card.keyword.name == "CONTACTPAIR");
+    match (&pair.master, modern, pair.formulation) {
+        (Master::RigidSurface(_), true, Formulation::SurfaceToSurface) => {
+            "contact is integrated along the first surface of *CONTACT PAIR, the slave; the \
+             rigid surface, named second, is the master"
+        }
+        (Master::RigidSurface(_), true, Formulation::NodeToSurface) => {
+            "nodes of the first surface of *CONTACT PAIR are slaves, the rigid surface, named \
+             second, is the master"
+        }
+        (Master::SlideLine(_), true, _) => {
+            "nodes of the first surface of *CONTACT PAIR are slaves, the beams of the second \
+             one are the master"
+        }
+        (Master::RigidSurface(_), false, _) => {
             "nodes of IRS elements are slaves, their rigid surface is the master"
         }
-        Master::SlideLine(_) => {
+        (Master::SlideLine(_), false, _) => {
             "nodes of ISL elements are slaves, the nodes of *SLIDE LINE are the master"
         }
     }
@@ -180,7 +226,7 @@ fn json_lines(read: &Read, start: Option<&InitialGaps>) -> String {
             pair.name,
             slaves.len(),
             echo::labels(model, &slaves),
-            why(pair)
+            why(read, pair)
         );
         let note = Diagnostic::note(Code("SL0400"), message).at(pair.origin);
         let object = record(&note, &read.sources).raw("pair", &pair_object(model, pair, &points));
@@ -201,11 +247,14 @@ fn pair_object(model: &Model, pair: &ContactPair, points: &[ContactRow]) -> Stri
             .array("nodes", chain.nodes.iter().map(|&node| label(node))),
     };
     let gaps = points.iter().map(|row| {
-        Object::new()
+        let object = Object::new()
             .raw("node", &label(row.node))
             .number("gap", row.opening)
-            .number("area", row.area)
-            .finish()
+            .number("area", row.area);
+        match overclosure_over_c0(pair, row) {
+            Some(over) => object.number("overclosure_over_c0", over).finish(),
+            None => object.finish(),
+        }
     });
     Object::new()
         .text("name", &pair.name)

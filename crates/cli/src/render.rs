@@ -26,6 +26,10 @@ pub(crate) fn text(said: &Diagnostic, sources: &Sources, colour: bool) -> String
     if let Some(help) = &said.help {
         group = group.element(Level::HELP.message(help));
     }
+    if let Some(card) = said.suggestion() {
+        let card = card.trim_end().replace('\n', "\n    ");
+        group = group.element(Level::HELP.message(format!("as a card:\n    {card}")));
+    }
     renderer.render(&[group]) + "\n\n"
 }
 

@@ -78,6 +78,8 @@ pub enum Place {
     After(Span),
     /// Instead of the card at that place and its data.
     Instead(Span),
+    /// Instead of the data of the card at that place, if they begin alike.
+    Data(Span),
 }
 
 /// One thing to say about a deck, a model or a run.
@@ -127,6 +129,14 @@ impl Diagnostic {
     /// A note.
     pub fn note(code: Code, message: impl Into<String>) -> Self {
         Self::new(Severity::Note, code, message)
+    }
+
+    /// The text of the card that helps, keyword line or data lines; none for
+    /// mends within a line.
+    pub fn suggestion(&self) -> Option<&str> {
+        let edit = self.edit.as_ref().map(|edit| edit.replacement.as_str());
+        let card = || self.card.as_ref().map(|card| card.text.as_str());
+        edit.filter(|text| text.ends_with('\n')).or_else(card)
     }
 
     /// Says where.

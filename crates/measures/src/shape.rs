@@ -72,11 +72,11 @@ pub fn stroke_reversals(values: &[f64], strokes: &[Range<usize>], noise_floor: f
     parts.map(|part| turns(part, noise_floor * peak)).sum()
 }
 
-/// The strokes of a motion that starts at zero: stretches over which it does
-/// not turn back. `motion` has a value for each increment.
+/// The strokes of a motion: stretches over which it does not turn back.
+/// `motion` has a value for each increment.
 pub fn strokes(motion: &[f64]) -> Vec<Range<usize>> {
     let mut found: Vec<Range<usize>> = Vec::new();
-    let (mut before, mut way, mut from) = (0.0, 0.0, 0);
+    let (mut before, mut way, mut from) = (motion.first().copied().unwrap_or(0.0), 0.0, 0);
     for (place, &now) in motion.iter().enumerate() {
         let moved = now - before;
         if moved * way < 0.0 {

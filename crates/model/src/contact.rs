@@ -104,6 +104,15 @@ pub enum SurfaceSegment {
     },
 }
 
+impl SurfaceSegment {
+    /// Its end point [L].
+    pub fn end(&self) -> [f64; 2] {
+        match *self {
+            Self::Line { end } | Self::Circle { end, .. } | Self::Parabola { end, .. } => end,
+        }
+    }
+}
+
 /// A chain of master nodes with smoothed corners.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SlideLine {
@@ -134,6 +143,17 @@ pub struct Interaction {
     pub normal_origin: Option<Span>,
     /// The `*FRICTION` card, where there is one.
     pub friction_origin: Option<Span>,
+}
+
+impl Interaction {
+    /// Whether there is any friction: a coefficient of zero is none.
+    pub fn has_friction(&self) -> bool {
+        match self.friction {
+            Friction::Frictionless => false,
+            Friction::Coulomb { coefficient, .. } => coefficient != 0.0,
+            Friction::Rough | Friction::User { .. } => true,
+        }
+    }
 }
 
 /// The friction law as the deck says it.

@@ -4,8 +4,8 @@ use crate::ledger::onset_word;
 use crate::number::general;
 use slideline_mech::section::{BeamStiffness, Rectangle, TransverseShear, rectangle_stiffness};
 use slideline_model::{
-    BeamBlock, BeamSection, ContactPair, ElementBlock, Friction, Master, Model, NodeIndex,
-    NormalLaw, SpringBlock, SpringKind, Step, StickRule,
+    BeamBlock, BeamSection, ContactPair, ElementBlock, Formulation, Friction, Master, Model,
+    NodeIndex, NormalLaw, SpringBlock, SpringKind, Step, StickRule,
 };
 use slideline_solve::observe::{ContactRow, Frame};
 use std::fmt::Write as _;
@@ -176,14 +176,12 @@ pub fn pair_echo(model: &Model, pair: &ContactPair) -> String {
     let mut text = String::new();
     let slaves = pair.slave_nodes();
     line(&mut text, format_args!("CONTACT PAIR {}", pair.name));
-    line(
-        &mut text,
-        format_args!(
-            "  slave    {} nodes ({}), sampled at the nodes",
-            slaves.len(),
-            labels(model, &slaves)
-        ),
-    );
+    let sampled = match pair.formulation {
+        Formulation::NodeToSurface => "sampled at the nodes",
+        Formulation::SurfaceToSurface => "integrated along their elements",
+    };
+    let nodes = labels(model, &slaves);
+    line(&mut text, format_args!("  slave    {} nodes ({nodes}), {sampled}", slaves.len()));
     line(&mut text, format_args!("  master   {}", master(model, &pair.master)));
     let interaction = &pair.interaction;
     line(&mut text, format_args!("  width    {}", general(interaction.width, 9)));

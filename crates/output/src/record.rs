@@ -5,7 +5,7 @@ use slideline_diag::{Diagnostic, Location, Sources, Span};
 
 /// The members `code`, `severity`, `message`, `file`, `line`, `columns` (the
 /// first and one past the last, counted from 1, on that line), `card`, and
-/// `help` where there is one; null where a diagnostic has no place.
+/// `help` and `suggestion` (the text of a card) where there is one; null where a diagnostic has no place.
 pub fn record(diagnostic: &Diagnostic, sources: &Sources) -> Object {
     let location = diagnostic.span.and_then(|span| sources.locate(span));
     let mut object = Object::new()
@@ -23,8 +23,11 @@ pub fn record(diagnostic: &Diagnostic, sources: &Sources) -> Object {
         None => object.raw("line", "null").raw("columns", "null"),
     };
     object = object.optional_text("card", card(diagnostic.span, sources).as_deref());
-    match &diagnostic.help {
-        Some(help) => object.raw("help", &json::text(help)),
+    if let Some(help) = &diagnostic.help {
+        object = object.raw("help", &json::text(help));
+    }
+    match diagnostic.suggestion() {
+        Some(card) => object.text("suggestion", card),
         None => object,
     }
 }

@@ -16,6 +16,7 @@ mod meeting;
 mod shear;
 mod strip;
 
+pub use facade::placed;
 pub use laws::{average as average_element, memory_size};
 pub use meeting::{GeometryScratch, Meeting};
 pub use strip::{STRIP_POINTS, Strip};

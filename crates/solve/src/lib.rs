@@ -35,6 +35,7 @@ mod tangent;
 mod users;
 
 pub use checkpoint::Checkpoint;
+pub use contact::placed as rigid_surface;
 pub use increments::{Control, Decision, StopReason, Verdict};
 pub use run::{Options, TangentCheck, resume, run, run_from};
 pub use slideline_mech::contact::friction;

@@ -51,24 +51,11 @@ impl Facade {
     /// The facade of a rigid surface on the body of its node.
     pub fn body(model: &Model, layout: &Layout, surface: &slideline_model::RigidSurface) -> Facade {
         let carrier = layout.carrier(surface.reference);
-        let mut from = surface.start;
-        let mut segments = Vec::with_capacity(surface.segments.len());
-        for segment in &surface.segments {
-            let placed = match *segment {
-                SurfaceSegment::Line { end } => Some(RigidSegment::Line { a: from, b: end }),
-                SurfaceSegment::Circle { end, centre } => RigidSegment::arc(from, end, centre),
-                SurfaceSegment::Parabola { middle, end } => {
-                    Some(RigidSegment::Parabola { start: from, mid: middle, end })
-                }
-            };
-            let Some(placed) = placed else { return Facade::Nothing };
-            from = placed.end();
-            segments.push(placed);
-        }
+        let Some(placed) = placed(surface) else { return Facade::Nothing };
         Facade::Body {
             slots: slots_of(layout, carrier),
             reference: model.nodes.plane(carrier),
-            surface: RigidSurface::new(segments),
+            surface: placed,
         }
     }
 
@@ -124,4 +111,23 @@ impl Facade {
             }
         }
     }
+}
+
+/// A model's rigid surface with its arc coordinates, undeformed. `None`: an
+/// arc without end or with ends at different distances of its centre.
+pub fn placed(surface: &slideline_model::RigidSurface) -> Option<RigidSurface> {
+    let mut from = surface.start;
+    let mut segments = Vec::with_capacity(surface.segments.len());
+    for segment in &surface.segments {
+        let placed = match *segment {
+            SurfaceSegment::Line { end } => RigidSegment::Line { a: from, b: end },
+            SurfaceSegment::Circle { end, centre } => RigidSegment::arc(from, end, centre)?,
+            SurfaceSegment::Parabola { middle, end } => {
+                RigidSegment::Parabola { start: from, mid: middle, end }
+            }
+        };
+        from = placed.end();
+        segments.push(placed);
+    }
+    Some(RigidSurface::new(segments))
 }

@@ -248,7 +248,10 @@ impl RigidSurface {
     /// lies; `None` where it lies beyond none.
     pub fn beyond_end(&self, body: &Body, point: [f64; 2]) -> Option<f64> {
         match self.period {
-            None => rigid::beyond_end(&self.segments, body.to_body(point)),
+            None => {
+                let end = rigid::beyond_end(&self.segments, body.to_body(point));
+                end.map(|end| end.depth)
+            }
             Some(_) => None,
         }
     }

@@ -116,7 +116,7 @@ impl RigidSegment {
     }
 
     /// Unit tangent at the start (`true`) or the end, in the direction of travel.
-    fn tangent(&self, at_start: bool) -> Point {
+    pub fn tangent(&self, at_start: bool) -> Point {
         let unit = |v: Point| {
             let size = v[0].hypot(v[1]);
             if size > 0.0 { [v[0] / size, v[1] / size] } else { [0.0, 0.0] }
@@ -286,16 +286,28 @@ pub fn nearest_on(
     best
 }
 
-/// Overclosure [L] that a point beyond an end of an open surface would have against what prolongs
-/// the nearer end: the line, the circle, or the tangent of the parabola. `None` where no end lies
-/// behind the point.
-pub fn beyond_end(segments: &[RigidSegment], point: Point) -> Option<f64> {
+/// A place beyond an open end of a rigid surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BeyondEnd {
+    /// Whether it is the end at which the surface starts.
+    pub at_start: bool,
+    /// How far beyond it, along its tangent [L].
+    pub beyond: f64,
+    /// Overclosure against what prolongs that end: the line, the circle, or the tangent of the
+    /// parabola [L].
+    pub depth: f64,
+}
+
+/// Where a point lies beyond the nearer end of an open surface. `None` where no end lies behind the
+/// point.
+pub fn beyond_end(segments: &[RigidSegment], point: Point) -> Option<BeyondEnd> {
     let (first, last) = (segments.first()?, segments.last()?);
     let ends = [(first, true), (last, false)].into_iter().filter_map(|(segment, at_start)| {
         let end = if at_start { segment.start() } else { segment.end() };
         let (apart, tangent) = (sub(point, end), segment.tangent(at_start));
-        let beyond = if at_start { dot(apart, tangent) < 0.0 } else { dot(apart, tangent) > 0.0 };
-        let overclosure = match *segment {
+        let along = dot(apart, tangent);
+        let beyond = if at_start { -along } else { along };
+        let depth = match *segment {
             RigidSegment::Arc { centre, radius, convex, .. } => {
                 let r = sub(point, centre);
                 let outside = r[0].hypot(r[1]) - radius;
@@ -303,9 +315,9 @@ pub fn beyond_end(segments: &[RigidSegment], point: Point) -> Option<f64> {
             }
             _ => -cross(tangent, apart),
         };
-        beyond.then_some((dot(apart, apart), overclosure))
+        (beyond > 0.0).then_some((dot(apart, apart), BeyondEnd { at_start, beyond, depth }))
     });
-    ends.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, overclosure)| overclosure)
+    ends.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, place)| place)
 }
 
 /// Whether the surface ends where it starts.

@@ -1,0 +1,277 @@
+//! The prescribed motions walked through without solving: where contact
+//! would be in every increment, were the flexible parts not to deflect.
+//!
+//! ```text
+//!   step, increment --> motions of both bodies --> gaps of all slaves
+//!                                              --> the slave that carries
+//! ```
+
+use crate::motion::motion;
+use crate::start::{Start, length, less};
+use slideline_mech::contact::pair::{Body, RigidSurface, chain_gap};
+use slideline_mech::contact::search::chain::Chain;
+use slideline_mech::contact::search::rigid::{RigidSegment, beyond_end};
+use slideline_model::{ContactPair, Formulation, Master, NodeIndex, Step};
+
+/// Increments of a step that are walked at most.
+const MOST: usize = 400;
+/// Gaps that are computed at most.
+const EFFORT: usize = 4_000_000;
+
+/// A pair over all increments.
+#[derive(Clone, Debug, Default)]
+pub struct Rehearsal {
+    /// Increment by increment.
+    pub moments: Vec<Moment>,
+}
+
+/// One increment.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Moment {
+    /// Place of the step.
+    pub step: usize,
+    /// The slave that carries contact, if any is in reach of the law.
+    pub carrier: Option<Carrier>,
+    /// How far all that was in contact has gone beyond an end of the master
+    /// [L], if that is why nothing is in contact now; and whether that is
+    /// where the master starts.
+    pub off: Option<(f64, bool)>,
+    /// Smallest and largest overclosure of slaves that face the master [L].
+    pub range: Option<(f64, f64)>,
+}
+
+/// The slave that lies deepest in its master.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Carrier {
+    /// Its node.
+    pub node: NodeIndex,
+    /// Its place along the slaves, from the first of them [L].
+    pub slave: f64,
+    /// Where it is on the master [L].
+    pub along: f64,
+}
+
+/// A master, ready to be asked.
+enum Facade {
+    Body(RigidSurface, NodeIndex),
+    Line(Chain, Vec<NodeIndex>),
+}
+
+/// What a slave meets.
+enum Met {
+    Facing {
+        overclosure: f64,
+        along: f64,
+        trusted: bool,
+    },
+    /// Beyond an end by so much; whether that is the start.
+    Off(f64, bool),
+    Nothing,
+}
+
+impl Rehearsal {
+    /// Walks a pair through all steps; `None` where its motions are not
+    /// prescribed in full.
+    pub fn of(start: &Start<'_>, pair: &ContactPair) -> Option<Self> {
+        let slaves = pair.slave_nodes();
+        let facade = facade(start, pair)?;
+        let pieces = match &facade {
+            Facade::Body(surface, _) => surface.segments().len(),
+            Facade::Line(_, nodes) => nodes.len(),
+        };
+        let most = (EFFORT / (slaves.len() * pieces * start.model.steps.len()).max(1)).min(MOST);
+        let places = arc_places(start, pair, &slaves);
+        let mut rehearsal = Self::default();
+        let mut carried: Vec<bool> = vec![false; slaves.len()];
+        for (number, step) in start.model.steps.iter().enumerate() {
+            let count = increments(step).min(most.max(2));
+            let before = usize::from(number > 0);
+            for k in before..=count {
+                let time = (number, k as f64 / count as f64);
+                let moment = walk(start, pair, (&facade, &slaves, &places), time, &mut carried)?;
+                rehearsal.moments.push(moment);
+            }
+        }
+        Some(rehearsal)
+    }
+
+    /// Neighbouring increments of one step that are both in contact.
+    pub fn slides(&self) -> impl Iterator<Item = (usize, Carrier, Carrier)> + '_ {
+        self.moments
+            .windows(2)
+            .filter(|w| w[0].step == w[1].step)
+            .filter_map(|w| Some((w[1].step, w[0].carrier?, w[1].carrier?)))
+    }
+}
+
+/// Increments of a step, were all as long as the first one.
+pub fn increments(step: &Step) -> usize {
+    let procedure = &step.procedure;
+    let each = (procedure.initial.min(procedure.maximum) / procedure.period).clamp(1e-6, 1.0);
+    (1.0 / each - 1e-6).ceil().max(1.0) as usize
+}
+
+/// Gaps of integrated contact that the solver has left out, because they are
+/// far from closing: those of the slave nodes, before anything moves.
+pub fn fill_gaps(start: &mut Start<'_>) {
+    let mut filled = std::mem::take(&mut start.points);
+    for row in filled.iter_mut().filter(|row| row.opening.is_infinite()) {
+        let Some(pair) = start.model.contact_pairs.get(row.pair) else { continue };
+        if pair.formulation != Formulation::SurfaceToSurface {
+            continue;
+        }
+        let (point, still) =
+            (start.model.nodes.plane(row.node), Body { reference: [0.0; 2], dofs: [0.0; 3] });
+        let Some(Facade::Body(surface, _)) = facade(start, pair) else { continue };
+        let facing = surface.closest(&still, point, None);
+        if let Some(gap) = facing.and_then(|facing| surface.gap(&still, &facing, point)) {
+            row.opening = -gap.overclosure();
+            row.normal = gap.normal();
+            row.along = gap.along();
+            row.position = point;
+        }
+    }
+    start.points = filled;
+}
+
+fn facade(start: &Start<'_>, pair: &ContactPair) -> Option<Facade> {
+    match &pair.master {
+        Master::RigidSurface(surface) => {
+            Some(Facade::Body(slideline_solve::rigid_surface(surface)?, surface.reference))
+        }
+        Master::SlideLine(line) => {
+            let at: Vec<_> = line.nodes.iter().map(|&n| start.model.nodes.plane(n)).collect();
+            Some(Facade::Line(Chain::new(&at, line.smooth, line.extension)?, line.nodes.clone()))
+        }
+    }
+}
+
+/// Arc coordinates of the slaves along their elements.
+fn arc_places(start: &Start<'_>, pair: &ContactPair, slaves: &[NodeIndex]) -> Vec<f64> {
+    let mut places = vec![0.0; slaves.len()];
+    let place = |node| slaves.iter().position(|&own| own == node);
+    for element in &pair.elements {
+        let [a, b] = element.nodes.map(|node| start.model.nodes.plane(node));
+        if let (Some(from), Some(to)) = (place(element.nodes[0]), place(element.nodes[1])) {
+            places[to] = places[from] + length(less(b, a));
+        }
+    }
+    places
+}
+
+fn walk(
+    start: &Start<'_>,
+    pair: &ContactPair,
+    (facade, slaves, places): (&Facade, &[NodeIndex], &[f64]),
+    time: (usize, f64),
+    carried: &mut [bool],
+) -> Option<Moment> {
+    let moved = |node| motion(start.model, &start.bodies, time, node);
+    let first = *slaves.first()?;
+    let one_body = slaves.iter().all(|&s| start.bodies.of_node(s) == start.bodies.of_node(first));
+    let common = moved(first)?;
+    let place = |node: NodeIndex, body: &Body| body.to_space(start.model.nodes.plane(node));
+    let chain: Vec<[f64; 2]> = match facade {
+        Facade::Body(..) => Vec::new(),
+        Facade::Line(_, nodes) => {
+            let at = |&node| moved(node).map(|body| place(node, &body));
+            nodes.iter().map(at).collect::<Option<_>>()?
+        }
+    };
+    let master = match facade {
+        Facade::Body(_, reference) => moved(*reference)?,
+        Facade::Line(..) => common,
+    };
+    let reach = -pair.interaction.normal.contact_begins();
+    let mut moment = Moment { step: time.0, carrier: None, off: None, range: None };
+    let (mut deepest, mut sound) = (f64::NEG_INFINITY, false);
+    let mut now = vec![false; slaves.len()];
+    let mut off: Option<(f64, bool)> = None;
+    for (k, &slave) in slaves.iter().enumerate() {
+        let body = if one_body { common } else { moved(slave)? };
+        match meet(facade, &chain, &master, place(slave, &body)) {
+            Met::Facing { overclosure, along, trusted } => {
+                let (low, high) = moment.range.unwrap_or((overclosure, overclosure));
+                moment.range = Some((low.min(overclosure), high.max(overclosure)));
+                if overclosure > -reach {
+                    now[k] = trusted;
+                    if overclosure > deepest {
+                        (deepest, sound) = (overclosure, trusted);
+                        moment.carrier = Some(Carrier { node: slave, slave: places[k], along });
+                    }
+                }
+            }
+            Met::Off(beyond, at_start) if carried[k] => {
+                off = off.filter(|&(most, _)| most >= beyond).or(Some((beyond, at_start)));
+            }
+            Met::Off(..) | Met::Nothing => {}
+        }
+    }
+    if moment.carrier.is_none() {
+        moment.off = off;
+    }
+    // too deep in a round body to say where the real, bent part would be
+    now.iter_mut().for_each(|carries| *carries &= sound);
+    carried.copy_from_slice(&now);
+    Some(moment)
+}
+
+fn meet(facade: &Facade, chain: &[[f64; 2]], master: &Body, point: [f64; 2]) -> Met {
+    match facade {
+        Facade::Body(surface, _) => {
+            let at = master.to_body(point);
+            let still = Body { reference: master.reference, dofs: [0.0; 3] };
+            let facing = surface.closest(&still, at, None);
+            if let Some((facing, gap)) =
+                facing.and_then(|facing| Some((facing, surface.gap(&still, &facing, at)?)))
+            {
+                let overclosure = gap.overclosure();
+                let radius = match surface.segments().get(facing.segment) {
+                    Some(RigidSegment::Arc { radius, .. }) => *radius,
+                    _ => f64::INFINITY,
+                };
+                let trusted = overclosure < 0.5 * radius;
+                return Met::Facing { overclosure, along: gap.along(), trusted };
+            }
+            let size = surface.segments().iter().map(RigidSegment::length).fold(0.0, f64::max);
+            match beyond_end(surface.segments(), at) {
+                Some(end) if end.depth > 0.0 && end.depth < 0.5 * size => {
+                    Met::Off(end.beyond, end.at_start)
+                }
+                _ => Met::Nothing,
+            }
+        }
+        Facade::Line(line, _) => {
+            let piece = line.closest(chain, point, None);
+            if let Some(gap) = piece.and_then(|piece| chain_gap(line, &piece, chain, point)) {
+                let (overclosure, along) = (gap.overclosure(), gap.along());
+                return Met::Facing { overclosure, along, trusted: true };
+            }
+            match line.beyond_end(chain, point) {
+                Some(overclosure) if overclosure > 0.0 => {
+                    let (beyond, at_start) = beyond_chain(chain, point);
+                    Met::Off(beyond, at_start)
+                }
+                _ => Met::Nothing,
+            }
+        }
+    }
+}
+
+/// How far a point lies beyond the nearer end of a chain, along it [L], and
+/// whether that is its start.
+fn beyond_chain(chain: &[[f64; 2]], point: [f64; 2]) -> (f64, bool) {
+    let over = |end: [f64; 2], next: [f64; 2]| {
+        let out = less(end, next);
+        let d = less(point, end);
+        (d[0] * out[0] + d[1] * out[1]) / length(out)
+    };
+    match chain {
+        [first, second, ..] => {
+            let end = over(chain[chain.len() - 1], chain[chain.len() - 2]);
+            let start = over(*first, *second);
+            (start.max(end), start > end)
+        }
+        _ => (0.0, false),
+    }
+}
