@@ -23,12 +23,14 @@
 
 static long calls;
 
-/* Whether the last part of a path is the name of a file that is meant. */
+/* Whether the last part of a path is the name of a file that is meant: a
+ * result; the deck is none, and a lock that cannot be had stops nobody. */
 static int is_meant(const char *path) {
     const char *name = getenv("FAULT_NAME");
     const char *last = strrchr(path, '/');
     last = last ? last + 1 : path;
-    return name && !strncmp(last, name, strlen(name)) && !strstr(last, ".inp");
+    if (!name || strncmp(last, name, strlen(name))) return 0;
+    return !strstr(last, ".inp") && !strstr(last, ".lck");
 }
 
 static int is_meant_file(int file) {
