@@ -101,11 +101,14 @@ impl Sum {
             }
             _ => value,
         };
-        if !dof.is_rotation() {
-            self.forces += value.abs();
-        }
         self.moment += moment;
-        self.moments += moment.abs();
+        if dof.is_rotation() {
+            self.moments += value.abs();
+        } else {
+            self.forces += value.abs();
+            // The whole arm: a force along it has a moment of rounding alone.
+            self.moments += value.abs() * arm[0].hypot(arm[1]);
+        }
     }
 
     /// What is left of forces and of moments, relative to what was summed [1].
@@ -146,6 +149,18 @@ mod tests {
         let mut bare = Sum::default();
         bare.take(Dof::U1, 2.0, [1.0, 0.0]);
         bare.take(Dof::U1, -2.0, [1.0, -3.0]);
-        assert_eq!(bare.imbalance(), (0.0, 1.0));
+        let (force, moment) = bare.imbalance();
+        assert_eq!(force, 0.0);
+        assert!((moment - 6.0 / (2.0 + 2.0 * 10f64.sqrt())).abs() < 1e-15, "{moment}");
+    }
+
+    /// Requirement: what rounding leaves of a contact straight above its
+    /// reference node is no imbalance.
+    #[test]
+    fn a_contact_without_lever_is_balanced() {
+        let mut sum = Sum::default();
+        sum.take(Dof::U2, 5.0, [0.0, 0.0]);
+        sum.take(Dof::U2, -5.0, [1e-17, -1.0]);
+        assert!(sum.imbalance().1 <= 1e-16, "{:?}", sum.imbalance());
     }
 }
