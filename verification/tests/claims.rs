@@ -21,6 +21,7 @@ mod beams_quadratic_and_cubic;
 mod beams_roll_up;
 mod beams_timoshenko;
 mod beams_williams_toggle;
+mod capstan;
 mod comb;
 mod determinism;
 mod energy;
@@ -73,6 +74,7 @@ const CHAPTERS: &[Chapter] = &[
             sticking::GROUP,
             friction_laws::GROUP,
             incline::GROUP,
+            capstan::GROUP,
             jamming::GROUP,
             free_circle::GROUP,
         ],

@@ -177,7 +177,12 @@ fn first_contacts_in_every_increment(record: &mut Record) {
 
 fn drag(name: &str, curve: &Curve) -> Series {
     let points = (1..).zip(curve.reaction(999, 1)).map(|(k, force)| [f64::from(k), force]);
-    Series { name: name.to_owned(), points: points.collect(), mark: Mark::Discs, colour: 0 }
+    let mark = match name {
+        name if name.ends_with("DELAYED") => Mark::Dashed,
+        name if name.ends_with("MATFRU") => Mark::Guide,
+        _ => Mark::Curve,
+    };
+    Series { name: name.to_owned(), points: points.collect(), mark, colour: 0 }
 }
 
 fn reversed_motion(record: &mut Record) {

@@ -38,7 +38,7 @@ fn turns_on_a_circle_and_hands_its_force_over(record: &mut Record) {
         off[2].push((fx[k] + force[0]).hypot(fy[k] + force[1]));
         off[3].push((m[k] + arm[0] * force[1] - arm[1] * force[0]).abs());
     }
-    record.at_least("increments", curve.rows.len() as f64, 11.0);
+    record.equal("increments", curve.rows.len(), 11);
     let names = ["rotation", "place", "reaction", "moment"];
     for ((name, off), limit) in names.iter().zip(off).zip([1e-12, 1e-12, 1e-12, 1e-11]) {
         record.at_most(format!("{name}, largest error"), worst(off), limit);
