@@ -17,6 +17,7 @@
 mod bars;
 mod contact;
 mod dat;
+pub mod draw;
 pub mod echo;
 mod element;
 mod energy;

@@ -62,7 +62,7 @@ pub fn reproduce(folder: &Path, tell: Tell<'_>) -> Result<Report, Failure> {
     let figures = figures::all(&study);
     let draw = |figure: &figures::Figure| {
         let svg = figure.scene.svg();
-        let png = figure.scene.png().ok_or(Failure::Figure(figure.name))?;
+        let png = figure.scene.png(draw::DOTS).ok_or(Failure::Figure(figure.name))?;
         count.tick(figure.name.to_owned());
         Ok((figure.name, svg, png))
     };

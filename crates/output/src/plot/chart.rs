@@ -1,8 +1,8 @@
 //! Curves in frames that stand below one another.
 
 use super::axis::{Axis, Scale, number};
-use super::drawing::{Anchor, CURVES, Colour, Drawing, INK, Item, LIGHT};
 use super::figure::Figure;
+use crate::draw::{Anchor, CURVES, Colour, Dash, GRID, INK, Pen, Scene, Text, Unit};
 
 /// How points are shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,53 +48,63 @@ pub struct Panel {
 const LEFT: f64 = 90.0;
 const WIDTH: f64 = 600.0;
 const LINE: f64 = 16.0;
+/// Size of letters.
+const LETTERS: f64 = 13.0;
 
 /// Draws panels below one another, the legend of all above. In a frame the
 /// first series stands above the others, guides above all.
 pub fn chart(title: impl Into<String>, panels: &[Panel]) -> Figure {
     let series = panels.iter().flat_map(|panel| &panel.series);
     let named: Vec<&Series> = series.filter(|series| !series.name.is_empty()).collect();
-    let mut drawing =
-        Drawing { width: LEFT + WIDTH + 30.0, height: 0.0, title: title.into(), items: Vec::new() };
+    let mut scene = Scene::new(Unit::Pixel, [LEFT + WIDTH + 30.0, 0.0], &title.into());
     for (line, series) in named.iter().enumerate() {
-        legend(&mut drawing, series, 22.0 + LINE * line as f64);
+        legend(&mut scene, series, 22.0 + LINE * line as f64);
     }
     let mut top = 18.0 + LINE * named.len().max(1) as f64;
     for (place, panel) in panels.iter().enumerate() {
         let frame = Frame::around(panel, top);
-        frame.draw(&mut drawing, panel);
+        frame.draw(&mut scene, panel);
         let (guides, others): (Vec<&Series>, Vec<&Series>) =
             panel.series.iter().partition(|series| series.mark == Mark::Guide);
         for series in others.iter().rev().chain(&guides) {
-            frame.series(&mut drawing, panel, series);
+            frame.series(&mut scene, panel, series);
         }
         let bottom = top + panel.height;
         let shared = panels.get(place + 1).is_some_and(|next| next.x.title == panel.x.title);
         if !shared {
             let middle = [LEFT + 0.5 * WIDTH, bottom + 40.0];
-            drawing.words(middle, panel.x.title.as_str(), Anchor::Middle);
+            scene.text(words(middle, &panel.x.title).anchor(Anchor::Middle));
         }
         top = bottom + if shared { 40.0 } else { 60.0 };
     }
-    drawing.height = top;
-    Figure { drawing }
+    scene.height = top;
+    Figure { scene }
+}
+
+fn pen(series: &Series, width: f64) -> Pen {
+    let dashed = matches!(series.mark, Mark::Dashed | Mark::Guide);
+    let dash = if dashed { Dash::Long } else { Dash::None };
+    Pen::solid(width).colour(colour(series)).dash(dash)
 }
 
 fn colour(series: &Series) -> Colour {
     CURVES[series.colour % CURVES.len()]
 }
 
-fn legend(drawing: &mut Drawing, series: &Series, y: f64) {
+/// Words of the size of plots, every sign standing for itself.
+fn words(at: [f64; 2], content: &str) -> Text {
+    Text::new(at, content).size(LETTERS).plain()
+}
+
+fn legend(scene: &mut Scene, series: &Series, y: f64) {
     let (from, to) = ([LEFT, y - 4.0], [LEFT + 28.0, y - 4.0]);
     if series.mark == Mark::Discs {
         let at = [LEFT + 14.0, y - 4.0];
-        drawing.items.push(Item::Disc { at, radius: 3.2, colour: colour(series) });
+        scene.circle(at, 3.2, Some(colour(series)), None);
     } else {
-        let dashed = matches!(series.mark, Mark::Dashed | Mark::Guide);
-        let points = vec![from, to];
-        drawing.items.push(Item::Line { points, width: 2.0, colour: colour(series), dashed });
+        scene.line(vec![from, to], pen(series, 2.0));
     }
-    drawing.words([LEFT + 36.0, y], series.name.as_str(), Anchor::Start);
+    scene.text(words([LEFT + 36.0, y], &series.name));
 }
 
 /// A frame on the paper with the values at its edges.
@@ -118,36 +128,27 @@ impl Frame {
         [LEFT + WIDTH * self.x.place(x), self.top + self.height * (1.0 - self.y.place(y))]
     }
 
-    fn draw(&self, drawing: &mut Drawing, panel: &Panel) {
+    fn draw(&self, scene: &mut Scene, panel: &Panel) {
         let (right, bottom) = (LEFT + WIDTH, self.top + self.height);
         for value in self.x.ticks(7.0) {
             let x = LEFT + WIDTH * self.x.place(value);
-            drawing.line(vec![[x, self.top], [x, bottom]], 1.0, LIGHT);
-            drawing.words([x, bottom + 18.0], number(value), Anchor::Middle);
+            scene.line(vec![[x, self.top], [x, bottom]], Pen::solid(1.0).colour(GRID));
+            let number = words([x, bottom + 18.0], &number(value));
+            scene.text(number.anchor(Anchor::Middle));
         }
         for value in self.y.ticks(if self.height > 200.0 { 7.0 } else { 4.0 }) {
             let y = self.top + self.height * (1.0 - self.y.place(value));
-            drawing.line(vec![[LEFT, y], [right, y]], 1.0, LIGHT);
-            drawing.words([LEFT - 7.0, y + 4.5], number(value), Anchor::End);
+            scene.line(vec![[LEFT, y], [right, y]], Pen::solid(1.0).colour(GRID));
+            let number = words([LEFT - 7.0, y + 4.5], &number(value));
+            scene.text(number.anchor(Anchor::End));
         }
-        let corners = [
-            [LEFT, self.top],
-            [right, self.top],
-            [right, bottom],
-            [LEFT, bottom],
-            [LEFT, self.top],
-        ];
-        drawing.line(corners.to_vec(), 1.0, INK);
-        drawing.items.push(Item::Words {
-            at: [22.0, self.top + 0.5 * self.height],
-            text: panel.y.title.clone(),
-            anchor: Anchor::Middle,
-            upwards: true,
-            bold: false,
-        });
+        let corners = vec![[LEFT, self.top], [right, self.top], [right, bottom], [LEFT, bottom]];
+        scene.polygon(corners, None, Some(Pen::solid(1.0).colour(INK)));
+        let title = words([22.0, self.top + 0.5 * self.height], &panel.y.title);
+        scene.text(title.anchor(Anchor::Middle).upwards());
     }
 
-    fn series(&self, drawing: &mut Drawing, panel: &Panel, series: &Series) {
+    fn series(&self, scene: &mut Scene, panel: &Panel, series: &Series) {
         let colour = colour(series);
         let placed = series
             .points
@@ -160,16 +161,14 @@ impl Frame {
             Mark::Discs => Some(3.2),
         };
         let line = series.mark != Mark::Discs;
-        let dashed = matches!(series.mark, Mark::Dashed | Mark::Guide);
         let width = if series.mark == Mark::Guide { 1.2 } else { 1.8 };
         for part in placed.split(Option::is_none) {
             let points: Vec<[f64; 2]> = part.iter().flatten().copied().collect();
             if let Some(radius) = discs {
-                let discs = points.iter().map(|at| Item::Disc { at: *at, radius, colour });
-                drawing.items.extend(discs);
+                points.iter().for_each(|at| scene.circle(*at, radius, Some(colour), None));
             }
             if line {
-                drawing.items.push(Item::Line { points, width, colour, dashed });
+                scene.line(points, pen(series, width));
             }
         }
     }

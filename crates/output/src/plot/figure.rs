@@ -3,30 +3,30 @@
 use super::axis::Axis;
 use super::chart::{Mark, Panel, Series, chart};
 use super::curve::{Curve, Question, difference};
-use super::drawing::Drawing;
+use crate::draw::Scene;
 
 /// A finished figure.
 #[derive(Clone, Debug)]
 pub struct Figure {
-    pub(super) drawing: Drawing,
+    pub(super) scene: Scene,
 }
 
 impl Figure {
     /// As SVG.
     pub fn svg(&self) -> String {
-        super::svg::svg(&self.drawing)
+        self.scene.svg()
     }
 
     /// As SVG to stand in an HTML page, in the colours of the page: its style
     /// sheet sets `--ink`, `--line` and `--c0` to `--c5`.
     pub fn inline(&self) -> String {
-        super::svg::inline(&self.drawing)
+        self.scene.inline()
     }
 
     /// As PNG, 192 dots an inch; `None` if it cannot be encoded. Letters that
     /// the built-in font lacks are shown as question marks.
     pub fn png(&self) -> Option<Vec<u8>> {
-        super::png::png(&self.drawing)
+        self.scene.png(192.0)
     }
 }
 

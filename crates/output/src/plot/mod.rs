@@ -10,10 +10,7 @@
 mod axis;
 mod chart;
 mod curve;
-mod drawing;
 mod figure;
-mod png;
-mod svg;
 
 pub use axis::Axis;
 pub use chart::{Mark, Panel, Series, chart};

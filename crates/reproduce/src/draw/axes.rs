@@ -1,7 +1,7 @@
 //! Charts: axes with ticks, lines, symbols, legends.
 
-use super::scene::{Anchor, Dash, Pen, Scene, Text};
 use super::view::Rectangle;
+use super::{Anchor, Dash, Pen, Scene, Text};
 use super::{BLACK, LIGHT, SMALL, WHITE};
 
 /// An axis; `from` stands at the left or lower end, whichever number is larger.
@@ -123,7 +123,7 @@ impl Chart {
         let zero = self.y.place(0.0);
         if zero > 1e-9 && zero < 1.0 - 1e-9 {
             let [_, y] = self.at([self.x.from, 0.0]);
-            scene.line(vec![[f.left, y], [f.left + f.width, y]], Pen::solid(0.7).grey(LIGHT));
+            scene.line(vec![[f.left, y], [f.left + f.width, y]], Pen::solid(0.7).colour(LIGHT));
         }
         for value in self.x.ticks() {
             let [x, _] = self.at([value, self.y.from]);
@@ -168,7 +168,7 @@ impl Chart {
 
     /// A thin line through the symbols and the symbols themselves.
     pub fn series(&self, scene: &mut Scene, points: &[[f64; 2]], marker: Marker) {
-        self.line(scene, points, Pen::solid(0.6).dash(Dash::None).grey(super::GREY));
+        self.line(scene, points, Pen::solid(0.6).dash(Dash::None).colour(super::GREY));
         self.markers(scene, points, marker);
     }
 

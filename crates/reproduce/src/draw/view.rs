@@ -1,6 +1,6 @@
 //! Drawing in the coordinates of a model, inside a window of the paper.
 
-use super::scene::{Anchor, Pen, Scene, Text};
+use super::{Anchor, Colour, Pen, Scene, Text};
 
 /// A rectangle of the paper [point].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -137,7 +137,7 @@ impl View {
         scene: &mut Scene,
         p: [f64; 2],
         radius: f64,
-        fill: Option<u8>,
+        fill: Option<Colour>,
         pen: Option<Pen>,
     ) {
         if self.sees(p) {

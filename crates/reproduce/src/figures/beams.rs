@@ -69,7 +69,7 @@ pub(super) fn body(
                 let nodes = pair.slave_nodes();
                 let on_rim = [0, nodes.len() / 2, nodes.len() - 1].map(|i| places[nodes[i]]);
                 if let Some((centre, size)) = circle_through(on_rim) {
-                    view.circle(scene, centre, size, Pen::solid(0.7).grey(GREY));
+                    view.circle(scene, centre, size, Pen::solid(0.7).colour(GREY));
                 }
                 let line: Vec<[f64; 2]> = nodes.iter().map(|&node| places[node]).collect();
                 view.line(scene, &line, Pen::solid(1.1));

@@ -3,7 +3,7 @@
 
 use super::{Figure, WIDTH};
 use crate::draw::{
-    Anchor, Axis, Chart, DARK, Dash, Entry, GREY, Marker, Pen, Rectangle, SMALL, Scene, Text,
+    Anchor, Axis, Chart, DARK, Dash, Entry, GREY, Marker, Pen, Rectangle, SMALL, Scene, Text, scene,
 };
 use crate::study::{Curve, FRICTION, ModelKind, Stick, Study};
 use crate::theory::Theory;
@@ -77,7 +77,7 @@ fn line(pen: Pen, words: &str) -> Entry {
 }
 
 fn symbol(marker: Marker, words: &str) -> Entry {
-    Entry { pen: Some(Pen::solid(0.6).grey(GREY)), marker: Some(marker), words: words.to_owned() }
+    Entry { pen: Some(Pen::solid(0.6).colour(GREY)), marker: Some(marker), words: words.to_owned() }
 }
 
 fn friction(mu: f64) -> String {
@@ -86,7 +86,7 @@ fn friction(mu: f64) -> String {
 
 /// Theory of the first problem.
 pub(super) fn figure_3(study: &Study) -> Figure {
-    let mut scene = Scene::new(WIDTH, HEIGHT, "Vertical force over displacement, theory");
+    let mut scene = scene(WIDTH, HEIGHT, "Vertical force over displacement, theory");
     let chart = force_chart(40.0, 5.0);
     chart.draw(&mut scene);
     chart.line(&mut scene, &theory(study, 1, true), DASHED);
@@ -129,7 +129,7 @@ fn three_models(
 
 /// The three models without friction.
 pub(super) fn figure_4(study: &Study) -> Figure {
-    let mut scene = Scene::new(WIDTH, HEIGHT, "Three models without friction against theory");
+    let mut scene = scene(WIDTH, HEIGHT, "Three models without friction against theory");
     let chart = force_chart(15.0, 2.5);
     chart.draw(&mut scene);
     chart.line(&mut scene, &theory(study, 1, false), SMOOTH);
@@ -146,7 +146,7 @@ pub(super) fn figure_4(study: &Study) -> Figure {
 }
 
 fn figure_6(study: &Study, onset: Onset, title: &str) -> (Scene, Chart) {
-    let mut scene = Scene::new(WIDTH, HEIGHT, title);
+    let mut scene = scene(WIDTH, HEIGHT, title);
     let chart = force_chart(40.0, 5.0);
     chart.draw(&mut scene);
     chart.line(&mut scene, &theory(study, 1, true), DASHED);
@@ -171,7 +171,7 @@ pub(super) fn figure_6a(study: &Study) -> Figure {
             let [dx, dy] = [target[0] - from[0], target[1] - from[1]];
             let reach = 1.0 - 5.0 / dx.hypot(dy);
             let tip = [from[0] + reach * dx, from[1] + reach * dy];
-            scene.arrow([from[0] + 3.0, from[1]], tip, Pen::solid(0.7).grey(DARK));
+            scene.arrow([from[0] + 3.0, from[1]], tip, Pen::solid(0.7).colour(DARK));
             for (line, words) in words.into_iter().enumerate() {
                 let base = [from[0], from[1] - 7.0 + 11.0 * line as f64];
                 scene.text(Text::new(base, words).size(SMALL).anchor(Anchor::End));
@@ -228,7 +228,7 @@ pub(super) fn figure_6b(study: &Study) -> Figure {
 }
 
 fn figure_8(study: &Study, onset: Onset, title: &str) -> Scene {
-    let mut scene = Scene::new(WIDTH, HEIGHT, title);
+    let mut scene = scene(WIDTH, HEIGHT, title);
     let chart = moment_chart();
     chart.draw(&mut scene);
     chart.line(&mut scene, &theory(study, 2, true), DASHED);
@@ -277,7 +277,7 @@ pub(super) fn figure_8b(study: &Study) -> Figure {
 
 /// How far linear theory is from the exact references: not in the paper.
 pub(super) fn linear_theory(study: &Study) -> Figure {
-    let mut scene = Scene::new(WIDTH, HEIGHT, "Linear theory against exact references");
+    let mut scene = scene(WIDTH, HEIGHT, "Linear theory against exact references");
     let mut chart = force_chart(1.0, 1.0);
     chart.y = Axis {
         title: "linear theory too high by  (% of peak)".to_owned(),

@@ -2,13 +2,13 @@
 //! from theory, increment by increment. Not in the paper.
 
 use super::{Figure, WIDTH};
-use crate::draw::{Anchor, Axis, Chart, Dash, GREY, Pen, Rectangle, SMALL, Scene, Text};
+use crate::draw::{Anchor, Axis, Chart, Dash, GREY, Pen, Rectangle, SMALL, Scene, Text, scene};
 use crate::fine::{Errors, FINE};
 use crate::study::{FRICTION, ModelKind, Study};
 
 /// Model, its line, its words.
 const LINES: [(ModelKind, Pen, &str); 3] = [
-    (ModelKind::IrsCoarse, Pen::solid(1.0).grey(GREY), "IRS"),
+    (ModelKind::IrsCoarse, Pen::solid(1.0).colour(GREY), "IRS"),
     (ModelKind::Isl, Pen::solid(1.0).dash(Dash::Short), "ISL"),
     (ModelKind::Integrated, Pen::solid(1.6), "integrated"),
 ];
@@ -43,7 +43,7 @@ fn of(study: &Study, friction: f64) -> impl Iterator<Item = &Errors> {
 /// the scale of the two smooth ones.
 pub(super) fn figure(study: &Study) -> Figure {
     let title = "Errors of the force of three formulations on the same mesh";
-    let mut scene = Scene::new(WIDTH, 330.0, title);
+    let mut scene = scene(WIDTH, 330.0, title);
     // without friction the peak is smaller, and errors in percent of it larger
     let columns =
         [(0.0, 50.0, 60.0, "error of  *F*_{y}  (% of peak)"), (FRICTION, 276.0, 30.0, "")];

@@ -2,7 +2,7 @@
 
 use super::beams::{at_rest, beam, beam_nodes, body, clamp, driver, edge};
 use super::{Figure, WIDTH};
-use crate::draw::{Anchor, BLACK, Dash, GREY, Pen, Rectangle, SMALL, Scene, Text, View};
+use crate::draw::{Anchor, BLACK, Dash, GREY, Pen, Rectangle, SMALL, Scene, Text, View, scene};
 use crate::study::{Curve, ModelKind, Stick, Study};
 use slideline::Onset;
 
@@ -27,7 +27,7 @@ fn panel(scene: &mut Scene, view: &View, curve: &Curve, dot: f64) {
 
 /// The three models of the first problem.
 pub(super) fn figure_2(study: &Study) -> Figure {
-    let mut scene = Scene::new(WIDTH, 358.0, "Three finite element models of the first problem");
+    let mut scene = scene(WIDTH, 358.0, "Three finite element models of the first problem");
     let titles = [
         (ModelKind::IrsCoarse, "IRS, coarse mesh", "24 beams, slaves on the beam"),
         (ModelKind::IrsFine, "IRS, fine mesh", "99 beams, slaves on the beam"),
@@ -55,7 +55,7 @@ pub(super) fn figure_2(study: &Study) -> Figure {
         };
         let outline =
             vec![corner(-1.0, 1.0), corner(1.0, 1.0), corner(1.0, -1.0), corner(-1.0, -1.0)];
-        scene.polygon(outline, None, Some(Pen::solid(0.6).grey(GREY)));
+        scene.polygon(outline, None, Some(Pen::solid(0.6).colour(GREY)));
         panel(&mut scene, &near, curve, 2.3);
         edge(&mut scene, window);
     }
@@ -71,7 +71,7 @@ pub(super) fn figure_2(study: &Study) -> Figure {
 
 /// The model of the second problem.
 pub(super) fn figure_7(study: &Study) -> Figure {
-    let mut scene = Scene::new(WIDTH, 196.0, "Finite element model of the second problem");
+    let mut scene = scene(WIDTH, 196.0, "Finite element model of the second problem");
     if let Some(curve) = study.curve(ModelKind::Cam, Stick::Penalty, Onset::Immediate) {
         let window = Rectangle { left: 4.0, top: 4.0, width: 268.0, height: 188.0 };
         let whole = View { window, middle: [25.0e-3, 8.6e-3], scale: 4.75e3 };
@@ -94,7 +94,7 @@ pub(super) fn figure_7(study: &Study) -> Figure {
 /// The end of the stroke, in grey.
 fn turned(scene: &mut Scene, view: &View, curve: &Curve) {
     let Some(last) = curve.increments.last() else { return };
-    let pen = Pen::solid(0.9).grey(GREY);
+    let pen = Pen::solid(0.9).colour(GREY);
     let along = |nodes: &[usize]| -> Vec<[f64; 2]> {
         nodes.iter().map(|&node| last.places[node]).collect()
     };
@@ -109,7 +109,7 @@ fn pivot(scene: &mut Scene, view: &View, curve: &Curve) {
     let p = curve.model.nodes.plane(node);
     let slaves: Vec<usize> =
         curve.model.contact_pairs.iter().flat_map(|pair| pair.slave_nodes()).collect();
-    let thin = Pen::solid(0.5).grey(GREY).dash(Dash::Long);
+    let thin = Pen::solid(0.5).colour(GREY).dash(Dash::Long);
     for end in [slaves.first(), slaves.last()].into_iter().flatten() {
         view.line(scene, &[p, curve.model.nodes.plane(*end)], thin);
     }

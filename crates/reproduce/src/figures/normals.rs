@@ -2,7 +2,7 @@
 
 use super::beams::{beam, body, driver, edge};
 use super::{Figure, WIDTH};
-use crate::draw::{Anchor, DARK, Dash, GREY, Pen, Rectangle, SMALL, Scene, Text, View};
+use crate::draw::{Anchor, DARK, Dash, GREY, Pen, Rectangle, SMALL, Scene, Text, View, scene};
 use crate::study::{Curve, INCREMENTS, ModelKind, Stick, Study};
 use slideline::Onset;
 use slideline::model::Master;
@@ -80,7 +80,7 @@ fn isl(study: &Study) -> Option<&Curve> {
 
 /// Both models in that increment.
 pub(super) fn figure_5(study: &Study) -> Figure {
-    let mut scene = Scene::new(WIDTH, 300.0, "Normal contact forces of IRS and ISL models");
+    let mut scene = scene(WIDTH, 300.0, "Normal contact forces of IRS and ISL models");
     let increment = worst_increment(study).unwrap_or(INCREMENTS);
     let panels = [(irs(study), "a) IRS method"), (isl(study), "b) ISL method")];
     for (place, (curve, title)) in panels.into_iter().enumerate() {
@@ -111,7 +111,7 @@ fn panel(scene: &mut Scene, window: Rectangle, curve: &Curve, increment: usize, 
     let view = View { window, middle: exact.point, scale: 38e3 };
     // the exact line of force, through the tangent point
     let at = |s: f64| [exact.point[0] + s * exact.force[0], exact.point[1] + s * exact.force[1]];
-    view.line(scene, &[at(-1.0), at(1.0)], Pen::solid(0.8).grey(GREY).dash(Dash::Centre));
+    view.line(scene, &[at(-1.0), at(1.0)], Pen::solid(0.8).colour(GREY).dash(Dash::Centre));
     beam(scene, &view, &curve.model, &row.places, 2.6);
     body(scene, &view, curve, &row.places, 2.6);
     let acting = forces(curve, increment);
@@ -120,7 +120,7 @@ fn panel(scene: &mut Scene, window: Rectangle, curve: &Curve, increment: usize, 
     for (point, force) in &acting {
         let length = 1.9e-3 / total;
         let tip = [point[0] + length * force[0], point[1] + length * force[1]];
-        view.arrow(scene, *point, tip, Pen::solid(1.8).grey(DARK));
+        view.arrow(scene, *point, tip, Pen::solid(1.8).colour(DARK));
     }
     if let Some(tilt) = tilt(curve, increment) {
         let words = format!("{:.1}\u{b0} off theory", tilt.abs());
@@ -139,9 +139,9 @@ fn panel(scene: &mut Scene, window: Rectangle, curve: &Curve, increment: usize, 
 
 fn legend(scene: &mut Scene) {
     let y = 262.0;
-    scene.arrow([10.0, y], [36.0, y], Pen::solid(1.8).grey(DARK));
+    scene.arrow([10.0, y], [36.0, y], Pen::solid(1.8).colour(DARK));
     scene.text(Text::new([43.0, y + 3.3], "normal force on the beam").size(SMALL));
-    scene.line(vec![[190.0, y], [216.0, y]], Pen::solid(0.8).grey(GREY).dash(Dash::Centre));
+    scene.line(vec![[190.0, y], [216.0, y]], Pen::solid(0.8).colour(GREY).dash(Dash::Centre));
     scene
         .text(Text::new([223.0, y + 3.3], "line of force, shear-flexible beam theory").size(SMALL));
     let y = 282.0;

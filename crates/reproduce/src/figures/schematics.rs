@@ -5,7 +5,7 @@
 
 use super::beams::clamp;
 use super::{Figure, WIDTH};
-use crate::draw::{Anchor, BLACK, DARK, Dash, GREY, Pen, Rectangle, Scene, Text, View};
+use crate::draw::{Anchor, BLACK, DARK, Dash, GREY, Pen, Rectangle, Scene, Text, View, scene};
 
 const THIN: Pen = Pen::solid(0.6);
 const HEAVY: Pen = Pen::solid(2.0);
@@ -66,7 +66,7 @@ impl Bent {
 
 /// Both problems side by side.
 pub(super) fn figure_1() -> Figure {
-    let mut scene = Scene::new(WIDTH, 292.0, "Schematics of both problems");
+    let mut scene = scene(WIDTH, 292.0, "Schematics of both problems");
     scene.text(Text::new([6.0, 14.0], "a) First example problem").bold());
     scene.text(Text::new([214.0, 14.0], "b) Second example problem").bold());
     first(&mut scene);
@@ -102,7 +102,7 @@ fn first(scene: &mut Scene) {
     view.circle(scene, centre, radius, Pen::solid(1.2));
     view.dot(scene, centre, 2.0, Some(BLACK), None);
     // inclination
-    view.line(scene, &[bent.base, [bent.base[0], 25.0]], THIN.grey(GREY));
+    view.line(scene, &[bent.base, [bent.base[0], 25.0]], THIN.colour(GREY));
     view.arc(scene, bent.base, 19.0, [82f64.to_radians(), 90f64.to_radians()], THIN);
     view.label(scene, [bent.base[0] + 1.5, 20.3], [0.0, 0.0], "*\u{3b1}*");
     // radius
@@ -117,12 +117,12 @@ fn first(scene: &mut Scene) {
     // dimensions
     let low = -4.5;
     dimension(scene, &view, [[path, low], [bent.base[0], low]]);
-    view.line(scene, &[[path, 0.0], [path, low - 1.0]], THIN.grey(GREY));
-    view.line(scene, &[bent.base, [bent.base[0], low - 1.0]], THIN.grey(GREY));
+    view.line(scene, &[[path, 0.0], [path, low - 1.0]], THIN.colour(GREY));
+    view.line(scene, &[bent.base, [bent.base[0], low - 1.0]], THIN.colour(GREY));
     view.label(scene, [0.5 * (path + bent.base[0]), low], [0.0, 12.0], "*X*_{o}");
     let side = path - 15.5;
-    view.line(scene, &[[side - 1.5, centre[1]], centre], THIN.grey(GREY));
-    view.line(scene, &[[side - 1.5, 0.0], [path, 0.0]], THIN.grey(GREY));
+    view.line(scene, &[[side - 1.5, centre[1]], centre], THIN.colour(GREY));
+    view.line(scene, &[[side - 1.5, 0.0], [path, 0.0]], THIN.colour(GREY));
     dimension(scene, &view, [[side, 0.0], [side, centre[1]]]);
     view.label(scene, [side, 0.45 * centre[1]], [9.0, 3.0], "*Y*_{c}");
 }
@@ -152,7 +152,7 @@ fn second(scene: &mut Scene) {
     view.label(scene, half, [11.0, -1.0], "*R*");
     view.dot(scene, pivot, 3.0, Some(BLACK), None);
     // angle from -eta
-    view.line(scene, &[pivot, [pivot[0], pivot[1] - 15.0]], THIN.grey(GREY));
+    view.line(scene, &[pivot, [pivot[0], pivot[1] - 15.0]], THIN.colour(GREY));
     let down = -90f64.to_radians();
     view.arc(scene, pivot, 8.0, [down, down + phi], THIN);
     view.label(
@@ -173,14 +173,14 @@ fn second(scene: &mut Scene) {
     view.label(scene, centre, [22.0, -12.0], "*r*");
     force(scene, &view, &bent, [-10.0, 16.0]);
     // dimensions of the pivot
-    view.line(scene, &[pivot, [13.0, pivot[1]]], THIN.grey(GREY));
+    view.line(scene, &[pivot, [13.0, pivot[1]]], THIN.colour(GREY));
     dimension(scene, &view, [[14.5, 0.0], [14.5, pivot[1]]]);
     view.label(scene, [14.5, 0.62 * pivot[1]], [-10.0, 3.0], "*\u{3b7}*_{R}");
-    view.line(scene, &[[pivot[0], pivot[1] - 15.0], [pivot[0], -12.0]], THIN.grey(GREY));
+    view.line(scene, &[[pivot[0], pivot[1] - 15.0], [pivot[0], -12.0]], THIN.colour(GREY));
     dimension(scene, &view, [[0.0, -11.0], [pivot[0], -11.0]]);
     view.label(scene, [0.5 * pivot[0], -11.0], [0.0, 12.0], "*\u{3be}*_{R}");
     dimension(scene, &view, [[0.0, -17.0], [bent.contact, -17.0]]);
-    view.line(scene, &[bent.touch(), [bent.contact, -18.0]], THIN.grey(GREY));
+    view.line(scene, &[bent.touch(), [bent.contact, -18.0]], THIN.colour(GREY));
     view.label(scene, [0.5 * bent.contact, -17.0], [0.0, 13.0], "*\u{3be}*_{L}");
 }
 
@@ -188,7 +188,7 @@ fn second(scene: &mut Scene) {
 fn force(scene: &mut Scene, view: &View, bent: &Bent, shift: [f64; 2]) {
     let (p, n) = (bent.touch(), bent.normal());
     let tip = [0, 1].map(|i| p[i] - 8.0 * n[i]);
-    view.arrow(scene, p, tip, Pen::solid(1.6).grey(DARK));
+    view.arrow(scene, p, tip, Pen::solid(1.6).colour(DARK));
     view.dot(scene, p, 1.8, Some(BLACK), None);
     let [x, y] = view.at(tip);
     scene.text(Text::new([x + 0.35 * shift[0], y + shift[1]], "*F*").anchor(Anchor::Middle));

@@ -1,10 +1,41 @@
 //! What a figure consists of.
 
-use super::{BLACK, NORMAL, font};
+use super::font;
 
-/// A figure, lengths in points of 1/72 inch, y down.
+/// A colour: red, green, blue.
+pub type Colour = [u8; 3];
+
+/// A grey, 0 black to 255 white.
+pub const fn grey(level: u8) -> Colour {
+    [level; 3]
+}
+
+const BLACK: Colour = grey(0);
+
+/// What lengths of a figure are counted in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit {
+    /// 1/72 inch.
+    Point,
+    /// 1/96 inch.
+    Pixel,
+}
+
+impl Unit {
+    /// How many there are to an inch.
+    pub fn per_inch(self) -> f64 {
+        match self {
+            Self::Point => 72.0,
+            Self::Pixel => 96.0,
+        }
+    }
+}
+
+/// A figure, y down.
 #[derive(Clone, Debug)]
-pub(crate) struct Scene {
+pub struct Scene {
+    /// Of all its lengths.
+    pub unit: Unit,
     /// Width.
     pub width: f64,
     /// Height.
@@ -17,22 +48,40 @@ pub(crate) struct Scene {
 
 /// One thing drawn.
 #[derive(Clone, Debug)]
-pub(crate) enum Item {
+pub enum Item {
     /// Straight pieces through points, open or closed.
-    Path { points: Vec<[f64; 2]>, closed: bool, fill: Option<u8>, pen: Option<Pen> },
+    Path {
+        /// The points.
+        points: Vec<[f64; 2]>,
+        /// Whether the last is joined with the first.
+        closed: bool,
+        /// What it is filled with.
+        fill: Option<Colour>,
+        /// How its line is drawn.
+        pen: Option<Pen>,
+    },
     /// A circle.
-    Circle { centre: [f64; 2], radius: f64, fill: Option<u8>, pen: Option<Pen> },
+    Circle {
+        /// Its centre.
+        centre: [f64; 2],
+        /// Its radius.
+        radius: f64,
+        /// What it is filled with.
+        fill: Option<Colour>,
+        /// How its line is drawn.
+        pen: Option<Pen>,
+    },
     /// Words.
     Text(Text),
 }
 
 /// How a line is drawn.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Pen {
+pub struct Pen {
     /// Width.
     pub width: f64,
-    /// Grey level.
-    pub grey: u8,
+    /// Colour.
+    pub colour: Colour,
     /// Pattern.
     pub dash: Dash,
 }
@@ -40,11 +89,11 @@ pub(crate) struct Pen {
 impl Pen {
     /// A black line.
     pub const fn solid(width: f64) -> Self {
-        Self { width, grey: BLACK, dash: Dash::None }
+        Self { width, colour: BLACK, dash: Dash::None }
     }
-    /// The same in grey.
-    pub const fn grey(self, grey: u8) -> Self {
-        Self { grey, ..self }
+    /// The same in a colour.
+    pub const fn colour(self, colour: Colour) -> Self {
+        Self { colour, ..self }
     }
     /// The same in a pattern.
     pub const fn dash(self, dash: Dash) -> Self {
@@ -54,7 +103,7 @@ impl Pen {
 
 /// Pattern of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Dash {
+pub enum Dash {
     /// Unbroken.
     None,
     /// Long pieces.
@@ -79,7 +128,7 @@ impl Dash {
 
 /// Which point of a text is placed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Anchor {
+pub enum Anchor {
     /// Its left end.
     Start,
     /// Its middle.
@@ -88,10 +137,13 @@ pub(crate) enum Anchor {
     End,
 }
 
+/// Size of letters unless said.
+const LETTERS: f64 = 10.0;
+
 /// A line of words. In the content `*` switches oblique letters on and off,
-/// and `_{...}` is an index.
+/// and `_{...}` is an index, unless it is plain.
 #[derive(Clone, Debug)]
-pub(crate) struct Text {
+pub struct Text {
     /// The anchor, on the base line.
     pub at: [f64; 2],
     /// What is written.
@@ -104,6 +156,9 @@ pub(crate) struct Text {
     pub upwards: bool,
     /// Bold letters.
     pub bold: bool,
+    /// Whether every sign stands for itself: names of people's own. Viewers
+    /// set such words with whatever letters they have.
+    pub plain: bool,
 }
 
 impl Text {
@@ -112,11 +167,16 @@ impl Text {
         Self {
             at,
             content: content.into(),
-            size: NORMAL,
+            size: LETTERS,
             anchor: Anchor::Start,
             upwards: false,
             bold: false,
+            plain: false,
         }
+    }
+    /// The same, every sign standing for itself.
+    pub fn plain(self) -> Self {
+        Self { plain: true, ..self }
     }
     /// The same, anchored otherwise.
     pub fn anchor(self, anchor: Anchor) -> Self {
@@ -136,8 +196,12 @@ impl Text {
     }
 
     /// Its pieces from left to right, placed as if it read to the right.
-    pub fn runs(&self) -> Vec<Run> {
-        let mut runs = split(&self.content, self.size, self.bold);
+    pub(super) fn runs(&self) -> Vec<Run> {
+        let mut runs = if self.plain {
+            vec![Run::new(&self.content, self.size, self.bold, false)]
+        } else {
+            split(&self.content, self.size, self.bold)
+        };
         let total: f64 = runs.iter().map(|run| run.width).sum();
         let mut x = match self.anchor {
             Anchor::Start => 0.0,
@@ -154,7 +218,7 @@ impl Text {
 
 /// Letters of one face and size.
 #[derive(Clone, Debug)]
-pub(crate) struct Run {
+pub(super) struct Run {
     /// From the anchor, before turning.
     pub offset: [f64; 2],
     /// Letters.
@@ -167,6 +231,18 @@ pub(crate) struct Run {
     pub width: f64,
 }
 
+impl Run {
+    fn new(letters: &str, size: f64, bold: bool, oblique: bool) -> Self {
+        let face = match (bold, oblique) {
+            (true, _) => font::Face::Bold,
+            (false, true) => font::Face::Oblique,
+            (false, false) => font::Face::Regular,
+        };
+        let width = font::width(face, letters, size);
+        Self { offset: [0.0; 2], letters: letters.to_owned(), size, face, width }
+    }
+}
+
 fn split(content: &str, size: f64, bold: bool) -> Vec<Run> {
     let mut runs = Vec::new();
     let (mut oblique, mut index) = (false, false);
@@ -177,14 +253,9 @@ fn split(content: &str, size: f64, bold: bool) -> Vec<Run> {
         if letters.is_empty() {
             return;
         }
-        let face = match (bold, oblique) {
-            (true, _) => font::Face::Bold,
-            (false, true) => font::Face::Oblique,
-            (false, false) => font::Face::Regular,
-        };
         let (size, drop) = if index { (0.75 * size, 0.25 * size) } else { (size, 0.0) };
-        let width = font::width(face, &letters, size);
-        runs.push(Run { offset: [0.0, drop], letters, size, face, width });
+        let run = Run::new(&letters, size, bold, oblique);
+        runs.push(Run { offset: [0.0, drop], ..run });
     };
     while let Some(letter) = rest.next() {
         match letter {
@@ -210,8 +281,8 @@ fn split(content: &str, size: f64, bold: bool) -> Vec<Run> {
 
 impl Scene {
     /// An empty figure.
-    pub fn new(width: f64, height: f64, title: &str) -> Self {
-        Self { width, height, title: title.to_owned(), items: Vec::new() }
+    pub fn new(unit: Unit, [width, height]: [f64; 2], title: &str) -> Self {
+        Self { unit, width, height, title: title.to_owned(), items: Vec::new() }
     }
 
     /// A line through points.
@@ -220,12 +291,18 @@ impl Scene {
     }
 
     /// A filled or outlined polygon.
-    pub fn polygon(&mut self, points: Vec<[f64; 2]>, fill: Option<u8>, pen: Option<Pen>) {
+    pub fn polygon(&mut self, points: Vec<[f64; 2]>, fill: Option<Colour>, pen: Option<Pen>) {
         self.items.push(Item::Path { points, closed: true, fill, pen });
     }
 
     /// A circle.
-    pub fn circle(&mut self, centre: [f64; 2], radius: f64, fill: Option<u8>, pen: Option<Pen>) {
+    pub fn circle(
+        &mut self,
+        centre: [f64; 2],
+        radius: f64,
+        fill: Option<Colour>,
+        pen: Option<Pen>,
+    ) {
         self.items.push(Item::Circle { centre, radius, fill, pen });
     }
 
@@ -247,7 +324,7 @@ impl Scene {
         let neck = [to[0] - head * ux, to[1] - head * uy];
         self.line(vec![from, neck], pen);
         let corner = |side: f64| [neck[0] - side * half * uy, neck[1] + side * half * ux];
-        self.polygon(vec![to, corner(1.0), corner(-1.0)], Some(pen.grey), None);
+        self.polygon(vec![to, corner(1.0), corner(-1.0)], Some(pen.colour), None);
     }
 }
 

@@ -4,7 +4,7 @@ use ttf_parser::OutlineBuilder;
 
 /// A cut of the letters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Face {
+pub(super) enum Face {
     /// Upright.
     Regular,
     /// Bold.
@@ -14,7 +14,7 @@ pub(crate) enum Face {
 }
 
 /// Family by which an SVG asks for the letters; the second has the same widths.
-pub(crate) const FAMILY: &str = "DejaVu Sans, Verdana, sans-serif";
+pub(super) const FAMILY: &str = "DejaVu Sans, Verdana, sans-serif";
 
 const REGULAR: &[u8] = include_bytes!("../../fonts/DejaVuSans.ttf");
 const BOLD: &[u8] = include_bytes!("../../fonts/DejaVuSans-Bold.ttf");
@@ -29,27 +29,28 @@ fn parsed(face: Face) -> Option<ttf_parser::Face<'static>> {
     ttf_parser::Face::parse(bytes, 0).ok()
 }
 
-/// Width of letters of that size, in its unit. Letters that the fonts lack are
-/// as wide as none; a test sees to it that there are none in the figures.
-pub(crate) fn width(face: Face, letters: &str, size: f64) -> f64 {
+/// The glyph of a letter, that of a question mark where the face has none.
+fn glyph(font: &ttf_parser::Face<'_>, letter: char) -> Option<ttf_parser::GlyphId> {
+    font.glyph_index(letter).or_else(|| font.glyph_index('?'))
+}
+
+/// Width of letters of that size, in its unit.
+pub(super) fn width(face: Face, letters: &str, size: f64) -> f64 {
     let Some(font) = parsed(face) else { return 0.0 };
-    let advance = |letter| {
-        let glyph = font.glyph_index(letter)?;
-        font.glyph_hor_advance(glyph)
-    };
+    let advance = |letter| font.glyph_hor_advance(glyph(&font, letter)?);
     let units: f64 = letters.chars().filter_map(advance).map(f64::from).sum();
     units * size / f64::from(font.units_per_em())
 }
 
 #[cfg(test)]
 /// Whether the face has every one of these letters.
-pub(crate) fn has(face: Face, letters: &str) -> bool {
+pub(super) fn has(face: Face, letters: &str) -> bool {
     parsed(face).is_some_and(|font| letters.chars().all(|l| font.glyph_index(l).is_some()))
 }
 
 /// Takes the pieces of an outline: points of the plane, y up, with the origin
 /// at the left end of the base line.
-pub(crate) trait Pieces {
+pub(super) trait Pieces {
     /// A new contour.
     fn move_to(&mut self, p: [f64; 2]);
     /// A straight piece.
@@ -61,12 +62,12 @@ pub(crate) trait Pieces {
 }
 
 /// Outlines of letters of that size.
-pub(crate) fn outline(face: Face, letters: &str, size: f64, into: &mut dyn Pieces) {
+pub(super) fn outline(face: Face, letters: &str, size: f64, into: &mut dyn Pieces) {
     let Some(font) = parsed(face) else { return };
     let scale = size / f64::from(font.units_per_em());
     let mut pen = Placed { x: 0.0, scale, into };
     for letter in letters.chars() {
-        let Some(glyph) = font.glyph_index(letter) else { continue };
+        let Some(glyph) = glyph(&font, letter) else { continue };
         let _ = font.outline_glyph(glyph, &mut pen); // a blank has none
         pen.x += f64::from(font.glyph_hor_advance(glyph).unwrap_or_default()) * scale;
     }
@@ -116,7 +117,10 @@ mod tests {
         for face in [Face::Regular, Face::Bold, Face::Oblique] {
             assert!(has(face, "Fyδαθξηφμrω0123456789.,%°()=→−×–"), "{face:?}");
             assert!(!has(face, "漢"));
+            assert_eq!(width(face, "漢", 10.0), width(face, "?", 10.0));
         }
+        let plain: String = (' '..='~').chain(['\u{2212}']).collect();
+        assert!(has(Face::Regular, &plain), "numbers and columns of plots");
         let em = width(Face::Regular, "M", 10.0);
         assert!(em > 7.0 && em < 10.0, "{em}");
     }

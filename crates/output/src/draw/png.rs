@@ -1,48 +1,56 @@
-//! A scene as dots: one byte of grey each, 300 an inch.
+//! A scene as dots.
 
 use super::font::{self, Pieces};
-use super::scene::{Item, Pen, Scene, Text};
+use super::scene::{Colour, Item, Pen, Scene, Text, grey};
 use tiny_skia::{
     Color, FillRule, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, StrokeDash, Transform,
 };
 
-/// Dots per point: 300 an inch.
-const SCALE: f64 = 300.0 / 72.0;
-/// 300 dots an inch, in dots per metre.
-const DOTS_PER_METRE: u32 = 11811;
+/// Metres to an inch.
+const INCH: f64 = 0.0254;
 
 impl Scene {
-    /// The figure as a PNG file; `None` for a figure without extent.
-    pub fn png(&self) -> Option<Vec<u8>> {
-        let size = |length: f64| (length * SCALE).round() as u32;
+    /// The figure as a PNG file of so many dots an inch; `None` for one without
+    /// extent. Letters that the built-in fonts lack are shown as question marks.
+    pub fn png(&self, dots_per_inch: f64) -> Option<Vec<u8>> {
+        let scale = dots_per_inch / self.unit.per_inch();
+        let size = |length: f64| (length * scale).round() as u32;
         let mut dots = Pixmap::new(size(self.width), size(self.height))?;
         dots.fill(Color::WHITE);
+        let transform = Transform::from_scale(scale as f32, scale as f32);
         for item in &self.items {
-            draw(&mut dots, item);
+            draw(&mut dots, item, transform);
         }
-        // all colours are grey and nothing shines through: one channel says it
-        let grey: Vec<u8> = dots.data().iter().step_by(4).copied().collect();
-        encode(&grey, dots.width(), dots.height()).ok()
+        encode(&dots, dots_per_inch).ok()
     }
 }
 
-fn encode(grey: &[u8], width: u32, height: u32) -> Result<Vec<u8>, png::EncodingError> {
+/// Nothing shines through: three channels say all, and one says all greys.
+fn encode(dots: &Pixmap, dots_per_inch: f64) -> Result<Vec<u8>, png::EncodingError> {
+    let colours = || dots.data().as_chunks::<4>().0.iter();
+    let is_grey = colours().all(|dot| dot[0] == dot[1] && dot[1] == dot[2]);
+    let data: Vec<u8> = if is_grey {
+        colours().map(|dot| dot[0]).collect()
+    } else {
+        colours().flat_map(|dot| [dot[0], dot[1], dot[2]]).collect()
+    };
     let mut file = Vec::new();
-    let mut encoder = png::Encoder::new(&mut file, width, height);
-    encoder.set_color(png::ColorType::Grayscale);
+    let mut encoder = png::Encoder::new(&mut file, dots.width(), dots.height());
+    encoder.set_color(if is_grey { png::ColorType::Grayscale } else { png::ColorType::Rgb });
     encoder.set_depth(png::BitDepth::Eight);
+    let per_metre = (dots_per_inch / INCH).round() as u32;
     encoder.set_pixel_dims(Some(png::PixelDimensions {
-        xppu: DOTS_PER_METRE,
-        yppu: DOTS_PER_METRE,
+        xppu: per_metre,
+        yppu: per_metre,
         unit: png::Unit::Meter,
     }));
     let mut writer = encoder.write_header()?;
-    writer.write_image_data(grey)?;
+    writer.write_image_data(&data)?;
     writer.finish()?;
     Ok(file)
 }
 
-fn draw(dots: &mut Pixmap, item: &Item) {
+fn draw(dots: &mut Pixmap, item: &Item, transform: Transform) {
     match item {
         Item::Path { points, closed, fill, pen } => {
             let mut path = PathBuilder::new();
@@ -53,31 +61,32 @@ fn draw(dots: &mut Pixmap, item: &Item) {
             if *closed {
                 path.close();
             }
-            paint(dots, path.finish(), *fill, *pen);
+            paint(dots, path.finish(), (*fill, *pen), transform);
         }
         Item::Circle { centre: [x, y], radius, fill, pen } => {
             let circle = PathBuilder::from_circle(*x as f32, *y as f32, *radius as f32);
-            paint(dots, circle, *fill, *pen);
+            paint(dots, circle, (*fill, *pen), transform);
         }
-        Item::Text(words) => write(dots, words),
+        Item::Text(words) => write(dots, words, transform),
     }
 }
 
-fn scale() -> Transform {
-    Transform::from_scale(SCALE as f32, SCALE as f32)
-}
-
-fn ink(grey: u8) -> Paint<'static> {
+fn ink([red, green, blue]: Colour) -> Paint<'static> {
     let mut paint = Paint::default();
-    paint.set_color_rgba8(grey, grey, grey, 255);
+    paint.set_color_rgba8(red, green, blue, 255);
     paint.anti_alias = true;
     paint
 }
 
-fn paint(dots: &mut Pixmap, path: Option<Path>, fill: Option<u8>, pen: Option<Pen>) {
+fn paint(
+    dots: &mut Pixmap,
+    path: Option<Path>,
+    (fill, pen): (Option<Colour>, Option<Pen>),
+    transform: Transform,
+) {
     let Some(path) = path else { return };
-    if let Some(grey) = fill {
-        dots.fill_path(&path, &ink(grey), FillRule::Winding, scale(), None);
+    if let Some(colour) = fill {
+        dots.fill_path(&path, &ink(colour), FillRule::Winding, transform, None);
     }
     if let Some(pen) = pen {
         let stroke = Stroke {
@@ -86,18 +95,18 @@ fn paint(dots: &mut Pixmap, path: Option<Path>, fill: Option<u8>, pen: Option<Pe
             dash: StrokeDash::new(pen.dash.lengths().to_vec(), 0.0),
             ..Stroke::default()
         };
-        dots.stroke_path(&path, &ink(pen.grey), &stroke, scale(), None);
+        dots.stroke_path(&path, &ink(pen.colour), &stroke, transform, None);
     }
 }
 
-fn write(dots: &mut Pixmap, words: &Text) {
+fn write(dots: &mut Pixmap, words: &Text, transform: Transform) {
     let mut letters = Letters { path: PathBuilder::new(), origin: [0.0; 2], words };
     for run in words.runs() {
         letters.origin = run.offset;
         font::outline(run.face, &run.letters, run.size, &mut letters);
     }
     if let Some(path) = letters.path.finish() {
-        dots.fill_path(&path, &ink(super::BLACK), FillRule::Winding, scale(), None);
+        dots.fill_path(&path, &ink(grey(0)), FillRule::Winding, transform, None);
     }
 }
 
