@@ -16,7 +16,12 @@ fn main() -> std::io::Result<()> {
     let mut tally = Tally::default();
     for number in first..first + count {
         let model = model(number);
-        tally.add(&model, &judge(&model));
+        let judged = std::panic::catch_unwind(|| judge(&model));
+        let Ok(verdict) = judged else {
+            eprintln!("{number} PANICS");
+            continue;
+        };
+        tally.add(&model, &verdict);
     }
     for (number, kind, why) in &tally.remarkable {
         println!("{number} {kind:?}: {why}");
