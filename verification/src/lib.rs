@@ -16,6 +16,7 @@ mod claim;
 mod curve;
 mod metrics;
 mod push;
+pub mod random;
 mod record;
 mod report;
 

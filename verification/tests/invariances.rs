@@ -56,7 +56,7 @@ impl Draw {
     }
 
     fn problem(&mut self) -> Push {
-        let method = self.one_of(&[Method::Irs, Method::Isl]);
+        let method = self.one_of(&[Method::Irs, Method::Isl, Method::Surface]);
         Push {
             elements: self.one_of(&[12, 24, 40]),
             increments: self.one_of(&[20, 30]),
@@ -125,6 +125,10 @@ fn blocks(deck: &str) -> (String, Vec<String>, String) {
         "*ELEMENT, TYPE=I",
         "*SLIDE LINE",
         "*INTERFACE",
+        "*SURFACE, ",
+        "*SURFACE INTERACTION",
+        "*RIGID BODY",
+        "*CONTACT PAIR",
         "*CONTACT CONTROLS",
     ];
     let mut blocks: Vec<String> = Vec::new();

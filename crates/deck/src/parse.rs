@@ -1,12 +1,12 @@
 //! The reading itself: lines to cards, files in place of `*INCLUDE`.
 
+mod files;
+
 use slideline_diag::{Code, Diagnostic, FileId, Sources, Span};
 
 use crate::card::{Card, Comment, DataLine, Deck, FileLines, Line, LineKind, Parameter};
-use crate::include::{LoadError, Loader};
-use crate::limits::{
-    MAX_BYTES, MAX_DEPTH, MAX_DIAGNOSTICS, MAX_FILES, MAX_LINE_BYTES, MAX_VALUES_PER_LINE,
-};
+use crate::include::Loader;
+use crate::limits::{MAX_DIAGNOSTICS, MAX_LINE_BYTES, MAX_PARAMETERS, MAX_VALUES_PER_LINE};
 use crate::lines::{Look, RawLine, aligned, line_at, look, offset, strip};
 use crate::split::{Stretch, at_commas, fields, parameter, word};
 
@@ -31,6 +31,8 @@ pub fn parse(sources: &mut Sources, name: &str, bytes: &[u8], loader: &dyn Loade
         diagnostics: Vec::new(),
         open_files: Vec::new(),
         total_bytes: 0,
+        total_lines: 0,
+        total_values: 0,
         owner: Owner::Nobody,
     };
     reader.file(name, bytes.to_vec());
@@ -59,6 +61,8 @@ struct Reader<'a> {
     diagnostics: Vec<Diagnostic>,
     open_files: Vec<String>,
     total_bytes: usize,
+    total_lines: usize,
+    total_values: usize,
     owner: Owner,
 }
 
@@ -105,16 +109,18 @@ impl Reader<'_> {
         self.total_bytes += bytes.len();
         self.deck.files.push(FileLines { file, bytes, lines: Vec::new() });
         let mut page = Page { index, file, text: &text, broken, noted_broken: false };
-        if self.total_bytes > MAX_BYTES {
-            let whole = RawLine { start: 0, content_end: text.len(), end: text.len() };
-            self.keep(&page, whole, LineKind::Stray);
-            let message = format!("the deck is larger than {} MiB", MAX_BYTES >> 20);
-            self.report(Diagnostic::error(Code("SL0114"), message).at(Span::new(file, 0, 0)));
+        if let Some(error) = self.no_deck(file, &text) {
+            self.rest(&page, 0);
+            self.report(error);
             return;
         }
         self.open_files.push(name.to_owned());
         let mut at = 0;
         while at < text.len() {
+            if self.is_full(&page, at) {
+                self.rest(&page, at);
+                break;
+            }
             at = self.line(&mut page, at);
         }
         self.open_files.pop();
@@ -131,6 +137,7 @@ impl Reader<'_> {
     /// next one begins.
     fn line(&mut self, page: &mut Page<'_>, at: usize) -> usize {
         let line = line_at(page.text, at);
+        self.total_lines += 1;
         let content = &page.text[line.start..line.content_end];
         match look(content) {
             Look::Blank => self.keep(page, line, LineKind::Blank),
@@ -210,13 +217,15 @@ impl Reader<'_> {
             return;
         };
         self.keep(page, line, LineKind::Data(card));
-        let (fields, open) = fields(stretch);
+        let (mut fields, open) = fields(stretch);
         if is_text_card(&self.deck.cards[card]) {
             self.note_broken(page, line, "a title");
         } else {
             self.check_bytes(page, line.start, line.content_end);
             self.check_fields(&fields, open);
+            fields.truncate(MAX_VALUES_PER_LINE);
         }
+        self.total_values += fields.len();
         let text = stretch.text.to_owned();
         self.deck.cards[card].data.push(DataLine { text, span: stretch.span(), fields });
     }
@@ -296,7 +305,11 @@ impl Reader<'_> {
 
     fn parameters(&mut self, pieces: &[Stretch<'_>]) -> Vec<Parameter> {
         let mut read: Vec<Parameter> = Vec::new();
-        for (k, piece) in pieces.iter().enumerate() {
+        if let Some(first) = pieces.get(MAX_PARAMETERS) {
+            let message = format!("more than {MAX_PARAMETERS} parameters on one keyword line");
+            self.report(Diagnostic::error(Code("SL0113"), message).at(first.span()));
+        }
+        for (k, piece) in pieces.iter().enumerate().take(MAX_PARAMETERS) {
             if piece.text.is_empty() {
                 if k + 1 < pieces.len() {
                     let text = "nothing between two commas of a keyword line";
@@ -319,53 +332,6 @@ impl Reader<'_> {
             read.push(new);
         }
         read
-    }
-
-    /// Reads the file named by the `*INCLUDE` that was pushed last.
-    fn include(&mut self) {
-        let Some(card) = self.deck.cards.pop() else { return };
-        for parameter in card.parameters.iter().filter(|parameter| parameter.name.name != "INPUT") {
-            let message = format!("*INCLUDE has no parameter {}", parameter.name.raw);
-            self.report(Diagnostic::error(Code("SL0202"), message).at(parameter.name.span));
-        }
-        let input = card.parameter("INPUT").and_then(|parameter| parameter.value.clone());
-        let Some(input) = input else {
-            let error = Diagnostic::error(Code("SL0123"), "*INCLUDE does not name a file");
-            self.report(error.at(card.span).help("write *INCLUDE, INPUT=file.inp"));
-            return;
-        };
-        if self.open_files.len() > MAX_DEPTH {
-            let message = format!("files are included more than {MAX_DEPTH} deep");
-            self.report(Diagnostic::error(Code("SL0122"), message).at(input.span));
-            return;
-        }
-        if self.deck.files.len() >= MAX_FILES {
-            let message = format!("more than {MAX_FILES} files are included");
-            self.report(Diagnostic::error(Code("SL0122"), message).at(input.span));
-            return;
-        }
-        self.load(&input.raw, input.span);
-    }
-
-    fn load(&mut self, input: &str, span: Span) {
-        let including = self.open_files.last().cloned().unwrap_or_default();
-        let left = MAX_BYTES.saturating_sub(self.total_bytes);
-        match self.loader.load(&including, input, left) {
-            Ok(loaded) if self.open_files.contains(&loaded.name) => {
-                let message = format!("`{input}` includes itself");
-                self.report(Diagnostic::error(Code("SL0121"), message).at(span));
-            }
-            Ok(loaded) => self.file(&loaded.name, loaded.bytes),
-            Err(LoadError::Unreadable(reason)) => {
-                let message = format!("the file `{input}` cannot be read: {reason}");
-                let help = "the name is relative to the folder of the file that includes it";
-                self.report(Diagnostic::error(Code("SL0120"), message).at(span).help(help));
-            }
-            Err(LoadError::TooLarge) => {
-                let message = format!("with `{input}` the deck exceeds {} MiB", MAX_BYTES >> 20);
-                self.report(Diagnostic::error(Code("SL0114"), message).at(span));
-            }
-        }
     }
 }
 

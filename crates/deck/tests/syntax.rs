@@ -10,9 +10,9 @@ use slideline_diag::{Diagnostic, FileId, Severity, Sources};
 struct Memory(HashMap<&'static str, &'static [u8]>);
 
 impl Loader for Memory {
-    fn load(&self, _: &str, input: &str, _: usize) -> Result<Loaded, LoadError> {
+    fn load(&self, _: &[String], input: &str, _: usize) -> Result<Loaded, LoadError> {
         let bytes = self.0.get(input).ok_or(LoadError::Unreadable("no such file".into()))?;
-        Ok(Loaded { name: input.to_owned(), bytes: bytes.to_vec() })
+        Ok(Loaded { name: input.to_owned(), bytes: bytes.to_vec(), outside: false })
     }
 }
 
@@ -158,9 +158,9 @@ fn files_are_read_in_place() {
 fn nesting_has_a_limit() {
     struct Deeper;
     impl Loader for Deeper {
-        fn load(&self, including: &str, input: &str, _: usize) -> Result<Loaded, LoadError> {
+        fn load(&self, open: &[String], input: &str, _: usize) -> Result<Loaded, LoadError> {
             let bytes = b"*INCLUDE, INPUT=x\n".to_vec();
-            Ok(Loaded { name: format!("{including}/{input}"), bytes })
+            Ok(Loaded { name: format!("{}/{input}", open.len()), bytes, outside: false })
         }
     }
     let mut sources = Sources::default();

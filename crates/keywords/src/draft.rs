@@ -19,6 +19,11 @@ use crate::surfaces::{NamedInteraction, NamedSurface, Pairing, RigidBody};
 /// an `*NGEN` line must not fill the memory.
 pub const MAX_GENERATED: u64 = 5_000_000;
 
+/// Most members that all uses of sets may come to, together with what steps
+/// take over from one another: a large set named on every line must not fill
+/// the memory either.
+pub const MAX_EXPANDED: u64 = 10_000_000;
+
 /// Everything known so far.
 #[derive(Default)]
 pub(crate) struct Draft {
@@ -51,6 +56,7 @@ pub(crate) struct Draft {
     pub in_step: bool,
     pub owner: Owner,
     generated: u64,
+    expanded: u64,
     incomplete: Vec<Subject>,
 }
 
@@ -269,6 +275,25 @@ impl Draft {
         }
         self.generated = u64::try_from(total).unwrap_or(u64::MAX);
         true
+    }
+
+    /// Counts members of sets that are used; complains once where they are
+    /// too many, and from then on nothing more is used.
+    pub fn expand(&mut self, count: usize, span: Span) -> bool {
+        let before = self.expanded;
+        self.expanded = before.saturating_add(count as u64);
+        let fits = self.expanded <= MAX_EXPANDED;
+        if !fits && before <= MAX_EXPANDED {
+            let message = format!("with this, sets are used for more than {MAX_EXPANDED} members");
+            let error = Diagnostic::error(Code("SL0227"), message).at(span);
+            self.log.push(error.help("name a large set on fewer lines, or in fewer steps"));
+        }
+        fits
+    }
+
+    /// Whether no set is used any more.
+    pub fn has_expanded_all(&self) -> bool {
+        self.expanded > MAX_EXPANDED
     }
 
     /// Takes a node in. One that exists already must stand where it stood.

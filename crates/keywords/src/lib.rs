@@ -26,7 +26,7 @@ mod sets;
 mod surfaces;
 mod traps;
 
-pub use draft::MAX_GENERATED;
+pub use draft::{MAX_EXPANDED, MAX_GENERATED};
 pub use earlier::{Earlier, ReadRequest, read_request};
 pub use interpret::{Interpreted, interpret, interpret_after, read};
 pub use keyword::{Level, Rule, Takes};

@@ -89,3 +89,25 @@ proptest! {
         interpret(&bytes);
     }
 }
+
+/// A large set on every line, and taken over by every step.
+#[test]
+fn a_large_set_used_again_and_again_is_an_error_at_once() {
+    let nodes = "*NODE\n1, 0.\n500001, 1.\n*NGEN, NSET=ALL\n1, 500001\n";
+    let lines = "ALL, 1, 1\n".repeat(10_000);
+    let deck = format!("{nodes}*STEP,NLGEOM\n*STATIC\n*BOUNDARY\n{lines}*END STEP\n");
+    assert_eq!(codes(&deck), ["SL0227"]);
+    let steps = "*STEP,NLGEOM\n*STATIC\n*END STEP\n".repeat(10_000);
+    let deck = format!("{nodes}*STEP,NLGEOM\n*STATIC\n*BOUNDARY\nALL, 1, 2\n*END STEP\n{steps}");
+    assert_eq!(codes(&deck), ["SL0227"]);
+    let sets: String = (0..10_000).map(|k| format!("*NSET, NSET=S{k}\nALL,\n")).collect();
+    let deck = format!("{nodes}{sets}*STEP,NLGEOM\n*STATIC\n*END STEP\n");
+    assert_eq!(codes(&deck), ["SL0227"]);
+}
+
+#[test]
+fn a_step_has_so_many_increments() {
+    let deck = |count: &str| format!("*STEP, NLGEOM, INC={count}\n*STATIC\n*END STEP\n");
+    assert_eq!(codes(&deck("1000000")), [""; 0]);
+    assert_eq!(codes(&deck("1000001")), ["SL0210"]);
+}

@@ -147,6 +147,9 @@ impl BandLu {
         let source = &mut head[first..];
         let inverse = 1.0 / source[0];
         source[0] = inverse;
+        if below == 0 {
+            return; // the last row, and every row of a diagonal matrix
+        }
         let others = padded(length - 1);
         let source = &source[1..=others];
         let multipliers = &mut self.multiplier[j * self.half_bandwidth..][..below];

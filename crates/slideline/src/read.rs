@@ -2,7 +2,7 @@
 
 use crate::further::{self, From};
 use sha2::{Digest, Sha256};
-use slideline_deck::{Deck, FromDisk, Loader, NoFiles};
+use slideline_deck::{Deck, FromDisk, Loader, NoFiles, PathKind};
 use slideline_diag::{Code, Diagnostic, Sources, has_errors};
 use slideline_model::{Dialect, Model, Onset};
 use slideline_output::JobFiles;
@@ -117,8 +117,9 @@ impl Job {
 }
 
 fn load(path: &Path) -> Result<Vec<u8>, String> {
-    if path.is_dir() {
-        return Err("it is a folder".to_owned());
+    // A pipe is what `check <(...)` gives; a device may have no end.
+    if let Ok(kind @ (PathKind::Folder | PathKind::Device)) = PathKind::of(path) {
+        return Err(format!("it is {}", kind.words()));
     }
     let file = std::fs::File::open(path).map_err(|reason| reason.to_string())?;
     let mut bytes = Vec::new();
@@ -169,7 +170,11 @@ fn interpret(
     if let Some(onset) = options.friction_onset.or(from.as_ref().map(|from| from.onset)) {
         model.friction_onset = onset;
     }
-    let model = (!has_errors(&interpreted.diagnostics)).then_some(model);
+    let mut diagnostics = interpreted.diagnostics;
+    if !has_errors(&diagnostics) {
+        diagnostics.extend(slideline_solve::memory_objection(&model));
+    }
+    let model = (!has_errors(&diagnostics)).then_some(model);
     Read {
         job,
         deck_hash: hash(&parsed.deck),
@@ -177,7 +182,7 @@ fn interpret(
         sources,
         deck: parsed.deck,
         model,
-        diagnostics: interpreted.diagnostics,
+        diagnostics,
         from,
         options: options.clone(),
     }

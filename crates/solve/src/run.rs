@@ -363,6 +363,10 @@ impl<'a> Walk<'a> {
         from: Option<&Checkpoint<'_>>,
         work: &Workspace,
     ) -> Result<(), Left> {
+        if let Some(said) = crate::memory::factors_objection(&work.solver.description()) {
+            self.tell(Event::Diagnosed(&said))?;
+            return Err(Left::Failed(Box::new(said)));
+        }
         self.rows.fill(plan, &self.committed);
         self.rows.pairs.clear();
         let increment = from.map_or(0, |from| from.increment);

@@ -46,6 +46,9 @@ impl Keyword for Nmap {
         draft.log.at_most_lines(card.data(), 3, self.name());
         let Some(set) = card.name("NSET") else { return };
         let Some(system) = system(card, draft) else { return };
+        if draft.has_expanded_all() {
+            return;
+        }
         let Some(labels) = draft.node_sets.labels(&set) else {
             if draft.is_complete(Subject::Nodes) {
                 let message = format!("the node set {set} is not defined yet");
@@ -56,6 +59,9 @@ impl Keyword for Nmap {
             }
             return;
         };
+        if !draft.expand(labels.len(), card.span()) {
+            return;
+        }
         for label in labels {
             if let Some(index) = draft.model.nodes.find(label) {
                 let position = draft.model.nodes.get(index).position;

@@ -56,11 +56,12 @@ impl Keyword for Step {
         }
         let guess = card.choice("EXTRAPOLATION", &["LINEAR", "PARABOLIC", "NO"], &mut draft.log);
         let amplitude = card.choice("AMPLITUDE", &["RAMP", "STEP"], &mut draft.log);
+        let max_increments = increments(card, draft);
         draft.in_step = true;
         draft.steps.push(StepDraft {
             title: lines.join("\n"),
             nlgeom,
-            max_increments: card.count("INC", 100, &mut draft.log),
+            max_increments,
             unsymmetric: card.yes("UNSYMM", &mut draft.log),
             extrapolation: match guess {
                 Some("PARABOLIC") => Extrapolation::Parabolic,
@@ -85,4 +86,16 @@ impl Keyword for Step {
             origin: card.span(),
         });
     }
+}
+
+/// Most increments of a step: each is a line of several files at least.
+const MAX_INCREMENTS: usize = 1_000_000;
+
+fn increments(card: &Reading<'_>, draft: &mut Draft) -> usize {
+    let count = card.count("INC", 100, &mut draft.log);
+    if count > MAX_INCREMENTS {
+        let message = format!("INC={count} is more than {MAX_INCREMENTS} increments in a step");
+        draft.log.error("SL0210", message, card.span_of("INC"));
+    }
+    count.min(MAX_INCREMENTS)
 }

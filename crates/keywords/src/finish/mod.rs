@@ -45,6 +45,9 @@ impl Draft {
 
     /// The nodes a number or set stands for; complains where there are none.
     fn nodes_of(&mut self, target: &Target, span: Span) -> Vec<NodeIndex> {
+        if self.has_expanded_all() {
+            return Vec::new();
+        }
         let labels = match target {
             Target::Label(label) => {
                 if self.model.nodes.find(*label).is_none() {
@@ -63,17 +66,26 @@ impl Draft {
                 Vec::new()
             }),
         };
+        if !self.expand(labels.len(), span) {
+            return Vec::new();
+        }
         labels.into_iter().filter_map(|label| self.model.nodes.find(label)).collect()
     }
 
     /// The elements of a set that exist; complains about an unknown set.
     fn elements_of(&mut self, set: &str, span: Span) -> Option<Vec<usize>> {
+        if self.has_expanded_all() {
+            return None;
+        }
         let Some(labels) = self.element_sets.labels(set) else {
             let names = self.element_sets.names().take(self.log.names_to_compare());
             let error = unknown_set("element", set, span, names);
             self.consequence(Subject::Elements, error);
             return None;
         };
+        if !self.expand(labels.len(), span) {
+            return None;
+        }
         Some(labels.iter().filter_map(|label| self.element_by_label.get(label).copied()).collect())
     }
 

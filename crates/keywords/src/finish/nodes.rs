@@ -13,6 +13,9 @@ pub(super) fn sets(draft: &mut Draft) {
     check_inner(&sets, "node", Subject::Nodes, draft);
     for set in sets.iter() {
         let members = sets.members(&set.name).unwrap_or_default();
+        if !draft.expand(members.len(), set.origin) {
+            break;
+        }
         let mut found = Vec::with_capacity(members.len());
         for &(label, span) in &members {
             match draft.model.nodes.find(label) {
@@ -29,6 +32,9 @@ pub(super) fn sets(draft: &mut Draft) {
     check_inner(&sets, "element", Subject::Elements, draft);
     for set in sets.iter() {
         let members = sets.members(&set.name).unwrap_or_default();
+        if !draft.expand(members.len(), set.origin) {
+            break;
+        }
         for &(label, span) in &members {
             if !draft.element_by_label.contains_key(&label) {
                 missing("element", label, &set.name, span, Subject::Elements, draft);

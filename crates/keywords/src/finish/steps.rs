@@ -51,6 +51,17 @@ struct Carried {
     states_every: Vec<usize>,
 }
 
+impl Carried {
+    /// What a further step copies.
+    fn size(&self) -> usize {
+        let nodes = self.prints.iter().map(|print| print.nodes.len());
+        let elements = self.element_prints.iter().map(|print| print.elements.len());
+        let points = self.contact_prints.iter().map(|print| print.nodes.len());
+        let printed: usize = nodes.chain(elements).chain(points).sum();
+        self.prescribed.list.len() + self.loads.list.len() + printed
+    }
+}
+
 pub(super) fn steps(draft: &mut Draft, doubted: bool) {
     presence(draft, doubted);
     let dependents: HashMap<NodeIndex, Span> =
@@ -60,6 +71,9 @@ pub(super) fn steps(draft: &mut Draft, doubted: bool) {
         prescribe(&line, &dependents, &mut carried.prescribed, draft);
     }
     for step in std::mem::take(&mut draft.steps) {
+        if !draft.expand(carried.size(), step.origin) {
+            break;
+        }
         let finished = finish(step, &dependents, &mut carried, draft);
         settle(&mut carried, &finished, draft);
         draft.model.steps.push(finished);
@@ -236,7 +250,10 @@ fn renew<P>(standing: &mut Vec<P>, new: Vec<P>, request: fn(&P) -> &Request) {
 fn nodes_to_print(set: &str, span: Option<Span>, draft: &mut Draft) -> Vec<NodeIndex> {
     let mut nodes = match span {
         Some(span) => draft.nodes_of(&crate::log::Target::Set(set.to_owned()), span),
-        None => (0..draft.model.nodes.len()).collect(),
+        None => {
+            let all = 0..draft.model.nodes.len();
+            if draft.expand(all.len(), Span::default()) { all.collect() } else { Vec::new() }
+        }
     };
     let mut seen = HashSet::new();
     nodes.retain(|node| seen.insert(*node));

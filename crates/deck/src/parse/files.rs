@@ -1,0 +1,103 @@
+//! Which files are read, and how far.
+
+use slideline_diag::{Code, Diagnostic, FileId, Span};
+
+use super::{Page, Reader};
+use crate::card::LineKind;
+use crate::include::LoadError;
+use crate::limits::{MAX_BYTES, MAX_DEPTH, MAX_FILES, MAX_LINES, MAX_NULS, MAX_VALUES};
+use crate::lines::RawLine;
+
+impl Reader<'_> {
+    /// Why a file is not read at all.
+    pub(super) fn no_deck(&self, file: FileId, text: &str) -> Option<Diagnostic> {
+        if self.total_bytes > MAX_BYTES {
+            let message = format!("the deck is larger than {} MiB", MAX_BYTES >> 20);
+            let error = Diagnostic::error(Code("SL0114"), message).at(Span::new(file, 0, 0));
+            return Some(
+                error.help("a deck holds text alone; generate nodes instead of listing them"),
+            );
+        }
+        let mut nuls = text.match_indices('\0').map(|(at, _)| at);
+        let first = nuls.next()?;
+        nuls.nth(MAX_NULS - 1)?;
+        let message = "this is no text: it is full of NUL bytes";
+        let error =
+            Diagnostic::error(Code("SL0110"), message).at(Span::new(file, first, first + 1));
+        Some(error.help("a deck is UTF-8 text; this may be UTF-16, or a binary file"))
+    }
+
+    /// Whether no more lines are read; says so the first time.
+    pub(super) fn is_full(&mut self, page: &Page<'_>, at: usize) -> bool {
+        let lines = self.total_lines >= MAX_LINES;
+        if !lines && self.total_values < MAX_VALUES {
+            return false;
+        }
+        let told = self.diagnostics.iter().any(|said| said.code == Code("SL0124"));
+        if !told {
+            let (count, what) = if lines { (MAX_LINES, "lines") } else { (MAX_VALUES, "values") };
+            let message = format!("the deck has more than {count} {what}; it is read up to here");
+            let error = Diagnostic::error(Code("SL0124"), message).at(Span::new(page.file, at, at));
+            self.diagnostics.push(error.help("generate nodes and elements: *NGEN, *ELGEN"));
+        }
+        true
+    }
+
+    /// Keeps what is left of a file without reading it.
+    pub(super) fn rest(&mut self, page: &Page<'_>, start: usize) {
+        let end = page.text.len();
+        self.keep(page, RawLine { start, content_end: end, end }, LineKind::Stray);
+    }
+
+    /// Reads the file named by the `*INCLUDE` that was pushed last.
+    pub(super) fn include(&mut self) {
+        let Some(card) = self.deck.cards.pop() else { return };
+        for parameter in card.parameters.iter().filter(|parameter| parameter.name.name != "INPUT") {
+            let message = format!("*INCLUDE has no parameter {}", parameter.name.raw);
+            self.report(Diagnostic::error(Code("SL0202"), message).at(parameter.name.span));
+        }
+        let input = card.parameter("INPUT").and_then(|parameter| parameter.value.clone());
+        let Some(input) = input else {
+            let error = Diagnostic::error(Code("SL0123"), "*INCLUDE does not name a file");
+            self.report(error.at(card.span).help("write *INCLUDE, INPUT=file.inp"));
+            return;
+        };
+        if self.open_files.len() > MAX_DEPTH {
+            let message = format!("files are included more than {MAX_DEPTH} deep");
+            self.report(Diagnostic::error(Code("SL0122"), message).at(input.span));
+            return;
+        }
+        if self.deck.files.len() >= MAX_FILES {
+            let message = format!("more than {MAX_FILES} files are included");
+            self.report(Diagnostic::error(Code("SL0122"), message).at(input.span));
+            return;
+        }
+        self.load(&input.raw, input.span);
+    }
+
+    fn load(&mut self, input: &str, span: Span) {
+        let left = MAX_BYTES.saturating_sub(self.total_bytes);
+        match self.loader.load(&self.open_files, input, left) {
+            Ok(loaded) if self.open_files.contains(&loaded.name) => {
+                let message = format!("`{input}` includes itself");
+                self.report(Diagnostic::error(Code("SL0121"), message).at(span));
+            }
+            Ok(loaded) => {
+                if loaded.outside {
+                    let message = format!("`{input}` lies outside the folder of the deck");
+                    self.report(Diagnostic::note(Code("SL0125"), message).at(span));
+                }
+                self.file(&loaded.name, loaded.bytes);
+            }
+            Err(LoadError::Unreadable(reason)) => {
+                let message = format!("the file `{input}` cannot be read: {reason}");
+                let help = "the name is relative to the folder of the file that includes it";
+                self.report(Diagnostic::error(Code("SL0120"), message).at(span).help(help));
+            }
+            Err(LoadError::TooLarge) => {
+                let message = format!("with `{input}` the deck exceeds {} MiB", MAX_BYTES >> 20);
+                self.report(Diagnostic::error(Code("SL0114"), message).at(span));
+            }
+        }
+    }
+}

@@ -1,0 +1,101 @@
+//! Whether a model fits into the memory there is.
+//!
+//! ```text
+//!   model --> nodes, elements, couplings of contact --> bytes   before anything is prepared
+//!   plan  --> factors of the symbolic analysis       --> bytes   before anything is factored
+//! ```
+//!
+//! Bytes are rough and measured: a model that is refused could not have been
+//! run. Linux tells how much memory can be had; elsewhere a constant is
+//! taken.
+
+use slideline_diag::{Code, Diagnostic};
+use slideline_linalg::Description;
+use slideline_model::{ContactPair, Master, Model};
+
+/// Memory that is assumed where the system does not tell [bytes].
+const ASSUMED: f64 = 8.0 * GIB;
+const GIB: f64 = 1024.0 * 1024.0 * 1024.0;
+
+/// Bytes for each node: dof vectors of state, trial and iteration.
+const NODE: f64 = 1_000.0;
+/// Bytes for each element: stencil, section results, sparsity.
+const ELEMENT: f64 = 1_500.0;
+/// Bytes for each slave node and segment of a slide line that may meet: all
+/// pairs of their dofs enter the sparsity pattern.
+const COUPLING: f64 = 1_100.0;
+/// Bytes for each contact point on a rigid surface.
+const POINT: f64 = 2_500.0;
+/// Bytes of a factor entry, work space of the factorisation included.
+const FACTOR: f64 = 16.0;
+
+/// Why a model is too large, if it is.
+pub fn objection(model: &Model) -> Option<Diagnostic> {
+    let elements = model.blocks.iter().filter_map(|block| block.beams());
+    let elements = elements.map(|beams| beams.elements.len()).sum::<usize>();
+    let contact = model.contact_pairs.iter().map(couplings);
+    let contact = contact.fold((0.0, None), |(sum, largest), (bytes, pair)| match largest {
+        Some((most, _)) if most >= bytes => (sum + bytes, largest),
+        _ => (sum + bytes, Some((bytes, pair))),
+    });
+    let bulk = NODE * model.nodes.len() as f64 + ELEMENT * elements as f64;
+    let needed = bulk + contact.0;
+    let said = too_large(needed, "the model")?;
+    Some(match contact.1 {
+        Some((bytes, pair)) if bytes > bulk => said.at(pair.interaction.origin).help(format!(
+            "nearly all of it is the contact of {}: any slave may meet any segment; take fewer \
+             slave nodes, or a shorter slide line",
+            pair.name
+        )),
+        _ => said
+            .at(model.nodes.iter().next().map(|node| node.origin))
+            .help("take fewer nodes and elements; check the counts of *NGEN and *ELGEN"),
+    })
+}
+
+/// Why the factors of an analysed step are too large, if they are.
+pub fn factors_objection(factors: &Description) -> Option<Diagnostic> {
+    let said = too_large(FACTOR * factors.predicted_entries, "the factorised tangent")?;
+    Some(said.help(format!("take fewer nodes: the step has {} equations", factors.equations)))
+}
+
+/// Bytes for what may touch in a pair.
+fn couplings(pair: &ContactPair) -> (f64, &ContactPair) {
+    let points = crate::contact::point_count(pair) as f64;
+    let bytes = match &pair.master {
+        Master::RigidSurface(_) => POINT * points,
+        Master::SlideLine(line) => (POINT + COUPLING * line.nodes.len() as f64) * points,
+    };
+    (bytes, pair)
+}
+
+fn too_large(needed: f64, what: &str) -> Option<Diagnostic> {
+    let there = available().unwrap_or(ASSUMED);
+    (needed > there).then(|| {
+        let (needed, there) = (needed / GIB, there / GIB);
+        let message =
+            format!("{what} needs about {needed:.1} GiB of memory, and there are {there:.1} GiB");
+        Diagnostic::error(Code("SL0415"), message)
+    })
+}
+
+/// Memory that can be had [bytes].
+fn available() -> Option<f64> {
+    let text = std::fs::read_to_string("/proc/meminfo").ok()?;
+    let line = text.lines().find_map(|line| line.strip_prefix("MemAvailable:"))?;
+    let kibibytes: f64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
+    Some(kibibytes * 1024.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_small_model_fits_and_a_pebibyte_does_not() {
+        assert!(objection(&Model::default()).is_none());
+        let said = too_large(1024.0 * 1024.0 * GIB, "the model").unwrap();
+        assert_eq!(said.code, Code("SL0415"));
+        assert!(said.message.contains("1048576.0 GiB"), "{}", said.message);
+    }
+}

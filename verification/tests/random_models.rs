@@ -1,0 +1,56 @@
+//! Random small models: beams and rigid bodies, all laws, motions and onsets;
+//! and the same as mangled text.
+//!
+//! Requirement (architecture, Errors): of models that are well-posed by
+//! construction at least 98 % converge and balance, the rest end in a named
+//! diagnosis; without a known cause at most 0.5 % of all; none hangs, panics
+//! or gives NaN. Ten thousand are run by the example `random_models`; here are
+//! the first of them. Of so few the share without a known cause is gated at
+//! three times that.
+
+use slideline::{Job, ReadOptions, advise};
+use slideline_verification::random::{Sequence, Tally, judge, model};
+
+/// Models that are run here.
+const MODELS: u64 = 600;
+
+#[test]
+fn random_models_converge_and_balance_or_say_why() {
+    let mut tally = Tally::default();
+    for number in 0..MODELS {
+        let model = model(number);
+        tally.add(&model, &judge(&model));
+    }
+    println!("{tally}");
+    let [models, _, balanced] = tally.well_posed();
+    assert!(balanced * 100 >= models * 98, "{tally}\n{:#?}", tally.remarkable);
+    assert!(tally.unknown() * 1000 <= tally.models() * 15, "{tally}\n{:#?}", tally.remarkable);
+    assert_eq!(tally.broken, 0, "{:#?}", tally.remarkable);
+}
+
+/// Cards cut, joined and shuffled: reading and advising end, and never in a
+/// panic.
+#[test]
+fn mangled_decks_are_read_to_their_end() {
+    let mut s = Sequence::new(3);
+    for number in 0..1000 {
+        let mut bytes = model(number).text.into_bytes();
+        for _ in 0..=s.below(6) {
+            let (a, b) = (s.below(bytes.len()), s.below(bytes.len()));
+            let (first, second) = (a.min(b), a.max(b));
+            match s.below(4) {
+                0 => bytes[a] = s.below(256) as u8,
+                1 => bytes.swap(a, b),
+                2 => drop(bytes.drain(first..(first + s.below(40)).min(second.max(first)))),
+                _ => {
+                    let piece = bytes[first..(first + 30).min(bytes.len())].to_vec();
+                    bytes.splice(a..a, piece);
+                }
+            }
+        }
+        let text = String::from_utf8_lossy(&bytes);
+        let deck = Job::read_text("mangled", &text, &ReadOptions::default());
+        assert!(deck.model.is_some() || !deck.diagnostics.is_empty());
+        let _ = advise(&deck); // must not panic either
+    }
+}
