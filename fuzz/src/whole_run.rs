@@ -11,6 +11,6 @@ pub fn check(bytes: &[u8]) {
     let Some(model) = read.model.as_ref().filter(|model| is_small(model)) else { return };
     let _ = mended(&read, &advise(&read));
     let options = SolveOptions::default();
-    let _ = initial_gaps(model, &options);
+    let _ = initial_gaps(model, &options, None);
     let _ = solve(model, &options, &mut Bounded::default());
 }
