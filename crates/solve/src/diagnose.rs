@@ -72,6 +72,17 @@ pub fn failure(case: &Case<'_>) -> Diagnostic {
     causes.iter().find_map(|cause| cause(case)).unwrap_or_else(|| case.unknown())
 }
 
+/// Whether what is said of an attempt's end is but what a jam may do: contact
+/// that wavers, or nothing.
+pub fn may_be_a_jam(said: &Diagnostic) -> bool {
+    ["SL0501", "SL0513", "SL0515"].contains(&said.code.0)
+}
+
+/// A jam at points that the first iteration of an attempt showed locked.
+pub fn jam_at_first(case: &Case<'_>, jammed: &[usize]) -> Option<Diagnostic> {
+    case.jam_of(jammed)
+}
+
 /// Whether a diagnosis proves no cause.
 pub fn is_unknown(said: &Diagnostic) -> bool {
     said.code == Code("SL0501")

@@ -303,9 +303,14 @@ impl Workspace {
         evaluate(plan, committed, &trial, &mut self.evaluation);
     }
 
-    /// One Newton iteration: assemble, factor, solve, move, evaluate.
-    fn iterate(&mut self, plan: &Plan<'_>, committed: &State, dt: f64) -> Result<(), SolveError> {
-        self.factor(plan, committed)?;
+    /// The correction that the factored tangent and contact, solved exactly,
+    /// answer the residual with.
+    fn contact_step(
+        &mut self,
+        plan: &Plan<'_>,
+        committed: &State,
+        dt: f64,
+    ) -> Result<(), SolveError> {
         for (equation, &slot) in plan.layout.slot_of_equation.iter().enumerate() {
             self.correction[equation] =
                 self.evaluation.external[slot] - self.evaluation.internal[slot];
@@ -320,7 +325,13 @@ impl Workspace {
             &circumstances(plan, committed, dt),
             &mut self.solver,
             &mut self.correction,
-        )?;
+        )
+    }
+
+    /// One Newton iteration: assemble, factor, solve, move, evaluate.
+    fn iterate(&mut self, plan: &Plan<'_>, committed: &State, dt: f64) -> Result<(), SolveError> {
+        self.factor(plan, committed)?;
+        self.contact_step(plan, committed, dt)?;
         let length = self.limit_turns(plan);
         if self.line_search {
             self.search(plan, committed, (dt, length));

@@ -80,12 +80,16 @@ impl Case<'_> {
 
     /// Points at which more pressure brings more friction than it opens.
     pub(super) fn jam(&self) -> Option<Diagnostic> {
-        let jammed = self.work.jammed(self.plan, self.committed);
+        self.jam_of(&self.work.jammed(self.plan, self.committed))
+    }
+
+    /// The same where the points are known already.
+    pub(super) fn jam_of(&self, jammed: &[usize]) -> Option<Diagnostic> {
         let pair = self.pair_of(*jammed.first()?);
         let message = format!(
             "the contact jams at {} {}: there friction holds by more than a greater contact \
              pressure would free, so no force moves it on",
-            self.nodes(&jammed),
+            self.nodes(jammed),
             self.beyond()
         );
         let origin = pair.interaction.friction_origin;

@@ -1,10 +1,12 @@
 //! What a diagnosis asks of an attempt that has failed.
 
-use super::Workspace;
 use super::assembly::circumstances;
+use super::{Target, Workspace};
+use crate::evidence::Evidence;
 use crate::linearised::Contradiction;
 use crate::plan::Plan;
 use crate::state::State;
+use slideline_linalg::SolveError;
 
 /// Rounds of inverse iteration for the null motion: each gains the ratio of
 /// the shift to the next eigenvalue, many decades.
@@ -24,6 +26,40 @@ impl Workspace {
             self.contact.jams(&self.points, place, (way, before.pressure), &around)
         };
         (0..self.points.len().min(committed.points.len())).filter(locked).collect()
+    }
+
+    /// The same by the equations with which the attempt began: a trial that
+    /// friction has thrown off its master shows no more of it. The trial is
+    /// left as it is.
+    pub fn jammed_at_first(
+        &mut self,
+        plan: &Plan<'_>,
+        committed: &State,
+        target: &Target,
+    ) -> Vec<usize> {
+        let room = Evidence::new(plan.contact.points.len());
+        let evidence = std::mem::replace(&mut self.evidence, room);
+        let (u, load, negative_pivots) = (self.u.clone(), self.load.clone(), self.negative_pivots);
+        let (pressures, tractions) = (self.pressures.clone(), self.tractions.clone());
+        let (evaluation, points) = (self.evaluation.clone(), self.points.clone());
+        self.begin(plan, committed, target);
+        let solved = self.solve_first(plan, committed, target.dt).is_ok();
+        let found = if solved { self.jammed(plan, committed) } else { Vec::new() };
+        (self.u, self.load, self.negative_pivots) = (u, load, negative_pivots);
+        (self.pressures, self.tractions) = (pressures, tractions);
+        (self.evaluation, self.points) = (evaluation, points);
+        self.evidence = evidence;
+        found
+    }
+
+    fn solve_first(
+        &mut self,
+        plan: &Plan<'_>,
+        committed: &State,
+        dt: f64,
+    ) -> Result<(), SolveError> {
+        self.factor(plan, committed)?;
+        self.contact_step(plan, committed, dt)
     }
 
     /// Hard points whose place is prescribed, as that of their master is, and

@@ -123,7 +123,12 @@ impl Walk<'_> {
         work: &mut Workspace,
     ) -> Diagnostic {
         let (committed, dt) = (&self.committed, target.dt);
-        let shown = diagnose::failure(&Case { plan, committed, work, outcome, stop, dt });
+        let mut shown = diagnose::failure(&Case { plan, committed, work, outcome, stop, dt });
+        if diagnose::may_be_a_jam(&shown) {
+            let jammed = work.jammed_at_first(plan, committed, target);
+            let case = Case { plan, committed, work, outcome, stop, dt };
+            shown = diagnose::jam_at_first(&case, &jammed).unwrap_or(shown);
+        }
         if stop != StopReason::Fixed {
             return shown;
         }
