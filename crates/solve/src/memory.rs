@@ -5,8 +5,8 @@
 //!   plan  --> factors of the symbolic analysis       --> bytes   before anything is factored
 //! ```
 //!
-//! Bytes are rough and measured: a model that is refused could not have been
-//! run. Linux tells how much memory can be had; elsewhere a constant is
+//! Bytes are estimates on the low side: a model that is refused could not have
+//! been run. Linux tells how much memory can be had; elsewhere a constant is
 //! taken.
 
 use slideline_diag::{Code, Diagnostic};

@@ -88,8 +88,9 @@ impl Keyword for Step {
     }
 }
 
-/// Most increments of a step: each is a line of several files at least.
-const MAX_INCREMENTS: usize = 1_000_000;
+/// Most increments of a step; only a ceiling, for decks set it high to be
+/// rid of it.
+const MAX_INCREMENTS: usize = 1_000_000_000;
 
 fn increments(card: &Reading<'_>, draft: &mut Draft) -> usize {
     let count = card.count("INC", 100, &mut draft.log);
