@@ -105,14 +105,14 @@ pub(crate) fn theory(arguments: &TheoryArguments) -> Exit {
 fn first_problem(arguments: &TheoryArguments) -> Result<FirstProblem, String> {
     let mut problem = FirstProblem::diehl();
     let set = |name: &str, value| problem.dimension(name).map(|dimension| *dimension = value);
-    set_dimensions(&arguments.dimensions, FirstProblem::DIMENSIONS, set)?;
+    set_dimensions(&arguments.dimensions, &FirstProblem::dimensions(), set)?;
     Ok(problem)
 }
 
 fn second_problem(arguments: &TheoryArguments) -> Result<SecondProblem, String> {
     let mut problem = SecondProblem::project();
     let set = |name: &str, value| problem.dimension(name).map(|dimension| *dimension = value);
-    set_dimensions(&arguments.dimensions, SecondProblem::DIMENSIONS, set)?;
+    set_dimensions(&arguments.dimensions, &SecondProblem::dimensions(), set)?;
     Ok(problem)
 }
 

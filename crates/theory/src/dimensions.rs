@@ -3,6 +3,22 @@
 use crate::problem::{Cantilever, FirstProblem, SecondProblem};
 use crate::softened_law::ExponentialLaw;
 
+/// Names of the dimensions that both problems have.
+const COMMON: &[&str] = &[
+    "base-x",
+    "base-y",
+    "tip-x",
+    "tip-y",
+    "width",
+    "thickness",
+    "modulus",
+    "poisson",
+    "shear-factor",
+    "clearance",
+    "pressure",
+    "radius",
+];
+
 impl Cantilever {
     fn dimension(&mut self, name: &str) -> Option<&mut f64> {
         Some(match name {
@@ -32,23 +48,9 @@ impl ExponentialLaw {
 
 impl FirstProblem {
     /// Names of the dimensions that [`FirstProblem::dimension`] knows.
-    pub const DIMENSIONS: &'static [&'static str] = &[
-        "base-x",
-        "base-y",
-        "tip-x",
-        "tip-y",
-        "width",
-        "thickness",
-        "modulus",
-        "poisson",
-        "shear-factor",
-        "clearance",
-        "pressure",
-        "radius",
-        "circle-x",
-        "start-y",
-        "travel",
-    ];
+    pub fn dimensions() -> Vec<&'static str> {
+        [COMMON, &["circle-x", "start-y", "travel"]].concat()
+    }
 
     /// The dimension of that name, in the units of the problem; `None` if there is none.
     pub fn dimension(&mut self, name: &str) -> Option<&mut f64> {
@@ -64,25 +66,9 @@ impl FirstProblem {
 
 impl SecondProblem {
     /// Names of the dimensions that [`SecondProblem::dimension`] knows.
-    pub const DIMENSIONS: &'static [&'static str] = &[
-        "base-x",
-        "base-y",
-        "tip-x",
-        "tip-y",
-        "width",
-        "thickness",
-        "modulus",
-        "poisson",
-        "shear-factor",
-        "clearance",
-        "pressure",
-        "radius",
-        "pivot-x",
-        "pivot-y",
-        "arm",
-        "start-angle",
-        "sweep",
-    ];
+    pub fn dimensions() -> Vec<&'static str> {
+        [COMMON, &["pivot-x", "pivot-y", "arm", "start-angle", "sweep"]].concat()
+    }
 
     /// The dimension of that name, in the units of the problem (angles in radians); `None` if
     /// there is none.
@@ -107,16 +93,16 @@ mod tests {
     #[test]
     fn every_name_is_known() {
         let (mut first, mut second) = (FirstProblem::diehl(), SecondProblem::project());
-        for (k, name) in FirstProblem::DIMENSIONS.iter().enumerate() {
+        for (k, name) in FirstProblem::dimensions().iter().enumerate() {
             *first.dimension(name).unwrap() = k as f64 + 0.5;
         }
-        for (k, name) in FirstProblem::DIMENSIONS.iter().enumerate() {
+        for (k, name) in FirstProblem::dimensions().iter().enumerate() {
             assert_eq!(*first.dimension(name).unwrap(), k as f64 + 0.5, "{name}");
         }
-        for (k, name) in SecondProblem::DIMENSIONS.iter().enumerate() {
+        for (k, name) in SecondProblem::dimensions().iter().enumerate() {
             *second.dimension(name).unwrap() = k as f64 + 0.5;
         }
-        for (k, name) in SecondProblem::DIMENSIONS.iter().enumerate() {
+        for (k, name) in SecondProblem::dimensions().iter().enumerate() {
             assert_eq!(*second.dimension(name).unwrap(), k as f64 + 0.5, "{name}");
         }
         assert!(first.dimension("pivot-x").is_none() && second.dimension("travel").is_none());
