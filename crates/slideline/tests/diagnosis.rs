@@ -176,6 +176,51 @@ fn the_edge_of_the_table_is_named() {
     assert!((reached - 1.0 - 0.5 / 0.8).abs() < 1e-3, "{}", why.message);
 }
 
+/// Requirement: a point that has lifted off before it passes the end of its
+/// master has not slid off. A circle of 5 mm leaves the beam's upper part
+/// between two increments, and stations there come to lie beside its end; a
+/// whole circle would not touch them either.
+#[test]
+fn lifting_off_is_not_sliding_off() {
+    let paper = folder().join("../diehl1995/surface_coarse.inp");
+    let text = std::fs::read_to_string(paper).unwrap();
+    let small = [
+        ("9999, 0.0, 45.0E-3", "9999, 4.0E-3, 45.0E-3"),
+        ("START, 0.0, 54.0E-3", "START, 4.0E-3, 50.0E-3"),
+        ("CIRCL, 9.0E-3, 45.0E-3, 0.0, 45.0E-3", "CIRCL, 9.0E-3, 45.0E-3, 4.0E-3, 45.0E-3"),
+        ("CIRCL, 0.0, 36.0E-3, 0.0, 45.0E-3", "CIRCL, 4.0E-3, 40.0E-3, 4.0E-3, 45.0E-3"),
+    ];
+    let deck = small.iter().fold(text, |text, (from, to)| {
+        assert!(text.contains(from), "{from}");
+        text.replace(from, to)
+    });
+    let mut codes = Codes::default();
+    let ending = solve(read(&deck).model.as_ref().unwrap(), &options(), &mut codes);
+    assert!(matches!(ending, Ending::Completed(_)), "{ending:?}");
+    assert!(codes.closed > 0 && !codes.told.contains(&"SL0504"), "{:?}", codes.told);
+}
+
+/// What a run tells, and how many contact rows were closed in all.
+#[derive(Default)]
+struct Codes {
+    told: Vec<&'static str>,
+    closed: usize,
+}
+
+impl Observer for Codes {
+    fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
+        match event {
+            Event::Diagnosed(said) => self.told.push(said.code.0),
+            Event::Committed(frame) => {
+                let closed = |row: &&slideline::observe::ContactRow| row.pressure > 0.0;
+                self.closed += frame.contact.iter().filter(closed).count();
+            }
+            _ => {}
+        }
+        ControlFlow::Continue(())
+    }
+}
+
 /// While sticking the law's derivative is mu p / gamma_crit = 0.4 p / 1e-4.
 #[test]
 fn a_derivative_of_the_wrong_sign_is_told_with_the_right_one() {

@@ -1,6 +1,7 @@
 //! The whole analysis: steps, increments, commits.
 
 mod giving_up;
+mod shown;
 
 use crate::balance::pair_rows;
 use crate::checkpoint::Checkpoint;
@@ -10,14 +11,13 @@ use crate::diagnose;
 use crate::increments::{Control, Decision, Verdict};
 use crate::newton::{Outcome, Target, Workspace, attempt};
 use crate::observe::{
-    AttemptReport, BeamRow, ContactRow, Ending, Event, Frame, FrictionCall, Nodal, Observer,
-    PairRow, Status, StepReport, Stop, Totals,
+    AttemptReport, Ending, Event, FrictionCall, Observer, Status, StepReport, Stop, Totals,
 };
 use crate::plan::Plan;
-use crate::rows::contact_rows;
 use crate::state::State;
 use crate::tangent;
 use crate::users::UserFrictions;
+use shown::{Numbers, Rows, frame};
 use slideline_diag::Diagnostic;
 use slideline_model::{ContactPair, Model, Step};
 use std::borrow::Cow;
@@ -83,16 +83,7 @@ pub fn resume(
     from: Checkpoint<'static>,
     observer: &mut dyn Observer,
 ) -> Option<Ending> {
-    if !from.fits(model) {
-        return None;
-    }
-    let pool = thread_pool(options.threads);
-    let mut walk = Walk::new(model, options, pool.as_ref(), observer);
-    walk.totals = from.totals;
-    walk.resumes = true;
-    let ending = walk.go_on(&from);
-    let _ = observer.event(Event::End(&ending));
-    Some(ending)
+    go_on(model, options, &from, observer, (from.totals, true))
 }
 
 /// Walks what a model has behind a checkpoint, as a run of its own: the rest
@@ -105,12 +96,25 @@ pub fn run_from(
     from: &Checkpoint<'_>,
     observer: &mut dyn Observer,
 ) -> Option<Ending> {
+    let totals = Totals { dropped_points: from.totals.dropped_points, ..Totals::default() };
+    go_on(model, options, from, observer, (totals, false))
+}
+
+/// The increments behind a checkpoint; `resumes`: the observer has seen what
+/// came before.
+fn go_on(
+    model: &Model,
+    options: &Options,
+    from: &Checkpoint<'_>,
+    observer: &mut dyn Observer,
+    (totals, resumes): (Totals, bool),
+) -> Option<Ending> {
     if !from.fits(model) {
         return None;
     }
     let pool = thread_pool(options.threads);
     let mut walk = Walk::new(model, options, pool.as_ref(), observer);
-    walk.totals.dropped_points = from.totals.dropped_points;
+    (walk.totals, walk.resumes) = (totals, resumes);
     let ending = walk.go_on(from);
     let _ = observer.event(Event::End(&ending));
     Some(ending)
@@ -138,16 +142,6 @@ struct Walk<'a> {
     /// One fault of the tangent is enough to be told.
     tangent_is_wrong: bool,
     rows: Rows,
-}
-
-/// What observers are shown of the committed state.
-#[derive(Default)]
-struct Rows {
-    contact: Vec<ContactRow>,
-    /// Which contact rows were closed before the increment.
-    closed: Vec<bool>,
-    pairs: Vec<PairRow>,
-    beams: Vec<BeamRow>,
 }
 
 /// Why a step was left before its end.
@@ -476,66 +470,5 @@ impl<'a> Walk<'a> {
             ControlFlow::Continue(()) => Ok(()),
             ControlFlow::Break(stop) => Err(Left::Stopped(stop)),
         }
-    }
-}
-
-impl Rows {
-    /// Those of a state; pairs are left as they are.
-    fn fill(&mut self, plan: &Plan<'_>, state: &State) {
-        contact_rows(plan, state, &mut self.contact);
-        self.beams.clear();
-        self.beams.extend(plan.structure.beam_rows(&state.displacement));
-    }
-}
-
-/// Counts of a frame.
-#[derive(Clone, Copy, Debug, Default)]
-struct Numbers {
-    step: usize,
-    increment: usize,
-    attempt: usize,
-    severe: usize,
-    equilibrium: usize,
-    dt: f64,
-    last: bool,
-}
-
-impl Numbers {
-    /// Those of an attempt.
-    fn of(target: &Target, outcome: &Outcome) -> Self {
-        Self {
-            step: target.step,
-            increment: target.increment,
-            attempt: target.attempt,
-            severe: outcome.severe,
-            equilibrium: outcome.equilibrium,
-            dt: target.dt,
-            last: false,
-        }
-    }
-}
-
-fn frame<'a>(plan: &Plan<'a>, state: &'a State, numbers: &Numbers, rows: &'a Rows) -> Frame<'a> {
-    Frame {
-        model: plan.model,
-        step: numbers.step,
-        increment: numbers.increment,
-        attempt: numbers.attempt,
-        severe_iterations: numbers.severe,
-        equilibrium_iterations: numbers.equilibrium,
-        total_time: state.total_time,
-        step_time: state.step_time,
-        time_increment: numbers.dt,
-        last_of_step: numbers.last,
-        nodal: Nodal {
-            dofs: plan.layout.dofs,
-            displacement: &state.displacement,
-            reaction: &state.reaction,
-            load: &state.load,
-        },
-        contact: &rows.contact,
-        pairs: &rows.pairs,
-        beams: &rows.beams,
-        energy: state.energy,
     }
 }

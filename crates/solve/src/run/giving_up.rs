@@ -7,7 +7,8 @@
 //!                     line search --> state of the last attempt, diagnosis
 //! ```
 
-use super::{Left, Numbers, Walk, frame};
+use super::shown::{Numbers, frame};
+use super::{Left, Walk};
 use crate::commit::commit;
 use crate::diagnose::{self, Case};
 use crate::increments::{StopReason, Verdict};

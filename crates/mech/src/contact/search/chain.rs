@@ -105,7 +105,7 @@ impl Chain {
     }
 
     /// The piece nearest by |g| that faces `point`, for the current `positions` of the nodes; on a tie
-    /// the `committed` one. `None` if the point faces no piece: see [`Chain::off_end`]. A number of
+    /// the `committed` one. `None` if the point faces no piece: see [`Chain::beyond_end`]. A number of
     /// positions other than that of the nodes gives `None`. [semantics: search]
     pub fn closest(
         &self,

@@ -1,0 +1,87 @@
+//! What observers are shown of a state: rows, counts, the frame about them.
+
+use crate::newton::{Outcome, Target};
+use crate::observe::{BeamRow, ContactRow, Frame, Nodal, PairRow};
+use crate::plan::Plan;
+use crate::rows::contact_rows;
+use crate::state::State;
+
+/// What observers are shown of the committed state.
+#[derive(Default)]
+pub(super) struct Rows {
+    /// A row a slave node.
+    pub contact: Vec<ContactRow>,
+    /// Which contact rows were closed before the increment.
+    pub closed: Vec<bool>,
+    /// A row a pair.
+    pub pairs: Vec<PairRow>,
+    /// A row a beam.
+    pub beams: Vec<BeamRow>,
+}
+
+impl Rows {
+    /// Those of a state; pairs are left as they are.
+    pub fn fill(&mut self, plan: &Plan<'_>, state: &State) {
+        contact_rows(plan, state, &mut self.contact);
+        self.beams.clear();
+        self.beams.extend(plan.structure.beam_rows(&state.displacement));
+    }
+}
+
+/// Counts of a frame.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Numbers {
+    pub step: usize,
+    pub increment: usize,
+    pub attempt: usize,
+    pub severe: usize,
+    pub equilibrium: usize,
+    pub dt: f64,
+    pub last: bool,
+}
+
+impl Numbers {
+    /// Those of an attempt.
+    pub fn of(target: &Target, outcome: &Outcome) -> Self {
+        Self {
+            step: target.step,
+            increment: target.increment,
+            attempt: target.attempt,
+            severe: outcome.severe,
+            equilibrium: outcome.equilibrium,
+            dt: target.dt,
+            last: false,
+        }
+    }
+}
+
+/// A state with its rows and counts.
+pub(super) fn frame<'a>(
+    plan: &Plan<'a>,
+    state: &'a State,
+    numbers: &Numbers,
+    rows: &'a Rows,
+) -> Frame<'a> {
+    Frame {
+        model: plan.model,
+        step: numbers.step,
+        increment: numbers.increment,
+        attempt: numbers.attempt,
+        severe_iterations: numbers.severe,
+        equilibrium_iterations: numbers.equilibrium,
+        total_time: state.total_time,
+        step_time: state.step_time,
+        time_increment: numbers.dt,
+        last_of_step: numbers.last,
+        nodal: Nodal {
+            dofs: plan.layout.dofs,
+            displacement: &state.displacement,
+            reaction: &state.reaction,
+            load: &state.load,
+        },
+        contact: &rows.contact,
+        pairs: &rows.pairs,
+        beams: &rows.beams,
+        energy: state.energy,
+    }
+}
