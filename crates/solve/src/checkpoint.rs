@@ -15,6 +15,7 @@ use crate::contact::{memory_size, point_count};
 use crate::convergence::FluxAverage;
 use crate::increments::Control;
 use crate::observe::{Energies, FrictionCall, Status, Totals};
+use crate::plan::Start;
 use crate::state::{PointState, State};
 use slideline_model::{ContactPair, Model};
 use std::borrow::Cow;
@@ -31,10 +32,8 @@ pub struct Checkpoint<'a> {
     /// Counts of the run so far.
     pub totals: Totals,
     pub(crate) state: Cow<'a, State>,
-    /// Displacements at the beginning of the step [L or 1].
-    pub(crate) start: Cow<'a, [f64]>,
-    /// Loads at the beginning of the step [F or F L].
-    pub(crate) start_load: Cow<'a, [f64]>,
+    /// What the step began from.
+    pub(crate) start: Start<'a>,
     /// Where the step goes on; `None`: it is done.
     pub(crate) control: Option<Control>,
 }
@@ -44,8 +43,7 @@ impl Checkpoint<'_> {
     pub fn owned(&self) -> Checkpoint<'static> {
         Checkpoint {
             state: Cow::Owned(self.state.clone().into_owned()),
-            start: Cow::Owned(self.start.clone().into_owned()),
-            start_load: Cow::Owned(self.start_load.clone().into_owned()),
+            start: self.start.owned(),
             ..*self
         }
     }
@@ -84,8 +82,9 @@ impl Checkpoint<'_> {
             &state.increment_before,
             &state.reaction,
             &state.load,
-            &self.start,
-            &self.start_load,
+            &self.start.displacement,
+            &self.start.load,
+            &self.start.released,
         ];
         let Some(step) = self.step.checked_sub(1).and_then(|place| model.steps.get(place)) else {
             return false;
@@ -110,8 +109,8 @@ impl Checkpoint<'_> {
         for count in [self.step, self.increment, increments, cutbacks, iterations, dropped_points] {
             bytes.count(count);
         }
-        bytes.list(&self.start);
-        bytes.list(&self.start_load);
+        let Start { displacement, load, released } = &self.start;
+        [displacement, load, released].into_iter().for_each(|vector| bytes.list(vector));
         bytes.flag(self.control.is_some());
         if let Some(Control { time, dt, committed, attempts, quick }) = self.control {
             bytes.numbers(&[time, dt]);
@@ -132,11 +131,15 @@ impl Checkpoint<'_> {
             iterations: bytes.count()?,
             dropped_points: bytes.count()?,
         };
-        let (start, start_load) = (Cow::Owned(bytes.list()?), Cow::Owned(bytes.list()?));
+        let start = Start {
+            displacement: Cow::Owned(bytes.list()?),
+            load: Cow::Owned(bytes.list()?),
+            released: Cow::Owned(bytes.list()?),
+        };
         let control = if bytes.flag()? { Some(unpack_control(bytes)?) } else { None };
         let state = Cow::Owned(unpack_state(bytes)?);
         let stopping = false;
-        Some(Checkpoint { step, increment, stopping, totals, state, start, start_load, control })
+        Some(Checkpoint { step, increment, stopping, totals, state, start, control })
     }
 }
 
@@ -319,7 +322,7 @@ mod tests {
             opening: f64::INFINITY,
             ..PointState::default()
         };
-        state.flux[1] = FluxAverage::of_parts([1.5, 2.0]);
+        state.flux[1] = FluxAverage::of_parts([1.5, 2.0, 0.5]);
         state.balance_origin = Some(0.3);
         Checkpoint {
             step: 2,
@@ -327,8 +330,11 @@ mod tests {
             stopping: false,
             totals: Totals { increments: 9, cutbacks: 1, iterations: 55, dropped_points: 3 },
             state: Cow::Owned(state),
-            start: Cow::Owned(vec![0.5; 6]),
-            start_load: Cow::Owned(vec![0.25; 6]),
+            start: Start {
+                displacement: Cow::Owned(vec![0.5; 6]),
+                load: Cow::Owned(vec![0.25; 6]),
+                released: Cow::Owned(vec![0.125; 6]),
+            },
             control: Some(Control { time: 0.3, dt: 0.1, committed: 7, attempts: 2, quick: 1 }),
         }
     }

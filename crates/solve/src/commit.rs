@@ -26,9 +26,7 @@ pub fn commit(
     trial.load.copy_from_slice(&work.load);
     for (slot, role) in plan.layout.roles.iter().enumerate() {
         trial.reaction[slot] = match role {
-            Role::Prescribed(_) => {
-                evaluation.internal[slot] + evaluation.contact[slot] - evaluation.external[slot]
-            }
+            Role::Prescribed(_) => evaluation.unbalanced(slot),
             _ => 0.0,
         };
     }

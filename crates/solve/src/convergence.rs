@@ -61,22 +61,34 @@ impl FieldHistory {
     }
 }
 
-/// Time average of the flux of one field over a step.
+/// Time average of the flux of one field over a step, and the largest flux of
+/// the analysis.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FluxAverage {
     sum: f64,
     count: f64,
+    largest: f64,
 }
 
 impl FluxAverage {
-    /// Sum and count, to be kept.
-    pub fn parts(&self) -> [f64; 2] {
-        [self.sum, self.count]
+    /// Sum, count and largest flux, to be kept.
+    pub fn parts(&self) -> [f64; 3] {
+        [self.sum, self.count, self.largest]
     }
 
     /// From what was kept.
-    pub fn of_parts([sum, count]: [f64; 2]) -> Self {
-        Self { sum, count }
+    pub fn of_parts([sum, count, largest]: [f64; 3]) -> Self {
+        Self { sum, count, largest }
+    }
+
+    /// A step averages anew; what the analysis has seen at most is kept.
+    pub fn begin_step(&mut self) {
+        (self.sum, self.count) = (0.0, 0.0);
+    }
+
+    /// The largest flux of the analysis, with the present one [F or F L].
+    pub fn largest_with(&self, now: f64) -> f64 {
+        self.largest.max(now)
     }
 
     /// qt with the present flux counted in [F or F L]; increments without
@@ -94,6 +106,7 @@ impl FluxAverage {
 
     /// Takes a committed increment in.
     pub fn commit(&mut self, now: f64, controls: &FieldControls) {
+        self.largest = self.largest_with(now);
         if now > controls.epsilon * self.mean() {
             self.sum += now;
             self.count += 1.0;

@@ -94,6 +94,14 @@ impl Evaluation {
             positions: Vec::with_capacity(plan.contact.chain_nodes()),
         }
     }
+
+    /// What nothing balances at a slot: forces of elements and of contact less
+    /// the loads, those of dependent nodes with their masters; at a support its
+    /// reaction. The one residual of convergence, line search, reactions and
+    /// diagnosis [F or F L].
+    pub fn unbalanced(&self, slot: usize) -> f64 {
+        self.internal[slot] + self.contact[slot] - self.external[slot]
+    }
 }
 
 /// Evaluates a trial state against the committed one.

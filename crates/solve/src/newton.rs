@@ -416,7 +416,7 @@ impl Workspace {
         }
         report.iteration = (progress.severe + progress.equilibrium) as usize;
         report.equilibrium = progress.equilibrium as usize;
-        let floors = self.floors(plan);
+        let floors = self.floors(plan, committed);
         let late = plan.step.controls.effective_time().i_p;
         for field in [0, 1] {
             let measures = Measures {

@@ -8,6 +8,7 @@ use rayon::ThreadPool;
 use slideline_linalg::{Kind, Pattern, Solver, analyse};
 use slideline_mech::contact::pair::Laws;
 use slideline_model::{Amplitude, Master, Model, Step, SurfaceSegment};
+use std::borrow::Cow;
 
 /// Everything about a step that does not change from increment to increment.
 pub struct Plan<'a> {
@@ -29,16 +30,56 @@ pub struct Plan<'a> {
     pub reach: f64,
     /// Threads for element loops; none: this one.
     pub pool: Option<&'a ThreadPool>,
-    start: Vec<f64>,
-    start_load: Vec<f64>,
+    start: Start<'static>,
+}
+
+/// What a step begins from, a slot each.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Start<'a> {
+    /// Displacements and rotations [L or 1].
+    pub displacement: Cow<'a, [f64]>,
+    /// Applied loads [F or F L].
+    pub load: Cow<'a, [f64]>,
+    /// Reactions of supports that the step releases; they ramp off over it
+    /// [F or F L].
+    pub released: Cow<'a, [f64]>,
+}
+
+impl Start<'_> {
+    /// Of an undeformed model without loads.
+    #[cfg(test)]
+    pub fn undeformed(slots: usize) -> Start<'static> {
+        let zero = || Cow::Owned(vec![0.0; slots]);
+        Start { displacement: zero(), load: zero(), released: zero() }
+    }
+
+    /// The same, to be kept.
+    pub fn owned(&self) -> Start<'static> {
+        Start {
+            displacement: Cow::Owned(self.displacement.clone().into_owned()),
+            load: Cow::Owned(self.load.clone().into_owned()),
+            released: Cow::Owned(self.released.clone().into_owned()),
+        }
+    }
+
+    /// The same, borrowed.
+    pub fn borrowed(&self) -> Start<'_> {
+        Start {
+            displacement: Cow::Borrowed(&self.displacement),
+            load: Cow::Borrowed(&self.load),
+            released: Cow::Borrowed(&self.released),
+        }
+    }
 }
 
 impl<'a> Plan<'a> {
-    /// Prepares a step that begins at the displacements and loads given.
+    /// Prepares a step that begins from the state given. Of the reactions that
+    /// `start` names as released, those of slots that the step leaves free
+    /// become loads that ramp off.
     pub fn new(
         model: &'a Model,
         step: &'a Step,
-        (start, start_load): (&[f64], &[f64]),
+        mut start: Start<'static>,
         users: &UserFrictions,
         pool: Option<&'a ThreadPool>,
     ) -> Self {
@@ -60,25 +101,17 @@ impl<'a> Plan<'a> {
             .flat_map(|node| node.position)
             .chain(surface_points(model))
             .fold(0.0, |largest: f64, x| largest.max(x.abs()));
-        let (start, start_load) = (start.to_vec(), start_load.to_vec());
-        Self {
-            model,
-            step,
-            layout,
-            structure,
-            contact,
-            pattern,
-            elastic,
-            reach,
-            pool,
-            start,
-            start_load,
+        for (slot, force) in start.released.to_mut().iter_mut().enumerate() {
+            if layout.equation(slot).is_none() {
+                *force = 0.0;
+            }
         }
+        Self { model, step, layout, structure, contact, pattern, elastic, reach, pool, start }
     }
 
-    /// Displacements and loads at the beginning of the step.
-    pub fn start(&self) -> (&[f64], &[f64]) {
-        (&self.start, &self.start_load)
+    /// What the step begins from.
+    pub fn start(&self) -> &Start<'static> {
+        &self.start
     }
 
     /// Symbolic factorisation: unsymmetric where there is friction, unless
@@ -124,7 +157,8 @@ impl<'a> Plan<'a> {
             if let Role::Prescribed(place) = *role {
                 let prescribed = &self.step.prescribed[place];
                 let amplitude = prescribed.amplitude.map(|a| &self.model.amplitudes[a]);
-                u[slot] = self.at(step_time, self.start[slot], prescribed.value, amplitude);
+                u[slot] =
+                    self.at(step_time, self.start.displacement[slot], prescribed.value, amplitude);
             }
         }
     }
@@ -134,12 +168,16 @@ impl<'a> Plan<'a> {
         load.fill(0.0);
         for (slot, value) in load.iter_mut().enumerate() {
             // What the step before applied and this one does not fades out.
-            *value = self.at(step_time, self.start_load[slot], 0.0, None);
+            *value = self.at(step_time, self.start.load[slot], 0.0, None);
         }
         for entry in &self.step.loads {
             let Some(slot) = self.layout.slot(entry.node, entry.dof) else { continue };
             let amplitude = entry.amplitude.map(|a| &self.model.amplitudes[a]);
-            load[slot] = self.at(step_time, self.start_load[slot], entry.value, amplitude);
+            load[slot] = self.at(step_time, self.start.load[slot], entry.value, amplitude);
+        }
+        // A support that is released lets go over the step (manual).
+        for (value, &reaction) in load.iter_mut().zip(&*self.start.released) {
+            *value += self.at(step_time, reaction, 0.0, None);
         }
     }
 

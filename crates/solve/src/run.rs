@@ -7,13 +7,14 @@ use crate::balance::pair_rows;
 use crate::checkpoint::Checkpoint;
 use crate::commit::commit;
 use crate::contact::{memory_size, point_count};
+use crate::convergence::FluxAverage;
 use crate::diagnose;
 use crate::increments::{Control, Decision, Verdict};
 use crate::newton::{Outcome, Target, Workspace, attempt};
 use crate::observe::{
     AttemptReport, Ending, Event, FrictionCall, Observer, Status, StepReport, Stop, Totals,
 };
-use crate::plan::Plan;
+use crate::plan::{Plan, Start};
 use crate::state::State;
 use crate::tangent;
 use crate::users::UserFrictions;
@@ -215,12 +216,15 @@ impl<'a> Walk<'a> {
     fn step(&mut self, number: usize, step: &Step) -> Result<(), Left> {
         self.committed.step_time = 0.0;
         self.committed.increment_time = [0.0; 2];
-        self.committed.flux = Default::default();
+        self.committed.flux.iter_mut().for_each(FluxAverage::begin_step);
         self.committed.damping.clear();
         self.committed.stabilised = false;
-        let start = self.committed.displacement.clone();
-        let load = &self.committed.load;
-        let plan = Plan::new(self.model, step, (&start, load), self.users, self.pool);
+        let start = Start {
+            displacement: Cow::Borrowed(&self.committed.displacement[..]),
+            load: Cow::Borrowed(&self.committed.load),
+            released: Cow::Borrowed(&self.committed.reaction),
+        };
+        let plan = Plan::new(self.model, step, start.owned(), self.users, self.pool);
         let mut work = Workspace::new(&plan);
         crate::commit::locate_points(&plan, &mut self.committed, &mut work);
         self.begin(&plan, number, None, &work)?;
@@ -230,8 +234,7 @@ impl<'a> Walk<'a> {
     /// What is left of a step.
     fn rest_of_step(&mut self, from: &Checkpoint<'_>) -> Result<(), Left> {
         let Some(step) = self.model.steps.get(from.step - 1) else { return Ok(()) };
-        let start = (&*from.start, &*from.start_load);
-        let plan = Plan::new(self.model, step, start, self.users, self.pool);
+        let plan = Plan::new(self.model, step, from.start.owned(), self.users, self.pool);
         let mut work = Workspace::new(&plan);
         crate::commit::recall_points(&self.committed, &mut work);
         self.begin(&plan, from.step, Some(from), &work)?;
@@ -455,15 +458,13 @@ impl<'a> Walk<'a> {
             Decision::StepDone => None,
             Decision::Cut(_) | Decision::Stop(_) => return Ok(()),
         };
-        let (start, start_load) = plan.start();
         let checkpoint = Checkpoint {
             step: target.step,
             increment: target.increment,
             stopping,
             totals: self.totals,
             state: Cow::Borrowed(&self.committed),
-            start: Cow::Borrowed(start),
-            start_load: Cow::Borrowed(start_load),
+            start: plan.start().borrowed(),
             control,
         };
         match self.observer.event(Event::Checkpoint(&checkpoint)) {

@@ -500,9 +500,9 @@ mod tests {
             let model = model(line);
             let (slots, points) =
                 (model.nodes.len() * 3, model.contact_pairs[0].slave_nodes().len());
-            let start = vec![0.0; slots];
+            let start = crate::plan::Start::undeformed(slots);
             let users = crate::users::UserFrictions::default();
-            let plan = Plan::new(&model, &model.steps[0], (&start, &start), &users, None);
+            let plan = Plan::new(&model, &model.steps[0], start, &users, None);
             let mut committed = State::undeformed(slots, points, 0);
             let mut work = crate::newton::Workspace::new(&plan);
             crate::commit::locate_points(&plan, &mut committed, &mut work);

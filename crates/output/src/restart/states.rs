@@ -21,7 +21,7 @@ use std::io::{ErrorKind, Read, Seek, SeekFrom};
 /// How every such file begins.
 const MAGIC: &[u8; 14] = b"slideline.rst\n";
 /// Version of the layout.
-const FORMAT: usize = 2;
+const FORMAT: usize = 3;
 /// Bytes before the marks.
 const MARKS: usize = 22;
 /// Bytes of a mark.

@@ -7,6 +7,9 @@ use crate::observe::{ContactChange, IterationReport};
 use crate::plan::Plan;
 use crate::state::State;
 
+/// Roundings of the size of a force that a residual is allowed [1].
+const ROUNDINGS: f64 = 50.0;
+
 impl Workspace {
     /// The list of the report before, emptied: iterations allocate nothing.
     pub(super) fn empty_changes(&mut self, progress: &mut Progress) -> Vec<ContactChange> {
@@ -25,8 +28,7 @@ impl Workspace {
     ) -> crate::observe::FieldReport {
         let layout = &plan.layout;
         for slot in 0..layout.slots() {
-            self.residual[slot] =
-                self.evaluation.internal[slot] + self.evaluation.contact[slot] - self.load[slot];
+            self.residual[slot] = self.evaluation.unbalanced(slot);
             self.increment[slot] = self.u[slot] - committed.displacement[slot];
         }
         let free = |slot: usize| layout.equation(slot).is_some();
@@ -45,21 +47,32 @@ impl Workspace {
 
     /// What rounding leaves of a residual: 50 eps EA max|u| / l of the
     /// elements, and what the rounding of positions makes of contact.
-    /// Moments: the same times their levers.
-    pub(super) fn floors(&self, plan: &Plan<'_>) -> [f64; 2] {
+    /// Moments: the same times their levers. |u| is the largest now and at the
+    /// start of the step, and no floor lies below 50 eps of the largest flux of
+    /// the analysis: where all forces vanish, as after a springback, nothing
+    /// that acts now tells how large a force is small.
+    pub(super) fn floors(&self, plan: &Plan<'_>, committed: &State) -> [f64; 2] {
         let mut moved = 0.0_f64;
         let mut reach = plan.reach;
-        for (slot, &u) in self.u.iter().enumerate() {
+        let start = &plan.start().displacement;
+        for (slot, u) in
+            self.u.iter().zip(start.iter()).map(|(u, s)| u.abs().max(s.abs())).enumerate()
+        {
             if !plan.layout.name(slot).1.is_rotation() {
-                reach = reach.max(u.abs());
+                reach = reach.max(u);
                 if plan.elastic[slot] {
-                    moved = moved.max(u.abs());
+                    moved = moved.max(u);
                 }
             }
         }
-        let elastic = 50.0 * f64::EPSILON * plan.structure.stiffest * moved;
+        let elastic = ROUNDINGS * f64::EPSILON * plan.structure.stiffest * moved;
         let contact = 4.0 * f64::EPSILON * self.contact_size(plan, reach);
-        [elastic + contact, elastic * plan.structure.stiffest_length + contact * reach]
+        let flux = [self.evaluation.flux.mean_force(), self.evaluation.flux.mean_moment()];
+        let seen = |field: usize| {
+            ROUNDINGS * f64::EPSILON * committed.flux[field].largest_with(flux[field])
+        };
+        let moments = elastic * plan.structure.stiffest_length + contact * reach;
+        [(elastic + contact).max(seen(0)), moments.max(seen(1))]
     }
 
     /// Largest contact force, and largest change of one when positions

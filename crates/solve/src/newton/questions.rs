@@ -122,10 +122,7 @@ impl Workspace {
     /// where supports balance them [F or F L].
     pub fn residuals(&self, plan: &Plan<'_>) -> Vec<f64> {
         let force = |slot: usize| match plan.layout.equation(slot) {
-            Some(_) => {
-                self.evaluation.internal[slot] + self.evaluation.contact[slot]
-                    - self.evaluation.external[slot]
-            }
+            Some(_) => self.evaluation.unbalanced(slot),
             None => 0.0,
         };
         (0..plan.layout.slots()).map(force).collect()

@@ -72,8 +72,7 @@ impl Workspace {
         let lever = if length > 0.0 { length } else { plan.reach.max(f64::MIN_POSITIVE) };
         let mut sum = 0.0;
         for &slot in &plan.layout.slot_of_equation {
-            let force = self.evaluation.internal[slot] + self.evaluation.contact[slot]
-                - self.evaluation.external[slot];
+            let force = self.evaluation.unbalanced(slot);
             let force = if plan.layout.name(slot).1.is_rotation() { force / lever } else { force };
             sum += force * force;
         }
