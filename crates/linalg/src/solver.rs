@@ -13,6 +13,10 @@ use crate::sparse::{LARGEST_BAND, Sparse};
 const REFINE_ABOVE: f64 = 1e-10;
 /// Backward error above which a refined solution is refused.
 const REFUSE_ABOVE: f64 = 1e-6;
+/// Right-hand sides below this lose digits in products, the format having no smaller exponents.
+const SMALLEST: f64 = f64::MIN_POSITIVE / (f64::EPSILON * f64::EPSILON * f64::EPSILON);
+/// What they are raised by, a power of two.
+const RAISE: f64 = 1.0 / SMALLEST;
 /// Banded factorisations with fewer operations are not worth a second analysis.
 const SMALL: f64 = 2e6;
 
@@ -99,6 +103,8 @@ pub struct Solver {
     rhs: Vec<f64>,
     correction: Vec<f64>,
     report: Option<FactorReport>,
+    /// Natural unit of each unknown; none: all alike.
+    unit: Vec<f64>,
     /// Whether the last checked solution needed no refinement.
     accurate: bool,
 }
@@ -152,7 +158,34 @@ impl Solver {
             rhs: vec![0.0; n],
             correction: vec![0.0; n],
             report: None,
+            unit: Vec::new(),
             accurate: false,
+        }
+    }
+
+    /// Gives each unknown its natural unit u_i > 0. The system is factored and judged as U A U, in
+    /// which all entries have one dimension: neither a pivot nor an accuracy then depends on how
+    /// forces and lengths are measured. Units of another number than the equations are left aside.
+    pub fn with_units(mut self, unit: Vec<f64>) -> Self {
+        if unit.len() == self.rhs.len() && unit.iter().all(|&u| u > 0.0 && u.is_finite()) {
+            self.unit = unit;
+        }
+        self
+    }
+
+    /// U A U of the values given.
+    fn take(&mut self, values: &[f64]) {
+        self.values.copy_from_slice(values);
+        if self.unit.is_empty() {
+            return;
+        }
+        let columns = self.pattern.columns();
+        for (row, bounds) in self.pattern.row_start().windows(2).enumerate() {
+            let own = self.unit[row];
+            let entries = self.values[bounds[0]..bounds[1]].iter_mut();
+            for (value, &column) in entries.zip(&columns[bounds[0]..bounds[1]]) {
+                *value *= own * self.unit[column];
+            }
         }
     }
 
@@ -174,7 +207,7 @@ impl Solver {
         if *pattern != self.pattern {
             return Err(SolveError::PatternChanged);
         }
-        self.values.copy_from_slice(values);
+        self.take(values);
         let matrix = Matrix::new(&self.pattern, &self.values);
         for (i, size) in self.row_size.iter_mut().enumerate() {
             *size = matrix.row_size(i);
@@ -203,14 +236,15 @@ impl Solver {
         if let Some(equation) = rhs.iter().position(|b| !b.is_finite()) {
             return Err(SolveError::NotFinite { equation });
         }
+        let raised = self.enter(rhs);
         self.rhs.copy_from_slice(rhs);
         self.back_end.solve(rhs)?;
         self.accurate = self.backward_error(rhs) <= REFINE_ABOVE;
-        if self.accurate {
-            return Ok(());
+        if !self.accurate {
+            self.refine(rhs)?;
         }
-        self.refine(rhs)?;
-        if self.backward_error(rhs) <= REFUSE_ABOVE {
+        if self.accurate || self.backward_error(rhs) <= REFUSE_ABOVE {
+            self.leave(rhs, raised);
             return Ok(());
         }
         Err(SolveError::Singular {
@@ -224,10 +258,33 @@ impl Solver {
     ///
     /// Errors: those of [`Solver::solve`].
     pub fn respond(&mut self, rhs: &mut [f64]) -> Result<(), SolveError> {
-        if self.accurate && rhs.len() == self.rhs.len() {
-            return self.back_end.solve(rhs);
+        if !self.accurate || rhs.len() != self.rhs.len() {
+            return self.solve(rhs);
         }
-        self.solve(rhs)
+        let raised = self.enter(rhs);
+        self.back_end.solve(rhs)?;
+        self.leave(rhs, raised);
+        Ok(())
+    }
+
+    /// A right-hand side in the units of its equations, raised by a power of two where it is so
+    /// small that products with it would lose digits below the smallest normal number; says by which.
+    fn enter(&self, rhs: &mut [f64]) -> f64 {
+        rhs.iter_mut().zip(&self.unit).for_each(|(b, u)| *b *= u);
+        let largest = rhs.iter().fold(0.0_f64, |largest, b| largest.max(b.abs()));
+        if largest == 0.0 || largest >= SMALLEST {
+            return 1.0;
+        }
+        rhs.iter_mut().for_each(|b| *b *= RAISE);
+        RAISE
+    }
+
+    /// The unknowns of a solution.
+    fn leave(&self, solution: &mut [f64], raised: f64) {
+        if raised != 1.0 {
+            solution.iter_mut().for_each(|x| *x /= raised);
+        }
+        solution.iter_mut().zip(&self.unit).for_each(|(x, u)| *x *= u);
     }
 
     fn backward_error(&self, x: &[f64]) -> f64 {

@@ -69,6 +69,8 @@ pub struct Circumstances<'a> {
     pub symmetrised: bool,
     /// What rounding leaves of a slip [L].
     pub rounding: f64,
+    /// Natural unit of each equation's displacement, as in the plan.
+    pub units: &'a [f64],
 }
 
 /// A contact point, linearised.
@@ -244,7 +246,7 @@ impl LinearisedContact {
             self.in_rows[place] = true;
             joined = true;
             if point.integrated {
-                self.add_station(point, place, solver, base)?;
+                self.add_station((point, place), circumstances, solver, base)?;
                 continue;
             }
             self.add_row(point, place, Kind::Normal, solver, base)?;
@@ -298,6 +300,7 @@ impl LinearisedContact {
             lent,
             kappa: 0.0,
             weight: 0.0,
+            unit: 1.0 / point.area,
         });
         let guess = match (kind, &point.sliding) {
             (Kind::Tangential, Some(sliding)) => sliding.traction,

@@ -28,6 +28,10 @@ pub struct Plan<'a> {
     pub elastic: Vec<bool>,
     /// Largest coordinate of the model [L].
     pub reach: f64,
+    /// Natural unit of each unknown: 1 for displacements, 1/l for rotations,
+    /// with l the length of the stiffest element (or of the model), so that
+    /// all entries of the tangent are stiffnesses F/L.
+    pub units: Vec<f64>,
     /// Threads for element loops; none: this one.
     pub pool: Option<&'a ThreadPool>,
     start: Start<'static>,
@@ -106,7 +110,28 @@ impl<'a> Plan<'a> {
                 *force = 0.0;
             }
         }
-        Self { model, step, layout, structure, contact, pattern, elastic, reach, pool, start }
+        let lever = match structure.stiffest_length > 0.0 {
+            true => structure.stiffest_length,
+            false => reach,
+        };
+        let unit = |slot: &usize| match layout.name(*slot).1.is_rotation() {
+            true if lever > 0.0 => 1.0 / lever,
+            _ => 1.0,
+        };
+        let units = layout.slot_of_equation.iter().map(unit).collect();
+        Self {
+            model,
+            step,
+            layout,
+            structure,
+            contact,
+            pattern,
+            elastic,
+            reach,
+            units,
+            pool,
+            start,
+        }
     }
 
     /// What the step begins from.
@@ -117,7 +142,8 @@ impl<'a> Plan<'a> {
     /// Symbolic factorisation: unsymmetric where there is friction, unless
     /// the deck says `UNSYMM=NO`.
     pub fn analyse(&self) -> Solver {
-        analyse(&self.pattern, if self.unsymmetric() { Kind::Unsymmetric } else { Kind::Symmetric })
+        let kind = if self.unsymmetric() { Kind::Unsymmetric } else { Kind::Symmetric };
+        analyse(&self.pattern, kind).with_units(self.units.clone())
     }
 
     /// Whether the tangent is factored as an unsymmetric matrix.

@@ -14,6 +14,18 @@ const ROUNDED: f64 = 1e-9;
 /// Shortest fraction of a step that is tried.
 const SHORTEST: f64 = 1e-3;
 
+/// Eliminates with every row and column in the unit of its force, so that no
+/// choice of a pivot depends on how forces and lengths are measured.
+fn eliminate_in_units(rows: &[Row], jacobian: &mut [f64], step: &mut [f64]) {
+    for (i, row) in jacobian.chunks_exact_mut(rows.len()).enumerate() {
+        let own = rows[i].unit;
+        step[i] /= own;
+        row.iter_mut().zip(rows).for_each(|(entry, other)| *entry *= other.unit / own);
+    }
+    eliminate(jacobian, step);
+    step.iter_mut().zip(rows).for_each(|(step, row)| *step *= row.unit);
+}
+
 impl LinearisedContact {
     /// Solves the small system: by Newton, and where Newton is lost among the
     /// active sets of a hard law, from the set that a pivoting method finds.
@@ -57,7 +69,7 @@ impl LinearisedContact {
             }
             let rounded = size <= ROUNDED * ROUNDED * system.largest_multiplier(unknown);
             self.step.copy_from_slice(residual);
-            eliminate(jacobian, &mut self.step);
+            eliminate_in_units(&self.rows, jacobian, &mut self.step);
             let mut length = 1.0;
             loop {
                 for ((trial, q), step) in self.trial.iter_mut().zip(&*unknown).zip(&self.step) {

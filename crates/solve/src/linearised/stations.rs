@@ -4,7 +4,7 @@
 //! equations that they press on have.
 
 use super::system::{Row, Station, Unknown};
-use super::{LinearPoint, LinearisedContact, MOST_DOFS};
+use super::{Circumstances, LinearPoint, LinearisedContact, MOST_DOFS};
 use slideline_linalg::{SolveError, Solver};
 
 impl LinearisedContact {
@@ -12,8 +12,8 @@ impl LinearisedContact {
     /// become rows.
     pub(super) fn add_station(
         &mut self,
-        point: &LinearPoint,
-        place: usize,
+        (point, place): (&LinearPoint, usize),
+        circumstances: &Circumstances<'_>,
         solver: &mut Solver,
         base: &[f64],
     ) -> Result<(), SolveError> {
@@ -23,7 +23,10 @@ impl LinearisedContact {
             let found = self.rows.iter().position(|row| row.unknown == known);
             *row = match found {
                 Some(found) => found,
-                None => self.add_interface(equation, solver, base)?,
+                None => {
+                    let unit = circumstances.units.get(equation).copied().unwrap_or(1.0);
+                    self.add_interface((equation, unit), solver, base)?
+                }
             };
         }
         self.stations.push(station);
@@ -32,7 +35,7 @@ impl LinearisedContact {
 
     fn add_interface(
         &mut self,
-        equation: usize,
+        (equation, unit): (usize, f64),
         solver: &mut Solver,
         base: &[f64],
     ) -> Result<usize, SolveError> {
@@ -48,6 +51,7 @@ impl LinearisedContact {
             lent: 0.0,
             kappa: 0.0,
             weight: 0.0,
+            unit: 1.0 / unit,
         });
         self.unknown.truncate(self.rows.len() - 1);
         self.unknown.push(0.0);

@@ -30,6 +30,8 @@ pub(super) struct Row {
     pub lent: f64,
     /// Stiffness of the structure as the row feels it [F/L3].
     pub kappa: f64,
+    /// Natural unit of its unknown: that of one force.
+    pub unit: f64,
     /// Weight of its square in the norm, so that squares add up to an energy.
     pub weight: f64,
 }

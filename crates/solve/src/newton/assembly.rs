@@ -150,6 +150,7 @@ pub(super) fn circumstances<'a>(
         committed: &committed.memory,
         symmetrised: plan.symmetrised(),
         rounding: 8.0 * f64::EPSILON * plan.reach,
+        units: &plan.units,
     }
 }
 

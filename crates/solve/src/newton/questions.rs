@@ -101,10 +101,17 @@ impl Workspace {
     /// pivot.
     pub fn null_mode(&self, plan: &Plan<'_>, equation: usize) -> Option<Vec<f64>> {
         let mut values = self.values.clone();
-        let largest = values.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
-        let diagonal = (0..plan.layout.equations()).filter_map(|e| plan.pattern.position(e, e));
-        for at in diagonal {
-            values[at] += SHIFT * if largest > 0.0 { largest } else { 1.0 };
+        let unit = |e: usize| plan.units[e];
+        let diagonal = || {
+            let own = |e| plan.pattern.position(e, e).map(|at| (e, at));
+            (0..plan.layout.equations()).filter_map(own)
+        };
+        // in the units of the equations, the same for forces and moments
+        let own = |(e, at): (usize, usize)| (values[at] * unit(e) * unit(e)).abs();
+        let largest = diagonal().map(own).fold(0.0_f64, f64::max);
+        let shift = SHIFT * if largest > 0.0 { largest } else { 1.0 };
+        for (e, at) in diagonal() {
+            values[at] += shift / (unit(e) * unit(e));
         }
         let mut solver = plan.analyse();
         solver.refactor(&plan.pattern, &values).ok()?;
