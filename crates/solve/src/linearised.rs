@@ -159,6 +159,9 @@ pub struct LinearisedContact {
     stations: Vec<Station>,
 }
 
+/// Least part of the stiffness with its loan that a row is taken to feel
+/// without it: what rounding leaves of the difference [1].
+const LEAST_FELT: f64 = 1e-6;
 /// The most rounds in which further points may join.
 const ROUNDS: usize = 12;
 impl LinearisedContact {
@@ -328,7 +331,9 @@ impl LinearisedContact {
         for i in 0..m {
             let own = self.compliance[i * m + i];
             let row = &mut self.rows[i];
-            row.kappa = if own > 0.0 { 1.0 / own } else { f64::INFINITY };
+            // (8.12): what is left of the stiffness that the row feels without its loan
+            let felt = |own: f64| (1.0 / own - row.lent).max(LEAST_FELT / own);
+            row.kappa = if own > 0.0 { felt(own) } else { f64::INFINITY };
             let area = row.point().map_or(1.0, |(point, _)| points[point].area);
             row.weight = area * own.abs();
         }

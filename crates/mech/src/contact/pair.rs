@@ -10,7 +10,8 @@
 
 use super::enforcement::Demand;
 use super::friction::{
-    FrictionBatch, FrictionLaw, FrictionPoint, Registered, Status, Traction, UserFrictionError,
+    FrictionBatch, FrictionLaw, FrictionPoint, Projection, Registered, Status, Traction,
+    UserFrictionError,
 };
 use super::normal::NormalLaw;
 use super::onset::Onset;
@@ -204,14 +205,19 @@ impl Laws {
     ) -> Demand {
         let closed = pressure.max(0.0);
         let of_pressure = if pressure > 0.0 { 1.0 } else { 0.0 };
+        let projected = |projected: Projection| Demand {
+            value: projected.tau,
+            by_multiplier: projected.by_z,
+            by_value: kappa * projected.by_z + projected.by_slip,
+            by_pressure: projected.by_pressure * of_pressure,
+        };
         if self.friction.needs_multiplier() {
-            let projected = self.friction.project(closed, traction + kappa * slip, slip, dt);
-            return Demand {
-                value: projected.tau,
-                by_multiplier: projected.by_z,
-                by_value: kappa * projected.by_z + projected.by_slip,
-                by_pressure: projected.by_pressure * of_pressure,
-            };
+            let z = traction + kappa * slip;
+            return projected(self.friction.project(closed, z, slip, dt));
+        }
+        if self.user.is_none() && kappa.is_finite() {
+            let z = (traction + kappa * slip, kappa);
+            return projected(self.friction.resolve(closed, z, elastic_slip, (slip, dt)));
         }
         let updated = if self.user.is_some() {
             self.ask_user(FrictionPoint { pressure: closed, slip, elastic_slip }, dt, memory)

@@ -212,13 +212,54 @@ impl FrictionLaw {
         if z.abs() < limit.tau {
             return Projection { tau: z, by_z: 1.0, status: Status::Stick, ..Projection::ZERO };
         }
-        let sign = if z < 0.0 { -1.0 } else { 1.0 };
+        Projection::at_limit(&limit, z)
+    }
+
+    /// Elastic stick felt through the structure's stiffness `kappa` [F/L3]: the traction for which
+    /// tau = tau_crit (g + (z - tau)/kappa)/gamma_crit, at most tau_crit, with g the committed
+    /// elastic slip and z = tau + kappa slip of the estimate [F/L2]. The law and the structure are
+    /// two springs in series; the answer does not jump from limit to limit where the law alone,
+    /// steep between its limits, would. Zero for p <= 0 and for a law without elastic stick.
+    /// [derived, theory 8.9]
+    pub fn resolve(
+        &self,
+        pressure: f64,
+        (z, kappa): (f64, f64),
+        elastic_slip: f64,
+        (slip, dt): (f64, f64),
+    ) -> Projection {
+        if pressure.is_nan() || pressure <= 0.0 {
+            return Projection::ZERO;
+        }
+        let (limit, critical, slides) = match self {
+            Self::Coulomb {
+                coefficient,
+                limit: top,
+                decay,
+                stick: Stick::Elastic { slip: critical },
+            } => (limit(*coefficient, *top, *decay, pressure, (slip, dt)), *critical, true),
+            Self::Rough { stick: Stick::Elastic { slip: critical } } => {
+                (Limit { tau: pressure, by_pressure: 1.0, by_slip: 0.0 }, *critical, false)
+            }
+            _ => return Projection::ZERO,
+        };
+        let way = elastic_slip + z / kappa;
+        if critical <= 0.0 {
+            return if slides { Projection::at_limit(&limit, way) } else { Projection::ZERO };
+        }
+        let stiffness = limit.tau / critical;
+        let share = kappa / (kappa + stiffness);
+        let tau = share * stiffness * way;
+        if slides && tau.abs() > limit.tau {
+            return Projection::at_limit(&limit, way);
+        }
+        let by_stiffness = share * share * way / critical;
         Projection {
-            tau: sign * limit.tau,
-            by_z: 0.0,
-            by_pressure: sign * limit.by_pressure,
-            by_slip: sign * limit.by_slip,
-            status: Status::Slip,
+            tau,
+            by_z: share * stiffness / kappa,
+            by_pressure: by_stiffness * limit.by_pressure,
+            by_slip: by_stiffness * limit.by_slip,
+            status: Status::Stick,
         }
     }
 }
@@ -242,6 +283,18 @@ impl Projection {
     /// No traction.
     pub const ZERO: Self =
         Self { tau: 0.0, by_z: 0.0, by_pressure: 0.0, by_slip: 0.0, status: Status::Slip };
+
+    /// Sliding at the limit in the direction of `way`.
+    fn at_limit(limit: &Limit, way: f64) -> Self {
+        let sign = if way < 0.0 { -1.0 } else { 1.0 };
+        Self {
+            tau: sign * limit.tau,
+            by_z: 0.0,
+            by_pressure: sign * limit.by_pressure,
+            by_slip: sign * limit.by_slip,
+            status: Status::Slip,
+        }
+    }
 }
 
 fn sticking(limit: &Limit, trial: f64, critical: f64) -> Traction {
