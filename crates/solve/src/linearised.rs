@@ -23,6 +23,7 @@
 //! is unsymmetric only by the turning of the tractions with the surface.
 
 mod contradiction;
+mod convex;
 mod iterate;
 mod jam;
 mod laws;
@@ -303,6 +304,7 @@ impl LinearisedContact {
             lent,
             kappa: 0.0,
             weight: 0.0,
+            felt: 0.0,
             unit: 1.0 / point.area,
         });
         let guess = match (kind, &point.sliding) {
@@ -332,8 +334,9 @@ impl LinearisedContact {
             let own = self.compliance[i * m + i];
             let row = &mut self.rows[i];
             // (8.12): what is left of the stiffness that the row feels without its loan
-            let felt = |own: f64| (1.0 / own - row.lent).max(LEAST_FELT / own);
-            row.kappa = if own > 0.0 { felt(own) } else { f64::INFINITY };
+            let own_share = |own: f64| (1.0 / own - row.lent).max(LEAST_FELT / own);
+            row.kappa = if own > 0.0 { own_share(own) } else { f64::INFINITY };
+            row.felt = if own > 0.0 { 1.0 / own } else { 0.0 };
             let area = row.point().map_or(1.0, |(point, _)| points[point].area);
             row.weight = area * own.abs();
         }

@@ -16,7 +16,7 @@ const SHORTEST: f64 = 1e-3;
 
 /// Eliminates with every row and column in the unit of its force, so that no
 /// choice of a pivot depends on how forces and lengths are measured.
-fn eliminate_in_units(rows: &[Row], jacobian: &mut [f64], step: &mut [f64]) {
+pub(super) fn eliminate_in_units(rows: &[Row], jacobian: &mut [f64], step: &mut [f64]) {
     for (i, row) in jacobian.chunks_exact_mut(rows.len()).enumerate() {
         let own = rows[i].unit;
         step[i] /= own;
@@ -32,6 +32,13 @@ impl LinearisedContact {
     pub(super) fn iterate(&mut self, points: &[LinearPoint], circumstances: &Circumstances<'_>) {
         if self.newton(points, circumstances) {
             return;
+        }
+        self.minimise(points, circumstances);
+        if self.newton(points, circumstances) {
+            return;
+        }
+        if std::env::var("DBG").is_ok() {
+            eprintln!("inner not solved, rows {}", self.rows.len());
         }
         for _ in 0..RESTARTS {
             if !self.settle_pressures(points, circumstances) || self.newton(points, circumstances) {

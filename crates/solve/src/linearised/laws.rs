@@ -126,7 +126,7 @@ impl Circumstances<'_> {
         answer
     }
 
-    fn demand_traction(
+    pub(super) fn demand_traction(
         &self,
         laws: &Laws,
         values: [f64; 3],

@@ -51,6 +51,7 @@ impl LinearisedContact {
             lent: 0.0,
             kappa: 0.0,
             weight: 0.0,
+            felt: 0.0,
             unit: 1.0 / unit,
         });
         self.unknown.truncate(self.rows.len() - 1);

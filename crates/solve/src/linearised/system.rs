@@ -30,6 +30,8 @@ pub(super) struct Row {
     pub lent: f64,
     /// Stiffness of the structure as the row feels it [F/L3].
     pub kappa: f64,
+    /// Stiffness of the structure as the row feels it, with its loan [F/L3].
+    pub felt: f64,
     /// Natural unit of its unknown: that of one force.
     pub unit: f64,
     /// Weight of its square in the norm, so that squares add up to an energy.
@@ -109,7 +111,7 @@ impl System<'_> {
     }
 
     /// dF/dq of a pressure or traction.
-    fn differentiate(&self, i: usize, k: usize, demand: &Demand, jacobian: &mut [f64]) {
+    pub(super) fn differentiate(&self, i: usize, k: usize, demand: &Demand, jacobian: &mut [f64]) {
         let m = self.rows.len();
         for j in 0..m {
             // d value/dq_j = -C_ij, d lambda_i/dq_j = delta_ij - s C_ij
@@ -127,7 +129,7 @@ impl System<'_> {
 
     /// The rows of equations that stations press on: F = q - f(d), with f the
     /// force of all stations at the displacements d = free - C q.
-    fn interface(
+    pub(super) fn interface(
         &self,
         (unknown, values, points): (&[f64], &[f64], &[LinearPoint]),
         circumstances: &Circumstances<'_>,

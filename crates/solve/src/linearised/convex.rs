@@ -1,0 +1,236 @@
+//! The contact problem with the limits of friction held fixed: a convex one.
+//!
+//! ```text
+//!   energy |\         /      K0/2 du.du - beta.du + sum A W(e):   W convex,
+//!          | \___   _/       so the slope along a Newton direction only grows
+//!          |     \_/         and has one zero: there the step ends
+//!          +--------> step
+//! ```
+//!
+//! Newton by the norm of the residual can be caught between the limits of
+//! friction, or among the active sets of a hard law, where a body is held by
+//! little else than contact. With limits mu p of fixed p (Tresca friction) the
+//! same equations are the gradient of a convex energy, and a step that ends where
+//! that energy is least never leaves the way to the solution. From there the laws
+//! are taken as they are again. Theory 8.4. (derived)
+
+use super::iterate::eliminate_in_units;
+use super::system::{Row, System, Unknown};
+use super::{Circumstances, Kind, LinearPoint, LinearisedContact};
+use slideline_mech::contact::enforcement::Demand;
+
+/// Rounds in which the limits of friction follow the pressures.
+const ROUNDS: usize = 8;
+/// The most Newton steps of a round.
+const STEPS: usize = 60;
+/// Halvings that find the end of a step.
+const HALVINGS: usize = 40;
+/// Stiffness that stands for a hard law or exact stick, in those that the
+/// structure has at the point [1].
+const STIFF: f64 = 1e5;
+/// Change of all pressures, relative to the largest, that ends the rounds [1].
+const STEADY: f64 = 1e-6;
+
+impl LinearisedContact {
+    /// Moves the unknowns to where the energy is least, rounds of fixed limits
+    /// after one another.
+    pub(super) fn minimise(&mut self, points: &[LinearPoint], circumstances: &Circumstances<'_>) {
+        let mut held = points.to_vec();
+        let fixed = Circumstances { symmetrised: true, ..*circumstances };
+        for _ in 0..ROUNDS {
+            self.descend(&held, &fixed);
+            if self.follow_pressures(&mut held, &fixed) {
+                break;
+            }
+        }
+    }
+
+    /// Newton with steps that end where the energy is least.
+    fn descend(&mut self, points: &[LinearPoint], fixed: &Circumstances<'_>) {
+        let m = self.rows.len();
+        let mut work = Descent::room(m);
+        let mut unknown = std::mem::take(&mut self.unknown);
+        let system =
+            System { rows: &self.rows, compliance: &self.compliance, stations: &self.stations };
+        for _ in 0..STEPS {
+            let size = work.evaluate(&system, &unknown, points, fixed);
+            if !size.is_finite() || size <= 1e-24 * system.largest_multiplier(&unknown) {
+                break;
+            }
+            work.find_step(&system);
+            let from = unknown.clone();
+            if work.slope() <= 0.0 {
+                // Sliding, the structure gives way; sticking it may not: the
+                // steepest the laws can be lies above them all the way.
+                work.steepest = true;
+                work.evaluate(&system, &unknown, points, fixed);
+                work.steepest = false;
+                work.find_step(&system);
+                if work.slope() <= 0.0 {
+                    break; // no way down: rows that depend on one another
+                }
+            }
+            let (mut low, mut high) = (0.0, 1.0);
+            let mut at = 1.0;
+            for _ in 0..HALVINGS {
+                for ((q, start), step) in unknown.iter_mut().zip(&from).zip(&work.step) {
+                    *q = start - at * step;
+                }
+                work.evaluate(&system, &unknown, points, fixed);
+                let slope = work.slope();
+                if slope >= 0.0 && at == 1.0 {
+                    break; // still downhill at its end
+                }
+                if slope >= 0.0 {
+                    low = at
+                } else {
+                    high = at
+                }
+                if high - low <= 1e-9 * high {
+                    break;
+                }
+                at = 0.5 * (low + high);
+            }
+        }
+        self.unknown = unknown;
+    }
+
+    /// Gives the points the pressures of the present unknowns; says whether
+    /// they are what they were.
+    fn follow_pressures(&mut self, points: &mut [LinearPoint], fixed: &Circumstances<'_>) -> bool {
+        let system =
+            System { rows: &self.rows, compliance: &self.compliance, stations: &self.stations };
+        let values: Vec<f64> =
+            (0..self.rows.len()).map(|i| system.multiplier_and_value(i, &self.unknown).1).collect();
+        let (mut change, mut largest) = (0.0_f64, 0.0_f64);
+        let mut follow = |point: &mut LinearPoint, pressure: f64| {
+            change = change.max((pressure - point.pressure).abs());
+            largest = largest.max(pressure.abs());
+            point.pressure = pressure;
+        };
+        for (i, row) in self.rows.iter().enumerate() {
+            if let Some((place, Kind::Normal)) = row.point() {
+                let pressure = fixed.inserted(row, Kind::Normal, &points[place], values[i]).value;
+                follow(&mut points[place], pressure);
+            }
+        }
+        for station in &self.stations {
+            let pressure = fixed.station(station, &points[station.point], &values).pressure;
+            follow(&mut points[station.point], pressure);
+        }
+        change <= STEADY * largest
+    }
+}
+
+/// Scratch of a descent.
+struct Descent {
+    step: Vec<f64>,
+    /// A C step: how the energy falls with the residual of each row.
+    push: Vec<f64>,
+    residual: Vec<f64>,
+    jacobian: Vec<f64>,
+    stiffness: Vec<f64>,
+    values: Vec<f64>,
+    /// Whether slopes are those of stick, sliding or not.
+    steepest: bool,
+}
+
+impl Descent {
+    fn room(m: usize) -> Self {
+        let square = || vec![0.0; m * m];
+        Self {
+            step: vec![0.0; m],
+            push: vec![0.0; m],
+            residual: vec![0.0; m],
+            jacobian: square(),
+            stiffness: square(),
+            values: vec![0.0; m],
+            steepest: false,
+        }
+    }
+
+    /// F = lambda - law with the laws inserted, and dF/dq; its weighted square.
+    fn evaluate(
+        &mut self,
+        system: &System<'_>,
+        unknown: &[f64],
+        points: &[LinearPoint],
+        fixed: &Circumstances<'_>,
+    ) -> f64 {
+        for (i, value) in self.values.iter_mut().enumerate() {
+            *value = system.multiplier_and_value(i, unknown).1;
+        }
+        if !system.stations.is_empty() {
+            let known = (unknown, &self.values[..], points);
+            let slope = (&mut self.jacobian[..], &mut self.stiffness[..]);
+            system.interface(known, fixed, &mut self.residual, slope);
+        }
+        for (i, row) in system.rows.iter().enumerate() {
+            let Unknown::Multiplier { point, kind, pressure_row } = row.unknown else { continue };
+            let (multiplier, value) = system.multiplier_and_value(i, unknown);
+            let mut demand = fixed.inserted(row, kind, &points[point], value);
+            if self.steepest && kind == Kind::Tangential {
+                demand.by_value =
+                    fixed.inserted(row, kind, &points[point], fixed.rest(&points[point])).by_value;
+            }
+            self.residual[i] = multiplier - demand.value;
+            system.differentiate(i, pressure_row, &demand, &mut self.jacobian);
+        }
+        let squares = self.residual.iter().zip(system.rows).map(|(f, row)| f * f * row.weight);
+        squares.sum()
+    }
+
+    /// The step, J step = F, and what the energy says of it.
+    fn find_step(&mut self, system: &System<'_>) {
+        self.step.copy_from_slice(&self.residual);
+        eliminate_in_units(system.rows, &mut self.jacobian, &mut self.step);
+        let rows = system.compliance.chunks_exact(system.rows.len());
+        for ((push, row), compliance) in self.push.iter_mut().zip(system.rows).zip(rows) {
+            let moved: f64 = compliance.iter().zip(&self.step).map(|(c, d)| c * d).sum();
+            *push = match row.unknown {
+                Unknown::Multiplier { .. } => moved / row.unit,
+                Unknown::Interface { .. } => moved,
+            };
+        }
+    }
+
+    /// Energy that the step gains per length of it; below zero beyond the place
+    /// where the energy is least [F L].
+    fn slope(&self) -> f64 {
+        self.push.iter().zip(&self.residual).map(|(push, f)| push * f).sum()
+    }
+}
+
+impl Circumstances<'_> {
+    /// The slip at which a point carries no traction [L].
+    fn rest(&self, point: &LinearPoint) -> f64 {
+        point.sliding.map_or(0.0, |sliding| -sliding.elastic_slip)
+    }
+
+    /// The law of a row at an overclosure or slip, at the limit of the pressure
+    /// that the point has; a hard law and exact stick as a stiff spring.
+    fn inserted(&self, row: &Row, kind: Kind, point: &LinearPoint, value: f64) -> Demand {
+        let laws = &self.laws[point.pair];
+        let stiff = STIFF * row.felt;
+        match (kind, &point.sliding) {
+            (Kind::Tangential, Some(sliding)) if laws.friction.needs_multiplier() => {
+                let limit = laws.friction.limit_traction(point.pressure, sliding.slip, self.dt);
+                let tau = stiff * value;
+                match tau.abs() <= limit {
+                    true => Demand::inserted(tau, stiff),
+                    false => Demand::inserted(limit * tau.signum(), 0.0),
+                }
+            }
+            (Kind::Tangential, Some(sliding)) => {
+                let values = [sliding.traction, value, point.pressure];
+                let demand = self.demand_traction(laws, values, sliding, f64::INFINITY);
+                Demand { by_pressure: 0.0, ..demand }
+            }
+            _ if laws.normal.pressure(0.0).is_none() => match value > 0.0 {
+                true => Demand::inserted(stiff * value, stiff),
+                false => Demand::inserted(0.0, 0.0),
+            },
+            _ => laws.demand_pressure(0.0, value, f64::INFINITY),
+        }
+    }
+}
