@@ -158,6 +158,8 @@ pub struct LinearisedContact {
     /// Displacements of the interface rows.
     values: Vec<f64>,
     stations: Vec<Station>,
+    /// Whether the laws of all rows were met in the last solution.
+    solved: bool,
 }
 
 /// Least part of the stiffness with its loan that a row is taken to feel
@@ -203,6 +205,7 @@ impl LinearisedContact {
         // First those that touch already: without their pressures the
         // structure would spring back and seem to touch everywhere.
         let mut touching = true;
+        self.solved = true;
         for _ in 0..ROUNDS {
             let joined = self.admit(points, circumstances, touching, solver, correction)?;
             if joined {
@@ -210,7 +213,7 @@ impl LinearisedContact {
                     self.press(points);
                 }
                 self.couple(points, correction);
-                self.iterate(points, circumstances);
+                self.solved = self.iterate(points, circumstances);
             } else if !touching {
                 break;
             }
@@ -218,6 +221,11 @@ impl LinearisedContact {
         }
         self.hand_out(points, circumstances, correction);
         Ok(())
+    }
+
+    /// Whether the last solution meets the laws of all its rows.
+    pub fn is_solved(&self) -> bool {
+        self.solved
     }
 
     /// Lets points join that touch already (`touching`), or that would touch

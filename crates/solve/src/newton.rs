@@ -12,6 +12,7 @@
 mod assembly;
 mod measures;
 mod questions;
+mod relax;
 mod search;
 
 use crate::contact::GeometryScratch;
@@ -27,6 +28,8 @@ use crate::stabilise::{self, Dashpot};
 use crate::state::State;
 pub use assembly::TOUCH;
 use assembly::circumstances;
+use relax::Relaxation;
+pub use relax::relax;
 use slideline_linalg::{SolveError, Solver};
 
 /// What an attempt aims at.
@@ -93,6 +96,8 @@ pub struct Workspace {
     step_length: f64,
     /// Whether every facing point lends its stiffness in this attempt.
     lend_to_all: bool,
+    /// What holds the state back on its way downhill.
+    relaxation: Relaxation,
     /// The list of changes of the last report, to be used again.
     changes: Vec<ContactChange>,
 }
@@ -130,6 +135,7 @@ impl Workspace {
             line_search: false,
             step_length: 1.0,
             lend_to_all: false,
+            relaxation: Relaxation::default(),
             changes: Vec::with_capacity(points),
         }
     }
@@ -320,6 +326,7 @@ impl Workspace {
                 self.correction[equation] -= self.evaluation.damping[slot];
             }
         }
+        self.hold_back(plan);
         self.contact.solve(
             &mut self.points,
             &circumstances(plan, committed, dt),

@@ -28,6 +28,8 @@ pub struct Plan<'a> {
     pub elastic: Vec<bool>,
     /// Largest coordinate of the model [L].
     pub reach: f64,
+    /// Length of the stiffest element, or else of the model [L].
+    pub lever: f64,
     /// Natural unit of each unknown: 1 for displacements, 1/l for rotations,
     /// with l the length of the stiffest element (or of the model), so that
     /// all entries of the tangent are stiffnesses F/L.
@@ -128,6 +130,7 @@ impl<'a> Plan<'a> {
             pattern,
             elastic,
             reach,
+            lever,
             units,
             pool,
             start,

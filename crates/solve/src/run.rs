@@ -12,7 +12,8 @@ use crate::diagnose;
 use crate::increments::{Control, Decision, Verdict};
 use crate::newton::{Outcome, Target, Workspace, attempt};
 use crate::observe::{
-    AttemptReport, Ending, Event, FrictionCall, Observer, Status, StepReport, Stop, Totals,
+    AttemptReport, Ending, Event, FrictionCall, IterationReport, Observer, Status, StepReport,
+    Stop, Totals,
 };
 use crate::plan::{Plan, Start};
 use crate::state::State;
@@ -20,7 +21,7 @@ use crate::tangent;
 use crate::users::UserFrictions;
 use shown::{Numbers, Rows, frame};
 use slideline_diag::Diagnostic;
-use slideline_model::{ContactPair, Model, Step};
+use slideline_model::{ContactPair, Model, Static, Step};
 use std::borrow::Cow;
 use std::ops::ControlFlow;
 
@@ -126,6 +127,19 @@ fn thread_pool(threads: usize) -> Option<rayon::ThreadPool> {
         return None;
     }
     rayon::ThreadPoolBuilder::new().num_threads(threads).build().ok()
+}
+
+/// After an increment that only a last resort has found, the next begins as a
+/// step does: what made the one before short lies behind.
+fn begin_again(decision: Decision, procedure: &Static) -> Decision {
+    match decision {
+        Decision::Continue(next) => {
+            let begun = Control::begin(procedure);
+            let left = procedure.period - next.time;
+            Decision::Continue(Control { dt: begun.dt.min(left), quick: 0, ..next })
+        }
+        other => other,
+    }
 }
 
 /// A run under way.
@@ -276,8 +290,8 @@ impl<'a> Walk<'a> {
                 if outcome.verdict.may_be_searched() {
                     self.fail(&target, &outcome, Some(target.dt))?;
                     target.attempt += 1;
-                    outcome = self.search(plan, &target, work)?;
-                    decision = after(outcome.verdict);
+                    outcome = self.last_resorts(plan, &mut target, work)?;
+                    decision = begin_again(after(outcome.verdict), &step.procedure);
                 }
                 diagnosis = Some(Box::new(cause));
             }
@@ -313,15 +327,23 @@ impl<'a> Walk<'a> {
         target: &Target,
         work: &mut Workspace,
     ) -> Result<Outcome, Left> {
+        self.watched(|committed, watch| attempt(plan, committed, target, work, watch))
+    }
+
+    /// Iterations that are counted and shown.
+    fn watched(
+        &mut self,
+        iterate: impl FnOnce(&State, &mut dyn FnMut(&IterationReport)) -> Outcome,
+    ) -> Result<Outcome, Left> {
         let mut stop = None;
         let (observer, totals) = (&mut *self.observer, &mut self.totals);
-        let mut watch = |report: &crate::observe::IterationReport| {
+        let mut watch = |report: &IterationReport| {
             totals.iterations += 1;
             if let ControlFlow::Break(reason) = observer.event(Event::Iteration(report)) {
                 stop = Some(reason);
             }
         };
-        let outcome = attempt(plan, &self.committed, target, work, &mut watch);
+        let outcome = iterate(&self.committed, &mut watch);
         match stop {
             Some(stop) => Err(Left::Stopped(stop)),
             None => Ok(outcome),

@@ -27,24 +27,31 @@ pub(super) fn eliminate_in_units(rows: &[Row], jacobian: &mut [f64], step: &mut 
 }
 
 impl LinearisedContact {
-    /// Solves the small system: by Newton, and where Newton is lost among the
-    /// active sets of a hard law, from the set that a pivoting method finds.
-    pub(super) fn iterate(&mut self, points: &[LinearPoint], circumstances: &Circumstances<'_>) {
+    /// Solves the small system: by Newton, and where Newton is lost between the
+    /// limits of friction from the least energy for fixed limits, or among the
+    /// active sets of a hard law from the set that a pivoting method finds.
+    /// Says whether the laws of all rows are met.
+    pub(super) fn iterate(
+        &mut self,
+        points: &[LinearPoint],
+        circumstances: &Circumstances<'_>,
+    ) -> bool {
         if self.newton(points, circumstances) {
-            return;
+            return true;
         }
         self.minimise(points, circumstances);
         if self.newton(points, circumstances) {
-            return;
-        }
-        if std::env::var("DBG").is_ok() {
-            eprintln!("inner not solved, rows {}", self.rows.len());
+            return true;
         }
         for _ in 0..RESTARTS {
-            if !self.settle_pressures(points, circumstances) || self.newton(points, circumstances) {
-                return;
+            if !self.settle_pressures(points, circumstances) {
+                return false;
+            }
+            if self.newton(points, circumstances) {
+                return true;
             }
         }
+        false
     }
 
     /// Semismooth Newton with backtracking; says whether it converged.

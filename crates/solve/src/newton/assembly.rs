@@ -98,6 +98,7 @@ impl Workspace {
                 self.values[at] += stiffness;
             }
         }
+        self.stiffen(plan);
         self.dashpots.iter().for_each(|dashpot| dashpot.stiffen(plan, &mut self.values));
         plan.contact.fill_scratch(&self.u, &mut self.geometry);
         for k in 0..self.points.len() {

@@ -12,7 +12,7 @@ use super::{Left, Walk};
 use crate::commit::commit;
 use crate::diagnose::{self, Case};
 use crate::increments::{StopReason, Verdict};
-use crate::newton::{Outcome, Target, Workspace, attempt};
+use crate::newton::{Outcome, Target, Workspace, attempt, relax};
 use crate::observe::{Event, Unconverged};
 use crate::plan::Plan;
 use crate::stabilise;
@@ -79,18 +79,30 @@ impl Walk<'_> {
         self.tell(Event::Diagnosed(&said))
     }
 
-    /// The last attempt at an increment that no shorter one replaces: with a
-    /// line search.
-    pub(super) fn search(
+    /// The last attempts at an increment that no shorter one replaces: with a
+    /// line search, then, where contact acts, downhill to another equilibrium.
+    pub(super) fn last_resorts(
         &mut self,
         plan: &Plan<'_>,
-        target: &Target,
+        target: &mut Target,
         work: &mut Workspace,
     ) -> Result<Outcome, Left> {
         work.line_search = true;
-        let outcome = self.attempt(plan, target, work);
+        let searched = self.attempt(plan, target, work);
         work.line_search = false;
-        outcome
+        let searched = searched?;
+        let acts = |point: &crate::state::PointState| point.ever_closed;
+        let touched = self.committed.points.iter().chain(&work.evaluation.points).any(acts);
+        if matches!(searched.verdict, Verdict::Converged { .. }) || !touched {
+            return Ok(searched);
+        }
+        self.fail(target, &searched, Some(target.dt))?;
+        target.attempt += 1;
+        let relaxed = self.watched(|from, watch| relax(plan, from, target, work, watch))?;
+        match relaxed.verdict {
+            Verdict::Converged { .. } => Ok(relaxed),
+            _ => Ok(Outcome { last: searched.last, ..relaxed }),
+        }
     }
 
     /// The state in which the last attempt was given up.

@@ -1,0 +1,170 @@
+//! Relaxation: from where no equilibrium is near, downhill to the next one.
+//!
+//! ```text
+//!   force |   .-.                 the path ends at a limit point: the part springs
+//!         |  /   \      /         to another state, however short the increment
+//!         | /     '-.__/
+//!         |/   x - - - >o         pseudo-time steps of r(u) + mu D (u - u_k) = 0,
+//!         +---------------> u     mu as large as keeps a step short, then to nothing
+//! ```
+//!
+//! An implicit Euler step of the gradient flow D du/ds = -r(u), with pseudo-time
+//! steps 1/mu. D is the stiffness of the stiffest element at every unknown, in
+//! its natural unit, so that the way does not depend on how forces and lengths
+//! are measured. What is judged is the residual without D: the state that is
+//! found is an equilibrium of the model as it is. Theory 9. [kelley1998]
+
+use super::{Outcome, Progress, Target, Workspace};
+use crate::increments::Verdict;
+use crate::observe::IterationReport;
+use crate::plan::Plan;
+use crate::state::State;
+
+/// Stiffness of relaxation at first, in those of the stiffest element [1].
+const FIRST: f64 = 1e-3;
+/// Greater than this it holds everything where it is [1].
+const GREATEST: f64 = 1e3;
+/// Below this it holds nothing [1].
+const LEAST: f64 = 1e-14;
+/// Largest turn of a step [1], and largest way in lengths of the stiffest
+/// element.
+const LONGEST: f64 = 0.25;
+/// Part of the longest step below which the next one is tried longer [1].
+const SHORT: f64 = 0.5;
+/// Factor between the stiffnesses of two steps.
+const CHANGE: f64 = 4.0;
+/// The most steps.
+const STEPS: usize = 400;
+/// Newton iterations of a step.
+const ITERATIONS: usize = 4;
+
+/// Walks one increment downhill. `watch` sees every iteration; on success the
+/// workspace holds the converged trial.
+pub fn relax(
+    plan: &Plan<'_>,
+    committed: &State,
+    target: &Target,
+    work: &mut Workspace,
+    watch: &mut dyn FnMut(&IterationReport),
+) -> Outcome {
+    work.begin(plan, committed, target);
+    let mut progress = Progress::default();
+    work.relaxation.stiffness = FIRST;
+    let verdict = work.relax(plan, committed, (target, &mut progress), watch);
+    work.relaxation.stiffness = 0.0;
+    progress.end(verdict, None)
+}
+
+/// What holds a state back on its way.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Relaxation {
+    /// mu, in stiffnesses of the stiffest element; zero: none.
+    pub stiffness: f64,
+    /// State at the beginning of the step, a slot each.
+    pub anchor: Vec<f64>,
+    /// Estimates of pressures and tractions there.
+    estimates: (Vec<f64>, Vec<f64>),
+}
+
+impl Workspace {
+    fn relax(
+        &mut self,
+        plan: &Plan<'_>,
+        committed: &State,
+        (target, progress): (&Target, &mut Progress),
+        watch: &mut dyn FnMut(&IterationReport),
+    ) -> Verdict {
+        for _ in 0..STEPS {
+            self.note_anchor();
+            for _ in 0..ITERATIONS {
+                if self.iterate(plan, committed, target.dt).is_err() {
+                    break;
+                }
+                let report = self.judge(plan, committed, target, progress);
+                watch(&report);
+                let settled = report.converged && self.way(plan) <= LONGEST;
+                let small = report.force.correction <= report.force.increment * SETTLED;
+                progress.last = Some(report);
+                if settled {
+                    return Verdict::Converged { iterations: progress.equilibrium };
+                }
+                if small {
+                    break;
+                }
+            }
+            let way = self.way(plan);
+            let lost = !self.contact.is_solved() || self.evaluation.fault.is_some();
+            if way.is_nan() || way > LONGEST || lost {
+                self.return_to_anchor(plan, committed, target.dt);
+                self.relaxation.stiffness *= CHANGE * CHANGE;
+            } else if way < SHORT * LONGEST {
+                self.relaxation.stiffness /= CHANGE;
+            }
+            if self.relaxation.stiffness > GREATEST {
+                return Verdict::TooSlow;
+            }
+            if self.relaxation.stiffness < LEAST {
+                self.relaxation.stiffness = LEAST;
+            }
+        }
+        Verdict::TooSlow
+    }
+
+    fn note_anchor(&mut self) {
+        let relaxation = &mut self.relaxation;
+        relaxation.anchor.clone_from(&self.u);
+        relaxation.estimates.0.clone_from(&self.pressures);
+        relaxation.estimates.1.clone_from(&self.tractions);
+    }
+
+    fn return_to_anchor(&mut self, plan: &Plan<'_>, committed: &State, dt: f64) {
+        let relaxation = &self.relaxation;
+        self.u.copy_from_slice(&relaxation.anchor);
+        self.pressures.copy_from_slice(&relaxation.estimates.0);
+        self.tractions.copy_from_slice(&relaxation.estimates.1);
+        self.evaluate(plan, committed, dt);
+    }
+
+    /// Largest way since the beginning of the step in lengths of the stiffest
+    /// element, or turn [1].
+    fn way(&self, plan: &Plan<'_>) -> f64 {
+        let moved = |(equation, &slot): (usize, &usize)| {
+            let way = (self.u[slot] - self.relaxation.anchor[slot]).abs();
+            way * if plan.units[equation] == 1.0 { 1.0 / plan.lever } else { 1.0 }
+        };
+        let ways = plan.layout.slot_of_equation.iter().enumerate().map(moved);
+        ways.fold(0.0, |largest, way| if way <= largest { largest } else { way })
+    }
+
+    /// Stiffness that relaxation gives an unknown [F/L or F L].
+    pub(super) fn held_by(&self, plan: &Plan<'_>, equation: usize) -> f64 {
+        let unit = plan.units[equation];
+        self.relaxation.stiffness * plan.structure.stiffest / (unit * unit)
+    }
+
+    /// Takes the forces of relaxation off a right-hand side.
+    pub(super) fn hold_back(&mut self, plan: &Plan<'_>) {
+        if self.relaxation.stiffness == 0.0 {
+            return;
+        }
+        for (equation, &slot) in plan.layout.slot_of_equation.iter().enumerate() {
+            let way = self.u[slot] - self.relaxation.anchor[slot];
+            self.correction[equation] -= self.held_by(plan, equation) * way;
+        }
+    }
+
+    /// Adds its stiffness to the tangent.
+    pub(super) fn stiffen(&mut self, plan: &Plan<'_>) {
+        if self.relaxation.stiffness == 0.0 {
+            return;
+        }
+        for equation in 0..plan.layout.equations() {
+            if let Some(at) = plan.pattern.position(equation, equation) {
+                self.values[at] += self.held_by(plan, equation);
+            }
+        }
+    }
+}
+
+/// A correction below this part of the increment ends the iterations of a step [1].
+const SETTLED: f64 = 1e-6;
