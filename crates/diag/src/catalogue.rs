@@ -169,6 +169,8 @@ catalogue! {
     "SL0515" "friction that wavers"
     "SL0516" "a friction law with wrong derivatives"
     "SL0517" "contact was stabilised"
+    "SL0519" "a slave point goes through its master"
+    "SL0520" "a master goes through between slave nodes"
     "SL0590" "the run was interrupted"
     "SL0591" "the job is complete already"
     "SL0592" "where the state of the last attempt stands"

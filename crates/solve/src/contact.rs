@@ -10,12 +10,14 @@
 //! Geometry only; pressures and tractions come from the laws, in
 //! [`crate::linearised`] and [`crate::evaluate`].
 
+mod crossing;
 mod facade;
 mod laws;
 mod meeting;
 mod shear;
 mod strip;
 
+pub use crossing::{Missed, Sweep, SweepScratch};
 pub use facade::placed;
 pub use laws::{average as average_element, memory_size};
 pub use meeting::{GeometryScratch, Meeting};
@@ -81,6 +83,10 @@ pub struct Contact {
     /// Number of state values of user friction laws.
     pub memory_size: usize,
     facades: Vec<Facade>,
+    /// Distance of neighbouring slave points, a pair each [L].
+    spacing: Vec<f64>,
+    /// Slave points that contact elements join, a list a pair.
+    edges: Vec<Vec<[usize; 2]>>,
     chain_nodes: usize,
 }
 
@@ -94,9 +100,12 @@ impl Contact {
             strips: Vec::new(),
             memory_size: 0,
             facades: Vec::new(),
+            spacing: Vec::new(),
+            edges: Vec::new(),
             chain_nodes: 0,
         };
         for (place, pair) in model.contact_pairs.iter().enumerate() {
+            contact.edges.push(Vec::new());
             match pair.formulation {
                 Formulation::NodeToSurface => contact.add_nodes(model, layout, place, pair),
                 Formulation::SurfaceToSurface => contact.add_strips(model, layout, place, pair),
@@ -109,6 +118,7 @@ impl Contact {
             if let Facade::Line { nodes, .. } = &facade {
                 contact.chain_nodes += nodes.len();
             }
+            contact.spacing.push(laws::spacing(model, pair, &facade));
             contact.facades.push(facade);
         }
         contact
@@ -117,6 +127,8 @@ impl Contact {
     fn add_nodes(&mut self, model: &Model, layout: &Layout, place: usize, pair: &ContactPair) {
         let nodes = self.slave_nodes[place].clone();
         let (elements, coordinates) = local_elements(model, pair, &nodes);
+        let first = self.points.len();
+        self.edges[place] = elements.iter().map(|own| own.map(|node| first + node)).collect();
         let width = pair.interaction.width;
         let areas = tributary_areas(nodes.len(), &elements, &coordinates, width);
         for (&node, area) in nodes.iter().zip(areas) {

@@ -10,6 +10,7 @@
 
 mod contact;
 mod law;
+mod passed;
 mod structure;
 
 pub use contact::slid_off;
@@ -46,6 +47,7 @@ pub fn reason(outcome: &Outcome) -> String {
         Verdict::TooSlow => "convergence is too slow",
         Verdict::Discontinuous => "contact went on changing",
         Verdict::Broken => "the equations could not be solved",
+        Verdict::PassedThrough { .. } => "contact was passed through in the increment",
     };
     match &outcome.fault {
         Some(fault) => format!("{words} ({fault})"),
@@ -58,7 +60,8 @@ pub fn failure(case: &Case<'_>) -> Diagnostic {
     if case.stop == StopReason::TooManyIncrements {
         return case.too_many_increments();
     }
-    let causes: [fn(&Case<'_>) -> Option<Diagnostic>; 9] = [
+    let causes: [fn(&Case<'_>) -> Option<Diagnostic>; 10] = [
+        |case| case.passed_through(),
         |case| case.user_fault(),
         |case| case.off_the_end(),
         |case| case.unheld(),

@@ -40,6 +40,12 @@ pub enum Verdict {
     Discontinuous,
     /// The equations could not be solved, or gave no number.
     Broken,
+    /// An equilibrium was found, but on the way to it a body went through its
+    /// master.
+    PassedThrough {
+        /// Where in the increment contact began, in hundredths.
+        percent: u8,
+    },
 }
 
 impl Verdict {
@@ -76,6 +82,8 @@ pub enum StopReason {
     TooManyIncrements,
 }
 
+/// Shortest cut to where contact began [1].
+const SHORTEST_CUT: f64 = 0.1;
 /// Fraction of the period by which the end of a step may be missed.
 const END: f64 = 1e-12;
 
@@ -109,6 +117,7 @@ impl Control {
                 self.cut(limits.d_f, procedure, limits)
             }
             Verdict::TooSlow => self.cut(limits.d_c, procedure, limits),
+            Verdict::PassedThrough { percent } => self.cut_to_contact(percent, procedure),
         }
     }
 
@@ -141,6 +150,19 @@ impl Control {
         let committed = self.committed + 1;
         let dt = even_end(dt, procedure.period - time);
         Decision::Continue(Self { time, dt, committed, attempts: 0, quick: next_quick })
+    }
+
+    /// To where contact began, at least halving. It is no failure of Newton: only
+    /// the smallest increment ends it.
+    fn cut_to_contact(&self, percent: u8, procedure: &Static) -> Decision {
+        if procedure.direct {
+            return Decision::Stop(StopReason::Fixed);
+        }
+        let dt = self.dt * (f64::from(percent) / 100.0).clamp(SHORTEST_CUT, 0.5);
+        if dt < procedure.minimum {
+            return Decision::Stop(StopReason::TooSmall);
+        }
+        Decision::Cut(Self { dt, quick: 0, ..*self })
     }
 
     fn cut(&self, factor: f64, procedure: &Static, limits: &TimeIncrementation) -> Decision {

@@ -15,7 +15,7 @@ mod questions;
 mod relax;
 mod search;
 
-use crate::contact::GeometryScratch;
+use crate::contact::{GeometryScratch, Missed, Sweep, SweepScratch};
 use crate::convergence::{Field, FieldHistory, Measures, judge};
 use crate::evaluate::{Evaluation, Trial, evaluate};
 use crate::evidence::Evidence;
@@ -60,6 +60,8 @@ pub struct Outcome {
     pub fault: Option<SolveError>,
     /// The last iteration, where there was one.
     pub last: Option<IterationReport>,
+    /// Contact that was passed through on the way to an equilibrium.
+    pub missed: Option<Missed>,
 }
 
 /// Scratch of a step's iterations.
@@ -82,6 +84,7 @@ pub struct Workspace {
     points: Vec<LinearPoint>,
     contact: LinearisedContact,
     geometry: GeometryScratch,
+    sweep: SweepScratch,
     dashpots: Vec<Dashpot>,
     chain_positions: Vec<[f64; 2]>,
     was_closed: Vec<bool>,
@@ -127,6 +130,7 @@ impl Workspace {
             points: Vec::with_capacity(points),
             contact,
             geometry: GeometryScratch::new(&plan.contact),
+            sweep: SweepScratch::default(),
             dashpots: Vec::new(),
             chain_positions: Vec::new(),
             was_closed: vec![false; points],
@@ -168,7 +172,14 @@ pub fn attempt(
         let verdict = progress.verdict(&report, &limits);
         progress.last = Some(report);
         if let Some(verdict) = verdict {
-            return progress.end(verdict, None);
+            let missed = match verdict {
+                Verdict::Converged { .. } => work.missed(plan, committed),
+                _ => None,
+            };
+            return match missed {
+                Some(missed) => progress.end_with(missed),
+                None => progress.end(verdict, None),
+            };
         }
     }
 }
@@ -187,7 +198,13 @@ struct Progress {
 impl Progress {
     fn end(self, verdict: Verdict, fault: Option<SolveError>) -> Outcome {
         let (severe, equilibrium) = (self.severe as usize, self.equilibrium as usize);
-        Outcome { verdict, severe, equilibrium, fault, last: self.last }
+        Outcome { verdict, severe, equilibrium, fault, last: self.last, missed: None }
+    }
+
+    /// Equilibrium was found beyond contact that was passed through.
+    fn end_with(self, missed: Missed) -> Outcome {
+        let percent = (100.0 * missed.fraction).clamp(1.0, 100.0) as u8;
+        Outcome { missed: Some(missed), ..self.end(Verdict::PassedThrough { percent }, None) }
     }
 
     /// Whether the attempt is over. Semantics of increments: divergence is
@@ -347,6 +364,18 @@ impl Workspace {
             self.evaluate(plan, committed, dt);
         }
         Ok(())
+    }
+
+    /// Contact that the way from the last commit to the trial passes through.
+    fn missed(&mut self, plan: &Plan<'_>, committed: &State) -> Option<Missed> {
+        let sweep = Sweep {
+            from: &committed.displacement,
+            to: &self.u,
+            before: &committed.points,
+            now: &self.evaluation.points,
+        };
+        let through = plan.contact.passed_through(&sweep, &mut self.sweep);
+        through.or_else(|| plan.contact.passed_between(&sweep))
     }
 
     /// Fraction of the correction at which no node turns too far.

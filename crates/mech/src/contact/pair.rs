@@ -16,8 +16,10 @@ use super::friction::{
 use super::normal::NormalLaw;
 use super::onset::Onset;
 
+mod nose;
 mod surface;
 
+pub use nose::Nose;
 pub use surface::{
     AnyGap, Body, Derivatives, RigidSurface, StencilAttachments, chain_attachments, chain_gap,
 };

@@ -97,6 +97,34 @@ impl Facade {
         }
     }
 
+    /// Places whose box holds the master at displacements of both ends of a
+    /// way and, straight, between them.
+    pub fn swept(&self, u: &[Vec<f64>; 2], chains: &[Vec<[f64; 2]>; 2]) -> [[f64; 2]; 2] {
+        let mut low = [f64::INFINITY; 2];
+        let mut high = [f64::NEG_INFINITY; 2];
+        let mut take = |at: [f64; 2], room: f64| {
+            for axis in 0..2 {
+                low[axis] = low[axis].min(at[axis] - room);
+                high[axis] = high[axis].max(at[axis] + room);
+            }
+        };
+        match self {
+            Facade::Nothing => {}
+            Facade::Body { slots, reference, surface } => {
+                let (centre, radius) = surface.bounds();
+                for u in u {
+                    let body = Body { reference: *reference, dofs: slots.map(|slot| u[slot]) };
+                    take(body.to_space(centre), radius);
+                }
+            }
+            Facade::Line { nodes, offset, .. } => {
+                let range = *offset..offset + nodes.len();
+                chains.iter().flat_map(|c| &c[range.clone()]).for_each(|&at| take(at, 0.0));
+            }
+        }
+        [low, high]
+    }
+
     /// Overclosure [L] that `point` would have were the end prolonged beyond
     /// which it lies; `None` where it lies beyond none.
     pub fn beyond_end(&self, point: [f64; 2], u: &[f64], positions: &[[f64; 2]]) -> Option<f64> {

@@ -1,5 +1,6 @@
 //! The laws of a pair, with the lengths of its mesh filled in.
 
+use super::facade::Facade;
 use super::local_elements;
 use crate::users::UserFrictions;
 use slideline_mech::contact::friction::{Decay, FrictionLaw, Stick};
@@ -74,7 +75,27 @@ fn stiffest_face(model: &Model, pair: &ContactPair) -> f64 {
     largest / (length * length * pair.interaction.width)
 }
 
-/// Average length of the contact elements of a pair, undeformed [L].
+/// Distance of neighbouring slave points [L]: the mean length of the contact
+/// elements, or else of the beams, or else a tenth of a rigid master.
+pub(super) fn spacing(model: &Model, pair: &ContactPair, facade: &Facade) -> f64 {
+    let own = average(model, pair);
+    if own > 0.0 {
+        return own;
+    }
+    let beams = model.blocks.iter().filter_map(|block| block.beams());
+    let lengths = beams.flat_map(|block| &block.elements).map(|element| {
+        let [a, b] = element.nodes.map(|node| model.nodes.plane(node));
+        (b[0] - a[0]).hypot(b[1] - a[1])
+    });
+    let (sum, count) = lengths.fold((0.0, 0.0), |(sum, count), l| (sum + l, count + 1.0));
+    match facade {
+        _ if count > 0.0 => sum / count,
+        Facade::Body { surface, .. } => 0.2 * surface.bounds().1,
+        _ => 0.0,
+    }
+}
+
+/// Mean length of the contact elements of a pair, undeformed [L].
 pub fn average(model: &Model, pair: &ContactPair) -> f64 {
     let nodes = pair.slave_nodes();
     let (elements, coordinates) = local_elements(model, pair, &nodes);

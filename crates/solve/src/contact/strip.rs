@@ -60,6 +60,23 @@ impl Strip {
         ends
     }
 
+    /// Corners of boxes about its line at displacements of both ends of a way.
+    pub fn hull(&self, u: &[Vec<f64>; 2]) -> [[f64; 2]; 8] {
+        // a cubic Hermite line leaves the box of its nodes by 4/27 of its tangents at most
+        let room = self.line.tangents.map(|t| 0.15 * t[0].hypot(t[1]));
+        let mut corners = [[0.0; 2]; 8];
+        for (end, u) in u.iter().enumerate() {
+            for node in 0..2 {
+                let [x, y] = self.line.nodes[node];
+                let at = [x + u[self.slots[3 * node]], y + u[self.slots[3 * node + 1]]];
+                let room = room[0] + room[1];
+                corners[4 * end + 2 * node] = at.map(|x| x - room);
+                corners[4 * end + 2 * node + 1] = at.map(|x| x + room);
+            }
+        }
+        corners
+    }
+
     /// The stencil of its station at `xi`, its ends known.
     pub fn stencil(&self, ends: &[f64; 6], xi: f64) -> Stencil<'_> {
         let mut stencil = Stencil::new(self.line.bent(ends).position(xi));

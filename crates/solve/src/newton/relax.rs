@@ -15,6 +15,7 @@
 //! found is an equilibrium of the model as it is. Theory 9. [kelley1998]
 
 use super::{Outcome, Progress, Target, Workspace};
+use crate::contact::Sweep;
 use crate::increments::Verdict;
 use crate::observe::IterationReport;
 use crate::plan::Plan;
@@ -76,6 +77,7 @@ impl Workspace {
     ) -> Verdict {
         for _ in 0..STEPS {
             self.note_anchor();
+            let before = self.evaluation.points.clone();
             for _ in 0..ITERATIONS {
                 if self.iterate(plan, committed, target.dt).is_err() {
                     break;
@@ -92,9 +94,16 @@ impl Workspace {
                     break;
                 }
             }
+            let sweep = Sweep {
+                from: &self.relaxation.anchor,
+                to: &self.u,
+                before: &before,
+                now: &self.evaluation.points,
+            };
+            let through = plan.contact.passed_through(&sweep, &mut self.sweep).is_some();
             let way = self.way(plan);
             let lost = !self.contact.is_solved() || self.evaluation.fault.is_some();
-            if way.is_nan() || way > LONGEST || lost {
+            if way.is_nan() || way > LONGEST || lost || through {
                 self.return_to_anchor(plan, committed, target.dt);
                 self.relaxation.stiffness *= CHANGE * CHANGE;
             } else if way < SHORT * LONGEST {

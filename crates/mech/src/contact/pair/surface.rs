@@ -5,6 +5,8 @@ use super::super::gap::circle::{Circle, Side};
 use super::super::gap::curve::{Along, Weights, point_to_curve};
 use super::super::search::chain::{Chain, Piece, PieceKind};
 use super::super::search::rigid::{self, Facing, Part, RigidSegment};
+use super::super::search::sweep::{Crossing, cross_rigid};
+use super::nose::{Nose, bounds};
 use crate::rigid::{Attachment, PointMap};
 
 /// A gap of any of the kernels.
@@ -187,6 +189,8 @@ pub struct RigidSurface {
     segments: Vec<RigidSegment>,
     starts: Vec<f64>,
     period: Option<f64>,
+    bounds: ([f64; 2], f64),
+    noses: Vec<Nose>,
 }
 
 impl RigidSurface {
@@ -199,7 +203,18 @@ impl RigidSurface {
             total += segment.length();
         }
         let period = rigid::is_closed(&segments).then_some(total);
-        Self { segments, starts, period }
+        let (bounds, noses) = (bounds(&segments), Nose::of(&segments, period.is_some()));
+        Self { segments, starts, period, bounds, noses }
+    }
+
+    /// A circle that holds the surface, in the frame of the body: centre and radius [L].
+    pub fn bounds(&self) -> ([f64; 2], f64) {
+        self.bounds
+    }
+
+    /// Corners and arcs that the surface turns outward, and that may pass between points.
+    pub fn noses(&self) -> impl Iterator<Item = &Nose> {
+        self.noses.iter()
     }
 
     /// The segments.
@@ -220,6 +235,21 @@ impl RigidSurface {
         committed: Option<Facing>,
     ) -> Option<Facing> {
         rigid::closest_on(&self.segments, self.period.is_some(), body.to_body(point), committed)
+    }
+
+    /// Where the straight path between two places in the frame of the body crosses the surface, with
+    /// the coordinate sigma of each crossing [L].
+    pub fn crossings(&self, path: ([f64; 2], [f64; 2]), mut each: impl FnMut(Crossing, f64)) {
+        cross_rigid(&self.segments, path, |crossing| {
+            let segment = &self.segments[crossing.segment];
+            let own = segment.arc_length(crossing.parameter.clamp(0.0, 1.0));
+            each(crossing, self.starts[crossing.segment] + own);
+        });
+    }
+
+    /// Overclosure of a place in the frame of the body [L]; `None` where it faces nothing.
+    pub fn depth(&self, place: [f64; 2]) -> Option<f64> {
+        self.overclosure(&Body { reference: [0.0; 2], dofs: [0.0; 3] }, place)
     }
 
     /// Overclosure of `point` (in space) alone [L], without derivatives; `None` where it faces

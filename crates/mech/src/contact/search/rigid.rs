@@ -91,6 +91,11 @@ impl RigidSegment {
         Some((sign * cross(p, d)).atan2(dot(p, d)) / sweep)
     }
 
+    /// Whether a point at the radius of an arc lies on it.
+    pub fn holds(&self, point: Point) -> bool {
+        self.arc_parameter(point).is_some_and(|at| (-INSIDE..=1.0 + INSIDE).contains(&at))
+    }
+
     /// Length of the segment [L].
     pub fn length(&self) -> f64 {
         self.arc_length(1.0)
@@ -284,6 +289,12 @@ pub fn nearest_on(
         }
     }
     best
+}
+
+/// Whether a surface with these directions before and behind a corner turns outward there, by more
+/// than rounding.
+pub fn beyond_corner([before, after]: [Point; 2]) -> bool {
+    cross(before, after) < -INSIDE
 }
 
 /// A place beyond an open end of a rigid surface.

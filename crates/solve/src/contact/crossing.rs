@@ -1,0 +1,327 @@
+//! What a point and its master swept past each other in an increment.
+//!
+//! ```text
+//!      o start                   o start          a, b: slave nodes
+//!      |                          \               a           b
+//!   .--x--.  in at the bottom      x--.           o-----------o
+//!  (   |   )                     in   x out             ^
+//!   '--x--'  out at the top            \                | a corner of the master
+//!      o end: it was passed through     o end           | between them
+//! ```
+//!
+//! An evaluation looks at one configuration. What lies between the last commit
+//! and a converged trial is looked at here, once an increment: the way of every
+//! slave point relative to its master, and the ways of the master's corners and
+//! noses through the lines between slave nodes. Theory 6. (derived)
+
+use super::facade::Facade;
+use super::{Carrier, Contact};
+use crate::state::PointState;
+use slideline_mech::contact::pair::Body;
+use slideline_mech::contact::search::sweep::{apart, cross_chain};
+
+/// A master that was passed through.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Missed {
+    /// Place of the pair in the model.
+    pub pair: usize,
+    /// Place of the slave point, or those of the two between which the master
+    /// passed.
+    pub points: [usize; 2],
+    /// Whether a corner of the master passed between slave points.
+    pub between: bool,
+    /// Where in the increment contact began [1].
+    pub fraction: f64,
+}
+
+/// Both ends of an increment.
+#[derive(Clone, Copy)]
+pub struct Sweep<'a> {
+    /// Displacements at its beginning, a slot each.
+    pub from: &'a [f64],
+    /// At its end.
+    pub to: &'a [f64],
+    /// Contact points at its beginning.
+    pub before: &'a [PointState],
+    /// At its end.
+    pub now: &'a [PointState],
+}
+
+/// Scratch of a sweep.
+#[derive(Clone, Debug, Default)]
+pub struct SweepScratch {
+    /// Displacements at both ends of a part of the way.
+    parts: [Vec<f64>; 2],
+    /// Positions of chains there [L].
+    chains: [Vec<[f64; 2]>; 2],
+    /// Crossings by slave points, in the order of the way.
+    events: Vec<(usize, Event)>,
+}
+
+/// Where a slave point enters or leaves a master, or stands at an end of its way.
+#[derive(Clone, Copy, Debug)]
+struct Event {
+    fraction: f64,
+    along: f64,
+    normal: [f64; 2],
+    /// In the frame of the body, of a rigid master [L].
+    at: [f64; 2],
+    inward: bool,
+}
+
+/// Largest turn of a dof in a part of the way that is taken as straight [1].
+const TURN: f64 = 0.25;
+/// The most parts.
+const PARTS: usize = 64;
+/// Depth in spacings of slave points at which a path may cut a corner [1].
+const CUT: f64 = 0.1;
+/// Way round a corner over the way through it, up to which a path cut a
+/// corner and did not go through a wall [1].
+const ROUND: f64 = 3.0;
+/// Places at which the depth of a path is looked at.
+const SAMPLES: usize = 8;
+
+impl Contact {
+    /// The first master that a slave point passed through unseen in an
+    /// increment: entered and left again, or entered and not faced at its end.
+    pub fn passed_through(&self, sweep: &Sweep<'_>, scratch: &mut SweepScratch) -> Option<Missed> {
+        self.find_events(sweep, scratch);
+        let mut first: Option<Missed> = None;
+        let mut rest = &scratch.events[..];
+        let mut consider = |place: usize, events: &[(usize, Event)]| {
+            let Some(fraction) = self.missed(place, sweep, events, &scratch.chains) else { return };
+            if first.is_none_or(|first| fraction < first.fraction) {
+                let pair = self.points[place].pair;
+                first = Some(Missed { pair, points: [place; 2], between: false, fraction });
+            }
+        };
+        while let Some(&(place, _)) = rest.first() {
+            let count = rest.iter().take_while(|(other, _)| *other == place).count();
+            let (own, others) = rest.split_at(count);
+            consider(place, own);
+            rest = others;
+        }
+        // what slid round a body without leaving it
+        for (place, (before, now)) in sweep.before.iter().zip(sweep.now).enumerate() {
+            let turned = dot(before.normal, now.normal) < 0.0;
+            if before.closed && now.closed && turned && !self.points[place].is_station() {
+                consider(place, &[]);
+            }
+        }
+        first
+    }
+
+    /// Fills in the crossings of all slave points, point by point in the order
+    /// of the way.
+    fn find_events(&self, sweep: &Sweep<'_>, scratch: &mut SweepScratch) {
+        let turned = sweep.from.iter().zip(sweep.to).skip(2).step_by(3);
+        let turn = turned.fold(0.0_f64, |largest, (a, b)| largest.max((b - a).abs()));
+        let parts = ((turn / TURN).ceil() as usize).clamp(1, PARTS);
+        scratch.events.clear();
+        for part in 0..parts {
+            for end in 0..2 {
+                let fraction = (part + end) as f64 / parts as f64;
+                let values = sweep.from.iter().zip(sweep.to).map(|(a, b)| a + fraction * (b - a));
+                scratch.parts[end].clear();
+                scratch.parts[end].extend(values);
+                self.place_chains(&scratch.parts[end], &mut scratch.chains[end]);
+            }
+            for pair in 0..self.facades.len() {
+                self.cross_pair(pair, (part, parts), scratch);
+            }
+        }
+        scratch.events.sort_by(|a, b| (a.0.cmp(&b.0)).then(a.1.fraction.total_cmp(&b.1.fraction)));
+    }
+
+    /// Adds the crossings of the slave points of a pair in a part of the way.
+    fn cross_pair(&self, pair: usize, (part, parts): (usize, usize), scratch: &mut SweepScratch) {
+        let SweepScratch { parts: u, chains, events } = scratch;
+        let room = self.facades[pair].swept(u, chains);
+        let share = |fraction: f64| (part as f64 + fraction) / parts as f64;
+        for (place, point) in self.points.iter().enumerate().filter(|(_, p)| p.pair == pair) {
+            if let Carrier::Station { strip } = point.carrier {
+                if apart(&self.strips[strip].hull(u), &room) {
+                    continue;
+                }
+            }
+            let xi = self.resting_place(place);
+            let way = [0, 1].map(|end| self.slave(point, xi, &u[end]).position);
+            if apart(&way, &room) {
+                continue;
+            }
+            match &self.facades[pair] {
+                Facade::Nothing => {}
+                Facade::Body { slots, reference, surface } => {
+                    let local = [0, 1].map(|end| {
+                        let dofs = slots.map(|slot| u[end][slot]);
+                        Body { reference: *reference, dofs }.to_body(way[end])
+                    });
+                    surface.crossings((local[0], local[1]), |crossing, along| {
+                        let t = crossing.fraction;
+                        let at = [0, 1].map(|c| local[0][c] + t * (local[1][c] - local[0][c]));
+                        let (normal, inward) = (crossing.normal, crossing.inward);
+                        let event = Event { fraction: share(t), along, normal, at, inward };
+                        events.push((place, event));
+                    });
+                }
+                Facade::Line { chain, nodes, offset } => {
+                    let range = *offset..offset + nodes.len();
+                    let positions = (&chains[0][range.clone()], &chains[1][range]);
+                    cross_chain(positions, (way[0], way[1]), |crossing| {
+                        let start = chain.arc_coordinate(crossing.segment);
+                        let own = crossing.parameter * chain.reference_length(crossing.segment);
+                        let (normal, inward) = (crossing.normal, crossing.inward);
+                        let fraction = share(crossing.fraction);
+                        let at = way[0];
+                        events.push((
+                            place,
+                            Event { fraction, along: start + own, normal, at, inward },
+                        ));
+                    });
+                }
+            }
+        }
+    }
+
+    /// Where a station stands on its element while its cell is closed.
+    fn resting_place(&self, place: usize) -> f64 {
+        match self.points[place].carrier {
+            Carrier::Node { .. } => 0.0,
+            Carrier::Station { strip } => {
+                super::Strip::resting_place(place - self.strips[strip].first)
+            }
+        }
+    }
+
+    /// Where in the increment a point entered a master that it passed through.
+    fn missed(
+        &self,
+        place: usize,
+        sweep: &Sweep<'_>,
+        events: &[(usize, Event)],
+        chains: &[Vec<[f64; 2]>; 2],
+    ) -> Option<f64> {
+        let mut entered = self.inside(place, (sweep.from, sweep.before), &chains[0], 0.0);
+        for &(_, event) in events {
+            match (event.inward, entered) {
+                (true, None) => entered = Some(event),
+                (false, Some(from)) => {
+                    if self.is_through(place, &from, &event) {
+                        return Some(from.fraction);
+                    }
+                    entered = None;
+                }
+                _ => {}
+            }
+        }
+        let from = entered?;
+        match self.inside(place, (sweep.to, sweep.now), &chains[1], 1.0) {
+            Some(end) => self.is_through(place, &from, &end).then_some(from.fraction),
+            // entered on the way, and at its end nothing keeps it outside
+            None => (from.fraction > 0.0).then_some(from.fraction),
+        }
+    }
+
+    /// Where a point stands in its master at an end of the way; `None` where it
+    /// is open.
+    fn inside(
+        &self,
+        place: usize,
+        (u, points): (&[f64], &[PointState]),
+        chains: &[[f64; 2]],
+        fraction: f64,
+    ) -> Option<Event> {
+        let point = &self.points[place];
+        let (along, normal, position) = match point.carrier {
+            Carrier::Node { .. } => {
+                let state = &points[place];
+                let along = state.along.filter(|_| state.closed || state.opening < 0.0)?;
+                (along, state.normal, state.position)
+            }
+            Carrier::Station { .. } => {
+                let meeting = self.stand(place, u, chains);
+                if !meeting.faces || meeting.overclosure <= 0.0 {
+                    return None;
+                }
+                (meeting.along, meeting.normal, meeting.position)
+            }
+        };
+        let Facade::Body { slots, reference, .. } = &self.facades[point.pair] else {
+            return Some(Event { fraction, along, normal, at: position, inward: true });
+        };
+        let body = Body { reference: *reference, dofs: slots.map(|slot| u[slot]) };
+        let (sin, cos) = body.dofs[2].sin_cos();
+        let normal = [cos * normal[0] + sin * normal[1], cos * normal[1] - sin * normal[0]];
+        Some(Event { fraction, along, normal, at: body.to_body(position), inward: true })
+    }
+
+    /// Whether the way between two places of a master goes through its body:
+    /// they face apart, and the way neither slides round the body nor cuts no
+    /// more than a corner.
+    fn is_through(&self, place: usize, from: &Event, to: &Event) -> bool {
+        let pair = self.points[place].pair;
+        let Facade::Body { surface, .. } = &self.facades[pair] else { return false };
+        if dot(from.normal, to.normal) >= 0.0 {
+            return false;
+        }
+        let way = [to.at[0] - from.at[0], to.at[1] - from.at[1]];
+        let straight = way[0].hypot(way[1]);
+        let mut round = (to.along - from.along).abs();
+        if let Some(period) = surface.period() {
+            round = round.min(period - round);
+        }
+        if round > ROUND * straight {
+            return true;
+        }
+        let depth = (1..SAMPLES).map(|k| {
+            let t = k as f64 / SAMPLES as f64;
+            let at = [from.at[0] + t * way[0], from.at[1] + t * way[1]];
+            surface.depth(at).unwrap_or(f64::INFINITY)
+        });
+        depth.fold(0.0, f64::max) > CUT * self.spacing[pair]
+    }
+
+    /// The first corner or nose of a rigid master that passed between two slave
+    /// nodes deeper than their distance lets it, none of which it touched.
+    pub fn passed_between(&self, sweep: &Sweep<'_>) -> Option<Missed> {
+        let mut first: Option<Missed> = None;
+        for (pair, facade) in self.facades.iter().enumerate() {
+            let Facade::Body { slots, reference, surface } = facade else { continue };
+            if self.edges[pair].is_empty() {
+                continue;
+            }
+            let body = |u: &[f64]| Body { reference: *reference, dofs: slots.map(|slot| u[slot]) };
+            let bodies = (body(sweep.from), body(sweep.to));
+            for &points in &self.edges[pair] {
+                if points.into_iter().any(|place| sweep.now[place].closed) {
+                    continue;
+                }
+                let edge = |states: &[PointState]| points.map(|place| states[place].position);
+                let edges = (edge(sweep.before), edge(sweep.now));
+                let found = surface.noses().filter_map(|nose| {
+                    let allowed = nose.allowed(length(edges.1));
+                    let (before, now) =
+                        (nose.depth(&bodies.0, edges.0)?, nose.depth(&bodies.1, edges.1)?);
+                    let t = (allowed - before.0) / (now.0 - before.0);
+                    let beside = before.1 + t * (now.1 - before.1);
+                    let passed = before.0 <= allowed && now.0 > allowed;
+                    (passed && (0.0..=1.0).contains(&beside)).then_some(t)
+                });
+                for fraction in found {
+                    if first.is_none_or(|first| fraction < first.fraction) {
+                        first = Some(Missed { pair, points, between: true, fraction });
+                    }
+                }
+            }
+        }
+        first
+    }
+}
+
+fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+fn length([a, b]: [[f64; 2]; 2]) -> f64 {
+    (b[0] - a[0]).hypot(b[1] - a[1])
+}

@@ -1,0 +1,62 @@
+//! Contact that no increment allowed catches.
+
+use super::Case;
+use crate::contact::Missed;
+use slideline_diag::{Code, Diagnostic, Place};
+
+impl Case<'_> {
+    /// An equilibrium was found, but a body went through its master on the way,
+    /// and no shorter increment is allowed.
+    pub(super) fn passed_through(&self) -> Option<Diagnostic> {
+        let missed = self.outcome.missed.as_ref()?;
+        Some(match missed.between {
+            true => self.between_nodes(missed),
+            false => self.through(missed),
+        })
+    }
+
+    fn through(&self, missed: &Missed) -> Diagnostic {
+        let pair = &self.plan.model.contact_pairs[missed.pair];
+        let node = self.label(self.plan.contact.points[missed.points[0]].node);
+        let procedure = &self.plan.step.procedure;
+        let message = format!(
+            "node {node} goes through its master (pair {}) {}: within one increment of {:.4e} it \
+             enters it and is behind it, and no shorter increment is allowed",
+            pair.name,
+            self.beyond(),
+            self.dt
+        );
+        let needed = 0.1 * missed.fraction * self.dt;
+        let said = Diagnostic::error(Code("SL0519"), message).at(procedure.origin).help(format!(
+            "everything up to that time is kept; begin *STATIC with an increment of {needed:.2e} and \
+             allow smaller ones"
+        ));
+        match procedure.origin {
+            Some(origin) => said.card(
+                Place::Instead(origin),
+                format!("*STATIC\n{needed:.6E}, {:?}, {:.6E}\n", procedure.period, 1e-3 * needed),
+            ),
+            None => said,
+        }
+    }
+
+    fn between_nodes(&self, missed: &Missed) -> Diagnostic {
+        let pair = &self.plan.model.contact_pairs[missed.pair];
+        let points = missed.points.map(|place| &self.plan.contact.points[place]);
+        let [a, b] = points.map(|point| self.plan.model.nodes.plane(point.node));
+        let [first, second] = points.map(|point| self.label(point.node));
+        let distance = (b[0] - a[0]).hypot(b[1] - a[1]);
+        let message = format!(
+            "the master of pair {} goes through the slave surface between nodes {first} and \
+             {second} {}, and touches neither of them: they are {distance:.3e} apart, too far for \
+             its corners and arcs",
+            pair.name,
+            self.beyond()
+        );
+        Diagnostic::error(Code("SL0520"), message).at(pair.origin).help(
+            "everything up to that time is kept; give the slave surface shorter elements than the \
+             narrowest part of the master, or integrate contact along them with *CONTACT PAIR, \
+             TYPE=SURFACE TO SURFACE",
+        )
+    }
+}
