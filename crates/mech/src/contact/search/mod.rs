@@ -8,6 +8,7 @@
 
 pub mod chain;
 pub mod rigid;
+pub mod segment;
 pub mod sweep;
 
 type Point = [f64; 2];

@@ -10,7 +10,7 @@
 //!
 //! A search that looks at the end of an increment alone does not see what lies between its ends.
 
-use super::rigid::RigidSegment;
+use super::segment::RigidSegment;
 use super::{INSIDE, Point, cross, dot, sub};
 
 /// A crossing of a path and a part of a master.
