@@ -22,6 +22,8 @@ pub struct Trial<'a> {
     pub u: &'a [f64],
     /// Applied loads, a slot each [F or F L].
     pub load: &'a [f64],
+    /// Stresses of every element as the iteration estimates them [F, F, F L].
+    pub stresses: &'a [f64],
     /// Pressure of every contact point as the iteration estimates it [F/L2].
     pub pressures: &'a [f64],
     /// Traction of every contact point likewise [F/L2].
@@ -106,7 +108,7 @@ impl Evaluation {
 
 /// Evaluates a trial state against the committed one.
 pub fn evaluate(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into: &mut Evaluation) {
-    plan.structure.evaluate(trial.u, &mut into.contributions, plan.pool);
+    plan.structure.evaluate(trial.u, Some(trial.stresses), &mut into.contributions, plan.pool);
     into.internal.fill(0.0);
     into.strain_energy = plan.structure.gather_force(&into.contributions, &mut into.internal);
     into.flux = plan.structure.flux(&into.contributions);

@@ -14,6 +14,8 @@ mod measures;
 mod questions;
 mod relax;
 mod search;
+mod stresses;
+mod turns;
 
 use crate::contact::{GeometryScratch, Missed, Sweep, SweepScratch};
 use crate::convergence::{Field, FieldHistory, Measures, judge};
@@ -79,6 +81,9 @@ pub struct Workspace {
     correction_slots: Vec<f64>,
     residual: Vec<f64>,
     increment: Vec<f64>,
+    /// Stresses of the elements as the linear solutions arrive at them.
+    stresses: Vec<f64>,
+    arrived: Vec<f64>,
     pressures: Vec<f64>,
     tractions: Vec<f64>,
     points: Vec<LinearPoint>,
@@ -105,9 +110,6 @@ pub struct Workspace {
     changes: Vec<ContactChange>,
 }
 
-/// The largest rotation that one iteration may add [1].
-const LARGEST_ROTATION: f64 = 0.5;
-
 impl Workspace {
     /// Room for a plan; the symbolic factorisation happens here.
     pub fn new(plan: &Plan<'_>) -> Self {
@@ -125,6 +127,8 @@ impl Workspace {
             correction_slots: vec![0.0; slots],
             residual: vec![0.0; slots],
             increment: vec![0.0; slots],
+            stresses: plan.structure.stress_room(),
+            arrived: plan.structure.stress_room(),
             pressures: vec![0.0; points],
             tractions: vec![0.0; points],
             points: Vec::with_capacity(points),
@@ -267,6 +271,7 @@ impl Workspace {
         if committed.increment_time[0] == 0.0 {
             self.spread_prescribed(plan, committed, target);
         }
+        self.first_stresses(plan, committed, target.dt);
         self.evaluate(plan, committed, target.dt);
         self.evidence.begin(&self.evaluation.points);
     }
@@ -279,7 +284,7 @@ impl Workspace {
             *value = self.u[slot] - committed.displacement[slot];
         }
         let from = &committed.displacement;
-        plan.structure.evaluate(from, &mut self.evaluation.contributions, plan.pool);
+        plan.structure.evaluate(from, None, &mut self.evaluation.contributions, plan.pool);
         self.residual.fill(0.0);
         plan.structure.multiply(&self.evaluation.contributions, change, &mut self.residual);
         for (equation, &slot) in plan.layout.slot_of_equation.iter().enumerate() {
@@ -305,6 +310,7 @@ impl Workspace {
         Trial {
             u: &self.u,
             load: &self.load,
+            stresses: &self.stresses,
             pressures: &self.pressures,
             tractions: &self.tractions,
             dashpots: &self.dashpots,
@@ -317,6 +323,7 @@ impl Workspace {
         let trial = Trial {
             u: &self.u,
             load: &self.load,
+            stresses: &self.stresses,
             pressures: &self.pressures,
             tractions: &self.tractions,
             dashpots: &self.dashpots,
@@ -378,17 +385,6 @@ impl Workspace {
         through.or_else(|| plan.contact.passed_between(&sweep))
     }
 
-    /// Fraction of the correction at which no node turns too far.
-    fn limit_turns(&self, plan: &Plan<'_>) -> f64 {
-        let mut turn = 0.0_f64;
-        for (equation, &slot) in plan.layout.slot_of_equation.iter().enumerate() {
-            if plan.layout.name(slot).1.is_rotation() {
-                turn = turn.max(self.correction[equation].abs());
-            }
-        }
-        if turn > LARGEST_ROTATION { LARGEST_ROTATION / turn } else { 1.0 }
-    }
-
     /// Moves by a fraction of the correction.
     fn advance(&mut self, plan: &Plan<'_>, length: f64) {
         self.step_length = length;
@@ -396,6 +392,7 @@ impl Workspace {
         for (equation, &slot) in plan.layout.slot_of_equation.iter().enumerate() {
             self.correction_slots[slot] = self.correction[equation];
         }
+        self.move_stresses(plan, length);
         for (slot, change) in self.correction_slots.iter_mut().enumerate() {
             *change *= length;
             self.u[slot] += *change;

@@ -20,7 +20,7 @@ pub use flux::Flux;
 
 use crate::layout::Layout;
 use crate::observe::BeamRow;
-use element::Placed;
+use element::{Kinematics, Placed};
 use rayon::ThreadPool;
 use slideline_linalg::Pattern;
 use slideline_model::NodeIndex;
@@ -56,6 +56,8 @@ pub struct Structure {
     entries: Vec<usize>,
     beams: Vec<BeamReport>,
     nlgeom: bool,
+    /// How many stresses the elements have.
+    stresses: usize,
     /// Largest EA/l [F/L], for the rounding floor of the residual.
     pub stiffest: f64,
     /// Length of the element that has it [L].
@@ -114,8 +116,48 @@ impl Structure {
         touched
     }
 
-    /// Evaluates every element at displacements `u`, each into its own place.
-    pub fn evaluate(&self, u: &[f64], into: &mut Contributions, pool: Option<&ThreadPool>) {
+    /// Room for the stresses of every element; none where strains are linear,
+    /// for then there is no geometric stiffness.
+    pub fn stress_room(&self) -> Vec<f64> {
+        vec![0.0; if self.nlgeom { self.stresses } else { 0 }]
+    }
+
+    /// The stresses that a linear solution with the `change` of all slots
+    /// arrives at from displacements `u`: docs/theory.md eq. (3.27).
+    pub fn stresses_after(&self, u: &[f64], change: &[f64], into: &mut [f64]) {
+        if into.is_empty() {
+            return;
+        }
+        for element in &self.elements {
+            let places = (&self.own[element.own()], &self.targets[element.targets()]);
+            element.stresses_after((u, change), places, &mut into[element.stresses()]);
+        }
+    }
+
+    /// The largest turn of a beam's nodes against each other [1], of the
+    /// changes `of` the slots.
+    pub fn largest_bend(&self, of: impl Fn(usize) -> f64) -> f64 {
+        let mut largest = 0.0_f64;
+        for beam in &self.beams {
+            let nodes = self.targets[self.elements[beam.element].targets()].as_chunks::<3>().0;
+            let turns = || nodes.iter().map(|node| of(node[2]));
+            let (low, high) =
+                (turns().fold(f64::INFINITY, f64::min), turns().fold(f64::NEG_INFINITY, f64::max));
+            largest = largest.max(high - low);
+        }
+        largest
+    }
+
+    /// Evaluates every element at displacements `u`, each into its own place;
+    /// with estimates of the stresses these make the geometric stiffness.
+    pub fn evaluate(
+        &self,
+        u: &[f64],
+        stresses: Option<&[f64]>,
+        into: &mut Contributions,
+        pool: Option<&ThreadPool>,
+    ) {
+        let trial = (u, stresses.filter(|_| self.nlgeom));
         let part = Part {
             elements: &self.elements,
             force: &mut into.force,
@@ -123,21 +165,21 @@ impl Structure {
             energy: &mut into.energy,
         };
         match pool.filter(|_| self.elements.len() >= PARALLEL) {
-            Some(pool) => pool.install(|| self.evaluate_shared(u, part)),
-            None => self.evaluate_part(u, part),
+            Some(pool) => pool.install(|| self.evaluate_shared(trial, part)),
+            None => self.evaluate_part(trial, part),
         }
     }
 
     /// Halves a part until one thread can take it.
-    fn evaluate_shared(&self, u: &[f64], part: Part<'_>) {
+    fn evaluate_shared(&self, trial: Displacements<'_>, part: Part<'_>) {
         if part.elements.len() <= SHARE {
-            return self.evaluate_part(u, part);
+            return self.evaluate_part(trial, part);
         }
         let (first, second) = part.halve();
-        rayon::join(|| self.evaluate_shared(u, first), || self.evaluate_shared(u, second));
+        rayon::join(|| self.evaluate_shared(trial, first), || self.evaluate_shared(trial, second));
     }
 
-    fn evaluate_part(&self, u: &[f64], part: Part<'_>) {
+    fn evaluate_part(&self, (u, stresses): Displacements<'_>, part: Part<'_>) {
         let Part { elements, mut force, mut tangent, energy } = part;
         for (element, energy) in elements.iter().zip(energy) {
             let width = element.width();
@@ -147,11 +189,16 @@ impl Structure {
             tangent = rest;
             let own = &self.own[element.own()];
             let slots = (own_force, own_tangent);
+            let kinematics = match stresses {
+                Some(stresses) => Kinematics::Mixed(&stresses[element.stresses()]),
+                None if self.nlgeom => Kinematics::Exact,
+                None => Kinematics::Linear,
+            };
             *energy = if element.attachments.is_empty() {
-                element.shape.evaluate(u, own, self.nlgeom, slots)
+                element.shape.evaluate(u, own, kinematics, slots)
             } else {
                 let targets = &self.targets[element.targets()];
-                element.evaluate_carried(u, (own, targets), self.nlgeom, slots)
+                element.evaluate_carried(u, (own, targets), kinematics, slots)
             };
         }
     }
@@ -217,6 +264,10 @@ impl Structure {
         })
     }
 }
+
+/// Displacements, and the stresses that the geometric stiffness is made of
+/// where they are not those of the strains.
+type Displacements<'a> = (&'a [f64], Option<&'a [f64]>);
 
 /// Elements that lie together, with their slots.
 struct Part<'a> {

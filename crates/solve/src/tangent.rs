@@ -179,9 +179,12 @@ impl Place<'_> {
 
 /// Values of the tangent in the places of the pattern [F/L and the like].
 pub fn assembled(place: &Place<'_>) -> Vec<f64> {
-    let Place { plan, trial, evaluation, .. } = place;
+    let Place { plan, trial, .. } = place;
     let mut values = vec![0.0; plan.pattern.entries()];
-    plan.structure.gather_tangent(&evaluation.contributions, &mut values);
+    // The geometric stiffness of the iteration is that of estimated stresses.
+    let mut contributions = plan.structure.room();
+    plan.structure.evaluate(trial.u, None, &mut contributions, plan.pool);
+    plan.structure.gather_tangent(&contributions, &mut values);
     for (slot, stiffness) in plan.layout.load_stiffness(trial.u, trial.load) {
         let equation = plan.layout.equation(slot);
         if let Some(at) = equation.and_then(|e| plan.pattern.position(e, e)) {
@@ -349,7 +352,7 @@ impl<'a> Differences<'a> {
 
     fn residual(&mut self) -> Vec<f64> {
         let Place { plan, trial, evaluation, .. } = self.place;
-        plan.structure.evaluate(&self.u, &mut self.contributions, plan.pool);
+        plan.structure.evaluate(&self.u, None, &mut self.contributions, plan.pool);
         self.internal.fill(0.0);
         let _energy = plan.structure.gather_force(&self.contributions, &mut self.internal);
         plan.layout.carry_loads(&self.u, trial.load, &mut self.external);
@@ -521,8 +524,10 @@ mod tests {
             // as stiff as the contact itself, lest the differences miss it
             dashpots.iter_mut().for_each(|dashpot| dashpot.scale_to(1.0));
             let none = vec![0.0; points];
+            let stresses = plan.structure.stress_room();
             let load = vec![0.0; slots];
             let trial = Trial {
+                stresses: &stresses,
                 u: &u,
                 load: &load,
                 pressures: &none,

@@ -63,8 +63,8 @@ pub(super) struct Relaxation {
     pub stiffness: f64,
     /// State at the beginning of the step, a slot each.
     pub anchor: Vec<f64>,
-    /// Estimates of pressures and tractions there.
-    estimates: (Vec<f64>, Vec<f64>),
+    /// Estimates of pressures, tractions and stresses there.
+    estimates: [Vec<f64>; 3],
 }
 
 impl Workspace {
@@ -122,15 +122,19 @@ impl Workspace {
     fn note_anchor(&mut self) {
         let relaxation = &mut self.relaxation;
         relaxation.anchor.clone_from(&self.u);
-        relaxation.estimates.0.clone_from(&self.pressures);
-        relaxation.estimates.1.clone_from(&self.tractions);
+        let estimates = [&self.pressures, &self.tractions, &self.stresses];
+        for (kept, estimate) in relaxation.estimates.iter_mut().zip(estimates) {
+            kept.clone_from(estimate);
+        }
     }
 
     fn return_to_anchor(&mut self, plan: &Plan<'_>, committed: &State, dt: f64) {
         let relaxation = &self.relaxation;
         self.u.copy_from_slice(&relaxation.anchor);
-        self.pressures.copy_from_slice(&relaxation.estimates.0);
-        self.tractions.copy_from_slice(&relaxation.estimates.1);
+        let [pressures, tractions, stresses] = &relaxation.estimates;
+        self.pressures.copy_from_slice(pressures);
+        self.tractions.copy_from_slice(tractions);
+        self.stresses.copy_from_slice(stresses);
         self.evaluate(plan, committed, dt);
     }
 

@@ -34,7 +34,7 @@ impl Workspace {
     /// Moves by the fraction, of at most `longest`, that lessens the residual
     /// enough, or else by the one that leaves least of it.
     pub(super) fn search(&mut self, plan: &Plan<'_>, committed: &State, (dt, longest): (f64, f64)) {
-        let from = (self.u.clone(), self.pressures.clone(), self.tractions.clone());
+        let from = [&self.u, &self.pressures, &self.tractions, &self.stresses].map(Vec::clone);
         let before = self.merit(plan);
         let mut best = (f64::INFINITY, longest);
         let mut taken = 0.0;
@@ -58,10 +58,11 @@ impl Workspace {
         }
     }
 
-    fn go_back(&mut self, (u, pressures, tractions): &(Vec<f64>, Vec<f64>, Vec<f64>)) {
+    fn go_back(&mut self, [u, pressures, tractions, stresses]: &[Vec<f64>; 4]) {
         self.u.copy_from_slice(u);
         self.pressures.copy_from_slice(pressures);
         self.tractions.copy_from_slice(tractions);
+        self.stresses.copy_from_slice(stresses);
     }
 
     /// Size of what is not balanced: forces, moments over the length of the

@@ -1,8 +1,10 @@
 //! One element: its physics, its places, its evaluation.
 
 use super::Flux;
-use slideline_mech::element::{AxialSpring, Beam21, Beam22, Beam23, BeamStrains, GroundSpring};
-use slideline_mech::rigid::{Attachment, push_forward};
+use slideline_mech::element::{
+    AxialSpring, Beam21, Beam22, Beam23, BeamStrains, GroundSpring, Mixed,
+};
+use slideline_mech::rigid::{Attachment, pull_back, push_forward, push_gradients};
 use slideline_mech::section::BeamStiffness;
 use std::ops::Range;
 
@@ -11,6 +13,17 @@ pub(super) const WIDTH: usize = 9;
 
 /// Force and tangent (row by row) of an element.
 type Slots<'a> = (&'a mut [f64], &'a mut [f64]);
+
+/// How strains follow displacements.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Kinematics<'a> {
+    /// Without NLGEOM: small displacements.
+    Linear,
+    /// Any displacement; the tangent is the derivative of the force.
+    Exact,
+    /// Any displacement; the geometric stiffness is that of these stresses.
+    Mixed(&'a [f64]),
+}
 
 /// What an element is.
 #[derive(Clone, Debug)]
@@ -36,6 +49,8 @@ pub(super) struct Placed {
     pub first_target: usize,
     /// Where the places of its tangent begin.
     pub first_entry: usize,
+    /// Where the estimates of its stresses begin.
+    pub first_stress: usize,
     /// How its variables follow the carriers; empty where none is dependent.
     pub attachments: Vec<Attachment>,
 }
@@ -57,6 +72,10 @@ impl Placed {
         self.first_entry..self.first_entry + self.width * self.width
     }
 
+    pub fn stresses(&self) -> Range<usize> {
+        self.first_stress..self.first_stress + self.shape.stresses()
+    }
+
     /// Writes force and tangent of an element with dependent nodes, returns
     /// the strain energy [F L]. `own` are the slots of its variables,
     /// `targets` those its force goes to.
@@ -64,33 +83,62 @@ impl Placed {
         &self,
         u: &[f64],
         (own, targets): (&[usize], &[usize]),
-        nlgeom: bool,
+        kinematics: Kinematics<'_>,
         (force, tangent): Slots<'_>,
     ) -> f64 {
         let n = self.variables;
         let (mut gradient, mut hessian) = ([0.0; WIDTH], [0.0; WIDTH * WIDTH]);
         let slots = (&mut gradient[..n], &mut hessian[..n * n]);
-        let energy = self.shape.evaluate(u, own, nlgeom, slots);
-        self.carry(u, targets, (&gradient[..n], &hessian[..n * n]), (force, tangent));
-        energy
-    }
-
-    /// Hands force and tangent of dependent nodes to their masters.
-    fn carry(
-        &self,
-        u: &[f64],
-        targets: &[usize],
-        (gradient, hessian): (&[f64], &[f64]),
-        (force, tangent): Slots<'_>,
-    ) {
+        let energy = self.shape.evaluate(u, own, kinematics, slots);
         let mut dofs = [0.0; WIDTH];
         for (dof, &slot) in dofs.iter_mut().zip(targets) {
             *dof = u[slot];
         }
         force.fill(0.0);
         tangent.fill(0.0);
-        let dofs = &dofs[..targets.len()];
-        push_forward(&self.attachments, dofs, gradient, hessian, force, tangent);
+        let (dofs, gradient) = (&dofs[..targets.len()], &gradient[..n]);
+        // The arms turn with the stresses that the geometric stiffness takes.
+        let mut turning = [0.0; WIDTH];
+        if self.shape.force_of_stresses(u, own, kinematics, &mut turning[..n]) {
+            let mut unused = [0.0; WIDTH];
+            let unused = &mut unused[..targets.len()];
+            push_forward(
+                &self.attachments,
+                dofs,
+                &turning[..n],
+                &hessian[..n * n],
+                unused,
+                tangent,
+            );
+            push_gradients(&self.attachments, dofs, [gradient], [force]);
+        } else {
+            push_forward(&self.attachments, dofs, gradient, &hessian[..n * n], force, tangent);
+        }
+        energy
+    }
+
+    /// The stresses that a linear solution with the `change` of all slots
+    /// arrives at from displacements `u`; of dependent nodes the masters'
+    /// changes count.
+    pub fn stresses_after(
+        &self,
+        (u, change): (&[f64], &[f64]),
+        (own, targets): (&[usize], &[usize]),
+        into: &mut [f64],
+    ) {
+        let mut moved = [0.0; WIDTH];
+        let moved = &mut moved[..self.variables];
+        if self.attachments.is_empty() {
+            moved.iter_mut().zip(own).for_each(|(value, &slot)| *value = change[slot]);
+        } else {
+            let mut dofs = [[0.0; WIDTH]; 2];
+            for (place, &slot) in targets.iter().enumerate() {
+                (dofs[0][place], dofs[1][place]) = (u[slot], change[slot]);
+            }
+            let [dofs, changes] = [&dofs[0][..targets.len()], &dofs[1][..targets.len()]];
+            pull_back(&self.attachments, dofs, changes, moved);
+        }
+        self.shape.stresses_after(u, own, moved, into);
     }
 
     /// Counts the forces and moments at its nodes.
@@ -164,10 +212,64 @@ fn arrays<'a, const N: usize, const NN: usize>(
 }
 
 impl Shape {
+    /// How many stresses it has that can be estimated apart.
+    pub fn stresses(&self) -> usize {
+        match self {
+            Self::Beam21(_) | Self::Beam23(_) => 3,
+            Self::Beam22(_) => 6,
+            Self::Ground(..) | Self::Axial(_) => 0,
+        }
+    }
+
+    fn stresses_after(&self, u: &[f64], own: &[usize], change: &[f64], into: &mut [f64]) {
+        match self {
+            Self::Beam21(beam) => stresses_after(beam, u, own, change, into),
+            Self::Beam22(beam) => stresses_after(beam.as_ref(), u, own, change, into),
+            Self::Beam23(beam) => stresses_after(beam, u, own, change, into),
+            Self::Ground(..) | Self::Axial(_) => None,
+        };
+    }
+
+    /// Writes the force of the estimated stresses, where there are any.
+    fn force_of_stresses(
+        &self,
+        u: &[f64],
+        own: &[usize],
+        kinematics: Kinematics<'_>,
+        force: &mut [f64],
+    ) -> bool {
+        let Kinematics::Mixed(stresses) = kinematics else { return false };
+        let done = match self {
+            Self::Beam21(beam) => force_of_stresses(beam, u, own, stresses, force),
+            Self::Beam22(beam) => force_of_stresses(beam.as_ref(), u, own, stresses, force),
+            Self::Beam23(beam) => force_of_stresses(beam, u, own, stresses, force),
+            Self::Ground(..) | Self::Axial(_) => None,
+        };
+        done.is_some()
+    }
+
     /// Writes force and tangent by the element's own variables, returns the
     /// energy [F L].
     #[inline]
-    pub fn evaluate(&self, u: &[f64], own: &[usize], nlgeom: bool, slots: Slots<'_>) -> f64 {
+    pub fn evaluate(
+        &self,
+        u: &[f64],
+        own: &[usize],
+        kinematics: Kinematics<'_>,
+        slots: Slots<'_>,
+    ) -> f64 {
+        if let Kinematics::Mixed(stresses) = kinematics {
+            let mixed = match self {
+                Self::Beam21(beam) => mixed(beam, u, own, stresses, slots),
+                Self::Beam22(beam) => mixed(beam.as_ref(), u, own, stresses, slots),
+                Self::Beam23(beam) => mixed(beam, u, own, stresses, slots),
+                Self::Ground(..) | Self::Axial(_) => {
+                    self.evaluate(u, own, Kinematics::Exact, slots).into()
+                }
+            };
+            return mixed.unwrap_or(0.0);
+        }
+        let nlgeom = matches!(kinematics, Kinematics::Exact);
         match self {
             Self::Beam21(beam) => match (values(u, own), arrays(slots)) {
                 (Some(q), Some((force, tangent))) if nlgeom => {
@@ -208,6 +310,42 @@ impl Shape {
             Self::Ground(spring, component) => ground(spring, *component, u, own, slots),
         }
     }
+}
+
+fn mixed<const N: usize, const NN: usize, const S: usize>(
+    element: &impl Mixed<N, NN, S>,
+    u: &[f64],
+    own: &[usize],
+    stresses: &[f64],
+    slots: Slots<'_>,
+) -> Option<f64> {
+    let (force, tangent) = arrays(slots)?;
+    let stresses = stresses.try_into().ok()?;
+    Some(element.force_and_mixed_tangent(&values(u, own)?, stresses, force, tangent))
+}
+
+fn stresses_after<const N: usize, const NN: usize, const S: usize>(
+    element: &impl Mixed<N, NN, S>,
+    u: &[f64],
+    own: &[usize],
+    change: &[f64],
+    into: &mut [f64],
+) -> Option<()> {
+    let stresses = element.stresses_after(&values(u, own)?, change.try_into().ok()?);
+    into.copy_from_slice(&stresses);
+    Some(())
+}
+
+fn force_of_stresses<const N: usize, const NN: usize, const S: usize>(
+    element: &impl Mixed<N, NN, S>,
+    u: &[f64],
+    own: &[usize],
+    stresses: &[f64],
+    force: &mut [f64],
+) -> Option<()> {
+    let of = element.force_of_stresses(&values(u, own)?, stresses.try_into().ok()?);
+    force.copy_from_slice(&of);
+    Some(())
 }
 
 fn ground(

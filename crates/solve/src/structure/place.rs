@@ -24,6 +24,7 @@ impl Structure {
             entries: Vec::new(),
             beams: Vec::new(),
             nlgeom,
+            stresses: 0,
             stiffest: 0.0,
             stiffest_length: 0.0,
         };
@@ -105,6 +106,8 @@ impl Structure {
         let (variables, width) = (self.own.len() - first_own, self.targets.len() - first_target);
         let first_entry = self.entries.len();
         self.entries.resize(first_entry + width * width, usize::MAX);
+        let first_stress = self.stresses;
+        self.stresses += shape.stresses();
         self.elements.push(Placed {
             shape,
             variables,
@@ -112,6 +115,7 @@ impl Structure {
             width,
             first_target,
             first_entry,
+            first_stress,
             attachments,
         });
     }

@@ -108,12 +108,12 @@ fn gathered_tangent_by_differences() {
     let u = motion(&layout);
     let mut room = structure.room();
     let mut values = vec![0.0; pattern.entries()];
-    structure.evaluate(&u, &mut room, None);
+    structure.evaluate(&u, None, &mut room, None);
     structure.gather_tangent(&room, &mut values);
     let largest = values.iter().fold(0.0_f64, |most, k| most.max(k.abs()));
     let mut force = |u: &[f64]| {
         let mut force = vec![0.0; layout.slots()];
-        structure.evaluate(u, &mut room, None);
+        structure.evaluate(u, None, &mut room, None);
         let energy = structure.gather_force(&room, &mut force);
         (energy, force)
     };
@@ -135,7 +135,7 @@ fn gathered_tangent_by_differences() {
             assert!((difference - entry).abs() < 1e-6 * largest, "{row} {column}");
         }
         let mut room = structure.room();
-        structure.evaluate(&u, &mut room, None);
+        structure.evaluate(&u, None, &mut room, None);
         let (mut unit, mut product) = (vec![0.0; u.len()], vec![0.0; u.len()]);
         unit[slot] = 1.0;
         structure.multiply(&room, &unit, &mut product);
@@ -156,7 +156,7 @@ fn linear_kinematics() {
     u[3 * 5..].fill(0.0); // a rigid arm turns by a finite angle all the same
     layout.follow_links(&mut u);
     let mut room = structure.room();
-    structure.evaluate(&u, &mut room, None);
+    structure.evaluate(&u, None, &mut room, None);
     let (mut force, mut product) = (vec![0.0; u.len()], vec![0.0; u.len()]);
     let energy = structure.gather_force(&room, &mut force);
     structure.multiply(&room, &u, &mut product);
@@ -179,8 +179,8 @@ fn threads_change_nothing() {
     let u = motion(&layout);
     let (mut one, mut many) = (structure.room(), structure.room());
     let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().unwrap();
-    structure.evaluate(&u, &mut one, None);
-    structure.evaluate(&u, &mut many, Some(&pool));
+    structure.evaluate(&u, None, &mut one, None);
+    structure.evaluate(&u, None, &mut many, Some(&pool));
     assert!(one.force == many.force && one.tangent == many.tangent && one.energy == many.energy);
     assert!(one.force.iter().any(|&f| f != 0.0));
 }

@@ -13,7 +13,8 @@
 
 mod twin;
 
-use crate::differentiate::Real;
+use super::mixed::arrival;
+use crate::differentiate::{Real, Second};
 use crate::section::BeamStiffness;
 
 /// Strains of a plane beam at its integration point.
@@ -36,6 +37,29 @@ pub struct BeamSectionForces {
     pub shear: f64,
     /// Bending moment M [F L].
     pub moment: f64,
+}
+
+impl From<[f64; 3]> for BeamSectionForces {
+    fn from([axial, shear, moment]: [f64; 3]) -> Self {
+        Self { axial, shear, moment }
+    }
+}
+
+impl From<BeamSectionForces> for [f64; 3] {
+    fn from(forces: BeamSectionForces) -> Self {
+        [forces.axial, forces.shear, forces.moment]
+    }
+}
+
+impl BeamStrains<Second<1>> {
+    /// eps + B dq of strains along a line of displacements.
+    pub(super) fn arrived(&self) -> BeamStrains {
+        BeamStrains {
+            axial: arrival(&self.axial),
+            shear: arrival(&self.shear),
+            curvature: arrival(&self.curvature),
+        }
+    }
 }
 
 /// Two-node plane beam element.

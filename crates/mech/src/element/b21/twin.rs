@@ -1,6 +1,7 @@
 //! The hand-written derivatives of the energy of [`Beam21`]; tested against the energy itself.
 
 use super::{Beam21, BeamSectionForces, BeamStrains};
+use crate::element::mixed::{Mixed, line};
 
 /// Cosine and sine of the angle of the section, mean rotation included.
 pub(in crate::element) struct Frame {
@@ -45,12 +46,24 @@ impl Beam21 {
         force: &mut [f64; 6],
         tangent: &mut [f64; 36],
     ) -> f64 {
+        self.force_and_tangent_of(q, None, force, tangent)
+    }
+
+    /// `stresses`: those of the geometric stiffness, where they are not those of the strains.
+    #[inline]
+    fn force_and_tangent_of(
+        &self,
+        q: &[f64; 6],
+        stresses: Option<&BeamSectionForces>,
+        force: &mut [f64; 6],
+        tangent: &mut [f64; 36],
+    ) -> f64 {
         let strains = self.strains(q);
         let forces = self.forces_of(&strains);
         let frame = self.frame(0.5 * (q[2] + q[5]));
         self.end_forces(&frame, &strains, &forces, force);
         self.material_tangent(&frame, &strains, tangent);
-        self.geometric_tangent(&frame, &strains, &forces, tangent);
+        self.geometric_tangent(&frame, &strains, stresses.unwrap_or(&forces), tangent);
         self.energy_of(&strains, &forces)
     }
 
@@ -131,5 +144,30 @@ impl Beam21 {
         self.end_forces(&frame, &zero, &forces, force);
         self.material_tangent(&frame, &zero, tangent);
         self.energy_of(&strains, &forces)
+    }
+}
+
+impl Mixed<6, 36, 3> for Beam21 {
+    fn force_and_mixed_tangent(
+        &self,
+        q: &[f64; 6],
+        stresses: &[f64; 3],
+        force: &mut [f64; 6],
+        tangent: &mut [f64; 36],
+    ) -> f64 {
+        let stresses = BeamSectionForces::from(*stresses);
+        self.force_and_tangent_of(q, Some(&stresses), force, tangent)
+    }
+
+    fn force_of_stresses(&self, q: &[f64; 6], stresses: &[f64; 3]) -> [f64; 6] {
+        let (strains, frame) = (self.strains(q), self.frame(0.5 * (q[2] + q[5])));
+        let mut force = [0.0; 6];
+        self.end_forces(&frame, &strains, &(*stresses).into(), &mut force);
+        force
+    }
+
+    fn stresses_after(&self, q: &[f64; 6], change: &[f64; 6]) -> [f64; 3] {
+        let strains = self.strains_of(&line(q, change));
+        self.forces_of(&strains.arrived()).into()
     }
 }

@@ -2,6 +2,7 @@
 
 use super::{Beam22, Station, between};
 use crate::element::b21::{BeamSectionForces, BeamStrains};
+use crate::element::mixed::{Mixed, line};
 
 /// Derivatives at a point: the turned slopes and the strains.
 struct Turned {
@@ -37,14 +38,28 @@ impl Beam22 {
         force: &mut [f64; 9],
         tangent: &mut [f64; 81],
     ) -> f64 {
+        self.force_and_tangent_of(q, None, force, tangent)
+    }
+
+    /// `stresses`: those of the geometric stiffness at both points, where they are not those of
+    /// the strains.
+    #[inline]
+    fn force_and_tangent_of(
+        &self,
+        q: &[f64; 9],
+        stresses: Option<&[BeamSectionForces; 2]>,
+        force: &mut [f64; 9],
+        tangent: &mut [f64; 81],
+    ) -> f64 {
         *force = [0.0; 9];
         *tangent = [0.0; 81];
         let mut energy = 0.0;
-        for station in &self.stations {
+        for (point, station) in self.stations.iter().enumerate() {
             let turned = self.turned(station, station.strains(q), station.motion(q).1);
             add_force(station, &turned, force);
             self.add_material(station, &turned, tangent);
-            add_geometric(station, &turned, tangent);
+            let stresses = stresses.map_or(&turned.forces, |stresses| &stresses[point]);
+            add_geometric(station, &turned, stresses, tangent);
             energy += energy_of(station, &turned);
         }
         mirror(tangent);
@@ -104,6 +119,37 @@ impl Beam22 {
     }
 }
 
+impl Mixed<9, 81, 6> for Beam22 {
+    fn force_and_mixed_tangent(
+        &self,
+        q: &[f64; 9],
+        stresses: &[f64; 6],
+        force: &mut [f64; 9],
+        tangent: &mut [f64; 81],
+    ) -> f64 {
+        let [a, b, c, d, e, f] = *stresses;
+        let stresses = [[a, b, c].into(), [d, e, f].into()];
+        self.force_and_tangent_of(q, Some(&stresses), force, tangent)
+    }
+
+    fn force_of_stresses(&self, q: &[f64; 9], stresses: &[f64; 6]) -> [f64; 9] {
+        let mut force = [0.0; 9];
+        let [a, b, c, d, e, f] = *stresses;
+        for (station, forces) in self.stations.iter().zip([[a, b, c], [d, e, f]]) {
+            let turned = self.turned(station, station.strains(q), station.motion(q).1);
+            add_force(station, &Turned { forces: forces.into(), ..turned }, &mut force);
+        }
+        force
+    }
+
+    fn stresses_after(&self, q: &[f64; 9], change: &[f64; 9]) -> [f64; 6] {
+        let along = line(q, change);
+        let [[a, b, c], [d, e, f]] = [&self.stations[0], &self.stations[1]]
+            .map(|station| self.forces_of(&station.strains(&along).arrived()).into());
+        [a, b, c, d, e, f]
+    }
+}
+
 fn energy_of(station: &Station, turned: &Turned) -> f64 {
     let (strains, forces) = (&turned.strains, &turned.forces);
     0.5 * station.length
@@ -140,8 +186,13 @@ fn add_force(station: &Station, turned: &Turned, force: &mut [f64; 9]) {
 }
 
 /// Adds l_g (N eps'' + V gam'') to the upper triangle.
-fn add_geometric(station: &Station, turned: &Turned, tangent: &mut [f64; 81]) {
-    let (n, v) = (turned.forces.axial, turned.forces.shear);
+fn add_geometric(
+    station: &Station,
+    turned: &Turned,
+    stresses: &BeamSectionForces,
+    tangent: &mut [f64; 81],
+) {
+    let (n, v) = (stresses.axial, stresses.shear);
     let turn = -station.length * (n * (1.0 + turned.strains.axial) + v * turned.strains.shear);
     let by_slope = turned
         .slopes

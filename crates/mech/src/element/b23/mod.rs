@@ -98,11 +98,16 @@ impl Beam23 {
     /// W/l = EA eps^2/2 + EI kap^2/2 + 6 EI psi^2/l^2 of the strains of the chord [F].
     fn energy_per_length<R: Real>(&self, chord: &BeamStrains<R>) -> R {
         let (stretch, psi) = self.stretch_and_lean(chord);
+        self.energy_of(&stretch, &psi, &chord.curvature)
+    }
+
+    /// The same of eps, psi and kap.
+    fn energy_of<R: Real>(&self, &stretch: &R, &psi: &R, &curvature: &R) -> R {
         let stiffness = &self.chord.stiffness;
         let number = R::from_f64;
         number(0.5 * stiffness.axial) * stretch * stretch
             + number(0.5 * stiffness.shear) * psi * psi
-            + number(0.5 * stiffness.bending) * chord.curvature * chord.curvature
+            + number(0.5 * stiffness.bending) * curvature * curvature
     }
 
     /// Strain energy W = l/2 (EA eps^2 + EI kap^2 + 12 EI psi^2/l^2) [F L] of the displacements

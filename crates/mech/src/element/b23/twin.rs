@@ -5,6 +5,7 @@
 use super::Beam23;
 use crate::differentiate::Second;
 use crate::element::b21::{Beam21, BeamSectionForces, BeamStrains};
+use crate::element::mixed::{Mixed, arrival, line};
 
 impl Beam23 {
     fn law(&self, chord: &BeamStrains) -> Second<3> {
@@ -73,6 +74,65 @@ impl Beam23 {
 fn forces(law: &Second<3>) -> BeamSectionForces {
     let [axial, shear, moment] = law.gradient;
     BeamSectionForces { axial, shear, moment }
+}
+
+impl Mixed<6, 36, 3> for Beam23 {
+    /// The strains are eps, psi and kap, of which the first two are curved in those of the chord:
+    /// docs/theory.md eq. (3.28).
+    fn force_and_mixed_tangent(
+        &self,
+        q: &[f64; 6],
+        stresses: &[f64; 3],
+        force: &mut [f64; 6],
+        tangent: &mut [f64; 36],
+    ) -> f64 {
+        let strains = self.chord.strains(q);
+        let [axial, shear, curvature] =
+            Second::variables(&[strains.axial, strains.shear, strains.curvature]);
+        let (stretch, psi) = self.stretch_and_lean(&BeamStrains { axial, shear, curvature });
+        let law = self.energy_of(&stretch, &psi, &curvature);
+        let frame = self.chord.frame(0.5 * (q[2] + q[5]));
+        self.chord.end_forces(&frame, &strains, &forces(&law), force);
+        let own =
+            [stretch.value * self.chord.stiffness.axial, psi.value * self.chord.stiffness.shear];
+        let beyond = [stresses[0] - own[0], stresses[1] - own[1]];
+        let hessian = std::array::from_fn(|i| {
+            std::array::from_fn(|j| {
+                law.hessian[i][j]
+                    + (beyond[0] * stretch.hessian[i][j] + beyond[1] * psi.hessian[i][j])
+            })
+        });
+        let by = |i: usize| {
+            law.gradient[i] + (beyond[0] * stretch.gradient[i] + beyond[1] * psi.gradient[i])
+        };
+        let chord = BeamSectionForces { axial: by(0), shear: by(1), moment: by(2) };
+        material_tangent(self.length(), &self.chord.rows(&frame, &strains), &hessian, tangent);
+        self.chord.geometric_tangent(&frame, &strains, &chord, tangent);
+        self.length() * law.value
+    }
+
+    fn force_of_stresses(&self, q: &[f64; 6], [n, v, m]: &[f64; 3]) -> [f64; 6] {
+        let strains = self.chord.strains(q);
+        let [axial, shear, curvature] =
+            Second::variables(&[strains.axial, strains.shear, strains.curvature]);
+        let (stretch, psi) = self.stretch_and_lean(&BeamStrains { axial, shear, curvature });
+        let by = |i: usize| n * stretch.gradient[i] + v * psi.gradient[i];
+        let chord = BeamSectionForces { axial: by(0), shear: by(1), moment: by(2) + m };
+        let mut force = [0.0; 6];
+        self.chord.end_forces(&self.chord.frame(0.5 * (q[2] + q[5])), &strains, &chord, &mut force);
+        force
+    }
+
+    fn stresses_after(&self, q: &[f64; 6], change: &[f64; 6]) -> [f64; 3] {
+        let chord = self.chord.strains_of(&line(q, change));
+        let (stretch, psi) = self.stretch_and_lean(&chord);
+        let stiffness = &self.chord.stiffness;
+        [
+            stiffness.axial * arrival(&stretch),
+            stiffness.shear * arrival(&psi),
+            stiffness.bending * arrival(&chord.curvature),
+        ]
+    }
 }
 
 /// l B' D B with a full symmetric D, written over `tangent`.

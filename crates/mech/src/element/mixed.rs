@@ -1,0 +1,49 @@
+//! Stresses as unknowns of the linearisation, eliminated in the element.
+//!
+//! ```text
+//!   displacements q ----> strains eps(q) --- law ---> stresses D eps ----> force
+//!          |                                                                 |
+//!          +--> B' D B  +  geometric stiffness of the estimate s  <----------+
+//!                                            ^
+//!        s := D (eps + B dq) of the last linear solution
+//! ```
+//!
+//! The force is that of the law at the strains, so that what is converged is the same as ever. Only
+//! the geometric stiffness takes stresses of its own, those that the last linear solution has
+//! arrived at: the stresses of a strain that one correction leaves behind, second order in its
+//! rotations and as stiff as the axis, are never multiplied with it. [derived: docs/theory.md,
+//! "Stresses of their own"]
+
+use crate::differentiate::Second;
+
+/// An element of `N` variables whose tangent takes `S` stresses that are estimated apart.
+pub trait Mixed<const N: usize, const NN: usize, const S: usize> {
+    /// Writes the force of the law at `q` and the tangent (row-major, symmetric) whose geometric
+    /// stiffness is that of `stresses`; returns the strain energy [F L]: docs/theory.md
+    /// eq. (3.26). With the stresses of [`Mixed::stresses_after`] and no change the tangent is the
+    /// derivative of the force.
+    fn force_and_mixed_tangent(
+        &self,
+        q: &[f64; N],
+        stresses: &[f64; S],
+        force: &mut [f64; N],
+        tangent: &mut [f64; NN],
+    ) -> f64;
+
+    /// The force l B' s of given stresses at `q` (F, F, F L of every node).
+    fn force_of_stresses(&self, q: &[f64; N], stresses: &[f64; S]) -> [f64; N];
+
+    /// D (eps + B dq), the stresses that a linear solution with the change dq of the displacements
+    /// q arrives at: docs/theory.md eq. (3.27).
+    fn stresses_after(&self, q: &[f64; N], change: &[f64; N]) -> [f64; S];
+}
+
+/// The line q + t dq as numbers that carry their derivative by t.
+pub(super) fn line<const N: usize>(q: &[f64; N], change: &[f64; N]) -> [Second<1>; N] {
+    std::array::from_fn(|i| Second { value: q[i], gradient: [change[i]], hessian: [[0.0]] })
+}
+
+/// Value plus derivative: where the tangent of a curve arrives at t = 1.
+pub(super) fn arrival(number: &Second<1>) -> f64 {
+    number.value + number.gradient[0]
+}

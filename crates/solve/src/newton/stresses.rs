@@ -1,0 +1,53 @@
+//! Stresses of the elements as the iteration estimates them.
+//!
+//! ```text
+//!   first guess:  committed stresses, extrapolated as the displacements are
+//!   every step:   D (eps + B du), where the linear solution arrives
+//! ```
+//!
+//! They make the geometric stiffness of the tangent, docs/theory.md section 3.3, and nothing else:
+//! what is judged are forces of the law at the strains.
+
+use super::Workspace;
+use crate::plan::Plan;
+use crate::state::State;
+use slideline_model::Extrapolation;
+
+impl Workspace {
+    /// The first guess of an increment: docs/theory.md eq. (3.29). Stresses are functions of the
+    /// displacements, so that history needs none of its own.
+    pub(super) fn first_stresses(&mut self, plan: &Plan<'_>, committed: &State, dt: f64) {
+        let still = &mut self.correction_slots;
+        let last = committed.increment_time[0];
+        if last == 0.0 {
+            // What is prescribed was spread linearly: this is where that arrives.
+            for (slot, change) in still.iter_mut().enumerate() {
+                *change = self.u[slot] - committed.displacement[slot];
+            }
+            plan.structure.stresses_after(&committed.displacement, still, &mut self.stresses);
+            still.fill(0.0);
+            return;
+        }
+        still.fill(0.0);
+        plan.structure.stresses_after(&committed.displacement, still, &mut self.stresses);
+        if plan.step.extrapolation == Extrapolation::None {
+            return;
+        }
+        for (slot, before) in self.residual.iter_mut().enumerate() {
+            *before = committed.displacement[slot] - committed.increment[slot];
+        }
+        plan.structure.stresses_after(&self.residual, still, &mut self.arrived);
+        for (stress, before) in self.stresses.iter_mut().zip(&self.arrived) {
+            *stress += dt / last * (*stress - before);
+        }
+    }
+
+    /// Moves the estimates by a fraction of the way to where the linear solution arrives; before
+    /// the displacements move.
+    pub(super) fn move_stresses(&mut self, plan: &Plan<'_>, length: f64) {
+        plan.structure.stresses_after(&self.u, &self.correction_slots, &mut self.arrived);
+        for (stress, arrived) in self.stresses.iter_mut().zip(&self.arrived) {
+            *stress += length * (arrived - *stress);
+        }
+    }
+}

@@ -1,0 +1,28 @@
+//! How far one iteration may turn what it moves.
+//!
+//! ```text
+//!   a row of elements may turn by any angle     what contact looks at may not: it would be
+//!   as long as each bends but a little          looked at where it never stands
+//! ```
+
+use super::Workspace;
+use crate::plan::Plan;
+
+/// The largest turn that one iteration may add: of the ends of an element against each other, and
+/// of any node where there is contact [1].
+const LARGEST_ROTATION: f64 = 0.5;
+
+impl Workspace {
+    /// Fraction of the correction at which nothing turns too far.
+    pub(super) fn limit_turns(&self, plan: &Plan<'_>) -> f64 {
+        let of = |slot: usize| plan.layout.equation(slot).map_or(0.0, |e| self.correction[e]);
+        let turn = if plan.contact.points.is_empty() {
+            plan.structure.largest_bend(of)
+        } else {
+            let free = plan.layout.slot_of_equation.iter();
+            let rotations = free.filter(|&&slot| plan.layout.name(slot).1.is_rotation());
+            rotations.fold(0.0_f64, |largest, &slot| largest.max(of(slot).abs()))
+        };
+        if turn > LARGEST_ROTATION { LARGEST_ROTATION / turn } else { 1.0 }
+    }
+}
