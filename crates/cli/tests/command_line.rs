@@ -161,7 +161,7 @@ fn a_run_completes_and_leaves_the_files_of_the_contract() {
     assert_eq!(
         header("column.energy.csv"),
         "step,increment,time,external_work,strain_energy,contact_energy,friction_dissipation,\
-         friction_elastic,dropped_friction,balance"
+         friction_elastic,dropped_friction,balance,released_energy"
     );
     assert_eq!(read(&results, "column.history.csv").lines().count(), 1 + 5);
     let summary = summary(&results, "column");

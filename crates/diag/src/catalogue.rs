@@ -176,6 +176,8 @@ catalogue! {
     "SL0592" "where the state of the last attempt stands"
     "SL0601" "friction was not called at closed points"
     "SL0602" "there are no error bars"
+    "SL0603" "the structure jumps"
+    "SL0604" "energy that does not balance"
     "SL0610" "a noisy reaction"
     "SL0611" "contact that moves from node to node"
     "SL0612" "penetration beyond the pressure law"

@@ -30,7 +30,7 @@ impl Energy {
         if self.file.is_none() {
             self.stabilised = report.may_stabilise;
             let more = if self.stabilised { ",stabilisation" } else { "" };
-            let header = format!("{HEADER}{more}\n");
+            let header = format!("{HEADER}{more},released_energy\n");
             self.file = Some(Growing::begin(&self.job, ".energy.csv", &header)?);
         }
         Ok(())
@@ -59,6 +59,8 @@ impl Energy {
             file.text.push(',');
             push_shortest(&mut file.text, energy.stabilisation);
         }
+        file.text.push(',');
+        push_shortest(&mut file.text, energy.released_energy);
         file.text.push('\n');
         file.flush()
     }

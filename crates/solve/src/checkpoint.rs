@@ -10,6 +10,7 @@
 //! was never left: an increment depends on nothing but these values and the
 //! model. [derived]
 
+use crate::account::Books;
 use crate::bytes::{Packed, Unpacking};
 use crate::contact::{memory_size, point_count};
 use crate::convergence::FluxAverage;
@@ -171,6 +172,7 @@ fn pack_state(state: &State, bytes: &mut Packed) {
         stabilised,
         energy,
         balance_origin,
+        books,
     } = state;
     bytes.numbers(&[*total_time, *step_time]);
     bytes.numbers(increment_time);
@@ -189,11 +191,37 @@ fn pack_state(state: &State, bytes: &mut Packed) {
         friction_elastic,
         dropped_friction,
         stabilisation,
+        released_energy,
         balance,
     } = *energy;
     bytes.numbers(&[external_work, strain_energy, contact_energy, friction_dissipation]);
-    bytes.numbers(&[friction_elastic, dropped_friction, stabilisation, balance]);
+    bytes.numbers(&[friction_elastic, dropped_friction, stabilisation, released_energy, balance]);
     bytes.optional(*balance_origin);
+    pack_books(books, bytes);
+}
+
+fn pack_books(books: &Books, bytes: &mut Packed) {
+    let Books { turned_over, left, opening, opening_dissipation, .. } = *books;
+    let Books { step, steps, worst, worst_at, worst_dt, .. } = *books;
+    bytes.numbers(&[turned_over, left, opening, opening_dissipation]);
+    bytes.numbers(&[step, steps, worst, worst_dt]);
+    worst_at.iter().for_each(|&number| bytes.count(number));
+}
+
+fn unpack_books(bytes: &mut Unpacking<'_>) -> Option<Books> {
+    let [turned_over, left, opening, opening_dissipation] = bytes.numbers()?;
+    let [step, steps, worst, worst_dt] = bytes.numbers()?;
+    Some(Books {
+        turned_over,
+        left,
+        opening,
+        opening_dissipation,
+        step,
+        steps,
+        worst,
+        worst_at: [bytes.count()?, bytes.count()?],
+        worst_dt,
+    })
 }
 
 fn unpack_state(bytes: &mut Unpacking<'_>) -> Option<State> {
@@ -212,9 +240,11 @@ fn unpack_state(bytes: &mut Unpacking<'_>) -> Option<State> {
         friction_elastic: bytes.number()?,
         dropped_friction: bytes.number()?,
         stabilisation: bytes.number()?,
+        released_energy: bytes.number()?,
         balance: bytes.number()?,
     };
     let balance_origin = bytes.optional()?;
+    let books = unpack_books(bytes)?;
     Some(State {
         total_time,
         step_time,
@@ -231,6 +261,7 @@ fn unpack_state(bytes: &mut Unpacking<'_>) -> Option<State> {
         stabilised,
         energy,
         balance_origin,
+        books,
     })
 }
 
@@ -324,6 +355,8 @@ mod tests {
         };
         state.flux[1] = FluxAverage::of_parts([1.5, 2.0, 0.5]);
         state.balance_origin = Some(0.3);
+        state.energy.released_energy = 0.125;
+        state.books = Books { turned_over: 2.0, worst_at: [2, 7], ..Books::default() };
         Checkpoint {
             step: 2,
             increment: 7,

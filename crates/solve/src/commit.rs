@@ -1,8 +1,8 @@
 //! A converged trial becomes the state that history goes on from.
 
+use crate::account::account;
 use crate::layout::Role;
 use crate::newton::{Target, Workspace};
-use crate::observe::Energies;
 use crate::plan::Plan;
 use crate::state::State;
 
@@ -56,51 +56,6 @@ fn count_slip(plan: &Plan<'_>, committed: &State, work: &Workspace, trial: &mut 
                 before.slip + plan.contact.slip(place, &history, meeting, &committed.displacement);
         }
     }
-}
-
-/// Energies after the increment: work by the trapezoidal rule, dissipation
-/// as the mean of the traction magnitudes at both ends times the slip.
-fn account(plan: &Plan<'_>, committed: &State, work: &Workspace, trial: &mut State) {
-    let before = &committed.energy;
-    let mut energy = Energies {
-        external_work: before.external_work,
-        strain_energy: work.evaluation.strain_energy,
-        contact_energy: work.evaluation.contact_energy,
-        friction_dissipation: before.friction_dissipation,
-        friction_elastic: work.evaluation.elastic_slip_energy,
-        dropped_friction: before.dropped_friction,
-        stabilisation: before.stabilisation + damped(committed, trial),
-        balance: 0.0,
-    };
-    for slot in 0..plan.layout.slots() {
-        let mean_reaction = 0.5 * (committed.reaction[slot] + trial.reaction[slot]);
-        let mean_load = 0.5 * (committed.load[slot] + trial.load[slot]);
-        energy.external_work += (mean_reaction + mean_load) * trial.increment[slot];
-    }
-    for place in 0..plan.contact.points.len() {
-        let (old, new) = (&committed.points[place], &trial.points[place]);
-        let mean = 0.5 * (old.traction.abs() + new.traction.abs());
-        energy.friction_dissipation += mean * new.dissipated * new.area;
-        energy.dropped_friction += new.dropped_work;
-    }
-    let stored = energy.strain_energy
-        + energy.contact_energy
-        + energy.friction_elastic
-        + energy.friction_dissipation
-        + energy.stabilisation;
-    let unbalanced = energy.external_work - stored;
-    let origin = *trial.balance_origin.insert(committed.balance_origin.unwrap_or(unbalanced));
-    energy.balance = unbalanced - origin;
-    trial.energy = energy;
-}
-
-/// Energy that the dashpots of stabilisation took, by the trapezoidal rule as
-/// the external work.
-fn damped(committed: &State, trial: &State) -> f64 {
-    let at = |state: &State, slot: usize| state.damping.get(slot).copied().unwrap_or(0.0);
-    let slots = 0..committed.damping.len().max(trial.damping.len());
-    let mean = |slot| 0.5 * (at(committed, slot) + at(trial, slot));
-    slots.map(|slot| mean(slot) * trial.increment[slot]).sum()
 }
 
 /// Fills in where the contact points of a committed state stand, without

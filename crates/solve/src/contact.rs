@@ -25,6 +25,7 @@ pub use strip::{STRIP_POINTS, Strip};
 
 use crate::layout::{Carried, Layout};
 use crate::linearised::MOST_DOFS;
+use crate::state::PointState;
 use crate::users::UserFrictions;
 use facade::Facade;
 use meeting::{MOST_DIRECT, Stencil};
@@ -374,10 +375,7 @@ impl Contact {
         if !meeting.faces {
             return 0.0;
         }
-        let period = match &self.facades[point.pair] {
-            Facade::Body { surface, .. } => surface.period(),
-            _ => None,
-        };
+        let period = self.period(point);
         if !point.is_station() {
             return pair::slip(history, meeting.along, period);
         }
@@ -385,6 +383,37 @@ impl Contact {
         let before = self.face(point, meeting.xi, committed, &[], &mut stencil);
         let along = before.map(|gap| gap.along());
         pair::slip(&History { along, ..*history }, meeting.along, period)
+    }
+
+    /// Change of the slip coordinate of a point that opened, between its
+    /// committed state `old` and `new`, at displacements `from` and `to` [L];
+    /// a station where it stood on its element before. Zero where it faces
+    /// nothing in one of them.
+    pub fn opening_slip(
+        &self,
+        place: usize,
+        (old, new): (&PointState, &PointState),
+        (from, to): (&[f64], &[f64]),
+    ) -> f64 {
+        let point = &self.points[place];
+        let (history, along) = if point.is_station() {
+            let along = |u: &[f64]| {
+                let gap = self.face(point, old.xi, u, &[], &mut self.slave(point, old.xi, u));
+                gap.map(|gap| gap.along())
+            };
+            (History { along: along(from), ..History::default() }, along(to))
+        } else {
+            (old.history(), new.along)
+        };
+        along.map_or(0.0, |along| pair::slip(&history, along, self.period(point)))
+    }
+
+    /// Length after which the slip coordinate of a point's master begins anew.
+    fn period(&self, point: &SlavePoint) -> Option<f64> {
+        match &self.facades[point.pair] {
+            Facade::Body { surface, .. } => surface.period(),
+            _ => None,
+        }
     }
 }
 

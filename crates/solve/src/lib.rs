@@ -10,6 +10,7 @@
 //! linearises structure and geometry and solves contact exactly in every
 //! linearisation; the increment control is a pure machine; commit is a swap.
 
+mod account;
 mod balance;
 pub mod bytes;
 mod checkpoint;

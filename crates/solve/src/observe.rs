@@ -439,9 +439,23 @@ pub struct Energies {
     pub dropped_friction: f64,
     /// Dissipated by contact stabilisation.
     pub stabilisation: f64,
+    /// Released where the structure jumped to another equilibrium.
+    pub released_energy: f64,
     /// External work minus the change of everything else since the first
     /// converged state.
     pub balance: f64,
+}
+
+impl Energies {
+    /// What is stored, dissipated or released: where the work went.
+    pub fn taken(&self) -> f64 {
+        self.strain_energy
+            + self.contact_energy
+            + self.friction_elastic
+            + self.friction_dissipation
+            + self.stabilisation
+            + self.released_energy
+    }
 }
 
 /// How a run ended.

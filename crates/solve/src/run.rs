@@ -1,6 +1,7 @@
 //! The whole analysis: steps, increments, commits.
 
 mod giving_up;
+mod jump;
 mod shown;
 
 use crate::balance::pair_rows;
@@ -416,7 +417,7 @@ impl<'a> Walk<'a> {
         target: &Target,
         outcome: &Outcome,
         decision: &Decision,
-        work: &Workspace,
+        work: &mut Workspace,
     ) -> Result<(), Left> {
         if self.check_tangent.is_due(target.increment) {
             self.check(plan, target, work)?;
@@ -435,6 +436,7 @@ impl<'a> Walk<'a> {
         let numbers = Numbers { last, ..Numbers::of(target, outcome) };
         let Rows { contact, closed, pairs, .. } = &mut self.rows;
         pair_rows(plan, &self.committed, work, (contact, closed), pairs);
+        let jumped = self.balance_books(plan, target, work);
         let frame = frame(plan, &self.committed, &numbers, &self.rows);
         // A wish to stop does not keep back what belongs to the increment.
         let mut told = match self.observer.event(Event::Committed(&frame)) {
@@ -442,9 +444,9 @@ impl<'a> Walk<'a> {
             ControlFlow::Break(stop) => Err(Left::Stopped(stop)),
         };
         if *decision == Decision::StepDone {
-            told = told.and(self.judge_stabilisation(plan));
+            told = told.and(self.judge_stabilisation(plan)).and(self.judge_balance(plan, target));
         }
-        for diagnosis in &left {
+        for diagnosis in jumped.iter().chain(&left) {
             told = told.and(self.tell(Event::Diagnosed(diagnosis)));
         }
         let kept = self.keep(plan, target, decision, told.is_err());

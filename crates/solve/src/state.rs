@@ -1,5 +1,6 @@
 //! What history needs, as a value: commit is a swap, a cutback drops a value.
 
+use crate::account::Books;
 use crate::convergence::FluxAverage;
 use crate::observe::{Energies, FrictionCall, Status};
 use slideline_mech::contact::pair::History;
@@ -38,6 +39,8 @@ pub struct State {
     /// Sum of the energies that `balance` counts from [F L]; set by the first
     /// converged increment.
     pub balance_origin: Option<f64>,
+    /// What the increments turned over and left unbalanced.
+    pub books: Books,
 }
 
 /// Average flux of one field.

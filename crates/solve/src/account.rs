@@ -1,0 +1,175 @@
+//! Where the work of an increment went, and what the account leaves over.
+//!
+//! ```text
+//!   R |    ____o            work:        trapezoid of reactions and loads
+//!     |   /   :             dissipation: trapezoid of tractions and slip
+//!     o--'    :             left over:   the rounding of the curve between
+//!     |       :                          two increments, or a jump
+//!     '-------'----- u
+//! ```
+//!
+//! docs/theory.md section 10.
+
+use crate::newton::{Target, Workspace};
+use crate::observe::Energies;
+use crate::plan::Plan;
+use crate::state::State;
+
+/// What the last increment turned over and what it left unbalanced, and sums
+/// of that. [F L]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Books {
+    /// Energy turned over since time 0, eq. (10.4).
+    pub turned_over: f64,
+    /// What the last increment left over, eq. (10.5).
+    pub left: f64,
+    /// Part of it that went to points for sliding until they opened.
+    pub opening: f64,
+    /// The same as it was counted as friction dissipation.
+    pub opening_dissipation: f64,
+    /// What the increments of this step left over together.
+    pub step: f64,
+    /// Magnitudes of that of all steps before, summed.
+    pub steps: f64,
+    /// The most that an increment left over, by magnitude.
+    pub worst: f64,
+    /// Step and number of that increment.
+    pub worst_at: [usize; 2],
+    /// Its length [T].
+    pub worst_dt: f64,
+}
+
+impl Books {
+    /// Takes the last increment into the sums.
+    pub fn enter(&mut self, target: &Target) {
+        if target.increment == 1 {
+            self.steps += self.step.abs();
+            self.step = 0.0;
+        }
+        self.step += self.left;
+        if self.left.abs() > self.worst.abs() {
+            self.worst = self.left;
+            self.worst_at = [target.step, target.increment];
+            self.worst_dt = target.dt;
+        }
+    }
+
+    /// What all steps left unbalanced.
+    pub fn unbalanced(&self) -> f64 {
+        self.steps + self.step.abs()
+    }
+}
+
+/// Energies after the increment: work by the trapezoidal rule, dissipation
+/// as the mean of the traction forces at both ends times the slip, eqs (10.1)
+/// to (10.3).
+pub fn account(plan: &Plan<'_>, committed: &State, work: &Workspace, trial: &mut State) {
+    let before = &committed.energy;
+    let mut energy = Energies {
+        strain_energy: work.evaluation.strain_energy,
+        contact_energy: work.evaluation.contact_energy,
+        friction_elastic: work.evaluation.elastic_slip_energy,
+        stabilisation: before.stabilisation + damped(committed, trial),
+        ..*before
+    };
+    for slot in 0..plan.layout.slots() {
+        let mean_reaction = 0.5 * (committed.reaction[slot] + trial.reaction[slot]);
+        let mean_load = 0.5 * (committed.load[slot] + trial.load[slot]);
+        energy.external_work += (mean_reaction + mean_load) * trial.increment[slot];
+    }
+    let friction = Friction::of(plan, committed, work, trial);
+    energy.friction_dissipation += friction.dissipated;
+    energy.dropped_friction += friction.dropped;
+    let unbalanced = energy.external_work - energy.taken();
+    let origin = *trial.balance_origin.insert(committed.balance_origin.unwrap_or(unbalanced));
+    energy.balance = unbalanced - origin;
+    trial.energy = energy;
+    let gained = energy.external_work - before.external_work;
+    let taken = energy.taken() - before.taken();
+    let kept = |energy: &Energies| energy.strain_energy + energy.contact_energy;
+    let stored = kept(&energy) - kept(before) + energy.stabilisation - before.stabilisation;
+    trial.books = Books {
+        turned_over: committed.books.turned_over + gained.abs().max(taken.abs()),
+        left: gained - stored - friction.work,
+        opening: friction.opening,
+        opening_dissipation: friction.opening_dissipation,
+        ..committed.books
+    };
+    if committed.balance_origin.is_none() {
+        trial.books.left = from_the_start(plan, committed, trial.books.left);
+    }
+}
+
+/// What the first increment of a run left over: a model that begins
+/// overclosed holds energy that it may give up before anything moves.
+fn from_the_start(plan: &Plan<'_>, start: &State, left: f64) -> f64 {
+    let mut held = 0.0;
+    for (point, now) in plan.contact.points.iter().zip(&start.points) {
+        let law = &plan.contact.laws[point.pair].normal;
+        let overclosure = -now.opening;
+        if overclosure <= law.contact_begins() || now.along.is_none() {
+            continue;
+        }
+        if law.pressure(overclosure).is_none() {
+            return 0.0;
+        }
+        held += now.area * law.energy(overclosure);
+    }
+    if left < 0.0 { (left + held).min(0.0) } else { left }
+}
+
+/// Energy that the dashpots of stabilisation took, by the trapezoidal rule as
+/// the external work.
+fn damped(committed: &State, trial: &State) -> f64 {
+    let at = |state: &State, slot: usize| state.damping.get(slot).copied().unwrap_or(0.0);
+    let slots = 0..committed.damping.len().max(trial.damping.len());
+    let mean = |slot| 0.5 * (at(committed, slot) + at(trial, slot));
+    slots.map(|slot| mean(slot) * trial.increment[slot]).sum()
+}
+
+/// What friction did in an increment, of all points [F L].
+#[derive(Clone, Copy, Debug, Default)]
+struct Friction {
+    /// Mean of the magnitudes of both ends times the dissipated slip.
+    dissipated: f64,
+    /// The trapezoid of traction and slip, both with their signs: what the
+    /// external work has of it.
+    work: f64,
+    /// Of `work`, what belongs to points that opened.
+    opening: f64,
+    /// Of `dissipated`, likewise.
+    opening_dissipation: f64,
+    /// What the onset dropped.
+    dropped: f64,
+}
+
+impl Friction {
+    fn of(plan: &Plan<'_>, committed: &State, work: &Workspace, trial: &State) -> Self {
+        let mut sum = Self::default();
+        for place in 0..plan.contact.points.len() {
+            let (old, new) = (&committed.points[place], &trial.points[place]);
+            sum.dropped += new.dropped_work;
+            let [before, after] = [old, new].map(|point| point.traction * point.area);
+            if before == 0.0 && after == 0.0 {
+                continue;
+            }
+            let magnitude = 0.5 * (before.abs() + after.abs());
+            let mean = 0.5 * (before + after);
+            if new.closed {
+                sum.dissipated += magnitude * new.dissipated;
+                sum.work += mean * (new.slip - old.slip);
+                continue;
+            }
+            // A point that opened slid until then: counted as the points are
+            // that closed, which have slid only since.
+            let ways = (&committed.displacement[..], &work.u[..]);
+            let slip = plan.contact.opening_slip(place, (old, new), ways);
+            let opening = mean * slip;
+            sum.opening += opening;
+            sum.opening_dissipation += opening.max(0.0);
+        }
+        sum.work += sum.opening;
+        sum.dissipated += sum.opening_dissipation;
+        sum
+    }
+}

@@ -1,0 +1,327 @@
+//! Energy that an increment leaves over: a jump, or a force that changes more
+//! between two increments than the trapezoidal rule can follow.
+//!
+//! ```text
+//!   load |      ___ o - - - - - -> o     halves, and the half again that
+//!        |    /      \           /       leaves more over: what the rule
+//!        |  /          \_______/         misses fades, what a jump
+//!        '------------------------- u    releases stays
+//! ```
+//!
+//! docs/theory.md section 10.
+
+use super::{Left, Walk};
+use crate::commit::{commit, recall_points};
+use crate::increments::Verdict;
+use crate::layout::Role;
+use crate::newton::{Target, Workspace, attempt};
+use crate::observe::Event;
+use crate::plan::Plan;
+use crate::stabilise;
+use crate::state::State;
+use slideline_diag::{Code, Diagnostic, Place};
+use slideline_model::NodeIndex;
+
+/// Part of the energy turned over from which on a jump is looked for.
+const NOTABLE: f64 = 0.01;
+/// Part of the energy of its own increment from which on it is.
+const SHARP: f64 = 0.02;
+/// Part of the energy turned over that a run may leave unbalanced unsaid.
+const MUCH: f64 = 0.2;
+/// How often an increment is halved: nothing but a jump keeps more than
+/// 2^-8 of what it left over.
+const HALVINGS: usize = 8;
+/// Rounding of energies, in roundings of the stiffest element moved as far
+/// as the model reaches.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+impl Walk<'_> {
+    /// Enters what the increment that was just committed left over into the
+    /// sums of its step. Where it jumped, what the jump released is counted
+    /// apart, and said.
+    pub(super) fn balance_books(
+        &mut self,
+        plan: &Plan<'_>,
+        target: &Target,
+        work: &mut Workspace,
+    ) -> Option<Diagnostic> {
+        // The dashpots of stabilisation hold what would fall: no equilibrium
+        // path that energies could be held against.
+        let stabilised = stabilise::settings(plan, &self.committed).is_some();
+        let books = self.committed.books;
+        if stabilised || books.left.abs() <= rounding(plan, &self.committed) {
+            self.committed.books.left = 0.0;
+        }
+        let own = books.turned_over - self.trial.books.turned_over;
+        let left = self.committed.books.left.abs();
+        let looked_for = left > NOTABLE * books.turned_over && left > SHARP * own;
+        let jump = looked_for.then(|| find(plan, (&self.trial, &self.committed), target, work));
+        if looked_for {
+            recall_points(&self.committed, work);
+        }
+        let said = jump.flatten().map(|jump| {
+            jump.enter(&self.trial, &mut self.committed);
+            jump.told(plan, target, &self.committed)
+        });
+        self.committed.books.enter(target);
+        said
+    }
+
+    /// Says so where the increments of the run left much energy unbalanced.
+    pub(super) fn judge_balance(
+        &mut self,
+        plan: &Plan<'_>,
+        target: &Target,
+    ) -> Result<(), Left> {
+        let books = self.committed.books;
+        let unbalanced = books.unbalanced();
+        let much = MUCH * books.turned_over + rounding(plan, &self.committed);
+        let [step, increment] = books.worst_at;
+        let Some(worst_step) = step.checked_sub(1).and_then(|step| plan.model.steps.get(step))
+        else {
+            return Ok(());
+        };
+        if target.step < plan.model.steps.len() || unbalanced <= much {
+            return Ok(());
+        }
+        let message = format!(
+            "energy does not balance: the increments leave {unbalanced:.3e} over, {:.0} % of all \
+             that was turned over, most of it ({:.3e}) increment {increment} of step {step}: \
+             forces change more within an increment than its two ends show, and work and peak \
+             forces are not to be trusted",
+            100.0 * unbalanced / books.turned_over,
+            books.worst,
+        );
+        let procedure = &worst_step.procedure;
+        let shorter = 0.25 * books.worst_dt;
+        let direct = if procedure.direct { ", DIRECT" } else { "" };
+        let card = format!(
+            "*STATIC{direct}\n{shorter:.4E}, {:?}, {:.4E}, {shorter:.4E}\n",
+            procedure.period,
+            procedure.minimum.min(1e-3 * shorter),
+        );
+        let said = Diagnostic::warning(Code("SL0604"), message)
+            .at(procedure.origin.unwrap_or(worst_step.origin))
+            .help(format!(
+                "take increments of at most {shorter:.3e} in step {step}, and compare the forces"
+            ));
+        let said = match procedure.origin {
+            Some(origin) => said.card(Place::Instead(origin), card),
+            None => said,
+        };
+        self.tell(Event::Diagnosed(&said))
+    }
+}
+
+/// Energy that rounding alone may leave over [F L].
+fn rounding(plan: &Plan<'_>, state: &State) -> f64 {
+    let moved = state.displacement.iter().fold(0.0, |largest: f64, u| largest.max(u.abs()));
+    ROUNDING * plan.structure.stiffest * plan.reach * moved.min(plan.reach)
+}
+
+/// A part of an increment with the states at both ends.
+struct Part {
+    from: State,
+    to: State,
+    /// Time in the step at its end, and its length [T].
+    end: f64,
+    dt: f64,
+    /// What the rest of the increment turned over.
+    rest: Rest,
+}
+
+/// Sums over the parts of an increment that hold no jump [F L].
+#[derive(Clone, Copy, Debug, Default)]
+struct Rest {
+    work: f64,
+    dissipation: f64,
+    left: f64,
+}
+
+impl Rest {
+    fn with(mut self, part: &Part) -> Self {
+        self.work += part.change(|state| state.energy.external_work);
+        self.dissipation += part.change(|state| state.energy.friction_dissipation);
+        self.left += part.to.books.left;
+        self
+    }
+}
+
+impl Part {
+    fn change(&self, of: impl Fn(&State) -> f64) -> f64 {
+        of(&self.to) - of(&self.from)
+    }
+
+    /// What it leaves over if points that opened did not slide on before:
+    /// in a jump they do not.
+    fn left(&self) -> f64 {
+        self.to.books.left + self.to.books.opening
+    }
+
+    /// Its half that leaves more over; `None` where a half has no end.
+    fn sharper_half(&self, plan: &Plan<'_>, target: &Target, work: &mut Workspace) -> Option<Self> {
+        let dt = 0.5 * self.dt;
+        let walk = |from: &State, end: f64, work: &mut Workspace| {
+            let aim = Target { step_time: end, dt, ..*target };
+            let outcome = attempt(plan, from, &aim, work, &mut |_| {});
+            matches!(outcome.verdict, Verdict::Converged { .. }).then(|| {
+                let mut to = from.clone();
+                commit(plan, from, &aim, work, &mut to);
+                Self { from: from.clone(), to, end, dt, rest: self.rest }
+            })
+        };
+        let mut first = walk(&self.from, self.end - dt, work)?;
+        let mut second = walk(&first.to, self.end, work)?;
+        if first.left().abs() >= second.left().abs() {
+            first.rest = self.rest.with(&second);
+            return Some(first);
+        }
+        second.rest = self.rest.with(&first);
+        Some(second)
+    }
+
+    /// Whether something that is prescribed or applied makes most of its own
+    /// change in this part of `whole`: not the structure jumps then.
+    fn is_driven(&self, plan: &Plan<'_>, whole: &Self) -> bool {
+        let change = |part: &Self, slot: usize| match plan.layout.roles[slot] {
+            Role::Prescribed(_) => part.to.displacement[slot] - part.from.displacement[slot],
+            _ => {
+                let force = |state: &State| state.load[slot] + state.reaction[slot];
+                force(&part.to) - force(&part.from)
+            }
+        };
+        let mut slots = 0..plan.layout.slots().min(self.from.load.len());
+        slots.any(|slot| change(self, slot).abs() > 0.5 * change(whole, slot).abs())
+    }
+}
+
+/// Looks for a jump between two states that an increment joins.
+fn find(
+    plan: &Plan<'_>,
+    (from, to): (&State, &State),
+    target: &Target,
+    work: &mut Workspace,
+) -> Option<Jump> {
+    let enough = NOTABLE * to.books.turned_over;
+    let (end, dt) = (target.step_time, target.dt);
+    let whole = Part { from: from.clone(), to: to.clone(), end, dt, rest: Rest::default() };
+    let mut left = vec![whole.left()];
+    let mut part = None::<Part>;
+    let mut steady = 0;
+    while left.len() <= HALVINGS && steady < 2 {
+        let longer = part.as_ref().unwrap_or(&whole);
+        let before = longer.left();
+        let Some(half) = longer.sharper_half(plan, target, work) else {
+            // Where not even halves are found the structure itself must say
+            // that it gave way.
+            if work.negative_pivots == 0 {
+                return None;
+            }
+            break;
+        };
+        let now = half.left();
+        if now.abs() <= enough {
+            return None;
+        }
+        steady = if (now - before).abs() <= 0.1 * before.abs() { steady + 1 } else { 0 };
+        left.push(now);
+        part = Some(half);
+    }
+    // What is no jump falls by half at least with every halving.
+    let fades = match left[..] {
+        [.., two_before, _, last] => last <= 0.5 * two_before,
+        [.., before, last] => last <= 0.75 * before,
+        _ => false,
+    };
+    let driven = part.as_ref().is_some_and(|part| part.is_driven(plan, &whole));
+    let part = part.unwrap_or(whole);
+    // A jump releases energy; what gains some is none.
+    (!fades && !driven && part.left() > enough).then(|| Jump::of(plan, &part))
+}
+
+/// A jump from one equilibrium to another.
+struct Jump {
+    /// Energy that it released [F L].
+    released: f64,
+    /// Work of supports and loads in the increment, and what friction
+    /// dissipated, from the parts in which it was walked [F L].
+    work: f64,
+    dissipation: f64,
+    /// What the parts without the jump left over [F L].
+    left: f64,
+    /// Total time before it [T].
+    time: f64,
+    /// The node that it moved most, and how far [L].
+    node: Option<(NodeIndex, f64)>,
+    /// Places of the pairs that carried pressure before it and none after.
+    lost: Vec<usize>,
+}
+
+impl Jump {
+    fn of(plan: &Plan<'_>, part: &Part) -> Self {
+        let (from, to) = (&part.from, &part.to);
+        let dofs = plan.layout.dofs.len();
+        let moved = |node: usize| {
+            let [x, y] = [0, 1].map(|k| {
+                let slot = node * dofs + k;
+                to.displacement[slot] - from.displacement[slot]
+            });
+            x.hypot(y)
+        };
+        let nodes = (0..plan.model.nodes.len()).map(|node| (node, moved(node)));
+        let closed = |state: &State, pair: usize| {
+            let mut points = plan.contact.points.iter().zip(&state.points);
+            points.any(|(point, now)| point.pair == pair && now.closed)
+        };
+        let pairs = 0..plan.contact.laws.len();
+        let whole = part.rest.with(part);
+        Self {
+            released: part.left(),
+            work: whole.work,
+            dissipation: whole.dissipation - to.books.opening_dissipation,
+            left: part.rest.left,
+            time: from.total_time,
+            node: nodes.max_by(|a, b| a.1.total_cmp(&b.1)),
+            lost: pairs.filter(|&pair| closed(from, pair) && !closed(to, pair)).collect(),
+        }
+    }
+
+    /// Counts it in the energies of the state that it led to: the work of its
+    /// increment is that of the parts, which enclose the jump.
+    fn enter(&self, before: &State, state: &mut State) {
+        let energy = &mut state.energy;
+        energy.released_energy += self.released;
+        energy.external_work = before.energy.external_work + self.work;
+        energy.friction_dissipation = before.energy.friction_dissipation + self.dissipation;
+        let unbalanced = energy.external_work - energy.taken();
+        let origin = *state.balance_origin.insert(before.balance_origin.unwrap_or(unbalanced));
+        energy.balance = unbalanced - origin;
+        state.books.left = self.left;
+    }
+
+    fn told(&self, plan: &Plan<'_>, target: &Target, state: &State) -> Diagnostic {
+        let mut message = format!(
+            "the structure jumps to another equilibrium in increment {} of step {}, at total time \
+             {:.6}",
+            target.increment, target.step, self.time
+        );
+        if let Some((node, moved)) = self.node {
+            let label = plan.model.nodes.label(node);
+            message.push_str(&format!(": node {label} springs by {moved:.4e}"));
+        }
+        for &pair in &self.lost {
+            let name = &plan.model.contact_pairs[pair].name;
+            message.push_str(&format!(", the contact of {name} opens"));
+        }
+        message.push_str(&format!(
+            ", and {:.4e} of energy is released, {:.1} % of what was turned over",
+            self.released,
+            100.0 * self.released / state.books.turned_over
+        ));
+        let node = self.node.map(|(node, _)| plan.model.nodes.get(node).origin);
+        Diagnostic::note(Code("SL0603"), message).at(node).help(
+            "a hook that springs off an edge does this, and nothing has to be done; released_energy \
+             in JOB.energy.csv counts it, and what happens on the way is no equilibrium",
+        )
+    }
+}
