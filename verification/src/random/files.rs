@@ -19,8 +19,6 @@ pub struct Point {
     pub pressure: f64,
     /// Shear traction.
     pub shear: f64,
-    /// Area.
-    pub area: f64,
 }
 
 /// What the energies of an increment are.
@@ -193,7 +191,6 @@ fn contact(case: &Case, rows: &Rows, states: &mut BTreeMap<(usize, usize), State
             open: rows.number(row, "COPEN") / placed.length,
             pressure: rows.number(row, "CPRESS") / pressure,
             shear: rows.number(row, "CSHEAR1") / pressure,
-            area: rows.number(row, "area") / (placed.length * placed.length),
         });
     }
 }

@@ -72,6 +72,9 @@ fn law(case: &Case, point: &Point, most: f64) -> Option<(&'static str, String)> 
     if p < 0.0 || !p.is_finite() {
         return Some(("pull", format!("node {node}: p = {p:.3e}")));
     }
+    if (point.status == "open") != (p == 0.0) {
+        return Some(("status", format!("node {node}: {} at p = {p:.3e}", point.status)));
+    }
     let mut limit = draft.friction.mu * p;
     if let Stick::Limit(taumax) = draft.friction.stick {
         limit = limit.min(taumax);

@@ -43,7 +43,7 @@ pub fn corner(s: &mut Sequence) -> Draft {
     } else {
         rounded(&mut draft, reference, (&corners, s.between(0.005, 0.02)), &back)
     };
-    let [clamp, tip] = draft.ends(beam);
+    let clamp = draft.ends(beam)[0];
     let mut end = draft.chains[beam].nodes.clone();
     end.reverse();
     end.truncate(3);
@@ -112,8 +112,8 @@ fn rounded(
 ///     (    )         v
 /// ```
 ///
-/// Well-posed: clamped as a tangent of the disc; the profile reaches on to
-/// where the beam hangs free.
+/// Well-posed: clamped as a tangent of the disc, which then draws away from the
+/// clamp; the profile reaches on to where the beam hangs free.
 pub fn wrap(s: &mut Sequence) -> Draft {
     let mut draft = Draft::new(s.power(-1.5, -0.3));
     let element = laws::element(s);
@@ -142,7 +142,7 @@ pub fn wrap(s: &mut Sequence) -> Draft {
         first.motions.push((tip, [None, Some(-s.between(0.2, 0.6)), None]));
     }
     draft.steps.push(first);
-    let motions = held(s.between(-0.05, 0.05));
+    let motions = held(-s.between(0.0, 0.05));
     draft.steps.push(Step { increments, motions, ..Step::default() });
     draft
 }
