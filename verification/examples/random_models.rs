@@ -1,23 +1,113 @@
 //! Many random models, told as a table:
 //! `cargo run --release -p slideline-verification --example random_models -- 10000`.
 //!
-//! Further arguments are the number of the first model and a folder for the
-//! decks of those that are worth a look.
+//! ```text
+//!   COUNT [--class NAME] [--seed N] [--keep DIR] [--limit SECONDS]
+//! ```
+//!
+//! COUNT models in all, divided among the classes, from number N on. Decks of
+//! those that failed or broke something go to DIR, with what was said as a
+//! comment. `--class pressed` are the models of a body pressed into a beam.
 
+use slideline_verification::random::classes::{CLASSES, Case};
+use slideline_verification::random::trial::{Ending, Table, Verdict, sweep};
 use slideline_verification::random::{Tally, judge, model};
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+struct Arguments {
+    count: u64,
+    class: Option<String>,
+    seed: u64,
+    keep: Option<PathBuf>,
+    limit: Duration,
+}
+
+fn arguments() -> Result<Arguments, String> {
+    let mut given = Arguments {
+        count: 10_000,
+        class: None,
+        seed: 0,
+        keep: None,
+        limit: Duration::from_secs(10),
+    };
+    let mut words = std::env::args().skip(1);
+    while let Some(word) = words.next() {
+        let mut value = || words.next().ok_or(format!("{word} needs a value"));
+        let number = |text: String| text.parse().map_err(|_| format!("{text} is no number"));
+        match word.as_str() {
+            "--class" => given.class = Some(value()?),
+            "--seed" => given.seed = number(value()?)?,
+            "--keep" => given.keep = Some(value()?.into()),
+            "--limit" => given.limit = Duration::from_secs(number(value()?)?),
+            _ => given.count = number(word)?,
+        }
+    }
+    Ok(given)
+}
 
 fn main() -> std::io::Result<()> {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let number = |place: usize, default: u64| {
-        arguments.get(place).and_then(|text| text.parse().ok()).unwrap_or(default)
-    };
-    let (count, first) = (number(0, 10_000), number(1, 0));
-    let began = std::time::Instant::now();
-    let mut tally = Tally::default();
-    for number in first..first + count {
+    let given = arguments().map_err(std::io::Error::other)?;
+    if given.class.as_deref() == Some("pressed") {
+        return pressed(&given);
+    }
+    let known = |name: &String| CLASSES.iter().any(|class| class.name == name);
+    if given.class.as_ref().is_some_and(|name| !known(name)) {
+        let names: Vec<_> = CLASSES.iter().map(|class| class.name).collect();
+        return Err(std::io::Error::other(format!("classes: pressed, {}", names.join(", "))));
+    }
+    let wanted = |name: &str| given.class.as_ref().is_none_or(|class| class == name);
+    let classes: Vec<_> = CLASSES.iter().filter(|class| wanted(class.name)).collect();
+    let each = given.count.div_ceil(classes.len() as u64);
+    let folder = std::env::temp_dir().join(format!("slideline-random-{}", std::process::id()));
+    std::fs::create_dir_all(&folder)?;
+    let (began, mut table) = (Instant::now(), Table::default());
+    for class in classes {
+        let numbers = given.seed..given.seed + each;
+        sweep(class, numbers, (&folder, given.limit), |case, verdict| {
+            table.add(case, verdict);
+            if let Some(why) = remarkable(verdict) {
+                println!("{} {} {:?}: {why}", case.class, case.number, case.draft.promise);
+                if let Some(keep) = &given.keep {
+                    store(keep, case, &why);
+                }
+            }
+        });
+    }
+    std::fs::remove_dir_all(&folder)?;
+    println!("{table}\n{:.1} s", began.elapsed().as_secs_f64());
+    Ok(())
+}
+
+/// What is wrong with it, if anything.
+fn remarkable(verdict: &Verdict) -> Option<String> {
+    let broken = verdict.violations.iter().map(|(kind, why)| format!("BROKEN {kind}: {why}"));
+    let mut lines: Vec<_> = broken.collect();
+    if verdict.ending != Ending::Completed {
+        let [increments, iterations] = verdict.work;
+        lines.push(format!(
+            "{:?} ({increments} increments, {iterations} iterations)",
+            verdict.ending
+        ));
+    }
+    (!lines.is_empty()).then(|| lines.join("; "))
+}
+
+fn store(keep: &std::path::Path, case: &Case, why: &str) {
+    let path = keep.join(format!("{}_{}.inp", case.class, case.number));
+    let text = format!("** {}\n{}", why.replace('\n', " "), case.text());
+    let stored = std::fs::create_dir_all(keep).and_then(|()| std::fs::write(path, text));
+    if let Err(error) = stored {
+        eprintln!("{}: {error}", keep.display());
+    }
+}
+
+/// The models of one body pressed into a beam, judged as they run.
+fn pressed(given: &Arguments) -> std::io::Result<()> {
+    let (began, mut tally) = (Instant::now(), Tally::default());
+    for number in given.seed..given.seed + given.count {
         let model = model(number);
-        let judged = std::panic::catch_unwind(|| judge(&model));
-        let Ok(verdict) = judged else {
+        let Ok(verdict) = std::panic::catch_unwind(|| judge(&model)) else {
             eprintln!("{number} PANICS");
             continue;
         };
@@ -25,9 +115,9 @@ fn main() -> std::io::Result<()> {
     }
     for (number, kind, why) in &tally.remarkable {
         println!("{number} {kind:?}: {why}");
-        if let Some(folder) = arguments.get(2) {
+        if let Some(folder) = &given.keep {
             std::fs::create_dir_all(folder)?;
-            std::fs::write(format!("{folder}/random_{number}.inp"), model(*number).text)?;
+            std::fs::write(folder.join(format!("random_{number}.inp")), model(*number).text)?;
         }
     }
     println!("{tally}{:.1} s", began.elapsed().as_secs_f64());

@@ -9,7 +9,10 @@
 //! three times that.
 
 use slideline::{Job, ReadOptions, advise};
+use slideline_verification::random::classes::CLASSES;
+use slideline_verification::random::trial::{Table, sweep};
 use slideline_verification::random::{Sequence, Tally, judge, model};
+use std::time::Duration;
 
 /// Models that are run here.
 const MODELS: u64 = 600;
@@ -52,5 +55,30 @@ fn mangled_decks_are_read_to_their_end() {
         let deck = Job::read_text("mangled", &text, &ReadOptions::default());
         assert!(deck.model.is_some() || !deck.diagnostics.is_empty());
         let _ = advise(&deck); // must not panic either
+    }
+}
+
+/// Models of each class that are run here.
+const EACH: u64 = 20;
+
+/// Every class in short. Ten thousand are run by the example `random_models`,
+/// and counted in docs/robustness.md; the limits here stand where the program
+/// is, for a class must not become worse unseen.
+#[test]
+fn classes_complete_and_keep_the_laws() {
+    let folder = std::env::temp_dir().join(format!("slideline-classes-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let mut table = Table::default();
+    for class in &CLASSES {
+        let limit = Duration::from_secs(10);
+        sweep(class, 0..EACH, (&folder, limit), |case, verdict| table.add(case, verdict));
+    }
+    std::fs::remove_dir_all(&folder).unwrap();
+    println!("{table}");
+    let [well_posed, completed] = table.well_posed();
+    assert!(completed * 100 >= well_posed * 60, "{table}");
+    let broken = table.violations();
+    for never in ["pull", "friction", "not finite", "dissipation", "pair"] {
+        assert!(!broken.contains_key(never), "{table}");
     }
 }

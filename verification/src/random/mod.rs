@@ -5,13 +5,20 @@
 //! ```
 //!
 //! The numbers come from a fixed sequence, so that every model can be made
-//! again from its number alone. Four of five models are well-posed by
-//! construction ([`Kind::WellPosed`]); the fifth is spoilt in one named way.
+//! again from its number alone. One generator presses a body into a beam: four
+//! of five of its models are well-posed by construction ([`Kind::WellPosed`]),
+//! the fifth is spoilt in one named way. The others draw whole [`classes`] of
+//! models, whose runs are judged from their files alone ([`trial`]).
 
+pub mod classes;
 mod deck;
+mod files;
 mod judge;
+mod passing;
+mod physics;
 mod sequence;
 mod shapes;
+pub mod trial;
 
 pub use deck::{Kind, Model, model};
 pub use judge::{Outcome, Tally, Verdict, judge};

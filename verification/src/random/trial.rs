@@ -1,0 +1,268 @@
+//! Runs models of the classes, files and all, and judges what they left.
+
+use super::classes::{Case, Class, Promise};
+use super::{files, passing, physics};
+use slideline::observe::{Event, Observer, Stop};
+use slideline::{Job, ReadOptions, RunOptions, run};
+use std::collections::BTreeMap;
+use std::ops::ControlFlow;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+/// How a run ended.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Ending {
+    /// All steps.
+    Completed,
+    /// A diagnosis: code and message.
+    Diagnosed(String, String),
+    /// The time was up.
+    TimeUp,
+    /// It cannot be read, or left no files: what was said.
+    Unreadable(String),
+    /// It panicked.
+    Panic,
+}
+
+/// What came of a model.
+#[derive(Clone, Debug)]
+pub struct Verdict {
+    /// Its ending.
+    pub ending: Ending,
+    /// What a completed run breaks: kind and where.
+    pub violations: Vec<(&'static str, String)>,
+    /// Time taken.
+    pub seconds: f64,
+    /// Converged increments, iterations.
+    pub work: [usize; 2],
+}
+
+/// Stops a run when its time is up.
+struct Clock {
+    end: Instant,
+    stopped: bool,
+    work: [usize; 2],
+}
+
+impl Observer for Clock {
+    fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
+        match event {
+            Event::Committed(_) => self.work[0] += 1,
+            Event::Iteration(_) => self.work[1] += 1,
+            _ => {}
+        }
+        if Instant::now() > self.end {
+            self.stopped = true;
+            return ControlFlow::Break(Stop::Interrupted);
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+/// Runs a model in a folder and judges its files.
+pub fn attempt(case: &Case, folder: &Path, limit: Duration) -> Verdict {
+    let mut verdict = once(case, folder, limit).0;
+    let completed = verdict.ending == Ending::Completed;
+    if case.class == "units" {
+        let natural = Case { placed: case.placed.unscaled(), ..case.clone() };
+        let other = once(&natural, folder, limit).0;
+        if (other.ending == Ending::Completed) != completed {
+            let why = format!("completed {completed}, in natural units {:?}", other.ending);
+            verdict.violations.push(("units", why));
+        } else if completed && other.work != verdict.work {
+            let why = format!("work {:?}, in natural units {:?}", verdict.work, other.work);
+            verdict.violations.push(("units", why));
+        }
+    }
+    if completed && case.draft.reversible && verdict.violations.is_empty() {
+        if let Some(why) = depends_on_increments(case, folder, limit) {
+            verdict.violations.push(("path", why));
+        }
+    }
+    verdict
+}
+
+/// Runs once; files as well, where there are.
+fn once(case: &Case, folder: &Path, limit: Duration) -> (Verdict, Option<files::Files>) {
+    let began = Instant::now();
+    let mut clock = Clock { end: began + limit, stopped: false, work: [0; 2] };
+    let text = case.text();
+    let ran = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
+        let read = Job::read_text("model", &text, &ReadOptions::default());
+        let options = RunOptions { folder: Some(folder.to_owned()), ..RunOptions::default() };
+        let outcome = run(&read, &options, &mut clock);
+        read.diagnostics.into_iter().chain(outcome.diagnostics).collect::<Vec<_>>()
+    }));
+    let mut verdict = Verdict {
+        ending: Ending::Panic,
+        violations: Vec::new(),
+        seconds: began.elapsed().as_secs_f64(),
+        work: clock.work,
+    };
+    let Ok(said) = ran else { return (verdict, None) };
+    let files = files::read(case, folder, "model");
+    verdict.ending = match &files {
+        _ if clock.stopped => Ending::TimeUp,
+        None => Ending::Unreadable(
+            said.iter().map(|said| format!("{}: {}", said.code.0, said.message)).collect(),
+        ),
+        Some(files) if files.status == "completed" => Ending::Completed,
+        Some(files) => {
+            let (code, why) = files.diagnosis.clone().unwrap_or_default();
+            Ending::Diagnosed(code, why)
+        }
+    };
+    if let (Ending::Completed, Some(files)) = (&verdict.ending, &files) {
+        verdict.violations = physics::violations(case, files);
+        let crossed = passing::violations(case, files);
+        verdict.violations.extend(crossed);
+    }
+    (verdict, files)
+}
+
+/// The last reactions, held against those of four times as many increments.
+fn depends_on_increments(case: &Case, folder: &Path, limit: Duration) -> Option<String> {
+    let finer = Case { draft: case.draft.finer(), ..case.clone() };
+    let (coarse, fine) = (once(case, folder, limit).1?, once(&finer, folder, limit).1?);
+    if fine.status != "completed" {
+        return Some("finer increments do not complete".to_owned());
+    }
+    for step in 0..case.draft.steps.len() {
+        let last = |files: &files::Files| {
+            let states = files.states.iter().rev();
+            states.clone().find(|state| state.step == step).map(|state| state.reaction.clone())
+        };
+        let (a, b) = (last(&coarse)?, last(&fine)?);
+        let size = |reactions: &[[f64; 3]]| {
+            reactions.iter().map(|r| r[0].abs() + r[1].abs()).fold(0.0, f64::max)
+        };
+        let all = fine.states.iter().map(|state| size(&state.reaction)).fold(0.0, f64::max);
+        let apart = a.iter().zip(&b).map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]));
+        let apart = apart.fold(0.0, f64::max);
+        if apart > 1e-3 * all {
+            return Some(format!("step {}: reactions {apart:.2e} apart of {all:.2e}", step + 1));
+        }
+    }
+    None
+}
+
+/// Counts of a class.
+#[derive(Clone, Debug, Default)]
+pub struct Counts {
+    /// Models, well-posed ones, well-posed completed.
+    pub models: [usize; 3],
+    /// Endings other than completed, of well-posed models, and of others.
+    pub failed: [BTreeMap<String, usize>; 2],
+    /// Violations by kind.
+    pub violations: BTreeMap<&'static str, usize>,
+    /// Slowest: seconds and number.
+    pub slowest: (f64, u64),
+    /// Increments, iterations.
+    pub work: [usize; 2],
+}
+
+impl Counts {
+    /// Takes a verdict in.
+    pub fn add(&mut self, case: &Case, verdict: &Verdict) {
+        let well_posed = case.draft.promise == Promise::WellPosed;
+        self.models[0] += 1;
+        self.models[1] += usize::from(well_posed);
+        match failure(verdict) {
+            None => self.models[2] += usize::from(well_posed),
+            Some(code) => *self.failed[usize::from(!well_posed)].entry(code).or_default() += 1,
+        }
+        for (kind, _) in &verdict.violations {
+            *self.violations.entry(kind).or_default() += 1;
+        }
+        if verdict.seconds > self.slowest.0 {
+            self.slowest = (verdict.seconds, case.number);
+        }
+        (0..2).for_each(|k| self.work[k] += verdict.work[k]);
+    }
+}
+
+/// The word for an ending that is not completed.
+pub fn failure(verdict: &Verdict) -> Option<String> {
+    match &verdict.ending {
+        Ending::Completed => None,
+        Ending::Diagnosed(code, _) => Some(code.clone()),
+        Ending::TimeUp => Some("TIME".to_owned()),
+        Ending::Unreadable(_) => Some("UNREAD".to_owned()),
+        Ending::Panic => Some("PANIC".to_owned()),
+    }
+}
+
+/// Counts by class, as a table.
+#[derive(Clone, Debug, Default)]
+pub struct Table(pub BTreeMap<&'static str, Counts>);
+
+impl Table {
+    /// Takes a verdict in.
+    pub fn add(&mut self, case: &Case, verdict: &Verdict) {
+        self.0.entry(case.class).or_default().add(case, verdict);
+    }
+
+    /// Well-posed models, and those that completed.
+    pub fn well_posed(&self) -> [usize; 2] {
+        let sum = |k: usize| self.0.values().map(|counts| counts.models[k]).sum();
+        [sum(1), sum(2)]
+    }
+
+    /// Violations by kind.
+    pub fn violations(&self) -> BTreeMap<&'static str, usize> {
+        let mut all = BTreeMap::new();
+        for (kind, count) in self.0.values().flat_map(|counts| &counts.violations) {
+            *all.entry(*kind).or_default() += count;
+        }
+        all
+    }
+}
+
+impl std::fmt::Display for Table {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        writeln!(f, "class      models  well-posed  completed  slowest [s] (number)  iterations")?;
+        for (class, counts) in &self.0 {
+            let [models, well, completed] = counts.models;
+            let (seconds, number) = counts.slowest;
+            let part = 100.0 * completed as f64 / well.max(1) as f64;
+            writeln!(
+                f,
+                "{class:10} {models:6} {well:11} {completed:6} {part:5.1} % {seconds:7.2} ({number}) {}",
+                counts.work[1]
+            )?;
+            let join = |map: &BTreeMap<String, usize>| {
+                map.iter().map(|(code, n)| format!("{code} {n}")).collect::<Vec<_>>().join(", ")
+            };
+            if !counts.failed[0].is_empty() {
+                writeln!(f, "           failed: {}", join(&counts.failed[0]))?;
+            }
+            if !counts.failed[1].is_empty() {
+                writeln!(f, "           not well-posed: {}", join(&counts.failed[1]))?;
+            }
+            if !counts.violations.is_empty() {
+                writeln!(f, "           broken: {:?}", counts.violations)?;
+            }
+        }
+        let [well, completed] = self.well_posed();
+        write!(
+            f,
+            "well-posed {well}, completed {completed} ({:.2} %), broken {:?}",
+            100.0 * completed as f64 / well.max(1) as f64,
+            self.violations()
+        )
+    }
+}
+
+/// Draws and runs models of a class.
+pub fn sweep(
+    class: &Class,
+    numbers: impl Iterator<Item = u64>,
+    (folder, limit): (&Path, Duration),
+    mut each: impl FnMut(&Case, &Verdict),
+) {
+    for number in numbers {
+        let case = Case::drawn(class, number);
+        let verdict = attempt(&case, folder, limit);
+        each(&case, &verdict);
+    }
+}
