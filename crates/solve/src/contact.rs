@@ -118,7 +118,8 @@ impl Contact {
         let nodes = self.slave_nodes[place].clone();
         let (elements, coordinates) = local_elements(model, pair, &nodes);
         let width = pair.interaction.width;
-        let areas = tributary_areas(nodes.len(), &elements, &coordinates, width);
+        let shares: Vec<_> = pair.elements.iter().map(|e| e.lumping.shares()).collect();
+        let areas = tributary_areas(&elements, &shares, &coordinates, width);
         for (&node, area) in nodes.iter().zip(areas) {
             let carried = layout.carried_node(model, node);
             let slots = slots_of(layout, carried.node);
