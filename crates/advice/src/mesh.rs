@@ -191,5 +191,5 @@ fn doubles_back(start: &Start<'_>, pair: &ContactPair, line: &SlideLine) -> Opti
         start.model.nodes.label(back[1])
     );
     let said = Diagnostic::warning(Code("SL0412"), message).at(line.origin);
-    Some(Finding::said(said.help("list the nodes of *SLIDE LINE in order along the part")))
+    Some(Finding::said(said.help(pair.vocabulary.order_chain())))
 }

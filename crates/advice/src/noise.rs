@@ -8,7 +8,9 @@
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_measures::{NoiseSummary, PairNoise, ReactionNoise};
-use slideline_model::{ContactPair, Dof, Formulation, Master, Model, NodeIndex, NormalLaw};
+use slideline_model::{
+    ContactPair, Dof, Formulation, Master, Model, NodeIndex, NormalLaw, Vocabulary,
+};
 use slideline_solve::observe::{Event, Frame, Observer, PairRow, Stop};
 use std::ops::ControlFlow;
 
@@ -37,6 +39,7 @@ struct Curve {
     label: u64,
     dof: Dof,
     origin: Span,
+    vocabulary: Vocabulary,
     motion: Vec<f64>,
     reaction: Vec<f64>,
 }
@@ -45,6 +48,7 @@ struct Curve {
 struct Pair {
     name: String,
     origin: Span,
+    vocabulary: Vocabulary,
     clearance: Option<f64>,
     /// Whether contact is sampled at nodes that hand the force on; stations of
     /// integrated contact come and go without pressure.
@@ -70,6 +74,7 @@ impl Noise {
                     label: model.nodes.label(driven.node),
                     dof: driven.dof,
                     origin: driven.origin,
+                    vocabulary: model.vocabulary(),
                     motion: Vec::new(),
                     reaction: Vec::new(),
                 });
@@ -168,10 +173,11 @@ impl Curve {
             noise.reversals,
             self.reaction.len()
         );
-        Some(Diagnostic::advice(Code("SL0610"), message).at(self.origin).help(
-            "swap the roles so that the curved body carries the slaves, use *CONTACT PAIR, \
-             TYPE=SURFACE TO SURFACE, or refine the side with the slaves",
-        ))
+        Some(Diagnostic::advice(Code("SL0610"), message).at(self.origin).help(format!(
+            "{}, {}, or refine the side with the slaves",
+            self.vocabulary.swap_roles(),
+            self.vocabulary.integrate()
+        )))
     }
 }
 
@@ -185,6 +191,7 @@ impl Pair {
         Self {
             name: pair.name.clone(),
             origin: pair.origin,
+            vocabulary: pair.vocabulary,
             clearance,
             hands_over: pair.formulation == Formulation::NodeToSurface,
             wanders: pair.formulation == Formulation::NodeToSurface
@@ -234,11 +241,15 @@ impl Pair {
             self.name
         );
         let help = if self.wanders {
-            "keep FRICTION ONSET=IMMEDIATE; for a smoother force give the slaves to the body on \
-             which the contact point rests, or use *CONTACT PAIR, TYPE=SURFACE TO SURFACE"
+            format!(
+                "keep FRICTION ONSET=IMMEDIATE; for a smoother force give the slaves to the body on \
+                 which the contact point rests, or {}",
+                self.vocabulary.integrate()
+            )
         } else {
             "keep FRICTION ONSET=IMMEDIATE; shorter increments on *STATIC show the changes one by \
              one"
+            .to_owned()
         };
         Some(Diagnostic::advice(Code("SL0611"), message).at(self.origin).help(help))
     }
@@ -251,11 +262,10 @@ impl Pair {
              the law promises",
             self.deepest, self.name, self.penetration
         );
-        Some(
-            Diagnostic::advice(Code("SL0612"), message).at(self.origin).help(
-                "raise p0 on *SURFACE CONTACT, SOFTENED to the order of the contact pressure",
-            ),
-        )
+        Some(Diagnostic::advice(Code("SL0612"), message).at(self.origin).help(format!(
+            "raise p0 on {} to the order of the contact pressure",
+            self.vocabulary.softened()
+        )))
     }
 
     /// SL0613: forces on one side of the pair that the other does not feel.

@@ -84,10 +84,11 @@ fn say(start: &Start<'_>, pair: &ContactPair, nodes: [NodeIndex; 3], sagitta: f6
     );
     let clearance = sagitta.max(1e-2 * spacing(start.model, pair));
     let pressure = pressure_scale(start, pair);
-    let card = format!("*SURFACE CONTACT, SOFTENED\n{clearance:.3E}, {pressure:.3E}\n");
+    let words = pair.vocabulary;
+    let card = words.softened_card(clearance, pressure);
     let said = Diagnostic::warning(Code("SL0404"), message)
         .at(pair.interaction.origin)
-        .help("soften the contact: *SURFACE CONTACT, SOFTENED after *INTERFACE");
+        .help(format!("soften the contact: {} after {}", words.softened(), words.interaction()));
     Finding::with(said, Place::After(pair.interaction.origin), card)
 }
 

@@ -13,7 +13,7 @@
 use crate::finding::Finding;
 use crate::start::{Start, circle_of, spacing};
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{ContactPair, Formulation, Friction, NormalLaw};
+use slideline_model::{ContactPair, Formulation, NormalLaw};
 
 /// Root mean square tilt of the normal below which nobody sees the noise [1].
 const QUIET: f64 = 0.002;
@@ -77,7 +77,9 @@ pub fn rms_tilt(law: &NormalLaw, spacing: f64, radius: f64) -> f64 {
 fn slides(start: &Start<'_>, pair: &ContactPair) -> bool {
     let on_beams = |node| {
         let mut beams = start.model.blocks.iter().filter_map(|block| block.beams());
-        let has = |e: &slideline_model::BeamElement, node| e.nodes.contains(&node);
+        let has = |e: &slideline_model::BeamElement, node| {
+            e.nodes.contains(&node) || e.middle == Some(node)
+        };
         beams.any(|block| {
             block.elements.iter().any(|e| {
                 has(e, node) && pair.elements.iter().any(|c| c.nodes.iter().all(|&n| has(e, n)))
@@ -88,10 +90,7 @@ fn slides(start: &Start<'_>, pair: &ContactPair) -> bool {
 }
 
 fn say(pair: &ContactPair, [radius, spacing]: [f64; 2], [tilt, rms]: [f64; 2]) -> Diagnostic {
-    let friction = match pair.interaction.friction {
-        Friction::Coulomb { coefficient, .. } => coefficient,
-        _ => 0.0,
-    };
+    let [_, friction] = pair.interaction.friction.coefficients();
     let message = format!(
         "slave nodes of {} stand {spacing:.4e} apart against a circle of radius {radius:.4e}: the \
          contact normal tilts by up to l/(2r) = {tilt:.3} rad, so the sliding force will be noisy \
@@ -101,10 +100,11 @@ fn say(pair: &ContactPair, [radius, spacing]: [f64; 2], [tilt, rms]: [f64; 2]) -
         100.0 * rms,
         100.0 * tilt
     );
-    Diagnostic::advice(Code("SL0403"), message).at(pair.origin).help(
-        "let the curved body carry the slaves and the beam be the *SLIDE LINE (ISL21), or \
-         integrate contact along the beam: *CONTACT PAIR, TYPE=SURFACE TO SURFACE",
-    )
+    Diagnostic::advice(Code("SL0403"), message).at(pair.origin).help(format!(
+        "{}, or {}",
+        pair.vocabulary.swap_roles(),
+        pair.vocabulary.integrate()
+    ))
 }
 
 #[cfg(test)]

@@ -36,17 +36,13 @@ fn opens(start: &Start<'_>, place: usize, pair: &ContactPair) -> bool {
 
 fn say(start: &Start<'_>, pair: &ContactPair, behind: usize, facing: usize) -> Finding {
     let (origin, help) = match &pair.master {
-        Master::SlideLine(line) => (
-            line.origin,
-            "list the nodes of *SLIDE LINE in the opposite order, or name the other side of *SURFACE \
-             (SPOS, SNEG): the outward normal stands 90 degrees counter-clockwise of travel",
-        ),
+        Master::SlideLine(line) => (line.origin, pair.vocabulary.turn_chain().to_owned()),
         Master::RigidSurface(surface) => (
             surface.origin,
-            "give the points of *RIGID SURFACE (*SURFACE, TYPE=SEGMENTS) in the opposite order: the \
-             outward normal stands 90 degrees counter-clockwise of travel",
+            format!("give the points of {} in the opposite order", pair.vocabulary.rigid_surface()),
         ),
     };
+    let help = format!("{help}: the outward normal stands 90 degrees counter-clockwise of travel");
     let place = start.model.contact_pairs.iter().position(|own| own == pair);
     let nearest = place.into_iter().flat_map(|place| start.facing(place));
     let deepest = nearest.map(|row| -row.opening).fold(0.0, f64::max);

@@ -200,13 +200,18 @@ fn off_the_end(pair: &ContactPair, number: usize, beyond: f64) -> Diagnostic {
     let (what, help, origin) = match &pair.master {
         Master::SlideLine(line) => (
             "slide line",
-            "add nodes to *SLIDE LINE on that side, or end the motion earlier on *BOUNDARY",
+            format!(
+                "{} on that side, or end the motion earlier on *BOUNDARY",
+                pair.vocabulary.lengthen_chain()
+            ),
             line.origin,
         ),
         Master::RigidSurface(surface) => (
             "rigid surface",
-            "prolong *RIGID SURFACE (*SURFACE, TYPE=SEGMENTS) on that side by a LINE, or end the \
-             motion earlier on *BOUNDARY",
+            format!(
+                "prolong {} on that side by a LINE, or end the motion earlier on *BOUNDARY",
+                pair.vocabulary.rigid_surface()
+            ),
             surface.origin,
         ),
     };
@@ -271,9 +276,8 @@ fn too_short(
         pair.name,
         start.model.nodes.label(node)
     );
-    Some(Finding::said(
-        Diagnostic::warning(Code("SL0408"), message)
-            .at(line.origin)
-            .help("add nodes to *SLIDE LINE on that side, or end the motion earlier on *BOUNDARY"),
-    ))
+    Some(Finding::said(Diagnostic::warning(Code("SL0408"), message).at(line.origin).help(format!(
+        "{} on that side, or end the motion earlier on *BOUNDARY",
+        pair.vocabulary.lengthen_chain()
+    ))))
 }

@@ -57,10 +57,10 @@ fn widths(start: &Start<'_>, findings: &mut Vec<Finding>) {
             pair.name
         );
         let said = Diagnostic::warning(Code("SL0413"), message).at(pair.interaction.origin);
-        findings.push(Finding::said(said.help(
-            "give the out-of-plane width on *INTERFACE (*SURFACE INTERACTION) in the unit of \
-             *BEAM SECTION",
-        )));
+        findings.push(Finding::said(said.help(format!(
+            "give the out-of-plane width on {} in the unit of *BEAM SECTION",
+            pair.vocabulary.interaction()
+        ))));
     }
 }
 
@@ -126,9 +126,10 @@ fn laws(start: &Start<'_>, findings: &mut Vec<Finding>) {
         let message = format!("the pressure law of {} is in doubtful units: {why}", pair.name);
         let said = Diagnostic::warning(Code("SL0413"), message)
             .at(pair.interaction.normal_origin.unwrap_or(pair.interaction.origin));
-        findings.push(Finding::said(said.help(
-            "on *SURFACE CONTACT, SOFTENED give c0 a hundredth of the height of the beam or less, \
-             and p0 of the order of the contact pressure",
-        )));
+        findings.push(Finding::said(said.help(format!(
+            "on {} give c0 a hundredth of the height of the beam or less, and p0 of the order of \
+             the contact pressure",
+            pair.vocabulary.softened()
+        ))));
     }
 }

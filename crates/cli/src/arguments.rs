@@ -31,10 +31,10 @@ pub(crate) enum Command {
     Report(crate::report::ReportArguments),
     /// Draw a curve of a job, or of two over each other with their difference.
     Plot(crate::plot::PlotArguments),
-    /// Print the page of a diagnostic code or of a deck keyword.
+    /// Print the page of a diagnostic code or of a deck keyword, or list them all.
     Explain {
-        /// A code such as SL0601, or a keyword such as "SLIDE LINE".
-        #[arg(required = true, value_name = "CODE|KEYWORD")]
+        /// A code such as SL0601, or a keyword such as "SLIDE LINE" [default: a list of all].
+        #[arg(value_name = "CODE|KEYWORD")]
         name: Vec<String>,
     },
     /// Write the documentation as pages that need no network.

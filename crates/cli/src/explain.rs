@@ -3,13 +3,23 @@
 use crate::exit::Exit;
 use crate::screen;
 use slideline::deck::nearest;
-use slideline::keywords::{describe, keywords};
+use slideline::diag::CATALOGUE;
+use slideline::keywords::{describe, keywords, not_read};
+use std::fmt::Write as _;
 
 /// Codes and their pages.
 const PAGES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/pages.rs"));
 
-/// Prints the page of `name`.
+/// Prints the page of `name`; without a name, what there are pages on.
 pub(crate) fn explain(name: &str) -> Exit {
+    if name.trim().is_empty() {
+        screen::print(&list());
+        return Exit::Completed;
+    }
+    if let (None, Some(said)) = (page(name), not_read(name)) {
+        screen::print(&format!("{said}\n"));
+        return Exit::Completed;
+    }
     match page(name) {
         Some(page) => {
             screen::print(page);
@@ -41,6 +51,29 @@ fn page(name: &str) -> Option<&'static str> {
     code.map(|(_, page)| *page).or_else(|| describe(name).map(|found| found.page))
 }
 
+/// All keywords and codes, a line each.
+fn list() -> String {
+    let mut text = String::from("Keywords (slideline explain KEYWORD prints the page):\n\n");
+    let mut all: Vec<_> = keywords().collect();
+    all.sort_by_key(|keyword| keyword.name);
+    let width = all.iter().map(|keyword| keyword.name.len()).max().unwrap_or_default();
+    for keyword in all {
+        let _ = writeln!(text, "  *{:width$}  {}", keyword.name, meaning(keyword.page)); // a String takes any text
+    }
+    text.push_str("\nDiagnostic codes (slideline explain CODE prints the page):\n\n");
+    for entry in CATALOGUE {
+        let _ = writeln!(text, "  {}  {}", entry.code, entry.title); // as above
+    }
+    text
+}
+
+/// The first sentence of a page.
+fn meaning(page: &str) -> String {
+    let paragraph = page.split("\n\n").nth(1).unwrap_or_default().replace('\n', " ");
+    let end = paragraph.find(". ").unwrap_or(paragraph.trim_end_matches('.').len());
+    paragraph[..end].to_owned()
+}
+
 fn unknown(name: &str) -> String {
     let codes = PAGES.iter().map(|(code, _)| *code);
     let known = codes.chain(keywords().map(|keyword| keyword.name));
@@ -60,5 +93,26 @@ mod tests {
         assert!(page("SLIDE LINE").is_some());
         assert!(page("SL9999").is_none());
         assert!(unknown("SLIDE LIME").contains("did you mean SLIDE LINE?"));
+    }
+
+    /// Requirement: without a word every keyword and every code stands in the list, each with a
+    /// meaning that fits a line.
+    #[test]
+    fn the_list_has_everything() {
+        let list = list();
+        for keyword in keywords() {
+            let line = list.lines().find(|line| {
+                line.trim_start().strip_prefix('*').is_some_and(|rest| {
+                    rest.strip_prefix(keyword.name).is_some_and(|rest| rest.starts_with("  "))
+                })
+            });
+            let line = line.unwrap_or_default();
+            assert!(
+                line.len() > keyword.name.len() + 10 && line.len() < 100,
+                "{}: {line}",
+                keyword.name
+            );
+        }
+        assert!(CATALOGUE.iter().all(|entry| list.contains(entry.code.0)));
     }
 }

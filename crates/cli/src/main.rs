@@ -29,6 +29,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
+    interrupt::outlive_file_limits();
     std::panic::set_hook(Box::new(|fault| screen::error(&internal_error(&fault.to_string()))));
     catch_unwind(AssertUnwindSafe(command)).unwrap_or(Exit::Internal).into()
 }

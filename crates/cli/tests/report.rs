@@ -79,6 +79,11 @@ fn files_that_are_missing_truncated_or_foreign_are_named_and_nothing_is_written(
         let text = std::fs::read(folder.join(name)).unwrap();
         text[..text.len() / 2].to_vec()
     };
+    let without_last_line = |name: &str| {
+        let text = read(&folder, name);
+        let end = text.trim_end().rfind('\n').unwrap() + 1;
+        text[..end].as_bytes().to_vec()
+    };
     let cases: Vec<(&str, Option<Vec<u8>>)> = vec![
         ("job.json", None),
         ("job.json", Some(half("job.json"))),
@@ -95,6 +100,8 @@ fn files_that_are_missing_truncated_or_foreign_are_named_and_nothing_is_written(
         ("job_0000.vtu", Some(b"<?xml version=\"1.0\"?><VTKFile/>".to_vec())),
         ("job.dat", None),
         ("job.msg", None),
+        ("job.pair.csv", Some(half("job.pair.csv"))),
+        ("job.pair.csv", Some(without_last_line("job.pair.csv"))),
     ];
     for (name, content) in cases {
         let path = folder.join(name);

@@ -25,8 +25,8 @@ pub use card::{Card, Comment, DataLine, Deck, Field, FileLines, Line, LineKind, 
 pub use edit::{Applied, apply};
 pub use include::{FromDisk, LoadError, Loaded, Loader, NoFiles, PathKind, Texts};
 pub use limits::{
-    MAX_BYTES, MAX_DEPTH, MAX_DIAGNOSTICS, MAX_FILES, MAX_LINE_BYTES, MAX_LINES, MAX_NULS,
-    MAX_PARAMETERS, MAX_VALUES, MAX_VALUES_PER_LINE,
+    MAX_BYTES, MAX_DEPTH, MAX_FILES, MAX_LINE_BYTES, MAX_LINES, MAX_NULS, MAX_PARAMETERS,
+    MAX_VALUES, MAX_VALUES_PER_LINE,
 };
 pub use parse::{Parsed, parse};
 pub use spelling::{nearest, normalise};

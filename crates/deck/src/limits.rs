@@ -27,7 +27,3 @@ pub const MAX_DEPTH: usize = 16;
 
 /// Most files of one deck, counted each time one is included.
 pub const MAX_FILES: usize = 1000;
-
-/// Most diagnostics of one kind of pass; the last one then says that more
-/// was found.
-pub const MAX_DIAGNOSTICS: usize = 1000;

@@ -2,11 +2,11 @@
 
 mod files;
 
-use slideline_diag::{Code, Diagnostic, FileId, Sources, Span};
+use slideline_diag::{Code, Diagnostic, FileId, Listing, Sources, Span};
 
 use crate::card::{Card, Comment, DataLine, Deck, FileLines, Line, LineKind, Parameter};
 use crate::include::Loader;
-use crate::limits::{MAX_DIAGNOSTICS, MAX_LINE_BYTES, MAX_PARAMETERS, MAX_VALUES_PER_LINE};
+use crate::limits::{MAX_LINE_BYTES, MAX_PARAMETERS, MAX_VALUES_PER_LINE};
 use crate::lines::{Look, RawLine, aligned, line_at, look, offset, strip};
 use crate::split::{Stretch, at_commas, fields, parameter, word};
 
@@ -28,7 +28,8 @@ pub fn parse(sources: &mut Sources, name: &str, bytes: &[u8], loader: &dyn Loade
         sources,
         loader,
         deck: Deck::default(),
-        diagnostics: Vec::new(),
+        diagnostics: Listing::default(),
+        is_said_full: false,
         open_files: Vec::new(),
         total_bytes: 0,
         total_lines: 0,
@@ -36,8 +37,9 @@ pub fn parse(sources: &mut Sources, name: &str, bytes: &[u8], loader: &dyn Loade
         owner: Owner::Nobody,
     };
     reader.file(name, bytes.to_vec());
-    let Reader { deck, mut diagnostics, .. } = reader;
-    if deck.cards.is_empty() && diagnostics.is_empty() {
+    let Reader { deck, diagnostics, .. } = reader;
+    let mut diagnostics = diagnostics.into_diagnostics();
+    if deck.cards.is_empty() && !slideline_diag::has_errors(&diagnostics) {
         let root = deck.files.first().map(|lines| Span::new(lines.file, 0, 0));
         let empty = Diagnostic::error(Code("SL0101"), "the deck is empty: it has no keyword line");
         diagnostics.push(empty.at(root).help("a deck begins with *HEADING or *NODE"));
@@ -58,7 +60,8 @@ struct Reader<'a> {
     sources: &'a mut Sources,
     loader: &'a dyn Loader,
     deck: Deck,
-    diagnostics: Vec<Diagnostic>,
+    diagnostics: Listing,
+    is_said_full: bool,
     open_files: Vec<String>,
     total_bytes: usize,
     total_lines: usize,
@@ -92,14 +95,7 @@ impl<'t> Page<'t> {
 
 impl Reader<'_> {
     fn report(&mut self, diagnostic: Diagnostic) {
-        match self.diagnostics.len() {
-            count if count < MAX_DIAGNOSTICS => self.diagnostics.push(diagnostic),
-            MAX_DIAGNOSTICS => {
-                let text = format!("more than {MAX_DIAGNOSTICS} problems; the rest is not listed");
-                self.diagnostics.push(Diagnostic::error(Code("SL0115"), text).at(diagnostic.span));
-            }
-            _ => {}
-        }
+        self.diagnostics.push(diagnostic);
     }
 
     fn file(&mut self, name: &str, bytes: Vec<u8>) {

@@ -105,6 +105,10 @@ fn every_error_in_one_go_with_its_columns() {
 fn an_empty_deck_says_so() {
     assert_eq!(said(""), ["error[SL0101] a.inp:1:1-1"]);
     assert_eq!(said("** nothing\n\n"), ["error[SL0101] a.inp:1:1-1"]);
+    // A note on the way does not make it a deck.
+    let parsed = parse(&mut Sources::default(), "a.inp", b"** \xe9\n", &NoFiles);
+    let codes: Vec<_> = parsed.diagnostics.iter().map(|said| said.code.0).collect();
+    assert_eq!(codes, ["SL0109", "SL0101"]);
 }
 
 #[test]
@@ -115,8 +119,8 @@ fn limits_are_errors_not_cuts() {
     assert_eq!(said(&format!("*NSET\n{long}\n1\n")).len(), 1);
     let rubbish = "*\n".repeat(3000);
     let said = said(&rubbish);
-    assert_eq!(said.len(), slideline_deck::MAX_DIAGNOSTICS + 1);
-    assert!(said.last().unwrap().starts_with("error[SL0115]"));
+    assert_eq!(said.len(), slideline_diag::MAX_OF_ONE_CODE + 1);
+    assert!(said.last().unwrap().starts_with("note[SL0115]"));
 }
 
 #[test]

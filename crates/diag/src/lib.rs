@@ -11,8 +11,10 @@
 
 mod catalogue;
 mod diagnostic;
+mod listing;
 mod source;
 
 pub use catalogue::{CATALOGUE, Entry, entry};
 pub use diagnostic::{Code, Diagnostic, Edit, Label, Place, Severity, Suggestion, has_errors};
+pub use listing::{Listing, MAX_DIAGNOSTICS, MAX_OF_ONE_CODE};
 pub use source::{FileId, Location, Source, Sources, Span};

@@ -302,6 +302,9 @@ impl Draft {
             self.model.nodes.insert(Node { label, position, origin });
             return;
         };
+        if self.log.has_parts {
+            return; // parts number their nodes alike
+        }
         let old = *self.model.nodes.get(index);
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * a.abs().max(b.abs());
         if old.position.iter().zip(position).all(|(&a, b)| near(a, b)) {
@@ -323,7 +326,9 @@ impl Draft {
     pub fn add_element(&mut self, element: Element) {
         if let Some(&old) = self.element_by_label.get(&element.label) {
             let origin = element.origin;
-            if self.log.first_time(&format!("element {} {}", origin.file.0, origin.start)) {
+            if !self.log.has_parts
+                && self.log.first_time(&format!("element {} {}", origin.file.0, origin.start))
+            {
                 let message = format!("element {} is defined twice", element.label);
                 let error = Diagnostic::error(Code("SL0229"), message).at(origin);
                 self.log.push(error.label(self.elements[old].origin, "defined here first"));

@@ -11,7 +11,8 @@ use crate::earlier::{Earlier, MAY_FOLLOW};
 use crate::keyword::{Keyword, Level};
 use crate::reading::{Match, Reading, note_abbreviation, resolve};
 use crate::registry::REGISTRY;
-use crate::{finish, foreign, traps};
+use crate::unsupported::{self, Other, Treatment};
+use crate::{finish, traps};
 
 /// What a deck means.
 #[derive(Clone, Debug)]
@@ -177,14 +178,12 @@ fn misplaced(
 
 fn find_keyword(card: &Card, draft: &mut Draft) -> Option<&'static dyn Keyword> {
     let word = &card.keyword;
-    if let Some((name, instead)) = foreign::find(&normalise(&word.raw)) {
-        let error = Diagnostic::error(Code("SL0221"), format!("*{name} is not supported"));
-        let error = error.at(word.span);
-        draft.log.push(if instead.is_empty() { error } else { error.help(*instead) });
-        unread(draft);
+    let name = normalise(&word.raw);
+    if let Some(other) = unsupported::find(&name) {
+        not_read(&other, word.span, draft);
         return None;
     }
-    match resolve(&normalise(&word.raw), REGISTRY, |keyword| keyword.name()) {
+    match resolve(&name, REGISTRY, |keyword| keyword.name()) {
         Match::Exact(keyword) => Some(keyword),
         Match::Abbreviation(keyword) => {
             let full = format!("*{}", keyword.name());
@@ -202,13 +201,42 @@ fn find_keyword(card: &Card, draft: &mut Draft) -> Option<&'static dyn Keyword> 
     }
 }
 
+/// A keyword of another program: a note or an error, once for each cause.
+fn not_read(other: &Other, span: Span, draft: &mut Draft) {
+    let Other { name, treatment, help } = *other;
+    let cause = if treatment == Treatment::Parts { "PART" } else { name };
+    if treatment == Treatment::Ignored {
+        if draft.log.first_time(&format!("ignored {cause}")) {
+            let message = format!("*{name} has no effect here and is passed over: {help}");
+            draft.log.note("SL0257", message, span);
+        }
+        return;
+    }
+    unread(draft);
+    draft.log.has_parts |= treatment == Treatment::Parts;
+    draft.log.has_parameters |= treatment == Treatment::Parameters;
+    if !draft.log.first_time(&format!("unsupported {cause}")) {
+        return;
+    }
+    let error = match treatment {
+        Treatment::Parts => Diagnostic::error(
+            Code("SL0258"),
+            format!("*{name}: a deck of parts, instances and an assembly is not supported"),
+        ),
+        _ => Diagnostic::error(Code("SL0221"), format!("*{name} is not supported")),
+    };
+    let error = error.at(span);
+    draft.log.push(if help.is_empty() { error } else { error.help(help) });
+}
+
 /// An unknown keyword is read as the nearest known one, so that one slip
 /// gives one error.
 fn unknown_keyword(card: &Card, draft: &mut Draft) -> Option<&'static dyn Keyword> {
     let word = &card.keyword;
     let error = Diagnostic::error(Code("SL0201"), format!("*{} is not a known keyword", word.raw));
     let error = error.at(word.span);
-    let Some(near) = nearest(&word.raw, REGISTRY.iter().map(|keyword| keyword.name())) else {
+    let compared = REGISTRY.iter().take(draft.log.names_to_compare());
+    let Some(near) = nearest(&word.raw, compared.map(|keyword| keyword.name())) else {
         draft.log.push(error.help("`slideline explain` lists the keywords that are read"));
         unread(draft);
         return None;

@@ -14,8 +14,8 @@
 mod cards;
 mod draft;
 mod earlier;
+mod fillet;
 mod finish;
-mod foreign;
 mod interpret;
 mod keyword;
 mod log;
@@ -25,9 +25,11 @@ mod requests;
 mod sets;
 mod surfaces;
 mod traps;
+mod unsupported;
 
 pub use draft::{MAX_EXPANDED, MAX_GENERATED};
 pub use earlier::{Earlier, ReadRequest, read_request};
 pub use interpret::{Interpreted, interpret, interpret_after, read};
 pub use keyword::{Level, Rule, Takes};
 pub use registry::{Description, describe, keywords};
+pub use unsupported::not_read;

@@ -2,8 +2,8 @@
 
 use std::collections::HashSet;
 
-use slideline_deck::{DataLine, Field, MAX_DIAGNOSTICS, integer, normalise, number, parse_integer};
-use slideline_diag::{Code, Diagnostic, Severity, Span};
+use slideline_deck::{DataLine, Field, integer, normalise, number, parse_integer};
+use slideline_diag::{Code, Diagnostic, Listing, Severity, Span};
 
 /// Largest node or element number.
 pub(crate) const MAX_LABEL: i64 = 999_999_999;
@@ -11,9 +11,15 @@ pub(crate) const MAX_LABEL: i64 = 999_999_999;
 /// Collects diagnostics.
 #[derive(Default)]
 pub(crate) struct Log {
-    diagnostics: Vec<Diagnostic>,
+    listing: Listing,
     errors: usize,
     said: HashSet<String>,
+    /// The deck is written in parts, which has been said: their numbers and
+    /// references clash of necessity.
+    pub has_parts: bool,
+    /// The deck has `*PARAMETER`, which has been said: values in `<...>` are
+    /// not complained about.
+    pub has_parameters: bool,
 }
 
 /// A node or element number, or the name of a set.
@@ -26,14 +32,7 @@ pub(crate) enum Target {
 impl Log {
     pub fn push(&mut self, diagnostic: Diagnostic) {
         self.errors += usize::from(diagnostic.severity == Severity::Error);
-        match self.diagnostics.len() {
-            count if count < MAX_DIAGNOSTICS => self.diagnostics.push(diagnostic),
-            MAX_DIAGNOSTICS => {
-                let text = format!("more than {MAX_DIAGNOSTICS} problems; the rest is not listed");
-                self.diagnostics.push(Diagnostic::error(Code("SL0115"), text).at(diagnostic.span));
-            }
-            _ => {}
-        }
+        self.listing.push(diagnostic);
     }
 
     pub fn error(&mut self, code: &'static str, message: impl Into<String>, span: Span) {
@@ -55,7 +54,7 @@ impl Log {
 
     /// Forgets everything but errors.
     pub fn keep_errors(&mut self) {
-        self.diagnostics.retain(|said| said.severity == Severity::Error);
+        self.listing.keep_errors();
         self.said.clear();
     }
 
@@ -71,7 +70,7 @@ impl Log {
     }
 
     pub fn into_diagnostics(self) -> Vec<Diagnostic> {
-        self.diagnostics
+        self.listing.into_diagnostics()
     }
 
     /// Keeps the value, or reports the error.
@@ -88,31 +87,55 @@ impl Log {
         field
     }
 
+    /// Whether the value stands for a `*PARAMETER`; the card it belongs to then
+    /// counts as broken.
+    fn is_parameter(&mut self, field: &Field) -> bool {
+        let found = self.has_parameters && field.text.contains('<');
+        self.errors += usize::from(found);
+        found
+    }
+
+    /// A value as a real number.
+    pub fn number_in(&mut self, field: &Field) -> Option<f64> {
+        if self.is_parameter(field) {
+            return None;
+        }
+        self.take(number(field))
+    }
+
+    /// A value as a whole number.
+    pub fn integer_in(&mut self, field: &Field) -> Option<i64> {
+        if self.is_parameter(field) {
+            return None;
+        }
+        self.take(integer(field))
+    }
+
     /// A real number that must be there; `what` names it in the error.
     pub fn number(&mut self, line: &DataLine, at: usize, what: &str) -> Option<f64> {
         let field = self.present(line, at, what)?;
-        self.take(number(field))
+        self.number_in(field)
     }
 
     /// A real number, or its default where it is missing or blank.
     pub fn number_or(&mut self, line: &DataLine, at: usize, default: f64) -> Option<f64> {
-        line.field(at).map_or(Some(default), |field| self.take(number(field)))
+        line.field(at).map_or(Some(default), |field| self.number_in(field))
     }
 
     /// A real number that may be missing: `Some(None)` then.
     pub fn maybe_number(&mut self, line: &DataLine, at: usize) -> Option<Option<f64>> {
-        line.field(at).map_or(Some(None), |field| self.take(number(field)).map(Some))
+        line.field(at).map_or(Some(None), |field| self.number_in(field).map(Some))
     }
 
     /// A whole number, or its default where it is missing or blank.
     pub fn integer_or(&mut self, line: &DataLine, at: usize, default: i64) -> Option<i64> {
-        line.field(at).map_or(Some(default), |field| self.take(integer(field)))
+        line.field(at).map_or(Some(default), |field| self.integer_in(field))
     }
 
     /// A node or element number.
     pub fn label(&mut self, line: &DataLine, at: usize, what: &str) -> Option<u64> {
         let field = self.present(line, at, what)?;
-        let value = self.take(integer(field))?;
+        let value = self.integer_in(field)?;
         self.in_range(value, field)
     }
 
@@ -129,11 +152,11 @@ impl Log {
     pub fn target(&mut self, line: &DataLine, at: usize, what: &str) -> Option<Target> {
         let field = self.present(line, at, what)?;
         if parse_integer(&field.text).is_ok() {
-            let value = self.take(integer(field))?;
+            let value = self.integer_in(field)?;
             return self.in_range(value, field).map(Target::Label);
         }
         if field.text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) {
-            self.take(integer(field));
+            self.integer_in(field);
             return None;
         }
         Some(Target::Set(normalise(&field.text)))

@@ -1,6 +1,6 @@
 //! A card held against its keyword: which parameters were given.
 
-use slideline_deck::{Card, DataLine, Field, Parameter, Word, nearest, normalise, number};
+use slideline_deck::{Card, DataLine, Field, Parameter, Word, nearest, normalise};
 use slideline_diag::{Code, Diagnostic, Span};
 
 use crate::keyword::{Keyword, Rule, Takes};
@@ -24,13 +24,15 @@ pub(crate) enum Match<T> {
 /// Finds a normalised word among names: spelt out, or a unique beginning of
 /// at least two letters.
 pub(crate) fn resolve<T: Copy>(word: &str, known: &[T], name: fn(&T) -> &'static str) -> Match<T> {
-    if let Some(&exact) = known.iter().find(|entry| normalise(name(entry)) == word) {
+    // Known names are upper case; a deck of nothing but unknown words asks often.
+    let letters = |entry: &T| name(entry).bytes().filter(|&byte| byte != b' ');
+    if let Some(&exact) = known.iter().find(|entry| letters(entry).eq(word.bytes())) {
         return Match::Exact(exact);
     }
     if word.len() < 2 {
         return Match::Unknown;
     }
-    let begins = |entry: &&T| normalise(name(entry)).starts_with(word);
+    let begins = |entry: &&T| letters(entry).take(word.len()).eq(word.bytes());
     let found: Vec<T> = known.iter().filter(begins).copied().collect();
     match found.as_slice() {
         [] => Match::Unknown,
@@ -109,7 +111,7 @@ impl<'a> Reading<'a> {
     pub fn number(&self, name: &str, log: &mut Log) -> Option<Option<f64>> {
         let Some(word) = self.word(name) else { return Some(None) };
         let field = Field { text: word.raw.clone(), span: word.span };
-        log.take(number(&field)).map(Some)
+        log.number_in(&field).map(Some)
     }
 
     /// A positive whole number given as value, or the default.
@@ -121,7 +123,7 @@ impl<'a> Reading<'a> {
     pub fn at_least(&self, least: usize, name: &str, default: usize, log: &mut Log) -> usize {
         let Some(word) = self.word(name) else { return default };
         let field = Field { text: word.raw.clone(), span: word.span };
-        let Some(value) = log.take(slideline_deck::integer(&field)) else { return default };
+        let Some(value) = log.integer_in(&field) else { return default };
         let value = usize::try_from(value).ok().filter(|&value| value >= least);
         if value.is_none() {
             log.error("SL0210", format!("{name} must be at least {least}"), word.span);
@@ -212,10 +214,13 @@ fn find_rule(
             log.error("SL0203", message, word.span);
             None
         }
+        // Cards of an assembly name the instance they belong to.
+        Match::Unknown if log.has_parts && ["INSTANCE", "INTERNAL"].contains(&&*word.name) => None,
         Match::Unknown => {
             let message = format!("*{} has no parameter {}", keyword.name(), word.raw);
             let error = Diagnostic::error(Code("SL0202"), message).at(word.span);
-            let near = nearest(&word.raw, rules.iter().map(|rule| rule.name));
+            let compared = rules.iter().take(log.names_to_compare());
+            let near = nearest(&word.raw, compared.map(|rule| rule.name));
             let Some(near) = near else {
                 let names: Vec<&str> = rules.iter().map(|rule| rule.name).collect();
                 let known = if names.is_empty() { "none".to_owned() } else { names.join(", ") };

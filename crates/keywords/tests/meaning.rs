@@ -67,6 +67,11 @@ fn every_form_of_friction() {
     let decaying = friction("*FRICTION, EXPONENTIAL DECAY\n0.3, 0.2, 5.\n");
     let expected = Decay { kinetic: 0.2, rate: 5.0 };
     assert!(matches!(decaying, Friction::Coulomb { decay: Some(decay), .. } if decay == expected));
+    // One coefficient of zero is not the absence of friction.
+    let from_zero = friction("*FRICTION, EXPONENTIAL DECAY\n0., 0.3, 5.\n");
+    assert_eq!((from_zero.acts(), from_zero.coefficients()), (true, [0.0, 0.3]));
+    let never = friction("*FRICTION, EXPONENTIAL DECAY\n0., 0.3, 0.\n");
+    assert_eq!(never, Friction::Frictionless, "without decay the static coefficient holds");
     let user = friction("*FRICTION, USER=STRIBECK, PROPERTIES=3, DEPVAR=2\n0.3, 0.2, 5.\n");
     let properties = vec![0.3, 0.2, 5.0];
     assert_eq!(user, Friction::User { name: "STRIBECK".into(), properties, state_size: 2 });
@@ -260,6 +265,55 @@ fn a_foreign_keyword_is_not_a_misspelt_one() {
     assert_eq!(codes(&plastic, "*STEP", "*STEP"), ["SL0221"]);
     assert_eq!(codes(BEAM, "*CLOAD\n5, 1, 1.0", "*DLOAD\nBEAM, P1, 1.0"), ["SL0221"]);
     assert_eq!(codes(BEAM, "*BEAM SECTION", "*SHELL SECTION"), ["SL0221"]);
+    for name in ["PRE-TENSION SECTION", "DISTRIBUTING", "SYSTEM", "SUBMODEL"] {
+        assert_eq!(codes(BEAM, "*STEP", &format!("*{name}\n1, 2\n*STEP")), ["SL0221"], "{name}");
+    }
+}
+
+/// Cards without effect are passed over, each with one note, wherever they
+/// stand; the card whose place they take is read as before.
+#[test]
+fn cards_without_effect_are_passed_over() {
+    let plain = model(BEAM, "*STEP", "*STEP");
+    for (old, new) in [
+        ("*ELASTIC", "*DENSITY\n7.8E-9\n*ELASTIC"),
+        ("*STEP", "*PREPRINT, ECHO=NO, MODEL=NO\n*PREPRINT, HISTORY=NO\n*STEP"),
+        ("*END STEP", "*MONITOR, NODE=5, DOF=1\n*END STEP"),
+        ("*END STEP", "*SECTION PRINT, SURFACE=S\nSOF\n*END STEP"),
+        ("*STEP", "*SURFACE, NAME=NOTHING\n*STEP"),
+    ] {
+        assert_eq!(codes(BEAM, old, new), ["SL0257"], "{new}");
+        assert_eq!(model(BEAM, old, new).blocks.len(), plain.blocks.len(), "{new}");
+    }
+}
+
+/// One cause, one message: parts that number their nodes alike, instances with
+/// names of their own, parameters in place of numbers, faces of solids.
+#[test]
+fn one_cause_gives_one_message() {
+    let part = |name: &str| {
+        let mut text = format!("*PART, NAME={name}\n*NODE\n");
+        for k in 1..1000 {
+            text += &format!("{k}, {}.\n", k + name.len());
+        }
+        text + "*ELEMENT, TYPE=B21, ELSET=E\n1, 1, 2\n*END PART\n"
+    };
+    let deck = "*HEADING\n".to_owned()
+        + &part("A")
+        + &part("BB")
+        + "*ASSEMBLY, NAME=X\n*INSTANCE, NAME=A-1, PART=A\n1., 2., 3.\n*END INSTANCE\n\
+           *NSET, NSET=S, INTERNAL, INSTANCE=A-1\n1, 2\n*END ASSEMBLY\n\
+           *STEP\n*STATIC\n*BOUNDARY\nA-1.S, 1, 2\n*END STEP\n";
+    assert_eq!(codes(&deck, "*STEP\n", "*STEP, NLGEOM\n"), ["SL0258"]);
+    let parameters = "*PARAMETER\nw = 2.\n*BEAM SECTION";
+    let deck = BEAM.replace("*BEAM SECTION", parameters).replace("210.0E9, 0.3", "<w>, 0.3");
+    assert_eq!(codes(&deck, "5, 1, 1.0", "5, 1, <w>"), ["SL0221"]);
+    let mut solids = String::from(
+        "*ELEMENT, TYPE=C3D8, ELSET=X\n1, 1, 2, 3, 4, 5, 6, 7, 8\n\
+         *ELEMENT, TYPE=C3D8, ELSET=X\n2, 1, 2, 3, 4, 5, 6, 7, 8\n*SURFACE, NAME=S\n",
+    );
+    (1..2000).for_each(|k| solids += &format!("{k}, S3\n"));
+    assert_eq!(codes(BEAM, "*STEP", &format!("{solids}*STEP")), ["SL0220"]);
 }
 
 /// `*CONTACT CONTROLS, STABILIZE` belongs to its own step; its factor, the

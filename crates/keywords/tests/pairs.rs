@@ -9,6 +9,7 @@ use slideline_diag::{Severity, Sources, Span};
 use slideline_keywords::{Interpreted, read};
 use slideline_model::{
     ContactPair, Dialect, Formulation, Friction, Master, Model, NormalLaw, SurfaceSegment,
+    Vocabulary,
 };
 
 const ALONG: &str = include_str!("../../../corpus/keywords/CONTACT-PAIR.inp");
@@ -68,6 +69,7 @@ fn bare(pair: &ContactPair) -> ContactPair {
     let here = Span::default();
     let mut pair = pair.clone();
     (pair.name, pair.origin) = (String::new(), here);
+    pair.vocabulary = Vocabulary::default();
     for element in &mut pair.elements {
         (element.label, element.origin) = (0, here);
     }
@@ -340,4 +342,98 @@ fn rigid_bodies_tie_each_node_once() {
     assert_eq!(codes(NODES, &[("REF NODE=100", "REF NODE=CAM")]), ["SL0317", "SL0254"]);
     let mpc = [("*SURFACE, NAME=CAM", "*MPC\nBEAM, 101, 100\n*SURFACE, NAME=CAM")];
     assert!(codes(NODES, &mpc).contains(&"SL0316"));
+}
+
+const MIDDLES: &str = "*NODE, NSET=BEAM
+1, 0.0, 0.0
+5, 4.0, 0.0
+*NGEN, NSET=BEAM
+1, 5
+*ELEMENT, TYPE=B22, ELSET=BEAM
+1, 1, 2, 3
+2, 3, 4, 5
+*BEAM SECTION, SECTION=RECT, ELSET=BEAM, MATERIAL=STEEL
+1.0, 0.1
+*MATERIAL, NAME=STEEL
+*ELASTIC
+210.0E3, 0.3
+*NODE
+100, 2.0, 2.0
+101, 1.0, 0.1
+102, 2.0, 0.1
+103, 3.0, 0.1
+*NSET, NSET=CAM
+101, 102, 103
+*RIGID BODY, REF NODE=100, TIE NSET=CAM
+*SURFACE, NAME=BEAM, TYPE=ELEMENT
+BEAM, SPOS
+*SURFACE, NAME=CAM, TYPE=NODE
+CAM
+*SURFACE INTERACTION, NAME=S
+1.0
+*CONTACT PAIR, INTERACTION=S
+CAM, BEAM
+*STEP, NLGEOM
+*STATIC
+*BOUNDARY
+1, 1, 6
+100, 1, 6
+*END STEP
+";
+
+/// Requirement: the middle node of a three-node beam touches like any other,
+/// as a slave with four sixths of the element's length and in the master's
+/// chain; contact integrated along beams keeps whole elements.
+#[test]
+fn middle_nodes_take_part() {
+    let model = model_of(MIDDLES, &[]);
+    assert_eq!(chain(&model), [1, 2, 3, 4, 5]);
+    let plate = "*SURFACE, NAME=PLATE, TYPE=SEGMENTS\nSTART, 5., 1.\nLINE, -1., 1.\n\
+         *RIGID BODY, REF NODE=100, ANALYTICAL SURFACE=PLATE\n*SURFACE, NAME=CAM";
+    let changes = |pair: &'static str| {
+        [
+            ("*RIGID BODY, REF NODE=100, TIE NSET=CAM\n", ""),
+            ("*SURFACE, NAME=CAM", plate),
+            ("*CONTACT PAIR, INTERACTION=S\nCAM, BEAM", pair),
+        ]
+    };
+    for pair in [
+        "*CONTACT PAIR, INTERACTION=S\nBEAM, PLATE",
+        "*CONTACT PAIR, INTERACTION=S\nALL, PLATE\n*SURFACE, NAME=ALL, TYPE=NODE\nBEAM",
+    ] {
+        let model = model_of(MIDDLES, &changes(pair));
+        let slaves = only_pair(&model).slave_nodes();
+        assert_eq!(labels(&model, &slaves), [1, 2, 3, 4, 5], "{pair}");
+        let shares = only_pair(&model).elements.iter().map(|e| e.lumping.shares());
+        let middle: Vec<f64> = shares.map(|[a, b]| a.max(b)).collect();
+        assert_eq!(middle, [2.0 / 3.0; 4], "{pair}");
+    }
+    let along = "*CONTACT PAIR, INTERACTION=S, TYPE=SURFACE TO SURFACE\nBEAM, PLATE";
+    let model = model_of(MIDDLES, &changes(along));
+    assert_eq!(labels(&model, &only_pair(&model).slave_nodes()), [1, 3, 5]);
+}
+
+/// Requirement: FILLET RADIUS is the surface with its tangent points worked
+/// out by hand. Tolerance: rounding.
+#[test]
+fn fillets_are_arcs_written_by_the_program() {
+    let segments = |surface: &str| -> Vec<[f64; 2]> {
+        let old = "TYPE=SEGMENTS\nSTART, -9.0E-3, 54.0E-3\n\
+            CIRCL, 0.0, 45.0E-3, -9.0E-3, 45.0E-3\nCIRCL, -9.0E-3, 36.0E-3, -9.0E-3, 45.0E-3";
+        let model = model_of(ALONG, &[(old, surface)]);
+        let Master::RigidSurface(surface) = &only_pair(&model).master else { panic!("rigid") };
+        surface.segments.iter().map(SurfaceSegment::end).collect()
+    };
+    let by_hand = segments(
+        "TYPE=SEGMENTS\nSTART, -9.0E-3, 50.0E-3\nLINE, -1.0E-3, 50.0E-3\n\
+         CIRCL, 0., 49.0E-3, -1.0E-3, 49.0E-3\nLINE, 0., 40.0E-3",
+    );
+    let filleted = segments(
+        "TYPE=SEGMENTS, FILLET RADIUS=1.0E-3\nSTART, -9.0E-3, 50.0E-3\nLINE, 0., 50.0E-3\n\
+         LINE, 0., 40.0E-3",
+    );
+    assert_eq!(by_hand.len(), filleted.len());
+    for (a, b) in by_hand.iter().flatten().zip(filleted.iter().flatten()) {
+        assert!((a - b).abs() < 1e-16, "{by_hand:?} {filleted:?}");
+    }
 }

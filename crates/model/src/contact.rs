@@ -1,6 +1,6 @@
 //! Contact pairs: which points meet which master, under which laws.
 
-use crate::{NodeIndex, NormalLaw};
+use crate::{NodeIndex, NormalLaw, Vocabulary};
 use slideline_diag::Span;
 
 /// Points, a master, and what happens between them.
@@ -10,6 +10,8 @@ pub struct ContactPair {
     pub name: String,
     /// Where contact is sampled.
     pub formulation: Formulation,
+    /// The words of the cards that made it.
+    pub vocabulary: Vocabulary,
     /// Contact elements; their nodes are the slave nodes and their undeformed
     /// lengths the tributary areas.
     pub elements: Vec<ContactElement>,
@@ -53,8 +55,49 @@ pub struct ContactElement {
     pub label: u64,
     /// Its slave nodes.
     pub nodes: [NodeIndex; 2],
+    /// What each of them takes of its length.
+    pub lumping: Lumping,
     /// Where it was defined.
     pub origin: Span,
+}
+
+/// How the length of a contact element falls to its two nodes.
+///
+/// ```text
+///   o-------o      halves
+///   o---m---o      a three-node beam: 1/6, 4/6, 1/6 of it, in two contact elements
+/// ```
+///
+/// These are the weights with which a uniform pressure loads the nodes of a line whose shape is
+/// linear, or quadratic (Simpson's rule). [semantics: areas]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Lumping {
+    /// One half each.
+    #[default]
+    Halves,
+    /// From an end of a three-node beam to its middle node.
+    ToMiddle,
+    /// From the middle node of a three-node beam to an end.
+    FromMiddle,
+}
+
+impl Lumping {
+    /// Shares of the two nodes [1].
+    pub fn shares(self) -> [f64; 2] {
+        match self {
+            Self::Halves => [0.5, 0.5],
+            Self::ToMiddle => [1.0 / 3.0, 2.0 / 3.0],
+            Self::FromMiddle => [2.0 / 3.0, 1.0 / 3.0],
+        }
+    }
+
+    /// Those of the two halves of the element on a mesh of half the width.
+    pub fn halved(self) -> [Self; 2] {
+        match self {
+            Self::Halves => [Self::Halves; 2],
+            Self::ToMiddle | Self::FromMiddle => [Self::ToMiddle, Self::FromMiddle],
+        }
+    }
 }
 
 /// The surface that points slide on.
@@ -146,13 +189,9 @@ pub struct Interaction {
 }
 
 impl Interaction {
-    /// Whether there is any friction: a coefficient of zero is none.
+    /// Whether there is any friction.
     pub fn has_friction(&self) -> bool {
-        match self.friction {
-            Friction::Frictionless => false,
-            Friction::Coulomb { coefficient, .. } => coefficient != 0.0,
-            Friction::Rough | Friction::User { .. } => true,
-        }
+        self.friction.acts()
     }
 }
 
@@ -184,6 +223,30 @@ pub enum Friction {
         /// Number of state variables a point keeps (`DEPVAR`).
         state_size: usize,
     },
+}
+
+impl Friction {
+    /// Whether a closed point can feel it at any slip rate. A Coulomb law is none only where both
+    /// its coefficients are zero: with decay the static one alone says nothing.
+    pub fn acts(&self) -> bool {
+        match self {
+            Self::Frictionless => false,
+            Self::Coulomb { .. } => self.coefficients().iter().any(|&mu| mu != 0.0),
+            Self::Rough | Self::User { .. } => true,
+        }
+    }
+
+    /// Coulomb's coefficients at rest and in fast sliding [1]; the same without decay, zero for a
+    /// law that has none.
+    pub fn coefficients(&self) -> [f64; 2] {
+        match *self {
+            Self::Coulomb { coefficient, decay: Some(decay), .. } if decay.rate > 0.0 => {
+                [coefficient, decay.kinetic]
+            }
+            Self::Coulomb { coefficient, .. } => [coefficient; 2],
+            Self::Frictionless | Self::Rough | Self::User { .. } => [0.0; 2],
+        }
+    }
 }
 
 /// mu = mu_k + (mu_s - mu_k) exp(-d_c |slip rate|).

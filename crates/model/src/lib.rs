@@ -21,11 +21,12 @@ mod output;
 mod refine;
 mod stabilisation;
 mod step;
+mod vocabulary;
 
 pub use amplitude::Amplitude;
 pub use contact::{
-    ContactElement, ContactPair, Decay, Formulation, Friction, Interaction, Master, RigidSurface,
-    SlideLine, StickRule, SurfaceSegment,
+    ContactElement, ContactPair, Decay, Formulation, Friction, Interaction, Lumping, Master,
+    RigidSurface, SlideLine, StickRule, SurfaceSegment,
 };
 pub use controls::{Controls, FieldControls, TimeIncrementation};
 pub use element::{
@@ -42,6 +43,7 @@ pub use slideline_mech::contact::normal::NormalLaw;
 pub use slideline_mech::contact::onset::Onset;
 pub use stabilisation::Stabilisation;
 pub use step::{Extrapolation, Load, Prescribed, Static, Step};
+pub use vocabulary::Vocabulary;
 
 use slideline_diag::Span;
 
@@ -102,6 +104,11 @@ pub struct NodeSet {
 }
 
 impl Model {
+    /// The words of the deck's contact, for a remedy that speaks of no pair.
+    pub fn vocabulary(&self) -> Vocabulary {
+        self.contact_pairs.first().map_or_else(Vocabulary::default, |pair| pair.vocabulary)
+    }
+
     /// Nodes whose motion and reaction a user always wants to see: those with
     /// a non-zero prescribed motion or a load in any step, and the members of
     /// every set named by a node output request. Ascending labels.

@@ -179,8 +179,9 @@ impl Halving {
             let m = self.between(model, &chain, k, element.origin)?;
             let [a, b] = element.nodes;
             let label = self.element_label();
-            halves.push(ContactElement { nodes: [a, m], ..*element });
-            halves.push(ContactElement { label, nodes: [m, b], ..*element });
+            let [first, last] = element.lumping.halved();
+            halves.push(ContactElement { nodes: [a, m], lumping: first, ..*element });
+            halves.push(ContactElement { label, nodes: [m, b], lumping: last, ..*element });
         }
         self.model.contact_pairs[place].elements = halves;
         if let Master::SlideLine(line) = &pair.master {

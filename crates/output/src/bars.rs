@@ -1,6 +1,6 @@
 //! Error bars, or why there are none, added to the files of a finished run.
 
-use crate::file::{WriteError, at, replace};
+use crate::file::{WriteError, at, read_text, replace};
 use crate::job::JobFiles;
 use crate::json::{self, Object};
 use crate::number::push_shortest;
@@ -25,9 +25,9 @@ pub struct BarRows<'a> {
 /// When a file cannot be read or written.
 pub fn add_error_bars(job: &JobFiles, rows: &BarRows<'_>) -> Result<(), WriteError> {
     let history = job.path(".history.csv");
-    let old = std::fs::read_to_string(&history).map_err(at(&history))?;
+    let old = read_text(&history).map_err(at(&history))?;
     let summary = job.path(".json");
-    let object = std::fs::read_to_string(&summary).map_err(at(&summary))?;
+    let object = read_text(&summary).map_err(at(&summary))?;
     replace(&history, with_columns(&old, rows).as_bytes())?;
     if let Some(open) = object.trim_end().strip_suffix('}') {
         let text = format!("{open},\"error_bars\":{}}}\n", largest(rows));
@@ -42,7 +42,7 @@ pub fn add_error_bars(job: &JobFiles, rows: &BarRows<'_>) -> Result<(), WriteErr
 /// When the file cannot be read or written.
 pub fn add_warning(job: &JobFiles, said: &Diagnostic, sources: &Sources) -> Result<(), WriteError> {
     let summary = job.path(".json");
-    let object = std::fs::read_to_string(&summary).map_err(at(&summary))?;
+    let object = read_text(&summary).map_err(at(&summary))?;
     let text = with_warning(&object, &record(said, sources).finish());
     replace(&summary, text.as_bytes())
 }

@@ -3,7 +3,7 @@
 use crate::job::JobFiles;
 use std::ffi::OsString;
 use std::fs::File;
-use std::io::{self, Seek as _, SeekFrom, Write as _};
+use std::io::{self, Read as _, Seek as _, SeekFrom, Write as _};
 use std::path::{Path, PathBuf};
 
 /// A file that could not be written.
@@ -54,6 +54,44 @@ pub fn replace(path: &Path, content: &[u8]) -> Result<(), WriteError> {
         let _ = std::fs::remove_file(&part); // the first error is the one to tell
     }
     written.map_err(at(path))
+}
+
+/// Opens a file to be read. Anything else is refused: a pipe may never begin, a
+/// device never end.
+pub(crate) fn open(path: &Path) -> io::Result<File> {
+    if !std::fs::metadata(path)?.is_file() {
+        return Err(io::Error::new(io::ErrorKind::InvalidInput, "it is not a regular file"));
+    }
+    File::open(path)
+}
+
+/// The bytes of a file.
+pub(crate) fn read(path: &Path) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    open(path)?.read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// The text of a file.
+pub(crate) fn read_text(path: &Path) -> io::Result<String> {
+    io::read_to_string(open(path)?)
+}
+
+/// Waits until what was written is on the disk, where the file system can say
+/// so. A folder keeps the names of its files.
+pub(crate) fn synchronise(path: &Path) -> Result<(), WriteError> {
+    use io::ErrorKind::{InvalidInput, NotFound, PermissionDenied, Unsupported};
+    match File::open(path).and_then(|file| file.sync_all()) {
+        Err(reason)
+            if matches!(
+                reason.kind(),
+                InvalidInput | NotFound | PermissionDenied | Unsupported
+            ) =>
+        {
+            Ok(())
+        }
+        other => other.map_err(at(path)),
+    }
 }
 
 /// A text file that grows by whole lines and is valid after every

@@ -1,6 +1,6 @@
 //! Where a job's files go and what they are called.
 
-use crate::file::{PART, WriteError, at};
+use crate::file::{self, PART, WriteError, at};
 use crate::restart::Kept;
 use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
@@ -8,6 +8,9 @@ use std::sync::Arc;
 
 /// Ending of the state in which a run gave up.
 pub(crate) const FAILED: &str = ".failed.vtu";
+
+/// Ending of the file that says that a process runs the job.
+pub(crate) const LOCK: &str = ".lck";
 
 /// Endings of the files of a job, beside its numbered `_0001.vtu` files.
 const ENDINGS: &[&str] = &[
@@ -25,7 +28,7 @@ const ENDINGS: &[&str] = &[
     ".html",
     ".rst",
     FAILED,
-    ".lck",
+    LOCK,
 ];
 
 /// Folder and name of a job's files.
@@ -130,6 +133,17 @@ impl JobFiles {
             std::fs::remove_file(&path).map_err(at(&path))?;
         }
         Ok(())
+    }
+
+    /// Waits until the result files are on the disk, the numbered states but
+    /// the last excepted: they are many, and nothing goes on from them.
+    pub(crate) fn synchronise(&self) -> Result<(), WriteError> {
+        let last = self.states()?.pop().map(|number| self.folder.join(self.state_name(number)));
+        let kept = ENDINGS.iter().filter(|ending| **ending != LOCK).map(|ending| self.path(ending));
+        for path in kept.chain(last).filter(|path| path.exists()) {
+            file::synchronise(&path)?;
+        }
+        file::synchronise(&self.folder)
     }
 
     /// Whether a file of that name belongs to this job's results.

@@ -4,11 +4,10 @@
 //! process ends, however it ends, so that one left by a kill stops nobody. On
 //! a file system without locks nothing is held, and nothing is stopped.
 
-use crate::job::JobFiles;
+use crate::file::open;
+use crate::job::{JobFiles, LOCK};
 use std::fs::{File, TryLockError};
 use std::path::PathBuf;
-
-const ENDING: &str = ".lck";
 
 /// Held by a process that writes a job's files.
 #[derive(Debug)]
@@ -21,7 +20,7 @@ pub(crate) struct Lock {
 impl Lock {
     /// Takes it, if it can be had.
     pub fn take(job: &JobFiles) -> Option<Self> {
-        let path = job.path(ENDING);
+        let path = job.path(LOCK);
         let file = File::create(&path).ok()?;
         match file.try_lock() {
             Ok(()) => Some(Self { path, _file: file }),
@@ -42,7 +41,7 @@ impl Drop for Lock {
 
 /// Whether a process runs the job now.
 pub fn is_running(job: &JobFiles) -> bool {
-    let Ok(file) = File::open(job.path(ENDING)) else { return false };
+    let Ok(file) = open(&job.path(LOCK)) else { return false };
     matches!(file.try_lock_shared(), Err(TryLockError::WouldBlock))
 }
 
@@ -66,12 +65,12 @@ mod tests {
         let lock = Lock::take(&job).unwrap();
         assert!(is_running(&job) && Lock::take(&job).is_none());
         drop(lock);
-        assert!(!is_running(&job) && !job.path(ENDING).exists());
-        std::fs::write(job.path(ENDING), "").unwrap();
+        assert!(!is_running(&job) && !job.path(LOCK).exists());
+        std::fs::write(job.path(LOCK), "").unwrap();
         assert!(!is_running(&job) && Lock::take(&job).is_some());
-        std::fs::write(job.path(ENDING), "").unwrap();
+        std::fs::write(job.path(LOCK), "").unwrap();
         remove_stale_lock(&job);
-        assert!(!job.path(ENDING).exists());
+        assert!(!job.path(LOCK).exists());
         let lock = Lock::take(&job).unwrap();
         remove_stale_lock(&job);
         assert!(is_running(&job));

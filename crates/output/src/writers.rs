@@ -7,6 +7,7 @@ use crate::restart::{self, Kept, Saved};
 use crate::summary::{Facts, Status, Summary};
 use crate::{contact, dat, element, energy, frd, history, msg, pair, sta, vtu};
 use slideline_measures::NoiseSummary;
+use slideline_solve::Checkpoint;
 use slideline_solve::observe::{Event, Observer, Stop};
 use std::ops::ControlFlow;
 
@@ -111,6 +112,12 @@ impl<'a> Writers<'a> {
         }
     }
 
+    /// Waits for the disk at the end of a step, not in every increment: a
+    /// machine that loses its power loses one step at most.
+    fn step_is_safe(&self, checkpoint: &Checkpoint<'_>) -> Result<(), WriteError> {
+        if checkpoint.last_of_step() { self.job.synchronise() } else { Ok(()) }
+    }
+
     /// Takes note of an event. Every writer is asked even when one fails:
     /// what can be kept is kept.
     pub fn write(&mut self, event: &Event<'_>) -> ControlFlow<Stop> {
@@ -131,7 +138,11 @@ impl<'a> Writers<'a> {
             {
                 let mut kept = Kept::default();
                 self.writers.iter().for_each(|writer| writer.keep(&mut kept));
-                self.restart.write(&self.job, checkpoint, &kept, &self.summary)
+                let saved = self.restart.write(&self.job, checkpoint, &kept, &self.summary);
+                saved.and_then(|()| self.step_is_safe(checkpoint))
+            }
+            Event::Checkpoint(checkpoint) if self.failure.is_none() => {
+                self.step_is_safe(checkpoint)
             }
             Event::End(ending) => {
                 self.ended = true;
@@ -141,7 +152,7 @@ impl<'a> Writers<'a> {
                 };
                 let written = self.summary.end(status, ending);
                 self.lock = None;
-                written
+                written.and_then(|()| self.job.synchronise())
             }
             _ => {
                 self.summary.watch(event);

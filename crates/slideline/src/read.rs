@@ -117,8 +117,8 @@ impl Job {
 }
 
 fn load(path: &Path) -> Result<Vec<u8>, String> {
-    // A pipe is what `check <(...)` gives; a device may have no end.
-    if let Ok(kind @ (PathKind::Folder | PathKind::Device)) = PathKind::of(path) {
+    // A pipe may never begin, a device never end.
+    if let Ok(kind @ (PathKind::Folder | PathKind::Device | PathKind::Pipe)) = PathKind::of(path) {
         return Err(format!("it is {}", kind.words()));
     }
     let file = std::fs::File::open(path).map_err(|reason| reason.to_string())?;

@@ -131,7 +131,8 @@ impl Contact {
         let first = self.points.len();
         self.edges[place] = elements.iter().map(|own| own.map(|node| first + node)).collect();
         let width = pair.interaction.width;
-        let areas = tributary_areas(nodes.len(), &elements, &coordinates, width);
+        let shares: Vec<_> = pair.elements.iter().map(|e| e.lumping.shares()).collect();
+        let areas = tributary_areas(&elements, &shares, &coordinates, width);
         for (&node, area) in nodes.iter().zip(areas) {
             let carried = layout.carried_node(model, node);
             let slots = slots_of(layout, carried.node);

@@ -138,10 +138,11 @@ impl Case<'_> {
             reason(self.outcome),
             place.unwrap_or_default()
         );
-        Diagnostic::error(Code("SL0501"), message).at(self.plan.step.origin).help(
+        Diagnostic::error(Code("SL0501"), message).at(self.plan.step.origin).help(format!(
             "everything up to that time is kept; let *STATIC start with a shorter increment and \
-             allow smaller ones, or soften the contact with *SURFACE CONTACT, SOFTENED",
-        )
+             allow smaller ones, or soften the contact with {}",
+            self.plan.model.vocabulary().softened()
+        ))
     }
 
     /// The embedding program's friction law failed.

@@ -431,7 +431,12 @@ mod tests {
             .map(|&dependent| RigidLink { dependent, master: body, origin: AT })
             .collect();
         let pairs = |nodes: &[NodeIndex]| -> Vec<ContactElement> {
-            let of = |w: &[NodeIndex]| ContactElement { label: 1, nodes: [w[0], w[1]], origin: AT };
+            let of = |w: &[NodeIndex]| ContactElement {
+                label: 1,
+                nodes: [w[0], w[1]],
+                lumping: slideline_model::Lumping::Halves,
+                origin: AT,
+            };
             nodes.windows(2).map(of).collect()
         };
         let (elements, master) = if line {
@@ -463,7 +468,15 @@ mod tests {
         let name = "C".to_string();
         let formulation = Formulation::NodeToSurface;
         let origin = AT;
-        let pair = ContactPair { name, formulation, elements, master, interaction, origin };
+        let pair = ContactPair {
+            name,
+            formulation,
+            vocabulary: slideline_model::Vocabulary::Elements,
+            elements,
+            master,
+            interaction,
+            origin,
+        };
         model.contact_pairs.push(pair);
         let fixed = [Dof::U1, Dof::U2, Dof::UR3];
         model.steps.push(Step {

@@ -33,8 +33,7 @@ impl Reader<'_> {
         if !lines && self.total_values < MAX_VALUES {
             return false;
         }
-        let told = self.diagnostics.iter().any(|said| said.code == Code("SL0124"));
-        if !told {
+        if !std::mem::replace(&mut self.is_said_full, true) {
             let (count, what) = if lines { (MAX_LINES, "lines") } else { (MAX_VALUES, "values") };
             let message = format!("the deck has more than {count} {what}; it is read up to here");
             let error = Diagnostic::error(Code("SL0124"), message).at(Span::new(page.file, at, at));

@@ -64,6 +64,9 @@ fn kind(card: &Reading<'_>, draft: &mut Draft) -> Option<ElementKind> {
     let name = card.name("TYPE")?;
     let found = KINDS.into_iter().find(|kind| kind.name() == name);
     if found.is_none() {
+        draft.mark_incomplete(Subject::Elements);
+    }
+    if found.is_none() && draft.log.first_time(&format!("element type {name}")) {
         let message = format!("elements of type {name} are not supported");
         let known = KINDS.map(ElementKind::name).join(", ");
         let error = Diagnostic::error(Code("SL0220"), message).at(card.span_of("TYPE"));

@@ -125,10 +125,8 @@ fn coulomb(card: &Reading<'_>, draft: &mut Draft) -> Option<model::Friction> {
         None
     };
     let coefficient = coefficient?;
-    if coefficient == 0.0 && decay.is_none() {
-        return Some(model::Friction::Frictionless);
-    }
-    Some(model::Friction::Coulomb { coefficient, limit: limit?, decay, stick: stick? })
+    let law = model::Friction::Coulomb { coefficient, limit: limit?, decay, stick: stick? };
+    Some(if law.acts() { law } else { model::Friction::Frictionless })
 }
 
 fn coefficient(line: &DataLine, at: usize, draft: &mut Draft) -> Option<f64> {

@@ -6,6 +6,7 @@ use slideline_model::SurfaceSegment;
 
 use crate::draft::Draft;
 use crate::draft::{Shape, Surface};
+use crate::fillet::{Profile, fillet};
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
 
@@ -51,9 +52,11 @@ pub(crate) fn segments(
     card: &Reading<'_>,
     draft: &mut Draft,
 ) -> Option<([f64; 2], Vec<SurfaceSegment>)> {
-    if card.has("FILLET RADIUS") {
-        let message = "FILLET RADIUS is not supported: write the fillets as CIRCL segments";
-        draft.log.error("SL0221", message, card.span_of("FILLET RADIUS"));
+    let errors = draft.log.errors();
+    let radius = card.number("FILLET RADIUS", &mut draft.log)?.filter(|&radius| radius != 0.0);
+    if radius.is_some_and(|radius| radius < 0.0) {
+        let span = card.span_of("FILLET RADIUS");
+        draft.log.error("SL0210", "FILLET RADIUS must not be negative", span);
     }
     let start = start(card.first_line("START, x, y", &mut draft.log)?, draft)?;
     let mut segments = Vec::new();
@@ -67,7 +70,48 @@ pub(crate) fn segments(
         draft.log.error("SL0237", "a rigid surface needs at least one segment", card.span());
         return None;
     }
-    Some((start, segments))
+    let profile = (start, segments);
+    match radius {
+        Some(radius) if draft.log.errors() == errors => with_fillets(card, &profile, radius, draft),
+        _ => Some(profile),
+    }
+}
+
+/// The profile with its corners rounded; complains about a corner that the arc does not fit.
+fn with_fillets(
+    card: &Reading<'_>,
+    profile: &Profile,
+    radius: f64,
+    draft: &mut Draft,
+) -> Option<Profile> {
+    let misfit = match fillet(profile, radius) {
+        Ok(rounded) => return Some(rounded),
+        Err(misfit) => misfit,
+    };
+    let at = misfit.segment.checked_sub(1).map_or(profile.0, |before| profile.1[before].end());
+    let lines = card.data();
+    let before = if misfit.segment == 0 { lines.last() } else { lines.get(misfit.segment) };
+    let message = format!(
+        "an arc of radius {radius} does not fit the corner at ({}, {}): a segment is too short, \
+         or an arc too tight",
+        at[0], at[1]
+    );
+    let span = lines.get(misfit.segment + 1).map_or(card.span(), |line| line.span);
+    let mut error = Diagnostic::error(Code("SL0259"), message).at(span);
+    if let Some(line) = before {
+        error = error.label(line.span, "the segment before the corner");
+    }
+    draft.log.push(error.help(match misfit.largest.map(rounded_down) {
+        Some(largest) => format!("the largest radius that fits all corners is {largest}"),
+        None => "no radius fits: the surface turns back on itself there".to_owned(),
+    }));
+    None
+}
+
+/// Four digits, never more than the number.
+fn rounded_down(value: f64) -> String {
+    let unit = 10f64.powf(value.log10().floor() - 3.0);
+    format!("{:.3e}", (value / unit * (1.0 - 1e-9)).floor() * unit)
 }
 
 /// Two radii of an arc may differ by this much, relative to their size.

@@ -66,15 +66,22 @@ fn without_fillets(card: &Reading<'_>, draft: &mut Draft) {
     }
 }
 
+/// A surface of nothing harms nobody until a contact names it.
+fn note_empty(card: &Reading<'_>, draft: &mut Draft) {
+    if card.data().is_empty() {
+        draft.log.note("SL0257", "this *SURFACE is empty and is passed over", card.span());
+    }
+}
+
 /// Lines of `element set or element, face`.
 fn elements(card: &Reading<'_>, draft: &mut Draft) -> Option<Extent> {
     without_fillets(card, draft);
-    card.first_line("element set or element, face", &mut draft.log)?;
+    note_empty(card, draft);
     let mut stretches = Vec::new();
     for line in card.data() {
         draft.log.at_most(line, 2);
         let elements = draft.log.target(line, 0, "the element set");
-        let side = side(line, draft);
+        let side = side(card, line, draft);
         let Some((elements, side)) = elements.zip(side) else { continue };
         stretches.push(Stretch { elements, span: line.fields[0].span, side });
     }
@@ -83,12 +90,20 @@ fn elements(card: &Reading<'_>, draft: &mut Draft) -> Option<Extent> {
 
 /// The face named by a line: `Some(None)` where there is no label, `None`
 /// after an error.
-fn side(line: &DataLine, draft: &mut Draft) -> Option<Option<Side>> {
+fn side(card: &Reading<'_>, line: &DataLine, draft: &mut Draft) -> Option<Option<Side>> {
     let Some(field) = line.field(1) else { return Some(None) };
     match normalise(&field.text).as_str() {
         "SPOS" => Some(Some(Side::Positive)),
         "SNEG" => Some(Some(Side::Negative)),
         _ => {
+            // A face of solid elements: these have been refused, which is the cause.
+            let of_a_solid = !draft.is_complete(Subject::Elements)
+                && field.text.starts_with(['S', 's'])
+                && field.text[1..].parse::<u8>().is_ok();
+            let key = format!("face {} {}", card.span().start, normalise(&field.text));
+            if of_a_solid || !draft.log.first_time(&key) {
+                return None;
+            }
             let message = format!("`{}` is no face of a beam", field.text);
             let error = Diagnostic::error(Code("SL0256"), message).at(field.span);
             draft.log.push(error.help(
@@ -103,7 +118,7 @@ fn side(line: &DataLine, draft: &mut Draft) -> Option<Option<Side>> {
 /// Lines of `node set or node`.
 fn nodes(card: &Reading<'_>, draft: &mut Draft) -> Option<Extent> {
     without_fillets(card, draft);
-    card.first_line("node set or node", &mut draft.log)?;
+    note_empty(card, draft);
     let mut nodes = Vec::new();
     for line in card.data() {
         draft.log.at_most(line, 2);

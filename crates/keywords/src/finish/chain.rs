@@ -18,9 +18,25 @@ use crate::surfaces::Side;
 pub(super) struct Facet {
     pub label: u64,
     pub nodes: [NodeIndex; 2],
+    /// Its middle node, of a three-node beam.
+    pub middle: Option<NodeIndex>,
     /// The element's data line.
     pub origin: Span,
     pub side: Option<Side>,
+}
+
+impl Facet {
+    /// The facet between its neighbouring nodes: in two parts, where there is
+    /// a middle node.
+    pub fn parts(&self) -> impl Iterator<Item = Self> {
+        let [a, b] = self.nodes;
+        let part = |nodes| Self { nodes, middle: None, ..*self };
+        let parts = match self.middle {
+            Some(middle) => [Some(part([a, middle])), Some(part([middle, b]))],
+            None => [Some(*self), None],
+        };
+        parts.into_iter().flatten()
+    }
 }
 
 /// Facets in the order of travel.
@@ -149,7 +165,7 @@ mod tests {
     use slideline_model::Node;
 
     fn facet(a: NodeIndex, b: NodeIndex, side: Option<Side>) -> Facet {
-        Facet { label: 1, nodes: [a, b], origin: Span::default(), side }
+        Facet { label: 1, nodes: [a, b], middle: None, origin: Span::default(), side }
     }
 
     fn nodes(facets: &[(NodeIndex, NodeIndex)]) -> Result<Vec<NodeIndex>, Broken> {

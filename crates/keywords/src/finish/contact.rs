@@ -5,7 +5,8 @@ use std::collections::HashMap;
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{
-    ContactElement, ContactPair, Interaction, Master, NodeIndex, RigidSurface, SlideLine,
+    ContactElement, ContactPair, Interaction, Lumping, Master, NodeIndex, RigidSurface, SlideLine,
+    Vocabulary,
 };
 
 use crate::draft::{Draft, ElementKind, Shape, Surface};
@@ -102,7 +103,12 @@ fn pair(surface: &Surface, strayed: bool, in_pair: &mut HashMap<usize, Span>, dr
         }
         let Some(nodes) = draft.ends_of(&element) else { continue };
         if !draft.has_no_length(&element, nodes) {
-            elements.push(ContactElement { label: element.label, nodes, origin: element.origin });
+            elements.push(ContactElement {
+                label: element.label,
+                nodes,
+                lumping: Lumping::Halves,
+                origin: element.origin,
+            });
         }
     }
     if count == 0 {
@@ -115,7 +121,15 @@ fn pair(surface: &Surface, strayed: bool, in_pair: &mut HashMap<usize, Span>, dr
     if let (Some(interaction), Some(master)) = (interaction, master) {
         let (name, origin) = (surface.set.clone(), surface.origin);
         let formulation = slideline_model::Formulation::NodeToSurface;
-        let pair = ContactPair { name, formulation, elements, master, interaction, origin };
+        let pair = ContactPair {
+            name,
+            formulation,
+            vocabulary: Vocabulary::Elements,
+            elements,
+            master,
+            interaction,
+            origin,
+        };
         both_sides(&pair, surface.set_span, draft);
         draft.model.contact_pairs.push(pair);
     }

@@ -24,6 +24,7 @@ pub(super) fn slide_line(
     draft: &mut Draft,
 ) -> Option<SlideLine> {
     let facets = one_face_each(pairing, facets, draft)?;
+    let facets: Vec<Facet> = facets.iter().flat_map(Facet::parts).collect();
     let mut chain = match Chain::find(&facets) {
         Ok(chain) => chain,
         Err(broken) => {

@@ -13,12 +13,14 @@
 //! ```
 
 use slideline_diag::{Code, Diagnostic, Span};
-use slideline_model::{ContactElement, ContactPair, Formulation, Interaction, Master, NormalLaw};
+use slideline_model::{
+    ContactElement, ContactPair, Formulation, Interaction, Master, NormalLaw, Vocabulary,
+};
 
 use super::chain::{Chain, Facet};
 use super::contact::both_sides;
 use super::master_chain::slide_line;
-use super::surfaces::{Found, contact_elements, found, stretches};
+use super::surfaces::{Found, between_nodes, contact_elements, found, stretches};
 use crate::draft::Draft;
 use crate::keyword::Subject;
 use crate::surfaces::{NamedSurface, Pairing};
@@ -129,6 +131,7 @@ fn pair(pairing: &Pairing, draft: &mut Draft) {
     let pair = ContactPair {
         name: format!("{}/{}", pairing.slave.name, pairing.master.name),
         formulation: pairing.formulation,
+        vocabulary: Vocabulary::Surfaces,
         elements,
         master,
         interaction,
@@ -149,7 +152,7 @@ fn at_nodes(
 ) -> Parts {
     let (slave_name, master_name) = (&pairing.slave.name, &pairing.master.name);
     let elements = match slave {
-        Found::Beams(facets) => contact_elements(&facets),
+        Found::Beams(facets) => between_nodes(&facets),
         Found::Nodes(nodes) if nodes.len() < 2 => {
             let message = format!("the slave surface {slave_name} has one node, which has no area");
             let help = "name its neighbours too: areas come from the distances between them";
@@ -231,8 +234,13 @@ fn refuse(span: Span, message: impl Into<String>, help: &str, draft: &mut Draft)
 /// Along the chain where the beams are one, else as they were named. Each
 /// element keeps its own direction.
 fn in_order(elements: Vec<ContactElement>) -> Vec<ContactElement> {
-    let facet =
-        |&ContactElement { label, nodes, origin }| Facet { label, nodes, origin, side: None };
+    let facet = |&ContactElement { label, nodes, origin, .. }| Facet {
+        label,
+        nodes,
+        middle: None,
+        origin,
+        side: None,
+    };
     let facets: Vec<Facet> = elements.iter().map(facet).collect();
     match Chain::find(&facets) {
         Ok(chain) => chain.steps.iter().map(|&(place, _)| elements[place]).collect(),

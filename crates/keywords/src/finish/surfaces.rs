@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use slideline_diag::{Code, Diagnostic, Span};
-use slideline_model::{ContactElement, NodeIndex, RigidSurface, SurfaceSegment};
+use slideline_model::{ContactElement, Lumping, NodeIndex, RigidSurface, SurfaceSegment};
 
 use super::chain::Facet;
 use crate::draft::{Draft, Element};
@@ -50,11 +50,13 @@ impl Draft {
         }
     }
 
-    /// The end nodes of a beam; `None` where undefined, which has been
-    /// reported.
-    fn beam_ends(&self, beam: &Element) -> Option<[NodeIndex; 2]> {
-        let last = beam.nodes.get(beam.kind.node_count().checked_sub(1)?)?;
-        Some([self.model.nodes.find(beam.nodes[0])?, self.model.nodes.find(*last)?])
+    /// The end nodes of a beam and its middle node, if it has one; `None`
+    /// where undefined, which has been reported.
+    fn beam_nodes(&self, beam: &Element) -> Option<([NodeIndex; 2], Option<NodeIndex>)> {
+        let find = |at: usize| self.model.nodes.find(*beam.nodes.get(at)?);
+        let last = beam.kind.node_count().checked_sub(1)?;
+        let middle = if last == 2 { Some(find(1)?) } else { None };
+        Some(([find(0)?, find(last)?], middle))
     }
 }
 
@@ -87,10 +89,11 @@ fn facets(surface: &NamedSurface, stretches: &[Stretch], draft: &mut Draft) -> O
                 draft.consequence(Subject::Elements, error.help("surfaces are made of beams"));
                 return None;
             }
-            let Some(nodes) = draft.beam_ends(&element) else { continue };
+            let Some((nodes, middle)) = draft.beam_nodes(&element) else { continue };
             let side = stretch.side;
             if !draft.has_no_length(&element, nodes) && seen.insert((index, side)) {
-                facets.push(Facet { label: element.label, nodes, origin: element.origin, side });
+                let (label, origin) = (element.label, element.origin);
+                facets.push(Facet { label, nodes, middle, origin, side });
             }
         }
     }
@@ -185,11 +188,12 @@ pub(super) fn stretches(
     let mut reached = HashSet::new();
     let mut beams = Vec::new();
     for element in draft.elements.iter().filter(|element| element.kind.is_beam()) {
-        let Some(ends) = draft.beam_ends(element) else { continue };
-        if ends.iter().all(|node| members.contains(node)) && ends[0] != ends[1] {
-            reached.extend(ends);
+        let Some((nodes, middle)) = draft.beam_nodes(element) else { continue };
+        if nodes.iter().all(|node| members.contains(node)) && nodes[0] != nodes[1] {
+            let middle = middle.filter(|node| members.contains(node));
+            reached.extend(nodes.into_iter().chain(middle));
             let (label, origin) = (element.label, element.origin);
-            beams.push(ContactElement { label, nodes: ends, origin });
+            beams.extend(stretches_of(&Facet { label, nodes, middle, origin, side: None }));
         }
     }
     let origin = surface.origin;
@@ -213,19 +217,36 @@ pub(super) fn stretches(
             let error = Diagnostic::error(Code("SL0306"), message).at(origin);
             draft.consequence(Subject::Nodes, error);
         }
-        stretches.push(ContactElement { label, nodes: ends, origin });
+        stretches.push(ContactElement { label, nodes: ends, lumping: Lumping::Halves, origin });
     }
     stretches
 }
 
-/// Each beam of a slave surface once, whichever of its faces were named.
+/// Each beam of a slave surface once, whichever of its faces were named, from
+/// end to end.
 pub(super) fn contact_elements(facets: &[Facet]) -> Vec<ContactElement> {
+    once(facets).map(whole).collect()
+}
+
+/// The same from node to node: a middle node carries contact like any other.
+pub(super) fn between_nodes(facets: &[Facet]) -> Vec<ContactElement> {
+    once(facets).flat_map(stretches_of).collect()
+}
+
+fn once(facets: &[Facet]) -> impl Iterator<Item = &Facet> {
     let mut seen = HashSet::new();
-    let once = facets.iter().filter(|facet| seen.insert(facet.label));
-    once.map(|facet| ContactElement {
-        label: facet.label,
-        nodes: facet.nodes,
-        origin: facet.origin,
-    })
-    .collect()
+    facets.iter().filter(move |facet| seen.insert(facet.label))
+}
+
+fn whole(facet: &Facet) -> ContactElement {
+    let Facet { label, nodes, origin, .. } = *facet;
+    ContactElement { label, nodes, lumping: Lumping::Halves, origin }
+}
+
+fn stretches_of(facet: &Facet) -> Vec<ContactElement> {
+    let mut parts: Vec<ContactElement> = facet.parts().map(|part| whole(&part)).collect();
+    if let [first, last] = parts.as_mut_slice() {
+        (first.lumping, last.lumping) = (Lumping::ToMiddle, Lumping::FromMiddle);
+    }
+    parts
 }

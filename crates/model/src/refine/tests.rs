@@ -4,8 +4,8 @@
 
 use super::*;
 use crate::{
-    BeamBlock, BeamSection, ContactPair, Formulation, Friction, Interaction, NodeSet, NormalLaw,
-    RigidSurface, ShearRule, SlideLine,
+    BeamBlock, BeamSection, ContactPair, Formulation, Friction, Interaction, Lumping, NodeSet,
+    NormalLaw, RigidSurface, ShearRule, SlideLine,
 };
 use slideline_mech::material::Elastic;
 
@@ -33,11 +33,13 @@ fn pair(nodes: &[NodeIndex], master: Master) -> ContactPair {
     let elements = (1..).zip(nodes.windows(2)).map(|(label, ends)| ContactElement {
         label,
         nodes: [ends[0], ends[1]],
+        lumping: Lumping::Halves,
         origin: Span::default(),
     });
     ContactPair {
         name: "C".into(),
         formulation: Formulation::NodeToSurface,
+        vocabulary: crate::Vocabulary::Elements,
         elements: elements.collect(),
         master,
         interaction: Interaction {

@@ -68,7 +68,7 @@ pub(crate) fn unreadable(path: &Path, reason: impl Into<String>) -> Problem {
 
 /// The bytes of a result file.
 pub(crate) fn bytes(path: &Path) -> Result<Vec<u8>, Problem> {
-    std::fs::read(path).map_err(|reason| match reason.kind() {
+    crate::file::read(path).map_err(|reason| match reason.kind() {
         std::io::ErrorKind::NotFound => Problem::Missing(path.to_owned()),
         _ => unreadable(path, reason.to_string()),
     })

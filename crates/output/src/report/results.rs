@@ -5,6 +5,7 @@ use super::frames::{self, Frames};
 use super::history::{Energies, History};
 use super::iterations::{Attempt, attempts};
 use super::problem::{self, Problem, unreadable};
+use super::table::Table;
 use super::value::Value;
 use crate::job::JobFiles;
 use crate::lock::is_running;
@@ -97,6 +98,7 @@ impl Results {
             }
         }
         history.shorten(count);
+        pairs_are_whole(job, &energies.numbers, lenient)?;
         let contacts = contact::read(&job.path(".contact.csv"), &energies.numbers)?;
         let whole = |point: &&contact::Point| point.first + point.status.len() == count;
         let incomplete = contacts.points.iter().find(|point| !whole(point) && !lenient);
@@ -137,6 +139,50 @@ pub(crate) fn driven(summary: &Value) -> Vec<Driven> {
 fn length_fault(job: &JobFiles, ending: &str, found: usize, expected: usize) -> Problem {
     let what = if found < expected { "it is truncated" } else { "it belongs to another run" };
     unreadable(&job.path(ending), format!("{what}: {found} increments instead of {expected}"))
+}
+
+/// Holds `JOB.pair.csv` against the increments: the same pairs in each. The
+/// page draws nothing of it, but a file that was cut is not passed over.
+fn pairs_are_whole(
+    job: &JobFiles,
+    increments: &[[usize; 2]],
+    lenient: bool,
+) -> Result<(), Problem> {
+    let path = job.path(".pair.csv");
+    let mut table = match Table::open(&path, &["step", "increment", "time", "pair"]) {
+        // earlier versions did not write it
+        Err(Problem::Missing(_)) => return Ok(()),
+        other => other?,
+    };
+    let mut rows: Vec<usize> = Vec::new();
+    let mut last = None;
+    while table.row()?.is_some() {
+        let now = Some((table.number(0)?, table.number(1)?));
+        if now != last {
+            rows.push(0);
+            last = now;
+        }
+        if let Some(count) = rows.last_mut() {
+            *count += 1;
+        }
+    }
+    if lenient {
+        return Ok(());
+    }
+    if table.is_cut() {
+        return Err(unreadable(&path, "it is truncated: it ends within a line"));
+    }
+    let pairs = rows.first().copied().unwrap_or_default();
+    if pairs > 0 && rows.len() != increments.len() {
+        return Err(length_fault(job, ".pair.csv", rows.len(), increments.len()));
+    }
+    match rows.last() {
+        Some(&count) if count != pairs => Err(unreadable(
+            &path,
+            format!("it is truncated: its last increment has {count} pairs instead of {pairs}"),
+        )),
+        _ => Ok(()),
+    }
 }
 
 /// The opening of `JOB.dat`, without its tables.

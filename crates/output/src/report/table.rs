@@ -21,7 +21,7 @@ pub(crate) struct Table {
 impl Table {
     /// Opens it; its columns must begin with `expected`.
     pub fn open(path: &Path, expected: &[&str]) -> Result<Self, Problem> {
-        let file = File::open(path).map_err(|reason| match reason.kind() {
+        let file = crate::file::open(path).map_err(|reason| match reason.kind() {
             std::io::ErrorKind::NotFound => Problem::Missing(path.to_owned()),
             _ => unreadable(path, reason.to_string()),
         })?;

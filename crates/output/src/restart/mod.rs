@@ -98,7 +98,7 @@ impl SavedStates {
     /// A diagnostic: there are none (SL0707), or they cannot be used (SL0708).
     pub fn open(job: &JobFiles) -> Result<Self, Box<Diagnostic>> {
         let path = job.path(".rst");
-        let file = File::open(&path).map_err(|reason| {
+        let file = crate::file::open(&path).map_err(|reason| {
             Box::new(if reason.kind() == ErrorKind::NotFound {
                 let message = format!("there is no saved state {} to go on from", path.display());
                 Diagnostic::error(Code("SL0707"), message).help(
@@ -275,7 +275,7 @@ fn found(job: &JobFiles, ending: &str) -> PathBuf {
 
 /// Whether the job's own summary says that it is complete.
 pub fn is_completed(job: &JobFiles) -> bool {
-    let text = std::fs::read_to_string(job.path(".json")).unwrap_or_default();
+    let text = crate::file::read_text(&job.path(".json")).unwrap_or_default();
     let summary = Value::read(&text).ok();
     summary.is_some_and(|summary| summary.text("status") == Some("completed"))
 }

@@ -16,7 +16,7 @@ pub(crate) mod base64;
 mod grid;
 mod numbers;
 
-use crate::file::{WriteError, at, replace};
+use crate::file::{WriteError, at, read_text, replace};
 use crate::job::{FAILED, JobFiles};
 use crate::number::push_shortest;
 use crate::restart::Kept;
@@ -54,7 +54,7 @@ impl States {
     /// stand in `JOB.energy.csv`, a row for each increment.
     fn recall(&mut self, kept: &Kept) -> Result<(), WriteError> {
         let path = self.job.path(".energy.csv");
-        let text = std::fs::read_to_string(&path).map_err(at(&path))?;
+        let text = read_text(&path).map_err(at(&path))?;
         let times = text.lines().skip(1).filter_map(|row| row.split(',').nth(2));
         let mut states = kept.states.iter().peekable();
         for (number, time) in std::iter::once(kept.first_time.as_str()).chain(times).enumerate() {

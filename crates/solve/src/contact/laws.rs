@@ -23,7 +23,7 @@ pub fn laws(model: &Model, pair: &ContactPair, users: &UserFrictions) -> Laws {
     let elastic = |fraction: f64| Stick::Elastic { slip: fraction * average(model, pair) };
     let friction = match &pair.interaction.friction {
         Friction::Frictionless => FrictionLaw::None,
-        Friction::Coulomb { coefficient, .. } if *coefficient == 0.0 => FrictionLaw::None,
+        friction if !friction.acts() => FrictionLaw::None,
         Friction::Coulomb { coefficient, limit, decay, stick } => FrictionLaw::Coulomb {
             coefficient: *coefficient,
             limit: *limit,

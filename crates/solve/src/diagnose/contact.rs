@@ -47,10 +47,11 @@ impl Case<'_> {
             false => 0.02 * self.plan.contact_length(pair),
         };
         let pressure = self.pressure_scale(pair);
-        let card = format!("*SURFACE CONTACT, SOFTENED\n{clearance:.3E}, {pressure:.3E}\n");
+        let card = pair.vocabulary.softened_card(clearance, pressure);
         let help = format!(
-            "everything up to that time is kept; let the contact yield a little: *SURFACE CONTACT, \
-             SOFTENED with a clearance of {clearance:.3E} and a pressure of {pressure:.3E}"
+            "everything up to that time is kept; let the contact yield a little: {} with a \
+             clearance of {clearance:.3E} and a pressure of {pressure:.3E}",
+            pair.vocabulary.softened()
         );
         let place = match interaction.normal_origin {
             Some(law) => Place::Instead(law),
@@ -101,10 +102,15 @@ impl Case<'_> {
                  side",
             );
         Some(match (origin, &pair.interaction.friction) {
-            (Some(origin), Friction::Coulomb { coefficient, stick, .. }) => {
+            (Some(origin), Friction::Coulomb { coefficient, stick, decay, .. }) => {
                 let exact = if *stick == StickRule::Lagrange { ", LAGRANGE" } else { "" };
                 let lower = 0.5 * coefficient;
-                said.card(Place::Instead(origin), format!("*FRICTION{exact}\n{lower:.4}\n"))
+                let (decays, further) = decay.map_or_else(Default::default, |decay| {
+                    let kinetic = 0.5 * decay.kinetic;
+                    (", EXPONENTIAL DECAY", format!(", {kinetic:.4}, {:E}", decay.rate))
+                });
+                let card = format!("*FRICTION{exact}{decays}\n{lower:.4}{further}\n");
+                said.card(Place::Instead(origin), card)
             }
             _ => said,
         })
@@ -192,8 +198,8 @@ impl Case<'_> {
              *FRICTION, ELASTIC SLIP={slip:.3E}"
         );
         match (&pair.interaction.friction, pair.interaction.friction_origin) {
-            (Friction::Coulomb { coefficient, decay, .. }, Some(origin)) => {
-                let mu = decay.map_or(*coefficient, |decay| decay.kinetic);
+            (friction @ Friction::Coulomb { .. }, Some(origin)) => {
+                let [_, mu] = friction.coefficients();
                 let card = format!("*FRICTION, ELASTIC SLIP={slip:.3E}\n{mu}\n");
                 said.help(help).card(Place::Instead(origin), card)
             }
@@ -259,7 +265,7 @@ pub fn slid_off(plan: &Plan<'_>, committed: &State, now: &State) -> Vec<Diagnost
 /// The end of a master, and how it is prolonged.
 struct End {
     what: &'static str,
-    remedy: &'static str,
+    remedy: String,
     origin: slideline_diag::Span,
     card: Option<(Place, String)>,
 }
@@ -268,7 +274,7 @@ struct End {
 fn master_end(plan: &Plan<'_>, pair: &ContactPair, along: f64) -> End {
     match &pair.master {
         Master::SlideLine(line) => line_end(plan.model, line, pair, along),
-        Master::RigidSurface(surface) => surface_end(surface, along),
+        Master::RigidSurface(surface) => surface_end(surface, pair, along),
     }
 }
 
@@ -303,7 +309,8 @@ fn line_end(model: &Model, line: &SlideLine, pair: &ContactPair, along: f64) -> 
         }
         (Place::Instead(line.origin), text)
     });
-    let remedy = "add nodes to *SLIDE LINE, or prolong its ends with EXTENSION ZONE";
+    let lengthen = pair.vocabulary.lengthen_chain();
+    let remedy = format!("{lengthen}, or prolong its ends with EXTENSION ZONE");
     End { what: "the slide line", remedy, origin: line.origin, card }
 }
 
@@ -319,8 +326,8 @@ fn neighbour(model: &Model, end: NodeIndex, known: &[NodeIndex]) -> Option<NodeI
 }
 
 /// One more data line prolongs a rigid surface by twice its length.
-fn surface_end(surface: &RigidSurface, along: f64) -> End {
-    let remedy = "prolong *RIGID SURFACE beyond the stroke";
+fn surface_end(surface: &RigidSurface, pair: &ContactPair, along: f64) -> End {
+    let remedy = format!("prolong {} beyond the stroke", pair.vocabulary.rigid_surface());
     let end = End { what: "the rigid surface", remedy, origin: surface.origin, card: None };
     let mut from = surface.start;
     let mut length = 0.0;

@@ -3,28 +3,31 @@
 //! ```text
 //!      o--------o--------o----o      slave nodes
 //!      |<-->|<------>|<---->|<>|     half of every element that meets there, times the width
+//!
+//!      o----m----o                   a three-node beam: 1/6, 4/6, 1/6 of it
 //! ```
 
 pub mod slopes;
 pub mod stations;
 
-/// Tributary area of each slave node [L2]: A_i = width (sum of lengths of the elements meeting at
-/// node i)/2, chords of the undeformed mesh. End nodes get half an element.
+/// Tributary area of each slave node [L2]: A_i = width (sum over the elements meeting at node i of
+/// its share times their length), chords of the undeformed mesh. With shares of one half an end
+/// node gets half an element.
 ///
-/// `elements` number the nodes 0 .. `node_count`, `coordinates` are those of the nodes; an element
-/// that names a node outside is left out. [semantics: areas]
+/// `elements` number the nodes of `coordinates`; an element that names a node outside is left out.
+/// `shares` are those of the two nodes of each element. [semantics: areas]
 pub fn tributary_areas(
-    node_count: usize,
     elements: &[[usize; 2]],
+    shares: &[[f64; 2]],
     coordinates: &[[f64; 2]],
     width: f64,
 ) -> Vec<f64> {
-    let mut areas = vec![0.0; node_count];
-    for &[first, second] in elements {
-        if let Some(length) = chord(coordinates, first, second) {
-            for node in [first, second] {
+    let mut areas = vec![0.0; coordinates.len()];
+    for (&nodes, shares) in elements.iter().zip(shares) {
+        if let Some(length) = chord(coordinates, nodes[0], nodes[1]) {
+            for (node, share) in nodes.into_iter().zip(shares) {
                 if let Some(area) = areas.get_mut(node) {
-                    *area += 0.5 * width * length;
+                    *area += share * width * length;
                 }
             }
         }
@@ -66,7 +69,7 @@ mod tests {
     #[test]
     fn areas_of_the_1995_slide_line_deck() {
         let (elements, coordinates) = circle_of_the_1995_deck();
-        let areas = tributary_areas(21, &elements, &coordinates, 25e-3);
+        let areas = tributary_areas(&elements, &[[0.5; 2]; 20], &coordinates, 25e-3);
         for (node, area) in [
             (0, 1.177559e-5),
             (5, 2.355118e-5),
@@ -82,6 +85,22 @@ mod tests {
     #[test]
     fn nothing_gives_nothing() {
         assert_eq!(average_length(&[], &[]), 0.0);
-        assert_eq!(tributary_areas(1, &[[0, 7]], &[[0.0, 0.0]], 1.0), vec![0.0]);
+        assert_eq!(tributary_areas(&[[0, 7]], &[[0.5; 2]], &[[0.0, 0.0]], 1.0), vec![0.0]);
+    }
+
+    /// Requirement: a uniform pressure on a line of quadratic shape loads its three nodes with
+    /// 1/6, 4/6 and 1/6 of its resultant: force and work are exact for every parabola, here
+    /// w(x) = x (l - x). Source: Simpson's rule. Tolerance: rounding.
+    #[test]
+    fn a_uniform_pressure_on_a_parabola_does_its_work() {
+        let (length, width, pressure) = (3.0, 0.5, 7.0);
+        let coordinates = [[0.0, 0.0], [0.5 * length, 0.0], [length, 0.0]];
+        let shares = [[1.0 / 3.0, 2.0 / 3.0], [2.0 / 3.0, 1.0 / 3.0]];
+        let areas = tributary_areas(&[[0, 1], [1, 2]], &shares, &coordinates, width);
+        let work: f64 =
+            areas.iter().zip(coordinates).map(|(a, [x, _])| pressure * a * x * (length - x)).sum();
+        let exact = pressure * width * length.powi(3) / 6.0;
+        assert!((work - exact).abs() < 1e-14 * exact, "{work} {exact}");
+        assert!((areas.iter().sum::<f64>() - width * length).abs() < 1e-15);
     }
 }
