@@ -228,6 +228,10 @@ fn the_energy_has_a_column_where_it_is_needed() {
     };
     let bowl = corpus("keywords/contact_controls_stabilize.inp");
     assert!(header(&bowl, "bowl").ends_with(",balance,stabilisation,released_energy"));
-    assert!(header(&corpus("diehl1995/irs_coarse.inp"), "irs").ends_with(",balance,released_energy"));
-    assert!(header(&corpus("diehl1995/isl_coarse.inp"), "isl").ends_with(",balance,released_energy"));
+    assert!(
+        header(&corpus("diehl1995/irs_coarse.inp"), "irs").ends_with(",balance,released_energy")
+    );
+    assert!(
+        header(&corpus("diehl1995/isl_coarse.inp"), "isl").ends_with(",balance,released_energy")
+    );
 }

@@ -39,6 +39,7 @@ const WRITTEN: &[(&str, &str)] = &[
     ("getting-started", include_str!("../../../../docs/guide/getting-started.md")),
     ("snap-fit", include_str!("../../../../docs/guide/snap-fit.md")),
     ("paper", include_str!("../../../../docs/guide/paper.md")),
+    ("limits-of-use", include_str!("../../../../docs/limits-of-use.md")),
     ("files", include_str!("../../../../docs/files.md")),
     ("report", include_str!("../../../../docs/report.md")),
     ("restart", include_str!("../../../../docs/restart.md")),

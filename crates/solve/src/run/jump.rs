@@ -68,11 +68,7 @@ impl Walk<'_> {
     }
 
     /// Says so where the increments of the run left much energy unbalanced.
-    pub(super) fn judge_balance(
-        &mut self,
-        plan: &Plan<'_>,
-        target: &Target,
-    ) -> Result<(), Left> {
+    pub(super) fn judge_balance(&mut self, plan: &Plan<'_>, target: &Target) -> Result<(), Left> {
         let books = self.committed.books;
         let unbalanced = books.unbalanced();
         let much = MUCH * books.turned_over + rounding(plan, &self.committed);
