@@ -19,7 +19,7 @@ use super::onset::Onset;
 mod nose;
 mod surface;
 
-pub use nose::Nose;
+pub use nose::{Nose, Reach};
 pub use surface::{
     AnyGap, Body, Derivatives, RigidSurface, StencilAttachments, chain_attachments, chain_gap,
 };

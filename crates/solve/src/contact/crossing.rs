@@ -282,7 +282,7 @@ impl Contact {
     }
 
     /// The first corner or nose of a rigid master that passed between two slave
-    /// nodes deeper than their distance lets it, none of which it touched.
+    /// nodes deeper than their distance lets it.
     pub fn passed_between(&self, sweep: &Sweep<'_>) -> Option<Missed> {
         let mut first: Option<Missed> = None;
         for (pair, facade) in self.facades.iter().enumerate() {
@@ -293,18 +293,17 @@ impl Contact {
             let body = |u: &[f64]| Body { reference: *reference, dofs: slots.map(|slot| u[slot]) };
             let bodies = (body(sweep.from), body(sweep.to));
             for &points in &self.edges[pair] {
-                if points.into_iter().any(|place| sweep.now[place].closed) {
-                    continue;
-                }
                 let edge = |states: &[PointState]| points.map(|place| states[place].position);
                 let edges = (edge(sweep.before), edge(sweep.now));
                 let found = surface.noses().filter_map(|nose| {
-                    let allowed = nose.allowed(length(edges.1));
-                    let (before, now) =
-                        (nose.depth(&bodies.0, edges.0)?, nose.depth(&bodies.1, edges.1)?);
-                    let t = (allowed - before.0) / (now.0 - before.0);
-                    let beside = before.1 + t * (now.1 - before.1);
-                    let passed = before.0 <= allowed && now.0 > allowed;
+                    let now = nose.reach(&bodies.1, edges.1)?;
+                    if now.depth <= now.allowed {
+                        return None;
+                    }
+                    let before = nose.reach(&bodies.0, edges.0)?;
+                    let t = (now.allowed - before.depth) / (now.depth - before.depth);
+                    let beside = before.beside + t * (now.beside - before.beside);
+                    let passed = before.depth <= now.allowed;
                     (passed && (0.0..=1.0).contains(&beside)).then_some(t)
                 });
                 for fraction in found {
@@ -320,8 +319,4 @@ impl Contact {
 
 fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
     a[0] * b[0] + a[1] * b[1]
-}
-
-fn length([a, b]: [[f64; 2]; 2]) -> f64 {
-    (b[0] - a[0]).hypot(b[1] - a[1])
 }

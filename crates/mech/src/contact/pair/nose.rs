@@ -7,8 +7,9 @@
 //!         nose '-'
 //! ```
 
-use super::super::search::rigid::{RigidSegment, beyond_corner};
+use super::super::search::segment::RigidSegment;
 use super::Body;
+use std::f64::consts::FRAC_PI_2;
 
 /// A part of a rigid surface that is turned outward, in the frame of the body.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,10 +29,12 @@ pub enum Nose {
         centre: [f64; 2],
         /// Its radius [L].
         radius: f64,
+        /// Angles by which arcs that join it smoothly go on before it and behind it [rad].
+        beyond: [f64; 2],
     },
 }
 
-/// Part of its radius by which an arc narrower than the distance of two points may reach between
+/// Part of its width by which a nose narrower than the distance of two points may reach between
 /// them [1].
 const NARROW: f64 = 0.1;
 /// Part of the distance of two points by which any other nose may [1]: what Abaqus allows as HCRIT.
@@ -43,24 +46,22 @@ impl Nose {
         let mut noses = Vec::new();
         for (index, segment) in segments.iter().enumerate() {
             if let RigidSegment::Arc { centre, radius, convex: true, .. } = *segment {
-                noses.push(Self::Arc { segment: *segment, centre, radius });
+                let beyond = [false, true].map(|ahead| arcs_beyond(segments, closed, index, ahead));
+                noses.push(Self::Arc { segment: *segment, centre, radius, beyond });
             }
-            let next = match segments.get(index + 1) {
-                None if closed => segments.first(),
-                other => other,
-            };
-            let Some(next) = next else { continue };
+            let Some(next) = neighbour(segments, closed, index, true) else { continue };
+            let next = &segments[next];
             let tangents = [segment.tangent(false), next.tangent(true)];
-            if beyond_corner(tangents) {
+            if turns_outward(tangents) {
                 noses.push(Self::Corner { at: segment.end(), tangents });
             }
         }
         noses
     }
 
-    /// How far it reaches through the line between two points of space [L], positive behind them,
-    /// and where between them, 0 to 1; `None` where it points elsewhere.
-    pub fn depth(&self, body: &Body, edge: [[f64; 2]; 2]) -> Option<(f64, f64)> {
+    /// How it reaches through the line between two points of space; `None` where it points
+    /// elsewhere.
+    pub fn reach(&self, body: &Body, edge: [[f64; 2]; 2]) -> Option<Reach> {
         let [a, b] = edge.map(|point| body.to_body(point));
         let along = [b[0] - a[0], b[1] - a[1]];
         let length = along[0].hypot(along[1]);
@@ -69,7 +70,7 @@ impl Nose {
             let apart = [at[0] - a[0], at[1] - a[1]];
             let depth = outward[0] * apart[0] + outward[1] * apart[1];
             let beside = (along[0] * apart[0] + along[1] * apart[1]) / (length * length);
-            (depth, beside)
+            Reach { depth, beside, allowed: self.allowed(outward, length) }
         };
         let sides = [across, across.map(|x| -x)].into_iter();
         let depths = sides.filter(|side| self.points_along(*side)).map(|side| match *self {
@@ -78,7 +79,9 @@ impl Nose {
                 of([centre[0] + radius * side[0], centre[1] + radius * side[1]], side)
             }
         });
-        depths.min_by(|a, b| a.0.abs().total_cmp(&b.0.abs())).filter(|(depth, _)| depth.is_finite())
+        depths
+            .min_by(|a, b| a.depth.abs().total_cmp(&b.depth.abs()))
+            .filter(|reach| reach.depth.is_finite())
     }
 
     /// Whether a line across `side` could touch the nose alone.
@@ -89,20 +92,84 @@ impl Nose {
                 before[0] * side[0] + before[1] * side[1] >= 0.0
                     && after[0] * side[0] + after[1] * side[1] <= 0.0
             }
-            Self::Arc { segment, centre, radius } => {
+            Self::Arc { segment, centre, radius, .. } => {
                 segment.holds([centre[0] + radius * side[0], centre[1] + radius * side[1]])
             }
         }
     }
 
-    /// Depth that points at a `distance` let it reach [L]: a nose that is wider than that touches
-    /// them before, a narrower one never does.
-    pub fn allowed(&self, distance: f64) -> f64 {
-        match *self {
-            Self::Arc { radius, .. } if 2.0 * radius < distance => NARROW * radius,
-            _ => WIDE * distance,
+    /// Depth that two points at a `distance` let it reach along `side` [L]: a nose that is wider than
+    /// that touches them before, a narrower one never does.
+    fn allowed(&self, side: [f64; 2], distance: f64) -> f64 {
+        let width = self.width(side, WIDE * distance);
+        if width < distance { NARROW * width } else { WIDE * distance }
+    }
+
+    /// Its width at a depth below its outermost place along `side`, flanks taken as straight [L].
+    fn width(&self, side: [f64; 2], depth: f64) -> f64 {
+        let flank = |radius: f64, slope: f64| {
+            if slope >= FRAC_PI_2 {
+                return radius;
+            }
+            let (sin, cos) = slope.sin_cos();
+            let round = radius * (1.0 - cos);
+            match depth <= round {
+                true => (depth * (2.0 * radius - depth)).sqrt(),
+                false => radius * sin + (depth - round) * cos / sin,
+            }
+        };
+        match self {
+            Self::Corner { tangents: [before, after], .. } => {
+                let rise = |t: &[f64; 2]| (t[0] * side[0] + t[1] * side[1]).clamp(-1.0, 1.0);
+                flank(0.0, rise(before).asin()) + flank(0.0, (-rise(after)).asin())
+            }
+            Self::Arc { segment, centre, radius, beyond } => {
+                let top = [centre[0] + radius * side[0], centre[1] + radius * side[1]];
+                let at = segment.angle_to(top).clamp(0.0, segment.sweep());
+                let slopes = [at + beyond[0], segment.sweep() - at + beyond[1]];
+                flank(*radius, slopes[0]) + flank(*radius, slopes[1])
+            }
         }
     }
+}
+
+/// How a nose stands against the line between two points.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reach {
+    /// How far it reaches through the line [L], positive behind it.
+    pub depth: f64,
+    /// Where between the points, 0 to 1.
+    pub beside: f64,
+    /// Depth that is allowed [L].
+    pub allowed: f64,
+}
+
+/// The segment before or behind another.
+fn neighbour(segments: &[RigidSegment], closed: bool, index: usize, ahead: bool) -> Option<usize> {
+    let last = segments.len() - 1;
+    match (ahead, index) {
+        (true, _) if index < last => Some(index + 1),
+        (true, _) => closed.then_some(0),
+        (false, 0) => closed.then_some(last),
+        (false, _) => Some(index - 1),
+    }
+}
+
+/// Angle by which convex arcs go on smoothly beyond an end of a segment [rad].
+fn arcs_beyond(segments: &[RigidSegment], closed: bool, index: usize, ahead: bool) -> f64 {
+    let (mut angle, mut at) = (0.0, index);
+    for _ in 1..segments.len() {
+        let Some(next) = neighbour(segments, closed, at, ahead) else { break };
+        let (first, second) = if ahead { (at, next) } else { (next, at) };
+        let tangents = [segments[first].tangent(false), segments[second].tangent(true)];
+        let arc = matches!(segments[next], RigidSegment::Arc { convex: true, .. });
+        if !arc || turns_outward(tangents) || turns_outward([tangents[1], tangents[0]]) {
+            break;
+        }
+        angle += segments[next].sweep();
+        at = next;
+    }
+    angle
 }
 
 /// A circle that holds all segments: about the middle of the box of their ends, with room for what
@@ -123,4 +190,59 @@ pub(super) fn bounds(segments: &[RigidSegment]) -> ([f64; 2], f64) {
     let middle = [0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])];
     let half = 0.5 * (high[0] - low[0]).hypot(high[1] - low[1]);
     (middle, half + bulge.fold(0.0, f64::max))
+}
+
+/// Turn of a corner that is none of rounding [1].
+const SMOOTH: f64 = 1e-9;
+
+/// Whether a surface with these directions before and behind a corner turns outward there.
+fn turns_outward([before, after]: [[f64; 2]; 2]) -> bool {
+    before[0] * after[1] - before[1] * after[0] < -SMOOTH
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn body() -> Body {
+        Body { reference: [0.0; 2], dofs: [0.0; 3] }
+    }
+
+    fn circle(radius: f64) -> Vec<RigidSegment> {
+        let corner = [[radius, 0.0], [0.0, -radius], [-radius, 0.0], [0.0, radius]];
+        (0..4)
+            .map(|k| RigidSegment::arc(corner[k], corner[(k + 1) % 4], [0.0; 2]).unwrap())
+            .collect()
+    }
+
+    /// Requirement: a circle below a line reaches through it by its radius less the distance of its
+    /// centre, and a circle narrower than the line may do so by a tenth of its width only.
+    #[test]
+    fn a_circle_between_two_points() {
+        for (radius, allowed) in [(1.0, 0.2), (4.0, 3.0)] {
+            let noses = Nose::of(&circle(radius), true);
+            let edge = [[-3.0, radius - 0.1], [3.0, radius - 0.1]];
+            let reaches: Vec<_> = noses.iter().filter_map(|n| n.reach(&body(), edge)).collect();
+            let top = reaches.iter().find(|reach| reach.depth.abs() < radius).unwrap();
+            assert!((top.depth - 0.1).abs() < 1e-14 && (top.beside - 0.5).abs() < 1e-14);
+            assert!((top.allowed - allowed).abs() < 1e-12, "{top:?}");
+        }
+    }
+
+    /// Requirement: a small fillet between wide flanks is no narrow nose.
+    #[test]
+    fn a_fillet_is_as_wide_as_its_flanks() {
+        let (sin, cos) = 0.5f64.sin_cos();
+        let left = [-0.1 * sin, 0.1 * cos];
+        let right = [0.1 * sin, 0.1 * cos];
+        let segments = [
+            RigidSegment::Line { a: [left[0] - 5.0 * cos, left[1] - 5.0 * sin], b: left },
+            RigidSegment::arc(left, right, [0.0; 2]).unwrap(),
+            RigidSegment::Line { a: right, b: [right[0] + 5.0 * cos, right[1] - 5.0 * sin] },
+        ];
+        let noses = Nose::of(&segments, false);
+        assert_eq!(noses.len(), 1, "{noses:?}");
+        let reach = noses[0].reach(&body(), [[-1.0, 0.05], [1.0, 0.05]]).unwrap();
+        assert!((reach.depth - 0.05).abs() < 1e-14 && (reach.allowed - 1.0).abs() < 1e-12);
+    }
 }

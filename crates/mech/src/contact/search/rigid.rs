@@ -12,7 +12,7 @@
 
 pub use super::segment::RigidSegment;
 use super::sweep::cross_rigid;
-use super::{INSIDE, Point, TIE, cross, dot, sub};
+use super::{Point, TIE, cross, dot, sub};
 
 /// Which part of a segment a point faces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -146,12 +146,6 @@ fn is_seen(segments: &[RigidSegment], facing: &Facing, point: Point) -> bool {
 
 /// Last part of the way to a place that belongs to that place [1].
 const REACHED: f64 = 1e-6;
-
-/// Whether a surface with these directions before and behind a corner turns outward there, by more
-/// than rounding.
-pub fn beyond_corner([before, after]: [Point; 2]) -> bool {
-    cross(before, after) < -INSIDE
-}
 
 /// A place beyond an open end of a rigid surface.
 #[derive(Debug, Clone, Copy, PartialEq)]

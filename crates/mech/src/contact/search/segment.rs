@@ -128,6 +128,11 @@ impl RigidSegment {
         }
     }
 
+    /// Angle from the start of an arc to the place that faces a point [rad]; 0 for others.
+    pub fn angle_to(&self, point: Point) -> f64 {
+        self.arc_parameter(point).unwrap_or(0.0) * self.sweep()
+    }
+
     /// Length of the segment [L].
     pub fn length(&self) -> f64 {
         self.arc_length(1.0)
