@@ -28,6 +28,7 @@ mod newton;
 pub mod observe;
 mod plan;
 mod predict;
+mod restraint;
 mod rows;
 mod run;
 mod stabilise;

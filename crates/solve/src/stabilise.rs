@@ -15,8 +15,9 @@
 use crate::contact::Meeting;
 use crate::linearised::MOST_DOFS;
 use crate::plan::Plan;
+use crate::restraint::Restraint;
 use crate::state::State;
-use slideline_model::{Dof, ElementBlock, Model, NodeIndex, SpringKind, Stabilisation, Step};
+use slideline_model::{Model, Stabilisation};
 
 /// Stiffness of all dashpots of a pair, walked in one increment as long as
 /// the step, in stiffnesses EA/l of the stiffest element [1]. Bending is
@@ -177,114 +178,7 @@ fn moves(plan: &Plan<'_>, meeting: &Meeting, mode: &[f64]) -> bool {
 /// contact some rigid motion.
 pub fn may_stabilise(model: &Model) -> bool {
     model.steps.iter().any(|step| {
-        let floats = !model.contact_pairs.is_empty() && has_loose_body(model, step);
+        let floats = !model.contact_pairs.is_empty() && Restraint::of(model, step).has_loose_body();
         step.stabilisation.is_some() || floats
     })
-}
-
-fn has_loose_body(model: &Model, step: &Step) -> bool {
-    let mut bodies = Bodies::of(model);
-    let held = step.prescribed.iter().map(|prescribed| (prescribed.node, prescribed.dof));
-    let springs = model.blocks.iter().filter_map(|block| match block {
-        ElementBlock::Spring(block) => match block.kind {
-            SpringKind::Ground(dof) => Some(block.elements.iter().map(move |e| (e.nodes[0], dof))),
-            SpringKind::Axial => None,
-        },
-        _ => None,
-    });
-    let held: Vec<(NodeIndex, Dof)> = held.chain(springs.flatten()).collect();
-    let mut rows: std::collections::HashMap<NodeIndex, Vec<[f64; 3]>> =
-        std::collections::HashMap::new();
-    for (node, dof) in held {
-        let [x, y] = model.nodes.plane(node);
-        let row = match dof {
-            Dof::U1 => [1.0, 0.0, -y],
-            Dof::U2 => [0.0, 1.0, x],
-            _ => [0.0, 0.0, 1.0],
-        };
-        rows.entry(bodies.root(node)).or_default().push(row);
-    }
-    let roots: Vec<NodeIndex> = bodies.used.clone().into_iter().map(|n| bodies.root(n)).collect();
-    roots.into_iter().any(|root| {
-        let needed = if bodies.turns.contains(&root) { 3 } else { 2 };
-        rank(rows.get(&root).map_or(&[], Vec::as_slice)) < needed
-    })
-}
-
-/// Nodes that move as one because beams or rigid links join them.
-struct Bodies {
-    parent: Vec<NodeIndex>,
-    /// Nodes that something uses.
-    used: Vec<NodeIndex>,
-    /// Roots of bodies that can turn: all but lone contact nodes.
-    turns: std::collections::HashSet<NodeIndex>,
-}
-
-impl Bodies {
-    fn of(model: &Model) -> Self {
-        let parent = (0..model.nodes.len()).collect();
-        let mut new = Self { parent, used: Vec::new(), turns: Default::default() };
-        let mut turning = Vec::new();
-        for beam in model.blocks.iter().filter_map(|block| block.beams()) {
-            for element in &beam.elements {
-                let nodes: Vec<NodeIndex> = element.all_nodes().collect();
-                nodes.windows(2).for_each(|w| new.join(w[0], w[1]));
-                turning.extend(nodes);
-            }
-        }
-        for link in &model.rigid_links {
-            new.join(link.master, link.dependent);
-            turning.push(link.master);
-        }
-        for pair in &model.contact_pairs {
-            new.used.extend(pair.slave_nodes());
-            match &pair.master {
-                slideline_model::Master::RigidSurface(surface) => turning.push(surface.reference),
-                slideline_model::Master::SlideLine(line) => new.used.extend(&line.nodes),
-            }
-        }
-        for &node in &turning {
-            let root = new.root(node);
-            new.turns.insert(root);
-        }
-        new.used.extend(turning);
-        new
-    }
-
-    fn root(&mut self, mut node: NodeIndex) -> NodeIndex {
-        while self.parent[node] != node {
-            self.parent[node] = self.parent[self.parent[node]];
-            node = self.parent[node];
-        }
-        node
-    }
-
-    fn join(&mut self, a: NodeIndex, b: NodeIndex) {
-        let (a, b) = (self.root(a), self.root(b));
-        self.parent[b] = a;
-    }
-}
-
-/// Rank of a few rows of three.
-fn rank(rows: &[[f64; 3]]) -> usize {
-    let mut rows = rows.to_vec();
-    let mut found = 0;
-    for column in 0..3 {
-        let scale = rows.iter().flatten().fold(0.0_f64, |a, b| a.max(b.abs()));
-        let pivot = (found..rows.len())
-            .max_by(|&a, &b| rows[a][column].abs().total_cmp(&rows[b][column].abs()));
-        let Some(pivot) = pivot.filter(|&row| rows[row][column].abs() > 1e-9 * scale) else {
-            continue;
-        };
-        rows.swap(found, pivot);
-        let top = rows[found];
-        for row in rows.iter_mut().skip(found + 1) {
-            let factor = row[column] / top[column];
-            for (value, above) in row.iter_mut().zip(top) {
-                *value -= factor * above;
-            }
-        }
-        found += 1;
-    }
-    found
 }

@@ -3,6 +3,7 @@
 
 use super::{Case, reason};
 use crate::plan::Plan;
+use crate::restraint::Restraint;
 use crate::state::State;
 use slideline_diag::{Code, Diagnostic, Place};
 use slideline_linalg::SolveError;
@@ -27,6 +28,9 @@ impl Case<'_> {
         };
         let (node, _) = self.plan.layout.name(*self.plan.layout.slot_of_equation.get(equation)?);
         let motion = self.motion(equation).unwrap_or(Motion { node, way: [0.0; 2], turn: 1.0 });
+        if Restraint::of(self.plan.model, self.plan.step).holds(motion.node) {
+            return None; // what supports hold does not move: a limit of the structure
+        }
         let label = self.label(motion.node);
         let message = format!(
             "nothing holds the body of node {label} {}: it can {} without any resistance{}{}",

@@ -7,6 +7,7 @@ use crate::linearised::Contradiction;
 use crate::plan::Plan;
 use crate::state::State;
 use slideline_linalg::SolveError;
+use slideline_model::NodeIndex;
 
 /// Rounds of inverse iteration for the null motion: each gains the ratio of
 /// the shift to the next eigenvalue, many decades.
@@ -123,6 +124,13 @@ impl Workspace {
             mode.iter_mut().for_each(|value| *value /= size);
         }
         mode.iter().all(|value| value.is_finite()).then_some(mode)
+    }
+
+    /// The node that a mode moves most, of those with equations.
+    pub fn moves_most(&self, plan: &Plan<'_>, mode: &[f64]) -> Option<NodeIndex> {
+        let size = |equation: usize| (mode[equation] / plan.units[equation]).abs();
+        let largest = (0..mode.len()).max_by(|&a, &b| size(a).total_cmp(&size(b)))?;
+        Some(plan.layout.name(plan.layout.slot_of_equation[largest]).0)
     }
 
     /// Forces that nothing balances in the trial state, a slot each; zero

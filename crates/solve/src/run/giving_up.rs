@@ -15,6 +15,7 @@ use crate::increments::{StopReason, Verdict};
 use crate::newton::{Outcome, Target, Workspace, attempt, relax};
 use crate::observe::{Event, Unconverged};
 use crate::plan::Plan;
+use crate::restraint::Restraint;
 use crate::stabilise;
 use crate::state::State;
 use slideline_diag::{Code, Diagnostic};
@@ -37,11 +38,16 @@ impl Walk<'_> {
             return Ok(false);
         }
         let mode = work.null_mode(plan, equation);
-        if !mode.is_some_and(|mode| stabilise::would_hold(plan, &self.committed, &mode)) {
+        let Some(mode) = mode else { return Ok(false) };
+        if !stabilise::would_hold(plan, &self.committed, &mode) {
+            return Ok(false);
+        }
+        let (node, _) = plan.layout.name(plan.layout.slot_of_equation[equation]);
+        let heaviest = work.moves_most(plan, &mode).unwrap_or(node);
+        if Restraint::of(plan.model, plan.step).holds(heaviest) {
             return Ok(false);
         }
         self.committed.stabilised = true;
-        let (node, _) = plan.layout.name(plan.layout.slot_of_equation[equation]);
         let message = format!(
             "only contact that is still open will hold the body of node {}: contact is stabilised \
              from total time {:.6} on, by tractions that fade to nothing by the end of the step",

@@ -1,0 +1,145 @@
+//! Which bodies supports and springs to ground hold, whatever contact does.
+//!
+//! ```text
+//!   |/o=======o     held: three rows of rank 3        o=======o   loose: rank 2,
+//!   |/clamped                                         ^       ^   free to move along
+//! ```
+//!
+//! Decided from the structure: nodes that beams and rigid links join move as one
+//! body, supports and springs to ground give rows for its rigid motion. A tangent
+//! that happens to be singular proves nothing of a body that is held: there the
+//! structure has reached a limit of its strength, or numbers one of theirs.
+
+use slideline_model::{Dof, ElementBlock, Model, NodeIndex, SpringKind, Step};
+use std::collections::HashMap;
+
+/// The bodies of a model and how a step restrains them.
+pub struct Restraint {
+    bodies: Bodies,
+    rows: HashMap<NodeIndex, Vec<[f64; 3]>>,
+}
+
+impl Restraint {
+    /// That of a step. Rotations count with the size of the model, so that the
+    /// units of length decide nothing.
+    pub fn of(model: &Model, step: &Step) -> Self {
+        let mut bodies = Bodies::of(model);
+        let size = (0..model.nodes.len())
+            .flat_map(|node| model.nodes.plane(node))
+            .fold(0.0_f64, |size, x| size.max(x.abs()));
+        let held = step.prescribed.iter().map(|prescribed| (prescribed.node, prescribed.dof));
+        let springs = model.blocks.iter().filter_map(|block| match block {
+            ElementBlock::Spring(block) if block.stiffness != 0.0 => match block.kind {
+                SpringKind::Ground(dof) => {
+                    Some(block.elements.iter().map(move |e| (e.nodes[0], dof)))
+                }
+                SpringKind::Axial => None,
+            },
+            _ => None,
+        });
+        let held: Vec<(NodeIndex, Dof)> = held.chain(springs.flatten()).collect();
+        let mut rows: HashMap<NodeIndex, Vec<[f64; 3]>> = HashMap::new();
+        for (node, dof) in held {
+            let root = bodies.root(node);
+            let ([x, y], [a, b]) = (model.nodes.plane(node), model.nodes.plane(root));
+            let arm = if size > 0.0 { [(x - a) / size, (y - b) / size] } else { [0.0; 2] };
+            let row = match dof {
+                Dof::U1 => [1.0, 0.0, -arm[1]],
+                Dof::U2 => [0.0, 1.0, arm[0]],
+                _ => [0.0, 0.0, 1.0],
+            };
+            rows.entry(root).or_default().push(row);
+        }
+        Self { bodies, rows }
+    }
+
+    /// Whether no rigid motion is left to the body of a node, contact aside.
+    pub fn holds(&mut self, node: NodeIndex) -> bool {
+        let root = self.bodies.root(node);
+        let needed = if self.bodies.turns.contains(&root) { 3 } else { 2 };
+        rank(self.rows.get(&root).map_or(&[], Vec::as_slice)) >= needed
+    }
+
+    /// Whether some body keeps a rigid motion.
+    pub fn has_loose_body(&mut self) -> bool {
+        self.bodies.used.clone().into_iter().any(|node| !self.holds(node))
+    }
+}
+
+/// Nodes that move as one because beams or rigid links join them.
+struct Bodies {
+    parent: Vec<NodeIndex>,
+    /// Nodes that something uses.
+    used: Vec<NodeIndex>,
+    /// Roots of bodies that can turn: all but lone contact nodes.
+    turns: std::collections::HashSet<NodeIndex>,
+}
+
+impl Bodies {
+    fn of(model: &Model) -> Self {
+        let parent = (0..model.nodes.len()).collect();
+        let mut new = Self { parent, used: Vec::new(), turns: Default::default() };
+        let mut turning = Vec::new();
+        for beam in model.blocks.iter().filter_map(|block| block.beams()) {
+            for element in &beam.elements {
+                let nodes: Vec<NodeIndex> = element.all_nodes().collect();
+                nodes.windows(2).for_each(|w| new.join(w[0], w[1]));
+                turning.extend(nodes);
+            }
+        }
+        for link in &model.rigid_links {
+            new.join(link.master, link.dependent);
+            turning.push(link.master);
+        }
+        for pair in &model.contact_pairs {
+            new.used.extend(pair.slave_nodes());
+            match &pair.master {
+                slideline_model::Master::RigidSurface(surface) => turning.push(surface.reference),
+                slideline_model::Master::SlideLine(line) => new.used.extend(&line.nodes),
+            }
+        }
+        for &node in &turning {
+            let root = new.root(node);
+            new.turns.insert(root);
+        }
+        new.used.extend(turning);
+        new
+    }
+
+    fn root(&mut self, mut node: NodeIndex) -> NodeIndex {
+        while self.parent[node] != node {
+            self.parent[node] = self.parent[self.parent[node]];
+            node = self.parent[node];
+        }
+        node
+    }
+
+    fn join(&mut self, a: NodeIndex, b: NodeIndex) {
+        let (a, b) = (self.root(a), self.root(b));
+        self.parent[b] = a;
+    }
+}
+
+/// Rank of a few rows of three.
+fn rank(rows: &[[f64; 3]]) -> usize {
+    let mut rows = rows.to_vec();
+    let mut found = 0;
+    for column in 0..3 {
+        let scale = rows.iter().flatten().fold(0.0_f64, |a, b| a.max(b.abs()));
+        let pivot = (found..rows.len())
+            .max_by(|&a, &b| rows[a][column].abs().total_cmp(&rows[b][column].abs()));
+        let Some(pivot) = pivot.filter(|&row| rows[row][column].abs() > 1e-9 * scale) else {
+            continue;
+        };
+        rows.swap(found, pivot);
+        let top = rows[found];
+        for row in rows.iter_mut().skip(found + 1) {
+            let factor = row[column] / top[column];
+            for (value, above) in row.iter_mut().zip(top) {
+                *value -= factor * above;
+            }
+        }
+        found += 1;
+    }
+    found
+}
