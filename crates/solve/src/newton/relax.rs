@@ -29,13 +29,13 @@ const GREATEST: f64 = 1e3;
 const LEAST: f64 = 1e-14;
 /// Largest turn of a step [1], and largest way in lengths of the stiffest
 /// element.
-const LONGEST: f64 = 0.25;
-/// Part of the longest step below which the next one is tried longer [1].
-const SHORT: f64 = 0.5;
-/// Factor between the stiffnesses of two steps.
-const CHANGE: f64 = 4.0;
+const LONGEST: f64 = 0.5;
+/// Part of the longest step that the next one aims at [1].
+const AIMED: f64 = 0.7;
+/// Largest factor between the stiffnesses of two steps.
+const CHANGE: f64 = 8.0;
 /// The most steps.
-const STEPS: usize = 400;
+const STEPS: usize = 600;
 /// Newton iterations of a step.
 const ITERATIONS: usize = 4;
 
@@ -103,12 +103,18 @@ impl Workspace {
             let through = plan.contact.passed_through(&sweep, &mut self.sweep).is_some();
             let way = self.way(plan);
             let lost = !self.contact.is_solved() || self.evaluation.fault.is_some();
-            if way.is_nan() || way > LONGEST || lost || through {
+            // the way is short in proportion to the stiffness
+            let aimed = way / (AIMED * LONGEST);
+            let by = if way.is_nan() || lost || through {
                 self.return_to_anchor(plan, committed, target.dt);
-                self.relaxation.stiffness *= CHANGE * CHANGE;
-            } else if way < SHORT * LONGEST {
-                self.relaxation.stiffness /= CHANGE;
-            }
+                CHANGE * CHANGE
+            } else if way > LONGEST {
+                self.return_to_anchor(plan, committed, target.dt);
+                aimed.min(CHANGE * CHANGE)
+            } else {
+                aimed.clamp(1.0 / CHANGE, CHANGE)
+            };
+            self.relaxation.stiffness *= by;
             if self.relaxation.stiffness > GREATEST {
                 return Verdict::TooSlow;
             }
