@@ -114,6 +114,8 @@ pub fn evaluate(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into: &mu
     into.flux = plan.structure.flux(&into.contributions);
     plan.layout.carry_loads(trial.u, trial.load, &mut into.external);
     plan.contact.meet(trial.u, &mut into.positions, &mut into.meetings);
+    let start = (&committed.displacement[..], &committed.points[..]);
+    plan.contact.turn_away_from_behind(start, trial.u, &mut into.meetings);
     evaluate_contact(plan, committed, trial, into);
     into.damping.fill(0.0);
     for dashpot in trial.dashpots {

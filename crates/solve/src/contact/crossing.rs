@@ -15,7 +15,8 @@
 //! noses through the lines between slave nodes. Theory 6. (derived)
 
 use super::facade::Facade;
-use super::{Carrier, Contact};
+use super::meeting::Meeting;
+use super::{Carrier, Contact, place};
 use crate::state::PointState;
 use slideline_mech::contact::pair::Body;
 use slideline_mech::contact::search::sweep::{apart, cross_chain};
@@ -279,6 +280,61 @@ impl Contact {
             surface.depth(at).unwrap_or(f64::INFINITY)
         });
         depth.fold(0.0, f64::max) > CUT * self.spacing[pair]
+    }
+
+    /// Turns slave nodes away from masters that they did not meet from the
+    /// front: those that faced nothing at the last commit, as beyond an open end,
+    /// and stand behind their master now without having crossed it.
+    ///
+    /// ```text
+    ///     front   o------------- master     a node that comes round the end
+    ///     behind        <--- x              has not touched the front
+    /// ```
+    pub fn turn_away_from_behind(
+        &self,
+        (from, before): (&[f64], &[PointState]),
+        u: &[f64],
+        meetings: &mut [Meeting],
+    ) {
+        for (place, point) in self.points.iter().enumerate() {
+            let (before, meeting) = (&before[place], &mut meetings[place]);
+            let aside = before.along.is_none() && !before.closed && !point.is_station();
+            if aside && meeting.faces && meeting.overclosure > 0.0 {
+                let start = self.slave(point, 0.0, from).position;
+                if !self.enters(point.pair, (start, meeting.position), (from, u)) {
+                    meeting.turn_away_in_place();
+                }
+            }
+        }
+    }
+
+    /// Whether a way crosses a master from its front.
+    fn enters(
+        &self,
+        pair: usize,
+        (start, end): ([f64; 2], [f64; 2]),
+        (from, to): (&[f64], &[f64]),
+    ) -> bool {
+        let mut inward = false;
+        match &self.facades[pair] {
+            Facade::Nothing => {}
+            Facade::Body { slots, reference, surface } => {
+                let local = |at: [f64; 2], u: &[f64]| {
+                    Body { reference: *reference, dofs: slots.map(|slot| u[slot]) }.to_body(at)
+                };
+                let way = (local(start, from), local(end, to));
+                surface.crossings(way, |crossing, _| inward |= crossing.inward);
+            }
+            Facade::Line { chain, nodes, .. } => {
+                let positions = |u: &[f64]| {
+                    let nodes: Vec<_> = nodes.iter().map(|(c, slots)| place(c, slots, u)).collect();
+                    chain.prolonged(nodes)
+                };
+                let (before, after) = (positions(from), positions(to));
+                cross_chain((&before, &after), (start, end), |crossing| inward |= crossing.inward);
+            }
+        }
+        inward
     }
 
     /// The first corner or nose of a rigid master that passed between two slave

@@ -87,6 +87,13 @@ impl Meeting {
         self.area = 0.0;
     }
 
+    /// The point faces nothing, and stands for what it stood for.
+    pub fn turn_away_in_place(&mut self) {
+        let area = self.area;
+        self.turn_away();
+        self.area = area;
+    }
+
     /// Takes a gap in and pushes its gradients from kernel variables to slots.
     pub fn take(&mut self, gap: &AnyGap, stencil: &Stencil<'_>, u: &[f64]) {
         self.faces = true;

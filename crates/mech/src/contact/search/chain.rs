@@ -89,6 +89,19 @@ impl Chain {
         Some(Self { smoothing, extension: extension.max(0.0), lengths, arc })
     }
 
+    /// The line of these nodes with its end segments prolonged by their extension.
+    pub fn prolonged(&self, mut nodes: Vec<Point>) -> Vec<Point> {
+        let beyond = |end: Point, before: Point| {
+            [0, 1].map(|c| end[c] + self.extension * (end[c] - before[c]))
+        };
+        let last = nodes.len() - 1;
+        if last > 0 {
+            let ends = [beyond(nodes[0], nodes[1]), beyond(nodes[last], nodes[last - 1])];
+            (nodes[0], nodes[last]) = (ends[0], ends[1]);
+        }
+        nodes
+    }
+
     /// Number of nodes.
     pub fn node_count(&self) -> usize {
         self.arc.len()
