@@ -174,6 +174,7 @@ catalogue! {
     "SL0517" "contact was stabilised"
     "SL0519" "a slave point goes through its master"
     "SL0520" "a master goes through between slave nodes"
+    "SL0521" "two masters leave no room between them"
     "SL0590" "the run was interrupted"
     "SL0591" "the job is complete already"
     "SL0592" "the state of the last attempt"

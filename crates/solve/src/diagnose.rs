@@ -60,8 +60,9 @@ pub fn failure(case: &Case<'_>) -> Diagnostic {
     if case.stop == StopReason::TooManyIncrements {
         return case.too_many_increments();
     }
-    let causes: [fn(&Case<'_>) -> Option<Diagnostic>; 10] = [
+    let causes: [fn(&Case<'_>) -> Option<Diagnostic>; 11] = [
         |case| case.passed_through(),
+        |case| case.no_room(),
         |case| case.user_fault(),
         |case| case.off_the_end(),
         |case| case.unheld(),

@@ -79,6 +79,8 @@ const CUT: f64 = 0.1;
 /// Way round a corner over the way through it, up to which a path cut a
 /// corner and did not go through a wall [1].
 const ROUND: f64 = 3.0;
+/// Parts of a segment whose ends are held against another body.
+const OUTLINE: usize = 64;
 /// Places at which the depth of a path is looked at.
 const SAMPLES: usize = 8;
 
@@ -216,6 +218,10 @@ impl Contact {
             }
         }
         let from = entered?;
+        let is_line = matches!(self.facades[self.points[place].pair], Facade::Line { .. });
+        if is_line && sweep.now[place].along.is_some() {
+            return None; // it faces the line, whose corners are smoothed, on the side it stands
+        }
         match self.inside(place, (sweep.to, sweep.now), &chains[1], 1.0) {
             Some(end) => self.is_through(place, &from, &end).then_some(from.fraction),
             // entered on the way, and at its end nothing keeps it outside
@@ -280,6 +286,29 @@ impl Contact {
             surface.depth(at).unwrap_or(f64::INFINITY)
         });
         depth.fold(0.0, f64::max) > CUT * self.spacing[pair]
+    }
+
+    /// How deep two rigid masters stand in one another [L]; zero where they do
+    /// not, or are not rigid.
+    pub fn overlap(&self, pairs: [usize; 2], u: &[f64]) -> f64 {
+        let [first, second] = pairs.map(|pair| &self.facades[pair]);
+        let within = |of: &Facade, other: &Facade| {
+            let (
+                Facade::Body { slots, reference, surface },
+                Facade::Body { slots: s, reference: r, surface: own },
+            ) = (of, other)
+            else {
+                return 0.0;
+            };
+            let body = Body { reference: *reference, dofs: slots.map(|slot| u[slot]) };
+            let other = Body { reference: *r, dofs: s.map(|slot| u[slot]) };
+            let places = surface.segments().iter().flat_map(|segment| {
+                (0..=OUTLINE).map(|k| segment.place(k as f64 / OUTLINE as f64))
+            });
+            let depths = places.filter_map(|at| own.overclosure(&other, body.to_space(at)));
+            depths.fold(0.0_f64, f64::max)
+        };
+        within(first, second).max(within(second, first))
     }
 
     /// Turns slave nodes away from masters that they did not meet from the
