@@ -49,14 +49,5 @@ impl Workspace {
         for (stress, arrived) in self.stresses.iter_mut().zip(&self.arrived) {
             *stress += length * (arrived - *stress);
         }
-        let floor: f64 = std::env::var("FLOOR").ok().and_then(|t| t.parse().ok()).unwrap_or(0.0);
-        if floor > 0.0 {
-            for place in (0..self.stresses.len()).step_by(3) {
-                let least = floor * plan.structure.stiffest * plan.structure.stiffest_length;
-                if self.stresses[place].abs() < least {
-                    self.stresses[place] = least;
-                }
-            }
-        }
     }
 }
