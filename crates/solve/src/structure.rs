@@ -134,6 +134,22 @@ impl Structure {
         }
     }
 
+    /// Raises axial stresses that are next to none, in a model of size `reach`
+    /// [L], to a slight tension: docs/theory.md eq. (3.30).
+    pub fn tighten(&self, reach: f64, stresses: &mut [f64]) {
+        if stresses.is_empty() {
+            return;
+        }
+        for element in &self.elements {
+            let least = element.shape.slight_tension(reach);
+            for point in stresses[element.stresses()].as_chunks_mut::<3>().0 {
+                if point[0].abs() < least {
+                    point[0] = least;
+                }
+            }
+        }
+    }
+
     /// The largest turn of a beam's nodes against each other [1], of the
     /// changes `of` the slots.
     pub fn largest_bend(&self, of: impl Fn(usize) -> f64) -> f64 {

@@ -12,7 +12,7 @@
 //! the geometric stiffness takes stresses of its own, those that the last linear solution has
 //! arrived at: the stresses of a strain that one correction leaves behind, second order in its
 //! rotations and as stiff as the axis, are never multiplied with it. [derived: docs/theory.md,
-//! "Stresses of their own"]
+//! "Stresses of their own in the linearisation"]
 
 use crate::differentiate::Second;
 

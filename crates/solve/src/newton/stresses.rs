@@ -49,5 +49,6 @@ impl Workspace {
         for (stress, arrived) in self.stresses.iter_mut().zip(&self.arrived) {
             *stress += length * (arrived - *stress);
         }
+        plan.structure.tighten(plan.reach, &mut self.stresses);
     }
 }

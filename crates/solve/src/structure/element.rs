@@ -14,6 +14,12 @@ pub(super) const WIDTH: usize = 9;
 /// Force and tangent (row by row) of an element.
 type Slots<'a> = (&'a mut [f64], &'a mut [f64]);
 
+/// Axial strain below which a stress counts as none [1].
+const SLIGHT_STRAIN: f64 = 1e-9;
+/// Part of the bending stiffness of a beam as long as the model that the
+/// geometric stiffness of such a stress may be [1].
+const SLIGHT_STIFFNESS: f64 = 1e-3;
+
 /// How strains follow displacements.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Kinematics<'a> {
@@ -219,6 +225,19 @@ impl Shape {
             Self::Beam22(_) => 6,
             Self::Ground(..) | Self::Axial(_) => 0,
         }
+    }
+
+    /// The axial stress that a beam without any is given: docs/theory.md
+    /// eq. (3.30).
+    pub fn slight_tension(&self, reach: f64) -> f64 {
+        let BeamStiffness { axial, bending, .. } = match self {
+            Self::Beam21(beam) => beam.stiffness,
+            Self::Beam22(beam) => beam.stiffness,
+            Self::Beam23(beam) => beam.stiffness(),
+            Self::Ground(..) | Self::Axial(_) => return 0.0,
+        };
+        let by_bending = SLIGHT_STIFFNESS * bending / (reach * reach);
+        (SLIGHT_STRAIN * axial).min(by_bending)
     }
 
     fn stresses_after(&self, u: &[f64], own: &[usize], change: &[f64], into: &mut [f64]) {

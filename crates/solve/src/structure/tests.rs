@@ -179,8 +179,75 @@ fn threads_change_nothing() {
     let u = motion(&layout);
     let (mut one, mut many) = (structure.room(), structure.room());
     let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().unwrap();
-    structure.evaluate(&u, None, &mut one, None);
-    structure.evaluate(&u, None, &mut many, Some(&pool));
+    let stresses: Vec<f64> = structure.stress_room().iter().map(|_| 0.3).collect();
+    structure.evaluate(&u, Some(&stresses), &mut one, None);
+    structure.evaluate(&u, Some(&stresses), &mut many, Some(&pool));
     assert!(one.force == many.force && one.tangent == many.tangent && one.energy == many.energy);
     assert!(one.force.iter().any(|&f| f != 0.0));
+}
+
+/// Requirement: with the stresses of the strains the mixed tangent is the
+/// tangent, with a node on a rigid arm; force and energy have the same bits
+/// whatever the stresses; the tangent is linear in them. Tolerance: rounding
+/// of sums in another order.
+#[test]
+fn mixed_tangent_with_own_stresses() {
+    let model = model(4);
+    let Built { layout, structure, pattern } = build(&model, true);
+    let u = motion(&layout);
+    let tangent = |stresses: Option<&[f64]>| {
+        let mut room = structure.room();
+        structure.evaluate(&u, stresses, &mut room, None);
+        let mut values = vec![0.0; pattern.entries()];
+        structure.gather_tangent(&room, &mut values);
+        (values, room)
+    };
+    let (exact, room) = tangent(None);
+    let largest = exact.iter().fold(0.0_f64, |most, k| most.max(k.abs()));
+    let mut own = structure.stress_room();
+    assert!(own.len() > 12);
+    structure.stresses_after(&u, &vec![0.0; u.len()], &mut own);
+    let (mixed, _) = tangent(Some(&own));
+    let off = |a: f64, b: f64| assert!((a - b).abs() < 1e-12 * largest, "{a} {b}");
+    mixed.iter().zip(&exact).for_each(|(&a, &b)| off(a, b));
+    let other: Vec<f64> = (0..own.len()).map(|k| own[k] + 10.0 * (k as f64).sin()).collect();
+    let half: Vec<f64> = own.iter().zip(&other).map(|(a, b)| 0.5 * (a + b)).collect();
+    let (other, far) = tangent(Some(&other));
+    assert!(far.force.iter().zip(&room.force).all(|(a, b)| (a - b).abs() < 1e-12 * largest));
+    assert_eq!(far.energy, room.energy);
+    assert!(other.iter().zip(&exact).any(|(a, b)| (a - b).abs() > 1e-6 * largest));
+    let (half, _) = tangent(Some(&half));
+    for ((a, b), middle) in exact.iter().zip(&other).zip(half) {
+        off(0.5 * (a + b), middle);
+    }
+}
+
+/// Requirement: stresses arrive where their derivative along the correction
+/// leads, dependent nodes following their masters. Central differences of
+/// step 1e-6; tolerance 1e-6 of the largest.
+#[test]
+fn stresses_after_by_differences() {
+    let model = model(4);
+    let Built { layout, structure, .. } = build(&model, true);
+    let u = motion(&layout);
+    let mut change = vec![0.0; u.len()];
+    for (k, &slot) in layout.slot_of_equation.iter().enumerate() {
+        change[slot] = 0.1 * (k as f64 + 0.3).sin();
+    }
+    let still = vec![0.0; u.len()];
+    let at = |t: f64| {
+        let mut moved: Vec<f64> = u.iter().zip(&change).map(|(u, du)| u + t * du).collect();
+        layout.follow_links(&mut moved);
+        let mut stresses = structure.stress_room();
+        structure.stresses_after(&moved, &still, &mut stresses);
+        stresses
+    };
+    let (here, up, down) = (at(0.0), at(1e-6), at(-1e-6));
+    let mut arrived = structure.stress_room();
+    structure.stresses_after(&u, &change, &mut arrived);
+    let largest = arrived.iter().fold(0.0_f64, |most, s| most.max(s.abs()));
+    for k in 0..here.len() {
+        let line = here[k] + (up[k] - down[k]) / 2e-6;
+        assert!((arrived[k] - line).abs() < 1e-6 * largest, "{k}: {} {line}", arrived[k]);
+    }
 }

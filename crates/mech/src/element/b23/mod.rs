@@ -75,6 +75,11 @@ impl Beam23 {
         self.chord.length()
     }
 
+    /// EA, the transverse stiffness 12 EI/l^2 and EI.
+    pub fn stiffness(&self) -> BeamStiffness {
+        self.chord.stiffness
+    }
+
     /// Angle of the undeformed element with the x axis [rad].
     pub fn angle(&self) -> f64 {
         self.chord.angle()
