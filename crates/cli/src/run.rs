@@ -8,8 +8,9 @@ use slideline::diag::{Code, Diagnostic, Severity};
 use slideline::output::json::Object;
 use slideline::output::{add_warning, onset_word, record};
 use slideline::{
-    Event, Job, Observer, OldJob, Outcome, Reactions, Read, ReadOptions, RunOptions, SolveOptions,
-    Status, Stop, TangentCheck, VERSION, error_bars, run as run_job,
+    ErrorBars, Event, Job, Observer, OldJob, Outcome, Reactions, Read, ReadOptions, RunOptions,
+    SolveOptions, Status, Stop, TangentCheck, VERSION, error_bars, run as run_job, time_error_bars,
+    write_error_bars,
 };
 use std::ops::ControlFlow;
 use std::time::Instant;
@@ -46,8 +47,8 @@ pub(crate) fn run(arguments: &RunArguments) -> Exit {
     let mut outcome = run_job(&read, &options, &mut found.watch(&mut progress));
     if arguments.error_bars {
         let said = add_error_bars(&read, &found, &options.solve, &mut outcome);
-        if let (Some(said), Mode::Json) = (&said, mode) {
-            screen::print(&diagnosis_line(said, &read));
+        if mode == Mode::Json {
+            said.iter().for_each(|said| screen::print(&diagnosis_line(said, &read)));
         }
         outcome.diagnostics.extend(said);
     }
@@ -68,32 +69,49 @@ fn read_options(arguments: &RunArguments) -> ReadOptions {
 }
 
 /// Estimates errors of a run that came to its end and adds them to its files.
-/// What stands against it is added instead, and returned.
+/// What stands against them is added as well, and returned.
 fn add_error_bars(
     read: &Read,
     found: &Reactions,
     options: &SolveOptions,
     outcome: &mut Outcome,
-) -> Option<Diagnostic> {
-    let (Some(model), Status::Completed) = (&read.model, outcome.status) else { return None };
-    let estimated = if read.from.is_some() {
-        Err(Box::new(from_another_job()))
-    } else if found.count() == outcome.totals.increments {
-        error_bars(model, found, options, &mut Interruptible)
+) -> Vec<Diagnostic> {
+    let (Some(model), Status::Completed) = (&read.model, outcome.status) else { return Vec::new() };
+    let (mesh, time) = if read.from.is_some() {
+        (Err(Box::new(from_another_job())), None)
+    } else if found.count() != outcome.totals.increments {
+        (Err(Box::new(begun_elsewhere())), None)
     } else {
-        Err(Box::new(begun_elsewhere()))
+        let mesh = error_bars(model, found, options, &mut Interruptible);
+        (mesh, Some(time_error_bars(model, found, options, &mut Interruptible)))
     };
-    let (written, said) = match estimated {
-        Ok(bars) => (bars.write(&outcome.files), None),
+    let (mesh, against_mesh) = halves(Some(mesh));
+    let (time, against_time) = halves(time);
+    let said: Vec<Diagnostic> = against_mesh.into_iter().chain(against_time).collect();
+    let write = || {
+        if mesh.is_some() || time.is_some() {
+            write_error_bars(&outcome.files, mesh.as_ref(), time.as_ref())?;
+        }
         // a job that was complete before keeps its files as they are
-        Err(said) if found.count() == 0 => (Ok(()), Some(*said)),
-        Err(said) => (add_warning(&outcome.files, &said, &read.sources), Some(*said)),
+        let told = said.iter().filter(|_| found.count() > 0);
+        told.into_iter().try_for_each(|said| add_warning(&outcome.files, said, &read.sources))
     };
-    if let Err(failure) = written {
+    if let Err(failure) = write() {
         outcome.output_failure = Some(failure.to_string());
         outcome.status = Status::OutputError;
     }
     said
+}
+
+/// What was found, and what stood against it.
+fn halves(
+    estimated: Option<Result<ErrorBars, Box<Diagnostic>>>,
+) -> (Option<ErrorBars>, Option<Diagnostic>) {
+    match estimated {
+        None => (None, None),
+        Some(Ok(bars)) => (Some(bars), None),
+        Some(Err(said)) => (None, Some(*said)),
+    }
 }
 
 /// Steps that begin in the state of an earlier job have the history of its mesh.

@@ -7,9 +7,11 @@ use crate::number::push_shortest;
 use crate::record::record;
 use slideline_diag::{Diagnostic, Sources};
 
-/// Error bars as the rows of `JOB.history.csv` want them.
+/// Error bars of one kind as the rows of `JOB.history.csv` want them.
 #[derive(Clone, Copy, Debug)]
 pub struct BarRows<'a> {
+    /// What they were found by, in words.
+    pub method: &'a str,
     /// Labels of the nodes, in the order of the rows of an increment.
     pub nodes: &'a [u64],
     /// Names of the columns.
@@ -18,19 +20,26 @@ pub struct BarRows<'a> {
     pub bars: &'a [Vec<f64>],
 }
 
-/// Appends columns to `JOB.history.csv` and the member `error_bars` to
-/// `JOB.json`.
+/// Appends columns to `JOB.history.csv`, those of the mesh and then those in
+/// time, and the member `error_bars` to `JOB.json`.
 ///
 /// # Errors
 /// When a file cannot be read or written.
-pub fn add_error_bars(job: &JobFiles, rows: &BarRows<'_>) -> Result<(), WriteError> {
+pub fn add_error_bars(
+    job: &JobFiles,
+    mesh: Option<&BarRows<'_>>,
+    time: Option<&BarRows<'_>>,
+) -> Result<(), WriteError> {
     let history = job.path(".history.csv");
-    let old = read_text(&history).map_err(at(&history))?;
+    let mut text = read_text(&history).map_err(at(&history))?;
     let summary = job.path(".json");
     let object = read_text(&summary).map_err(at(&summary))?;
-    replace(&history, with_columns(&old, rows).as_bytes())?;
+    for rows in mesh.into_iter().chain(time) {
+        text = with_columns(&text, rows);
+    }
+    replace(&history, text.as_bytes())?;
     if let Some(open) = object.trim_end().strip_suffix('}') {
-        let text = format!("{open},\"error_bars\":{}}}\n", largest(rows));
+        let text = format!("{open},\"error_bars\":{}}}\n", members(mesh, time));
         replace(&summary, text.as_bytes())?;
     }
     Ok(())
@@ -79,6 +88,20 @@ fn with_columns(old: &str, rows: &BarRows<'_>) -> String {
     text
 }
 
+/// Method and largest bars of the mesh, those in time as a member of their
+/// own.
+fn members(mesh: Option<&BarRows<'_>>, time: Option<&BarRows<'_>>) -> String {
+    let kind = |object: Object, rows: &BarRows<'_>| {
+        object.raw("method", &json::text(rows.method)).raw("largest", &largest(rows))
+    };
+    let object = mesh.into_iter().fold(Object::new(), kind);
+    let object = match time {
+        Some(rows) => object.raw("time", &kind(Object::new(), rows).finish()),
+        None => object,
+    };
+    object.finish()
+}
+
 /// The largest bar of every reaction, by its column.
 fn largest(rows: &BarRows<'_>) -> String {
     let mut object = Object::new();
@@ -89,10 +112,7 @@ fn largest(rows: &BarRows<'_>) -> String {
             object = object.number(&format!("{node}.{name}"), most);
         }
     }
-    Object::new()
-        .raw("method", &json::text("halved and quartered mesh"))
-        .raw("largest", &object.finish())
-        .finish()
+    object.finish()
 }
 
 #[cfg(test)]
@@ -112,13 +132,16 @@ mod tests {
     fn columns_come_last_and_rows_keep_their_order() {
         let columns = ["RF1_error".to_owned(), "RF2_error".to_owned()];
         let bars = [vec![0.1, 0.2], vec![0.3, 0.4], vec![1.0, 2.0], vec![3.0, 4.0]];
-        let rows = BarRows { nodes: &[7, 9], columns: &columns, bars: &bars };
+        let rows = BarRows { method: "m", nodes: &[7, 9], columns: &columns, bars: &bars };
         let old = "step,node\n1,7\n1,9\n2,7\n2,9\n";
         assert_eq!(
             with_columns(old, &rows),
             "step,node,RF1_error,RF2_error\n1,7,0.1,0.3\n1,9,1,3\n2,7,0.2,0.4\n2,9,2,4\n"
         );
-        let json = largest(&rows);
-        assert!(json.contains("\"9.RF2_error\":4"), "{json}");
+        let json = members(Some(&rows), Some(&rows));
+        assert!(json.starts_with("{\"method\":\"m\",\"largest\":{"), "{json}");
+        assert!(json.contains("\"9.RF2_error\":4}"), "{json}");
+        assert!(json.contains(",\"time\":{\"method\":\"m\",\"largest\":{"), "{json}");
+        assert!(members(None, Some(&rows)).starts_with("{\"time\":{"));
     }
 }

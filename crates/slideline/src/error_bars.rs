@@ -1,7 +1,8 @@
-//! Error bars of reactions: the same model on finer meshes.
+//! Error bars of reactions: the same model on finer meshes, and again in
+//! shorter increments.
 //!
 //! ```text
-//!   model --refine--> half --refine--> quarter
+//!   model --refine--> half --refine--> quarter       mesh, or increments
 //!     |                |                 |       reactions of the same nodes
 //!     '--- run --------'------ run ------'-----> bar, an increment and component
 //! ```
@@ -104,14 +105,26 @@ impl ErrorBars {
         self.bars.get(node * Dof::PLANE.len() + place).map(Vec::as_slice)
     }
 
-    /// Adds them to the result files of the job.
-    ///
-    /// # Errors
-    /// When a file cannot be read or written.
-    pub fn write(&self, files: &JobFiles) -> Result<(), WriteError> {
-        let columns = Dof::PLANE.map(|dof| format!("{}_error", dof.reaction_name()));
-        add_error_bars(files, &BarRows { nodes: &self.nodes, columns: &columns, bars: &self.bars })
+    fn rows<'a>(&'a self, method: &'a str, columns: &'a [String]) -> BarRows<'a> {
+        BarRows { method, nodes: &self.nodes, columns, bars: &self.bars }
     }
+}
+
+/// Adds error bars of the mesh, and those in time, to the result files of the
+/// job.
+///
+/// # Errors
+/// When a file cannot be read or written.
+pub fn write_error_bars(
+    files: &JobFiles,
+    mesh: Option<&ErrorBars>,
+    time: Option<&ErrorBars>,
+) -> Result<(), WriteError> {
+    let names = |kind: &str| Dof::PLANE.map(|dof| format!("{}_{kind}", dof.reaction_name()));
+    let (of_mesh, in_time) = (names("error"), names("time_error"));
+    let mesh = mesh.map(|bars| bars.rows("halved and quartered mesh", &of_mesh));
+    let time = time.map(|bars| bars.rows("halved and quartered increments", &in_time));
+    add_error_bars(files, mesh.as_ref(), time.as_ref())
 }
 
 /// Estimates the discretisation error of the reactions of a finished run:
@@ -132,15 +145,55 @@ pub fn error_bars(
         |said: Box<Diagnostic>| Box::new(Diagnostic { severity: Severity::Warning, ..*said });
     let half = refine(model).map_err(as_warning)?;
     let quarter = refine(&half).map_err(as_warning)?;
+    let ways = ["the mesh of half of the width", "the mesh of a quarter of the width"];
+    compare(found, [&half, &quarter], ways, options, observer)
+}
+
+/// Estimates the error of the reactions of a finished run that comes from its
+/// increments: `found` in the deck's own, against the same in increments of
+/// half and a quarter of the length (docs/theory.md, "Error bars").
+///
+/// # Errors
+/// A warning that says why there are none: one of the runs did not converge.
+pub fn time_error_bars(
+    model: &Model,
+    found: &Reactions,
+    options: &Options,
+    observer: &mut dyn Observer,
+) -> Result<ErrorBars, Box<Diagnostic>> {
+    let (half, quarter) = (shortened(model, 2), shortened(model, 4));
+    let ways = ["the run in increments of half of the length", "the run in those of a quarter"];
+    compare(found, [&half, &quarter], ways, options, observer)
+}
+
+/// The model with so many increments for each of its own.
+fn shortened(model: &Model, times: u32) -> Model {
+    let mut model = model.clone();
+    for step in &mut model.steps {
+        let procedure = &mut step.procedure;
+        let lengths = [&mut procedure.initial, &mut procedure.minimum, &mut procedure.maximum];
+        lengths.into_iter().for_each(|length| *length /= f64::from(times));
+        step.max_increments = step.max_increments.saturating_mul(times as usize);
+    }
+    model
+}
+
+/// Bars from two finer runs.
+fn compare(
+    found: &Reactions,
+    models: [&Model; 2],
+    ways: [&str; 2],
+    options: &Options,
+    observer: &mut dyn Observer,
+) -> Result<ErrorBars, Box<Diagnostic>> {
     let mut finer = Vec::with_capacity(2);
-    for (model, width) in [(&half, "half"), (&quarter, "a quarter")] {
+    for (model, way) in models.into_iter().zip(ways) {
         let mut reactions = found.emptied();
         let ending = slideline_solve::run(model, options, &mut reactions.watch(observer));
         if !matches!(ending, Ending::Completed(_)) {
-            let message =
-                format!("no error bars: the mesh of {width} of the width did not come to its end");
+            let message = format!("no error bars: {way} did not come to its end");
             let said = Diagnostic::warning(Code("SL0602"), message)
-                .help("Smaller increments may help; the results of the deck's own mesh stand.");
+                .help("Smaller increments may help; the results of the deck itself stand.");
             return Err(Box::new(said));
         }
         finer.push(reactions);

@@ -27,7 +27,9 @@ mod run;
 
 pub use advice::{advise, mended};
 pub use check::{InitialGaps, initial_gaps};
-pub use error_bars::{ErrorBars, Reactions, Recorder, error_bars};
+pub use error_bars::{
+    ErrorBars, Reactions, Recorder, error_bars, time_error_bars, write_error_bars,
+};
 pub use further::From;
 pub use read::{Job, OldJob, Read, ReadOptions};
 pub use run::{Outcome, Quiet, RunOptions, run};

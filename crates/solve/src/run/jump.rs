@@ -31,6 +31,9 @@ const MUCH: f64 = 0.2;
 /// How often an increment is halved: nothing but a jump keeps more than
 /// 2^-8 of what it left over.
 const HALVINGS: usize = 8;
+/// Halvings that are made at least: by then the rest of a smooth path has
+/// fallen to a 32nd.
+const FEWEST: usize = 5;
 /// Rounding of energies, in roundings of the stiffest element moved as far
 /// as the model reaches.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
@@ -204,7 +207,7 @@ fn find(
     let mut left = vec![whole.left()];
     let mut part = None::<Part>;
     let mut steady = 0;
-    while left.len() <= HALVINGS && steady < 2 {
+    while left.len() <= HALVINGS && (steady < 2 || left.len() <= FEWEST) {
         let longer = part.as_ref().unwrap_or(&whole);
         let before = longer.left();
         let Some(half) = longer.sharper_half(plan, target, work) else {
@@ -257,10 +260,14 @@ impl Jump {
     fn of(plan: &Plan<'_>, part: &Part) -> Self {
         let (from, to) = (&part.from, &part.to);
         let dofs = plan.layout.dofs.len();
+        // What is driven does not spring.
         let moved = |node: usize| {
             let [x, y] = [0, 1].map(|k| {
                 let slot = node * dofs + k;
-                to.displacement[slot] - from.displacement[slot]
+                match plan.layout.roles[slot] {
+                    Role::Prescribed(_) => 0.0,
+                    _ => to.displacement[slot] - from.displacement[slot],
+                }
             });
             x.hypot(y)
         };

@@ -11,13 +11,16 @@ function reactions() {
     const own = columns(history.columns);
     if (!own[driven.motion] || !own[driven.reaction]) return;
     const series = [{ name: data.job, x: start(own[driven.motion]), y: start(own[driven.reaction]), colour: "--c0", dots: true }];
-    const half = own[driven.reaction + "_error"] ? start(own[driven.reaction + "_error"]) : null;
-    if (half) {
+    const bars = [["_error", "error bars", "--c0", ""], ["_time_error", "error bars in time", "--c2", " (time)"]].flatMap(([ending, name, colour, note]) => {
+      const column = own[driven.reaction + ending];
+      return column ? [{ half: start(column), name, colour, note }] : [];
+    });
+    for (const { half, name, colour } of bars) {
       const most = half.reduce((a, b) => Math.max(a, b), 0), peak = series[0].y.reduce((a, b) => Math.max(a, Math.abs(b)), 0);
       const share = peak > 0 ? " (" + show(100 * most / peak, 2) + " % of the peak)" : "";
-      series.push({ name: "error bars, at most \u00b1" + show(most, 3) + share, x: series[0].x, y: series[0].y, half, colour: "--c0" });
+      series.push({ name: name + ", at most \u00b1" + show(most, 3) + share, x: series[0].x, y: series[0].y, half, colour });
     }
-    const read = (one, i) => show(one.y[i], 7) + (half && one.x === series[0].x ? " \u00b1 " + show(half[i], 3) : "");
+    const read = (one, i) => show(one.y[i], 7) + (one.x === series[0].x ? bars.map((bar) => " \u00b1 " + show(bar.half[i], 3) + bar.note).join("") : "");
     if (overlay && overlay[driven.motion] && overlay[driven.reaction]) {
       const keep = overlay.node ? Array.from(overlay.node.keys()).filter((i) => overlay.node[i] === driven.node) : null;
       const pick = (column) => keep ? Float64Array.from(keep, (i) => column[i]) : column;
