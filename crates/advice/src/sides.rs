@@ -3,7 +3,7 @@
 use crate::finding::{Finding, Place};
 use crate::start::{Start, spacing};
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{ContactPair, Master, RigidSurface, SlideLine, SurfaceSegment};
+use slideline_model::{ContactPair, Master, RigidSurface, SlideLine, SurfaceSegment, Vocabulary};
 use std::fmt::Write as _;
 
 /// SL0407: most slaves lie deeper behind their master than a contact element
@@ -58,7 +58,7 @@ fn say(start: &Start<'_>, pair: &ContactPair, behind: usize, facing: usize) -> F
     };
     match &pair.master {
         // of a modern pair another card names the line
-        Master::SlideLine(_) if pair.name.contains('/') => Finding::said(said),
+        Master::SlideLine(_) if pair.vocabulary == Vocabulary::Surfaces => Finding::said(said),
         Master::SlideLine(_) => Finding::with(said, Place::Instead(origin), text),
         Master::RigidSurface(_) => Finding::with(said, Place::Data(origin), text),
     }

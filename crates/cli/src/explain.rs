@@ -10,13 +10,16 @@ use std::fmt::Write as _;
 /// Codes and their pages.
 const PAGES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/pages.rs"));
 
+/// The page of the result files.
+const FILES: &str = include_str!("../../../docs/files.md");
+
 /// Prints the page of `name`; without a name, what there are pages on.
 pub(crate) fn explain(name: &str) -> Exit {
     if name.trim().is_empty() {
         screen::print(&list());
         return Exit::Completed;
     }
-    if let (None, Some(said)) = (page(name), not_read(name)) {
+    if let (None, Some(said)) = (page(name), not_read(name).or_else(|| column(name))) {
         screen::print(&format!("{said}\n"));
         return Exit::Completed;
     }
@@ -49,6 +52,15 @@ fn page(name: &str) -> Option<&'static str> {
     let name = name.trim();
     let code = PAGES.iter().find(|(code, _)| code.eq_ignore_ascii_case(name));
     code.map(|(_, page)| *page).or_else(|| describe(name).map(|found| found.page))
+}
+
+/// What docs/files.md says of a column of a result file.
+fn column(name: &str) -> Option<String> {
+    let rows = FILES.lines().filter_map(|line| line.strip_prefix("| `"));
+    rows.filter_map(|row| row.split_once("` | ")).find_map(|(names, meaning)| {
+        let own = names.split("`, `").any(|own| own.eq_ignore_ascii_case(name.trim()));
+        own.then(|| format!("{names}: {}", meaning.trim_end_matches(['|', ' ']).replace('`', "")))
+    })
 }
 
 /// All keywords and codes, a line each.
@@ -93,6 +105,16 @@ mod tests {
         assert!(page("SLIDE LINE").is_some());
         assert!(page("SL9999").is_none());
         assert!(unknown("SLIDE LIME").contains("did you mean SLIDE LINE?"));
+    }
+
+    #[test]
+    fn columns_of_result_files_are_explained() {
+        let said = column("copen").unwrap();
+        assert!(
+            said.starts_with("COPEN: gap") && said.contains("inf: the point faces no"),
+            "{said}"
+        );
+        assert_eq!(column("NOTHING"), None);
     }
 
     /// Requirement: without a word every keyword and every code stands in the list, each with a

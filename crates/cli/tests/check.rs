@@ -81,3 +81,39 @@ fn roles_are_told_in_the_words_of_the_deck() {
         }
     }
 }
+
+/// Requirement: the table of initial gaps has every slave node of integrated contact that faces
+/// the master, near the zone of contact or not: here a circle of radius 9 mm whose lower half ends
+/// at its equator. Source: distance from the circle.
+#[test]
+fn gaps_of_integrated_contact_are_those_of_its_nodes() {
+    let folder = folder("check_gaps");
+    std::fs::write(folder.join("job.inp"), corpus("diehl1995/surface_coarse.inp")).unwrap();
+    let output = slideline(&folder, &["check", "job", "--json"]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    let pair: serde_json::Value = text
+        .lines()
+        .map(|line| serde_json::from_str::<serde_json::Value>(line).unwrap())
+        .find_map(|said| said.get("pair").cloned())
+        .unwrap();
+    let gaps = pair["initial_gaps"].as_array().unwrap();
+    let known = gaps.iter().filter(|row| row["gap"].is_number()).count();
+    assert!(known > 4, "{known} of {}: {gaps:?}", gaps.len());
+}
+
+/// Requirement: remedies speak the words of the deck they answer.
+#[test]
+fn remedies_speak_the_words_of_their_deck() {
+    let folder = folder("check_words");
+    for (name, own, other) in [
+        ("irs_coarse", "*SLIDE LINE", "*SURFACE, TYPE=NODE"),
+        ("irs_modern", "*SURFACE, TYPE=NODE", "*SLIDE LINE"),
+    ] {
+        std::fs::write(folder.join("job.inp"), corpus(&format!("diehl1995/{name}.inp"))).unwrap();
+        let output = slideline(&folder, &["check", "job"]);
+        let text = String::from_utf8(output.stderr).unwrap().replace('\n', " ");
+        assert!(text.contains("SL0403") && text.contains(own), "{name}: {text}");
+        let help = &text[text.find("SL0403").unwrap()..];
+        assert!(!help.contains(other), "{name}: {help}");
+    }
+}

@@ -500,7 +500,6 @@ fn a_wrong_command_line_ends_with_64() {
         &["run", "a", "--threads", "0"],
         &["run", "a", "--friction-onset", "never"],
         &["completions", "fish-and-chips"],
-        &["explain"],
     ] {
         let output = slideline(&folder, arguments);
         assert_eq!(code(&output), 64, "{arguments:?}: {}", stderr(&output));

@@ -136,13 +136,28 @@ impl JobFiles {
     }
 
     /// Waits until the result files are on the disk, the numbered states but
-    /// the last excepted: they are many, and nothing goes on from them.
+    /// the last excepted: they are many, and nothing goes on from them. All at
+    /// once, so that the file system can take them in one go.
     pub(crate) fn synchronise(&self) -> Result<(), WriteError> {
         let last = self.states()?.pop().map(|number| self.folder.join(self.state_name(number)));
         let kept = ENDINGS.iter().filter(|ending| **ending != LOCK).map(|ending| self.path(ending));
-        for path in kept.chain(last).filter(|path| path.exists()) {
-            file::synchronise(&path)?;
-        }
+        let paths: Vec<PathBuf> = kept.chain(last).filter(|path| path.exists()).collect();
+        std::thread::scope(|threads| {
+            let waiting: Vec<_> = paths
+                .iter()
+                .map(|path| {
+                    let thread = std::thread::Builder::new();
+                    // where no more threads are to be had, one after the other
+                    let begun = thread.spawn_scoped(threads, || file::synchronise(path));
+                    begun.map_err(|_| file::synchronise(path))
+                })
+                .collect();
+            let ended = waiting.into_iter().map(|waiting| match waiting {
+                Ok(thread) => thread.join().unwrap_or(Ok(())),
+                Err(done) => done,
+            });
+            ended.fold(Ok(()), Result::and)
+        })?;
         file::synchronise(&self.folder)
     }
 

@@ -59,6 +59,8 @@ pub struct Writers<'a> {
     restart: restart::Writer<'a>,
     lock: Option<Lock>,
     ended: bool,
+    /// How many steps the run has.
+    steps: usize,
 }
 
 impl<'a> Writers<'a> {
@@ -73,7 +75,7 @@ impl<'a> Writers<'a> {
         let writers = REGISTRY.iter().map(|kind| (kind.make)(&job, &facts)).collect();
         let restart = restart::Writer::new(facts.clone(), None);
         let summary = Summary::begin(&job, facts)?;
-        Ok(Self { job, writers, summary, failure: None, restart, lock, ended: false })
+        Ok(Self { job, writers, summary, failure: None, restart, lock, ended: false, steps: 0 })
     }
 
     /// Cuts the files of a job back to a saved state and goes on with them.
@@ -88,7 +90,7 @@ impl<'a> Writers<'a> {
         let writers = REGISTRY.iter().map(|kind| (kind.make)(&job, &facts)).collect();
         let restart = restart::Writer::new(facts.clone(), Some(place));
         let summary = Summary::resume(&job, facts, memory, &checkpoint)?;
-        Ok(Self { job, writers, summary, failure: None, restart, lock, ended: false })
+        Ok(Self { job, writers, summary, failure: None, restart, lock, ended: false, steps: 0 })
     }
 
     /// Where the files are.
@@ -115,7 +117,8 @@ impl<'a> Writers<'a> {
     /// Waits for the disk at the end of a step, not in every increment: a
     /// machine that loses its power loses one step at most.
     fn step_is_safe(&self, checkpoint: &Checkpoint<'_>) -> Result<(), WriteError> {
-        if checkpoint.last_of_step() { self.job.synchronise() } else { Ok(()) }
+        let at_the_end = checkpoint.step >= self.steps; // which waits itself
+        if checkpoint.last_of_step() && !at_the_end { self.job.synchronise() } else { Ok(()) }
     }
 
     /// Takes note of an event. Every writer is asked even when one fails:
@@ -130,6 +133,7 @@ impl<'a> Writers<'a> {
         let result = match event {
             Event::StepBegin(report) => {
                 self.restart.begin(report);
+                self.steps = report.model.steps.len();
                 self.summary.watch(event);
                 Ok(())
             }

@@ -1,6 +1,7 @@
 //! The state in which a model starts, without solving anything.
 
-use slideline_model::Model;
+use slideline_mech::contact::pair::Body;
+use slideline_model::{Formulation, Master, Model};
 use slideline_solve::Checkpoint;
 use slideline_solve::observe::{ContactRow, Event, Observer, Stop};
 use std::ops::ControlFlow;
@@ -30,7 +31,31 @@ pub fn initial_gaps(
         None => Some(slideline_solve::run(model, options, &mut first)),
         Some(from) => slideline_solve::run_from(model, options, from, &mut first),
     };
+    if let (Some(start), None) = (&mut first.0, from) {
+        add_gaps_of_nodes(model, start);
+    }
     first.0
+}
+
+/// Integrated contact is evaluated near the zone of contact alone. Before
+/// anything moves the gap of every other slave node is its distance from the
+/// rigid surface.
+fn add_gaps_of_nodes(model: &Model, start: &mut InitialGaps) {
+    for (place, pair) in model.contact_pairs.iter().enumerate() {
+        let (Formulation::SurfaceToSurface, Master::RigidSurface(surface)) =
+            (pair.formulation, &pair.master)
+        else {
+            continue;
+        };
+        let Some(shape) = slideline_solve::rigid_surface(surface) else { continue };
+        let body = Body { reference: model.nodes.plane(surface.reference), dofs: [0.0; 3] };
+        let rows = start.points.iter_mut().filter(|row| row.pair == place);
+        for row in rows.filter(|row| row.opening == f64::INFINITY) {
+            if let Some(overclosure) = shape.overclosure(&body, row.position) {
+                row.opening = -overclosure;
+            }
+        }
+    }
 }
 
 struct First(Option<InitialGaps>);

@@ -8,7 +8,7 @@ use crate::state::State;
 use slideline_diag::{Code, Diagnostic, Place, Severity};
 use slideline_model::{
     ContactPair, Friction, Master, Model, NodeIndex, RigidSurface, SlideLine, StickRule,
-    SurfaceSegment,
+    SurfaceSegment, Vocabulary,
 };
 
 impl Case<'_> {
@@ -299,7 +299,7 @@ fn line_end(model: &Model, line: &SlideLine, pair: &ContactPair, along: f64) -> 
         nodes.reverse();
     }
     let known = nodes.len() == line.nodes.len() && line.extension >= extension;
-    let card = (!known && !pair.name.contains('/')).then(|| {
+    let card = (!known && pair.vocabulary == Vocabulary::Elements).then(|| {
         let head = format!("*SLIDE LINE, TYPE=LINEAR, ELSET={}", pair.name);
         let mut text = format!("{head}, SMOOTH={}, EXTENSION ZONE={extension}\n", line.smooth);
         let labels: Vec<String> = nodes.iter().map(|&n| model.nodes.label(n).to_string()).collect();
