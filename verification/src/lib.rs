@@ -19,6 +19,7 @@ mod push;
 pub mod random;
 mod record;
 mod report;
+pub mod strokes;
 
 pub use cam::Cam;
 pub use claim::{Chapter, Claim, Group, Outcome};

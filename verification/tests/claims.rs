@@ -47,6 +47,7 @@ mod return_stroke;
 mod rigid_link;
 mod stick_slip;
 mod sticking;
+mod strokes;
 mod units;
 mod unsymmetric_storage;
 
@@ -65,6 +66,7 @@ const CHAPTERS: &[Chapter] = &[
     },
     Chapter { title: "Problem 2: a cam turned into a cantilever", groups: &[fig_8_cam::GROUP] },
     Chapter { title: "Contact integrated along the beam", groups: &[integrated_contact::GROUP] },
+    Chapter { title: "No stroke goes wrong silently", groups: &[strokes::GROUP] },
     Chapter { title: "Error bars", groups: &[error_bars::GROUP] },
     Chapter {
         title: "Contact and friction against closed forms",

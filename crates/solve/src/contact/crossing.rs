@@ -12,7 +12,7 @@
 //! An evaluation looks at one configuration. What lies between the last commit
 //! and a converged trial is looked at here, once an increment: the way of every
 //! slave point relative to its master, and the ways of the master's corners and
-//! noses through the lines between slave nodes. Theory 6. (derived)
+//! noses through the lines between slave nodes. docs/theory.md section 5.8. (derived)
 
 use super::facade::Facade;
 use super::meeting::Meeting;

@@ -12,7 +12,7 @@
 //! little else than contact. With limits mu p of fixed p (Tresca friction) the
 //! same equations are the gradient of a convex energy, and a step that ends where
 //! that energy is least never leaves the way to the solution. From there the laws
-//! are taken as they are again. Theory 8.4. (derived)
+//! are taken as they are again. docs/theory.md eq. (8.25). (derived)
 
 use super::iterate::eliminate_in_units;
 use super::system::{Row, System, Unknown};

@@ -12,7 +12,7 @@
 //! steps 1/mu. D is the stiffness of the stiffest element at every unknown, in
 //! its natural unit, so that the way does not depend on how forces and lengths
 //! are measured. What is judged is the residual without D: the state that is
-//! found is an equilibrium of the model as it is. Theory 9. [kelley1998]
+//! found is an equilibrium of the model as it is. docs/theory.md eq. (9.4). [kelley1998]
 
 use super::{Outcome, Progress, Target, Workspace};
 use crate::contact::Sweep;

@@ -220,7 +220,7 @@ impl FrictionLaw {
     /// elastic slip and z = tau + kappa slip of the estimate [F/L2]. The law and the structure are
     /// two springs in series; the answer does not jump from limit to limit where the law alone,
     /// steep between its limits, would. Zero for p <= 0 and for a law without elastic stick.
-    /// [derived, theory 8.9]
+    /// [derived, theory (8.9)]
     pub fn resolve(
         &self,
         pressure: f64,
