@@ -162,9 +162,6 @@ pub struct LinearisedContact {
     solved: bool,
 }
 
-/// Least part of the stiffness with its loan that a row is taken to feel
-/// without it: what rounding leaves of the difference [1].
-const LEAST_FELT: f64 = 1e-6;
 /// The most rounds in which further points may join.
 const ROUNDS: usize = 12;
 impl LinearisedContact {
@@ -313,6 +310,7 @@ impl LinearisedContact {
             kappa: 0.0,
             weight: 0.0,
             felt: 0.0,
+            own: 0.0,
             unit: 1.0 / point.area,
         });
         let guess = match (kind, &point.sliding) {
@@ -341,9 +339,8 @@ impl LinearisedContact {
         for i in 0..m {
             let own = self.compliance[i * m + i];
             let row = &mut self.rows[i];
-            // (8.12): what is left of the stiffness that the row feels without its loan
-            let own_share = |own: f64| (1.0 / own - row.lent).max(LEAST_FELT / own);
-            row.kappa = if own > 0.0 { own_share(own) } else { f64::INFINITY };
+            row.kappa = if own > 0.0 { 1.0 / own } else { f64::INFINITY };
+            row.own = row.kappa - row.lent;
             row.felt = if own > 0.0 { 1.0 / own } else { 0.0 };
             let area = row.point().map_or(1.0, |(point, _)| points[point].area);
             row.weight = area * own.abs();

@@ -204,7 +204,9 @@ impl Contact {
         events: &[(usize, Event)],
         chains: &[Vec<[f64; 2]>; 2],
     ) -> Option<f64> {
-        let mut entered = self.inside(place, (sweep.from, sweep.before), &chains[0], 0.0);
+        let mut entered = self
+            .faces(place, (sweep.from, sweep.before), &chains[0], 0.0)
+            .filter(|start| start.inward);
         for &(_, event) in events {
             match (event.inward, entered) {
                 (true, None) => entered = Some(event),
@@ -222,16 +224,16 @@ impl Contact {
         if is_line && sweep.now[place].along.is_some() {
             return None; // it faces the line, whose corners are smoothed, on the side it stands
         }
-        match self.inside(place, (sweep.to, sweep.now), &chains[1], 1.0) {
+        match self.faces(place, (sweep.to, sweep.now), &chains[1], 1.0) {
             Some(end) => self.is_through(place, &from, &end).then_some(from.fraction),
-            // entered on the way, and at its end nothing keeps it outside
+            // entered on the way, and at its end it faces nothing
             None => (from.fraction > 0.0).then_some(from.fraction),
         }
     }
 
-    /// Where a point stands in its master at an end of the way; `None` where it
-    /// is open.
-    fn inside(
+    /// What a point faces at an end of the way, `inward` where it is closed or
+    /// overclosed there; `None` where it faces nothing.
+    fn faces(
         &self,
         place: usize,
         (u, points): (&[f64], &[PointState]),
@@ -239,27 +241,27 @@ impl Contact {
         fraction: f64,
     ) -> Option<Event> {
         let point = &self.points[place];
-        let (along, normal, position) = match point.carrier {
+        let (along, normal, position, inward) = match point.carrier {
             Carrier::Node { .. } => {
                 let state = &points[place];
-                let along = state.along.filter(|_| state.closed || state.opening < 0.0)?;
-                (along, state.normal, state.position)
+                let inward = state.closed || state.opening < 0.0;
+                (state.along?, state.normal, state.position, inward)
             }
             Carrier::Station { .. } => {
                 let meeting = self.stand(place, u, chains);
-                if !meeting.faces || meeting.overclosure <= 0.0 {
+                if !meeting.faces {
                     return None;
                 }
-                (meeting.along, meeting.normal, meeting.position)
+                (meeting.along, meeting.normal, meeting.position, meeting.overclosure > 0.0)
             }
         };
         let Facade::Body { slots, reference, .. } = &self.facades[point.pair] else {
-            return Some(Event { fraction, along, normal, at: position, inward: true });
+            return Some(Event { fraction, along, normal, at: position, inward });
         };
         let body = Body { reference: *reference, dofs: slots.map(|slot| u[slot]) };
         let (sin, cos) = body.dofs[2].sin_cos();
         let normal = [cos * normal[0] + sin * normal[1], cos * normal[1] - sin * normal[0]];
-        Some(Event { fraction, along, normal, at: body.to_body(position), inward: true })
+        Some(Event { fraction, along, normal, at: body.to_body(position), inward })
     }
 
     /// Whether the way between two places of a master goes through its body:

@@ -11,6 +11,9 @@ const RESTARTS: usize = 3;
 /// Residual of the small system, relative to its multipliers, at which a step
 /// that gains nothing means rounding, not a wrong set.
 const ROUNDED: f64 = 1e-9;
+/// Least part of the stiffness with its loan that a row is taken to feel
+/// without it: what rounding leaves of the difference [1].
+const LEAST_OWN: f64 = 1e-6;
 /// Shortest fraction of a step that is tried.
 const SHORTEST: f64 = 1e-3;
 
@@ -27,8 +30,9 @@ pub(super) fn eliminate_in_units(rows: &[Row], jacobian: &mut [f64], step: &mut 
 }
 
 impl LinearisedContact {
-    /// Solves the small system: by Newton, and where Newton is lost between the
-    /// limits of friction from the least energy for fixed limits, or among the
+    /// Solves the small system: by Newton with the stiffness that rows feel, with
+    /// their loans and without; where Newton is lost between the limits of
+    /// friction from the least energy for fixed limits, or among the
     /// active sets of a hard law from the set that a pivoting method finds.
     /// Says whether the laws of all rows are met.
     pub(super) fn iterate(
@@ -39,6 +43,15 @@ impl LinearisedContact {
         if self.newton(points, circumstances) {
             return true;
         }
+        let start = self.unknown.clone();
+        for row in &mut self.rows {
+            (row.kappa, row.own) = (row.own.max(LEAST_OWN * row.kappa), row.kappa);
+        }
+        if self.newton(points, circumstances) {
+            return true;
+        }
+        self.rows.iter_mut().for_each(|row| row.kappa = row.own);
+        self.unknown.copy_from_slice(&start);
         self.minimise(points, circumstances);
         if self.newton(points, circumstances) {
             return true;

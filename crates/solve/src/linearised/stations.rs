@@ -52,6 +52,7 @@ impl LinearisedContact {
             kappa: 0.0,
             weight: 0.0,
             felt: 0.0,
+            own: 0.0,
             unit: 1.0 / unit,
         });
         self.unknown.truncate(self.rows.len() - 1);

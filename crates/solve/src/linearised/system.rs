@@ -30,6 +30,8 @@ pub(super) struct Row {
     pub lent: f64,
     /// Stiffness of the structure as the row feels it [F/L3].
     pub kappa: f64,
+    /// What is left of it without the loan [F/L3].
+    pub own: f64,
     /// Stiffness of the structure as the row feels it, with its loan [F/L3].
     pub felt: f64,
     /// Natural unit of its unknown: that of one force.
