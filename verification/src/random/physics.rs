@@ -27,8 +27,7 @@ pub fn violations(case: &Case, files: &Files) -> Vec<(&'static str, String)> {
     let mut peak = 0.0_f64;
     let most = pressure_peak(files);
     let mut dissipated = 0.0_f64;
-    let size = files.states.iter().map(|s| s.energy.work.abs().max(s.energy.strain));
-    let size = size.fold(0.0, f64::max);
+    let size = energy(files);
     for (k, state) in files.states.iter().enumerate() {
         let place = |why: String| format!("step {} inc {}: {why}", state.step + 1, state.increment);
         for point in &state.points {
@@ -52,11 +51,23 @@ pub fn violations(case: &Case, files: &Files) -> Vec<(&'static str, String)> {
         }
         dissipated = now;
     }
-    let missing = files.states.iter().map(|s| s.energy.balance.abs()).fold(0.0, f64::max);
-    if missing > MISSING * size && !files.warnings.contains("energ") {
-        add("energy", format!("{:.1} % of it is missing", 100.0 * missing / size));
+    let missing = missing(files);
+    if missing > MISSING && !files.warnings.contains("energ") {
+        add("energy", format!("{:.1} % of it is missing", 100.0 * missing));
     }
     found
+}
+
+/// Largest energy of a run.
+fn energy(files: &Files) -> f64 {
+    let sizes = files.states.iter().map(|s| s.energy.work.abs().max(s.energy.strain));
+    sizes.fold(0.0, f64::max)
+}
+
+/// What is missing of the energy, at worst [1].
+pub fn missing(files: &Files) -> f64 {
+    let missing = files.states.iter().map(|s| s.energy.balance.abs()).fold(0.0, f64::max);
+    missing / energy(files).max(f64::MIN_POSITIVE)
 }
 
 fn pressure_peak(files: &Files) -> f64 {

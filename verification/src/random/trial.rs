@@ -1,7 +1,8 @@
 //! Runs models of the classes, files and all, and judges what they left.
 
 use super::classes::{Case, Class, Promise};
-use super::{files, passing, physics};
+use super::files::{self, Files};
+use super::{passing, physics};
 use slideline::observe::{Event, Observer, Stop};
 use slideline::{Job, ReadOptions, RunOptions, run};
 use std::collections::BTreeMap;
@@ -61,7 +62,7 @@ impl Observer for Clock {
 
 /// Runs a model in a folder and judges its files.
 pub fn attempt(case: &Case, folder: &Path, limit: Duration) -> Verdict {
-    let mut verdict = once(case, folder, limit).0;
+    let (mut verdict, files) = once(case, folder, limit);
     let completed = verdict.ending == Ending::Completed;
     if case.class == "units" {
         let natural = Case { placed: case.placed.unscaled(), ..case.clone() };
@@ -74,16 +75,19 @@ pub fn attempt(case: &Case, folder: &Path, limit: Duration) -> Verdict {
             verdict.violations.push(("units", why));
         }
     }
-    if completed && case.draft.reversible && verdict.violations.is_empty() {
-        if let Some(why) = depends_on_increments(case, folder, limit) {
-            verdict.violations.push(("path", why));
+    if let (true, Some(files)) = (completed, files) {
+        let unsaid = verdict.violations.iter().any(|(kind, _)| *kind == "energy");
+        if case.draft.reversible || unsaid {
+            let finer = Case { draft: case.draft.finer(), ..case.clone() };
+            let fine = once(&finer, folder, limit).1;
+            verdict.violations.extend(fine.and_then(|fine| held_against(case, &files, &fine)));
         }
     }
     verdict
 }
 
 /// Runs once; files as well, where there are.
-fn once(case: &Case, folder: &Path, limit: Duration) -> (Verdict, Option<files::Files>) {
+fn once(case: &Case, folder: &Path, limit: Duration) -> (Verdict, Option<Files>) {
     let began = Instant::now();
     let mut clock = Clock { end: began + limit, stopped: false, work: [0; 2] };
     let text = case.text();
@@ -120,27 +124,31 @@ fn once(case: &Case, folder: &Path, limit: Duration) -> (Verdict, Option<files::
     (verdict, files)
 }
 
-/// The last reactions, held against those of four times as many increments.
-fn depends_on_increments(case: &Case, folder: &Path, limit: Duration) -> Option<String> {
-    let finer = Case { draft: case.draft.finer(), ..case.clone() };
-    let (coarse, fine) = (once(case, folder, limit).1?, once(&finer, folder, limit).1?);
+/// What does not shrink with the increments: reactions that depend on them
+/// without friction, energy that is missing.
+fn held_against(case: &Case, coarse: &Files, fine: &Files) -> Option<(&'static str, String)> {
     if fine.status != "completed" {
-        return Some("finer increments do not complete".to_owned());
+        return Some(("finer", format!("finer increments do not complete: {:?}", fine.diagnosis)));
     }
-    for step in 0..case.draft.steps.len() {
-        let last = |files: &files::Files| {
-            let states = files.states.iter().rev();
-            states.clone().find(|state| state.step == step).map(|state| state.reaction.clone())
+    let missing = [coarse, fine].map(physics::missing);
+    if missing[1] > 0.05 && missing[1] > 0.6 * missing[0] {
+        let [a, b] = missing.map(|part| 100.0 * part);
+        return Some(("energy stays", format!("{a:.1} % missing, finer {b:.1} %")));
+    }
+    let size = |reactions: &[[f64; 3]]| {
+        reactions.iter().map(|r| r[0].abs() + r[1].abs()).fold(0.0, f64::max)
+    };
+    let all = fine.states.iter().map(|state| size(&state.reaction)).fold(0.0, f64::max);
+    for step in 0..case.draft.steps.len().min(if case.draft.reversible { usize::MAX } else { 0 }) {
+        let last = |files: &Files| {
+            let state = files.states.iter().rev().find(|state| state.step == step);
+            state.map(|state| state.reaction.clone())
         };
-        let (a, b) = (last(&coarse)?, last(&fine)?);
-        let size = |reactions: &[[f64; 3]]| {
-            reactions.iter().map(|r| r[0].abs() + r[1].abs()).fold(0.0, f64::max)
-        };
-        let all = fine.states.iter().map(|state| size(&state.reaction)).fold(0.0, f64::max);
+        let (a, b) = (last(coarse)?, last(fine)?);
         let apart = a.iter().zip(&b).map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]));
         let apart = apart.fold(0.0, f64::max);
         if apart > 1e-3 * all {
-            return Some(format!("step {}: reactions {apart:.2e} apart of {all:.2e}", step + 1));
+            return Some(("path", format!("step {}: {apart:.2e} apart of {all:.2e}", step + 1)));
         }
     }
     None
