@@ -74,7 +74,7 @@ fn decks(folder: &str) -> Vec<PathBuf> {
 fn toggle_curve() -> Vec<[f64; 2]> {
     let text = corpus("run/SL0603-toggle.inp")
         .replace("*CLOAD\n11, 2, -30.0", "*BOUNDARY\n11, 2, 2, -0.7")
-        .replace("0.1, 1.0, 0.05, 0.1", "0.002, 1.0, 1E-6, 0.002")
+        .replace("0.07, 1.0, 0.01, 0.07", "0.002, 1.0, 1E-6, 0.002")
         .replace("INC=200", "INC=2000");
     let watch = run(&text, 11);
     assert!(watch.codes().is_empty(), "{:?}", watch.said);
@@ -94,22 +94,17 @@ fn area_under_the_limit(curve: &[[f64; 2]]) -> f64 {
 
 /// Requirement: a jump through a limit point is named, its energy is that of
 /// the static path under the limit load, and the balance closes with it.
-/// Reference: the same toggle driven by a motion. Tolerance 5 %: the jump is
-/// enclosed in a 16th of an increment of a tenth of the load at most.
+/// Reference: the same toggle driven by a motion. Tolerance 5 %: the path
+/// up to the limit and back is walked in parts of a 256th of the increment.
 #[test]
 fn a_jump_under_a_load_releases_the_area_under_its_limit() {
     let area = area_under_the_limit(&toggle_curve());
-    let deck = corpus("run/SL0603-toggle.inp");
-    for load in ["-30.0", "-60.0"] {
-        let watch = run(&deck.replace("-30.0", load), 11);
-        let jumps = watch.said.iter().filter(|said| said.code.0 == "SL0603").count();
-        assert_eq!(jumps, 1, "{load}: {:?}", watch.said);
-        let last = watch.last();
-        let off = last.released_energy / area - 1.0;
-        assert!(off.abs() < 0.05, "{load}: {} of {area}", last.released_energy);
-        assert!(last.balance.abs() < 0.05 * last.external_work, "{load}: {last:?}");
-        assert!(!watch.codes().contains(&"SL0604"), "{:?}", watch.said);
-    }
+    let watch = run(&corpus("run/SL0603-toggle.inp"), 11);
+    assert_eq!(watch.codes(), ["SL0603"], "{:?}", watch.said);
+    let last = watch.last();
+    let off = last.released_energy / area - 1.0;
+    assert!(off.abs() < 0.05, "{} of {area}", last.released_energy);
+    assert!(last.balance.abs() < 0.01 * last.external_work, "{last:?}");
 }
 
 /// Requirement: what a run says is what its deck announces, by severity and

@@ -34,6 +34,8 @@ const HALVINGS: usize = 8;
 /// Halvings that are made at least: by then the rest of a smooth path has
 /// fallen to a 32nd.
 const FEWEST: usize = 5;
+/// How near a limit is walked up to, as a part of what was to be halved.
+const SHORTEST: f64 = 1.0 / 256.0;
 /// Rounding of energies, in roundings of the stiffest element moved as far
 /// as the model reaches.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
@@ -157,20 +159,77 @@ impl Part {
         self.to.books.left + self.to.books.opening
     }
 
+    /// A part from a state on; `None` where it has no end.
+    fn walk(
+        plan: &Plan<'_>,
+        from: &State,
+        aim: &Target,
+        rest: Rest,
+        work: &mut Workspace,
+    ) -> Option<Self> {
+        let outcome = attempt(plan, from, aim, work, &mut |_| {});
+        matches!(outcome.verdict, Verdict::Converged { .. }).then(|| {
+            let mut to = from.clone();
+            commit(plan, from, aim, work, &mut to);
+            Self { from: from.clone(), to, end: aim.step_time, dt: aim.dt, rest }
+        })
+    }
+
+    /// The jump of a part whose halves have no end: the path is walked up to
+    /// its limit, and from the end back to the loads and supports of there.
+    fn over_the_limit(
+        &self,
+        plan: &Plan<'_>,
+        target: &Target,
+        work: &mut Workspace,
+        enough: f64,
+    ) -> Option<Self> {
+        let (mut limit, mut rest) = (self.from.clone(), self.rest);
+        let mut dt = 0.5 * self.dt;
+        while dt > SHORTEST * self.dt {
+            let aim = Target { step_time: limit.step_time + dt, dt, ..*target };
+            let nearer = match aim.step_time < self.end {
+                true => Self::walk(plan, &limit, &aim, rest, work),
+                false => None,
+            };
+            match nearer.filter(|nearer| nearer.left().abs() <= enough) {
+                Some(nearer) => {
+                    rest = rest.with(&nearer);
+                    limit = nearer.to;
+                }
+                None => dt *= 0.5,
+            }
+        }
+        let end = limit.step_time;
+        let back = Target { step_time: end, dt: end - self.end, ..*target };
+        // Not guessed from the increment that jumped: that would lead back.
+        let from = State { increment_time: [0.0; 2], ..self.to.clone() };
+        let back = Self::walk(plan, &from, &back, Rest::default(), work)?;
+        let beyond = Rest::default().with(&back);
+        rest.work -= beyond.work;
+        rest.dissipation -= beyond.dissipation;
+        rest.left -= beyond.left;
+        let mut landed = back.to;
+        let mut done = 0.0;
+        for slot in 0..plan.layout.slots() {
+            let force = |state: &State| state.load[slot] + state.reaction[slot];
+            let mean = 0.5 * (force(&limit) + force(&landed));
+            done += mean * (landed.displacement[slot] - limit.displacement[slot]);
+        }
+        let kept = |state: &State| state.energy.strain_energy + state.energy.contact_energy;
+        landed.books.left = done - (kept(&landed) - kept(&limit));
+        (landed.books.opening, landed.books.opening_dissipation) = (0.0, 0.0);
+        landed.energy.external_work = limit.energy.external_work + done;
+        landed.energy.friction_dissipation = limit.energy.friction_dissipation;
+        Some(Self { from: limit, to: landed, end, dt: 0.0, rest })
+    }
+
     /// Its half that leaves more over; `None` where a half has no end.
     fn sharper_half(&self, plan: &Plan<'_>, target: &Target, work: &mut Workspace) -> Option<Self> {
         let dt = 0.5 * self.dt;
-        let walk = |from: &State, end: f64, work: &mut Workspace| {
-            let aim = Target { step_time: end, dt, ..*target };
-            let outcome = attempt(plan, from, &aim, work, &mut |_| {});
-            matches!(outcome.verdict, Verdict::Converged { .. }).then(|| {
-                let mut to = from.clone();
-                commit(plan, from, &aim, work, &mut to);
-                Self { from: from.clone(), to, end, dt, rest: self.rest }
-            })
-        };
-        let mut first = walk(&self.from, self.end - dt, work)?;
-        let mut second = walk(&first.to, self.end, work)?;
+        let aim = |step_time: f64| Target { step_time, dt, ..*target };
+        let mut first = Self::walk(plan, &self.from, &aim(self.end - dt), self.rest, work)?;
+        let mut second = Self::walk(plan, &first.to, &aim(self.end), self.rest, work)?;
         if first.left().abs() >= second.left().abs() {
             first.rest = self.rest.with(&second);
             return Some(first);
@@ -215,6 +274,9 @@ fn find(
             // that it gave way.
             if work.negative_pivots == 0 {
                 return None;
+            }
+            if let Some(over) = longer.over_the_limit(plan, target, work, enough) {
+                return (over.left() > enough).then(|| Jump::of(plan, &over));
             }
             break;
         };
