@@ -191,9 +191,9 @@ fn compare(
         let mut reactions = found.emptied();
         let ending = slideline_solve::run(model, options, &mut reactions.watch(observer));
         if !matches!(ending, Ending::Completed(_)) {
-            let message = format!("no error bars: {way} did not come to its end");
+            let message = format!("no error bars: {way} was not completed");
             let said = Diagnostic::warning(Code("SL0602"), message)
-                .help("Smaller increments may help; the results of the deck itself stand.");
+                .help("Smaller increments may help; the results of the deck itself are valid.");
             return Err(Box::new(said));
         }
         finer.push(reactions);
