@@ -145,7 +145,8 @@ pub fn error_bars(
         |said: Box<Diagnostic>| Box::new(Diagnostic { severity: Severity::Warning, ..*said });
     let half = refine(model).map_err(as_warning)?;
     let quarter = refine(&half).map_err(as_warning)?;
-    let ways = ["the mesh of half of the width", "the mesh of a quarter of the width"];
+    let ways = ["the run with half the element length", "the run with a quarter of the element \
+                                                         length"];
     compare(found, [&half, &quarter], ways, options, observer)
 }
 
@@ -162,7 +163,8 @@ pub fn time_error_bars(
     observer: &mut dyn Observer,
 ) -> Result<ErrorBars, Box<Diagnostic>> {
     let (half, quarter) = (shortened(model, 2), shortened(model, 4));
-    let ways = ["the run in increments of half of the length", "the run in those of a quarter"];
+    let ways = ["the run with half the increment size", "the run with a quarter of the increment \
+                                                         size"];
     compare(found, [&half, &quarter], ways, options, observer)
 }
 
