@@ -206,7 +206,7 @@ fn not_read(other: &Other, span: Span, draft: &mut Draft) {
     let cause = if treatment == Treatment::Parts { "PART" } else { name };
     if treatment == Treatment::Ignored {
         if draft.log.first_time(&format!("ignored {cause}")) {
-            let message = format!("*{name} has no effect here and is passed over: {help}");
+            let message = format!("*{name} has no effect here and is ignored: {help}");
             draft.log.note("SL0257", message, span);
         }
         return;

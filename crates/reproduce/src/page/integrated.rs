@@ -54,10 +54,10 @@ impl Page<'_> {
             text,
             "<p>Integrated contact (<code>*CONTACT PAIR, TYPE=SURFACE TO SURFACE</code>) has \
              neither. The surface of the beam is a smooth curve through the positions and \
-             rotations of its nodes, the circle stays a circle, and pressure is summed up over the \
-             stretch of beam that is closed, about {} mm long, wherever in an element it lies. \
-             Moving on, the stretch gains a little at one end and loses a little at the other, \
-             and at both ends the pressure is zero: nothing jumps.",
+             rotations of its nodes, the circle stays a circle, and pressure is integrated over \
+             the part of the beam that is in contact, about {} mm long, wherever in an element it \
+             lies. As contact moves on, this part grows a little at one end and shrinks a little \
+             at the other, and at both ends the pressure is zero: nothing jumps.",
             fixed(closed, 1),
         ); // as above
         if let (Some(increment), Some([irs, isl, integrated])) =
@@ -103,9 +103,9 @@ impl Page<'_> {
             }
         }
         text.push_str(
-            "</table></div>\n<p>Roughness measures jumps from increment to increment, and tells \
-             the IRS model from the two others. The error of the ISL model is a slow wave: it \
-             changes hands over several increments.</p>\n",
+            "</table></div>\n<p>Roughness measures jumps from increment to increment, and \
+             separates the IRS model from the two others. The error of the ISL model is a slow \
+             wave: the force moves from one slave to the next over several increments.</p>\n",
         );
     }
 
@@ -114,12 +114,14 @@ impl Page<'_> {
         let part = |model| self.say(model, MATFRU, kept, 0);
         let _ = writeln!(
             text,
-            "<p>In 20 increments the integrated model is {} % (RMS, \u{3bc} = 0) and {} % (\u{3bc} = \
-             {FRICTION}) off, at {} iterations an increment. In the second problem, against the \
-             same kind of reference, the moment is {} % and {} % off, where the ISL model with a \
-             slave every 3 degrees is {} % and {} %: there is no polygon whose corners would shift \
-             the arm of the force. It needs the modified friction logic all the same: a sliding \
-             circle keeps meeting fresh stretches of beam, and the logic of 1995 would leave {} % of the work of friction in the first problem and {} % in the second.</p>",
+            "<p>In 20 increments the integrated model is {} % (RMS, \u{3bc} = 0) and {} % \
+             (\u{3bc} = {FRICTION}) off, at {} iterations an increment. In the second problem, \
+             against the same kind of reference, the moment is {} % and {} % off, where the ISL \
+             model with a slave every 3 degrees is {} % and {} %: there is no polygon whose \
+             corners would shift the arm of the force. It needs the modified friction logic all \
+             the same: a sliding circle keeps touching new parts of the beam, and the logic of \
+             1995 would leave {} % of the work of friction in the first problem and {} % in the \
+             second.</p>",
             rms(ModelKind::Integrated, NONE, 3),
             rms(ModelKind::Integrated, IMMEDIATE, 3),
             self.say(ModelKind::Integrated, IMMEDIATE, |row| row.mean_iterations, 1),
