@@ -22,14 +22,14 @@ impl Page<'_> {
              <p>Not in the paper. Both of its methods sample contact at nodes, and that is where \
              their noise comes from. In the IRS model a node of the beam carries the force, up to \
              half an element ({} mm) from where the circle touches, and the force points from the \
-             centre of the circle to that node. As the circle moves on the direction goes wrong by \
-             more and more, until the next node takes over and it jumps back: a saw-tooth of up to \
-             {} % of the peak, on which the force changes direction {turns} times in {FINE} \
+             centre of the circle to that node. As the circle moves on the direction goes wrong \
+             by more and more, until the next node takes over and it jumps back: a saw-tooth of \
+             up to {} % of the peak, on which the force changes direction {turns} times in {FINE} \
              increments. The ISL model takes the direction from the beam, but its circle is a \
              polygon: the force acts at a corner, up to half the spacing of the slaves ({} mm) \
-             beside the point of tangency, and between corners the polygon lies {} \u{b5}m inside the \
-             circle. Each time one slave hands over to the next the error rises and falls again, \
-             by up to {} %.</p>\n",
+             beside the point of tangency, and between corners the polygon lies {} \u{b5}m inside \
+             the circle. Each time one slave hands over to the next the error rises and falls \
+             again, by up to {} %.</p>\n",
             fixed(half_element, 2),
             fixed(worst_irs, 0),
             fixed(1e3 * problem.radius * half_angle.sin(), 2),
@@ -82,10 +82,11 @@ impl Page<'_> {
     fn formulations(&self, text: &mut String) {
         let _ = write!(
             text,
-            "<div class=\"wide\"><table>\n<caption>Vertical force of the first problem in {FINE} \
-             increments, 24 beams, against the shear-flexible beam with pressure spread along it, \
-             in percent of the peak.</caption>\n<tr><th>model</th><th>\u{3bc}</th><th>RMS</th>\
-             <th>largest</th><th>roughness</th><th>reversals</th></tr>\n"
+            "<div class=\"wide\"><table>\n\
+             <caption>Vertical force of the first problem in {FINE} increments, 24 beams, against \
+             the shear-flexible beam with pressure spread along it, in percent of the \
+             peak.</caption>\n\
+             <tr><th>model</th><th>\u{3bc}</th><th>RMS</th><th>largest</th><th>roughness</th><th>reversals</th></tr>\n"
         ); // as above
         for friction in [0.0, FRICTION] {
             for model in crate::fine::MODELS {
@@ -103,9 +104,10 @@ impl Page<'_> {
             }
         }
         text.push_str(
-            "</table></div>\n<p>Roughness measures jumps from increment to increment, and \
-             separates the IRS model from the two others. The error of the ISL model is a slow \
-             wave: the force moves from one slave to the next over several increments.</p>\n",
+            "</table></div>\n\
+             <p>Roughness measures jumps from increment to increment, and separates the IRS model \
+             from the two others. The error of the ISL model is a slow wave: the force moves from \
+             one slave to the next over several increments.</p>\n",
         );
     }
 
