@@ -28,15 +28,10 @@ pub(crate) fn page(study: &Study, rows: &[Row], figures: &[Figure]) -> String {
     // a String takes any text, here and below
     let _ = write!(
         text,
-        "<!DOCTYPE html>\n\
-         <html lang=\"en\">\n\
-         <head>\n\
-         <meta charset=\"utf-8\">\n\
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width\">\n\
          <title>Sliding contact: the study of Diehl (1995), repeated</title>\n\
-         <style>{STYLE}</style>\n\
-         </head>\n\
-         <body>\n"
+         <style>{STYLE}</style>\n</head>\n<body>\n"
     );
     page.head(&mut text);
     page.first_problem(&mut text);
