@@ -43,7 +43,7 @@ pub(super) fn slide_line(
         Travel::Contradiction(first, second) => {
             let [first, second] = [first, second].map(|place| facets[place].label);
             let message = format!(
-                "the faces of elements {first} and {second} of {} face opposite sides",
+                "the faces of elements {first} and {second} of {} point to opposite sides",
                 pairing.master.name
             );
             let help = "one of the elements runs the other way: give its face the other label";
