@@ -69,7 +69,7 @@ fn without_fillets(card: &Reading<'_>, draft: &mut Draft) {
 /// A surface of nothing harms nobody until a contact names it.
 fn note_empty(card: &Reading<'_>, draft: &mut Draft) {
     if card.data().is_empty() {
-        draft.log.note("SL0257", "this *SURFACE is empty and is passed over", card.span());
+        draft.log.note("SL0257", "this *SURFACE is empty and is ignored", card.span());
     }
 }
 
