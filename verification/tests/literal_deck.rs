@@ -21,6 +21,6 @@ fn is_rejected_with_named_reasons(record: &mut Record) {
     let errors = read.diagnostics.iter().filter(|said| said.severity == Severity::Error).count();
     record.at_least("errors", errors as f64, 1.0);
     let told = |code: &str| read.diagnostics.iter().any(|said| said.code.0 == code);
-    record.holds("SL0212: prose among the data", told("SL0212"));
+    record.holds("SL0212: text among the data", told("SL0212"));
     record.holds("SL0211: a keyword hidden behind two stars", told("SL0211"));
 }

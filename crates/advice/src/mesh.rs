@@ -97,13 +97,12 @@ fn not_joined(start: &Start<'_>, [first, second]: [NodeIndex; 2]) -> Finding {
     let nodes = &start.model.nodes;
     let labels = [nodes.label(first), nodes.label(second)];
     let message = format!(
-        "beam nodes {} and {} stand at the same place but nothing joins them: the beam is broken \
-         there",
+        "beam nodes {} and {} are at the same place but not connected: the beam has a gap there",
         labels[0], labels[1]
     );
     let said = Diagnostic::warning(Code("SL0410"), message)
         .at(nodes.get(second).origin)
-        .help("use one node for both elements, or weld them with *MPC, BEAM");
+        .help("use one node for both elements, or connect them with *MPC of type BEAM");
     let card = format!("*MPC\nBEAM, {}, {}\n", labels[1], labels[0]);
     match start.model.steps.first() {
         Some(step) => Finding::with(said, Place::Before(step.origin), card),
@@ -169,7 +168,7 @@ fn uneven(start: &Start<'_>) -> Option<Finding> {
                 );
                 let said = Diagnostic::advice(Code("SL0412"), message).at(element.origin);
                 return Some(Finding::said(
-                    said.help("grade the mesh of *NODE and *NGEN more gently"),
+                    said.help("let element lengths change gradually in *NODE and *NGEN"),
                 ));
             }
         }

@@ -236,14 +236,14 @@ impl Pair {
             return None;
         }
         let message = format!(
-            "contact of {} changed at {rate:.1} points per increment: the force is handed from \
-             node to node, and a friction onset other than IMMEDIATE would drop it",
+            "contact of {} changed at {rate:.1} points per increment: the force moves from node \
+             to node, and a friction onset other than IMMEDIATE would drop its friction",
             self.name
         );
         let help = if self.wanders {
             format!(
-                "keep FRICTION ONSET=IMMEDIATE; for a smoother force give the slaves to the body on \
-                 which the contact point rests, or {}",
+                "keep FRICTION ONSET=IMMEDIATE; for a smoother force put the slaves on the body \
+                 on which the contact point does not move, or {}",
                 self.vocabulary.integrate()
             )
         } else {
@@ -259,7 +259,7 @@ impl Pair {
         let ratio = noise.penetration_over_c0.filter(|&ratio| ratio > DEEP)?;
         let message = format!(
             "node {} of {} penetrates by {:.3e}, {ratio:.1} times c0: the contact is softer than \
-             the law promises",
+             intended",
             self.deepest, self.name, self.penetration
         );
         Some(Diagnostic::advice(Code("SL0612"), message).at(self.origin).help(format!(
@@ -278,12 +278,13 @@ impl Pair {
             (true, false) => ("moments", moment),
         };
         let message = format!(
-            "the {what} that the two sides of {} exert on one another do not cancel: {left:.1e} of \
-             their magnitude is left over in increment {increment}",
+            "the {what} that the two sides of {} exert on one another do not cancel: {left:.1e} \
+             of their magnitude remains in increment {increment}",
             self.name
         );
         Some(Diagnostic::warning(Code("SL0613"), message).at(self.origin).help(
-            "do not trust this run: action and reaction must cancel to rounding; report the deck",
+            "do not use this run: action and reaction must cancel to rounding; please report the \
+             deck",
         ))
     }
 }

@@ -31,7 +31,7 @@ fn say(start: &Start<'_>, pair: &ContactPair, deepest: &ContactRow, count: usize
         _ => String::new(),
     };
     let message = format!(
-        "{count} slave point{} of {} overlap{} the master before anything moves: node {} by \
+        "{count} slave point{} of {} overlap{} the master in the undeformed model: node {} by \
          {depth:.4e}{against}; the first increment resolves it with strain",
         if count == 1 { "" } else { "s" },
         pair.name,
@@ -49,7 +49,7 @@ fn say(start: &Start<'_>, pair: &ContactPair, deepest: &ContactRow, count: usize
         Diagnostic::advice(Code("SL0402"), message)
     };
     said.at(pair.origin).help(
-        "where the overlap is not meant, move one body in *NODE so that the parts only touch; \
-         it is never adjusted away in silence",
+        "if the overlap is not intended, move one body in *NODE so that the parts only touch; an \
+         overlap is never removed silently",
     )
 }

@@ -137,8 +137,8 @@ fn say(kind: Overlap, a: &BeamElement, b: &BeamElement, others: usize) -> Findin
         (Overlap::Along, false) => Diagnostic::warning(
             Code("SL0411"),
             format!(
-                "beams {} and {} lie on one another over a stretch{more}: two bodies fill the same \
-                 place",
+                "beams {} and {} lie on one another over a part of their length{more}: two bodies \
+                 are at the same place",
                 a.label, b.label
             ),
         )

@@ -250,19 +250,19 @@ impl<'a> Holds<'a> {
             if number == 0 { String::new() } else { format!("from step {} on ", number + 1) };
         if !for_good {
             let message = format!(
-                "{when}only contact that is still open will hold the body of node {label}, which \
-                 can {how} until then"
+                "{when}the body of node {label} will be supported only by contact that is still \
+                 open; until then it can {how}"
             );
             return Finding::said(Diagnostic::advice(Code("SL0414"), message).at(origin).help(
-                "the run will stabilise its contact where it must (*CONTACT CONTROLS, STABILIZE); \
-                 for a way that is not damped drive the body by a displacement on *BOUNDARY until \
-                 it touches, or attach a weak *SPRING",
+                "the run will stabilise the contact if necessary (*CONTACT CONTROLS, STABILIZE); \
+                 for an undamped path move the body by a displacement on *BOUNDARY until it \
+                 touches, or attach a weak *SPRING",
             ));
         }
-        let message = format!("{when}nothing holds the body of node {label}: it can {how} freely");
+        let message = format!("{when}the body of node {label} is unsupported: it can {how} freely");
         let list: Vec<String> = dofs.iter().map(ToString::to_string).collect();
         let said = Diagnostic::warning(Code("SL0409"), message).at(origin).help(format!(
-            "hold it: *BOUNDARY with node {label}, degree of freedom {}",
+            "support it: *BOUNDARY with node {label}, degree of freedom {}",
             list.join(" and ")
         ));
         let lines: String = dofs.iter().map(|dof| format!("{label}, {dof}, {dof}\n")).collect();

@@ -92,7 +92,7 @@ fn slides(start: &Start<'_>, pair: &ContactPair) -> bool {
 fn say(pair: &ContactPair, [radius, spacing]: [f64; 2], [tilt, rms]: [f64; 2]) -> Diagnostic {
     let [_, friction] = pair.interaction.friction.coefficients();
     let message = format!(
-        "slave nodes of {} stand {spacing:.4e} apart against a circle of radius {radius:.4e}: the \
+        "slave nodes of {} are {spacing:.4e} apart and touch a circle of radius {radius:.4e}: the \
          contact normal tilts by up to l/(2r) = {tilt:.3} rad, so the sliding force will be noisy \
          by {:.2} % of the contact force (root mean square) and by up to {:.1} %; of the driving \
          force it is that divided by (sin of the contact angle + {friction})",

@@ -42,12 +42,15 @@ fn say(start: &Start<'_>, pair: &ContactPair, behind: usize, facing: usize) -> F
             format!("give the points of {} in the opposite order", pair.vocabulary.rigid_surface()),
         ),
     };
-    let help = format!("{help}: the outward normal stands 90 degrees counter-clockwise of travel");
+    let help = format!(
+        "{help}: the outward normal is 90 degrees counter-clockwise from the \
+                        direction of travel"
+    );
     let place = start.model.contact_pairs.iter().position(|own| own == pair);
     let nearest = place.into_iter().flat_map(|place| start.facing(place));
     let deepest = nearest.map(|row| -row.opening).fold(0.0, f64::max);
     let message = format!(
-        "the master of {} seems to look the wrong way: {behind} of {facing} slave points lie \
+        "the master of {} seems to face the wrong way: {behind} of {facing} slave points lie \
          behind it at the start, the deepest by {:.3e}",
         pair.name, deepest
     );

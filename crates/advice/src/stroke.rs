@@ -141,7 +141,7 @@ fn too_far(start: &Start<'_>, pair: &ContactPair, step: &Step, each: f64) -> Opt
     }
     let message = format!(
         "an increment moves the contact point of {} by about {each:.3e}, {:.1} segments of \
-         {piece:.3e}: what happens in between is not seen, and noise of the mesh is aliased",
+         {piece:.3e}: what happens in between is missed, and mesh noise is aliased",
         pair.name,
         each / piece
     );
@@ -154,7 +154,7 @@ fn too_far(start: &Start<'_>, pair: &ContactPair, step: &Step, each: f64) -> Opt
     );
     let said = Diagnostic::advice(Code("SL0405"), message)
         .at(procedure.origin.unwrap_or(step.origin))
-        .help(format!("for a smooth history take increments of {initial:.3e} or less on *STATIC"));
+        .help(format!("for a smooth history use increments of {initial:.3e} or less on *STATIC"));
     Some(match procedure.origin {
         Some(origin)
             if !procedure.direct && step.max_increments as f64 > procedure.period / initial =>
@@ -179,16 +179,17 @@ fn loses_friction(
     }
     let spacing = spacing(model, pair);
     let message = format!(
-        "contact of {} wanders by about {wander:.3e} in an increment over slaves {spacing:.3e} \
-         apart: about {:.0} of 100 increments close a new node, and the friction onset of this run \
-         drops friction at nodes that have just closed",
+        "contact of {} moves by about {wander:.3e} in an increment over slaves {spacing:.3e} \
+         apart: about {:.0} of 100 increments close a new node, and the friction onset of this \
+         run drops friction at nodes that have just closed",
         pair.name,
         100.0 * share
     );
     let said = Diagnostic::warning(Code("SL0406"), message)
         .at(pair.interaction.friction_origin.unwrap_or(pair.origin))
         .help(
-            "call friction from the first contact on: *CONTACT CONTROLS, FRICTION ONSET=IMMEDIATE",
+            "let friction act from the first contact on: *CONTACT CONTROLS, FRICTION \
+             ONSET=IMMEDIATE",
         );
     let first = model.steps.first()?.origin;
     let card = "*CONTACT CONTROLS, FRICTION ONSET=IMMEDIATE\n";
@@ -209,7 +210,7 @@ fn off_the_end(pair: &ContactPair, number: usize, beyond: f64) -> Diagnostic {
         Master::RigidSurface(surface) => (
             "rigid surface",
             format!(
-                "prolong {} on that side by a LINE, or end the motion earlier on *BOUNDARY",
+                "extend {} on that side by a LINE, or end the motion earlier on *BOUNDARY",
                 pair.vocabulary.rigid_surface()
             ),
             surface.origin,

@@ -32,7 +32,7 @@ pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
             );
             let said = Diagnostic::warning(Code("SL0413"), message).at(block.origin);
             findings.push(Finding::said(
-                said.help("put *NODE, *BEAM SECTION and *ELASTIC into one set of units"),
+                said.help("give *NODE, *BEAM SECTION and *ELASTIC in one set of units"),
             ));
         }
     }
@@ -123,7 +123,7 @@ fn laws(start: &Start<'_>, findings: &mut Vec<Finding>) {
         } else {
             continue;
         };
-        let message = format!("the pressure law of {} is in doubtful units: {why}", pair.name);
+        let message = format!("the units of the pressure law of {} are doubtful: {why}", pair.name);
         let said = Diagnostic::warning(Code("SL0413"), message)
             .at(pair.interaction.normal_origin.unwrap_or(pair.interaction.origin));
         findings.push(Finding::said(said.help(format!(

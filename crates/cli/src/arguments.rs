@@ -29,9 +29,9 @@ pub(crate) enum Command {
     Theory(crate::theory::TheoryArguments),
     /// Make JOB.html from the result files of a job.
     Report(crate::report::ReportArguments),
-    /// Draw a curve of a job, or of two over each other with their difference.
+    /// Draw a curve of a job, or of two jobs with their difference.
     Plot(crate::plot::PlotArguments),
-    /// Print the page of a diagnostic code or of a deck keyword, or list them all.
+    /// Explain a diagnostic code or a deck keyword, or list them all.
     Explain {
         /// A code such as SL0601, or a keyword such as "SLIDE LINE" [default: a list of all].
         #[arg(value_name = "CODE|KEYWORD")]
@@ -63,21 +63,21 @@ pub(crate) struct RunArguments {
     /// No progress; errors and warnings still go to standard error.
     #[arg(long, short)]
     pub quiet: bool,
-    /// Hold the tangent of every converged increment, or of that one in each
-    /// step, against differences of the residual.
+    /// Compare the tangent of every converged increment, or of that one in each
+    /// step, with finite differences of the residual.
     #[arg(long, value_name = "INCREMENT", num_args = 0..=1, require_equals = true)]
     pub check_tangent: Option<Option<usize>>,
-    /// Go on from JOB.rst, which a deck with *RESTART, WRITE leaves.
+    /// Continue from JOB.rst, which a deck with *RESTART, WRITE writes.
     #[arg(long)]
     pub restart: bool,
     /// Estimate the discretisation error of every reaction, by running the same
     /// model on meshes of half and a quarter of the width.
     #[arg(long)]
     pub error_bars: bool,
-    /// Write the report JOB.html (it is, unless --no-html).
+    /// Write the report JOB.html (the default).
     #[arg(long, overrides_with = "no_html")]
     pub html: bool,
-    /// Write no report.
+    /// Do not write the report.
     #[arg(long, overrides_with = "html")]
     pub no_html: bool,
 }
@@ -101,14 +101,14 @@ pub(crate) struct DeckArguments {
     /// The deck; the ending .inp may be left out.
     #[arg(value_name = "JOB", value_hint = ValueHint::FilePath)]
     pub job: PathBuf,
-    /// When friction is called after a change of contact [default: as the deck says].
+    /// When friction acts after a change of contact [default: as the deck says].
     #[arg(long, value_name = "RULE")]
     friction_onset: Option<OnsetArgument>,
-    /// The earlier job that a deck with *RESTART, READ goes on from: its
-    /// states are in OLDJOB.rst.
+    /// The previous job, for a deck with *RESTART, READ: its states are in
+    /// OLDJOB.rst.
     #[arg(long, value_name = "OLDJOB", value_hint = ValueHint::FilePath)]
     oldjob: Option<PathBuf>,
-    /// Whose reading counts where two programs differ [default: abaqus].
+    /// Which program's meaning applies where two differ [default: abaqus].
     #[arg(long, value_name = "PROGRAM")]
     dialect: Option<DialectArgument>,
 }

@@ -41,7 +41,7 @@ pub(crate) fn check(arguments: &CheckArguments) -> Exit {
 /// says so on standard error.
 fn fix(read: &Read) -> bool {
     let Some(bytes) = slideline::mended(read, &read.diagnostics) else {
-        eprintln!("nothing to mend: no finding carries a card");
+        eprintln!("nothing to correct: no finding suggests a card");
         return true;
     };
     for number in 1..=MOST_FIXED {
@@ -51,7 +51,7 @@ fn fix(read: &Read) -> bool {
         let written = std::fs::File::create_new(&path).and_then(|mut file| file.write_all(&bytes));
         match written {
             Ok(()) => {
-                eprintln!("the mended deck is {}", path.display());
+                eprintln!("the corrected deck is {}", path.display());
                 return true;
             }
             Err(reason) if reason.kind() == ErrorKind::AlreadyExists => {}
@@ -61,7 +61,7 @@ fn fix(read: &Read) -> bool {
             }
         }
     }
-    eprintln!("{MOST_FIXED} mended decks stand beside {} already", read.job.deck.display());
+    eprintln!("there are already {MOST_FIXED} corrected decks beside {}", read.job.deck.display());
     false
 }
 

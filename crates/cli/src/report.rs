@@ -81,25 +81,28 @@ pub(crate) fn refused(problem: &Problem) -> Exit {
         ),
         Problem::Unreadable { .. } => (
             "SL0704",
-            "Run the job again; results are to be read by the program that wrote them, whole.",
+            "Run the job again: results must be complete and written by this version of the \
+             program.",
             Exit::Input,
         ),
         Problem::Running(_) => {
-            ("SL0705", "Wait for its end; --unfinished shows it as far as it came.", Exit::Input)
+            ("SL0705", "Wait for its end; --unfinished shows the increments so far.", Exit::Input)
         }
         Problem::Killed(_) => (
             "SL0705",
-            "--unfinished shows it as far as it came; a deck with *RESTART, WRITE goes on from there \
-             (slideline run JOB --restart).",
+            "--unfinished shows the increments so far; a deck with *RESTART, WRITE can be \
+             continued (slideline run JOB --restart).",
             Exit::Input,
         ),
         Problem::NothingSolved(_) => {
-            ("SL0704", "Mend the deck (slideline check JOB) and run it.", Exit::Input)
+            ("SL0704", "Correct the deck (slideline check JOB) and run it.", Exit::Input)
         }
         Problem::Question(_) => {
-            ("SL0704", "Ask for columns and nodes that the history has.", Exit::Input)
+            ("SL0704", "Choose columns and nodes that the history has.", Exit::Input)
         }
-        Problem::Write(_) => ("SL0702", "Make room, or write to another folder.", Exit::Output),
+        Problem::Write(_) => {
+            ("SL0702", "Free disk space, or write to another folder.", Exit::Output)
+        }
     };
     tell(&Diagnostic::error(Code(code), problem.to_string()).help(help));
     exit

@@ -116,17 +116,17 @@ fn halves(
 
 /// Steps that begin in the state of an earlier job have the history of its mesh.
 fn from_another_job() -> Diagnostic {
-    let message = "no error bars: the job goes on from the state of another mesh's history";
+    let message = "no error bars: the job continues from a state of another job";
     Diagnostic::warning(Code("SL0602"), message)
-        .help("Put all steps into one deck to have error bars.")
+        .help("Put all steps into one deck to get error bars.")
 }
 
 /// A run that goes on from a saved state knows only its own increments.
 fn begun_elsewhere() -> Diagnostic {
-    let message = "no error bars: this run went on from a saved state, and the reactions before \
-                   it are not at hand";
+    let message = "no error bars: this run continued from a saved state, and the reactions before \
+                   it are not available";
     Diagnostic::warning(Code("SL0602"), message)
-        .help("Run the deck from its beginning, without --restart.")
+        .help("Run the deck from the beginning, without --restart.")
 }
 
 /// Stops a run when the user asks for it, and says nothing.
@@ -228,9 +228,9 @@ fn how_to_go_on(read: &Read, outcome: &Outcome) -> String {
     restart_command(read, outcome).map_or_else(
         || {
             let deck = read.job.deck.display();
-            format!("To go on, run the job again from its beginning: slideline run {deck}")
+            format!("To continue, run the job again from the beginning: slideline run {deck}")
         },
-        |command| format!("To go on from there: {command}"),
+        |command| format!("To continue from there: {command}"),
     )
 }
 
@@ -263,7 +263,8 @@ fn kept_files(read: &Read, outcome: &Outcome) -> String {
     let folder = outcome.files.folder().display();
     if names.is_empty() {
         return format!(
-            "Nothing was written into {folder}. Make room or choose another folder with --out."
+            "Nothing was written to {folder}. Free disk space or choose another folder with \
+             --out."
         );
     }
     let states = names.iter().filter(|name| name.ends_with(".vtu")).count();
@@ -271,11 +272,14 @@ fn kept_files(read: &Read, outcome: &Outcome) -> String {
         names.into_iter().filter(|name| !name.ends_with(".vtu")).collect();
     others.sort();
     let again = match restart_command(read, outcome) {
-        Some(command) => format!("Make room and go on from the last saved state: {command}"),
-        None => "Make room or choose another folder with --out, and run again.".to_owned(),
+        Some(command) => format!(
+            "Free disk space and continue from the last saved state: \
+                                  {command}"
+        ),
+        None => "Free disk space or choose another folder with --out, and run again.".to_owned(),
     };
     format!(
-        "Written into {folder} and valid up to the last whole line: {} and {states} .vtu files. \
+        "Written to {folder} and valid up to the last complete line: {} and {states} .vtu files. \
          {again}",
         others.join(", ")
     )

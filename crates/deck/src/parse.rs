@@ -271,7 +271,7 @@ impl Reader<'_> {
         let comma = Span { start: end.saturating_sub(1), ..stretch.span() };
         let message = "the keyword line ends in a comma, but no parameter follows";
         let warning = Diagnostic::warning(Code("SL0108"), message).at(comma).edit(comma, "");
-        self.report(warning.help("take the comma away, or continue the keyword on the next line"));
+        self.report(warning.help("remove the comma, or continue the keyword on the next line"));
     }
 
     /// Makes the card and says what its lines are. An `*INCLUDE` becomes the

@@ -383,7 +383,7 @@ impl Draft {
         let dof = Dof::from_number(number);
         if dof.is_none() {
             let span = line.fields.get(at).map_or(line.span, |field| field.span);
-            let message = format!("{number} is no degree of freedom: 1 to 6");
+            let message = format!("{number} is not a degree of freedom: 1 to 6");
             self.log.error("SL0248", message, span);
         }
         dof

@@ -154,11 +154,10 @@ fn misplaced(
             false
         }
         (Level::Model | Level::Both, false) if draft.goes_on && !MAY_FOLLOW.contains(&name) => {
-            let message =
-                format!("*{name} belongs to the deck of the job that this one goes on from");
+            let message = format!("*{name} belongs to the deck of the previous job");
             let error = Diagnostic::error(Code("SL0214"), message).at(card.span);
             let help = format!(
-                "the model comes from the saved state; before *STEP only {} may stand here",
+                "the model comes from the saved state; before *STEP only {} are allowed here",
                 MAY_FOLLOW.map(|name| format!("*{name}")).join(", ")
             );
             draft.log.push(error.help(help));
@@ -207,7 +206,7 @@ fn not_read(other: &Other, span: Span, draft: &mut Draft) {
     let cause = if treatment == Treatment::Parts { "PART" } else { name };
     if treatment == Treatment::Ignored {
         if draft.log.first_time(&format!("ignored {cause}")) {
-            let message = format!("*{name} has no effect here and is passed over: {help}");
+            let message = format!("*{name} has no effect here and is ignored: {help}");
             draft.log.note("SL0257", message, span);
         }
         return;

@@ -142,7 +142,7 @@ impl Log {
     fn in_range(&mut self, value: i64, field: &Field) -> Option<u64> {
         let label = u64::try_from(value).ok().filter(|_| (1..=MAX_LABEL).contains(&value));
         if label.is_none() {
-            let message = format!("{value} is no node or element number: 1 to {MAX_LABEL}");
+            let message = format!("{value} is not a node or element number: 1 to {MAX_LABEL}");
             self.error("SL0224", message, field.span);
         }
         label

@@ -130,7 +130,7 @@ fn variables<V: Variable>(
 /// A table would lack a column: an error. The result files hold all there is
 /// whatever is asked for: a warning.
 fn unknown<V: Variable>(field: &Field, target: PrintTarget, draft: &mut Draft) {
-    let message = format!("`{}` is no {}", field.text, V::KIND);
+    let message = format!("`{}` is not a {}", field.text, V::KIND);
     let said = match target {
         PrintTarget::Table => Diagnostic::error(Code("SL0252"), message),
         _ => Diagnostic::warning(Code("SL0252"), format!("{message}: it is not written")),

@@ -112,7 +112,7 @@ fn report_hidden(comment: &Comment, card: &Card, log: &mut Log) {
         "`**{}` is a comment, but data lines follow: a keyword with one star too many",
         card.keyword.raw
     );
-    let help = "take one star away; as it stands its data would go to the card above";
+    let help = "remove one star; as it is, the data belong to the card above";
     log.push(Diagnostic::error(Code("SL0211"), message).at(comment.span).help(help).edit(star, ""));
 }
 
@@ -150,8 +150,8 @@ fn without_furniture<'d>(
     let mut card = card.into_owned();
     for line in card.data.iter().filter(|line| prose(line)) {
         let insert = Span { end: line.span.start, ..line.span };
-        let message = format!("prose among the data of *{}", keyword.name());
-        let help = "a page heading or footer copied with the listing? Take the line out";
+        let message = format!("text among the data of *{}", keyword.name());
+        let help = "a page heading or footer copied with the listing? Remove the line";
         let error = Diagnostic::error(Code("SL0212"), message).at(line.span);
         log.push(error.help(help).edit(insert, "** "));
     }

@@ -56,7 +56,7 @@ pub fn not_read(name: &str) -> Option<String> {
     let other = find(&normalise(name.trim().trim_start_matches('*')))?;
     let name = other.name;
     Some(match (other.treatment, other.help) {
-        (Treatment::Ignored, why) => format!("*{name} is passed over: {why}."),
+        (Treatment::Ignored, why) => format!("*{name} is ignored: {why}."),
         (_, "") => format!("*{name} is not supported."),
         (_, help) => format!("*{name} is not supported: {help}."),
     })

@@ -73,7 +73,7 @@ impl Vocabulary {
     /// How the curved side gets the slaves.
     pub fn swap_roles(self) -> &'static str {
         self.either(
-            "let the curved body carry the slaves (ISL21) and the beam be the *SLIDE LINE",
+            "put the slaves on the curved body (ISL21) and make the beam the *SLIDE LINE",
             "name the curved body first on *CONTACT PAIR, as a *SURFACE, TYPE=NODE of a *RIGID \
              BODY, TIE NSET=",
         )

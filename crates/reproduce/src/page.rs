@@ -89,29 +89,28 @@ impl Page<'_> {
             text,
             "<h1>Sliding contact: the study of Diehl (1995), repeated</h1>\n\
              <p>T. Diehl, <i>Methods of Improving ABAQUS/Standard Predictions for Problems \
-             Involving Sliding Contact</i>, ABAQUS Users' Conference, Paris, 1995, put two \
-             questions to a circle that slides along a flexible beam: which side should carry \
-             the contact points, and in which increments is friction called? This page repeats \
-             the study with slideline {version}; every number and figure on it was computed \
-             when it was made, from {runs} runs of {INCREMENTS} increments.</p>\n\
+             Involving Sliding Contact</i>, ABAQUS Users' Conference, Paris, 1995, asked two \
+             questions about a circle that slides along a flexible beam: which side should carry \
+             the contact points, and in which increments should friction act? This page repeats \
+             the study with slideline {version}; every number and figure on it was computed when \
+             it was made, from {runs} runs of {INCREMENTS} increments.</p>\n\
              <p><b>In short.</b> With the contact points on the circle (ISL) instead of the beam \
-             (IRS) the noise (roughness, section 6) falls from {noise} % to {smooth} % of the peak on the \
-             same mesh. \
-             The friction logic of 1995, which calls no friction in an increment in which a node \
-             closes, keeps {coarse} % of the work of friction in the coarse IRS model, {fine} % \
-             in the fine one and {cam} % in the cam model. Called whenever a node is closed, \
-             friction is whole: the ISL model is within {rms} % (RMS) of linear theory, with \
-             {iterations} iterations an increment and no cutback. Contact that is integrated along \
-             the beam, which the paper did not have, is within {spread} % of the exact reference \
-             on the same mesh (section 4).</p>\n\
+             (IRS) the noise (roughness, section 6) falls from {noise} % to {smooth} % of the \
+             peak on the same mesh. The friction logic of 1995, with no friction in an increment \
+             in which a node closes, keeps {coarse} % of the work of friction in the coarse IRS \
+             model, {fine} % in the fine one and {cam} % in the cam model. If friction acts \
+             whenever a node is closed, none of it is lost: the ISL model is within {rms} % (RMS) \
+             of linear theory, with {iterations} iterations an increment and no cutback. Contact \
+             that is integrated along the beam, which the paper did not have, is within {spread} \
+             % of the exact reference on the same mesh (section 4).</p>\n\
              <h2>1 Two problems</h2>\n\
              <p>Snap-fits, latches and cam-driven switches are made of such contacts. A rigid \
              circle of radius 9 mm is pushed down along a slightly inclined cantilever of 50 mm; \
-             or it sits on an arm and is turned into a straight one. For the second problem the \
-             paper prints no dimensions; ours are in the deck. The force is that of the support \
-             on the circle, <i>F</i><sub>y</sub> of the paper's equation (8) and RF2 of the \
-             program: negative, for the circle is pushed down. The axes of the figures run \
-             towards negative values, in the direction of the motion.</p>\n",
+             or it sits on an arm and is turned into a straight one. The paper does not give the \
+             dimensions of the second problem; ours are in the deck. The force is that of the \
+             support on the circle, <i>F</i><sub>y</sub> of the paper's equation (8) and RF2 of \
+             the program: negative, because the circle is pushed down. The axes of the figures \
+             run towards negative values, in the direction of the motion.</p>\n",
             version = slideline::VERSION,
             runs = self.rows.len(),
             noise = self.say(ModelKind::IrsCoarse, NONE, |row| row.roughness, 1),
@@ -132,8 +131,8 @@ impl Page<'_> {
              <p>Three models: contact elements on the beam against an analytic circle, with a \
              coarse and a fine mesh (IRS), and contact elements on the circle, now a chain of \
              nodes on a rigid body, against a slide line on the beam (ISL). All have softened \
-             contact. Without it the ISL model would be overconstrained: three nodes of a \
-             circle cannot lie on one straight segment.</p>\n",
+             contact. Without it the ISL model would be overconstrained: three nodes of a circle \
+             cannot lie on one straight segment.</p>\n",
         );
         self.figure(text, "fig2", "Figure 2.");
         self.figure(text, "fig3", "Figure 3.");
@@ -142,12 +141,12 @@ impl Page<'_> {
         let turns = |model| self.say(model, NONE, |row| row.reversals as f64, 0);
         let _ = writeln!(
             text,
-            "<p>Without friction (Figure 4) the coarse IRS model is {} % of the peak off linear \
-             theory in the mean (RMS) and {} % at worst; its force changes direction {} times on \
-             a stroke on which theory never does. Four times as many beams bring that down to \
-             {} % and {} %. The ISL model has {} % and {} % on the coarse mesh, and of that the \
-             larger part is the fault of linear theory (section 5): against the exact reference \
-             it is {} % and {} %.</p>",
+            "<p>Without friction (Figure 4) the coarse IRS model differs from linear theory by {} \
+             % of the peak (RMS) and by {} % at most; the slope of its force changes sign {} \
+             times, that of theory never. With four times as many beams the difference is {} % \
+             and {} %. The ISL model has {} % and {} % on the coarse mesh. The larger part of \
+             this is the error of linear theory (section 5): against the exact reference it is {} \
+             % and {} %.</p>",
             rms(ModelKind::IrsCoarse),
             most(ModelKind::IrsCoarse),
             turns(ModelKind::IrsCoarse),
@@ -164,10 +163,10 @@ impl Page<'_> {
         {
             let _ = writeln!(
                 text,
-                "<p>Figure 5 says why. A slave node of the beam meets the circle up to half an \
-                 element away from the point of tangency, and the normal of the circle there \
-                 points elsewhere: in increment {increment} by {} degrees, which is much for a \
-                 force that is nearly all sideways. With the slaves on the circle the normal is \
+                "<p>Figure 5 shows why. A slave node of the beam touches the circle up to half an \
+                 element away from the point of tangency, where the normal of the circle has \
+                 another direction: in increment {increment} by {} degrees, which is much for a \
+                 force that is nearly horizontal. With the slaves on the circle the normal is \
                  that of the beam, {} degrees off.</p>",
                 fixed(irs.abs(), 1),
                 fixed(isl.abs(), 2),
@@ -184,12 +183,12 @@ impl Page<'_> {
             "<h2>2.1 With friction</h2>\n\
              <p>In 1995 friction was not called for a slave node in the increment in which its \
              contact was made, made again, or lost (subroutine MATFRU). In an IRS model the \
-             circle stands over another node in nearly every increment, and friction \
-             disappears (Figure 6a, \u{3bc} = {FRICTION}): the coarse model keeps {} % of the \
-             work of friction, in the few increments in which a node stays in contact, the fine \
-             one {} %. The ISL model keeps {} %, for the point of contact hardly moves along \
-             the circle; where a new slave node closes beside the old one, part is lost. The \
-             program counts what is dropped and says so: {}, {} and {} point-increments.</p>\n",
+             circle touches another node in nearly every increment, and friction disappears \
+             (Figure 6a, \u{3bc} = {FRICTION}): the coarse model keeps {} % of the work of \
+             friction, in the few increments in which a node stays in contact, the fine one {} %. \
+             The ISL model keeps {} %, because the contact point hardly moves along the circle; \
+             where a new slave node closes beside the old one, a part is lost. The program counts \
+             what is dropped and says so: {}, {} and {} point-increments.</p>\n",
             part(ModelKind::IrsCoarse),
             part(ModelKind::IrsFine),
             part(ModelKind::Isl),
@@ -201,10 +200,10 @@ impl Page<'_> {
         let rms = |model| self.say(model, IMMEDIATE, |row| row.linear[0], 2);
         let _ = writeln!(
             text,
-            "<p>Called whenever a node is closed, friction is there in every increment \
-             (Figure 6b): RMS {} %, {} % and {} % against linear theory. Sticking imposed by \
-             elastic slip and by multipliers gives the same curves ({}), and neither costs more: {} and {} iterations an increment in the ISL model, {} with \
-             the old logic.</p>",
+            "<p>If friction acts whenever a node is closed, it acts in every increment (Figure \
+             6b): RMS {} %, {} % and {} % against linear theory. Sticking imposed by elastic slip \
+             and by multipliers gives the same curves ({}), and neither costs more: {} and {} \
+             iterations an increment in the ISL model, {} with the old logic.</p>",
             rms(ModelKind::IrsCoarse),
             rms(ModelKind::IrsFine),
             rms(ModelKind::Isl),
@@ -239,11 +238,11 @@ impl Page<'_> {
         let _ = write!(
             text,
             "<h2>3 The second problem</h2>\n\
-             <p>ISL alone is no remedy. Where the cam turns, the point of contact wanders along \
-             its rim, and new slave nodes close all the time (Figure 7). The old logic keeps \
-             {} % of the work of friction with a slave node every 3 degrees, as large as the \
-             increment, and {} % with one every 4 degrees: which increments keep theirs is an \
-             accident of the spacing (Figure 8a).</p>\n",
+             <p>ISL alone is not enough. As the cam turns, the contact point moves along its rim, \
+             and new slave nodes close all the time (Figure 7). The old logic keeps {} % of the \
+             work of friction with a slave node every 3 degrees, as large as the increment, and \
+             {} % with one every 4 degrees: it depends on the spacing which increments keep their \
+             friction (Figure 8a).</p>\n",
             part(ModelKind::Cam),
             part(ModelKind::CamWide),
         ); // as above
@@ -253,10 +252,10 @@ impl Page<'_> {
         let _ = writeln!(
             text,
             "<p>With the modified logic (Figure 8b) the moment follows theory, to {} % and {} % \
-             of the peak (RMS). What is left is the polygon of slave nodes: the force acts at a \
-             node, up to half the spacing beside the point of tangency, and that shifts its arm \
-             about the pivot. Without friction the moment is small and the same shift is {} % \
-             and {} % of its peak.</p>",
+             of the peak (RMS). The rest comes from the polygon of slave nodes: the force acts at \
+             a node, up to half the spacing beside the point of tangency, and that shifts its arm \
+             about the pivot. Without friction the moment is small and the same shift is {} % and \
+             {} % of its peak.</p>",
             rms(ModelKind::Cam),
             rms(ModelKind::CamWide),
             self.say(ModelKind::Cam, NONE, |row| row.linear[0], 1),
@@ -269,19 +268,19 @@ impl Page<'_> {
         text.push_str(
             "<h2>5 What linear theory itself leaves out</h2>\n\
              <p>The paper compares with small deflections of an Euler beam touched at one point. \
-             Late in the stroke, where force and slope are large, that is no longer exact. \
-             Three things are missing, each with a reference of its own: large deflections \
-             (elastica), shear and stretching of the beam (Reissner), and the softened contact \
-             of the decks, which acts before the surfaces touch, at one point of the area of a \
-             slave node or spread along the beam. None of these references shares code with \
-             the solver.</p>\n",
+             Late in the stroke, where force and slope are large, that is no longer exact. Three \
+             things are missing, each with a reference of its own: large deflections (elastica), \
+             shear and stretching of the beam (Reissner), and the softened contact of the decks, \
+             which acts before the surfaces touch, at one point of the area of a slave node or \
+             spread along the beam. None of these references shares code with the solver.</p>\n",
         );
         self.figure(text, "linear_theory", "Linear theory against exact references.");
         text.push_str(
-            "<div class=\"wide\"><table>\n<caption>Force at the end of the stroke of the first \
-             problem, by theory.</caption>\n<tr><th>theory</th><th><i>F</i><sub>y</sub>, no \
-             friction (N)</th><th>linear is off by (%)</th><th><i>F</i><sub>y</sub>, with \
-             friction (N)</th><th>linear is off by (%)</th></tr>\n",
+            "<div class=\"wide\"><table>\n\
+             <caption>Force at the end of the stroke of the first problem, by theory.</caption>\n\
+             <tr><th>theory</th><th><i>F</i><sub>y</sub>, no friction (N)</th><th>linear is off \
+             by (%)</th><th><i>F</i><sub>y</sub>, with friction (N)</th><th>linear is off by \
+             (%)</th></tr>\n",
         );
         for theory in THEORIES {
             let _ = write!(text, "<tr><td>{}</td>", words(theory)); // as above
@@ -301,18 +300,19 @@ impl Page<'_> {
 
     fn table(&self, text: &mut String) {
         text.push_str(
-            "<h2>6 All runs</h2>\n<p>Differences are in percent of the peak of the reference: linear \
-             theory, and the shear-flexible beam with softened contact at one point or spread along \
-             it. Roughness is the noise left when smooth bias is taken out, in percent of the \
-             peak. Work is that of the driver over that of the exact reference, spread for \
-             integrated contact and at one point for the others; friction kept is the \
-             share of the work of friction. The same table with more columns and digits is \
-             <code>errors.csv</code>.</p>\n<div class=\"wide runs\"><table>\n<tr><th>model</th>\
-             <th class=\"t\">stick</th><th class=\"t\">friction called</th><th>RMS, linear</th>\
-             <th>max, linear</th><th>RMS, point</th><th>max, point</th><th>RMS, spread</th>\
-             <th>max, spread</th><th>rough&shy;ness</th>\
-             <th>rever&shy;sals</th><th>work</th><th>friction kept (%)</th>\
-             <th>itera&shy;tions</th><th>points dropped</th></tr>\n",
+            "<h2>6 All runs</h2>\n\
+             <p>Differences are in percent of the peak of the reference: linear theory, and the \
+             shear-flexible beam with softened contact at one point or spread along it. Roughness \
+             is the noise without the smooth part of the error, in percent of the peak. Work is \
+             that of the driver over that of the exact reference, spread for integrated contact \
+             and at one point for the others; friction kept is the share of the work of friction. \
+             The same table with more columns and digits is <code>errors.csv</code>.</p>\n\
+             <div class=\"wide runs\"><table>\n\
+             <tr><th>model</th><th class=\"t\">stick</th><th class=\"t\">friction \
+             called</th><th>RMS, linear</th><th>max, linear</th><th>RMS, point</th><th>max, \
+             point</th><th>RMS, spread</th><th>max, \
+             spread</th><th>rough&shy;ness</th><th>rever&shy;sals</th><th>work</th><th>friction \
+             kept (%)</th><th>itera&shy;tions</th><th>points dropped</th></tr>\n",
         );
         for row in self.rows {
             let case = &row.case;
@@ -352,15 +352,15 @@ impl Page<'_> {
              <p>Where contact is sampled at nodes, they belong on the curved, rigid side; \
              integrated along the beam it makes no noise on either. Friction belongs to every \
              increment in which a node is closed, the one in which it closes included. Neither \
-             costs anything: no run took more than {} iterations an increment on average, and \
-             {} was cut back. Softened contact keeps rigidly linked slave nodes from \
+             costs anything: no run took more than {} iterations an increment on average, and {} \
+             was cut back. Softened contact keeps rigidly linked slave nodes from \
              overconstraining a straight segment.</p>\n\
              <h2>How to repeat a run</h2>\n\
-             <p>The decks lie in <code>decks/</code>. <code>slideline run \
+             <p>The decks are in <code>decks/</code>. <code>slideline run \
              decks/isl_coarse_mu03.inp</code> runs one with friction called whenever a node is \
-             closed; <code>--friction-onset matfru</code> brings back the logic of 1995. \
-             <code>slideline theory diehl-1 --mu 0.3</code> prints theory. Every point of every \
-             curve is in <code>curves.csv</code>.</p>\n",
+             closed; <code>--friction-onset matfru</code> uses the logic of 1995. <code>slideline \
+             theory diehl-1 --mu 0.3</code> prints theory. Every point of every curve is in \
+             <code>curves.csv</code>.</p>\n",
             fixed(worst, 1),
             if cutbacks == 0 { "none".to_owned() } else { format!("{cutbacks}") },
         ); // as above

@@ -145,7 +145,8 @@ pub fn error_bars(
         |said: Box<Diagnostic>| Box::new(Diagnostic { severity: Severity::Warning, ..*said });
     let half = refine(model).map_err(as_warning)?;
     let quarter = refine(&half).map_err(as_warning)?;
-    let ways = ["the mesh of half of the width", "the mesh of a quarter of the width"];
+    let ways = ["the run with half the element length", "the run with a quarter of the element \
+                                                         length"];
     compare(found, [&half, &quarter], ways, options, observer)
 }
 
@@ -162,7 +163,8 @@ pub fn time_error_bars(
     observer: &mut dyn Observer,
 ) -> Result<ErrorBars, Box<Diagnostic>> {
     let (half, quarter) = (shortened(model, 2), shortened(model, 4));
-    let ways = ["the run in increments of half of the length", "the run in those of a quarter"];
+    let ways = ["the run with half the increment size", "the run with a quarter of the increment \
+                                                         size"];
     compare(found, [&half, &quarter], ways, options, observer)
 }
 
@@ -191,9 +193,9 @@ fn compare(
         let mut reactions = found.emptied();
         let ending = slideline_solve::run(model, options, &mut reactions.watch(observer));
         if !matches!(ending, Ending::Completed(_)) {
-            let message = format!("no error bars: {way} did not come to its end");
+            let message = format!("no error bars: {way} was not completed");
             let said = Diagnostic::warning(Code("SL0602"), message)
-                .help("Smaller increments may help; the results of the deck itself stand.");
+                .help("Smaller increments may help; the results of the deck itself are valid.");
             return Err(Box::new(said));
         }
         finer.push(reactions);

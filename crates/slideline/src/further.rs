@@ -43,11 +43,11 @@ pub(crate) fn find(
     match (read_request(parsed), &options.old_job) {
         (None, OldJob::Named(old)) => {
             let message = format!(
-                "the job is to go on from {}, but its deck has no *RESTART, READ",
+                "the job should continue from {}, but its deck has no *RESTART, READ",
                 old.display()
             );
-            let help = "Write *RESTART, READ into the deck, before its first *STEP, or leave \
-                        --oldjob out.";
+            let help = "Write *RESTART, READ into the deck, before its first *STEP, or leave out \
+                        --oldjob.";
             Err(Box::new(Diagnostic::error(Code("SL0711"), message).help(help)))
         }
         (None, _) | (Some(_), OldJob::None) => Ok(None),
@@ -67,14 +67,14 @@ fn named(
 ) -> Result<From, Box<Diagnostic>> {
     let files = files(old);
     let mut states = SavedStates::open(&files).map_err(|said| {
-        let help = "Run the earlier job first, with *RESTART, WRITE in its deck, and name it with \
-                    the folder of its results: --oldjob DIR/OLD.";
+        let help = "Run the previous job first, with *RESTART, WRITE in its deck, and name it \
+                    with the folder of its results: --oldjob DIR/OLD.";
         Box::new(said.help(help))
     })?;
     let dialect = options.dialect.map(Dialect::word);
     let onset = options.friction_onset.map(onset_word);
     if let Some(said) = states.objection(VERSION, dialect, onset) {
-        let help = "The model and its states belong to the earlier job: leave the option out, or \
+        let help = "The model and its states belong to the previous job: leave out the option, or \
                     run that job again with this program.";
         return Err(Box::new(said.help(help)));
     }
@@ -99,7 +99,8 @@ fn begun(files: &JobFiles) -> Result<From, Box<Diagnostic>> {
     let Some(earlier) = states.earlier().cloned() else {
         let message =
             "the deck was changed since the state was saved: *RESTART, READ was not in it";
-        let help = "Go on with what the state was saved with, or run the job from its beginning.";
+        let help = "Continue with the deck and options of the saved state, or run the job from \
+                    the beginning.";
         return Err(Box::new(Diagnostic::error(Code("SL0709"), message).help(help)));
     };
     from(&states, earlier, None, files.path(".rst"))

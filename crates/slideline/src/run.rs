@@ -120,10 +120,10 @@ fn first_state<'a>(
         Some(_) => {
             let message = format!("the saved state {states} is not one of this model");
             let said = Diagnostic::error(Code("SL0708"), message);
-            Err(Box::new(said.help("Run the earlier job again.")))
+            Err(Box::new(said.help("Run the previous job again.")))
         }
         None => {
-            let message = "this deck goes on from an earlier job, and none is named";
+            let message = "this deck continues a previous job, and none is named";
             Err(Box::new(Diagnostic::error(Code("SL0711"), message)))
         }
     }
@@ -151,7 +151,7 @@ fn go_on(
         let message = format!("the job {} is complete: nothing is left to do", files.name());
         let origin = read.from.as_ref().map(|from| &from.earlier.origin);
         let said = Diagnostic::note(Code("SL0591"), message).help(format!(
-            "To run it again from its beginning: slideline run {}{}",
+            "To run it again from the beginning: slideline run {}{}",
             read.job.deck.display(),
             origin.map_or_else(String::new, |origin| format!(" --oldjob {}", origin.job))
         ));
@@ -189,7 +189,7 @@ fn usable(model: &Model, files: &JobFiles, facts: &Facts<'_>) -> Result<Saved, B
         let path = files.path(".rst");
         let message = format!("the saved state {} is not one of this model", path.display());
         let said = Diagnostic::error(Code("SL0708"), message);
-        return Err(Box::new(said.help("Run the job from its beginning.")));
+        return Err(Box::new(said.help("Run the job from the beginning.")));
     }
     Ok(saved)
 }
@@ -198,7 +198,7 @@ fn usable(model: &Model, files: &JobFiles, facts: &Facts<'_>) -> Result<Saved, B
 fn damaged(reason: &str) -> Diagnostic {
     let message = format!("the results up to the saved state cannot be read back: {reason}");
     Diagnostic::error(Code("SL0710"), message)
-        .help("Put the result files back as they were, or run the job from its beginning.")
+        .help("Restore the result files, or run the job from the beginning.")
 }
 
 fn ended(
@@ -238,7 +238,7 @@ fn would_destroy(read: &Read, files: &JobFiles) -> Option<Diagnostic> {
     let own = std::fs::canonicalize(files.path(".rst")).ok();
     if let Some(from) = begins.filter(|from| std::fs::canonicalize(&from.states).ok() == own) {
         let message = format!(
-            "the job goes on from {}, which this run would replace by its own states",
+            "the job continues from {}, which this run would replace by its own states",
             from.states.display()
         );
         let help = "Give the new deck another name, or write the results elsewhere (--out).";
@@ -297,8 +297,8 @@ impl<'a> Watch<'a> {
     fn name_failed(&mut self, frame: &Frame<'_>) -> ControlFlow<Stop> {
         let path = self.writers.job().failed_state();
         let message = format!(
-            "the state of the last attempt (increment {}, total time {:.6}), with the forces that \
-             nothing balances in it, stands in {}",
+            "the state of the last attempt (increment {}, total time {:.6}), with its unbalanced \
+             forces, is in {}",
             frame.increment,
             frame.total_time,
             path.display()

@@ -45,7 +45,7 @@ pub fn reason(outcome: &Outcome) -> String {
         Verdict::Converged { .. } => "converged",
         Verdict::Diverging => "the residual grew in two consecutive iterations",
         Verdict::TooSlow => "convergence is too slow",
-        Verdict::Discontinuous => "contact went on changing",
+        Verdict::Discontinuous => "the contact status kept changing",
         Verdict::Broken => "the equations could not be solved",
         Verdict::PassedThrough { .. } => "contact was passed through in the increment",
     };
@@ -122,25 +122,25 @@ impl Case<'_> {
             StopReason::TooManyAttempts => "every shorter increment failed as well",
             StopReason::TooSmall => "the next increment would be shorter than the smallest allowed",
             StopReason::Fixed => "shorter increments than *STATIC, DIRECT fixes failed as well",
-            StopReason::TooManyIncrements => "the number of increments is used up",
+            StopReason::TooManyIncrements => "the limit of increments was reached",
         };
         let place = self.outcome.last.as_ref().and_then(|report| {
             let (node, dof) = report.force.residual_at?;
             Some(format!(
-                "; the largest residual force, {:.3e}, stands at node {}, {}",
+                "; the largest residual force, {:.3e}, is at node {}, {}",
                 report.force.residual,
                 self.label(node),
                 dof.name()
             ))
         });
         let message = format!(
-            "no equilibrium was found {}, and no cause is proved: {}, and {ended}{}",
+            "no equilibrium was found {}, and the cause is not known: {}, and {ended}{}",
             self.beyond(),
             reason(self.outcome),
             place.unwrap_or_default()
         );
         Diagnostic::error(Code("SL0501"), message).at(self.plan.step.origin).help(format!(
-            "everything up to that time is kept; let *STATIC start with a shorter increment and \
+            "the results up to that time are kept; let *STATIC start with a shorter increment and \
              allow smaller ones, or soften the contact with {}",
             self.plan.model.vocabulary().softened()
         ))
@@ -149,14 +149,14 @@ impl Case<'_> {
     /// The embedding program's friction law failed.
     fn user_fault(&self) -> Option<Diagnostic> {
         let fault = self.work.evaluation.fault.as_ref()?;
-        let message =
-            format!("the user friction law gave no answer {}: {}", self.beyond(), fault.message);
+        let message = format!("the user friction law failed {}: {}", self.beyond(), fault.message);
         let mut pairs = self.plan.model.contact_pairs.iter();
         let user = pairs.find(|p| matches!(p.interaction.friction, Friction::User { .. }));
         let said = Diagnostic::error(Code("SL0505"), message)
             .at(user.and_then(|pair| pair.interaction.friction_origin));
         Some(said.help(
-            "everything up to that time is kept; the law must answer for any pressure and slip",
+            "the results up to that time are kept; the law must return a result for any pressure \
+             and slip",
         ))
     }
 
@@ -172,7 +172,7 @@ impl Case<'_> {
         let needed = (2.0 * period / each).min(1e6).ceil() as usize; // a card, not a promise
         Diagnostic::error(Code("SL0502"), message)
             .at(step.origin)
-            .help(format!("raise INC on *STEP to {needed}, or let *STATIC take longer increments"))
+            .help(format!("raise INC on *STEP to {needed}, or allow longer increments on *STATIC"))
             .card(Place::Instead(step.origin), step_card(step, None, needed))
     }
 }

@@ -43,20 +43,20 @@ pub fn objection(model: &Model) -> Option<Diagnostic> {
     let said = too_large(needed, "the model")?;
     Some(match contact.1 {
         Some((bytes, pair)) if bytes > bulk => said.at(pair.interaction.origin).help(format!(
-            "nearly all of it is the contact of {}: any slave may meet any segment; take fewer \
-             slave nodes, or a shorter slide line",
+            "nearly all of it is for the contact of {}: any slave may touch any segment; use \
+             fewer slave nodes, or a shorter slide line",
             pair.name
         )),
         _ => said
             .at(model.nodes.iter().next().map(|node| node.origin))
-            .help("take fewer nodes and elements; check the counts of *NGEN and *ELGEN"),
+            .help("use fewer nodes and elements; check the counts of *NGEN and *ELGEN"),
     })
 }
 
 /// Why the factors of an analysed step are too large, if they are.
 pub fn factors_objection(factors: &Description) -> Option<Diagnostic> {
     let said = too_large(FACTOR * factors.predicted_entries, "the factorised tangent")?;
-    Some(said.help(format!("take fewer nodes: the step has {} equations", factors.equations)))
+    Some(said.help(format!("use fewer nodes: the step has {} equations", factors.equations)))
 }
 
 /// Bytes for what may touch in a pair.
@@ -73,8 +73,10 @@ fn too_large(needed: f64, what: &str) -> Option<Diagnostic> {
     let there = available().unwrap_or(ASSUMED);
     (needed > there).then(|| {
         let (needed, there) = (needed / GIB, there / GIB);
-        let message =
-            format!("{what} needs about {needed:.1} GiB of memory, and there are {there:.1} GiB");
+        let message = format!(
+            "{what} needs about {needed:.1} GiB of memory, and {there:.1} GiB are \
+                     available"
+        );
         Diagnostic::error(Code("SL0415"), message)
     })
 }

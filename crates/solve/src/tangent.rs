@@ -109,8 +109,8 @@ pub fn fault(plan: &Plan<'_>, report: &TangentReport) -> Option<Diagnostic> {
         report.difference,
     );
     Some(Diagnostic::warning(Code("SL0906"), message).help(
-        "converged increments stay right, for the residual alone judges them; please report this \
-         together with the deck",
+        "converged increments are still right, because only the residual decides; please report \
+         this together with the deck",
     ))
 }
 

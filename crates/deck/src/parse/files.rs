@@ -15,13 +15,13 @@ impl Reader<'_> {
             let message = format!("the deck is larger than {} MiB", MAX_BYTES >> 20);
             let error = Diagnostic::error(Code("SL0114"), message).at(Span::new(file, 0, 0));
             return Some(
-                error.help("a deck holds text alone; generate nodes instead of listing them"),
+                error.help("a deck contains only text; generate nodes instead of listing them"),
             );
         }
         let mut nuls = text.match_indices('\0').map(|(at, _)| at);
         let first = nuls.next()?;
         nuls.nth(MAX_NULS - 1)?;
-        let message = "this is no text: it is full of NUL bytes";
+        let message = "this is not text: it is full of NUL bytes";
         let error =
             Diagnostic::error(Code("SL0110"), message).at(Span::new(file, first, first + 1));
         Some(error.help("a deck is UTF-8 text; this may be UTF-16, or a binary file"))

@@ -77,8 +77,8 @@ fn poisson(card: &Reading<'_>, draft: &mut Draft) -> Option<f64> {
     }
     if value != 0.0 && draft.log.first_time("section poisson") {
         let message = format!(
-            "POISSON={value} is read, but the section keeps its size: \
-             at an axial strain of 0.001 that neglects {:.3} % of its area",
+            "POISSON={value} is read, but the section keeps its size: at an axial strain of 0.001 \
+             this neglects {:.3} % of its area",
             100.0 * (1.0 - (-2.0 * value * 1e-3_f64).exp()).abs()
         );
         draft.log.note("SL0235", message, span);

@@ -72,7 +72,7 @@ fn initial(lines: Vec<draft::Boundary>, draft: &mut Draft) {
         if line.value != 0.0 {
             let message = "before the first step only zero can be prescribed";
             let error = Diagnostic::error(Code("SL0214"), message).at(line.origin);
-            draft.log.push(error.help("move this line into the step that makes the motion"));
+            draft.log.push(error.help("move this line into the step of the motion"));
         }
     }
     draft.initial.extend(lines);
@@ -109,7 +109,7 @@ fn named(line: &DataLine, draft: &mut Draft) -> Option<Option<Vec<Dof>>> {
     if let Some((_, dofs)) = NAMED.iter().find(|(known, _)| *known == name) {
         return Some(Some(dofs.to_vec()));
     }
-    let message = format!("`{}` is no degree of freedom and no named support", field.text);
+    let message = format!("`{}` is neither a degree of freedom nor a named support", field.text);
     let known = NAMED.map(|(name, _)| name).join(", ");
     let error = Diagnostic::error(Code("SL0248"), message).at(field.span);
     draft.log.push(error.help(format!("named supports: {known}")));

@@ -98,8 +98,7 @@ fn unsupported(card: &Reading<'_>, draft: &mut Draft) {
         (
             "ADJUST",
             "leave it out: nodes keep their coordinates, and an overclosure at the start is \
-             resolved in the first increment, with strain; or give the nodes the coordinates \
-             they shall start from",
+             resolved in the first increment, with strain; or change the coordinates of the nodes",
         ),
         (
             "HCRIT",

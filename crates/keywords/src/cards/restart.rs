@@ -61,14 +61,16 @@ fn go_on(card: &Reading<'_>, draft: &mut Draft) {
         card.count(name, 1, &mut draft.log);
         let needs = if name == "INC" { "STEP" } else { "READ" };
         if card.has(name) && !card.has(needs) {
-            let message = format!("{name} means nothing without {needs}");
+            let message = format!("{name} has no meaning without {needs}");
             draft.log.error("SL0205", message, card.span_of(name));
         }
     }
     if card.has("END STEP") {
         let message = "*RESTART, READ, END STEP is not supported";
         let error = Diagnostic::error(Code("SL0221"), message).at(card.span_of("END STEP"));
-        draft.log.push(error.help("without it the step is walked to its end, then the new ones"));
+        draft
+            .log
+            .push(error.help("without it the step is completed first, then come the new ones"));
     }
     if !card.has("READ") {
         return;
@@ -77,7 +79,7 @@ fn go_on(card: &Reading<'_>, draft: &mut Draft) {
         let message = "*RESTART, READ belongs before the first *STEP";
         draft.log.error("SL0214", message, card.span_of("READ"));
     } else if !draft.goes_on {
-        let message = "this deck goes on from an earlier job, and none is named";
+        let message = "this deck continues a previous job, and none is named";
         let error = Diagnostic::error(Code("SL0711"), message).at(card.span_of("READ"));
         let help = "name the job whose states are read: --oldjob OLD, where OLD.rst is";
         draft.log.push(error.help(help));

@@ -92,7 +92,7 @@ fn reference(card: &Reading<'_>, draft: &mut Draft) -> Option<Target> {
     let value = draft.log.take(integer(&Field { text: word.raw.clone(), span: word.span }))?;
     let label = u64::try_from(value).ok().filter(|_| (1..=MAX_LABEL).contains(&value));
     if label.is_none() {
-        let message = format!("{value} is no node or element number: 1 to {MAX_LABEL}");
+        let message = format!("{value} is not a node or element number: 1 to {MAX_LABEL}");
         draft.log.error("SL0224", message, word.span);
     }
     label.map(Target::Label)

@@ -163,7 +163,7 @@ fn segment(line: &DataLine, from: Option<[f64; 2]>, draft: &mut Draft) -> Option
             SurfaceSegment::Parabola { middle: middle?, end: end? }
         }
         _ => {
-            let message = format!("`{word}` is no segment of a rigid surface");
+            let message = format!("`{word}` is not a segment of a rigid surface");
             let error = Diagnostic::error(Code("SL0237"), message).at(line.span);
             draft.log.push(error.help("segments are LINE, CIRCL and PARAB"));
             return None;

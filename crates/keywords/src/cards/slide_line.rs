@@ -104,7 +104,7 @@ fn stray_number(line: &DataLine, draft: &mut Draft) -> bool {
     if !(lone && real) {
         return false;
     }
-    let message = format!("`{}` is no node of the slide line", field.text);
+    let message = format!("`{}` is not a node of the slide line", field.text);
     let help = "is it the width of an *INTERFACE card whose keyword line is missing?";
     draft.log.push(Diagnostic::error(Code("SL0241"), message).at(field.span).help(help));
     draft.owner = Owner::Broken;

@@ -69,7 +69,7 @@ fn without_fillets(card: &Reading<'_>, draft: &mut Draft) {
 /// A surface of nothing harms nobody until a contact names it.
 fn note_empty(card: &Reading<'_>, draft: &mut Draft) {
     if card.data().is_empty() {
-        draft.log.note("SL0257", "this *SURFACE is empty and is passed over", card.span());
+        draft.log.note("SL0257", "this *SURFACE is empty and is ignored", card.span());
     }
 }
 
@@ -104,7 +104,7 @@ fn side(card: &Reading<'_>, line: &DataLine, draft: &mut Draft) -> Option<Option
             if of_a_solid || !draft.log.first_time(&key) {
                 return None;
             }
-            let message = format!("`{}` is no face of a beam", field.text);
+            let message = format!("`{}` is not a face of a beam", field.text);
             let error = Diagnostic::error(Code("SL0256"), message).at(field.span);
             draft.log.push(error.help(
                 "SPOS is the face 90 degrees counter-clockwise of the element's direction, \
@@ -126,8 +126,8 @@ fn nodes(card: &Reading<'_>, draft: &mut Draft) -> Option<Extent> {
             let message = "an area given for the nodes of a surface is not supported";
             let error = Diagnostic::error(Code("SL0221"), message).at(area.span);
             draft.log.push(error.help(
-                "take it away: the area of a node is half the distance to its neighbours times \
-                 the thickness of *SURFACE INTERACTION",
+                "remove it: the area of a node is half the distance to its neighbours times the \
+                 thickness of *SURFACE INTERACTION",
             ));
         }
         let target = draft.log.target(line, 0, "the node set");

@@ -46,7 +46,7 @@ fn without_surface(surfaces: &[Surface], draft: &mut Draft) -> bool {
         if surfaces.iter().any(|surface| surface.set == interface.set) {
             continue;
         }
-        let message = format!("nothing slides in the set {}: it has no surface", interface.set);
+        let message = format!("the set {} of this interface has no surface", interface.set);
         let error = Diagnostic::error(Code("SL0313"), message).at(interface.set_span);
         let lacking = |surface: &&Surface| {
             !draft.interfaces.iter().any(|interface| interface.set == surface.set)

@@ -43,7 +43,7 @@ pub(super) fn slide_line(
         Travel::Contradiction(first, second) => {
             let [first, second] = [first, second].map(|place| facets[place].label);
             let message = format!(
-                "the faces of elements {first} and {second} of {} look to opposite sides",
+                "the faces of elements {first} and {second} of {} point to opposite sides",
                 pairing.master.name
             );
             let help = "one of the elements runs the other way: give its face the other label";
@@ -68,7 +68,7 @@ fn one_face_each(pairing: &Pairing, facets: &[Facet], draft: &mut Draft) -> Opti
         if kept[place].side.is_some() && facet.side.is_some() {
             let message =
                 format!("element {} of {} has both faces", facet.label, pairing.master.name);
-            let help = "a master turns one face to its slaves: SPOS or SNEG, not both";
+            let help = "a master has one contact face: SPOS or SNEG, not both";
             undecided(pairing, message, help, draft);
             return None;
         }
@@ -88,15 +88,15 @@ fn not_a_chain(pairing: &Pairing, surface: &NamedSurface, broken: Broken, draft:
     let (message, help) = match broken {
         Broken::Branch(node) => (
             format!("three or more beams of {name} meet at node {}", label(node)),
-            "name the branches as surfaces and pairs of their own",
+            "define a surface and a pair for each branch",
         ),
         Broken::Loop(node) => (
-            format!("the beams of {name} close on themselves at node {}", label(node)),
+            format!("the beams of {name} form a closed ring at node {}", label(node)),
             "a master has two open ends: leave out a beam that nothing slides on",
         ),
         Broken::Apart(node) => (
-            format!("node {} of {name} is not joined to its first beam", label(node)),
-            "name each piece as a surface and pair of its own",
+            format!("node {} of {name} is not connected to its first beam", label(node)),
+            "define a surface and a pair for each piece",
         ),
     };
     let error = Diagnostic::error(Code("SL0329"), message).at(pairing.master.span);
@@ -154,7 +154,7 @@ fn choose_side(
         "{master} turns {side} to {slave}, where most of its nodes are: from {from} to {to}"
     );
     let note = Diagnostic::note(Code("SL0330"), message).at(pairing.master.span);
-    let help = "a face label on the data line of *SURFACE, SPOS or SNEG, takes its place";
+    let help = "a face label on the data line of *SURFACE, SPOS or SNEG, overrides this";
     draft.log.push(note.help(help));
     Some(())
 }

@@ -117,7 +117,7 @@ fn middle_is_sound(
     if !sound {
         let label = |node| draft.model.nodes.label(node);
         let message = format!(
-            "element {}: its middle node {} does not stand in the middle half between {} and {}",
+            "element {}: its middle node {} is not in the middle half between {} and {}",
             element.label,
             label(middle),
             label(first),
@@ -174,7 +174,7 @@ pub(super) fn springs(draft: &mut Draft) {
         if let Some(&index) = found.iter().find(|&&index| !draft.elements[index].kind.is_spring()) {
             let element = draft.elements[index];
             let message = format!(
-                "element {} of the set {} is of type {}, which is no spring",
+                "element {} of the set {} is of type {}, which is not a spring",
                 element.label,
                 spring.set,
                 element.kind.name()

@@ -54,8 +54,8 @@ fn bodies(draft: &mut Draft) {
         if !matches!(surface.extent, crate::surfaces::Extent::Rigid { .. }) {
             let message = format!("the surface {} is not analytical", named.name);
             let error = Diagnostic::error(Code("SL0332"), message).at(named.span);
-            let help = "only *SURFACE, TYPE=SEGMENTS is; nodes and elements are tied by TIE NSET= \
-                        and ELSET=";
+            let help = "only *SURFACE, TYPE=SEGMENTS is; nodes and elements belong to the body by \
+                        TIE NSET= and ELSET=";
             draft.consequence(Subject::Contact, error.label(surface.origin, "here").help(help));
         }
         if let Some((_, first)) = owners.iter().find(|(name, _)| *name == named.name) {
@@ -200,13 +200,18 @@ fn along(
         }
         (Found::Rigid(_), Found::Rigid(_)) => {
             let help = "at least one of them must be made of beams";
-            return refuse(pairing.origin, "two analytical surfaces cannot meet", help, draft);
+            return refuse(
+                pairing.origin,
+                "two analytical surfaces cannot be in contact",
+                help,
+                draft,
+            );
         }
         (Found::Beams(_), Found::Beams(_)) => {
             let message = "SURFACE TO SURFACE between two surfaces of beams is not supported";
             let error = Diagnostic::error(Code("SL0221"), message).at(pairing.origin);
-            let help = "take TYPE=NODE TO SURFACE; or, where one of them is rigid, give its shape \
-                        as *SURFACE, TYPE=SEGMENTS with *RIGID BODY, ANALYTICAL SURFACE=";
+            let help = "give TYPE=NODE TO SURFACE; or, if one of them is rigid, give its shape as \
+                        *SURFACE, TYPE=SEGMENTS with *RIGID BODY, ANALYTICAL SURFACE=";
             draft.consequence(Subject::Contact, error.help(help));
             return None;
         }
@@ -215,9 +220,9 @@ fn along(
             let named =
                 if matches!(slave, Found::Nodes(_)) { &pairing.slave } else { &pairing.master };
             let message =
-                format!("nothing can be integrated along the node surface {}", named.name);
+                format!("contact cannot be integrated along the node surface {}", named.name);
             let error = Diagnostic::error(Code("SL0332"), message).at(named.span);
-            let help = "define it by elements, or take TYPE=NODE TO SURFACE";
+            let help = "define it by elements, or give TYPE=NODE TO SURFACE";
             draft.consequence(Subject::Contact, error.label(nodes.origin, "here").help(help));
             return None;
         }
@@ -260,22 +265,23 @@ fn remarks(pairing: &Pairing, master: &Master, interaction: &Interaction, draft:
         return;
     }
     if !pairing.no_thickness {
-        let message = "contact acts on the node line of the beams: their thickness is not counted";
+        let message = "contact acts on the centre line of the beams: their thickness is not \
+                       counted";
         let note = Diagnostic::note(Code("SL0336"), message).at(pairing.origin);
         let help = "NO THICKNESS on *CONTACT PAIR says the same; to count it, move the rigid \
                     surface by half the thickness";
         draft.log.push(note.help(help));
     }
     if interaction.normal == NormalLaw::Hard {
-        let message = "hard contact that is integrated is imposed by a penalty";
+        let message = "integrated hard contact is imposed by a penalty";
         let advice = Diagnostic::advice(Code("SL0401"), message).at(pairing.origin);
         let advice = match interaction.normal_origin {
-            Some(span) => advice.label(span, "hard contact is asked for here"),
+            Some(span) => advice.label(span, "hard contact is requested here"),
             None => advice.label(interaction.origin, "no law is given here: contact is hard"),
         };
-        let help = "say how stiff the contact is: *SURFACE BEHAVIOR, \
-                    PRESSURE-OVERCLOSURE=EXPONENTIAL with c0 a small fraction of the thickness \
-                    of the beam";
+        let help = "give the stiffness of the contact: *SURFACE BEHAVIOR, \
+                    PRESSURE-OVERCLOSURE=EXPONENTIAL with c0 a small fraction of the thickness of \
+                    the beam";
         draft.log.push(advice.help(help));
     }
 }

@@ -198,12 +198,12 @@ pub(super) fn stretches(
     }
     let origin = surface.origin;
     let joined = reached.len() == members.len();
-    let how = if joined { "the beams that join them" } else { "each node to the next" };
+    let how = if joined { "the beams between them" } else { "the distances from node to node" };
     let message = format!("the areas of the nodes of {} come from {how}", surface.named.name);
     let note = Diagnostic::note(Code("SL0254"), message).at(origin);
     draft.consequence(
         Subject::Contact,
-        note.help("half the length of both neighbouring stretches, times the thickness"),
+        note.help("half the distance to both neighbours, times the thickness"),
     );
     if joined {
         return beams;

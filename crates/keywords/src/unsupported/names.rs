@@ -71,7 +71,7 @@ pub(super) const GROUPS: &[Group] = &[
     ),
     (
         Ignored,
-        "result files have a form of their own (docs/files.md)",
+        "result files have fixed formats (docs/files.md)",
         &["FILE FORMAT", "FILE OUTPUT", "POST OUTPUT"],
     ),
     (

@@ -121,7 +121,7 @@ pub(crate) fn written(
     let path = job.path(".pvd");
     let list = problem::text(&path)?;
     if !list.contains("<VTKFile type=\"Collection\"") {
-        return Err(unreadable(&path, "it is no list written by this program"));
+        return Err(unreadable(&path, "it is not a list written by this program"));
     }
     let files = list.split("<DataSet ").skip(1);
     let number = |entry: &str| -> Option<usize> {

@@ -51,7 +51,7 @@ pub(crate) fn summary(job: &JobFiles, unfinished: bool) -> Result<Value, Problem
     let text = problem::text(&path)?;
     let summary = Value::read(&text).map_err(|reason| unreadable(&path, reason))?;
     let (Some(schema), Some(status)) = (summary.count("schema"), summary.text("status")) else {
-        return Err(unreadable(&path, "it is no summary written by this program"));
+        return Err(unreadable(&path, "it is not a summary written by this program"));
     };
     if schema > SCHEMA {
         let reason = format!("its layout {schema} is newer than this program's {SCHEMA}");

@@ -24,7 +24,7 @@ impl StateFile {
             .iter()
             .all(|mark| find(head, mark).is_some());
         if !is_ours {
-            return Err(unreadable(path, "it is no state written by this program"));
+            return Err(unreadable(path, "it is not a state written by this program"));
         }
         if !file.text.trim_ascii_end().ends_with(b"</VTKFile>") {
             return Err(unreadable(path, "it is truncated"));

@@ -82,7 +82,7 @@ impl Reader<'_> {
         if self.rest.is_empty() {
             "it ends too early".to_owned()
         } else {
-            format!("at byte {at} stands something else than {wanted}")
+            format!("at byte {at} there is something else than {wanted}")
         }
     }
 

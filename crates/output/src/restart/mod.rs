@@ -100,10 +100,11 @@ impl SavedStates {
         let path = job.path(".rst");
         let file = crate::file::open(&path).map_err(|reason| {
             Box::new(if reason.kind() == ErrorKind::NotFound {
-                let message = format!("there is no saved state {} to go on from", path.display());
+                let message =
+                    format!("there is no saved state {} to continue from", path.display());
                 Diagnostic::error(Code("SL0707"), message).help(
-                    "Run the job from its beginning. To save states, write *RESTART, WRITE into \
-                     the deck; the first is there after the first increment.",
+                    "Run the job from the beginning. To save states, write *RESTART, WRITE into \
+                     the deck; the first one exists after the first increment.",
                 )
             } else {
                 unusable(job, &reason.to_string())
@@ -168,8 +169,8 @@ impl SavedStates {
         match before {
             None => said,
             Some(Place { step, increment, .. }) => said.help(format!(
-                "Run the job from its beginning, or go on from an earlier state with a new deck: \
-                 *RESTART, READ, STEP={step}, INC={increment}. Nothing was changed so far."
+                "Run the job from the beginning, or continue from an earlier state with a new \
+                 deck: *RESTART, READ, STEP={step}, INC={increment}. Nothing was changed so far."
             )),
         }
     }
@@ -181,7 +182,7 @@ impl SavedStates {
             (Some(step), None) => format!("step {step}"),
             _ => "any increment".to_owned(),
         };
-        let message = format!("{} holds no state of {asked}", path.display());
+        let message = format!("{} has no state of {asked}", path.display());
         let mut there: Vec<(usize, usize, usize)> = Vec::new(); // step, first, last increment
         for (step, increment) in self.list() {
             match there.last_mut().filter(|last| last.0 == step) {
@@ -198,7 +199,7 @@ impl SavedStates {
             "Run that job again.".to_owned()
         } else {
             format!(
-                "There are states of {}. *RESTART, WRITE, FREQUENCY=N in the earlier deck says \
+                "There are states of {}. *RESTART, WRITE, FREQUENCY=N in the previous deck sets \
                  which increments are saved.",
                 there.join("; ")
             )
@@ -220,7 +221,7 @@ fn unusable(job: &JobFiles, reason: &str) -> Diagnostic {
     let path = job.path(".rst");
     let message = format!("the saved state {} cannot be used: {reason}", path.display());
     Diagnostic::error(Code("SL0708"), message)
-        .help("Run the job from its beginning; nothing was changed so far.")
+        .help("Run the job from the beginning; nothing was changed so far.")
 }
 
 /// Reads the last state of the bytes of a `JOB.rst`.
@@ -229,7 +230,7 @@ fn unusable(job: &JobFiles, reason: &str) -> Diagnostic {
 /// Why there is none, in words.
 pub fn unpack(bytes: &[u8]) -> Result<Saved, String> {
     let mut states = States::open(Cursor::new(bytes))?;
-    let place = states.find(None, None).ok_or("it holds no state")?;
+    let place = states.find(None, None).ok_or("it has no state")?;
     states.load(place)
 }
 
@@ -258,7 +259,7 @@ impl Saved {
         let message = short.or_else(lost)?;
         Some(
             Diagnostic::error(Code("SL0710"), message)
-                .help("Put the result files back as they were, or run the job from its beginning."),
+                .help("Restore the result files, or run the job from the beginning."),
         )
     }
 }

@@ -154,8 +154,10 @@ impl Preface {
 fn changed(what: &str, was: &str, now: &str) -> Diagnostic {
     let message =
         format!("{what} was changed since the state was saved: it was {was} and is {now} now");
-    Diagnostic::error(Code("SL0709"), message)
-        .help("Go on with what the state was saved with, or run the job from its beginning.")
+    Diagnostic::error(Code("SL0709"), message).help(
+        "Continue with the deck and options of the saved state, or run the job from the \
+               beginning.",
+    )
 }
 
 fn unpack_earlier(bytes: &mut Unpacking<'_>) -> Option<Earlier> {

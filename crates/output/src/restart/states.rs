@@ -133,7 +133,7 @@ impl<R: Read + Seek> States<R> {
     }
 }
 
-const SENSELESS: &str = "its content makes no sense";
+const SENSELESS: &str = "its content is not valid";
 const SHORT: &str = "it is shorter than it says";
 
 /// What the marks say; `None` for one that was damaged.

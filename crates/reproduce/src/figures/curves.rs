@@ -308,8 +308,8 @@ pub(super) fn linear_theory(study: &Study) -> Figure {
     Figure {
         name: "linear_theory",
         scene,
-        caption: "How far the linear theory of the first problem, without friction, is itself \
-                  from references that leave out less and less."
+        caption: "Error of the linear theory of the first problem, without friction, against more \
+                  and more complete references."
             .to_owned(),
     }
 }

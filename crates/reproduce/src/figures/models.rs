@@ -85,8 +85,7 @@ pub(super) fn figure_7(study: &Study) -> Figure {
         scene,
         caption: "ISL model of the second problem: a rigid cam, turned clockwise into a flexible \
                   member. Grey: the last increment, with friction. Right: the contact in the \
-                  middle of the stroke. The dimensions are this project's, for those of the \
-                  paper are not printed in it."
+                  middle of the stroke. The dimensions are ours; the paper does not give any."
             .to_owned(),
     }
 }

@@ -98,10 +98,10 @@ pub(super) fn figure_5(study: &Study) -> Figure {
         scene,
         caption: format!(
             "Normal contact forces on the beam in increment {increment} of our runs without \
-             friction, to scale. In a master/slave algorithm a slave node does not penetrate \
-             the master surface, but nothing keeps the master from penetrating between slave \
-             nodes: with IRS the force acts where a beam node happens to be and points away \
-             from the centre of the circle; with ISL it stands on the beam."
+             friction, to scale. In a master/slave algorithm a slave node does not penetrate the \
+             master surface, but nothing keeps the master from penetrating between slave nodes: \
+             with IRS the force acts where a beam node happens to be and points away from the \
+             centre of the circle; with ISL it is normal to the beam."
         ),
     }
 }

@@ -22,14 +22,14 @@ impl Page<'_> {
              <p>Not in the paper. Both of its methods sample contact at nodes, and that is where \
              their noise comes from. In the IRS model a node of the beam carries the force, up to \
              half an element ({} mm) from where the circle touches, and the force points from the \
-             centre of the circle to that node. As the circle moves on the direction goes wrong by \
-             more and more, until the next node takes over and it jumps back: a saw-tooth of up to \
-             {} % of the peak, on which the force changes direction {turns} times in {FINE} \
+             centre of the circle to that node. As the circle moves on the direction goes wrong \
+             by more and more, until the next node takes over and it jumps back: a saw-tooth of \
+             up to {} % of the peak, on which the force changes direction {turns} times in {FINE} \
              increments. The ISL model takes the direction from the beam, but its circle is a \
              polygon: the force acts at a corner, up to half the spacing of the slaves ({} mm) \
-             beside the point of tangency, and between corners the polygon lies {} \u{b5}m inside the \
-             circle. Each time one slave hands over to the next the error rises and falls again, \
-             by up to {} %.</p>\n",
+             beside the point of tangency, and between corners the polygon lies {} \u{b5}m inside \
+             the circle. Each time one slave hands over to the next the error rises and falls \
+             again, by up to {} %.</p>\n",
             fixed(half_element, 2),
             fixed(worst_irs, 0),
             fixed(1e3 * problem.radius * half_angle.sin(), 2),
@@ -54,10 +54,10 @@ impl Page<'_> {
             text,
             "<p>Integrated contact (<code>*CONTACT PAIR, TYPE=SURFACE TO SURFACE</code>) has \
              neither. The surface of the beam is a smooth curve through the positions and \
-             rotations of its nodes, the circle stays a circle, and pressure is summed up over the \
-             stretch of beam that is closed, about {} mm long, wherever in an element it lies. \
-             Moving on, the stretch gains a little at one end and loses a little at the other, \
-             and at both ends the pressure is zero: nothing jumps.",
+             rotations of its nodes, the circle stays a circle, and pressure is integrated over \
+             the part of the beam that is in contact, about {} mm long, wherever in an element it \
+             lies. As contact moves on, this part grows a little at one end and shrinks a little \
+             at the other, and at both ends the pressure is zero: nothing jumps.",
             fixed(closed, 1),
         ); // as above
         if let (Some(increment), Some([irs, isl, integrated])) =
@@ -82,10 +82,11 @@ impl Page<'_> {
     fn formulations(&self, text: &mut String) {
         let _ = write!(
             text,
-            "<div class=\"wide\"><table>\n<caption>Vertical force of the first problem in {FINE} \
-             increments, 24 beams, against the shear-flexible beam with pressure spread along it, \
-             in percent of the peak.</caption>\n<tr><th>model</th><th>\u{3bc}</th><th>RMS</th>\
-             <th>largest</th><th>roughness</th><th>reversals</th></tr>\n"
+            "<div class=\"wide\"><table>\n\
+             <caption>Vertical force of the first problem in {FINE} increments, 24 beams, against \
+             the shear-flexible beam with pressure spread along it, in percent of the \
+             peak.</caption>\n\
+             <tr><th>model</th><th>\u{3bc}</th><th>RMS</th><th>largest</th><th>roughness</th><th>reversals</th></tr>\n"
         ); // as above
         for friction in [0.0, FRICTION] {
             for model in crate::fine::MODELS {
@@ -103,9 +104,10 @@ impl Page<'_> {
             }
         }
         text.push_str(
-            "</table></div>\n<p>Roughness measures jumps from increment to increment, and tells \
-             the IRS model from the two others. The error of the ISL model is a slow wave: it \
-             changes hands over several increments.</p>\n",
+            "</table></div>\n\
+             <p>Roughness measures jumps from increment to increment, and separates the IRS model \
+             from the two others. The error of the ISL model is a slow wave: the force moves from \
+             one slave to the next over several increments.</p>\n",
         );
     }
 
@@ -114,12 +116,14 @@ impl Page<'_> {
         let part = |model| self.say(model, MATFRU, kept, 0);
         let _ = writeln!(
             text,
-            "<p>In 20 increments the integrated model is {} % (RMS, \u{3bc} = 0) and {} % (\u{3bc} = \
-             {FRICTION}) off, at {} iterations an increment. In the second problem, against the \
-             same kind of reference, the moment is {} % and {} % off, where the ISL model with a \
-             slave every 3 degrees is {} % and {} %: there is no polygon whose corners would shift \
-             the arm of the force. It needs the modified friction logic all the same: a sliding \
-             circle keeps meeting fresh stretches of beam, and the logic of 1995 would leave {} % of the work of friction in the first problem and {} % in the second.</p>",
+            "<p>In 20 increments the integrated model is {} % (RMS, \u{3bc} = 0) and {} % \
+             (\u{3bc} = {FRICTION}) off, at {} iterations an increment. In the second problem, \
+             against the same kind of reference, the moment is {} % and {} % off, where the ISL \
+             model with a slave every 3 degrees is {} % and {} %: there is no polygon whose \
+             corners would shift the arm of the force. It needs the modified friction logic all \
+             the same: a sliding circle keeps touching new parts of the beam, and the logic of \
+             1995 would leave {} % of the work of friction in the first problem and {} % in the \
+             second.</p>",
             rms(ModelKind::Integrated, NONE, 3),
             rms(ModelKind::Integrated, IMMEDIATE, 3),
             self.say(ModelKind::Integrated, IMMEDIATE, |row| row.mean_iterations, 1),

@@ -19,17 +19,17 @@ impl Case<'_> {
     /// Hard points that cannot all close.
     pub(super) fn overconstrained(&self) -> Option<Diagnostic> {
         let (found, why) = match self.work.told_apart(self.plan) {
-            Some(found) => (found, "nothing between them and their master can yield"),
+            Some(found) => (found, "neither they nor their master can move"),
             None => (
                 self.work.contradiction(self.plan, self.committed, self.dt)?,
-                "what opens one of them closes another",
+                "opening one of them closes another",
             ),
         };
         let Contradiction { places, left } = found;
         let pair = self.pair_of(*places.first()?);
         let message = format!(
-            "hard contact of {} asks more than the motions allow {}: {} would have to close, but \
-             {why}; an overclosure of {left:.3e} is left",
+            "hard contact of {} is contradictory {}: {} would have to close, but {why}; an \
+             overclosure of {left:.3e} remains",
             pair.name,
             self.beyond(),
             self.nodes(&places),
@@ -49,8 +49,8 @@ impl Case<'_> {
         let pressure = self.pressure_scale(pair);
         let card = pair.vocabulary.softened_card(clearance, pressure);
         let help = format!(
-            "everything up to that time is kept; let the contact yield a little: {} with a \
-             clearance of {clearance:.3E} and a pressure of {pressure:.3E}",
+            "the results up to that time are kept; soften the contact: {} with a clearance of \
+             {clearance:.3E} and a pressure of {pressure:.3E}",
             pair.vocabulary.softened()
         );
         let place = match interaction.normal_origin {
@@ -88,8 +88,8 @@ impl Case<'_> {
     pub(super) fn jam_of(&self, jammed: &[usize]) -> Option<Diagnostic> {
         let pair = self.pair_of(*jammed.first()?);
         let message = format!(
-            "the contact jams at {} {}: there friction holds by more than a greater contact \
-             pressure would free, so no force moves it on",
+            "the contact jams at {} {}: there a higher contact pressure adds more friction than \
+             it opens the contact, so no force moves it on",
             self.nodes(jammed),
             self.beyond()
         );
@@ -97,7 +97,7 @@ impl Case<'_> {
         let said = Diagnostic::error(Code("SL0506"), message)
             .at(origin.unwrap_or(self.plan.step.origin))
             .help(
-                "everything up to that time is kept; lower the coefficient of *FRICTION or the \
+                "the results up to that time are kept; lower the coefficient of *FRICTION or the \
                  slope at which the parts meet (mu tan a must stay below 1), or push from another \
                  side",
             );
@@ -124,8 +124,8 @@ impl Case<'_> {
         let pair = self.pair_of(worst);
         let point = &evidence.points[worst];
         let message = format!(
-            "contact of {} chatters at {} {}: {} opened or closed in {} of the last {} iterations, \
-             at last from {} to {}",
+            "contact of {} chatters at {} {}: {} opened or closed in {} of the last {} \
+             iterations, in the last one from {} to {}",
             pair.name,
             self.nodes(&places),
             self.beyond(),
@@ -162,8 +162,9 @@ impl Case<'_> {
         let pair = self.pair_of(worst);
         let point = &evidence.points[worst];
         let message = format!(
-            "friction of {} wavers at {} {}: {} changed between stick and slip or its way in {} of \
-             the last {} iterations, at a traction of up to {:.3e} under a pressure of {:.3e}",
+            "friction of {} cycles at {} {}: {} changed between stick and slip or its direction \
+             in {} of the last {} iterations, at a traction of up to {:.3e} under a pressure of \
+             {:.3e}",
             pair.name,
             self.nodes(&places),
             self.beyond(),
@@ -184,8 +185,8 @@ impl Case<'_> {
         if self.plan.symmetrised() {
             return said
                 .help(
-                    "everything up to that time is kept; UNSYMM=NO keeps the friction limit of the \
-                     iteration before: say UNSYMM=YES on *STEP",
+                    "the results up to that time are kept; UNSYMM=NO uses the friction limit of \
+                     the previous iteration: give UNSYMM=YES on *STEP",
                 )
                 .card(
                     Place::Instead(step.origin),
@@ -194,7 +195,7 @@ impl Case<'_> {
         }
         let slip = 0.02 * self.plan.contact_length(pair);
         let help = format!(
-            "everything up to that time is kept; let points give a little before they slide: \
+            "the results up to that time are kept; let points move a little before they slide: \
              *FRICTION, ELASTIC SLIP={slip:.3E}"
         );
         match (&pair.interaction.friction, pair.interaction.friction_origin) {
@@ -310,7 +311,7 @@ fn line_end(model: &Model, line: &SlideLine, pair: &ContactPair, along: f64) -> 
         (Place::Instead(line.origin), text)
     });
     let lengthen = pair.vocabulary.lengthen_chain();
-    let remedy = format!("{lengthen}, or prolong its ends with EXTENSION ZONE");
+    let remedy = format!("{lengthen}, or extend its ends with EXTENSION ZONE");
     End { what: "the slide line", remedy, origin: line.origin, card }
 }
 
@@ -327,7 +328,7 @@ fn neighbour(model: &Model, end: NodeIndex, known: &[NodeIndex]) -> Option<NodeI
 
 /// One more data line prolongs a rigid surface by twice its length.
 fn surface_end(surface: &RigidSurface, pair: &ContactPair, along: f64) -> End {
-    let remedy = format!("prolong {} beyond the stroke", pair.vocabulary.rigid_surface());
+    let remedy = format!("extend {} beyond the stroke", pair.vocabulary.rigid_surface());
     let end = End { what: "the rigid surface", remedy, origin: surface.origin, card: None };
     let mut from = surface.start;
     let mut length = 0.0;

@@ -30,8 +30,8 @@ impl Case<'_> {
         let Friction::User { name, .. } = &pair.interaction.friction else { return None };
         let message = format!(
             "the derivatives of the user friction law {name} are not those of its traction, and \
-             Newton's method is led astray {}: at node {}, under a pressure of {:.3e}, it says \
-             d tau/d {} = {:.4e}, its own tractions give {:.4e}",
+             Newton's method does not converge {}: at node {}, under a pressure of {:.3e}, it \
+             gives d tau/d {} = {:.4e}, differences of its tractions give {:.4e}",
             self.beyond(),
             self.label(point.node),
             now.pressure,
@@ -41,7 +41,7 @@ impl Case<'_> {
         );
         let mu = now.traction.abs() / now.pressure;
         let help = format!(
-            "everything up to that time is kept; correct the derivatives in the program that \
+            "the results up to that time are kept; correct the derivatives in the program that \
              registers the law, or use Coulomb's law with the coefficient it reached: *FRICTION \
              with {mu:.4}"
         );

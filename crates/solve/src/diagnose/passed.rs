@@ -60,8 +60,8 @@ impl Case<'_> {
         );
         let needed = 0.1 * missed.fraction * self.dt;
         let said = Diagnostic::error(Code("SL0519"), message).at(procedure.origin).help(format!(
-            "everything up to that time is kept; begin *STATIC with an increment of {needed:.2e} and \
-             allow smaller ones"
+            "the results up to that time are kept; begin *STATIC with an increment of \
+             {needed:.2e} and allow smaller ones"
         ));
         match procedure.origin {
             Some(origin) => said.card(
@@ -86,9 +86,9 @@ impl Case<'_> {
             self.beyond()
         );
         Diagnostic::error(Code("SL0520"), message).at(pair.origin).help(
-            "everything up to that time is kept; give the slave surface shorter elements than the \
-             narrowest part of the master, or integrate contact along them with *CONTACT PAIR, \
-             TYPE=SURFACE TO SURFACE",
+            "the results up to that time are kept; give the slave surface shorter elements than \
+             the narrowest part of the master, or integrate contact along them with *CONTACT \
+             PAIR, TYPE=SURFACE TO SURFACE",
         )
     }
 }

@@ -33,7 +33,7 @@ impl Case<'_> {
         }
         let label = self.label(motion.node);
         let message = format!(
-            "nothing holds the body of node {label} {}: it can {} without any resistance{}{}",
+            "the body of node {label} is unsupported {}: it can {} without any resistance{}{}",
             self.beyond(),
             self.way(&motion),
             self.distance(&motion),
@@ -46,8 +46,8 @@ impl Case<'_> {
         let said = Diagnostic::error(Code("SL0503"), message)
             .at(self.plan.model.nodes.get(motion.node).origin)
             .help(format!(
-                "hold it with *BOUNDARY: node {label}, degree of freedom {dof}; or attach a weak \
-                 *SPRING until contact holds it"
+                "support it with *BOUNDARY: node {label}, degree of freedom {dof}; or attach a \
+                 weak *SPRING until contact supports it"
             ));
         Some(match self.plan.step.procedure.origin {
             Some(origin) => {
@@ -118,8 +118,8 @@ impl Case<'_> {
         let slot = plan.layout.slot(load.node, dof);
         let moved = slot.map_or(0.0, |slot| self.committed.displacement[slot]);
         let message = format!(
-            "the structure snaps through {}: under the load at node {label}, {} it gives way in {} \
-             direction{} instead of resisting, after a motion of {moved:.4e}",
+            "the structure snaps through {}: under the load at node {label}, {} it is unstable in \
+             {} direction{}, after a displacement of {moved:.4e}",
             self.beyond(),
             dof.name(),
             directions,
@@ -127,8 +127,9 @@ impl Case<'_> {
         );
         let further = 2.0 * moved;
         let help = format!(
-            "everything up to that time is kept; drive the motion instead of the load: *BOUNDARY \
-             with node {label}, degree of freedom {} in place of *CLOAD, for instance to {further:.4e}",
+            "the results up to that time are kept; prescribe the motion instead of the load: \
+             *BOUNDARY with node {label}, degree of freedom {} in place of *CLOAD, for instance \
+             to {further:.4e}",
             dof.number()
         );
         let said = Diagnostic::error(Code("SL0511"), message).at(load.origin).help(help);
@@ -184,7 +185,7 @@ pub fn step_too_large(
     let said = Diagnostic::error(Code("SL0512"), message)
         .at(procedure.origin.unwrap_or(plan.step.origin))
         .help(format!(
-            "everything up to that time is kept; leave out DIRECT and begin with *STATIC and an \
+            "the results up to that time are kept; leave out DIRECT and begin with *STATIC and an \
              increment of {needed:.3e}"
         ));
     match procedure.origin {

@@ -49,16 +49,17 @@ impl Walk<'_> {
         }
         self.committed.stabilised = true;
         let message = format!(
-            "only contact that is still open will hold the body of node {}: contact is stabilised \
-             from total time {:.6} on, by tractions that fade to nothing by the end of the step",
+            "the body of node {} is supported only by contact that is still open: contact is \
+             stabilised from total time {:.6} on, by tractions that fade to zero at the end of \
+             the step",
             plan.model.nodes.label(node),
             self.committed.total_time
         );
         let said = Diagnostic::warning(Code("SL0517"), message)
             .at(plan.model.nodes.get(node).origin)
             .help(
-                "nothing has to be done; *CONTACT CONTROLS, STABILIZE=factor in the step sets how \
-                 strong it is, *BOUNDARY or a *SPRING on the body makes it needless",
+                "no action is needed; *CONTACT CONTROLS, STABILIZE=factor in the step sets its \
+                 strength; with *BOUNDARY or a *SPRING on the body it is not needed",
             );
         self.tell(Event::Diagnosed(&said))?;
         Ok(true)
@@ -73,15 +74,15 @@ impl Walk<'_> {
             return Ok(());
         }
         let message = format!(
-            "contact stabilisation has taken {:.3e}, {:.0} % of the energy of the run: the way \
-             there was damped; the end of the step is not, for it has faded there",
+            "contact stabilisation has dissipated {:.3e}, {:.0} % of the energy of the run: \
+             increments before the end of the step are damped, the end of the step is not",
             energy.stabilisation,
             100.0 * energy.stabilisation / all
         );
         let origin = stabilise::settings(plan, &self.committed).map(|settings| settings.origin);
         let said = Diagnostic::warning(Code("SL0618"), message)
             .at(origin)
-            .help("where the way matters, lower it: *CONTACT CONTROLS, STABILIZE=0.1");
+            .help("if the path matters, lower it: *CONTACT CONTROLS, STABILIZE=0.1");
         self.tell(Event::Diagnosed(&said))
     }
 

@@ -86,10 +86,10 @@ impl Walk<'_> {
             return Ok(());
         }
         let message = format!(
-            "energy does not balance: the increments leave {unbalanced:.3e} over, {:.0} % of all \
-             that was turned over, most of it ({:.3e}) increment {increment} of step {step}: \
-             forces change more within an increment than its two ends show, and work and peak \
-             forces are not to be trusted",
+            "energy does not balance: the error is {unbalanced:.3e}, {:.0} % of the energy \
+             converted, most of it ({:.3e}) in increment {increment} of step {step}: forces \
+             change more within an increment than its two ends show, and work and peak forces are \
+             not reliable",
             100.0 * unbalanced / books.turned_over,
             books.worst,
         );
@@ -104,7 +104,7 @@ impl Walk<'_> {
         let said = Diagnostic::warning(Code("SL0604"), message)
             .at(procedure.origin.unwrap_or(worst_step.origin))
             .help(format!(
-                "take increments of at most {shorter:.3e} in step {step}, and compare the forces"
+                "use increments of at most {shorter:.3e} in step {step}, and compare the forces"
             ));
         let said = match procedure.origin {
             Some(origin) => said.card(Place::Instead(origin), card),
@@ -379,14 +379,15 @@ impl Jump {
             message.push_str(&format!(", the contact of {name} opens"));
         }
         message.push_str(&format!(
-            ", and {:.4e} of energy is released, {:.1} % of what was turned over",
+            ", and {:.4e} of energy is released, {:.1} % of the energy converted",
             self.released,
             100.0 * self.released / state.books.turned_over
         ));
         let node = self.node.map(|(node, _)| plan.model.nodes.get(node).origin);
         Diagnostic::note(Code("SL0603"), message).at(node).help(
-            "a hook that springs off an edge does this, and nothing has to be done; released_energy \
-             in JOB.energy.csv counts it, and what happens on the way is no equilibrium",
+            "a hook that springs off an edge does this, and no action is needed; released_energy \
+             in JOB.energy.csv contains this energy, and the motion during the jump is not in \
+             equilibrium",
         )
     }
 }
