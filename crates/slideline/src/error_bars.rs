@@ -145,8 +145,11 @@ pub fn error_bars(
         |said: Box<Diagnostic>| Box::new(Diagnostic { severity: Severity::Warning, ..*said });
     let half = refine(model).map_err(as_warning)?;
     let quarter = refine(&half).map_err(as_warning)?;
-    let ways = ["the run with half the element length", "the run with a quarter of the element \
-                                                         length"];
+    let ways = [
+        "the run with half the element length",
+        "the run with a quarter of the element \
+                                                         length",
+    ];
     compare(found, [&half, &quarter], ways, options, observer)
 }
 
@@ -163,8 +166,11 @@ pub fn time_error_bars(
     observer: &mut dyn Observer,
 ) -> Result<ErrorBars, Box<Diagnostic>> {
     let (half, quarter) = (shortened(model, 2), shortened(model, 4));
-    let ways = ["the run with half the increment size", "the run with a quarter of the increment \
-                                                         size"];
+    let ways = [
+        "the run with half the increment size",
+        "the run with a quarter of the increment \
+                                                         size",
+    ];
     compare(found, [&half, &quarter], ways, options, observer)
 }
 

@@ -82,6 +82,12 @@ pub fn may_be_a_jam(said: &Diagnostic) -> bool {
     ["SL0501", "SL0513", "SL0515"].contains(&said.code.0)
 }
 
+/// Whether an attempt that ended for this cause may have another equilibrium:
+/// nothing, a snap-through or contact that wavers was proved.
+pub fn may_end_elsewhere(said: &Diagnostic) -> bool {
+    ["SL0501", "SL0511", "SL0513", "SL0515"].contains(&said.code.0)
+}
+
 /// A jam at points that the first iteration of an attempt showed locked.
 pub fn jam_at_first(case: &Case<'_>, jammed: &[usize]) -> Option<Diagnostic> {
     case.jam_of(jammed)

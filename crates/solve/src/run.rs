@@ -291,7 +291,7 @@ impl<'a> Walk<'a> {
                 if outcome.verdict.may_be_searched() {
                     self.fail(&target, &outcome, Some(target.dt))?;
                     target.attempt += 1;
-                    outcome = self.last_resorts(plan, &mut target, work)?;
+                    outcome = self.last_resorts(plan, (&mut target, &cause), work)?;
                     decision = begin_again(after(outcome.verdict), &step.procedure);
                 }
                 diagnosis = Some(Box::new(cause));

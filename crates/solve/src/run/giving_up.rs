@@ -87,11 +87,12 @@ impl Walk<'_> {
     }
 
     /// The last attempts at an increment that no shorter one replaces: with a
-    /// line search, then, where contact acts, downhill to another equilibrium.
+    /// line search, then, where contact acts and no cause forbids it, downhill to
+    /// another equilibrium.
     pub(super) fn last_resorts(
         &mut self,
         plan: &Plan<'_>,
-        target: &mut Target,
+        (target, cause): (&mut Target, &Diagnostic),
         work: &mut Workspace,
     ) -> Result<Outcome, Left> {
         work.line_search = true;
@@ -100,7 +101,9 @@ impl Walk<'_> {
         let searched = searched?;
         let acts = |point: &crate::state::PointState| point.ever_closed;
         let touched = self.committed.points.iter().chain(&work.evaluation.points).any(acts);
-        if matches!(searched.verdict, Verdict::Converged { .. }) || !touched {
+        // a jam or a contradiction has no other equilibrium to go to
+        let may_go_on = touched && diagnose::may_end_elsewhere(cause);
+        if matches!(searched.verdict, Verdict::Converged { .. }) || !may_go_on {
             return Ok(searched);
         }
         self.fail(target, &searched, Some(target.dt))?;
