@@ -93,8 +93,8 @@ fn add_error_bars(
             write_error_bars(&outcome.files, mesh.as_ref(), time.as_ref())?;
         }
         // a job that was complete before keeps its files as they are
-        let told = said.iter().filter(|_| found.count() > 0);
-        told.into_iter().try_for_each(|said| add_warning(&outcome.files, said, &read.sources))
+        let mut told = said.iter().filter(|_| found.count() > 0);
+        told.try_for_each(|said| add_warning(&outcome.files, said, &read.sources))
     };
     if let Err(failure) = write() {
         outcome.output_failure = Some(failure.to_string());
