@@ -2,7 +2,8 @@
 
 use crate::arguments::CheckArguments;
 use crate::exit::Exit;
-use crate::{render, screen};
+use crate::run::Interruptible;
+use crate::{interrupt, render, screen};
 use slideline::diag::{Code, Diagnostic, Severity, has_errors};
 use slideline::model::{ContactPair, Formulation, Master, NormalLaw};
 use slideline::observe::ContactRow;
@@ -40,8 +41,22 @@ pub(crate) fn check(arguments: &CheckArguments) -> Exit {
 /// Writes the mended deck beside the old one, under a name that nothing has;
 /// says so on standard error.
 fn fix(read: &Read) -> bool {
-    let Some(bytes) = slideline::mended(read, &read.diagnostics) else {
-        eprintln!("nothing to mend: no finding carries a card");
+    interrupt::listen();
+    let options = SolveOptions::default();
+    let mend = slideline::try_mends(read, &read.diagnostics, &options, &mut Interruptible);
+    for (code, reason) in &mend.left_out {
+        eprintln!("{code}: its card was tried and left out, because {reason}");
+    }
+    let Some(bytes) = mend.deck else {
+        let none = mend.left_out.is_empty();
+        eprintln!(
+            "{}",
+            if none {
+                "nothing to mend: no finding carries a card"
+            } else {
+                "no mended deck: no card helps"
+            }
+        );
         return true;
     };
     for number in 1..=MOST_FIXED {
@@ -51,7 +66,9 @@ fn fix(read: &Read) -> bool {
         let written = std::fs::File::create_new(&path).and_then(|mut file| file.write_all(&bytes));
         match written {
             Ok(()) => {
-                eprintln!("the mended deck is {}", path.display());
+                let codes: Vec<&str> = mend.mended.iter().map(|code| code.0).collect();
+                let tried = if mend.was_run { "checked and run" } else { "checked" };
+                eprintln!("the mended deck is {} ({}; {tried})", path.display(), codes.join(", "));
                 return true;
             }
             Err(reason) if reason.kind() == ErrorKind::AlreadyExists => {}

@@ -42,6 +42,7 @@ mod sta;
 mod summary;
 mod tables;
 mod understood;
+mod verdict;
 mod vtu;
 mod writers;
 
@@ -53,4 +54,5 @@ pub use lock::{is_running, remove_stale_lock};
 pub use past::Past;
 pub use record::{card, columns, record};
 pub use summary::{Facts, SCHEMA, Status, write_input_error};
+pub use verdict::verdict_of;
 pub use writers::{Writers, kinds};

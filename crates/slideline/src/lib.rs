@@ -22,6 +22,7 @@ mod advice;
 mod check;
 mod error_bars;
 mod further;
+mod mend;
 mod read;
 mod run;
 
@@ -29,6 +30,7 @@ pub use advice::{advise, mended};
 pub use check::{InitialGaps, initial_gaps};
 pub use error_bars::{ErrorBars, Reactions, Recorder, error_bars};
 pub use further::From;
+pub use mend::{Mend, try_mends};
 pub use read::{Job, OldJob, Read, ReadOptions};
 pub use run::{Outcome, Quiet, RunOptions, run};
 
@@ -44,7 +46,7 @@ pub use slideline_solve::{Options as SolveOptions, TangentCheck, observe};
 pub use slideline_solve::{UserFrictions, friction};
 
 pub use slideline_diag::{Diagnostic, Severity};
-pub use slideline_measures::{NoiseSummary, PairNoise, ReactionNoise};
+pub use slideline_measures::{MeshNoise, NoiseSummary, PairNoise, ReactionNoise};
 pub use slideline_model::{Dialect, Model, Onset};
 pub use slideline_output::Status;
 pub use slideline_solve::observe::{Event, Observer, Stop};
