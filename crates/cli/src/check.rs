@@ -9,10 +9,11 @@ use slideline::model::{ContactPair, Formulation, Master, NormalLaw};
 use slideline::observe::ContactRow;
 use slideline::output::json::{Object, array, number};
 use slideline::output::number::general;
-use slideline::output::{echo, record};
+use slideline::output::{echo, picture, record, write_file};
 use slideline::{InitialGaps, Job, Model, Read, SolveOptions, initial_gaps};
 use std::fmt::Write as _;
 use std::io::{ErrorKind, Write as _};
+use std::path::Path;
 
 /// Mended decks that may stand beside a deck.
 const MOST_FIXED: usize = 99;
@@ -32,10 +33,48 @@ pub(crate) fn check(arguments: &CheckArguments) -> Exit {
         render::to_standard_error(&read.diagnostics, &read.sources);
         screen::print(&report(&read, start.as_ref()));
     }
+    if let Some(path) = &arguments.picture
+        && !draw(path, &read, start.as_ref())
+    {
+        return Exit::Output;
+    }
     if arguments.fix && !fix(&read) {
         return Exit::Output;
     }
     if has_errors(&read.diagnostics) { Exit::Input } else { Exit::Completed }
+}
+
+/// Draws the model; says where on standard error.
+fn draw(path: &Path, read: &Read, start: Option<&InitialGaps>) -> bool {
+    let Some(model) = &read.model else {
+        eprintln!("no picture: the deck has errors");
+        return true;
+    };
+    let picture = picture(model, start.map_or(&[][..], |start| &start.points));
+    let heading = model.heading.lines().next().filter(|line| !line.trim().is_empty());
+    let name = read.job.stem.to_string_lossy().into_owned();
+    let content = match path.extension().and_then(|ending| ending.to_str()) {
+        Some("html") => {
+            let words = report(read, start);
+            Some(picture.html(heading.unwrap_or(&name), &words).into_bytes())
+        }
+        Some("png") => picture.png(),
+        _ => Some(picture.svg().into_bytes()),
+    };
+    let Some(content) = content else {
+        eprintln!("{} cannot be encoded", path.display());
+        return false;
+    };
+    match write_file(path, &content) {
+        Ok(()) => {
+            eprintln!("the model is drawn in {}", path.display());
+            true
+        }
+        Err(reason) => {
+            eprintln!("{reason}");
+            false
+        }
+    }
 }
 
 /// Writes the mended deck beside the old one, under a name that nothing has;

@@ -80,9 +80,6 @@ const PENETRATION: f64 = 3.0;
 
 /// Judges a run: the table of rules. [docs/report.md: verdict]
 pub fn verdict(evidence: &Evidence) -> Verdict {
-    let percent = |value: f64| {
-        format!("{:.3}", 100.0 * value).trim_end_matches('0').trim_end_matches('.').to_owned()
-    };
     // what is no number is never clean
     let above = |value: Option<f64>, limit: f64| value.filter(|value| !(*value <= limit));
     let mut reasons: Vec<(Colour, String)> = Vec::new();
@@ -95,7 +92,9 @@ pub fn verdict(evidence: &Evidence) -> Verdict {
         above(evidence.pair_imbalance, UNBALANCED)
             .map(|_| "the two sides of a contact pair do not feel the same force".to_owned()),
     );
-    let energy = |left: f64| format!("energy: {} % of it is out of balance", percent(left));
+    let energy = |left: f64| {
+        format!("energy: {} % of it does not balance; use shorter increments", percent(left))
+    };
     let wrong = above(evidence.energy, ENERGY[1]);
     object(Colour::Red, wrong.map(energy));
     object(Colour::Amber, above(evidence.energy, ENERGY[0]).xor(wrong).map(energy));
@@ -138,6 +137,21 @@ pub fn verdict(evidence: &Evidence) -> Verdict {
     reasons.sort_by_key(|(colour, _)| std::cmp::Reverse(*colour));
     let colour = reasons.first().map_or(Colour::Green, |(colour, _)| *colour);
     Verdict { colour, reasons }
+}
+
+/// Per cent with three digits.
+fn percent(value: f64) -> String {
+    let value = 100.0 * value;
+    let digits = if value.abs() < 1.0 {
+        3
+    } else if value.abs() < 100.0 {
+        1
+    } else {
+        0
+    };
+    let text = format!("{value:.digits$}");
+    let short = if digits > 0 { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    short.to_owned()
 }
 
 /// Codes in order, each once with how often.

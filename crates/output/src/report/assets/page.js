@@ -192,11 +192,11 @@ function alongBeams() {
     along += length;
     end = b;
   });
-  const curve = (frame, which) => Float64Array.from(places, (k) => k < 0 ? NaN : shape.section(k, frame, which));
+  const curve = (frame, which) => Float64Array.from(places, (k) => k < 0 ? NaN : which ? Math.abs(shape.section(k, frame, which)) : shape.section(k, frame, which));
   const first = data.driven[0] || {}, charts = [];
-  [["bending moment", "moment", 0], ["stress of the outer fibre (tension positive)", "stress", 1]].forEach(([title, y, which]) => {
+  [["bending moment", "moment", 0], ["size of the largest stress in the section", "stress", 1]].forEach(([title, y, which]) => {
     let low = 0, high = 0;
-    for (let i = which; i < shape.sections.length; i += 2) { low = Math.min(low, shape.sections[i]); high = Math.max(high, shape.sections[i]); }
+    for (let i = which; i < shape.sections.length; i += 2) { const value = which ? Math.abs(shape.sections[i]) : shape.sections[i]; low = Math.min(low, value); high = Math.max(high, value); }
     const series = [{ name: "now", x, y: curve(shape.frame, which), colour: "--ink" }];
     for (const [key, name, colour] of [["push", "at the push-in peak", "--c0"], ["pull", "at the pull-out peak", "--c1"]]) {
       if (first[key]) series.push({ name, x, y: curve(shape.near(first[key]), which), colour, dash: true });

@@ -89,6 +89,19 @@ class Shape {
     return [this.reference[2 * point] + scale * this.moved[k], this.reference[2 * point + 1] + scale * this.moved[k + 1]];
   }
 
+  // Height of the whole stroke over its width.
+  aspect() {
+    const low = [Infinity, Infinity], high = [-Infinity, -Infinity];
+    for (let frame = 0; frame < this.states.length; frame++) {
+      for (let p = 0; p < this.size / 2; p++) {
+        const point = this.at(p, frame, 1);
+        for (const k of [0, 1]) { low[k] = Math.min(low[k], point[k]); high[k] = Math.max(high[k], point[k]); }
+      }
+    }
+    const ratio = (high[1] - low[1]) / (high[0] - low[0]);
+    return Number.isFinite(ratio) ? ratio : 1;
+  }
+
   // What is seen: the whole stroke, or where it touches.
   bounds() {
     let box = [Infinity, -Infinity, Infinity, -Infinity];
@@ -130,7 +143,8 @@ class Shape {
     this.slider.max = Math.max(0, this.states.length - 1);
     fitted(document.getElementById("stage"), (width) => {
       this.W = Math.max(280, width - 2);
-      this.H = Math.round(Math.max(250, Math.min(460, 0.52 * this.W)));
+      // as high as the whole stroke asks for
+      this.H = Math.round(Math.max(210, Math.min(460, 0.6 * this.W, 0.9 * this.W * this.aspect() + 130)));
       this.svg.setAttribute("viewBox", "0 0 " + this.W + " " + this.H);
       this.fit();
       if (this.ready) this.go(this.frame);
