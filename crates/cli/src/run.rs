@@ -281,7 +281,7 @@ fn closing_line(read: &Read, outcome: &Outcome, began: Instant) -> String {
         began.elapsed().as_secs_f64(),
         outcome.files.folder().display()
     );
-    line + &verdict_line(outcome)
+    verdict_line(outcome) + &line
 }
 
 /// Colour and reasons, as the report has them on its top.
