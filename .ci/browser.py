@@ -303,13 +303,14 @@ def error_bars(browser, program, folder, pictures):
     assert abs(force - float(rows[-1]["RF2"])) <= 1e-6 * abs(force), said
     assert abs(bar - float(rows[-1]["RF2_error"])) <= 5e-3 * bar, f"{said}: {rows[-1]['RF2_error']}"
     # upper edge forwards, lower edge back: their distance in the last increment
-    # is to twice the bar as the height of the curve is to the force
+    # is to twice the bar as the height of the curve is to the force; a push
+    # down is drawn upwards
     edge = browser.evaluate(f"{band}.getAttribute('d')").strip("MZ").split("L")
     assert len(edge) == 2 * (len(rows) + 1), f"{len(edge)} points for {len(rows)} increments"
     y = [float(point.split(" ")[1]) for point in edge]
     mark = browser.evaluate(f"Number(document.querySelector('#{chart} circle.mark').getAttribute('cy'))")
     middle = len(rows) + 1
-    drawn, expected = (y[middle] - y[middle - 1]) / (mark - y[0]), 2 * bar / -force
+    drawn, expected = (y[middle] - y[middle - 1]) / (mark - y[0]), 2 * bar / force
     assert abs(drawn / expected - 1) < 0.02, f"drawn {drawn}, expected {expected}"
     legend = f"Array.from(document.querySelectorAll('#{chart} .entry')).find((e) => e.textContent.startsWith('error bars'))"
     assert "% of the peak" in browser.evaluate(f"{legend}.textContent")
@@ -322,6 +323,32 @@ def error_bars(browser, program, folder, pictures):
     browser.open(folder / "snap_fit.html")
     assert "SL0602" in browser.evaluate("document.getElementById('warnings').textContent")
     assert browser.evaluate("document.querySelector('path.error') === null")
+    assert not browser.faults(), browser.faults()
+
+
+def snap_fit(browser, program, folder, pictures):
+    """What a designer looks for: colour, big numbers, clamp, arrow, peaks at
+    their own states, and charts that are as wide as the screen."""
+    run(program, "run", "corpus/tutorial/snap_fit.inp", "--out", folder, "--quiet")
+    browser.open(folder / "snap_fit.html")
+    assert browser.evaluate("document.getElementById('verdict').className") == "verdict green"
+    tiles = browser.evaluate("document.querySelector('.tiles').textContent")
+    assert all(name in tiles for name in ("push-in force", "pull-out force", "out / in", "work in", "normal force", "strain")), tiles
+    assert browser.evaluate("document.querySelectorAll('#stage .held path').length") == 1, "one clamp"
+    for place, (button, way) in enumerate((("push", "in"), ("pull", "out"))):
+        browser.click(f"#peaks button:nth-child({place + 1})")
+        assert browser.evaluate(f"document.querySelectorAll('#stage .motion path.{way}').length") == 1, f"no arrow {way}"
+        peak = browser.evaluate(f"document.querySelectorAll('#chart-100-U1 .peakmark')[{place}].getAttribute('cx')")
+        now = browser.evaluate("document.querySelector('#chart-100-U1 .now').getAttribute('cx')")
+        assert peak == now, f"the {button} peak stands at {peak}, its state at {now}"
+    widths = []
+    for width in (1200, 390):
+        browser.size(width, 844)
+        browser.until(f"Math.abs(document.querySelector('#chart-100-U1 svg').viewBox.baseVal.width - document.querySelector('#chart-100-U1 svg').clientWidth) < 4")
+        widths.append(browser.evaluate("document.querySelector('#stage svg').viewBox.baseVal.width"))
+    assert widths[0] > 2 * widths[1], f"shrunk, not drawn anew: {widths}"
+    browser.picture(pictures / "snap_fit-phone.png")
+    browser.size(1200, 900)
     assert not browser.faults(), browser.faults()
 
 
@@ -386,9 +413,13 @@ def thinned(browser, program, folder, pictures):
     assert "at one increment in 4" in legend, legend
     points = browser.evaluate("document.querySelector('#chart-9999-U1 path.curve').getAttribute('d').split('L').length")
     assert points == increments + 1, f"a curve of {points} points"
-    off = "document.querySelector('#bands .readoff').textContent"
-    browser.place("#bands svg")
-    browser.evaluate("document.querySelector('#bands svg').focus()")
+    assert browser.evaluate("document.querySelectorAll('#pairs svg .pressure').length") == 1, "one band a pair"
+    assert browser.evaluate("document.querySelector('#nodes svg')") is None, "nodes are drawn on demand"
+    browser.click("#nodes summary")
+    browser.until("document.querySelectorAll('#nodes svg .pressure').length === 201")
+    off = "document.querySelector('#nodes .readoff').textContent"
+    browser.place("#nodes svg")
+    browser.evaluate("document.querySelector('#nodes svg').focus()")
     said = []
     for _ in range(9):
         browser.key("ArrowRight")
@@ -449,6 +480,7 @@ def check(browser, program, folder, pictures):
     assert browser.evaluate("document.querySelectorAll('#bands .dropped').length") > 0
     assert not browser.faults(), browser.faults()
 
+    snap_fit(browser, program, folder, pictures)
     error_bars(browser, program, folder, pictures)
 
     theory = subprocess.run([program, "theory", "diehl-1", "--mu", "0.3"], capture_output=True, text=True)
@@ -467,7 +499,8 @@ def check(browser, program, folder, pictures):
     deck = strange_deck(folder)
     run(program, "run", deck, "--quiet")
     browser.open(deck.with_suffix(".html"))
-    assert browser.evaluate("document.querySelector('h1').textContent") == deck.stem
+    assert browser.evaluate("document.querySelector('.job').textContent") == deck.stem
+    assert "onerror" in browser.evaluate("document.querySelector('h1').textContent"), "the title is the heading"
     assert browser.evaluate("typeof window.injected") == "undefined", "a script was injected"
     assert browser.evaluate("document.querySelectorAll('img, script[src], link').length") == 0
     assert "onerror" in browser.evaluate("document.querySelector('.echo').textContent")

@@ -12,12 +12,11 @@ use slideline_model::{
     ContactPair, Dof, Formulation, Master, Model, NodeIndex, NormalLaw, Vocabulary,
 };
 use slideline_solve::observe::{Event, Frame, Observer, PairRow, Stop};
-use std::ops::ControlFlow;
+use std::collections::BTreeSet;
+use std::ops::{ControlFlow, Range};
 
 /// Roughness above which a driven reaction is called noisy [1].
 const ROUGH: f64 = 0.01;
-/// Reversals that a smooth slide may have: in, over a crest, and out.
-const SMOOTH_TURNS: usize = 2;
 /// Penetration above which a softened law has been pressed too far, in c0 [1].
 const DEEP: f64 = 3.0;
 /// Forces of one pair that are left over, relative to their magnitudes [1]:
@@ -58,6 +57,8 @@ struct Pair {
     changes: usize,
     penetration: f64,
     deepest: u64,
+    /// The node that carries most in each increment, where one touches.
+    carriers: Vec<Option<NodeIndex>>,
     /// Largest imbalance of forces and of moments, and its increment.
     imbalance: [(f64, usize); 2],
 }
@@ -86,12 +87,14 @@ impl Noise {
 
     /// Takes in what a run that goes on from a saved state has told before:
     /// the motion and reaction of a driven dof (asked for by node label), and
-    /// the rows of the pairs, increment by increment.
+    /// the rows of the pairs with the nodes that carried most, increment by
+    /// increment.
     pub fn recall<'a>(
         &mut self,
         model: &Model,
         mut curve: impl FnMut(u64, Dof) -> Option<(&'a [f64], &'a [f64])>,
         pairs: &[Vec<PairRow>],
+        carriers: &[Vec<Option<NodeIndex>>],
     ) {
         let mut longest = pairs.len();
         for own in &mut self.curves {
@@ -102,8 +105,10 @@ impl Noise {
             }
         }
         for (place, rows) in pairs.iter().enumerate() {
-            for (pair, row) in self.pairs.iter_mut().zip(rows) {
-                pair.follow(model, row, place + 1);
+            for (number, (pair, row)) in self.pairs.iter_mut().zip(rows).enumerate() {
+                let carrier =
+                    carriers.get(place).and_then(|all| all.get(number).copied().flatten());
+                pair.follow(model, row, carrier, place + 1);
             }
         }
         self.increments += longest;
@@ -113,7 +118,7 @@ impl Noise {
     pub fn summary(&self) -> NoiseSummary {
         NoiseSummary {
             increments: self.increments,
-            reactions: self.curves.iter().map(Curve::noise).collect(),
+            reactions: self.curves.iter().map(|curve| curve.noise(&self.pairs)).collect(),
             pairs: self.pairs.iter().map(|pair| pair.noise(self.increments)).collect(),
         }
     }
@@ -144,33 +149,46 @@ impl Noise {
             curve.motion.push(frame.nodal.displacement(curve.node, curve.dof));
             curve.reaction.push(frame.nodal.reaction(curve.node, curve.dof));
         }
-        for (pair, row) in self.pairs.iter_mut().zip(frame.pairs) {
-            pair.follow(frame.model, row, self.increments);
+        let carriers = carriers(frame, self.pairs.len());
+        for ((pair, row), carrier) in self.pairs.iter_mut().zip(frame.pairs).zip(carriers) {
+            pair.follow(frame.model, row, carrier, self.increments);
         }
     }
 }
 
+/// The slave node of every pair that carries most.
+fn carriers(frame: &Frame<'_>, count: usize) -> Vec<Option<NodeIndex>> {
+    let mut found = vec![(0.0, None); count];
+    for row in frame.contact {
+        let force = row.pressure * row.area;
+        if let Some(most) = found.get_mut(row.pair).filter(|most| force > most.0) {
+            *most = (force, Some(row.node));
+        }
+    }
+    found.into_iter().map(|(_, node)| node).collect()
+}
+
 impl Curve {
-    fn noise(&self) -> ReactionNoise {
+    fn noise(&self, pairs: &[Pair]) -> ReactionNoise {
         let name = format!("{}.{}", self.label, self.dof.reaction_name());
-        ReactionNoise::of(name, &self.reaction, &self.motion)
+        let passed = |range: Range<usize>| {
+            pairs.iter().map(|pair| pair.passed(range.clone())).max().unwrap_or(0)
+        };
+        ReactionNoise::of(name, &self.reaction, &self.motion, passed)
     }
 
-    /// SL0610: a driven reaction with more turns than a smooth slide has, and
-    /// rough whichever differences are taken.
+    /// SL0610: a driven reaction that the mesh makes rough, whichever
+    /// differences are taken. A physical reversal is none of it.
     fn noisy(&self, noise: &ReactionNoise) -> Option<Diagnostic> {
-        let rough = noise.roughness?;
-        if rough.min(noise.roughness_of_fourth?) <= ROUGH || noise.reversals <= SMOOTH_TURNS {
-            return None;
-        }
+        let of_mesh = noise.of_mesh.filter(|found| found.roughness > ROUGH)?;
         let message = format!(
             "the reaction {} at node {} is noisy: roughness {:.1} % of its peak of {:.3e}, {} \
              reversals in {} increments",
             self.dof.reaction_name(),
             self.label,
-            100.0 * rough,
+            100.0 * of_mesh.roughness,
             noise.peak,
-            noise.reversals,
+            of_mesh.reversals,
             self.reaction.len()
         );
         Some(Diagnostic::advice(Code("SL0610"), message).at(self.origin).help(format!(
@@ -199,12 +217,27 @@ impl Pair {
             changes: 0,
             penetration: 0.0,
             deepest: 0,
+            carriers: Vec::new(),
             imbalance: [(0.0, 0); 2],
         }
     }
 
-    fn follow(&mut self, model: &Model, row: &PairRow, increment: usize) {
+    /// Over how many slave nodes contact has moved in a range of increments.
+    fn passed(&self, range: Range<usize>) -> usize {
+        let seen = self.carriers.get(range).unwrap_or_default().iter().flatten();
+        seen.collect::<BTreeSet<_>>().len()
+    }
+
+    fn follow(
+        &mut self,
+        model: &Model,
+        row: &PairRow,
+        carrier: Option<NodeIndex>,
+        increment: usize,
+    ) {
         self.changes += row.changes;
+        self.carriers.resize(increment.saturating_sub(1), None);
+        self.carriers.push(carrier);
         if row.penetration > self.penetration {
             self.penetration = row.penetration;
             self.deepest = row.deepest.map_or(0, |node| model.nodes.label(node));
@@ -305,11 +338,13 @@ mod tests {
             name: "IRS".into(),
             origin: Span::default(),
             clearance: Some(1e-5),
+            vocabulary: Vocabulary::default(),
             hands_over: true,
             wanders: true,
             changes: 0,
             penetration: 0.0,
             deepest: 0,
+            carriers: Vec::new(),
             imbalance: [(0.0, 0); 2],
         }
     }
@@ -323,17 +358,17 @@ mod tests {
         for increment in 1..=20 {
             let row =
                 PairRow { force_imbalance: 1e-15, moment_imbalance: 3e-13, ..PairRow::default() };
-            pair.follow(&model, &row, increment);
+            pair.follow(&model, &row, None, increment);
         }
         assert_eq!(pair.unbalanced(), None);
         let row = PairRow { moment_imbalance: 1e-5, ..PairRow::default() };
-        pair.follow(&model, &row, 21);
+        pair.follow(&model, &row, None, 21);
         let said = pair.unbalanced().map(|said| (said.code, said.message));
         let (code, message) = said.unwrap_or((Code(""), String::new()));
         assert_eq!(code, Code("SL0613"));
         assert!(message.contains("moments") && message.contains("increment 21"), "{message}");
         let row = PairRow { force_imbalance: f64::NAN, ..PairRow::default() };
-        pair.follow(&model, &row, 22);
+        pair.follow(&model, &row, None, 22);
         assert!(pair.unbalanced().is_some_and(|said| said.message.contains("forces")));
     }
 
@@ -345,6 +380,7 @@ mod tests {
         let curve = |reaction: Vec<f64>| Curve {
             node: 0,
             label: 9999,
+            vocabulary: Vocabulary::default(),
             dof: Dof::U2,
             origin: Span::default(),
             motion: (1..=reaction.len()).map(|k| -(k as f64)).collect(),
@@ -352,13 +388,15 @@ mod tests {
         };
         let zigzag: Vec<f64> = (0..40).map(|k| -1.0 - 0.02 * f64::from(k % 2)).collect();
         let noisy = curve(zigzag);
-        let noise = noisy.noise();
+        let mut passed = pair();
+        passed.carriers = (0..40).map(Some).collect();
+        let noise = noisy.noise(&[passed.clone()]);
         let expected = 4.0 * 0.01 / 6f64.sqrt() / 1.02;
         assert!((noise.roughness.unwrap_or(0.0) / expected - 1.0).abs() < 1e-12);
         assert_eq!(noise.reversals, 38);
         assert!(noisy.noisy(&noise).is_some_and(|said| said.message.contains("9999")));
         let wave = curve((0..40).map(|k| (0.3 * f64::from(k)).sin()).collect());
-        assert_eq!(wave.noisy(&wave.noise()), None);
+        assert_eq!(wave.noisy(&wave.noise(&[passed])), None);
     }
 
     #[test]
@@ -366,10 +404,10 @@ mod tests {
         let model = Model::default();
         let mut pair = pair();
         let row = PairRow { penetration: 2.9e-5, changes: 2, ..PairRow::default() };
-        pair.follow(&model, &row, 1);
+        pair.follow(&model, &row, None, 1);
         assert_eq!(pair.pressed(&pair.noise(1)), None);
         let row = PairRow { penetration: 4e-5, ..PairRow::default() };
-        pair.follow(&model, &row, 2);
+        pair.follow(&model, &row, None, 2);
         let noise = pair.noise(2);
         assert_eq!(noise.changes_per_increment, 1.0);
         assert_eq!(noise.penetration_over_c0, Some(4e-5 / 1e-5));

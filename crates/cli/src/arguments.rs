@@ -90,9 +90,20 @@ pub(crate) struct CheckArguments {
     /// One JSON object a line on standard output.
     #[arg(long)]
     pub json: bool,
-    /// Write JOB.fixed.inp beside the deck, with every suggested card in it.
+    /// Write JOB.fixed.inp beside the deck, with every suggested card that was
+    /// tried and helps.
     #[arg(long)]
     pub fix: bool,
+    /// Draw the undeformed model with outward normals and gaps; the file ends
+    /// in .svg, .html or .png.
+    #[arg(long, value_name = "FILE", value_parser = picture, value_hint = ValueHint::FilePath)]
+    pub picture: Option<PathBuf>,
+}
+
+/// A file whose ending says how a model is drawn.
+fn picture(text: &str) -> Result<PathBuf, String> {
+    let known = [".svg", ".html", ".png"].iter().any(|ending| text.ends_with(ending));
+    if known { Ok(text.into()) } else { Err("it must end in .svg, .html or .png".to_owned()) }
 }
 
 /// The deck and what overrides it.

@@ -2,16 +2,18 @@
 
 use crate::arguments::CheckArguments;
 use crate::exit::Exit;
-use crate::{render, screen};
+use crate::run::Interruptible;
+use crate::{interrupt, render, screen};
 use slideline::diag::{Code, Diagnostic, Severity, has_errors};
 use slideline::model::{ContactPair, Formulation, Master, NormalLaw};
 use slideline::observe::ContactRow;
 use slideline::output::json::{Object, array, number};
 use slideline::output::number::general;
-use slideline::output::{echo, record};
+use slideline::output::{echo, picture, record, write_file};
 use slideline::{InitialGaps, Job, Model, Read, SolveOptions, initial_gaps};
 use std::fmt::Write as _;
 use std::io::{ErrorKind, Write as _};
+use std::path::Path;
 
 /// Mended decks that may stand beside a deck.
 const MOST_FIXED: usize = 99;
@@ -31,17 +33,69 @@ pub(crate) fn check(arguments: &CheckArguments) -> Exit {
         render::to_standard_error(&read.diagnostics, &read.sources);
         screen::print(&report(&read, start.as_ref()));
     }
+    if let Some(path) = &arguments.picture
+        && !draw(path, &read, start.as_ref())
+    {
+        return Exit::Output;
+    }
     if arguments.fix && !fix(&read) {
         return Exit::Output;
     }
     if has_errors(&read.diagnostics) { Exit::Input } else { Exit::Completed }
 }
 
+/// Draws the model; says where on standard error.
+fn draw(path: &Path, read: &Read, start: Option<&InitialGaps>) -> bool {
+    let Some(model) = &read.model else {
+        eprintln!("no picture: the deck has errors");
+        return true;
+    };
+    let picture = picture(model, start.map_or(&[][..], |start| &start.points));
+    let heading = model.heading.lines().next().filter(|line| !line.trim().is_empty());
+    let name = read.job.stem.to_string_lossy().into_owned();
+    let content = match path.extension().and_then(|ending| ending.to_str()) {
+        Some("html") => {
+            let words = report(read, start);
+            Some(picture.html(heading.unwrap_or(&name), &words).into_bytes())
+        }
+        Some("png") => picture.png(),
+        _ => Some(picture.svg().into_bytes()),
+    };
+    let Some(content) = content else {
+        eprintln!("{} cannot be encoded", path.display());
+        return false;
+    };
+    match write_file(path, &content) {
+        Ok(()) => {
+            eprintln!("the model is drawn in {}", path.display());
+            true
+        }
+        Err(reason) => {
+            eprintln!("{reason}");
+            false
+        }
+    }
+}
+
 /// Writes the mended deck beside the old one, under a name that nothing has;
 /// says so on standard error.
 fn fix(read: &Read) -> bool {
-    let Some(bytes) = slideline::mended(read, &read.diagnostics) else {
-        eprintln!("nothing to correct: no finding suggests a card");
+    interrupt::listen();
+    let options = SolveOptions::default();
+    let mend = slideline::try_mends(read, &read.diagnostics, &options, &mut Interruptible);
+    for (code, reason) in &mend.left_out {
+        eprintln!("{code}: its card was tried and left out, because {reason}");
+    }
+    let Some(bytes) = mend.deck else {
+        let none = mend.left_out.is_empty();
+        eprintln!(
+            "{}",
+            if none {
+                "nothing to correct: no finding suggests a card"
+            } else {
+                "no corrected deck: no card helps"
+            }
+        );
         return true;
     };
     for number in 1..=MOST_FIXED {
@@ -51,7 +105,9 @@ fn fix(read: &Read) -> bool {
         let written = std::fs::File::create_new(&path).and_then(|mut file| file.write_all(&bytes));
         match written {
             Ok(()) => {
-                eprintln!("the corrected deck is {}", path.display());
+                let codes: Vec<&str> = mend.mended.iter().map(|code| code.0).collect();
+                let tried = if mend.was_run { "checked and run" } else { "checked" };
+                eprintln!("the corrected deck is {} ({}; {tried})", path.display(), codes.join(", "));
                 return true;
             }
             Err(reason) if reason.kind() == ErrorKind::AlreadyExists => {}

@@ -11,7 +11,7 @@
 use crate::live::{self, Live, Row};
 use crate::{interrupt, screen};
 use slideline::diag::Sources;
-use slideline::model::{Dof, NodeIndex};
+use slideline::model::{Dof, Model, NodeIndex};
 use slideline::observe::{
     AttemptReport, Event, FieldReport, Frame, FrictionCall, IterationReport, Observer, Status,
     StepReport, Stop, TangentReport,
@@ -67,7 +67,7 @@ impl<'a> Progress<'a> {
         let model = report.model;
         self.labels = model.nodes.iter().map(|node| node.label).collect();
         self.pairs = model.contact_pairs.iter().map(|pair| pair.name.clone()).collect();
-        self.driven = driven(report);
+        self.driven = driven(report.model, report.step);
         if self.mode == Mode::Json {
             return;
         }
@@ -285,11 +285,16 @@ impl Observer for Progress<'_> {
     }
 }
 
-/// Dofs that the step moves, each once.
-fn driven(report: &StepReport<'_>) -> Vec<(NodeIndex, Dof)> {
-    let Some(step) = report.model.steps.get(report.step - 1) else { return Vec::new() };
+/// Dofs that the step prescribes and that it or another step moves, each
+/// once: a step that brings a motion back to zero drives it too.
+fn driven(model: &Model, step: usize) -> Vec<(NodeIndex, Dof)> {
+    let Some(step) = model.steps.get(step - 1) else { return Vec::new() };
     let mut driven: Vec<(NodeIndex, Dof)> = Vec::new();
-    let moving = step.prescribed.iter().filter(|motion| motion.moves());
+    let moves = |place: (NodeIndex, Dof)| {
+        let mut all = model.steps.iter().flat_map(|step| &step.prescribed);
+        all.any(|motion| (motion.node, motion.dof) == place && motion.moves())
+    };
+    let moving = step.prescribed.iter().filter(|motion| moves((motion.node, motion.dof)));
     for place in moving.map(|motion| (motion.node, motion.dof)) {
         if !driven.contains(&place) {
             driven.push(place);
@@ -373,6 +378,22 @@ fn attempt_object(attempt: &AttemptReport) -> Object {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Requirement: a step that ends at zero keeps the columns of what it
+    /// drives; what no step moves has none.
+    #[test]
+    fn a_way_back_to_zero_is_driven() {
+        let deck = concat!(env!("CARGO_MANIFEST_DIR"), "/../../corpus/tutorial/snap_fit.inp");
+        let read = slideline::Job::read(deck.as_ref(), &slideline::ReadOptions::default());
+        let model = read.model.unwrap_or_default();
+        let names = |step| -> Vec<_> {
+            let list = driven(&model, step).into_iter();
+            list.map(|(node, dof)| (model.nodes.label(node), dof)).collect()
+        };
+        assert_eq!(names(1), [(100, Dof::U1)]);
+        assert_eq!(names(2), [(100, Dof::U1)]);
+        assert!(names(3).is_empty());
+    }
 
     /// Requirement: the last line is there whatever event it was that let the
     /// text go, and gone at the end; in a pipe it never is.

@@ -6,7 +6,7 @@ use crate::progress::{Mode, Progress};
 use crate::{interrupt, render, report, screen};
 use slideline::diag::{Code, Diagnostic, Severity};
 use slideline::output::json::Object;
-use slideline::output::{add_warning, onset_word, record};
+use slideline::output::{add_warning, onset_word, record, verdict_of};
 use slideline::{
     ErrorBars, Event, Job, Observer, OldJob, Outcome, Reactions, Read, ReadOptions, RunOptions,
     SolveOptions, Status, Stop, TangentCheck, VERSION, error_bars, run as run_job, time_error_bars,
@@ -18,7 +18,10 @@ use std::time::Instant;
 /// Runs a deck and says how it went.
 pub(crate) fn run(arguments: &RunArguments) -> Exit {
     let began = Instant::now();
-    let read = Job::read(&arguments.deck.job, &read_options(arguments));
+    let mut read = Job::read(&arguments.deck.job, &read_options(arguments));
+    read.diagnostics.extend(slideline::advise(&read));
+    // what is trivial goes below
+    read.diagnostics.sort_by_key(|said| said.severity == Severity::Note);
     let mode = mode(arguments);
     if mode == Mode::Json {
         screen::print(&start_lines(&read));
@@ -130,7 +133,7 @@ fn begun_elsewhere() -> Diagnostic {
 }
 
 /// Stops a run when the user asks for it, and says nothing.
-struct Interruptible;
+pub(crate) struct Interruptible;
 
 impl Observer for Interruptible {
     fn event(&mut self, _: Event<'_>) -> ControlFlow<Stop> {
@@ -291,7 +294,7 @@ fn closing_line(read: &Read, outcome: &Outcome, began: Instant) -> String {
         return format!("{name}: input error, nothing was solved\n");
     }
     let totals = &outcome.totals;
-    format!(
+    let line = format!(
         "{name}: {} after {} increments, {} iterations, {} cutbacks in {:.3} s; results in {}\n",
         outcome.status.word().replace('_', " "),
         totals.increments,
@@ -299,11 +302,22 @@ fn closing_line(read: &Read, outcome: &Outcome, began: Instant) -> String {
         totals.cutbacks,
         began.elapsed().as_secs_f64(),
         outcome.files.folder().display()
-    )
+    );
+    verdict_line(outcome) + &line
+}
+
+/// Colour and reasons, as the report has them on its top.
+fn verdict_line(outcome: &Outcome) -> String {
+    match verdict_of(&outcome.files) {
+        Some((colour, reasons)) if reasons.is_empty() => format!("verdict: {colour}\n"),
+        Some((colour, reasons)) => format!("verdict: {colour} ({})\n", reasons.join("; ")),
+        None => String::new(),
+    }
 }
 
 fn end_line(outcome: &Outcome, began: Instant) -> String {
     let totals = &outcome.totals;
+    let verdict = verdict_of(&outcome.files).map(|(colour, _)| colour);
     let mut text = Object::new()
         .text("event", "end")
         .text("status", outcome.status.word())
@@ -313,6 +327,7 @@ fn end_line(outcome: &Outcome, began: Instant) -> String {
         .count("iterations", totals.iterations)
         .number("wall_seconds", began.elapsed().as_secs_f64())
         .text("folder", &outcome.files.folder().display().to_string())
+        .optional_text("verdict", verdict.as_deref())
         .finish();
     text.push('\n');
     text

@@ -58,6 +58,91 @@ fn a_mended_deck_stands_beside_the_old_one_and_overwrites_nothing() {
     assert_eq!(output.status.code(), Some(0), "{output:?}");
 }
 
+/// Requirement: a card that was tried and does not help is told with the
+/// reason, and no deck is written for it.
+#[test]
+fn a_card_that_does_not_help_is_not_offered() {
+    let folder = folder("check_fix_left_out");
+    let deck = corpus("advice/SL0407-plane-upside-down-inch.inp");
+    std::fs::write(folder.join("plane.inp"), deck).unwrap();
+    let output = slideline(&folder, &["check", "plane", "--fix"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(said.contains("SL0407: its card was tried and left out, because"), "{said}");
+    assert_eq!(names(&folder), ["plane.inp"]);
+}
+
+/// Requirement: a run says what check says, on the terminal, in its summary
+/// and in its report, and its verdict is not green then.
+#[test]
+fn a_run_says_what_check_says() {
+    let folder = folder("check_run");
+    let deck = corpus("diehl1995/irs_fine.inp");
+    std::fs::write(folder.join("job.inp"), deck).unwrap();
+    let output = slideline(&folder, &["run", "job"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    let seen = String::from_utf8_lossy(&output.stdout).into_owned();
+    let read = |name: &str| std::fs::read_to_string(folder.join(name)).unwrap();
+    let (summary, page) = (read("job.json"), read("job.html"));
+    for code in ["SL0403", "SL0405"] {
+        assert!(said.contains(&format!("advice[{code}]")), "{said}");
+        assert!(summary.contains(&format!("\"code\":\"{code}\"")), "{summary}");
+        assert!(page.contains(&format!("<strong>advice {code}</strong>")), "{code}");
+    }
+    let (note, advice) = (said.find("note[SL0204]").unwrap(), said.find("advice[SL0403]").unwrap());
+    assert!(advice < note, "notes go below: {said}");
+    assert!(summary.contains("\"verdict\":{\"colour\":\"amber\",\"reasons\":["), "{summary}");
+    assert!(seen.contains("verdict: amber ("), "{seen}");
+}
+
+/// Requirement: the allowable decides margin, pass and fail, and a part that
+/// fails makes the verdict red; no result depends on it.
+#[test]
+fn an_allowable_gives_margin_pass_and_fail() {
+    let deck = corpus("keywords/ALLOWABLE.inp");
+    let run = |stress: &str| {
+        let folder = folder(&format!("allowable_{stress}"));
+        let deck = deck.replace("STRESS=350.0E6", &format!("STRESS={stress}"));
+        std::fs::write(folder.join("job.inp"), deck).unwrap();
+        let output = slideline(&folder, &["run", "job", "--quiet", "--no-html"]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let read = |name: &str| std::fs::read_to_string(folder.join(name)).unwrap();
+        (read("job.json"), read("job.history.csv"))
+    };
+    let (passes, history) = run("350.0E6");
+    assert!(
+        passes.contains("\"pass\":true") && passes.contains("\"colour\":\"green\""),
+        "{passes}"
+    );
+    let (fails, same) = run("1.0E6");
+    assert!(fails.contains("\"pass\":false") && fails.contains("\"colour\":\"red\""), "{fails}");
+    assert_eq!(history, same);
+}
+
+/// Requirement: the undeformed model is drawn with an arrow for normals, the
+/// smallest gap in words, and as a page that stands alone.
+#[test]
+fn the_model_is_drawn_before_it_runs() {
+    let folder = folder("check_picture");
+    std::fs::write(folder.join("snap.inp"), corpus("tutorial/snap_fit.inp")).unwrap();
+    for name in ["snap.svg", "snap.html", "snap.png"] {
+        let output = slideline(&folder, &["check", "snap", "--picture", name]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let bytes = std::fs::read(folder.join(name)).unwrap();
+        let text = String::from_utf8_lossy(&bytes);
+        match name {
+            "snap.png" => assert_eq!(&bytes[1..4], b"PNG"),
+            _ => {
+                assert!(text.contains("gap 1.6") && text.contains("outward normal"), "{name}");
+                assert!(!text.contains("NaN") && !text.contains("href="), "{name}");
+            }
+        }
+    }
+    let output = slideline(&folder, &["check", "snap", "--picture", "snap.pdf"]);
+    assert_eq!(output.status.code(), Some(64), "{output:?}");
+}
+
 /// Requirement: who is slave and who is master is told in the words of the
 /// cards that the deck has.
 #[test]

@@ -447,7 +447,9 @@ fn quiet_silences_progress_only() {
     );
     let summary = summary(&folder, "column");
     assert_eq!(summary["friction_onset"], "matfru");
-    assert_eq!(summary["warnings"][0]["code"], "SL0601");
+    let warnings = summary["warnings"].as_array().unwrap();
+    assert!(warnings.iter().any(|said| said["code"] == "SL0601"), "{warnings:?}");
+    assert_eq!(summary["verdict"]["colour"], "amber");
     assert!(summary["dropped_friction"]["point_increments"].as_u64().unwrap() > 0);
     assert!(summary["dropped_friction"]["work"].as_f64().unwrap() > 0.0);
     assert!(read(&folder, "column.contact.csv").contains(",dropped,"));

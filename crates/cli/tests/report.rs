@@ -60,7 +60,13 @@ fn a_run_ends_with_a_report_that_the_files_alone_give_again() {
         assert_eq!(code(&output), 0, "{}", stderr(&output));
         assert_eq!(read(&folder, "job.html"), first);
         let said = stdout(&output);
-        for part in ["Completed: 40 increments", "Self-locking", "retention force", "job.html"] {
+        for part in [
+            "Completed: 40 increments",
+            "Verdict amber",
+            "ot self-locking",
+            "ull-out force",
+            "job.html",
+        ] {
             assert!(said.contains(part), "{part}: {said}");
         }
     }

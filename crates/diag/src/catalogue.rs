@@ -106,6 +106,7 @@ catalogue! {
     "SL0257" "a card without effect is ignored"
     "SL0258" "a deck of parts and instances"
     "SL0259" "a fillet that does not fit"
+    "SL0270" "an allowable that cannot be used"
     "SL0301" "a deck without a step"
     "SL0302" "a step that is not closed"
     "SL0303" "an element on an undefined node"

@@ -37,6 +37,7 @@ pub(crate) struct Draft {
     pub element_by_label: HashMap<u64, usize>,
     pub sections: Vec<Section>,
     pub materials: Vec<Material>,
+    pub allowables: Vec<Allowable>,
     pub springs: Vec<Spring>,
     pub surfaces: Vec<Surface>,
     pub interfaces: Vec<Interface>,
@@ -149,6 +150,16 @@ pub(crate) struct Material {
     pub elastic: Option<Elastic>,
     /// An `*ELASTIC` card was there, readable or not.
     pub has_card: bool,
+    pub origin: Span,
+}
+
+/// What a material may be strained to: one of both.
+#[derive(Clone, Debug)]
+pub(crate) struct Allowable {
+    pub material: String,
+    pub material_span: Span,
+    pub strain: Option<f64>,
+    pub stress: Option<f64>,
     pub origin: Span,
 }
 

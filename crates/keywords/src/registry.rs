@@ -3,11 +3,11 @@
 use slideline_deck::normalise;
 
 use crate::cards::{
-    amplitude, beam_section, boundary, cload, contact_controls, contact_file, contact_output,
-    contact_pair, contact_print, controls, el_file, el_print, elastic, element, element_output,
-    elgen, elset, end_step, friction, heading, interface, material, mpc, ngen, nmap, node,
-    node_file, node_output, node_print, nset, output, print, restart, rigid_body, rigid_surface,
-    slide_line, spring, static_, step, surface, surface_behavior, surface_contact,
+    allowable, amplitude, beam_section, boundary, cload, contact_controls, contact_file,
+    contact_output, contact_pair, contact_print, controls, el_file, el_print, elastic, element,
+    element_output, elgen, elset, end_step, friction, heading, interface, material, mpc, ngen,
+    nmap, node, node_file, node_output, node_print, nset, output, print, restart, rigid_body,
+    rigid_surface, slide_line, spring, static_, step, surface, surface_behavior, surface_contact,
     surface_interaction, transverse_shear,
 };
 use crate::keyword::{Keyword, Level, Rule};
@@ -29,6 +29,7 @@ pub(crate) const REGISTRY: &[&'static dyn Keyword] = &[
     &spring::Spring,
     &material::Material,
     &elastic::Elastic,
+    &allowable::Allowable,
     &rigid_surface::RigidSurface,
     &slide_line::SlideLine,
     &interface::Interface,

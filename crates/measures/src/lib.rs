@@ -21,17 +21,21 @@ mod friction;
 mod noise;
 mod peak;
 mod shape;
+mod stroke;
+mod verdict;
 mod work;
 
 pub use difference::{max_error, maximum, rms, rms_error};
 pub use error_bar::error_bar;
 pub use friction::friction_kept;
-pub use noise::{NoiseSummary, PairNoise, ReactionNoise};
+pub use noise::{MeshNoise, NoiseSummary, PairNoise, ReactionNoise};
 pub use peak::{Peak, Peaks, SnapForces, peaks, snap_forces};
 pub use shape::{
-    DEFAULT_NOISE_FLOOR, reversals, roughness, roughness_against, stroke_reversals,
+    DEFAULT_NOISE_FLOOR, pushes, reversals, roughness, roughness_against, stroke_reversals,
     stroke_roughness, strokes,
 };
+pub use stroke::{Stroke, Taken, WayOut, stroke};
+pub use verdict::{COARSE_PEAK, Colour, Evidence, Verdict, verdict};
 pub use work::{work, work_ratio};
 
 /// Two slices of equal length, not empty.

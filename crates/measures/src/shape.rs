@@ -94,6 +94,46 @@ pub fn strokes(motion: &[f64]) -> Vec<Range<usize>> {
     found
 }
 
+/// The pushes within the strokes of a curve: stretches over which the reaction
+/// keeps its sign. A snap drops off an edge and pulls instead of pushing: that
+/// reversal is physical, and no push holds it. Stretches shorter than
+/// `shortest` values, such as noise about zero has, stay with what is before.
+///
+/// ```text
+///   RF | .-.        .-.
+///      |/   `\     /   `\    two teeth: four pushes
+///      +-----|---/-----|---> increments
+///            `\/       `\/
+/// ```
+pub fn pushes(values: &[f64], strokes: &[Range<usize>], shortest: usize) -> Vec<Range<usize>> {
+    let mut found = Vec::new();
+    for stroke in strokes {
+        let mut from = stroke.start;
+        let (mut sign, mut since, mut lasting) = (0.0, stroke.start, 0.0);
+        for place in stroke.clone() {
+            let now = values.get(place).copied().unwrap_or(0.0);
+            if now * sign < 0.0 || sign == 0.0 {
+                since = place;
+            }
+            if now != 0.0 {
+                sign = now.signum();
+            }
+            if sign != 0.0 && place + 1 - since == shortest {
+                // the sign lasts, and it is another one than that of the push
+                if sign * lasting < 0.0 {
+                    found.push(from..since);
+                    from = since;
+                }
+                lasting = sign;
+            }
+        }
+        if from < stroke.end {
+            found.push(from..stroke.end);
+        }
+    }
+    found
+}
+
 /// Number of sign changes of the slope. A change of direction counts once the
 /// curve has gone back from its last extreme by more than `noise_floor` times
 /// max|v|; smaller wiggles, plateaus and round-off do not.
@@ -218,6 +258,23 @@ mod tests {
         assert_eq!(stroke_roughness(&force, &strokes(&motion)).unwrap(), [0.0; 2]);
         assert!(strokes(&[]).is_empty());
         assert_eq!(stroke_roughness(&[1.0, 2.0], std::slice::from_ref(&(0..2))), None);
+    }
+
+    /// Requirement: each tooth of a ratchet is a push and its fall another one; noise about zero
+    /// is one push, for its signs do not last.
+    #[test]
+    fn pushes_end_where_the_reaction_turns_for_good() {
+        let tooth = [1.0, 2.0, 3.0, 2.5, 2.0, -1.0, -2.0, -1.5, -1.0, -0.5];
+        let ratchet: Vec<f64> = tooth.iter().cycle().take(40).copied().collect();
+        let found = pushes(&ratchet, std::slice::from_ref(&(0..40)), 5);
+        assert_eq!(found, [0..5, 5..10, 10..15, 15..20, 20..25, 25..30, 30..35, 35..40]);
+        assert!(found.iter().all(|push| reversals(&ratchet[push.clone()], 1e-6) <= 1));
+        assert_eq!(pushes(&ratchet, std::slice::from_ref(&(0..40)), 6), [0..40]);
+        let about_zero: Vec<f64> = (0..40).map(|k| if k % 2 == 0 { 1.0 } else { -1.0 }).collect();
+        assert_eq!(pushes(&about_zero, &[0..20, 20..40], 5), [0..20, 20..40]);
+        // a zero keeps the sign that was, and so does one value of the other sign
+        let push = [0.0, 0.0, -1.0, 0.0, -2.0, -3.0, 0.1, -4.0, -5.0];
+        assert_eq!(pushes(&push, std::slice::from_ref(&(0..9)), 2), [0..9]);
     }
 
     /// Property: mirrored, reversed in time or in other units, the count stays.

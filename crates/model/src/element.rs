@@ -38,6 +38,20 @@ impl ElementBlock {
     }
 }
 
+/// What the material of a beam section may be strained to. It changes no
+/// result: margin and verdict are held against it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Allowable {
+    /// Place of the block of beams.
+    pub block: usize,
+    /// Allowable fibre strain [1].
+    pub strain: f64,
+    /// Its stress, where the deck gave that one [F/L2].
+    pub stress: Option<f64>,
+    /// Where it was defined.
+    pub origin: Span,
+}
+
 /// Beams of one section.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BeamBlock {

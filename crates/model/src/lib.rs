@@ -30,8 +30,8 @@ pub use contact::{
 };
 pub use controls::{Controls, FieldControls, TimeIncrementation};
 pub use element::{
-    BeamBlock, BeamElement, BeamSection, ElementBlock, ShearRule, SpringBlock, SpringElement,
-    SpringKind,
+    Allowable, BeamBlock, BeamElement, BeamSection, ElementBlock, ShearRule, SpringBlock,
+    SpringElement, SpringKind,
 };
 pub use node::{Dof, Node, NodeIndex, Nodes, RigidLink};
 pub use output::{
@@ -80,6 +80,8 @@ pub struct Model {
     pub node_sets: Vec<NodeSet>,
     /// Elements in blocks of one kind and one section.
     pub blocks: Vec<ElementBlock>,
+    /// What beams may be strained to, where the deck says so.
+    pub allowables: Vec<Allowable>,
     /// Nodes that move as parts of rigid bodies.
     pub rigid_links: Vec<RigidLink>,
     /// Contact pairs.

@@ -5,6 +5,7 @@ use crate::job::JobFiles;
 use crate::json::{self, Object};
 use crate::number::push_shortest;
 use crate::record::record;
+use crate::verdict;
 use slideline_diag::{Diagnostic, Sources};
 
 /// Error bars of one kind as the rows of `JOB.history.csv` want them.
@@ -38,11 +39,9 @@ pub fn add_error_bars(
         text = with_columns(&text, rows);
     }
     replace(&history, text.as_bytes())?;
-    if let Some(open) = object.trim_end().strip_suffix('}') {
-        let text = format!("{open},\"error_bars\":{}}}\n", members(mesh, time));
-        replace(&summary, text.as_bytes())?;
-    }
-    Ok(())
+    let open = verdict::without(&object);
+    let text = format!("{open},\"error_bars\":{}}}\n", members(mesh, time));
+    replace(&summary, verdict::attached(job, &text).as_bytes())
 }
 
 /// Adds a warning that came after the end of the run to `JOB.json`.
@@ -53,6 +52,7 @@ pub fn add_warning(job: &JobFiles, said: &Diagnostic, sources: &Sources) -> Resu
     let summary = job.path(".json");
     let object = read_text(&summary).map_err(at(&summary))?;
     let text = with_warning(&object, &record(said, sources).finish());
+    let text = verdict::attached(job, &text);
     replace(&summary, text.as_bytes())
 }
 

@@ -14,6 +14,8 @@ pub struct Past {
     history: History,
     /// A row for every pair in every increment.
     pub pairs: Vec<Vec<PairRow>>,
+    /// The slave node that carries most, for every pair in every increment.
+    pub carriers: Vec<Vec<Option<NodeIndex>>>,
 }
 
 impl Past {
@@ -24,8 +26,9 @@ impl Past {
     pub fn read(job: &JobFiles, model: &Model, increments: usize) -> Result<Self, Problem> {
         let mut history = History::read(&job.path(".history.csv"), |_| true)?;
         history.shorten(increments);
-        let pairs = pairs(job, model, increments)?;
-        Ok(Self { history, pairs })
+        let (pairs, numbers) = pairs(job, model, increments)?;
+        let carriers = carriers(job, model, &numbers)?;
+        Ok(Self { history, pairs, carriers })
     }
 
     /// Motion and reaction of a dof over the increments.
@@ -35,22 +38,67 @@ impl Past {
     }
 }
 
-fn pairs(job: &JobFiles, model: &Model, increments: usize) -> Result<Vec<Vec<PairRow>>, Problem> {
+/// Step and increment as the files have them.
+type Number = [String; 2];
+
+fn pairs(
+    job: &JobFiles,
+    model: &Model,
+    increments: usize,
+) -> Result<(Vec<Vec<PairRow>>, Vec<Number>), Problem> {
     let count = model.contact_pairs.len();
     let expected: Vec<&str> =
         ["step", "increment", "time", "pair"].into_iter().chain(COLUMNS).collect();
     let mut table = Table::open(&job.path(".pair.csv"), &expected)?;
-    let mut all = Vec::new();
+    let (mut all, mut numbers) = (Vec::new(), Vec::new());
     while all.len() < increments && count > 0 {
         let mut rows = Vec::with_capacity(count);
         while rows.len() < count {
-            let Some(cells) = table.row()? else { return Ok(all) };
+            let Some(cells) = table.row()? else { return Ok((all, numbers)) };
+            if rows.is_empty() {
+                numbers.push([cells[0].clone(), cells[1].clone()]);
+            }
             let deepest = cells[7].parse().ok().and_then(|label| model.nodes.find(label));
             rows.push(row(&table, deepest)?);
         }
         all.push(rows);
     }
-    Ok(all)
+    Ok((all, numbers))
+}
+
+/// Which node carries most, of every pair in the increments of these numbers:
+/// the largest pressure times area, the first one where two carry alike.
+fn carriers(
+    job: &JobFiles,
+    model: &Model,
+    numbers: &[Number],
+) -> Result<Vec<Vec<Option<NodeIndex>>>, Problem> {
+    let count = model.contact_pairs.len();
+    let mut found = vec![vec![None; count]; numbers.len()];
+    if numbers.is_empty() {
+        return Ok(found);
+    }
+    let start = ["step", "increment", "time", "pair", "node", "status"];
+    let mut table = Table::open(&job.path(".contact.csv"), &start)?;
+    let (pressure, area) = (table.place("CPRESS"), table.place("area"));
+    let (mut now, mut most) = (0, vec![0.0; count]);
+    while let Some(cells) = table.row()? {
+        let own = |number: &Number| number[0] == cells[0] && number[1] == cells[1];
+        while now < numbers.len() && !own(&numbers[now]) {
+            now += 1;
+            most.fill(0.0);
+        }
+        let pair = model.contact_pairs.iter().position(|pair| pair.name == cells[3]);
+        let node = cells[4].parse().ok().and_then(|label| model.nodes.find(label));
+        let (Some(pair), Some(pressure), Some(into)) = (pair, pressure, found.get_mut(now)) else {
+            continue;
+        };
+        let force = table.number(pressure)? * area.map_or(Ok(1.0), |area| table.number(area))?;
+        if force > most[pair] {
+            (most[pair], into[pair]) = (force, node);
+        }
+    }
+    Ok(found)
 }
 
 fn row(table: &Table, deepest: Option<NodeIndex>) -> Result<PairRow, Problem> {

@@ -3,11 +3,12 @@
 use crate::file::{WriteError, replace};
 use crate::history::{Column, columns};
 use crate::job::JobFiles;
-use crate::json::{self, Object};
+use crate::json::Object;
 use crate::ledger::onset_word;
 use crate::record::record;
 use crate::restart::Earlier;
 use crate::understood::{self, Understood};
+use crate::verdict;
 use crate::vtu::state_is_due;
 use slideline_diag::{Diagnostic, Severity, Sources};
 use slideline_measures::NoiseSummary;
@@ -15,6 +16,7 @@ use slideline_model::{Dialect, NodeIndex, Onset};
 use slideline_solve::Checkpoint;
 use slideline_solve::bytes::{Packed, Unpacking};
 use slideline_solve::observe::{Ending, Event, Frame, StepReport, Stop, Totals};
+use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
 /// Version of the layout of `JOB.json`.
@@ -101,6 +103,8 @@ pub(crate) struct Memory {
     warnings: Vec<String>,
     peaks: Vec<Option<Peak>>,
     strain: Option<(f64, u64, f64)>,
+    used: Option<(f64, u64, f64)>,
+    normal: Option<(f64, u64, f64)>,
 }
 
 impl Memory {
@@ -111,12 +115,34 @@ impl Memory {
         let warnings = (0..count).map(|_| bytes.text()).collect::<Option<_>>()?;
         let count = bytes.length(1)?;
         let peaks = (0..count).map(|_| unpack_peak(bytes)).collect::<Option<_>>()?;
-        let mut strain = None;
-        if bytes.flag()? {
-            let [value, time] = bytes.numbers()?;
-            strain = Some((value, bytes.text()?.parse().ok()?, time));
-        }
-        Some(Self { before, warnings, peaks, strain })
+        let strain = unpack_largest(bytes)?;
+        let used = unpack_largest(bytes)?;
+        let normal = unpack_largest(bytes)?;
+        Some(Self { before, warnings, peaks, strain, used, normal })
+    }
+}
+
+/// A largest value, the number of whom it belongs to, and its time.
+fn unpack_largest(bytes: &mut Unpacking<'_>) -> Option<Option<(f64, u64, f64)>> {
+    if !bytes.flag()? {
+        return Some(None);
+    }
+    let [value, time] = bytes.numbers()?;
+    Some(Some((value, bytes.text()?.parse().ok()?, time)))
+}
+
+fn pack_largest(largest: Option<(f64, u64, f64)>, bytes: &mut Packed) {
+    bytes.flag(largest.is_some());
+    if let Some((value, whose, time)) = largest {
+        bytes.numbers(&[value, time]);
+        bytes.text(&whose.to_string());
+    }
+}
+
+/// Keeps the larger one; what is no number is the largest.
+fn keep_larger(largest: &mut Option<(f64, u64, f64)>, now: (f64, u64, f64)) {
+    if largest.is_none_or(|(value, ..)| now.0 > value || now.0.is_nan()) {
+        *largest = Some(now);
     }
 }
 
@@ -137,6 +163,7 @@ pub(crate) struct Summary<'a> {
     before: Duration,
     warnings: Vec<String>,
     advice: Vec<String>,
+    notes: Vec<String>,
     curves: Vec<(String, NodeIndex, Column)>,
     peaks: Vec<Option<Peak>>,
     dropped_work: f64,
@@ -144,6 +171,14 @@ pub(crate) struct Summary<'a> {
     understood: Option<Understood>,
     /// Largest fibre strain of a beam: value, element, total time.
     strain: Option<(f64, u64, f64)>,
+    /// Largest strain over the allowable one: value, element, total time.
+    used: Option<(f64, u64, f64)>,
+    /// Largest normal force of a contact pair: value, pair, total time.
+    normal: Option<(f64, u64, f64)>,
+    /// Allowable strains of elements.
+    allowable: BTreeMap<u64, f64>,
+    /// What the deck calls itself, and its pairs.
+    names: (String, Vec<String>),
     /// Noise of the run, as JSON.
     noise: Option<String>,
     /// How many states were written, the start among them.
@@ -159,20 +194,27 @@ impl<'a> Summary<'a> {
     }
 
     fn new(job: &JobFiles, facts: Facts<'a>) -> Self {
-        let warnings = warnings(facts.diagnostics, facts.sources);
+        let own = |severity| said(severity, facts.diagnostics, facts.sources);
+        let warnings = own(Severity::Warning);
+        let (advice, notes) = (own(Severity::Advice), own(Severity::Note));
         Self {
             job: job.clone(),
             facts,
             began: Instant::now(),
             before: Duration::ZERO,
             warnings,
-            advice: Vec::new(),
+            advice,
+            notes,
             curves: Vec::new(),
             peaks: Vec::new(),
             dropped_work: 0.0,
             totals: Totals::default(),
             understood: None,
             strain: None,
+            used: None,
+            normal: None,
+            allowable: BTreeMap::new(),
+            names: Default::default(),
             noise: None,
             states: 0,
         }
@@ -185,11 +227,12 @@ impl<'a> Summary<'a> {
         memory: Memory,
         from: &Checkpoint<'_>,
     ) -> Result<Self, WriteError> {
-        let Memory { before, warnings, peaks, strain } = memory;
+        let Memory { before, warnings, peaks, strain, used, normal } = memory;
         let (totals, dropped_work) = (from.totals, from.energy().dropped_friction);
         let states = job.kept().map_or(0, |kept| kept.states.len());
         let new = Self::new(job, facts);
-        let summary = Self { before, warnings, peaks, strain, totals, dropped_work, states, ..new };
+        let largest = Self { strain, used, normal, ..new };
+        let summary = Self { before, warnings, peaks, totals, dropped_work, states, ..largest };
         summary.write(Status::Running, None)?;
         Ok(summary)
     }
@@ -206,10 +249,8 @@ impl<'a> Summary<'a> {
                 bytes.numbers(&[least.0, least.1, most.0, most.1]);
             }
         }
-        bytes.flag(self.strain.is_some());
-        if let Some((strain, element, time)) = self.strain {
-            bytes.numbers(&[strain, time]);
-            bytes.text(&element.to_string());
+        for largest in [self.strain, self.used, self.normal] {
+            pack_largest(largest, bytes);
         }
     }
 
@@ -229,10 +270,12 @@ impl<'a> Summary<'a> {
             Event::AttemptFailed(_) => self.totals.cutbacks += 1,
             Event::Committed(frame) => self.follow(frame),
             Event::Diagnosed(said) => {
-                self.warnings.extend(warnings(std::slice::from_ref(said), self.facts.sources));
-                if said.severity == Severity::Advice {
-                    self.advice.push(record(said, self.facts.sources).finish());
-                }
+                let list = match said.severity {
+                    Severity::Warning => &mut self.warnings,
+                    Severity::Advice => &mut self.advice,
+                    _ => return,
+                };
+                list.push(record(said, self.facts.sources).finish());
             }
             _ => {}
         }
@@ -243,7 +286,9 @@ impl<'a> Summary<'a> {
         let reactions = noise.reactions.iter().fold(Object::new(), |all, reaction| {
             let object = optional(Object::new(), "roughness", reaction.roughness);
             let object = optional(object, "roughness_of_fourth", reaction.roughness_of_fourth);
-            all.raw(&reaction.name, &object.count("reversals", reaction.reversals).finish())
+            let object = object.count("reversals", reaction.reversals);
+            let of_mesh = reaction.of_mesh.map(|noise| noise.roughness);
+            all.raw(&reaction.name, &optional(object, "of_mesh", of_mesh).finish())
         });
         let pairs = noise.pairs.iter().map(|pair| {
             let object = Object::new()
@@ -278,6 +323,13 @@ impl<'a> Summary<'a> {
 
     fn list_curves(&mut self, step: &StepReport<'_>) {
         self.understood.get_or_insert_with(|| understood::understood(step.model));
+        let pairs = step.model.contact_pairs.iter().map(|pair| pair.name.clone());
+        self.names = (step.model.heading.clone(), pairs.collect());
+        for allowable in &step.model.allowables {
+            let block = step.model.blocks.get(allowable.block).and_then(|block| block.beams());
+            let elements = block.map_or(&[][..], |block| &block.elements);
+            self.allowable.extend(elements.iter().map(|own| (own.label, allowable.strain)));
+        }
         let columns = columns(step.start.nodal.dofs());
         for node in step.model.history_nodes() {
             let label = step.model.nodes.label(node);
@@ -296,9 +348,19 @@ impl<'a> Summary<'a> {
         self.dropped_work = frame.energy.dropped_friction;
         let time = frame.total_time;
         for beam in frame.beams {
-            if self.strain.is_none_or(|(largest, ..)| beam.fibre_strain > largest) {
-                self.strain = Some((beam.fibre_strain, beam.label, time));
+            keep_larger(&mut self.strain, (beam.fibre_strain, beam.label, time));
+            if let Some(allowable) = self.allowable.get(&beam.label) {
+                keep_larger(&mut self.used, (beam.fibre_strain / allowable, beam.label, time));
             }
+        }
+        let mut normal = vec![0.0; self.names.1.len()];
+        for row in frame.contact {
+            if let Some(sum) = normal.get_mut(row.pair) {
+                *sum += row.pressure * row.area;
+            }
+        }
+        for (pair, force) in normal.into_iter().enumerate() {
+            keep_larger(&mut self.normal, (force, pair as u64, time));
         }
         for ((_, node, column), peak) in self.curves.iter().zip(&mut self.peaks) {
             let value = column.value(&frame.nodal, *node);
@@ -313,9 +375,19 @@ impl<'a> Summary<'a> {
     }
 
     fn write(&self, status: Status, diagnosis: Option<&Diagnostic>) -> Result<(), WriteError> {
+        let mut text = self.object(status, diagnosis);
+        text.push('\n');
+        if status != Status::Running {
+            text = verdict::attached(&self.job, &text);
+        }
+        replace(&self.job.path(".json"), text.as_bytes())
+    }
+
+    fn object(&self, status: Status, diagnosis: Option<&Diagnostic>) -> String {
         let facts = &self.facts;
         let mut object = Object::new()
             .text("job", &self.job.name())
+            .text("title", &self.names.0)
             .text("status", status.word())
             .count("increments", self.totals.increments)
             .count("cutbacks", self.totals.cutbacks)
@@ -323,6 +395,7 @@ impl<'a> Summary<'a> {
             .number("wall_seconds", self.elapsed().as_secs_f64())
             .array("warnings", self.warnings.iter().cloned())
             .array("advice", self.advice.iter().cloned())
+            .array("notes", self.notes.iter().cloned())
             .raw("peaks", &self.peaks())
             .raw("dropped_friction", &self.dropped())
             .count("states", self.states)
@@ -338,11 +411,7 @@ impl<'a> Summary<'a> {
                 .count("increment", origin.increment);
             object = object.raw("goes_on_from", &origin.finish());
         }
-        if let Some((value, element, time)) = self.strain {
-            let element = element.to_string();
-            let strain = Object::new().number("max", value).raw("element", &element);
-            object = object.raw("fibre_strain", &strain.number("time", time).finish());
-        }
+        object = self.largest(object);
         if let Some(noise) = &self.noise {
             object = object.raw("noise", noise);
         }
@@ -350,6 +419,8 @@ impl<'a> Summary<'a> {
             object = object
                 .raw("driven", &understood.driven)
                 .raw("loaded", &understood.loaded)
+                .raw("supports", &understood.supports)
+                .raw("sections", &understood.sections)
                 .raw("pairs", &understood.pairs)
                 .raw("settings", &understood.settings);
         }
@@ -360,9 +431,34 @@ impl<'a> Summary<'a> {
         if let Some(diagnosis) = diagnosis {
             object = object.raw("diagnosis", &record(diagnosis, facts.sources).finish());
         }
-        let mut text = object.finish();
-        text.push('\n');
-        replace(&self.job.path(".json"), text.as_bytes())
+        object.finish()
+    }
+
+    /// Largest strain, its share of the allowable one, largest normal force.
+    fn largest(&self, mut object: Object) -> Object {
+        let element = |object: Object, element: u64, time: f64| {
+            object.raw("element", &element.to_string()).number("time", time).finish()
+        };
+        if let Some((value, own, time)) = self.strain {
+            let strain = Object::new().number("max", value);
+            object = object.raw("fibre_strain", &element(strain, own, time));
+        }
+        if let Some((value, own, time)) = self.used {
+            let used = Object::new()
+                .number("utilisation", value)
+                .number("margin", 1.0 / value - 1.0)
+                .flag("pass", value <= 1.0);
+            object = object.raw("allowable", &element(used, own, time));
+        }
+        if let Some((value, pair, time)) = self.normal {
+            let pair = usize::try_from(pair).ok().and_then(|pair| self.names.1.get(pair));
+            let normal = Object::new()
+                .number("max", value)
+                .text("pair", pair.map_or("?", String::as_str))
+                .number("time", time);
+            object = object.raw("normal_force", &normal.finish());
+        }
+        object
     }
 
     fn peaks(&self) -> String {
@@ -396,9 +492,10 @@ fn optional(object: Object, key: &str, value: Option<f64>) -> Object {
     }
 }
 
-fn warnings(diagnostics: &[Diagnostic], sources: &Sources) -> Vec<String> {
-    let warnings = diagnostics.iter().filter(|said| said.severity == Severity::Warning);
-    warnings.map(|said| json::Object::finish(record(said, sources))).collect()
+/// What was said with that severity.
+fn said(severity: Severity, diagnostics: &[Diagnostic], sources: &Sources) -> Vec<String> {
+    let own = diagnostics.iter().filter(|said| said.severity == severity);
+    own.map(|said| record(said, sources).finish()).collect()
 }
 
 /// Writes `JOB.json` of a deck with errors; the files of an earlier run go.

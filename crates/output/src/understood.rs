@@ -17,6 +17,10 @@ pub(crate) struct Understood {
     pub driven: String,
     /// `[{"node","motion"}]`: loads.
     pub loaded: String,
+    /// `[{"node","dofs":[..]}]`: what is held throughout.
+    pub supports: String,
+    /// `[{"height","elements":[first,last,..]}]`: heights of beam sections.
+    pub sections: String,
     /// `[{"name","slave":[..],"master","nodes":[..],"normal","friction"}]`.
     pub pairs: String,
     /// `[{"card","name","value","default"}]`.
@@ -43,9 +47,52 @@ pub(crate) fn understood(model: &Model) -> Understood {
     Understood {
         driven: json::array(driven),
         loaded: json::array(loaded),
+        supports: supports(model),
+        sections: sections(model),
         pairs: pairs(model),
         settings: settings(model),
     }
+}
+
+/// Nodes that the first step holds and no step moves.
+fn supports(model: &Model) -> String {
+    let Some(first) = model.steps.first() else { return "[]".to_owned() };
+    let moved = |node: NodeIndex, dof: Dof| {
+        let mut all = model.steps.iter().flat_map(|step| &step.prescribed);
+        all.any(|own| own.node == node && own.dof == dof && own.moves())
+    };
+    let mut held: Vec<(NodeIndex, Vec<Dof>)> = Vec::new();
+    for own in first.prescribed.iter().filter(|own| !moved(own.node, own.dof)) {
+        match held.iter_mut().find(|(node, _)| *node == own.node) {
+            Some((_, dofs)) if dofs.contains(&own.dof) => {}
+            Some((_, dofs)) => dofs.push(own.dof),
+            None => held.push((own.node, vec![own.dof])),
+        }
+    }
+    json::array(held.into_iter().map(|(node, dofs)| {
+        Object::new()
+            .raw("node", &model.nodes.label(node).to_string())
+            .array("dofs", dofs.into_iter().map(|dof| dof.number().to_string()))
+            .finish()
+    }))
+}
+
+/// Heights of beam sections with their elements, first and last of each run.
+fn sections(model: &Model) -> String {
+    let blocks = model.blocks.iter().filter_map(|block| block.beams());
+    json::array(blocks.map(|block| {
+        let mut runs: Vec<[u64; 2]> = Vec::new();
+        for element in &block.elements {
+            match runs.last_mut().filter(|run| run[1].checked_add(1) == Some(element.label)) {
+                Some(run) => run[1] = element.label,
+                None => runs.push([element.label; 2]),
+            }
+        }
+        Object::new()
+            .number("height", block.section.height)
+            .array("elements", runs.into_iter().flatten().map(|label| label.to_string()))
+            .finish()
+    }))
 }
 
 /// Each once, in the order of the deck.

@@ -19,7 +19,10 @@ font:.9rem Georgia,serif}th,td{padding:.2rem .45rem;text-align:right;border-bott
 white-space:nowrap}th{border-bottom:1px solid #111;vertical-align:bottom;white-space:normal}\
 td:first-child,th:first-child,td.t,th.t{text-align:left}code{font-size:.9em}\
 .runs table{font-size:10.5px}.runs th,.runs td{padding:.15rem .18rem}\
-@media print{body{max-width:none;margin:0;font-size:11pt}}";
+@media (prefers-color-scheme:dark){body{color:#e6e9ed;background:#141414}\
+th,td{border-color:#3a4048}th{border-bottom-color:#e6e9ed}a{color:#6cb6ff}\
+figure svg,figure img{filter:invert(.92) hue-rotate(180deg)}}\
+@media print{figure svg,figure img{filter:none}body{color:#111;background:#fff;max-width:none;margin:0;font-size:11pt}}";
 
 /// The whole page.
 pub(crate) fn page(study: &Study, rows: &[Row], figures: &[Figure]) -> String {
@@ -29,7 +32,8 @@ pub(crate) fn page(study: &Study, rows: &[Row], figures: &[Figure]) -> String {
     let _ = write!(
         text,
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <meta name=\"color-scheme\" content=\"light dark\">\n\
          <title>Sliding contact: the study of Diehl (1995), repeated</title>\n\
          <style>{STYLE}</style>\n</head>\n<body>\n"
     );

@@ -22,6 +22,7 @@ mod advice;
 mod check;
 mod error_bars;
 mod further;
+mod mend;
 mod read;
 mod run;
 
@@ -31,6 +32,7 @@ pub use error_bars::{
     ErrorBars, Reactions, Recorder, error_bars, time_error_bars, write_error_bars,
 };
 pub use further::From;
+pub use mend::{Mend, try_mends};
 pub use read::{Job, OldJob, Read, ReadOptions};
 pub use run::{Outcome, Quiet, RunOptions, run};
 
@@ -46,7 +48,7 @@ pub use slideline_solve::{Options as SolveOptions, TangentCheck, observe};
 pub use slideline_solve::{UserFrictions, friction};
 
 pub use slideline_diag::{Diagnostic, Severity};
-pub use slideline_measures::{NoiseSummary, PairNoise, ReactionNoise};
+pub use slideline_measures::{MeshNoise, NoiseSummary, PairNoise, ReactionNoise};
 pub use slideline_model::{Dialect, Model, Onset};
 pub use slideline_output::Status;
 pub use slideline_solve::observe::{Event, Observer, Stop};

@@ -99,6 +99,13 @@ impl Job {
         }
     }
 
+    /// Reads other text in place of the deck of a job; it includes what the
+    /// deck does.
+    pub fn read_bytes(job: Self, bytes: &[u8], options: &ReadOptions) -> Read {
+        let name = job.deck.display().to_string();
+        interpret(job, &name, bytes, &FromDisk, options)
+    }
+
     /// Reads a deck from memory; it can include nothing.
     pub fn read_text(name: &str, text: &str, options: &ReadOptions) -> Read {
         let job = Self { deck: PathBuf::from(format!("{name}.inp")), stem: name.into() };

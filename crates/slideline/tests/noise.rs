@@ -74,6 +74,22 @@ fn coarse_slaves_on_the_beam_are_noisy_and_others_are_not() {
     }
 }
 
+/// Requirement: a snap is a physical reversal, no noise, however many
+/// increments the stroke has; and so is a second one in the same stroke.
+#[test]
+fn a_snap_is_no_noise_at_any_increment() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../corpus/tutorial/snap_fit.inp");
+    let deck = std::fs::read_to_string(path).unwrap();
+    assert!(deck.contains("0.01, 1.0") && deck.contains("INC=400"));
+    for increment in ["0.1", "0.05", "0.04", "0.025", "0.02", "0.01", "0.005", "0.002"] {
+        let text =
+            deck.replace("0.01, 1.0", &format!("{increment}, 1.0")).replace("INC=400", "INC=4000");
+        let read = Job::read_text("snap", &text, &ReadOptions::default());
+        let outcome = run_in(&folder(&format!("snap_{increment}")), &read);
+        assert!(!codes(&outcome).contains(&"SL0610"), "{increment}: {:?}", outcome.diagnostics);
+    }
+}
+
 /// Numbers of a column of a CSV file.
 fn column(path: &Path, name: &str) -> Vec<f64> {
     let text = std::fs::read_to_string(path).unwrap();

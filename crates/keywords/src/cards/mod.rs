@@ -7,6 +7,7 @@ macro_rules! page {
     };
 }
 
+pub(crate) mod allowable;
 pub(crate) mod amplitude;
 pub(crate) mod beam_section;
 pub(crate) mod boundary;

@@ -1,11 +1,11 @@
 //! Elements with their sections and stiffnesses become blocks.
 
-use slideline_diag::{Code, Diagnostic};
+use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::element::b22::axis_runs_forward;
 use slideline_mech::material::Elastic;
 use slideline_model::{
-    BeamBlock, BeamElement, BeamSection, ElementBlock, NodeIndex, SpringBlock, SpringElement,
-    SpringKind,
+    Allowable, BeamBlock, BeamElement, BeamSection, ElementBlock, NodeIndex, SpringBlock,
+    SpringElement, SpringKind,
 };
 
 use crate::draft::{Draft, Element, ElementKind, Section, Spring};
@@ -35,6 +35,7 @@ pub(super) fn beams(draft: &mut Draft) {
             beam_blocks(&section, shape, elements, draft);
         }
     }
+    allowables(draft);
     let owned: Vec<bool> = owner.iter().map(Option::is_some).collect();
     for kind in ElementKind::BEAMS {
         without(kind, "*BEAM SECTION", &owned, draft);
@@ -56,6 +57,30 @@ fn beam_blocks(
             let (name, origin) = (section.set.clone(), section.origin);
             let block = BeamBlock { name, section: shape, elements, origin };
             draft.model.blocks.push(variant(block));
+        }
+    }
+}
+
+/// Allowables of the blocks whose material has one.
+fn allowables(draft: &mut Draft) {
+    for allowable in draft.allowables.clone() {
+        if !draft.materials.iter().any(|material| material.name == allowable.material) {
+            no_material(&allowable.material, allowable.material_span, draft);
+        }
+        let sections = draft.sections.iter().filter(|own| own.material == allowable.material);
+        let origins: Vec<Span> = sections.map(|section| section.origin).collect();
+        for (place, block) in draft.model.blocks.iter().enumerate() {
+            let Some(block) = block.beams().filter(|block| origins.contains(&block.origin)) else {
+                continue;
+            };
+            let modulus = block.section.material.modulus;
+            let strain = allowable.strain.or(allowable.stress.map(|stress| stress / modulus));
+            draft.model.allowables.extend(strain.map(|strain| Allowable {
+                block: place,
+                strain,
+                stress: allowable.stress,
+                origin: allowable.origin,
+            }));
         }
     }
 }
@@ -133,13 +158,7 @@ fn middle_is_sound(
 fn material(section: &Section, draft: &mut Draft) -> Option<Elastic> {
     let found = draft.materials.iter().find(|material| material.name == section.material).cloned();
     let Some(material) = found else {
-        let message = format!("there is no material {}", section.material);
-        let mut error = Diagnostic::error(Code("SL0308"), message).at(section.material_span);
-        let names = draft.materials.iter().map(|material| material.name.as_str());
-        if let Some(near) = slideline_deck::nearest(&section.material, names) {
-            error = error.help(format!("did you mean {near}?"));
-        }
-        draft.consequence(Subject::Sections, error);
+        no_material(&section.material, section.material_span, draft);
         return None;
     };
     if !material.has_card {
@@ -148,6 +167,16 @@ fn material(section: &Section, draft: &mut Draft) -> Option<Elastic> {
         draft.consequence(Subject::Sections, error.help("put *ELASTIC behind *MATERIAL: E, nu"));
     }
     material.elastic
+}
+
+fn no_material(name: &str, span: Span, draft: &mut Draft) {
+    let message = format!("there is no material {name}");
+    let mut error = Diagnostic::error(Code("SL0308"), message).at(span);
+    let names = draft.materials.iter().map(|material| material.name.as_str());
+    if let Some(near) = slideline_deck::nearest(name, names) {
+        error = error.help(format!("did you mean {near}?"));
+    }
+    draft.consequence(Subject::Sections, error);
 }
 
 /// Complains about elements that no card gave a stiffness.

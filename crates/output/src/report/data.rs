@@ -2,12 +2,20 @@
 
 use super::contact::{Contacts, Point, runs};
 use super::overlay::Overlay;
-use super::results::Results;
+use super::results::{Driven, Results};
+use super::value::Value;
 use crate::json::{self, Object};
+use crate::verdict::Judged;
 use crate::vtu::base64;
+use slideline_measures::Taken;
 
 /// All numbers of the page.
-pub(crate) fn data(job: &str, results: &Results, overlay: Option<&Overlay>) -> String {
+pub(crate) fn data(
+    job: &str,
+    results: &Results,
+    judged: &Judged,
+    overlay: Option<&Overlay>,
+) -> String {
     let energies = &results.energies;
     let with_start = |values: &[f64]| -> Vec<f64> {
         std::iter::once(0.0).chain(values.iter().copied()).collect()
@@ -21,7 +29,9 @@ pub(crate) fn data(job: &str, results: &Results, overlay: Option<&Overlay>) -> S
         .raw("times", &doubles(&with_start(&energies.times)))
         .raw("step", &doubles(&with_start(&numbers(0))))
         .raw("increment", &doubles(&with_start(&numbers(1))))
-        .raw("driven", &driven(results))
+        .raw("driven", &driven(results, judged))
+        .raw("supports", &supports(results))
+        .raw("heights", &heights(results))
         .array(
             "loaded",
             results.loaded.iter().map(|(node, motion)| {
@@ -83,14 +93,61 @@ fn columns<'a>(columns: impl Iterator<Item = (&'a str, &'a [f64])>) -> String {
     object.finish()
 }
 
-fn driven(results: &Results) -> String {
-    json::array(results.driven.iter().map(|driven| {
+/// Driven motions, that which does most work first, with the places of the
+/// largest push and pull.
+fn driven(results: &Results, judged: &Judged) -> String {
+    let moved = judged.strokes.iter().map(|(driven, stroke)| (driven, Some(stroke)));
+    let known = |driven: &Driven| judged.strokes.iter().any(|(own, _)| own == driven);
+    let still = results.driven.iter().filter(|driven| !known(driven)).map(|driven| (driven, None));
+    json::array(moved.chain(still).map(|(driven, stroke)| {
+        let place = |taken: Option<Taken>| {
+            taken.map_or_else(|| "null".to_owned(), |taken| taken.place.to_string())
+        };
         Object::new()
             .raw("node", &driven.node.to_string())
             .text("motion", &driven.motion)
             .text("reaction", &driven.reaction)
+            .number("inward", stroke.map_or(1.0, |stroke| stroke.inward))
+            .raw("push", &place(stroke.and_then(|stroke| stroke.push)))
+            .raw("pull", &place(stroke.and_then(|stroke| stroke.pull)))
             .finish()
     }))
+}
+
+/// Held nodes with the numbers of their dofs.
+fn supports(results: &Results) -> String {
+    json::array(results.summary.list("supports").iter().filter_map(|held| {
+        let dofs = held.list("dofs").iter().filter_map(|dof| match dof {
+            Value::Number(number) => Some(number.to_string()),
+            _ => None,
+        });
+        let object = Object::new().raw("node", &held.count("node")?.to_string());
+        Some(object.array("dofs", dofs).finish())
+    }))
+}
+
+/// Height of the section of every cell; zero for what is no beam.
+fn heights(results: &Results) -> String {
+    let sections = results.summary.list("sections");
+    let number = |value: &Value| match value {
+        Value::Number(number) => *number as i64,
+        _ => 0,
+    };
+    let ranges: Vec<(f64, Vec<i64>)> = sections
+        .iter()
+        .filter_map(|own| {
+            Some((own.number("height")?, own.list("elements").iter().map(number).collect()))
+        })
+        .collect();
+    let of = |element: i64| {
+        let inside = |list: &[i64]| {
+            list.as_chunks::<2>().0.iter().any(|[a, b]| (*a..=*b).contains(&element))
+        };
+        ranges.iter().find(|(_, list)| inside(list)).map_or(0.0, |(height, _)| *height)
+    };
+    let frames = &results.frames;
+    let cells = frames.kinds.iter().zip(&frames.elements);
+    singles(cells.map(|(kind, element)| if *kind == 0 { of(*element) as f32 } else { 0.0 }))
 }
 
 fn history(results: &Results) -> String {
@@ -125,7 +182,7 @@ fn pairs(results: &Results) -> String {
         let labels = |key: &str| -> Vec<String> {
             let all = pair.list(key).iter();
             all.filter_map(|label| match label {
-                super::value::Value::Number(number) => Some(number.to_string()),
+                Value::Number(number) => Some(number.to_string()),
                 _ => None,
             })
             .collect()
@@ -151,6 +208,7 @@ fn frames(results: &Results) -> String {
         .raw("elements", &whole(&frames.elements))
         .array("states", frames.states.iter().map(usize::to_string))
         .raw("displacement", &singles(moved))
+        .raw("sections", &singles(frames.sections.iter().flatten().copied()))
         .raw("strained", &strained(results))
         .finish()
 }

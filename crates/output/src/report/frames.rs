@@ -28,6 +28,9 @@ pub(crate) struct Frames {
     pub written: Vec<usize>,
     /// x and y of the displacements in turn, frame by frame.
     pub displacement: Vec<Vec<f32>>,
+    /// Bending moment and the outer stress of larger size, in turn, of every
+    /// beam cell, frame by frame.
+    pub sections: Vec<Vec<f32>>,
     /// Largest fibre strain that the frames show, with element and state.
     pub strain: Option<(f64, i64, usize)>,
 }
@@ -89,6 +92,16 @@ impl Frames {
                 self.strain = Some((*value, element, state));
             }
         }
+        let [moment, first, last] =
+            ["bending_moment", "S11_1", "S11_5"].map(|name| file.doubles(name));
+        let (moment, first, last) = (moment?, first?, last?);
+        let outer = |cell: usize| {
+            if last[cell].abs() > first[cell].abs() { last[cell] } else { first[cell] }
+        };
+        let short = [&moment, &first, &last].iter().any(|column| column.len() < self.kinds.len());
+        let beams = (0..self.kinds.len()).filter(|&cell| self.kinds[cell] == 0 && !short);
+        let values = beams.flat_map(|cell| [moment[cell] as f32, outer(cell) as f32]);
+        self.sections.push(values.collect());
         self.states.push(state);
         self.displacement.push(moved.into_iter().map(|u| u as f32).collect());
         Ok(())

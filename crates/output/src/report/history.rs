@@ -100,6 +100,12 @@ impl Energies {
         Ok(found)
     }
 
+    /// The values of an energy.
+    pub fn column(&self, name: &str) -> Option<&[f64]> {
+        let place = self.columns.iter().position(|column| column == name)?;
+        self.values.get(place).map(Vec::as_slice)
+    }
+
     /// The last value of an energy.
     pub fn last(&self, name: &str) -> Option<f64> {
         let place = self.columns.iter().position(|column| column == name)?;

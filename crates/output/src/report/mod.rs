@@ -31,7 +31,7 @@ pub use problem::Problem;
 pub use prose::escaped;
 
 pub(crate) use history::{Energies, History};
-pub(crate) use results::{driven, summary};
+pub(crate) use results::{Driven, driven, summary};
 
 use crate::file::replace;
 use crate::job::JobFiles;
@@ -99,7 +99,7 @@ pub fn write(job: &JobFiles, options: &Options<'_>) -> Result<Report, Problem> {
     let page = page::page(&job.name(), &results, overlay.as_ref(), options, &remarks);
     let path = job.path(".html");
     replace(&path, page.as_bytes())?;
-    let verdict = verdict::sentences(&results);
+    let verdict = verdict::sentences(&results, &verdict::judged(&results));
     Ok(Report { path, size: page.len(), verdict, deck_changed })
 }
 

@@ -30,7 +30,8 @@ pub(crate) fn page(
     options: &Options<'_>,
     remarks: &[String],
 ) -> String {
-    let data = data(job, results, overlay);
+    let judged = verdict::judged(results);
+    let data = data(job, results, &judged, overlay);
     let mut text = String::with_capacity(data.len() + (1 << 17));
     text.push_str("<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
     text.push_str(
@@ -39,17 +40,19 @@ pub(crate) fn page(
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta name=\"color-scheme\" content=\"light dark\">\n",
     );
-    text.push_str(&format!("<title>{} - slideline</title>\n", escaped(job)));
+    text.push_str(&format!("<title>{} - slideline</title>\n", escaped(&title(job, results))));
     text.push_str(&format!("<style>\n{STYLE}</style>\n</head>\n<body>\n"));
     // names come last, so that no name is taken for a place to fill
     let places = [
         ("{{remarks}}", remarks.iter().map(|said| note(said)).collect()),
-        ("{{verdict}}", verdict_html(results)),
+        ("{{verdict}}", verdict::banner(results, &judged)),
         ("{{facts}}", facts(results)),
         ("{{states}}", states(results)),
         ("{{ledger}}", ledger(results)),
         ("{{noise}}", noise(results)),
         ("{{warnings}}", warnings(results, options)),
+        ("{{notes}}", notes(results)),
+        ("{{title}}", escaped(&title(job, results))),
         ("{{settings}}", settings(results)),
         ("{{echo}}", format!("<pre class=\"echo\">{}</pre>", escaped(&results.echo))),
         ("{{job}}", escaped(job)),
@@ -81,24 +84,16 @@ fn filled(template: &str, places: &[(&str, String)]) -> String {
     text
 }
 
-fn note(said: &str) -> String {
-    format!("<p class=\"remark\">{}</p>\n", escaped(said))
+/// What the deck calls itself, its first line; the job's name where it has no
+/// heading.
+fn title(job: &str, results: &Results) -> String {
+    let heading = results.summary.text("title").unwrap_or_default();
+    let first = heading.lines().map(str::trim).find(|line| !line.is_empty());
+    first.unwrap_or(job).to_owned()
 }
 
-fn verdict_html(results: &Results) -> String {
-    let sentences = verdict::sentences(results);
-    let (first, rest) = match sentences.split_first() {
-        Some((first, rest)) => (first.as_str(), rest),
-        None => ("", &[][..]),
-    };
-    let good = results.summary.text("status") == Some("completed");
-    let rest: Vec<String> = rest.iter().map(|said| escaped(said)).collect();
-    format!(
-        "<p id=\"verdict\" class=\"verdict {}\"><strong>{}.</strong> {}.</p>",
-        if good { "good" } else { "bad" },
-        escaped(first),
-        rest.join(". ")
-    )
+fn note(said: &str) -> String {
+    format!("<p class=\"remark\">{}</p>\n", escaped(said))
 }
 
 /// Version, deck, dialect: what a reader must know to repeat the run.
@@ -232,28 +227,28 @@ fn noise(results: &Results) -> String {
     if text.is_empty() { "<p>Nothing is driven and nothing touches.</p>".to_owned() } else { text }
 }
 
+/// What was said before, during and after the run and may matter.
 fn warnings(results: &Results, options: &Options<'_>) -> String {
     let summary = &results.summary;
-    let warnings = summary.list("warnings").iter().map(|said| ("warning", said));
+    let list = |key: &str, severity| summary.list(key).iter().map(move |said| (severity, said));
     let diagnosis = summary.get("diagnosis").map(|said| ("error", said));
-    let all: Vec<(&str, &Value)> = diagnosis.into_iter().chain(warnings).collect();
+    let all: Vec<(&str, &Value)> = diagnosis
+        .into_iter()
+        .chain(list("warnings", "warning"))
+        .chain(list("advice", "advice"))
+        .collect();
     if all.is_empty() {
-        return "<p>None.</p>".to_owned();
+        return "<p>No warning before, during or after the run.</p>".to_owned();
     }
     let mut told: Vec<&str> = Vec::new();
     let mut text = String::new();
     for (severity, said) in all {
         let code = said.text("code").unwrap_or("?");
-        let place = match (said.text("file"), said.count("line")) {
-            (Some(file), Some(line)) => {
-                format!(" <span class=\"place\">{}:{line}</span>", escaped(file))
-            }
-            _ => String::new(),
-        };
         let message = escaped(said.text("message").unwrap_or_default());
         text.push_str(&format!(
-            "<div class=\"said {severity}\"><p><strong>{severity} {}</strong>{place}: {message}</p>",
-            escaped(code)
+            "<div class=\"said {severity}\"><p><strong>{severity} {}</strong>{}: {message}</p>",
+            escaped(code),
+            place(said)
         ));
         if let Some(help) = said.text("help") {
             text.push_str(&format!("<p>What to do: {}</p>", escaped(help)));
@@ -269,6 +264,29 @@ fn warnings(results: &Results, options: &Options<'_>) -> String {
         text.push_str("</div>");
     }
     text
+}
+
+fn place(said: &Value) -> String {
+    match (said.text("file"), said.count("line")) {
+        (Some(file), Some(line)) => {
+            format!(" <span class=\"place\">{}:{line}</span>", escaped(file))
+        }
+        _ => String::new(),
+    }
+}
+
+/// Trivial things, one line each.
+fn notes(results: &Results) -> String {
+    let notes = results.summary.list("notes");
+    let line = |said: &Value| {
+        let code = escaped(said.text("code").unwrap_or("?"));
+        let message = escaped(said.text("message").unwrap_or_default());
+        format!("<li>{code}{}: {message}</li>", place(said))
+    };
+    match notes.len() {
+        0 => "<p>None.</p>".to_owned(),
+        _ => format!("<ul>{}</ul>", notes.iter().map(line).collect::<String>()),
+    }
 }
 
 fn settings(results: &Results) -> String {

@@ -1,119 +1,37 @@
-//! The verdict: what a designer wants to know first.
-//!
-//! ```text
-//!   RF |      in (driver pushes: RF du > 0)
-//!      |    .--->
-//!      |  .'  <---. out: pull it (RF du > 0: self-locking)
-//!      |-'---------'----> U   or hold it back (RF du < 0: it comes by itself)
-//! ```
+//! The verdict in words: what a designer wants to know first.
 
+use super::prose::escaped;
 use super::results::{Driven, Results};
 use crate::number::general;
+use crate::verdict::{Judged, is_locked, judge};
+use slideline_measures::{Stroke, Taken, WayOut};
 
-/// A largest force and where it is taken.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Taken {
-    /// Its size [F] (about a rotation: [F L]).
-    pub force: f64,
-    /// The displacement [L] (rotation [1]).
-    pub at: f64,
-}
-
-/// What the way back says.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Locking {
-    /// There is none in the deck.
-    NoReturn,
-    /// There is one, without a reaction.
-    NoReaction,
-    /// It must be pulled out all the way.
-    Locked,
-    /// It must be pulled, but goes by itself from a displacement on.
-    LockedUntil(f64),
-    /// It comes back by itself.
-    Free,
-}
-
-/// The stroke of a driven node.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Stroke {
-    /// Largest force with which it must be pushed on the way in.
-    pub insertion: Option<Taken>,
-    /// Largest force with which it must be pulled on the way out.
-    pub retention: Option<Taken>,
-    /// Work of the driver on the way in and on the way out [F L].
-    pub work: [f64; 2],
-    /// Self-locking or not.
-    pub locking: Locking,
-}
-
-/// Reactions smaller than this fraction of the largest are none.
-const NOISE: f64 = 1e-9;
-
-/// Judges a curve that begins at the start of the analysis; `None` without
-/// motion. The way in are the steps in the direction first taken.
-/// [docs/report.md: verdict]
-pub(crate) fn stroke(motion: &[f64], reaction: &[f64]) -> Option<Stroke> {
-    let steps = motion.windows(2).zip(reaction.windows(2));
-    let inward = motion.windows(2).map(|u| u[1] - u[0]).find(|du| *du != 0.0)?.signum();
-    let floor = NOISE * reaction.iter().fold(0.0, |peak: f64, rf| peak.max(rf.abs()));
-    let mut ways: [Option<Taken>; 2] = [None, None];
-    let mut work = [0.0; 2];
-    let mut returns = false;
-    let mut pulls: Vec<(bool, f64)> = Vec::new();
-    for (u, rf) in steps {
-        let du = u[1] - u[0];
-        if du == 0.0 {
-            continue;
-        }
-        let way = usize::from(du * inward < 0.0);
-        work[way] += 0.5 * (rf[0] + rf[1]) * du;
-        let drives = rf[1] * du > 0.0 && rf[1].abs() > floor;
-        if drives && ways[way].is_none_or(|taken| rf[1].abs() > taken.force) {
-            ways[way] = Some(Taken { force: rf[1].abs(), at: u[1] });
-        }
-        if way == 1 {
-            returns = true;
-            if rf[1].abs() > floor {
-                pulls.push((drives, u[1]));
-            }
-        }
-    }
-    let locking = match pulls.split_first() {
-        None if returns => Locking::NoReaction,
-        None => Locking::NoReturn,
-        Some(((false, _), _)) => Locking::Free,
-        Some(((true, _), rest)) => match rest.iter().find(|(pulled, _)| !pulled) {
-            Some((_, at)) => Locking::LockedUntil(*at),
-            None => Locking::Locked,
-        },
-    };
-    Some(Stroke { insertion: ways[0], retention: ways[1], work, locking })
+/// Judges the results that were read back.
+pub(crate) fn judged(results: &Results) -> Judged {
+    judge(&results.summary, Some(&results.energies), |driven| {
+        let column = |name: &str| results.curve(driven.node, name);
+        Some([column(&driven.motion)?, column(&driven.reaction)?])
+    })
 }
 
 /// The verdict in short sentences, the first on how the run ended.
-pub(crate) fn sentences(results: &Results) -> Vec<String> {
+pub(crate) fn sentences(results: &Results, judged: &Judged) -> Vec<String> {
     let mut said = vec![ending(results)];
-    let mut strokes: Vec<(&Driven, Stroke)> = Vec::new();
-    for driven in &results.driven {
-        let motion = results.curve(driven.node, &driven.motion);
-        let reaction = results.curve(driven.node, &driven.reaction);
-        if let (Some(motion), Some(reaction)) = (motion, reaction)
-            && let Some(stroke) = stroke(&motion, &reaction)
-        {
-            strokes.push((driven, stroke));
-        }
-    }
-    // what does most work is what the part is about
-    let size = |stroke: &Stroke| stroke.work[0].abs() + stroke.work[1].abs();
-    strokes.sort_by(|a, b| size(&b.1).total_cmp(&size(&a.1)));
-    if let Some((driven, stroke)) = strokes.first() {
-        said.extend(of_stroke(driven, stroke));
-        if strokes.len() > 1 {
-            said.push(format!("{} further driven motions are shown below", strokes.len() - 1));
+    let verdict = &judged.verdict;
+    let reasons: Vec<&str> = verdict.reasons.iter().map(|(_, reason)| reason.as_str()).collect();
+    said.push(match reasons.is_empty() {
+        true => format!("verdict {}", verdict.colour.word()),
+        false => format!("verdict {} ({})", verdict.colour.word(), reasons.join("; ")),
+    });
+    if let Some((driven, stroke)) = judged.strokes.first() {
+        said.extend(of_stroke(results, driven, stroke));
+        match judged.strokes.len() - 1 {
+            0 => {}
+            1 => said.push("another driven motion is shown below".to_owned()),
+            more => said.push(format!("{more} further driven motions are shown below")),
         }
     } else if results.driven.is_empty() {
-        said.push("no node is driven, so there is no insertion or retention force".to_owned());
+        said.push("no node is driven, so there is no force in or out".to_owned());
     }
     said.push(strain(results));
     said.iter().map(|sentence| capital(sentence)).collect()
@@ -153,94 +71,200 @@ fn ending(results: &Results) -> String {
     }
 }
 
-fn of_stroke(driven: &Driven, stroke: &Stroke) -> Vec<String> {
+fn number(value: f64) -> String {
+    general(value, 4)
+}
+
+fn of_stroke(results: &Results, driven: &Driven, stroke: &Stroke) -> Vec<String> {
     let Driven { node, motion, reaction } = driven;
-    let kind = if reaction.starts_with("RM") { "moment" } else { "force" };
-    let number = |value: f64| general(value, 5);
+    let kind = kind(driven);
     let taken =
         |taken: &Taken| format!("{} at {motion} = {}", number(taken.force), number(taken.at));
-    let mut said = vec![match &stroke.insertion {
-        Some(found) => format!("peak insertion {kind} {} (node {node}, {reaction})", taken(found)),
-        None => format!("no insertion {kind} (node {node}, {reaction})"),
+    let mut said = vec![match &stroke.push {
+        Some(found) => format!("push-in {kind} {} (node {node}, {reaction})", taken(found)),
+        None => format!("no push-in {kind} (node {node}, {reaction})"),
     }];
-    if stroke.locking == Locking::NoReturn {
+    if stroke.way_out == WayOut::None {
         said.push(format!("work in {}", number(stroke.work[0])));
-        said.push(
-            "this deck has no return stroke, so retention and self-locking are not known"
-                .to_owned(),
-        );
+        said.push(locking(results, stroke));
         return said;
     }
-    said.push(match &stroke.retention {
-        Some(found) => format!("peak retention {kind} {}", taken(found)),
-        None => format!("no retention {kind}"),
+    said.push(match &stroke.pull {
+        Some(found) => format!("pull-out {kind} {}", taken(found)),
+        None => format!("no pull-out {kind}"),
     });
     said.push(format!("work in {}, work out {}", number(stroke.work[0]), number(stroke.work[1])));
-    said.push(match stroke.locking {
-        Locking::Locked => "self-locking: it must be pulled out all the way".to_owned(),
-        Locking::LockedUntil(at) => {
-            format!("self-locking until {motion} = {}, from there it goes by itself", number(at))
-        }
-        Locking::Free => "not self-locking: it comes back by itself".to_owned(),
-        _ => "the return stroke has no reaction, so self-locking is not known".to_owned(),
-    });
+    said.push(way_out(driven, stroke));
+    said.push(locking(results, stroke));
     said
 }
 
+fn kind(driven: &Driven) -> &'static str {
+    if driven.reaction.starts_with("RM") { "moment" } else { "force" }
+}
+
+/// How it comes out, once it comes out.
+fn way_out(driven: &Driven, stroke: &Stroke) -> String {
+    match stroke.way_out {
+        WayOut::Pulled => "it must be pulled all the way out".to_owned(),
+        WayOut::PulledUntil(at) => {
+            format!(
+                "it must be pulled until {} = {}, then it goes by itself",
+                driven.motion,
+                number(at)
+            )
+        }
+        WayOut::SpringsBack => "it springs back by itself".to_owned(),
+        _ => "the way out has no reaction".to_owned(),
+    }
+}
+
+/// Self-locking as designers mean it: it cannot be pulled out.
+fn locking(results: &Results, stroke: &Stroke) -> String {
+    let reached = stroke.pull.map_or(0.0, |pull| pull.force);
+    if is_locked(&results.summary, stroke) {
+        let reached = number(reached);
+        return format!("self-locking: it cannot be pulled out; the pull had reached {reached}");
+    }
+    match (stroke.held_at_the_end, stroke.way_out) {
+        (true, _) => {
+            "it had not come out when the run ended, with the pull still growing: whether \
+                      it is self-locking is not known"
+                .to_owned()
+        }
+        (_, WayOut::None) => {
+            "this deck has no way out, so pull-out force and self-locking are not \
+                              known"
+                .to_owned()
+        }
+        (_, WayOut::NoReaction) => "self-locking is not known".to_owned(),
+        _ => "not self-locking".to_owned(),
+    }
+}
+
 fn strain(results: &Results) -> String {
-    let said = results.summary.get("fibre_strain").and_then(|strain| {
-        Some((strain.number("max")?, strain.count("element")?, strain.number("time")?))
-    });
-    let shown = || {
-        let (value, element, state) = results.frames.strain?;
-        let time = state.checked_sub(1).and_then(|place| results.energies.times.get(place));
-        Some((value, usize::try_from(element).ok()?, time.copied().unwrap_or(0.0)))
-    };
-    match said.or_else(shown) {
+    match largest_strain(results) {
         Some((value, element, time)) if value > 0.0 => format!(
-            "peak fibre strain {} % in element {element} at time {}",
+            "largest fibre strain {} % in element {element} at time {}{}",
             general(100.0 * value, 4),
-            general(time, 5)
+            general(time, 5),
+            allowable(results).map_or_else(String::new, |(used, pass)| format!(
+                ", {} % of the allowable: {}",
+                general(100.0 * used, 3),
+                if pass { "pass" } else { "FAIL" }
+            ))
         ),
         _ => "no beam is strained".to_owned(),
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+/// Largest strain over the allowable one, and whether that passes.
+fn allowable(results: &Results) -> Option<(f64, bool)> {
+    let used = results.summary.get("allowable")?;
+    Some((used.number("utilisation")?, used.flag("pass")))
+}
 
-    const MOTION: [f64; 7] = [0.0, -1.0, -2.0, -3.0, -2.0, -1.0, 0.0];
+fn largest_strain(results: &Results) -> Option<(f64, usize, f64)> {
+    let said = results.summary.get("fibre_strain").and_then(|strain| {
+        Some((strain.number("max")?, strain.count("element")?, strain.number("time")?))
+    });
+    said.or_else(|| {
+        let (value, element, state) = results.frames.strain?;
+        let time = state.checked_sub(1).and_then(|place| results.energies.times.get(place));
+        Some((value, usize::try_from(element).ok()?, time.copied().unwrap_or(0.0)))
+    })
+}
 
-    /// Requirement: issue text, "defined by the signs of reaction and motion".
-    #[test]
-    fn self_locking_is_a_matter_of_signs() {
-        let judged = |reaction: [f64; 7]| stroke(&MOTION, &reaction).unwrap();
-        // pushed down (RF < 0); on the way up RF > 0: it must be pulled
-        let locked = judged([0.0, -5.0, -8.0, -7.0, 12.0, 3.0, 1.0]);
-        assert_eq!(locked.insertion, Some(Taken { force: 8.0, at: -2.0 }));
-        assert_eq!(locked.retention, Some(Taken { force: 12.0, at: -2.0 }));
-        assert_eq!(locked.locking, Locking::Locked);
-        assert_eq!(locked.work, [2.5 + 6.5 + 7.5, 2.5 + 7.5 + 2.0]);
-        let free = judged([0.0, -5.0, -8.0, -7.0, -4.0, -2.0, 0.0]);
-        assert_eq!((free.locking, free.retention), (Locking::Free, None));
-        let snaps = judged([0.0, -5.0, -8.0, 2.0, 6.0, -2.0, 0.0]);
-        assert_eq!(snaps.locking, Locking::LockedUntil(-1.0));
-        assert_eq!(judged([0.0, -5.0, -8.0, 0.0, 0.0, 0.0, 0.0]).locking, Locking::NoReaction);
-        let one_way = stroke(&MOTION[..4], &[0.0, -5.0, -8.0, -7.0]).unwrap();
-        assert_eq!(one_way.locking, Locking::NoReturn);
-        assert!(stroke(&[0.0, 0.0], &[0.0, 1.0]).is_none());
+/// The verdict as it stands at the top of the page: colour, reasons, numbers.
+pub(crate) fn banner(results: &Results, judged: &Judged) -> String {
+    let verdict = &judged.verdict;
+    let word = verdict.colour.word();
+    let headline = match verdict.colour {
+        slideline_measures::Colour::Green => "Green: the numbers can be trusted",
+        slideline_measures::Colour::Amber => {
+            "Amber: look at the reasons before you use the numbers"
+        }
+        slideline_measures::Colour::Red => "Red: do not use the numbers",
+    };
+    let reasons: String = verdict
+        .reasons
+        .iter()
+        .map(|(colour, reason)| {
+            format!("<li class=\"{}\">{}</li>", colour.word(), escaped(&capital(reason)))
+        })
+        .collect();
+    let list = if reasons.is_empty() { reasons } else { format!("<ul>{reasons}</ul>") };
+    let words = sentences(results, judged);
+    let rest: Vec<String> = words.iter().skip(2).map(|said| escaped(said)).collect();
+    format!(
+        "<div id=\"verdict\" class=\"verdict {word}\"><p class=\"colour\"><span class=\"lamp\" \
+         aria-hidden=\"true\"></span><strong>{headline}</strong></p>{list}\
+         <p>{}.</p></div>\n{}<p class=\"words\">{}.</p>\n",
+        words.first().map_or_else(String::new, |said| escaped(said)),
+        tiles(results, judged),
+        rest.join(". ")
+    )
+}
+
+/// Big numbers: forces in and out, their ratio, normal force, work, strain.
+fn tiles(results: &Results, judged: &Judged) -> String {
+    let mut list: Vec<[String; 3]> = Vec::new();
+    if let Some((driven, stroke)) = judged.strokes.first() {
+        let kind = kind(driven);
+        let taken = |taken: Option<Taken>, without: &str| match taken {
+            Some(t) => (number(t.force), format!("at {} = {}", driven.motion, number(t.at))),
+            None => ("none".to_owned(), without.to_owned()),
+        };
+        let (value, note) = taken(stroke.push, "the driver holds it back");
+        list.push([format!("push-in {kind}"), value, note]);
+        if stroke.way_out == WayOut::None {
+            list.push([
+                format!("pull-out {kind}"),
+                "-".to_owned(),
+                "the deck has no way out".to_owned(),
+            ]);
+        } else {
+            let (value, note) = taken(stroke.pull, "it comes out by itself");
+            list.push([format!("pull-out {kind}"), value, note]);
+        }
+        if let Some(ratio) = stroke.ratio() {
+            list.push([
+                "out / in".to_owned(),
+                general(ratio, 3),
+                "pull-out over push-in".to_owned(),
+            ]);
+        }
+        let out = match stroke.way_out {
+            WayOut::None => String::new(),
+            _ => format!("out {}", number(stroke.work[1])),
+        };
+        list.push(["work in".to_owned(), number(stroke.work[0]), out]);
     }
-
-    /// Property: the mirror image has the same forces, work and locking.
-    #[test]
-    fn the_mirror_image_is_judged_alike() {
-        let reaction = [0.0, -5.0, -8.0, 2.0, 12.0, -1.0, 0.0];
-        let plain = stroke(&MOTION, &reaction).unwrap();
-        let mirrored = stroke(&MOTION.map(|u| -u), &reaction.map(|rf| -rf)).unwrap();
-        assert_eq!(plain.work, mirrored.work);
-        assert_eq!(plain.insertion.map(|t| t.force), mirrored.insertion.map(|t| t.force));
-        assert_eq!(plain.locking, Locking::LockedUntil(-1.0));
-        assert_eq!(mirrored.locking, Locking::LockedUntil(1.0));
+    if let Some(normal) = results.summary.get("normal_force") {
+        let force = normal.number("max").unwrap_or(f64::NAN);
+        let pair = normal.text("pair").unwrap_or("?");
+        list.push(["largest normal force".to_owned(), number(force), format!("pair {pair}")]);
     }
+    if let Some((value, element, _)) = largest_strain(results).filter(|(value, ..)| *value > 0.0) {
+        let note = match allowable(results) {
+            Some((used, pass)) => format!(
+                "{} % of the allowable, margin {} %: {}",
+                general(100.0 * used, 3),
+                general(100.0 * (1.0 / used - 1.0), 3),
+                if pass { "pass" } else { "FAIL" }
+            ),
+            None => format!("element {element}; no allowable is given"),
+        };
+        list.push(["largest strain".to_owned(), format!("{} %", general(100.0 * value, 3)), note]);
+    }
+    let tile = |[name, value, note]: &[String; 3]| {
+        let class = if note.ends_with("FAIL") { " class=\"fail\"" } else { "" };
+        format!(
+            "<div{class}><dt>{}</dt><dd><b>{}</b><small>{}</small></dd></div>",
+            escaped(name),
+            escaped(value),
+            escaped(note)
+        )
+    };
+    format!("<dl class=\"tiles\">{}</dl>\n", list.iter().map(tile).collect::<String>())
 }

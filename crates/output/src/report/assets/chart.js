@@ -2,8 +2,22 @@
 // options: title, x, y (axis titles), log, describe(series, place) -> text
 // series: [{name, x, y, colour, dash, dots, half}]; one with half is a band
 // of y plus and minus half, to be looked at and not read off
-const WIDTH = 960, HEIGHT = 380, LEFT = 84, RIGHT = 18, TOP = 14, BOTTOM = 46;
+const RIGHT = 18, TOP = 14, BOTTOM = 46;
 let charts = 0;
+
+// Calls `redraw` with the width there is, now and whenever it changes: what is
+// drawn keeps the size of its letters on every screen.
+function fitted(element, redraw) {
+  let last = 0;
+  const look = () => {
+    const width = Math.round(element.clientWidth);
+    if (width > 0 && width !== last) { last = width; redraw(width); }
+  };
+  look();
+  if (!last) redraw(last = 900);
+  if (window.ResizeObserver) new ResizeObserver(look).observe(element);
+  else window.addEventListener("resize", look);
+}
 
 function niceStep(span, count) {
   const raw = span / count, power = Math.pow(10, Math.floor(Math.log10(raw)));
@@ -23,14 +37,27 @@ class Chart {
     make(figure, "figcaption", {}, options.title);
     this.clip = "clip" + (charts++);
     this.svg = draw(figure, "svg", {
-      viewBox: "0 0 " + WIDTH + " " + HEIGHT, tabindex: 0, role: "img",
+      tabindex: 0, role: "img",
       "aria-label": options.title + ". Arrow keys read values off."
     });
     this.readoff = make(figure, "p", { class: "readoff", role: "status", "aria-live": "polite" });
     this.legend(figure);
     this.listen();
-    this.whole();
+    this.box = null;
+    fitted(figure, (width) => this.resize(width));
   }
+
+  // The drawing is as wide as the screen allows, and as high as that is good for.
+  resize(width) {
+    this.W = Math.max(280, width - 2);
+    this.H = Math.round(Math.max(230, Math.min(380, 0.44 * this.W)));
+    this.L = this.W < 560 ? 62 : 84;
+    this.svg.setAttribute("viewBox", "0 0 " + this.W + " " + this.H);
+    if (this.box) this.render(); else this.whole();
+  }
+
+  // New values in the same axes.
+  update() { this.render(); }
 
   legend(figure) {
     const legend = make(figure, "div", { class: "legend" });
@@ -66,7 +93,8 @@ class Chart {
         box = [Math.min(box[0], x), Math.max(box[1], x), Math.min(box[2], y - half), Math.max(box[3], y + half)];
       }
     }
-    if (box[0] > box[1]) box = [0, 1, 0, 1];
+    if (this.options.range) box = box.slice(0, 2).concat(this.options.range);
+    if (!(box[0] <= box[1])) box = [0, 1, 0, 1];
     const pad = (low, high) => {
       const span = high - low;
       return span > 0 ? 0.04 * span : Math.abs(high) > 0 ? 0.1 * Math.abs(high) : 1;
@@ -90,18 +118,19 @@ class Chart {
     return point.every(Number.isFinite) ? point : null;
   }
 
-  px(x) { return LEFT + (x - this.box[0]) / (this.box[1] - this.box[0]) * (WIDTH - LEFT - RIGHT); }
-  py(y) { return HEIGHT - BOTTOM - (y - this.box[2]) / (this.box[3] - this.box[2]) * (HEIGHT - TOP - BOTTOM); }
+  px(x) { return this.L + (x - this.box[0]) / (this.box[1] - this.box[0]) * (this.W - this.L - RIGHT); }
+  py(y) { return this.H - BOTTOM - (y - this.box[2]) / (this.box[3] - this.box[2]) * (this.H - TOP - BOTTOM); }
 
   render() {
     const svg = this.svg;
     svg.textContent = "";
     const clip = draw(draw(svg, "defs"), "clipPath", { id: this.clip });
-    draw(clip, "rect", { x: LEFT, y: TOP, width: WIDTH - LEFT - RIGHT, height: HEIGHT - TOP - BOTTOM });
+    draw(clip, "rect", { x: this.L, y: TOP, width: this.W - this.L - RIGHT, height: this.H - TOP - BOTTOM });
     this.axes(svg);
     const layer = draw(svg, "g", { "clip-path": "url(#" + this.clip + ")" });
     for (const one of this.series) if (one.shown && one.half) this.band(layer, one);
     for (const one of this.series) if (one.shown && !one.half) this.curve(layer, one);
+    this.labels(svg);
     this.nowMark = draw(layer, "circle", { class: "now", r: 4.5, visibility: "hidden" });
     this.mark = draw(layer, "circle", { class: "mark", r: 5, visibility: "hidden" });
     this.boxMark = draw(layer, "rect", { class: "box", visibility: "hidden" });
@@ -118,20 +147,37 @@ class Chart {
       for (let k = Math.ceil(low / step); k * step <= high && out.length < 40; k++) out.push(k * step);
       return out;
     };
-    for (const x of ticks(x0, x1, 8, this.options.whole)) {
+    for (const x of ticks(x0, x1, Math.max(3, Math.min(8, this.W / 110)), this.options.whole)) {
       const at = this.px(x);
-      draw(svg, "line", { class: "grid", x1: at, x2: at, y1: TOP, y2: HEIGHT - BOTTOM });
-      draw(svg, "text", { x: at, y: HEIGHT - BOTTOM + 17, "text-anchor": "middle" }, show(x));
+      draw(svg, "line", { class: "grid", x1: at, x2: at, y1: TOP, y2: this.H - BOTTOM });
+      draw(svg, "text", { x: at, y: this.H - BOTTOM + 17, "text-anchor": "middle" }, show(x));
     }
     for (const y of ticks(y0, y1, 6, this.options.log || this.options.counts)) {
       const at = this.py(y);
-      draw(svg, "line", { class: "grid", y1: at, y2: at, x1: LEFT, x2: WIDTH - RIGHT });
-      draw(svg, "text", { x: LEFT - 7, y: at + 4, "text-anchor": "end" }, this.options.log ? "1e" + String(y).replace("-", "\u2212") : show(y));
+      draw(svg, "line", { class: "grid", y1: at, y2: at, x1: this.L, x2: this.W - RIGHT });
+      draw(svg, "text", { x: this.L - 7, y: at + 4, "text-anchor": "end" }, this.options.log ? "1e" + String(y).replace("-", "\u2212") : show(y));
     }
-    if (!this.options.log && y0 < 0 && y1 > 0) draw(svg, "line", { class: "axis", x1: LEFT, x2: WIDTH - RIGHT, y1: this.py(0), y2: this.py(0) });
-    draw(svg, "rect", { class: "axis", fill: "none", x: LEFT, y: TOP, width: WIDTH - LEFT - RIGHT, height: HEIGHT - TOP - BOTTOM });
-    draw(svg, "text", { class: "soft", x: (LEFT + WIDTH - RIGHT) / 2, y: HEIGHT - 8, "text-anchor": "middle" }, this.options.x);
-    draw(svg, "text", { class: "soft", transform: "translate(14 " + (TOP + HEIGHT - BOTTOM) / 2 + ") rotate(-90)", "text-anchor": "middle" }, this.options.y);
+    if (!this.options.log && y0 < 0 && y1 > 0) draw(svg, "line", { class: "axis", x1: this.L, x2: this.W - RIGHT, y1: this.py(0), y2: this.py(0) });
+    draw(svg, "rect", { class: "axis", fill: "none", x: this.L, y: TOP, width: this.W - this.L - RIGHT, height: this.H - TOP - BOTTOM });
+    draw(svg, "text", { class: "soft", x: (this.L + this.W - RIGHT) / 2, y: this.H - 8, "text-anchor": "middle" }, this.options.x);
+    draw(svg, "text", { class: "soft", transform: "translate(14 " + (TOP + this.H - BOTTOM) / 2 + ") rotate(-90)", "text-anchor": "middle" }, this.options.y);
+  }
+
+  // Points of the first curve that have a name.
+  labels(svg) {
+    const one = this.series[0];
+    if (!one || !one.shown) return;
+    for (const label of this.options.labels || []) {
+      const x = one.x[label.place], y = this.value(one.y[label.place]);
+      if (!Number.isFinite(x) || !Number.isFinite(y)) continue;
+      const px = this.px(x), py = this.py(y);
+      if (px < this.L || px > this.W - RIGHT || py < TOP || py > this.H - BOTTOM) continue;
+      const ring = draw(svg, "circle", { class: "peakmark", cx: px, cy: py, r: 5 });
+      ring.style.stroke = "var(" + label.colour + ")";
+      const right = px > this.L + 0.6 * (this.W - this.L), below = y < 0;
+      const at = Math.max(TOP + 14, Math.min(this.H - BOTTOM - 8, py + (below ? 18 : -10)));
+      draw(svg, "text", { class: "peaktext", x: px + (right ? -8 : 8), y: at, "text-anchor": right ? "end" : "start" }, label.text);
+    }
   }
 
   bars(layer, one) {
@@ -157,25 +203,32 @@ class Chart {
 
   curve(layer, one) {
     if (one.base) { this.bars(layer, one); return; }
-    const path = [];
-    let pen = false;
-    for (let i = 0; i < one.x.length; i++) {
+    // a piece of the curve belongs to the way on which it ends
+    const ways = one.ways ? one.wayColours : [one.colour], paths = ways.map(() => []), pens = ways.map(() => -2);
+    const point = (i) => {
       const x = one.x[i], y = this.value(one.y[i]);
-      if (!Number.isFinite(x) || !Number.isFinite(y)) { pen = false; continue; }
-      const px = Math.max(-1e5, Math.min(1e5, this.px(x))), py = Math.max(-1e5, Math.min(1e5, this.py(y)));
-      path.push((pen ? "L" : "M") + px.toFixed(1) + " " + py.toFixed(1));
-      pen = true;
+      if (!Number.isFinite(x) || !Number.isFinite(y)) return null;
+      return [Math.max(-1e5, Math.min(1e5, this.px(x))).toFixed(1), Math.max(-1e5, Math.min(1e5, this.py(y))).toFixed(1)];
+    };
+    for (let i = 0; i < one.x.length; i++) {
+      const at = point(i), way = one.ways ? one.ways[i] : 0;
+      if (!at) continue;
+      const before = i > 0 ? point(i - 1) : null;
+      if (before && pens[way] !== i - 1) paths[way].push("M" + before[0] + " " + before[1]);
+      paths[way].push((before ? "L" : "M") + at[0] + " " + at[1]);
+      pens[way] = i;
       if (one.dots && one.x.length <= 200) {
-        const dot = draw(layer, "circle", { cx: px.toFixed(1), cy: py.toFixed(1), r: one.apart ? 4 : 2.4 });
-        dot.style.fill = "var(" + one.colour + ")";
+        const dot = draw(layer, "circle", { cx: at[0], cy: at[1], r: one.apart ? 4 : 2.2 });
+        dot.style.fill = "var(" + ways[way] + ")";
         if (one.apart) dot.style.stroke = "var(--paper)";
       }
     }
-    if (!one.apart) {
-      const line = draw(layer, "path", { class: "curve", d: path.join("") });
-      line.style.stroke = "var(" + one.colour + ")";
+    if (one.apart) return;
+    ways.forEach((colour, way) => {
+      const line = draw(layer, "path", { class: "curve", d: paths[way].join("") });
+      line.style.stroke = "var(" + colour + ")";
       if (one.dash) line.setAttribute("stroke-dasharray", "7 4");
-    }
+    });
   }
 
   // Reads the point at `place` of the active curve off.
@@ -204,7 +257,7 @@ class Chart {
 
   spot(event) {
     const frame = this.svg.getBoundingClientRect();
-    return [(event.clientX - frame.left) / frame.width * WIDTH, (event.clientY - frame.top) / frame.height * HEIGHT];
+    return [(event.clientX - frame.left) / frame.width * this.W, (event.clientY - frame.top) / frame.height * this.H];
   }
 
   nearest([sx, sy]) {
@@ -252,8 +305,8 @@ class Chart {
 
   into(a, b) {
     const [x0, x1, y0, y1] = this.box;
-    const x = (p) => x0 + (p - LEFT) / (WIDTH - LEFT - RIGHT) * (x1 - x0);
-    const y = (p) => y0 + (HEIGHT - BOTTOM - p) / (HEIGHT - TOP - BOTTOM) * (y1 - y0);
+    const x = (p) => x0 + (p - this.L) / (this.W - this.L - RIGHT) * (x1 - x0);
+    const y = (p) => y0 + (this.H - BOTTOM - p) / (this.H - TOP - BOTTOM) * (y1 - y0);
     this.box = [x(Math.min(a[0], b[0])), x(Math.max(a[0], b[0])), y(Math.max(a[1], b[1])), y(Math.min(a[1], b[1]))];
     this.render();
   }

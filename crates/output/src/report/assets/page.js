@@ -10,8 +10,13 @@ function reactions() {
     if (!history) return;
     const own = columns(history.columns);
     if (!own[driven.motion] || !own[driven.reaction]) return;
-    const series = [{ name: data.job, x: start(own[driven.motion]), y: start(own[driven.reaction]), colour: "--c0", dots: true }];
-    const bars = [["_error", "error bars", "--c0", ""], ["_time_error", "error bars in time", "--c2", " (time)"]].flatMap(([ending, name, colour, note]) => {
+    // along the motion: the way in is positive, and so is a push
+    const s = driven.inward, turn = (values) => values.map((value) => s * value);
+    const u = turn(start(own[driven.motion]));
+    const ways = Uint8Array.from(u, (value, i) => i > 0 && value < u[i - 1] ? 1 : i > 0 && value === u[i - 1] ? 2 : 0);
+    for (let i = 1; i < ways.length; i++) if (ways[i] === 2) ways[i] = ways[i - 1];
+    const series = [{ name: data.job, x: u, y: turn(start(own[driven.reaction])), colour: "--c0", dots: true, ways, wayColours: ["--c0", "--c1"] }];
+    const bars = [["_error", "error bars", "--c6", ""], ["_time_error", "error bars in time", "--c2", " (time)"]].flatMap(([ending, name, colour, note]) => {
       const column = own[driven.reaction + ending];
       return column ? [{ half: start(column), name, colour, note }] : [];
     });
@@ -20,17 +25,28 @@ function reactions() {
       const share = peak > 0 ? " (" + show(100 * most / peak, 2) + " % of the peak)" : "";
       series.push({ name: name + ", at most \u00b1" + show(most, 3) + share, x: series[0].x, y: series[0].y, half, colour });
     }
-    const read = (one, i) => show(one.y[i], 7) + (one.x === series[0].x ? bars.map((bar) => " \u00b1 " + show(bar.half[i], 3) + bar.note).join("") : "");
+    const read = (one, i) => show(s * one.y[i], 7) + (one.x === series[0].x ? bars.map((bar) => " \u00b1 " + show(bar.half[i], 3) + bar.note).join("") : "");
     if (overlay && overlay[driven.motion] && overlay[driven.reaction]) {
       const keep = overlay.node ? Array.from(overlay.node.keys()).filter((i) => overlay.node[i] === driven.node) : null;
       const pick = (column) => keep ? Float64Array.from(keep, (i) => column[i]) : column;
-      if (!keep || keep.length) series.push({ name: data.overlay.name, x: pick(overlay[driven.motion]), y: pick(overlay[driven.reaction]), colour: "--c1", dash: true });
+      if (!keep || keep.length) series.push({ name: data.overlay.name, x: turn(pick(overlay[driven.motion])), y: turn(pick(overlay[driven.reaction])), colour: "--c2", dash: true });
     }
+    const kind = driven.reaction.startsWith("RM") ? "moment" : "force", y = series[0].y;
+    const labels = [["push", "push-in ", "--c0"], ["pull", "pull-out ", "--c1"]].filter(([key]) => driven[key] !== null).map(([key, word, colour]) => ({ place: driven[key], colour, text: word + show(Math.abs(y[driven[key]]), 4) }));
     made.push(new Chart(parent, {
       id: "chart-" + driven.node + "-" + driven.motion,
-      title: "Node " + driven.node + ": " + driven.reaction + " against " + driven.motion, x: driven.motion, y: driven.reaction,
-      describe: (one, i) => one.name + ": " + driven.motion + " = " + show(one.x[i], 7) + ", " + driven.reaction + " = " + read(one, i) + (one === made.find((c) => c.series[0] === one)?.series[0] ? " (" + where(i) + ")" : "")
+      title: "Node " + driven.node + ": " + kind + " along its motion (" + driven.reaction + " against " + driven.motion + ")", x: "travel (way in positive)", y: kind + " (push positive)",
+      labels,
+      describe: (one, i) => one.name + ": " + driven.motion + " = " + show(s * one.x[i], 7) + ", " + driven.reaction + " = " + read(one, i) + (one === made.find((c) => c.series[0] === one)?.series[0] ? " (" + where(i) + ")" : "")
     }, series));
+    if (ways.includes(1)) {
+      const legend = made[made.length - 1].svg.parentNode.querySelector(".legend");
+      for (const [colour, text] of [["--c0", "way in"], ["--c1", "way out"]]) {
+        const entry = make(legend, "span", { class: "key" });
+        make(entry, "i").style.background = "var(" + colour + ")";
+        entry.appendChild(document.createTextNode(text));
+      }
+    }
   });
   if (!made.length) make(parent, "p", {}, "No node is driven by a prescribed motion.");
   data.loaded.forEach((load) => {
@@ -43,6 +59,105 @@ function reactions() {
   return made;
 }
 
+// Rows over time: {name, first, status, line: [[place, part]], marks: [place], tell(i)}
+function bandRows(parent, rows, label) {
+  const count = times.length - 1, row = 24;
+  const scroll = make(parent, "div", { class: "scroll" });
+  const svg = draw(scroll, "svg", { tabindex: 0, role: "img", "aria-label": label + " Arrow keys read values off." });
+  const out = make(parent, "p", { class: "readoff", role: "status", "aria-live": "polite" });
+  let left, width, mark, at = [0, -1], W = 0;
+  const height = rows.length * row + 34, x = (i) => left + i / count * width;
+  const read = (k, i) => {
+    at = [Math.max(0, Math.min(rows.length - 1, k)), Math.max(0, Math.min(count - 1, i))];
+    for (const [name, value] of [["visibility", "visible"], ["x", x(at[1])], ["y", at[0] * row + 3], ["width", width / count]]) mark.setAttribute(name, value);
+    out.textContent = rows[at[0]].tell(at[1]);
+  };
+  const band = (one, k) => {
+    const top = k * row + 4, h = row - 5, short = W < 560 ? 9 : 16;
+    draw(svg, "text", { x: left - 8, y: top + 14, "text-anchor": "end" }, one.name.length > short ? one.name.slice(0, short - 1) + "\u2026" : one.name);
+    const part = (letter, from, to) => draw(svg, "rect", { class: "band-" + letter, x: x(from), y: top, width: Math.max(0.5, x(to) - x(from)), height: h, "fill-opacity": letter === "o" ? 0.35 : 0.55 });
+    for (let i = 0; i < one.status.length;) {
+      let j = i;
+      while (j < one.status.length && one.status[j] === one.status[i]) j++;
+      part(one.status[i], one.first + i, one.first + j);
+      i = j;
+    }
+    if (one.first + one.status.length < count) part("o", one.first + one.status.length, count);
+    draw(svg, "path", { class: "pressure", d: one.line.map(([place, part], i) => (i ? "L" : "M") + x(place + 0.5).toFixed(1) + " " + (top + h - part * (h - 2)).toFixed(1)).join("") });
+    for (const place of one.marks) draw(svg, "path", { class: "dropped", d: "M" + x(place + 0.5).toFixed(1) + " " + (top + 4) + "l4 4l-4 4l-4-4z" });
+  };
+  fitted(parent, (wide) => {
+    W = Math.max(280, wide - 2);
+    left = W < 560 ? 84 : 150;
+    width = W - left - 20;
+    svg.textContent = "";
+    svg.setAttribute("viewBox", "0 0 " + W + " " + height);
+    rows.forEach(band);
+    const foot = rows.length * row + 20, parts = Math.max(2, Math.min(10, Math.round(width / 80)));
+    for (let k = 0; k <= parts; k++) {
+      const i = Math.round(k * count / parts);
+      if (k === 0 || i !== Math.round((k - 1) * count / parts)) draw(svg, "text", { class: "soft", x: x(i), y: foot, "text-anchor": "middle" }, show(times[i], 4));
+    }
+    draw(svg, "text", { class: "soft", x: left - 14, y: foot, "text-anchor": "end" }, "time");
+    mark = draw(svg, "rect", { class: "axis", fill: "none", visibility: "hidden", height: row - 2 });
+    if (at[1] >= 0) read(at[0], at[1]);
+  });
+  svg.addEventListener("pointermove", (event) => {
+    const frame = svg.getBoundingClientRect();
+    const px = (event.clientX - frame.left) / frame.width * W, py = (event.clientY - frame.top) / frame.height * height;
+    if (px >= left && px <= left + width && py < rows.length * row) read(Math.floor(py / row), Math.floor((px - left) / width * count));
+  });
+  svg.addEventListener("keydown", (event) => {
+    const moves = { ArrowRight: [0, 1], ArrowLeft: [0, -1], ArrowUp: [-1, 0], ArrowDown: [1, 0] }[event.key];
+    if (moves) { event.preventDefault(); read(at[0] + moves[0], at[1] + moves[1]); }
+  });
+}
+
+// What the points of a pair do together: stuck where one sticks, the sum of
+// their normal forces, and how many are closed.
+function together(name) {
+  const points = contact.filter((point) => point.pair === name), count = times.length - 1;
+  const status = [], closed = new Array(count).fill(0), dropped = new Set();
+  for (let i = 0; i < count; i++) {
+    let letter = "o";
+    for (const point of points) {
+      const own = point.status[i - point.first];
+      if (own === "t" || own === "s") closed[i]++;
+      if (own === "t") letter = "t"; else if (own === "s" && letter === "o") letter = "s";
+      if (point.friction[i - point.first] === "d") dropped.add(i);
+    }
+    status.push(letter);
+  }
+  const force = new Map();
+  for (const point of points) {
+    for (let k = 0; k < point.p.length; k++) {
+      const place = placed(point, k);
+      if (point.status[place - point.first] !== "o") force.set(place, (force.get(place) || 0) + point.p[k] * (point.area || 1));
+    }
+  }
+  const most = Math.max(0, ...force.values()), places = [];
+  for (let place = (count - 1) % data.stride; place < count; place += data.stride) places.push(place);
+  const words = { o: "open", t: "some point sticks", s: "slips" };
+  return {
+    name, first: 0, status: status.join(""), marks: Array.from(dropped),
+    line: places.map((place) => [place, most > 0 ? (force.get(place) || 0) / most : 0]),
+    tell: (i) => name + ", " + where(i + 1) + ": " + words[status[i]] + ", " + closed[i] + (closed[i] === 1 ? " point" : " points") + " closed" + (places.includes(i) ? ", normal force " + show(force.get(i) || 0) : "")
+  };
+}
+
+function single(point, most) {
+  const words = { o: "open", t: "stick", s: "slip" }, calls = { c: "called", d: "dropped", n: "none" }, marks = [];
+  for (let i = 0; i < point.friction.length; i++) if (point.friction[i] === "d") marks.push(point.first + i);
+  return {
+    name: point.pair + " " + point.node, first: point.first, status: point.status, marks,
+    line: Array.from(point.p, (p, i) => [placed(point, i), most > 0 ? p / most : 0]),
+    tell: (i) => {
+      const j = i - point.first, k0 = nearest(point, i), elsewhere = placed(point, k0) === i ? "" : "; numbers of " + where(placed(point, k0) + 1);
+      return point.pair + " node " + point.node + ", " + where(i + 1) + ": " + (j < 0 ? "not yet in contact" : j >= point.status.length ? "open again" : words[point.status[j]] + ", pressure " + show(point.p[k0]) + ", shear " + show(point.t[k0]) + ", gap " + show(point.g[k0]) + ", slip " + show(point.u[k0]) + ", friction " + calls[point.friction[j]] + elsewhere);
+    }
+  };
+}
+
 function bands() {
   const parent = document.getElementById("bands");
   if (!contact.length) { make(parent, "p", {}, "Nothing touched."); return; }
@@ -52,58 +167,48 @@ function bands() {
     make(entry, "i").style.background = "var(" + colour + ")";
     entry.appendChild(document.createTextNode(text));
   }
-  make(key, "span", {}, "line: pressure, one scale for all" + (data.stride > 1 ? ", at one increment in " + data.stride : "") + "; \u25c6 friction was not called");
+  make(key, "span", {}, "line: normal force of the pair, of a node its pressure" + (data.stride > 1 ? ", at one increment in " + data.stride : "") + "; \u25c6 friction was not called");
+  const names = Array.from(new Set(contact.map((point) => point.pair))).sort();
+  bandRows(make(parent, "div", { id: "pairs" }), names.map(together), "Contact status of every pair.");
   const points = contact.slice();
   points.sort((a, b) => a.pair < b.pair ? -1 : a.pair > b.pair ? 1 : a.node - b.node);
-  const count = times.length - 1, row = 22, left = 150, width = 790, height = points.length * row + 34;
   let most = 0;
   for (const point of points) for (const p of point.p) most = Math.max(most, p);
-  const scroll = make(parent, "div", { class: "scroll" });
-  const svg = draw(scroll, "svg", { viewBox: "0 0 960 " + height, tabindex: 0, role: "img", "aria-label": "Contact status of every slave point. Arrow keys read values off." });
-  const x = (i) => left + i / count * width;
-  points.forEach((point, k) => {
-    const top = k * row + 4, h = row - 4;
-    draw(svg, "text", { x: left - 8, y: top + 13, "text-anchor": "end" }, (point.pair.length > 10 ? point.pair.slice(0, 9) + "\u2026" : point.pair) + " " + point.node);
-    for (let i = 0; i < point.status.length;) {
-      let j = i;
-      while (j < point.status.length && point.status[j] === point.status[i]) j++;
-      draw(svg, "rect", { class: "band-" + point.status[i], x: x(point.first + i), y: top, width: Math.max(0.5, x(point.first + j) - x(point.first + i)), height: h, "fill-opacity": point.status[i] === "o" ? 0.35 : 0.55 });
-      i = j;
+  const details = make(parent, "details", { id: "nodes" });
+  make(details, "summary", {}, "Node by node (" + points.length + (points.length === 1 ? " node" : " nodes") + " that closed; one scale of pressure for all)");
+  const inside = make(details, "div");
+  details.addEventListener("toggle", () => {
+    if (details.open && !inside.firstChild) bandRows(inside, points.map((point) => single(point, most)), "Contact status of every slave point.");
+  });
+}
+
+// Moment and outer stress along the beams, at the peaks and where the animation stands.
+function alongBeams() {
+  const parent = document.getElementById("beams"), f = data.frames;
+  if (!shape.beams.length || !shape.states.length) { make(parent, "p", {}, "There is no beam, or no state, to draw."); return () => {}; }
+  const x = [], places = [];
+  let along = 0, end = -1;
+  shape.beams.forEach((cell, k) => {
+    const a = f.cells[2 * cell], b = f.cells[2 * cell + 1], p = shape.at(a, 0, 0), q = shape.at(b, 0, 0), length = Math.hypot(q[0] - p[0], q[1] - p[1]);
+    if (end >= 0 && a !== end) { x.push(NaN); places.push(-1); }
+    x.push(along + 0.5 * length); places.push(k);
+    along += length;
+    end = b;
+  });
+  const curve = (frame, which) => Float64Array.from(places, (k) => k < 0 ? NaN : which ? Math.abs(shape.section(k, frame, which)) : shape.section(k, frame, which));
+  const first = data.driven[0] || {}, charts = [];
+  [["bending moment", "moment", 0], ["size of the largest stress in the section", "stress", 1]].forEach(([title, y, which]) => {
+    let low = 0, high = 0;
+    for (let i = which; i < shape.sections.length; i += 2) { const value = which ? Math.abs(shape.sections[i]) : shape.sections[i]; low = Math.min(low, value); high = Math.max(high, value); }
+    const series = [{ name: "now", x, y: curve(shape.frame, which), colour: "--ink" }];
+    for (const [key, name, colour] of [["push", "at the push-in peak", "--c0"], ["pull", "at the pull-out peak", "--c1"]]) {
+      if (first[key]) series.push({ name, x, y: curve(shape.near(first[key]), which), colour, dash: true });
     }
-    const rest = point.first + point.status.length;
-    if (rest < count) draw(svg, "rect", { class: "band-o", x: x(rest), y: top, width: x(count) - x(rest), height: h, "fill-opacity": 0.35 });
-    const d = Array.from(point.p, (p, i) => (i ? "L" : "M") + x(placed(point, i) + 0.5).toFixed(1) + " " + (top + h - (most > 0 ? p / most : 0) * (h - 2)).toFixed(1));
-    draw(svg, "path", { class: "pressure", d: d.join("") });
-    for (let i = 0; i < point.friction.length; i++) {
-      if (point.friction[i] === "d") draw(svg, "path", { class: "dropped", d: "M" + x(point.first + i + 0.5).toFixed(1) + " " + (top + 3) + "l4 4l-4 4l-4-4z" });
-    }
+    const chart = new Chart(parent, { id: "chart-" + y, title: title[0].toUpperCase() + title.slice(1), x: "length along the beams", y, apart: true, range: [low, high],
+      describe: (one, i) => one.name + ": " + y + " " + show(one.y[i]) + " in element " + (places[i] < 0 ? "-" : f.elements[shape.beams[places[i]]]) }, series);
+    charts.push([chart, series, which]);
   });
-  const foot = points.length * row + 20;
-  for (let k = 0; k <= 10; k++) {
-    const i = Math.round(k * count / 10);
-    if (k === 0 || i !== Math.round((k - 1) * count / 10)) draw(svg, "text", { class: "soft", x: x(i), y: foot, "text-anchor": "middle" }, show(times[i], 4));
-  }
-  draw(svg, "text", { class: "soft", x: left - 8, y: foot, "text-anchor": "end" }, "time");
-  const mark = draw(svg, "rect", { class: "axis", fill: "none", visibility: "hidden", height: row - 2 });
-  const out = make(parent, "p", { class: "readoff", role: "status", "aria-live": "polite" });
-  let at = [0, -1];
-  const read = (k, i) => {
-    at = [Math.max(0, Math.min(points.length - 1, k)), Math.max(0, Math.min(count - 1, i))];
-    const point = points[at[0]], j = at[1] - point.first;
-    const k0 = nearest(point, at[1]), elsewhere = placed(point, k0) === at[1] ? "" : "; numbers of " + where(placed(point, k0) + 1);
-    const words = { o: "open", t: "stick", s: "slip" }, calls = { c: "called", d: "dropped", n: "none" };
-    for (const [name, value] of [["visibility", "visible"], ["x", x(at[1])], ["y", at[0] * row + 3], ["width", width / count]]) mark.setAttribute(name, value);
-    out.textContent = point.pair + " node " + point.node + ", " + where(at[1] + 1) + ": " + (j < 0 ? "not yet in contact" : j >= point.status.length ? "open again" : words[point.status[j]] + ", pressure " + show(point.p[k0]) + ", shear " + show(point.t[k0]) + ", gap " + show(point.g[k0]) + ", slip " + show(point.u[k0]) + ", friction " + calls[point.friction[j]] + elsewhere);
-  };
-  svg.addEventListener("pointermove", (event) => {
-    const frame = svg.getBoundingClientRect();
-    const px = (event.clientX - frame.left) / frame.width * 960, py = (event.clientY - frame.top) / frame.height * height;
-    if (px >= left && px <= left + width && py < points.length * row) read(Math.floor(py / row), Math.floor((px - left) / width * count));
-  });
-  svg.addEventListener("keydown", (event) => {
-    const moves = { ArrowRight: [0, 1], ArrowLeft: [0, -1], ArrowUp: [-1, 0], ArrowDown: [1, 0] }[event.key];
-    if (moves) { event.preventDefault(); read(at[0] + moves[0], at[1] + moves[1]); }
-  });
+  return (frame) => charts.forEach(([chart, , which]) => { chart.series[0].y = curve(frame, which); chart.update(); });
 }
 
 function energies() {
@@ -157,26 +262,29 @@ function iterations() {
   });
 }
 
-// The frame in which the first driven node is driven hardest.
+// The frame with the largest push, or the last one.
 function tightest() {
-  const driven = data.driven[0], last = shape.states.length - 1;
-  const history = driven && data.history.find((one) => one.node === driven.node);
-  if (!history || !history.columns[driven.reaction]) return last;
-  const force = doubles(history.columns[driven.reaction]);
-  let best = -1, state = 0;
-  force.forEach((value, i) => { if (Math.abs(value) > best) { best = Math.abs(value); state = i + 1; } });
-  let frame = last;
-  for (let k = last; k >= 0; k--) if (Math.abs(shape.states[k] - state) <= Math.abs(shape.states[frame] - state)) frame = k;
-  return frame;
+  const driven = data.driven[0];
+  return driven && driven.push !== null ? shape.near(driven.push) : shape.states.length - 1;
+}
+
+// Ways to the peaks.
+function peakButtons() {
+  const parent = document.getElementById("peaks"), driven = data.driven[0];
+  if (!driven || !shape.states.length) return;
+  for (const [key, text] of [["push", "push-in peak"], ["pull", "pull-out peak"]]) {
+    if (driven[key] !== null) make(parent, "button", { type: "button" }, text).addEventListener("click", () => { shape.stop(); shape.go(shape.near(driven[key])); });
+  }
 }
 
 const shape = new Shape();
-const followed = reactions();
-shape.moves = (state) => followed.forEach((chart) => chart.follow(state));
+const followed = reactions(), along = alongBeams();
+shape.moves = (state, frame) => { followed.forEach((chart) => chart.follow(state)); along(frame); };
 shape.go(tightest());
+peakButtons();
 bands();
 energies();
 iterations();
 
 // On paper nothing can be unfolded.
-window.addEventListener("beforeprint", () => document.querySelectorAll("#warnings details").forEach((one) => { one.open = true; }));
+window.addEventListener("beforeprint", () => document.querySelectorAll("#warnings details, #computed > details").forEach((one) => { one.open = true; }));

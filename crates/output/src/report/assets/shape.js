@@ -1,3 +1,6 @@
+// From no stress to the largest one.
+const STRESS = ["#4a74b0", "#5a90bd", "#74adb9", "#95c1a1", "#bccb81", "#dfca60", "#ecb048", "#e88c3b", "#dc6231", "#c6322c"];
+
 // The deformed shape: play, slider, scale, contact points and their forces.
 class Shape {
   constructor() {
@@ -8,6 +11,10 @@ class Shape {
     this.size = this.reference.length;
     this.points = {};
     f.labels.forEach((label, k) => { if (label > 0) this.points[label] = k; });
+    this.sections = singles(f.sections);
+    this.heights = singles(data.heights);
+    this.beams = [];
+    f.kinds.forEach((kind, k) => { if (kind === 0) this.beams.push(k); });
     this.contact = contact;
     this.scale = 1;
     this.view = "all";
@@ -17,6 +24,7 @@ class Shape {
     for (const point of this.contact) for (let i = 0; i < point.p.length; i++) this.strongest = Math.max(this.strongest, point.p[i] * (point.area || 1));
     this.masters();
     this.names();
+    this.stress();
     this.stage();
   }
 
@@ -38,6 +46,15 @@ class Shape {
       }
     });
   }
+
+  // Largest stress of all, which the colours end at.
+  stress() {
+    this.most = 0;
+    for (let k = 1; k < this.sections.length; k += 2) this.most = Math.max(this.most, Math.abs(this.sections[k]));
+  }
+
+  // Moment (0) or outer stress (1) of the beam cell in place `k`.
+  section(k, frame, which) { return this.sections[2 * (frame * this.beams.length + k) + which]; }
 
   names() {
     const legend = document.getElementById("names");
@@ -72,6 +89,19 @@ class Shape {
     return [this.reference[2 * point] + scale * this.moved[k], this.reference[2 * point + 1] + scale * this.moved[k + 1]];
   }
 
+  // Height of the whole stroke over its width.
+  aspect() {
+    const low = [Infinity, Infinity], high = [-Infinity, -Infinity];
+    for (let frame = 0; frame < this.states.length; frame++) {
+      for (let p = 0; p < this.size / 2; p++) {
+        const point = this.at(p, frame, 1);
+        for (const k of [0, 1]) { low[k] = Math.min(low[k], point[k]); high[k] = Math.max(high[k], point[k]); }
+      }
+    }
+    const ratio = (high[1] - low[1]) / (high[0] - low[0]);
+    return Number.isFinite(ratio) ? ratio : 1;
+  }
+
   // What is seen: the whole stroke, or where it touches.
   bounds() {
     let box = [Infinity, -Infinity, Infinity, -Infinity];
@@ -91,24 +121,35 @@ class Shape {
     const least = near ? 0.12 * this.extent : 1e-30;
     [w, h] = [Math.max(w, least), Math.max(h, least)];
     const middle = [(box[0] + box[1]) / 2, (box[2] + box[3]) / 2];
-    const per = Math.min(820 / w, 330 / h);
+    const per = Math.min((this.W - 2 * Math.min(70, 0.1 * this.W)) / w, (this.H - 110) / h);
     return { middle, per: Number.isFinite(per) ? per : 1 };
   }
 
   stage() {
-    this.svg = draw(document.getElementById("stage"), "svg", { viewBox: "0 0 960 460", role: "img", "aria-label": "Deformed shape" });
+    this.svg = draw(document.getElementById("stage"), "svg", { role: "img", "aria-label": "Deformed shape" });
     const f = data.frames;
     let low = [Infinity, Infinity], high = [-Infinity, -Infinity];
     for (let p = 0; p < this.size; p++) { low[p % 2] = Math.min(low[p % 2], this.reference[p]); high[p % 2] = Math.max(high[p % 2], this.reference[p]); }
     this.extent = Math.max(high[0] - low[0], high[1] - low[1], 1e-30);
     this.parts = {};
     this.parts.rest = draw(this.svg, "path", { class: "part rest" });
+    this.thick = STRESS.map((colour) => draw(this.svg, "path", { fill: colour, stroke: colour, "stroke-width": 0.6 }));
     for (const name of ["peak", "beam", "spring", "slaves", "masters"]) this.parts[name] = draw(this.svg, "path", { class: "part " + name });
+    this.held = draw(this.svg, "g", { class: "held" });
     this.forces = draw(this.svg, "g");
+    this.motion = draw(this.svg, "g", { class: "motion" });
     this.rule = draw(this.svg, "g");
     this.slider = document.getElementById("frame");
     this.slider.max = Math.max(0, this.states.length - 1);
-    this.fit();
+    fitted(document.getElementById("stage"), (width) => {
+      this.W = Math.max(280, width - 2);
+      // as high as the whole stroke asks for
+      this.H = Math.round(Math.max(210, Math.min(460, 0.6 * this.W, 0.9 * this.W * this.aspect() + 130)));
+      this.svg.setAttribute("viewBox", "0 0 " + this.W + " " + this.H);
+      this.fit();
+      if (this.ready) this.go(this.frame);
+    });
+    this.ready = true;
     this.controls();
     if (!f.states.length) document.getElementById("state").textContent = "There are no states to draw.";
   }
@@ -149,16 +190,22 @@ class Shape {
 
   fit() {
     const view = this.bounds();
-    this.place = ([x, y]) => [480 + view.per * (x - view.middle[0]), 230 - view.per * (y - view.middle[1])];
+    this.place = ([x, y]) => [this.W / 2 + view.per * (x - view.middle[0]), this.H / 2 - 8 - view.per * (y - view.middle[1])];
+    this.per = view.per;
     this.parts.rest.setAttribute("d", this.path(this.lines.beam.concat(this.lines.masters, this.lines.slaves), 0, 0));
     this.ruler(view.per);
   }
 
   ruler(per) {
     this.rule.textContent = "";
-    const length = niceStep(150 / per * 3, 3), width = length * per;
-    draw(this.rule, "path", { class: "axis", fill: "none", d: "M20 438v6h" + width.toFixed(1) + "v-6" });
-    draw(this.rule, "text", { class: "soft", x: 26 + width, y: 446 }, show(length) + " (length)");
+    const length = niceStep(Math.min(150, 0.22 * this.W) / per * 3, 3), width = length * per;
+    draw(this.rule, "path", { class: "axis", fill: "none", d: "M14 " + (this.H - 20) + "v6h" + width.toFixed(1) + "v-6" });
+    draw(this.rule, "text", { class: "soft", x: 20 + width, y: this.H - 11 }, show(length) + " (length)");
+    if (!(this.most > 0)) return;
+    const wide = this.W < 560 ? 10 : 16, from = this.W - 14 - wide * STRESS.length;
+    STRESS.forEach((colour, k) => draw(this.rule, "rect", { x: from + k * wide, y: this.H - 20, width: wide, height: 8, fill: colour }));
+    draw(this.rule, "text", { class: "soft", x: from, y: this.H - 26 }, "0");
+    draw(this.rule, "text", { class: "soft", x: this.W - 14, y: this.H - 26, "text-anchor": "end" }, "|stress| " + show(this.most, 3));
   }
 
   path(lines, frame, scale) {
@@ -171,6 +218,90 @@ class Shape {
       last = b;
     }
     return out.join("");
+  }
+
+  // Beams as thick as they are, at least two pixels, coloured by their stress.
+  body(frame) {
+    const paths = STRESS.map(() => []);
+    this.beams.forEach((cell, k) => {
+      const a = this.place(this.at(data.frames.cells[2 * cell], frame, this.scale)), b = this.place(this.at(data.frames.cells[2 * cell + 1], frame, this.scale));
+      const d = [b[0] - a[0], b[1] - a[1]], length = Math.hypot(d[0], d[1]);
+      if (!(length > 0)) return;
+      const half = Math.max(1, 0.5 * this.heights[cell] * this.per), n = [-d[1] / length * half, d[0] / length * half];
+      const part = this.most > 0 ? Math.abs(this.section(k, frame, 1)) / this.most : 0;
+      const bin = Math.max(0, Math.min(STRESS.length - 1, Math.floor(part * STRESS.length))) || 0;
+      const corner = (p, s) => (p[0] + s * n[0]).toFixed(1) + " " + (p[1] + s * n[1]).toFixed(1);
+      paths[bin].push("M" + corner(a, 1) + "L" + corner(b, 1) + "L" + corner(b, -1) + "L" + corner(a, -1) + "Z");
+    });
+    paths.forEach((path, bin) => this.thick[bin].setAttribute("d", path.join("")));
+  }
+
+  // What holds the model: a clamp is a wall, a pin a triangle, a guide a triangle on a line.
+  supports(frame) {
+    this.held.textContent = "";
+    const driven = new Set(data.driven.map((one) => one.node));
+    for (const support of data.supports) {
+      const place = this.points[support.node];
+      if (place === undefined || driven.has(support.node)) continue;
+      const [x, y] = this.place(this.at(place, frame, this.scale)), has = (dof) => support.dofs.includes(dof);
+      const u = this.along(support.node), wall = has(1) && has(2) && has(6);
+      const d = wall ? u : has(2) ? [0, -1] : [-1, 0];
+      const point = (along, across) => (x - along * d[0] - across * d[1]).toFixed(1) + " " + (y - along * d[1] + across * d[0]).toFixed(1);
+      let path = "";
+      if (wall) {
+        const half = Math.max(13, 0.5 * Math.max(0, ...this.heights) * this.per + 7);
+        path = "M" + point(0, -half) + "L" + point(0, half);
+        for (let k = -half; k < half - 1; k += 6) path += "M" + point(0, k + 6) + "L" + point(7, k);
+      } else if (has(1) || has(2)) {
+        path = "M" + point(0, 0) + "L" + point(11, -7) + "L" + point(11, 7) + "Z";
+        if (!(has(1) && has(2))) path += "M" + point(14, -9) + "L" + point(14, 9);
+      } else path = "M" + point(-5, -5) + "L" + point(-5, 5) + "L" + point(5, 5) + "L" + point(5, -5) + "Z";
+      const mark = draw(this.held, "path", { d: path });
+      draw(mark, "title", {}, "node " + support.node + " is held in " + support.dofs.join(", "));
+    }
+  }
+
+  // Direction on the screen from a node into its beam.
+  along(label) {
+    const f = data.frames;
+    for (const k of this.beams) {
+      for (const [a, b] of [[0, 1], [1, 0]]) {
+        if (f.labels[f.cells[2 * k + a]] !== label) continue;
+        const p = this.place(this.at(f.cells[2 * k + a], 0, 0)), q = this.place(this.at(f.cells[2 * k + b], 0, 0)), size = Math.hypot(q[0] - p[0], q[1] - p[1]);
+        if (size > 0) return [(q[0] - p[0]) / size, (q[1] - p[1]) / size];
+      }
+    }
+    return [0, -1];
+  }
+
+  // Which way the driven nodes go.
+  moving(frame) {
+    this.motion.textContent = "";
+    const state = this.states[frame];
+    data.driven.forEach((driven) => {
+      const place = this.points[driven.node], history = data.history.find((one) => one.node === driven.node);
+      if (place === undefined || !history || !history.columns[driven.motion]) return;
+      const u = doubles(history.columns[driven.motion]);
+      const step = state > 0 ? u[state - 1] - (state > 1 ? u[state - 2] : 0) : driven.inward;
+      if (!step) return;
+      const s = Math.sign(step), [x, y] = this.place(this.at(place, frame, this.scale)), way = s === driven.inward ? "in" : "out";
+      const axis = { U1: [1, 0], U2: [0, -1] }[driven.motion];
+      const size = Math.min(64, 0.12 * this.W);
+      let text;
+      if (axis) {
+        const tip = [x + s * axis[0] * size, y + s * axis[1] * size], n = [-axis[1], axis[0]];
+        const wing = (k) => "L" + (tip[0] - s * axis[0] * 10 + k * n[0] * 6).toFixed(1) + " " + (tip[1] - s * axis[1] * 10 + k * n[1] * 6).toFixed(1);
+        draw(this.motion, "path", { class: way, d: "M" + x.toFixed(1) + " " + y.toFixed(1) + "L" + tip[0].toFixed(1) + " " + tip[1].toFixed(1) + wing(1) + "M" + tip[0].toFixed(1) + " " + tip[1].toFixed(1) + wing(-1) });
+        text = [tip[0] + (axis[0] ? 0 : 8), tip[1] - (axis[0] ? 9 : 0)];
+      } else if (driven.motion === "UR3") {
+        const r = 0.6 * size, end = [x + r * Math.cos(0.6), y + s * r * Math.sin(0.6) * -1];
+        draw(this.motion, "path", { class: way, d: "M" + (x - r) + " " + y + "A" + r + " " + r + " 0 0 " + (s > 0 ? 0 : 1) + " " + end[0].toFixed(1) + " " + end[1].toFixed(1) });
+        text = [x + r, y - 8];
+      } else return;
+      draw(this.motion, "circle", { class: way, cx: x, cy: y, r: 3 });
+      const right = text[0] > this.W - 60;
+      draw(this.motion, "text", { class: way, x: text[0], y: text[1], "text-anchor": right ? "end" : "middle" }, way);
+    });
   }
 
   status(point, state) {
@@ -214,16 +345,26 @@ class Shape {
     return closed;
   }
 
+  // The frame that stands nearest to a state.
+  near(state) {
+    let best = 0;
+    this.states.forEach((own, k) => { if (Math.abs(own - state) < Math.abs(this.states[best] - state)) best = k; });
+    return best;
+  }
+
   go(frame) {
     if (!this.states.length) return;
     this.frame = Math.max(0, Math.min(this.states.length - 1, frame));
     this.slider.value = this.frame;
     if (this.view === "contact") this.fit();
     for (const name of Object.keys(this.lines)) this.parts[name].setAttribute("d", this.path(this.lines[name], this.frame, this.scale));
+    this.body(this.frame);
+    this.supports(this.frame);
+    this.moving(this.frame);
     const closed = this.touch(), state = this.states[this.frame];
     const text = where(state) + "; " + (state === 0 ? "undeformed" : closed + (closed === 1 ? " point touches" : " points touch")) + (this.scale === 1 ? "" : "; displacements times " + show(this.scale));
     document.getElementById("state").textContent = text;
     this.slider.setAttribute("aria-valuetext", text);
-    if (this.moves) this.moves(state);
+    if (this.moves) this.moves(state, this.frame);
   }
 }

@@ -1,0 +1,244 @@
+//! Whether a run can be trusted, in three colours.
+//!
+//! | colour | when |
+//! |---|---|
+//! | green | every measure is clean |
+//! | amber | something is doubtful: noise, energy, a peak between increments, strain, overlap, a warning |
+//! | red | the run did not complete, or its numbers are wrong |
+//!
+//! One table of rules, one row each; the worst row gives the colour, and every
+//! row that objects gives its reason. A measure that is missing objects only
+//! where its absence is itself doubtful.
+
+/// The three colours, the best first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Colour {
+    /// Every measure is clean.
+    Green,
+    /// Something is doubtful.
+    Amber,
+    /// Not completed, or wrong.
+    Red,
+}
+
+impl Colour {
+    /// The word of `JOB.json`.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Green => "green",
+            Self::Amber => "amber",
+            Self::Red => "red",
+        }
+    }
+}
+
+/// What is held against the rules.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Evidence {
+    /// Why the run did not complete; none where it did.
+    pub unfinished: Option<String>,
+    /// Largest part of contact forces or moments that one side does not feel [-].
+    pub pair_imbalance: Option<f64>,
+    /// Largest energy out of balance over the largest energy [-].
+    pub energy: Option<f64>,
+    /// Largest roughness that the mesh makes in a driven reaction [-].
+    pub noise: Option<f64>,
+    /// Largest step of a force next to its peak, over the peak [-].
+    pub peak_step: Option<f64>,
+    /// Largest fibre strain [-].
+    pub strain: Option<f64>,
+    /// Largest fibre strain over the allowable one [-], where there is one.
+    pub utilisation: Option<f64>,
+    /// Deepest penetration in c0 of a softened law [-].
+    pub penetration: Option<f64>,
+    /// Codes of what was said: warnings, and advice that casts doubt.
+    pub said: Vec<String>,
+}
+
+/// A colour with what it is owed to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Verdict {
+    /// The worst of the rows.
+    pub colour: Colour,
+    /// Every row that objects, the worst first.
+    pub reasons: Vec<(Colour, String)>,
+}
+
+/// Forces of a pair that are left over are wrong above this: thousands of
+/// times what rounding leaves.
+const UNBALANCED: f64 = 1e-9;
+/// Energy out of balance: doubtful, wrong.
+const ENERGY: [f64; 2] = [0.05, 0.5];
+/// Roughness of a noisy reaction (SL0610).
+const NOISE: f64 = 0.01;
+/// Step next to a peak above which the true peak is not known (SL0614).
+pub const COARSE_PEAK: f64 = 0.1;
+/// Fibre strain above which a linear law is doubtful for most materials.
+const STRAIN: f64 = 0.05;
+/// Penetration in c0 (SL0612).
+const PENETRATION: f64 = 3.0;
+
+/// Judges a run: the table of rules. [docs/report.md: verdict]
+pub fn verdict(evidence: &Evidence) -> Verdict {
+    // what is no number is never clean
+    let above = |value: Option<f64>, limit: f64| value.filter(|value| !(*value <= limit));
+    let mut reasons: Vec<(Colour, String)> = Vec::new();
+    let mut object = |colour, reason: Option<String>| {
+        reasons.extend(reason.map(|reason| (colour, reason)));
+    };
+    object(Colour::Red, evidence.unfinished.clone());
+    object(
+        Colour::Red,
+        above(evidence.pair_imbalance, UNBALANCED)
+            .map(|_| "the two sides of a contact pair do not feel the same force".to_owned()),
+    );
+    let energy = |left: f64| {
+        format!("energy: {} % of it does not balance; use shorter increments", percent(left))
+    };
+    let wrong = above(evidence.energy, ENERGY[1]);
+    object(Colour::Red, wrong.map(energy));
+    object(Colour::Amber, above(evidence.energy, ENERGY[0]).xor(wrong).map(energy));
+    object(
+        Colour::Red,
+        above(evidence.utilisation, 1.0).map(|used| {
+            format!(
+                "strain: {} % of the allowable; beyond it the elastic results are not valid",
+                percent(used)
+            )
+        }),
+    );
+    object(
+        Colour::Amber,
+        above(evidence.strain, STRAIN).filter(|_| evidence.utilisation.is_none()).map(|strain| {
+            format!(
+                "strain: {} %, large for an elastic law, and no allowable is given (*ALLOWABLE)",
+                percent(strain)
+            )
+        }),
+    );
+    object(
+        Colour::Amber,
+        above(evidence.noise, NOISE).map(|rough| {
+            format!("noise: the reaction is rough by {} % of its peak", percent(rough))
+        }),
+    );
+    object(
+        Colour::Amber,
+        above(evidence.peak_step, COARSE_PEAK).map(|step| {
+            format!("increments: next to its peak the force changes by {} %, so the true peak may be higher", percent(step))
+        }),
+    );
+    object(
+        Colour::Amber,
+        above(evidence.penetration, PENETRATION)
+            .map(|ratio| format!("overlap: the contact is pressed in by {ratio:.1} times c0")),
+    );
+    object(Colour::Amber, warned(&evidence.said));
+    reasons.sort_by_key(|(colour, _)| std::cmp::Reverse(*colour));
+    let colour = reasons.first().map_or(Colour::Green, |(colour, _)| *colour);
+    Verdict { colour, reasons }
+}
+
+/// Per cent with three digits.
+fn percent(value: f64) -> String {
+    let value = 100.0 * value;
+    let digits = if value.abs() < 1.0 {
+        3
+    } else if value.abs() < 100.0 {
+        1
+    } else {
+        0
+    };
+    let text = format!("{value:.digits$}");
+    let short = if digits > 0 { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    short.to_owned()
+}
+
+/// Codes in order, each once with how often.
+fn warned(said: &[String]) -> Option<String> {
+    let mut codes: Vec<(&str, usize)> = Vec::new();
+    for code in said {
+        match codes.iter_mut().find(|(known, _)| known == code) {
+            Some((_, count)) => *count += 1,
+            None => codes.push((code, 1)),
+        }
+    }
+    let one = |(code, count): &(&str, usize)| match count {
+        1 => (*code).to_owned(),
+        many => format!("{code} ({many} times)"),
+    };
+    let list: Vec<String> = codes.iter().map(one).collect();
+    let noun = if said.len() == 1 { "warning" } else { "warnings" };
+    (!list.is_empty()).then(|| format!("{noun}: {}", list.join(", ")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn clean() -> Evidence {
+        Evidence {
+            unfinished: None,
+            pair_imbalance: Some(1e-14),
+            energy: Some(0.01),
+            noise: None,
+            peak_step: Some(0.02),
+            strain: Some(0.01),
+            utilisation: Some(0.5),
+            penetration: Some(0.9),
+            said: Vec::new(),
+        }
+    }
+
+    /// Requirement: row by row, each rule alone decides the colour and gives
+    /// its one reason.
+    #[test]
+    fn every_row_of_the_table() {
+        assert_eq!(verdict(&clean()), Verdict { colour: Colour::Green, reasons: Vec::new() });
+        assert_eq!(verdict(&Evidence::default()).colour, Colour::Green);
+        let nan = Some(f64::NAN);
+        let rows: Vec<(Colour, &str, Evidence)> = vec![
+            (
+                Colour::Red,
+                "not converged",
+                Evidence { unfinished: Some("not converged".into()), ..clean() },
+            ),
+            (Colour::Red, "two sides", Evidence { pair_imbalance: Some(1e-5), ..clean() }),
+            (Colour::Red, "two sides", Evidence { pair_imbalance: nan, ..clean() }),
+            (Colour::Red, "energy: 58 %", Evidence { energy: Some(0.58), ..clean() }),
+            (Colour::Red, "energy", Evidence { energy: nan, ..clean() }),
+            (Colour::Amber, "energy: 6 %", Evidence { energy: Some(0.06), ..clean() }),
+            (Colour::Red, "strain: 120 %", Evidence { utilisation: Some(1.2), ..clean() }),
+            (Colour::Red, "strain", Evidence { utilisation: nan, ..clean() }),
+            (
+                Colour::Amber,
+                "*ALLOWABLE",
+                Evidence { strain: Some(0.06), utilisation: None, ..clean() },
+            ),
+            (Colour::Amber, "noise: ", Evidence { noise: Some(0.02), ..clean() }),
+            (Colour::Amber, "increments: ", Evidence { peak_step: Some(0.2), ..clean() }),
+            (Colour::Amber, "overlap: ", Evidence { penetration: Some(4.0), ..clean() }),
+            (Colour::Amber, "warning: SL0402", Evidence { said: vec!["SL0402".into()], ..clean() }),
+        ];
+        for (colour, reason, evidence) in rows {
+            let found = verdict(&evidence);
+            assert_eq!((found.colour, found.reasons.len()), (colour, 1), "{reason}: {found:?}");
+            assert!(found.reasons[0].1.contains(reason), "{reason}: {found:?}");
+        }
+        // strain is judged by its allowable where there is one
+        let strained = Evidence { strain: Some(0.06), utilisation: Some(0.9), ..clean() };
+        assert_eq!(verdict(&strained).colour, Colour::Green);
+    }
+
+    /// Requirement: the worst row gives the colour and stands first; none is
+    /// lost, and a code said twice is one entry.
+    #[test]
+    fn the_worst_row_rules() {
+        let said = ["SL0405", "SL0403", "SL0405"].map(str::to_owned).to_vec();
+        let found = verdict(&Evidence { noise: Some(0.05), energy: Some(0.9), said, ..clean() });
+        let colours: Vec<Colour> = found.reasons.iter().map(|(colour, _)| *colour).collect();
+        assert_eq!(found.colour, Colour::Red);
+        assert_eq!(colours, [Colour::Red, Colour::Amber, Colour::Amber]);
+        assert_eq!(found.reasons[2].1, "warnings: SL0405 (2 times), SL0403");
+    }
+}

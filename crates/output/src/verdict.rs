@@ -1,0 +1,280 @@
+//! The verdict of a run: its files held against the table of rules in
+//! [`slideline_measures::verdict`].
+//!
+//! ```text
+//!   JOB.json  JOB.energy.csv  JOB.history.csv --> Evidence --> colour, reasons
+//!                                             `-> strokes  --> forces in and out
+//! ```
+
+use crate::job::JobFiles;
+use crate::json::{self, Object};
+use crate::report::value::Value;
+use crate::report::{Driven, Energies, History, driven};
+use slideline_measures::{Evidence, Stroke, Taken, Verdict, WayOut, stroke, verdict};
+
+/// Codes of advice that cast no doubt, or that the measures of the run decide:
+/// a start within the layer of a softened law, bodies that contact will hold,
+/// noise, hand-over from node to node, penetration.
+const NO_DOUBT: [&str; 5] = ["SL0402", "SL0414", "SL0610", "SL0611", "SL0612"];
+/// A warning whose measure is a row of the table itself.
+const MEASURED: &str = "SL0613";
+/// Diagnosis of a contact that jams.
+const JAM: &str = "SL0506";
+
+/// A verdict with the strokes that belong to it.
+#[derive(Clone, Debug)]
+pub(crate) struct Judged {
+    /// Colour and reasons.
+    pub verdict: Verdict,
+    /// Every driven motion that moves, the one that does most work first.
+    pub strokes: Vec<(Driven, Stroke)>,
+}
+
+/// Judges a run by what its files say. `curve` gives motion and reaction of a
+/// driven node from the start on.
+pub(crate) fn judge(
+    summary: &Value,
+    energies: Option<&Energies>,
+    mut curve: impl FnMut(&Driven) -> Option<[Vec<f64>; 2]>,
+) -> Judged {
+    let mut strokes: Vec<(Driven, Stroke)> = driven(summary)
+        .into_iter()
+        .filter_map(|driven| {
+            let [motion, reaction] = curve(&driven)?;
+            Some((driven, stroke(&motion, &reaction)?))
+        })
+        .collect();
+    // what does most work is what the part is about
+    let size = |stroke: &Stroke| stroke.work[0].abs() + stroke.work[1].abs();
+    strokes.sort_by(|a, b| size(&b.1).total_cmp(&size(&a.1)));
+    let verdict = verdict(&evidence(summary, energies, strokes.first().map(|(_, own)| own)));
+    Judged { verdict, strokes }
+}
+
+fn evidence(summary: &Value, energies: Option<&Energies>, first: Option<&Stroke>) -> Evidence {
+    let noise = summary.get("noise");
+    let pairs = noise.map_or(&[][..], |noise| noise.list("pairs"));
+    let largest = |key: &str| pairs.iter().filter_map(|pair| pair.number(key)).reduce(worse);
+    let imbalance = [largest("force_imbalance"), largest("moment_imbalance")];
+    let strain = summary.get("fibre_strain").and_then(|strain| strain.number("max"));
+    let peaks = first.map(|own| [own.push, own.pull]).into_iter().flatten().flatten();
+    Evidence {
+        unfinished: unfinished(summary),
+        pair_imbalance: imbalance.into_iter().flatten().reduce(worse),
+        energy: energies.and_then(out_of_balance),
+        noise: driven(summary)
+            .iter()
+            .filter_map(|driven| {
+                let name = format!("{}.{}", driven.node, driven.reaction);
+                noise?.get("reactions")?.get(&name)?.number("of_mesh")
+            })
+            .reduce(worse),
+        peak_step: peaks.map(|taken| taken.step).reduce(worse),
+        strain,
+        utilisation: summary.get("allowable").and_then(|used| used.number("utilisation")),
+        penetration: largest("penetration_over_c0"),
+        said: said(summary),
+    }
+}
+
+/// The larger of two; what is no number is the worst.
+fn worse(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a > b { a } else { b }
+}
+
+fn unfinished(summary: &Value) -> Option<String> {
+    match summary.text("status").unwrap_or_default() {
+        "completed" => None,
+        "not_converged" => {
+            let code = summary.get("diagnosis").and_then(|said| said.text("code"));
+            let code = code.map_or_else(String::new, |code| format!(" ({code})"));
+            Some(format!("not completed: an increment did not converge{code}"))
+        }
+        "interrupted" => Some("not completed: interrupted on request".to_owned()),
+        "input_error" => Some("not run: the deck has errors".to_owned()),
+        "output_error" => Some("not completed: results could not be written".to_owned()),
+        "running" => Some("not completed: it runs, or was killed".to_owned()),
+        _ => Some("not completed: the program failed".to_owned()),
+    }
+}
+
+/// Codes of warnings, and of advice that casts doubt.
+fn said(summary: &Value) -> Vec<String> {
+    let codes = |key: &str| summary.list(key).iter().filter_map(|said| said.text("code"));
+    let warnings = codes("warnings").filter(|code| *code != MEASURED);
+    let advice = codes("advice").filter(|code| !NO_DOUBT.contains(code));
+    warnings.chain(advice).map(str::to_owned).collect()
+}
+
+/// Largest `balance` over the largest energy that there was.
+fn out_of_balance(energies: &Energies) -> Option<f64> {
+    let most = |column: &[f64]| column.iter().map(|value| value.abs()).reduce(worse);
+    let balance = energies.column("balance").and_then(most)?;
+    // what was dropped is in no balance
+    let others = energies.columns.iter().zip(&energies.values);
+    let others =
+        others.filter(|(name, _)| !["balance", "dropped_friction"].contains(&name.as_str()));
+    let scale = others.filter_map(|(_, values)| most(values)).fold(0.0, f64::max);
+    (scale > 0.0).then(|| balance / scale)
+}
+
+/// The text of `JOB.json` with forces and verdict behind everything else,
+/// those that were there replaced.
+pub(crate) fn attached(job: &JobFiles, text: &str) -> String {
+    let bare = without(text);
+    let Ok(summary) = Value::read(&format!("{bare}}}")) else { return text.to_owned() };
+    let names = driven(&summary);
+    let energies = Energies::read(&job.path(".energy.csv")).ok();
+    let kept = |node| names.iter().any(|driven| driven.node == node);
+    let history = History::read(&job.path(".history.csv"), kept).unwrap_or_default();
+    let from_start = |column: &[f64]| -> Vec<f64> {
+        std::iter::once(0.0).chain(column.iter().copied()).collect()
+    };
+    let judged = judge(&summary, energies.as_ref(), |driven| {
+        let column = |name: &str| history.column(driven.node, name).map(from_start);
+        Some([column(&driven.motion)?, column(&driven.reaction)?])
+    });
+    let forces = judged.strokes.iter().map(|(driven, stroke)| forces(driven, stroke));
+    let reasons = judged.verdict.reasons.iter().map(|(_, reason)| json::text(reason));
+    let verdict = Object::new()
+        .text("colour", judged.verdict.colour.word())
+        .array("reasons", reasons)
+        .finish();
+    format!("{bare}{FORCES}{},\"verdict\":{verdict}}}\n", json::array(forces))
+}
+
+/// The text of `JOB.json` without forces, verdict and its last brace.
+pub(crate) fn without(text: &str) -> &str {
+    // quotation marks within texts are escaped: only the key itself is found
+    match text.rfind(FORCES) {
+        Some(at) => &text[..at],
+        None => text.trim_end().strip_suffix('}').unwrap_or(text),
+    }
+}
+
+/// How the tail of `JOB.json` begins.
+const FORCES: &str = ",\"forces\":";
+
+fn forces(driven: &Driven, stroke: &Stroke) -> String {
+    let taken = |object: Object, key: &str, taken: Option<Taken>| match taken {
+        Some(taken) => {
+            let own = Object::new().number("force", taken.force).number("at", taken.at);
+            object.raw(key, &own.count("place", taken.place).finish())
+        }
+        None => object.raw(key, "null"),
+    };
+    let object = Object::new()
+        .raw("node", &driven.node.to_string())
+        .text("motion", &driven.motion)
+        .text("reaction", &driven.reaction)
+        .number("inward", stroke.inward);
+    let object = taken(object, "push_in", stroke.push);
+    let object = taken(object, "pull_out", stroke.pull);
+    let object = match stroke.ratio() {
+        Some(ratio) => object.number("ratio", ratio),
+        None => object.raw("ratio", "null"),
+    };
+    object
+        .number("work_in", stroke.work[0])
+        .number("work_out", stroke.work[1])
+        .text("way_out", way_out_word(stroke.way_out))
+        .finish()
+}
+
+fn way_out_word(way_out: WayOut) -> &'static str {
+    match way_out {
+        WayOut::None => "none",
+        WayOut::NoReaction => "no_reaction",
+        WayOut::Pulled => "pulled",
+        WayOut::PulledUntil(_) => "pulled_until",
+        WayOut::SpringsBack => "springs_back",
+    }
+}
+
+/// Colour and reasons as `JOB.json` has them; none where the job has no verdict.
+pub fn verdict_of(job: &JobFiles) -> Option<(String, Vec<String>)> {
+    let text = std::fs::read_to_string(job.path(".json")).ok()?;
+    let summary = Value::read(&text).ok()?;
+    let verdict = summary.get("verdict")?;
+    let reasons = verdict.list("reasons").iter().filter_map(|reason| match reason {
+        Value::Text(reason) => Some(reason.clone()),
+        _ => None,
+    });
+    Some((verdict.text("colour")?.to_owned(), reasons.collect()))
+}
+
+/// Whether the part is locked: the pull grew until the contact jammed.
+pub(crate) fn is_locked(summary: &Value, stroke: &Stroke) -> bool {
+    let code = summary.get("diagnosis").and_then(|said| said.text("code"));
+    stroke.held_at_the_end && code == Some(JAM)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn summary(more: &str) -> Value {
+        let text = format!("{{\"status\":\"completed\",\"warnings\":[],\"advice\":[]{more}}}");
+        Value::read(&text).unwrap_or(Value::Null)
+    }
+
+    fn colour(summary: &Value, energies: Option<&Energies>) -> &'static str {
+        judge(summary, energies, |_| None).verdict.colour.word()
+    }
+
+    /// Requirement: columns are found by their names; one that is not there
+    /// is missing, one more does no harm and counts for the scale.
+    #[test]
+    fn energy_is_read_by_names() {
+        let energies = |columns: &[(&str, f64)]| Energies {
+            columns: columns.iter().map(|(name, _)| (*name).to_owned()).collect(),
+            values: columns.iter().map(|(_, value)| vec![0.0, *value]).collect(),
+            ..Energies::default()
+        };
+        let plain = energies(&[("external_work", -4.0), ("balance", 0.4), ("strain_energy", 1.0)]);
+        assert_eq!(out_of_balance(&plain), Some(0.1));
+        let more = energies(&[("external_work", 1.0), ("balance", -0.4), ("released_energy", 8.0)]);
+        assert_eq!(out_of_balance(&more), Some(0.05));
+        assert_eq!(out_of_balance(&energies(&[("external_work", 1.0)])), None);
+        assert_eq!(colour(&summary(""), Some(&plain)), "amber");
+        assert_eq!(colour(&summary(""), Some(&more)), "green");
+    }
+
+    /// Requirement: warnings and doubtful advice are amber, what the measures
+    /// decide is not counted twice, and what did not complete is red.
+    #[test]
+    fn what_was_said_colours_the_verdict() {
+        let said = |code: &str| {
+            let text =
+                "{\"status\":\"completed\",\"warnings\":[],\"advice\":[{\"code\":\"CODE\"}]}";
+            Value::read(&text.replace("CODE", code)).unwrap_or(Value::Null)
+        };
+        assert_eq!(colour(&summary(""), None), "green");
+        assert_eq!(colour(&said("SL0405"), None), "amber");
+        assert_eq!(colour(&said("SL0611"), None), "green");
+        let warned = "{\"status\":\"completed\",\"warnings\":[{\"code\":\"SL0402\"}]}";
+        assert_eq!(colour(&Value::read(warned).unwrap_or(Value::Null), None), "amber");
+        for status in ["not_converged", "interrupted", "output_error", "running", "input_error"] {
+            let text = format!("{{\"status\":\"{status}\"}}");
+            assert_eq!(colour(&Value::read(&text).unwrap_or(Value::Null), None), "red", "{status}");
+        }
+        let strained = summary(",\"allowable\":{\"utilisation\":1.5}");
+        assert_eq!(colour(&strained, None), "red");
+    }
+
+    /// Requirement: the verdict stands last in the file and is replaced, not
+    /// written twice, when the file gets another warning.
+    #[test]
+    fn the_tail_is_replaced() {
+        let job = JobFiles::new("nowhere", "job");
+        let text = "{\"status\":\"completed\",\"title\":\",\\\"forces\\\":\",\"warnings\":[]}\n";
+        let once = attached(&job, text);
+        assert!(
+            once.ends_with(",\"forces\":[],\"verdict\":{\"colour\":\"green\",\"reasons\":[]}}\n")
+        );
+        assert_eq!(attached(&job, &once), once);
+        let warned = once.replace("\"warnings\":[]", "\"warnings\":[{\"code\":\"SL0602\"}]");
+        let again = attached(&job, &warned);
+        assert!(again.contains("amber") && again.matches("\"verdict\"").count() == 1, "{again}");
+    }
+}
