@@ -107,7 +107,11 @@ fn fix(read: &Read) -> bool {
             Ok(()) => {
                 let codes: Vec<&str> = mend.mended.iter().map(|code| code.0).collect();
                 let tried = if mend.was_run { "checked and run" } else { "checked" };
-                eprintln!("the corrected deck is {} ({}; {tried})", path.display(), codes.join(", "));
+                eprintln!(
+                    "the corrected deck is {} ({}; {tried})",
+                    path.display(),
+                    codes.join(", ")
+                );
                 return true;
             }
             Err(reason) if reason.kind() == ErrorKind::AlreadyExists => {}

@@ -83,9 +83,10 @@ pub fn may_be_a_jam(said: &Diagnostic) -> bool {
 }
 
 /// Whether an attempt that ended for this cause may have another equilibrium:
-/// nothing, a snap-through or contact that wavers was proved.
+/// nothing, a snap-through, contact that wavers or too long an increment was
+/// proved.
 pub fn may_end_elsewhere(said: &Diagnostic) -> bool {
-    ["SL0501", "SL0511", "SL0513", "SL0515"].contains(&said.code.0)
+    ["SL0501", "SL0511", "SL0512", "SL0513", "SL0515"].contains(&said.code.0)
 }
 
 /// A jam at points that the first iteration of an attempt showed locked.

@@ -83,6 +83,8 @@ pub struct Workspace {
     increment: Vec<f64>,
     /// Stresses of the elements as the linear solutions arrive at them.
     stresses: Vec<f64>,
+    /// No motion, a slot each.
+    still: Vec<f64>,
     arrived: Vec<f64>,
     pressures: Vec<f64>,
     tractions: Vec<f64>,
@@ -128,6 +130,7 @@ impl Workspace {
             residual: vec![0.0; slots],
             increment: vec![0.0; slots],
             stresses: plan.structure.stress_room(),
+            still: vec![0.0; slots],
             arrived: plan.structure.stress_room(),
             pressures: vec![0.0; points],
             tractions: vec![0.0; points],
@@ -320,6 +323,9 @@ impl Workspace {
     }
 
     fn evaluate(&mut self, plan: &Plan<'_>, committed: &State, dt: f64) {
+        if self.line_search {
+            self.follow_law(plan);
+        }
         let trial = Trial {
             u: &self.u,
             load: &self.load,

@@ -155,10 +155,19 @@ pub(super) fn circumstances<'a>(
     }
 }
 
+/// Stiffness per area lent to a point [F/L3]: a part of that of the stiffest
+/// element. Without elements, of one that the largest load would shorten by the
+/// size of the model; where nothing has a size, any.
 pub(super) fn lent_stiffness(plan: &Plan<'_>, point: &SlavePoint) -> f64 {
-    if plan.structure.stiffest > 0.0 && point.area > 0.0 {
+    let load = plan.step.loads.iter().fold(0.0_f64, |largest, load| largest.max(load.value.abs()));
+    let scale = match plan.structure.stiffest > 0.0 {
+        true => LENT * plan.structure.stiffest,
+        false if plan.reach > 0.0 => load / plan.reach,
+        false => load,
+    };
+    if scale > 0.0 && point.area > 0.0 {
         let points = if point.is_station() { STRIP_POINTS as f64 } else { 1.0 };
-        LENT * plan.structure.stiffest / (points * point.area)
+        scale / (points * point.area)
     } else {
         1.0
     }

@@ -42,6 +42,12 @@ impl Workspace {
         }
     }
 
+    /// Takes the stresses of the law at the strains: what a line search needs,
+    /// whose residuals are those of the law too.
+    pub(super) fn follow_law(&mut self, plan: &Plan<'_>) {
+        plan.structure.stresses_after(&self.u, &self.still, &mut self.stresses);
+    }
+
     /// Moves the estimates by a fraction of the way to where the linear solution arrives; before
     /// the displacements move.
     pub(super) fn move_stresses(&mut self, plan: &Plan<'_>, length: f64) {
