@@ -79,7 +79,7 @@ pub fn failure(case: &Case<'_>) -> Diagnostic {
 /// Whether what is said of an attempt's end is but what a jam may do: contact
 /// that wavers, or nothing.
 pub fn may_be_a_jam(said: &Diagnostic) -> bool {
-    ["SL0501", "SL0513", "SL0515"].contains(&said.code.0)
+    ["SL0501", "SL0513", "SL0515", "SL0519"].contains(&said.code.0)
 }
 
 /// Whether an attempt that ended for this cause may have another equilibrium:

@@ -227,7 +227,8 @@ impl Contact {
         match self.faces(place, (sweep.to, sweep.now), &chains[1], 1.0) {
             Some(end) => self.is_through(place, &from, &end).then_some(from.fraction),
             // entered on the way, and at its end it faces nothing
-            None => (from.fraction > 0.0).then_some(from.fraction),
+            None if from.fraction > 0.0 => Some(from.fraction),
+            None => self.sinks(place, &from, sweep).then_some(from.fraction),
         }
     }
 
@@ -262,6 +263,28 @@ impl Contact {
         let (sin, cos) = body.dofs[2].sin_cos();
         let normal = [cos * normal[0] + sin * normal[1], cos * normal[1] - sin * normal[0]];
         Some(Event { fraction, along, normal, at: body.to_body(position), inward })
+    }
+
+    /// Whether a node that was closed and faces nothing now went down into its
+    /// master: not where it slid off an open end, or stood so near to one that it
+    /// cut no more than that end.
+    fn sinks(&self, place: usize, from: &Event, sweep: &Sweep<'_>) -> bool {
+        let point = &self.points[place];
+        let Facade::Body { slots, reference, surface } = &self.facades[point.pair] else {
+            return false;
+        };
+        let allowed = CUT * self.spacing[point.pair];
+        let to_end = from.along.min(surface.length() - from.along);
+        if point.is_station() || (surface.period().is_none() && to_end <= allowed) {
+            return false;
+        }
+        let body = Body { reference: *reference, dofs: slots.map(|slot| sweep.to[slot]) };
+        let end = body.to_body(sweep.now[place].position);
+        let depth = (1..SAMPLES).filter_map(|k| {
+            let t = k as f64 / SAMPLES as f64;
+            surface.depth([0, 1].map(|c| from.at[c] + t * (end[c] - from.at[c])))
+        });
+        depth.fold(0.0, f64::max) > allowed
     }
 
     /// Whether the way between two places of a master goes through its body:

@@ -207,6 +207,12 @@ impl RigidSurface {
         Self { segments, starts, period, bounds, noses }
     }
 
+    /// Length along the surface [L].
+    pub fn length(&self) -> f64 {
+        let last = self.segments.last().map_or(0.0, RigidSegment::length);
+        self.starts.last().map_or(0.0, |start| start + last)
+    }
+
     /// A circle that holds the surface, in the frame of the body: centre and radius [L].
     pub fn bounds(&self) -> ([f64; 2], f64) {
         self.bounds
