@@ -62,8 +62,9 @@ fn mangled_decks_are_read_to_their_end() {
 const EACH: u64 = 20;
 
 /// Every class in short. Ten thousand are run by the example `random_models`,
-/// and counted in docs/robustness.md; the limits here stand where the program
-/// is, for a class must not become worse unseen.
+/// and counted in docs/robustness.md. Requirement: 99 % of the well-posed
+/// complete; of so few one more may fail. No completed run breaks a law or
+/// hides a crossing.
 #[test]
 fn classes_complete_and_keep_the_laws() {
     let folder = std::env::temp_dir().join(format!("slideline-classes-{}", std::process::id()));
@@ -76,9 +77,10 @@ fn classes_complete_and_keep_the_laws() {
     std::fs::remove_dir_all(&folder).unwrap();
     println!("{table}");
     let [well_posed, completed] = table.well_posed();
-    assert!(completed * 100 >= well_posed * 60, "{table}");
+    assert!(completed * 100 >= well_posed * 98, "{table}");
     let broken = table.violations();
-    for never in ["pull", "friction", "not finite", "dissipation", "pair"] {
+    let laws = ["pull", "friction", "status", "law", "dissipation"];
+    for never in laws.iter().chain(&["not finite", "balance", "pair", "passed"]) {
         assert!(!broken.contains_key(never), "{table}");
     }
 }
