@@ -59,7 +59,7 @@ fn mangled_decks_are_read_to_their_end() {
 }
 
 /// Models of each class that are run here.
-const EACH: u64 = 20;
+const EACH: u64 = 12;
 
 /// Every class in short. Ten thousand are run by the example `random_models`,
 /// and counted in docs/robustness.md. Requirement: 99 % of the well-posed
