@@ -2,12 +2,13 @@
 //! `cargo run --release -p slideline-verification --example random_models -- 10000`.
 //!
 //! ```text
-//!   COUNT [--class NAME] [--seed N] [--keep DIR] [--limit SECONDS]
+//!   COUNT [--class NAME] [--seed N] [--keep DIR] [--limit SECONDS] [--files DIR]
 //! ```
 //!
 //! COUNT models in all, divided among the classes, from number N on. Decks of
 //! those that failed or broke something go to DIR, with what was said as a
-//! comment. `--class pressed` are the models of a body pressed into a beam.
+//! comment; the result files of the last model stay in DIR of `--files`.
+//! `--class pressed` are the models of a body pressed into a beam.
 
 use slideline_verification::random::classes::{CLASSES, Case};
 use slideline_verification::random::trial::{Ending, Table, Verdict, sweep};
@@ -21,6 +22,7 @@ struct Arguments {
     seed: u64,
     keep: Option<PathBuf>,
     limit: Duration,
+    files: Option<PathBuf>,
 }
 
 fn arguments() -> Result<Arguments, String> {
@@ -30,6 +32,7 @@ fn arguments() -> Result<Arguments, String> {
         seed: 0,
         keep: None,
         limit: Duration::from_secs(10),
+        files: None,
     };
     let mut words = std::env::args().skip(1);
     while let Some(word) = words.next() {
@@ -39,6 +42,7 @@ fn arguments() -> Result<Arguments, String> {
             "--class" => given.class = Some(value()?),
             "--seed" => given.seed = number(value()?)?,
             "--keep" => given.keep = Some(value()?.into()),
+            "--files" => given.files = Some(value()?.into()),
             "--limit" => given.limit = Duration::from_secs(number(value()?)?),
             _ => given.count = number(word)?,
         }
@@ -59,7 +63,8 @@ fn main() -> std::io::Result<()> {
     let wanted = |name: &str| given.class.as_ref().is_none_or(|class| class == name);
     let classes: Vec<_> = CLASSES.iter().filter(|class| wanted(class.name)).collect();
     let each = given.count.div_ceil(classes.len() as u64);
-    let folder = std::env::temp_dir().join(format!("slideline-random-{}", std::process::id()));
+    let passing = std::env::temp_dir().join(format!("slideline-random-{}", std::process::id()));
+    let folder = given.files.clone().unwrap_or(passing);
     std::fs::create_dir_all(&folder)?;
     let (began, mut table) = (Instant::now(), Table::default());
     for class in classes {
@@ -74,7 +79,9 @@ fn main() -> std::io::Result<()> {
             }
         });
     }
-    std::fs::remove_dir_all(&folder)?;
+    if given.files.is_none() {
+        std::fs::remove_dir_all(&folder)?;
+    }
     println!("{table}\n{:.1} s", began.elapsed().as_secs_f64());
     Ok(())
 }

@@ -59,26 +59,30 @@ fn mangled_decks_are_read_to_their_end() {
 }
 
 /// Models of each class that are run here.
-const EACH: u64 = 20;
+const EACH: u64 = 12;
 
 /// Every class in short. Ten thousand are run by the example `random_models`,
-/// and counted in docs/robustness.md; the limits here stand where the program
-/// is, for a class must not become worse unseen.
+/// and counted in docs/robustness.md. Requirement: 99 % of the well-posed
+/// complete; of so few one more may fail. No completed run breaks a law, and
+/// none hides a crossing but the one that docs/robustness.md names as open
+/// (`coarse` 11).
 #[test]
 fn classes_complete_and_keep_the_laws() {
     let folder = std::env::temp_dir().join(format!("slideline-classes-{}", std::process::id()));
     std::fs::create_dir_all(&folder).unwrap();
     let mut table = Table::default();
     for class in &CLASSES {
-        let limit = Duration::from_secs(10);
+        let limit = Duration::from_secs(300); // a busy machine is no fault
         sweep(class, 0..EACH, (&folder, limit), |case, verdict| table.add(case, verdict));
     }
     std::fs::remove_dir_all(&folder).unwrap();
     println!("{table}");
     let [well_posed, completed] = table.well_posed();
-    assert!(completed * 100 >= well_posed * 60, "{table}");
+    assert!(completed * 100 >= well_posed * 98, "{table}");
     let broken = table.violations();
-    for never in ["pull", "friction", "not finite", "dissipation", "pair"] {
+    let laws = ["pull", "friction", "status", "law", "dissipation"];
+    for never in laws.iter().chain(&["not finite", "balance", "pair"]) {
         assert!(!broken.contains_key(never), "{table}");
     }
+    assert!(broken.get("passed").is_none_or(|&count| count <= 1), "{table}");
 }

@@ -125,7 +125,7 @@ pub fn read(case: &Case, folder: &Path, job: &str) -> Option<Files> {
             // of moments that nearly vanish about the origin little is certain
             let [force, moment] =
                 ["force_imbalance", "moment_imbalance"].map(|column| pairs.number(row, column));
-            state.pair_imbalance = state.pair_imbalance.max(force).max(1e-4 * moment);
+            state.pair_imbalance = state.pair_imbalance.max(force).max(1e-6 * moment);
         }
     }
     let json = std::fs::read_to_string(path(".json")).ok()?;

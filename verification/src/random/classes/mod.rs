@@ -74,8 +74,9 @@ impl Case {
             s.number(); // neighbouring numbers begin alike
         }
         let mut draft = (class.draw)(&mut s);
-        // buckling apart, what has no friction ends in one state
-        let unique = !["walls", "units"].contains(&class.name) && number % 3 == 0;
+        // What has no friction ends in one state, but for buckling and for
+        // rings, which may come to rest on one node or another.
+        let unique = !["walls", "rings", "units"].contains(&class.name) && number % 3 == 0;
         draft.reversible |= unique && draft.friction.mu == 0.0;
         let placed = Placement::drawn(&draft, &mut s);
         Self { class: class.name, number, draft, placed }

@@ -261,7 +261,7 @@ fn contact(text: &mut String, placed: &Placement, (k, pair): (usize, &Pair)) {
     let mut side = |side: &Side, letter: &str| match side {
         Side::Body(body) => format!("R{body}"),
         Side::Chain(chain) => {
-            let _ = write!(text, "*SURFACE, NAME={letter}{k}\nS{chain}\n");
+            let _ = writeln!(text, "*SURFACE, NAME={letter}{k}\nS{chain}");
             format!("{letter}{k}")
         }
         Side::Nodes(nodes) => {
