@@ -63,13 +63,13 @@ fn a_mended_deck_stands_beside_the_old_one_and_overwrites_nothing() {
 #[test]
 fn a_card_that_does_not_help_is_not_offered() {
     let folder = folder("check_fix_left_out");
-    let deck = corpus("advice/SL0407-plane-upside-down-inch.inp");
-    std::fs::write(folder.join("plane.inp"), deck).unwrap();
-    let output = slideline(&folder, &["check", "plane", "--fix"]);
+    let deck = corpus("advice/SL0409-free-beam.inp");
+    std::fs::write(folder.join("beam.inp"), deck).unwrap();
+    let output = slideline(&folder, &["check", "beam", "--fix"]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(said.contains("SL0407: its card was tried and left out, because"), "{said}");
-    assert_eq!(names(&folder), ["plane.inp"]);
+    assert!(said.contains("SL0409: its card was tried and left out, because"), "{said}");
+    assert_eq!(names(&folder), ["beam.inp"]);
 }
 
 /// Requirement: a run says what check says, on the terminal, in its summary

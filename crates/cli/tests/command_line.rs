@@ -138,7 +138,8 @@ fn a_run_completes_and_leaves_the_files_of_the_contract() {
     ];
     assert_eq!(names(&results), expected);
     let plain = stdout(&output);
-    assert_eq!(plain.lines().count(), 2 + 5 + 1, "{plain}");
+    assert_eq!(plain.lines().count(), 2 + 5 + 2, "{plain}");
+    assert!(plain.contains("\nverdict: "), "{plain}");
     assert!(plain.lines().last().unwrap().contains("completed after 5 increments"), "{plain}");
     assert!(!plain.contains('\x1b'), "a pipe gets plain lines");
 
