@@ -118,8 +118,8 @@ fn the_suggested_card_makes_the_deck_run() {
     for name in decks() {
         let text = std::fs::read_to_string(folder().join(&name)).unwrap();
         let why = diagnosis(&name);
-        if why.code.0 == "SL0501" {
-            continue; // the cause is unknown: there is no card
+        if ["SL0501", "SL0520", "SL0521"].contains(&why.code.0) {
+            continue; // an unknown cause, or one that asks for another mesh or stroke: no card
         }
         assert!(why.card.is_some(), "{name}: {}", why.message);
         let bytes = mended(&read(&text), std::slice::from_ref(&why)).unwrap();
@@ -163,7 +163,7 @@ fn motions_without_resistance_are_named() {
     let beam = diagnosis("SL0503-hinged-beam.inp").message;
     assert!(beam.contains("turn about ("), "{beam}");
     let centre = number_after(&beam, "turn about (");
-    assert!(centre.abs() < 1e-6, "{beam}");
+    assert!(centre.abs() < 1e-5, "{beam}");
 }
 
 /// The foot's outer node is 0.1 from the left one and the table ends 0.5 from
@@ -312,7 +312,7 @@ fn a_line_search_is_tried_before_the_run_gives_up() {
             ControlFlow::Continue(())
         }
     }
-    let text = std::fs::read_to_string(folder().join("SL0515-trailing-strut.inp")).unwrap();
+    let text = std::fs::read_to_string(folder().join("../sound/trailing_strut.inp")).unwrap();
     let limits = "PARAMETERS=TIME INCREMENTATION\n8, 10, 9, 10, 10, 4, 12, 1";
     let text = text.replace("ANALYSIS=DISCONTINUOUS", limits).replace("0.1, 1.0\n", "0.5, 1.0\n");
     let text = text.replace("99, 1, 1, -0.225", "99, 1, 1, -0.3");
