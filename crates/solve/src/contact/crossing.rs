@@ -403,17 +403,21 @@ impl Contact {
             let body = |u: &[f64]| Body { reference: *reference, dofs: slots.map(|slot| u[slot]) };
             let bodies = (body(sweep.from), body(sweep.to));
             for &points in &self.edges[pair] {
+                // a soft law lets the points themselves sink in
+                let sunk = points.map(|place| -sweep.now[place].opening);
+                let sunk = sunk.into_iter().filter(|depth| depth.is_finite()).fold(0.0, f64::max);
                 let edge = |states: &[PointState]| points.map(|place| states[place].position);
                 let edges = (edge(sweep.before), edge(sweep.now));
                 let found = surface.noses().filter_map(|nose| {
                     let now = nose.reach(&bodies.1, edges.1)?;
-                    if now.depth <= now.allowed {
+                    let allowed = now.allowed + sunk;
+                    if now.depth <= allowed {
                         return None;
                     }
                     let before = nose.reach(&bodies.0, edges.0)?;
-                    let t = (now.allowed - before.depth) / (now.depth - before.depth);
+                    let t = (allowed - before.depth) / (now.depth - before.depth);
                     let beside = before.beside + t * (now.beside - before.beside);
-                    let passed = before.depth <= now.allowed;
+                    let passed = before.depth <= allowed;
                     (passed && (0.0..=1.0).contains(&beside)).then_some(t)
                 });
                 for fraction in found {

@@ -80,8 +80,7 @@ impl Case<'_> {
         let distance = (b[0] - a[0]).hypot(b[1] - a[1]);
         let message = format!(
             "the master of pair {} goes through the slave surface between nodes {first} and \
-             {second} {}, and touches neither of them: they are {distance:.3e} apart, too far for \
-             its corners and arcs",
+             {second} {}: they are {distance:.3e} apart, too far for its corners and arcs",
             pair.name,
             self.beyond()
         );
