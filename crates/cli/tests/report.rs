@@ -88,7 +88,7 @@ fn files_that_are_missing_truncated_or_foreign_are_named_and_nothing_is_written(
     let without_last_line = |name: &str| {
         let text = read(&folder, name);
         let end = text.trim_end().rfind('\n').unwrap() + 1;
-        text[..end].as_bytes().to_vec()
+        text.as_bytes()[..end].to_vec()
     };
     let cases: Vec<(&str, Option<Vec<u8>>)> = vec![
         ("job.json", None),

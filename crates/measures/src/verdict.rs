@@ -81,7 +81,8 @@ const PENETRATION: f64 = 3.0;
 /// Judges a run: the table of rules. [docs/report.md: verdict]
 pub fn verdict(evidence: &Evidence) -> Verdict {
     // what is no number is never clean
-    let above = |value: Option<f64>, limit: f64| value.filter(|value| !(*value <= limit));
+    let above =
+        |value: Option<f64>, limit: f64| value.filter(|value| value.is_nan() || *value > limit);
     let mut reasons: Vec<(Colour, String)> = Vec::new();
     let mut object = |colour, reason: Option<String>| {
         reasons.extend(reason.map(|reason| (colour, reason)));

@@ -78,12 +78,12 @@ pub fn attempt(case: &Case, folder: &Path, limit: Duration) -> Verdict {
             verdict.violations.push(("units", why));
         }
     }
-    if let (true, Some(files)) = (completed, files) {
-        if case.draft.reversible || physics::missing(&files) > NOTABLE {
-            let finer = Case { draft: case.draft.finer(), ..case.clone() };
-            let fine = once(&finer, folder, limit).1;
-            verdict.violations.extend(fine.and_then(|fine| held_against(case, &files, &fine)));
-        }
+    if let (true, Some(files)) = (completed, files)
+        && (case.draft.reversible || physics::missing(&files) > NOTABLE)
+    {
+        let finer = Case { draft: case.draft.finer(), ..case.clone() };
+        let fine = once(&finer, folder, limit).1;
+        verdict.violations.extend(fine.and_then(|fine| held_against(case, &files, &fine)));
     }
     verdict
 }

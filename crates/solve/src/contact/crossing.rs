@@ -142,10 +142,10 @@ impl Contact {
         let room = self.facades[pair].swept(u, chains);
         let share = |fraction: f64| (part as f64 + fraction) / parts as f64;
         for (place, point) in self.points.iter().enumerate().filter(|(_, p)| p.pair == pair) {
-            if let Carrier::Station { strip } = point.carrier {
-                if apart(&self.strips[strip].hull(u), &room) {
-                    continue;
-                }
+            if let Carrier::Station { strip } = point.carrier
+                && apart(&self.strips[strip].hull(u), &room)
+            {
+                continue;
             }
             let xi = self.resting_place(place);
             let way = [0, 1].map(|end| self.slave(point, xi, &u[end]).position);

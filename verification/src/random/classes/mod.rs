@@ -76,7 +76,7 @@ impl Case {
         let mut draft = (class.draw)(&mut s);
         // What has no friction ends in one state, but for buckling and for
         // rings, which may come to rest on one node or another.
-        let unique = !["walls", "rings", "units"].contains(&class.name) && number % 3 == 0;
+        let unique = !["walls", "rings", "units"].contains(&class.name) && number.is_multiple_of(3);
         draft.reversible |= unique && draft.friction.mu == 0.0;
         let placed = Placement::drawn(&draft, &mut s);
         Self { class: class.name, number, draft, placed }
