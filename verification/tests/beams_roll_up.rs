@@ -127,10 +127,10 @@ impl Roll {
 fn turns_without_effort(record: &mut Record) {
     let mut walk = |name: &str, roll: Roll, increments: f64| {
         let [count, cutbacks, most, off] = roll.walk();
-        record.at_most(&format!("{name}: increments"), count, increments);
-        record.at_most(&format!("{name}: cutbacks"), cutbacks, 0.0);
-        record.at_most(&format!("{name}: iterations of an increment, most"), most, 5.0);
-        record.at_most(&format!("{name}: tip from the clamp (of L)"), off, 1e-9);
+        record.at_most(format!("{name}: increments"), count, increments);
+        record.at_most(format!("{name}: cutbacks"), cutbacks, 0.0);
+        record.at_most(format!("{name}: iterations of an increment, most"), most, 5.0);
+        record.at_most(format!("{name}: tip from the clamp (of L)"), off, 1e-9);
     };
     for kind in ["B21", "B22", "B23"] {
         for n in [10, 20, 40, 80] {

@@ -36,6 +36,9 @@ const HALVINGS: usize = 8;
 const FEWEST: usize = 5;
 /// How near a limit is walked up to, as a part of what was to be halved.
 const SHORTEST: f64 = 1.0 / 256.0;
+/// Part of what an increment left over that its halves leave where no jump is:
+/// the rule's error falls by four.
+const FALLS: f64 = 0.4;
 /// Rounding of energies, in roundings of the stiffest element moved as far
 /// as the model reaches.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
@@ -58,7 +61,8 @@ impl Walk<'_> {
             self.committed.books.left = 0.0;
         }
         let own = books.turned_over - self.trial.books.turned_over;
-        let left = self.committed.books.left.abs();
+        // a jump releases energy: what gains some is none
+        let left = self.committed.books.left;
         let looked_for = left > NOTABLE * books.turned_over && left > SHARP * own;
         let jump = looked_for.then(|| find(plan, (&self.trial, &self.committed), target, work));
         if looked_for {
@@ -224,18 +228,25 @@ impl Part {
         Some(Self { from: limit, to: landed, end, dt: 0.0, rest })
     }
 
-    /// Its half that leaves more over; `None` where a half has no end.
-    fn sharper_half(&self, plan: &Plan<'_>, target: &Target, work: &mut Workspace) -> Option<Self> {
+    /// Its half that leaves more over, and what both leave [F L]; `None` where a
+    /// half has no end.
+    fn sharper_half(
+        &self,
+        plan: &Plan<'_>,
+        target: &Target,
+        work: &mut Workspace,
+    ) -> Option<(Self, f64)> {
         let dt = 0.5 * self.dt;
         let aim = |step_time: f64| Target { step_time, dt, ..*target };
         let mut first = Self::walk(plan, &self.from, &aim(self.end - dt), self.rest, work)?;
         let mut second = Self::walk(plan, &first.to, &aim(self.end), self.rest, work)?;
+        let both = first.left() + second.left();
         if first.left().abs() >= second.left().abs() {
             first.rest = self.rest.with(&second);
-            return Some(first);
+            return Some((first, both));
         }
         second.rest = self.rest.with(&first);
-        Some(second)
+        Some((second, both))
     }
 
     /// Whether something that is prescribed or applied makes most of its own
@@ -269,7 +280,7 @@ fn find(
     while left.len() <= HALVINGS && (steady < 2 || left.len() <= FEWEST) {
         let longer = part.as_ref().unwrap_or(&whole);
         let before = longer.left();
-        let Some(half) = longer.sharper_half(plan, target, work) else {
+        let Some((half, both)) = longer.sharper_half(plan, target, work) else {
             // Where not even halves are found the structure itself must say
             // that it gave way.
             if work.negative_pivots == 0 {
@@ -281,7 +292,8 @@ fn find(
             break;
         };
         let now = half.left();
-        if now.abs() <= enough {
+        // what the rule misses falls by four with every halving
+        if now.abs() <= enough || both.abs() <= FALLS * before.abs() {
             return None;
         }
         steady = if (now - before).abs() <= 0.1 * before.abs() { steady + 1 } else { 0 };
