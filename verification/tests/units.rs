@@ -43,7 +43,7 @@ fn millimetres(record: &mut Record) {
 }
 
 fn powers_of_two_to_the_bit(record: &mut Record) {
-    for method in [Method::Irs, Method::Isl] {
+    for method in [Method::Irs, Method::Isl, Method::Surface] {
         for mu in [0.0, 0.3] {
             let push = Push { mu, ..Push::paper(method) };
             let metre = forces(&push);

@@ -18,6 +18,7 @@ pub fn commit(
     trial.total_time = committed.total_time + target.dt;
     trial.step_time = target.step_time;
     trial.displacement.copy_from_slice(&work.u);
+    come_to_rest(plan, trial);
     for (slot, increment) in trial.increment.iter_mut().enumerate() {
         *increment = work.u[slot] - committed.displacement[slot];
     }
@@ -43,6 +44,19 @@ pub fn commit(
     trial.flux[0].commit(evaluation.flux.mean_force(), controls);
     trial.flux[1].commit(evaluation.flux.mean_moment(), controls);
     account(plan, committed, work, trial);
+}
+
+/// What is free and returns to rest is at rest once its displacement is far
+/// below the rounding of any position: it must not decay on through the
+/// smallest numbers that there are.
+fn come_to_rest(plan: &Plan<'_>, trial: &mut State) {
+    let nothing = f64::EPSILON.powi(4);
+    for &slot in &plan.layout.slot_of_equation {
+        let size = if plan.layout.name(slot).1.is_rotation() { 1.0 } else { plan.reach };
+        if trial.displacement[slot].abs() < nothing * size {
+            trial.displacement[slot] = 0.0;
+        }
+    }
 }
 
 /// Slip of closed points without friction, which no law has asked for.

@@ -1,6 +1,7 @@
 //! Causes that lie in contact.
 
 use super::{Case, step_card};
+use crate::layout::Role;
 use crate::linearised::Contradiction;
 use crate::newton::TOUCH;
 use crate::plan::Plan;
@@ -89,9 +90,10 @@ impl Case<'_> {
         let pair = self.pair_of(*jammed.first()?);
         let message = format!(
             "the contact jams at {} {}: there a higher contact pressure adds more friction than \
-             it opens the contact, so no force moves it on",
+             it opens the contact, so no force moves it on{}",
             self.nodes(jammed),
-            self.beyond()
+            self.beyond(),
+            self.force_reached()
         );
         let origin = pair.interaction.friction_origin;
         let said = Diagnostic::error(Code("SL0506"), message)
@@ -113,6 +115,29 @@ impl Case<'_> {
                 said.card(Place::Instead(origin), card)
             }
             _ => said,
+        })
+    }
+
+    /// The largest force of a support that moved in the last increment: how far
+    /// a part that locks was pulled.
+    fn force_reached(&self) -> String {
+        let (layout, committed) = (&self.plan.layout, self.committed);
+        let drives = |slot: &usize| {
+            matches!(layout.roles[*slot], Role::Prescribed(_))
+                && committed.increment[*slot] != 0.0
+                && !layout.name(*slot).1.is_rotation()
+        };
+        let size = |slot: usize| committed.reaction[slot].abs();
+        let largest =
+            (0..layout.slots()).filter(drives).max_by(|&a, &b| size(a).total_cmp(&size(b)));
+        largest.map_or(String::new(), |slot| {
+            let (node, dof) = layout.name(slot);
+            let force = committed.reaction[slot];
+            format!(
+                "; the force reached at node {}, {}, is {force:.4e}",
+                self.label(node),
+                dof.name()
+            )
         })
     }
 
