@@ -143,3 +143,19 @@ fn rank(rows: &[[f64; 3]]) -> usize {
     }
     found
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Requirement: rows of a clamp are of rank three, those of supports along one line of rank two,
+    /// whatever the arm.
+    #[test]
+    fn ranks_of_supports() {
+        let (x, y, turn) = ([1.0, 0.0, -0.3], [0.0, 1.0, 0.7], [0.0, 0.0, 1.0]);
+        assert_eq!(rank(&[x, y, turn]), 3);
+        assert_eq!(rank(&[y, [0.0, 1.0, 0.2]]), 2);
+        assert_eq!(rank(&[x, [1.0, 0.0, -0.3], y]), 2);
+        assert_eq!(rank(&[]), 0);
+    }
+}

@@ -112,3 +112,46 @@ fn loop_area() {
     let expected = 4.0 * 0.3 * p * (amplitude - CRITICAL);
     assert!((dissipated - expected).abs() < 1e-12 * expected);
 }
+
+/// Requirement: elastic stick through the structure's stiffness is the law at the slip that is left,
+/// tau = law(slip + (z - tau - kappa slip)/kappa), and its derivatives are those of differences: in
+/// stick, in slip, with a limit and with decay. Tolerance: round-off; 1e-6 for central differences.
+#[test]
+fn stick_through_a_stiffness_is_the_law_where_both_balance() {
+    let decay = Some(Decay { kinetic: 0.1, rate: 3.0 });
+    let elastic = Stick::Elastic { slip: 0.02 };
+    let coulomb =
+        |limit, decay| FrictionLaw::Coulomb { coefficient: 0.4, limit, decay, stick: elastic };
+    let laws =
+        [coulomb(None, None), coulomb(Some(0.5), None), FrictionLaw::Rough { stick: elastic }];
+    let (pressure, committed, dt) = (2.0, 0.004, 0.3);
+    for (law, kappa) in laws.iter().flat_map(|law| [1.0, 30.0, 2e3].map(|kappa| (law, kappa))) {
+        for z in [-4.0, -0.3, 0.05, 0.4, 3.0] {
+            let found = law.resolve(pressure, (z, kappa), committed, (0.0, dt));
+            let slip = (z - found.tau) / kappa;
+            let expected = law.update(pressure, slip, committed, dt).tau;
+            assert!((found.tau - expected).abs() < 1e-12 * (1.0 + z.abs()), "{law:?} {kappa} {z}");
+        }
+    }
+    for law in laws.iter().chain([&coulomb(None, decay)]) {
+        for z in [-4.0, -0.3, 0.05, 3.0] {
+            let at =
+                |p: f64, z: f64, slip: f64| law.resolve(p, (z, 30.0), committed, (slip, dt)).tau;
+            let found = law.resolve(pressure, (z, 30.0), committed, (0.01, dt));
+            let h = 1e-6;
+            let differences = [
+                (at(pressure, z + h, 0.01) - at(pressure, z - h, 0.01)) / (2.0 * h),
+                (at(pressure + h, z, 0.01) - at(pressure - h, z, 0.01)) / (2.0 * h),
+                (at(pressure, z, 0.01 + h) - at(pressure, z, 0.01 - h)) / (2.0 * h),
+            ];
+            for (own, difference) in
+                [found.by_z, found.by_pressure, found.by_slip].iter().zip(differences)
+            {
+                assert!(
+                    (own - difference).abs() < 1e-6 * (1.0 + own.abs()),
+                    "{law:?} {z}: {own} {difference}"
+                );
+            }
+        }
+    }
+}
