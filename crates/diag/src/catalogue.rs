@@ -188,6 +188,7 @@ catalogue! {
     "SL0612" "penetration beyond the pressure law"
     "SL0613" "a contact pair out of balance"
     "SL0618" "stabilisation took much of the energy"
+    "SL0619" "two masters of the same slaves overlap"
     "SL0701" "the deck cannot be read"
     "SL0702" "results cannot be written"
     "SL0703" "the deck includes a file that is a result of the same job"

@@ -33,7 +33,7 @@ use slideline_mech::contact::pair::{self, AnyGap, History, Laws};
 use slideline_mech::contact::points::tributary_areas;
 use slideline_mech::rigid::{Attachment, push_forward};
 use slideline_model::{ContactPair, Dof, Formulation, Master, Model, NodeIndex};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// The most kernel variables of a point: itself and three control points.
 const MOST_VARIABLES: usize = 8;
@@ -88,6 +88,8 @@ pub struct Contact {
     spacing: Vec<f64>,
     /// Slave points that contact elements join, a list a pair.
     edges: Vec<Vec<[usize; 2]>>,
+    /// Pairs with rigid masters that share slave nodes.
+    opposed: Vec<[usize; 2]>,
     chain_nodes: usize,
 }
 
@@ -103,6 +105,7 @@ impl Contact {
             facades: Vec::new(),
             spacing: Vec::new(),
             edges: Vec::new(),
+            opposed: Vec::new(),
             chain_nodes: 0,
         };
         for (place, pair) in model.contact_pairs.iter().enumerate() {
@@ -122,7 +125,22 @@ impl Contact {
             contact.spacing.push(laws::spacing(model, pair, &facade));
             contact.facades.push(facade);
         }
+        contact.opposed = contact.opposed_pairs();
         contact
+    }
+
+    /// Pairs with rigid masters that share slave nodes.
+    fn opposed_pairs(&self) -> Vec<[usize; 2]> {
+        let rigid = |pair: &usize| matches!(self.facades[*pair], Facade::Body { .. });
+        let pairs: Vec<usize> = (0..self.facades.len()).filter(rigid).collect();
+        let mut opposed = Vec::new();
+        for (k, &first) in pairs.iter().enumerate() {
+            let own: HashSet<_> = self.slave_nodes[first].iter().collect();
+            let shares =
+                |second: &&usize| self.slave_nodes[**second].iter().any(|node| own.contains(node));
+            opposed.extend(pairs[k + 1..].iter().filter(shares).map(|&second| [first, second]));
+        }
+        opposed
     }
 
     fn add_nodes(&mut self, model: &Model, layout: &Layout, place: usize, pair: &ContactPair) {

@@ -157,6 +157,8 @@ struct Walk<'a> {
     check_tangent: TangentCheck,
     /// One fault of the tangent is enough to be told.
     tangent_is_wrong: bool,
+    /// Whether it was said that masters leave no room.
+    room_is_judged: bool,
     rows: Rows,
 }
 
@@ -189,6 +191,7 @@ impl<'a> Walk<'a> {
             resumes: false,
             check_tangent: options.check_tangent,
             tangent_is_wrong: false,
+            room_is_judged: false,
             rows: Rows::default(),
         }
     }
@@ -446,6 +449,7 @@ impl<'a> Walk<'a> {
         if *decision == Decision::StepDone {
             told = told.and(self.judge_stabilisation(plan)).and(self.judge_balance(plan, target));
         }
+        told = told.and(self.judge_room(plan));
         for diagnosis in jumped.iter().chain(&left) {
             told = told.and(self.tell(Event::Diagnosed(diagnosis)));
         }

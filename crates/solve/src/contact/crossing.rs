@@ -313,6 +313,25 @@ impl Contact {
         depth.fold(0.0, f64::max) > CUT * self.spacing[pair]
     }
 
+    /// Two rigid masters of the same slave nodes that stand deeper in one another
+    /// than in the undeformed model and than their points sink in: their pairs,
+    /// and how deep [L].
+    pub fn without_room(&self, u: &[f64], points: &[PointState]) -> Option<([usize; 2], f64)> {
+        let sunk = |pair: usize| {
+            let own = self.points.iter().zip(points).filter(move |(point, _)| point.pair == pair);
+            let depths = own.map(|(_, state)| -state.opening).filter(|depth| depth.is_finite());
+            depths.fold(0.0_f64, f64::max)
+        };
+        self.opposed.iter().find_map(|&pairs| {
+            let overlap = self.overlap(pairs, u);
+            if overlap <= sunk(pairs[0]) + sunk(pairs[1]) {
+                return None;
+            }
+            let undeformed = self.overlap(pairs, &vec![0.0; u.len()]);
+            (overlap > undeformed + sunk(pairs[0]) + sunk(pairs[1])).then_some((pairs, overlap))
+        })
+    }
+
     /// How deep two rigid masters stand in one another [L]; zero where they do
     /// not, or are not rigid.
     pub fn overlap(&self, pairs: [usize; 2], u: &[f64]) -> f64 {
@@ -327,6 +346,11 @@ impl Contact {
             };
             let body = Body { reference: *reference, dofs: slots.map(|slot| u[slot]) };
             let other = Body { reference: *r, dofs: s.map(|slot| u[slot]) };
+            let ((a, reach), (b, other_reach)) = (surface.bounds(), own.bounds());
+            let ([ax, ay], [bx, by]) = (body.to_space(a), other.to_space(b));
+            if (bx - ax).hypot(by - ay) > reach + other_reach {
+                return 0.0;
+            }
             let places = surface.segments().iter().flat_map(|segment| {
                 (0..=OUTLINE).map(|k| segment.place(k as f64 / OUTLINE as f64))
             });

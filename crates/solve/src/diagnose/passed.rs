@@ -19,32 +19,20 @@ impl Case<'_> {
     /// overlap: no line fits between them.
     pub(super) fn no_room(&self) -> Option<Diagnostic> {
         let pairs = &self.plan.model.contact_pairs;
-        for (first, second) in
-            (0..pairs.len()).flat_map(|k| (k + 1..pairs.len()).map(move |l| (k, l)))
-        {
-            let slaves = self.plan.contact.slave_nodes[first].iter();
-            if !slaves.into_iter().any(|n| self.plan.contact.slave_nodes[second].contains(n)) {
-                continue;
-            }
-            let overlap = self.plan.contact.overlap([first, second], &self.work.u);
-            if overlap <= 0.0 {
-                continue;
-            }
-            let names = [&pairs[first].name, &pairs[second].name];
-            let message = format!(
-                "the masters of pairs {} and {} overlap by {overlap:.3e} {}: no slave line fits \
-                 between them",
-                names[0],
-                names[1],
-                self.beyond()
-            );
-            let said = Diagnostic::error(Code("SL0521"), message).at(pairs[second].origin);
-            return Some(said.help(
-                "everything up to that time is kept; contact acts at the centre line of the beam, so \
-                 leave at least its thickness of room between both masters at the end of the stroke",
-            ));
-        }
-        None
+        let found = self.plan.contact.without_room(&self.work.u, &self.work.evaluation.points);
+        let ([first, second], overlap) = found?;
+        let message = format!(
+            "the masters of pairs {} and {} overlap by {overlap:.3e} {}: no slave line fits between \
+             them",
+            pairs[first].name,
+            pairs[second].name,
+            self.beyond()
+        );
+        let said = Diagnostic::error(Code("SL0521"), message).at(pairs[second].origin);
+        Some(said.help(
+            "everything up to that time is kept; contact acts at the centre line of the beam, so \
+             leave at least its thickness of room between both masters at the end of the stroke",
+        ))
     }
 
     fn through(&self, missed: &Missed) -> Diagnostic {

@@ -86,6 +86,28 @@ impl Walk<'_> {
         self.tell(Event::Diagnosed(&said))
     }
 
+    /// Says so once where two rigid masters of the same slaves overlap.
+    pub(super) fn judge_room(&mut self, plan: &Plan<'_>) -> Result<(), Left> {
+        if self.room_is_judged {
+            return Ok(());
+        }
+        let committed = &self.committed;
+        let found = plan.contact.without_room(&committed.displacement, &committed.points);
+        let Some(([first, second], overlap)) = found else { return Ok(()) };
+        self.room_is_judged = true;
+        let pairs = &plan.model.contact_pairs;
+        let message = format!(
+            "the masters of pairs {} and {} overlap by {overlap:.3e} at total time {:.6}: where the \
+             slave line lies between them it goes through one of them",
+            pairs[first].name, pairs[second].name, committed.total_time
+        );
+        let said = Diagnostic::warning(Code("SL0619"), message).at(pairs[second].origin).help(
+            "check the results there; leave at least the thickness of the beam between both masters \
+             at the end of the stroke",
+        );
+        self.tell(Event::Diagnosed(&said))
+    }
+
     /// The last attempts at an increment that no shorter one replaces: with a
     /// line search, then, where contact acts and no cause forbids it, downhill to
     /// another equilibrium.
