@@ -14,6 +14,7 @@ use crate::account::Books;
 use crate::bytes::{Packed, Unpacking};
 use crate::contact::{memory_size, point_count};
 use crate::convergence::FluxAverage;
+use crate::dofs::DofMap;
 use crate::increments::Control;
 use crate::observe::{Energies, FrictionCall, Status, Totals};
 use crate::plan::Start;
@@ -72,7 +73,7 @@ impl Checkpoint<'_> {
     /// Whether the state is one of this model: so many nodes, points and
     /// steps, and an increment that can be tried.
     pub fn fits(&self, model: &Model) -> bool {
-        let slots = model.nodes.len() * 3;
+        let slots = DofMap::new(model).len();
         let points = model.contact_pairs.iter().map(point_count).sum::<usize>();
         let memory = |pair: &ContactPair| point_count(pair) * memory_size(pair);
         let memory = model.contact_pairs.iter().map(memory).sum::<usize>();
