@@ -30,6 +30,7 @@ mod banded;
 mod border;
 mod error;
 mod kernel;
+pub mod krylov;
 mod ordering;
 mod pattern;
 mod residual;
