@@ -43,6 +43,7 @@ pub use contact::placed as rigid_surface;
 pub use increments::{Control, Decision, StopReason, Verdict};
 pub use memory::objection as memory_objection;
 pub use run::{Options, TangentCheck, resume, run, run_from};
+pub use slideline_mech::contact::enforcement::Enforcement;
 pub use slideline_mech::contact::friction;
 pub use stabilise::may_stabilise;
 pub use users::UserFrictions;

@@ -7,6 +7,7 @@ use crate::structure::{Contributions, Structure};
 use crate::users::UserFrictions;
 use rayon::ThreadPool;
 use slideline_linalg::{Kind, Pattern, Solver, analyse};
+use slideline_mech::contact::enforcement::Enforcement;
 use slideline_mech::contact::pair::Laws;
 use slideline_model::{Amplitude, Master, Model, Step, SurfaceSegment};
 use std::borrow::Cow;
@@ -37,6 +38,8 @@ pub struct Plan<'a> {
     /// with l the length of the stiffest element (or of the model), so that
     /// all entries of the tangent are stiffnesses F/L.
     pub units: Vec<f64>,
+    /// How contact is solved, where not by its size.
+    pub enforcement: Option<Enforcement>,
     /// Threads for element loops; none: this one.
     pub pool: Option<&'a ThreadPool>,
     start: Start<'static>,
@@ -139,6 +142,7 @@ impl<'a> Plan<'a> {
             reach,
             lever,
             units,
+            enforcement: None,
             pool,
             start,
         }
@@ -177,19 +181,6 @@ impl<'a> Plan<'a> {
             self.constraints.for_each_equation(rows, dof, note);
         }
         yields
-    }
-
-    /// Replaces matrix values by their symmetric part.
-    pub fn symmetrise(&self, values: &mut [f64]) {
-        for i in 0..self.pattern.size() {
-            let start = self.pattern.row_start()[i];
-            for (k, &j) in self.pattern.row(i).iter().enumerate().filter(|&(_, &j)| j > i) {
-                let Some(mirrored) = self.pattern.position(j, i) else { continue };
-                let mean = 0.5 * (values[start + k] + values[mirrored]);
-                values[start + k] = mean;
-                values[mirrored] = mean;
-            }
-        }
     }
 
     /// Average length of the contact elements of a pair [L].

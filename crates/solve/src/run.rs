@@ -23,6 +23,7 @@ use crate::tangent;
 use crate::users::UserFrictions;
 use shown::{Numbers, Rows, frame};
 use slideline_diag::Diagnostic;
+use slideline_mech::contact::enforcement::Enforcement;
 use slideline_model::{ContactPair, Model, Static, Step};
 use std::borrow::Cow;
 use std::ops::ControlFlow;
@@ -36,6 +37,8 @@ pub struct Options {
     pub user_frictions: UserFrictions,
     /// Which tangents are held against differences.
     pub check_tangent: TangentCheck,
+    /// How contact is solved; `None`: as its size asks for.
+    pub enforcement: Option<Enforcement>,
 }
 
 /// Which tangents are held against differences of the residual.
@@ -66,6 +69,7 @@ impl Default for Options {
             threads: 1,
             user_frictions: UserFrictions::default(),
             check_tangent: TangentCheck::Never,
+            enforcement: None,
         }
     }
 }
@@ -156,6 +160,7 @@ struct Walk<'a> {
     /// Whether the observer has seen what came before.
     resumes: bool,
     check_tangent: TangentCheck,
+    enforcement: Option<Enforcement>,
     /// One fault of the tangent is enough to be told.
     tangent_is_wrong: bool,
     /// Whether it was said that masters leave no room.
@@ -191,6 +196,7 @@ impl<'a> Walk<'a> {
             totals: Totals::default(),
             resumes: false,
             check_tangent: options.check_tangent,
+            enforcement: options.enforcement,
             tangent_is_wrong: false,
             room_is_judged: false,
             rows: Rows::default(),
@@ -232,7 +238,7 @@ impl<'a> Walk<'a> {
     }
 
     /// One step: increments until its end, or until none can be found.
-    fn step(&mut self, number: usize, step: &Step) -> Result<(), Left> {
+    fn step(&mut self, number: usize, step: &'a Step) -> Result<(), Left> {
         self.committed.step_time = 0.0;
         self.committed.increment_time = [0.0; 2];
         self.committed.flux.iter_mut().for_each(FluxAverage::begin_step);
@@ -243,17 +249,23 @@ impl<'a> Walk<'a> {
             load: Cow::Borrowed(&self.committed.load),
             released: Cow::Borrowed(&self.committed.reaction),
         };
-        let plan = Plan::new(self.model, step, start.owned(), self.users, self.pool);
+        let plan = self.plan(step, start.owned());
         let mut work = Workspace::new(&plan);
         crate::commit::locate_points(&plan, &mut self.committed, &mut work);
         self.begin(&plan, number, None, &work)?;
         self.increments(&plan, number, Control::begin(&step.procedure), &mut work)
     }
 
+    fn plan(&self, step: &'a Step, start: Start<'static>) -> Plan<'a> {
+        let mut plan = Plan::new(self.model, step, start, self.users, self.pool);
+        plan.enforcement = self.enforcement;
+        plan
+    }
+
     /// What is left of a step.
     fn rest_of_step(&mut self, from: &Checkpoint<'_>) -> Result<(), Left> {
         let Some(step) = self.model.steps.get(from.step - 1) else { return Ok(()) };
-        let plan = Plan::new(self.model, step, from.start.owned(), self.users, self.pool);
+        let plan = self.plan(step, from.start.owned());
         let mut work = Workspace::new(&plan);
         crate::commit::recall_points(&self.committed, &mut work);
         self.begin(&plan, from.step, Some(from), &work)?;
