@@ -2,10 +2,11 @@
 
 use crate::contact::Contact;
 use crate::layout::{Layout, Role};
+use crate::linear_systems::LinearSystems;
 use crate::structure::Structure;
 use crate::users::UserFrictions;
 use rayon::ThreadPool;
-use slideline_linalg::{Kind, Pattern, Solver, analyse};
+use slideline_linalg::{Kind, Pattern, Solver};
 use slideline_mech::contact::pair::Laws;
 use slideline_model::{Amplitude, Master, Model, Step, SurfaceSegment};
 use std::borrow::Cow;
@@ -37,6 +38,7 @@ pub struct Plan<'a> {
     /// Threads for element loops; none: this one.
     pub pool: Option<&'a ThreadPool>,
     start: Start<'static>,
+    linear_systems: LinearSystems,
 }
 
 /// What a step begins from, a slot each.
@@ -134,7 +136,14 @@ impl<'a> Plan<'a> {
             units,
             pool,
             start,
+            linear_systems: LinearSystems::default(),
         }
+    }
+
+    /// The same with linear systems made elsewhere.
+    pub fn with_linear_systems(mut self, systems: &LinearSystems) -> Self {
+        self.linear_systems = systems.clone();
+        self
     }
 
     /// What the step begins from.
@@ -146,7 +155,8 @@ impl<'a> Plan<'a> {
     /// the deck says `UNSYMM=NO`.
     pub fn analyse(&self) -> Solver {
         let kind = if self.unsymmetric() { Kind::Unsymmetric } else { Kind::Symmetric };
-        analyse(&self.pattern, kind).with_units(self.units.clone())
+        let factory = self.linear_systems.factory();
+        Solver::analyse(&self.pattern, kind, factory).with_units(self.units.clone())
     }
 
     /// Whether the tangent is factored as an unsymmetric matrix.

@@ -11,6 +11,7 @@ use crate::contact::{memory_size, point_count};
 use crate::convergence::FluxAverage;
 use crate::diagnose;
 use crate::increments::{Control, Decision, Verdict};
+use crate::linear_systems::LinearSystems;
 use crate::newton::{Outcome, Target, Workspace, attempt};
 use crate::observe::{
     AttemptReport, Ending, Event, FrictionCall, IterationReport, Observer, Status, StepReport,
@@ -35,6 +36,8 @@ pub struct Options {
     pub user_frictions: UserFrictions,
     /// Which tangents are held against differences.
     pub check_tangent: TangentCheck,
+    /// What makes the linear systems.
+    pub linear_systems: LinearSystems,
 }
 
 /// Which tangents are held against differences of the residual.
@@ -65,6 +68,7 @@ impl Default for Options {
             threads: 1,
             user_frictions: UserFrictions::default(),
             check_tangent: TangentCheck::Never,
+            linear_systems: LinearSystems::default(),
         }
     }
 }
@@ -147,6 +151,7 @@ fn begin_again(decision: Decision, procedure: &Static) -> Decision {
 struct Walk<'a> {
     model: &'a Model,
     users: &'a UserFrictions,
+    linear_systems: &'a LinearSystems,
     observer: &'a mut dyn Observer,
     pool: Option<&'a rayon::ThreadPool>,
     committed: State,
@@ -183,6 +188,7 @@ impl<'a> Walk<'a> {
         Self {
             model,
             users: &options.user_frictions,
+            linear_systems: &options.linear_systems,
             observer,
             pool,
             trial: committed.clone(),
@@ -242,7 +248,8 @@ impl<'a> Walk<'a> {
             load: Cow::Borrowed(&self.committed.load),
             released: Cow::Borrowed(&self.committed.reaction),
         };
-        let plan = Plan::new(self.model, step, start.owned(), self.users, self.pool);
+        let plan = Plan::new(self.model, step, start.owned(), self.users, self.pool)
+            .with_linear_systems(self.linear_systems);
         let mut work = Workspace::new(&plan);
         crate::commit::locate_points(&plan, &mut self.committed, &mut work);
         self.begin(&plan, number, None, &work)?;
@@ -252,7 +259,8 @@ impl<'a> Walk<'a> {
     /// What is left of a step.
     fn rest_of_step(&mut self, from: &Checkpoint<'_>) -> Result<(), Left> {
         let Some(step) = self.model.steps.get(from.step - 1) else { return Ok(()) };
-        let plan = Plan::new(self.model, step, from.start.owned(), self.users, self.pool);
+        let plan = Plan::new(self.model, step, from.start.owned(), self.users, self.pool)
+            .with_linear_systems(self.linear_systems);
         let mut work = Workspace::new(&plan);
         crate::commit::recall_points(&self.committed, &mut work);
         self.begin(&plan, from.step, Some(from), &work)?;
