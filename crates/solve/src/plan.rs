@@ -3,10 +3,11 @@
 use crate::constraints::{Constraints, Role, Rows};
 use crate::contact::{Contact, Meeting};
 use crate::dofs::DofMap;
+use crate::linear_systems::LinearSystems;
 use crate::structure::{Contributions, Structure};
 use crate::users::UserFrictions;
 use rayon::ThreadPool;
-use slideline_linalg::{Kind, Pattern, Solver, analyse};
+use slideline_linalg::{Kind, Pattern, Solver};
 use slideline_mech::contact::enforcement::Enforcement;
 use slideline_mech::contact::pair::Laws;
 use slideline_model::{Amplitude, Master, Model, Step, SurfaceSegment};
@@ -43,6 +44,7 @@ pub struct Plan<'a> {
     /// Threads for element loops; none: this one.
     pub pool: Option<&'a ThreadPool>,
     start: Start<'static>,
+    linear_systems: LinearSystems,
 }
 
 /// What a step begins from, a slot each.
@@ -145,7 +147,14 @@ impl<'a> Plan<'a> {
             enforcement: None,
             pool,
             start,
+            linear_systems: LinearSystems::default(),
         }
+    }
+
+    /// The same with linear systems made elsewhere.
+    pub fn with_linear_systems(mut self, systems: &LinearSystems) -> Self {
+        self.linear_systems = systems.clone();
+        self
     }
 
     /// What the step begins from.
@@ -157,7 +166,8 @@ impl<'a> Plan<'a> {
     /// the deck says `UNSYMM=NO`.
     pub fn analyse(&self) -> Solver {
         let kind = if self.unsymmetric() { Kind::Unsymmetric } else { Kind::Symmetric };
-        analyse(&self.pattern, kind).with_units(self.units.clone())
+        let factory = self.linear_systems.factory();
+        Solver::analyse(&self.pattern, kind, factory).with_units(self.units.clone())
     }
 
     /// Whether the tangent is factored as an unsymmetric matrix.

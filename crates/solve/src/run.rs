@@ -12,6 +12,7 @@ use crate::convergence::FluxAverage;
 use crate::diagnose;
 use crate::dofs::DofMap;
 use crate::increments::{Control, Decision, Verdict};
+use crate::linear_systems::LinearSystems;
 use crate::newton::{Outcome, Target, Workspace, attempt};
 use crate::observe::{
     AttemptReport, Ending, Event, FrictionCall, IterationReport, Observer, Status, StepReport,
@@ -39,6 +40,8 @@ pub struct Options {
     pub check_tangent: TangentCheck,
     /// How contact is solved; `None`: as its size asks for.
     pub enforcement: Option<Enforcement>,
+    /// What makes the linear systems.
+    pub linear_systems: LinearSystems,
 }
 
 /// Which tangents are held against differences of the residual.
@@ -70,6 +73,7 @@ impl Default for Options {
             user_frictions: UserFrictions::default(),
             check_tangent: TangentCheck::Never,
             enforcement: None,
+            linear_systems: LinearSystems::default(),
         }
     }
 }
@@ -152,6 +156,7 @@ fn begin_again(decision: Decision, procedure: &Static) -> Decision {
 struct Walk<'a> {
     model: &'a Model,
     users: &'a UserFrictions,
+    linear_systems: &'a LinearSystems,
     observer: &'a mut dyn Observer,
     pool: Option<&'a rayon::ThreadPool>,
     committed: State,
@@ -189,6 +194,7 @@ impl<'a> Walk<'a> {
         Self {
             model,
             users: &options.user_frictions,
+            linear_systems: &options.linear_systems,
             observer,
             pool,
             trial: committed.clone(),
@@ -257,7 +263,8 @@ impl<'a> Walk<'a> {
     }
 
     fn plan(&self, step: &'a Step, start: Start<'static>) -> Plan<'a> {
-        let mut plan = Plan::new(self.model, step, start, self.users, self.pool);
+        let plan = Plan::new(self.model, step, start, self.users, self.pool);
+        let mut plan = plan.with_linear_systems(self.linear_systems);
         plan.enforcement = self.enforcement;
         plan
     }
