@@ -10,6 +10,7 @@
 //! embedding programs are observers. Any of them may stop the run.
 
 use crate::checkpoint::Checkpoint;
+use serde::{Deserialize, Serialize};
 use slideline_diag::Diagnostic;
 use slideline_model::{Dof, Model, NodeIndex};
 use std::ops::ControlFlow;
@@ -303,7 +304,7 @@ impl Nodal<'_> {
 }
 
 /// Contact status of a point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum Status {
     /// No pressure.
     #[default]
@@ -326,7 +327,7 @@ impl Status {
 }
 
 /// Whether friction acted at a point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum FrictionCall {
     /// Open, or frictionless.
     #[default]
@@ -423,7 +424,7 @@ pub struct BeamRow {
 }
 
 /// Energies since time 0 [F L].
-#[derive(Clone, Copy, Debug, PartialEq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Default, Serialize, Deserialize)]
 pub struct Energies {
     /// Work of supports and loads, trapezoidal rule over each increment.
     pub external_work: f64,
@@ -470,7 +471,7 @@ pub enum Ending {
 }
 
 /// Counts of a run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Totals {
     /// Converged increments of all steps.
     pub increments: usize,

@@ -5,6 +5,7 @@ use crate::layout::{Layout, Role};
 use crate::structure::Structure;
 use crate::users::UserFrictions;
 use rayon::ThreadPool;
+use serde::{Deserialize, Serialize};
 use slideline_linalg::{Kind, Pattern, Solver, analyse};
 use slideline_mech::contact::pair::Laws;
 use slideline_model::{Amplitude, Master, Model, Step, SurfaceSegment};
@@ -40,7 +41,7 @@ pub struct Plan<'a> {
 }
 
 /// What a step begins from, a slot each.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Start<'a> {
     /// Displacements and rotations [L or 1].
     pub displacement: Cow<'a, [f64]>,
