@@ -12,7 +12,7 @@
 //! ```
 
 use crate::pattern::Pattern;
-use crate::solver::Kind;
+use crate::system::Kind;
 
 /// Largest number of rows that are set apart as a border.
 const LARGEST_BORDER: usize = 48;

@@ -73,7 +73,7 @@ pub fn account(plan: &Plan<'_>, committed: &State, work: &Workspace, trial: &mut
         stabilisation: before.stabilisation + damped(committed, trial),
         ..*before
     };
-    for slot in 0..plan.layout.slots() {
+    for slot in 0..plan.dofs.len() {
         let mean_reaction = 0.5 * (committed.reaction[slot] + trial.reaction[slot]);
         let mean_load = 0.5 * (committed.load[slot] + trial.load[slot]);
         energy.external_work += (mean_reaction + mean_load) * trial.increment[slot];

@@ -12,6 +12,7 @@
 //! model. [derived]
 
 use crate::contact::{memory_size, point_count};
+use crate::dofs::DofMap;
 use crate::increments::Control;
 use crate::observe::{Energies, Totals};
 use crate::plan::Start;
@@ -98,7 +99,7 @@ impl Checkpoint<'_> {
     /// Whether the state is one of this model: so many nodes, points and
     /// steps, and an increment that can be tried.
     pub fn fits(&self, model: &Model) -> bool {
-        let slots = model.nodes.len() * 3;
+        let slots = DofMap::new(model).len();
         let points = model.contact_pairs.iter().map(point_count).sum::<usize>();
         let memory = |pair: &ContactPair| point_count(pair) * memory_size(pair);
         let memory = model.contact_pairs.iter().map(memory).sum::<usize>();

@@ -1,7 +1,7 @@
 //! A converged trial becomes the state that history goes on from.
 
 use crate::account::account;
-use crate::layout::Role;
+use crate::constraints::Role;
 use crate::newton::{Target, Workspace};
 use crate::plan::Plan;
 use crate::state::State;
@@ -25,7 +25,7 @@ pub fn commit(
     trial.increment_before.copy_from_slice(&committed.increment);
     trial.increment_time = [target.dt, committed.increment_time[0]];
     trial.load.copy_from_slice(&work.load);
-    for (slot, role) in plan.layout.roles.iter().enumerate() {
+    for (slot, role) in plan.constraints.roles.iter().enumerate() {
         trial.reaction[slot] = match role {
             Role::Prescribed(_) => evaluation.unbalanced(slot),
             _ => 0.0,
@@ -51,8 +51,8 @@ pub fn commit(
 /// smallest numbers that there are.
 fn come_to_rest(plan: &Plan<'_>, trial: &mut State) {
     let nothing = f64::EPSILON.powi(4);
-    for &slot in &plan.layout.slot_of_equation {
-        let size = if plan.layout.name(slot).1.is_rotation() { 1.0 } else { plan.reach };
+    for &slot in &plan.constraints.dof_of_equation {
+        let size = if plan.dofs.name(slot).1.is_rotation() { 1.0 } else { plan.reach };
         if trial.displacement[slot].abs() < nothing * size {
             trial.displacement[slot] = 0.0;
         }

@@ -3,8 +3,7 @@
 //! ```text
 //!   slave point --search--> facing piece --gap--> h, sigma, derivatives
 //!        |                        |                     |
-//!      carried                 carried            pushed to dofs
-//!     by a node               by nodes            (PointMap alone)
+//!     of a node               of nodes           pushed to dofs
 //! ```
 //!
 //! Geometry only; pressures and tractions come from the laws, in
@@ -23,7 +22,7 @@ pub use laws::{average as average_element, memory_size};
 pub use meeting::{GeometryScratch, Meeting};
 pub use strip::{STRIP_POINTS, Strip};
 
-use crate::layout::{Carried, Layout};
+use crate::dofs::DofMap;
 use crate::linearised::MOST_DOFS;
 use crate::state::PointState;
 use crate::users::UserFrictions;
@@ -31,7 +30,7 @@ use facade::Facade;
 use meeting::{MOST_DIRECT, Stencil};
 use slideline_mech::contact::pair::{self, AnyGap, History, Laws};
 use slideline_mech::contact::points::tributary_areas;
-use slideline_mech::rigid::{Attachment, push_forward};
+use slideline_mech::rigid::{Attachment, PointMap, push_forward};
 use slideline_model::{ContactPair, Dof, Formulation, Master, Model, NodeIndex};
 use std::collections::{HashMap, HashSet};
 
@@ -65,7 +64,7 @@ impl SlavePoint {
 #[derive(Clone, Debug)]
 enum Carrier {
     /// A node, free or on a rigid body.
-    Node { carried: Carried, slots: [usize; 3] },
+    Node { position: [f64; 2], slots: [usize; 2] },
     /// A Gauss point of a cell of a strip.
     Station { strip: usize },
 }
@@ -95,7 +94,7 @@ pub struct Contact {
 
 impl Contact {
     /// Prepares the pairs of a model.
-    pub fn new(model: &Model, layout: &Layout, users: &UserFrictions) -> Self {
+    pub fn new(model: &Model, dofs: &DofMap, users: &UserFrictions) -> Self {
         let mut contact = Self {
             points: Vec::new(),
             slave_nodes: model.contact_pairs.iter().map(ContactPair::slave_nodes).collect(),
@@ -111,13 +110,13 @@ impl Contact {
         for (place, pair) in model.contact_pairs.iter().enumerate() {
             contact.edges.push(Vec::new());
             match pair.formulation {
-                Formulation::NodeToSurface => contact.add_nodes(model, layout, place, pair),
-                Formulation::SurfaceToSurface => contact.add_strips(model, layout, place, pair),
+                Formulation::NodeToSurface => contact.add_nodes(model, dofs, place, pair),
+                Formulation::SurfaceToSurface => contact.add_strips(model, dofs, place, pair),
             }
             contact.laws.push(laws::laws(model, pair, users));
             let facade = match &pair.master {
-                Master::RigidSurface(surface) => Facade::body(model, layout, surface),
-                Master::SlideLine(line) => Facade::chain(model, layout, line, contact.chain_nodes),
+                Master::RigidSurface(surface) => Facade::body(model, dofs, surface),
+                Master::SlideLine(line) => Facade::chain(model, dofs, line, contact.chain_nodes),
             };
             if let Facade::Line { nodes, .. } = &facade {
                 contact.chain_nodes += nodes.len();
@@ -143,7 +142,7 @@ impl Contact {
         opposed
     }
 
-    fn add_nodes(&mut self, model: &Model, layout: &Layout, place: usize, pair: &ContactPair) {
+    fn add_nodes(&mut self, model: &Model, dofs: &DofMap, place: usize, pair: &ContactPair) {
         let nodes = self.slave_nodes[place].clone();
         let (elements, coordinates) = local_elements(model, pair, &nodes);
         let first = self.points.len();
@@ -152,9 +151,8 @@ impl Contact {
         let shares: Vec<_> = pair.elements.iter().map(|e| e.lumping.shares()).collect();
         let areas = tributary_areas(&elements, &shares, &coordinates, width);
         for (&node, area) in nodes.iter().zip(areas) {
-            let carried = layout.carried_node(model, node);
-            let slots = slots_of(layout, carried.node);
-            self.add_point(place, pair, (node, area), Carrier::Node { carried, slots });
+            let (position, slots) = (model.nodes.plane(node), translations(dofs, node));
+            self.add_point(place, pair, (node, area), Carrier::Node { position, slots });
         }
     }
 
@@ -180,17 +178,14 @@ impl Contact {
             }
         }
         for point in &self.points {
-            let Carrier::Node { carried, slots } = &point.carrier else { continue };
-            let own = &slots[..carried.map.width()];
+            let Carrier::Node { slots: own, .. } = &point.carrier else { continue };
             match &self.facades[point.pair] {
                 Facade::Nothing => {}
-                Facade::Body { slots, .. } => cliques.push([own, slots].concat()),
+                Facade::Body { slots, .. } => cliques.push([&own[..], slots].concat()),
                 Facade::Line { nodes, .. } => {
                     for window in nodes.windows(nodes.len().min(3)) {
                         let mut clique = own.to_vec();
-                        for (carried, slots) in window {
-                            clique.extend(&slots[..carried.map.width()]);
-                        }
+                        window.iter().for_each(|(_, slots)| clique.extend(slots));
                         cliques.push(clique);
                     }
                 }
@@ -234,7 +229,7 @@ impl Contact {
         positions.clear();
         for facade in &self.facades {
             if let Facade::Line { nodes, .. } = facade {
-                positions.extend(nodes.iter().map(|(node, slots)| place(node, slots, u)));
+                positions.extend(nodes.iter().map(|(at, slots)| moved(at, slots, u)));
             }
         }
     }
@@ -292,9 +287,9 @@ impl Contact {
     /// The slave's part of a stencil.
     fn slave(&self, point: &SlavePoint, xi: f64, u: &[f64]) -> Stencil<'_> {
         match &point.carrier {
-            Carrier::Node { carried, slots } => {
-                let mut stencil = Stencil::new(place(carried, slots, u));
-                stencil.add_from(&slots[..carried.map.width()], u);
+            Carrier::Node { position, slots } => {
+                let mut stencil = Stencil::new(moved(position, slots, u));
+                stencil.add_from(slots, u);
                 stencil
             }
             Carrier::Station { strip } => {
@@ -306,7 +301,7 @@ impl Contact {
 
     fn attachment(&self, point: &SlavePoint, xi: f64) -> Attachment {
         match &point.carrier {
-            Carrier::Node { carried, .. } => Attachment::Point { map: carried.map, first: 0 },
+            Carrier::Node { .. } => Attachment::Point { map: PointMap::Free, first: 0 },
             Carrier::Station { strip } => {
                 Attachment::Blend { blend: self.strips[*strip].line.blend(xi), firsts: [0, 3] }
             }
@@ -456,13 +451,17 @@ fn local_elements(
     (elements.collect(), nodes.iter().map(|&node| model.nodes.plane(node)).collect())
 }
 
-fn slots_of(layout: &Layout, node: NodeIndex) -> [usize; 3] {
-    Dof::PLANE.map(|dof| layout.slot(node, dof).unwrap_or(0))
+/// The dofs of a node that turns: displacements and rotation.
+fn slots_of(dofs: &DofMap, node: NodeIndex) -> [usize; 3] {
+    [Dof::U1, Dof::U2, Dof::UR3].map(|dof| dofs.find(node, dof).unwrap_or(0))
 }
 
-/// Current position of a carried point.
-fn place(carried: &Carried, slots: &[usize; 3], u: &[f64]) -> [f64; 2] {
-    let dofs = slots.map(|slot| u[slot]);
-    let [x, y] = carried.map.displacement(&dofs);
-    [carried.reference[0] + x, carried.reference[1] + y]
+/// The displacements of a node.
+fn translations(dofs: &DofMap, node: NodeIndex) -> [usize; 2] {
+    [Dof::U1, Dof::U2].map(|dof| dofs.find(node, dof).unwrap_or(0))
+}
+
+/// Current position of a node.
+fn moved(position: &[f64; 2], slots: &[usize; 2], u: &[f64]) -> [f64; 2] {
+    [position[0] + u[slots[0]], position[1] + u[slots[1]]]
 }

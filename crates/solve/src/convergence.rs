@@ -12,7 +12,7 @@
 //! Norms are those of nodal vectors, so that a rotated deck takes the same
 //! iterations. Below the floor of rounding nothing can be asked.
 
-use crate::layout::Layout;
+use crate::dofs::DofMap;
 use crate::observe::FieldReport;
 use serde::{Deserialize, Serialize};
 use slideline_model::FieldControls;
@@ -154,19 +154,17 @@ pub fn judge(
 /// The largest nodal vector of a field in `value`, and where its largest
 /// component stands. Only slots accepted by `counts` take part.
 pub fn largest_nodal(
-    layout: &Layout,
+    dofs: &DofMap,
     field: Field,
     value: &[f64],
     counts: impl Fn(usize) -> bool,
 ) -> (f64, Option<usize>) {
-    let width = layout.dofs.len();
     let mut largest = (0.0_f64, None);
-    for node in 0..layout.slots() / width {
+    for node in 0..dofs.nodes() {
         let mut square = 0.0;
         let mut component = (0.0, None);
-        for (place, dof) in layout.dofs.iter().enumerate() {
-            let slot = node * width + place;
-            if dof.is_rotation() != (field == Field::Moment) || !counts(slot) {
+        for slot in dofs.of_node(node) {
+            if dofs.is_rotation(slot) != (field == Field::Moment) || !counts(slot) {
                 continue;
             }
             square += value[slot] * value[slot];

@@ -106,6 +106,20 @@ pub struct LinearPoint {
 }
 
 impl LinearPoint {
+    /// Adds derivatives by an equation: of overclosure and slip, and of the
+    /// force of a traction.
+    pub fn add(&mut self, equation: usize, [normal, tangential, drag]: [f64; 3]) {
+        let known = self.equations[..self.width].iter().position(|&own| own == equation);
+        let at = known.unwrap_or(self.width);
+        if at == self.width {
+            (self.equations[at], self.width) = (equation, at + 1);
+            (self.normal[at], self.tangential[at], self.drag[at]) = (0.0, 0.0, 0.0);
+        }
+        self.normal[at] += normal;
+        self.tangential[at] += tangential;
+        self.drag[at] += drag;
+    }
+
     fn dot(&self, of: Kind, vector: &[f64]) -> f64 {
         let gradient = self.gradient(of);
         self.equations[..self.width].iter().zip(gradient).map(|(&e, g)| g * vector[e]).sum()

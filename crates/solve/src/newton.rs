@@ -80,6 +80,8 @@ pub struct Workspace {
     correction: Vec<f64>,
     correction_slots: Vec<f64>,
     residual: Vec<f64>,
+    /// Forces on dependent dofs with which the tangent turns, a dof each.
+    turning: Vec<f64>,
     increment: Vec<f64>,
     /// Stresses of the elements as the linear solutions arrive at them.
     stresses: Vec<f64>,
@@ -115,7 +117,7 @@ pub struct Workspace {
 impl Workspace {
     /// Room for a plan; the symbolic factorisation happens here.
     pub fn new(plan: &Plan<'_>) -> Self {
-        let (slots, equations) = (plan.layout.slots(), plan.layout.equations());
+        let (slots, equations) = (plan.dofs.len(), plan.constraints.equations());
         let points = plan.contact.points.len();
         let mut contact = LinearisedContact::default();
         contact.reserve(points, equations);
@@ -128,6 +130,7 @@ impl Workspace {
             correction: vec![0.0; equations],
             correction_slots: vec![0.0; slots],
             residual: vec![0.0; slots],
+            turning: vec![0.0; slots],
             increment: vec![0.0; slots],
             stresses: plan.structure.stress_room(),
             still: vec![0.0; slots],
@@ -265,7 +268,7 @@ impl Workspace {
         predict::extrapolate(plan, committed, target.dt, &mut self.u);
         plan.prescribe(target.step_time, &mut self.u);
         plan.load(target.step_time, &mut self.load);
-        plan.layout.follow_links(&mut self.u);
+        plan.constraints.enforce(&mut self.u);
         for (place, point) in committed.points.iter().enumerate() {
             self.pressures[place] = point.pressure;
             self.tractions[place] = point.traction;
@@ -288,22 +291,25 @@ impl Workspace {
         }
         let from = &committed.displacement;
         plan.structure.evaluate(from, None, &mut self.evaluation.contributions, plan.pool);
+        plan.constraints.linearise(from, &mut self.evaluation.rows);
         self.residual.fill(0.0);
         plan.structure.multiply(&self.evaluation.contributions, change, &mut self.residual);
-        for (equation, &slot) in plan.layout.slot_of_equation.iter().enumerate() {
+        plan.constraints.carry(&self.evaluation.rows, &mut self.residual);
+        for (equation, &slot) in plan.constraints.dof_of_equation.iter().enumerate() {
             self.correction[equation] = -self.residual[slot];
         }
         if self.correction.iter().all(|&value| value == 0.0) {
             return;
         }
         self.values.fill(0.0);
-        plan.structure.gather_tangent(&self.evaluation.contributions, &mut self.values);
+        let Evaluation { contributions, rows, .. } = &self.evaluation;
+        plan.gather_tangent(contributions, rows, &mut self.values);
         let factored = self.solver.refactor(&plan.pattern, &self.values);
         if factored.is_ok() && self.solver.solve(&mut self.correction).is_ok() {
-            for (equation, &slot) in plan.layout.slot_of_equation.iter().enumerate() {
+            for (equation, &slot) in plan.constraints.dof_of_equation.iter().enumerate() {
                 self.u[slot] += self.correction[equation];
             }
-            plan.layout.follow_links(&mut self.u);
+            plan.constraints.enforce(&mut self.u);
             plan.prescribe(target.step_time, &mut self.u);
         }
     }
@@ -347,12 +353,11 @@ impl Workspace {
         committed: &State,
         dt: f64,
     ) -> Result<(), SolveError> {
-        for (equation, &slot) in plan.layout.slot_of_equation.iter().enumerate() {
-            self.correction[equation] =
-                self.evaluation.external[slot] - self.evaluation.internal[slot];
+        for (equation, &slot) in plan.constraints.dof_of_equation.iter().enumerate() {
+            self.correction[equation] = -self.evaluation.structure[slot];
         }
         if !self.dashpots.is_empty() {
-            for (equation, &slot) in plan.layout.slot_of_equation.iter().enumerate() {
+            for (equation, &slot) in plan.constraints.dof_of_equation.iter().enumerate() {
                 self.correction[equation] -= self.evaluation.damping[slot];
             }
         }
@@ -382,6 +387,8 @@ impl Workspace {
     /// Contact that the way from the last commit to the trial passes through.
     fn missed(&mut self, plan: &Plan<'_>, committed: &State) -> Option<Missed> {
         let sweep = Sweep {
+            constraints: &plan.constraints,
+            rotations: plan.dofs.rotations(),
             from: &committed.displacement,
             to: &self.u,
             before: &committed.points,
@@ -395,9 +402,10 @@ impl Workspace {
     fn advance(&mut self, plan: &Plan<'_>, length: f64) {
         self.step_length = length;
         self.correction_slots.fill(0.0);
-        for (equation, &slot) in plan.layout.slot_of_equation.iter().enumerate() {
+        for (equation, &slot) in plan.constraints.dof_of_equation.iter().enumerate() {
             self.correction_slots[slot] = self.correction[equation];
         }
+        plan.constraints.expand(&self.evaluation.rows, &mut self.correction_slots);
         self.move_stresses(plan, length);
         for (slot, change) in self.correction_slots.iter_mut().enumerate() {
             *change *= length;
@@ -411,7 +419,7 @@ impl Workspace {
             let old = &mut self.tractions[place];
             *old += length * (traction - *old);
         }
-        plan.layout.follow_links(&mut self.u);
+        plan.constraints.enforce(&mut self.u);
     }
 
     /// Measures the trial state and judges it.

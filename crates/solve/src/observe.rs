@@ -10,6 +10,7 @@
 //! embedding programs are observers. Any of them may stop the run.
 
 use crate::checkpoint::Checkpoint;
+use crate::dofs::DofMap;
 use serde::{Deserialize, Serialize};
 use slideline_diag::Diagnostic;
 use slideline_model::{Dof, Model, NodeIndex};
@@ -269,7 +270,7 @@ impl Unconverged<'_> {
 /// Nodal vectors of a frame; dofs that a model does not have read zero.
 #[derive(Clone, Copy, Debug)]
 pub struct Nodal<'a> {
-    pub(crate) dofs: &'static [Dof],
+    pub(crate) dofs: &'a DofMap,
     pub(crate) displacement: &'a [f64],
     pub(crate) reaction: &'a [f64],
     pub(crate) load: &'a [f64],
@@ -277,8 +278,7 @@ pub struct Nodal<'a> {
 
 impl Nodal<'_> {
     fn read(&self, vector: &[f64], node: NodeIndex, dof: Dof) -> f64 {
-        let place = self.dofs.iter().position(|&own| own == dof);
-        place.map_or(0.0, |place| vector[node * self.dofs.len() + place])
+        self.dofs.read(vector, node, dof)
     }
 
     /// Displacement or rotation [L or 1].
@@ -297,9 +297,9 @@ impl Nodal<'_> {
         self.read(self.load, node, dof)
     }
 
-    /// The dofs of this model's nodes.
-    pub fn dofs(&self) -> &'static [Dof] {
-        self.dofs
+    /// The dofs that nodes of this model have.
+    pub fn dofs(&self) -> &[Dof] {
+        self.dofs.kinds()
     }
 }
 

@@ -1,8 +1,9 @@
 //! A step, prepared once: numbering, pattern, symbolic factorisation.
 
-use crate::contact::Contact;
-use crate::layout::{Layout, Role};
-use crate::structure::Structure;
+use crate::constraints::{Constraints, Role, Rows};
+use crate::contact::{Contact, Meeting};
+use crate::dofs::DofMap;
+use crate::structure::{Contributions, Structure};
 use crate::users::UserFrictions;
 use rayon::ThreadPool;
 use serde::{Deserialize, Serialize};
@@ -17,8 +18,10 @@ pub struct Plan<'a> {
     pub model: &'a Model,
     /// The step.
     pub step: &'a Step,
-    /// Numbering.
-    pub layout: Layout,
+    /// Dofs of all nodes.
+    pub dofs: DofMap,
+    /// Which of them are unknown, and how the others follow.
+    pub constraints: Constraints,
     /// Elements.
     pub structure: Structure,
     /// Contact.
@@ -90,18 +93,21 @@ impl<'a> Plan<'a> {
         users: &UserFrictions,
         pool: Option<&'a ThreadPool>,
     ) -> Self {
-        let layout = Layout::new(model, step);
-        let mut structure = Structure::new(model, &layout, step.nlgeom);
-        let contact = Contact::new(model, &layout, users);
-        let equations = |slots: &[usize]| -> Vec<usize> {
-            slots.iter().filter_map(|&slot| layout.equation(slot)).collect()
+        let dofs = DofMap::new(model);
+        let constraints = Constraints::new(model, step, &dofs);
+        let mut structure = Structure::new(model, (&dofs, &constraints), step.nlgeom);
+        let contact = Contact::new(model, &dofs, users);
+        let equations = |own: &[usize]| -> Vec<usize> {
+            let mut into = Vec::with_capacity(own.len());
+            own.iter().for_each(|&dof| constraints.equations_of(dof, &mut into));
+            into
         };
         let contact_cliques = contact.cliques();
         let cliques =
             structure.cliques().chain(contact_cliques.iter().map(Vec::as_slice)).map(equations);
-        let pattern = Pattern::from_cliques(layout.equations(), cliques);
-        structure.find_entries(&layout, &pattern);
-        let elastic = structure.touched(layout.slots());
+        let pattern = Pattern::from_cliques(constraints.equations(), cliques);
+        structure.find_entries(&constraints, &pattern);
+        let elastic = structure.touched(dofs.len());
         let reach = model
             .nodes
             .iter()
@@ -109,7 +115,7 @@ impl<'a> Plan<'a> {
             .chain(surface_points(model))
             .fold(0.0, |largest: f64, x| largest.max(x.abs()));
         for (slot, force) in start.released.to_mut().iter_mut().enumerate() {
-            if layout.equation(slot).is_none() {
+            if constraints.equation(slot).is_none() {
                 *force = 0.0;
             }
         }
@@ -117,15 +123,16 @@ impl<'a> Plan<'a> {
             true => structure.stiffest_length,
             false => reach,
         };
-        let unit = |slot: &usize| match layout.name(*slot).1.is_rotation() {
+        let unit = |slot: &usize| match dofs.is_rotation(*slot) {
             true if lever > 0.0 => 1.0 / lever,
             _ => 1.0,
         };
-        let units = layout.slot_of_equation.iter().map(unit).collect();
+        let units = constraints.dof_of_equation.iter().map(unit).collect();
         Self {
             model,
             step,
-            layout,
+            dofs,
+            constraints,
             structure,
             contact,
             pattern,
@@ -163,6 +170,16 @@ impl<'a> Plan<'a> {
         self.step.unsymmetric == Some(false) && self.contact.laws.iter().any(Laws::has_friction)
     }
 
+    /// Whether some unknown moves a point towards or from its master.
+    pub fn contact_yields(&self, meeting: &Meeting, rows: &Rows) -> bool {
+        let mut yields = false;
+        for (&dof, &g) in meeting.slots[..meeting.width].iter().zip(&meeting.gradient) {
+            let note = &mut |_: usize, a: f64| yields |= a * g != 0.0;
+            self.constraints.for_each_equation(rows, dof, note);
+        }
+        yields
+    }
+
     /// Replaces matrix values by their symmetric part.
     pub fn symmetrise(&self, values: &mut [f64]) {
         for i in 0..self.pattern.size() {
@@ -181,9 +198,37 @@ impl<'a> Plan<'a> {
         crate::contact::average_element(self.model, pair)
     }
 
+    /// Sums the tangents of the elements into matrix values.
+    pub fn gather_tangent(&self, from: &Contributions, rows: &Rows, values: &mut [f64]) {
+        self.structure.gather_tangent(from, (&self.constraints, rows, &self.pattern), values);
+    }
+
+    /// Adds what the turning of constraints makes of forces `f` on all dofs; uses
+    /// them up.
+    pub fn stiffen_by_turning(&self, u: &[f64], f: &mut [f64], values: &mut [f64]) {
+        self.constraints.turning(u, f, |dof, stiffness| {
+            let equation = self.constraints.equation(dof);
+            if let Some(at) = equation.and_then(|e| self.pattern.position(e, e)) {
+                values[at] += stiffness;
+            }
+        });
+    }
+
+    /// Adds T' K T of a stencil to matrix values: `dofs` are its own, `tangent`
+    /// by row and column.
+    pub fn scatter(
+        &self,
+        rows: &Rows,
+        dofs: &[usize],
+        tangent: impl Fn(usize, usize) -> f64,
+        values: &mut [f64],
+    ) {
+        self.constraints.scatter((rows, &self.pattern), dofs, tangent, values);
+    }
+
     /// Puts the prescribed values of a time of the step into `u`.
     pub fn prescribe(&self, step_time: f64, u: &mut [f64]) {
-        for (slot, role) in self.layout.roles.iter().enumerate() {
+        for (slot, role) in self.constraints.roles.iter().enumerate() {
             if let Role::Prescribed(place) = *role {
                 let prescribed = &self.step.prescribed[place];
                 let amplitude = prescribed.amplitude.map(|a| &self.model.amplitudes[a]);
@@ -201,7 +246,7 @@ impl<'a> Plan<'a> {
             *value = self.at(step_time, self.start.load[slot], 0.0, None);
         }
         for entry in &self.step.loads {
-            let Some(slot) = self.layout.slot(entry.node, entry.dof) else { continue };
+            let Some(slot) = self.dofs.find(entry.node, entry.dof) else { continue };
             let amplitude = entry.amplitude.map(|a| &self.model.amplitudes[a]);
             load[slot] = self.at(step_time, self.start.load[slot], entry.value, amplitude);
         }

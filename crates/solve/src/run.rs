@@ -10,6 +10,7 @@ use crate::commit::commit;
 use crate::contact::{memory_size, point_count};
 use crate::convergence::FluxAverage;
 use crate::diagnose;
+use crate::dofs::DofMap;
 use crate::increments::{Control, Decision, Verdict};
 use crate::newton::{Outcome, Target, Workspace, attempt};
 use crate::observe::{
@@ -175,7 +176,7 @@ impl<'a> Walk<'a> {
         pool: Option<&'a rayon::ThreadPool>,
         observer: &'a mut dyn Observer,
     ) -> Self {
-        let slots = model.nodes.len() * 3;
+        let slots = DofMap::new(model).len();
         let points = model.contact_pairs.iter().map(point_count).sum();
         let memory = |pair: &ContactPair| point_count(pair) * memory_size(pair);
         let memory = model.contact_pairs.iter().map(memory).sum();
@@ -398,7 +399,7 @@ impl<'a> Walk<'a> {
         let report = StepReport {
             model: self.model,
             step: number,
-            equations: plan.layout.equations(),
+            equations: plan.constraints.equations(),
             entries: plan.pattern.entries(),
             linear_solver: work.solver.description().to_string(),
             may_stabilise: crate::stabilise::may_stabilise(self.model),

@@ -16,7 +16,8 @@
 
 use super::facade::Facade;
 use super::meeting::Meeting;
-use super::{Carrier, Contact, place};
+use super::{Carrier, Contact, moved};
+use crate::constraints::Constraints;
 use crate::state::PointState;
 use slideline_mech::contact::pair::Body;
 use slideline_mech::contact::search::sweep::{apart, cross_chain};
@@ -38,6 +39,10 @@ pub struct Missed {
 /// Both ends of an increment.
 #[derive(Clone, Copy)]
 pub struct Sweep<'a> {
+    /// How dependent dofs follow the others on the way.
+    pub constraints: &'a Constraints,
+    /// Dofs that are rotations.
+    pub rotations: &'a [usize],
     /// Displacements at its beginning, a slot each.
     pub from: &'a [f64],
     /// At its end.
@@ -117,8 +122,8 @@ impl Contact {
     /// Fills in the crossings of all slave points, point by point in the order
     /// of the way.
     fn find_events(&self, sweep: &Sweep<'_>, scratch: &mut SweepScratch) {
-        let turned = sweep.from.iter().zip(sweep.to).skip(2).step_by(3);
-        let turn = turned.fold(0.0_f64, |largest, (a, b)| largest.max((b - a).abs()));
+        let turned = |&dof: &usize| (sweep.to[dof] - sweep.from[dof]).abs();
+        let turn = sweep.rotations.iter().map(turned).fold(0.0_f64, f64::max);
         let parts = ((turn / TURN).ceil() as usize).clamp(1, PARTS);
         scratch.events.clear();
         for part in 0..parts {
@@ -127,6 +132,7 @@ impl Contact {
                 let values = sweep.from.iter().zip(sweep.to).map(|(a, b)| a + fraction * (b - a));
                 scratch.parts[end].clear();
                 scratch.parts[end].extend(values);
+                sweep.constraints.enforce(&mut scratch.parts[end]);
                 self.place_chains(&scratch.parts[end], &mut scratch.chains[end]);
             }
             for pair in 0..self.facades.len() {
@@ -405,7 +411,8 @@ impl Contact {
             }
             Facade::Line { chain, nodes, .. } => {
                 let positions = |u: &[f64]| {
-                    let nodes: Vec<_> = nodes.iter().map(|(c, slots)| place(c, slots, u)).collect();
+                    let nodes: Vec<_> =
+                        nodes.iter().map(|(at, slots)| moved(at, slots, u)).collect();
                     chain.prolonged(nodes)
                 };
                 let (before, after) = (positions(from), positions(to));

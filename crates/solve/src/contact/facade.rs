@@ -1,12 +1,12 @@
 //! Masters, ready to be searched.
 
 use super::meeting::Stencil;
-use super::slots_of;
-use crate::layout::{Carried, Layout};
+use super::{slots_of, translations};
+use crate::dofs::DofMap;
 use slideline_mech::contact::pair::{AnyGap, Body, RigidSurface, chain_attachments, chain_gap};
 use slideline_mech::contact::search::chain::Chain;
 use slideline_mech::contact::search::rigid::RigidSegment;
-use slideline_mech::rigid::Attachment;
+use slideline_mech::rigid::{Attachment, PointMap};
 use slideline_model::{Model, SlideLine, SurfaceSegment};
 
 /// A master, ready to be searched.
@@ -25,8 +25,8 @@ pub enum Facade {
     Line {
         /// Its reference geometry.
         chain: Chain,
-        /// Its nodes with their slots.
-        nodes: Vec<(Carried, [usize; 3])>,
+        /// Undeformed positions of its nodes [L], and their dofs.
+        nodes: Vec<([f64; 2], [usize; 2])>,
         /// Place of its first position in the scratch.
         offset: usize,
     },
@@ -36,12 +36,10 @@ pub enum Facade {
 
 impl Facade {
     /// The facade of a chain of nodes.
-    pub fn chain(model: &Model, layout: &Layout, line: &SlideLine, offset: usize) -> Facade {
+    pub fn chain(model: &Model, dofs: &DofMap, line: &SlideLine, offset: usize) -> Facade {
         let reference: Vec<_> = line.nodes.iter().map(|&node| model.nodes.plane(node)).collect();
-        let nodes = line.nodes.iter().map(|&node| {
-            let carried = layout.carried_node(model, node);
-            (carried, slots_of(layout, carried.node))
-        });
+        let nodes =
+            line.nodes.iter().map(|&node| (model.nodes.plane(node), translations(dofs, node)));
         match Chain::new(&reference, line.smooth, line.extension) {
             Some(chain) => Facade::Line { chain, nodes: nodes.collect(), offset },
             None => Facade::Nothing,
@@ -49,12 +47,11 @@ impl Facade {
     }
 
     /// The facade of a rigid surface on the body of its node.
-    pub fn body(model: &Model, layout: &Layout, surface: &slideline_model::RigidSurface) -> Facade {
-        let carrier = layout.carrier(surface.reference);
+    pub fn body(model: &Model, dofs: &DofMap, surface: &slideline_model::RigidSurface) -> Facade {
         let Some(placed) = placed(surface) else { return Facade::Nothing };
         Facade::Body {
-            slots: slots_of(layout, carrier),
-            reference: model.nodes.plane(carrier),
+            slots: slots_of(dofs, surface.reference),
+            reference: model.nodes.plane(surface.reference),
             surface: placed,
         }
     }
@@ -86,10 +83,10 @@ impl Facade {
                 let gap = chain_gap(chain, &piece, positions, stencil.position)?;
                 let mut control = [slave; 3];
                 let facing = &nodes[piece.nodes()];
-                for (attachment, (carried, slots)) in control.iter_mut().zip(facing) {
+                for (attachment, (_, slots)) in control.iter_mut().zip(facing) {
                     let first = stencil.width;
-                    *attachment = Attachment::Point { map: carried.map, first };
-                    stencil.add_from(&slots[..carried.map.width()], u);
+                    *attachment = Attachment::Point { map: PointMap::Free, first };
+                    stencil.add_from(slots, u);
                 }
                 stencil.attachments = Some(chain_attachments(slave, &control[..facing.len()]));
                 Some(gap)

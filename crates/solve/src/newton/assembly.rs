@@ -2,6 +2,7 @@
 
 use super::Workspace;
 use crate::contact::{Meeting, STRIP_POINTS, SlavePoint};
+use crate::evaluate::Evaluation;
 use crate::linearised::{Circumstances, LinearPoint, MOST_DOFS, Sliding};
 use crate::plan::Plan;
 use crate::state::State;
@@ -76,13 +77,9 @@ impl Workspace {
                 sliding,
             };
             for k in 0..meeting.width {
-                if let Some(equation) = plan.layout.equation(meeting.slots[k]) {
-                    linear.equations[linear.width] = equation;
-                    linear.normal[linear.width] = meeting.gradient[k];
-                    linear.tangential[linear.width] = meeting.slip_gradient[k];
-                    linear.drag[linear.width] = meeting.drag[k];
-                    linear.width += 1;
-                }
+                let own = [meeting.gradient[k], meeting.slip_gradient[k], meeting.drag[k]];
+                let add = &mut |equation, a: f64| linear.add(equation, own.map(|g| a * g));
+                plan.constraints.for_each_equation(&self.evaluation.rows, meeting.slots[k], add);
             }
             self.points.push(linear);
         }
@@ -91,15 +88,13 @@ impl Workspace {
     /// Elements, geometry of contact, and the stiffness lent to closed points.
     pub(super) fn assemble(&mut self, plan: &Plan<'_>) {
         self.values.fill(0.0);
-        plan.structure.gather_tangent(&self.evaluation.contributions, &mut self.values);
-        for (slot, stiffness) in plan.layout.load_stiffness(&self.u, &self.load) {
-            let equation = plan.layout.equation(slot);
-            if let Some(at) = equation.and_then(|e| plan.pattern.position(e, e)) {
-                self.values[at] += stiffness;
-            }
-        }
+        let Evaluation { contributions, rows, .. } = &self.evaluation;
+        plan.gather_tangent(contributions, rows, &mut self.values);
         self.stiffen(plan);
-        self.dashpots.iter().for_each(|dashpot| dashpot.stiffen(plan, &mut self.values));
+        for dashpot in &self.dashpots {
+            dashpot.stiffen(plan, &self.evaluation.rows, &mut self.values);
+        }
+        self.turn(plan);
         plan.contact.fill_scratch(&self.u, &mut self.geometry);
         for k in 0..self.points.len() {
             if self.points[k].pressure == 0.0 && self.points[k].stiffness == 0.0 {
@@ -127,15 +122,29 @@ impl Workspace {
         let forces = (meeting.area * self.pressures[place], meeting.area * self.tractions[place]);
         let geometry = &mut self.geometry;
         plan.contact.geometric_tangent(place, &self.u, meeting, forces, geometry);
-        for i in 0..width {
-            let Some(row) = plan.layout.equation(meeting.slots[i]) else { continue };
-            for j in 0..width {
-                let Some(column) = plan.layout.equation(meeting.slots[j]) else { continue };
-                if let Some(at) = plan.pattern.position(row, column) {
-                    self.values[at] += geometry.tangent[width * i + j];
-                }
+        let at = |i: usize, j: usize| geometry.tangent[width * i + j];
+        plan.scatter(&self.evaluation.rows, &meeting.slots[..width], at, &mut self.values);
+    }
+
+    /// Adds what the turning of rigid links makes of the forces that the
+    /// tangent is taken at: of estimated stresses, pressures and tractions.
+    fn turn(&mut self, plan: &Plan<'_>) {
+        if !plan.constraints.turns() {
+            return;
+        }
+        let (evaluation, turning) = (&self.evaluation, &mut self.turning);
+        turning.iter_mut().zip(&self.load).for_each(|(force, load)| *force = -load);
+        let stresses = Some(&self.stresses[..]);
+        plan.structure.turning_forces(&self.u, stresses, &evaluation.contributions, turning);
+        for linear in &self.points {
+            let meeting = &evaluation.meetings[linear.place];
+            let [p, tau] = [self.pressures[linear.place], self.tractions[linear.place]];
+            for k in 0..meeting.width {
+                turning[meeting.slots[k]] +=
+                    meeting.area * (p * meeting.gradient[k] + tau * meeting.drag[k]);
             }
         }
+        plan.stiffen_by_turning(&self.u, turning, &mut self.values);
     }
 }
 
