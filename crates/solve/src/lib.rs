@@ -12,7 +12,6 @@
 
 mod account;
 mod balance;
-pub mod bytes;
 mod checkpoint;
 mod commit;
 mod constraints;

@@ -11,6 +11,7 @@
 
 use crate::checkpoint::Checkpoint;
 use crate::dofs::DofMap;
+use serde::{Deserialize, Serialize};
 use slideline_diag::Diagnostic;
 use slideline_mech::contact::enforcement::Enforcement;
 use slideline_model::{Dof, Model, NodeIndex};
@@ -309,7 +310,7 @@ impl Nodal<'_> {
 }
 
 /// Contact status of a point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum Status {
     /// No pressure.
     #[default]
@@ -332,7 +333,7 @@ impl Status {
 }
 
 /// Whether friction acted at a point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum FrictionCall {
     /// Open, or frictionless.
     #[default]
@@ -429,7 +430,7 @@ pub struct BeamRow {
 }
 
 /// Energies since time 0 [F L].
-#[derive(Clone, Copy, Debug, PartialEq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Default, Serialize, Deserialize)]
 pub struct Energies {
     /// Work of supports and loads, trapezoidal rule over each increment.
     pub external_work: f64,
@@ -476,7 +477,7 @@ pub enum Ending {
 }
 
 /// Counts of a run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Totals {
     /// Converged increments of all steps.
     pub increments: usize,

@@ -7,6 +7,7 @@ use crate::linear_systems::LinearSystems;
 use crate::structure::{Contributions, Structure};
 use crate::users::UserFrictions;
 use rayon::ThreadPool;
+use serde::{Deserialize, Serialize};
 use slideline_linalg::{Kind, Pattern, Solver};
 use slideline_mech::contact::enforcement::Enforcement;
 use slideline_mech::contact::pair::Laws;
@@ -48,7 +49,7 @@ pub struct Plan<'a> {
 }
 
 /// What a step begins from, a slot each.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Start<'a> {
     /// Displacements and rotations [L or 1].
     pub displacement: Cow<'a, [f64]>,
