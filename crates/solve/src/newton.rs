@@ -17,7 +17,7 @@ mod search;
 mod stresses;
 mod turns;
 
-use crate::contact::{GeometryScratch, Missed, Sweep, SweepScratch};
+use crate::contact::{GeometryScratch, MasterPositions, Missed, Sweep, SweepScratch};
 use crate::convergence::{Field, FieldHistory, Measures, judge};
 use crate::evaluate::{Evaluation, Trial, evaluate};
 use crate::evidence::Evidence;
@@ -80,6 +80,8 @@ pub struct Workspace {
     /// The tangent without augmentation, and with it.
     values: Vec<f64>,
     augmented: Vec<f64>,
+    /// Whether contact couples what the pattern does not hold.
+    pub outside: bool,
     /// How the condensed contact problem of the iteration is solved.
     enforcement: Enforcement,
     /// The increment [T].
@@ -102,7 +104,7 @@ pub struct Workspace {
     geometry: GeometryScratch,
     sweep: SweepScratch,
     dashpots: Vec<Dashpot>,
-    chain_positions: Vec<[f64; 2]>,
+    chain_positions: MasterPositions,
     was_closed: Vec<bool>,
     /// Most negative pivots of a symmetric factorisation in this attempt:
     /// directions in which the structure gives way.
@@ -135,6 +137,7 @@ impl Workspace {
             solver: plan.analyse(),
             values: vec![0.0; plan.pattern.entries()],
             augmented: vec![0.0; plan.pattern.entries()],
+            outside: false,
             enforcement: Enforcement::default(),
             dt: 0.0,
             correction: vec![0.0; equations],
@@ -149,10 +152,10 @@ impl Workspace {
             tractions: vec![0.0; points],
             points: Vec::with_capacity(points),
             contact,
-            geometry: GeometryScratch::new(&plan.contact),
+            geometry: GeometryScratch::new(),
             sweep: SweepScratch::default(),
             dashpots: Vec::new(),
-            chain_positions: Vec::new(),
+            chain_positions: MasterPositions::default(),
             was_closed: vec![false; points],
             negative_pivots: 0,
             evidence: Evidence::new(points),
@@ -184,7 +187,7 @@ pub fn attempt(
         if let Err(fault) = work.iterate(plan, committed, target.dt) {
             return progress.end(Verdict::Broken, Some(fault));
         }
-        if work.evaluation.fault.is_some() {
+        if work.outside || work.evaluation.fault.is_some() {
             return progress.end(Verdict::Broken, None);
         }
         let report = work.judge(plan, committed, target, &mut progress);
@@ -383,6 +386,9 @@ impl Workspace {
     /// One Newton iteration: assemble, factor, solve, move, evaluate.
     fn iterate(&mut self, plan: &Plan<'_>, committed: &State, dt: f64) -> Result<(), SolveError> {
         self.factor(plan, committed)?;
+        if self.outside {
+            return Ok(());
+        }
         self.contact_step(plan, committed, dt)?;
         let length = self.limit_turns(plan);
         if self.line_search {

@@ -25,6 +25,11 @@ impl Workspace {
     pub(super) fn factor(&mut self, plan: &Plan<'_>, committed: &State) -> Result<(), SolveError> {
         loop {
             self.linearise_points(plan, committed);
+            let counts = |point: &&LinearPoint| point.stiffness > 0.0 || point.pressure > 0.0;
+            self.outside = !self.points.iter().filter(counts).all(|point| plan.holds(point));
+            if self.outside {
+                return Ok(());
+            }
             self.assemble(plan);
             self.choose_enforcement(plan, committed);
             let Self { values, augmented, solver, points, .. } = self;
