@@ -14,7 +14,6 @@
 #![allow(rustdoc::broken_intra_doc_links)]
 
 mod decks;
-mod draw;
 mod failure;
 mod figures;
 mod fine;
@@ -35,6 +34,9 @@ pub use theory::{References, Theory, Values};
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 use std::path::Path;
+
+/// Dots an inch of the PNG twins.
+const DOTS: f64 = 300.0;
 
 /// What was made.
 #[derive(Clone, Debug)]
@@ -62,7 +64,7 @@ pub fn reproduce(folder: &Path, tell: Tell<'_>) -> Result<Report, Failure> {
     let figures = figures::all(&study);
     let draw = |figure: &figures::Figure| {
         let svg = figure.scene.svg();
-        let png = figure.scene.png(draw::DOTS).ok_or(Failure::Figure(figure.name))?;
+        let png = figure.scene.png(DOTS).ok_or(Failure::Figure(figure.name))?;
         count.tick(figure.name.to_owned());
         Ok((figure.name, svg, png))
     };

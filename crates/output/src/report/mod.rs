@@ -22,7 +22,7 @@ mod results;
 mod verdict;
 
 pub use page::STYLE;
-pub use prose::escaped;
+pub use slideline_figures::escaped;
 
 pub use crate::reading::problem::Problem;
 

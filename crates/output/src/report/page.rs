@@ -4,11 +4,12 @@
 use super::Options;
 use super::data::data;
 use super::overlay::Overlay;
-use super::prose::{escaped, html};
+use super::prose::html;
 use super::results::Results;
 use super::verdict;
 use crate::json::{Members as _, Value};
 use crate::number::general;
+use slideline_figures::escaped;
 
 /// Style sheet of the report, light, dark and on paper, for other pages that
 /// shall look like it.

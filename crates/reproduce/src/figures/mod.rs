@@ -9,8 +9,8 @@ mod schematics;
 
 pub(crate) use normals::{tilts, worst_increment};
 
-use crate::draw::Scene;
 use crate::study::Study;
+use slideline_figures::{Scene, Unit};
 
 /// A figure and the name of its files.
 #[derive(Clone, Debug)]
@@ -21,6 +21,17 @@ pub(crate) struct Figure {
     pub scene: Scene,
     /// What the page says below it.
     pub caption: String,
+}
+
+impl Figure {
+    fn new(name: &'static str, scene: Scene, caption: impl Into<String>) -> Self {
+        Self { name, scene, caption: caption.into() }
+    }
+}
+
+/// An empty figure of full width, in points of 1/72 inch.
+fn scene(height: f64, title: &str) -> Scene {
+    Scene::new(Unit::Point, [WIDTH, height], title)
 }
 
 /// How many there are.
