@@ -13,21 +13,25 @@
 // dimension tags such as [L] are not links
 #![allow(rustdoc::broken_intra_doc_links)]
 
+mod cases;
+mod curve;
 mod decks;
 mod failure;
 mod figures;
 mod fine;
 mod page;
+mod progress;
 mod study;
 mod table;
 mod theory;
 
+pub use cases::{Case, FINE, FRICTION, INCREMENTS, ModelKind, Stick, cases};
+pub use curve::{Curve, Increment};
 pub use decks::Deck;
 pub use failure::Failure;
-pub use fine::{Errors, FINE};
-pub use study::{
-    Case, Curve, FRICTION, INCREMENTS, Increment, ModelKind, Progress, Stick, Study, Tell, cases,
-};
+pub use fine::Errors;
+pub use progress::{Progress, Tell};
+pub use study::Study;
 pub use table::{Row, rows};
 pub use theory::{References, Theory, Values};
 
@@ -58,7 +62,7 @@ pub struct Report {
 pub fn reproduce(folder: &Path, tell: Tell<'_>) -> Result<Report, Failure> {
     std::fs::create_dir_all(folder.join("decks")).map_err(at(folder))?;
     let total = cases().len() + theory::count_of_references() + fine::count() + figures::COUNT;
-    let count = study::Count::new(total, tell);
+    let count = progress::Count::new(total, tell);
     let study = study::compute(&count)?;
     let rows = table::rows(&study);
     let figures = figures::all(&study);

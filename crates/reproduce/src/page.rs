@@ -2,8 +2,9 @@
 
 mod integrated;
 
+use crate::cases::{FRICTION, INCREMENTS, ModelKind, Stick};
 use crate::figures::{self, Figure};
-use crate::study::{FRICTION, INCREMENTS, ModelKind, Stick, Study};
+use crate::study::Study;
 use crate::table::Row;
 use crate::theory::{THEORIES, Theory};
 use slideline::Onset;

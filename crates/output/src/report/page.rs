@@ -1,8 +1,8 @@
 //! The page itself: what can be said in words stands in it as HTML, what is
 //! drawn follows as data and script.
 
-use super::Options;
 use super::data::data;
+use super::options::Options;
 use super::overlay::Overlay;
 use super::prose::html;
 use super::results::Results;

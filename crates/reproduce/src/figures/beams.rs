@@ -1,6 +1,6 @@
 //! What the drawings of models have in common: meshes at a moment of a run.
 
-use crate::study::Curve;
+use crate::curve::Curve;
 use slideline::Model;
 use slideline::model::{Master, NodeIndex};
 use slideline_figures::{BLACK, GREY, Pen, Rectangle, Scene, View, WHITE};

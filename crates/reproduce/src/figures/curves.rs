@@ -1,8 +1,10 @@
 //! Figures 3, 4, 6 and 8: force and moment curves, theory as lines, finite
 //! elements as symbols.
 
-use super::{Figure, WIDTH, scene};
-use crate::study::{Curve, FRICTION, ModelKind, Stick, Study};
+use super::figure::{Figure, WIDTH, scene};
+use crate::cases::{FRICTION, ModelKind, Stick};
+use crate::curve::Curve;
+use crate::study::Study;
 use crate::theory::Theory;
 use slideline::Onset;
 use slideline_figures::{

@@ -1,9 +1,10 @@
 //! The three ways of sampling contact on the same 24 beams: how far each is
 //! from theory, increment by increment. Not in the paper.
 
-use super::{Figure, scene};
-use crate::fine::{Errors, FINE};
-use crate::study::{FRICTION, ModelKind, Study};
+use super::figure::{Figure, scene};
+use crate::cases::{FINE, FRICTION, ModelKind};
+use crate::fine::Errors;
+use crate::study::Study;
 use slideline_figures::{Anchor, Axis, Dash, Frame, GREY, Pen, Rectangle, SMALL, Scene, Text};
 
 /// Model, its line, its words.

@@ -2,43 +2,19 @@
 
 mod beams;
 mod curves;
+mod figure;
 mod formulations;
 mod models;
 mod normals;
 mod schematics;
 
+pub(crate) use figure::Figure;
 pub(crate) use normals::{tilts, worst_increment};
 
 use crate::study::Study;
-use slideline_figures::{Scene, Unit};
-
-/// A figure and the name of its files.
-#[derive(Clone, Debug)]
-pub(crate) struct Figure {
-    /// Such as `fig6a`.
-    pub name: &'static str,
-    /// The drawing.
-    pub scene: Scene,
-    /// What the page says below it.
-    pub caption: String,
-}
-
-impl Figure {
-    fn new(name: &'static str, scene: Scene, caption: impl Into<String>) -> Self {
-        Self { name, scene, caption: caption.into() }
-    }
-}
-
-/// An empty figure of full width, in points of 1/72 inch.
-fn scene(height: f64, title: &str) -> Scene {
-    Scene::new(Unit::Point, [WIDTH, height], title)
-}
 
 /// How many there are.
 pub(crate) const COUNT: usize = 12;
-
-/// Width of a figure on paper, in points: 160 mm.
-pub(crate) const WIDTH: f64 = 453.5;
 
 /// All figures, in the paper's order; the last two are ours.
 pub(crate) fn all(study: &Study) -> Vec<Figure> {

@@ -1,8 +1,10 @@
 //! Figures 2 and 7: the finite element models, with blow-ups of the contact.
 
 use super::beams::{at_rest, beam, beam_nodes, body, clamp, driver, edge};
-use super::{Figure, scene};
-use crate::study::{Curve, ModelKind, Stick, Study};
+use super::figure::{Figure, scene};
+use crate::cases::{ModelKind, Stick};
+use crate::curve::Curve;
+use crate::study::Study;
 use slideline::Onset;
 use slideline_figures::{Anchor, BLACK, Dash, GREY, Pen, Rectangle, SMALL, Scene, Text, View};
 

@@ -1,8 +1,10 @@
 //! Figure 5: where the normal contact forces point in IRS and ISL models.
 
 use super::beams::{beam, body, driver, edge};
-use super::{Figure, scene};
-use crate::study::{Curve, INCREMENTS, ModelKind, Stick, Study};
+use super::figure::{Figure, scene};
+use crate::cases::{INCREMENTS, ModelKind, Stick};
+use crate::curve::Curve;
+use crate::study::Study;
 use slideline::Onset;
 use slideline::model::Master;
 use slideline_figures::{Anchor, DARK, Dash, GREY, Pen, Rectangle, SMALL, Scene, Text, View};

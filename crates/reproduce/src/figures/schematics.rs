@@ -4,7 +4,7 @@
 //! deflections are larger than they would be.
 
 use super::beams::clamp;
-use super::{Figure, scene};
+use super::figure::{Figure, scene};
 use slideline_figures::{Anchor, BLACK, DARK, Dash, GREY, Pen, Rectangle, Scene, Text, View};
 
 const THIN: Pen = Pen::solid(0.6);
