@@ -10,7 +10,7 @@ use crate::band_lu::{BandLu, SmallestPivot};
 use crate::border::Border;
 use crate::error::{FactorReport, SolveError};
 use crate::kernel::LANES;
-use crate::ordering::{Layout, places};
+use crate::ordering::{Layout, positions};
 use crate::pattern::{Matrix, Pattern};
 use crate::scaling::equilibrate;
 use crate::system::{BackEnd, Description, Kind, LinearSystem};
@@ -52,7 +52,7 @@ pub(crate) struct Banded {
 impl Banded {
     pub fn new(pattern: &Pattern, kind: Kind, layout: Layout) -> Self {
         let n = pattern.size();
-        let place = places(n, &layout.order);
+        let place = positions(n, &layout.order);
         let (band, width) = (layout.band, layout.half_bandwidth);
         let symmetric = kind == Kind::Symmetric;
         let ldlt = if symmetric { BandLdlt::new(band, width) } else { BandLdlt::default() };
@@ -92,7 +92,7 @@ impl Banded {
             return;
         }
         let (band, width) = (self.layout.band, self.layout.half_bandwidth);
-        let place = places(pattern.size(), &self.layout.order);
+        let place = positions(pattern.size(), &self.layout.order);
         let lu = BandLu::new(band, width);
         self.lu_place = entry_places(pattern, |i, j| match place[i] < band && place[j] < band {
             true => lu.place(place[i], place[j]),

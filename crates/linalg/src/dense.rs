@@ -55,6 +55,11 @@ impl DenseLu {
         self.dependent.iter().filter(|&&dependent| dependent).count()
     }
 
+    /// The first column that depends on those before it.
+    pub fn first_dependent(&self) -> Option<usize> {
+        self.dependent.iter().position(|&dependent| dependent)
+    }
+
     fn eliminate(&mut self, k: usize, dependent: bool) {
         let n = self.n;
         let (upper, lower) = self.matrix.split_at_mut((k + 1) * n);

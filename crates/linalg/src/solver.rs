@@ -35,6 +35,29 @@ pub struct Solver {
     accurate: bool,
 }
 
+/// A system whose analysis failed.
+struct Refused {
+    fault: SolveError,
+    kind: Kind,
+    equations: usize,
+}
+
+impl LinearSystem for Refused {
+    fn description(&self) -> Description {
+        Description::external("analysis failed", self.kind, self.equations)
+    }
+    fn scatter(&mut self, _matrix: Matrix<'_>) {}
+    fn factor(&mut self, _: Matrix<'_>, _: &[f64]) -> Result<FactorReport, SolveError> {
+        Err(self.fault)
+    }
+    fn solve(&mut self, _block: &mut [f64], _columns: usize) -> Result<(), SolveError> {
+        Err(self.fault)
+    }
+    fn solve_transpose(&mut self, _: &mut [f64], _: usize) -> Result<(), SolveError> {
+        Err(self.fault)
+    }
+}
+
 /// Which of the two systems is solved.
 #[derive(Clone, Copy, PartialEq)]
 enum Side {
@@ -62,15 +85,14 @@ impl Solver {
         }
     }
 
-    /// Analyses a pattern with a factory of systems, from this crate or from elsewhere.
-    ///
-    /// Errors: those of [`Analyse::analyse`].
-    pub fn analyse(
-        pattern: &Pattern,
-        kind: Kind,
-        factory: &dyn Analyse,
-    ) -> Result<Self, SolveError> {
-        Ok(Self::new(pattern, factory.analyse(pattern, kind)?))
+    /// Analyses a pattern with a factory of systems, from this crate or from elsewhere. Where the
+    /// analysis fails, every factorisation says so.
+    pub fn analyse(pattern: &Pattern, kind: Kind, factory: &dyn Analyse) -> Self {
+        let refused = |fault| Box::new(Refused { fault, kind, equations: pattern.size() });
+        match factory.analyse(pattern, kind) {
+            Ok(system) => Self::new(pattern, system),
+            Err(fault) => Self::new(pattern, refused(fault)),
+        }
     }
 
     /// Gives each unknown its natural unit u_i > 0. The system is factored and judged as U A U, in

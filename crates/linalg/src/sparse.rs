@@ -20,7 +20,7 @@ use faer::{Conj, MatMut, Par, Side};
 
 use crate::banded::Banded;
 use crate::error::{FactorReport, SolveError};
-use crate::ordering::{Layout, behind_neighbours, places};
+use crate::ordering::{Layout, behind_neighbours, positions};
 use crate::pattern::{Matrix, Pattern};
 use crate::residual::worst_residual;
 use crate::system::{BackEnd, Description, Kind, LinearSystem};
@@ -308,7 +308,7 @@ fn analyse_symmetric(
             factorize_symbolic_cholesky(structure, Side::Upper, SymmetricOrdering::Amd, settings)
         }
         Some(order) => {
-            let place = places(pattern.size(), order);
+            let place = positions(pattern.size(), order);
             let custom = PermRef::new_checked(order, &place, pattern.size());
             let ordering = SymmetricOrdering::Custom(custom);
             factorize_symbolic_cholesky(structure, Side::Upper, ordering, settings)

@@ -177,7 +177,7 @@ fn system() -> (Pattern, Vec<f64>, Vec<f64>) {
 #[test]
 fn an_iterative_system() {
     let (pattern, mut values, b) = system();
-    let solver = Solver::analyse(&pattern, Kind::Unsymmetric, &AnalyseIterative).unwrap();
+    let solver = Solver::analyse(&pattern, Kind::Unsymmetric, &AnalyseIterative);
     let unit = (0..b.len()).map(|i| if i % 3 == 0 { 0.25 } else { 1.0 }).collect();
     let mut solver = solver.with_units(unit);
     solver.refactor(&pattern, &values).unwrap();
@@ -193,6 +193,21 @@ fn an_iterative_system() {
     assert!(error(&back, &b) < 1e-11);
     values[pattern.position(4, 4).unwrap()] = 0.0;
     let expected = Err(SolveError::Singular { equation: 4, ratio: 0.0 });
+    assert_eq!(solver.refactor(&pattern, &values), expected);
+}
+
+/// Requirement: a factory that fails is heard when the system is factored.
+#[test]
+fn a_failed_analysis_is_told() {
+    struct Fails;
+    impl Analyse for Fails {
+        fn analyse(&self, _: &Pattern, _: Kind) -> Result<Box<dyn LinearSystem>, SolveError> {
+            Err(SolveError::External { reason: "no licence" })
+        }
+    }
+    let (pattern, values, _) = system();
+    let mut solver = Solver::analyse(&pattern, Kind::Symmetric, &Fails);
+    let expected = Err(SolveError::External { reason: "no licence" });
     assert_eq!(solver.refactor(&pattern, &values), expected);
 }
 

@@ -8,6 +8,7 @@ use crate::number::general;
 use crate::writer::Writer;
 use slideline_diag::{Diagnostic, Sources};
 use slideline_model::{Dof, Model, NodeIndex};
+use slideline_solve::Enforcement;
 use slideline_solve::observe::{
     AttemptReport, ContactChange, Ending, Event, FieldReport, Frame, IterationReport, StepReport,
     TangentReport, Totals,
@@ -193,12 +194,16 @@ fn iteration_heading(text: &mut String, report: &IterationReport) {
     } else {
         String::new()
     };
+    let way = match report.enforcement {
+        Enforcement::Dense => String::new(),
+        own => format!("; contact {}, {} solutions", own.word(), report.solutions),
+    };
     let changes = report.contact_changes.len();
     line(
         text,
         format_args!(
             "  ITERATION {}  {kind}; {changes} contact change{}, {} closed, contact defect \
-             {}{shortened}{}",
+             {}{way}{shortened}{}",
             report.iteration,
             if changes == 1 { "" } else { "s" },
             report.closed,

@@ -22,7 +22,7 @@ use crate::convergence::{Field, FieldHistory, Measures, judge};
 use crate::evaluate::{Evaluation, Trial, evaluate};
 use crate::evidence::Evidence;
 use crate::increments::Verdict;
-use crate::linearised::{LinearPoint, LinearisedContact};
+use crate::linearised::{LinearPoint, LinearisedContact, Stiffness};
 use crate::observe::{ContactChange, IterationReport};
 use crate::plan::Plan;
 use crate::predict;
@@ -33,6 +33,7 @@ use assembly::circumstances;
 use relax::Relaxation;
 pub use relax::relax;
 use slideline_linalg::{SolveError, Solver};
+use slideline_mech::contact::enforcement::Enforcement;
 
 /// What an attempt aims at.
 #[derive(Clone, Copy, Debug)]
@@ -76,7 +77,13 @@ pub struct Workspace {
     pub evaluation: Evaluation,
     /// The factored tangent.
     pub solver: Solver,
+    /// The tangent without augmentation, and with it.
     values: Vec<f64>,
+    augmented: Vec<f64>,
+    /// How the condensed contact problem of the iteration is solved.
+    enforcement: Enforcement,
+    /// The increment [T].
+    dt: f64,
     correction: Vec<f64>,
     correction_slots: Vec<f64>,
     residual: Vec<f64>,
@@ -127,6 +134,9 @@ impl Workspace {
             evaluation: Evaluation::new(plan),
             solver: plan.analyse(),
             values: vec![0.0; plan.pattern.entries()],
+            augmented: vec![0.0; plan.pattern.entries()],
+            enforcement: Enforcement::default(),
+            dt: 0.0,
             correction: vec![0.0; equations],
             correction_slots: vec![0.0; slots],
             residual: vec![0.0; slots],
@@ -261,6 +271,7 @@ impl Workspace {
     /// The first guess, evaluated.
     fn begin(&mut self, plan: &Plan<'_>, committed: &State, target: &Target) {
         self.lend_to_all = false;
+        self.dt = target.dt;
         self.negative_pivots = 0;
         let times = (target.step_time, target.dt);
         stabilise::fill(plan, committed, times, &mut self.chain_positions, &mut self.dashpots);
@@ -362,12 +373,11 @@ impl Workspace {
             }
         }
         self.hold_back(plan);
-        self.contact.solve(
-            &mut self.points,
-            &circumstances(plan, committed, dt),
-            &mut self.solver,
-            &mut self.correction,
-        )
+        let context = circumstances(plan, committed, dt);
+        let Self { contact, enforcement, values, augmented, solver, points, correction, .. } = self;
+        let (pattern, symmetrised) = (&plan.pattern, plan.symmetrised());
+        let mut stiffness = Stiffness { pattern, values, augmented, solver, symmetrised };
+        contact.solve(points, &context, (*enforcement, &mut stiffness), correction)
     }
 
     /// One Newton iteration: assemble, factor, solve, move, evaluate.
@@ -443,6 +453,8 @@ impl Workspace {
             moment: self.measure(plan, committed, Field::Moment),
             contact_defect: self.evaluation.penetration.max(self.evaluation.stick_slip),
             step_length: self.step_length,
+            enforcement: self.enforcement,
+            solutions: self.contact.solutions(),
             converged: false,
         };
         let flux = [self.evaluation.flux.mean_force(), self.evaluation.flux.mean_moment()];

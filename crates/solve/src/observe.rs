@@ -13,6 +13,7 @@ use crate::checkpoint::Checkpoint;
 use crate::dofs::DofMap;
 use serde::{Deserialize, Serialize};
 use slideline_diag::Diagnostic;
+use slideline_mech::contact::enforcement::Enforcement;
 use slideline_model::{Dof, Model, NodeIndex};
 use std::ops::ControlFlow;
 
@@ -110,6 +111,11 @@ pub struct IterationReport {
     pub contact_defect: f64,
     /// Fraction of the correction that was taken [1].
     pub step_length: f64,
+    /// How contact was solved in it.
+    pub enforcement: Enforcement,
+    /// Solutions with the factored stiffness that this took, where contact was
+    /// solved without its matrix.
+    pub solutions: usize,
     /// Whether everything has converged.
     pub converged: bool,
 }

@@ -3,11 +3,13 @@
 use crate::constraints::{Constraints, Role, Rows};
 use crate::contact::{Contact, Meeting};
 use crate::dofs::DofMap;
+use crate::linear_systems::LinearSystems;
 use crate::structure::{Contributions, Structure};
 use crate::users::UserFrictions;
 use rayon::ThreadPool;
 use serde::{Deserialize, Serialize};
-use slideline_linalg::{Kind, Pattern, Solver, analyse};
+use slideline_linalg::{Kind, Pattern, Solver};
+use slideline_mech::contact::enforcement::Enforcement;
 use slideline_mech::contact::pair::Laws;
 use slideline_model::{Amplitude, Master, Model, Step, SurfaceSegment};
 use std::borrow::Cow;
@@ -38,9 +40,12 @@ pub struct Plan<'a> {
     /// with l the length of the stiffest element (or of the model), so that
     /// all entries of the tangent are stiffnesses F/L.
     pub units: Vec<f64>,
+    /// How contact is solved, where not by its size.
+    pub enforcement: Option<Enforcement>,
     /// Threads for element loops; none: this one.
     pub pool: Option<&'a ThreadPool>,
     start: Start<'static>,
+    linear_systems: LinearSystems,
 }
 
 /// What a step begins from, a slot each.
@@ -140,9 +145,17 @@ impl<'a> Plan<'a> {
             reach,
             lever,
             units,
+            enforcement: None,
             pool,
             start,
+            linear_systems: LinearSystems::default(),
         }
+    }
+
+    /// The same with linear systems made elsewhere.
+    pub fn with_linear_systems(mut self, systems: &LinearSystems) -> Self {
+        self.linear_systems = systems.clone();
+        self
     }
 
     /// What the step begins from.
@@ -154,7 +167,8 @@ impl<'a> Plan<'a> {
     /// the deck says `UNSYMM=NO`.
     pub fn analyse(&self) -> Solver {
         let kind = if self.unsymmetric() { Kind::Unsymmetric } else { Kind::Symmetric };
-        analyse(&self.pattern, kind).with_units(self.units.clone())
+        let factory = self.linear_systems.factory();
+        Solver::analyse(&self.pattern, kind, factory).with_units(self.units.clone())
     }
 
     /// Whether the tangent is factored as an unsymmetric matrix.
@@ -178,19 +192,6 @@ impl<'a> Plan<'a> {
             self.constraints.for_each_equation(rows, dof, note);
         }
         yields
-    }
-
-    /// Replaces matrix values by their symmetric part.
-    pub fn symmetrise(&self, values: &mut [f64]) {
-        for i in 0..self.pattern.size() {
-            let start = self.pattern.row_start()[i];
-            for (k, &j) in self.pattern.row(i).iter().enumerate().filter(|&(_, &j)| j > i) {
-                let Some(mirrored) = self.pattern.position(j, i) else { continue };
-                let mean = 0.5 * (values[start + k] + values[mirrored]);
-                values[start + k] = mean;
-                values[mirrored] = mean;
-            }
-        }
     }
 
     /// Average length of the contact elements of a pair [L].
