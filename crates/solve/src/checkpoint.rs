@@ -101,6 +101,8 @@ impl Checkpoint<'_> {
             && vectors.iter().all(|vector| vector.len() == slots)
             && vectors.iter().all(|vector| vector.iter().all(|value| value.is_finite()))
             && (state.points.len(), state.memory.len()) == (points, memory)
+            && state.elements.len() == model.element_states()
+            && state.elements.iter().all(|value| value.is_finite())
             && [0, slots].contains(&state.damping.len())
             && state.damping.iter().all(|value| value.is_finite())
     }
@@ -168,6 +170,7 @@ fn pack_state(state: &State, bytes: &mut Packed) {
         load,
         points,
         memory,
+        elements,
         flux,
         damping,
         stabilised,
@@ -177,7 +180,8 @@ fn pack_state(state: &State, bytes: &mut Packed) {
     } = state;
     bytes.numbers(&[*total_time, *step_time]);
     bytes.numbers(increment_time);
-    for vector in [displacement, increment, increment_before, reaction, load, memory, damping] {
+    let motion = [displacement, increment, increment_before, reaction, load];
+    for vector in motion.into_iter().chain([memory, elements, damping]) {
         bytes.list(vector);
     }
     bytes.flag(*stabilised);
@@ -229,7 +233,8 @@ fn unpack_state(bytes: &mut Unpacking<'_>) -> Option<State> {
     let [total_time, step_time] = bytes.numbers()?;
     let increment_time = bytes.numbers()?;
     let [displacement, increment, increment_before] = [bytes.list()?, bytes.list()?, bytes.list()?];
-    let [reaction, load, memory] = [bytes.list()?, bytes.list()?, bytes.list()?];
+    let [reaction, load] = [bytes.list()?, bytes.list()?];
+    let [memory, elements] = [bytes.list()?, bytes.list()?];
     let (damping, stabilised) = (bytes.list()?, bytes.flag()?);
     let points = (0..bytes.length(POINT)?).map(|_| unpack_point(bytes)).collect::<Option<_>>()?;
     let flux = [FluxAverage::of_parts(bytes.numbers()?), FluxAverage::of_parts(bytes.numbers()?)];
@@ -257,6 +262,7 @@ fn unpack_state(bytes: &mut Unpacking<'_>) -> Option<State> {
         load,
         points,
         memory,
+        elements,
         flux,
         damping,
         stabilised,
@@ -344,8 +350,9 @@ mod tests {
     use super::*;
 
     fn checkpoint() -> Checkpoint<'static> {
-        let mut state = State::undeformed(6, 2, 1);
+        let mut state = State::undeformed(6, 2, (1, 3));
         state.displacement = vec![0.1, -0.0, f64::MIN_POSITIVE, 1e300, 3.0, -7.5];
+        state.elements = vec![0.0, -2.5, 1e-300];
         state.points[1] = PointState {
             closed: true,
             status: Status::Slip,
