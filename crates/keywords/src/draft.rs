@@ -11,8 +11,8 @@ use slideline_model::{
     SolidSection, Static, SurfaceSegment, TYPES,
 };
 
-use crate::keyword::Subject;
 use crate::log::{Log, Target};
+use crate::rule::Subject;
 use crate::sets::Sets;
 use crate::surfaces::{NamedInteraction, NamedSurface, Pairing, RigidBody};
 

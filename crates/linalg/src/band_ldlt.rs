@@ -10,7 +10,7 @@
 //! Without pivoting the backward error is bounded by eps |L||D||L'|, whose diagonal is summed on
 //! the way: growth beyond a limit ends the factorisation, so that accuracy is never lost silently.
 
-use crate::kernel::{BLOCK, dot_from_far, padded, subtract};
+use crate::kernel::{BLOCK, dot_from_far, padded, subtract, subtract_lanes};
 
 /// Growth of the terms of a diagonal, relative to the size of its equation, beyond which the
 /// factorisation is given up: leaves a backward error of 1e-10 at worst, which one step of
@@ -109,21 +109,24 @@ impl BandLdlt {
         column[0] = inverse;
     }
 
-    /// Solves in place.
-    pub fn solve(&self, x: &mut [f64]) {
+    /// Solves in place, for every lane.
+    pub fn solve<const M: usize>(&self, x: &mut [[f64; M]]) {
         let (n, width) = (self.n, self.width);
         for j in 0..n {
             let reach = self.half_bandwidth.min(n - 1 - j);
             let column = &self.column[j * width..][..=reach];
             let x_j = x[j];
             for (x_i, l) in x[j + 1..=j + reach].iter_mut().zip(&column[1..]) {
-                *x_i -= l * x_j;
+                subtract_lanes(x_i, *l, &x_j);
             }
         }
         for j in (0..n).rev() {
             let reach = self.half_bandwidth.min(n - 1 - j);
             let column = &self.column[j * width..][..=reach];
-            x[j] = x[j] * column[0] - dot_from_far(&column[1..], &x[j + 1..=j + reach]);
+            let known = dot_from_far(&column[1..], &x[j + 1..=j + reach]);
+            for (x_j, known) in x[j].iter_mut().zip(known) {
+                *x_j = *x_j * column[0] - known;
+            }
         }
     }
 }

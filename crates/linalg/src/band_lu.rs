@@ -9,7 +9,7 @@
 //! another. Multipliers are kept apart, column after column, and exchanges are replayed on the
 //! right-hand side, as in LAPACK's `gbtrf`.
 
-use crate::kernel::{BLOCK, dot_from_far, padded, subtract};
+use crate::kernel::{BLOCK, dot_from_far, padded, subtract, subtract_lanes};
 
 /// Storage and factors of a general band with equal half-bandwidths below and above.
 #[derive(Clone, Debug, Default)]
@@ -165,8 +165,8 @@ impl BandLu {
         }
     }
 
-    /// Solves in place.
-    pub fn solve(&self, x: &mut [f64]) {
+    /// Solves in place, for every lane.
+    pub fn solve<const M: usize>(&self, x: &mut [[f64; M]]) {
         let (n, b) = (self.n, self.half_bandwidth);
         for j in 0..n {
             let pivot_row = self.exchange[j] as usize;
@@ -177,13 +177,41 @@ impl BandLu {
             let below = b.min(n - 1 - j);
             let multipliers = &self.multiplier[j * b..][..below];
             for (x_i, l) in x[j + 1..=j + below].iter_mut().zip(multipliers) {
-                *x_i -= l * x_j;
+                subtract_lanes(x_i, *l, &x_j);
             }
         }
         for j in (0..n).rev() {
             let length = self.length[j] as usize;
             let row = &self.row[self.place(j, j)..][..length];
-            x[j] = (x[j] - dot_from_far(&row[1..], &x[j + 1..j + length])) * row[0];
+            let known = dot_from_far(&row[1..], &x[j + 1..j + length]);
+            for (x_j, known) in x[j].iter_mut().zip(known) {
+                *x_j = (*x_j - known) * row[0];
+            }
+        }
+    }
+
+    /// Solves the transposed system in place, for every lane: U' first, then L' with the exchanges
+    /// in reverse.
+    pub fn solve_transpose<const M: usize>(&self, x: &mut [[f64; M]]) {
+        let (n, b) = (self.n, self.half_bandwidth);
+        for j in 0..n {
+            let length = self.length[j] as usize;
+            let row = &self.row[self.place(j, j)..][..length];
+            let x_j = x[j].map(|x_j| x_j * row[0]);
+            x[j] = x_j;
+            for (x_i, u) in x[j + 1..j + length].iter_mut().zip(&row[1..]) {
+                subtract_lanes(x_i, *u, &x_j);
+            }
+        }
+        for j in (0..n).rev() {
+            let below = b.min(n - 1 - j);
+            let multipliers = &self.multiplier[j * b..][..below];
+            let known = dot_from_far(multipliers, &x[j + 1..=j + below]);
+            x[j].iter_mut().zip(known).for_each(|(x_j, known)| *x_j -= known);
+            let pivot_row = self.exchange[j] as usize;
+            if pivot_row != j {
+                x.swap(j, pivot_row);
+            }
         }
     }
 }

@@ -9,10 +9,11 @@ use crate::band_ldlt::{BandLdlt, Pivots};
 use crate::band_lu::{BandLu, SmallestPivot};
 use crate::border::Border;
 use crate::error::{FactorReport, SolveError};
-use crate::ordering::{Layout, places};
+use crate::kernel::LANES;
+use crate::ordering::{Layout, positions};
 use crate::pattern::{Matrix, Pattern};
 use crate::scaling::equilibrate;
-use crate::solver::{BackEnd, Description, Kind, LinearSolver};
+use crate::system::{BackEnd, Description, Kind, LinearSystem};
 
 /// Pivot ratio below which the unpivoted symmetric factorisation gives way to partial pivoting.
 const SMALLEST_SYMMETRIC: f64 = 1e-13;
@@ -51,11 +52,10 @@ pub(crate) struct Banded {
 impl Banded {
     pub fn new(pattern: &Pattern, kind: Kind, layout: Layout) -> Self {
         let n = pattern.size();
-        let place = places(n, &layout.order);
+        let place = positions(n, &layout.order);
         let (band, width) = (layout.band, layout.half_bandwidth);
         let symmetric = kind == Kind::Symmetric;
         let ldlt = if symmetric { BandLdlt::new(band, width) } else { BandLdlt::default() };
-        let lu = BandLu::new(band, width);
         let within = |i: usize, j: usize| place[i] < band && place[j] < band;
         let ldlt_place = match symmetric {
             true => entry_places(pattern, |i, j| match within(i, j) && place[i] >= place[j] {
@@ -64,26 +64,46 @@ impl Banded {
             }),
             false => Vec::new(),
         };
-        let lu_place = entry_places(pattern, |i, j| match within(i, j) {
-            true => lu.place(place[i], place[j]),
-            false => lu.nowhere(),
-        });
         let border = (band < n).then(|| Border::new(pattern, &place, band));
-        Self {
+        let mut banded = Self {
             layout,
             kind,
             ldlt,
             ldlt_place,
-            lu,
-            lu_place,
+            lu: BandLu::default(),
+            lu_place: Vec::new(),
             border,
             held: Held::Nothing,
             size: vec![0.0; n],
             scale: vec![1.0; n],
-            scaled_values: vec![0.0; pattern.entries()],
+            scaled_values: Vec::new(),
             work: vec![0.0; n],
             wide: None,
+        };
+        if !symmetric {
+            banded.prepare_pivoted(pattern);
         }
+        banded
+    }
+
+    /// Memory for partial pivoting, which symmetric systems seldom need.
+    fn prepare_pivoted(&mut self, pattern: &Pattern) {
+        if self.lu_place.len() == pattern.entries() {
+            return;
+        }
+        let (band, width) = (self.layout.band, self.layout.half_bandwidth);
+        let place = positions(pattern.size(), &self.layout.order);
+        let lu = BandLu::new(band, width);
+        self.lu_place = entry_places(pattern, |i, j| match place[i] < band && place[j] < band {
+            true => lu.place(place[i], place[j]),
+            false => lu.nowhere(),
+        });
+        self.lu = lu;
+    }
+
+    fn scatter_pivoted(&mut self, pattern: &Pattern, values: &[f64]) {
+        self.prepare_pivoted(pattern);
+        scatter(values, &self.lu_place, self.lu.clear());
     }
 
     fn set_sizes(&mut self, row_size: &[f64]) {
@@ -94,7 +114,6 @@ impl Banded {
 
     /// Symmetric factorisation; `None` when it would not be safe.
     fn factor_symmetric(&mut self, values: &[f64]) -> Option<FactorReport> {
-        scatter(values, &self.ldlt_place, self.ldlt.clear());
         let (band, size) = (self.layout.band, &self.size);
         let mut pivots = self.ldlt.factor(|j| size[j])?;
         if pivots.smallest_ratio < SMALLEST_SYMMETRIC {
@@ -119,7 +138,6 @@ impl Banded {
 
     /// Factorisation with partial pivoting; a ratio of zero means that it came to a stop.
     fn factor_pivoted(&mut self, values: &[f64]) -> SmallestPivot {
-        scatter(values, &self.lu_place, self.lu.clear());
         let (band, size) = (self.layout.band, &self.size);
         let mut smallest = self.lu.factor(|j| size[j]);
         if let Some(border) = self.border.as_mut().filter(|_| smallest.ratio > 0.0) {
@@ -134,8 +152,10 @@ impl Banded {
     }
 
     fn factor_scaled(&mut self, matrix: Matrix<'_>) -> SmallestPivot {
-        equilibrate(matrix, &mut self.scale, &mut self.work);
+        let n = self.size.len();
+        equilibrate(matrix, &mut self.scale, &mut self.work[..n]);
         let mut scaled = std::mem::take(&mut self.scaled_values);
+        scaled.resize(matrix.values.len(), 0.0);
         for (at, &i) in self.layout.order.iter().enumerate() {
             let (columns, values) = matrix.row(i);
             let start = matrix.pattern.row_start()[i];
@@ -146,6 +166,7 @@ impl Banded {
                 self.size[at] += value.abs();
             }
         }
+        self.scatter_pivoted(matrix.pattern, &scaled);
         let smallest = self.factor_pivoted(&scaled);
         self.scaled_values = scaled;
         smallest
@@ -168,40 +189,99 @@ impl Banded {
             let layout = Layout::with_border(matrix.pattern, &[]);
             Box::new(Banded::new(matrix.pattern, Kind::Unsymmetric, layout))
         });
-        let report = wide.refactor(matrix, row_size)?;
+        wide.scatter(matrix);
+        let report = wide.factor(matrix, row_size)?;
         self.held = Held::Wide;
         Ok(report)
     }
 
-    fn solve_band(&mut self) {
-        let Self { layout, ldlt, lu, border, held, work, .. } = self;
+    /// Solves for M right-hand sides of a block, interleaved.
+    fn solve_lanes<const M: usize>(&mut self, block: &mut [f64], transposed: bool) {
+        let n = self.layout.order.len();
+        let scaled = self.held == Held::Pivoted { scaled: true };
+        let held = self.held;
+        let Self { layout, ldlt, lu, border, work, scale, .. } = self;
+        let work = &mut work.as_chunks_mut::<M>().0[..n];
+        for (w, &i) in work.iter_mut().zip(&layout.order) {
+            let factor = if scaled { scale[i] } else { 1.0 };
+            for (lane, w) in w.iter_mut().enumerate() {
+                *w = block[lane * n + i] * factor;
+            }
+        }
         let (x, y) = work.split_at_mut(layout.band);
-        match held {
-            Held::Symmetric => ldlt.solve(x),
-            _ => lu.solve(x),
+        match (held, transposed) {
+            (Held::Symmetric, false) => ldlt.solve(x),
+            (_, false) => lu.solve(x),
+            _ => {}
         }
-        if let Some(border) = border {
-            border.solve(x, y);
+        match (border, transposed) {
+            (Some(border), false) => border.solve(x, y),
+            (Some(border), true) => border.solve_transpose(x, y),
+            _ => {}
         }
+        match (held, transposed) {
+            (Held::Symmetric, true) => ldlt.solve(x),
+            (_, true) => lu.solve_transpose(x),
+            _ => {}
+        }
+        for (w, &i) in work.iter().zip(&layout.order) {
+            let factor = if scaled { scale[i] } else { 1.0 };
+            for (lane, w) in w.iter().enumerate() {
+                block[lane * n + i] = w * factor;
+            }
+        }
+    }
+
+    fn solve_block(
+        &mut self,
+        block: &mut [f64],
+        columns: usize,
+        transposed: bool,
+    ) -> Result<(), SolveError> {
+        if let (Held::Wide, Some(wide)) = (self.held, &mut self.wide) {
+            return wide.solve_block(block, columns, transposed);
+        }
+        let n = self.layout.order.len();
+        if n == 0 || columns == 0 {
+            return Ok(());
+        }
+        if self.held == Held::Nothing {
+            return Err(SolveError::NotFactored);
+        }
+        if columns >= LANES {
+            self.work.resize(n * LANES, 0.0);
+        }
+        let whole = columns / LANES * LANES * n;
+        for lanes in block[..whole].chunks_exact_mut(n * LANES) {
+            self.solve_lanes::<LANES>(lanes, transposed);
+        }
+        for column in block[whole..].chunks_exact_mut(n) {
+            self.solve_lanes::<1>(column, transposed);
+        }
+        Ok(())
     }
 }
 
-impl LinearSolver for Banded {
-    fn refactor(
-        &mut self,
-        matrix: Matrix<'_>,
-        row_size: &[f64],
-    ) -> Result<FactorReport, SolveError> {
+impl LinearSystem for Banded {
+    fn scatter(&mut self, matrix: Matrix<'_>) {
         self.held = Held::Nothing;
+        match self.kind {
+            Kind::Symmetric => scatter(matrix.values, &self.ldlt_place, self.ldlt.clear()),
+            Kind::Unsymmetric => scatter(matrix.values, &self.lu_place, self.lu.clear()),
+        }
+    }
+
+    fn factor(&mut self, matrix: Matrix<'_>, row_size: &[f64]) -> Result<FactorReport, SolveError> {
         if self.size.is_empty() {
             return Ok(FactorReport::EMPTY);
         }
         self.set_sizes(row_size);
-        if self.kind == Kind::Symmetric
-            && let Some(report) = self.factor_symmetric(matrix.values)
-        {
-            self.held = Held::Symmetric;
-            return Ok(report);
+        if self.kind == Kind::Symmetric {
+            if let Some(report) = self.factor_symmetric(matrix.values) {
+                self.held = Held::Symmetric;
+                return Ok(report);
+            }
+            self.scatter_pivoted(matrix.pattern, matrix.values);
         }
         let plain = self.factor_pivoted(matrix.values);
         if plain.ratio >= SUSPICIOUS {
@@ -221,22 +301,12 @@ impl LinearSolver for Banded {
         Err(SolveError::Singular { equation, ratio: scaled.ratio })
     }
 
-    fn solve(&mut self, rhs: &mut [f64]) -> Result<(), SolveError> {
-        if let (Held::Wide, Some(wide)) = (self.held, &mut self.wide) {
-            return wide.solve(rhs);
-        }
-        if self.held == Held::Nothing && !rhs.is_empty() {
-            return Err(SolveError::NotFactored);
-        }
-        let scaled = self.held == Held::Pivoted { scaled: true };
-        for (w, &i) in self.work.iter_mut().zip(&self.layout.order) {
-            *w = if scaled { rhs[i] * self.scale[i] } else { rhs[i] };
-        }
-        self.solve_band();
-        for (w, &i) in self.work.iter().zip(&self.layout.order) {
-            rhs[i] = if scaled { w * self.scale[i] } else { *w };
-        }
-        Ok(())
+    fn solve(&mut self, block: &mut [f64], columns: usize) -> Result<(), SolveError> {
+        self.solve_block(block, columns, false)
+    }
+
+    fn solve_transpose(&mut self, block: &mut [f64], columns: usize) -> Result<(), SolveError> {
+        self.solve_block(block, columns, true)
     }
 
     fn description(&self) -> Description {

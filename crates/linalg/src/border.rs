@@ -2,7 +2,7 @@
 
 use crate::band_ldlt::{BandLdlt, Pivots};
 use crate::band_lu::{BandLu, SmallestPivot};
-use crate::kernel::dot;
+use crate::kernel::{dot, dot_lanes, subtract_lanes};
 use crate::pattern::Pattern;
 
 /// Rows and columns set apart from the band, dense: `count` columns B, `count` rows C (each of the
@@ -74,11 +74,11 @@ impl Border {
     }
 
     /// inv(A) B and the Schur complement D - C inv(A) B, with the band's solution given.
-    pub fn reduce(&mut self, solve_band: impl Fn(&mut [f64])) {
+    pub fn reduce(&mut self, solve_band: impl Fn(&mut [[f64; 1]])) {
         let (band, count) = (self.band, self.count);
         for q in 0..count {
             let column = &mut self.reduced[q * band..(q + 1) * band];
-            solve_band(column);
+            solve_band(column.as_chunks_mut().0);
             for p in 0..count {
                 self.corner[p * count + q] -= dot(&self.left[p * band..(p + 1) * band], column);
             }
@@ -114,15 +114,32 @@ impl Border {
     }
 
     /// Completes a solution: `x` holds inv(A) f and `y` the border's right-hand side g.
-    pub fn solve(&self, x: &mut [f64], y: &mut [f64]) {
+    pub fn solve<const M: usize>(&self, x: &mut [[f64; M]], y: &mut [[f64; M]]) {
         let band = self.band;
         for (p, y_p) in y.iter_mut().enumerate() {
-            *y_p -= dot(&self.left[p * band..(p + 1) * band], x);
+            let known = dot_lanes(&self.left[p * band..(p + 1) * band], x);
+            y_p.iter_mut().zip(known).for_each(|(y_p, known)| *y_p -= known);
         }
         self.schur.solve(y);
-        for (q, &y_q) in y.iter().enumerate() {
+        for (q, y_q) in y.iter().enumerate() {
             for (x_i, w) in x.iter_mut().zip(&self.reduced[q * band..(q + 1) * band]) {
-                *x_i -= w * y_q;
+                subtract_lanes(x_i, *w, y_q);
+            }
+        }
+    }
+
+    /// Prepares a solution of the transposed system: `y` becomes the border's unknowns, and `x`, the
+    /// band's right-hand side f, becomes f - C' y, which the band then solves with A'.
+    pub fn solve_transpose<const M: usize>(&self, x: &mut [[f64; M]], y: &mut [[f64; M]]) {
+        let band = self.band;
+        for (q, y_q) in y.iter_mut().enumerate() {
+            let known = dot_lanes(&self.reduced[q * band..(q + 1) * band], x);
+            y_q.iter_mut().zip(known).for_each(|(y_q, known)| *y_q -= known);
+        }
+        self.schur.solve_transpose(y);
+        for (p, y_p) in y.iter().enumerate() {
+            for (x_i, c) in x.iter_mut().zip(&self.left[p * band..(p + 1) * band]) {
+                subtract_lanes(x_i, *c, y_p);
             }
         }
     }

@@ -52,6 +52,11 @@ pub enum SolveError {
     /// The sparse library could not analyse or factor the system for want of memory, and the banded
     /// factorisation would need more still.
     OutOfMemory,
+    /// An implementation from elsewhere failed for a reason of its own.
+    External {
+        /// The reason, as a clause.
+        reason: &'static str,
+    },
 }
 
 impl fmt::Display for SolveError {
@@ -73,6 +78,7 @@ impl fmt::Display for SolveError {
             }
             Self::PatternChanged => write!(f, "the pattern is not the one that was analysed"),
             Self::NotFactored => write!(f, "the system has not been factored"),
+            Self::External { reason } => write!(f, "the linear system failed: {reason}"),
             Self::OutOfMemory => write!(f, "the factorisation needs more memory than there is"),
         }
     }

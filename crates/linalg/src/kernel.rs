@@ -42,13 +42,52 @@ pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     sum
 }
 
-/// Scalar product for back substitution: the nearest unknowns, which have just been found, enter
+/// Right-hand sides that are substituted together: their loops share the factors' entries, and the
+/// sums of each are made in the order in which they are made for it alone.
+pub(crate) const LANES: usize = 4;
+
+/// x -= factor * y for every lane.
+#[inline(always)]
+pub(crate) fn subtract_lanes<const M: usize>(x: &mut [f64; M], factor: f64, y: &[f64; M]) {
+    for lane in 0..M {
+        x[lane] -= factor * y[lane];
+    }
+}
+
+/// Scalar products of a row with every lane of x, in interleaved parts like [`dot`].
+#[inline(always)]
+pub(crate) fn dot_lanes<const M: usize>(row: &[f64], x: &[[f64; M]]) -> [f64; M] {
+    let (row_blocks, row_rest) = row.as_chunks::<BLOCK>();
+    let (x_blocks, x_rest) = x.as_chunks::<BLOCK>();
+    let mut part = [[0.0; M]; BLOCK];
+    for (p, q) in row_blocks.iter().zip(x_blocks) {
+        for k in 0..BLOCK {
+            for lane in 0..M {
+                part[k][lane] += p[k] * q[k][lane];
+            }
+        }
+    }
+    let mut sum: [f64; M] = std::array::from_fn(|lane| {
+        (part[0][lane] + part[1][lane]) + (part[2][lane] + part[3][lane])
+    });
+    for (p, q) in row_rest.iter().zip(x_rest) {
+        for lane in 0..M {
+            sum[lane] += p * q[lane];
+        }
+    }
+    sum
+}
+
+/// Scalar products for back substitution: the nearest unknowns, which have just been found, enter
 /// last, so that the processor need not wait for them.
-pub(crate) fn dot_from_far(row: &[f64], x: &[f64]) -> f64 {
+#[inline(always)]
+pub(crate) fn dot_from_far<const M: usize>(row: &[f64], x: &[[f64; M]]) -> [f64; M] {
     let near = row.len().min(2 * BLOCK);
-    let mut sum = dot(&row[near..], &x[near..]);
+    let mut sum = dot_lanes(&row[near..], &x[near..]);
     for (u, x_i) in row[..near].iter().zip(&x[..near]).rev() {
-        sum += u * x_i;
+        for lane in 0..M {
+            sum[lane] += u * x_i[lane];
+        }
     }
     sum
 }

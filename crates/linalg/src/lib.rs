@@ -8,10 +8,11 @@
 //!             o    reference node      - - - - - - -  + reference node
 //! ```
 //!
-//! Two back ends stand behind the trait [`LinearSolver`], chosen by the predicted number of
-//! operations: a contiguous band with dense border ([`BackEnd::Banded`]) and a sparse factorisation
-//! ([`BackEnd::Sparse`]). Every solution is checked by its residual; failures are typed and name the
-//! equation in the caller's numbering.
+//! Factorisations stand behind the trait [`LinearSystem`]; those of this crate are chosen by the
+//! predicted number of operations: a contiguous band with dense border ([`BackEnd::Banded`]) and a
+//! sparse factorisation ([`BackEnd::Sparse`]). Others (of many processes, say) come with a factory,
+//! [`Analyse`]. Every solution is checked by its residual; failures are typed and name the equation
+//! in the caller's numbering.
 //!
 //! ```
 //! use slideline_linalg::{Kind, Pattern, analyse};
@@ -28,15 +29,22 @@ mod band_ldlt;
 mod band_lu;
 mod banded;
 mod border;
+mod choice;
+mod dense;
 mod error;
 mod kernel;
+pub mod krylov;
 mod ordering;
 mod pattern;
 mod residual;
 mod scaling;
 mod solver;
 mod sparse;
+mod system;
 
+pub use choice::{BuiltIn, analyse, analyse_with};
+pub use dense::{DenseLu, reduce_rows};
 pub use error::{FactorReport, SolveError};
 pub use pattern::{Matrix, Pattern};
-pub use solver::{BackEnd, Description, Kind, LinearSolver, Solver, analyse, analyse_with};
+pub use solver::Solver;
+pub use system::{Analyse, BackEnd, Description, Kind, LinearSystem};

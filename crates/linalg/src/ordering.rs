@@ -12,7 +12,7 @@
 //! ```
 
 use crate::pattern::Pattern;
-use crate::solver::Kind;
+use crate::system::Kind;
 
 /// Largest number of rows that are set apart as a border.
 const LARGEST_BORDER: usize = 48;
@@ -91,7 +91,7 @@ impl Layout {
 }
 
 /// Place of every equation in an order; `usize::MAX` for those left out.
-pub(crate) fn places(n: usize, order: &[usize]) -> Vec<usize> {
+pub(crate) fn positions(n: usize, order: &[usize]) -> Vec<usize> {
     let mut place = vec![usize::MAX; n];
     order.iter().enumerate().for_each(|(at, &i)| place[i] = at);
     place
@@ -99,7 +99,7 @@ pub(crate) fn places(n: usize, order: &[usize]) -> Vec<usize> {
 
 /// Largest distance from the diagonal when the equations of `order` alone are numbered so.
 pub(crate) fn half_bandwidth(pattern: &Pattern, order: &[usize]) -> usize {
-    let place = places(pattern.size(), order);
+    let place = positions(pattern.size(), order);
     let mut widest = 0;
     for (at, &i) in order.iter().enumerate() {
         for &j in pattern.row(i) {
@@ -187,7 +187,7 @@ impl Walk<'_> {
 /// without pivoting can use it.
 pub(crate) fn behind_neighbours(pattern: &Pattern, order: &[usize], zero: &[bool]) -> Vec<usize> {
     let n = pattern.size();
-    let place = places(n, order);
+    let place = positions(n, order);
     let mut followers: Vec<(usize, usize)> = Vec::new();
     for &i in order.iter().filter(|&&i| zero[i]) {
         let neighbours = pattern.row(i).iter().filter(|&&j| !zero[j]);
@@ -253,7 +253,7 @@ mod tests {
         ) {
             let pattern = Pattern::from_pairs(n, pairs.into_iter());
             let natural: Vec<usize> = (0..n).collect();
-            let place = places(n, &behind_neighbours(&pattern, &natural, &zero[..n]));
+            let place = positions(n, &behind_neighbours(&pattern, &natural, &zero[..n]));
             for i in (0..n).filter(|&i| zero[i]) {
                 for &j in pattern.row(i).iter().filter(|&&j| !zero[j]) {
                     prop_assert!(place[j] < place[i]);

@@ -6,13 +6,25 @@
 //!   1         2         3       . x x
 //! ```
 
+use std::sync::Arc;
+
 /// Structurally symmetric sparse pattern of a square matrix: compressed rows, columns ascending in
-/// each row, the diagonal always present.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// each row, the diagonal always present. A copy shares the memory of the original.
+#[derive(Clone, Debug, Eq)]
 pub struct Pattern {
-    n: usize,
-    row_start: Vec<usize>,
+    rows: Arc<Rows>,
+}
+
+#[derive(Debug, PartialEq, Eq)]
+struct Rows {
+    start: Vec<usize>,
     column: Vec<usize>,
+}
+
+impl PartialEq for Pattern {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.rows, &other.rows) || self.rows == other.rows
+    }
 }
 
 impl Pattern {
@@ -75,40 +87,40 @@ impl Pattern {
             row_start.push(column.len());
         }
         column.shrink_to_fit();
-        Self { n, row_start, column }
+        Self { rows: Arc::new(Rows { start: row_start, column }) }
     }
 
     /// Number of equations.
     pub fn size(&self) -> usize {
-        self.n
+        self.rows.start.len() - 1
     }
 
     /// Number of stored entries, both triangles and the diagonal.
     pub fn entries(&self) -> usize {
-        self.column.len()
+        self.rows.column.len()
     }
 
     /// Columns of row `i`, ascending.
     pub fn row(&self, i: usize) -> &[usize] {
-        &self.column[self.row_start[i]..self.row_start[i + 1]]
+        &self.rows.column[self.rows.start[i]..self.rows.start[i + 1]]
     }
 
     /// Where each row begins among the entries; length `size() + 1`.
     pub fn row_start(&self) -> &[usize] {
-        &self.row_start
+        &self.rows.start
     }
 
     /// Columns of all entries, row after row.
     pub fn columns(&self) -> &[usize] {
-        &self.column
+        &self.rows.column
     }
 
     /// Index of entry (i, j) in the array of values, `None` when the pattern does not hold it.
     pub fn position(&self, i: usize, j: usize) -> Option<usize> {
-        if i >= self.n {
+        if i >= self.size() {
             return None;
         }
-        self.row(i).binary_search(&j).ok().map(|at| self.row_start[i] + at)
+        self.row(i).binary_search(&j).ok().map(|at| self.rows.start[i] + at)
     }
 }
 
@@ -129,13 +141,13 @@ impl<'a> Matrix<'a> {
 
     /// Columns and values of row `i`.
     pub fn row(&self, i: usize) -> (&'a [usize], &'a [f64]) {
-        let range = self.pattern.row_start[i]..self.pattern.row_start[i + 1];
-        (&self.pattern.column[range.clone()], &self.values[range])
+        let range = self.pattern.rows.start[i]..self.pattern.rows.start[i + 1];
+        (&self.pattern.rows.column[range.clone()], &self.values[range])
     }
 
     /// y = A x.
     pub fn multiply(&self, x: &[f64], y: &mut [f64]) {
-        for (i, y_i) in y.iter_mut().enumerate().take(self.pattern.n) {
+        for (i, y_i) in y.iter_mut().enumerate().take(self.pattern.size()) {
             *y_i = self.row_times(i, x);
         }
     }
@@ -143,7 +155,7 @@ impl<'a> Matrix<'a> {
     /// y = A' x.
     pub fn multiply_transpose(&self, x: &[f64], y: &mut [f64]) {
         y.fill(0.0);
-        for (i, &x_i) in x.iter().enumerate().take(self.pattern.n) {
+        for (i, &x_i) in x.iter().enumerate().take(self.pattern.size()) {
             let (columns, values) = self.row(i);
             for (&j, &a) in columns.iter().zip(values) {
                 y[j] += a * x_i;

@@ -1,13 +1,9 @@
-//! Analysis, choice of the back end, and the checks around every solution.
+//! The checks around every factorisation and solution.
 
-use std::fmt;
-
-use crate::banded::Banded;
 use crate::error::{FactorReport, SolveError};
-use crate::ordering::Layout;
 use crate::pattern::{Matrix, Pattern};
-use crate::residual::worst_residual;
-use crate::sparse::{LARGEST_BAND, Sparse};
+use crate::residual::worst_of;
+use crate::system::{Analyse, Description, Kind, LinearSystem};
 
 /// Backward error above which one step of iterative refinement is done.
 const REFINE_ABOVE: f64 = 1e-10;
@@ -17,149 +13,85 @@ const REFUSE_ABOVE: f64 = 1e-6;
 const SMALLEST: f64 = f64::MIN_POSITIVE / (f64::EPSILON * f64::EPSILON * f64::EPSILON);
 /// What they are raised by, a power of two.
 const RAISE: f64 = 1.0 / SMALLEST;
-/// Banded factorisations with fewer operations are not worth a second analysis.
-const SMALL: f64 = 2e6;
-
-/// Symmetry of the values.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// Symmetric values, definite or not. The whole matrix is given, not one triangle.
-    Symmetric,
-    /// Unsymmetric values (friction, follower loads).
-    Unsymmetric,
-}
-
-/// How systems are factored.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum BackEnd {
-    /// Contiguous band with dense border: L D L' with fall-back to LU with partial pivoting.
-    Banded,
-    /// Sparse factorisation in a fill-reducing order.
-    Sparse,
-}
-
-/// What the analysis decided.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Description {
-    /// How systems are factored.
-    pub back_end: BackEnd,
-    /// Symmetry asked for.
-    pub kind: Kind,
-    /// Number of equations.
-    pub equations: usize,
-    /// Half-bandwidth without the border; zero for the sparse back end.
-    pub half_bandwidth: usize,
-    /// Number of dense rows set apart; zero for the sparse back end.
-    pub border: usize,
-    /// Predicted number of stored factor entries.
-    pub predicted_entries: f64,
-    /// Predicted number of multiplications and additions of a factorisation.
-    pub predicted_operations: f64,
-}
-
-impl fmt::Display for Description {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let kind = match self.kind {
-            Kind::Symmetric => "symmetric",
-            Kind::Unsymmetric => "unsymmetric",
-        };
-        match self.back_end {
-            BackEnd::Banded => write!(
-                f,
-                "banded {kind}, {} equations, half-bandwidth {}, border {}",
-                self.equations, self.half_bandwidth, self.border
-            )?,
-            BackEnd::Sparse => write!(f, "sparse {kind}, {} equations", self.equations)?,
-        }
-        write!(
-            f,
-            ", {:.3e} entries, {:.3e} operations predicted",
-            self.predicted_entries, self.predicted_operations
-        )
-    }
-}
-
-/// A way of factoring and solving. An implementation is made by the analysis of a pattern and sees
-/// only matrices of that pattern with finite values and no empty row.
-pub trait LinearSolver: Send {
-    /// Factors; `row_size[i]` is the sum of magnitudes of row i. Errors as [`SolveError`].
-    fn refactor(
-        &mut self,
-        matrix: Matrix<'_>,
-        row_size: &[f64],
-    ) -> Result<FactorReport, SolveError>;
-    /// Solves in place with the last factorisation.
-    fn solve(&mut self, rhs: &mut [f64]) -> Result<(), SolveError>;
-    /// What the analysis decided.
-    fn description(&self) -> Description;
-}
 
 /// An analysed system: refactor as often as the values change, solve as often as needed.
 pub struct Solver {
-    back_end: Box<dyn LinearSolver>,
+    system: Box<dyn LinearSystem>,
     pattern: Pattern,
     values: Vec<f64>,
     row_size: Vec<f64>,
     rhs: Vec<f64>,
     correction: Vec<f64>,
+    /// Sums of magnitudes of the columns, for solutions of the transposed system.
+    column_size: Vec<f64>,
+    /// By what the right-hand sides of a block were raised.
+    raised: Vec<f64>,
     report: Option<FactorReport>,
     /// Natural unit of each unknown; none: all alike.
     unit: Vec<f64>,
+    /// Product of the units of row and column of each entry; none: all one.
+    entry_unit: Vec<f64>,
     /// Whether the last checked solution needed no refinement.
     accurate: bool,
 }
 
-/// Symbolic analysis, once for every pattern: orders the equations, predicts the work and chooses
-/// the back end.
-pub fn analyse(pattern: &Pattern, kind: Kind) -> Solver {
-    let layout = Layout::cheapest(pattern, kind);
-    let banded_time = banded_seconds(&layout, kind);
-    if layout.operations(kind) > SMALL
-        && let Some(sparse) = Sparse::new(pattern, kind)
-        && (sparse_seconds(&sparse, kind) < banded_time || layout.entries(kind) > LARGEST_BAND)
-    {
-        return Solver::new(pattern, Box::new(sparse));
+/// A system whose analysis failed.
+struct Refused {
+    fault: SolveError,
+    kind: Kind,
+    equations: usize,
+}
+
+impl LinearSystem for Refused {
+    fn description(&self) -> Description {
+        Description::external("analysis failed", self.kind, self.equations)
     }
-    Solver::new(pattern, Box::new(Banded::new(pattern, kind, layout)))
-}
-
-/// Like [`analyse`] with the back end prescribed, for comparisons and tests. Where the sparse
-/// library cannot analyse the pattern the banded back end is used.
-pub fn analyse_with(pattern: &Pattern, kind: Kind, back_end: BackEnd) -> Solver {
-    if back_end == BackEnd::Sparse
-        && let Some(sparse) = Sparse::new(pattern, kind)
-    {
-        return Solver::new(pattern, Box::new(sparse));
+    fn scatter(&mut self, _matrix: Matrix<'_>) {}
+    fn factor(&mut self, _: Matrix<'_>, _: &[f64]) -> Result<FactorReport, SolveError> {
+        Err(self.fault)
     }
-    let layout = Layout::cheapest(pattern, kind);
-    Solver::new(pattern, Box::new(Banded::new(pattern, kind, layout)))
+    fn solve(&mut self, _block: &mut [f64], _columns: usize) -> Result<(), SolveError> {
+        Err(self.fault)
+    }
+    fn solve_transpose(&mut self, _: &mut [f64], _: usize) -> Result<(), SolveError> {
+        Err(self.fault)
+    }
 }
 
-/// Rough time of a banded factorisation [s]: short contiguous loops.
-fn banded_seconds(layout: &Layout, kind: Kind) -> f64 {
-    layout.operations(kind) / 8e9
-}
-
-/// Rough time of a sparse factorisation [s]: dense blocks are fast, the way there is not. The
-/// constants are measured on plane grids.
-fn sparse_seconds(sparse: &Sparse, kind: Kind) -> f64 {
-    let entry = if kind == Kind::Symmetric { 15e-9 } else { 80e-9 };
-    sparse.operations() / 6e9 + sparse.entries() * entry
+/// Which of the two systems is solved.
+#[derive(Clone, Copy, PartialEq)]
+enum Side {
+    Plain,
+    Transposed,
 }
 
 impl Solver {
-    fn new(pattern: &Pattern, back_end: Box<dyn LinearSolver>) -> Self {
+    /// A solver around an analysed system of a pattern, whoever implements it.
+    pub fn new(pattern: &Pattern, system: Box<dyn LinearSystem>) -> Self {
         let n = pattern.size();
         Self {
-            back_end,
+            system,
             pattern: pattern.clone(),
             values: vec![0.0; pattern.entries()],
             row_size: vec![0.0; n],
             rhs: vec![0.0; n],
             correction: vec![0.0; n],
+            column_size: Vec::new(),
+            raised: Vec::new(),
             report: None,
             unit: Vec::new(),
+            entry_unit: Vec::new(),
             accurate: false,
+        }
+    }
+
+    /// Analyses a pattern with a factory of systems, from this crate or from elsewhere. Where the
+    /// analysis fails, every factorisation says so.
+    pub fn analyse(pattern: &Pattern, kind: Kind, factory: &dyn Analyse) -> Self {
+        let refused = |fault| Box::new(Refused { fault, kind, equations: pattern.size() });
+        match factory.analyse(pattern, kind) {
+            Ok(system) => Self::new(pattern, system),
+            Err(fault) => Self::new(pattern, refused(fault)),
         }
     }
 
@@ -167,7 +99,12 @@ impl Solver {
     /// which all entries have one dimension: neither a pivot nor an accuracy then depends on how
     /// forces and lengths are measured. Units of another number than the equations are left aside.
     pub fn with_units(mut self, unit: Vec<f64>) -> Self {
-        if unit.len() == self.rhs.len() && unit.iter().all(|&u| u > 0.0 && u.is_finite()) {
+        let usable = unit.len() == self.rhs.len() && unit.iter().all(|&u| u > 0.0 && u.is_finite());
+        if usable && unit.iter().any(|&u| u != 1.0) {
+            self.entry_unit = (0..unit.len())
+                .flat_map(|row| self.pattern.row(row).iter().map(move |&column| (row, column)))
+                .map(|(row, column)| unit[row] * unit[column])
+                .collect();
             self.unit = unit;
         }
         self
@@ -175,17 +112,12 @@ impl Solver {
 
     /// U A U of the values given.
     fn take(&mut self, values: &[f64]) {
-        self.values.copy_from_slice(values);
         if self.unit.is_empty() {
+            self.values.copy_from_slice(values);
             return;
         }
-        let columns = self.pattern.columns();
-        for (row, bounds) in self.pattern.row_start().windows(2).enumerate() {
-            let own = self.unit[row];
-            let entries = self.values[bounds[0]..bounds[1]].iter_mut();
-            for (value, &column) in entries.zip(&columns[bounds[0]..bounds[1]]) {
-                *value *= own * self.unit[column];
-            }
+        for ((own, value), unit) in self.values.iter_mut().zip(values).zip(&self.entry_unit) {
+            *own = value * unit;
         }
     }
 
@@ -193,7 +125,8 @@ impl Solver {
     /// function of the values alone, whatever was factored before.
     ///
     /// Errors: [`SolveError::Size`], [`SolveError::PatternChanged`], [`SolveError::NotFinite`],
-    /// [`SolveError::Singular`]; after an error there is no factorisation to solve with.
+    /// [`SolveError::Singular`], those of the system; after an error there is no factorisation to
+    /// solve with.
     pub fn refactor(
         &mut self,
         pattern: &Pattern,
@@ -208,42 +141,85 @@ impl Solver {
             return Err(SolveError::PatternChanged);
         }
         self.take(values);
+        self.measure_rows()?;
         let matrix = Matrix::new(&self.pattern, &self.values);
-        for (i, size) in self.row_size.iter_mut().enumerate() {
-            *size = matrix.row_size(i);
-            if !size.is_finite() {
-                return Err(SolveError::NotFinite { equation: i });
-            }
-            if *size == 0.0 {
-                return Err(SolveError::Singular { equation: i, ratio: 0.0 });
-            }
-        }
-        let report = self.back_end.refactor(matrix, &self.row_size)?;
+        self.system.scatter(matrix);
+        let report = self.system.factor(matrix, &self.row_size)?;
         self.report = Some(report);
         Ok(report)
+    }
+
+    /// The first row that any process names.
+    fn first_of_all<const M: usize>(&self, own: [Option<usize>; M]) -> [Option<usize>; M] {
+        let n = self.rhs.len();
+        // The largest distance from the end is that of the first row.
+        let mut from_end = own.map(|at| at.map_or(0.0, |i| (n - i) as f64));
+        self.system.reduce_max(&mut from_end);
+        from_end.map(|distance| (distance > 0.0).then(|| n - distance as usize))
+    }
+
+    /// Sizes of the owned rows; refuses what is not finite and what is empty, the first row first.
+    fn measure_rows(&mut self) -> Result<(), SolveError> {
+        let matrix = Matrix::new(&self.pattern, &self.values);
+        let (mut infinite, mut empty) = (None, None);
+        for i in self.system.owned_rows() {
+            let size = matrix.row_size(i);
+            self.row_size[i] = size;
+            if size == 0.0 || !size.is_finite() {
+                let first = if size == 0.0 { &mut empty } else { &mut infinite };
+                first.get_or_insert(i);
+            }
+        }
+        let [infinite, empty] = self.first_of_all([infinite, empty]);
+        if let Some(equation) = infinite {
+            return Err(SolveError::NotFinite { equation });
+        }
+        if let Some(equation) = empty {
+            return Err(SolveError::Singular { equation, ratio: 0.0 });
+        }
+        Ok(())
     }
 
     /// Solves in place with the last factorisation, any number of times. The residual is checked
     /// and the solution refined once where rounding was worse than usual.
     ///
     /// Errors: [`SolveError::Size`], [`SolveError::NotFactored`], [`SolveError::NotFinite`] for the
-    /// right-hand side, [`SolveError::Singular`] when the solution is useless all the same.
+    /// right-hand side, [`SolveError::Singular`] when the solution is useless all the same, those
+    /// of the system.
     pub fn solve(&mut self, rhs: &mut [f64]) -> Result<(), SolveError> {
+        self.solve_side(rhs, Side::Plain)
+    }
+
+    /// Solves A' x = b in place with the last factorisation, checked like [`Solver::solve`].
+    ///
+    /// Errors: those of [`Solver::solve`].
+    pub fn solve_transpose(&mut self, rhs: &mut [f64]) -> Result<(), SolveError> {
+        self.solve_side(rhs, Side::Transposed)
+    }
+
+    fn solve_side(&mut self, rhs: &mut [f64], side: Side) -> Result<(), SolveError> {
         if rhs.len() != self.rhs.len() {
             return Err(SolveError::Size { expected: self.rhs.len(), found: rhs.len() });
         }
         let Some(report) = self.report else { return Err(SolveError::NotFactored) };
-        if let Some(equation) = rhs.iter().position(|b| !b.is_finite()) {
+        let infinite = self.system.owned_rows().find(|&i| !rhs[i].is_finite());
+        if let [Some(equation)] = self.first_of_all([infinite]) {
             return Err(SolveError::NotFinite { equation });
         }
-        let raised = self.enter(rhs);
+        self.enter(rhs);
+        let raised = self.raised.first().copied().unwrap_or(1.0);
         self.rhs.copy_from_slice(rhs);
-        self.back_end.solve(rhs)?;
-        self.accurate = self.backward_error(rhs) <= REFINE_ABOVE;
-        if !self.accurate {
-            self.refine(rhs)?;
+        self.substitute(rhs, side)?;
+        let mut error = self.backward_error(rhs, side);
+        let accurate = error <= REFINE_ABOVE;
+        if side == Side::Plain {
+            self.accurate = accurate;
         }
-        if self.accurate || self.backward_error(rhs) <= REFUSE_ABOVE {
+        if !accurate {
+            self.refine(rhs, side)?;
+            error = self.backward_error(rhs, side);
+        }
+        if error <= REFUSE_ABOVE {
             self.leave(rhs, raised);
             return Ok(());
         }
@@ -258,25 +234,57 @@ impl Solver {
     ///
     /// Errors: those of [`Solver::solve`].
     pub fn respond(&mut self, rhs: &mut [f64]) -> Result<(), SolveError> {
-        if !self.accurate || rhs.len() != self.rhs.len() {
-            return self.solve(rhs);
-        }
-        let raised = self.enter(rhs);
-        self.back_end.solve(rhs)?;
-        self.leave(rhs, raised);
-        Ok(())
+        self.solve_many(rhs, 1)
     }
 
-    /// A right-hand side in the units of its equations, raised by a power of two where it is so
-    /// small that products with it would lose digits below the smallest normal number; says by which.
-    fn enter(&self, rhs: &mut [f64]) -> f64 {
-        rhs.iter_mut().zip(&self.unit).for_each(|(b, u)| *b *= u);
-        let largest = rhs.iter().fold(0.0_f64, |largest, b| largest.max(b.abs()));
-        if largest == 0.0 || largest >= SMALLEST {
-            return 1.0;
+    /// As [`Solver::respond`] for many right-hand sides at once, stored column after column. The
+    /// result does not depend on how they are divided into blocks.
+    ///
+    /// Errors: those of [`Solver::solve`].
+    pub fn solve_many(&mut self, block: &mut [f64], columns: usize) -> Result<(), SolveError> {
+        let n = self.rhs.len();
+        if block.len() != n * columns {
+            return Err(SolveError::Size { expected: n * columns, found: block.len() });
         }
-        rhs.iter_mut().for_each(|b| *b *= RAISE);
-        RAISE
+        if n == 0 || columns == 0 {
+            return Ok(());
+        }
+        let mut checked = 0;
+        while !self.accurate && checked < columns {
+            self.solve(&mut block[checked * n..(checked + 1) * n])?;
+            checked += 1;
+        }
+        let rest = &mut block[checked * n..];
+        if rest.is_empty() {
+            return Ok(());
+        }
+        self.enter(rest);
+        let solved = self.system.solve(rest, columns - checked);
+        for (column, &raised) in rest.chunks_exact_mut(n).zip(&self.raised) {
+            self.leave(column, raised);
+        }
+        solved
+    }
+
+    /// Right-hand sides in the units of their equations, raised by a power of two where they are so
+    /// small that products with them would lose digits below the smallest normal number; by which is
+    /// noted in `raised`.
+    fn enter(&mut self, block: &mut [f64]) {
+        let n = self.rhs.len().max(1);
+        self.raised.clear();
+        for rhs in block.chunks_exact_mut(n) {
+            rhs.iter_mut().zip(&self.unit).for_each(|(b, u)| *b *= u);
+            let own = &rhs[self.system.owned_rows()];
+            self.raised.push(own.iter().fold(0.0_f64, |largest, b| largest.max(b.abs())));
+        }
+        self.system.reduce_max(&mut self.raised);
+        for (rhs, raised) in block.chunks_exact_mut(n).zip(&mut self.raised) {
+            let tiny = *raised > 0.0 && *raised < SMALLEST;
+            *raised = if tiny { RAISE } else { 1.0 };
+            if tiny {
+                rhs.iter_mut().for_each(|b| *b *= RAISE);
+            }
+        }
     }
 
     /// The unknowns of a solution.
@@ -287,19 +295,66 @@ impl Solver {
         solution.iter_mut().zip(&self.unit).for_each(|(x, u)| *x *= u);
     }
 
-    fn backward_error(&self, x: &[f64]) -> f64 {
-        let matrix = Matrix::new(&self.pattern, &self.values);
-        worst_residual(matrix, &self.row_size, x, |i| self.rhs[i]).0
+    fn substitute(&mut self, x: &mut [f64], side: Side) -> Result<(), SolveError> {
+        match side {
+            Side::Plain => self.system.solve(x, 1),
+            Side::Transposed => self.system.solve_transpose(x, 1),
+        }
     }
 
-    fn refine(&mut self, x: &mut [f64]) -> Result<(), SolveError> {
-        let matrix = Matrix::new(&self.pattern, &self.values);
-        for (i, (c, b)) in self.correction.iter_mut().zip(&self.rhs).enumerate() {
-            *c = b - matrix.row_times(i, x);
+    /// Backward error of a solution for the right-hand side kept, over the rows of all processes.
+    fn backward_error(&mut self, x: &[f64], side: Side) -> f64 {
+        if side == Side::Transposed {
+            self.residual_transposed(x);
+            let size = |j: usize| self.column_size[j];
+            return worst_of((0..x.len()).map(|j| (self.correction[j], size(j), self.rhs[j])), x);
         }
-        self.back_end.solve(&mut self.correction)?;
-        x.iter_mut().zip(&self.correction).for_each(|(x_i, c)| *x_i += c);
-        Ok(())
+        let matrix = Matrix::new(&self.pattern, &self.values);
+        let rows = self.system.owned_rows().map(|i| {
+            let b = self.rhs[i];
+            (b - matrix.row_times(i, x), self.row_size[i], b)
+        });
+        let mut worst = [worst_of(rows, x)];
+        self.system.reduce_max(&mut worst);
+        worst[0]
+    }
+
+    /// b - A x of the owned rows.
+    fn residual(&mut self, x: &[f64]) {
+        let matrix = Matrix::new(&self.pattern, &self.values);
+        for i in self.system.owned_rows() {
+            self.correction[i] = self.rhs[i] - matrix.row_times(i, x);
+        }
+    }
+
+    /// b - A' x, and the sums of magnitudes of the columns.
+    fn residual_transposed(&mut self, x: &[f64]) {
+        let matrix = Matrix::new(&self.pattern, &self.values);
+        self.correction.fill(0.0);
+        self.column_size.clear();
+        self.column_size.resize(x.len(), 0.0);
+        for i in self.system.owned_rows() {
+            let (columns, values) = matrix.row(i);
+            for (&j, &a) in columns.iter().zip(values) {
+                self.correction[j] -= a * x[i];
+                self.column_size[j] += a.abs();
+            }
+        }
+        self.system.reduce_sum(&mut self.correction);
+        self.system.reduce_sum(&mut self.column_size);
+        self.correction.iter_mut().zip(&self.rhs).for_each(|(c, b)| *c += b);
+    }
+
+    fn refine(&mut self, x: &mut [f64], side: Side) -> Result<(), SolveError> {
+        match side {
+            Side::Plain => self.residual(x),
+            Side::Transposed => self.residual_transposed(x),
+        }
+        let mut correction = std::mem::take(&mut self.correction);
+        let solved = self.substitute(&mut correction, side);
+        x.iter_mut().zip(&correction).for_each(|(x_i, c)| *x_i += c);
+        self.correction = correction;
+        solved
     }
 
     /// The matrix factored last.
@@ -307,8 +362,13 @@ impl Solver {
         Matrix::new(&self.pattern, &self.values)
     }
 
+    /// Rows that this process assembles and judges.
+    pub fn owned_rows(&self) -> std::ops::Range<usize> {
+        self.system.owned_rows()
+    }
+
     /// What the analysis decided.
     pub fn description(&self) -> Description {
-        self.back_end.description()
+        self.system.description()
     }
 }

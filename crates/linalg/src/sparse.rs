@@ -20,10 +20,10 @@ use faer::{Conj, MatMut, Par, Side};
 
 use crate::banded::Banded;
 use crate::error::{FactorReport, SolveError};
-use crate::ordering::{Layout, behind_neighbours, places};
+use crate::ordering::{Layout, behind_neighbours, positions};
 use crate::pattern::{Matrix, Pattern};
 use crate::residual::worst_residual;
-use crate::solver::{BackEnd, Description, Kind, LinearSolver};
+use crate::system::{BackEnd, Description, Kind, LinearSystem};
 
 /// Backward error of the trial solution above which the factors are not trusted.
 const LARGEST_TRIAL_ERROR: f64 = 1e-8;
@@ -120,7 +120,7 @@ impl Sparse {
     }
 
     /// Factors; `None` when the factors are of no use.
-    fn factor(&mut self, matrix: Matrix<'_>, row_size: &[f64]) -> Option<FactorReport> {
+    fn factor_sparse(&mut self, matrix: Matrix<'_>, row_size: &[f64]) -> Option<FactorReport> {
         let system = SparseColMatRef::new(structure(matrix.pattern), matrix.values);
         let stack = MemStack::new(&mut self.memory);
         match &mut self.factors {
@@ -148,14 +148,21 @@ impl Sparse {
         }
     }
 
-    fn solve_sparse(&mut self, rhs: &mut [f64]) {
+    fn solve_sparse(&mut self, rhs: &mut [f64], transposed: bool) {
         let stack = MemStack::new(&mut self.memory);
         let rhs = MatMut::from_column_major_slice_mut(rhs, self.n, 1);
         match &self.factors {
             Factors::Symmetric { symbolic, values } => LdltRef::new(symbolic, values)
                 .solve_in_place_with_conj(Conj::No, rhs, Par::Seq, stack),
-            Factors::Unsymmetric { symbolic, numeric } => LuRef::new_unchecked(symbolic, numeric)
-                .solve_transpose_in_place_with_conj(Conj::No, rhs, Par::Seq, stack),
+            Factors::Unsymmetric { symbolic, numeric } => {
+                let factors = LuRef::new_unchecked(symbolic, numeric);
+                match transposed {
+                    true => factors.solve_in_place_with_conj(Conj::No, rhs, Par::Seq, stack),
+                    false => {
+                        factors.solve_transpose_in_place_with_conj(Conj::No, rhs, Par::Seq, stack);
+                    }
+                }
+            }
         }
     }
 
@@ -172,8 +179,8 @@ impl Sparse {
         for (i, (x_i, size)) in x.iter_mut().zip(row_size).enumerate() {
             *x_i = sign(i) * size;
         }
-        self.solve_sparse(&mut x);
-        let (error, _) = worst_residual(matrix, row_size, &x, |i| sign(i) * row_size[i]);
+        self.solve_sparse(&mut x, false);
+        let error = worst_residual(matrix, row_size, &x, |i| sign(i) * row_size[i]);
         let (mut at, mut largest) = (0, 0.0);
         for (i, x_i) in x.iter().enumerate() {
             if x_i.abs() > largest {
@@ -210,21 +217,44 @@ impl Sparse {
             self.banded = Some(Box::new(banded));
         }
         let Some(banded) = &mut self.banded else { return Err(SolveError::NotFactored) };
-        let report = banded.refactor(matrix, row_size)?;
+        banded.scatter(matrix);
+        let report = banded.factor(matrix, row_size)?;
         (self.use_banded, self.ready) = (true, true);
         Ok(report)
     }
 }
 
-impl LinearSolver for Sparse {
-    fn refactor(
+impl Sparse {
+    fn solve_block(
         &mut self,
-        matrix: Matrix<'_>,
-        row_size: &[f64],
-    ) -> Result<FactorReport, SolveError> {
+        block: &mut [f64],
+        columns: usize,
+        transposed: bool,
+    ) -> Result<(), SolveError> {
+        if !self.ready {
+            return Err(SolveError::NotFactored);
+        }
+        match (&mut self.banded, self.use_banded, transposed) {
+            (Some(banded), true, false) => banded.solve(block, columns),
+            (Some(banded), true, true) => banded.solve_transpose(block, columns),
+            _ => {
+                for column in block.chunks_exact_mut(self.n.max(1)) {
+                    self.solve_sparse(column, transposed);
+                }
+                Ok(())
+            }
+        }
+    }
+}
+
+impl LinearSystem for Sparse {
+    fn scatter(&mut self, _matrix: Matrix<'_>) {
         (self.use_banded, self.ready) = (false, false);
+    }
+
+    fn factor(&mut self, matrix: Matrix<'_>, row_size: &[f64]) -> Result<FactorReport, SolveError> {
         self.follow_zero_diagonals(matrix)?;
-        let report = self.factor(matrix, row_size);
+        let report = self.factor_sparse(matrix, row_size);
         match report.and_then(|report| self.trial(matrix, row_size, report)) {
             Some(report) => {
                 self.ready = true;
@@ -234,17 +264,12 @@ impl LinearSolver for Sparse {
         }
     }
 
-    fn solve(&mut self, rhs: &mut [f64]) -> Result<(), SolveError> {
-        if !self.ready {
-            return Err(SolveError::NotFactored);
-        }
-        match (&mut self.banded, self.use_banded) {
-            (Some(banded), true) => banded.solve(rhs),
-            _ => {
-                self.solve_sparse(rhs);
-                Ok(())
-            }
-        }
+    fn solve(&mut self, block: &mut [f64], columns: usize) -> Result<(), SolveError> {
+        self.solve_block(block, columns, false)
+    }
+
+    fn solve_transpose(&mut self, block: &mut [f64], columns: usize) -> Result<(), SolveError> {
+        self.solve_block(block, columns, true)
     }
 
     fn description(&self) -> Description {
@@ -283,7 +308,7 @@ fn analyse_symmetric(
             factorize_symbolic_cholesky(structure, Side::Upper, SymmetricOrdering::Amd, settings)
         }
         Some(order) => {
-            let place = places(pattern.size(), order);
+            let place = positions(pattern.size(), order);
             let custom = PermRef::new_checked(order, &place, pattern.size());
             let ordering = SymmetricOrdering::Custom(custom);
             factorize_symbolic_cholesky(structure, Side::Upper, ordering, settings)
@@ -304,7 +329,10 @@ fn prepare(factors: &mut Factors) -> Option<MemBuffer> {
         }
         Factors::Unsymmetric { symbolic, .. } => StackReq::or(
             symbolic.factorize_numeric_lu_scratch::<f64>(Par::Seq, Default::default()),
-            symbolic.solve_transpose_in_place_scratch::<f64>(1, Par::Seq),
+            StackReq::or(
+                symbolic.solve_transpose_in_place_scratch::<f64>(1, Par::Seq),
+                symbolic.solve_in_place_scratch::<f64>(1, Par::Seq),
+            ),
         ),
     };
     MemBuffer::try_new(need).ok()
@@ -362,6 +390,15 @@ fn pivots(symbolic: &SymbolicCholesky<usize>, values: &[f64], row_size: &[f64]) 
 mod tests {
     use super::*;
 
+    fn refactor(
+        sparse: &mut Sparse,
+        matrix: Matrix<'_>,
+        row_size: &[f64],
+    ) -> Result<FactorReport, SolveError> {
+        sparse.scatter(matrix);
+        LinearSystem::factor(sparse, matrix, row_size)
+    }
+
     /// Requirement: ordinary systems are solved by the sparse factors, not by the banded stand-in;
     /// singular ones are handed to it.
     #[test]
@@ -375,12 +412,12 @@ mod tests {
                 values.extend(pattern.row(i).iter().map(|&j| if i == j { 60.0 } else { -1.0 }));
             }
             let mut sparse = Sparse::new(&pattern, kind).unwrap();
-            sparse.refactor(Matrix::new(&pattern, &values), &row_size).unwrap();
+            refactor(&mut sparse, Matrix::new(&pattern, &values), &row_size).unwrap();
             assert!(!sparse.use_banded, "{kind:?}");
             for (at, &j) in pattern.columns().iter().enumerate() {
                 values[at] = if j == 5 { 0.0 } else { values[at] };
             }
-            let result = sparse.refactor(Matrix::new(&pattern, &values), &row_size);
+            let result = refactor(&mut sparse, Matrix::new(&pattern, &values), &row_size);
             assert!(matches!(result, Err(SolveError::Singular { equation: 5, .. })), "{result:?}");
             assert!(sparse.banded.is_some());
         }

@@ -25,7 +25,43 @@ fn check(pattern: &Pattern, values: &[f64], kind: Kind) {
             let e = error(&x, &reference);
             assert!(e < 1e-9, "{}: {e:e}", solver.description());
         }
+        check_transpose(pattern, values, &mut solver, &b);
+        check_block(&mut solver, &b);
     }
+}
+
+/// A transposed solution against dense elimination with the same bound.
+fn check_transpose(pattern: &Pattern, values: &[f64], solver: &mut Solver, b: &[f64]) {
+    let rows = dense(pattern, values);
+    let columns = (0..b.len()).map(|j| rows.iter().map(|row| row[j]).collect()).collect();
+    let reference = eliminate(columns, b.to_vec());
+    let mut x = b.to_vec();
+    solver.solve_transpose(&mut x).unwrap();
+    let e = error(&x, &reference);
+    assert!(e < 1e-9, "transposed {}: {e:e}", solver.description());
+}
+
+/// Many right-hand sides at once give each the solution that it gets alone: the same bits from the
+/// banded factorisation, rounding from the sparse one, which uses dense kernels.
+fn check_block(solver: &mut Solver, b: &[f64]) {
+    let n = b.len();
+    let columns = 7;
+    let column = |c: usize| b.iter().map(move |b| b * (c as f64 - 2.5) + c as f64);
+    let mut block: Vec<f64> = (0..columns).flat_map(column).collect();
+    solver.solve_many(&mut block, columns).unwrap();
+    for c in 0..columns {
+        let mut alone: Vec<f64> = column(c).collect();
+        solver.solve(&mut alone).unwrap();
+        let together = &block[c * n..(c + 1) * n];
+        if solver.description().back_end == BackEnd::Banded {
+            assert_eq!(together, alone);
+        }
+        assert!(error(together, &alone) < 1e-9);
+    }
+    assert_eq!(
+        solver.solve_many(&mut block, columns + 1),
+        Err(SolveError::Size { expected: n * (columns + 1), found: n * columns })
+    );
 }
 
 fn band(n: usize, width: usize) -> Pattern {

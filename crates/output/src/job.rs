@@ -1,7 +1,7 @@
 //! Where a job's files go and what they are called.
 
-use crate::file::{self, PART, WriteError, at};
-use crate::restart::Kept;
+use crate::file::{self, Growing, PART, WriteError, at};
+use crate::kept::Kept;
 use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -30,6 +30,9 @@ const ENDINGS: &[&str] = &[
     FAILED,
     LOCK,
 ];
+
+/// How many wait for the disk at once.
+const WAITING: usize = 4;
 
 /// Folder and name of a job's files.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -119,6 +122,18 @@ impl JobFiles {
         lengths.iter().find(|(own, _)| own == ending).map(|&(_, length)| length)
     }
 
+    /// Creates a file that grows with its first lines; in a run that goes on,
+    /// opens it where the saved state left it, cut back to there.
+    pub(crate) fn begin(&self, ending: &str, heading: &str) -> Result<Growing, WriteError> {
+        if let Some(length) = self.kept_length(ending) {
+            return Growing::reopen(self.path(ending), length);
+        }
+        let mut file = Growing::create(self.path(ending))?;
+        file.text.push_str(heading);
+        file.flush()?;
+        Ok(file)
+    }
+
     /// Creates the folder where it is missing and removes every file of an
     /// earlier run.
     ///
@@ -136,27 +151,25 @@ impl JobFiles {
     }
 
     /// Waits until the result files are on the disk, the numbered states but
-    /// the last excepted: they are many, and nothing goes on from them. All at
-    /// once, so that the file system can take them in one go.
+    /// the last excepted: they are many, and nothing goes on from them. A few
+    /// at once, so that the file system can take them together.
     pub(crate) fn synchronise(&self) -> Result<(), WriteError> {
         let last = self.states()?.pop().map(|number| self.folder.join(self.state_name(number)));
         let kept = ENDINGS.iter().filter(|ending| **ending != LOCK).map(|ending| self.path(ending));
-        let paths: Vec<PathBuf> = kept.chain(last).filter(|path| path.exists()).collect();
+        let paths: Vec<PathBuf> = kept.chain(last).collect();
+        let each = |paths: &[PathBuf]| paths.iter().try_for_each(|path| file::synchronise(path));
         std::thread::scope(|threads| {
-            let waiting: Vec<_> = paths
-                .iter()
-                .map(|path| {
-                    let thread = std::thread::Builder::new();
-                    // where no more threads are to be had, one after the other
-                    let begun = thread.spawn_scoped(threads, || file::synchronise(path));
-                    begun.map_err(|_| file::synchronise(path))
-                })
-                .collect();
+            let (own, others) = paths.split_at(paths.len() / WAITING);
+            let waiting = others.chunks(paths.len().div_ceil(WAITING)).map(|paths| {
+                let begun = std::thread::Builder::new().spawn_scoped(threads, move || each(paths));
+                begun.map_err(|_| each(paths)) // no more threads are to be had
+            });
+            let waiting: Vec<_> = waiting.collect();
             let ended = waiting.into_iter().map(|waiting| match waiting {
                 Ok(thread) => thread.join().unwrap_or(Ok(())),
                 Err(done) => done,
             });
-            ended.fold(Ok(()), Result::and)
+            ended.fold(each(own), Result::and)
         })?;
         file::synchronise(&self.folder)
     }

@@ -22,9 +22,11 @@ mod advice;
 mod check;
 mod error_bars;
 mod further;
+mod job;
 mod mend;
 mod read;
 mod run;
+mod version;
 
 pub use advice::{advise, mended};
 pub use check::{InitialGaps, initial_gaps};
@@ -32,8 +34,9 @@ pub use error_bars::{
     ErrorBars, Reactions, Recorder, error_bars, time_error_bars, write_error_bars,
 };
 pub use further::From;
+pub use job::{Job, OldJob, ReadOptions};
 pub use mend::{Mend, try_mends};
-pub use read::{Job, OldJob, Read, ReadOptions};
+pub use read::Read;
 pub use run::{Outcome, Quiet, RunOptions, run};
 
 pub use slideline_advice::Noise;
@@ -44,7 +47,8 @@ pub use slideline_mech as mech;
 pub use slideline_model as model;
 pub use slideline_output as output;
 pub use slideline_solve::{Checkpoint, resume, run as solve, run_from};
-pub use slideline_solve::{Options as SolveOptions, TangentCheck, observe};
+pub use slideline_solve::{Enforcement, Options as SolveOptions, TangentCheck, observe};
+pub use slideline_solve::{LinearSystems, linalg};
 pub use slideline_solve::{UserFrictions, friction};
 
 pub use slideline_diag::{Diagnostic, Severity};
@@ -52,6 +56,4 @@ pub use slideline_measures::{MeshNoise, NoiseSummary, PairNoise, ReactionNoise};
 pub use slideline_model::{Dialect, Model, Onset};
 pub use slideline_output::Status;
 pub use slideline_solve::observe::{Event, Observer, Stop};
-
-/// Version of this library.
-pub const VERSION: &str = env!("CARGO_PKG_VERSION");
+pub use version::VERSION;

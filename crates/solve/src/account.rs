@@ -14,10 +14,11 @@ use crate::newton::{Target, Workspace};
 use crate::observe::Energies;
 use crate::plan::Plan;
 use crate::state::State;
+use serde::{Deserialize, Serialize};
 
 /// What the last increment turned over and what it left unbalanced, and sums
 /// of that. [F L]
-#[derive(Clone, Copy, Debug, PartialEq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Default, Serialize, Deserialize)]
 pub struct Books {
     /// Energy turned over since time 0, eq. (10.4).
     pub turned_over: f64,

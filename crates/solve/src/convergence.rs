@@ -14,6 +14,7 @@
 
 use crate::dofs::DofMap;
 use crate::observe::FieldReport;
+use serde::{Deserialize, Serialize};
 use slideline_model::FieldControls;
 
 /// The two fields of a structure.
@@ -63,7 +64,7 @@ impl FieldHistory {
 
 /// Time average of the flux of one field over a step, and the largest flux of
 /// the analysis.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct FluxAverage {
     sum: f64,
     count: f64,
@@ -71,16 +72,6 @@ pub struct FluxAverage {
 }
 
 impl FluxAverage {
-    /// Sum, count and largest flux, to be kept.
-    pub fn parts(&self) -> [f64; 3] {
-        [self.sum, self.count, self.largest]
-    }
-
-    /// From what was kept.
-    pub fn of_parts([sum, count, largest]: [f64; 3]) -> Self {
-        Self { sum, count, largest }
-    }
-
     /// A step averages anew; what the analysis has seen at most is kept.
     pub fn begin_step(&mut self) {
         (self.sum, self.count) = (0.0, 0.0);

@@ -7,7 +7,7 @@
 //! The result depends on the arguments alone.
 
 use crate::constraints::Rows;
-use crate::contact::Meeting;
+use crate::contact::{MasterPositions, Meeting};
 use crate::observe::{FrictionCall, Status};
 use crate::plan::Plan;
 use crate::stabilise::Dashpot;
@@ -72,7 +72,7 @@ pub struct Evaluation {
     pub memory: Vec<f64>,
     /// What a user friction law complained of.
     pub fault: Option<UserFrictionError>,
-    positions: Vec<[f64; 2]>,
+    positions: MasterPositions,
 }
 
 impl Evaluation {
@@ -95,7 +95,7 @@ impl Evaluation {
             stick_slip: 0.0,
             memory: vec![0.0; plan.contact.memory_size],
             fault: None,
-            positions: Vec::with_capacity(plan.contact.chain_nodes()),
+            positions: MasterPositions::default(),
         }
     }
 

@@ -12,7 +12,6 @@
 
 mod account;
 mod balance;
-pub mod bytes;
 mod checkpoint;
 mod commit;
 mod constraints;
@@ -23,6 +22,7 @@ mod dofs;
 mod evaluate;
 mod evidence;
 mod increments;
+mod linear_systems;
 mod linearised;
 mod memory;
 mod newton;
@@ -41,8 +41,11 @@ mod users;
 pub use checkpoint::Checkpoint;
 pub use contact::placed as rigid_surface;
 pub use increments::{Control, Decision, StopReason, Verdict};
+pub use linear_systems::LinearSystems;
 pub use memory::objection as memory_objection;
 pub use run::{Options, TangentCheck, resume, run, run_from};
+pub use slideline_linalg as linalg;
+pub use slideline_mech::contact::enforcement::Enforcement;
 pub use slideline_mech::contact::friction;
 pub use stabilise::may_stabilise;
 pub use users::UserFrictions;

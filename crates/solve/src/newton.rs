@@ -17,12 +17,12 @@ mod search;
 mod stresses;
 mod turns;
 
-use crate::contact::{GeometryScratch, Missed, Sweep, SweepScratch};
+use crate::contact::{GeometryScratch, MasterPositions, Missed, Sweep, SweepScratch};
 use crate::convergence::{Field, FieldHistory, Measures, judge};
 use crate::evaluate::{Evaluation, Trial, evaluate};
 use crate::evidence::Evidence;
 use crate::increments::Verdict;
-use crate::linearised::{LinearPoint, LinearisedContact};
+use crate::linearised::{LinearPoint, LinearisedContact, Stiffness};
 use crate::observe::{ContactChange, IterationReport};
 use crate::plan::Plan;
 use crate::predict;
@@ -34,6 +34,7 @@ use assembly::circumstances;
 use relax::Relaxation;
 pub use relax::relax;
 use slideline_linalg::{SolveError, Solver};
+use slideline_mech::contact::enforcement::Enforcement;
 
 /// What an attempt aims at.
 #[derive(Clone, Copy, Debug)]
@@ -77,7 +78,15 @@ pub struct Workspace {
     pub evaluation: Evaluation,
     /// The factored tangent.
     pub solver: Solver,
+    /// The tangent without augmentation, and with it.
     values: Vec<f64>,
+    augmented: Vec<f64>,
+    /// Whether contact couples what the pattern does not hold.
+    pub outside: bool,
+    /// How the condensed contact problem of the iteration is solved.
+    enforcement: Enforcement,
+    /// The increment [T].
+    dt: f64,
     correction: Vec<f64>,
     correction_slots: Vec<f64>,
     residual: Vec<f64>,
@@ -96,7 +105,7 @@ pub struct Workspace {
     geometry: GeometryScratch,
     sweep: SweepScratch,
     dashpots: Vec<Dashpot>,
-    chain_positions: Vec<[f64; 2]>,
+    chain_positions: MasterPositions,
     was_closed: Vec<bool>,
     /// Most negative pivots of a symmetric factorisation in this attempt:
     /// directions in which the structure gives way.
@@ -128,6 +137,10 @@ impl Workspace {
             evaluation: Evaluation::new(plan),
             solver: plan.analyse(),
             values: vec![0.0; plan.pattern.entries()],
+            augmented: vec![0.0; plan.pattern.entries()],
+            outside: false,
+            enforcement: Enforcement::default(),
+            dt: 0.0,
             correction: vec![0.0; equations],
             correction_slots: vec![0.0; slots],
             residual: vec![0.0; slots],
@@ -140,10 +153,10 @@ impl Workspace {
             tractions: vec![0.0; points],
             points: Vec::with_capacity(points),
             contact,
-            geometry: GeometryScratch::new(&plan.contact),
+            geometry: GeometryScratch::new(),
             sweep: SweepScratch::default(),
             dashpots: Vec::new(),
-            chain_positions: Vec::new(),
+            chain_positions: MasterPositions::default(),
             was_closed: vec![false; points],
             negative_pivots: 0,
             evidence: Evidence::new(points),
@@ -175,7 +188,7 @@ pub fn attempt(
         if let Err(fault) = work.iterate(plan, committed, target.dt) {
             return progress.end(Verdict::Broken, Some(fault));
         }
-        if work.evaluation.fault.is_some() {
+        if work.outside || work.evaluation.fault.is_some() {
             return progress.end(Verdict::Broken, None);
         }
         let report = work.judge(plan, committed, target, &mut progress);
@@ -262,6 +275,7 @@ impl Workspace {
     /// The first guess, evaluated.
     fn begin(&mut self, plan: &Plan<'_>, committed: &State, target: &Target) {
         self.lend_to_all = false;
+        self.dt = target.dt;
         self.negative_pivots = 0;
         let times = (target.step_time, target.dt);
         stabilise::fill(plan, committed, times, &mut self.chain_positions, &mut self.dashpots);
@@ -364,17 +378,19 @@ impl Workspace {
             }
         }
         self.hold_back(plan);
-        self.contact.solve(
-            &mut self.points,
-            &circumstances(plan, committed, dt),
-            &mut self.solver,
-            &mut self.correction,
-        )
+        let context = circumstances(plan, committed, dt);
+        let Self { contact, enforcement, values, augmented, solver, points, correction, .. } = self;
+        let (pattern, symmetrised) = (&plan.pattern, plan.symmetrised());
+        let mut stiffness = Stiffness { pattern, values, augmented, solver, symmetrised };
+        contact.solve(points, &context, (*enforcement, &mut stiffness), correction)
     }
 
     /// One Newton iteration: assemble, factor, solve, move, evaluate.
     fn iterate(&mut self, plan: &Plan<'_>, committed: &State, dt: f64) -> Result<(), SolveError> {
         self.factor(plan, committed)?;
+        if self.outside {
+            return Ok(());
+        }
         self.contact_step(plan, committed, dt)?;
         let length = self.limit_turns(plan);
         if self.line_search {
@@ -445,6 +461,8 @@ impl Workspace {
             moment: self.measure(plan, committed, Field::Moment),
             contact_defect: self.evaluation.penetration.max(self.evaluation.stick_slip),
             step_length: self.step_length,
+            enforcement: self.enforcement,
+            solutions: self.contact.solutions(),
             converged: false,
         };
         let flux = [self.evaluation.flux.mean_force(), self.evaluation.flux.mean_moment()];

@@ -11,7 +11,9 @@
 
 use crate::checkpoint::Checkpoint;
 use crate::dofs::DofMap;
+use serde::{Deserialize, Serialize};
 use slideline_diag::Diagnostic;
+use slideline_mech::contact::enforcement::Enforcement;
 use slideline_model::{BeamSection, Dof, Element, Model, NodeIndex};
 use std::ops::ControlFlow;
 
@@ -109,6 +111,11 @@ pub struct IterationReport {
     pub contact_defect: f64,
     /// Fraction of the correction that was taken [1].
     pub step_length: f64,
+    /// How contact was solved in it.
+    pub enforcement: Enforcement,
+    /// Solutions with the factored stiffness that this took, where contact was
+    /// solved without its matrix.
+    pub solutions: usize,
     /// Whether everything has converged.
     pub converged: bool,
 }
@@ -305,7 +312,7 @@ impl Nodal<'_> {
 }
 
 /// Contact status of a point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum Status {
     /// No pressure.
     #[default]
@@ -328,7 +335,7 @@ impl Status {
 }
 
 /// Whether friction acted at a point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum FrictionCall {
     /// Open, or frictionless.
     #[default]
@@ -470,7 +477,7 @@ impl BlockResults {
 }
 
 /// Energies since time 0 [F L].
-#[derive(Clone, Copy, Debug, PartialEq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Default, Serialize, Deserialize)]
 pub struct Energies {
     /// Work of supports and loads, trapezoidal rule over each increment.
     pub external_work: f64,
@@ -517,7 +524,7 @@ pub enum Ending {
 }
 
 /// Counts of a run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Totals {
     /// Converged increments of all steps.
     pub increments: usize,

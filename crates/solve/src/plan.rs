@@ -3,10 +3,13 @@
 use crate::constraints::{Constraints, Role, Rows};
 use crate::contact::{Contact, Meeting};
 use crate::dofs::DofMap;
+use crate::linear_systems::LinearSystems;
 use crate::structure::{Contributions, Structure};
 use crate::users::UserFrictions;
 use rayon::ThreadPool;
-use slideline_linalg::{Kind, Pattern, Solver, analyse};
+use serde::{Deserialize, Serialize};
+use slideline_linalg::{Kind, Pattern, Solver};
+use slideline_mech::contact::enforcement::Enforcement;
 use slideline_mech::contact::pair::Laws;
 use slideline_model::{Amplitude, Master, Model, Step, SurfaceSegment};
 use std::borrow::Cow;
@@ -37,13 +40,18 @@ pub struct Plan<'a> {
     /// with l the length of the stiffest element (or of the model), so that
     /// all entries of the tangent are stiffnesses F/L.
     pub units: Vec<f64>,
+    /// Whether couplings of contact may be missing from the pattern.
+    pub is_lenient: bool,
+    /// How contact is solved, where not by its size.
+    pub enforcement: Option<Enforcement>,
     /// Threads for element loops; none: this one.
     pub pool: Option<&'a ThreadPool>,
     start: Start<'static>,
+    linear_systems: LinearSystems,
 }
 
 /// What a step begins from, a slot each.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Start<'a> {
     /// Displacements and rotations [L or 1].
     pub displacement: Cow<'a, [f64]>,
@@ -96,15 +104,8 @@ impl<'a> Plan<'a> {
         let constraints = Constraints::new(model, step, &dofs);
         let mut structure = Structure::new(model, (&dofs, &constraints), step.nlgeom);
         let contact = Contact::new(model, &dofs, users);
-        let equations = |own: &[usize]| -> Vec<usize> {
-            let mut into = Vec::with_capacity(own.len());
-            own.iter().for_each(|&dof| constraints.equations_of(dof, &mut into));
-            into
-        };
-        let contact_cliques = contact.cliques();
-        let cliques =
-            structure.cliques().chain(contact_cliques.iter().map(Vec::as_slice)).map(equations);
-        let pattern = Pattern::from_cliques(constraints.equations(), cliques);
+        let states = [&*start.displacement];
+        let pattern = coupled(&structure, &contact, &constraints, &states);
         structure.find_entries(&constraints, &pattern);
         let elastic = structure.touched(dofs.len());
         let reach = model
@@ -139,9 +140,24 @@ impl<'a> Plan<'a> {
             reach,
             lever,
             units,
+            is_lenient: false,
+            enforcement: None,
             pool,
             start,
+            linear_systems: LinearSystems::default(),
         }
+    }
+
+    /// Makes the pattern anew, with the contact that is near in these states.
+    pub fn take_in(&mut self, states: &[&[f64]]) {
+        self.pattern = coupled(&self.structure, &self.contact, &self.constraints, states);
+        self.structure.find_entries(&self.constraints, &self.pattern);
+    }
+
+    /// The same with linear systems made elsewhere.
+    pub fn with_linear_systems(mut self, systems: &LinearSystems) -> Self {
+        self.linear_systems = systems.clone();
+        self
     }
 
     /// What the step begins from.
@@ -153,7 +169,8 @@ impl<'a> Plan<'a> {
     /// the deck says `UNSYMM=NO`.
     pub fn analyse(&self) -> Solver {
         let kind = if self.unsymmetric() { Kind::Unsymmetric } else { Kind::Symmetric };
-        analyse(&self.pattern, kind).with_units(self.units.clone())
+        let factory = self.linear_systems.factory();
+        Solver::analyse(&self.pattern, kind, factory).with_units(self.units.clone())
     }
 
     /// Whether the tangent is factored as an unsymmetric matrix.
@@ -177,19 +194,6 @@ impl<'a> Plan<'a> {
             self.constraints.for_each_equation(rows, dof, note);
         }
         yields
-    }
-
-    /// Replaces matrix values by their symmetric part.
-    pub fn symmetrise(&self, values: &mut [f64]) {
-        for i in 0..self.pattern.size() {
-            let start = self.pattern.row_start()[i];
-            for (k, &j) in self.pattern.row(i).iter().enumerate().filter(|&(_, &j)| j > i) {
-                let Some(mirrored) = self.pattern.position(j, i) else { continue };
-                let mean = 0.5 * (values[start + k] + values[mirrored]);
-                values[start + k] = mean;
-                values[mirrored] = mean;
-            }
-        }
     }
 
     /// Average length of the contact elements of a pair [L].
@@ -264,6 +268,23 @@ impl<'a> Plan<'a> {
             None => start + (end - start) * (step_time / period),
         }
     }
+}
+
+/// The pattern of elements and of the contact that is near in some states.
+fn coupled(
+    structure: &Structure,
+    contact: &Contact,
+    constraints: &Constraints,
+    states: &[&[f64]],
+) -> Pattern {
+    let equations = |own: &[usize]| -> Vec<usize> {
+        let mut into = Vec::with_capacity(own.len());
+        own.iter().for_each(|&dof| constraints.equations_of(dof, &mut into));
+        into
+    };
+    let near = contact.cliques(states);
+    let cliques = structure.cliques().chain(near.iter().map(Vec::as_slice)).map(equations);
+    Pattern::from_cliques(constraints.equations(), cliques)
 }
 
 /// Coordinates of the points of all rigid surfaces.

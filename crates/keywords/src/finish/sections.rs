@@ -9,7 +9,7 @@ use slideline_model::{
 };
 
 use crate::draft::{Draft, Element, ElementKind, Section, Spring};
-use crate::keyword::Subject;
+use crate::rule::Subject;
 
 /// Section cards with their elements and their material.
 pub(super) fn sections(draft: &mut Draft) {

@@ -3,13 +3,18 @@
 use super::Workspace;
 use crate::contact::{Meeting, STRIP_POINTS, SlavePoint};
 use crate::evaluate::Evaluation;
-use crate::linearised::{Circumstances, LinearPoint, MOST_DOFS, Sliding};
+use crate::linearised::{Circumstances, LinearPoint, MOST_DOFS, Sliding, Stiffness};
 use crate::plan::Plan;
 use crate::state::State;
 use slideline_linalg::SolveError;
+use slideline_mech::contact::enforcement::Enforcement;
 
 /// How far apart, in sizes of the model, points still count as touching.
 pub const TOUCH: f64 = 1e-9;
+/// Rows from which on the condensed contact problem is solved without its matrix.
+const DENSE_ROWS: f64 = 100.0;
+/// Rows that a touching station adds to it: those of its element are shared.
+const INTEGRATED_ROWS: f64 = 6.0 / STRIP_POINTS as f64;
 /// Stiffness lent to a closed point, as a fraction of the stiffest element.
 pub(super) const LENT: f64 = 0.1;
 
@@ -20,11 +25,17 @@ impl Workspace {
     pub(super) fn factor(&mut self, plan: &Plan<'_>, committed: &State) -> Result<(), SolveError> {
         loop {
             self.linearise_points(plan, committed);
-            self.assemble(plan);
-            if plan.symmetrised() {
-                plan.symmetrise(&mut self.values);
+            let counts = |point: &&LinearPoint| point.stiffness > 0.0 || point.pressure > 0.0;
+            self.outside = !self.points.iter().filter(counts).all(|point| plan.holds(point));
+            if self.outside {
+                return Ok(());
             }
-            match self.solver.refactor(&plan.pattern, &self.values) {
+            self.assemble(plan);
+            self.choose_enforcement(plan, committed);
+            let Self { values, augmented, solver, points, .. } = self;
+            let symmetrised = plan.symmetrised();
+            let pattern = &plan.pattern;
+            match (Stiffness { pattern, values, augmented, solver, symmetrised }).factor(points) {
                 Ok(report) => {
                     let negative = report.negative_pivots.unwrap_or(0);
                     self.negative_pivots = self.negative_pivots.max(negative);
@@ -85,7 +96,8 @@ impl Workspace {
         }
     }
 
-    /// Elements, geometry of contact, and the stiffness lent to closed points.
+    /// Elements and geometry of contact: the tangent without the stiffness that
+    /// closed points are augmented with.
     pub(super) fn assemble(&mut self, plan: &Plan<'_>) {
         self.values.fill(0.0);
         let Evaluation { contributions, rows, .. } = &self.evaluation;
@@ -101,18 +113,28 @@ impl Workspace {
                 continue;
             }
             self.add_geometry(plan, self.points[k].place);
-            let linear = &self.points[k];
-            let sliding_stiffness = linear.sliding.map_or(0.0, |sliding| sliding.stiffness);
-            for i in 0..linear.width {
-                for j in 0..linear.width {
-                    let at = plan.pattern.position(linear.equations[i], linear.equations[j]);
-                    if let Some(at) = at {
-                        self.values[at] += linear.area
-                            * (linear.stiffness * linear.normal[i] * linear.normal[j]
-                                + sliding_stiffness * linear.drag[i] * linear.tangential[j]);
-                    }
-                }
-            }
+        }
+    }
+
+    /// Many rows are solved without their matrix, and augmented by their laws.
+    fn choose_enforcement(&mut self, plan: &Plan<'_>, committed: &State) {
+        let rows = |point: &LinearPoint| match point.stiffness > 0.0 {
+            true if point.integrated => INTEGRATED_ROWS,
+            true => 1.0 + f64::from(u8::from(point.sliding.is_some())),
+            false => 0.0,
+        };
+        let rows: f64 = self.points.iter().map(rows).sum();
+        let by_size = match rows < DENSE_ROWS {
+            true => Enforcement::Dense,
+            false => Enforcement::MatrixFree,
+        };
+        self.enforcement = plan.enforcement.unwrap_or(by_size);
+        if self.enforcement == Enforcement::MatrixFree {
+            let context = circumstances(plan, committed, self.dt);
+            let Self { values, augmented, solver, points, .. } = self;
+            let (pattern, symmetrised) = (&plan.pattern, plan.symmetrised());
+            let stiffness = Stiffness { pattern, values, augmented, solver, symmetrised };
+            context.augment(points, &stiffness);
         }
     }
 

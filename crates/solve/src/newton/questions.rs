@@ -99,7 +99,7 @@ impl Workspace {
     /// last: its null vector, by inverse iteration from an equation without
     /// pivot.
     pub fn null_mode(&self, plan: &Plan<'_>, equation: usize) -> Option<Vec<f64>> {
-        let mut values = self.values.clone();
+        let mut values = self.augmented.clone();
         let unit = |e: usize| plan.units[e];
         let diagonal = || {
             let own = |e| plan.pattern.position(e, e).map(|at| (e, at));

@@ -1,0 +1,69 @@
+//! Which of the factorisations of this crate a pattern gets.
+
+use crate::banded::Banded;
+use crate::error::SolveError;
+use crate::ordering::Layout;
+use crate::pattern::Pattern;
+use crate::solver::Solver;
+use crate::sparse::{LARGEST_BAND, Sparse};
+use crate::system::{Analyse, BackEnd, Kind, LinearSystem};
+
+/// Banded factorisations with fewer operations are not worth a second analysis.
+const SMALL: f64 = 2e6;
+
+/// The factorisations of this crate, chosen by the predicted time; or one of them.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct BuiltIn {
+    /// The back end wanted; none: the one that is predicted to be faster.
+    pub back_end: Option<BackEnd>,
+}
+
+impl Analyse for BuiltIn {
+    fn analyse(&self, pattern: &Pattern, kind: Kind) -> Result<Box<dyn LinearSystem>, SolveError> {
+        Ok(self.choose(pattern, kind))
+    }
+}
+
+impl BuiltIn {
+    fn choose(&self, pattern: &Pattern, kind: Kind) -> Box<dyn LinearSystem> {
+        if self.back_end == Some(BackEnd::Sparse)
+            && let Some(sparse) = Sparse::new(pattern, kind)
+        {
+            return Box::new(sparse);
+        }
+        let layout = Layout::cheapest(pattern, kind);
+        if self.back_end.is_none()
+            && layout.operations(kind) > SMALL
+            && let Some(sparse) = Sparse::new(pattern, kind)
+            && (sparse_seconds(&sparse, kind) < banded_seconds(&layout, kind)
+                || layout.entries(kind) > LARGEST_BAND)
+        {
+            return Box::new(sparse);
+        }
+        Box::new(Banded::new(pattern, kind, layout))
+    }
+}
+
+/// Symbolic analysis, once for every pattern: orders the equations, predicts the work and chooses
+/// the back end.
+pub fn analyse(pattern: &Pattern, kind: Kind) -> Solver {
+    Solver::new(pattern, BuiltIn::default().choose(pattern, kind))
+}
+
+/// Like [`analyse`] with the back end prescribed, for comparisons and tests. Where the sparse
+/// library cannot analyse the pattern the banded back end is used.
+pub fn analyse_with(pattern: &Pattern, kind: Kind, back_end: BackEnd) -> Solver {
+    Solver::new(pattern, BuiltIn { back_end: Some(back_end) }.choose(pattern, kind))
+}
+
+/// Rough time of a banded factorisation [s]: short contiguous loops.
+fn banded_seconds(layout: &Layout, kind: Kind) -> f64 {
+    layout.operations(kind) / 8e9
+}
+
+/// Rough time of a sparse factorisation [s]: dense blocks are fast, the way there is not. The
+/// constants are measured on plane grids.
+fn sparse_seconds(sparse: &Sparse, kind: Kind) -> f64 {
+    let entry = if kind == Kind::Symmetric { 15e-9 } else { 80e-9 };
+    sparse.operations() / 6e9 + sparse.entries() * entry
+}

@@ -1,0 +1,122 @@
+//! `JOB.history.csv` and `JOB.energy.csv` read back.
+
+use super::problem::Problem;
+use super::table::Table;
+use std::collections::HashMap;
+use std::path::Path;
+
+/// Columns with which every growing CSV file begins.
+const TIME: [&str; 3] = ["step", "increment", "time"];
+
+/// Values over the increments, behind the zero of the start.
+pub(crate) fn with_start(values: &[f64]) -> Vec<f64> {
+    std::iter::once(0.0).chain(values.iter().copied()).collect()
+}
+
+/// Columns of one node over the increments.
+#[derive(Clone, Debug)]
+pub(crate) struct NodeHistory {
+    /// The node's number.
+    pub node: u64,
+    /// Values column by column, as in [`History::columns`].
+    pub values: Vec<Vec<f64>>,
+}
+
+/// Motions and reactions over the increments.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct History {
+    /// `U1`, `U2`, ...
+    pub columns: Vec<String>,
+    /// Kept nodes in the order of the file.
+    pub nodes: Vec<NodeHistory>,
+}
+
+impl History {
+    /// Reads the nodes that `keep` wants; it is asked once for each.
+    pub fn read(path: &Path, mut keep: impl FnMut(u64) -> bool) -> Result<Self, Problem> {
+        let mut table = Table::open(path, &["step", "increment", "time", "node"])?;
+        let columns: Vec<String> = table.columns[4..].to_vec();
+        let mut history = Self { columns, nodes: Vec::new() };
+        let mut places: HashMap<u64, Option<usize>> = HashMap::new();
+        while table.row()?.is_some() {
+            let label = table.number(3)?;
+            let place = *places.entry(label).or_insert_with(|| {
+                keep(label).then(|| {
+                    let values = vec![Vec::new(); history.columns.len()];
+                    history.nodes.push(NodeHistory { node: label, values });
+                    history.nodes.len() - 1
+                })
+            });
+            if let Some(place) = place {
+                let numbers = table.numbers(4)?;
+                for (column, number) in history.nodes[place].values.iter_mut().zip(numbers) {
+                    column.push(number);
+                }
+            }
+        }
+        Ok(history)
+    }
+
+    /// A column of a node, without the start.
+    pub fn column(&self, node: u64, name: &str) -> Option<&[f64]> {
+        let place = self.columns.iter().position(|column| column == name)?;
+        let node = self.nodes.iter().find(|kept| kept.node == node)?;
+        node.values.get(place).map(Vec::as_slice)
+    }
+
+    /// The same from the start on, at which everything is zero.
+    pub fn from_start(&self, node: u64, name: &str) -> Option<Vec<f64>> {
+        self.column(node, name).map(with_start)
+    }
+
+    /// Cuts what a job that was killed wrote beyond its last whole increment.
+    pub fn shorten(&mut self, length: usize) {
+        for column in self.nodes.iter_mut().flat_map(|node| &mut node.values) {
+            column.truncate(length);
+        }
+    }
+}
+
+/// Energies over the increments, and with them step, increment and time.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Energies {
+    /// Step and increment numbers.
+    pub numbers: Vec<[usize; 2]>,
+    /// Total times [T].
+    pub times: Vec<f64>,
+    /// Names of the energies.
+    pub columns: Vec<String>,
+    /// Values column by column.
+    pub values: Vec<Vec<f64>>,
+}
+
+impl Energies {
+    /// Reads them all.
+    pub fn read(path: &Path) -> Result<Self, Problem> {
+        let mut table = Table::open(path, &[TIME[0], TIME[1], TIME[2], "external_work"])?;
+        let columns: Vec<String> = table.columns[3..].to_vec();
+        let mut found =
+            Self { values: vec![Vec::new(); columns.len()], columns, ..Self::default() };
+        while table.row()?.is_some() {
+            let numbers = table.numbers(0)?;
+            found.numbers.push([numbers[0] as usize, numbers[1] as usize]);
+            found.times.push(numbers[2]);
+            for (column, number) in found.values.iter_mut().zip(&numbers[3..]) {
+                column.push(*number);
+            }
+        }
+        Ok(found)
+    }
+
+    /// The values of an energy.
+    pub fn column(&self, name: &str) -> Option<&[f64]> {
+        let place = self.columns.iter().position(|column| column == name)?;
+        self.values.get(place).map(Vec::as_slice)
+    }
+
+    /// The last value of an energy.
+    pub fn last(&self, name: &str) -> Option<f64> {
+        let place = self.columns.iter().position(|column| column == name)?;
+        self.values[place].last().copied()
+    }
+}
