@@ -44,6 +44,8 @@ pub fn commit(
         trial.damping.extend_from_slice(&evaluation.damping);
     }
     trial.memory.copy_from_slice(&evaluation.memory);
+    trial.elements.copy_from_slice(&committed.elements);
+    plan.structure.gather_state(&evaluation.contributions, &mut trial.elements);
     count_slip(plan, committed, work, trial);
     let controls = &plan.step.controls.field;
     trial.flux = committed.flux;

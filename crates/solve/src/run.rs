@@ -194,7 +194,7 @@ impl<'a> Walk<'a> {
         let points = model.contact_pairs.iter().map(point_count).sum();
         let memory = |pair: &ContactPair| point_count(pair) * memory_size(pair);
         let memory = model.contact_pairs.iter().map(memory).sum();
-        let committed = State::undeformed(slots, points, memory);
+        let committed = State::undeformed(slots, points, (memory, model.element_states()));
         Self {
             model,
             users: &options.user_frictions,
