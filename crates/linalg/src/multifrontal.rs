@@ -1,0 +1,406 @@
+//! Multifrontal factorisation, L D L' or L U, over a symmetric pattern.
+//!
+//! ```text
+//!   front 0   front 1        each front eliminates its columns and hands the Schur complement of
+//!        \     /             its rows up; those that wait lie on a stack, whose height is known
+//!        front 2
+//! ```
+//!
+//! Duff and Reid (1983); Liu (1992). Everything is sized by the analysis: a factorisation allocates
+//! nothing, and the same values give the same bits.
+
+use faer::linalg::matmul::matmul;
+use faer::linalg::triangular_solve::{
+    solve_lower_triangular_in_place, solve_unit_lower_triangular_in_place,
+    solve_unit_upper_triangular_in_place, solve_upper_triangular_in_place,
+};
+use faer::prelude::{Reborrow, ReborrowMut};
+use faer::{Accum, MatMut, MatRef, Par};
+
+use crate::dense_fronts::{DenseFront, Pivots};
+use crate::fronts::{Front, Fronts, NONE, Tree};
+use crate::ordering::positions;
+use crate::pattern::Pattern;
+use crate::system::Kind;
+
+/// Where the parts of a front are.
+#[derive(Clone, Copy, Debug, Default)]
+struct Storage {
+    /// Its columns, in the factor.
+    panel: usize,
+    /// U12, behind them; empty for symmetric systems.
+    above: usize,
+    /// What is behind both.
+    end: usize,
+    /// Its Schur complement while it is at work, on the stack.
+    work: usize,
+    /// And while it waits for the parent.
+    update: usize,
+}
+
+/// A multifrontal factorisation.
+pub(crate) struct Multifrontal {
+    symmetric: bool,
+    fronts: Fronts,
+    storage: Vec<Storage>,
+    /// Children of each front, those of front f from `child_start[f]` on.
+    child: Vec<u32>,
+    child_start: Vec<usize>,
+    /// Where each entry of the matrix goes in the factor; entries above the diagonal of a symmetric
+    /// matrix go to a place behind it.
+    entry: Vec<u32>,
+    factor: Vec<f64>,
+    stack: Vec<f64>,
+    scratch: Vec<f64>,
+    exchange: Vec<u32>,
+    /// Sizes of the equations in the order of elimination.
+    size: Vec<f64>,
+    /// Right-hand sides in the order of elimination.
+    x: Vec<f64>,
+    /// Rows of one front of them.
+    rows: Vec<f64>,
+}
+
+impl Multifrontal {
+    /// Lays the factorisation out; `None` where it is beyond 32-bit places.
+    pub fn new(pattern: &Pattern, kind: Kind, tree: &Tree) -> Option<Self> {
+        let symmetric = kind == Kind::Symmetric;
+        let fronts = Fronts::new(pattern, tree);
+        let (child, child_start) = children(&fronts);
+        let (storage, stack) = lay_out(&fronts, symmetric, &child, &child_start);
+        let length = storage.last().map_or(0, |last| last.end);
+        if length >= u32::MAX as usize {
+            return None;
+        }
+        let n = pattern.size();
+        let panel = |front: &Front| front.columns * (front.columns + front.rows);
+        let scratch = fronts.front.iter().map(panel).max().unwrap_or(0);
+        let entry = entry_positions(pattern, &fronts, &storage, symmetric);
+        Some(Self {
+            symmetric,
+            storage,
+            child,
+            child_start,
+            entry,
+            factor: vec![0.0; length + 1],
+            stack: vec![0.0; stack],
+            scratch: if symmetric { vec![0.0; scratch] } else { Vec::new() },
+            exchange: (0..n as u32).collect(),
+            size: vec![0.0; n],
+            x: vec![0.0; n],
+            rows: vec![0.0; fronts.front.iter().map(|front| front.rows).max().unwrap_or(0)],
+            fronts,
+        })
+    }
+
+    /// Caller's equation at a position of the order of elimination.
+    pub fn equation(&self, position: usize) -> usize {
+        self.fronts.order[position]
+    }
+
+    pub fn scatter(&mut self, values: &[f64]) {
+        self.factor.fill(0.0);
+        for (&value, &at) in values.iter().zip(&self.entry) {
+            self.factor[at as usize] = value;
+        }
+    }
+
+    /// Factors what was scattered. Small pivots are replaced; the smallest tells.
+    pub fn factor(&mut self, row_size: &[f64]) -> Pivots {
+        for (size, &equation) in self.size.iter_mut().zip(&self.fronts.order) {
+            *size = row_size[equation];
+        }
+        let mut pivots = Pivots::NONE;
+        for f in 0..self.storage.len() {
+            self.factor_front(f, &mut pivots);
+        }
+        pivots
+    }
+
+    fn factor_front(&mut self, f: usize, pivots: &mut Pivots) {
+        let Front { first, columns, rows, .. } = self.fronts.front[f];
+        let Storage { panel, above, end, work, update } = self.storage[f];
+        let (waiting, own) = self.stack.split_at_mut(work);
+        let own = &mut own[..rows * rows];
+        own.fill(0.0);
+        let (panel, above) = self.factor[panel..end].split_at_mut(above - panel);
+        let mut front = DenseFront { panel, above, update: own, columns, rows, first };
+        for &child in &self.child[self.child_start[f]..self.child_start[f + 1]] {
+            let Front { rows_start, rows, .. } = self.fronts.front[child as usize];
+            let in_parent = &self.fronts.in_parent[rows_start..rows_start + rows];
+            let update = &waiting[self.storage[child as usize].update..][..rows * rows];
+            match self.symmetric {
+                true => extend_symmetric(&mut front, update, in_parent),
+                false => extend(&mut front, update, in_parent),
+            }
+        }
+        let size = &self.size[first..first + columns];
+        if self.symmetric {
+            front.factor_ldlt(size, &mut self.scratch, pivots);
+        } else {
+            front.factor_lu(size, &mut self.exchange[first..first + columns], pivots);
+        }
+        self.stack.copy_within(work..work + rows * rows, update);
+    }
+
+    /// Solves in place for a block of right-hand sides.
+    pub fn solve(&mut self, block: &mut [f64], columns: usize, transposed: bool) {
+        let n = self.fronts.order.len();
+        self.x.resize(self.x.len().max(n * columns), 0.0);
+        let largest = self.fronts.front.iter().map(|front| front.rows).max().unwrap_or(0);
+        self.rows.resize(self.rows.len().max(largest * columns), 0.0);
+        let mut x = std::mem::take(&mut self.x);
+        let mut rows = std::mem::take(&mut self.rows);
+        for (b, x) in block.chunks_exact(n.max(1)).zip(x.chunks_exact_mut(n.max(1))) {
+            x.iter_mut().zip(&self.fronts.order).for_each(|(x, &equation)| *x = b[equation]);
+        }
+        let transposed = transposed && !self.symmetric;
+        let (x_used, work) = (&mut x[..n * columns], &mut rows[..]);
+        for f in 0..self.storage.len() {
+            self.forward(f, x_used, work, transposed);
+        }
+        for f in (0..self.storage.len()).rev() {
+            self.backward(f, x_used, work, transposed);
+        }
+        for (b, x) in block.chunks_exact_mut(n.max(1)).zip(x.chunks_exact(n.max(1))) {
+            x.iter().zip(&self.fronts.order).for_each(|(x, &equation)| b[equation] = *x);
+        }
+        (self.x, self.rows) = (x, rows);
+    }
+
+    /// Eliminates a front's unknowns from the right-hand sides.
+    fn forward(&self, f: usize, x: &mut [f64], work: &mut [f64], transposed: bool) {
+        let front = &self.fronts.front[f];
+        let (n, k, r) = (self.fronts.order.len(), front.columns, front.rows);
+        let columns = x.len() / n;
+        let Parts { l11, l21, above } = self.parts(f);
+        if !transposed {
+            self.exchange_rows(front, x, false);
+        }
+        let mut all = MatMut::from_column_major_slice_mut(x, n, columns);
+        let mut own = all.rb_mut().subrows_mut(front.first, k);
+        match transposed {
+            false => solve_unit_lower_triangular_in_place(l11, own.rb_mut(), Par::Seq),
+            true => solve_lower_triangular_in_place(l11.transpose(), own.rb_mut(), Par::Seq),
+        }
+        if r == 0 {
+            return;
+        }
+        let work = &mut work[..r * columns];
+        let coupling = if transposed { above.transpose() } else { l21 };
+        let product = MatMut::from_column_major_slice_mut(work, r, columns);
+        matmul(product, Accum::Replace, coupling, own.rb(), 1.0, Par::Seq);
+        for (x, product) in x.chunks_exact_mut(n).zip(work.chunks_exact(r)) {
+            for (&row, p) in self.fronts.rows_of(front).iter().zip(product) {
+                x[row as usize] -= p;
+            }
+        }
+    }
+
+    /// Finds a front's unknowns, those of its rows being known.
+    fn backward(&self, f: usize, x: &mut [f64], work: &mut [f64], transposed: bool) {
+        let front = &self.fronts.front[f];
+        let (n, k, r) = (self.fronts.order.len(), front.columns, front.rows);
+        let columns = x.len() / n;
+        let Parts { l11, l21, above } = self.parts(f);
+        if self.symmetric {
+            self.divide(front, l11, x);
+        }
+        let work = &mut work[..r * columns];
+        for (x, known) in x.chunks_exact(n).zip(work.chunks_exact_mut(r.max(1))) {
+            for (&row, known) in self.fronts.rows_of(front).iter().zip(known) {
+                *known = x[row as usize];
+            }
+        }
+        let mut all = MatMut::from_column_major_slice_mut(x, n, columns);
+        let mut own = all.rb_mut().subrows_mut(front.first, k);
+        let from_below = self.symmetric || transposed;
+        if r > 0 {
+            let known = MatRef::from_column_major_slice(work, r, columns);
+            let coupling = if from_below { l21.transpose() } else { above };
+            matmul(own.rb_mut(), Accum::Add, coupling, known, -1.0, Par::Seq);
+        }
+        match from_below {
+            true => solve_unit_upper_triangular_in_place(l11.transpose(), own, Par::Seq),
+            false => solve_upper_triangular_in_place(l11, own, Par::Seq),
+        }
+        if transposed {
+            self.exchange_rows(front, x, true);
+        }
+    }
+
+    fn divide(&self, front: &Front, l11: MatRef<'_, f64>, x: &mut [f64]) {
+        for x in x.chunks_exact_mut(self.fronts.order.len()) {
+            for (j, x) in x[front.first..front.first + front.columns].iter_mut().enumerate() {
+                *x /= l11[(j, j)];
+            }
+        }
+    }
+
+    /// Replays the exchanges of a front, or undoes them.
+    fn exchange_rows(&self, front: &Front, x: &mut [f64], undo: bool) {
+        let exchange = &self.exchange[front.first..front.first + front.columns];
+        if self.symmetric || exchange.iter().enumerate().all(|(j, &row)| row as usize == j) {
+            return;
+        }
+        for x in x.chunks_exact_mut(self.fronts.order.len()) {
+            let own = &mut x[front.first..front.first + front.columns];
+            let swaps = exchange.iter().enumerate();
+            match undo {
+                false => swaps.for_each(|(j, &row)| own.swap(j, row as usize)),
+                true => swaps.rev().for_each(|(j, &row)| own.swap(j, row as usize)),
+            }
+        }
+    }
+
+    fn parts(&self, f: usize) -> Parts<'_> {
+        let Front { columns, rows, .. } = self.fronts.front[f];
+        let Storage { panel, above, end, .. } = self.storage[f];
+        let panel =
+            MatRef::from_column_major_slice(&self.factor[panel..above], columns + rows, columns);
+        let (l11, l21) = panel.split_at_row(columns);
+        let rows = if self.symmetric { 0 } else { rows };
+        let above = MatRef::from_column_major_slice(&self.factor[above..end], columns, rows);
+        Parts { l11, l21, above }
+    }
+}
+
+/// Blocks of a factored front.
+struct Parts<'a> {
+    l11: MatRef<'a, f64>,
+    l21: MatRef<'a, f64>,
+    above: MatRef<'a, f64>,
+}
+
+/// Adds a child's Schur complement.
+fn extend(front: &mut DenseFront<'_>, update: &[f64], in_parent: &[u32]) {
+    let (k, r) = (front.columns, front.rows);
+    let split = in_parent.partition_point(|&at| (at as usize) < k);
+    for (column, &to) in update.chunks_exact(in_parent.len().max(1)).zip(in_parent) {
+        let to = to as usize;
+        if to < k {
+            let target = &mut front.panel[to * (k + r)..(to + 1) * (k + r)];
+            add_at(target, in_parent, column, 0);
+            continue;
+        }
+        let above = &mut front.above[(to - k) * k..(to - k + 1) * k];
+        add_at(above, &in_parent[..split], &column[..split], 0);
+        let own = &mut front.update[(to - k) * r..(to - k + 1) * r];
+        add_at(own, &in_parent[split..], &column[split..], k);
+    }
+}
+
+/// Adds the lower triangle of a child's Schur complement.
+fn extend_symmetric(front: &mut DenseFront<'_>, update: &[f64], in_parent: &[u32]) {
+    let (k, r) = (front.columns, front.rows);
+    let columns = update.chunks_exact(in_parent.len().max(1)).zip(in_parent).enumerate();
+    for (j, (column, &to)) in columns {
+        let to = to as usize;
+        let (target, offset) = if to < k {
+            (&mut front.panel[to * (k + r)..(to + 1) * (k + r)], 0)
+        } else {
+            (&mut front.update[(to - k) * r..(to - k + 1) * r], k)
+        };
+        add_at(target, &in_parent[j..], &column[j..], offset);
+    }
+}
+
+fn add_at(target: &mut [f64], at: &[u32], source: &[f64], offset: usize) {
+    for (&at, value) in at.iter().zip(source) {
+        target[at as usize - offset] += value;
+    }
+}
+
+fn children(fronts: &Fronts) -> (Vec<u32>, Vec<usize>) {
+    let mut start = vec![0; fronts.front.len() + 1];
+    let parents = || fronts.front.iter().map(|front| front.parent);
+    parents().filter(|&parent| parent != NONE).for_each(|parent| start[parent as usize + 1] += 1);
+    for f in 1..start.len() {
+        start[f] += start[f - 1];
+    }
+    let mut child = vec![0; start.last().copied().unwrap_or(0)];
+    let mut next = start.clone();
+    for (f, parent) in parents().enumerate().filter(|&(_, parent)| parent != NONE) {
+        child[next[parent as usize]] = f as u32;
+        next[parent as usize] += 1;
+    }
+    (child, start)
+}
+
+/// Places of all fronts, and the height of the stack.
+fn lay_out(
+    fronts: &Fronts,
+    symmetric: bool,
+    child: &[u32],
+    child_start: &[usize],
+) -> (Vec<Storage>, usize) {
+    let mut storage: Vec<Storage> = Vec::with_capacity(fronts.front.len());
+    let (mut factor, mut top, mut highest) = (0, 0, 0);
+    for (f, front) in fronts.front.iter().enumerate() {
+        let (k, r) = (front.columns, front.rows);
+        let panel = factor;
+        let above = panel + k * (k + r);
+        let end = above + if symmetric { 0 } else { k * r };
+        let first_child = child[child_start[f]..child_start[f + 1]].first();
+        let update = first_child.map_or(top, |&child| storage[child as usize].update);
+        storage.push(Storage { panel, above, end, work: top, update });
+        highest = highest.max(top + r * r);
+        top = update + r * r;
+        factor = end;
+    }
+    (storage, highest)
+}
+
+/// Where each entry of the matrix goes: both entries of a pair go to the front that eliminates the
+/// first of its two equations.
+fn entry_positions(
+    pattern: &Pattern,
+    fronts: &Fronts,
+    storage: &[Storage],
+    symmetric: bool,
+) -> Vec<u32> {
+    let n = pattern.size();
+    let position = positions(n, &fronts.order);
+    let transposed = transposed_entries(pattern);
+    let nowhere = storage.last().map_or(0, |last| last.end);
+    let mut entry = vec![nowhere as u32; pattern.entries()];
+    let mut local = vec![0usize; n];
+    for (front, storage) in fronts.front.iter().zip(storage) {
+        let (k, height) = (front.columns, front.columns + front.rows);
+        let own = front.first..front.first + k;
+        let rows = fronts.rows_of(front).iter().map(|&row| row as usize);
+        own.clone().chain(rows).enumerate().for_each(|(at, position)| local[position] = at);
+        for at in own {
+            let equation = fronts.order[at];
+            let row = local[at];
+            let start = pattern.row_start()[equation];
+            for (e, &neighbour) in (start..).zip(pattern.row(equation)) {
+                if position[neighbour] < front.first {
+                    continue;
+                }
+                let column = local[position[neighbour]];
+                let lower = |i: usize, j: usize| storage.panel + j * height + i;
+                if column >= k {
+                    entry[transposed[e]] = lower(column, row) as u32;
+                    if !symmetric {
+                        entry[e] = (storage.above + (column - k) * k + row) as u32;
+                    }
+                } else if !symmetric || row >= column {
+                    entry[e] = lower(row, column) as u32;
+                }
+            }
+        }
+    }
+    entry
+}
+
+/// Index of the entry (j, i) for every entry (i, j).
+fn transposed_entries(pattern: &Pattern) -> Vec<usize> {
+    let mut next = pattern.row_start().to_vec();
+    let at = |&j: &usize| {
+        let entry = next[j];
+        next[j] += 1;
+        entry
+    };
+    pattern.columns().iter().map(at).collect()
+}
