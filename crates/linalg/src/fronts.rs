@@ -361,3 +361,88 @@ fn join(mut columns: Vec<Vec<u32>>, parent: Vec<u32>, rows: &[usize]) -> Joined 
     }
     joined
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// Rows of each column of the factor, by elimination on the pattern itself.
+    fn eliminated(pattern: &Pattern, order: &[usize]) -> Vec<Vec<usize>> {
+        let n = order.len();
+        let position = positions(n, order);
+        let mut rows: Vec<Vec<bool>> = vec![vec![false; n]; n];
+        for (k, &equation) in order.iter().enumerate() {
+            pattern.row(equation).iter().for_each(|&j| rows[k][position[j]] = true);
+        }
+        for k in 0..n {
+            let below: Vec<usize> = (k + 1..n).filter(|&i| rows[k][i]).collect();
+            for &i in &below {
+                below.iter().for_each(|&j| rows[i][j] = true);
+            }
+        }
+        (0..n).map(|k| (k..n).filter(|&i| rows[k][i]).collect()).collect()
+    }
+
+    proptest! {
+        // Requirement: predicted entries are those of an elimination by hand; every front holds the
+        // rows that the elimination gives its columns, and no row that none of its columns or
+        // children could have; its parent holds its rows, where `in_parent` says.
+        #[test]
+        fn fronts_are_those_of_the_elimination(
+            n in 1usize..50,
+            pairs in prop::collection::vec((0usize..50, 0usize..50), 0..120),
+            turn in 1usize..50,
+        ) {
+            let pattern = Pattern::from_pairs(n, pairs.into_iter());
+            let mut order: Vec<usize> = (0..n).collect();
+            order.sort_by_key(|&i| (i * 37 + turn) % 53);
+            let tree = Tree::new(&pattern, &order);
+            let exact = eliminated(&pattern, &tree.order);
+            let counts: Vec<usize> = tree.count.iter().map(|&count| count as usize).collect();
+            prop_assert_eq!(counts, exact.iter().map(Vec::len).collect::<Vec<_>>());
+            let fronts = Fronts::new(&pattern, &tree);
+            let exact = eliminated(&pattern, &fronts.order);
+            let mut next = 0;
+            for (f, front) in fronts.front.iter().enumerate() {
+                prop_assert_eq!(front.first, next);
+                next += front.columns;
+                let rows: Vec<usize> =
+                    fronts.rows_of(front).iter().map(|&row| row as usize).collect();
+                let mut wanted: Vec<usize> = (front.first..next)
+                    .flat_map(|k| exact[k].iter().copied().filter(|&i| i >= next))
+                    .collect();
+                wanted.sort_unstable();
+                wanted.dedup();
+                prop_assert_eq!(&rows, &wanted);
+                if front.parent == NONE {
+                    prop_assert!(rows.is_empty());
+                    continue;
+                }
+                prop_assert!(front.parent as usize > f);
+                let parent = &fronts.front[front.parent as usize];
+                let own = (parent.first..parent.first + parent.columns).map(|k| k as u32);
+                let of_parent: Vec<u32> =
+                    own.chain(fronts.rows_of(parent).iter().copied()).collect();
+                let at = &fronts.in_parent[front.rows_start..front.rows_start + front.rows];
+                for (&row, &at) in fronts.rows_of(front).iter().zip(at) {
+                    prop_assert_eq!(of_parent[at as usize], row);
+                }
+            }
+            prop_assert_eq!(next, n);
+        }
+    }
+
+    /// Requirement: fronts are joined: a chain of 400 equations, whose exact fronts have one column
+    /// each, becomes fronts of several; a dense matrix is one front.
+    #[test]
+    fn small_fronts_are_joined() {
+        let chain = Pattern::from_pairs(400, (0..399).map(|i| (i, i + 1)));
+        let natural: Vec<usize> = (0..400).collect();
+        let fronts = Fronts::new(&chain, &Tree::new(&chain, &natural));
+        assert!(fronts.front.len() <= 100, "{}", fronts.front.len());
+        let all: Vec<usize> = (0..30).collect();
+        let dense = Pattern::from_cliques(30, [&all].into_iter());
+        assert_eq!(Fronts::new(&dense, &Tree::new(&dense, &all)).front.len(), 1);
+    }
+}

@@ -85,7 +85,7 @@ impl Multifrontal {
             factor: vec![0.0; length + 1],
             stack: vec![0.0; stack],
             scratch: if symmetric { vec![0.0; scratch] } else { Vec::new() },
-            exchange: (0..n as u32).collect(),
+            exchange: vec![0; n],
             size: vec![0.0; n],
             x: vec![0.0; n],
             rows: vec![0.0; fronts.front.iter().map(|front| front.rows).max().unwrap_or(0)],
@@ -403,4 +403,133 @@ fn transposed_entries(pattern: &Pattern) -> Vec<usize> {
         entry
     };
     pattern.columns().iter().map(at).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pattern::Matrix;
+
+    /// Plane grid of blocks of three dofs whose diagonals are weak within the block: unsymmetric
+    /// values need exchanges among a front's columns. The symmetric ones are indefinite.
+    fn system(side: usize, kind: Kind) -> (Pattern, Vec<f64>) {
+        let node = |x: usize, y: usize| x * side + y;
+        let cells = (0..side - 1).flat_map(|x| (0..side - 1).map(move |y| (x, y)));
+        let clique = |(x, y): (usize, usize)| -> Vec<usize> {
+            let corners = [node(x, y), node(x + 1, y), node(x, y + 1), node(x + 1, y + 1)];
+            corners.into_iter().flat_map(|corner| 3 * corner..3 * corner + 3).collect()
+        };
+        let cliques: Vec<Vec<usize>> = cells.map(clique).collect();
+        let pattern = Pattern::from_cliques(3 * side * side, cliques.iter());
+        let value = |i: usize, j: usize| {
+            let random = ((i * 7919 + j * 104_729) % 1009) as f64 / 1009.0 - 0.5;
+            match (i / 3 == j / 3, i == j, kind) {
+                (_, true, Kind::Symmetric) => {
+                    if i % 5 == 0 {
+                        -40.0
+                    } else {
+                        35.0
+                    }
+                }
+                (_, true, Kind::Unsymmetric) => 0.01 * random,
+                // A cyclic exchange of the dofs of a node carries the size.
+                (true, _, Kind::Unsymmetric) if (i + 1) % 3 == j % 3 => 40.0 + random,
+                _ => random,
+            }
+        };
+        let rows = (0..pattern.size()).flat_map(|i| pattern.row(i).iter().map(move |&j| (i, j)));
+        let of_kind = |(i, j): (usize, usize)| match kind {
+            Kind::Symmetric => value(i.min(j), i.max(j)),
+            Kind::Unsymmetric => value(i, j),
+        };
+        let values = rows.map(of_kind).collect();
+        (pattern, values)
+    }
+
+    fn factored(pattern: &Pattern, values: &[f64], kind: Kind) -> (Multifrontal, Pivots) {
+        let natural: Vec<usize> = (0..pattern.size()).rev().collect();
+        let tree = Tree::new(pattern, &natural);
+        let mut factors = Multifrontal::new(pattern, kind, &tree).unwrap();
+        let matrix = Matrix::new(pattern, values);
+        let size: Vec<f64> = (0..pattern.size()).map(|i| matrix.row_size(i)).collect();
+        factors.scatter(values);
+        let pivots = factors.factor(&size);
+        (factors, pivots)
+    }
+
+    /// Requirement: solutions, transposed ones and blocks meet their equations to rounding, with
+    /// fronts wide enough for every branch (halved columns) and with exchanges.
+    #[test]
+    fn solutions_meet_their_equations() {
+        for kind in [Kind::Symmetric, Kind::Unsymmetric] {
+            let (pattern, values) = system(14, kind);
+            let n = pattern.size();
+            let (mut factors, pivots) = factored(&pattern, &values, kind);
+            let widest = factors.fronts.front.iter().map(|front| front.columns).max();
+            assert!(widest > Some(24), "{widest:?}");
+            assert!(pivots.smallest_ratio > 1e-3, "{pivots:?}");
+            let exchanged = factors.fronts.front.iter().any(|front| {
+                let own = &factors.exchange[front.first..front.first + front.columns];
+                own.iter().enumerate().any(|(j, &row)| row as usize != j)
+            });
+            assert!(exchanged || kind == Kind::Symmetric);
+            let matrix = Matrix::new(&pattern, &values);
+            for (columns, transposed) in [(1, false), (1, true), (5, false), (5, true)] {
+                let b: Vec<f64> = (0..n * columns).map(|i| ((i * 31) % 17) as f64 - 8.0).collect();
+                let mut x = b.clone();
+                factors.solve(&mut x, columns, transposed);
+                let mut product = vec![0.0; n];
+                for (x, b) in x.chunks(n).zip(b.chunks(n)) {
+                    match transposed {
+                        true => matrix.multiply_transpose(x, &mut product),
+                        false => matrix.multiply(x, &mut product),
+                    }
+                    let worst =
+                        product.iter().zip(b).map(|(p, b)| (p - b).abs()).fold(0.0, f64::max);
+                    assert!(worst < 1e-11, "{kind:?} {columns} {transposed}: {worst:e}");
+                }
+            }
+        }
+    }
+
+    /// Requirement: the number of negative pivots is that of negative eigenvalues; Gershgorin gives
+    /// their signs here (every diagonal exceeds the rest of its row).
+    #[test]
+    fn negative_pivots_are_counted() {
+        let (pattern, values) = system(8, Kind::Symmetric);
+        let (_, pivots) = factored(&pattern, &values, Kind::Symmetric);
+        assert_eq!(pivots.negative, (0..pattern.size()).filter(|i| i % 5 == 0).count());
+    }
+
+    /// Requirement: an equation without pivot is named by both factorisations, wherever it is, and
+    /// the others are eliminated all the same.
+    #[test]
+    fn equations_without_pivot_are_named() {
+        for kind in [Kind::Symmetric, Kind::Unsymmetric] {
+            for missing in [0, 100, 190] {
+                let (pattern, mut values) = system(8, kind);
+                for i in 0..pattern.size() {
+                    let start = pattern.row_start()[i];
+                    for (e, &j) in (start..).zip(pattern.row(i)) {
+                        if i == missing || j == missing {
+                            values[e] = if i == j { 1e-18 } else { 0.0 };
+                        }
+                    }
+                }
+                let mut reference = values.clone();
+                let natural: Vec<usize> = (0..pattern.size()).rev().collect();
+                let tree = Tree::new(&pattern, &natural);
+                let mut factors = Multifrontal::new(&pattern, kind, &tree).unwrap();
+                reference.iter_mut().for_each(|v| *v *= 2.0);
+                factors.scatter(&reference);
+                factors.factor(&vec![60.0; pattern.size()]);
+                factors.scatter(&values);
+                let pivots = factors.factor(&vec![60.0; pattern.size()]);
+                assert_eq!(factors.equation(pivots.smallest), missing, "{kind:?}");
+                assert!(
+                    pivots.smallest_ratio < 1e-16 && factors.factor.iter().all(|l| l.is_finite())
+                );
+            }
+        }
+    }
 }
