@@ -67,7 +67,7 @@ impl Graph {
         let n = pattern.size();
         let mut vertex = vec![usize::MAX; n];
         let (mut equation, mut equation_start) = (Vec::with_capacity(n), vec![0]);
-        for i in (0..n).filter(|&i| pattern.row(i).first().is_some()) {
+        for i in 0..n {
             if vertex[i] != usize::MAX {
                 continue;
             }
@@ -115,5 +115,54 @@ impl Graph {
             equations.extend_from_slice(&self.equation[own]);
         }
         (equations.len() == self.equation.len()).then_some(equations)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Grid of bricks with three dofs a node.
+    fn bricks(side: usize) -> Pattern {
+        let node = |[x, y, z]: [usize; 3]| x + side * (y + side * z);
+        let cells = (0..(side - 1).pow(3))
+            .map(|c| [c % (side - 1), c / (side - 1) % (side - 1), c / (side - 1).pow(2)]);
+        let clique = |[x, y, z]: [usize; 3]| -> Vec<usize> {
+            let corners = (0..8).map(|c| node([x + (c & 1), y + (c >> 1 & 1), z + (c >> 2)]));
+            corners.flat_map(|corner| 3 * corner..3 * corner + 3).collect()
+        };
+        let cliques: Vec<Vec<usize>> = cells.map(clique).collect();
+        Pattern::from_cliques(3 * side.pow(3), cliques.iter())
+    }
+
+    /// Requirement: the dofs of a node are one vertex, and orders of vertices become orders of
+    /// equations; what is no order is refused.
+    #[test]
+    fn nodes_are_vertices() {
+        let pattern = bricks(4);
+        let graph = Graph::new(&pattern).unwrap();
+        assert_eq!(graph.start.len() - 1, 64);
+        assert_eq!(graph.neighbour.len(), bricks(4).entries() / 9 - 64);
+        let order = graph.order(|vertices| Some((0..vertices.n as i32).rev().collect())).unwrap();
+        assert_eq!(order[..4], [189, 190, 191, 186]);
+        let mut sorted = order.clone();
+        sorted.sort_unstable();
+        assert!(sorted.into_iter().eq(0..192));
+        for wrong in [vec![0; 64], vec![-1; 64], vec![64; 64], vec![]] {
+            assert_eq!(graph.order(|_| Some(wrong.clone())), None);
+        }
+    }
+
+    /// Requirement: the order chosen is no worse than minimum degree, and in space, where nested
+    /// dissection halves the work (measured: 2.1 at 49 k dofs, 1.7 here), much better.
+    #[test]
+    fn the_cheapest_order_is_chosen() {
+        let pattern = bricks(13);
+        let degree = Tree::new(&pattern, &minimum_degree(&pattern).unwrap()).predicted().1;
+        let best = best_tree(&pattern).unwrap().predicted().1;
+        assert!(degree > WORTH_DISSECTION && best < 0.75 * degree, "{best:e} {degree:e}");
+        let chain = Pattern::from_pairs(50, (0..49).map(|i| (i, i + 1)));
+        assert_eq!(best_tree(&chain).unwrap().predicted().0, 99.0);
+        assert_eq!(best_tree(&Pattern::from_pairs(0, [].into_iter())).unwrap().order.len(), 0);
     }
 }

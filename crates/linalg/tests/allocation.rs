@@ -1,5 +1,8 @@
 //! What is done again with the same pattern allocates nothing.
 
+// Helpers of tests may fail like tests.
+#![allow(clippy::unwrap_used)]
+
 use std::alloc::System;
 
 use slideline_linalg::krylov::{Stop, Workspace, gmres};
