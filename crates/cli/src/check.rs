@@ -5,9 +5,9 @@ use crate::exit::Exit;
 use crate::run::Interruptible;
 use crate::{interrupt, render, screen};
 use slideline::diag::{Code, Diagnostic, Severity, has_errors};
-use slideline::model::{ContactPair, Formulation, Master, NormalLaw};
+use slideline::model::{ContactPair, Formulation, Master, NodeIndex, NormalLaw};
 use slideline::observe::ContactRow;
-use slideline::output::json::{Object, array, number};
+use slideline::output::json::{self, Value, json};
 use slideline::output::number::general;
 use slideline::output::{echo, picture, record, write_file};
 use slideline::{InitialGaps, Job, Model, Read, SolveOptions, initial_gaps};
@@ -274,7 +274,7 @@ fn counted(count: usize, noun: &str) -> String {
 fn json_lines(read: &Read, start: Option<&InitialGaps>) -> String {
     let mut text = String::new();
     for said in &read.diagnostics {
-        text.push_str(&record(said, &read.sources).finish());
+        text.push_str(&json::text(&record(said, &read.sources)));
         text.push('\n');
     }
     let Some(model) = &read.model else { return text };
@@ -289,40 +289,37 @@ fn json_lines(read: &Read, start: Option<&InitialGaps>) -> String {
             why(read, pair)
         );
         let note = Diagnostic::note(Code("SL0400"), message).at(pair.origin);
-        let object = record(&note, &read.sources).raw("pair", &pair_object(model, pair, &points));
-        text.push_str(&object.finish());
+        let mut object = record(&note, &read.sources);
+        object["pair"] = pair_object(model, pair, &points);
+        text.push_str(&json::text(&object));
         text.push('\n');
     }
     text
 }
 
-fn pair_object(model: &Model, pair: &ContactPair, points: &[ContactRow]) -> String {
-    let label = |node| model.nodes.label(node).to_string();
+fn pair_object(model: &Model, pair: &ContactPair, points: &[ContactRow]) -> Value {
+    let label = |node| model.nodes.label(node);
+    let labels = |nodes: &[NodeIndex]| nodes.iter().map(|&node| label(node)).collect::<Vec<u64>>();
     let master = match &pair.master {
-        Master::RigidSurface(surface) => Object::new()
-            .text("kind", "rigid_surface")
-            .raw("reference_node", &label(surface.reference)),
-        Master::SlideLine(chain) => Object::new()
-            .text("kind", "slide_line")
-            .array("nodes", chain.nodes.iter().map(|&node| label(node))),
+        Master::RigidSurface(surface) => {
+            json!({"kind": "rigid_surface", "reference_node": label(surface.reference)})
+        }
+        Master::SlideLine(chain) => json!({"kind": "slide_line", "nodes": labels(&chain.nodes)}),
     };
     let gaps = points.iter().map(|row| {
-        let object = Object::new()
-            .raw("node", &label(row.node))
-            .number("gap", row.opening)
-            .number("area", row.area);
-        match overclosure_over_c0(pair, row) {
-            Some(over) => object.number("overclosure_over_c0", over).finish(),
-            None => object.finish(),
+        let mut gap = json!({"node": label(row.node), "gap": row.opening, "area": row.area});
+        if let Some(over) = overclosure_over_c0(pair, row) {
+            gap["overclosure_over_c0"] = over.into();
         }
+        gap
     });
-    Object::new()
-        .text("name", &pair.name)
-        .raw("slave_nodes", &array(pair.slave_nodes().into_iter().map(label)))
-        .raw("master", &master.finish())
-        .text("normal", &echo::normal_law(&pair.interaction.normal))
-        .text("friction", &echo::friction_law(&pair.interaction.friction))
-        .raw("contact_begins_at_gap", &number(-pair.interaction.normal.contact_begins()))
-        .raw("initial_gaps", &array(gaps))
-        .finish()
+    json!({
+        "name": pair.name,
+        "slave_nodes": labels(&pair.slave_nodes()),
+        "master": master,
+        "normal": echo::normal_law(&pair.interaction.normal),
+        "friction": echo::friction_law(&pair.interaction.friction),
+        "contact_begins_at_gap": -pair.interaction.normal.contact_begins(),
+        "initial_gaps": gaps.collect::<Value>(),
+    })
 }

@@ -10,13 +10,13 @@
 
 use crate::live::{self, Live, Row};
 use crate::{interrupt, screen};
-use slideline::diag::Sources;
+use slideline::diag::{Diagnostic, Sources};
 use slideline::model::{Dof, Model, NodeIndex};
 use slideline::observe::{
     AttemptReport, Event, FieldReport, Frame, FrictionCall, IterationReport, Observer, Status,
     StepReport, Stop, TangentReport,
 };
-use slideline::output::json::Object;
+use slideline::output::json::{self, Value, json};
 use slideline::output::number::general;
 use slideline::output::record;
 use std::fmt::Write as _;
@@ -129,7 +129,7 @@ impl<'a> Progress<'a> {
 
     fn increment(&mut self, frame: &Frame<'_>) {
         if self.mode == Mode::Json {
-            self.json(increment_object(frame, &self.driven));
+            self.json(&increment_object(frame, &self.driven));
             return;
         }
         self.clear_line();
@@ -158,7 +158,7 @@ impl<'a> Progress<'a> {
 
     fn failed(&mut self, attempt: &AttemptReport) {
         if self.mode == Mode::Json {
-            self.json(attempt_object(attempt));
+            self.json(&attempt_object(attempt));
             return;
         }
         self.clear_line();
@@ -182,7 +182,7 @@ impl<'a> Progress<'a> {
     fn iteration(&mut self, report: &IterationReport) {
         self.residual = report.force.residual;
         match self.mode {
-            Mode::Json => self.json(iteration_object(report, &self.labels)),
+            Mode::Json => self.json(&iteration_object(report, &self.labels)),
             Mode::Live if self.shown.elapsed() >= PATIENCE => {
                 self.clear_line();
                 let width = screen::output_width();
@@ -202,17 +202,16 @@ impl<'a> Progress<'a> {
     fn tangent(&mut self, report: &TangentReport) {
         let entry = report.entry(&self.labels, &self.pairs);
         if self.mode == Mode::Json {
-            self.json(
-                Object::new()
-                    .text("event", "tangent")
-                    .count("step", report.step)
-                    .count("increment", report.increment)
-                    .count("equations", report.equations)
-                    .number("off", report.off)
-                    .text("entry", &entry)
-                    .number("assembled", report.assembled)
-                    .number("difference", report.difference),
-            );
+            self.json(&json!({
+                "event": "tangent",
+                "step": report.step,
+                "increment": report.increment,
+                "equations": report.equations,
+                "off": report.off,
+                "entry": entry,
+                "assembled": report.assembled,
+                "difference": report.difference,
+            }));
             return;
         }
         self.clear_line();
@@ -230,8 +229,8 @@ impl<'a> Progress<'a> {
         }
     }
 
-    fn json(&mut self, object: Object) {
-        self.waiting.push_str(&object.finish());
+    fn json(&mut self, object: &Value) {
+        self.waiting.push_str(&json::text(object));
         self.waiting.push('\n');
     }
 
@@ -249,8 +248,7 @@ impl<'a> Progress<'a> {
             Event::Committed(frame) => self.increment(frame),
             Event::Tangent(report) => self.tangent(report),
             Event::Diagnosed(said) if self.mode == Mode::Json => {
-                let text = record(said, self.sources).finish();
-                let _ = writeln!(self.waiting, "{{\"event\":\"diagnosis\",{}", &text[1..]); // a String takes any text
+                self.json(&diagnosis(said, self.sources));
             }
             Event::Diagnosed(_) | Event::Checkpoint(_) | Event::Unconverged(_) => {}
             Event::End(_) => self.clear_line(),
@@ -303,76 +301,79 @@ fn driven(model: &Model, step: usize) -> Vec<(NodeIndex, Dof)> {
     driven
 }
 
-fn iteration_object(report: &IterationReport, labels: &[u64]) -> Object {
-    let field = |field: &FieldReport| {
-        let mut object = Object::new().number("residual", field.residual);
-        if let Some((node, dof)) = field.residual_at {
-            object = object
-                .raw("node", &labels.get(node).copied().unwrap_or_default().to_string())
-                .count("dof", dof.number());
-        }
-        object
-            .number("average", field.average)
-            .number("allowed", field.allowed)
-            .number("correction", field.correction)
-            .finish()
-    };
-    Object::new()
-        .text("event", "iteration")
-        .count("step", report.step)
-        .count("increment", report.increment)
-        .count("attempt", report.attempt)
-        .count("iteration", report.iteration)
-        .flag("severe", report.severe)
-        .count("equilibrium", report.equilibrium)
-        .count("contact_changes", report.contact_changes.len())
-        .count("closed", report.closed)
-        .raw("force", &field(&report.force))
-        .raw("moment", &field(&report.moment))
-        .flag("converged", report.converged)
+/// What was said as an event of the stream.
+pub(crate) fn diagnosis(said: &Diagnostic, sources: &Sources) -> Value {
+    json::joined(json!({"event": "diagnosis"}), record(said, sources))
 }
 
-fn increment_object(frame: &Frame<'_>, driven: &[(NodeIndex, Dof)]) -> Object {
-    let mut values = Object::new();
-    for &(node, dof) in driven {
+fn iteration_object(report: &IterationReport, labels: &[u64]) -> Value {
+    let field = |field: &FieldReport| {
+        let at = field.residual_at.map_or(Value::Null, |(node, dof)| {
+            json!({"node": labels.get(node).copied().unwrap_or_default(), "dof": dof.number()})
+        });
+        let more = json!({
+            "average": field.average,
+            "allowed": field.allowed,
+            "correction": field.correction,
+        });
+        json::joined(json::joined(json!({"residual": field.residual}), at), more)
+    };
+    json!({
+        "event": "iteration",
+        "step": report.step,
+        "increment": report.increment,
+        "attempt": report.attempt,
+        "iteration": report.iteration,
+        "severe": report.severe,
+        "equilibrium": report.equilibrium,
+        "contact_changes": report.contact_changes.len(),
+        "closed": report.closed,
+        "force": field(&report.force),
+        "moment": field(&report.moment),
+        "converged": report.converged,
+    })
+}
+
+fn increment_object(frame: &Frame<'_>, driven: &[(NodeIndex, Dof)]) -> Value {
+    let values = driven.iter().flat_map(|&(node, dof)| {
         let label = frame.model.nodes.label(node);
-        values = values
-            .number(&format!("{label}.{}", dof.name()), frame.nodal.displacement(node, dof))
-            .number(&format!("{label}.{}", dof.reaction_name()), frame.nodal.reaction(node, dof));
-    }
+        [
+            (format!("{label}.{}", dof.name()), frame.nodal.displacement(node, dof).into()),
+            (format!("{label}.{}", dof.reaction_name()), frame.nodal.reaction(node, dof).into()),
+        ]
+    });
     let closed = frame.contact.iter().filter(|row| row.status != Status::Open);
     let dropped = frame.contact.iter().filter(|row| row.friction == FrictionCall::Dropped);
-    Object::new()
-        .text("event", "increment")
-        .count("step", frame.step)
-        .count("increment", frame.increment)
-        .count("attempt", frame.attempt)
-        .count("severe_iterations", frame.severe_iterations)
-        .count("equilibrium_iterations", frame.equilibrium_iterations)
-        .number("total_time", frame.total_time)
-        .number("step_time", frame.step_time)
-        .number("time_increment", frame.time_increment)
-        .count("closed", closed.count())
-        .count("friction_dropped", dropped.count())
-        .raw("values", &values.finish())
+    json!({
+        "event": "increment",
+        "step": frame.step,
+        "increment": frame.increment,
+        "attempt": frame.attempt,
+        "severe_iterations": frame.severe_iterations,
+        "equilibrium_iterations": frame.equilibrium_iterations,
+        "total_time": frame.total_time,
+        "step_time": frame.step_time,
+        "time_increment": frame.time_increment,
+        "closed": closed.count(),
+        "friction_dropped": dropped.count(),
+        "values": values.collect::<json::Map<String, Value>>(),
+    })
 }
 
-fn attempt_object(attempt: &AttemptReport) -> Object {
-    let object = Object::new()
-        .text("event", "attempt_failed")
-        .count("step", attempt.step)
-        .count("increment", attempt.increment)
-        .count("attempt", attempt.attempt)
-        .count("severe_iterations", attempt.severe_iterations)
-        .count("equilibrium_iterations", attempt.equilibrium_iterations)
-        .number("total_time", attempt.total_time)
-        .number("step_time", attempt.step_time)
-        .number("time_increment", attempt.time_increment)
-        .text("reason", &attempt.reason);
-    match attempt.next {
-        Some(next) => object.number("next_time_increment", next),
-        None => object.raw("next_time_increment", "null"),
-    }
+fn attempt_object(attempt: &AttemptReport) -> Value {
+    json!({
+        "event": "attempt_failed",
+        "step": attempt.step,
+        "increment": attempt.increment,
+        "attempt": attempt.attempt,
+        "severe_iterations": attempt.severe_iterations,
+        "equilibrium_iterations": attempt.equilibrium_iterations,
+        "total_time": attempt.total_time,
+        "step_time": attempt.step_time,
+        "time_increment": attempt.time_increment,
+        "reason": attempt.reason,
+        "next_time_increment": attempt.next,
+    })
 }
 
 #[cfg(test)]

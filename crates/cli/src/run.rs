@@ -2,11 +2,11 @@
 
 use crate::arguments::RunArguments;
 use crate::exit::Exit;
-use crate::progress::{Mode, Progress};
+use crate::progress::{Mode, Progress, diagnosis};
 use crate::{interrupt, render, report, screen};
 use slideline::diag::{Code, Diagnostic, Severity};
-use slideline::output::json::Object;
-use slideline::output::{add_warning, onset_word, record, verdict_of};
+use slideline::output::json::{self, json};
+use slideline::output::{add_warning, onset_word, verdict_of};
 use slideline::{
     ErrorBars, Event, Job, Observer, OldJob, Outcome, Reactions, Read, ReadOptions, RunOptions,
     SolveOptions, Status, Stop, TangentCheck, VERSION, error_bars, run as run_job, time_error_bars,
@@ -162,17 +162,17 @@ fn is_heard(said: &Diagnostic, mode: Mode) -> bool {
 /// The event that opens the stream, and what reading had to say.
 fn start_lines(read: &Read) -> String {
     let model = read.model.as_ref();
-    let mut text = Object::new()
-        .text("event", "start")
-        .text("job", &read.job.stem.to_string_lossy())
-        .text("deck", &read.job.deck.display().to_string())
-        .text("deck_hash", &read.deck_hash)
-        .text("program_version", VERSION)
-        .optional_text("dialect", model.map(|model| model.dialect.word()))
-        .optional_text("friction_onset", model.map(|model| onset_word(model.friction_onset)))
-        .count("steps", model.map_or(0, |model| model.steps.len()))
-        .finish();
-    text.push('\n');
+    let start = json!({
+        "event": "start",
+        "job": read.job.stem.to_string_lossy(),
+        "deck": read.job.deck.display().to_string(),
+        "deck_hash": read.deck_hash,
+        "program_version": VERSION,
+        "dialect": model.map(|model| model.dialect.word()),
+        "friction_onset": model.map(|model| onset_word(model.friction_onset)),
+        "steps": model.map_or(0, |model| model.steps.len()),
+    });
+    let mut text = json::text(&start) + "\n";
     for said in &read.diagnostics {
         text.push_str(&diagnosis_line(said, read));
     }
@@ -180,8 +180,7 @@ fn start_lines(read: &Read) -> String {
 }
 
 fn diagnosis_line(said: &Diagnostic, read: &Read) -> String {
-    let record = record(said, &read.sources).finish();
-    format!("{{\"event\":\"diagnosis\",{}\n", &record[1..])
+    json::text(&diagnosis(said, &read.sources)) + "\n"
 }
 
 /// The end: what was said, what is kept, how to go on.
@@ -318,17 +317,16 @@ fn verdict_line(outcome: &Outcome) -> String {
 fn end_line(outcome: &Outcome, began: Instant) -> String {
     let totals = &outcome.totals;
     let verdict = verdict_of(&outcome.files).map(|(colour, _)| colour);
-    let mut text = Object::new()
-        .text("event", "end")
-        .text("status", outcome.status.word())
-        .count("exit_code", Exit::from(outcome.status) as usize)
-        .count("increments", totals.increments)
-        .count("cutbacks", totals.cutbacks)
-        .count("iterations", totals.iterations)
-        .number("wall_seconds", began.elapsed().as_secs_f64())
-        .text("folder", &outcome.files.folder().display().to_string())
-        .optional_text("verdict", verdict.as_deref())
-        .finish();
-    text.push('\n');
-    text
+    let end = json!({
+        "event": "end",
+        "status": outcome.status.word(),
+        "exit_code": Exit::from(outcome.status) as usize,
+        "increments": totals.increments,
+        "cutbacks": totals.cutbacks,
+        "iterations": totals.iterations,
+        "wall_seconds": began.elapsed().as_secs_f64(),
+        "folder": outcome.files.folder().display().to_string(),
+        "verdict": verdict,
+    });
+    json::text(&end) + "\n"
 }

@@ -234,17 +234,6 @@ pub fn push_gradients<const K: usize>(
     }
 }
 
-/// Pulls a change of the local dofs back to the variables, J dq: *writes* `into`, an entry a variable.
-pub fn pull_back(attachments: &[Attachment], dofs: &[f64], change: &[f64], into: &mut [f64]) {
-    let mut variables = into.iter_mut();
-    for attachment in attachments {
-        for (component, own) in (0..attachment.variables()).zip(&mut variables) {
-            let row = attachment.row(component, dofs);
-            *own = row.pairs().iter().map(|&(dof, by_dof)| by_dof * change[dof]).sum();
-        }
-    }
-}
-
 /// Adds -(r.f) on (phi, phi) for each arm.
 fn add_turning_terms(
     attachments: &[Attachment],

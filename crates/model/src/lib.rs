@@ -33,7 +33,7 @@ pub use element::{
     Allowable, BeamBlock, BeamElement, BeamSection, ElementBlock, ShearRule, SpringBlock,
     SpringElement, SpringKind,
 };
-pub use node::{Dof, Node, NodeIndex, Nodes, RigidLink};
+pub use node::{Dof, LinearConstraint, Node, NodeIndex, Nodes, RigidLink};
 pub use output::{
     ContactPrint, ContactVariable, ElementPrint, ElementVariable, NodePrint, NodeVariable,
     OutputRequests, PrintTarget, Request, SECTION_POINTS, SavedStates,
@@ -84,6 +84,8 @@ pub struct Model {
     pub allowables: Vec<Allowable>,
     /// Nodes that move as parts of rigid bodies.
     pub rigid_links: Vec<RigidLink>,
+    /// Dofs that follow others linearly.
+    pub linear_constraints: Vec<LinearConstraint>,
     /// Contact pairs.
     pub contact_pairs: Vec<ContactPair>,
     /// When friction is called after a change of contact.

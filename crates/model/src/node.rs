@@ -134,6 +134,19 @@ impl Nodes {
     }
 }
 
+/// A dof that follows others linearly, u = sum a u_k + c: what an `*EQUATION` or a tie comes to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LinearConstraint {
+    /// The dof that gives up its own motion.
+    pub dependent: (NodeIndex, Dof),
+    /// What it follows, with coefficients [1, L or 1/L].
+    pub terms: Vec<(NodeIndex, Dof, f64)>,
+    /// What is added [L or 1].
+    pub constant: f64,
+    /// Where it was said.
+    pub origin: Span,
+}
+
 /// `*MPC` type BEAM: the dependent node moves as if welded to the master by a
 /// rigid bar, rotation included.
 #[derive(Clone, Copy, Debug, PartialEq)]

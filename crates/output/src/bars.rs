@@ -2,8 +2,10 @@
 
 use crate::file::{WriteError, at, read_text, replace};
 use crate::job::JobFiles;
-use crate::json::{self, Object};
+use crate::json::{self, Map, Value, joined, json};
 use crate::number::push_shortest;
+use crate::reading::problem::Problem;
+use crate::reading::summary::raw;
 use crate::record::record;
 use crate::verdict;
 use slideline_diag::{Diagnostic, Sources};
@@ -33,15 +35,23 @@ pub fn add_error_bars(
 ) -> Result<(), WriteError> {
     let history = job.path(".history.csv");
     let mut text = read_text(&history).map_err(at(&history))?;
-    let summary = job.path(".json");
-    let object = read_text(&summary).map_err(at(&summary))?;
     for rows in mesh.into_iter().chain(time) {
         text = with_columns(&text, rows);
     }
     replace(&history, text.as_bytes())?;
-    let open = verdict::without(&object);
-    let text = format!("{open},\"error_bars\":{}}}\n", members(mesh, time));
-    replace(&summary, verdict::attached(job, &text).as_bytes())
+    change(job, |summary| summary["error_bars"] = members(mesh, time))
+}
+
+/// Changes what `JOB.json` says; forces and verdict follow.
+fn change(job: &JobFiles, how: impl FnOnce(&mut Value)) -> Result<(), WriteError> {
+    let path = job.path(".json");
+    let mut summary = raw(job).map_err(|problem| match problem {
+        Problem::Write(error) => error,
+        other => at(&path)(std::io::Error::other(other.to_string())),
+    })?;
+    how(&mut summary);
+    let summary = verdict::attached(job, summary);
+    replace(&path, (json::text(&summary) + "\n").as_bytes())
 }
 
 /// Adds a warning that came after the end of the run to `JOB.json`.
@@ -49,23 +59,12 @@ pub fn add_error_bars(
 /// # Errors
 /// When the file cannot be read or written.
 pub fn add_warning(job: &JobFiles, said: &Diagnostic, sources: &Sources) -> Result<(), WriteError> {
-    let summary = job.path(".json");
-    let object = read_text(&summary).map_err(at(&summary))?;
-    let text = with_warning(&object, &record(said, sources).finish());
-    let text = verdict::attached(job, &text);
-    replace(&summary, text.as_bytes())
+    change(job, |summary| {
+        if let Some(warnings) = summary["warnings"].as_array_mut() {
+            warnings.push(record(said, sources));
+        }
+    })
 }
-
-/// In a text quotation marks are escaped: what is looked for stands there once.
-fn with_warning(object: &str, warning: &str) -> String {
-    let Some(end) = object.find(AFTER_WARNINGS) else { return object.to_owned() };
-    let (before, after) = object.split_at(end);
-    let comma = if before.ends_with('[') { "" } else { "," };
-    format!("{before}{comma}{warning}{after}")
-}
-
-/// What follows the last warning of a summary.
-const AFTER_WARNINGS: &str = "],\"advice\":[";
 
 fn with_columns(old: &str, rows: &BarRows<'_>) -> String {
     let mut text = String::with_capacity(2 * old.len());
@@ -90,43 +89,25 @@ fn with_columns(old: &str, rows: &BarRows<'_>) -> String {
 
 /// Method and largest bars of the mesh, those in time as a member of their
 /// own.
-fn members(mesh: Option<&BarRows<'_>>, time: Option<&BarRows<'_>>) -> String {
-    let kind = |object: Object, rows: &BarRows<'_>| {
-        object.raw("method", &json::text(rows.method)).raw("largest", &largest(rows))
-    };
-    let object = mesh.into_iter().fold(Object::new(), kind);
-    let object = match time {
-        Some(rows) => object.raw("time", &kind(Object::new(), rows).finish()),
-        None => object,
-    };
-    object.finish()
+fn members(mesh: Option<&BarRows<'_>>, time: Option<&BarRows<'_>>) -> Value {
+    let kind = |rows: &BarRows<'_>| json!({"method": rows.method, "largest": largest(rows)});
+    let mesh = mesh.map_or_else(|| json!({}), kind);
+    joined(mesh, time.map_or(Value::Null, |rows| json!({ "time": kind(rows) })))
 }
 
 /// The largest bar of every reaction, by its column.
-fn largest(rows: &BarRows<'_>) -> String {
-    let mut object = Object::new();
-    for (k, node) in rows.nodes.iter().enumerate() {
-        for (column, name) in rows.columns.iter().enumerate() {
-            let curve = rows.bars.get(k * rows.columns.len() + column);
-            let most = curve.map_or(0.0, |c| c.iter().copied().fold(0.0, f64::max));
-            object = object.number(&format!("{node}.{name}"), most);
-        }
-    }
-    object.finish()
+fn largest(rows: &BarRows<'_>) -> Map<String, Value> {
+    let nodes = rows.nodes.iter();
+    let names =
+        nodes.flat_map(|node| rows.columns.iter().map(move |name| format!("{node}.{name}")));
+    let most = |curve: &Vec<f64>| curve.iter().copied().fold(0.0, f64::max);
+    let none = std::iter::repeat(0.0);
+    names.zip(rows.bars.iter().map(most).chain(none)).map(|(n, most)| (n, json!(most))).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_late_warning_comes_last() {
-        let none = r#"{"job":"],\"advice\":[","warnings":[],"advice":[]}"#;
-        let one = with_warning(none, "1");
-        assert_eq!(one, r#"{"job":"],\"advice\":[","warnings":[1],"advice":[]}"#);
-        let two = with_warning(&one, "2");
-        assert_eq!(two, r#"{"job":"],\"advice\":[","warnings":[1,2],"advice":[]}"#);
-    }
 
     #[test]
     fn columns_come_last_and_rows_keep_their_order() {
@@ -138,10 +119,10 @@ mod tests {
             with_columns(old, &rows),
             "step,node,RF1_error,RF2_error\n1,7,0.1,0.3\n1,9,1,3\n2,7,0.2,0.4\n2,9,2,4\n"
         );
-        let json = members(Some(&rows), Some(&rows));
+        let json = json::text(&members(Some(&rows), Some(&rows)));
         assert!(json.starts_with("{\"method\":\"m\",\"largest\":{"), "{json}");
         assert!(json.contains("\"9.RF2_error\":4}"), "{json}");
         assert!(json.contains(",\"time\":{\"method\":\"m\",\"largest\":{"), "{json}");
-        assert!(members(None, Some(&rows)).starts_with("{\"time\":{"));
+        assert!(json::text(&members(None, Some(&rows))).starts_with("{\"time\":{"));
     }
 }

@@ -1,12 +1,12 @@
 //! `JOB.dat`: the echo of what was understood, then the printed tables.
 
 use crate::echo::model_echo;
+use crate::facts::{Facts, Origin};
 use crate::file::{Growing, WriteError, beside};
 use crate::job::JobFiles;
-use crate::restart::{Kept, Origin};
-use crate::summary::Facts;
+use crate::kept::Kept;
 use crate::tables::{push_contact, push_elements, push_nodes};
-use crate::writers::Writer;
+use crate::writer::Writer;
 use slideline_model::{OutputRequests, PrintTarget, Request};
 use slideline_solve::observe::{Event, Frame, StepReport};
 use std::fmt::Write as _;

@@ -1,6 +1,5 @@
 //! Files that grow by whole lines, and files that appear whole.
 
-use crate::job::JobFiles;
 use std::ffi::OsString;
 use std::fs::File;
 use std::io::{self, Read as _, Seek as _, SeekFrom, Write as _};
@@ -110,18 +109,6 @@ impl Growing {
     pub fn create(path: PathBuf) -> Result<Self, WriteError> {
         let file = File::create(&path).map_err(at(&path))?;
         Ok(Self { path, file, length: 0, text: String::new() })
-    }
-
-    /// Creates a job's file with its first lines; in a run that goes on, opens
-    /// it where the saved state left it, cut back to there.
-    pub fn begin(job: &JobFiles, ending: &str, heading: &str) -> Result<Self, WriteError> {
-        if let Some(length) = job.kept_length(ending) {
-            return Self::reopen(job.path(ending), length);
-        }
-        let mut file = Self::create(job.path(ending))?;
-        file.text.push_str(heading);
-        file.flush()?;
-        Ok(file)
     }
 
     /// Opens a file, cut back to a length.

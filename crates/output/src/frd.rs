@@ -12,10 +12,10 @@
 
 use crate::file::{Growing, WriteError, beside};
 use crate::job::JobFiles;
+use crate::kept::Kept;
 use crate::outline::{Outline, outlines};
-use crate::restart::Kept;
 use crate::section::nodal_sections;
-use crate::writers::Writer;
+use crate::writer::Writer;
 use slideline_model::{Dof, ElementBlock, Model, NodeIndex};
 use slideline_solve::observe::{ContactRow, Event, Frame};
 use std::collections::BTreeMap;

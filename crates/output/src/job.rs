@@ -1,7 +1,7 @@
 //! Where a job's files go and what they are called.
 
-use crate::file::{self, PART, WriteError, at};
-use crate::restart::Kept;
+use crate::file::{self, Growing, PART, WriteError, at};
+use crate::kept::Kept;
 use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -117,6 +117,18 @@ impl JobFiles {
     pub(crate) fn kept_length(&self, ending: &str) -> Option<u64> {
         let lengths = &self.kept()?.lengths;
         lengths.iter().find(|(own, _)| own == ending).map(|&(_, length)| length)
+    }
+
+    /// Creates a file that grows with its first lines; in a run that goes on,
+    /// opens it where the saved state left it, cut back to there.
+    pub(crate) fn begin(&self, ending: &str, heading: &str) -> Result<Growing, WriteError> {
+        if let Some(length) = self.kept_length(ending) {
+            return Growing::reopen(self.path(ending), length);
+        }
+        let mut file = Growing::create(self.path(ending))?;
+        file.text.push_str(heading);
+        file.flush()?;
+        Ok(file)
     }
 
     /// Creates the folder where it is missing and removes every file of an

@@ -1,13 +1,14 @@
 //! `JOB.msg`: every iteration, and why a run failed if it did.
 
+use crate::facts::Facts;
 use crate::file::{Growing, WriteError};
 use crate::job::JobFiles;
+use crate::kept::Kept;
 use crate::number::general;
-use crate::restart::Kept;
-use crate::summary::Facts;
-use crate::writers::Writer;
+use crate::writer::Writer;
 use slideline_diag::{Diagnostic, Sources};
 use slideline_model::{Dof, Model, NodeIndex};
+use slideline_solve::Enforcement;
 use slideline_solve::observe::{
     AttemptReport, ContactChange, Ending, Event, FieldReport, Frame, IterationReport, StepReport,
     TangentReport, Totals,
@@ -43,7 +44,7 @@ impl<'a> Msg<'a> {
     fn begin(&mut self, report: &StepReport<'_>) -> Result<(), WriteError> {
         let mut file = match self.file.take() {
             Some(file) => file,
-            None => Growing::begin(&self.job, ".msg", "")?,
+            None => self.job.begin(".msg", "")?,
         };
         self.labels = report.model.nodes.iter().map(|node| node.label).collect();
         self.pairs = report.model.contact_pairs.iter().map(|pair| pair.name.clone()).collect();
@@ -193,12 +194,16 @@ fn iteration_heading(text: &mut String, report: &IterationReport) {
     } else {
         String::new()
     };
+    let way = match report.enforcement {
+        Enforcement::Dense => String::new(),
+        own => format!("; contact {}, {} solutions", own.word(), report.solutions),
+    };
     let changes = report.contact_changes.len();
     line(
         text,
         format_args!(
             "  ITERATION {}  {kind}; {changes} contact change{}, {} closed, contact defect \
-             {}{shortened}{}",
+             {}{way}{shortened}{}",
             report.iteration,
             if changes == 1 { "" } else { "s" },
             report.closed,

@@ -1,6 +1,6 @@
 //! Numbers as text.
 
-use std::fmt::Write as _;
+use std::io::Write as _;
 
 /// Appends the shortest text that reads back to the same double, plain or
 /// with an exponent, whichever is shorter (plain on a tie). Zero keeps its
@@ -14,10 +14,12 @@ pub fn push_shortest(text: &mut String, value: f64) {
         });
         return;
     }
-    let start = text.len();
-    let _ = write!(text, "{value:e}"); // a String takes any text
-    let written = text.split_off(start);
-    let (mantissa, exponent) = written.split_once('e').unwrap_or((&written, "0"));
+    let mut letters = [0_u8; 32];
+    let mut rest = &mut letters[..];
+    let _ = write!(rest, "{value:e}"); // the longest has 24 letters
+    let length = 32 - rest.len();
+    let written = std::str::from_utf8(&letters[..length]).unwrap_or_default();
+    let (mantissa, exponent) = written.split_once('e').unwrap_or((written, "0"));
     let (sign, mantissa) =
         mantissa.strip_prefix('-').map_or(("", mantissa), |positive| ("-", positive));
     let exponent: i32 = exponent.parse().unwrap_or(0);
@@ -31,20 +33,15 @@ pub fn push_shortest(text: &mut String, value: f64) {
     text.push_str(sign);
     if plain_length > count + 1 + exponent_length(exponent) {
         text.push_str(mantissa);
-        let _ = write!(text, "e{exponent}");
+        text.push('e');
+        text.push_str(written.split_once('e').map_or("0", |(_, exponent)| exponent));
     } else {
         push_plain(text, mantissa, exponent);
     }
 }
 
 fn exponent_length(exponent: i32) -> i32 {
-    let digits = if exponent.abs() >= 100 {
-        3
-    } else if exponent.abs() >= 10 {
-        2
-    } else {
-        1
-    };
+    let digits = exponent.abs().checked_ilog10().unwrap_or(0) as i32 + 1;
     digits + i32::from(exponent < 0)
 }
 

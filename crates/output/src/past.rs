@@ -3,8 +3,9 @@
 
 use crate::job::JobFiles;
 use crate::pair::COLUMNS;
-use crate::report::table::Table;
-use crate::report::{History, Problem};
+use crate::reading::history::History;
+use crate::reading::problem::Problem;
+use crate::reading::table::Table;
 use slideline_model::{Dof, Model, NodeIndex};
 use slideline_solve::observe::PairRow;
 
@@ -54,11 +55,13 @@ fn pairs(
     while all.len() < increments && count > 0 {
         let mut rows = Vec::with_capacity(count);
         while rows.len() < count {
-            let Some(cells) = table.row()? else { return Ok((all, numbers)) };
-            if rows.is_empty() {
-                numbers.push([cells[0].clone(), cells[1].clone()]);
+            if table.row()?.is_none() {
+                return Ok((all, numbers));
             }
-            let deepest = cells[7].parse().ok().and_then(|label| model.nodes.find(label));
+            if rows.is_empty() {
+                numbers.push([0, 1].map(|index| table.cell(index).to_owned()));
+            }
+            let deepest = table.cell(7).parse().ok().and_then(|label| model.nodes.find(label));
             rows.push(row(&table, deepest)?);
         }
         all.push(rows);
@@ -80,20 +83,21 @@ fn carriers(
     }
     let start = ["step", "increment", "time", "pair", "node", "status"];
     let mut table = Table::open(&job.path(".contact.csv"), &start)?;
-    let (pressure, area) = (table.place("CPRESS"), table.place("area"));
+    let (pressure, area) = (table.index("CPRESS"), table.index("area"));
     let (mut now, mut most) = (0, vec![0.0; count]);
-    while let Some(cells) = table.row()? {
-        let own = |number: &Number| number[0] == cells[0] && number[1] == cells[1];
+    while table.row()?.is_some() {
+        let own = |number: &Number| [0, 1].iter().all(|&k| number[k] == table.cell(k));
         while now < numbers.len() && !own(&numbers[now]) {
             now += 1;
             most.fill(0.0);
         }
-        let pair = model.contact_pairs.iter().position(|pair| pair.name == cells[3]);
-        let node = cells[4].parse().ok().and_then(|label| model.nodes.find(label));
+        let pair = model.contact_pairs.iter().position(|pair| pair.name == table.cell(3));
+        let node = table.cell(4).parse().ok().and_then(|label| model.nodes.find(label));
         let (Some(pair), Some(pressure), Some(into)) = (pair, pressure, found.get_mut(now)) else {
             continue;
         };
-        let force = table.number(pressure)? * area.map_or(Ok(1.0), |area| table.number(area))?;
+        let area = area.map_or(Ok(1.0), |area| table.number(area))?;
+        let force = table.number::<f64>(pressure)? * area;
         if force > most[pair] {
             (most[pair], into[pair]) = (force, node);
         }
@@ -102,10 +106,10 @@ fn carriers(
 }
 
 fn row(table: &Table, deepest: Option<NodeIndex>) -> Result<PairRow, Problem> {
-    let number = |place| table.number(place);
+    let number = |index| table.number(index);
     Ok(PairRow {
-        closed: number(4)? as usize,
-        changes: number(5)? as usize,
+        closed: table.number(4)?,
+        changes: table.number(5)?,
         penetration: number(6)?,
         deepest,
         force: [number(8)?, number(9)?],

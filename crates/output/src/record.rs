@@ -1,35 +1,27 @@
 //! A diagnostic as a JSON object.
 
-use crate::json::{self, Object};
+use crate::json::{Value, json};
 use slideline_diag::{Diagnostic, Location, Sources, Span};
 
 /// The members `code`, `severity`, `message`, `file`, `line`, `columns` (the
 /// first and one past the last, counted from 1, on that line), `card`, and
 /// `help` and `suggestion` (the text of a card) where there is one; null where a diagnostic has no place.
-pub fn record(diagnostic: &Diagnostic, sources: &Sources) -> Object {
-    let location = diagnostic.span.and_then(|span| sources.locate(span));
-    let mut object = Object::new()
-        .text("code", diagnostic.code.0)
-        .text("severity", diagnostic.severity.word())
-        .text("message", &diagnostic.message)
-        .optional_text("file", location.as_ref().map(|at| at.file.as_str()));
-    object = match &location {
-        Some(at) => {
-            let [first, last] = columns(at, sources, diagnostic.span);
-            object
-                .count("line", at.line)
-                .array("columns", [first, last].map(|column| column.to_string()))
-        }
-        None => object.raw("line", "null").raw("columns", "null"),
-    };
-    object = object.optional_text("card", card(diagnostic.span, sources).as_deref());
-    if let Some(help) = &diagnostic.help {
-        object = object.raw("help", &json::text(help));
+pub fn record(diagnostic: &Diagnostic, sources: &Sources) -> Value {
+    let at = diagnostic.span.and_then(|span| sources.locate(span));
+    let mut object = json!({
+        "code": diagnostic.code.0,
+        "severity": diagnostic.severity.word(),
+        "message": diagnostic.message,
+        "file": at.as_ref().map(|at| at.file.as_str()),
+        "line": at.as_ref().map(|at| at.line),
+        "columns": at.as_ref().map(|at| columns(at, sources, diagnostic.span)),
+        "card": card(diagnostic.span, sources),
+    });
+    let more = [("help", diagnostic.help.as_deref()), ("suggestion", diagnostic.suggestion())];
+    for (key, text) in more.into_iter().filter_map(|(key, text)| Some((key, text?))) {
+        object[key] = text.into();
     }
-    match diagnostic.suggestion() {
-        Some(card) => object.text("suggestion", card),
-        None => object,
-    }
+    object
 }
 
 /// The first column and one past the last, on the first line of a place.
@@ -57,6 +49,7 @@ pub fn card(span: Option<Span>, sources: &Sources) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::json::text;
     use slideline_diag::Code;
 
     #[test]
@@ -67,12 +60,12 @@ mod tests {
         assert_eq!(sources.text(at), "x");
         let diagnostic = Diagnostic::error(Code("SL0110"), "not a number").at(at).help("Give one.");
         assert_eq!(
-            record(&diagnostic, &sources).finish(),
+            text(&record(&diagnostic, &sources)),
             r#"{"code":"SL0110","severity":"error","message":"not a number","file":"a.inp","line":3,"columns":[4,5],"card":"*NODE","help":"Give one."}"#
         );
         let nowhere = Diagnostic::note(Code("SL0111"), "m");
         assert_eq!(
-            record(&nowhere, &sources).finish(),
+            text(&record(&nowhere, &sources)),
             r#"{"code":"SL0111","severity":"note","message":"m","file":null,"line":null,"columns":null,"card":null}"#
         );
     }

@@ -8,9 +8,9 @@
 
 use crate::file::{Growing, WriteError};
 use crate::job::JobFiles;
+use crate::kept::Kept;
 use crate::number::general;
-use crate::restart::Kept;
-use crate::writers::Writer;
+use crate::writer::Writer;
 use slideline_solve::observe::{AttemptReport, Event, Frame};
 use std::fmt::Write as _;
 
@@ -27,7 +27,7 @@ impl Sta {
 
     fn begin(&mut self) -> Result<(), WriteError> {
         if self.file.is_none() {
-            self.file = Some(Growing::begin(&self.job, ".sta", HEADER)?);
+            self.file = Some(self.job.begin(".sta", HEADER)?);
         }
         Ok(())
     }

@@ -1,157 +1,57 @@
 //! `JOB.json`: how the run went, in one object.
 
+use crate::facts::{Earlier, Facts, Status};
 use crate::file::{WriteError, replace};
 use crate::history::{Column, columns};
 use crate::job::JobFiles;
-use crate::json::Object;
+use crate::json::{Map, Value, joined, json, text};
 use crate::ledger::onset_word;
+use crate::reading::summary::SCHEMA;
 use crate::record::record;
-use crate::restart::Earlier;
-use crate::understood::{self, Understood};
+use crate::understood::understood;
 use crate::verdict;
 use crate::vtu::state_is_due;
+use serde::{Deserialize, Serialize};
 use slideline_diag::{Diagnostic, Severity, Sources};
 use slideline_measures::NoiseSummary;
-use slideline_model::{Dialect, NodeIndex, Onset};
+use slideline_model::{Dialect, NodeIndex};
 use slideline_solve::Checkpoint;
-use slideline_solve::bytes::{Packed, Unpacking};
-use slideline_solve::observe::{Ending, Event, Frame, StepReport, Stop, Totals};
+use slideline_solve::observe::{Ending, Event, Frame, StepReport, Totals};
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
-/// Version of the layout of `JOB.json`.
-pub const SCHEMA: usize = 1;
-
-/// What is known of a job before it runs.
-#[derive(Clone, Debug)]
-pub struct Facts<'a> {
-    /// Version of the program.
-    pub version: &'a str,
-    /// Hash of the deck's text, included files too.
-    pub deck_hash: &'a str,
-    /// Texts, to say where something stands.
-    pub sources: &'a Sources,
-    /// What reading had to say.
-    pub diagnostics: &'a [Diagnostic],
-    /// Dialect of the deck, where known.
-    pub dialect: Option<Dialect>,
-    /// Friction onset that rules, where known.
-    pub friction_onset: Option<Onset>,
-    /// How many of the texts, from the first on, are those of the job's own
-    /// deck.
-    pub own_texts: usize,
-    /// The jobs that this one goes on from.
-    pub earlier: Option<&'a Earlier>,
-}
-
-/// How a job stands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Status {
-    /// It runs, or its process was killed.
-    Running,
-    /// Every step was walked to its end.
-    Completed,
-    /// An increment could not be found; what converged is kept.
-    NotConverged,
-    /// The deck has errors; nothing was solved.
-    InputError,
-    /// Results could not be written.
-    OutputError,
-    /// Stopped on request after a converged increment.
-    Interrupted,
-    /// Our fault.
-    InternalError,
-}
-
-impl Status {
-    /// The word of `JOB.json`.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Running => "running",
-            Self::Completed => "completed",
-            Self::NotConverged => "not_converged",
-            Self::InputError => "input_error",
-            Self::OutputError => "output_error",
-            Self::Interrupted => "interrupted",
-            Self::InternalError => "internal_error",
-        }
-    }
-
-    /// What an ending amounts to; a diagnosis SL09xx is our fault.
-    pub fn of(ending: &Ending) -> Self {
-        match ending {
-            Ending::Completed(_) => Self::Completed,
-            Ending::NotConverged(_, why) if why.code.0.starts_with("SL09") => Self::InternalError,
-            Ending::NotConverged(..) => Self::NotConverged,
-            Ending::Stopped(_, Stop::Interrupted) => Self::Interrupted,
-            Ending::Stopped(_, Stop::OutputFailed(_)) => Self::OutputError,
-        }
-    }
-}
-
-/// Smallest and largest value of a curve, and when.
-#[derive(Clone, Copy, Debug)]
+/// Smallest and largest value of a curve, each with its time.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 struct Peak {
     least: (f64, f64),
     most: (f64, f64),
 }
 
+/// A value, the number of whom it belongs to, and its total time.
+type Largest = Option<(f64, u64, f64)>;
+
 /// What a summary remembers of the events of a run.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Memory {
+    /// Wall time of the runs that this one goes on from; with its own, where
+    /// it is saved.
     before: Duration,
+    /// JSON text of each.
     warnings: Vec<String>,
     peaks: Vec<Option<Peak>>,
-    strain: Option<(f64, u64, f64)>,
-    used: Option<(f64, u64, f64)>,
-    normal: Option<(f64, u64, f64)>,
-}
-
-impl Memory {
-    /// Reads what [`Summary::pack`] has written.
-    pub fn unpack(bytes: &mut Unpacking<'_>) -> Option<Self> {
-        let before = Duration::try_from_secs_f64(bytes.number()?).ok()?;
-        let count = bytes.length(8)?;
-        let warnings = (0..count).map(|_| bytes.text()).collect::<Option<_>>()?;
-        let count = bytes.length(1)?;
-        let peaks = (0..count).map(|_| unpack_peak(bytes)).collect::<Option<_>>()?;
-        let strain = unpack_largest(bytes)?;
-        let used = unpack_largest(bytes)?;
-        let normal = unpack_largest(bytes)?;
-        Some(Self { before, warnings, peaks, strain, used, normal })
-    }
-}
-
-/// A largest value, the number of whom it belongs to, and its time.
-fn unpack_largest(bytes: &mut Unpacking<'_>) -> Option<Option<(f64, u64, f64)>> {
-    if !bytes.flag()? {
-        return Some(None);
-    }
-    let [value, time] = bytes.numbers()?;
-    Some(Some((value, bytes.text()?.parse().ok()?, time)))
-}
-
-fn pack_largest(largest: Option<(f64, u64, f64)>, bytes: &mut Packed) {
-    bytes.flag(largest.is_some());
-    if let Some((value, whose, time)) = largest {
-        bytes.numbers(&[value, time]);
-        bytes.text(&whose.to_string());
-    }
+    /// Largest fibre strain of a beam.
+    strain: Largest,
+    /// Largest strain over the allowable one.
+    used: Largest,
+    /// Largest normal force of a contact pair.
+    normal: Largest,
 }
 
 /// Keeps the larger one; what is no number is the largest.
-fn keep_larger(largest: &mut Option<(f64, u64, f64)>, now: (f64, u64, f64)) {
+fn keep_larger(largest: &mut Largest, now: (f64, u64, f64)) {
     if largest.is_none_or(|(value, ..)| now.0 > value || now.0.is_nan()) {
         *largest = Some(now);
     }
-}
-
-fn unpack_peak(bytes: &mut Unpacking<'_>) -> Option<Option<Peak>> {
-    if !bytes.flag()? {
-        return Some(None);
-    }
-    let [low, low_at, high, high_at] = bytes.numbers()?;
-    Some(Some(Peak { least: (low, low_at), most: (high, high_at) }))
 }
 
 /// Collects what `JOB.json` says and writes it at both ends of a run.
@@ -159,28 +59,19 @@ pub(crate) struct Summary<'a> {
     job: JobFiles,
     facts: Facts<'a>,
     began: Instant,
-    /// Wall time of the runs that this one goes on from.
-    before: Duration,
-    warnings: Vec<String>,
-    advice: Vec<String>,
-    notes: Vec<String>,
+    memory: Memory,
+    /// Warnings, advice and notes.
+    said: [Vec<Value>; 3],
     curves: Vec<(String, NodeIndex, Column)>,
-    peaks: Vec<Option<Peak>>,
     dropped_work: f64,
     totals: Totals,
-    understood: Option<Understood>,
-    /// Largest fibre strain of a beam: value, element, total time.
-    strain: Option<(f64, u64, f64)>,
-    /// Largest strain over the allowable one: value, element, total time.
-    used: Option<(f64, u64, f64)>,
-    /// Largest normal force of a contact pair: value, pair, total time.
-    normal: Option<(f64, u64, f64)>,
+    understood: Option<Value>,
     /// Allowable strains of elements.
     allowable: BTreeMap<u64, f64>,
     /// What the deck calls itself, and its pairs.
     names: (String, Vec<String>),
-    /// Noise of the run, as JSON.
-    noise: Option<String>,
+    /// Noise of the run.
+    noise: Option<Value>,
     /// How many states were written, the start among them.
     states: usize,
 }
@@ -194,25 +85,18 @@ impl<'a> Summary<'a> {
     }
 
     fn new(job: &JobFiles, facts: Facts<'a>) -> Self {
-        let own = |severity| said(severity, facts.diagnostics, facts.sources);
-        let warnings = own(Severity::Warning);
-        let (advice, notes) = (own(Severity::Advice), own(Severity::Note));
+        let severities = [Severity::Warning, Severity::Advice, Severity::Note];
+        let said = severities.map(|own| said(own, facts.diagnostics, facts.sources));
         Self {
             job: job.clone(),
             facts,
             began: Instant::now(),
-            before: Duration::ZERO,
-            warnings,
-            advice,
-            notes,
+            memory: Memory::default(),
+            said,
             curves: Vec::new(),
-            peaks: Vec::new(),
             dropped_work: 0.0,
             totals: Totals::default(),
             understood: None,
-            strain: None,
-            used: None,
-            normal: None,
             allowable: BTreeMap::new(),
             names: Default::default(),
             noise: None,
@@ -227,35 +111,25 @@ impl<'a> Summary<'a> {
         memory: Memory,
         from: &Checkpoint<'_>,
     ) -> Result<Self, WriteError> {
-        let Memory { before, warnings, peaks, strain, used, normal } = memory;
-        let (totals, dropped_work) = (from.totals, from.energy().dropped_friction);
-        let states = job.kept().map_or(0, |kept| kept.states.len());
-        let new = Self::new(job, facts);
-        let largest = Self { strain, used, normal, ..new };
-        let summary = Self { before, warnings, peaks, totals, dropped_work, states, ..largest };
+        let mut summary = Self::new(job, facts);
+        let warnings = memory.warnings.iter().flat_map(|said| serde_json::from_str(said));
+        summary.said[0] = warnings.collect();
+        summary.memory = memory;
+        summary.totals = from.totals;
+        summary.dropped_work = from.energy().dropped_friction;
+        summary.states = job.kept().map_or(0, |kept| kept.states.len());
         summary.write(Status::Running, None)?;
         Ok(summary)
     }
 
-    /// Appends what only the events of the run so far have told.
-    pub fn pack(&self, bytes: &mut Packed) {
-        bytes.number(self.elapsed().as_secs_f64());
-        bytes.count(self.warnings.len());
-        self.warnings.iter().for_each(|warning| bytes.text(warning));
-        bytes.count(self.peaks.len());
-        for peak in &self.peaks {
-            bytes.flag(peak.is_some());
-            if let Some(Peak { least, most }) = peak {
-                bytes.numbers(&[least.0, least.1, most.0, most.1]);
-            }
-        }
-        for largest in [self.strain, self.used, self.normal] {
-            pack_largest(largest, bytes);
-        }
+    /// What only the events of the run so far have told.
+    pub fn memory(&self) -> Memory {
+        let warnings = self.said[0].iter().map(text).collect();
+        Memory { before: self.elapsed(), warnings, ..self.memory.clone() }
     }
 
     fn elapsed(&self) -> Duration {
-        self.before + self.began.elapsed()
+        self.memory.before + self.began.elapsed()
     }
 
     /// Takes note of everything but the end.
@@ -271,11 +145,11 @@ impl<'a> Summary<'a> {
             Event::Committed(frame) => self.follow(frame),
             Event::Diagnosed(said) => {
                 let list = match said.severity {
-                    Severity::Warning => &mut self.warnings,
-                    Severity::Advice => &mut self.advice,
+                    Severity::Warning => 0,
+                    Severity::Advice => 1,
                     _ => return,
                 };
-                list.push(record(said, self.facts.sources).finish());
+                self.said[list].push(record(said, self.facts.sources));
             }
             _ => {}
         }
@@ -283,27 +157,31 @@ impl<'a> Summary<'a> {
 
     /// Takes in the noise of the run.
     pub fn measured(&mut self, noise: &NoiseSummary) {
-        let reactions = noise.reactions.iter().fold(Object::new(), |all, reaction| {
-            let object = optional(Object::new(), "roughness", reaction.roughness);
-            let object = optional(object, "roughness_of_fourth", reaction.roughness_of_fourth);
-            let object = object.count("reversals", reaction.reversals);
-            let of_mesh = reaction.of_mesh.map(|noise| noise.roughness);
-            all.raw(&reaction.name, &optional(object, "of_mesh", of_mesh).finish())
+        let reactions = noise.reactions.iter().map(|reaction| {
+            let own = json!({
+                "roughness": reaction.roughness,
+                "roughness_of_fourth": reaction.roughness_of_fourth,
+                "reversals": reaction.reversals,
+                "of_mesh": reaction.of_mesh.map(|noise| noise.roughness),
+            });
+            (reaction.name.clone(), own)
         });
         let pairs = noise.pairs.iter().map(|pair| {
-            let object = Object::new()
-                .text("name", &pair.name)
-                .count("contact_changes", pair.changes)
-                .number("changes_per_increment", pair.changes_per_increment)
-                .number("penetration", pair.penetration);
-            optional(object, "penetration_over_c0", pair.penetration_over_c0)
-                .number("force_imbalance", pair.force_imbalance)
-                .number("moment_imbalance", pair.moment_imbalance)
-                .finish()
+            json!({
+                "name": pair.name,
+                "contact_changes": pair.changes,
+                "changes_per_increment": pair.changes_per_increment,
+                "penetration": pair.penetration,
+                "penetration_over_c0": pair.penetration_over_c0,
+                "force_imbalance": pair.force_imbalance,
+                "moment_imbalance": pair.moment_imbalance,
+            })
         });
-        let object = Object::new().count("increments", noise.increments);
-        let object = object.raw("reactions", &reactions.finish()).array("pairs", pairs);
-        self.noise = Some(object.finish());
+        self.noise = Some(json!({
+            "increments": noise.increments,
+            "reactions": reactions.collect::<Map<String, Value>>(),
+            "pairs": pairs.collect::<Value>(),
+        }));
     }
 
     /// Writes the summary of a run that is over.
@@ -322,7 +200,7 @@ impl<'a> Summary<'a> {
     }
 
     fn list_curves(&mut self, step: &StepReport<'_>) {
-        self.understood.get_or_insert_with(|| understood::understood(step.model));
+        self.understood.get_or_insert_with(|| understood(step.model));
         let pairs = step.model.contact_pairs.iter().map(|pair| pair.name.clone());
         self.names = (step.model.heading.clone(), pairs.collect());
         for allowable in &step.model.allowables {
@@ -337,8 +215,9 @@ impl<'a> Summary<'a> {
                 columns.iter().map(|&column| (format!("{label}.{}", column.name()), node, column)),
             );
         }
-        if self.peaks.len() != self.curves.len() {
-            self.peaks = vec![None; self.curves.len()]; // else they were recalled
+        // else they were recalled
+        if self.memory.peaks.len() != self.curves.len() {
+            self.memory.peaks = vec![None; self.curves.len()];
         }
     }
 
@@ -346,156 +225,119 @@ impl<'a> Summary<'a> {
         self.totals.increments += 1;
         self.states += usize::from(state_is_due(frame));
         self.dropped_work = frame.energy.dropped_friction;
-        let time = frame.total_time;
+        let (time, memory) = (frame.total_time, &mut self.memory);
         for beam in frame.beams {
-            keep_larger(&mut self.strain, (beam.fibre_strain, beam.label, time));
+            keep_larger(&mut memory.strain, (beam.fibre_strain, beam.label, time));
             if let Some(allowable) = self.allowable.get(&beam.label) {
-                keep_larger(&mut self.used, (beam.fibre_strain / allowable, beam.label, time));
+                keep_larger(&mut memory.used, (beam.fibre_strain / allowable, beam.label, time));
             }
         }
-        let mut normal = vec![0.0; self.names.1.len()];
-        for row in frame.contact {
-            if let Some(sum) = normal.get_mut(row.pair) {
-                *sum += row.pressure * row.area;
-            }
+        for pair in 0..self.names.1.len() {
+            let own = frame.contact.iter().filter(|row| row.pair == pair);
+            let force = own.fold(0.0, |sum, row| sum + row.pressure * row.area);
+            keep_larger(&mut memory.normal, (force, pair as u64, time));
         }
-        for (pair, force) in normal.into_iter().enumerate() {
-            keep_larger(&mut self.normal, (force, pair as u64, time));
-        }
-        for ((_, node, column), peak) in self.curves.iter().zip(&mut self.peaks) {
-            let value = column.value(&frame.nodal, *node);
-            let peak = peak.get_or_insert(Peak { least: (value, time), most: (value, time) });
-            if value < peak.least.0 {
-                peak.least = (value, time);
+        for ((_, node, column), peak) in self.curves.iter().zip(&mut memory.peaks) {
+            let now = (column.value(&frame.nodal, *node), time);
+            let peak = peak.get_or_insert(Peak { least: now, most: now });
+            if now.0 < peak.least.0 {
+                peak.least = now;
             }
-            if value > peak.most.0 {
-                peak.most = (value, time);
+            if now.0 > peak.most.0 {
+                peak.most = now;
             }
         }
     }
 
     fn write(&self, status: Status, diagnosis: Option<&Diagnostic>) -> Result<(), WriteError> {
-        let mut text = self.object(status, diagnosis);
-        text.push('\n');
+        let mut object = self.object(status, diagnosis);
         if status != Status::Running {
-            text = verdict::attached(&self.job, &text);
+            object = verdict::attached(&self.job, object);
         }
-        replace(&self.job.path(".json"), text.as_bytes())
+        replace(&self.job.path(".json"), (text(&object) + "\n").as_bytes())
     }
 
-    fn object(&self, status: Status, diagnosis: Option<&Diagnostic>) -> String {
-        let facts = &self.facts;
-        let mut object = Object::new()
-            .text("job", &self.job.name())
-            .text("title", &self.names.0)
-            .text("status", status.word())
-            .count("increments", self.totals.increments)
-            .count("cutbacks", self.totals.cutbacks)
-            .count("iterations", self.totals.iterations)
-            .number("wall_seconds", self.elapsed().as_secs_f64())
-            .array("warnings", self.warnings.iter().cloned())
-            .array("advice", self.advice.iter().cloned())
-            .array("notes", self.notes.iter().cloned())
-            .raw("peaks", &self.peaks())
-            .raw("dropped_friction", &self.dropped())
-            .count("states", self.states)
-            .count("schema", SCHEMA)
-            .text("program_version", facts.version)
-            .text("deck_hash", facts.deck_hash)
-            .optional_text("dialect", facts.dialect.map(Dialect::word))
-            .optional_text("friction_onset", facts.friction_onset.map(onset_word));
+    fn object(&self, status: Status, diagnosis: Option<&Diagnostic>) -> Value {
+        let (facts, totals) = (&self.facts, &self.totals);
+        let mut object = json!({
+            "job": self.job.name(),
+            "title": self.names.0,
+            "status": status.word(),
+            "increments": totals.increments,
+            "cutbacks": totals.cutbacks,
+            "iterations": totals.iterations,
+            "wall_seconds": self.elapsed().as_secs_f64(),
+            "warnings": self.said[0],
+            "advice": self.said[1],
+            "notes": self.said[2],
+            "peaks": self.peaks(),
+            "dropped_friction":
+                {"point_increments": totals.dropped_points, "work": self.dropped_work},
+            "states": self.states,
+            "schema": SCHEMA,
+            "program_version": facts.version,
+            "deck_hash": facts.deck_hash,
+            "dialect": facts.dialect.map(Dialect::word),
+            "friction_onset": facts.friction_onset.map(onset_word),
+        });
         if let Some(Earlier { origin, .. }) = facts.earlier {
-            let origin = Object::new()
-                .text("job", &origin.job)
-                .count("step", origin.step)
-                .count("increment", origin.increment);
-            object = object.raw("goes_on_from", &origin.finish());
+            object["goes_on_from"] = json!({
+                "job": origin.job, "step": origin.step, "increment": origin.increment,
+            });
         }
-        object = self.largest(object);
+        self.largest(&mut object);
         if let Some(noise) = &self.noise {
-            object = object.raw("noise", noise);
+            object["noise"] = noise.clone();
         }
         if let Some(understood) = &self.understood {
-            object = object
-                .raw("driven", &understood.driven)
-                .raw("loaded", &understood.loaded)
-                .raw("supports", &understood.supports)
-                .raw("sections", &understood.sections)
-                .raw("pairs", &understood.pairs)
-                .raw("settings", &understood.settings);
+            object = joined(object, understood.clone());
         }
         if status == Status::InputError {
-            let errors = facts.diagnostics.iter().filter(|said| said.severity == Severity::Error);
-            object = object.array("errors", errors.map(|e| record(e, facts.sources).finish()));
+            object["errors"] = said(Severity::Error, facts.diagnostics, facts.sources).into();
         }
         if let Some(diagnosis) = diagnosis {
-            object = object.raw("diagnosis", &record(diagnosis, facts.sources).finish());
-        }
-        object.finish()
-    }
-
-    /// Largest strain, its share of the allowable one, largest normal force.
-    fn largest(&self, mut object: Object) -> Object {
-        let element = |object: Object, element: u64, time: f64| {
-            object.raw("element", &element.to_string()).number("time", time).finish()
-        };
-        if let Some((value, own, time)) = self.strain {
-            let strain = Object::new().number("max", value);
-            object = object.raw("fibre_strain", &element(strain, own, time));
-        }
-        if let Some((value, own, time)) = self.used {
-            let used = Object::new()
-                .number("utilisation", value)
-                .number("margin", 1.0 / value - 1.0)
-                .flag("pass", value <= 1.0);
-            object = object.raw("allowable", &element(used, own, time));
-        }
-        if let Some((value, pair, time)) = self.normal {
-            let pair = usize::try_from(pair).ok().and_then(|pair| self.names.1.get(pair));
-            let normal = Object::new()
-                .number("max", value)
-                .text("pair", pair.map_or("?", String::as_str))
-                .number("time", time);
-            object = object.raw("normal_force", &normal.finish());
+            object["diagnosis"] = record(diagnosis, facts.sources);
         }
         object
     }
 
-    fn peaks(&self) -> String {
-        let mut object = Object::new();
-        for ((name, _, _), peak) in self.curves.iter().zip(&self.peaks) {
-            if let Some(peak) = peak {
-                let peak = Object::new()
-                    .number("min", peak.least.0)
-                    .number("max", peak.most.0)
-                    .number("time_min", peak.least.1)
-                    .number("time_max", peak.most.1);
-                object = object.raw(name, &peak.finish());
-            }
+    /// Largest strain, its share of the allowable one, largest normal force.
+    fn largest(&self, object: &mut Value) {
+        if let Some((max, element, time)) = self.memory.strain {
+            object["fibre_strain"] = json!({"max": max, "element": element, "time": time});
         }
-        object.finish()
+        if let Some((used, element, time)) = self.memory.used {
+            object["allowable"] = json!({
+                "utilisation": used,
+                "margin": 1.0 / used - 1.0,
+                "pass": used <= 1.0,
+                "element": element,
+                "time": time,
+            });
+        }
+        if let Some((max, pair, time)) = self.memory.normal {
+            let pair = self.names.1.get(pair as usize).map_or("?", String::as_str);
+            object["normal_force"] = json!({"max": max, "pair": pair, "time": time});
+        }
     }
 
-    fn dropped(&self) -> String {
-        Object::new()
-            .count("point_increments", self.totals.dropped_points)
-            .number("work", self.dropped_work)
-            .finish()
-    }
-}
-
-/// A number, or null where there is none.
-fn optional(object: Object, key: &str, value: Option<f64>) -> Object {
-    match value {
-        Some(value) => object.number(key, value),
-        None => object.raw(key, "null"),
+    fn peaks(&self) -> Map<String, Value> {
+        let curves = self.curves.iter().zip(&self.memory.peaks);
+        let peaks = curves.filter_map(|((name, ..), peak)| Some((name, (*peak)?)));
+        let own = |(name, Peak { least, most }): (&String, Peak)| {
+            let own = json!(
+                {"min": least.0, "max": most.0, "time_min": least.1, "time_max": most.1}
+            );
+            (name.clone(), own)
+        };
+        peaks.map(own).collect()
     }
 }
 
 /// What was said with that severity.
-fn said(severity: Severity, diagnostics: &[Diagnostic], sources: &Sources) -> Vec<String> {
+fn said(severity: Severity, diagnostics: &[Diagnostic], sources: &Sources) -> Vec<Value> {
     let own = diagnostics.iter().filter(|said| said.severity == severity);
-    own.map(|said| record(said, sources).finish()).collect()
+    own.map(|said| record(said, sources)).collect()
 }
 
 /// Writes `JOB.json` of a deck with errors; the files of an earlier run go.

@@ -2,7 +2,7 @@
 //! is driven, who touches whom, and which settings ruled.
 
 use crate::echo::{friction_law, normal_law};
-use crate::json::{self, Object};
+use crate::json::{Value, json};
 use crate::ledger::onset_word;
 use crate::number::general;
 use slideline_model::{
@@ -10,53 +10,40 @@ use slideline_model::{
     Step, StickRule, TimeIncrementation,
 };
 
-/// JSON text of each member.
-#[derive(Clone, Debug)]
-pub(crate) struct Understood {
-    /// `[{"node","motion","reaction"}]`: prescribed motions that move.
-    pub driven: String,
-    /// `[{"node","motion"}]`: loads.
-    pub loaded: String,
-    /// `[{"node","dofs":[..]}]`: what is held throughout.
-    pub supports: String,
-    /// `[{"height","elements":[first,last,..]}]`: heights of beam sections.
-    pub sections: String,
-    /// `[{"name","slave":[..],"master","nodes":[..],"normal","friction"}]`.
-    pub pairs: String,
-    /// `[{"card","name","value","default"}]`.
-    pub settings: String,
-}
-
-/// Collects it.
-pub(crate) fn understood(model: &Model) -> Understood {
-    let mut motions: Vec<(NodeIndex, Dof)> = Vec::new();
-    let mut loads: Vec<(NodeIndex, Dof)> = Vec::new();
-    for step in &model.steps {
-        motions.extend(step.prescribed.iter().filter(|p| p.moves()).map(|p| (p.node, p.dof)));
-        loads.extend(step.loads.iter().map(|load| (load.node, load.dof)));
-    }
-    let label = |node: NodeIndex| model.nodes.label(node).to_string();
-    let driven = distinct(motions).into_iter().map(|(node, dof)| {
-        let object = Object::new().raw("node", &label(node)).text("motion", dof.name());
-        object.text("reaction", dof.reaction_name()).finish()
+/// Members of `JOB.json`:
+///
+/// | member | content |
+/// |---|---|
+/// | `driven` | `[{"node","motion","reaction"}]`: prescribed motions that move |
+/// | `loaded` | `[{"node","motion"}]`: loads |
+/// | `supports` | `[{"node","dofs":[..]}]`: what is held throughout |
+/// | `sections` | `[{"height","elements":[first,last,..]}]`: heights of beam sections |
+/// | `pairs` | `[{"name","slave":[..],"master","nodes":[..],"normal","friction"}]` |
+/// | `settings` | `[{"card","name","value","default"}]` |
+pub(crate) fn understood(model: &Model) -> Value {
+    let steps = || model.steps.iter();
+    let moving = steps().flat_map(|step| step.prescribed.iter().filter(|own| own.moves()));
+    let loads = steps().flat_map(|step| &step.loads).map(|load| (load.node, load.dof));
+    let driven = distinct(moving.map(|own| (own.node, own.dof))).into_iter().map(|(node, dof)| {
+        let (motion, reaction) = (dof.name(), dof.reaction_name());
+        json!({"node": model.nodes.label(node), "motion": motion, "reaction": reaction})
     });
-    let loaded = distinct(loads)
-        .into_iter()
-        .map(|(node, dof)| Object::new().raw("node", &label(node)).text("motion", dof.name()))
-        .map(Object::finish);
-    Understood {
-        driven: json::array(driven),
-        loaded: json::array(loaded),
-        supports: supports(model),
-        sections: sections(model),
-        pairs: pairs(model),
-        settings: settings(model),
-    }
+    let loaded = distinct(loads).into_iter();
+    let loaded =
+        loaded.map(|(node, dof)| json!({"node": model.nodes.label(node), "motion": dof.name()}));
+    json!({
+        "driven": driven.collect::<Value>(),
+        "loaded": loaded.collect::<Value>(),
+        "supports": supports(model),
+        "sections": sections(model),
+        "pairs": pairs(model),
+        "settings": settings(model),
+    })
 }
 
 /// Nodes that the first step holds and no step moves.
-fn supports(model: &Model) -> String {
-    let Some(first) = model.steps.first() else { return "[]".to_owned() };
+fn supports(model: &Model) -> Value {
+    let Some(first) = model.steps.first() else { return json!([]) };
     let moved = |node: NodeIndex, dof: Dof| {
         let mut all = model.steps.iter().flat_map(|step| &step.prescribed);
         all.any(|own| own.node == node && own.dof == dof && own.moves())
@@ -69,18 +56,17 @@ fn supports(model: &Model) -> String {
             None => held.push((own.node, vec![own.dof])),
         }
     }
-    json::array(held.into_iter().map(|(node, dofs)| {
-        Object::new()
-            .raw("node", &model.nodes.label(node).to_string())
-            .array("dofs", dofs.into_iter().map(|dof| dof.number().to_string()))
-            .finish()
-    }))
+    let held = held.into_iter().map(|(node, dofs)| {
+        let dofs: Vec<usize> = dofs.into_iter().map(Dof::number).collect();
+        json!({"node": model.nodes.label(node), "dofs": dofs})
+    });
+    held.collect()
 }
 
 /// Heights of beam sections with their elements, first and last of each run.
-fn sections(model: &Model) -> String {
+fn sections(model: &Model) -> Value {
     let blocks = model.blocks.iter().filter_map(|block| block.beams());
-    json::array(blocks.map(|block| {
+    let sections = blocks.map(|block| {
         let mut runs: Vec<[u64; 2]> = Vec::new();
         for element in &block.elements {
             match runs.last_mut().filter(|run| run[1].checked_add(1) == Some(element.label)) {
@@ -88,52 +74,50 @@ fn sections(model: &Model) -> String {
                 None => runs.push([element.label; 2]),
             }
         }
-        Object::new()
-            .number("height", block.section.height)
-            .array("elements", runs.into_iter().flatten().map(|label| label.to_string()))
-            .finish()
-    }))
+        json!({"height": block.section.height, "elements": runs.concat()})
+    });
+    sections.collect()
 }
 
 /// Each once, in the order of the deck.
-fn distinct(places: Vec<(NodeIndex, Dof)>) -> Vec<(NodeIndex, Dof)> {
+fn distinct(all: impl Iterator<Item = (NodeIndex, Dof)>) -> Vec<(NodeIndex, Dof)> {
     let mut kept: Vec<(NodeIndex, Dof)> = Vec::new();
-    for place in places {
-        if !kept.contains(&place) {
-            kept.push(place);
+    for own in all {
+        if !kept.contains(&own) {
+            kept.push(own);
         }
     }
     kept
 }
 
-fn pairs(model: &Model) -> String {
-    let labels = |nodes: &[NodeIndex]| -> Vec<String> {
-        nodes.iter().map(|&node| model.nodes.label(node).to_string()).collect()
+fn pairs(model: &Model) -> Value {
+    let labels = |nodes: &[NodeIndex]| -> Vec<u64> {
+        nodes.iter().map(|&node| model.nodes.label(node)).collect()
     };
-    json::array(model.contact_pairs.iter().map(|pair| {
+    let pairs = model.contact_pairs.iter().map(|pair| {
         let (master, nodes) = match &pair.master {
             Master::RigidSurface(surface) => ("rigid surface", labels(&[surface.reference])),
             Master::SlideLine(chain) => ("slide line", labels(&chain.nodes)),
         };
-        Object::new()
-            .text("name", &pair.name)
-            .array("slave", labels(&pair.slave_nodes()))
-            .text("master", master)
-            .array("nodes", nodes)
-            .text("normal", &normal_law(&pair.interaction.normal))
-            .text("friction", &friction_law(&pair.interaction.friction))
-            .finish()
-    }))
+        json!({
+            "name": pair.name,
+            "slave": labels(&pair.slave_nodes()),
+            "master": master,
+            "nodes": nodes,
+            "normal": normal_law(&pair.interaction.normal),
+            "friction": friction_law(&pair.interaction.friction),
+        })
+    });
+    pairs.collect()
 }
 
 /// Settings that a deck may leave out, each with what ruled and whether that
 /// is the default.
-struct Settings(Vec<String>);
+struct Settings(Vec<Value>);
 
 impl Settings {
     fn say(&mut self, card: &str, name: &str, value: &str, default: bool) {
-        let object = Object::new().text("card", card).text("name", name).text("value", value);
-        self.0.push(object.flag("default", default).finish());
+        self.0.push(json!({"card": card, "name": name, "value": value, "default": default}));
     }
 
     fn number(&mut self, card: &str, name: &str, value: f64, default: f64) {
@@ -141,7 +125,7 @@ impl Settings {
     }
 }
 
-fn settings(model: &Model) -> String {
+fn settings(model: &Model) -> Value {
     let mut list = Settings(Vec::new());
     let dialect = model.dialect;
     list.say("program", "dialect", dialect.word(), dialect == Dialect::default());
@@ -174,7 +158,7 @@ fn settings(model: &Model) -> String {
     for (place, step) in model.steps.iter().enumerate() {
         controls(&mut list, place + 1, step);
     }
-    json::array(list.0)
+    list.0.into()
 }
 
 fn friction(list: &mut Settings, card: &str, friction: &Friction, given: bool) {

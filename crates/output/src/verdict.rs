@@ -7,9 +7,9 @@
 //! ```
 
 use crate::job::JobFiles;
-use crate::json::{self, Object};
-use crate::report::value::Value;
-use crate::report::{Driven, Energies, History, driven};
+use crate::json::{Members as _, Value, json};
+use crate::reading::history::{Energies, History};
+use crate::reading::summary::{Driven, driven, raw};
 use slideline_measures::{Evidence, Stroke, Taken, Verdict, WayOut, stroke, verdict};
 
 /// Codes of advice that cast no doubt, or that the measures of the run decide:
@@ -118,67 +118,48 @@ fn out_of_balance(energies: &Energies) -> Option<f64> {
     (scale > 0.0).then(|| balance / scale)
 }
 
-/// The text of `JOB.json` with forces and verdict behind everything else,
-/// those that were there replaced.
-pub(crate) fn attached(job: &JobFiles, text: &str) -> String {
-    let bare = without(text);
-    let Ok(summary) = Value::read(&format!("{bare}}}")) else { return text.to_owned() };
+/// What `JOB.json` says, with forces and verdict behind everything else; those
+/// that were there are replaced.
+pub(crate) fn attached(job: &JobFiles, mut summary: Value) -> Value {
     let names = driven(&summary);
     let energies = Energies::read(&job.path(".energy.csv")).ok();
     let kept = |node| names.iter().any(|driven| driven.node == node);
     let history = History::read(&job.path(".history.csv"), kept).unwrap_or_default();
-    let from_start = |column: &[f64]| -> Vec<f64> {
-        std::iter::once(0.0).chain(column.iter().copied()).collect()
-    };
     let judged = judge(&summary, energies.as_ref(), |driven| {
-        let column = |name: &str| history.column(driven.node, name).map(from_start);
+        let column = |name: &str| history.from_start(driven.node, name);
         Some([column(&driven.motion)?, column(&driven.reaction)?])
     });
     let forces = judged.strokes.iter().map(|(driven, stroke)| forces(driven, stroke));
-    let reasons = judged.verdict.reasons.iter().map(|(_, reason)| json::text(reason));
-    let verdict = Object::new()
-        .text("colour", judged.verdict.colour.word())
-        .array("reasons", reasons)
-        .finish();
-    format!("{bare}{FORCES}{},\"verdict\":{verdict}}}\n", json::array(forces))
-}
-
-/// The text of `JOB.json` without forces, verdict and its last brace.
-pub(crate) fn without(text: &str) -> &str {
-    // quotation marks within texts are escaped: only the key itself is found
-    match text.rfind(FORCES) {
-        Some(at) => &text[..at],
-        None => text.trim_end().strip_suffix('}').unwrap_or(text),
-    }
-}
-
-/// How the tail of `JOB.json` begins.
-const FORCES: &str = ",\"forces\":";
-
-fn forces(driven: &Driven, stroke: &Stroke) -> String {
-    let taken = |object: Object, key: &str, taken: Option<Taken>| match taken {
-        Some(taken) => {
-            let own = Object::new().number("force", taken.force).number("at", taken.at);
-            object.raw(key, &own.count("place", taken.place).finish())
+    let reasons = judged.verdict.reasons.iter().map(|(_, reason)| reason.as_str());
+    let verdict = json!({
+        "colour": judged.verdict.colour.word(),
+        "reasons": reasons.collect::<Value>(),
+    });
+    if let Some(members) = summary.as_object_mut() {
+        for (key, value) in [("forces", forces.collect()), ("verdict", verdict)] {
+            members.shift_remove(key);
+            members.insert(key.to_owned(), value);
         }
-        None => object.raw(key, "null"),
+    }
+    summary
+}
+
+fn forces(driven: &Driven, stroke: &Stroke) -> Value {
+    let taken = |taken: Option<Taken>| {
+        taken.map(|taken| json!({"force": taken.force, "at": taken.at, "place": taken.place}))
     };
-    let object = Object::new()
-        .raw("node", &driven.node.to_string())
-        .text("motion", &driven.motion)
-        .text("reaction", &driven.reaction)
-        .number("inward", stroke.inward);
-    let object = taken(object, "push_in", stroke.push);
-    let object = taken(object, "pull_out", stroke.pull);
-    let object = match stroke.ratio() {
-        Some(ratio) => object.number("ratio", ratio),
-        None => object.raw("ratio", "null"),
-    };
-    object
-        .number("work_in", stroke.work[0])
-        .number("work_out", stroke.work[1])
-        .text("way_out", way_out_word(stroke.way_out))
-        .finish()
+    json!({
+        "node": driven.node,
+        "motion": driven.motion,
+        "reaction": driven.reaction,
+        "inward": stroke.inward,
+        "push_in": taken(stroke.push),
+        "pull_out": taken(stroke.pull),
+        "ratio": stroke.ratio(),
+        "work_in": stroke.work[0],
+        "work_out": stroke.work[1],
+        "way_out": way_out_word(stroke.way_out),
+    })
 }
 
 fn way_out_word(way_out: WayOut) -> &'static str {
@@ -193,13 +174,9 @@ fn way_out_word(way_out: WayOut) -> &'static str {
 
 /// Colour and reasons as `JOB.json` has them; none where the job has no verdict.
 pub fn verdict_of(job: &JobFiles) -> Option<(String, Vec<String>)> {
-    let text = std::fs::read_to_string(job.path(".json")).ok()?;
-    let summary = Value::read(&text).ok()?;
+    let summary = raw(job).ok()?;
     let verdict = summary.get("verdict")?;
-    let reasons = verdict.list("reasons").iter().filter_map(|reason| match reason {
-        Value::Text(reason) => Some(reason.clone()),
-        _ => None,
-    });
+    let reasons = verdict.list("reasons").iter().filter_map(Value::as_str).map(str::to_owned);
     Some((verdict.text("colour")?.to_owned(), reasons.collect()))
 }
 
@@ -215,7 +192,7 @@ mod tests {
 
     fn summary(more: &str) -> Value {
         let text = format!("{{\"status\":\"completed\",\"warnings\":[],\"advice\":[]{more}}}");
-        Value::read(&text).unwrap_or(Value::Null)
+        serde_json::from_str(&text).unwrap()
     }
 
     fn colour(summary: &Value, energies: Option<&Energies>) -> &'static str {
@@ -247,16 +224,16 @@ mod tests {
         let said = |code: &str| {
             let text =
                 "{\"status\":\"completed\",\"warnings\":[],\"advice\":[{\"code\":\"CODE\"}]}";
-            Value::read(&text.replace("CODE", code)).unwrap_or(Value::Null)
+            serde_json::from_str(&text.replace("CODE", code)).unwrap()
         };
         assert_eq!(colour(&summary(""), None), "green");
         assert_eq!(colour(&said("SL0405"), None), "amber");
         assert_eq!(colour(&said("SL0611"), None), "green");
         let warned = "{\"status\":\"completed\",\"warnings\":[{\"code\":\"SL0402\"}]}";
-        assert_eq!(colour(&Value::read(warned).unwrap_or(Value::Null), None), "amber");
+        assert_eq!(colour(&serde_json::from_str(warned).unwrap(), None), "amber");
         for status in ["not_converged", "interrupted", "output_error", "running", "input_error"] {
             let text = format!("{{\"status\":\"{status}\"}}");
-            assert_eq!(colour(&Value::read(&text).unwrap_or(Value::Null), None), "red", "{status}");
+            assert_eq!(colour(&serde_json::from_str(&text).unwrap(), None), "red", "{status}");
         }
         let strained = summary(",\"allowable\":{\"utilisation\":1.5}");
         assert_eq!(colour(&strained, None), "red");
@@ -267,14 +244,17 @@ mod tests {
     #[test]
     fn the_tail_is_replaced() {
         let job = JobFiles::new("nowhere", "job");
-        let text = "{\"status\":\"completed\",\"title\":\",\\\"forces\\\":\",\"warnings\":[]}\n";
-        let once = attached(&job, text);
+        let text = "{\"status\":\"completed\",\"title\":\",\\\"forces\\\":\",\"warnings\":[]}";
+        let once = attached(&job, serde_json::from_str(text).unwrap());
         assert!(
-            once.ends_with(",\"forces\":[],\"verdict\":{\"colour\":\"green\",\"reasons\":[]}}\n")
+            crate::json::text(&once)
+                .ends_with(",\"forces\":[],\"verdict\":{\"colour\":\"green\",\"reasons\":[]}}")
         );
-        assert_eq!(attached(&job, &once), once);
-        let warned = once.replace("\"warnings\":[]", "\"warnings\":[{\"code\":\"SL0602\"}]");
-        let again = attached(&job, &warned);
-        assert!(again.contains("amber") && again.matches("\"verdict\"").count() == 1, "{again}");
+        assert_eq!(attached(&job, once.clone()), once);
+        let mut warned = once;
+        warned["warnings"] = json!([{"code": "SL0602"}]);
+        warned["late"] = json!(1);
+        let again = crate::json::text(&attached(&job, warned));
+        assert!(again.contains("amber") && again.contains("\"late\":1,\"forces\""), "{again}");
     }
 }

@@ -1,24 +1,19 @@
 //! All writers of a job as one observer.
 
+use crate::facts::{Facts, Status};
 use crate::file::WriteError;
 use crate::job::JobFiles;
+use crate::kept::Kept;
 use crate::lock::Lock;
-use crate::restart::{self, Kept, Saved};
-use crate::summary::{Facts, Status, Summary};
+use crate::restart::{self, Saved};
+use crate::rows::Csv;
+use crate::summary::Summary;
+use crate::writer::Writer;
 use crate::{contact, dat, element, energy, frd, history, msg, pair, sta, vtu};
 use slideline_measures::NoiseSummary;
 use slideline_solve::Checkpoint;
 use slideline_solve::observe::{Event, Observer, Stop};
 use std::ops::ControlFlow;
-
-/// Writes one kind of file.
-pub(crate) trait Writer {
-    /// Takes note of an event.
-    fn event(&mut self, event: &Event<'_>) -> Result<(), WriteError>;
-
-    /// Notes what a run that goes on from here has to find.
-    fn keep(&self, _kept: &mut Kept) {}
-}
 
 type Make = for<'a> fn(&JobFiles, &Facts<'a>) -> Box<dyn Writer + 'a>;
 
@@ -34,11 +29,11 @@ const REGISTRY: &[Kind] = &[
     Kind { name: "sta", make: |job, _| Box::new(sta::Sta::new(job)) },
     Kind { name: "msg", make: |job, facts| Box::new(msg::Msg::new(job, facts)) },
     Kind { name: "dat", make: |job, facts| Box::new(dat::Dat::new(job, facts)) },
-    Kind { name: "history.csv", make: |job, _| Box::new(history::History::new(job)) },
-    Kind { name: "contact.csv", make: |job, _| Box::new(contact::Contact::new(job)) },
-    Kind { name: "pair.csv", make: |job, _| Box::new(pair::Pairs::new(job)) },
-    Kind { name: "energy.csv", make: |job, _| Box::new(energy::Energy::new(job)) },
-    Kind { name: "element.csv", make: |job, _| Box::new(element::Elements::new(job)) },
+    Kind { name: "history.csv", make: |job, _| Box::new(Csv::<history::History>::new(job)) },
+    Kind { name: "contact.csv", make: |job, _| Box::new(Csv::<contact::Contact>::new(job)) },
+    Kind { name: "pair.csv", make: |job, _| Box::new(Csv::<pair::Pairs>::new(job)) },
+    Kind { name: "energy.csv", make: |job, _| Box::new(Csv::<energy::Energy>::new(job)) },
+    Kind { name: "element.csv", make: |job, _| Box::new(Csv::<element::Elements>::new(job)) },
     Kind { name: "frd", make: |job, _| Box::new(frd::Frd::new(job)) },
     Kind { name: "vtu", make: |job, _| Box::new(vtu::States::new(job)) },
 ];
@@ -142,7 +137,7 @@ impl<'a> Writers<'a> {
             {
                 let mut kept = Kept::default();
                 self.writers.iter().for_each(|writer| writer.keep(&mut kept));
-                let saved = self.restart.write(&self.job, checkpoint, &kept, &self.summary);
+                let saved = self.restart.write(&self.job, checkpoint, kept, &self.summary);
                 saved.and_then(|()| self.step_is_safe(checkpoint))
             }
             Event::Checkpoint(checkpoint) if self.failure.is_none() => {

@@ -44,8 +44,8 @@ pub use slideline_mech as mech;
 pub use slideline_model as model;
 pub use slideline_output as output;
 pub use slideline_solve::{Checkpoint, resume, run as solve, run_from};
+pub use slideline_solve::{Enforcement, Options as SolveOptions, TangentCheck, observe};
 pub use slideline_solve::{LinearSystems, linalg};
-pub use slideline_solve::{Options as SolveOptions, TangentCheck, observe};
 pub use slideline_solve::{UserFrictions, friction};
 
 pub use slideline_diag::{Diagnostic, Severity};

@@ -14,10 +14,11 @@ use crate::newton::{Target, Workspace};
 use crate::observe::Energies;
 use crate::plan::Plan;
 use crate::state::State;
+use serde::{Deserialize, Serialize};
 
 /// What the last increment turned over and what it left unbalanced, and sums
 /// of that. [F L]
-#[derive(Clone, Copy, Debug, PartialEq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Default, Serialize, Deserialize)]
 pub struct Books {
     /// Energy turned over since time 0, eq. (10.4).
     pub turned_over: f64,
@@ -72,7 +73,7 @@ pub fn account(plan: &Plan<'_>, committed: &State, work: &Workspace, trial: &mut
         stabilisation: before.stabilisation + damped(committed, trial),
         ..*before
     };
-    for slot in 0..plan.layout.slots() {
+    for slot in 0..plan.dofs.len() {
         let mean_reaction = 0.5 * (committed.reaction[slot] + trial.reaction[slot]);
         let mean_load = 0.5 * (committed.load[slot] + trial.load[slot]);
         energy.external_work += (mean_reaction + mean_load) * trial.increment[slot];

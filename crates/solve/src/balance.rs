@@ -81,13 +81,10 @@ impl Sum {
         let (normal, tangential) = (now.area * now.pressure, now.area * now.traction);
         for k in 0..meeting.width {
             let value = normal * meeting.gradient[k] + tangential * meeting.drag[k];
-            let (node, dof) = plan.layout.name(meeting.slots[k]);
+            let (node, dof) = plan.dofs.name(meeting.slots[k]);
             let [x, y] = plan.model.nodes.plane(node);
-            let slot = node * plan.layout.dofs.len();
-            let arm = [
-                x + state.displacement[slot] - about[0],
-                y + state.displacement[slot + 1] - about[1],
-            ];
+            let [u, v] = plan.dofs.translation(&state.displacement, node);
+            let arm = [x + u - about[0], y + v - about[1]];
             self.size = self.size.max((arm[0] + about[0]).abs()).max((arm[1] + about[1]).abs());
             self.take(dof, value, arm);
         }

@@ -4,31 +4,35 @@
 //!   committed state + start of the step + increment control + counts
 //!        |                                                     ^
 //!        +--> Event::Checkpoint --> bytes --> file --> bytes --+--> resume
+//!             (serde; the bytes are those of whoever writes the file)
 //! ```
 //!
 //! A run that goes on from a checkpoint is the same, bit for bit, as one that
 //! was never left: an increment depends on nothing but these values and the
 //! model. [derived]
 
-use crate::account::Books;
-use crate::bytes::{Packed, Unpacking};
 use crate::contact::{memory_size, point_count};
-use crate::convergence::FluxAverage;
+use crate::dofs::DofMap;
 use crate::increments::Control;
-use crate::observe::{Energies, FrictionCall, Status, Totals};
+use crate::observe::{Energies, Totals};
 use crate::plan::Start;
-use crate::state::{PointState, State};
+use crate::state::State;
+use serde::{Deserialize, Serialize};
 use slideline_model::{ContactPair, Model};
 use std::borrow::Cow;
 
+/// No run counts so far.
+const MOST: u64 = 1 << 48;
+
 /// A committed increment, from which history can go on.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Checkpoint<'a> {
     /// Step number from 1.
     pub step: usize,
     /// Increments committed in that step.
     pub increment: usize,
     /// Whether an observer stops the run here.
+    #[serde(skip)]
     pub stopping: bool,
     /// Counts of the run so far.
     pub totals: Totals,
@@ -47,6 +51,15 @@ impl Checkpoint<'_> {
             start: self.start.owned(),
             ..*self
         }
+    }
+
+    /// The same, its vectors borrowed.
+    pub fn borrowed(&self) -> Checkpoint<'_> {
+        let Start { displacement, load, released } = &self.start;
+        let [displacement, load, released] =
+            [displacement, load, released].map(|vector| Cow::Borrowed(&**vector));
+        let start = Start { displacement, load, released };
+        Checkpoint { state: Cow::Borrowed(&self.state), start, ..*self }
     }
 
     /// Whether the step ends here.
@@ -69,10 +82,24 @@ impl Checkpoint<'_> {
         self.control.is_none() && self.step >= model.steps.len()
     }
 
+    /// Whether all counts are such that a run can reach: beyond that sums could
+    /// overflow.
+    pub fn is_sound(&self) -> bool {
+        let Totals { increments, cutbacks, iterations, dropped_points } = self.totals;
+        let counts = [self.step, self.increment, increments, cutbacks, iterations, dropped_points];
+        let [step, increment] = self.state.books.worst_at;
+        let control =
+            self.control.map_or([0; 3], |Control { committed, attempts, quick, .. }| {
+                [committed as u64, u64::from(attempts) << 17, u64::from(quick) << 17]
+            });
+        let counts = counts.into_iter().chain([step, increment]).map(|count| count as u64);
+        counts.chain(control).all(|count| count < MOST)
+    }
+
     /// Whether the state is one of this model: so many nodes, points and
     /// steps, and an increment that can be tried.
     pub fn fits(&self, model: &Model) -> bool {
-        let slots = model.nodes.len() * 3;
+        let slots = DofMap::new(model).len();
         let points = model.contact_pairs.iter().map(point_count).sum::<usize>();
         let memory = |pair: &ContactPair| point_count(pair) * memory_size(pair);
         let memory = model.contact_pairs.iter().map(memory).sum::<usize>();
@@ -103,244 +130,14 @@ impl Checkpoint<'_> {
             && [0, slots].contains(&state.damping.len())
             && state.damping.iter().all(|value| value.is_finite())
     }
-
-    /// Appends everything to `bytes`.
-    pub fn pack(&self, bytes: &mut Packed) {
-        let Totals { increments, cutbacks, iterations, dropped_points } = self.totals;
-        for count in [self.step, self.increment, increments, cutbacks, iterations, dropped_points] {
-            bytes.count(count);
-        }
-        let Start { displacement, load, released } = &self.start;
-        [displacement, load, released].into_iter().for_each(|vector| bytes.list(vector));
-        bytes.flag(self.control.is_some());
-        if let Some(Control { time, dt, committed, attempts, quick }) = self.control {
-            bytes.numbers(&[time, dt]);
-            for count in [committed, attempts as usize, quick as usize] {
-                bytes.count(count);
-            }
-        }
-        pack_state(&self.state, bytes);
-    }
-
-    /// Reads what [`Checkpoint::pack`] has written; `None` where the bytes
-    /// are something else.
-    pub fn unpack(bytes: &mut Unpacking<'_>) -> Option<Checkpoint<'static>> {
-        let (step, increment) = (bytes.count()?, bytes.count()?);
-        let totals = Totals {
-            increments: bytes.count()?,
-            cutbacks: bytes.count()?,
-            iterations: bytes.count()?,
-            dropped_points: bytes.count()?,
-        };
-        let start = Start {
-            displacement: Cow::Owned(bytes.list()?),
-            load: Cow::Owned(bytes.list()?),
-            released: Cow::Owned(bytes.list()?),
-        };
-        let control = if bytes.flag()? { Some(unpack_control(bytes)?) } else { None };
-        let state = Cow::Owned(unpack_state(bytes)?);
-        let stopping = false;
-        Some(Checkpoint { step, increment, stopping, totals, state, start, control })
-    }
-}
-
-fn unpack_control(bytes: &mut Unpacking<'_>) -> Option<Control> {
-    let [time, dt] = bytes.numbers()?;
-    let committed = bytes.count()?;
-    // both are counted up, one at a time
-    let small = |count: usize| u32::try_from(count).ok().filter(|&count| count < u32::MAX / 2);
-    let attempts = small(bytes.count()?)?;
-    let quick = small(bytes.count()?)?;
-    Some(Control { time, dt, committed, attempts, quick })
-}
-
-/// Every field by name, so that a new one cannot be forgotten.
-fn pack_state(state: &State, bytes: &mut Packed) {
-    let State {
-        total_time,
-        step_time,
-        displacement,
-        increment,
-        increment_before,
-        increment_time,
-        reaction,
-        load,
-        points,
-        memory,
-        flux,
-        damping,
-        stabilised,
-        energy,
-        balance_origin,
-        books,
-    } = state;
-    bytes.numbers(&[*total_time, *step_time]);
-    bytes.numbers(increment_time);
-    for vector in [displacement, increment, increment_before, reaction, load, memory, damping] {
-        bytes.list(vector);
-    }
-    bytes.flag(*stabilised);
-    bytes.count(points.len());
-    points.iter().for_each(|point| pack_point(point, bytes));
-    flux.iter().for_each(|average| bytes.numbers(&average.parts()));
-    let Energies {
-        external_work,
-        strain_energy,
-        contact_energy,
-        friction_dissipation,
-        friction_elastic,
-        dropped_friction,
-        stabilisation,
-        released_energy,
-        balance,
-    } = *energy;
-    bytes.numbers(&[external_work, strain_energy, contact_energy, friction_dissipation]);
-    bytes.numbers(&[friction_elastic, dropped_friction, stabilisation, released_energy, balance]);
-    bytes.optional(*balance_origin);
-    pack_books(books, bytes);
-}
-
-fn pack_books(books: &Books, bytes: &mut Packed) {
-    let Books { turned_over, left, opening, opening_dissipation, .. } = *books;
-    let Books { step, steps, worst, worst_at, worst_dt, .. } = *books;
-    bytes.numbers(&[turned_over, left, opening, opening_dissipation]);
-    bytes.numbers(&[step, steps, worst, worst_dt]);
-    worst_at.iter().for_each(|&number| bytes.count(number));
-}
-
-fn unpack_books(bytes: &mut Unpacking<'_>) -> Option<Books> {
-    let [turned_over, left, opening, opening_dissipation] = bytes.numbers()?;
-    let [step, steps, worst, worst_dt] = bytes.numbers()?;
-    Some(Books {
-        turned_over,
-        left,
-        opening,
-        opening_dissipation,
-        step,
-        steps,
-        worst,
-        worst_at: [bytes.count()?, bytes.count()?],
-        worst_dt,
-    })
-}
-
-fn unpack_state(bytes: &mut Unpacking<'_>) -> Option<State> {
-    let [total_time, step_time] = bytes.numbers()?;
-    let increment_time = bytes.numbers()?;
-    let [displacement, increment, increment_before] = [bytes.list()?, bytes.list()?, bytes.list()?];
-    let [reaction, load, memory] = [bytes.list()?, bytes.list()?, bytes.list()?];
-    let (damping, stabilised) = (bytes.list()?, bytes.flag()?);
-    let points = (0..bytes.length(POINT)?).map(|_| unpack_point(bytes)).collect::<Option<_>>()?;
-    let flux = [FluxAverage::of_parts(bytes.numbers()?), FluxAverage::of_parts(bytes.numbers()?)];
-    let energy = Energies {
-        external_work: bytes.number()?,
-        strain_energy: bytes.number()?,
-        contact_energy: bytes.number()?,
-        friction_dissipation: bytes.number()?,
-        friction_elastic: bytes.number()?,
-        dropped_friction: bytes.number()?,
-        stabilisation: bytes.number()?,
-        released_energy: bytes.number()?,
-        balance: bytes.number()?,
-    };
-    let balance_origin = bytes.optional()?;
-    let books = unpack_books(bytes)?;
-    Some(State {
-        total_time,
-        step_time,
-        displacement,
-        increment,
-        increment_before,
-        increment_time,
-        reaction,
-        load,
-        points,
-        memory,
-        flux,
-        damping,
-        stabilised,
-        energy,
-        balance_origin,
-        books,
-    })
-}
-
-/// Bytes that a point takes at least.
-const POINT: usize = 100;
-
-fn pack_point(point: &PointState, bytes: &mut Packed) {
-    let PointState {
-        closed,
-        ever_closed,
-        status,
-        friction,
-        pressure,
-        traction,
-        opening,
-        along,
-        elastic_slip,
-        slip,
-        dissipated,
-        dropped_work,
-        position,
-        normal,
-        area,
-        xi,
-    } = *point;
-    bytes.flag(closed);
-    bytes.flag(ever_closed);
-    bytes.choice(match status {
-        Status::Open => 0,
-        Status::Stick => 1,
-        Status::Slip => 2,
-    });
-    bytes.choice(match friction {
-        FrictionCall::None => 0,
-        FrictionCall::Called => 1,
-        FrictionCall::Dropped => 2,
-    });
-    bytes.numbers(&[pressure, traction, opening]);
-    bytes.optional(along);
-    bytes.numbers(&[elastic_slip, slip, dissipated, dropped_work]);
-    bytes.numbers(&position);
-    bytes.numbers(&normal);
-    bytes.numbers(&[area, xi]);
-}
-
-fn unpack_point(bytes: &mut Unpacking<'_>) -> Option<PointState> {
-    Some(PointState {
-        closed: bytes.flag()?,
-        ever_closed: bytes.flag()?,
-        status: match bytes.choice()? {
-            0 => Status::Open,
-            1 => Status::Stick,
-            2 => Status::Slip,
-            _ => return None,
-        },
-        friction: match bytes.choice()? {
-            0 => FrictionCall::None,
-            1 => FrictionCall::Called,
-            2 => FrictionCall::Dropped,
-            _ => return None,
-        },
-        pressure: bytes.number()?,
-        traction: bytes.number()?,
-        opening: bytes.number()?,
-        along: bytes.optional()?,
-        elastic_slip: bytes.number()?,
-        slip: bytes.number()?,
-        dissipated: bytes.number()?,
-        dropped_work: bytes.number()?,
-        position: bytes.numbers()?,
-        normal: bytes.numbers()?,
-        area: bytes.number()?,
-        xi: bytes.number()?,
-    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::account::Books;
+    use crate::observe::{FrictionCall, Status};
+    use crate::state::PointState;
 
     fn checkpoint() -> Checkpoint<'static> {
         let mut state = State::undeformed(6, 2, 1);
@@ -353,7 +150,6 @@ mod tests {
             opening: f64::INFINITY,
             ..PointState::default()
         };
-        state.flux[1] = FluxAverage::of_parts([1.5, 2.0, 0.5]);
         state.balance_origin = Some(0.3);
         state.energy.released_energy = 0.125;
         state.books = Books { turned_over: 2.0, worst_at: [2, 7], ..Books::default() };
@@ -375,18 +171,15 @@ mod tests {
     /// Requirement: bytes hold every bit, and every shorter text is refused.
     #[test]
     fn there_and_back() {
-        let mut bytes = Packed::default();
-        checkpoint().pack(&mut bytes);
-        let mut read = Unpacking(&bytes.0);
-        let back = Checkpoint::unpack(&mut read).unwrap();
-        assert!(read.is_done());
+        let bytes = postcard::to_stdvec(&checkpoint()).unwrap();
+        let back: Checkpoint<'_> = postcard::from_bytes(&bytes).unwrap();
         assert_eq!(back, checkpoint());
         let bits = |state: &State| -> Vec<u64> {
             state.displacement.iter().map(|value| value.to_bits()).collect()
         };
         assert_eq!(bits(&back.state), bits(&checkpoint().state));
-        for length in 0..bytes.0.len() {
-            assert!(Checkpoint::unpack(&mut Unpacking(&bytes.0[..length])).is_none(), "{length}");
+        for length in 0..bytes.len() {
+            assert!(postcard::from_bytes::<Checkpoint<'_>>(&bytes[..length]).is_err(), "{length}");
         }
     }
 
@@ -394,14 +187,25 @@ mod tests {
     /// text has.
     #[test]
     fn any_byte_is_survived() {
-        let mut bytes = Packed::default();
-        checkpoint().pack(&mut bytes);
-        for place in 0..bytes.0.len() {
+        let bytes = postcard::to_stdvec(&checkpoint()).unwrap();
+        for place in 0..bytes.len() {
             for value in [0, 1, 0x7f, 0xff] {
-                let mut other = bytes.0.clone();
+                let mut other = bytes.clone();
                 other[place] = value;
-                let _ = Checkpoint::unpack(&mut Unpacking(&other));
+                let _ = postcard::from_bytes::<Checkpoint<'_>>(&other);
             }
         }
+    }
+
+    /// Requirement: a count that no run reaches is told, wherever it stands.
+    #[test]
+    fn counts_are_bounded() {
+        assert!(checkpoint().is_sound());
+        let large = usize::MAX / 2;
+        let totals = Totals { iterations: large, ..checkpoint().totals };
+        assert!(!Checkpoint { step: large, ..checkpoint() }.is_sound());
+        assert!(!Checkpoint { totals, ..checkpoint() }.is_sound());
+        let control = checkpoint().control.map(|own| Control { attempts: u32::MAX, ..own });
+        assert!(!Checkpoint { control, ..checkpoint() }.is_sound());
     }
 }

@@ -1,7 +1,8 @@
 //! A converged trial becomes the state that history goes on from.
 
 use crate::account::account;
-use crate::layout::Role;
+use crate::constraints::Role;
+use crate::contact::MasterPositions;
 use crate::newton::{Target, Workspace};
 use crate::plan::Plan;
 use crate::state::State;
@@ -25,7 +26,7 @@ pub fn commit(
     trial.increment_before.copy_from_slice(&committed.increment);
     trial.increment_time = [target.dt, committed.increment_time[0]];
     trial.load.copy_from_slice(&work.load);
-    for (slot, role) in plan.layout.roles.iter().enumerate() {
+    for (slot, role) in plan.constraints.roles.iter().enumerate() {
         trial.reaction[slot] = match role {
             Role::Prescribed(_) => evaluation.unbalanced(slot),
             _ => 0.0,
@@ -51,8 +52,8 @@ pub fn commit(
 /// smallest numbers that there are.
 fn come_to_rest(plan: &Plan<'_>, trial: &mut State) {
     let nothing = f64::EPSILON.powi(4);
-    for &slot in &plan.layout.slot_of_equation {
-        let size = if plan.layout.name(slot).1.is_rotation() { 1.0 } else { plan.reach };
+    for &slot in &plan.constraints.dof_of_equation {
+        let size = if plan.dofs.name(slot).1.is_rotation() { 1.0 } else { plan.reach };
         if trial.displacement[slot].abs() < nothing * size {
             trial.displacement[slot] = 0.0;
         }
@@ -76,7 +77,7 @@ fn count_slip(plan: &Plan<'_>, committed: &State, work: &Workspace, trial: &mut 
 /// touching their history: the gaps of the start, and the origin of slip for
 /// points that close in the first increment.
 pub fn locate_points(plan: &Plan<'_>, committed: &mut State, work: &mut Workspace) {
-    let mut positions = Vec::with_capacity(plan.contact.chain_nodes());
+    let mut positions = MasterPositions::default();
     plan.contact.meet(&committed.displacement, &mut positions, &mut work.evaluation.meetings);
     for (point, meeting) in committed.points.iter_mut().zip(&work.evaluation.meetings) {
         point.opening = -meeting.overclosure;

@@ -3,27 +3,30 @@
 //! ```text
 //!   slave point --search--> facing piece --gap--> h, sigma, derivatives
 //!        |                        |                     |
-//!      carried                 carried            pushed to dofs
-//!     by a node               by nodes            (PointMap alone)
+//!     of a node               of nodes           pushed to dofs
 //! ```
 //!
 //! Geometry only; pressures and tractions come from the laws, in
 //! [`crate::linearised`] and [`crate::evaluate`].
 
+mod candidates;
 mod crossing;
 mod facade;
 mod laws;
 mod meeting;
+mod positions;
 mod shear;
 mod strip;
 
+pub use candidates::coupled_parts;
 pub use crossing::{Missed, Sweep, SweepScratch};
 pub use facade::placed;
 pub use laws::{average as average_element, memory_size};
 pub use meeting::{GeometryScratch, Meeting};
+pub use positions::MasterPositions;
 pub use strip::{STRIP_POINTS, Strip};
 
-use crate::layout::{Carried, Layout};
+use crate::dofs::DofMap;
 use crate::linearised::MOST_DOFS;
 use crate::state::PointState;
 use crate::users::UserFrictions;
@@ -31,7 +34,7 @@ use facade::Facade;
 use meeting::{MOST_DIRECT, Stencil};
 use slideline_mech::contact::pair::{self, AnyGap, History, Laws};
 use slideline_mech::contact::points::tributary_areas;
-use slideline_mech::rigid::{Attachment, push_forward};
+use slideline_mech::rigid::{Attachment, PointMap, push_forward};
 use slideline_model::{ContactPair, Dof, Formulation, Master, Model, NodeIndex};
 use std::collections::{HashMap, HashSet};
 
@@ -65,7 +68,7 @@ impl SlavePoint {
 #[derive(Clone, Debug)]
 enum Carrier {
     /// A node, free or on a rigid body.
-    Node { carried: Carried, slots: [usize; 3] },
+    Node { position: [f64; 2], slots: [usize; 2] },
     /// A Gauss point of a cell of a strip.
     Station { strip: usize },
 }
@@ -95,7 +98,7 @@ pub struct Contact {
 
 impl Contact {
     /// Prepares the pairs of a model.
-    pub fn new(model: &Model, layout: &Layout, users: &UserFrictions) -> Self {
+    pub fn new(model: &Model, dofs: &DofMap, users: &UserFrictions) -> Self {
         let mut contact = Self {
             points: Vec::new(),
             slave_nodes: model.contact_pairs.iter().map(ContactPair::slave_nodes).collect(),
@@ -111,13 +114,13 @@ impl Contact {
         for (place, pair) in model.contact_pairs.iter().enumerate() {
             contact.edges.push(Vec::new());
             match pair.formulation {
-                Formulation::NodeToSurface => contact.add_nodes(model, layout, place, pair),
-                Formulation::SurfaceToSurface => contact.add_strips(model, layout, place, pair),
+                Formulation::NodeToSurface => contact.add_nodes(model, dofs, place, pair),
+                Formulation::SurfaceToSurface => contact.add_strips(model, dofs, place, pair),
             }
             contact.laws.push(laws::laws(model, pair, users));
             let facade = match &pair.master {
-                Master::RigidSurface(surface) => Facade::body(model, layout, surface),
-                Master::SlideLine(line) => Facade::chain(model, layout, line, contact.chain_nodes),
+                Master::RigidSurface(surface) => Facade::body(model, dofs, surface),
+                Master::SlideLine(line) => Facade::chain(model, dofs, line, contact.chain_nodes),
             };
             if let Facade::Line { nodes, .. } = &facade {
                 contact.chain_nodes += nodes.len();
@@ -143,7 +146,7 @@ impl Contact {
         opposed
     }
 
-    fn add_nodes(&mut self, model: &Model, layout: &Layout, place: usize, pair: &ContactPair) {
+    fn add_nodes(&mut self, model: &Model, dofs: &DofMap, place: usize, pair: &ContactPair) {
         let nodes = self.slave_nodes[place].clone();
         let (elements, coordinates) = local_elements(model, pair, &nodes);
         let first = self.points.len();
@@ -152,9 +155,8 @@ impl Contact {
         let shares: Vec<_> = pair.elements.iter().map(|e| e.lumping.shares()).collect();
         let areas = tributary_areas(&elements, &shares, &coordinates, width);
         for (&node, area) in nodes.iter().zip(areas) {
-            let carried = layout.carried_node(model, node);
-            let slots = slots_of(layout, carried.node);
-            self.add_point(place, pair, (node, area), Carrier::Node { carried, slots });
+            let (position, slots) = (model.nodes.plane(node), translations(dofs, node));
+            self.add_point(place, pair, (node, area), Carrier::Node { position, slots });
         }
     }
 
@@ -171,26 +173,28 @@ impl Contact {
         self.points.push(point);
     }
 
-    /// Sets of slots that may ever couple.
-    pub fn cliques(&self) -> Vec<Vec<usize>> {
+    /// Sets of dofs that may couple: of deforming masters with many parts, only
+    /// what is near in one of the `states`.
+    pub fn cliques(&self, states: &[&[f64]]) -> Vec<Vec<usize>> {
         let mut cliques = Vec::new();
+        let near = self.candidates(states);
         for strip in &self.strips {
             if let Facade::Body { slots, .. } = &self.facades[strip.pair] {
                 cliques.push([&strip.all_slots()[..], slots].concat());
             }
         }
-        for point in &self.points {
-            let Carrier::Node { carried, slots } = &point.carrier else { continue };
-            let own = &slots[..carried.map.width()];
+        for (place, point) in self.points.iter().enumerate() {
+            let Carrier::Node { slots: own, .. } = &point.carrier else { continue };
             match &self.facades[point.pair] {
                 Facade::Nothing => {}
-                Facade::Body { slots, .. } => cliques.push([own, slots].concat()),
+                Facade::Body { slots, .. } => cliques.push([&own[..], slots].concat()),
                 Facade::Line { nodes, .. } => {
-                    for window in nodes.windows(nodes.len().min(3)) {
+                    let all = 0..nodes.len();
+                    let range = near.get(place).cloned().flatten().unwrap_or(all);
+                    let window = range.len().min(3);
+                    for window in nodes[range].windows(window.max(1)) {
                         let mut clique = own.to_vec();
-                        for (carried, slots) in window {
-                            clique.extend(&slots[..carried.map.width()]);
-                        }
+                        window.iter().for_each(|(_, slots)| clique.extend(slots));
                         cliques.push(clique);
                     }
                 }
@@ -199,13 +203,8 @@ impl Contact {
         cliques
     }
 
-    /// Number of chain positions of all pairs, for the scratch.
-    pub fn chain_nodes(&self) -> usize {
-        self.chain_nodes
-    }
-
     /// Where every point stands at displacements `u`. `positions` is scratch.
-    pub fn meet(&self, u: &[f64], positions: &mut Vec<[f64; 2]>, into: &mut [Meeting]) {
+    pub fn meet(&self, u: &[f64], positions: &mut MasterPositions, into: &mut [Meeting]) {
         self.place_chains(u, positions);
         for (place, point) in self.points.iter().enumerate() {
             if !point.is_station() {
@@ -220,7 +219,7 @@ impl Contact {
 
     /// As [`Contact::meet`], with stations left where they stand on their
     /// elements.
-    pub fn meet_in_place(&self, u: &[f64], positions: &mut Vec<[f64; 2]>, into: &mut [Meeting]) {
+    pub fn meet_in_place(&self, u: &[f64], positions: &mut MasterPositions, into: &mut [Meeting]) {
         self.place_chains(u, positions);
         for (point, meeting) in self.points.iter().zip(into) {
             if meeting.faces || !point.is_station() {
@@ -229,19 +228,9 @@ impl Contact {
         }
     }
 
-    /// Positions of all chains at displacements `u`.
-    pub fn place_chains(&self, u: &[f64], positions: &mut Vec<[f64; 2]>) {
-        positions.clear();
-        for facade in &self.facades {
-            if let Facade::Line { nodes, .. } = facade {
-                positions.extend(nodes.iter().map(|(node, slots)| place(node, slots, u)));
-            }
-        }
-    }
-
     /// Where a point stands at displacements `u`, however far from its
     /// master; a station where its cell, wholly closed, has it.
-    pub fn stand(&self, place: usize, u: &[f64], positions: &[[f64; 2]]) -> Meeting {
+    pub fn stand(&self, place: usize, u: &[f64], positions: &MasterPositions) -> Meeting {
         let point = &self.points[place];
         let mut meeting = Meeting { area: point.area, ..Meeting::NOWHERE };
         if let Carrier::Station { strip } = point.carrier {
@@ -255,7 +244,7 @@ impl Contact {
     /// it, up to a gap of `slack`, were that end prolonged; a station at `xi`
     /// of its element.
     pub fn has_slid_off(&self, place: usize, (xi, slack): (f64, f64), u: &[f64]) -> bool {
-        let mut positions = Vec::with_capacity(self.chain_nodes);
+        let mut positions = MasterPositions::default();
         self.place_chains(u, &mut positions);
         let point = &self.points[place];
         let mut stencil = self.slave(point, xi, u);
@@ -263,11 +252,17 @@ impl Contact {
             return false;
         }
         let begins = self.laws[point.pair].normal.contact_begins();
-        let beyond = self.facades[point.pair].beyond_end(stencil.position, u, &positions);
+        let beyond = self.facades[point.pair].beyond_end(stencil.position, u, &positions.nodes);
         beyond.is_some_and(|overclosure| overclosure > begins - slack)
     }
 
-    fn meet_one(&self, point: &SlavePoint, u: &[f64], positions: &[[f64; 2]], into: &mut Meeting) {
+    fn meet_one(
+        &self,
+        point: &SlavePoint,
+        u: &[f64],
+        positions: &MasterPositions,
+        into: &mut Meeting,
+    ) {
         self.meet_stencil(point, self.slave(point, into.xi, u), (u, positions), into);
     }
 
@@ -275,7 +270,7 @@ impl Contact {
         &self,
         point: &SlavePoint,
         mut stencil: Stencil<'_>,
-        (u, positions): (&[f64], &[[f64; 2]]),
+        (u, positions): (&[f64], &MasterPositions),
         into: &mut Meeting,
     ) {
         into.position = stencil.position;
@@ -292,9 +287,9 @@ impl Contact {
     /// The slave's part of a stencil.
     fn slave(&self, point: &SlavePoint, xi: f64, u: &[f64]) -> Stencil<'_> {
         match &point.carrier {
-            Carrier::Node { carried, slots } => {
-                let mut stencil = Stencil::new(place(carried, slots, u));
-                stencil.add_from(&slots[..carried.map.width()], u);
+            Carrier::Node { position, slots } => {
+                let mut stencil = Stencil::new(moved(position, slots, u));
+                stencil.add_from(slots, u);
                 stencil
             }
             Carrier::Station { strip } => {
@@ -306,7 +301,7 @@ impl Contact {
 
     fn attachment(&self, point: &SlavePoint, xi: f64) -> Attachment {
         match &point.carrier {
-            Carrier::Node { carried, .. } => Attachment::Point { map: carried.map, first: 0 },
+            Carrier::Node { .. } => Attachment::Point { map: PointMap::Free, first: 0 },
             Carrier::Station { strip } => {
                 Attachment::Blend { blend: self.strips[*strip].line.blend(xi), firsts: [0, 3] }
             }
@@ -319,11 +314,12 @@ impl Contact {
         point: &SlavePoint,
         xi: f64,
         u: &[f64],
-        positions: &[[f64; 2]],
+        positions: &MasterPositions,
         stencil: &mut Stencil<'_>,
     ) -> Option<AnyGap> {
         let slave = self.attachment(point, xi);
-        self.facades[point.pair].face(slave, u, positions, stencil)
+        let tree = positions.tree(point.pair);
+        self.facades[point.pair].face(slave, u, (&positions.nodes, tree), stencil)
     }
 
     /// Tangent of the geometry of a point, normal * D dh + tangential *
@@ -399,7 +395,8 @@ impl Contact {
             return pair::slip(history, meeting.along, period);
         }
         let mut stencil = self.slave(point, meeting.xi, committed);
-        let before = self.face(point, meeting.xi, committed, &[], &mut stencil);
+        let before =
+            self.face(point, meeting.xi, committed, &MasterPositions::default(), &mut stencil);
         let along = before.map(|gap| gap.along());
         pair::slip(&History { along, ..*history }, meeting.along, period)
     }
@@ -416,8 +413,10 @@ impl Contact {
     ) -> f64 {
         let point = &self.points[place];
         let (history, along) = if point.is_station() {
+            let none = MasterPositions::default();
             let along = |u: &[f64]| {
-                let gap = self.face(point, old.xi, u, &[], &mut self.slave(point, old.xi, u));
+                let mut stencil = self.slave(point, old.xi, u);
+                let gap = self.face(point, old.xi, u, &none, &mut stencil);
                 gap.map(|gap| gap.along())
             };
             (History { along: along(from), ..History::default() }, along(to))
@@ -456,13 +455,17 @@ fn local_elements(
     (elements.collect(), nodes.iter().map(|&node| model.nodes.plane(node)).collect())
 }
 
-fn slots_of(layout: &Layout, node: NodeIndex) -> [usize; 3] {
-    Dof::PLANE.map(|dof| layout.slot(node, dof).unwrap_or(0))
+/// The dofs of a node that turns: displacements and rotation.
+fn slots_of(dofs: &DofMap, node: NodeIndex) -> [usize; 3] {
+    [Dof::U1, Dof::U2, Dof::UR3].map(|dof| dofs.find(node, dof).unwrap_or(0))
 }
 
-/// Current position of a carried point.
-fn place(carried: &Carried, slots: &[usize; 3], u: &[f64]) -> [f64; 2] {
-    let dofs = slots.map(|slot| u[slot]);
-    let [x, y] = carried.map.displacement(&dofs);
-    [carried.reference[0] + x, carried.reference[1] + y]
+/// The displacements of a node.
+fn translations(dofs: &DofMap, node: NodeIndex) -> [usize; 2] {
+    [Dof::U1, Dof::U2].map(|dof| dofs.find(node, dof).unwrap_or(0))
+}
+
+/// Current position of a node.
+fn moved(position: &[f64; 2], slots: &[usize; 2], u: &[f64]) -> [f64; 2] {
+    [position[0] + u[slots[0]], position[1] + u[slots[1]]]
 }

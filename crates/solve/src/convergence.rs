@@ -12,8 +12,9 @@
 //! Norms are those of nodal vectors, so that a rotated deck takes the same
 //! iterations. Below the floor of rounding nothing can be asked.
 
-use crate::layout::Layout;
+use crate::dofs::DofMap;
 use crate::observe::FieldReport;
+use serde::{Deserialize, Serialize};
 use slideline_model::FieldControls;
 
 /// The two fields of a structure.
@@ -63,7 +64,7 @@ impl FieldHistory {
 
 /// Time average of the flux of one field over a step, and the largest flux of
 /// the analysis.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct FluxAverage {
     sum: f64,
     count: f64,
@@ -71,16 +72,6 @@ pub struct FluxAverage {
 }
 
 impl FluxAverage {
-    /// Sum, count and largest flux, to be kept.
-    pub fn parts(&self) -> [f64; 3] {
-        [self.sum, self.count, self.largest]
-    }
-
-    /// From what was kept.
-    pub fn of_parts([sum, count, largest]: [f64; 3]) -> Self {
-        Self { sum, count, largest }
-    }
-
     /// A step averages anew; what the analysis has seen at most is kept.
     pub fn begin_step(&mut self) {
         (self.sum, self.count) = (0.0, 0.0);
@@ -163,19 +154,17 @@ pub fn judge(
 /// The largest nodal vector of a field in `value`, and where its largest
 /// component stands. Only slots accepted by `counts` take part.
 pub fn largest_nodal(
-    layout: &Layout,
+    dofs: &DofMap,
     field: Field,
     value: &[f64],
     counts: impl Fn(usize) -> bool,
 ) -> (f64, Option<usize>) {
-    let width = layout.dofs.len();
     let mut largest = (0.0_f64, None);
-    for node in 0..layout.slots() / width {
+    for node in 0..dofs.nodes() {
         let mut square = 0.0;
         let mut component = (0.0, None);
-        for (place, dof) in layout.dofs.iter().enumerate() {
-            let slot = node * width + place;
-            if dof.is_rotation() != (field == Field::Moment) || !counts(slot) {
+        for slot in dofs.of_node(node) {
+            if dofs.is_rotation(slot) != (field == Field::Moment) || !counts(slot) {
                 continue;
             }
             square += value[slot] * value[slot];

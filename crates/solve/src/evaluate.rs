@@ -6,7 +6,8 @@
 //!
 //! The result depends on the arguments alone.
 
-use crate::contact::Meeting;
+use crate::constraints::Rows;
+use crate::contact::{MasterPositions, Meeting};
 use crate::observe::{FrictionCall, Status};
 use crate::plan::Plan;
 use crate::stabilise::Dashpot;
@@ -41,11 +42,12 @@ pub struct Trial<'a> {
 pub struct Evaluation {
     /// Elements, each for itself.
     pub contributions: Contributions,
-    /// Internal forces of the elements, a slot each [F or F L].
-    pub internal: Vec<f64>,
-    /// Applied loads, those of dependent nodes handed to their masters [F or F L].
-    pub external: Vec<f64>,
-    /// Contact forces, a slot each, with pressures of the law, and those of
+    /// How dependent dofs follow the others here.
+    pub rows: Rows,
+    /// Internal forces of the elements less the loads, a dof each, those on
+    /// dependent dofs handed to the ones that they follow [F or F L].
+    pub structure: Vec<f64>,
+    /// Contact forces likewise, with pressures of the law, and those of
     /// stabilisation [F or F L].
     pub contact: Vec<f64>,
     /// Forces of stabilisation alone [F or F L].
@@ -70,17 +72,17 @@ pub struct Evaluation {
     pub memory: Vec<f64>,
     /// What a user friction law complained of.
     pub fault: Option<UserFrictionError>,
-    positions: Vec<[f64; 2]>,
+    positions: MasterPositions,
 }
 
 impl Evaluation {
     /// Room for a plan.
     pub fn new(plan: &Plan<'_>) -> Self {
-        let (slots, points) = (plan.layout.slots(), plan.contact.points.len());
+        let (slots, points) = (plan.dofs.len(), plan.contact.points.len());
         Self {
             contributions: plan.structure.room(),
-            internal: vec![0.0; slots],
-            external: vec![0.0; slots],
+            rows: Rows::default(),
+            structure: vec![0.0; slots],
             contact: vec![0.0; slots],
             damping: vec![0.0; slots],
             meetings: vec![Meeting::NOWHERE; points],
@@ -93,7 +95,7 @@ impl Evaluation {
             stick_slip: 0.0,
             memory: vec![0.0; plan.contact.memory_size],
             fault: None,
-            positions: Vec::with_capacity(plan.contact.chain_nodes()),
+            positions: MasterPositions::default(),
         }
     }
 
@@ -102,17 +104,19 @@ impl Evaluation {
     /// reaction. The one residual of convergence, line search, reactions and
     /// diagnosis [F or F L].
     pub fn unbalanced(&self, slot: usize) -> f64 {
-        self.internal[slot] + self.contact[slot] - self.external[slot]
+        self.structure[slot] + self.contact[slot]
     }
 }
 
 /// Evaluates a trial state against the committed one.
 pub fn evaluate(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into: &mut Evaluation) {
     plan.structure.evaluate(trial.u, Some(trial.stresses), &mut into.contributions, plan.pool);
-    into.internal.fill(0.0);
-    into.strain_energy = plan.structure.gather_force(&into.contributions, &mut into.internal);
+    plan.constraints.linearise(trial.u, &mut into.rows);
+    into.structure.fill(0.0);
+    into.strain_energy = plan.structure.gather_force(&into.contributions, &mut into.structure);
     into.flux = plan.structure.flux(&into.contributions);
-    plan.layout.carry_loads(trial.u, trial.load, &mut into.external);
+    into.structure.iter_mut().zip(trial.load).for_each(|(force, load)| *force -= load);
+    plan.constraints.carry(&into.rows, &mut into.structure);
     plan.contact.meet(trial.u, &mut into.positions, &mut into.meetings);
     let start = (&committed.displacement[..], &committed.points[..]);
     plan.contact.turn_away_from_behind(start, trial.u, &mut into.meetings);
@@ -122,7 +126,9 @@ pub fn evaluate(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into: &mu
         let force = dashpot.press(trial.u, &committed.displacement, &mut into.damping);
         into.flux.force(force);
     }
+    plan.constraints.carry(&into.rows, &mut into.contact);
     if !trial.dashpots.is_empty() {
+        plan.constraints.carry(&into.rows, &mut into.damping);
         into.contact.iter_mut().zip(&into.damping).for_each(|(force, own)| *force += own);
     }
 }

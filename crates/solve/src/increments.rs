@@ -7,10 +7,11 @@
 //! Rules: semantics of Newton and increments (manual, recalled values named
 //! there). The machine knows nothing of the mechanics, Newton nothing of time.
 
+use serde::{Deserialize, Serialize};
 use slideline_model::{Static, TimeIncrementation};
 
 /// Where a step stands in time.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Control {
     /// Committed time in the step [T].
     pub time: f64,

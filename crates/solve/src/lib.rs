@@ -12,16 +12,16 @@
 
 mod account;
 mod balance;
-pub mod bytes;
 mod checkpoint;
 mod commit;
+mod constraints;
 mod contact;
 mod convergence;
 mod diagnose;
+mod dofs;
 mod evaluate;
 mod evidence;
 mod increments;
-mod layout;
 mod linear_systems;
 mod linearised;
 mod memory;
@@ -45,6 +45,7 @@ pub use linear_systems::LinearSystems;
 pub use memory::objection as memory_objection;
 pub use run::{Options, TangentCheck, resume, run, run_from};
 pub use slideline_linalg as linalg;
+pub use slideline_mech::contact::enforcement::Enforcement;
 pub use slideline_mech::contact::friction;
 pub use stabilise::may_stabilise;
 pub use users::UserFrictions;

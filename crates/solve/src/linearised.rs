@@ -22,18 +22,24 @@
 //! the coupling of traction and pressure, stand in the small system; K itself
 //! is unsymmetric only by the turning of the tractions with the surface.
 
+mod augmentation;
 mod contradiction;
 mod convex;
 mod iterate;
 mod jam;
 mod laws;
+mod matrix_free;
 mod settle;
 mod stations;
 mod system;
 
+pub use augmentation::Stiffness;
 pub use contradiction::Contradiction;
+use matrix_free::MatrixFree;
 use slideline_linalg::{SolveError, Solver};
+use slideline_mech::contact::enforcement::Enforcement;
 use slideline_mech::contact::pair::Laws;
+use std::collections::HashMap;
 use system::{Row, Station, System, Unknown};
 
 /// The most dofs one contact point couples.
@@ -106,6 +112,20 @@ pub struct LinearPoint {
 }
 
 impl LinearPoint {
+    /// Adds derivatives by an equation: of overclosure and slip, and of the
+    /// force of a traction.
+    pub fn add(&mut self, equation: usize, [normal, tangential, drag]: [f64; 3]) {
+        let known = self.equations[..self.width].iter().position(|&own| own == equation);
+        let at = known.unwrap_or(self.width);
+        if at == self.width {
+            (self.equations[at], self.width) = (equation, at + 1);
+            (self.normal[at], self.tangential[at], self.drag[at]) = (0.0, 0.0, 0.0);
+        }
+        self.normal[at] += normal;
+        self.tangential[at] += tangential;
+        self.drag[at] += drag;
+    }
+
     fn dot(&self, of: Kind, vector: &[f64]) -> f64 {
         let gradient = self.gradient(of);
         self.equations[..self.width].iter().zip(gradient).map(|(&e, g)| g * vector[e]).sum()
@@ -158,6 +178,9 @@ pub struct LinearisedContact {
     /// Displacements of the interface rows.
     values: Vec<f64>,
     stations: Vec<Station>,
+    /// Rows of equations that stations press on.
+    interface: HashMap<usize, usize>,
+    matrix_free: MatrixFree,
     /// Whether the laws of all rows were met in the last solution.
     solved: bool,
 }
@@ -182,23 +205,29 @@ impl LinearisedContact {
     }
 
     /// Solves the linearised contact problem. `correction` holds -r on entry
-    /// and du on return; `points` get their pressures and tractions.
+    /// and du on return; `points` get their pressures and tractions. The stiffness
+    /// is factored with the augmentation of the points.
     ///
     /// Errors: the solver's.
     pub fn solve(
         &mut self,
         points: &mut [LinearPoint],
         circumstances: &Circumstances<'_>,
-        solver: &mut Solver,
+        (enforcement, stiffness): (Enforcement, &mut Stiffness<'_>),
         correction: &mut [f64],
     ) -> Result<(), SolveError> {
-        solver.solve(correction)?;
         self.rows.clear();
         self.unknown.clear();
         self.response.clear();
         self.in_rows.clear();
         self.in_rows.resize(points.len(), false);
         self.stations.clear();
+        self.interface.clear();
+        if enforcement == Enforcement::MatrixFree {
+            return self.solve_matrix_free(points, circumstances, stiffness, correction);
+        }
+        let solver = &mut *stiffness.solver;
+        solver.solve(correction)?;
         // First those that touch already: without their pressures the
         // structure would spring back and seem to touch everywhere.
         let mut touching = true;
@@ -218,6 +247,12 @@ impl LinearisedContact {
         }
         self.hand_out(points, circumstances, correction);
         Ok(())
+    }
+
+    /// Solutions with the factored stiffness that the last contact step took, of
+    /// the matrix-free way.
+    pub fn solutions(&self) -> usize {
+        self.matrix_free.solves
     }
 
     /// Whether the last solution meets the laws of all its rows.
@@ -240,16 +275,7 @@ impl LinearisedContact {
         }
         let mut joined = false;
         for (place, point) in points.iter().enumerate() {
-            if self.in_rows[place] || !point.moves(Kind::Normal) {
-                continue;
-            }
-            let joins = if touching {
-                point.pressure > 0.0 || point.stiffness > 0.0
-            } else {
-                let begins = circumstances.laws[point.pair].normal.contact_begins();
-                point.overclosure + point.dot(Kind::Normal, &self.moved) > begins
-            };
-            if !joins {
+            if self.in_rows[place] || !self.joins(point, circumstances, touching) {
                 continue;
             }
             self.in_rows[place] = true;
@@ -264,6 +290,19 @@ impl LinearisedContact {
             }
         }
         Ok(joined)
+    }
+
+    /// Whether a point touches already (`touching`), or would by the present
+    /// estimate of du.
+    fn joins(&self, point: &LinearPoint, context: &Circumstances<'_>, touching: bool) -> bool {
+        if !point.moves(Kind::Normal) {
+            return false;
+        }
+        if touching {
+            return point.pressure > 0.0 || point.stiffness > 0.0;
+        }
+        let begins = context.laws[point.pair].normal.contact_begins();
+        point.overclosure + point.dot(Kind::Normal, &self.moved) > begins
     }
 
     /// du under the multipliers of the rows that are solved already.
@@ -294,6 +333,15 @@ impl LinearisedContact {
             response[equation] += point.area * g;
         }
         solver.respond(response)?;
+        self.push_row(point, place, kind);
+        if let Some(row) = self.rows.last_mut() {
+            row.free = row.start + point.dot(kind, base);
+        }
+        Ok(())
+    }
+
+    /// A row for the pressure or the traction of a point, with its first guess.
+    fn push_row(&mut self, point: &LinearPoint, place: usize, kind: Kind) {
         let (start, lent) = match (kind, &point.sliding) {
             (Kind::Tangential, Some(sliding)) => (sliding.slip, sliding.stiffness),
             _ => (point.overclosure, point.stiffness),
@@ -302,24 +350,24 @@ impl LinearisedContact {
             Kind::Normal => self.rows.len(),
             Kind::Tangential => self.rows.len() - 1,
         };
-        self.rows.push(Row {
-            unknown: Unknown::Multiplier { point: place, kind, pressure_row },
-            free: start + point.dot(kind, base),
-            start,
-            lent,
-            kappa: 0.0,
-            weight: 0.0,
-            felt: 0.0,
-            own: 0.0,
-            unit: 1.0 / point.area,
-        });
+        let unknown = Unknown::Multiplier { point: place, kind, pressure_row };
+        self.rows.push(Row { start, lent, unit: 1.0 / point.area, ..Row::new(unknown) });
         let guess = match (kind, &point.sliding) {
             (Kind::Tangential, Some(sliding)) => sliding.traction,
             _ => point.pressure,
         };
         self.unknown.truncate(self.rows.len() - 1);
         self.unknown.push(guess);
-        Ok(())
+    }
+
+    /// A row for the force of all stations on an equation.
+    fn push_interface(&mut self, equation: usize, unit: f64) -> usize {
+        let place = self.rows.len();
+        self.rows.push(Row { unit: 1.0 / unit, ..Row::new(Unknown::Interface { equation }) });
+        self.interface.insert(equation, place);
+        self.unknown.truncate(place);
+        self.unknown.push(0.0);
+        place
     }
 
     /// Fills C and the stiffness that each row feels.
@@ -355,7 +403,28 @@ impl LinearisedContact {
         correction: &mut [f64],
     ) {
         let n = correction.len();
+        self.release_others(points, circumstances);
         let system = System { rows: &self.rows, compliance: &self.compliance, stations: &[] };
+        self.values.clear();
+        for (i, row) in self.rows.iter().enumerate() {
+            let (multiplier, value) = system.multiplier_and_value(i, &self.unknown);
+            self.values.push(value);
+            if let Some((place, kind)) = row.point() {
+                let found = [multiplier, value, row.kappa];
+                give_multiplier(&mut points[place], circumstances, kind, found);
+            }
+        }
+        self.give_stations(points, circumstances);
+        for (i, &q) in self.unknown.iter().take(self.rows.len()).enumerate() {
+            for (du, w) in correction.iter_mut().zip(&self.response[i * n..][..n]) {
+                *du -= q * w;
+            }
+        }
+    }
+
+    /// Points without rows press as their law says where nothing moves them,
+    /// and not at all elsewhere.
+    fn release_others(&self, points: &mut [LinearPoint], circumstances: &Circumstances<'_>) {
         for (place, point) in points.iter_mut().enumerate() {
             if self.in_rows[place] {
                 continue;
@@ -367,24 +436,10 @@ impl LinearisedContact {
                 sliding.traction = 0.0;
             }
         }
-        for (i, row) in self.rows.iter().enumerate() {
-            let Some((place, kind)) = row.point() else { continue };
-            let (multiplier, value) = system.multiplier_and_value(i, &self.unknown);
-            let point = &mut points[place];
-            match (kind, &mut point.sliding) {
-                (Kind::Tangential, Some(sliding)) => sliding.traction = multiplier,
-                _ => {
-                    let laws = &circumstances.laws[point.pair];
-                    point.pressure = laws.demand_pressure(multiplier, value, row.kappa).value;
-                }
-            }
-        }
-        if !self.stations.is_empty() {
-            self.values.clear();
-            let values =
-                (0..self.rows.len()).map(|i| system.multiplier_and_value(i, &self.unknown).1);
-            self.values.extend(values);
-        }
+    }
+
+    /// Gives the stations what their laws say at the displacements found.
+    fn give_stations(&self, points: &mut [LinearPoint], circumstances: &Circumstances<'_>) {
         for point in points.iter_mut() {
             circumstances.slide_as_prescribed(point);
         }
@@ -396,10 +451,22 @@ impl LinearisedContact {
                 sliding.traction = answer.traction;
             }
         }
-        for (i, &q) in self.unknown.iter().take(self.rows.len()).enumerate() {
-            for (du, w) in correction.iter_mut().zip(&self.response[i * n..][..n]) {
-                *du -= q * w;
-            }
+    }
+}
+
+/// Gives a point its multiplier, of the overclosure or slip found and the
+/// stiffness that the law was asked through.
+fn give_multiplier(
+    point: &mut LinearPoint,
+    circumstances: &Circumstances<'_>,
+    kind: Kind,
+    [multiplier, value, kappa]: [f64; 3],
+) {
+    match (kind, &mut point.sliding) {
+        (Kind::Tangential, Some(sliding)) => sliding.traction = multiplier,
+        _ => {
+            let laws = &circumstances.laws[point.pair];
+            point.pressure = laws.demand_pressure(multiplier, value, kappa).value;
         }
     }
 }

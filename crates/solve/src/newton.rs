@@ -17,12 +17,12 @@ mod search;
 mod stresses;
 mod turns;
 
-use crate::contact::{GeometryScratch, Missed, Sweep, SweepScratch};
+use crate::contact::{GeometryScratch, MasterPositions, Missed, Sweep, SweepScratch};
 use crate::convergence::{Field, FieldHistory, Measures, judge};
 use crate::evaluate::{Evaluation, Trial, evaluate};
 use crate::evidence::Evidence;
 use crate::increments::Verdict;
-use crate::linearised::{LinearPoint, LinearisedContact};
+use crate::linearised::{LinearPoint, LinearisedContact, Stiffness};
 use crate::observe::{ContactChange, IterationReport};
 use crate::plan::Plan;
 use crate::predict;
@@ -33,6 +33,7 @@ use assembly::circumstances;
 use relax::Relaxation;
 pub use relax::relax;
 use slideline_linalg::{SolveError, Solver};
+use slideline_mech::contact::enforcement::Enforcement;
 
 /// What an attempt aims at.
 #[derive(Clone, Copy, Debug)]
@@ -76,10 +77,20 @@ pub struct Workspace {
     pub evaluation: Evaluation,
     /// The factored tangent.
     pub solver: Solver,
+    /// The tangent without augmentation, and with it.
     values: Vec<f64>,
+    augmented: Vec<f64>,
+    /// Whether contact couples what the pattern does not hold.
+    pub outside: bool,
+    /// How the condensed contact problem of the iteration is solved.
+    enforcement: Enforcement,
+    /// The increment [T].
+    dt: f64,
     correction: Vec<f64>,
     correction_slots: Vec<f64>,
     residual: Vec<f64>,
+    /// Forces on dependent dofs with which the tangent turns, a dof each.
+    turning: Vec<f64>,
     increment: Vec<f64>,
     /// Stresses of the elements as the linear solutions arrive at them.
     stresses: Vec<f64>,
@@ -93,7 +104,7 @@ pub struct Workspace {
     geometry: GeometryScratch,
     sweep: SweepScratch,
     dashpots: Vec<Dashpot>,
-    chain_positions: Vec<[f64; 2]>,
+    chain_positions: MasterPositions,
     was_closed: Vec<bool>,
     /// Most negative pivots of a symmetric factorisation in this attempt:
     /// directions in which the structure gives way.
@@ -115,7 +126,7 @@ pub struct Workspace {
 impl Workspace {
     /// Room for a plan; the symbolic factorisation happens here.
     pub fn new(plan: &Plan<'_>) -> Self {
-        let (slots, equations) = (plan.layout.slots(), plan.layout.equations());
+        let (slots, equations) = (plan.dofs.len(), plan.constraints.equations());
         let points = plan.contact.points.len();
         let mut contact = LinearisedContact::default();
         contact.reserve(points, equations);
@@ -125,9 +136,14 @@ impl Workspace {
             evaluation: Evaluation::new(plan),
             solver: plan.analyse(),
             values: vec![0.0; plan.pattern.entries()],
+            augmented: vec![0.0; plan.pattern.entries()],
+            outside: false,
+            enforcement: Enforcement::default(),
+            dt: 0.0,
             correction: vec![0.0; equations],
             correction_slots: vec![0.0; slots],
             residual: vec![0.0; slots],
+            turning: vec![0.0; slots],
             increment: vec![0.0; slots],
             stresses: plan.structure.stress_room(),
             still: vec![0.0; slots],
@@ -136,10 +152,10 @@ impl Workspace {
             tractions: vec![0.0; points],
             points: Vec::with_capacity(points),
             contact,
-            geometry: GeometryScratch::new(&plan.contact),
+            geometry: GeometryScratch::new(),
             sweep: SweepScratch::default(),
             dashpots: Vec::new(),
-            chain_positions: Vec::new(),
+            chain_positions: MasterPositions::default(),
             was_closed: vec![false; points],
             negative_pivots: 0,
             evidence: Evidence::new(points),
@@ -171,7 +187,7 @@ pub fn attempt(
         if let Err(fault) = work.iterate(plan, committed, target.dt) {
             return progress.end(Verdict::Broken, Some(fault));
         }
-        if work.evaluation.fault.is_some() {
+        if work.outside || work.evaluation.fault.is_some() {
             return progress.end(Verdict::Broken, None);
         }
         let report = work.judge(plan, committed, target, &mut progress);
@@ -258,6 +274,7 @@ impl Workspace {
     /// The first guess, evaluated.
     fn begin(&mut self, plan: &Plan<'_>, committed: &State, target: &Target) {
         self.lend_to_all = false;
+        self.dt = target.dt;
         self.negative_pivots = 0;
         let times = (target.step_time, target.dt);
         stabilise::fill(plan, committed, times, &mut self.chain_positions, &mut self.dashpots);
@@ -265,7 +282,7 @@ impl Workspace {
         predict::extrapolate(plan, committed, target.dt, &mut self.u);
         plan.prescribe(target.step_time, &mut self.u);
         plan.load(target.step_time, &mut self.load);
-        plan.layout.follow_links(&mut self.u);
+        plan.constraints.enforce(&mut self.u);
         for (place, point) in committed.points.iter().enumerate() {
             self.pressures[place] = point.pressure;
             self.tractions[place] = point.traction;
@@ -288,22 +305,25 @@ impl Workspace {
         }
         let from = &committed.displacement;
         plan.structure.evaluate(from, None, &mut self.evaluation.contributions, plan.pool);
+        plan.constraints.linearise(from, &mut self.evaluation.rows);
         self.residual.fill(0.0);
         plan.structure.multiply(&self.evaluation.contributions, change, &mut self.residual);
-        for (equation, &slot) in plan.layout.slot_of_equation.iter().enumerate() {
+        plan.constraints.carry(&self.evaluation.rows, &mut self.residual);
+        for (equation, &slot) in plan.constraints.dof_of_equation.iter().enumerate() {
             self.correction[equation] = -self.residual[slot];
         }
         if self.correction.iter().all(|&value| value == 0.0) {
             return;
         }
         self.values.fill(0.0);
-        plan.structure.gather_tangent(&self.evaluation.contributions, &mut self.values);
+        let Evaluation { contributions, rows, .. } = &self.evaluation;
+        plan.gather_tangent(contributions, rows, &mut self.values);
         let factored = self.solver.refactor(&plan.pattern, &self.values);
         if factored.is_ok() && self.solver.solve(&mut self.correction).is_ok() {
-            for (equation, &slot) in plan.layout.slot_of_equation.iter().enumerate() {
+            for (equation, &slot) in plan.constraints.dof_of_equation.iter().enumerate() {
                 self.u[slot] += self.correction[equation];
             }
-            plan.layout.follow_links(&mut self.u);
+            plan.constraints.enforce(&mut self.u);
             plan.prescribe(target.step_time, &mut self.u);
         }
     }
@@ -347,27 +367,28 @@ impl Workspace {
         committed: &State,
         dt: f64,
     ) -> Result<(), SolveError> {
-        for (equation, &slot) in plan.layout.slot_of_equation.iter().enumerate() {
-            self.correction[equation] =
-                self.evaluation.external[slot] - self.evaluation.internal[slot];
+        for (equation, &slot) in plan.constraints.dof_of_equation.iter().enumerate() {
+            self.correction[equation] = -self.evaluation.structure[slot];
         }
         if !self.dashpots.is_empty() {
-            for (equation, &slot) in plan.layout.slot_of_equation.iter().enumerate() {
+            for (equation, &slot) in plan.constraints.dof_of_equation.iter().enumerate() {
                 self.correction[equation] -= self.evaluation.damping[slot];
             }
         }
         self.hold_back(plan);
-        self.contact.solve(
-            &mut self.points,
-            &circumstances(plan, committed, dt),
-            &mut self.solver,
-            &mut self.correction,
-        )
+        let context = circumstances(plan, committed, dt);
+        let Self { contact, enforcement, values, augmented, solver, points, correction, .. } = self;
+        let (pattern, symmetrised) = (&plan.pattern, plan.symmetrised());
+        let mut stiffness = Stiffness { pattern, values, augmented, solver, symmetrised };
+        contact.solve(points, &context, (*enforcement, &mut stiffness), correction)
     }
 
     /// One Newton iteration: assemble, factor, solve, move, evaluate.
     fn iterate(&mut self, plan: &Plan<'_>, committed: &State, dt: f64) -> Result<(), SolveError> {
         self.factor(plan, committed)?;
+        if self.outside {
+            return Ok(());
+        }
         self.contact_step(plan, committed, dt)?;
         let length = self.limit_turns(plan);
         if self.line_search {
@@ -382,6 +403,8 @@ impl Workspace {
     /// Contact that the way from the last commit to the trial passes through.
     fn missed(&mut self, plan: &Plan<'_>, committed: &State) -> Option<Missed> {
         let sweep = Sweep {
+            constraints: &plan.constraints,
+            rotations: plan.dofs.rotations(),
             from: &committed.displacement,
             to: &self.u,
             before: &committed.points,
@@ -395,9 +418,10 @@ impl Workspace {
     fn advance(&mut self, plan: &Plan<'_>, length: f64) {
         self.step_length = length;
         self.correction_slots.fill(0.0);
-        for (equation, &slot) in plan.layout.slot_of_equation.iter().enumerate() {
+        for (equation, &slot) in plan.constraints.dof_of_equation.iter().enumerate() {
             self.correction_slots[slot] = self.correction[equation];
         }
+        plan.constraints.expand(&self.evaluation.rows, &mut self.correction_slots);
         self.move_stresses(plan, length);
         for (slot, change) in self.correction_slots.iter_mut().enumerate() {
             *change *= length;
@@ -411,7 +435,7 @@ impl Workspace {
             let old = &mut self.tractions[place];
             *old += length * (traction - *old);
         }
-        plan.layout.follow_links(&mut self.u);
+        plan.constraints.enforce(&mut self.u);
     }
 
     /// Measures the trial state and judges it.
@@ -435,6 +459,8 @@ impl Workspace {
             moment: self.measure(plan, committed, Field::Moment),
             contact_defect: self.evaluation.penetration.max(self.evaluation.stick_slip),
             step_length: self.step_length,
+            enforcement: self.enforcement,
+            solutions: self.contact.solutions(),
             converged: false,
         };
         let flux = [self.evaluation.flux.mean_force(), self.evaluation.flux.mean_moment()];

@@ -10,7 +10,10 @@
 //! embedding programs are observers. Any of them may stop the run.
 
 use crate::checkpoint::Checkpoint;
+use crate::dofs::DofMap;
+use serde::{Deserialize, Serialize};
 use slideline_diag::Diagnostic;
+use slideline_mech::contact::enforcement::Enforcement;
 use slideline_model::{Dof, Model, NodeIndex};
 use std::ops::ControlFlow;
 
@@ -108,6 +111,11 @@ pub struct IterationReport {
     pub contact_defect: f64,
     /// Fraction of the correction that was taken [1].
     pub step_length: f64,
+    /// How contact was solved in it.
+    pub enforcement: Enforcement,
+    /// Solutions with the factored stiffness that this took, where contact was
+    /// solved without its matrix.
+    pub solutions: usize,
     /// Whether everything has converged.
     pub converged: bool,
 }
@@ -268,7 +276,7 @@ impl Unconverged<'_> {
 /// Nodal vectors of a frame; dofs that a model does not have read zero.
 #[derive(Clone, Copy, Debug)]
 pub struct Nodal<'a> {
-    pub(crate) dofs: &'static [Dof],
+    pub(crate) dofs: &'a DofMap,
     pub(crate) displacement: &'a [f64],
     pub(crate) reaction: &'a [f64],
     pub(crate) load: &'a [f64],
@@ -276,8 +284,7 @@ pub struct Nodal<'a> {
 
 impl Nodal<'_> {
     fn read(&self, vector: &[f64], node: NodeIndex, dof: Dof) -> f64 {
-        let place = self.dofs.iter().position(|&own| own == dof);
-        place.map_or(0.0, |place| vector[node * self.dofs.len() + place])
+        self.dofs.read(vector, node, dof)
     }
 
     /// Displacement or rotation [L or 1].
@@ -296,14 +303,14 @@ impl Nodal<'_> {
         self.read(self.load, node, dof)
     }
 
-    /// The dofs of this model's nodes.
-    pub fn dofs(&self) -> &'static [Dof] {
-        self.dofs
+    /// The dofs that nodes of this model have.
+    pub fn dofs(&self) -> &[Dof] {
+        self.dofs.kinds()
     }
 }
 
 /// Contact status of a point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum Status {
     /// No pressure.
     #[default]
@@ -326,7 +333,7 @@ impl Status {
 }
 
 /// Whether friction acted at a point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum FrictionCall {
     /// Open, or frictionless.
     #[default]
@@ -423,7 +430,7 @@ pub struct BeamRow {
 }
 
 /// Energies since time 0 [F L].
-#[derive(Clone, Copy, Debug, PartialEq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Default, Serialize, Deserialize)]
 pub struct Energies {
     /// Work of supports and loads, trapezoidal rule over each increment.
     pub external_work: f64,
@@ -470,7 +477,7 @@ pub enum Ending {
 }
 
 /// Counts of a run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Totals {
     /// Converged increments of all steps.
     pub increments: usize,

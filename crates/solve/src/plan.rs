@@ -1,12 +1,15 @@
 //! A step, prepared once: numbering, pattern, symbolic factorisation.
 
-use crate::contact::Contact;
-use crate::layout::{Layout, Role};
+use crate::constraints::{Constraints, Role, Rows};
+use crate::contact::{Contact, Meeting};
+use crate::dofs::DofMap;
 use crate::linear_systems::LinearSystems;
-use crate::structure::Structure;
+use crate::structure::{Contributions, Structure};
 use crate::users::UserFrictions;
 use rayon::ThreadPool;
+use serde::{Deserialize, Serialize};
 use slideline_linalg::{Kind, Pattern, Solver};
+use slideline_mech::contact::enforcement::Enforcement;
 use slideline_mech::contact::pair::Laws;
 use slideline_model::{Amplitude, Master, Model, Step, SurfaceSegment};
 use std::borrow::Cow;
@@ -17,8 +20,10 @@ pub struct Plan<'a> {
     pub model: &'a Model,
     /// The step.
     pub step: &'a Step,
-    /// Numbering.
-    pub layout: Layout,
+    /// Dofs of all nodes.
+    pub dofs: DofMap,
+    /// Which of them are unknown, and how the others follow.
+    pub constraints: Constraints,
     /// Elements.
     pub structure: Structure,
     /// Contact.
@@ -35,6 +40,10 @@ pub struct Plan<'a> {
     /// with l the length of the stiffest element (or of the model), so that
     /// all entries of the tangent are stiffnesses F/L.
     pub units: Vec<f64>,
+    /// Whether couplings of contact may be missing from the pattern.
+    pub is_lenient: bool,
+    /// How contact is solved, where not by its size.
+    pub enforcement: Option<Enforcement>,
     /// Threads for element loops; none: this one.
     pub pool: Option<&'a ThreadPool>,
     start: Start<'static>,
@@ -42,7 +51,7 @@ pub struct Plan<'a> {
 }
 
 /// What a step begins from, a slot each.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Start<'a> {
     /// Displacements and rotations [L or 1].
     pub displacement: Cow<'a, [f64]>,
@@ -91,18 +100,14 @@ impl<'a> Plan<'a> {
         users: &UserFrictions,
         pool: Option<&'a ThreadPool>,
     ) -> Self {
-        let layout = Layout::new(model, step);
-        let mut structure = Structure::new(model, &layout, step.nlgeom);
-        let contact = Contact::new(model, &layout, users);
-        let equations = |slots: &[usize]| -> Vec<usize> {
-            slots.iter().filter_map(|&slot| layout.equation(slot)).collect()
-        };
-        let contact_cliques = contact.cliques();
-        let cliques =
-            structure.cliques().chain(contact_cliques.iter().map(Vec::as_slice)).map(equations);
-        let pattern = Pattern::from_cliques(layout.equations(), cliques);
-        structure.find_entries(&layout, &pattern);
-        let elastic = structure.touched(layout.slots());
+        let dofs = DofMap::new(model);
+        let constraints = Constraints::new(model, step, &dofs);
+        let mut structure = Structure::new(model, (&dofs, &constraints), step.nlgeom);
+        let contact = Contact::new(model, &dofs, users);
+        let states = [&*start.displacement];
+        let pattern = coupled(&structure, &contact, &constraints, &states);
+        structure.find_entries(&constraints, &pattern);
+        let elastic = structure.touched(dofs.len());
         let reach = model
             .nodes
             .iter()
@@ -110,7 +115,7 @@ impl<'a> Plan<'a> {
             .chain(surface_points(model))
             .fold(0.0, |largest: f64, x| largest.max(x.abs()));
         for (slot, force) in start.released.to_mut().iter_mut().enumerate() {
-            if layout.equation(slot).is_none() {
+            if constraints.equation(slot).is_none() {
                 *force = 0.0;
             }
         }
@@ -118,15 +123,16 @@ impl<'a> Plan<'a> {
             true => structure.stiffest_length,
             false => reach,
         };
-        let unit = |slot: &usize| match layout.name(*slot).1.is_rotation() {
+        let unit = |slot: &usize| match dofs.is_rotation(*slot) {
             true if lever > 0.0 => 1.0 / lever,
             _ => 1.0,
         };
-        let units = layout.slot_of_equation.iter().map(unit).collect();
+        let units = constraints.dof_of_equation.iter().map(unit).collect();
         Self {
             model,
             step,
-            layout,
+            dofs,
+            constraints,
             structure,
             contact,
             pattern,
@@ -134,10 +140,18 @@ impl<'a> Plan<'a> {
             reach,
             lever,
             units,
+            is_lenient: false,
+            enforcement: None,
             pool,
             start,
             linear_systems: LinearSystems::default(),
         }
+    }
+
+    /// Makes the pattern anew, with the contact that is near in these states.
+    pub fn take_in(&mut self, states: &[&[f64]]) {
+        self.pattern = coupled(&self.structure, &self.contact, &self.constraints, states);
+        self.structure.find_entries(&self.constraints, &self.pattern);
     }
 
     /// The same with linear systems made elsewhere.
@@ -172,17 +186,14 @@ impl<'a> Plan<'a> {
         self.step.unsymmetric == Some(false) && self.contact.laws.iter().any(Laws::has_friction)
     }
 
-    /// Replaces matrix values by their symmetric part.
-    pub fn symmetrise(&self, values: &mut [f64]) {
-        for i in 0..self.pattern.size() {
-            let start = self.pattern.row_start()[i];
-            for (k, &j) in self.pattern.row(i).iter().enumerate().filter(|&(_, &j)| j > i) {
-                let Some(mirrored) = self.pattern.position(j, i) else { continue };
-                let mean = 0.5 * (values[start + k] + values[mirrored]);
-                values[start + k] = mean;
-                values[mirrored] = mean;
-            }
+    /// Whether some unknown moves a point towards or from its master.
+    pub fn contact_yields(&self, meeting: &Meeting, rows: &Rows) -> bool {
+        let mut yields = false;
+        for (&dof, &g) in meeting.slots[..meeting.width].iter().zip(&meeting.gradient) {
+            let note = &mut |_: usize, a: f64| yields |= a * g != 0.0;
+            self.constraints.for_each_equation(rows, dof, note);
         }
+        yields
     }
 
     /// Average length of the contact elements of a pair [L].
@@ -190,9 +201,37 @@ impl<'a> Plan<'a> {
         crate::contact::average_element(self.model, pair)
     }
 
+    /// Sums the tangents of the elements into matrix values.
+    pub fn gather_tangent(&self, from: &Contributions, rows: &Rows, values: &mut [f64]) {
+        self.structure.gather_tangent(from, (&self.constraints, rows, &self.pattern), values);
+    }
+
+    /// Adds what the turning of constraints makes of forces `f` on all dofs; uses
+    /// them up.
+    pub fn stiffen_by_turning(&self, u: &[f64], f: &mut [f64], values: &mut [f64]) {
+        self.constraints.turning(u, f, |dof, stiffness| {
+            let equation = self.constraints.equation(dof);
+            if let Some(at) = equation.and_then(|e| self.pattern.position(e, e)) {
+                values[at] += stiffness;
+            }
+        });
+    }
+
+    /// Adds T' K T of a stencil to matrix values: `dofs` are its own, `tangent`
+    /// by row and column.
+    pub fn scatter(
+        &self,
+        rows: &Rows,
+        dofs: &[usize],
+        tangent: impl Fn(usize, usize) -> f64,
+        values: &mut [f64],
+    ) {
+        self.constraints.scatter((rows, &self.pattern), dofs, tangent, values);
+    }
+
     /// Puts the prescribed values of a time of the step into `u`.
     pub fn prescribe(&self, step_time: f64, u: &mut [f64]) {
-        for (slot, role) in self.layout.roles.iter().enumerate() {
+        for (slot, role) in self.constraints.roles.iter().enumerate() {
             if let Role::Prescribed(place) = *role {
                 let prescribed = &self.step.prescribed[place];
                 let amplitude = prescribed.amplitude.map(|a| &self.model.amplitudes[a]);
@@ -210,7 +249,7 @@ impl<'a> Plan<'a> {
             *value = self.at(step_time, self.start.load[slot], 0.0, None);
         }
         for entry in &self.step.loads {
-            let Some(slot) = self.layout.slot(entry.node, entry.dof) else { continue };
+            let Some(slot) = self.dofs.find(entry.node, entry.dof) else { continue };
             let amplitude = entry.amplitude.map(|a| &self.model.amplitudes[a]);
             load[slot] = self.at(step_time, self.start.load[slot], entry.value, amplitude);
         }
@@ -229,6 +268,23 @@ impl<'a> Plan<'a> {
             None => start + (end - start) * (step_time / period),
         }
     }
+}
+
+/// The pattern of elements and of the contact that is near in some states.
+fn coupled(
+    structure: &Structure,
+    contact: &Contact,
+    constraints: &Constraints,
+    states: &[&[f64]],
+) -> Pattern {
+    let equations = |own: &[usize]| -> Vec<usize> {
+        let mut into = Vec::with_capacity(own.len());
+        own.iter().for_each(|&dof| constraints.equations_of(dof, &mut into));
+        into
+    };
+    let near = contact.cliques(states);
+    let cliques = structure.cliques().chain(near.iter().map(Vec::as_slice)).map(equations);
+    Pattern::from_cliques(constraints.equations(), cliques)
 }
 
 /// Coordinates of the points of all rigid surfaces.

@@ -13,7 +13,7 @@ pub fn extrapolate(plan: &Plan<'_>, committed: &State, dt: f64, u: &mut [f64]) {
     }
     let ratio = dt / last;
     let parabolic = plan.step.extrapolation == Extrapolation::Parabolic && before > 0.0;
-    for &slot in &plan.layout.slot_of_equation {
+    for &slot in &plan.constraints.dof_of_equation {
         let rate = committed.increment[slot];
         u[slot] += ratio * rate;
         if parabolic {

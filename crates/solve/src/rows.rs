@@ -117,6 +117,6 @@ impl Gathered {
 
 fn current(plan: &Plan<'_>, state: &State, node: NodeIndex) -> [f64; 2] {
     let [x, y] = plan.model.nodes.plane(node);
-    let slot = node * plan.layout.dofs.len();
-    [x + state.displacement[slot], y + state.displacement[slot + 1]]
+    let [u, v] = plan.dofs.translation(&state.displacement, node);
+    [x + u, y + v]
 }

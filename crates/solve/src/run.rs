@@ -10,6 +10,7 @@ use crate::commit::commit;
 use crate::contact::{memory_size, point_count};
 use crate::convergence::FluxAverage;
 use crate::diagnose;
+use crate::dofs::DofMap;
 use crate::increments::{Control, Decision, Verdict};
 use crate::linear_systems::LinearSystems;
 use crate::newton::{Outcome, Target, Workspace, attempt};
@@ -23,6 +24,7 @@ use crate::tangent;
 use crate::users::UserFrictions;
 use shown::{Numbers, Rows, frame};
 use slideline_diag::Diagnostic;
+use slideline_mech::contact::enforcement::Enforcement;
 use slideline_model::{ContactPair, Model, Static, Step};
 use std::borrow::Cow;
 use std::ops::ControlFlow;
@@ -36,6 +38,8 @@ pub struct Options {
     pub user_frictions: UserFrictions,
     /// Which tangents are held against differences.
     pub check_tangent: TangentCheck,
+    /// How contact is solved; `None`: as its size asks for.
+    pub enforcement: Option<Enforcement>,
     /// What makes the linear systems.
     pub linear_systems: LinearSystems,
 }
@@ -68,6 +72,7 @@ impl Default for Options {
             threads: 1,
             user_frictions: UserFrictions::default(),
             check_tangent: TangentCheck::Never,
+            enforcement: None,
             linear_systems: LinearSystems::default(),
         }
     }
@@ -147,6 +152,10 @@ fn begin_again(decision: Decision, procedure: &Static) -> Decision {
     }
 }
 
+/// States of one increment that the pattern follows; beyond, the tangent may do
+/// without couplings of contact that roams.
+const MOST_REACHED: usize = 12;
+
 /// A run under way.
 struct Walk<'a> {
     model: &'a Model,
@@ -160,6 +169,7 @@ struct Walk<'a> {
     /// Whether the observer has seen what came before.
     resumes: bool,
     check_tangent: TangentCheck,
+    enforcement: Option<Enforcement>,
     /// One fault of the tangent is enough to be told.
     tangent_is_wrong: bool,
     /// Whether it was said that masters leave no room.
@@ -180,7 +190,7 @@ impl<'a> Walk<'a> {
         pool: Option<&'a rayon::ThreadPool>,
         observer: &'a mut dyn Observer,
     ) -> Self {
-        let slots = model.nodes.len() * 3;
+        let slots = DofMap::new(model).len();
         let points = model.contact_pairs.iter().map(point_count).sum();
         let memory = |pair: &ContactPair| point_count(pair) * memory_size(pair);
         let memory = model.contact_pairs.iter().map(memory).sum();
@@ -196,6 +206,7 @@ impl<'a> Walk<'a> {
             totals: Totals::default(),
             resumes: false,
             check_tangent: options.check_tangent,
+            enforcement: options.enforcement,
             tangent_is_wrong: false,
             room_is_judged: false,
             rows: Rows::default(),
@@ -237,7 +248,7 @@ impl<'a> Walk<'a> {
     }
 
     /// One step: increments until its end, or until none can be found.
-    fn step(&mut self, number: usize, step: &Step) -> Result<(), Left> {
+    fn step(&mut self, number: usize, step: &'a Step) -> Result<(), Left> {
         self.committed.step_time = 0.0;
         self.committed.increment_time = [0.0; 2];
         self.committed.flux.iter_mut().for_each(FluxAverage::begin_step);
@@ -248,36 +259,70 @@ impl<'a> Walk<'a> {
             load: Cow::Borrowed(&self.committed.load),
             released: Cow::Borrowed(&self.committed.reaction),
         };
-        let plan = Plan::new(self.model, step, start.owned(), self.users, self.pool)
-            .with_linear_systems(self.linear_systems);
+        let mut plan = self.plan(step, start.owned());
         let mut work = Workspace::new(&plan);
         crate::commit::locate_points(&plan, &mut self.committed, &mut work);
         self.begin(&plan, number, None, &work)?;
-        self.increments(&plan, number, Control::begin(&step.procedure), &mut work)
+        self.all_increments(&mut plan, number, Control::begin(&step.procedure), &mut work)
+    }
+
+    /// Increments until the end of the step; where contact couples what the
+    /// pattern does not hold, it is made anew.
+    fn all_increments(
+        &mut self,
+        plan: &mut Plan<'a>,
+        number: usize,
+        mut control: Control,
+        work: &mut Workspace,
+    ) -> Result<(), Left> {
+        // within an increment what it has touched on its way stays
+        let mut reached: Vec<Vec<f64>> = Vec::new();
+        while let Some(outside) = self.increments(plan, number, control, work)? {
+            if outside.committed != control.committed {
+                reached.clear();
+            }
+            reached.push(std::mem::take(&mut work.u));
+            let mut states = vec![&self.committed.displacement[..]];
+            states.extend(reached.iter().map(Vec::as_slice));
+            plan.take_in(&states);
+            plan.is_lenient = reached.len() > MOST_REACHED;
+            *work = Workspace::new(plan);
+            crate::commit::recall_points(&self.committed, work);
+            control = outside;
+        }
+        Ok(())
+    }
+
+    fn plan(&self, step: &'a Step, start: Start<'static>) -> Plan<'a> {
+        let plan = Plan::new(self.model, step, start, self.users, self.pool);
+        let mut plan = plan.with_linear_systems(self.linear_systems);
+        plan.enforcement = self.enforcement;
+        plan
     }
 
     /// What is left of a step.
     fn rest_of_step(&mut self, from: &Checkpoint<'_>) -> Result<(), Left> {
         let Some(step) = self.model.steps.get(from.step - 1) else { return Ok(()) };
-        let plan = Plan::new(self.model, step, from.start.owned(), self.users, self.pool)
-            .with_linear_systems(self.linear_systems);
+        let mut plan = self.plan(step, from.start.owned());
+        plan.take_in(&[&self.committed.displacement]);
         let mut work = Workspace::new(&plan);
         crate::commit::recall_points(&self.committed, &mut work);
         self.begin(&plan, from.step, Some(from), &work)?;
         match from.control {
-            Some(control) => self.increments(&plan, from.step, control, &mut work),
+            Some(control) => self.all_increments(&mut plan, from.step, control, &mut work),
             None => Ok(()),
         }
     }
 
-    /// Increments until the end of the step, or until none can be found.
+    /// Increments until the end of the step, or until none can be found, or until
+    /// contact couples what the pattern does not hold: then, where it stands.
     fn increments(
         &mut self,
         plan: &Plan<'_>,
         number: usize,
         mut control: Control,
         work: &mut Workspace,
-    ) -> Result<(), Left> {
+    ) -> Result<Option<Control>, Left> {
         let step = plan.step;
         let limits = step.controls.effective_time();
         loop {
@@ -291,6 +336,9 @@ impl<'a> Walk<'a> {
             let after =
                 |verdict| control.after(verdict, &step.procedure, &limits, step.max_increments);
             let mut outcome = self.attempt(plan, &target, work)?;
+            if work.outside {
+                return Ok(Some(control));
+            }
             if self.stabilise(plan, &outcome, work)? {
                 continue;
             }
@@ -311,7 +359,7 @@ impl<'a> Walk<'a> {
                 self.commit(plan, &target, &outcome, &decision, work)?;
             }
             match decision {
-                Decision::StepDone => return Ok(()),
+                Decision::StepDone => return Ok(None),
                 Decision::Continue(next) => control = next,
                 Decision::Cut(next) => {
                     self.fail(&target, &outcome, Some(next.dt))?;
@@ -406,7 +454,7 @@ impl<'a> Walk<'a> {
         let report = StepReport {
             model: self.model,
             step: number,
-            equations: plan.layout.equations(),
+            equations: plan.constraints.equations(),
             entries: plan.pattern.entries(),
             linear_solver: work.solver.description().to_string(),
             may_stabilise: crate::stabilise::may_stabilise(self.model),

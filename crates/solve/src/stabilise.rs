@@ -12,7 +12,8 @@
 //! committed state, so that within an increment the dashpots are linear: their
 //! tangent is exact, symmetric and never negative.
 
-use crate::contact::Meeting;
+use crate::constraints::Rows;
+use crate::contact::{MasterPositions, Meeting};
 use crate::linearised::MOST_DOFS;
 use crate::plan::Plan;
 use crate::restraint::Restraint;
@@ -70,17 +71,12 @@ impl Dashpot {
     }
 
     /// Adds its stiffness to the values of the pattern.
-    pub fn stiffen(&self, plan: &Plan<'_>, values: &mut [f64]) {
-        for i in 0..self.width {
-            let Some(row) = plan.layout.equation(self.slots[i]) else { continue };
-            for j in 0..self.width {
-                let Some(column) = plan.layout.equation(self.slots[j]) else { continue };
-                if let Some(at) = plan.pattern.position(row, column) {
-                    values[at] += self.stiffness[0] * self.normal[i] * self.normal[j]
-                        + self.stiffness[1] * self.tangential[i] * self.tangential[j];
-                }
-            }
-        }
+    pub fn stiffen(&self, plan: &Plan<'_>, rows: &Rows, values: &mut [f64]) {
+        let at = |i: usize, j: usize| {
+            self.stiffness[0] * self.normal[i] * self.normal[j]
+                + self.stiffness[1] * self.tangential[i] * self.tangential[j]
+        };
+        plan.scatter(rows, &self.slots[..self.width], at, values);
     }
 }
 
@@ -96,7 +92,7 @@ pub fn fill(
     plan: &Plan<'_>,
     committed: &State,
     (step_time, dt): (f64, f64),
-    positions: &mut Vec<[f64; 2]>,
+    positions: &mut MasterPositions,
     into: &mut Vec<Dashpot>,
 ) {
     into.clear();
@@ -144,13 +140,20 @@ fn automatic(plan: &Plan<'_>, place: usize, factor: f64) -> f64 {
 /// Whether contact that is open, and was so at the last commit, would oppose
 /// a motion if its points had dashpots; and no contact that was closed.
 pub fn would_hold(plan: &Plan<'_>, committed: &State, mode: &[f64]) -> bool {
-    let mut positions = Vec::new();
+    let mut positions = MasterPositions::default();
     let u = &committed.displacement;
     plan.contact.place_chains(u, &mut positions);
+    let mut motion = vec![0.0; plan.dofs.len()];
+    let mut rows = Rows::default();
+    for (&dof, value) in plan.constraints.dof_of_equation.iter().zip(mode) {
+        motion[dof] = *value;
+    }
+    plan.constraints.linearise(u, &mut rows);
+    plan.constraints.expand(&rows, &mut motion);
     let mut holds = false;
     for (place, before) in committed.points.iter().enumerate() {
         let meeting = plan.contact.stand(place, u, &positions);
-        if !moves(plan, &meeting, mode) {
+        if !moves(&meeting, &motion) {
             continue;
         }
         if before.closed {
@@ -162,12 +165,11 @@ pub fn would_hold(plan: &Plan<'_>, committed: &State, mode: &[f64]) -> bool {
 }
 
 /// Whether a motion closes, opens or slides a point.
-fn moves(plan: &Plan<'_>, meeting: &Meeting, mode: &[f64]) -> bool {
+fn moves(meeting: &Meeting, motion: &[f64]) -> bool {
     let (mut closing, mut sliding, mut size) = (0.0, 0.0, 0.0_f64);
     for k in 0..meeting.width {
-        let Some(equation) = plan.layout.equation(meeting.slots[k]) else { continue };
-        closing += meeting.gradient[k] * mode[equation];
-        sliding += meeting.slip_gradient[k] * mode[equation];
+        closing += meeting.gradient[k] * motion[meeting.slots[k]];
+        sliding += meeting.slip_gradient[k] * motion[meeting.slots[k]];
         size = size.max(meeting.gradient[k].abs() + meeting.slip_gradient[k].abs());
     }
     meeting.faces && f64::max(closing.abs(), sliding.abs()) > 1e-6 * size

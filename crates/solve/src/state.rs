@@ -3,10 +3,11 @@
 use crate::account::Books;
 use crate::convergence::FluxAverage;
 use crate::observe::{Energies, FrictionCall, Status};
+use serde::{Deserialize, Serialize};
 use slideline_mech::contact::pair::History;
 
 /// A committed (or trial) state of the whole model.
-#[derive(Clone, Debug, PartialEq, Default)]
+#[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
 pub struct State {
     /// Total time [T].
     pub total_time: f64,
@@ -47,7 +48,7 @@ pub struct State {
 pub type Flow = FluxAverage;
 
 /// History of a contact point.
-#[derive(Clone, Copy, Debug, PartialEq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Default, Serialize, Deserialize)]
 pub struct PointState {
     /// Whether it carries pressure.
     pub closed: bool,

@@ -18,7 +18,7 @@ mod tests;
 
 pub use flux::Flux;
 
-use crate::layout::Layout;
+use crate::constraints::{Constraints, Rows};
 use crate::observe::BeamRow;
 use element::{Kinematics, Placed};
 use rayon::ThreadPool;
@@ -49,11 +49,11 @@ pub struct Structure {
     elements: Vec<Placed>,
     /// Slots of the elements' own variables, element by element.
     own: Vec<usize>,
-    /// Slots their forces go to: those of the nodes that carry their own.
-    targets: Vec<usize>,
-    /// Place of each tangent entry in the matrix values, row by row;
+    /// Index of each tangent entry among the matrix values, row by row;
     /// `usize::MAX`: none.
     entries: Vec<usize>,
+    /// Elements with dofs that follow others.
+    dependent: Vec<usize>,
     beams: Vec<BeamReport>,
     nlgeom: bool,
     /// How many stresses the elements have.
@@ -67,7 +67,7 @@ pub struct Structure {
 /// What every element contributes, in slots of its own.
 #[derive(Clone, Debug)]
 pub struct Contributions {
-    /// Laid out as [`Structure::targets`].
+    /// Laid out as [`Structure::own`].
     force: Vec<f64>,
     /// Laid out as [`Structure::entries`].
     tangent: Vec<f64>,
@@ -79,7 +79,7 @@ impl Structure {
     /// Room for what the elements contribute, empty.
     pub fn room(&self) -> Contributions {
         Contributions {
-            force: vec![0.0; self.targets.len()],
+            force: vec![0.0; self.own.len()],
             tangent: vec![0.0; self.entries.len()],
             energy: vec![0.0; self.elements.len()],
         }
@@ -87,17 +87,20 @@ impl Structure {
 
     /// Sets of slots that couple.
     pub fn cliques(&self) -> impl Iterator<Item = &[usize]> {
-        self.elements.iter().map(|element| &self.targets[element.targets()])
+        self.elements.iter().map(|element| &self.own[element.own()])
     }
 
     /// Finds every tangent entry's place in the matrix.
-    pub fn find_entries(&mut self, layout: &Layout, pattern: &Pattern) {
-        for element in &self.elements {
-            let targets = &self.targets[element.targets()];
+    pub fn find_entries(&mut self, constraints: &Constraints, pattern: &Pattern) {
+        for (place, element) in self.elements.iter().enumerate() {
+            if self.dependent.binary_search(&place).is_ok() {
+                continue;
+            }
+            let own = &self.own[element.own()];
             let entries = &mut self.entries[element.entries()];
-            let pairs = targets.iter().flat_map(|&i| targets.iter().map(move |&j| (i, j)));
+            let pairs = own.iter().flat_map(|&i| own.iter().map(move |&j| (i, j)));
             for (entry, (i, j)) in entries.iter_mut().zip(pairs) {
-                *entry = match (layout.equation(i), layout.equation(j)) {
+                *entry = match (constraints.equation(i), constraints.equation(j)) {
                     (Some(row), Some(column)) => {
                         pattern.position(row, column).unwrap_or(usize::MAX)
                     }
@@ -110,7 +113,7 @@ impl Structure {
     /// Whether each slot belongs to an element (rounding grows with those).
     pub fn touched(&self, slots: usize) -> Vec<bool> {
         let mut touched = vec![false; slots];
-        for &slot in &self.targets {
+        for &slot in &self.own {
             touched[slot] = true;
         }
         touched
@@ -129,8 +132,8 @@ impl Structure {
             return;
         }
         for element in &self.elements {
-            let places = (&self.own[element.own()], &self.targets[element.targets()]);
-            element.stresses_after((u, change), places, &mut into[element.stresses()]);
+            let own = &self.own[element.own()];
+            element.stresses_after((u, change), own, &mut into[element.stresses()]);
         }
     }
 
@@ -155,7 +158,7 @@ impl Structure {
     pub fn largest_bend(&self, of: impl Fn(usize) -> f64) -> f64 {
         let mut largest = 0.0_f64;
         for beam in &self.beams {
-            let nodes = self.targets[self.elements[beam.element].targets()].as_chunks::<3>().0;
+            let nodes = self.own[self.elements[beam.element].own()].as_chunks::<3>().0;
             let turns = || nodes.iter().map(|node| of(node[2]));
             let (low, high) =
                 (turns().fold(f64::INFINITY, f64::min), turns().fold(f64::NEG_INFINITY, f64::max));
@@ -210,29 +213,58 @@ impl Structure {
                 None if self.nlgeom => Kinematics::Exact,
                 None => Kinematics::Linear,
             };
-            *energy = if element.attachments.is_empty() {
-                element.shape.evaluate(u, own, kinematics, slots)
-            } else {
-                let targets = &self.targets[element.targets()];
-                element.evaluate_carried(u, (own, targets), kinematics, slots)
-            };
+            *energy = element.shape.evaluate(u, own, kinematics, slots);
         }
     }
 
     /// Sums forces into the full vector; returns the strain energy [F L].
     pub fn gather_force(&self, from: &Contributions, force: &mut [f64]) -> f64 {
-        for (&slot, value) in self.targets.iter().zip(&from.force) {
+        for (&slot, value) in self.own.iter().zip(&from.force) {
             force[slot] += value;
         }
         from.energy.iter().fold(0.0, |sum, energy| sum + energy)
     }
 
-    /// Sums tangents into the matrix values.
-    pub fn gather_tangent(&self, from: &Contributions, values: &mut [f64]) {
+    /// Sums tangents into the matrix values of a pattern.
+    pub fn gather_tangent(
+        &self,
+        from: &Contributions,
+        (constraints, rows, pattern): (&Constraints, &Rows, &Pattern),
+        values: &mut [f64],
+    ) {
         for (&entry, value) in self.entries.iter().zip(&from.tangent) {
             if let Some(sum) = values.get_mut(entry) {
                 *sum += value;
             }
+        }
+        for element in self.dependent.iter().map(|&element| &self.elements[element]) {
+            let (own, tangent) = (&self.own[element.own()], &from.tangent[element.entries()]);
+            let at = |i: usize, j: usize| tangent[i * own.len() + j];
+            constraints.scatter((rows, pattern), own, at, values);
+        }
+    }
+
+    /// Adds the forces on dependent dofs with which a tangent turns: those of
+    /// the stresses that its geometric stiffness is made of.
+    pub fn turning_forces(
+        &self,
+        u: &[f64],
+        stresses: Option<&[f64]>,
+        from: &Contributions,
+        into: &mut [f64],
+    ) {
+        let mut own_force = [0.0; element::WIDTH];
+        for element in self.dependent.iter().map(|&element| &self.elements[element]) {
+            let own = &self.own[element.own()];
+            let force = &mut own_force[..own.len()];
+            let kinematics = match stresses.filter(|_| self.nlgeom) {
+                Some(stresses) => Kinematics::Mixed(&stresses[element.stresses()]),
+                None => Kinematics::Exact,
+            };
+            if !element.shape.force_of_stresses(u, own, kinematics, force) {
+                force.copy_from_slice(&from.force[element.own()]);
+            }
+            own.iter().zip(&*force).for_each(|(&dof, value)| into[dof] += value);
         }
     }
 
@@ -240,10 +272,10 @@ impl Structure {
     /// what a prescribed motion does).
     pub fn multiply(&self, from: &Contributions, v: &[f64], product: &mut [f64]) {
         for element in &self.elements {
-            let targets = &self.targets[element.targets()];
+            let own = &self.own[element.own()];
             let rows = from.tangent[element.entries()].chunks_exact(element.width());
-            for (&target, row) in targets.iter().zip(rows) {
-                let sum: f64 = row.iter().zip(targets).map(|(k, &slot)| k * v[slot]).sum();
+            for (&target, row) in own.iter().zip(rows) {
+                let sum: f64 = row.iter().zip(own).map(|(k, &slot)| k * v[slot]).sum();
                 product[target] += sum;
             }
         }

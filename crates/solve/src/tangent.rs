@@ -13,7 +13,8 @@
 //! is: hard pressures, exact stick, whether friction is called, and where the
 //! stations of integrated contact stand on their elements.
 
-use crate::contact::{GeometryScratch, Meeting};
+use crate::constraints::Rows;
+use crate::contact::{GeometryScratch, MasterPositions, Meeting};
 use crate::evaluate::{Evaluation, Trial};
 use crate::observe::{FrictionCall, Status, TangentReport};
 use crate::plan::Plan;
@@ -52,7 +53,7 @@ pub fn check(place: &Place<'_>, (step, increment): (usize, usize)) -> TangentRep
     let plan = place.plan;
     let values = assembled(place);
     let mut differences = Differences::new(place);
-    let n = plan.layout.equations();
+    let n = plan.constraints.equations();
     let mut column = vec![0.0; n];
     let mut largest = [[f64::MIN_POSITIVE; 2]; 2];
     let mut worst = [[Worst::default(); 2]; 2];
@@ -121,11 +122,11 @@ impl Place<'_> {
     }
 
     fn name(&self, equation: usize) -> (NodeIndex, Dof) {
-        self.plan.layout.name(self.plan.layout.slot_of_equation[equation])
+        self.plan.dofs.name(self.plan.constraints.dof_of_equation[equation])
     }
 
     fn report(&self, numbers: (usize, usize), off: f64, worst: &Worst) -> TangentReport {
-        let equations = self.plan.layout.equations();
+        let equations = self.plan.constraints.equations();
         let mut report = TangentReport {
             step: numbers.0,
             increment: numbers.1,
@@ -146,9 +147,9 @@ impl Place<'_> {
 
     /// Label of the first element that couples two nodes.
     fn element(&self, nodes: [NodeIndex; 2]) -> Option<u64> {
-        let layout = &self.plan.layout;
+        let constraints = &self.plan.constraints;
         let joins = |own: &[NodeIndex]| {
-            nodes.iter().all(|node| own.iter().any(|&own| layout.carrier(own) == *node))
+            nodes.iter().all(|node| own.iter().any(|&own| constraints.carrier(own) == *node))
         };
         self.plan.model.blocks.iter().find_map(|block| match block {
             ElementBlock::B21(block) | ElementBlock::B22(block) | ElementBlock::B23(block) => {
@@ -166,11 +167,14 @@ impl Place<'_> {
     /// Pair and slave node of the first closed point that couples two
     /// equations.
     fn point(&self, equations: [usize; 2]) -> Option<(usize, NodeIndex)> {
-        let slots = equations.map(|equation| self.plan.layout.slot_of_equation[equation]);
         let places = self.evaluation.meetings.iter().zip(&self.evaluation.points);
         let points = self.plan.contact.points.iter().zip(places);
         let couples = |meeting: &Meeting| {
-            slots.iter().all(|slot| meeting.slots[..meeting.width].contains(slot))
+            let mut own = Vec::new();
+            for &dof in &meeting.slots[..meeting.width] {
+                self.plan.constraints.equations_of(dof, &mut own);
+            }
+            equations.iter().all(|equation| own.contains(equation))
         };
         let found = points.into_iter().find(|(_, (meeting, now))| now.closed && couples(meeting));
         found.map(|(point, _)| (point.pair, point.node))
@@ -184,15 +188,15 @@ pub fn assembled(place: &Place<'_>) -> Vec<f64> {
     // The geometric stiffness of the iteration is that of estimated stresses.
     let mut contributions = plan.structure.room();
     plan.structure.evaluate(trial.u, None, &mut contributions, plan.pool);
-    plan.structure.gather_tangent(&contributions, &mut values);
-    for (slot, stiffness) in plan.layout.load_stiffness(trial.u, trial.load) {
-        let equation = plan.layout.equation(slot);
-        if let Some(at) = equation.and_then(|e| plan.pattern.position(e, e)) {
-            values[at] += stiffness;
-        }
-    }
-    trial.dashpots.iter().for_each(|dashpot| dashpot.stiffen(plan, &mut values));
-    let mut scratch = GeometryScratch::new(&plan.contact);
+    let rows = &place.evaluation.rows;
+    plan.gather_tangent(&contributions, rows, &mut values);
+    trial.dashpots.iter().for_each(|dashpot| dashpot.stiffen(plan, rows, &mut values));
+    // Every force on a dependent dof turns with those that it follows.
+    let mut force: Vec<f64> = trial.load.iter().map(|load| -load).collect();
+    plan.structure.gather_force(&contributions, &mut force);
+    place.add_contact_force(&place.evaluation.meetings, trial.u, &mut force);
+    plan.stiffen_by_turning(trial.u, &mut force, &mut values);
+    let mut scratch = GeometryScratch::new();
     plan.contact.fill_scratch(trial.u, &mut scratch);
     for point in 0..plan.contact.points.len() {
         place.add_point(point, &mut scratch, &mut values);
@@ -213,16 +217,29 @@ impl Place<'_> {
         plan.contact.geometric_tangent(place, trial.u, meeting, forces, scratch);
         let geometry = &scratch.tangent;
         let (a, b, drag) = (&meeting.gradient, &meeting.slip_gradient, &meeting.drag);
-        for i in 0..meeting.width {
-            let Some(row) = plan.layout.equation(meeting.slots[i]) else { continue };
-            for j in 0..meeting.width {
-                let Some(column) = plan.layout.equation(meeting.slots[j]) else { continue };
-                let Some(at) = plan.pattern.position(row, column) else { continue };
-                let by_slip = traction.d_tau_d_slip * b[j];
-                let by_pressure = traction.d_tau_d_pressure * slope * a[j];
-                let law = slope * a[i] * a[j] + drag[i] * (by_slip + by_pressure);
-                values[at] += geometry[meeting.width * i + j] + now.area * law;
+        let entry = |i: usize, j: usize| {
+            let by_slip = traction.d_tau_d_slip * b[j];
+            let by_pressure = traction.d_tau_d_pressure * slope * a[j];
+            let law = slope * a[i] * a[j] + drag[i] * (by_slip + by_pressure);
+            geometry[meeting.width * i + j] + now.area * law
+        };
+        plan.scatter(&evaluation.rows, &meeting.slots[..meeting.width], entry, values);
+    }
+
+    /// Adds the forces of points as they stand at displacements `u`, and those
+    /// of dashpots.
+    fn add_contact_force(&self, meetings: &[Meeting], u: &[f64], force: &mut [f64]) {
+        for (place, meeting) in meetings.iter().enumerate().filter(|(_, m)| m.faces) {
+            let ((pressure, traction), _) = self.law(place, meeting);
+            let area = self.evaluation.points[place].area;
+            let (normal, tangential) = (area * pressure, area * traction.tau);
+            for k in 0..meeting.width {
+                force[meeting.slots[k]] +=
+                    normal * meeting.gradient[k] + tangential * meeting.drag[k];
             }
+        }
+        for dashpot in self.trial.dashpots {
+            dashpot.press(u, &self.committed.displacement, force);
         }
     }
 
@@ -285,10 +302,10 @@ impl Place<'_> {
 pub struct Differences<'a> {
     place: &'a Place<'a>,
     contributions: Contributions,
-    internal: Vec<f64>,
-    external: Vec<f64>,
+    force: Vec<f64>,
+    rows: Rows,
     meetings: Vec<Meeting>,
-    positions: Vec<[f64; 2]>,
+    positions: MasterPositions,
     u: Vec<f64>,
     middle: Vec<f64>,
     /// The column by central differences, extrapolated [F/L and the like].
@@ -300,14 +317,14 @@ pub struct Differences<'a> {
 impl<'a> Differences<'a> {
     /// Room, and the residual of the state itself.
     pub fn new(place: &'a Place<'a>) -> Self {
-        let (slots, n) = (place.plan.layout.slots(), place.plan.layout.equations());
+        let (slots, n) = (place.plan.dofs.len(), place.plan.constraints.equations());
         let mut new = Self {
             place,
             contributions: place.plan.structure.room(),
-            internal: vec![0.0; slots],
-            external: vec![0.0; slots],
+            force: vec![0.0; slots],
+            rows: Rows::default(),
             meetings: place.evaluation.meetings.clone(),
-            positions: Vec::new(),
+            positions: MasterPositions::default(),
             u: place.trial.u.to_vec(),
             middle: Vec::new(),
             best: vec![0.0; n],
@@ -345,43 +362,29 @@ impl<'a> Differences<'a> {
     fn moved(&mut self, equation: usize, step: f64) -> Vec<f64> {
         let Place { plan, trial, .. } = self.place;
         self.u.copy_from_slice(trial.u);
-        self.u[plan.layout.slot_of_equation[equation]] += step;
-        plan.layout.follow_links(&mut self.u);
+        self.u[plan.constraints.dof_of_equation[equation]] += step;
+        plan.constraints.enforce(&mut self.u);
         self.residual()
     }
 
     fn residual(&mut self) -> Vec<f64> {
         let Place { plan, trial, evaluation, .. } = self.place;
         plan.structure.evaluate(&self.u, None, &mut self.contributions, plan.pool);
-        self.internal.fill(0.0);
-        let _energy = plan.structure.gather_force(&self.contributions, &mut self.internal);
-        plan.layout.carry_loads(&self.u, trial.load, &mut self.external);
+        self.force.iter_mut().zip(trial.load).for_each(|(force, load)| *force = -load);
+        let _energy = plan.structure.gather_force(&self.contributions, &mut self.force);
         self.meetings.copy_from_slice(&evaluation.meetings);
         plan.contact.meet_in_place(&self.u, &mut self.positions, &mut self.meetings);
-        for (place, meeting) in self.meetings.iter().enumerate() {
-            let now = &evaluation.points[place];
-            if !meeting.faces {
-                continue;
-            }
-            let ((pressure, traction), _) = self.place.law(place, meeting);
-            let (normal, tangential) = (now.area * pressure, now.area * traction.tau);
-            for k in 0..meeting.width {
-                self.internal[meeting.slots[k]] +=
-                    normal * meeting.gradient[k] + tangential * meeting.drag[k];
-            }
-        }
-        for dashpot in trial.dashpots {
-            let _size =
-                dashpot.press(&self.u, &self.place.committed.displacement, &mut self.internal);
-        }
-        let at = |&slot: &usize| self.internal[slot] - self.external[slot];
-        plan.layout.slot_of_equation.iter().map(at).collect()
+        self.place.add_contact_force(&self.meetings, &self.u, &mut self.force);
+        plan.constraints.linearise(&self.u, &mut self.rows);
+        plan.constraints.carry(&self.rows, &mut self.force);
+        plan.constraints.dof_of_equation.iter().map(|&dof| self.force[dof]).collect()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dofs::DofMap;
     use crate::evaluate::evaluate;
     use slideline_diag::Span;
     use slideline_mech::material::Elastic;
@@ -515,7 +518,7 @@ mod tests {
         for (line, drag) in [(true, 0.3), (true, 0.02), (false, 0.3), (false, -0.02)] {
             let model = model(line);
             let (slots, points) =
-                (model.nodes.len() * 3, model.contact_pairs[0].slave_nodes().len());
+                (DofMap::new(&model).len(), model.contact_pairs[0].slave_nodes().len());
             let start = crate::plan::Start::undeformed(slots);
             let users = crate::users::UserFrictions::default();
             let plan = Plan::new(&model, &model.steps[0], start, &users, None);
@@ -526,14 +529,19 @@ mod tests {
             let mut u: Vec<f64> =
                 (0..slots).map(|k| 0.02 * ((k * 7919 % 13) as f64 / 6.0 - 1.0)).collect();
             u[..3].fill(0.0);
-            u[3 * body] = drag;
-            u[3 * body + 1] = -0.06;
-            u[3 * body + 2] = 0.1 * drag;
-            plan.layout.follow_links(&mut u);
+            let body = plan.dofs.of_node(body);
+            u[body].copy_from_slice(&[drag, -0.06, 0.1 * drag]);
+            plan.constraints.enforce(&mut u);
             let mut dashpots = Vec::new();
             committed.stabilised = true;
             let halfway = (0.5, 0.5);
-            crate::stabilise::fill(&plan, &committed, halfway, &mut vec![], &mut dashpots);
+            crate::stabilise::fill(
+                &plan,
+                &committed,
+                halfway,
+                &mut MasterPositions::default(),
+                &mut dashpots,
+            );
             // as stiff as the contact itself, lest the differences miss it
             dashpots.iter_mut().for_each(|dashpot| dashpot.scale_to(1.0));
             let none = vec![0.0; points];

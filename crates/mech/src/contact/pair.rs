@@ -151,6 +151,24 @@ impl Laws {
         }
     }
 
+    /// Slope of the friction law by the slip where a point sticks, at the slip of the estimate
+    /// [F/L3]; infinite for exact stick, `None` where it slides, and for a user law.
+    pub fn stick_stiffness(
+        &self,
+        pressure: f64,
+        (traction, slip): (f64, f64),
+        dt: f64,
+    ) -> Option<f64> {
+        let limit = self.friction.limit_traction(pressure, slip, dt);
+        match &self.friction {
+            FrictionLaw::Coulomb { stick, .. } if traction.abs() < limit => {
+                Some(stick.stiffness(limit))
+            }
+            FrictionLaw::Rough { stick } if pressure > 0.0 => Some(stick.stiffness(pressure)),
+            _ => None,
+        }
+    }
+
     /// Asks the embedding program's law about one point. An answer that is no number is a fault.
     fn ask_user(&self, point: FrictionPoint, dt: f64, memory: &mut UserMemory<'_>) -> Traction {
         let (Some(law), FrictionLaw::User { properties, .. }) = (&self.user, &self.friction) else {

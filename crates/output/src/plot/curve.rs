@@ -2,7 +2,9 @@
 
 use crate::job::JobFiles;
 use crate::number::push_shortest;
-use crate::report::{Energies, History, Problem, driven, summary};
+use crate::reading::history::{Energies, History, with_start};
+use crate::reading::problem::Problem;
+use crate::reading::summary::{driven, read};
 
 /// What is asked for.
 #[derive(Clone, Debug)]
@@ -36,7 +38,7 @@ pub struct Curve {
 /// # Errors
 /// Files that cannot be read, a column or node that they lack.
 pub fn curve(job: &JobFiles, question: &Question) -> Result<Curve, Problem> {
-    let said = summary(job, question.unfinished)?;
+    let said = read(job, question.unfinished)?;
     let mut nodes: Vec<u64> = driven(&said).iter().map(|driven| driven.node).collect();
     nodes.dedup();
     let asked = match (question.node, nodes.as_slice()) {
@@ -98,10 +100,6 @@ impl Files<'_> {
         })?;
         Ok(with_start(values))
     }
-}
-
-fn with_start(values: &[f64]) -> Vec<f64> {
-    std::iter::once(0.0).chain(values.iter().copied()).collect()
 }
 
 /// `other` minus `one` at the times of `one`; between its increments `other`

@@ -1,7 +1,7 @@
 //! `JOB.contact.csv` read back, point by point.
 
-use super::problem::{Problem, unreadable};
-use super::table::Table;
+use crate::reading::problem::{Problem, unreadable};
+use crate::reading::table::Table;
 use std::collections::HashMap;
 use std::path::Path;
 
@@ -61,10 +61,10 @@ struct Columns {
 impl Columns {
     fn of(table: &Table) -> Self {
         Self {
-            numbers: NUMBERS.map(|name| table.place(name)),
-            friction: table.place("friction"),
-            normal: ["normal_x", "normal_y"].map(|name| table.place(name)),
-            area: table.place("area"),
+            numbers: NUMBERS.map(|name| table.index(name)),
+            friction: table.index("friction"),
+            normal: ["normal_x", "normal_y"].map(|name| table.index(name)),
+            area: table.index("area"),
         }
     }
 }
@@ -86,15 +86,15 @@ pub(crate) fn read(path: &Path, numbers: &[[usize; 2]]) -> Result<Contacts, Prob
     let mut contacts = Contacts { stride: 1, count: numbers.len(), ..Contacts::default() };
     let mut places: HashMap<u64, Vec<usize>> = HashMap::new();
     let mut now = 0;
-    while let Some(cells) = table.row()? {
-        let row = row(path, cells, &columns)?;
+    while table.row()?.is_some() {
+        let row = row(path, &table, &columns)?;
         while now < numbers.len() && numbers[now] != row.at {
             now += 1;
         }
         if now == numbers.len() {
             break;
         }
-        let pair = cells[3].as_str();
+        let pair = table.cell(3);
         let own = places.entry(row.node).or_default();
         let points = &mut contacts.points;
         let known = own.iter().copied().find(|place| points[*place].pair == pair);
@@ -113,18 +113,14 @@ pub(crate) fn read(path: &Path, numbers: &[[usize; 2]]) -> Result<Contacts, Prob
     Ok(contacts)
 }
 
-fn row(path: &Path, cells: &[String], columns: &Columns) -> Result<Row, Problem> {
-    let whole = |place: usize| -> Result<u64, Problem> {
-        let wrong = || unreadable(path, format!("`{}` is not a whole number", cells[place]));
-        cells[place].parse().map_err(|_| wrong())
-    };
-    let at = [whole(0)? as usize, whole(1)? as usize];
-    let status = letter(&cells[5], &[("open", 'o'), ("stick", 't'), ("slip", 's')]);
-    let called = columns.friction.map_or("none", |place| cells[place].as_str());
+fn row(path: &Path, table: &Table, columns: &Columns) -> Result<Row, Problem> {
+    let at = [table.number(0)?, table.number(1)?];
+    let status = letter(table.cell(5), &[("open", 'o'), ("stick", 't'), ("slip", 's')]);
+    let called = columns.friction.map_or("none", |index| table.cell(index));
     let friction = letter(called, &[("called", 'c'), ("dropped", 'd'), ("none", 'n')]);
     match (status, friction) {
-        (Some(status), Some(friction)) => Ok(Row { at, node: whole(4)?, status, friction }),
-        _ => Err(unreadable(path, format!("`{}`, `{called}` is no status", cells[5]))),
+        (Some(status), Some(friction)) => Ok(Row { at, node: table.number(4)?, status, friction }),
+        _ => Err(unreadable(path, format!("`{}`, `{called}` is no status", table.cell(5)))),
     }
 }
 

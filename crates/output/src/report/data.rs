@@ -1,13 +1,14 @@
 //! What the charts of the page draw, as JSON that may stand in a script.
 
 use super::contact::{Contacts, Point, runs};
+use super::iterations::Attempt;
 use super::overlay::Overlay;
-use super::results::{Driven, Results};
-use super::value::Value;
-use crate::json::{self, Object};
+use super::results::Results;
+use crate::json::{Map, Members as _, Value, json, text};
+use crate::reading::history::with_start;
+use crate::reading::summary::Driven;
 use crate::verdict::Judged;
-use crate::vtu::base64;
-use slideline_measures::Taken;
+use base64::{Engine as _, engine::general_purpose::STANDARD};
 
 /// All numbers of the page.
 pub(crate) fn data(
@@ -16,40 +17,32 @@ pub(crate) fn data(
     judged: &Judged,
     overlay: Option<&Overlay>,
 ) -> String {
-    let energies = &results.energies;
-    let with_start = |values: &[f64]| -> Vec<f64> {
-        std::iter::once(0.0).chain(values.iter().copied()).collect()
-    };
+    let Results { energies, contacts, .. } = results;
     let numbers = |place: usize| -> Vec<f64> {
-        energies.numbers.iter().map(|numbers| numbers[place] as f64).collect()
+        with_start(&energies.numbers.iter().map(|own| own[place] as f64).collect::<Vec<_>>())
     };
-    let energy = energies.columns.iter().zip(&energies.values);
-    let object = Object::new()
-        .text("job", job)
-        .raw("times", &doubles(&with_start(&energies.times)))
-        .raw("step", &doubles(&with_start(&numbers(0))))
-        .raw("increment", &doubles(&with_start(&numbers(1))))
-        .raw("driven", &driven(results, judged))
-        .raw("supports", &supports(results))
-        .raw("heights", &heights(results))
-        .array(
-            "loaded",
-            results.loaded.iter().map(|(node, motion)| {
-                Object::new().raw("node", &node.to_string()).text("motion", motion).finish()
-            }),
-        )
-        .raw("history", &history(results))
-        .raw("energy", &columns(energy.map(|(name, values)| (name.as_str(), &values[..]))))
-        .count("stride", results.contacts.stride)
-        .array("contact", results.contacts.points.iter().map(|own| point(&results.contacts, own)))
-        .raw("pairs", &pairs(results))
-        .raw("frames", &frames(results))
-        .array("attempts", results.attempts.iter().map(attempt));
-    let overlay = overlay.map(|overlay| {
-        let own = overlay.columns.iter().map(|(name, values)| (name.as_str(), &values[..]));
-        Object::new().text("name", &overlay.name).raw("columns", &columns(own)).finish()
+    let pairs = |list: &[(String, Vec<f64>)]| columns(list.iter().map(|(n, own)| (n, &own[..])));
+    let energy = energies.columns.iter().zip(energies.values.iter().map(Vec::as_slice));
+    let loaded = results.loaded.iter();
+    let object = json!({
+        "job": job,
+        "times": doubles(&with_start(&energies.times)),
+        "step": doubles(&numbers(0)),
+        "increment": doubles(&numbers(1)),
+        "driven": driven(results, judged),
+        "supports": supports(results),
+        "heights": heights(results),
+        "loaded": loaded.map(|(node, way)| json!({"node": node, "motion": way})).collect::<Value>(),
+        "history": history(results),
+        "energy": columns(energy),
+        "stride": contacts.stride,
+        "contact": contacts.points.iter().map(|own| point(contacts, own)).collect::<Value>(),
+        "pairs": self::pairs(results),
+        "frames": frames(results),
+        "attempts": results.attempts.iter().map(attempt).collect::<Value>(),
+        "overlay": overlay.map(|own| json!({"name": own.name, "columns": pairs(&own.columns)})),
     });
-    safe(&object.raw("overlay", overlay.as_deref().unwrap_or("null")).finish())
+    safe(&text(&object))
 }
 
 /// No text in it ends a script or a line of one.
@@ -70,69 +63,47 @@ fn safe(json: &str) -> String {
 
 /// Doubles in base64, little-endian.
 fn doubles(values: &[f64]) -> String {
-    quoted(values.iter().flat_map(|value| value.to_le_bytes()).collect())
+    STANDARD.encode(values.iter().flat_map(|value| value.to_le_bytes()).collect::<Vec<u8>>())
 }
 
 /// Single precision where a picture is made of it.
 fn singles(values: impl Iterator<Item = f32>) -> String {
-    quoted(values.flat_map(f32::to_le_bytes).collect())
+    STANDARD.encode(values.flat_map(f32::to_le_bytes).collect::<Vec<u8>>())
 }
 
-fn quoted(bytes: Vec<u8>) -> String {
-    let mut text = "\"".to_owned();
-    base64::push(&mut text, &bytes);
-    text.push('"');
-    text
-}
-
-fn columns<'a>(columns: impl Iterator<Item = (&'a str, &'a [f64])>) -> String {
-    let mut object = Object::new();
-    for (name, values) in columns {
-        object = object.raw(name, &doubles(values));
-    }
-    object.finish()
+fn columns<'a>(columns: impl Iterator<Item = (&'a String, &'a [f64])>) -> Map<String, Value> {
+    columns.map(|(name, values)| (name.clone(), doubles(values).into())).collect()
 }
 
 /// Driven motions, that which does most work first, with the places of the
 /// largest push and pull.
-fn driven(results: &Results, judged: &Judged) -> String {
+fn driven(results: &Results, judged: &Judged) -> Value {
     let moved = judged.strokes.iter().map(|(driven, stroke)| (driven, Some(stroke)));
     let known = |driven: &Driven| judged.strokes.iter().any(|(own, _)| own == driven);
     let still = results.driven.iter().filter(|driven| !known(driven)).map(|driven| (driven, None));
-    json::array(moved.chain(still).map(|(driven, stroke)| {
-        let place = |taken: Option<Taken>| {
-            taken.map_or_else(|| "null".to_owned(), |taken| taken.place.to_string())
-        };
-        Object::new()
-            .raw("node", &driven.node.to_string())
-            .text("motion", &driven.motion)
-            .text("reaction", &driven.reaction)
-            .number("inward", stroke.map_or(1.0, |stroke| stroke.inward))
-            .raw("push", &place(stroke.and_then(|stroke| stroke.push)))
-            .raw("pull", &place(stroke.and_then(|stroke| stroke.pull)))
-            .finish()
-    }))
+    let all = moved.chain(still).map(|(driven, stroke)| {
+        json!({
+            "node": driven.node,
+            "motion": driven.motion,
+            "reaction": driven.reaction,
+            "inward": stroke.map_or(1.0, |stroke| stroke.inward),
+            "push": stroke.and_then(|stroke| stroke.push).map(|taken| taken.place),
+            "pull": stroke.and_then(|stroke| stroke.pull).map(|taken| taken.place),
+        })
+    });
+    all.collect()
 }
 
 /// Held nodes with the numbers of their dofs.
-fn supports(results: &Results) -> String {
-    json::array(results.summary.list("supports").iter().filter_map(|held| {
-        let dofs = held.list("dofs").iter().filter_map(|dof| match dof {
-            Value::Number(number) => Some(number.to_string()),
-            _ => None,
-        });
-        let object = Object::new().raw("node", &held.count("node")?.to_string());
-        Some(object.array("dofs", dofs).finish())
-    }))
+fn supports(results: &Results) -> Value {
+    let held = results.summary.list("supports").iter();
+    held.map(|held| json!({"node": held["node"], "dofs": held["dofs"]})).collect()
 }
 
 /// Height of the section of every cell; zero for what is no beam.
 fn heights(results: &Results) -> String {
     let sections = results.summary.list("sections");
-    let number = |value: &Value| match value {
-        Value::Number(number) => *number as i64,
-        _ => 0,
-    };
+    let number = |value: &Value| value.as_f64().unwrap_or_default() as i64;
     let ranges: Vec<(f64, Vec<i64>)> = sections
         .iter()
         .filter_map(|own| {
@@ -150,100 +121,83 @@ fn heights(results: &Results) -> String {
     singles(cells.map(|(kind, element)| if *kind == 0 { of(*element) as f32 } else { 0.0 }))
 }
 
-fn history(results: &Results) -> String {
-    json::array(results.history.nodes.iter().map(|node| {
-        let names = results.history.columns.iter().map(String::as_str);
-        let values = names.zip(node.values.iter().map(Vec::as_slice));
-        Object::new().raw("node", &node.node.to_string()).raw("columns", &columns(values)).finish()
-    }))
+fn history(results: &Results) -> Value {
+    let nodes = results.history.nodes.iter().map(|node| {
+        let values = node.values.iter().map(Vec::as_slice);
+        json!({"node": node.node, "columns": columns(results.history.columns.iter().zip(values))})
+    });
+    nodes.collect()
 }
 
-fn point(contacts: &Contacts, point: &Point) -> String {
+fn point(contacts: &Contacts, point: &Point) -> Value {
     let end = point.closed_until();
     let [opening, pressure, shear, slip, angle] =
         contacts.numbers(point).map(|column| singles(column.iter().copied()));
-    Object::new()
-        .text("pair", &point.pair)
-        .raw("node", &point.node.to_string())
-        .count("first", point.first)
-        .text("status", &runs(&point.status[..end]))
-        .text("friction", &runs(&point.friction[..end]))
-        .number("area", point.area)
-        .raw("opening", &opening)
-        .raw("pressure", &pressure)
-        .raw("shear", &shear)
-        .raw("slip", &slip)
-        .raw("angle", &angle)
-        .finish()
+    json!({
+        "pair": point.pair,
+        "node": point.node,
+        "first": point.first,
+        "status": runs(&point.status[..end]),
+        "friction": runs(&point.friction[..end]),
+        "area": point.area,
+        "opening": opening,
+        "pressure": pressure,
+        "shear": shear,
+        "slip": slip,
+        "angle": angle,
+    })
 }
 
-fn pairs(results: &Results) -> String {
-    json::array(results.summary.list("pairs").iter().map(|pair| {
-        let labels = |key: &str| -> Vec<String> {
-            let all = pair.list(key).iter();
-            all.filter_map(|label| match label {
-                Value::Number(number) => Some(number.to_string()),
-                _ => None,
-            })
-            .collect()
-        };
-        Object::new()
-            .text("name", pair.text("name").unwrap_or("?"))
-            .array("slave", labels("slave"))
-            .text("master", pair.text("master").unwrap_or("?"))
-            .array("nodes", labels("nodes"))
-            .finish()
-    }))
-}
-
-fn frames(results: &Results) -> String {
-    let frames = &results.frames;
-    let whole = |values: &[i64]| json::array(values.iter().map(i64::to_string));
-    let moved = frames.displacement.iter().flatten().copied();
-    Object::new()
-        .raw("labels", &whole(&frames.labels))
-        .raw("reference", &singles(frames.reference.iter().map(|x| *x as f32)))
-        .raw("cells", &whole(&frames.cells))
-        .array("kinds", frames.kinds.iter().map(i32::to_string))
-        .raw("elements", &whole(&frames.elements))
-        .array("states", frames.states.iter().map(usize::to_string))
-        .raw("displacement", &singles(moved))
-        .raw("sections", &singles(frames.sections.iter().flatten().copied()))
-        .raw("strained", &strained(results))
-        .finish()
-}
-
-/// The element with the largest fibre strain.
-fn strained(results: &Results) -> String {
-    let summary = results.summary.get("fibre_strain");
-    let said = summary.and_then(|strain| strain.count("element"));
-    said.map_or_else(|| "null".to_owned(), |element| element.to_string())
-}
-
-fn attempt(attempt: &super::iterations::Attempt) -> String {
-    let iterations = attempt.iterations.iter().map(|iteration| {
-        let flags = usize::from(iteration.severe) + 2 * usize::from(iteration.converged);
-        let counts = [flags, iteration.changes, iteration.closed].map(|count| count.to_string());
-        let residuals = [iteration.force, iteration.moment].concat();
-        json::array(counts.into_iter().chain(residuals.into_iter().map(json::number)))
+fn pairs(results: &Results) -> Value {
+    let pairs = results.summary.list("pairs").iter().map(|pair| {
+        json!({
+            "name": pair.text("name").unwrap_or("?"),
+            "slave": pair.list("slave"),
+            "master": pair.text("master").unwrap_or("?"),
+            "nodes": pair.list("nodes"),
+        })
     });
-    Object::new()
-        .count("step", attempt.step)
-        .count("increment", attempt.increment)
-        .count("attempt", attempt.attempt)
-        .optional_text("reason", attempt.reason.as_deref())
-        .array("iterations", iterations)
-        .finish()
+    pairs.collect()
+}
+
+fn frames(results: &Results) -> Value {
+    let frames = &results.frames;
+    let strained = results.summary.get("fibre_strain");
+    json!({
+        "labels": frames.labels,
+        "reference": singles(frames.reference.iter().map(|x| *x as f32)),
+        "cells": frames.cells,
+        "kinds": frames.kinds,
+        "elements": frames.elements,
+        "states": frames.states,
+        "displacement": singles(frames.displacement.iter().flatten().copied()),
+        "sections": singles(frames.sections.iter().flatten().copied()),
+        "strained": strained.and_then(|strain| strain.count("element")),
+    })
+}
+
+fn attempt(attempt: &Attempt) -> Value {
+    let iterations = attempt.iterations.iter().map(|own| {
+        let flags = usize::from(own.severe) + 2 * usize::from(own.converged);
+        let ([force, most_force], [moment, most_moment]) = (own.force, own.moment);
+        json!([flags, own.changes, own.closed, force, most_force, moment, most_moment])
+    });
+    json!({
+        "step": attempt.step,
+        "increment": attempt.increment,
+        "attempt": attempt.attempt,
+        "reason": attempt.reason,
+        "iterations": iterations.collect::<Value>(),
+    })
 }
 
 #[cfg(test)]
 mod tests {
     #[test]
     fn no_text_ends_the_script() {
-        let object = crate::json::Object::new().text("job", "</script><!--\u{2028}").finish();
-        let safe = super::safe(&object);
+        let object = serde_json::json!({"job": "</script><!--\u{2028}"});
+        let safe = super::safe(&object.to_string());
         assert!(!safe.contains(['<', '>', '\u{2028}']), "{safe}");
-        let back = super::super::value::Value::read(&safe).unwrap();
-        assert_eq!(back.text("job"), Some("</script><!--\u{2028}"));
+        assert_eq!(serde_json::from_str::<serde_json::Value>(&safe).unwrap(), object);
     }
 }

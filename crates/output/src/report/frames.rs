@@ -1,8 +1,8 @@
 //! Deformed states for the animation, thinned where there are many.
 
-use super::problem::{self, Problem, unreadable};
-use super::state::StateFile;
 use crate::job::JobFiles;
+use crate::reading::problem::{self, Problem, unreadable};
+use crate::reading::state::StateFile;
 
 /// Most states that are drawn.
 const MOST: usize = 201;

@@ -14,28 +14,23 @@
 mod contact;
 mod data;
 mod frames;
-mod history;
 mod iterations;
 mod overlay;
 mod page;
-pub(crate) mod problem;
 mod prose;
 mod results;
-mod state;
-pub(crate) mod table;
-pub(crate) mod value;
 mod verdict;
 
 pub use page::STYLE;
-pub use problem::Problem;
 pub use prose::escaped;
 
-pub(crate) use history::{Energies, History};
-pub(crate) use results::{Driven, driven, summary};
+pub use crate::reading::problem::Problem;
 
 use crate::file::replace;
 use crate::job::JobFiles;
+use crate::json::Members as _;
 use crate::lock::is_running;
+use crate::reading::summary;
 use results::Results;
 use std::path::{Path, PathBuf};
 
@@ -105,7 +100,7 @@ pub fn write(job: &JobFiles, options: &Options<'_>) -> Result<Report, Problem> {
 
 /// Hash of the deck that a job ran, where its summary says so.
 pub fn deck_hash(job: &JobFiles) -> Option<String> {
-    results::summary(job, true).ok()?.text("deck_hash").map(str::to_owned)
+    summary::read(job, true).ok()?.text("deck_hash").map(str::to_owned)
 }
 
 /// What a report says whose deck was edited after the run.

@@ -1,7 +1,7 @@
 //! A second curve laid over the reactions.
 
-use super::problem::{Problem, unreadable};
-use super::table::Table;
+use crate::reading::problem::{Problem, unreadable};
+use crate::reading::table::Table;
 use std::path::Path;
 
 /// Longer files are refused: a curve to compare with has no more points.

@@ -6,8 +6,8 @@ use super::data::data;
 use super::overlay::Overlay;
 use super::prose::{escaped, html};
 use super::results::Results;
-use super::value::Value;
 use super::verdict;
+use crate::json::{Members as _, Value};
 use crate::number::general;
 
 /// Style sheet of the report, light, dark and on paper, for other pages that

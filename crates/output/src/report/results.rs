@@ -2,25 +2,13 @@
 
 use super::contact::{self, Contacts};
 use super::frames::{self, Frames};
-use super::history::{Energies, History};
 use super::iterations::{Attempt, attempts};
-use super::problem::{self, Problem, unreadable};
-use super::table::Table;
-use super::value::Value;
 use crate::job::JobFiles;
-use crate::lock::is_running;
-use crate::summary::SCHEMA;
-
-/// A prescribed motion that moves.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Driven {
-    /// The node.
-    pub node: u64,
-    /// Column of its motion.
-    pub motion: String,
-    /// Column of its reaction.
-    pub reaction: String,
-}
+use crate::json::{Members as _, Value};
+use crate::reading::history::{Energies, History};
+use crate::reading::problem::{self, Problem, unreadable};
+use crate::reading::summary::{self, Driven, driven};
+use crate::reading::table::Table;
 
 /// What the files of a job say.
 #[derive(Clone, Debug)]
@@ -45,26 +33,6 @@ pub(crate) struct Results {
     pub echo: String,
 }
 
-/// Reads `JOB.json` and refuses what is no finished job.
-pub(crate) fn summary(job: &JobFiles, unfinished: bool) -> Result<Value, Problem> {
-    let path = job.path(".json");
-    let text = problem::text(&path)?;
-    let summary = Value::read(&text).map_err(|reason| unreadable(&path, reason))?;
-    let (Some(schema), Some(status)) = (summary.count("schema"), summary.text("status")) else {
-        return Err(unreadable(&path, "it is not a summary written by this program"));
-    };
-    if schema > SCHEMA {
-        let reason = format!("its layout {schema} is newer than this program's {SCHEMA}");
-        return Err(unreadable(&path, reason));
-    }
-    match status {
-        "running" if !unfinished && is_running(job) => Err(Problem::Running(path)),
-        "running" if !unfinished => Err(Problem::Killed(path)),
-        "input_error" => Err(Problem::NothingSolved(path)),
-        _ => Ok(summary),
-    }
-}
-
 impl Results {
     /// Reads everything. With `unfinished` a job may still run; what it has
     /// written whole counts.
@@ -72,7 +40,7 @@ impl Results {
     /// # Errors
     /// A file that is missing, foreign or truncated; a job that still runs.
     pub fn read(job: &JobFiles, unfinished: bool) -> Result<Self, Problem> {
-        let summary = summary(job, unfinished)?;
+        let summary = summary::read(job, unfinished)?;
         let status = summary.text("status").unwrap_or_default();
         // those that stopped while they wrote have no complete files
         let lenient = matches!(status, "running" | "output_error" | "internal_error");
@@ -124,18 +92,6 @@ impl Results {
     }
 }
 
-/// What the summary says is driven.
-pub(crate) fn driven(summary: &Value) -> Vec<Driven> {
-    let driven = summary.list("driven").iter().filter_map(|driven| {
-        Some(Driven {
-            node: driven.count("node")? as u64,
-            motion: driven.text("motion")?.to_owned(),
-            reaction: driven.text("reaction")?.to_owned(),
-        })
-    });
-    driven.collect()
-}
-
 fn length_fault(job: &JobFiles, ending: &str, found: usize, expected: usize) -> Problem {
     let what = if found < expected { "it is truncated" } else { "it belongs to another run" };
     unreadable(&job.path(ending), format!("{what}: {found} increments instead of {expected}"))
@@ -157,7 +113,7 @@ fn pairs_are_whole(
     let mut rows: Vec<usize> = Vec::new();
     let mut last = None;
     while table.row()?.is_some() {
-        let now = Some((table.number(0)?, table.number(1)?));
+        let now = Some((table.number::<usize>(0)?, table.number::<usize>(1)?));
         if now != last {
             rows.push(0);
             last = now;

@@ -1,8 +1,10 @@
 //! The verdict in words: what a designer wants to know first.
 
 use super::prose::escaped;
-use super::results::{Driven, Results};
+use super::results::Results;
+use crate::json::Members as _;
 use crate::number::general;
+use crate::reading::summary::Driven;
 use crate::verdict::{Judged, is_locked, judge};
 use slideline_measures::{Stroke, Taken, WayOut};
 

@@ -9,81 +9,20 @@ mod preface;
 mod states;
 mod writer;
 
-pub use preface::{Earlier, Origin, Part};
-pub(crate) use states::Place;
+pub use crate::facts::{Earlier, Origin, Part};
+pub use crate::reading::summary::is_completed;
+pub use states::Saved;
 pub(crate) use writer::Writer;
 
-use crate::file::{Growing, PART, WriteError, at, beside};
-use crate::job::{JobFiles, is_ending};
-use crate::report::value::Value;
-use crate::summary::{Facts, Memory};
-use crate::vtu::StateNumbers;
-use preface::Preface;
+use crate::facts::Facts;
+use crate::file::{PART, WriteError, at, beside};
+use crate::job::JobFiles;
 use slideline_diag::{Code, Diagnostic};
-use slideline_solve::Checkpoint;
-use slideline_solve::bytes::{Packed, Unpacking};
-use states::States;
+use states::{Place, States};
 use std::collections::BTreeSet;
 use std::fs::File;
 use std::io::{BufReader, Cursor, ErrorKind};
 use std::path::PathBuf;
-
-/// What a run that goes on has to find.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Kept {
-    /// Ending and length of the files that grow.
-    pub(crate) lengths: Vec<(String, u64)>,
-    /// Converged increments of the job.
-    pub(crate) increments: usize,
-    /// Numbers of the deformed states.
-    pub(crate) states: StateNumbers,
-    /// Time of the start as it is written.
-    pub(crate) first_time: String,
-}
-
-impl Kept {
-    /// Notes a file that grows, if it is open.
-    pub(crate) fn file(&mut self, ending: &str, file: Option<&Growing>) {
-        self.lengths.extend(file.map(|file| (ending.to_owned(), file.length())));
-    }
-
-    fn pack(&self, bytes: &mut Packed) {
-        bytes.count(self.lengths.len());
-        for (ending, length) in &self.lengths {
-            bytes.text(ending);
-            bytes.0.extend(length.to_le_bytes());
-        }
-        bytes.count(self.increments);
-        bytes.count(self.states.runs().len());
-        self.states.runs().iter().flatten().for_each(|&number| bytes.count(number));
-        bytes.text(&self.first_time);
-    }
-
-    fn unpack(bytes: &mut Unpacking<'_>) -> Option<Self> {
-        let files = bytes.length(16)?;
-        let lengths = (0..files).map(|_| Some((bytes.text()?, bytes.count()? as u64)));
-        let lengths = lengths.collect::<Option<Vec<(String, u64)>>>()?;
-        let known = lengths.iter().all(|(ending, _)| is_ending(ending));
-        let (increments, runs) = (bytes.count()?, bytes.length(24)?);
-        let runs = (0..runs).map(|_| Some([bytes.count()?, bytes.count()?, bytes.count()?]));
-        let states = StateNumbers::of_runs(runs.collect::<Option<_>>()?)?;
-        let first_time = bytes.text()?;
-        known.then_some(Self { lengths, increments, states, first_time })
-    }
-}
-
-/// A saved state that was read.
-#[derive(Clone, Debug)]
-pub struct Saved {
-    /// Where the run goes on.
-    pub checkpoint: Checkpoint<'static>,
-    preface: Preface,
-    pub(crate) kept: Kept,
-    pub(crate) memory: Memory,
-    pub(crate) place: Place,
-    /// The mark of the file to write next.
-    next_mark: usize,
-}
 
 /// The states of a job.
 pub struct SavedStates {
@@ -272,13 +211,6 @@ fn found(job: &JobFiles, ending: &str) -> PathBuf {
     let path = job.path(ending);
     let part = beside(&path);
     if WAITING.contains(&ending) && part.exists() { part } else { path }
-}
-
-/// Whether the job's own summary says that it is complete.
-pub fn is_completed(job: &JobFiles) -> bool {
-    let text = crate::file::read_text(&job.path(".json")).unwrap_or_default();
-    let summary = Value::read(&text).ok();
-    summary.is_some_and(|summary| summary.text("status") == Some("completed"))
 }
 
 /// Removes what came after a saved state. Files that grow are cut when they

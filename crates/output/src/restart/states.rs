@@ -4,48 +4,71 @@
 //!   head    "slideline.rst\n"  format  mark  mark
 //!           mark: valid length, checksum
 //!   section length  checksum | preface: program, options, texts of the decks
-//!   section length  checksum | step, increment, result files, summary, state
+//!   section length  checksum | step, increment | result files, summary, state
 //!   section ...                                          <- valid length
 //! ```
 //!
 //! A state is appended behind the valid length; then one of the two marks, in
-//! turn, makes it count. Whenever a process ends, one mark at least is whole
+//! turn, makes it count. Contents are those of `postcard`; whoever changes a
+//! type that is saved counts the format up. Whenever a process ends, one mark at least is whole
 //! and says where a whole state ends.
 
-use super::{Kept, Preface, Saved};
+use super::preface::Preface;
+use crate::job::is_ending;
+use crate::kept::Kept;
 use crate::summary::Memory;
+use serde::{Deserialize, Serialize};
 use slideline_solve::Checkpoint;
-use slideline_solve::bytes::{Packed, Unpacking};
 use std::io::{ErrorKind, Read, Seek, SeekFrom};
 
 /// How every such file begins.
 const MAGIC: &[u8; 14] = b"slideline.rst\n";
-/// Version of the layout.
-const FORMAT: usize = 3;
+/// Version of the layout, and of the bytes of a state.
+const FORMAT: u64 = 4;
 /// Bytes before the marks.
 const MARKS: usize = 22;
-/// Bytes of a mark.
-const MARK: usize = 16;
+/// Bytes of a mark: a length and its checksum.
+const MARK: usize = 12;
 /// Bytes of the head.
 pub(super) const HEAD: usize = MARKS + 2 * MARK;
-/// Bytes before the content of a section.
-const SECTION: u64 = 16;
+/// Bytes before the content of a section: its length and a checksum of both.
+const SECTION: usize = 12;
+/// Bytes of step and increment, with which the content of a state begins.
+const NUMBERS: usize = 16;
 
 /// Why a file holds no states, in words.
 pub(super) type Reason = String;
 
+/// A saved state that was read.
+#[derive(Clone, Debug)]
+pub struct Saved {
+    /// Where the run goes on.
+    pub checkpoint: Checkpoint<'static>,
+    pub(super) preface: Preface,
+    pub(crate) kept: Kept,
+    pub(crate) memory: Memory,
+    pub(crate) place: Place,
+    /// The mark of the file to write next.
+    pub(super) next_mark: usize,
+}
+
+/// What a state consists of.
+#[derive(Serialize, Deserialize)]
+pub(super) struct Content<'a> {
+    pub kept: Kept,
+    pub memory: Memory,
+    pub checkpoint: Checkpoint<'a>,
+}
+
 /// The head of a file that is valid up to that length.
 pub(super) fn head(valid: u64) -> Vec<u8> {
-    let mut head = Packed(MAGIC.to_vec());
-    head.count(FORMAT);
-    [head.0, mark(valid).to_vec(), mark(valid).to_vec()].concat()
+    [&MAGIC[..], &FORMAT.to_le_bytes(), &mark(valid), &mark(valid)].concat()
 }
 
 /// A mark that says so.
-pub(super) fn mark(valid: u64) -> [u8; MARK] {
+pub(super) fn mark(valid: u64) -> Vec<u8> {
     let valid = valid.to_le_bytes();
-    let sum = sum(&[&valid]).to_le_bytes();
-    std::array::from_fn(|place| if place < 8 { valid[place] } else { sum[place - 8] })
+    [&valid[..], &sum(&[&valid]).to_le_bytes()].concat()
 }
 
 /// Where the mark of that number begins.
@@ -53,19 +76,46 @@ pub(super) fn mark_at(number: usize) -> u64 {
     (MARKS + number % 2 * MARK) as u64
 }
 
-/// Content as a section.
-pub(super) fn section(content: &[u8]) -> Vec<u8> {
-    let length = (content.len() as u64).to_le_bytes();
-    let mut section = length.to_vec();
-    section.extend(sum(&[&length, content]).to_le_bytes());
-    section.extend(content);
-    section
+/// A section of what stands before the states.
+pub(super) fn section_of_preface(preface: &Preface) -> Vec<u8> {
+    section(&[], preface)
 }
 
-/// FNV-1a, 64 bits: any single changed byte changes it. [manual]
-fn sum(parts: &[&[u8]]) -> u64 {
-    let step = |hash: u64, &byte: &u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-    parts.iter().copied().flatten().fold(0xcbf2_9ce4_8422_2325, step)
+/// A state as a section.
+pub(super) fn section_of_state(content: &Content<'_>) -> Vec<u8> {
+    let Checkpoint { step, increment, .. } = content.checkpoint;
+    let numbers = [step, increment].map(|number| (number as u64).to_le_bytes());
+    section(&numbers.concat(), content)
+}
+
+fn section(first: &[u8], content: &impl Serialize) -> Vec<u8> {
+    let mut bytes = vec![0; SECTION];
+    bytes.extend(first);
+    // a Vec takes any bytes, and values of ours are not refused
+    let mut bytes = postcard::to_extend(content, bytes).unwrap_or_default();
+    let length = (bytes.len().saturating_sub(SECTION) as u64).to_le_bytes();
+    let sum = sum(&[&length, bytes.get(SECTION..).unwrap_or_default()]).to_le_bytes();
+    let head = length.iter().chain(&sum);
+    bytes.iter_mut().zip(head).for_each(|(byte, own)| *byte = *own);
+    bytes
+}
+
+/// CRC-32 (IEEE): any single changed byte changes it.
+fn sum(parts: &[&[u8]]) -> u32 {
+    let mut sum = crc32fast::Hasher::new();
+    parts.iter().for_each(|part| sum.update(part));
+    sum.finalize()
+}
+
+/// A number at the beginning of bytes.
+fn number(bytes: &[u8]) -> Option<u64> {
+    bytes.first_chunk().map(|bytes| u64::from_le_bytes(*bytes))
+}
+
+/// A number and the checksum behind it.
+fn summed(bytes: &[u8]) -> Option<(u64, u32)> {
+    let said = bytes.get(8..)?.first_chunk()?;
+    Some((number(bytes)?, u32::from_le_bytes(*said)))
 }
 
 /// Where a state stands in the file.
@@ -98,8 +148,7 @@ impl<R: Read + Seek> States<R> {
             return Err(format!("it has {size} bytes and should have {valid}"));
         }
         let (content, end) = content(&mut file, HEAD as u64, valid)?;
-        let mut bytes = Unpacking(&content);
-        let preface = Preface::unpack(&mut bytes).filter(|_| bytes.is_done()).ok_or(SENSELESS)?;
+        let preface = whole(&content)?;
         let places = places(&mut file, end, valid)?;
         Ok(Self { file, preface, places, next_mark })
     }
@@ -116,25 +165,29 @@ impl<R: Read + Seek> States<R> {
     /// The state at a place.
     pub fn load(&mut self, place: Place) -> Result<Saved, Reason> {
         let (content, _) = content(&mut self.file, place.start, place.end)?;
-        let mut bytes = Unpacking(&content);
-        let saved = self.unpack(&mut bytes, place).filter(|_| bytes.is_done());
-        saved.ok_or(SENSELESS.to_owned())
+        let Content { kept, memory, checkpoint } =
+            whole(content.get(NUMBERS..).unwrap_or_default())?;
+        let fits = (place.step, place.increment) == (checkpoint.step, checkpoint.increment);
+        let known = kept.lengths.iter().all(|(ending, _)| is_ending(ending));
+        if !(fits && known && kept.states.are_sound() && checkpoint.is_sound()) {
+            return Err(SENSELESS.to_owned());
+        }
+        let (preface, next_mark) = (self.preface.clone(), self.next_mark);
+        Ok(Saved { checkpoint, preface, kept, memory, place, next_mark })
     }
+}
 
-    fn unpack(&self, bytes: &mut Unpacking<'_>, place: Place) -> Option<Saved> {
-        let said = (bytes.count()?, bytes.count()?);
-        let kept = Kept::unpack(bytes)?;
-        let memory = Memory::unpack(bytes)?;
-        let checkpoint = Checkpoint::unpack(bytes)?;
-        let fits = said == (checkpoint.step, checkpoint.increment);
-        let preface = self.preface.clone();
-        let next_mark = self.next_mark;
-        fits.then_some(Saved { checkpoint, preface, kept, memory, place, next_mark })
+/// A value that takes all bytes.
+fn whole<'a, T: Deserialize<'a>>(bytes: &'a [u8]) -> Result<T, Reason> {
+    match postcard::take_from_bytes(bytes) {
+        Ok((value, [])) => Ok(value),
+        _ => Err(SENSELESS.to_owned()),
     }
 }
 
 const SENSELESS: &str = "its content is not valid";
 const SHORT: &str = "it is shorter than it says";
+const SHORT_HEAD: &str = "it is shorter than its own heading";
 
 /// What the marks say; `None` for one that was damaged.
 fn marks(file: &mut (impl Read + Seek)) -> Result<[Option<u64>; 2], Reason> {
@@ -142,19 +195,18 @@ fn marks(file: &mut (impl Read + Seek)) -> Result<[Option<u64>; 2], Reason> {
     let mut bytes = Vec::with_capacity(HEAD);
     file.take(HEAD as u64).read_to_end(&mut bytes).map_err(|reason| reason.to_string())?;
     let rest = bytes.strip_prefix(MAGIC).ok_or("it was not written by this program")?;
-    let mut head = Unpacking(rest);
-    match head.count() {
+    match number(rest) {
         Some(FORMAT) => {}
         Some(_) => return Err("it was written by another version of this program".to_owned()),
-        None => return Err("it is shorter than its own heading".to_owned()),
+        None => return Err(SHORT_HEAD.to_owned()),
     }
-    let mut valid = || {
-        let said = head.count()? as u64;
-        let whole = sum(&[&said.to_le_bytes()]) == head.number()?.to_bits();
-        Some(whole.then_some(said))
+    let valid = |at: usize| {
+        let bytes = bytes.get(at..)?;
+        let (valid, said) = summed(bytes)?;
+        Some((sum(&[&valid.to_le_bytes()]) == said).then_some(valid))
     };
-    let marks = valid().zip(valid());
-    marks.map(|(a, b)| [a, b]).ok_or("it is shorter than its own heading".to_owned())
+    let marks = valid(MARKS).zip(valid(MARKS + MARK));
+    marks.map(|(a, b)| [a, b]).ok_or(SHORT_HEAD.to_owned())
 }
 
 /// The end of the last state that counts, and the mark to write next. Where a
@@ -189,7 +241,7 @@ fn content(
     if sum(&[&length.to_le_bytes(), &content]) != said {
         return Err("a checksum is wrong: it was damaged or changed".to_owned());
     }
-    Ok((content, start + SECTION + length))
+    Ok((content, start + SECTION as u64 + length))
 }
 
 /// Length and checksum of the section that begins at `start`.
@@ -197,20 +249,18 @@ fn section_head(
     file: &mut (impl Read + Seek),
     start: u64,
     limit: u64,
-) -> Result<(u64, u64), Reason> {
-    let mut head = [0; 16];
+) -> Result<(u64, u32), Reason> {
+    let mut head = [0; SECTION];
     let read = file.seek(SeekFrom::Start(start)).and_then(|_| file.read_exact(&mut head));
     read.map_err(|reason| match reason.kind() {
         ErrorKind::UnexpectedEof => SHORT.to_owned(),
         _ => reason.to_string(),
     })?;
-    let word =
-        |place: usize| head[place..].first_chunk().map_or(0, |bytes| u64::from_le_bytes(*bytes));
-    let room = limit.checked_sub(start + SECTION).ok_or(SHORT)?;
-    if word(0) > room {
-        return Err("a section is longer than the file".to_owned());
+    let room = limit.checked_sub(start + SECTION as u64).ok_or(SHORT)?;
+    match summed(&head) {
+        Some((length, sum)) if length <= room => Ok((length, sum)),
+        _ => Err("a section is longer than the file".to_owned()),
     }
-    Ok((word(0), word(8)))
 }
 
 /// Where the states stand, from their headings alone.
@@ -219,14 +269,14 @@ fn places(file: &mut (impl Read + Seek), first: u64, valid: u64) -> Result<Vec<P
     let mut start = first;
     while start < valid {
         let (length, _) = section_head(file, start, valid)?;
-        let mut numbers = [0; 16];
-        if length < numbers.len() as u64 {
+        let mut numbers = [0; NUMBERS];
+        if length < NUMBERS as u64 {
             return Err(SENSELESS.to_owned());
         }
         file.read_exact(&mut numbers).map_err(|reason| reason.to_string())?;
-        let mut numbers = Unpacking(&numbers);
-        let (step, increment) = numbers.count().zip(numbers.count()).ok_or(SENSELESS)?;
-        let end = start + SECTION + length;
+        let number = |at: usize| number(numbers.get(at..)?).and_then(|n| usize::try_from(n).ok());
+        let (step, increment) = number(0).zip(number(8)).ok_or(SENSELESS)?;
+        let end = start + SECTION as u64 + length;
         places.push(Place { step, increment, start, end });
         start = end;
     }

@@ -1,13 +1,16 @@
 //! Adds states to `JOB.rst`.
 
-use super::states::{HEAD, Place, head, mark, mark_at, section};
-use super::{Kept, Preface};
+use super::preface::Preface;
+use super::states::{
+    Content, HEAD, Place, head, mark, mark_at, section_of_preface, section_of_state,
+};
+use crate::facts::Facts;
 use crate::file::{WriteError, at, replace};
 use crate::job::JobFiles;
-use crate::summary::{Facts, Summary};
+use crate::kept::Kept;
+use crate::summary::Summary;
 use slideline_model::SavedStates;
 use slideline_solve::Checkpoint;
-use slideline_solve::bytes::Packed;
 use slideline_solve::observe::StepReport;
 use std::fs::File;
 use std::io::{self, Read as _, Seek as _, SeekFrom, Write as _};
@@ -22,12 +25,14 @@ pub(crate) struct Writer<'a> {
     last: Option<Place>,
     /// The mark to write next.
     next_mark: usize,
+    /// The file, kept open between its states.
+    file: Option<File>,
 }
 
 impl<'a> Writer<'a> {
     /// For a file that goes on behind a state, or for a new one.
     pub fn new(facts: Facts<'a>, last: Option<Place>) -> Self {
-        Self { facts, asked: None, last, next_mark: 0 }
+        Self { facts, asked: None, last, next_mark: 0, file: None }
     }
 
     /// Learns what a step asks for.
@@ -49,26 +54,22 @@ impl<'a> Writer<'a> {
         &mut self,
         job: &JobFiles,
         checkpoint: &Checkpoint<'_>,
-        kept: &Kept,
+        kept: Kept,
         summary: &Summary<'_>,
     ) -> Result<(), WriteError> {
         let (step, increment) = (checkpoint.step, checkpoint.increment);
-        let mut content = Packed::default();
-        content.count(step);
-        content.count(increment);
-        kept.pack(&mut content);
-        summary.pack(&mut content);
-        checkpoint.pack(&mut content);
-        let state = section(&content.0);
+        let content = Content { kept, memory: summary.memory(), checkpoint: checkpoint.borrowed() };
+        let state = section_of_state(&content);
         let path = job.path(".rst");
         let overlay = self.asked.is_some_and(|asked| asked.overlay);
         let start = match self.last {
             None => self.create(&path, &state)?,
             Some(last) if overlay && last.step == step => {
+                self.file = None;
                 put_instead(&path, last.start, &state).map_err(at(&path))??
             }
             Some(last) => {
-                append(&path, last.end, &state, self.next_mark).map_err(at(&path))?;
+                self.append(&path, last.end, &state).map_err(at(&path))?;
                 self.next_mark += 1;
                 last.end
             }
@@ -80,54 +81,70 @@ impl<'a> Writer<'a> {
 
     /// The file with its first state; returns where that begins.
     fn create(&self, path: &Path, state: &[u8]) -> Result<u64, WriteError> {
-        let mut preface = Packed::default();
-        Preface::of(&self.facts).pack(&mut preface);
-        let preface = section(&preface.0);
+        let preface = section_of_preface(&Preface::of(&self.facts));
         let start = (HEAD + preface.len()) as u64;
         let head = head(start + state.len() as u64);
         replace(path, &[&head, &preface, state].concat())?;
         Ok(start)
     }
-}
 
-/// Appends a state behind `end`, then makes it count. Where that fails the
-/// states before it are what counts.
-fn append(path: &Path, end: u64, state: &[u8], number: usize) -> io::Result<()> {
-    let mut file = whole(path, end)?;
-    file.seek(SeekFrom::Start(end))?;
-    if let Err(reason) = file.write_all(state) {
-        let _ = file.set_len(end); // the first error is the one to tell
-        return Err(reason);
+    /// Appends a state behind `end`, then makes it count. Where that fails the
+    /// states before it are what counts.
+    fn append(&mut self, path: &Path, end: u64, state: &[u8]) -> io::Result<()> {
+        let mut file = match self.file.take() {
+            Some(file) => file,
+            None => open(path)?,
+        };
+        is_whole(&file, end)?;
+        file.seek(SeekFrom::Start(end))?;
+        if let Err(reason) = file.write_all(state) {
+            let _ = file.set_len(end); // the first error is the one to tell
+            return Err(reason);
+        }
+        file.seek(SeekFrom::Start(mark_at(self.next_mark)))?;
+        file.write_all(&mark(end + state.len() as u64))?;
+        self.file = Some(file);
+        Ok(())
     }
-    file.seek(SeekFrom::Start(mark_at(number)))?;
-    file.write_all(&mark(end + state.len() as u64))
 }
 
 /// The file with a state in place of what begins at `start`, written beside
 /// and renamed.
 fn put_instead(path: &Path, start: u64, state: &[u8]) -> io::Result<Result<u64, WriteError>> {
     let mut bytes = Vec::new();
-    whole(path, start)?.take(start).read_to_end(&mut bytes)?;
+    let file = open(path)?;
+    is_whole(&file, start)?;
+    file.take(start).read_to_end(&mut bytes)?;
     bytes[..HEAD].copy_from_slice(&head(start + state.len() as u64));
     bytes.extend(state);
     Ok(replace(path, &bytes).map(|()| start))
 }
 
-/// The file, if it has so many bytes still.
-fn whole(path: &Path, length: u64) -> io::Result<File> {
-    let file = File::options().read(true).write(true).open(path)?;
-    if file.metadata()?.len() < length {
+fn open(path: &Path) -> io::Result<File> {
+    File::options().read(true).write(true).open(path)
+}
+
+/// Refuses a file that has not so many bytes any more, or no name.
+fn is_whole(file: &File, length: u64) -> io::Result<()> {
+    let found = file.metadata()?;
+    #[cfg(unix)]
+    if std::os::unix::fs::MetadataExt::nlink(&found) == 0 {
+        let message = "somebody removed the file while the job was running";
+        return Err(io::Error::new(io::ErrorKind::NotFound, message));
+    }
+    if found.len() < length {
         let message = "somebody made the file shorter while the job was running";
         return Err(io::Error::new(io::ErrorKind::UnexpectedEof, message));
     }
-    Ok(file)
+    Ok(())
 }
 
 /// Makes a state the last one of its file, whatever a bad end left behind it.
 /// Afterwards both marks say so.
 pub(super) fn end_at(path: &Path, last: Place, number: usize) -> Result<(), WriteError> {
     let end = || {
-        let mut file = whole(path, last.end)?;
+        let mut file = open(path)?;
+        is_whole(&file, last.end)?;
         file.seek(SeekFrom::Start(mark_at(number)))?;
         file.write_all(&mark(last.end))?;
         file.set_len(last.end)

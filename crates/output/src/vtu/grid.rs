@@ -1,12 +1,16 @@
 //! One state as an unstructured grid.
 
-use super::base64;
 use crate::outline::{Outline, outlines};
 use crate::section::{axial_stresses, beams, outer_mises};
+use base64::{Engine as _, engine::general_purpose::STANDARD};
 use slideline_model::{Dof, ElementBlock, Model, NodeIndex};
 use slideline_solve::observe::{Frame, Status, Unconverged};
 use std::collections::HashMap;
 use std::fmt::Write as _;
+
+/// Bytes that are coded at a time: a multiple of three, so that nothing is
+/// padded between.
+const BLOCK: usize = 3 * 512;
 
 /// VTK_LINE; every cell is one (some readers know no poly-lines).
 const LINE: u8 = 3;
@@ -178,7 +182,7 @@ impl Grid {
         push_floats(text, "contact_shear", 1, &shear);
         push_floats(text, "contact_slip", 1, &slip);
         push_floats(text, "contact_opening", 1, &opening);
-        push_array(text, "Int32", "contact_status", 1, &bytes(&status, |s| s.to_le_bytes()));
+        push_short(text, "contact_status", &status);
         let labels: Vec<i64> = frame
             .model
             .nodes
@@ -187,7 +191,7 @@ impl Grid {
             .chain(std::iter::repeat(0))
             .take(self.point_count)
             .collect();
-        push_array(text, "Int64", "node", 1, &bytes(&labels, |label| label.to_le_bytes()));
+        push_long(text, "node", &labels);
     }
 
     fn push_sections(&self, text: &mut String, frame: &Frame<'_>) {
@@ -222,9 +226,9 @@ impl Grid {
         }
         let labels: Vec<i64> =
             self.cells.iter().map(|cell| i64::try_from(cell.label).unwrap_or(i64::MAX)).collect();
-        push_array(text, "Int64", "element", 1, &bytes(&labels, |label| label.to_le_bytes()));
+        push_long(text, "element", &labels);
         let kinds: Vec<i32> = self.cells.iter().map(|cell| cell.kind as i32).collect();
-        push_array(text, "Int32", "kind", 1, &bytes(&kinds, |kind| kind.to_le_bytes()));
+        push_short(text, "kind", &kinds);
     }
 }
 
@@ -258,33 +262,49 @@ fn topology(cells: &[Cell]) -> String {
     let offsets: Vec<i64> = (1..=cells.len()).map(|cell| count(2 * cell)).collect();
     let types = vec![LINE; cells.len()];
     let mut text = "<Cells>\n".to_owned();
-    let long = |values: &[i64]| bytes(values, |value| value.to_le_bytes());
-    push_array(&mut text, "Int64", "connectivity", 1, &long(&connectivity));
-    push_array(&mut text, "Int64", "offsets", 1, &long(&offsets));
-    push_array(&mut text, "UInt8", "types", 1, &types);
+    push_long(&mut text, "connectivity", &connectivity);
+    push_long(&mut text, "offsets", &offsets);
+    push_array(&mut text, ["UInt8", "types"], 1, &types, |kind| [kind]);
     text.push_str("</Cells>\n");
     text
 }
 
-fn bytes<T: Copy, const N: usize>(values: &[T], code: impl Fn(T) -> [u8; N]) -> Vec<u8> {
-    values.iter().flat_map(|&value| code(value)).collect()
+/// A data array: the number of bytes and the bytes, as one base64 text. Values
+/// are coded a few at a time: 12 of 8 bytes are 32 letters three times over.
+fn push_array<T: Copy, const N: usize>(
+    text: &mut String,
+    [kind, name]: [&str; 2],
+    components: usize,
+    values: &[T],
+    code: impl Fn(T) -> [u8; N],
+) {
+    let _ = write!(text, "<DataArray type=\"{kind}\" Name=\"{name}\""); // a String takes any text
+    if components > 1 {
+        let _ = write!(text, " NumberOfComponents=\"{components}\""); // as above
+    }
+    text.push_str(" format=\"binary\">");
+    let length = u32::try_from(values.len() * N).unwrap_or(u32::MAX);
+    let mut bytes = Vec::with_capacity(BLOCK + 4 + N);
+    bytes.extend(length.to_le_bytes());
+    for &value in values {
+        bytes.extend(code(value));
+        if bytes.len() >= BLOCK {
+            STANDARD.encode_string(&bytes[..BLOCK], text);
+            bytes.drain(..BLOCK);
+        }
+    }
+    STANDARD.encode_string(&bytes, text);
+    text.push_str("</DataArray>\n");
 }
 
 fn push_floats(text: &mut String, name: &str, components: usize, values: &[f64]) {
-    push_array(text, "Float64", name, components, &bytes(values, f64::to_le_bytes));
+    push_array(text, ["Float64", name], components, values, f64::to_le_bytes);
 }
 
-/// A data array: the number of bytes and the bytes, as one base64 text.
-fn push_array(text: &mut String, kind: &str, name: &str, components: usize, data: &[u8]) {
-    let components = match components {
-        1 => String::new(),
-        more => format!(" NumberOfComponents=\"{more}\""),
-    };
-    let _ =
-        write!(text, "<DataArray type=\"{kind}\" Name=\"{name}\"{components} format=\"binary\">"); // a String takes any text
-    let length = u32::try_from(data.len()).unwrap_or(u32::MAX);
-    let mut block = length.to_le_bytes().to_vec();
-    block.extend_from_slice(data);
-    base64::push(text, &block);
-    text.push_str("</DataArray>\n");
+fn push_long(text: &mut String, name: &str, values: &[i64]) {
+    push_array(text, ["Int64", name], 1, values, i64::to_le_bytes);
+}
+
+fn push_short(text: &mut String, name: &str, values: &[i32]) {
+    push_array(text, ["Int32", name], 1, values, i32::to_le_bytes);
 }

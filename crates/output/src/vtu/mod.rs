@@ -12,17 +12,15 @@
 //! Points stand where they are in that state; `displacement` leads there
 //! from the undeformed position.
 
-pub(crate) mod base64;
 mod grid;
-mod numbers;
 
 use crate::file::{WriteError, at, read_text, replace};
 use crate::job::{FAILED, JobFiles};
+use crate::kept::Kept;
 use crate::number::push_shortest;
-use crate::restart::Kept;
-use crate::writers::Writer;
+use crate::state_numbers::StateNumbers;
+use crate::writer::Writer;
 use grid::Grid;
-pub(crate) use numbers::StateNumbers;
 use slideline_solve::observe::{Event, Frame, StepReport, Unconverged};
 use std::fmt::Write as _;
 use std::time::{Duration, Instant};

@@ -1,12 +1,14 @@
 //! Masters, ready to be searched.
 
 use super::meeting::Stencil;
-use super::slots_of;
-use crate::layout::{Carried, Layout};
+use super::positions::MasterPositions;
+use super::{slots_of, translations};
+use crate::dofs::DofMap;
 use slideline_mech::contact::pair::{AnyGap, Body, RigidSurface, chain_attachments, chain_gap};
 use slideline_mech::contact::search::chain::Chain;
 use slideline_mech::contact::search::rigid::RigidSegment;
-use slideline_mech::rigid::Attachment;
+use slideline_mech::contact::search::tree::BoxTree;
+use slideline_mech::rigid::{Attachment, PointMap};
 use slideline_model::{Model, SlideLine, SurfaceSegment};
 
 /// A master, ready to be searched.
@@ -25,8 +27,8 @@ pub enum Facade {
     Line {
         /// Its reference geometry.
         chain: Chain,
-        /// Its nodes with their slots.
-        nodes: Vec<(Carried, [usize; 3])>,
+        /// Undeformed positions of its nodes [L], and their dofs.
+        nodes: Vec<([f64; 2], [usize; 2])>,
         /// Place of its first position in the scratch.
         offset: usize,
     },
@@ -36,12 +38,10 @@ pub enum Facade {
 
 impl Facade {
     /// The facade of a chain of nodes.
-    pub fn chain(model: &Model, layout: &Layout, line: &SlideLine, offset: usize) -> Facade {
+    pub fn chain(model: &Model, dofs: &DofMap, line: &SlideLine, offset: usize) -> Facade {
         let reference: Vec<_> = line.nodes.iter().map(|&node| model.nodes.plane(node)).collect();
-        let nodes = line.nodes.iter().map(|&node| {
-            let carried = layout.carried_node(model, node);
-            (carried, slots_of(layout, carried.node))
-        });
+        let nodes =
+            line.nodes.iter().map(|&node| (model.nodes.plane(node), translations(dofs, node)));
         match Chain::new(&reference, line.smooth, line.extension) {
             Some(chain) => Facade::Line { chain, nodes: nodes.collect(), offset },
             None => Facade::Nothing,
@@ -49,12 +49,11 @@ impl Facade {
     }
 
     /// The facade of a rigid surface on the body of its node.
-    pub fn body(model: &Model, layout: &Layout, surface: &slideline_model::RigidSurface) -> Facade {
-        let carrier = layout.carrier(surface.reference);
+    pub fn body(model: &Model, dofs: &DofMap, surface: &slideline_model::RigidSurface) -> Facade {
         let Some(placed) = placed(surface) else { return Facade::Nothing };
         Facade::Body {
-            slots: slots_of(layout, carrier),
-            reference: model.nodes.plane(carrier),
+            slots: slots_of(dofs, surface.reference),
+            reference: model.nodes.plane(surface.reference),
             surface: placed,
         }
     }
@@ -66,14 +65,14 @@ impl Facade {
         &self,
         slave: Attachment,
         u: &[f64],
-        positions: &[[f64; 2]],
+        (positions, tree): (&[[f64; 2]], Option<&BoxTree<2>>),
         stencil: &mut Stencil<'_>,
     ) -> Option<AnyGap> {
         match self {
             Facade::Nothing => None,
             Facade::Body { slots, reference, surface } => {
                 let body = Body { reference: *reference, dofs: slots.map(|slot| u[slot]) };
-                let facing = surface.closest(&body, stencil.position, None)?;
+                let facing = surface.closest(&body, stencil.position)?;
                 let gap = surface.gap(&body, &facing, stencil.position)?;
                 let first = stencil.width;
                 stencil.attachments = surface.attachments(&body, &facing, slave, first);
@@ -82,14 +81,14 @@ impl Facade {
             }
             Facade::Line { chain, nodes, offset } => {
                 let positions = positions.get(*offset..offset + nodes.len())?;
-                let piece = chain.closest(positions, stencil.position, None)?;
+                let piece = chain.closest(positions, tree, stencil.position)?;
                 let gap = chain_gap(chain, &piece, positions, stencil.position)?;
                 let mut control = [slave; 3];
                 let facing = &nodes[piece.nodes()];
-                for (attachment, (carried, slots)) in control.iter_mut().zip(facing) {
+                for (attachment, (_, slots)) in control.iter_mut().zip(facing) {
                     let first = stencil.width;
-                    *attachment = Attachment::Point { map: carried.map, first };
-                    stencil.add_from(&slots[..carried.map.width()], u);
+                    *attachment = Attachment::Point { map: PointMap::Free, first };
+                    stencil.add_from(slots, u);
                 }
                 stencil.attachments = Some(chain_attachments(slave, &control[..facing.len()]));
                 Some(gap)
@@ -99,7 +98,7 @@ impl Facade {
 
     /// Places whose box holds the master at displacements of both ends of a
     /// way and, straight, between them.
-    pub fn swept(&self, u: &[Vec<f64>; 2], chains: &[Vec<[f64; 2]>; 2]) -> [[f64; 2]; 2] {
+    pub fn swept(&self, u: &[Vec<f64>; 2], chains: &[MasterPositions; 2]) -> [[f64; 2]; 2] {
         let mut low = [f64::INFINITY; 2];
         let mut high = [f64::NEG_INFINITY; 2];
         let mut take = |at: [f64; 2], room: f64| {
@@ -119,7 +118,7 @@ impl Facade {
             }
             Facade::Line { nodes, offset, .. } => {
                 let range = *offset..offset + nodes.len();
-                chains.iter().flat_map(|c| &c[range.clone()]).for_each(|&at| take(at, 0.0));
+                chains.iter().flat_map(|c| &c.nodes[range.clone()]).for_each(|&at| take(at, 0.0));
             }
         }
         [low, high]

@@ -1,7 +1,7 @@
 //! The shear angles of the beams about a strip, by slots.
 
 use super::slots_of;
-use crate::layout::Layout;
+use crate::dofs::DofMap;
 use crate::linearised::MOST_DOFS;
 use slideline_mech::contact::points::slopes::{MOST_SLOPE_DOFS, ShearSlopes, ShearedBeam};
 use slideline_model::{BeamElement, ElementBlock, Model, NodeIndex};
@@ -45,7 +45,7 @@ impl Shear {
     /// its own is shear-flexible.
     pub fn new(
         model: &Model,
-        layout: &Layout,
+        dofs: &DofMap,
         nodes: [NodeIndex; 2],
         beams: &ShearedBeams<'_>,
     ) -> Option<Self> {
@@ -56,7 +56,7 @@ impl Shear {
             [a, b] => Some(if std::ptr::eq(a, own) { b } else { a }),
             _ => None,
         };
-        let mut places = Places { layout, nodes, further: Vec::new() };
+        let mut places = Places { dofs, nodes, further: Vec::new() };
         let [left, right] = nodes.map(next);
         let beams = [left, Some(own), right].map(|beam| Some(places.sheared(model, beam?)));
         Some(Self { slopes: ShearSlopes { beams }, further: places.further })
@@ -126,7 +126,7 @@ impl Shear {
 
 /// Local numbers of the dofs about a strip.
 struct Places<'a> {
-    layout: &'a Layout,
+    dofs: &'a DofMap,
     nodes: [NodeIndex; 2],
     further: Vec<usize>,
 }
@@ -138,7 +138,7 @@ impl Places<'_> {
         let rotations = match beam.middle {
             // Simpson's rule, as exact as the element's own two points.
             Some(middle) => {
-                let middle = self.further(slots_of(self.layout, middle)[2]);
+                let middle = self.further(slots_of(self.dofs, middle)[2]);
                 [(ends[0] + 2, 1.0 / 6.0), (middle, 4.0 / 6.0), (ends[1] + 2, 1.0 / 6.0)]
             }
             None => [(ends[0] + 2, 0.5), (ends[1] + 2, 0.5), (ends[1] + 2, 0.0)],
@@ -151,7 +151,7 @@ impl Places<'_> {
         match self.nodes.iter().position(|&own| own == node) {
             Some(own) => 3 * own,
             None => {
-                let [x, y, turn] = slots_of(self.layout, node);
+                let [x, y, turn] = slots_of(self.dofs, node);
                 let first = self.further(x);
                 self.further(y);
                 self.further(turn);

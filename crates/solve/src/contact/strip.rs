@@ -9,9 +9,10 @@
 
 use super::facade::Facade;
 use super::meeting::{Meeting, Stencil};
+use super::positions::MasterPositions;
 use super::shear::{Shear, TURNS, sheared_beams};
 use super::{Carrier, Contact, slots_of};
-use crate::layout::Layout;
+use crate::dofs::DofMap;
 use slideline_mech::contact::pair::Body;
 use slideline_mech::contact::points::stations::{GAUSS, HermiteLine, POINTS, closed_part_between};
 use slideline_model::{ContactPair, Model, NodeIndex};
@@ -121,7 +122,7 @@ impl Contact {
     pub(super) fn add_strips(
         &mut self,
         model: &Model,
-        layout: &Layout,
+        dofs: &DofMap,
         place: usize,
         pair: &ContactPair,
     ) {
@@ -133,7 +134,7 @@ impl Contact {
             let nodes = element.nodes.map(|node| model.nodes.plane(node));
             let length = (nodes[1][0] - nodes[0][0]).hypot(nodes[1][1] - nodes[0][1]);
             let tangents = element.nodes.map(|node| tangents[&node].map(|t| t * length));
-            let [a, b] = element.nodes.map(|node| slots_of(layout, node));
+            let [a, b] = element.nodes.map(|node| slots_of(dofs, node));
             let strip = self.strips.len();
             let first = self.points.len();
             let width = pair.interaction.width;
@@ -149,7 +150,7 @@ impl Contact {
                 rows: element.nodes.map(|node| rows[&node]),
                 line: HermiteLine { nodes, tangents },
                 slots: [a[0], a[1], a[2], b[0], b[1], b[2]],
-                shear: Shear::new(model, layout, element.nodes, &beams),
+                shear: Shear::new(model, dofs, element.nodes, &beams),
                 width,
                 first,
             });
@@ -169,11 +170,12 @@ impl Contact {
             let overclosure = surface.overclosure(&body, bent.position(xi));
             overclosure.unwrap_or(f64::NEG_INFINITY) - begins
         };
+        let none = MasterPositions::default();
         strip.place_stations(beyond, |station, xi, area| {
             let meeting = &mut into[station];
             (meeting.xi, meeting.area) = (xi, area);
             let point = &self.points[strip.first + station];
-            self.meet_stencil(point, strip.stencil(&ends, xi), (u, &[]), meeting);
+            self.meet_stencil(point, strip.stencil(&ends, xi), (u, &none), meeting);
         });
     }
 }

@@ -1,7 +1,7 @@
 //! Causes that lie in contact.
 
 use super::{Case, step_card};
-use crate::layout::Role;
+use crate::constraints::Role;
 use crate::linearised::Contradiction;
 use crate::newton::TOUCH;
 use crate::plan::Plan;
@@ -121,17 +121,17 @@ impl Case<'_> {
     /// The largest force of a support that moved in the last increment: how far
     /// a part that locks was pulled.
     fn force_reached(&self) -> String {
-        let (layout, committed) = (&self.plan.layout, self.committed);
+        let (plan, committed) = (self.plan, self.committed);
         let drives = |slot: &usize| {
-            matches!(layout.roles[*slot], Role::Prescribed(_))
+            matches!(plan.constraints.roles[*slot], Role::Prescribed(_))
                 && committed.increment[*slot] != 0.0
-                && !layout.name(*slot).1.is_rotation()
+                && !plan.dofs.is_rotation(*slot)
         };
         let size = |slot: usize| committed.reaction[slot].abs();
         let largest =
-            (0..layout.slots()).filter(drives).max_by(|&a, &b| size(a).total_cmp(&size(b)));
+            (0..plan.dofs.len()).filter(drives).max_by(|&a, &b| size(a).total_cmp(&size(b)));
         largest.map_or(String::new(), |slot| {
-            let (node, dof) = layout.name(slot);
+            let (node, dof) = plan.dofs.name(slot);
             let force = committed.reaction[slot];
             format!(
                 "; the force reached at node {}, {}, is {force:.4e}",

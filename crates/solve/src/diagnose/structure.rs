@@ -26,7 +26,7 @@ impl Case<'_> {
             SolveError::Singular { equation, .. } => *equation,
             _ => return None,
         };
-        let (node, _) = self.plan.layout.name(*self.plan.layout.slot_of_equation.get(equation)?);
+        let (node, _) = self.plan.dofs.name(*self.plan.constraints.dof_of_equation.get(equation)?);
         let motion = self.motion(equation).unwrap_or(Motion { node, way: [0.0; 2], turn: 1.0 });
         if Restraint::of(self.plan.model, self.plan.step).holds(motion.node) {
             return None; // what supports hold does not move: a limit of the structure
@@ -63,14 +63,14 @@ impl Case<'_> {
             return format!("move along ({u:.3}, {v:.3})");
         }
         let [x, y] = self.plan.model.nodes.plane(motion.node);
-        let slot = |dof| self.plan.layout.slot(motion.node, dof).map_or(0.0, |s| self.work.u[s]);
+        let slot = |dof| self.plan.dofs.find(motion.node, dof).map_or(0.0, |s| self.work.u[s]);
         let (x, y) = (x + slot(Dof::U1) - v / w, y + slot(Dof::U2) + u / w);
         format!("turn about ({x:.4e}, {y:.4e})")
     }
 
     /// How far the contact is that the motion would close or open.
     fn distance(&self, motion: &Motion) -> String {
-        let carrier = |node| self.plan.layout.carrier(node);
+        let carrier = |node| self.plan.constraints.carrier(node);
         let points = self.plan.contact.points.iter().zip(&self.work.evaluation.points);
         let own = points.filter(|(point, now)| {
             carrier(point.node) == carrier(motion.node) && now.opening.is_finite()
@@ -89,11 +89,12 @@ impl Case<'_> {
     /// The motion that the tangent resists least: a vector of the null space,
     /// by inverse iteration.
     fn motion(&self, equation: usize) -> Option<Motion> {
-        let layout = &self.plan.layout;
         let mode = self.work.null_mode(self.plan, equation)?;
         let reach = self.plan.reach.max(f64::MIN_POSITIVE);
         let at = |node: NodeIndex, dof: Dof| {
-            let equation = layout.slot(node, dof).and_then(|slot| layout.equation(slot));
+            let plan = self.plan;
+            let equation =
+                plan.dofs.find(node, dof).and_then(|slot| plan.constraints.equation(slot));
             equation.map_or(0.0, |equation| mode[equation])
         };
         // a turn counts where nothing moves with it
@@ -115,7 +116,7 @@ impl Case<'_> {
             return None;
         }
         let (label, dof) = (self.label(load.node), load.dof);
-        let slot = plan.layout.slot(load.node, dof);
+        let slot = plan.dofs.find(load.node, dof);
         let moved = slot.map_or(0.0, |slot| self.committed.displacement[slot]);
         let message = format!(
             "the structure snaps through {}: under the load at node {label}, {} it is unstable in \

@@ -6,6 +6,7 @@ use slideline_mech::contact::enforcement::Demand;
 use slideline_mech::contact::pair::{Laws, UserMemory};
 
 /// A station at the displacements of the small system.
+#[derive(Clone, Debug, Default)]
 pub(super) struct StationAnswer {
     pub pressure: f64,
     pub traction: f64,

@@ -3,7 +3,7 @@
 //! Many stations press on few equations: none has a row of its own, the
 //! equations that they press on have.
 
-use super::system::{Row, Station, Unknown};
+use super::system::Station;
 use super::{Circumstances, LinearPoint, LinearisedContact, MOST_DOFS};
 use slideline_linalg::{SolveError, Solver};
 
@@ -19,10 +19,8 @@ impl LinearisedContact {
     ) -> Result<(), SolveError> {
         let mut station = Station { point: place, rows: [0; MOST_DOFS] };
         for (row, &equation) in station.rows.iter_mut().zip(&point.equations[..point.width]) {
-            let known = Unknown::Interface { equation };
-            let found = self.rows.iter().position(|row| row.unknown == known);
-            *row = match found {
-                Some(found) => found,
+            *row = match self.interface.get(&equation) {
+                Some(&known) => known,
                 None => {
                     let unit = circumstances.units.get(equation).copied().unwrap_or(1.0);
                     self.add_interface((equation, unit), solver, base)?
@@ -44,20 +42,9 @@ impl LinearisedContact {
         self.response.resize(begin + n, 0.0);
         self.response[begin + equation] = 1.0;
         solver.respond(&mut self.response[begin..])?;
-        self.rows.push(Row {
-            unknown: Unknown::Interface { equation },
-            free: base[equation],
-            start: 0.0,
-            lent: 0.0,
-            kappa: 0.0,
-            weight: 0.0,
-            felt: 0.0,
-            own: 0.0,
-            unit: 1.0 / unit,
-        });
-        self.unknown.truncate(self.rows.len() - 1);
-        self.unknown.push(0.0);
-        Ok(self.rows.len() - 1)
+        let place = self.push_interface(equation, unit);
+        self.rows[place].free = base[equation];
+        Ok(place)
     }
 
     /// Starts the forces of the interface rows from the pressures and

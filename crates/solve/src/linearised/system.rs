@@ -41,6 +41,21 @@ pub(super) struct Row {
 }
 
 impl Row {
+    /// A row of which nothing else is known.
+    pub(super) fn new(unknown: Unknown) -> Self {
+        Self {
+            unknown,
+            free: 0.0,
+            start: 0.0,
+            lent: 0.0,
+            kappa: 0.0,
+            own: 0.0,
+            felt: 0.0,
+            unit: 1.0,
+            weight: 0.0,
+        }
+    }
+
     /// The point of a pressure or traction.
     pub(super) fn point(&self) -> Option<(usize, Kind)> {
         match self.unknown {

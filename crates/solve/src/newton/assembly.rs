@@ -2,13 +2,19 @@
 
 use super::Workspace;
 use crate::contact::{Meeting, STRIP_POINTS, SlavePoint};
-use crate::linearised::{Circumstances, LinearPoint, MOST_DOFS, Sliding};
+use crate::evaluate::Evaluation;
+use crate::linearised::{Circumstances, LinearPoint, MOST_DOFS, Sliding, Stiffness};
 use crate::plan::Plan;
 use crate::state::State;
 use slideline_linalg::SolveError;
+use slideline_mech::contact::enforcement::Enforcement;
 
 /// How far apart, in sizes of the model, points still count as touching.
 pub const TOUCH: f64 = 1e-9;
+/// Rows from which on the condensed contact problem is solved without its matrix.
+const DENSE_ROWS: f64 = 100.0;
+/// Rows that a touching station adds to it: those of its element are shared.
+const INTEGRATED_ROWS: f64 = 6.0 / STRIP_POINTS as f64;
 /// Stiffness lent to a closed point, as a fraction of the stiffest element.
 pub(super) const LENT: f64 = 0.1;
 
@@ -19,11 +25,17 @@ impl Workspace {
     pub(super) fn factor(&mut self, plan: &Plan<'_>, committed: &State) -> Result<(), SolveError> {
         loop {
             self.linearise_points(plan, committed);
-            self.assemble(plan);
-            if plan.symmetrised() {
-                plan.symmetrise(&mut self.values);
+            let counts = |point: &&LinearPoint| point.stiffness > 0.0 || point.pressure > 0.0;
+            self.outside = !self.points.iter().filter(counts).all(|point| plan.holds(point));
+            if self.outside {
+                return Ok(());
             }
-            match self.solver.refactor(&plan.pattern, &self.values) {
+            self.assemble(plan);
+            self.choose_enforcement(plan, committed);
+            let Self { values, augmented, solver, points, .. } = self;
+            let symmetrised = plan.symmetrised();
+            let pattern = &plan.pattern;
+            match (Stiffness { pattern, values, augmented, solver, symmetrised }).factor(points) {
                 Ok(report) => {
                     let negative = report.negative_pivots.unwrap_or(0);
                     self.negative_pivots = self.negative_pivots.max(negative);
@@ -76,48 +88,53 @@ impl Workspace {
                 sliding,
             };
             for k in 0..meeting.width {
-                if let Some(equation) = plan.layout.equation(meeting.slots[k]) {
-                    linear.equations[linear.width] = equation;
-                    linear.normal[linear.width] = meeting.gradient[k];
-                    linear.tangential[linear.width] = meeting.slip_gradient[k];
-                    linear.drag[linear.width] = meeting.drag[k];
-                    linear.width += 1;
-                }
+                let own = [meeting.gradient[k], meeting.slip_gradient[k], meeting.drag[k]];
+                let add = &mut |equation, a: f64| linear.add(equation, own.map(|g| a * g));
+                plan.constraints.for_each_equation(&self.evaluation.rows, meeting.slots[k], add);
             }
             self.points.push(linear);
         }
     }
 
-    /// Elements, geometry of contact, and the stiffness lent to closed points.
+    /// Elements and geometry of contact: the tangent without the stiffness that
+    /// closed points are augmented with.
     pub(super) fn assemble(&mut self, plan: &Plan<'_>) {
         self.values.fill(0.0);
-        plan.structure.gather_tangent(&self.evaluation.contributions, &mut self.values);
-        for (slot, stiffness) in plan.layout.load_stiffness(&self.u, &self.load) {
-            let equation = plan.layout.equation(slot);
-            if let Some(at) = equation.and_then(|e| plan.pattern.position(e, e)) {
-                self.values[at] += stiffness;
-            }
-        }
+        let Evaluation { contributions, rows, .. } = &self.evaluation;
+        plan.gather_tangent(contributions, rows, &mut self.values);
         self.stiffen(plan);
-        self.dashpots.iter().for_each(|dashpot| dashpot.stiffen(plan, &mut self.values));
+        for dashpot in &self.dashpots {
+            dashpot.stiffen(plan, &self.evaluation.rows, &mut self.values);
+        }
+        self.turn(plan);
         plan.contact.fill_scratch(&self.u, &mut self.geometry);
         for k in 0..self.points.len() {
             if self.points[k].pressure == 0.0 && self.points[k].stiffness == 0.0 {
                 continue;
             }
             self.add_geometry(plan, self.points[k].place);
-            let linear = &self.points[k];
-            let sliding_stiffness = linear.sliding.map_or(0.0, |sliding| sliding.stiffness);
-            for i in 0..linear.width {
-                for j in 0..linear.width {
-                    let at = plan.pattern.position(linear.equations[i], linear.equations[j]);
-                    if let Some(at) = at {
-                        self.values[at] += linear.area
-                            * (linear.stiffness * linear.normal[i] * linear.normal[j]
-                                + sliding_stiffness * linear.drag[i] * linear.tangential[j]);
-                    }
-                }
-            }
+        }
+    }
+
+    /// Many rows are solved without their matrix, and augmented by their laws.
+    fn choose_enforcement(&mut self, plan: &Plan<'_>, committed: &State) {
+        let rows = |point: &LinearPoint| match point.stiffness > 0.0 {
+            true if point.integrated => INTEGRATED_ROWS,
+            true => 1.0 + f64::from(u8::from(point.sliding.is_some())),
+            false => 0.0,
+        };
+        let rows: f64 = self.points.iter().map(rows).sum();
+        let by_size = match rows < DENSE_ROWS {
+            true => Enforcement::Dense,
+            false => Enforcement::MatrixFree,
+        };
+        self.enforcement = plan.enforcement.unwrap_or(by_size);
+        if self.enforcement == Enforcement::MatrixFree {
+            let context = circumstances(plan, committed, self.dt);
+            let Self { values, augmented, solver, points, .. } = self;
+            let (pattern, symmetrised) = (&plan.pattern, plan.symmetrised());
+            let stiffness = Stiffness { pattern, values, augmented, solver, symmetrised };
+            context.augment(points, &stiffness);
         }
     }
 
@@ -127,15 +144,29 @@ impl Workspace {
         let forces = (meeting.area * self.pressures[place], meeting.area * self.tractions[place]);
         let geometry = &mut self.geometry;
         plan.contact.geometric_tangent(place, &self.u, meeting, forces, geometry);
-        for i in 0..width {
-            let Some(row) = plan.layout.equation(meeting.slots[i]) else { continue };
-            for j in 0..width {
-                let Some(column) = plan.layout.equation(meeting.slots[j]) else { continue };
-                if let Some(at) = plan.pattern.position(row, column) {
-                    self.values[at] += geometry.tangent[width * i + j];
-                }
+        let at = |i: usize, j: usize| geometry.tangent[width * i + j];
+        plan.scatter(&self.evaluation.rows, &meeting.slots[..width], at, &mut self.values);
+    }
+
+    /// Adds what the turning of rigid links makes of the forces that the
+    /// tangent is taken at: of estimated stresses, pressures and tractions.
+    fn turn(&mut self, plan: &Plan<'_>) {
+        if !plan.constraints.turns() {
+            return;
+        }
+        let (evaluation, turning) = (&self.evaluation, &mut self.turning);
+        turning.iter_mut().zip(&self.load).for_each(|(force, load)| *force = -load);
+        let stresses = Some(&self.stresses[..]);
+        plan.structure.turning_forces(&self.u, stresses, &evaluation.contributions, turning);
+        for linear in &self.points {
+            let meeting = &evaluation.meetings[linear.place];
+            let [p, tau] = [self.pressures[linear.place], self.tractions[linear.place]];
+            for k in 0..meeting.width {
+                turning[meeting.slots[k]] +=
+                    meeting.area * (p * meeting.gradient[k] + tau * meeting.drag[k]);
             }
         }
+        plan.stiffen_by_turning(&self.u, turning, &mut self.values);
     }
 }
 

@@ -26,20 +26,20 @@ impl Workspace {
         committed: &State,
         field: Field,
     ) -> crate::observe::FieldReport {
-        let layout = &plan.layout;
-        for slot in 0..layout.slots() {
+        let dofs = &plan.dofs;
+        for slot in 0..dofs.len() {
             self.residual[slot] = self.evaluation.unbalanced(slot);
             self.increment[slot] = self.u[slot] - committed.displacement[slot];
         }
-        let free = |slot: usize| layout.equation(slot).is_some();
-        let (residual, at) = largest_nodal(layout, field, &self.residual, free);
-        let (correction, moved) = largest_nodal(layout, field, &self.correction_slots, free);
-        let (increment, _) = largest_nodal(layout, field, &self.increment, |_| true);
+        let free = |slot: usize| plan.constraints.equation(slot).is_some();
+        let (residual, at) = largest_nodal(dofs, field, &self.residual, free);
+        let (correction, moved) = largest_nodal(dofs, field, &self.correction_slots, free);
+        let (increment, _) = largest_nodal(dofs, field, &self.increment, |_| true);
         crate::observe::FieldReport {
             residual,
-            residual_at: at.map(|slot| layout.name(slot)),
+            residual_at: at.map(|slot| dofs.name(slot)),
             correction,
-            correction_at: moved.map(|slot| layout.name(slot)),
+            correction_at: moved.map(|slot| dofs.name(slot)),
             increment,
             ..crate::observe::FieldReport::default()
         }
@@ -58,7 +58,7 @@ impl Workspace {
         for (slot, u) in
             self.u.iter().zip(start.iter()).map(|(u, s)| u.abs().max(s.abs())).enumerate()
         {
-            if !plan.layout.name(slot).1.is_rotation() {
+            if !plan.dofs.name(slot).1.is_rotation() {
                 reach = reach.max(u);
                 if plan.elastic[slot] {
                     moved = moved.max(u);

@@ -71,9 +71,7 @@ impl Workspace {
         for (place, point) in plan.contact.points.iter().enumerate() {
             let meeting = &self.evaluation.meetings[place];
             let law = &plan.contact.laws[point.pair].normal;
-            let free = meeting.slots[..meeting.width].iter().zip(meeting.gradient);
-            let yields =
-                free.into_iter().any(|(&s, g)| g != 0.0 && plan.layout.equation(s).is_some());
+            let yields = plan.contact_yields(meeting, &self.evaluation.rows);
             let deep = meeting.faces && meeting.overclosure > tolerance;
             if deep && !yields && !point.is_station() && law.pressure(0.0).is_none() {
                 places.push(place);
@@ -101,11 +99,11 @@ impl Workspace {
     /// last: its null vector, by inverse iteration from an equation without
     /// pivot.
     pub fn null_mode(&self, plan: &Plan<'_>, equation: usize) -> Option<Vec<f64>> {
-        let mut values = self.values.clone();
+        let mut values = self.augmented.clone();
         let unit = |e: usize| plan.units[e];
         let diagonal = || {
             let own = |e| plan.pattern.position(e, e).map(|at| (e, at));
-            (0..plan.layout.equations()).filter_map(own)
+            (0..plan.constraints.equations()).filter_map(own)
         };
         // in the units of the equations, the same for forces and moments
         let own = |(e, at): (usize, usize)| (values[at] * unit(e) * unit(e)).abs();
@@ -116,7 +114,7 @@ impl Workspace {
         }
         let mut solver = plan.analyse();
         solver.refactor(&plan.pattern, &values).ok()?;
-        let mut mode = vec![0.0; plan.layout.equations()];
+        let mut mode = vec![0.0; plan.constraints.equations()];
         *mode.get_mut(equation)? = 1.0;
         for _ in 0..ROUNDS {
             solver.solve(&mut mode).ok()?;
@@ -130,16 +128,16 @@ impl Workspace {
     pub fn moves_most(&self, plan: &Plan<'_>, mode: &[f64]) -> Option<NodeIndex> {
         let size = |equation: usize| (mode[equation] / plan.units[equation]).abs();
         let largest = (0..mode.len()).max_by(|&a, &b| size(a).total_cmp(&size(b)))?;
-        Some(plan.layout.name(plan.layout.slot_of_equation[largest]).0)
+        Some(plan.dofs.name(plan.constraints.dof_of_equation[largest]).0)
     }
 
     /// Forces that nothing balances in the trial state, a slot each; zero
     /// where supports balance them [F or F L].
     pub fn residuals(&self, plan: &Plan<'_>) -> Vec<f64> {
-        let force = |slot: usize| match plan.layout.equation(slot) {
+        let force = |slot: usize| match plan.constraints.equation(slot) {
             Some(_) => self.evaluation.unbalanced(slot),
             None => 0.0,
         };
-        (0..plan.layout.slots()).map(force).collect()
+        (0..plan.dofs.len()).map(force).collect()
     }
 }

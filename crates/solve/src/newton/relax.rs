@@ -95,6 +95,8 @@ impl Workspace {
                 }
             }
             let sweep = Sweep {
+                constraints: &plan.constraints,
+                rotations: plan.dofs.rotations(),
                 from: &self.relaxation.anchor,
                 to: &self.u,
                 before: &before,
@@ -151,7 +153,7 @@ impl Workspace {
             let way = (self.u[slot] - self.relaxation.anchor[slot]).abs();
             way * if plan.units[equation] == 1.0 { 1.0 / plan.lever } else { 1.0 }
         };
-        let ways = plan.layout.slot_of_equation.iter().enumerate().map(moved);
+        let ways = plan.constraints.dof_of_equation.iter().enumerate().map(moved);
         ways.fold(0.0, |largest, way| if way <= largest { largest } else { way })
     }
 
@@ -166,7 +168,7 @@ impl Workspace {
         if self.relaxation.stiffness == 0.0 {
             return;
         }
-        for (equation, &slot) in plan.layout.slot_of_equation.iter().enumerate() {
+        for (equation, &slot) in plan.constraints.dof_of_equation.iter().enumerate() {
             let way = self.u[slot] - self.relaxation.anchor[slot];
             self.correction[equation] -= self.held_by(plan, equation) * way;
         }
@@ -177,7 +179,7 @@ impl Workspace {
         if self.relaxation.stiffness == 0.0 {
             return;
         }
-        for equation in 0..plan.layout.equations() {
+        for equation in 0..plan.constraints.equations() {
             if let Some(at) = plan.pattern.position(equation, equation) {
                 self.values[at] += self.held_by(plan, equation);
             }

@@ -42,7 +42,7 @@ impl Walk<'_> {
         if !stabilise::would_hold(plan, &self.committed, &mode) {
             return Ok(false);
         }
-        let (node, _) = plan.layout.name(plan.layout.slot_of_equation[equation]);
+        let (node, _) = plan.dofs.name(plan.constraints.dof_of_equation[equation]);
         let heaviest = work.moves_most(plan, &mode).unwrap_or(node);
         if Restraint::of(plan.model, plan.step).holds(heaviest) {
             return Ok(false);

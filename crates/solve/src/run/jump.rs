@@ -12,8 +12,8 @@
 
 use super::{Left, Walk};
 use crate::commit::{commit, recall_points};
+use crate::constraints::Role;
 use crate::increments::Verdict;
-use crate::layout::Role;
 use crate::newton::{Target, Workspace, attempt};
 use crate::observe::Event;
 use crate::plan::Plan;
@@ -215,7 +215,7 @@ impl Part {
         rest.left -= beyond.left;
         let mut landed = back.to;
         let mut done = 0.0;
-        for slot in 0..plan.layout.slots() {
+        for slot in 0..plan.dofs.len() {
             let force = |state: &State| state.load[slot] + state.reaction[slot];
             let mean = 0.5 * (force(&limit) + force(&landed));
             done += mean * (landed.displacement[slot] - limit.displacement[slot]);
@@ -252,14 +252,14 @@ impl Part {
     /// Whether something that is prescribed or applied makes most of its own
     /// change in this part of `whole`: not the structure jumps then.
     fn is_driven(&self, plan: &Plan<'_>, whole: &Self) -> bool {
-        let change = |part: &Self, slot: usize| match plan.layout.roles[slot] {
+        let change = |part: &Self, slot: usize| match plan.constraints.roles[slot] {
             Role::Prescribed(_) => part.to.displacement[slot] - part.from.displacement[slot],
             _ => {
                 let force = |state: &State| state.load[slot] + state.reaction[slot];
                 force(&part.to) - force(&part.from)
             }
         };
-        let mut slots = 0..plan.layout.slots().min(self.from.load.len());
+        let mut slots = 0..plan.dofs.len().min(self.from.load.len());
         slots.any(|slot| change(self, slot).abs() > 0.5 * change(whole, slot).abs())
     }
 }
@@ -333,17 +333,14 @@ struct Jump {
 impl Jump {
     fn of(plan: &Plan<'_>, part: &Part) -> Self {
         let (from, to) = (&part.from, &part.to);
-        let dofs = plan.layout.dofs.len();
         // What is driven does not spring.
         let moved = |node: usize| {
-            let [x, y] = [0, 1].map(|k| {
-                let slot = node * dofs + k;
-                match plan.layout.roles[slot] {
-                    Role::Prescribed(_) => 0.0,
-                    _ => to.displacement[slot] - from.displacement[slot],
-                }
+            let own = plan.dofs.of_node(node).filter(|&dof| !plan.dofs.is_rotation(dof));
+            let way = own.map(|dof| match plan.constraints.roles[dof] {
+                Role::Prescribed(_) => 0.0,
+                _ => to.displacement[dof] - from.displacement[dof],
             });
-            x.hypot(y)
+            way.fold(0.0, f64::hypot)
         };
         let nodes = (0..plan.model.nodes.len()).map(|node| (node, moved(node)));
         let closed = |state: &State, pair: usize| {

@@ -57,7 +57,7 @@ impl Numbers {
 
 /// A state with its rows and counts.
 pub(super) fn frame<'a>(
-    plan: &Plan<'a>,
+    plan: &'a Plan<'_>,
     state: &'a State,
     numbers: &Numbers,
     rows: &'a Rows,
@@ -74,7 +74,7 @@ pub(super) fn frame<'a>(
         time_increment: numbers.dt,
         last_of_step: numbers.last,
         nodal: Nodal {
-            dofs: plan.layout.dofs,
+            dofs: &plan.dofs,
             displacement: &state.displacement,
             reaction: &state.reaction,
             load: &state.load,

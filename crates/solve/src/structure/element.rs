@@ -4,7 +4,6 @@ use super::Flux;
 use slideline_mech::element::{
     AxialSpring, Beam21, Beam22, Beam23, BeamStrains, GroundSpring, Mixed,
 };
-use slideline_mech::rigid::{Attachment, pull_back, push_forward, push_gradients};
 use slideline_mech::section::BeamStiffness;
 use std::ops::Range;
 
@@ -50,100 +49,35 @@ pub(super) struct Placed {
     /// Number of its own variables and where their slots begin.
     pub variables: usize,
     pub first_own: usize,
-    /// Number of dofs its force goes to and where their slots begin.
-    pub width: usize,
-    pub first_target: usize,
     /// Where the places of its tangent begin.
     pub first_entry: usize,
     /// Where the estimates of its stresses begin.
     pub first_stress: usize,
-    /// How its variables follow the carriers; empty where none is dependent.
-    pub attachments: Vec<Attachment>,
 }
 
 impl Placed {
     pub fn width(&self) -> usize {
-        self.width
+        self.variables
     }
 
     pub fn own(&self) -> Range<usize> {
         self.first_own..self.first_own + self.variables
     }
 
-    pub fn targets(&self) -> Range<usize> {
-        self.first_target..self.first_target + self.width
-    }
-
     pub fn entries(&self) -> Range<usize> {
-        self.first_entry..self.first_entry + self.width * self.width
+        self.first_entry..self.first_entry + self.variables * self.variables
     }
 
     pub fn stresses(&self) -> Range<usize> {
         self.first_stress..self.first_stress + self.shape.stresses()
     }
 
-    /// Writes force and tangent of an element with dependent nodes, returns
-    /// the strain energy [F L]. `own` are the slots of its variables,
-    /// `targets` those its force goes to.
-    pub fn evaluate_carried(
-        &self,
-        u: &[f64],
-        (own, targets): (&[usize], &[usize]),
-        kinematics: Kinematics<'_>,
-        (force, tangent): Slots<'_>,
-    ) -> f64 {
-        let n = self.variables;
-        let (mut gradient, mut hessian) = ([0.0; WIDTH], [0.0; WIDTH * WIDTH]);
-        let slots = (&mut gradient[..n], &mut hessian[..n * n]);
-        let energy = self.shape.evaluate(u, own, kinematics, slots);
-        let mut dofs = [0.0; WIDTH];
-        for (dof, &slot) in dofs.iter_mut().zip(targets) {
-            *dof = u[slot];
-        }
-        force.fill(0.0);
-        tangent.fill(0.0);
-        let (dofs, gradient) = (&dofs[..targets.len()], &gradient[..n]);
-        // The arms turn with the stresses that the geometric stiffness takes.
-        let mut turning = [0.0; WIDTH];
-        if self.shape.force_of_stresses(u, own, kinematics, &mut turning[..n]) {
-            let mut unused = [0.0; WIDTH];
-            let unused = &mut unused[..targets.len()];
-            push_forward(
-                &self.attachments,
-                dofs,
-                &turning[..n],
-                &hessian[..n * n],
-                unused,
-                tangent,
-            );
-            push_gradients(&self.attachments, dofs, [gradient], [force]);
-        } else {
-            push_forward(&self.attachments, dofs, gradient, &hessian[..n * n], force, tangent);
-        }
-        energy
-    }
-
-    /// The stresses that a linear solution with the `change` of all slots
-    /// arrives at from displacements `u`; of dependent nodes the masters'
-    /// changes count.
-    pub fn stresses_after(
-        &self,
-        (u, change): (&[f64], &[f64]),
-        (own, targets): (&[usize], &[usize]),
-        into: &mut [f64],
-    ) {
+    /// The stresses that a linear solution with the `change` of all dofs
+    /// arrives at from displacements `u`.
+    pub fn stresses_after(&self, (u, change): (&[f64], &[f64]), own: &[usize], into: &mut [f64]) {
         let mut moved = [0.0; WIDTH];
         let moved = &mut moved[..self.variables];
-        if self.attachments.is_empty() {
-            moved.iter_mut().zip(own).for_each(|(value, &slot)| *value = change[slot]);
-        } else {
-            let mut dofs = [[0.0; WIDTH]; 2];
-            for (place, &slot) in targets.iter().enumerate() {
-                (dofs[0][place], dofs[1][place]) = (u[slot], change[slot]);
-            }
-            let [dofs, changes] = [&dofs[0][..targets.len()], &dofs[1][..targets.len()]];
-            pull_back(&self.attachments, dofs, changes, moved);
-        }
+        moved.iter_mut().zip(own).for_each(|(value, &dof)| *value = change[dof]);
         self.shape.stresses_after(u, own, moved, into);
     }
 
@@ -158,8 +92,7 @@ impl Placed {
                 }
             }
             Shape::Axial(_) => {
-                // With a dependent end the slots of both nodes hold moments too.
-                for node in force.chunks_exact((force.len() / 2).max(2)) {
+                for node in force.as_chunks::<2>().0 {
                     flux.force(node[0].hypot(node[1]));
                 }
             }
@@ -250,7 +183,7 @@ impl Shape {
     }
 
     /// Writes the force of the estimated stresses, where there are any.
-    fn force_of_stresses(
+    pub fn force_of_stresses(
         &self,
         u: &[f64],
         own: &[usize],

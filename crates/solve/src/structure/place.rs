@@ -2,9 +2,9 @@
 
 use super::element::{Placed, Shape};
 use super::{BeamReport, Structure};
-use crate::layout::{Carried, Layout};
+use crate::constraints::Constraints;
+use crate::dofs::DofMap;
 use slideline_mech::element::{AxialSpring, Beam21, Beam22, Beam23, GroundSpring};
-use slideline_mech::rigid::{Attachment, PointMap};
 use slideline_mech::section::{Rectangle, TransverseShear, rectangle_stiffness};
 use slideline_model::{
     BeamBlock, BeamElement, Dof, ElementBlock, Model, NodeIndex, SpringBlock, SpringKind,
@@ -12,16 +12,19 @@ use slideline_model::{
 
 /// How an element is made of its section and its undeformed positions: the
 /// shape, its EA/l [F/L] and l [L] (between neighbouring nodes).
-type Make = fn(&BeamBlock, &[Carried]) -> (Shape, f64, f64);
+type Make = fn(&BeamBlock, &[[f64; 2]]) -> (Shape, f64, f64);
+
+/// Where elements act: dofs and constraints.
+type Numbering<'a> = (&'a DofMap, &'a Constraints);
 
 impl Structure {
     /// Places every element that is not rigid as a whole.
-    pub fn new(model: &Model, layout: &Layout, nlgeom: bool) -> Self {
+    pub fn new(model: &Model, numbering: Numbering<'_>, nlgeom: bool) -> Self {
         let mut structure = Self {
             elements: Vec::new(),
             own: Vec::new(),
-            targets: Vec::new(),
             entries: Vec::new(),
+            dependent: Vec::new(),
             beams: Vec::new(),
             nlgeom,
             stresses: 0,
@@ -30,23 +33,29 @@ impl Structure {
         };
         for block in &model.blocks {
             match block {
-                ElementBlock::B21(block) => structure.place_beams(model, layout, block, beam21),
-                ElementBlock::B22(block) => structure.place_beams(model, layout, block, beam22),
-                ElementBlock::B23(block) => structure.place_beams(model, layout, block, beam23),
-                ElementBlock::Spring(block) => structure.place_springs(model, layout, block),
+                ElementBlock::B21(block) => structure.place_beams(model, numbering, block, beam21),
+                ElementBlock::B22(block) => structure.place_beams(model, numbering, block, beam22),
+                ElementBlock::B23(block) => structure.place_beams(model, numbering, block, beam23),
+                ElementBlock::Spring(block) => structure.place_springs(model, numbering, block),
             }
         }
         structure
     }
 
-    fn place_beams(&mut self, model: &Model, layout: &Layout, block: &BeamBlock, make: Make) {
+    fn place_beams(
+        &mut self,
+        model: &Model,
+        numbering: Numbering<'_>,
+        block: &BeamBlock,
+        make: Make,
+    ) {
         for element in &block.elements {
             let nodes: Vec<NodeIndex> = BeamElement::all_nodes(element).collect();
-            let points: Vec<Carried> =
-                nodes.iter().map(|&node| layout.carried_node(model, node)).collect();
-            if points.iter().all(|point| point.node == points[0].node) {
+            let carrier = |node: &NodeIndex| numbering.1.carrier(*node);
+            if nodes.iter().all(|node| carrier(node) == carrier(&nodes[0])) {
                 continue; // all of it belongs to one rigid body: nothing to strain
             }
+            let points: Vec<_> = nodes.iter().map(|&node| model.nodes.plane(node)).collect();
             let (shape, axial, length) = make(block, &points);
             if axial > self.stiffest {
                 (self.stiffest, self.stiffest_length) = (axial, length);
@@ -57,67 +66,51 @@ impl Structure {
                 nodes: element.nodes,
                 half_height: 0.5 * block.section.height,
             });
-            self.place(layout, shape, (&nodes, &points), &Dof::PLANE);
+            self.place(numbering, shape, &nodes, &[Dof::U1, Dof::U2, Dof::UR3]);
         }
     }
 
-    fn place_springs(&mut self, model: &Model, layout: &Layout, block: &SpringBlock) {
+    fn place_springs(&mut self, model: &Model, numbering: Numbering<'_>, block: &SpringBlock) {
         let stiffness = block.stiffness;
         self.stiffest = self.stiffest.max(stiffness.abs());
         for element in &block.elements {
-            let ends = element.nodes.map(|node| layout.carried_node(model, node));
             match block.kind {
                 SpringKind::Ground(dof) => {
                     let dofs: &[Dof] =
                         if dof.is_rotation() { &[Dof::UR3] } else { &[Dof::U1, Dof::U2] };
                     let component = dofs.iter().position(|&own| own == dof).unwrap_or(0);
                     let shape = Shape::Ground(GroundSpring { stiffness }, component);
-                    self.place(layout, shape, (&element.nodes[..1], &ends[..1]), dofs);
+                    self.place(numbering, shape, &element.nodes[..1], dofs);
                 }
                 SpringKind::Axial => {
-                    let reference = ends.map(|end| end.reference);
+                    let reference = element.nodes.map(|node| model.nodes.plane(node));
                     let shape = Shape::Axial(AxialSpring { reference, stiffness });
-                    self.place(layout, shape, (&element.nodes, &ends), &[Dof::U1, Dof::U2]);
+                    self.place(numbering, shape, &element.nodes, &[Dof::U1, Dof::U2]);
                 }
             }
         }
     }
 
-    /// Appends an element that acts on `dofs` of its nodes.
+    /// Appends an element that acts on `kinds` of its nodes' dofs.
     fn place(
         &mut self,
-        layout: &Layout,
+        (dofs, constraints): Numbering<'_>,
         shape: Shape,
-        (nodes, points): (&[NodeIndex], &[Carried]),
-        dofs: &[Dof],
+        nodes: &[NodeIndex],
+        kinds: &[Dof],
     ) {
-        let (first_own, first_target) = (self.own.len(), self.targets.len());
-        let mut attachments = Vec::new();
-        let dependent = points.iter().any(|point| matches!(point.map, PointMap::Arm { .. }));
-        let carrier_dofs = if dependent { layout.dofs } else { dofs };
-        for (&node, point) in nodes.iter().zip(points) {
-            if dependent {
-                attachments.extend(attach(dofs, point.map, self.targets.len() - first_target));
-            }
-            self.own.extend(dofs.iter().filter_map(|&dof| layout.slot(node, dof)));
-            let carrier = carrier_dofs.iter().filter_map(|&dof| layout.slot(point.node, dof));
-            self.targets.extend(carrier);
+        let (first_own, first_entry) = (self.own.len(), self.entries.len());
+        for &node in nodes {
+            self.own.extend(kinds.iter().filter_map(|&kind| dofs.find(node, kind)));
         }
-        let (variables, width) = (self.own.len() - first_own, self.targets.len() - first_target);
-        let first_entry = self.entries.len();
-        self.entries.resize(first_entry + width * width, usize::MAX);
+        let variables = self.own.len() - first_own;
+        if self.own[first_own..].iter().any(|&dof| constraints.is_dependent(dof)) {
+            self.dependent.push(self.elements.len());
+        }
+        self.entries.resize(first_entry + variables * variables, usize::MAX);
         let first_stress = self.stresses;
         self.stresses += shape.stresses();
-        self.elements.push(Placed {
-            shape,
-            variables,
-            first_own,
-            width,
-            first_target,
-            first_entry,
-            first_stress,
-            attachments,
-        });
+        self.elements.push(Placed { shape, variables, first_own, first_entry, first_stress });
     }
 }
 
@@ -133,17 +126,17 @@ fn rules(block: &BeamBlock) -> (Rectangle, TransverseShear) {
     (rectangle, shear)
 }
 
-fn beam21(block: &BeamBlock, points: &[Carried]) -> (Shape, f64, f64) {
+fn beam21(block: &BeamBlock, points: &[[f64; 2]]) -> (Shape, f64, f64) {
     let (rectangle, shear) = rules(block);
-    let reference = [points[0].reference, points[1].reference];
+    let reference = [points[0], points[1]];
     let length = distance(reference[0], reference[1]);
     let stiffness = rectangle_stiffness(&rectangle, &block.section.material, &shear, length);
     (Shape::Beam21(Beam21::new(reference, stiffness)), stiffness.axial / length, length)
 }
 
-fn beam22(block: &BeamBlock, points: &[Carried]) -> (Shape, f64, f64) {
+fn beam22(block: &BeamBlock, points: &[[f64; 2]]) -> (Shape, f64, f64) {
     let (rectangle, shear) = rules(block);
-    let reference = [0, 1, 2].map(|node| points[node.min(points.len() - 1)].reference);
+    let reference = [0, 1, 2].map(|node| points[node.min(points.len() - 1)]);
     let length = distance(reference[0], reference[1]) + distance(reference[1], reference[2]);
     let shear = shear.second_order();
     let stiffness = rectangle_stiffness(&rectangle, &block.section.material, &shear, length);
@@ -152,20 +145,12 @@ fn beam22(block: &BeamBlock, points: &[Carried]) -> (Shape, f64, f64) {
     (shape, stiffness.axial / half, half)
 }
 
-fn beam23(block: &BeamBlock, points: &[Carried]) -> (Shape, f64, f64) {
+fn beam23(block: &BeamBlock, points: &[[f64; 2]]) -> (Shape, f64, f64) {
     let (rectangle, shear) = rules(block);
-    let reference = [points[0].reference, points[1].reference];
+    let reference = [points[0], points[1]];
     let length = distance(reference[0], reference[1]);
     let stiffness = rectangle_stiffness(&rectangle, &block.section.material, &shear, length);
     (Shape::Beam23(Beam23::new(reference, stiffness)), stiffness.axial / length, length)
-}
-
-/// How the variables `dofs` of a node follow the dofs of its carrier, the
-/// first of which stands at `first`.
-fn attach(dofs: &[Dof], map: PointMap, first: usize) -> Vec<Attachment> {
-    let point = dofs.contains(&Dof::U1).then_some(Attachment::Point { map, first });
-    let rotation = dofs.contains(&Dof::UR3).then_some(Attachment::Rotation { dof: first + 2 });
-    point.into_iter().chain(rotation).collect()
 }
 
 fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {

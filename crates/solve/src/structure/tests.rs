@@ -1,6 +1,8 @@
 //! Every type of element together, through the lists of slots.
 
 use super::*;
+use crate::constraints::{Constraints, Rows};
+use crate::dofs::DofMap;
 use slideline_diag::{FileId, Span};
 use slideline_mech::material::Elastic;
 use slideline_model::*;
@@ -74,26 +76,62 @@ fn model(count: usize) -> Model {
 }
 
 struct Built {
-    layout: Layout,
+    dofs: DofMap,
+    constraints: Constraints,
     structure: Structure,
     pattern: Pattern,
 }
 
-fn build(model: &Model, nlgeom: bool) -> Built {
-    let layout = Layout::new(model, &step());
-    let mut structure = Structure::new(model, &layout, nlgeom);
-    let equations = |slots: &[usize]| -> Vec<usize> {
-        slots.iter().filter_map(|&slot| layout.equation(slot)).collect()
-    };
-    let pattern = Pattern::from_cliques(layout.equations(), structure.cliques().map(equations));
-    structure.find_entries(&layout, &pattern);
-    Built { layout, structure, pattern }
+impl Built {
+    /// Matrix values at `u`, with what the turning of the arm makes of the
+    /// forces of the stresses.
+    fn tangent(&self, u: &[f64], stresses: Option<&[f64]>) -> (Vec<f64>, Contributions) {
+        let mut room = self.structure.room();
+        self.structure.evaluate(u, stresses, &mut room, None);
+        let (mut values, mut force) = (vec![0.0; self.pattern.entries()], vec![0.0; u.len()]);
+        let mut rows = Rows::default();
+        self.constraints.linearise(u, &mut rows);
+        let onto = (&self.constraints, &rows, &self.pattern);
+        self.structure.gather_tangent(&room, onto, &mut values);
+        self.structure.turning_forces(u, stresses, &room, &mut force);
+        self.constraints.turning(u, &mut force, |dof, stiffness| {
+            let own = self.constraints.equation(dof).unwrap();
+            values[self.pattern.position(own, own).unwrap()] += stiffness;
+        });
+        (values, room)
+    }
+
+    /// Energy and carried force.
+    fn force(&self, u: &[f64]) -> (f64, Vec<f64>) {
+        let (mut room, mut force) = (self.structure.room(), vec![0.0; u.len()]);
+        self.structure.evaluate(u, None, &mut room, None);
+        let energy = self.structure.gather_force(&room, &mut force);
+        let mut rows = Rows::default();
+        self.constraints.linearise(u, &mut rows);
+        self.constraints.carry(&rows, &mut force);
+        (energy, force)
+    }
 }
 
-fn motion(layout: &Layout) -> Vec<f64> {
-    let mut u: Vec<f64> =
-        (0..layout.slots()).map(|k| 0.03 * ((k * 7919 % 13) as f64 / 6.0 - 1.0)).collect();
-    layout.follow_links(&mut u);
+fn build(model: &Model, nlgeom: bool) -> Built {
+    let dofs = DofMap::new(model);
+    let constraints = Constraints::new(model, &step(), &dofs);
+    let mut structure = Structure::new(model, (&dofs, &constraints), nlgeom);
+    let equations = |own: &[usize]| -> Vec<usize> {
+        let mut into = Vec::new();
+        own.iter().for_each(|&dof| constraints.equations_of(dof, &mut into));
+        into
+    };
+    let pattern =
+        Pattern::from_cliques(constraints.equations(), structure.cliques().map(equations));
+    structure.find_entries(&constraints, &pattern);
+    Built { dofs, constraints, structure, pattern }
+}
+
+fn motion(built: &Built) -> Vec<f64> {
+    let count = built.dofs.len();
+    let mut u: Vec<f64> = (0..count).map(|k| 0.03 * ((k * 7919 % 13) as f64 / 6.0 - 1.0)).collect();
+    built.constraints.enforce(&mut u);
     u
 }
 
@@ -104,44 +142,41 @@ fn motion(layout: &Layout) -> Vec<f64> {
 #[test]
 fn gathered_tangent_by_differences() {
     let model = model(4);
-    let Built { layout, structure, pattern } = build(&model, true);
-    let u = motion(&layout);
-    let mut room = structure.room();
-    let mut values = vec![0.0; pattern.entries()];
-    structure.evaluate(&u, None, &mut room, None);
-    structure.gather_tangent(&room, &mut values);
+    let built = build(&model, true);
+    let Built { constraints, structure, pattern, .. } = &built;
+    let u = motion(&built);
+    let (values, room) = built.tangent(&u, None);
     let largest = values.iter().fold(0.0_f64, |most, k| most.max(k.abs()));
-    let mut force = |u: &[f64]| {
-        let mut force = vec![0.0; layout.slots()];
-        structure.evaluate(u, None, &mut room, None);
-        let energy = structure.gather_force(&room, &mut force);
-        (energy, force)
-    };
-    let here = force(&u).1;
-    for column in 0..layout.equations() {
-        let slot = layout.slot_of_equation[column];
-        let mut moved = |sign: f64| {
+    let here = built.force(&u).1;
+    let mut rows = Rows::default();
+    constraints.linearise(&u, &mut rows);
+    // without the turning of the arm: the product of K of the elements alone
+    let mut flat = vec![0.0; pattern.entries()];
+    structure.gather_tangent(&room, (constraints, &rows, pattern), &mut flat);
+    for column in 0..constraints.equations() {
+        let slot = constraints.dof_of_equation[column];
+        let moved = |sign: f64| {
             let mut moved = u.clone();
             moved[slot] += sign * 1e-6;
-            layout.follow_links(&mut moved);
-            force(&moved)
+            constraints.enforce(&mut moved);
+            built.force(&moved)
         };
         let (up, down) = (moved(1.0), moved(-1.0));
         assert!(((up.0 - down.0) / 2e-6 - here[slot]).abs() < 1e-6 * largest, "{slot}");
-        for row in 0..layout.equations() {
-            let at = layout.slot_of_equation[row];
+        for row in 0..constraints.equations() {
+            let at = constraints.dof_of_equation[row];
             let difference = (up.1[at] - down.1[at]) / 2e-6;
             let entry = pattern.position(row, column).map_or(0.0, |place| values[place]);
             assert!((difference - entry).abs() < 1e-6 * largest, "{row} {column}");
         }
-        let mut room = structure.room();
-        structure.evaluate(&u, None, &mut room, None);
         let (mut unit, mut product) = (vec![0.0; u.len()], vec![0.0; u.len()]);
         unit[slot] = 1.0;
+        constraints.expand(&rows, &mut unit);
         structure.multiply(&room, &unit, &mut product);
-        for row in 0..layout.equations() {
-            let entry = pattern.position(row, column).map_or(0.0, |place| values[place]);
-            let off = product[layout.slot_of_equation[row]] - entry;
+        constraints.carry(&rows, &mut product);
+        for row in 0..constraints.equations() {
+            let entry = pattern.position(row, column).map_or(0.0, |place| flat[place]);
+            let off = product[constraints.dof_of_equation[row]] - entry;
             assert!(off.abs() < 1e-13 * largest, "{row} {column}");
         }
     }
@@ -151,10 +186,11 @@ fn gathered_tangent_by_differences() {
 #[test]
 fn linear_kinematics() {
     let model = model(4);
-    let Built { layout, structure, .. } = build(&model, false);
-    let mut u = motion(&layout);
+    let built = build(&model, false);
+    let Built { constraints, structure, .. } = &built;
+    let mut u = motion(&built);
     u[3 * 5..].fill(0.0); // a rigid arm turns by a finite angle all the same
-    layout.follow_links(&mut u);
+    constraints.enforce(&mut u);
     let mut room = structure.room();
     structure.evaluate(&u, None, &mut room, None);
     let (mut force, mut product) = (vec![0.0; u.len()], vec![0.0; u.len()]);
@@ -162,7 +198,7 @@ fn linear_kinematics() {
     structure.multiply(&room, &u, &mut product);
     let work: f64 = force.iter().zip(&u).map(|(f, u)| f * u).sum();
     assert!((work - 2.0 * energy).abs() < 1e-12 * energy, "{work} {energy}");
-    let free = layout.slot_of_equation.iter().filter(|&&slot| slot < 12);
+    let free = constraints.dof_of_equation.iter().filter(|&&slot| slot < 12);
     for &slot in free {
         assert!((force[slot] - product[slot]).abs() < 1e-10, "{slot}");
     }
@@ -175,8 +211,9 @@ fn linear_kinematics() {
 #[test]
 fn threads_change_nothing() {
     let model = model(PARALLEL + 300);
-    let Built { layout, structure, .. } = build(&model, true);
-    let u = motion(&layout);
+    let built = build(&model, true);
+    let structure = &built.structure;
+    let u = motion(&built);
     let (mut one, mut many) = (structure.room(), structure.room());
     let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().unwrap();
     let stresses: Vec<f64> = structure.stress_room().iter().map(|_| 0.3).collect();
@@ -193,15 +230,10 @@ fn threads_change_nothing() {
 #[test]
 fn mixed_tangent_with_own_stresses() {
     let model = model(4);
-    let Built { layout, structure, pattern } = build(&model, true);
-    let u = motion(&layout);
-    let tangent = |stresses: Option<&[f64]>| {
-        let mut room = structure.room();
-        structure.evaluate(&u, stresses, &mut room, None);
-        let mut values = vec![0.0; pattern.entries()];
-        structure.gather_tangent(&room, &mut values);
-        (values, room)
-    };
+    let built = build(&model, true);
+    let structure = &built.structure;
+    let u = motion(&built);
+    let tangent = |stresses: Option<&[f64]>| built.tangent(&u, stresses);
     let (exact, room) = tangent(None);
     let largest = exact.iter().fold(0.0_f64, |most, k| most.max(k.abs()));
     let mut own = structure.stress_room();
@@ -228,16 +260,20 @@ fn mixed_tangent_with_own_stresses() {
 #[test]
 fn stresses_after_by_differences() {
     let model = model(4);
-    let Built { layout, structure, .. } = build(&model, true);
-    let u = motion(&layout);
+    let built = build(&model, true);
+    let Built { constraints, structure, .. } = &built;
+    let u = motion(&built);
     let mut change = vec![0.0; u.len()];
-    for (k, &slot) in layout.slot_of_equation.iter().enumerate() {
+    for (k, &slot) in constraints.dof_of_equation.iter().enumerate() {
         change[slot] = 0.1 * (k as f64 + 0.3).sin();
     }
+    let mut rows = Rows::default();
+    constraints.linearise(&u, &mut rows);
+    constraints.expand(&rows, &mut change);
     let still = vec![0.0; u.len()];
     let at = |t: f64| {
         let mut moved: Vec<f64> = u.iter().zip(&change).map(|(u, du)| u + t * du).collect();
-        layout.follow_links(&mut moved);
+        constraints.enforce(&mut moved);
         let mut stresses = structure.stress_room();
         structure.stresses_after(&moved, &still, &mut stresses);
         stresses

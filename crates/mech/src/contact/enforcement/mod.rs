@@ -10,6 +10,28 @@
 //! piecewise smooth for soft and hard laws alike, and kappa changes the path, not the solution.
 //! [semantics: enforcement remark; derived]
 
+/// How the contact problem of a Newton iteration is solved, laws kept in all of them.
+///
+/// The converged result is the same: only the way there and its cost differ.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Enforcement {
+    /// Multipliers, with the matrix of the condensed problem formed and eliminated.
+    #[default]
+    Dense,
+    /// Multipliers, by products with that matrix alone (GMRES).
+    MatrixFree,
+}
+
+impl Enforcement {
+    /// The word used in files.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Dense => "dense",
+            Self::MatrixFree => "matrix-free",
+        }
+    }
+}
+
 /// What a law says a multiplier should be, with derivatives.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Demand {

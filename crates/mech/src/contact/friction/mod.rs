@@ -26,6 +26,16 @@ pub enum Stick {
     Lagrange,
 }
 
+impl Stick {
+    /// Slope of the traction by the slip up to a limit traction [F/L3]; infinite where it is exact.
+    pub fn stiffness(&self, limit: f64) -> f64 {
+        match *self {
+            Self::Elastic { slip } if slip > 0.0 => limit / slip,
+            Self::Elastic { .. } | Self::Lagrange => f64::INFINITY,
+        }
+    }
+}
+
 /// Exponential decay mu = mu_k + (mu_s - mu_k) exp(-d_c |slip rate|); mu_s is the law's coefficient.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Decay {

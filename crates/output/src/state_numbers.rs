@@ -1,22 +1,18 @@
 //! Numbers of the states that are there.
 
+use serde::{Deserialize, Serialize};
+
 /// Ascending numbers, kept as runs of equal distance: first, distance, count.
 /// A long run costs no more to save than a short one.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) struct StateNumbers(Vec<[usize; 3]>);
 
 impl StateNumbers {
-    /// From runs that were saved; `None` where they make no sense.
-    pub fn of_runs(runs: Vec<[usize; 3]>) -> Option<Self> {
-        let sound = |&[_, distance, count]: &[usize; 3]| {
+    /// Whether runs that were saved make sense.
+    pub fn are_sound(&self) -> bool {
+        self.0.iter().all(|&[_, distance, count]| {
             (count == 1 && distance == 0) || (count > 1 && distance > 0)
-        };
-        runs.iter().all(sound).then_some(Self(runs))
-    }
-
-    /// The runs, to be saved.
-    pub fn runs(&self) -> &[[usize; 3]] {
-        &self.0
+        })
     }
 
     /// Appends a number larger than all others.
@@ -64,12 +60,12 @@ mod tests {
             list.iter().for_each(|&number| numbers.push(number));
             assert_eq!(numbers.iter().collect::<Vec<_>>(), list);
             assert_eq!(numbers.len(), list.len());
-            assert_eq!(StateNumbers::of_runs(numbers.runs().to_vec()), Some(numbers));
+            assert!(numbers.are_sound());
         }
         let mut long = StateNumbers::default();
         (0..100_000).for_each(|number| long.push(number));
-        assert_eq!(long.runs(), [[0, 1, 100_000]]);
+        assert_eq!(long.0, [[0, 1, 100_000]]);
         // a run without distance would name one state for ever
-        assert_eq!(StateNumbers::of_runs(vec![[0, 0, usize::MAX]]), None);
+        assert!(!StateNumbers(vec![[0, 0, usize::MAX]]).are_sound());
     }
 }

@@ -5,7 +5,7 @@
 //! ```
 
 use super::problem::{Problem, bytes, unreadable};
-use crate::vtu::base64;
+use base64::{Engine as _, engine::general_purpose::STANDARD};
 use std::path::{Path, PathBuf};
 
 /// A state file.
@@ -60,7 +60,7 @@ impl StateFile {
         let open = rest.iter().position(|b| *b == b'>').ok_or_else(|| fault("has no end"))?;
         let rest = &rest[open + 1..];
         let close = rest.iter().position(|b| *b == b'<').ok_or_else(|| fault("has no end"))?;
-        let data = base64::read(&rest[..close]).ok_or_else(|| fault("is not base64"))?;
+        let data = STANDARD.decode(&rest[..close]).map_err(|_| fault("is not base64"))?;
         let (length, data) = data.split_first_chunk().ok_or_else(|| fault("has no length"))?;
         if u32::from_le_bytes(*length) as usize != data.len() || data.len() % N != 0 {
             return Err(fault("has another length than it says"));

@@ -1,12 +1,17 @@
 //! `JOB.history.csv` and `JOB.energy.csv` read back.
 
-use super::problem::{Problem, unreadable};
+use super::problem::Problem;
 use super::table::Table;
 use std::collections::HashMap;
 use std::path::Path;
 
 /// Columns with which every growing CSV file begins.
 const TIME: [&str; 3] = ["step", "increment", "time"];
+
+/// Values over the increments, behind the zero of the start.
+pub(crate) fn with_start(values: &[f64]) -> Vec<f64> {
+    std::iter::once(0.0).chain(values.iter().copied()).collect()
+}
 
 /// Columns of one node over the increments.
 #[derive(Clone, Debug)]
@@ -33,10 +38,8 @@ impl History {
         let columns: Vec<String> = table.columns[4..].to_vec();
         let mut history = Self { columns, nodes: Vec::new() };
         let mut places: HashMap<u64, Option<usize>> = HashMap::new();
-        while let Some(row) = table.row()? {
-            let label: u64 = row[3]
-                .parse()
-                .map_err(|_| unreadable(path, format!("`{}` is not a node", row[3])))?;
+        while table.row()?.is_some() {
+            let label = table.number(3)?;
             let place = *places.entry(label).or_insert_with(|| {
                 keep(label).then(|| {
                     let values = vec![Vec::new(); history.columns.len()];
@@ -59,6 +62,11 @@ impl History {
         let place = self.columns.iter().position(|column| column == name)?;
         let node = self.nodes.iter().find(|kept| kept.node == node)?;
         node.values.get(place).map(Vec::as_slice)
+    }
+
+    /// The same from the start on, at which everything is zero.
+    pub fn from_start(&self, node: u64, name: &str) -> Option<Vec<f64>> {
+        self.column(node, name).map(with_start)
     }
 
     /// Cuts what a job that was killed wrote beyond its last whole increment.

@@ -1,6 +1,6 @@
 //! Why a report cannot be made.
 
-use crate::WriteError;
+use crate::file::WriteError;
 use std::path::{Path, PathBuf};
 
 /// Why results could not be read, or a report not be written.

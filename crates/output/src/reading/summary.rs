@@ -1,0 +1,62 @@
+//! `JOB.json` read back.
+
+use super::problem::{self, Problem, unreadable};
+use crate::job::JobFiles;
+use crate::json::{Members as _, Value};
+use crate::lock::is_running;
+
+/// Version of the layout of `JOB.json`.
+pub const SCHEMA: usize = 1;
+
+/// A prescribed motion that moves.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Driven {
+    /// The node.
+    pub node: u64,
+    /// Column of its motion.
+    pub motion: String,
+    /// Column of its reaction.
+    pub reaction: String,
+}
+
+/// What the summary says is driven.
+pub(crate) fn driven(summary: &Value) -> Vec<Driven> {
+    let driven = summary.list("driven").iter().filter_map(|driven| {
+        Some(Driven {
+            node: driven.count("node")? as u64,
+            motion: driven.text("motion")?.to_owned(),
+            reaction: driven.text("reaction")?.to_owned(),
+        })
+    });
+    driven.collect()
+}
+
+/// Reads `JOB.json` as it is.
+pub(crate) fn raw(job: &JobFiles) -> Result<Value, Problem> {
+    let path = job.path(".json");
+    let text = problem::bytes(&path)?;
+    serde_json::from_slice(&text).map_err(|reason| unreadable(&path, reason.to_string()))
+}
+
+/// Reads `JOB.json` and refuses what is no finished job.
+pub(crate) fn read(job: &JobFiles, unfinished: bool) -> Result<Value, Problem> {
+    let (path, summary) = (job.path(".json"), raw(job)?);
+    let (Some(schema), Some(status)) = (summary.count("schema"), summary.text("status")) else {
+        return Err(unreadable(&path, "it is not a summary written by this program"));
+    };
+    if schema > SCHEMA {
+        let reason = format!("its layout {schema} is newer than this program's {SCHEMA}");
+        return Err(unreadable(&path, reason));
+    }
+    match status {
+        "running" if !unfinished && is_running(job) => Err(Problem::Running(path)),
+        "running" if !unfinished => Err(Problem::Killed(path)),
+        "input_error" => Err(Problem::NothingSolved(path)),
+        _ => Ok(summary),
+    }
+}
+
+/// Whether the job's own summary says that it is complete.
+pub fn is_completed(job: &JobFiles) -> bool {
+    raw(job).is_ok_and(|summary| summary.text("status") == Some("completed"))
+}

@@ -1,0 +1,176 @@
+//! Which dofs are unknown, and how all others follow: u = u0 + T q, and its
+//! derivatives.
+//!
+//! ```text
+//!   unknowns q        node dofs u
+//!   o free  --------> u = q                         row of T: 1
+//!   | prescribed ---> u = u0(t)                     empty
+//!   o==o rigid -----> x = x_m + R(phi_m) arm        1 and the turning of the arm
+//!   o--o equation --> u = c + sum a_k u_k           the coefficients a_k
+//! ```
+//!
+//! Elements, contact and loads speak of the dofs of their own nodes alone. A
+//! force f on those acts on the unknowns as T' f, a tangent K as T' K T, and
+//! where T turns with the unknowns, f . d2u/dq2 is added: docs/theory.md
+//! eqs (4.1) to (4.4).
+
+mod linear;
+mod rigid;
+mod rows;
+#[cfg(test)]
+mod tests;
+
+pub use rows::Rows;
+
+use crate::dofs::DofMap;
+use linear::LinearConstraint;
+use rigid::RigidLink;
+use slideline_model::{Model, NodeIndex, Step};
+
+/// What a dof is in a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// Nothing uses it; it stays zero.
+    Inactive,
+    /// Unknown; its equation.
+    Free(usize),
+    /// Prescribed; its index in the step's list.
+    Prescribed(usize),
+    /// Follows others; its row among those of the constraints.
+    Dependent(usize),
+}
+
+/// The constraints of a step: roles of all dofs, equations of the unknowns.
+#[derive(Clone, Debug)]
+pub struct Constraints {
+    /// Role of every dof.
+    pub roles: Vec<Role>,
+    /// Dof of every equation.
+    pub dof_of_equation: Vec<usize>,
+    rigid: Vec<RigidLink>,
+    linear: Vec<LinearConstraint>,
+    /// Dependent dof of every row.
+    dependent_dofs: Vec<usize>,
+    /// Where the row of each dependent dof begins; behind the last, the end.
+    row_start: Vec<usize>,
+    /// The dofs of the rows.
+    row_dofs: Vec<usize>,
+    /// The node whose dofs carry a node.
+    carrier: Vec<NodeIndex>,
+}
+
+impl Constraints {
+    /// Those of a step of a model.
+    pub fn new(model: &Model, step: &Step, dofs: &DofMap) -> Self {
+        let (rigid, carrier) = rigid::resolve(model, dofs);
+        let mut new = Self {
+            roles: vec![Role::Inactive; dofs.len()],
+            dof_of_equation: Vec::new(),
+            rigid,
+            linear: linear::resolve(model, dofs),
+            dependent_dofs: Vec::new(),
+            row_start: vec![0],
+            row_dofs: Vec::new(),
+            carrier,
+        };
+        new.roles
+            .iter_mut()
+            .enumerate()
+            .filter(|(dof, _)| dofs.is_active(*dof))
+            .for_each(|(_, role)| *role = Role::Free(0));
+        new.add_rows();
+        for (place, prescribed) in step.prescribed.iter().enumerate() {
+            if let Some(dof) = dofs.find(prescribed.node, prescribed.dof) {
+                new.roles[dof] = Role::Prescribed(place);
+            }
+        }
+        new.number_unknowns();
+        new
+    }
+
+    /// Gives every dependent dof its role and a row of the dofs it follows.
+    fn add_rows(&mut self) {
+        let Self { roles, rigid, linear, dependent_dofs, row_start, row_dofs, .. } = self;
+        let mut add = |dependent: usize, followed: &mut dyn Iterator<Item = usize>| {
+            roles[dependent] = Role::Dependent(row_start.len() - 1);
+            dependent_dofs.push(dependent);
+            row_dofs.extend(followed);
+            row_start.push(row_dofs.len());
+        };
+        for link in rigid {
+            for (component, dependent) in link.dependent_dofs() {
+                add(dependent, &mut link.followed(component).into_iter().flatten());
+            }
+        }
+        for constraint in linear {
+            add(constraint.dependent, &mut constraint.terms.iter().map(|&(dof, _)| dof));
+        }
+    }
+
+    fn number_unknowns(&mut self) {
+        for (dof, role) in self.roles.iter_mut().enumerate() {
+            if matches!(role, Role::Free(_)) {
+                *role = Role::Free(self.dof_of_equation.len());
+                self.dof_of_equation.push(dof);
+            }
+        }
+    }
+
+    /// Number of unknowns.
+    pub fn equations(&self) -> usize {
+        self.dof_of_equation.len()
+    }
+
+    /// The equation of a dof that is unknown.
+    pub fn equation(&self, dof: usize) -> Option<usize> {
+        match self.roles[dof] {
+            Role::Free(equation) => Some(equation),
+            _ => None,
+        }
+    }
+
+    /// Whether a dof follows others.
+    pub fn is_dependent(&self, dof: usize) -> bool {
+        matches!(self.roles[dof], Role::Dependent(_))
+    }
+
+    /// The node whose dofs carry this one, as part of a rigid body.
+    pub fn carrier(&self, node: NodeIndex) -> NodeIndex {
+        self.carrier[node]
+    }
+
+    /// Adds the equations that a dof depends on.
+    pub fn equations_of(&self, dof: usize, into: &mut Vec<usize>) {
+        match self.roles[dof] {
+            Role::Free(equation) => into.push(equation),
+            Role::Dependent(row) => {
+                for &followed in &self.row_dofs[self.row_start[row]..self.row_start[row + 1]] {
+                    self.equations_of(followed, into);
+                }
+            }
+            Role::Inactive | Role::Prescribed(_) => {}
+        }
+    }
+
+    /// Moves dependent dofs to where the others take them.
+    pub fn enforce(&self, u: &mut [f64]) {
+        self.rigid.iter().for_each(|link| link.enforce(u));
+        self.linear.iter().for_each(|constraint| constraint.enforce(u));
+    }
+
+    /// Stiffness by the turning of T, f . d2u/dq2, for forces `f` on all dofs
+    /// (those that act on dependent ones count; they are used up): calls back
+    /// with rotations and their stiffness.
+    pub fn turning(&self, u: &[f64], f: &mut [f64], mut call: impl FnMut(usize, f64)) {
+        // what follows a body linearly presses on it too
+        self.linear.iter().rev().for_each(|constraint| constraint.carry(f));
+        for (dof, stiffness) in self.rigid.iter().filter_map(|link| link.turning(u, f)) {
+            call(dof, stiffness);
+        }
+    }
+
+    /// Whether T turns with the unknowns.
+    pub fn turns(&self) -> bool {
+        !self.rigid.is_empty()
+    }
+}

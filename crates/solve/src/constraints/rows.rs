@@ -1,0 +1,111 @@
+//! T at a configuration: how dependent dofs follow the others.
+
+use super::{Constraints, Role};
+use slideline_linalg::Pattern;
+
+/// Coefficients of T at a configuration, in the order of the rows.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct Rows {
+    coefficients: Vec<f64>,
+}
+
+impl Constraints {
+    /// T at displacements `u`: writes `into`.
+    pub fn linearise(&self, u: &[f64], into: &mut Rows) {
+        let list = &mut into.coefficients;
+        list.clear();
+        for link in &self.rigid {
+            for (component, _) in link.dependent_dofs() {
+                let count = link.followed(component).into_iter().flatten().count();
+                list.extend(&link.coefficients(component, u)[..count]);
+            }
+        }
+        for constraint in &self.linear {
+            list.extend(constraint.terms.iter().map(|(_, a)| a));
+        }
+    }
+
+    /// What a dependent dof follows, with coefficients.
+    fn row<'a>(&'a self, row: usize, rows: &'a Rows) -> impl Iterator<Item = (usize, f64)> + 'a {
+        let range = self.row_start[row]..self.row_start[row + 1];
+        let dofs = self.row_dofs[range.clone()].iter().copied();
+        dofs.zip(rows.coefficients[range].iter().copied())
+    }
+
+    /// Fills in the changes of dependent dofs, du = T dq.
+    pub fn expand(&self, rows: &Rows, change: &mut [f64]) {
+        for (dof, row) in self.dependents() {
+            change[dof] = self.row(row, rows).map(|(from, a)| a * change[from]).sum();
+        }
+    }
+
+    /// Hands forces on dependent dofs to those that they follow, T' f.
+    pub fn carry(&self, rows: &Rows, force: &mut [f64]) {
+        for (dof, row) in self.dependents().rev() {
+            let own = std::mem::take(&mut force[dof]);
+            if own != 0.0 {
+                self.row(row, rows).for_each(|(to, a)| force[to] += a * own);
+            }
+        }
+    }
+
+    /// Dependent dofs in the order of their rows.
+    fn dependents(&self) -> impl DoubleEndedIterator<Item = (usize, usize)> + '_ {
+        self.dependent_dofs
+            .iter()
+            .enumerate()
+            .map(|(row, &dof)| (dof, row))
+            .filter(|&(dof, row)| self.roles[dof] == Role::Dependent(row))
+    }
+
+    /// Calls back with every equation that a dof follows and its coefficient.
+    pub fn for_each_equation(&self, rows: &Rows, dof: usize, call: &mut impl FnMut(usize, f64)) {
+        match self.roles[dof] {
+            Role::Free(equation) => call(equation, 1.0),
+            Role::Dependent(row) => {
+                for (from, a) in self.row(row, rows) {
+                    match self.roles[from] {
+                        Role::Free(equation) => call(equation, a),
+                        Role::Dependent(_) => self.through(rows, (from, a), call),
+                        Role::Inactive | Role::Prescribed(_) => {}
+                    }
+                }
+            }
+            Role::Inactive | Role::Prescribed(_) => {}
+        }
+    }
+
+    /// The equations of a dependent dof that another one follows.
+    fn through(&self, rows: &Rows, (dof, a): (usize, f64), call: &mut dyn FnMut(usize, f64)) {
+        let Role::Dependent(row) = self.roles[dof] else { return };
+        for (from, b) in self.row(row, rows) {
+            match self.roles[from] {
+                Role::Free(equation) => call(equation, a * b),
+                Role::Dependent(_) => self.through(rows, (from, a * b), call),
+                Role::Inactive | Role::Prescribed(_) => {}
+            }
+        }
+    }
+
+    /// Adds T' K T of a stencil to matrix values: `dofs` are its own, `tangent`
+    /// row by row.
+    pub fn scatter(
+        &self,
+        (rows, pattern): (&Rows, &Pattern),
+        dofs: &[usize],
+        tangent: impl Fn(usize, usize) -> f64,
+        values: &mut [f64],
+    ) {
+        for (i, &row_dof) in dofs.iter().enumerate() {
+            self.for_each_equation(rows, row_dof, &mut |row, a| {
+                for (j, &column_dof) in dofs.iter().enumerate() {
+                    self.for_each_equation(rows, column_dof, &mut |column, b| {
+                        if let Some(at) = pattern.position(row, column) {
+                            values[at] += a * b * tangent(i, j);
+                        }
+                    });
+                }
+            });
+        }
+    }
+}

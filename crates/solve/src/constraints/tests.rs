@@ -1,0 +1,181 @@
+//! T and its derivatives, by differences and as transposes.
+
+use super::*;
+use slideline_diag::{FileId, Span};
+use slideline_model::{
+    ContactElement, ContactPair, Controls, Dof, Extrapolation, Formulation, Friction, Interaction,
+    Lumping, Master, Node, NormalLaw, OutputRequests, Prescribed, RigidSurface, Static, Vocabulary,
+};
+
+const AT: Span = Span { file: FileId(0), start: 0, end: 0 };
+
+/// A body of node 0 that carries nodes 1 and 2 (2 by way of 1); node 3 follows
+/// node 2 and node 4 linearly, node 5 follows node 3; of node 4 U1 is prescribed.
+fn model() -> Model {
+    let mut model = Model::default();
+    for label in 0..6 {
+        let position = [label as f64, 0.3 * (label as f64).powi(2), 0.0];
+        model.nodes.insert(Node { label: label + 1, position, origin: AT });
+    }
+    let link = |dependent, master| slideline_model::RigidLink { dependent, master, origin: AT };
+    model.rigid_links = vec![link(2, 1), link(1, 0)];
+    let follow = |node, terms: &[(NodeIndex, Dof, f64)], constant| {
+        let (dependent, terms) = ((node, Dof::U2), terms.to_vec());
+        slideline_model::LinearConstraint { dependent, terms, constant, origin: AT }
+    };
+    // the last in the list comes first: order must not matter
+    model.linear_constraints = vec![
+        follow(5, &[(3, Dof::U2, -0.7), (4, Dof::U1, 2.0)], 0.0),
+        follow(3, &[(2, Dof::U2, 0.25), (4, Dof::U2, 1.5)], 0.125),
+    ];
+    model.contact_pairs.push(contact());
+    model.steps.push(step());
+    model
+}
+
+/// A contact pair on nodes 3 to 5: their displacements are unknowns.
+fn contact() -> ContactPair {
+    let element = |nodes| ContactElement { label: 1, nodes, lumping: Lumping::Halves, origin: AT };
+    ContactPair {
+        name: String::new(),
+        formulation: Formulation::NodeToSurface,
+        vocabulary: Vocabulary::Elements,
+        elements: vec![element([3, 4]), element([4, 5])],
+        master: Master::RigidSurface(RigidSurface {
+            reference: 0,
+            start: [0.0; 2],
+            segments: vec![],
+            origin: AT,
+        }),
+        interaction: Interaction {
+            width: 1.0,
+            normal: NormalLaw::Hard,
+            friction: Friction::Frictionless,
+            origin: AT,
+            normal_origin: None,
+            friction_origin: None,
+        },
+        origin: AT,
+    }
+}
+
+fn step() -> Step {
+    let prescribed = |node, dof| Prescribed { node, dof, value: 0.4, amplitude: None, origin: AT };
+    Step {
+        title: String::new(),
+        nlgeom: true,
+        max_increments: 1,
+        unsymmetric: None,
+        extrapolation: Extrapolation::None,
+        at_once: false,
+        procedure: Static {
+            initial: 1.0,
+            period: 1.0,
+            minimum: 1.0,
+            maximum: 1.0,
+            direct: true,
+            origin: None,
+        },
+        prescribed: vec![prescribed(4, Dof::U1)],
+        loads: vec![],
+        controls: Controls::default(),
+        stabilisation: None,
+        output: OutputRequests::default(),
+        origin: AT,
+    }
+}
+
+struct Built {
+    dofs: DofMap,
+    constraints: Constraints,
+    u: Vec<f64>,
+    rows: Rows,
+}
+
+fn build() -> Built {
+    let model = model();
+    let dofs = DofMap::new(&model);
+    let constraints = Constraints::new(&model, &model.steps[0], &dofs);
+    let mut u: Vec<f64> = (0..dofs.len()).map(|k| 0.3 * (1.0 + k as f64).sin()).collect();
+    constraints.enforce(&mut u);
+    let mut rows = Rows::default();
+    constraints.linearise(&u, &mut rows);
+    Built { dofs, constraints, u, rows }
+}
+
+/// Requirement: du = T dq is the derivative of the motion, through rigid links,
+/// chains of them, and chains of linear constraints. Central differences of step
+/// 1e-6; tolerance 1e-9.
+#[test]
+fn changes_by_differences() {
+    let Built { constraints, u, rows, .. } = build();
+    assert_eq!(constraints.equations(), 3 + 2 + 1, "body, U1 of 3 and 5, U2 of 4");
+    for &dof in &constraints.dof_of_equation {
+        let moved = |by: f64| {
+            let mut moved = u.clone();
+            moved[dof] += by;
+            constraints.enforce(&mut moved);
+            moved
+        };
+        let (up, down) = (moved(1e-6), moved(-1e-6));
+        let mut change = vec![0.0; u.len()];
+        change[dof] = 1.0;
+        constraints.expand(&rows, &mut change);
+        for k in 0..u.len() {
+            let difference = (up[k] - down[k]) / 2e-6;
+            assert!((change[k] - difference).abs() < 1e-9, "{k} by {dof}: {}", change[k]);
+        }
+    }
+}
+
+/// Requirement: forces are handed over as T says, f . T dq = T' f . dq, and the
+/// rows by equation are the same T.
+#[test]
+fn forces_are_the_transpose() {
+    let Built { constraints, u, rows, .. } = build();
+    let force: Vec<f64> = (0..u.len()).map(|k| (0.7 * k as f64).cos()).collect();
+    let mut carried = force.clone();
+    constraints.carry(&rows, &mut carried);
+    for (equation, &dof) in constraints.dof_of_equation.iter().enumerate() {
+        let mut change = vec![0.0; u.len()];
+        change[dof] = 1.0;
+        constraints.expand(&rows, &mut change);
+        let work: f64 = force.iter().zip(&change).map(|(f, du)| f * du).sum();
+        assert!((carried[dof] - work).abs() < 1e-13, "{dof}");
+        let mut by_rows = 0.0;
+        for (k, f) in force.iter().enumerate() {
+            let add = &mut |e: usize, a: f64| by_rows += if e == equation { a * f } else { 0.0 };
+            constraints.for_each_equation(&rows, k, add);
+        }
+        assert!((carried[dof] - by_rows).abs() < 1e-13, "{dof}");
+    }
+    let left = (0..u.len()).filter(|&dof| constraints.is_dependent(dof));
+    assert!(left.into_iter().all(|dof| carried[dof] == 0.0));
+}
+
+/// Requirement: of forces that stay, T' f changes by the turning alone. Central
+/// differences of step 1e-6; tolerance 1e-8.
+#[test]
+fn turning_by_differences() {
+    let Built { dofs, constraints, u, .. } = build();
+    let force: Vec<f64> = (0..u.len()).map(|k| (0.7 * k as f64).cos()).collect();
+    let carried = |by: f64, dof: usize| {
+        let (mut moved, mut carried, mut rows) = (u.clone(), force.clone(), Rows::default());
+        moved[dof] += by;
+        constraints.enforce(&mut moved);
+        constraints.linearise(&moved, &mut rows);
+        constraints.carry(&rows, &mut carried);
+        carried
+    };
+    let turn = dofs.find(0, Dof::UR3).unwrap();
+    let mut stiffness = 0.0;
+    constraints.turning(&u, &mut force.clone(), |_, k| stiffness += k);
+    for &dof in &constraints.dof_of_equation {
+        let (up, down) = (carried(1e-6, dof), carried(-1e-6, dof));
+        for &row in &constraints.dof_of_equation {
+            let difference = (up[row] - down[row]) / 2e-6;
+            let expected = if (row, dof) == (turn, turn) { stiffness } else { 0.0 };
+            assert!((difference - expected).abs() < 1e-8, "{row} {dof}: {difference}");
+        }
+    }
+}

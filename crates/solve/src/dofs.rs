@@ -1,0 +1,167 @@
+//! Which numbers describe the motion.
+//!
+//! ```text
+//!   node 1          node 2      node 3         dofs, one after the other:
+//!   [U1 U2 UR3]     [U1 U2]     [U1 U2 UR3]    0 1 2   3 4   5 6 7
+//!   beam            solid       no element
+//! ```
+//!
+//! A node has the dofs of its elements and of the rigid body or contact that it
+//! belongs to; one without elements has all, to move as it is told. The numbering
+//! knows no step: it holds for a whole run and for those that go on from it.
+
+use slideline_model::{BeamElement, Dof, ElementBlock, Master, Model, NodeIndex, SpringKind};
+use std::ops::Range;
+
+/// The dofs of a model's nodes, numbered node by node.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct DofMap {
+    /// First dof of every node, and behind the last one their number.
+    first: Vec<usize>,
+    /// Node and direction of every dof.
+    names: Vec<(NodeIndex, Dof)>,
+    /// Whether an element, a rigid body or contact uses it.
+    active: Vec<bool>,
+    /// Those that are rotations.
+    rotations: Vec<usize>,
+    /// Directions that some node has.
+    kinds: Vec<Dof>,
+}
+
+impl DofMap {
+    /// Numbers the dofs of a model.
+    pub fn new(model: &Model) -> Self {
+        let mut has = vec![[None; Dof::ALL.len()]; model.nodes.len()];
+        let elastic = of_elements(model);
+        let mut alone = vec![true; model.nodes.len()];
+        elastic.iter().for_each(|&(node, _)| alone[node] = false);
+        let free = (0..alone.len()).filter(|&node| alone[node]).flat_map(rigid_body);
+        free.for_each(|(node, dof)| has[node][dof as usize] = Some(false));
+        for (node, dof) in elastic.into_iter().chain(of_bodies(model)) {
+            has[node][dof as usize] = Some(true);
+        }
+        let mut map = Self { first: vec![0], ..Self::default() };
+        for (node, has) in has.iter().enumerate() {
+            for dof in Dof::ALL {
+                if let Some(active) = has[dof as usize] {
+                    map.names.push((node, dof));
+                    map.active.push(active);
+                }
+            }
+            map.first.push(map.names.len());
+        }
+        map.rotations = (0..map.len()).filter(|&dof| map.is_rotation(dof)).collect();
+        let used = |dof: &Dof| dof.is_plane() || map.names.iter().any(|(_, own)| own == dof);
+        map.kinds = Dof::ALL.into_iter().filter(used).collect();
+        map
+    }
+
+    /// How many.
+    pub fn len(&self) -> usize {
+        self.names.len()
+    }
+
+    /// The dofs of a node.
+    pub fn of_node(&self, node: NodeIndex) -> Range<usize> {
+        self.first[node]..self.first[node + 1]
+    }
+
+    /// The dof of a node in a direction, where it has it.
+    pub fn find(&self, node: NodeIndex, dof: Dof) -> Option<usize> {
+        let own = self.of_node(node);
+        let place = self.names[own.clone()].iter().position(|&(_, kind)| kind == dof)?;
+        Some(own.start + place)
+    }
+
+    /// Node and direction of a dof.
+    pub fn name(&self, dof: usize) -> (NodeIndex, Dof) {
+        self.names[dof]
+    }
+
+    /// Whether a dof is a rotation.
+    pub fn is_rotation(&self, dof: usize) -> bool {
+        self.names[dof].1.is_rotation()
+    }
+
+    /// Whether an element, a rigid body or contact uses a dof: what only a
+    /// support or a load names does not move by itself.
+    pub fn is_active(&self, dof: usize) -> bool {
+        self.active[dof]
+    }
+
+    /// The dofs that are rotations, ascending.
+    pub fn rotations(&self) -> &[usize] {
+        &self.rotations
+    }
+
+    /// Number of nodes.
+    pub fn nodes(&self) -> usize {
+        self.first.len() - 1
+    }
+
+    /// Directions that some node of the model has, those of the plane always.
+    pub fn kinds(&self) -> &[Dof] {
+        &self.kinds
+    }
+
+    /// A value of a nodal vector; zero where the node lacks the dof.
+    pub fn read(&self, vector: &[f64], node: NodeIndex, dof: Dof) -> f64 {
+        self.find(node, dof).map_or(0.0, |dof| vector[dof])
+    }
+
+    /// The displacement of a node along the first `D` axes [L].
+    pub fn translation<const D: usize>(&self, u: &[f64], node: NodeIndex) -> [f64; D] {
+        std::array::from_fn(|axis| self.read(u, node, Dof::ALL[axis]))
+    }
+}
+
+/// Dofs that elements use.
+fn of_elements(model: &Model) -> Vec<(NodeIndex, Dof)> {
+    let mut used = Vec::new();
+    for block in &model.blocks {
+        match block {
+            ElementBlock::B21(block) | ElementBlock::B22(block) | ElementBlock::B23(block) => {
+                let nodes = block.elements.iter().flat_map(BeamElement::all_nodes);
+                used.extend(nodes.flat_map(rigid_body));
+            }
+            ElementBlock::Spring(block) => {
+                for element in &block.elements {
+                    match block.kind {
+                        SpringKind::Ground(dof) => used.push((element.nodes[0], dof)),
+                        SpringKind::Axial => {
+                            used.extend(element.nodes.iter().flat_map(|&node| point(node)));
+                        }
+                    }
+                }
+            }
+        }
+    }
+    used
+}
+
+/// Dofs that rigid bodies and contact use.
+fn of_bodies(model: &Model) -> Vec<(NodeIndex, Dof)> {
+    let mut used = Vec::new();
+    for link in &model.rigid_links {
+        used.extend([link.master, link.dependent].into_iter().flat_map(rigid_body));
+    }
+    for pair in &model.contact_pairs {
+        // A contact node needs no element: its translations matter all the same.
+        used.extend(pair.elements.iter().flat_map(|element| element.nodes).flat_map(point));
+        match &pair.master {
+            Master::RigidSurface(surface) => used.extend(rigid_body(surface.reference)),
+            Master::SlideLine(line) => used.extend(line.nodes.iter().flat_map(|&n| point(n))),
+        }
+    }
+    used
+}
+
+/// The dofs of a node that turns.
+fn rigid_body(node: NodeIndex) -> impl Iterator<Item = (NodeIndex, Dof)> {
+    Dof::ALL.into_iter().filter(|dof| dof.is_plane()).map(move |dof| (node, dof))
+}
+
+/// The dofs of a node that does not turn.
+fn point(node: NodeIndex) -> impl Iterator<Item = (NodeIndex, Dof)> {
+    rigid_body(node).filter(|(_, dof)| !dof.is_rotation())
+}
