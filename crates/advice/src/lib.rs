@@ -13,6 +13,7 @@
 mod bodies;
 mod finding;
 mod mesh;
+mod moments;
 mod motion;
 mod noise;
 mod overclosure;
@@ -34,7 +35,8 @@ use slideline_model::Model;
 /// Everything the adviser finds in a model before it runs. A model that the
 /// solver refuses is judged without its contact points.
 pub fn advise(model: &Model) -> Vec<Finding> {
-    let start = start::Start::of(model);
+    let mut start = start::Start::of(model);
+    rehearsal::rehearse(&mut start);
     let mut findings = Vec::new();
     let parts: [fn(&start::Start<'_>, &mut Vec<Finding>); 9] = [
         overclosure::judge,

@@ -6,6 +6,7 @@
 //!                                              --> the slave that carries
 //! ```
 
+use crate::moments::{Carrier, Moment, Rehearsal};
 use crate::motion::motion;
 use crate::start::{Start, length, less};
 use slideline_mech::contact::pair::{Body, RigidSurface, chain_gap};
@@ -17,39 +18,6 @@ use slideline_model::{ContactPair, Formulation, Master, NodeIndex, Step};
 const MOST: usize = 400;
 /// Gaps that are computed at most.
 const EFFORT: usize = 4_000_000;
-
-/// A pair over all increments.
-#[derive(Clone, Debug, Default)]
-pub struct Rehearsal {
-    /// Increment by increment.
-    pub moments: Vec<Moment>,
-}
-
-/// One increment.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Moment {
-    /// Place of the step.
-    pub step: usize,
-    /// The slave that carries contact, if any is in reach of the law.
-    pub carrier: Option<Carrier>,
-    /// How far all that was in contact has gone beyond an end of the master
-    /// [L], if that is why nothing is in contact now; and whether that is
-    /// where the master starts.
-    pub off: Option<(f64, bool)>,
-    /// Smallest and largest overclosure of slaves that face the master [L].
-    pub range: Option<(f64, f64)>,
-}
-
-/// The slave that lies deepest in its master.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Carrier {
-    /// Its node.
-    pub node: NodeIndex,
-    /// Its place along the slaves, from the first of them [L].
-    pub slave: f64,
-    /// Where it is on the master [L].
-    pub along: f64,
-}
 
 /// A master, ready to be asked.
 enum Facade {
@@ -69,39 +37,36 @@ enum Met {
     Nothing,
 }
 
-impl Rehearsal {
-    /// Walks a pair through all steps; `None` where its motions are not
-    /// prescribed in full.
-    pub fn of(start: &Start<'_>, pair: &ContactPair) -> Option<Self> {
-        let slaves = pair.slave_nodes();
-        let facade = facade(start, pair)?;
-        let pieces = match &facade {
-            Facade::Body(surface, _) => surface.segments().len(),
-            Facade::Line(_, nodes) => nodes.len(),
-        };
-        let most = (EFFORT / (slaves.len() * pieces * start.model.steps.len()).max(1)).min(MOST);
-        let places = arc_places(start, pair, &slaves);
-        let mut rehearsal = Self::default();
-        let mut carried: Vec<bool> = vec![false; slaves.len()];
-        for (number, step) in start.model.steps.iter().enumerate() {
-            let count = increments(step).min(most.max(2));
-            let before = usize::from(number > 0);
-            for k in before..=count {
-                let time = (number, k as f64 / count as f64);
-                let moment = walk(start, pair, (&facade, &slaves, &places), time, &mut carried)?;
-                rehearsal.moments.push(moment);
-            }
-        }
-        Some(rehearsal)
-    }
+/// Rehearses every pair, gaps that the solver left out filled before.
+pub fn rehearse(start: &mut Start<'_>) {
+    fill_gaps(start);
+    let pairs = start.model.contact_pairs.iter();
+    start.rehearsals = pairs.map(|pair| walked(start, pair)).collect();
+}
 
-    /// Neighbouring increments of one step that are both in contact.
-    pub fn slides(&self) -> impl Iterator<Item = (usize, Carrier, Carrier)> + '_ {
-        self.moments
-            .windows(2)
-            .filter(|w| w[0].step == w[1].step)
-            .filter_map(|w| Some((w[1].step, w[0].carrier?, w[1].carrier?)))
+/// Walks a pair through all steps; `None` where its motions are not
+/// prescribed in full.
+fn walked(start: &Start<'_>, pair: &ContactPair) -> Option<Rehearsal> {
+    let slaves = pair.slave_nodes();
+    let facade = facade(start, pair)?;
+    let pieces = match &facade {
+        Facade::Body(surface, _) => surface.segments().len(),
+        Facade::Line(_, nodes) => nodes.len(),
+    };
+    let most = (EFFORT / (slaves.len() * pieces * start.model.steps.len()).max(1)).min(MOST);
+    let places = arc_places(start, pair, &slaves);
+    let mut rehearsal = Rehearsal::default();
+    let mut carried: Vec<bool> = vec![false; slaves.len()];
+    for (number, step) in start.model.steps.iter().enumerate() {
+        let count = increments(step).min(most.max(2));
+        let before = usize::from(number > 0);
+        for k in before..=count {
+            let time = (number, k as f64 / count as f64);
+            let moment = walk(start, pair, (&facade, &slaves, &places), time, &mut carried)?;
+            rehearsal.moments.push(moment);
+        }
     }
+    Some(rehearsal)
 }
 
 /// Increments of a step, were all as long as the first one.
@@ -113,7 +78,7 @@ pub fn increments(step: &Step) -> usize {
 
 /// Gaps of integrated contact that the solver has left out, because they are
 /// far from closing: those of the slave nodes, before anything moves.
-pub fn fill_gaps(start: &mut Start<'_>) {
+fn fill_gaps(start: &mut Start<'_>) {
     let mut filled = std::mem::take(&mut start.points);
     for row in filled.iter_mut().filter(|row| row.opening.is_infinite()) {
         let Some(pair) = start.model.contact_pairs.get(row.pair) else { continue };

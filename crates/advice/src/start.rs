@@ -6,7 +6,7 @@
 //! ```
 
 use crate::bodies::Bodies;
-use crate::rehearsal::{Rehearsal, fill_gaps};
+use crate::moments::Rehearsal;
 use slideline_model::{
     ContactPair, Dof, Master, Model, NodeIndex, Prescribed, Step, SurfaceSegment,
 };
@@ -33,17 +33,13 @@ impl<'a> Start<'a> {
     pub fn of(model: &'a Model) -> Self {
         let mut first = First(Vec::new());
         let _ = slideline_solve::run(model, &slideline_solve::Options::default(), &mut first); // ended by us, on purpose
-        let mut start = Self {
+        Self {
             model,
             bodies: Bodies::of(model),
             points: first.0,
             reach: reach(model),
             rehearsals: Vec::new(),
-        };
-        fill_gaps(&mut start);
-        start.rehearsals =
-            model.contact_pairs.iter().map(|pair| Rehearsal::of(&start, pair)).collect();
-        start
+        }
     }
 
     /// Largest extent of nodes and rigid surfaces together [L].

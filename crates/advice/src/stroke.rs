@@ -1,7 +1,7 @@
 //! Where prescribed motions lead the contact point.
 
 use crate::finding::{Finding, Place};
-use crate::rehearsal::{Carrier, Rehearsal};
+use crate::moments::{Carrier, Rehearsal};
 use crate::sides::SurfacePoints;
 use crate::start::{Start, arc_of, circle_of, length, less, spacing};
 use slideline_diag::{Code, Diagnostic, Severity};

@@ -9,7 +9,7 @@ use slideline::model::{ContactPair, Formulation, Master, NodeIndex, NormalLaw};
 use slideline::observe::ContactRow;
 use slideline::output::json::{self, Value, json};
 use slideline::output::number::general;
-use slideline::output::{echo, picture, record, write_file};
+use slideline::output::{echo, picture, picture_page, record, write_file};
 use slideline::{InitialGaps, Job, Model, Read, SolveOptions, initial_gaps};
 use std::fmt::Write as _;
 use std::io::{ErrorKind, Write as _};
@@ -56,9 +56,9 @@ fn draw(path: &Path, read: &Read, start: Option<&InitialGaps>) -> bool {
     let content = match path.extension().and_then(|ending| ending.to_str()) {
         Some("html") => {
             let words = report(read, start);
-            Some(picture.html(heading.unwrap_or(&name), &words).into_bytes())
+            Some(picture_page(&picture, heading.unwrap_or(&name), &words).into_bytes())
         }
-        Some("png") => picture.png(),
+        Some("png") => picture.png(192.0),
         _ => Some(picture.svg().into_bytes()),
     };
     let Some(content) = content else {

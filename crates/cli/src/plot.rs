@@ -84,7 +84,7 @@ fn drawn(arguments: &PlotArguments) -> Result<String, Problem> {
     let content = match output.extension().and_then(|ending| ending.to_str()) {
         Some("svg") => figure.svg().into_bytes(),
         Some("png") => figure
-            .png()
+            .png(192.0)
             .ok_or_else(|| Problem::Question("the figure cannot be encoded".to_owned()))?,
         _ => csv(&question, &one, other.as_ref()).into_bytes(),
     };

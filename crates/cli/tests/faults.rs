@@ -202,6 +202,15 @@ fn a_limit_on_the_size_of_files() {
     assert!(stopped >= 12, "{stopped}");
 }
 
+/// Waits until something has come to pass, a minute at most.
+fn within_a_minute(what: &str, mut passed: impl FnMut() -> bool) {
+    let begun = std::time::Instant::now();
+    while !passed() {
+        assert!(begun.elapsed().as_secs() < 60, "waited a minute for {what}");
+        std::thread::yield_now();
+    }
+}
+
 /// A folder that is moved away in the middle of a run and put back, and one
 /// that is removed.
 #[test]
@@ -220,15 +229,21 @@ fn a_folder_that_vanishes() {
             .stderr(Stdio::piped())
             .spawn()
             .unwrap();
-        while !base.join("out/job_0020.vtu").exists() {
-            std::thread::yield_now();
-        }
+        let mut child = child;
+        within_a_minute("the twentieth state", || {
+            let ended = child.try_wait().unwrap();
+            assert!(ended.is_none(), "it ended before its folder vanished: {ended:?}");
+            base.join("out/job_0020.vtu").exists()
+        });
         if moved {
             std::fs::rename(base.join("out"), base.join("away")).unwrap();
         } else {
             // new files appear while it is emptied
-            while std::fs::remove_dir_all(base.join("out")).is_err() {}
+            within_a_minute("an empty folder", || {
+                std::fs::remove_dir_all(base.join("out")).is_ok()
+            });
         }
+        within_a_minute("its end", || child.try_wait().unwrap().is_some());
         let output = child.wait_with_output().unwrap();
         let said = stderr(&output);
         assert_eq!(code(&output), 4, "{said}");

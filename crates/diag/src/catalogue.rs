@@ -1,6 +1,6 @@
 //! Every code with its title; the page of each stands in `docs/errors/`.
 
-use crate::Code;
+use crate::diagnostic::Code;
 
 /// A code and what it is about, in a few words.
 #[derive(Clone, Copy, Debug)]

@@ -1,6 +1,6 @@
 //! What is to be said, to whom it may matter, and what to do.
 
-use crate::Span;
+use crate::source::Span;
 
 /// A diagnostic's number, such as `SL0412`; never reused.
 ///

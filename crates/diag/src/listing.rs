@@ -2,7 +2,8 @@
 
 use std::collections::HashMap;
 
-use crate::{Code, Diagnostic, Severity, Span};
+use crate::diagnostic::{Code, Diagnostic, Severity};
+use crate::source::Span;
 
 /// Most diagnostics of one pass over a deck; the last one then says that more
 /// was found.

@@ -10,8 +10,8 @@ use slideline_model::{
     NodePrint, PrintTarget, SavedStates, ShearRule, Static, SurfaceSegment,
 };
 
-use crate::keyword::Subject;
 use crate::log::{Log, Target};
+use crate::rule::Subject;
 use crate::sets::Sets;
 use crate::surfaces::{NamedInteraction, NamedSurface, Pairing, RigidBody};
 

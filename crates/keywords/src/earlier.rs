@@ -46,7 +46,7 @@ pub fn read_request(parsed: &Parsed) -> Option<ReadRequest> {
         let (Match::Exact(keyword) | Match::Abbreviation(keyword)) = found else { return None };
         // What is wrong with the card is told when it is interpreted.
         let mut log = Log::default();
-        let reading = Reading::new(card, keyword, &mut log);
+        let reading = Reading::new(card, keyword.form(), &mut log);
         let reading = reading.filter(|_| keyword.name() == "RESTART")?;
         let mut count = |name| reading.has(name).then(|| reading.count(name, 1, &mut log));
         let (step, increment) = (count("STEP"), count("INC"));

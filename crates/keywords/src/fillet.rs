@@ -15,10 +15,7 @@ use slideline_model::SurfaceSegment;
 
 mod curve;
 
-use curve::{Curve, cross, dot, minus};
-
-/// Point or direction in the plane [L] or [1].
-type Point = [f64; 2];
+use curve::{Curve, Point, cross, dot, minus};
 
 /// A start and the segments behind it.
 pub(crate) type Profile = (Point, Vec<SurfaceSegment>);

@@ -8,9 +8,10 @@ use slideline_model::{Dialect, Model};
 
 use crate::draft::{Draft, Owner};
 use crate::earlier::{Earlier, MAY_FOLLOW};
-use crate::keyword::{Keyword, Level};
+use crate::keyword::Keyword;
 use crate::reading::{Match, Reading, note_abbreviation, resolve};
 use crate::registry::REGISTRY;
+use crate::rule::Level;
 use crate::unsupported::{self, Other, Treatment};
 use crate::{finish, traps};
 
@@ -129,7 +130,7 @@ fn read_card(
     if misplaced(card, keyword, draft, stray_history) {
         return;
     }
-    match Reading::new(card, keyword, &mut draft.log) {
+    match Reading::new(card, keyword.form(), &mut draft.log) {
         Some(reading) => keyword.read(&reading, draft),
         None if !keyword.is_suboption() => draft.owner = Owner::Broken,
         None => {}

@@ -3,13 +3,13 @@
 use slideline_deck::{Card, DataLine, Field, Parameter, Word, nearest, normalise};
 use slideline_diag::{Code, Diagnostic, Span};
 
-use crate::keyword::{Keyword, Rule, Takes};
 use crate::log::Log;
+use crate::rule::{Form, Rule, Takes};
 
 /// A card whose parameters are known by their full names.
 pub(crate) struct Reading<'a> {
     pub card: &'a Card,
-    pub keyword: &'static dyn Keyword,
+    pub keyword: Form,
     given: Vec<(&'static str, &'a Parameter)>,
 }
 
@@ -51,7 +51,7 @@ pub(crate) fn note_abbreviation(log: &mut Log, raw: &str, full: &str, span: Span
 impl<'a> Reading<'a> {
     /// Holds the card against the keyword. `None` where a required parameter
     /// is missing; everything wrong is reported.
-    pub fn new(card: &'a Card, keyword: &'static dyn Keyword, log: &mut Log) -> Option<Self> {
+    pub fn new(card: &'a Card, keyword: Form, log: &mut Log) -> Option<Self> {
         let mut reading = Self { card, keyword, given: Vec::new() };
         for parameter in &card.parameters {
             if let Some(rule) = find_rule(parameter, keyword, log) {
@@ -60,10 +60,10 @@ impl<'a> Reading<'a> {
             }
         }
         let missing =
-            keyword.parameters().iter().filter(|rule| rule.required && !reading.has(rule.name));
+            keyword.parameters.iter().filter(|rule| rule.required && !reading.has(rule.name));
         let missing: Vec<&str> = missing.map(|rule| rule.name).collect();
         for name in &missing {
-            let message = format!("*{} needs the parameter {name}=", keyword.name());
+            let message = format!("*{} needs the parameter {name}=", keyword.name);
             log.error("SL0205", message, card.span);
         }
         missing.is_empty().then_some(reading)
@@ -177,7 +177,7 @@ impl<'a> Reading<'a> {
 
     /// The only data line of the card; complains where there is none or more.
     pub fn only_line(&self, what: &str, log: &mut Log) -> Option<&'a DataLine> {
-        log.at_most_lines(self.data(), 1, self.keyword.name());
+        log.at_most_lines(self.data(), 1, self.keyword.name);
         self.first_line(what, log)
     }
 
@@ -185,7 +185,7 @@ impl<'a> Reading<'a> {
     pub fn first_line(&self, what: &str, log: &mut Log) -> Option<&'a DataLine> {
         let line = self.data().first();
         if line.is_none() {
-            let message = format!("*{} needs a data line: {what}", self.keyword.name());
+            let message = format!("*{} needs a data line: {what}", self.keyword.name);
             log.error("SL0208", message, self.span());
         }
         line
@@ -194,12 +194,8 @@ impl<'a> Reading<'a> {
 
 /// The rule a parameter follows: exact, a unique beginning, or the nearest
 /// spelling (which is an error, but read on with).
-fn find_rule(
-    parameter: &Parameter,
-    keyword: &'static dyn Keyword,
-    log: &mut Log,
-) -> Option<&'static Rule> {
-    let rules = keyword.parameters();
+fn find_rule(parameter: &Parameter, keyword: Form, log: &mut Log) -> Option<&'static Rule> {
+    let rules = keyword.parameters;
     let refs: Vec<&'static Rule> = rules.iter().collect();
     let word = &parameter.name;
     match resolve(&normalise(&word.raw), &refs, |rule| rule.name) {
@@ -217,7 +213,7 @@ fn find_rule(
         // Cards of an assembly name the instance they belong to.
         Match::Unknown if log.has_parts && ["INSTANCE", "INTERNAL"].contains(&&*word.name) => None,
         Match::Unknown => {
-            let message = format!("*{} has no parameter {}", keyword.name(), word.raw);
+            let message = format!("*{} has no parameter {}", keyword.name, word.raw);
             let error = Diagnostic::error(Code("SL0202"), message).at(word.span);
             let compared = rules.iter().take(log.names_to_compare());
             let near = nearest(&word.raw, compared.map(|rule| rule.name));

@@ -10,8 +10,9 @@ use crate::cards::{
     rigid_surface, slide_line, spring, static_, step, surface, surface_behavior, surface_contact,
     surface_interaction, transverse_shear,
 };
-use crate::keyword::{Keyword, Level, Rule};
+use crate::keyword::Keyword;
 use crate::reading::{Match, resolve};
+use crate::rule::{Level, Rule};
 
 /// One line for each keyword, in the order of a deck.
 pub(crate) const REGISTRY: &[&'static dyn Keyword] = &[

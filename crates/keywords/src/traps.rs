@@ -19,10 +19,11 @@ use std::collections::HashSet;
 use slideline_deck::{Card, Comment, DataLine, Deck, comment_as_card, normalise, parse_number};
 use slideline_diag::{Code, Diagnostic, Span};
 
-use crate::keyword::{Keyword, Takes};
+use crate::keyword::Keyword;
 use crate::log::Log;
 use crate::reading::{Match, resolve};
 use crate::registry::REGISTRY;
+use crate::rule::{Rule, Takes};
 
 /// Keywords that no data line follows: a comment that spells one hides
 /// nothing.
@@ -88,7 +89,7 @@ fn is_complete(card: &Card, keyword: &dyn Keyword) -> bool {
     let rules = keyword.parameters();
     let mut missing: Vec<&str> =
         rules.iter().filter(|rule| rule.required).map(|rule| rule.name).collect();
-    let refs: Vec<&crate::Rule> = rules.iter().collect();
+    let refs: Vec<&Rule> = rules.iter().collect();
     for parameter in &card.parameters {
         let found = resolve(&normalise(&parameter.name.raw), &refs, |rule| rule.name);
         let (Match::Exact(rule) | Match::Abbreviation(rule)) = found else { return false };

@@ -14,18 +14,7 @@ use slideline_deck::normalise;
 
 mod names;
 
-/// What becomes of a keyword of another program.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Treatment {
-    /// It has no effect in a static step of beams: passed over with a note.
-    Ignored,
-    /// Another way of organising a deck; the rest of it cannot be judged.
-    Parts,
-    /// Values behind names, which the data lines then use.
-    Parameters,
-    /// It changes the model, which stops the run.
-    Unsupported,
-}
+pub(crate) use names::Treatment;
 
 /// A keyword of another program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,6 +1,6 @@
 //! Size of a curve and of its distance from a reference.
 
-use crate::paired;
+use crate::paired::paired;
 
 /// Root mean square sqrt(mean(v^2)), in the units of the values; `None` for no values.
 pub fn rms(values: &[f64]) -> Option<f64> {

@@ -16,7 +16,7 @@ pub fn friction_kept(
         return None;
     }
     let full: Vec<f64> = immediate.iter().zip(frictionless).map(|(a, b)| a - b).collect();
-    let floor = noise_floor * crate::maximum(&full)?;
+    let floor = noise_floor * crate::difference::maximum(&full)?;
     let kept = |i: usize| (full[i].abs() > floor).then(|| (values[i] - frictionless[i]) / full[i]);
     Some((0..values.len()).map(kept).collect())
 }

@@ -19,6 +19,7 @@ mod difference;
 mod error_bar;
 mod friction;
 mod noise;
+mod paired;
 mod peak;
 mod shape;
 mod stroke;
@@ -37,8 +38,3 @@ pub use shape::{
 pub use stroke::{Stroke, Taken, WayOut, stroke};
 pub use verdict::{COARSE_PEAK, Colour, Evidence, Verdict, verdict};
 pub use work::{work, work_ratio};
-
-/// Two slices of equal length, not empty.
-fn paired<'a>(a: &'a [f64], b: &'a [f64]) -> Option<impl Iterator<Item = (f64, f64)> + 'a> {
-    (a.len() == b.len() && !a.is_empty()).then(|| a.iter().copied().zip(b.iter().copied()))
-}

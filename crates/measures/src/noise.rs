@@ -1,6 +1,7 @@
 //! The noise of a run in numbers.
 
-use crate::{DEFAULT_NOISE_FLOOR, maximum, pushes, stroke_reversals, stroke_roughness, strokes};
+use crate::difference::maximum;
+use crate::shape::{DEFAULT_NOISE_FLOOR, pushes, stroke_reversals, stroke_roughness, strokes};
 use std::ops::Range;
 
 /// Wiggles below this fraction of the peak are not counted as reversals [-].

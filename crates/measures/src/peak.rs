@@ -1,6 +1,6 @@
 //! Peaks, and what they mean for a snap-fit.
 
-use crate::paired;
+use crate::paired::paired;
 
 /// A value and the time at which it is taken.
 #[derive(Debug, Clone, Copy, PartialEq)]

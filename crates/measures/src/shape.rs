@@ -1,7 +1,7 @@
 //! Roughness and reversals: noise seen in the shape of a curve.
 
 use crate::difference::{maximum, rms};
-use crate::paired;
+use crate::paired::paired;
 use std::ops::Range;
 
 /// Noise floor of [`reversals`] relative to the peak [-]: far above round-off

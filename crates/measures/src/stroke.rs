@@ -7,7 +7,7 @@
 //!      |-'---------'----> u   or it comes by itself (RF du < 0)
 //! ```
 
-use crate::paired;
+use crate::paired::paired;
 
 /// A largest force and where it is taken.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,6 @@
 //! Work of a force over a path.
 
-use crate::paired;
+use crate::paired::paired;
 
 /// Work [F L] of `force` over `position` by the trapezoidal rule,
 /// sum of (F_i + F_(i+1))/2 (u_(i+1) - u_i); `None` for lengths that differ or fewer

@@ -31,6 +31,9 @@ const ENDINGS: &[&str] = &[
     LOCK,
 ];
 
+/// How many wait for the disk at once.
+const WAITING: usize = 4;
+
 /// Folder and name of a job's files.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct JobFiles {
@@ -148,27 +151,25 @@ impl JobFiles {
     }
 
     /// Waits until the result files are on the disk, the numbered states but
-    /// the last excepted: they are many, and nothing goes on from them. All at
-    /// once, so that the file system can take them in one go.
+    /// the last excepted: they are many, and nothing goes on from them. A few
+    /// at once, so that the file system can take them together.
     pub(crate) fn synchronise(&self) -> Result<(), WriteError> {
         let last = self.states()?.pop().map(|number| self.folder.join(self.state_name(number)));
         let kept = ENDINGS.iter().filter(|ending| **ending != LOCK).map(|ending| self.path(ending));
-        let paths: Vec<PathBuf> = kept.chain(last).filter(|path| path.exists()).collect();
+        let paths: Vec<PathBuf> = kept.chain(last).collect();
+        let each = |paths: &[PathBuf]| paths.iter().try_for_each(|path| file::synchronise(path));
         std::thread::scope(|threads| {
-            let waiting: Vec<_> = paths
-                .iter()
-                .map(|path| {
-                    let thread = std::thread::Builder::new();
-                    // where no more threads are to be had, one after the other
-                    let begun = thread.spawn_scoped(threads, || file::synchronise(path));
-                    begun.map_err(|_| file::synchronise(path))
-                })
-                .collect();
+            let (own, others) = paths.split_at(paths.len() / WAITING);
+            let waiting = others.chunks(paths.len().div_ceil(WAITING)).map(|paths| {
+                let begun = std::thread::Builder::new().spawn_scoped(threads, move || each(paths));
+                begun.map_err(|_| each(paths)) // no more threads are to be had
+            });
+            let waiting: Vec<_> = waiting.collect();
             let ended = waiting.into_iter().map(|waiting| match waiting {
                 Ok(thread) => thread.join().unwrap_or(Ok(())),
                 Err(done) => done,
             });
-            ended.fold(Ok(()), Result::and)
+            ended.fold(each(own), Result::and)
         })?;
         file::synchronise(&self.folder)
     }

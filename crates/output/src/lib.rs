@@ -17,7 +17,6 @@
 mod bars;
 mod contact;
 mod dat;
-pub mod draw;
 pub mod echo;
 mod element;
 mod energy;
@@ -60,7 +59,7 @@ pub use job::{JobFiles, without_ending};
 pub use ledger::{dropped_friction, onset_word};
 pub use lock::{is_running, remove_stale_lock};
 pub use past::Past;
-pub use picture::{Picture, picture};
+pub use picture::{picture, picture_page};
 pub use reading::summary::SCHEMA;
 pub use record::{card, columns, record};
 pub use summary::write_input_error;

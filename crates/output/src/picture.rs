@@ -7,10 +7,10 @@
 //!        -----
 //! ```
 
-use crate::draw::{Anchor, CURVES, Colour, Dash, INK, Pen, Scene, Text, Unit, grey};
 use crate::number::general;
 use crate::outline::outlines;
-use crate::report::{STYLE, escaped};
+use crate::report::STYLE;
+use slideline_figures::{Anchor, CURVES, Colour, Dash, INK, Pen, Scene, Text, Unit, escaped, grey};
 use slideline_model::{Dof, Master, Model, NodeIndex};
 use slideline_solve::observe::ContactRow;
 
@@ -27,41 +27,23 @@ const SLAVE: Colour = CURVES[3];
 const OVERLAP: Colour = CURVES[1];
 const MOTION: Colour = CURVES[0];
 
-/// A drawing of a model before anything moves.
-#[derive(Clone, Debug)]
-pub struct Picture {
-    scene: Scene,
-}
-
-impl Picture {
-    /// As SVG, on white.
-    pub fn svg(&self) -> String {
-        self.scene.svg()
-    }
-
-    /// As PNG, 192 dots an inch; `None` if it cannot be encoded.
-    pub fn png(&self) -> Option<Vec<u8>> {
-        self.scene.png(192.0)
-    }
-
-    /// As a page that needs no network, light or dark as the reader has it;
-    /// `words` stand below the drawing.
-    pub fn html(&self, title: &str, words: &str) -> String {
-        let title = escaped(title);
-        format!(
-            "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-             <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-             <meta name=\"color-scheme\" content=\"light dark\">\n<title>{title}</title>\n\
-             <style>\n{STYLE}</style>\n</head>\n<body>\n<h1>{title}</h1>\n{}<pre>{}</pre>\n\
-             </body>\n</html>\n",
-            self.scene.inline(),
-            escaped(words)
-        )
-    }
+/// A drawing as a page that needs no network, light or dark as the reader has
+/// it; `words` stand below.
+pub fn picture_page(scene: &Scene, title: &str, words: &str) -> String {
+    let title = escaped(title);
+    format!(
+        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <meta name=\"color-scheme\" content=\"light dark\">\n<title>{title}</title>\n\
+         <style>\n{STYLE}</style>\n</head>\n<body>\n<h1>{title}</h1>\n{}<pre>{}</pre>\n\
+         </body>\n</html>\n",
+        scene.inline(),
+        escaped(words)
+    )
 }
 
 /// Draws a model with the contact points of its start.
-pub fn picture(model: &Model, points: &[ContactRow]) -> Picture {
+pub fn picture(model: &Model, points: &[ContactRow]) -> Scene {
     let mut drawing = Drawing::of(model);
     drawing.beams(model);
     drawing.masters(model);
@@ -70,7 +52,7 @@ pub fn picture(model: &Model, points: &[ContactRow]) -> Picture {
     drawing.supports(model);
     drawing.motions(model);
     drawing.legend();
-    Picture { scene: drawing.scene }
+    drawing.scene
 }
 
 /// Lines of the masters of a model, undeformed, in their direction of travel.

@@ -8,15 +8,14 @@
 //!         +----------> displacement
 //! ```
 
+use crate::cases::{Case, FINE, FRICTION, ModelKind, Stick, cases};
+use crate::curve::{Curve, run};
 use crate::failure::Failure;
-use crate::study::{self, Count, Curve, FRICTION, ModelKind, Stick, cases};
+use crate::progress::Count;
 use crate::theory::References;
 use rayon::prelude::*;
 use slideline::Onset;
 use slideline_measures as measures;
-
-/// Equal increments of these runs.
-pub const FINE: usize = 100;
 
 /// The models, from the noisiest to the smoothest.
 pub(crate) const MODELS: [ModelKind; 3] =
@@ -63,11 +62,10 @@ pub(crate) fn curves(count: &Count<'_>) -> Result<Vec<Curve>, Failure> {
 
 fn curve(model: ModelKind, friction: f64, count: &Count<'_>) -> Result<Curve, Failure> {
     let stick = if friction == 0.0 { Stick::Frictionless } else { Stick::Penalty };
-    let wanted = |case: &study::Case| {
-        case.model == model && case.stick == stick && case.onset == Onset::Immediate
-    };
+    let wanted =
+        |case: &Case| case.model == model && case.stick == stick && case.onset == Onset::Immediate;
     let case = cases().into_iter().find(wanted).ok_or(Failure::Figure("formulations"))?;
-    let curve = study::run(case, Some(FINE))?;
+    let curve = run(case, Some(FINE))?;
     count.tick(format!("{}, {FINE} increments", case.words()));
     Ok(curve)
 }

@@ -13,28 +13,34 @@
 // dimension tags such as [L] are not links
 #![allow(rustdoc::broken_intra_doc_links)]
 
+mod cases;
+mod curve;
 mod decks;
-mod draw;
 mod failure;
 mod figures;
 mod fine;
 mod page;
+mod progress;
 mod study;
 mod table;
 mod theory;
 
+pub use cases::{Case, FINE, FRICTION, INCREMENTS, ModelKind, Stick, cases};
+pub use curve::{Curve, Increment};
 pub use decks::Deck;
 pub use failure::Failure;
-pub use fine::{Errors, FINE};
-pub use study::{
-    Case, Curve, FRICTION, INCREMENTS, Increment, ModelKind, Progress, Stick, Study, Tell, cases,
-};
+pub use fine::Errors;
+pub use progress::{Progress, Tell};
+pub use study::Study;
 pub use table::{Row, rows};
 pub use theory::{References, Theory, Values};
 
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 use std::path::Path;
+
+/// Dots an inch of the PNG twins.
+const DOTS: f64 = 300.0;
 
 /// What was made.
 #[derive(Clone, Debug)]
@@ -56,13 +62,13 @@ pub struct Report {
 pub fn reproduce(folder: &Path, tell: Tell<'_>) -> Result<Report, Failure> {
     std::fs::create_dir_all(folder.join("decks")).map_err(at(folder))?;
     let total = cases().len() + theory::count_of_references() + fine::count() + figures::COUNT;
-    let count = study::Count::new(total, tell);
+    let count = progress::Count::new(total, tell);
     let study = study::compute(&count)?;
     let rows = table::rows(&study);
     let figures = figures::all(&study);
     let draw = |figure: &figures::Figure| {
         let svg = figure.scene.svg();
-        let png = figure.scene.png(draw::DOTS).ok_or(Failure::Figure(figure.name))?;
+        let png = figure.scene.png(DOTS).ok_or(Failure::Figure(figure.name))?;
         count.tick(figure.name.to_owned());
         Ok((figure.name, svg, png))
     };

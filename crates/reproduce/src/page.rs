@@ -2,12 +2,13 @@
 
 mod integrated;
 
-use crate::draw::escaped;
+use crate::cases::{FRICTION, INCREMENTS, ModelKind, Stick};
 use crate::figures::{self, Figure};
-use crate::study::{FRICTION, INCREMENTS, ModelKind, Stick, Study};
+use crate::study::Study;
 use crate::table::Row;
 use crate::theory::{THEORIES, Theory};
 use slideline::Onset;
+use slideline_figures::escaped;
 use std::fmt::Write as _;
 
 const STYLE: &str = "body{max-width:46rem;margin:2rem auto;padding:0 1rem;font:16px/1.5 Georgia,\

@@ -1,6 +1,8 @@
 //! The table of errors: how far every curve is from theory, and what it cost.
 
-use crate::study::{Curve, Stick, Study};
+use crate::cases::{Case, Stick};
+use crate::curve::Curve;
+use crate::study::Study;
 use crate::theory::Theory;
 use slideline::Onset;
 use slideline_measures as measures;
@@ -10,7 +12,7 @@ use std::fmt::Write as _;
 #[derive(Clone, Debug)]
 pub struct Row {
     /// The run.
-    pub case: crate::Case,
+    pub case: Case,
     /// RMS and largest difference from linear theory [% of its peak].
     pub linear: [f64; 2],
     /// RMS and largest difference from the shear-flexible beam with softened
@@ -52,7 +54,7 @@ fn row(study: &Study, curve: &Curve) -> Row {
     let (found, motions) = (curve.reactions(), curve.motions());
     let reference = |theory| study.references.get(case.model, theory, case.friction());
     let (linear, softened) = (reference(Theory::Linear), reference(Theory::Softened));
-    let exact = reference(case.model.exact());
+    let exact = reference(Theory::exact(case.model));
     let percent = |value: Option<f64>| 100.0 * value.unwrap_or(f64::NAN);
     let errors = |reference| {
         [measures::rms_error(&found, reference), measures::max_error(&found, reference)]

@@ -1,9 +1,9 @@
 //! What the curves are held against: the paper's linear theory and the exact
 //! references, at the study's increments.
 
+use crate::cases::{FINE, FRICTION, INCREMENTS, ModelKind};
 use crate::failure::Failure;
-use crate::fine::FINE;
-use crate::study::{Count, FRICTION, INCREMENTS, ModelKind};
+use crate::progress::Count;
 use rayon::prelude::*;
 use slideline_theory::{FirstProblem, Reference, SecondProblem, TheoryError};
 
@@ -24,6 +24,17 @@ pub enum Theory {
     Softened,
     /// And pressure spread along the beam.
     Continuum,
+}
+
+impl Theory {
+    /// The reference that a model of its kind goes to when everything is made
+    /// fine but the share of a slave node.
+    pub fn exact(model: ModelKind) -> Self {
+        match model {
+            ModelKind::Integrated | ModelKind::CamIntegrated => Self::Continuum,
+            _ => Self::Softened,
+        }
+    }
 }
 
 /// A reference at the increments 1 to 20.

@@ -1,6 +1,6 @@
 //! The adviser's findings as diagnostics of a deck, and the deck mended.
 
-use crate::Read;
+use crate::read::Read;
 use slideline_advice::Finding;
 use slideline_deck::{Card, Deck};
 use slideline_diag::{Diagnostic, Edit, FileId, Place, Span, Suggestion};

@@ -8,12 +8,12 @@
 //! The model comes from the texts that the states were saved with, so that it
 //! does not matter what has become of the earlier deck.
 
-use crate::read::{Job, OldJob, ReadOptions};
-use crate::{Diagnostic, Dialect, Onset, VERSION};
+use crate::job::{Job, OldJob, ReadOptions};
+use crate::version::VERSION;
 use slideline_deck::{Parsed, Texts};
-use slideline_diag::{Code, Sources};
+use slideline_diag::{Code, Diagnostic, Sources};
 use slideline_keywords::{Interpreted, ReadRequest, interpret_after, read_request};
-use slideline_model::Model;
+use slideline_model::{Dialect, Model, Onset};
 use slideline_output::restart::{Earlier, Origin, Part, SavedStates};
 use slideline_output::{JobFiles, onset_word};
 use slideline_solve::Checkpoint;

@@ -22,9 +22,11 @@ mod advice;
 mod check;
 mod error_bars;
 mod further;
+mod job;
 mod mend;
 mod read;
 mod run;
+mod version;
 
 pub use advice::{advise, mended};
 pub use check::{InitialGaps, initial_gaps};
@@ -32,8 +34,9 @@ pub use error_bars::{
     ErrorBars, Reactions, Recorder, error_bars, time_error_bars, write_error_bars,
 };
 pub use further::From;
+pub use job::{Job, OldJob, ReadOptions};
 pub use mend::{Mend, try_mends};
-pub use read::{Job, OldJob, Read, ReadOptions};
+pub use read::Read;
 pub use run::{Outcome, Quiet, RunOptions, run};
 
 pub use slideline_advice::Noise;
@@ -53,6 +56,4 @@ pub use slideline_measures::{MeshNoise, NoiseSummary, PairNoise, ReactionNoise};
 pub use slideline_model::{Dialect, Model, Onset};
 pub use slideline_output::Status;
 pub use slideline_solve::observe::{Event, Observer, Stop};
-
-/// Version of this library.
-pub const VERSION: &str = env!("CARGO_PKG_VERSION");
+pub use version::VERSION;

@@ -7,7 +7,8 @@
 //! ```
 
 use crate::advice::{advise, mended};
-use crate::{Job, Read};
+use crate::job::Job;
+use crate::read::Read;
 use slideline_advice::Noise;
 use slideline_diag::{Code, Diagnostic, Severity};
 use slideline_solve::Options;

@@ -1,48 +1,14 @@
 //! From a path or a text to a model.
 
 use crate::further::{self, From};
+use crate::job::{Job, ReadOptions};
 use sha2::{Digest, Sha256};
 use slideline_deck::{Deck, FromDisk, Loader, NoFiles, PathKind};
 use slideline_diag::{Code, Diagnostic, Sources, has_errors};
-use slideline_model::{Dialect, Model, Onset};
-use slideline_output::JobFiles;
-use std::ffi::OsString;
+use slideline_model::Model;
 use std::fmt::Write as _;
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
-
-/// What overrides a deck, and what it goes on from.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct ReadOptions {
-    /// Whose reading of a keyword counts; Abaqus's unless said.
-    pub dialect: Option<Dialect>,
-    /// When friction is called, whatever the deck says.
-    pub friction_onset: Option<Onset>,
-    /// Whose states a deck with `*RESTART, READ` goes on from.
-    pub old_job: OldJob,
-}
-
-/// Where the states are that a deck with `*RESTART, READ` goes on from.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub enum OldJob {
-    /// None is named: such a deck is an error.
-    #[default]
-    None,
-    /// An earlier job by its path, with or without ending.
-    Named(PathBuf),
-    /// The job has begun already and goes on itself: its own saved states in
-    /// this folder, or beside the deck, know where they came from.
-    Begun(Option<PathBuf>),
-}
-
-/// A deck and where its results go unless another folder is named.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Job {
-    /// The deck.
-    pub deck: PathBuf,
-    /// Its name without `.inp`: the beginning of every result file.
-    pub stem: OsString,
-}
 
 /// A deck that was read.
 #[derive(Clone, Debug)]
@@ -68,24 +34,6 @@ pub struct Read {
 }
 
 impl Job {
-    /// The job that a user means by `path`: with or without `.inp`.
-    pub fn named(path: &Path) -> Self {
-        let is_deck = |path: &Path| {
-            path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("inp"))
-        };
-        let mut with_ending = OsString::from(path);
-        with_ending.push(".inp");
-        let with_ending = PathBuf::from(with_ending);
-        let deck = if !is_deck(path) && (with_ending.is_file() || !path.exists()) {
-            with_ending
-        } else {
-            path.to_owned()
-        };
-        let stem = if is_deck(&deck) { deck.file_stem() } else { deck.file_name() };
-        let stem = stem.unwrap_or_default().to_owned();
-        Self { deck, stem }
-    }
-
     /// Reads the deck at `path` (`.inp` may be left out) and everything it
     /// includes. A file that cannot be read is an error among the diagnostics.
     pub fn read(path: &Path, options: &ReadOptions) -> Read {
@@ -111,15 +59,6 @@ impl Job {
         let job = Self { deck: PathBuf::from(format!("{name}.inp")), stem: name.into() };
         let shown = job.deck.display().to_string();
         interpret(job, &shown, text.as_bytes(), &NoFiles, options)
-    }
-
-    /// The job's files in `folder`, or beside the deck.
-    pub fn files(&self, folder: Option<&Path>) -> JobFiles {
-        let beside = match self.deck.parent() {
-            Some(parent) if parent != Path::new("") => parent,
-            _ => Path::new("."),
-        };
-        JobFiles::new(folder.unwrap_or(beside), self.stem.clone())
     }
 }
 

@@ -1,6 +1,7 @@
 //! A run with its files.
 
-use crate::{Read, VERSION};
+use crate::read::Read;
+use crate::version::VERSION;
 use slideline_advice::Noise;
 use slideline_diag::{Code, Diagnostic, Severity};
 use slideline_model::{Model, Onset};

@@ -537,3 +537,75 @@ fn totals_and_extremes_stand_below_a_table() {
         }
     }
 }
+
+/// Rows of a CSV file by step, increment and the column that names them.
+fn by_name(text: &str, name: &str) -> BTreeMap<[String; 3], BTreeMap<String, String>> {
+    let mut lines = text.lines();
+    let heading: Vec<&str> = lines.next().unwrap().split(',').collect();
+    let rows = lines.map(|line| {
+        let cells = heading.iter().zip(line.split(','));
+        let row: BTreeMap<String, String> =
+            cells.map(|(name, cell)| ((*name).to_owned(), cell.to_owned())).collect();
+        (["step", "increment", name].map(|key| row[key].clone()), row)
+    });
+    rows.collect()
+}
+
+/// Requirement: every number of every printed table is that of the CSV files
+/// in the digits of the table, and every table has all its rows.
+#[test]
+fn printed_tables_and_csv_files_say_the_same() {
+    let requests = "*NODE PRINT, NSET=BEAM\nU, RF\n*EL PRINT, ELSET=BEAM\nSF, SM, SE, SK, S, MISES\n\
+                    *EL FILE, ELSET=BEAM\nSF\n*CONTACT PRINT\nCSTRESS, CDISP, CFORCE\n";
+    let folder = folder_of("same");
+    let read = Job::read_text("cam", &deck(requests, requests), &ReadOptions::default());
+    let options = RunOptions { folder: Some(folder.clone()), ..RunOptions::default() };
+    assert_eq!(run(&read, &options, &mut Quiet).status, Status::Completed);
+    let file = |ending: &str| std::fs::read_to_string(folder.join(format!("cam{ending}"))).unwrap();
+    let nodes = by_name(&file(".history.csv"), "node");
+    let elements = by_name(&file(".element.csv"), "element");
+    let contact = by_name(&file(".contact.csv"), "node");
+    let dat = file(".dat");
+    let mut compared = [0; 3];
+    for table in dat.split("\n\n").filter(|table| table.contains("  TOTAL TIME ")) {
+        let mut lines = table.trim().lines();
+        let title: Vec<&str> = lines.next().unwrap().split_whitespace().collect();
+        let heading: Vec<&str> = lines.next().unwrap().split_whitespace().collect();
+        for line in lines {
+            let row: BTreeMap<&str, &str> =
+                heading.iter().copied().zip(line.split_whitespace()).collect();
+            assert_eq!(row.len(), heading.len(), "{line}");
+            let key = |name: &str| [title[1], title[3], row[name]].map(str::to_owned);
+            let (kind, own, names) = match heading[0] {
+                "NODE" => (0, nodes.get(&key("NODE")), 1),
+                "ELEMENT" => (1, elements.get(&key("ELEMENT")), 2),
+                _ => (2, contact.get(&key("NODE")), 3),
+            };
+            for &column in &heading[names..] {
+                let of = |name: &str| own.map(|own| own[name].parse::<f64>().unwrap());
+                let expected = match column {
+                    "S11" => of(&format!("S11_{}", row["POINT"])),
+                    "CNORMF" => of("CPRESS").map(|pressure| pressure * of("area").unwrap()),
+                    "CSHEARF" => of("CSHEAR1").map(|shear| shear * of("area").unwrap()),
+                    name => of(name),
+                };
+                // a point that never closed is in no CSV file
+                let never = kind == 2 && own.is_none() && row["STATUS"] == "open";
+                let expected = expected.map(|value| format!("{value:.7e}"));
+                match never {
+                    false => assert_eq!(Some(row[column]), expected.as_deref(), "{column}: {line}"),
+                    true if column.starts_with("COPEN") || column.starts_with("CSLIP") => {}
+                    true => assert!(row[column].parse::<f64>().unwrap() == 0.0, "{column}: {line}"),
+                }
+                compared[kind] += 1;
+            }
+            if kind == 2 && own.is_some() {
+                assert_eq!(row["STATUS"], own.unwrap()["status"], "{line}");
+            }
+        }
+    }
+    // 20 increments of 5 nodes, 4 beams (at two points of the section), 3 slaves
+    let beams = compared[1] / (20 * 4 * 8);
+    assert_eq!(compared, [20 * 5 * 6, 20 * 4 * 8 * beams, 20 * 3 * 6], "{dat}");
+    assert!(beams >= 1);
+}

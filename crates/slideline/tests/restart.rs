@@ -51,7 +51,9 @@ LINE, 1.0, -1.0E-4
 /// Bytes before the marks: name, format.
 const MARKS: usize = 14 + 8;
 /// Bytes of the head: two marks of valid length and checksum.
-const HEAD: usize = MARKS + 2 * (8 + 8);
+const HEAD: usize = MARKS + 2 * SECTION;
+/// A length and its checksum, before every content and as a mark.
+const SECTION: usize = 8 + 4;
 
 fn job() -> Read {
     Job::read_text("job", DECK, &ReadOptions::default())
@@ -79,10 +81,12 @@ fn left(name: &str) -> (PathBuf, Vec<u8>) {
     (folder, state)
 }
 
-/// FNV-1a, 64 bits, written again.
-fn checksum(bytes: &[u8]) -> u64 {
-    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash: u64, &byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3)
+/// CRC-32 (IEEE), written again.
+fn checksum(bytes: &[u8]) -> u32 {
+    !bytes.iter().fold(!0_u32, |sum, &byte| {
+        (0..8).fold(sum ^ u32::from(byte), |sum, _| {
+            sum >> 1 ^ if sum & 1 == 1 { 0xedb8_8320 } else { 0 }
+        })
     })
 }
 
@@ -93,9 +97,9 @@ fn word(file: &[u8], at: usize) -> usize {
 /// First byte of every section, and the end of the last.
 fn sections(file: &[u8]) -> Vec<usize> {
     let mut places = vec![HEAD];
-    while *places.last().unwrap() < word(file, 22).max(word(file, 38)) {
+    while *places.last().unwrap() < word(file, MARKS).max(word(file, MARKS + SECTION)) {
         let start = *places.last().unwrap();
-        places.push(start + 16 + word(file, start));
+        places.push(start + SECTION + word(file, start));
     }
     places
 }
@@ -103,7 +107,7 @@ fn sections(file: &[u8]) -> Vec<usize> {
 /// Makes both marks say that the file is valid up to that length.
 fn marked(file: &mut [u8], valid: u64) {
     let valid = valid.to_le_bytes();
-    let mark = [valid, checksum(&valid).to_le_bytes()].concat();
+    let mark = [&valid[..], &checksum(&valid).to_le_bytes()].concat();
     file[MARKS..HEAD].copy_from_slice(&[&mark[..], &mark].concat());
 }
 
@@ -114,10 +118,10 @@ fn sealed(mut file: Vec<u8>, places: &[usize]) -> Vec<u8> {
     marked(&mut file, end as u64);
     for pair in places.windows(2) {
         let (start, end) = (pair[0], pair[1].min(end));
-        let length = (end - start - 16) as u64;
+        let length = (end - start - SECTION) as u64;
         file[start..start + 8].copy_from_slice(&length.to_le_bytes());
-        let bytes = [&length.to_le_bytes(), &file[start + 16..end]].concat();
-        file[start + 8..start + 16].copy_from_slice(&checksum(&bytes).to_le_bytes());
+        let bytes = [&length.to_le_bytes()[..], &file[start + SECTION..end]].concat();
+        file[start + 8..start + SECTION].copy_from_slice(&checksum(&bytes).to_le_bytes());
     }
     file
 }
@@ -179,13 +183,26 @@ fn lengths_that_lie() {
             assert!(unpack(&lying).is_err(), "{at}: {length}");
         }
     }
-    for start in (HEAD + 16..file.len() - 8).step_by(8) {
+    for start in (HEAD + SECTION..file.len() - 8).step_by(8) {
         for length in [1 << 40, (1 << 47) - 1, u64::MAX] {
             let mut lying = file.clone();
             lying[start..start + 8].copy_from_slice(&u64::to_le_bytes(length));
             let _ = unpack(&sealed(lying, &places)); // must come back, and soon
         }
     }
+}
+
+/// Requirement: a file of an earlier layout says that it is one.
+#[test]
+fn other_versions_are_told() {
+    let (folder, mut file) = left("version");
+    file[14] = 3;
+    assert!(unpack(&file).unwrap_err().contains("another version"));
+    std::fs::write(folder.join("job.rst"), file).unwrap();
+    let options = RunOptions { folder: Some(folder), restart: true, ..RunOptions::default() };
+    let outcome = run(&job(), &options, &mut Quiet);
+    let said: Vec<&str> = outcome.diagnostics.iter().map(|said| said.code.0).collect();
+    assert_eq!((outcome.status, said), (Status::InputError, vec!["SL0708"]));
 }
 
 #[test]
@@ -196,8 +213,8 @@ fn no_content_makes_it_panic() {
     let options =
         RunOptions { folder: Some(folder.clone()), restart: true, ..RunOptions::default() };
     let mut refused = 0;
-    for place in (HEAD + 16..file.len()).step_by(3) {
-        if places.iter().any(|start| (*start..start + 16).contains(&place)) {
+    for place in (HEAD + SECTION..file.len()).step_by(3) {
+        if places.iter().any(|start| (*start..start + SECTION).contains(&place)) {
             continue;
         }
         for value in [0x00, 0x7f, 0xff] {
@@ -220,7 +237,7 @@ fn no_content_makes_it_panic() {
         }
     }
     assert!(refused > 0);
-    for length in places[2] + 16..file.len() {
+    for length in places[2] + SECTION..file.len() {
         let cut = sealed(file[..length].to_vec(), &places);
         assert!(unpack(&cut).is_err(), "{length}");
     }

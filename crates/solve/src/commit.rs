@@ -78,7 +78,7 @@ fn count_slip(plan: &Plan<'_>, committed: &State, work: &Workspace, trial: &mut 
 /// points that close in the first increment.
 pub fn locate_points(plan: &Plan<'_>, committed: &mut State, work: &mut Workspace) {
     let mut positions = MasterPositions::default();
-    plan.contact.meet(&committed.displacement, &mut positions, &mut work.evaluation.meetings);
+    plan.contact.meet(&committed.displacement, &[], &mut positions, &mut work.evaluation.meetings);
     for (point, meeting) in committed.points.iter_mut().zip(&work.evaluation.meetings) {
         point.opening = -meeting.overclosure;
         point.along = meeting.faces.then_some(meeting.along);

@@ -12,6 +12,7 @@
 mod candidates;
 mod crossing;
 mod facade;
+mod idle;
 mod laws;
 mod meeting;
 mod positions;
@@ -21,6 +22,7 @@ mod strip;
 pub use candidates::coupled_parts;
 pub use crossing::{Missed, Sweep, SweepScratch};
 pub use facade::placed;
+pub use idle::Look;
 pub use laws::{average as average_element, memory_size};
 pub use meeting::{GeometryScratch, Meeting};
 pub use positions::MasterPositions;
@@ -204,10 +206,18 @@ impl Contact {
     }
 
     /// Where every point stands at displacements `u`. `positions` is scratch.
-    pub fn meet(&self, u: &[f64], positions: &mut MasterPositions, into: &mut [Meeting]) {
+    /// Points that `idle` names are left as they are.
+    pub fn meet(
+        &self,
+        u: &[f64],
+        idle: &[bool],
+        positions: &mut MasterPositions,
+        into: &mut [Meeting],
+    ) {
         self.place_chains(u, positions);
         for (place, point) in self.points.iter().enumerate() {
-            if !point.is_station() {
+            let is_idle = idle.get(place).is_some_and(|&idle| idle);
+            if !is_idle && !point.is_station() {
                 into[place].area = point.area;
                 self.meet_one(point, u, positions, &mut into[place]);
             }
@@ -224,6 +234,22 @@ impl Contact {
         for (point, meeting) in self.points.iter().zip(into) {
             if meeting.faces || !point.is_station() {
                 self.meet_one(point, u, positions, meeting);
+            }
+        }
+    }
+
+    /// Where the points that `idle` names stand at displacements `u`, for which
+    /// the chains are placed already.
+    pub fn meet_idle(
+        &self,
+        u: &[f64],
+        idle: &[bool],
+        positions: &MasterPositions,
+        into: &mut [Meeting],
+    ) {
+        for (place, point) in self.points.iter().enumerate() {
+            if idle[place] {
+                self.meet_one(point, u, positions, &mut into[place]);
             }
         }
     }

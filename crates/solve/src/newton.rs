@@ -19,7 +19,7 @@ mod turns;
 
 use crate::contact::{GeometryScratch, MasterPositions, Missed, Sweep, SweepScratch};
 use crate::convergence::{Field, FieldHistory, Measures, judge};
-use crate::evaluate::{Evaluation, Trial, evaluate};
+use crate::evaluate::{Evaluation, Trial, complete, evaluate};
 use crate::evidence::Evidence;
 use crate::increments::Verdict;
 use crate::linearised::{LinearPoint, LinearisedContact, Stiffness};
@@ -185,16 +185,24 @@ pub fn attempt(
     let mut progress = Progress::default();
     loop {
         if let Err(fault) = work.iterate(plan, committed, target.dt) {
+            work.complete(plan, committed);
             return progress.end(Verdict::Broken, Some(fault));
         }
         if work.outside || work.evaluation.fault.is_some() {
+            work.complete(plan, committed);
             return progress.end(Verdict::Broken, None);
         }
-        let report = work.judge(plan, committed, target, &mut progress);
+        let mut report = work.judge(plan, committed, target, &mut progress);
+        if report.converged && !work.complete(plan, committed) {
+            // one that was left alone touches after all: its pressure comes next
+            work.evaluate(plan, committed, target.dt);
+            report.converged = false;
+        }
         watch(&report);
         let verdict = progress.verdict(&report, &limits);
         progress.last = Some(report);
         if let Some(verdict) = verdict {
+            work.complete(plan, committed);
             let missed = match verdict {
                 Verdict::Converged { .. } => work.missed(plan, committed),
                 _ => None,
@@ -390,6 +398,16 @@ impl Workspace {
             return Ok(());
         }
         self.contact_step(plan, committed, dt)?;
+        if !self.leaves_idle(plan) {
+            // what was left alone may touch within this step
+            self.evaluation.look.forget();
+            self.evaluate(plan, committed, dt);
+            self.factor(plan, committed)?;
+            if self.outside {
+                return Ok(());
+            }
+            self.contact_step(plan, committed, dt)?;
+        }
         let length = self.limit_turns(plan);
         if self.line_search {
             self.search(plan, committed, (dt, length));
@@ -398,6 +416,36 @@ impl Workspace {
             self.evaluate(plan, committed, dt);
         }
         Ok(())
+    }
+
+    /// Whether the whole correction leaves idle points open.
+    fn leaves_idle(&mut self, plan: &Plan<'_>) -> bool {
+        if !self.evaluation.look.idle.contains(&true) {
+            return true;
+        }
+        self.residual.copy_from_slice(&self.u);
+        for (equation, &dof) in plan.constraints.dof_of_equation.iter().enumerate() {
+            self.residual[dof] += self.correction[equation];
+        }
+        plan.constraints.enforce(&mut self.residual);
+        let Evaluation { meetings, look, .. } = &mut self.evaluation;
+        plan.contact.stay_idle(meetings, &self.residual, look)
+    }
+
+    /// Looks at the points that iterations have left alone; says whether none of
+    /// them touches.
+    fn complete(&mut self, plan: &Plan<'_>, committed: &State) -> bool {
+        let trial = Trial {
+            u: &self.u,
+            load: &self.load,
+            stresses: &self.stresses,
+            pressures: &self.pressures,
+            tractions: &self.tractions,
+            dashpots: &self.dashpots,
+            time: committed.total_time + self.dt,
+            dt: self.dt,
+        };
+        complete(plan, committed, &trial, &mut self.evaluation)
     }
 
     /// Contact that the way from the last commit to the trial passes through.

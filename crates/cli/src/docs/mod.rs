@@ -12,6 +12,7 @@ mod page;
 use crate::exit::Exit;
 use crate::{explain, screen};
 use clap::{Args, ValueHint};
+use page::Page;
 use slideline::keywords::keywords;
 use slideline::output::{WriteError, write_file};
 use std::fmt::Write as _;
@@ -23,14 +24,6 @@ pub(crate) struct DocsArguments {
     /// Folder of the pages, made if missing.
     #[arg(long, value_name = "DIR", default_value = "site", value_hint = ValueHint::DirPath)]
     out: PathBuf,
-}
-
-/// A page before it is set: where it goes, without ending, and its Markdown.
-pub(crate) struct Page {
-    /// `theory`, `errors/SL0101`.
-    pub path: String,
-    /// Markdown.
-    pub text: String,
 }
 
 /// Pages that stand in the repository, in the order of the menu.

@@ -1,10 +1,17 @@
 //! Markdown to a page.
 
-use super::Page;
 use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd, html::push_html};
 use pulldown_latex::config::{DisplayMode, RenderConfig};
 use pulldown_latex::{Storage, push_mathml};
 use std::fmt::Write as _;
+
+/// A page before it is set: where it goes, without ending, and its Markdown.
+pub(crate) struct Page {
+    /// `theory`, `errors/SL0101`.
+    pub path: String,
+    /// Markdown.
+    pub text: String,
+}
 
 const STYLE: &str = include_str!("page.css");
 

@@ -2,7 +2,8 @@
 
 use slideline_model::SurfaceSegment;
 
-use super::Point;
+/// Point or direction in the plane [L] or [1].
+pub(super) type Point = [f64; 2];
 
 pub(super) fn minus(a: Point, b: Point) -> Point {
     [a[0] - b[0], a[1] - b[1]]

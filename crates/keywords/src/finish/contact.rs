@@ -10,7 +10,7 @@ use slideline_model::{
 };
 
 use crate::draft::{Draft, ElementKind, Shape, Surface};
-use crate::keyword::Subject;
+use crate::rule::Subject;
 
 pub(super) fn pairs(draft: &mut Draft) {
     let surfaces = std::mem::take(&mut draft.surfaces);

@@ -7,8 +7,8 @@ use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{NodeIndex, RigidLink};
 
 use crate::draft::{Draft, Link};
-use crate::keyword::Subject;
 use crate::log::Target;
+use crate::rule::Subject;
 use crate::surfaces::RigidBody;
 
 pub(super) fn links(draft: &mut Draft) {

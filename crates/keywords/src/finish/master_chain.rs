@@ -13,7 +13,7 @@ use slideline_model::{ContactElement, SlideLine};
 
 use super::chain::{Broken, Chain, Facet, Travel};
 use crate::draft::Draft;
-use crate::keyword::Subject;
+use crate::rule::Subject;
 use crate::surfaces::{NamedSurface, Pairing};
 
 /// The master chain of a surface of beams, its outer side to the slaves.

@@ -10,13 +10,15 @@ mod sections;
 mod steps;
 mod surface_pairs;
 mod surfaces;
+mod unknown;
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{Model, NodeIndex};
+use unknown::unknown_set;
 
 use crate::draft::{Draft, Element};
-use crate::keyword::Subject;
 use crate::log::Target;
+use crate::rule::Subject;
 
 /// Completes the model. `steps_doubted`: a step has been asked for already,
 /// or there are no cards at all.
@@ -110,20 +112,5 @@ impl Draft {
             self.consequence(Subject::Nodes, error);
         }
         zero
-    }
-}
-
-fn unknown_set<'a>(
-    kind: &str,
-    set: &str,
-    span: Span,
-    known: impl Iterator<Item = &'a str>,
-) -> Diagnostic {
-    let message = format!("there is no {kind} set {set}");
-    let error = Diagnostic::error(Code(if kind == "node" { "SL0304" } else { "SL0308" }), message);
-    let error = error.at(span);
-    match slideline_deck::nearest(set, known) {
-        Some(near) => error.help(format!("did you mean {near}?")),
-        None => error,
     }
 }

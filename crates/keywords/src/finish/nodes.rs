@@ -3,8 +3,9 @@
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::NodeSet;
 
+use super::unknown::unknown_set;
 use crate::draft::Draft;
-use crate::keyword::Subject;
+use crate::rule::Subject;
 use crate::sets::{Item, Sets};
 
 /// Node sets become part of the model; members and named sets must exist.
@@ -53,7 +54,7 @@ fn check_inner(sets: &Sets, kind: &str, subject: Subject, draft: &mut Draft) {
             && !sets.contains(name)
         {
             let names = sets.names().take(draft.log.names_to_compare());
-            draft.consequence(subject, super::unknown_set(kind, name, *span, names));
+            draft.consequence(subject, unknown_set(kind, name, *span, names));
         }
     }
 }

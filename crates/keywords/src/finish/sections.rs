@@ -9,7 +9,7 @@ use slideline_model::{
 };
 
 use crate::draft::{Draft, Element, ElementKind, Section, Spring};
-use crate::keyword::Subject;
+use crate::rule::Subject;
 
 /// `*BEAM SECTION` with its elements and its material.
 pub(super) fn beams(draft: &mut Draft) {

@@ -10,7 +10,7 @@ use slideline_model::{
 };
 
 use crate::draft::{Boundary, Draft, StepDraft};
-use crate::keyword::Subject;
+use crate::rule::Subject;
 
 /// What is in force, by node and dof, in the order in which it was said.
 #[derive(Clone)]

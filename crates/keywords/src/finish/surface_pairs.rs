@@ -22,7 +22,7 @@ use super::contact::both_sides;
 use super::master_chain::slide_line;
 use super::surfaces::{Found, between_nodes, contact_elements, found, stretches};
 use crate::draft::Draft;
-use crate::keyword::Subject;
+use crate::rule::Subject;
 use crate::surfaces::{NamedSurface, Pairing};
 
 pub(super) fn pairs(draft: &mut Draft) {

@@ -7,8 +7,8 @@ use slideline_model::{ContactElement, Lumping, NodeIndex, RigidSurface, SurfaceS
 
 use super::chain::Facet;
 use crate::draft::{Draft, Element};
-use crate::keyword::Subject;
 use crate::log::Target;
+use crate::rule::Subject;
 use crate::surfaces::{Extent, Named, NamedSurface, Stretch};
 
 /// A surface whose references are resolved.

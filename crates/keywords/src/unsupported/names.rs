@@ -1,6 +1,19 @@
 //! The keywords by what is said of them.
 
-use super::Treatment::{self, Ignored, Parameters, Parts, Unsupported};
+use Treatment::{Ignored, Parameters, Parts, Unsupported};
+
+/// What becomes of a keyword of another program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Treatment {
+    /// It has no effect in a static step of beams: passed over with a note.
+    Ignored,
+    /// Another way of organising a deck; the rest of it cannot be judged.
+    Parts,
+    /// Values behind names, which the data lines then use.
+    Parameters,
+    /// It changes the model, which stops the run.
+    Unsupported,
+}
 
 /// Keywords that are treated alike: how, the reason or the way out, names.
 type Group = (Treatment, &'static str, &'static [&'static str]);

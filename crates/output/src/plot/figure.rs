@@ -1,37 +1,10 @@
 //! Curves in a frame, and their difference in a second one below.
 
-use super::axis::Axis;
-use super::chart::{Mark, Panel, Series, chart};
 use super::curve::{Curve, Question, difference};
-use crate::draw::Scene;
-
-/// A finished figure.
-#[derive(Clone, Debug)]
-pub struct Figure {
-    pub(super) scene: Scene,
-}
-
-impl Figure {
-    /// As SVG.
-    pub fn svg(&self) -> String {
-        self.scene.svg()
-    }
-
-    /// As SVG to stand in an HTML page, in the colours of the page: its style
-    /// sheet sets `--ink`, `--line` and `--c0` to `--c5`.
-    pub fn inline(&self) -> String {
-        self.scene.inline()
-    }
-
-    /// As PNG, 192 dots an inch; `None` if it cannot be encoded. Letters that
-    /// the built-in font lacks are shown as question marks.
-    pub fn png(&self) -> Option<Vec<u8>> {
-        self.scene.png(192.0)
-    }
-}
+use slideline_figures::{Axis, Mark, Panel, Scene, Series, chart};
 
 /// Draws a curve, or two over each other with the difference below.
-pub fn figure(question: &Question, one: &Curve, other: Option<&Curve>) -> Figure {
+pub fn figure(question: &Question, one: &Curve, other: Option<&Curve>) -> Scene {
     let title = match other {
         Some(other) => {
             format!("{} against {}: {} and {}", question.y, question.x, one.name, other.name)
@@ -72,7 +45,7 @@ mod tests {
         let svg = figure.svg();
         assert!(!svg.contains("<script>") && svg.contains("&lt;script&gt;\u{44f}"), "{svg}");
         assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
-        let png = figure.png().unwrap();
+        let png = figure.png(192.0).unwrap();
         assert_eq!(&png[1..4], b"PNG");
     }
 }

@@ -7,12 +7,9 @@
 //!    dY |  ~~~~~                    other minus job, at equal times
 //! ```
 
-mod axis;
-mod chart;
 mod curve;
 mod figure;
 
-pub use axis::Axis;
-pub use chart::{Mark, Panel, Series, chart};
 pub use curve::{Curve, Question, csv, curve, difference};
-pub use figure::{Figure, figure};
+pub use figure::figure;
+pub use slideline_figures::{Axis, Mark, Panel, Series, chart};

@@ -15,14 +15,16 @@ mod contact;
 mod data;
 mod frames;
 mod iterations;
+mod options;
 mod overlay;
 mod page;
 mod prose;
 mod results;
 mod verdict;
 
+pub use options::Options;
 pub use page::STYLE;
-pub use prose::escaped;
+pub use slideline_figures::escaped;
 
 pub use crate::reading::problem::Problem;
 
@@ -32,29 +34,7 @@ use crate::json::Members as _;
 use crate::lock::is_running;
 use crate::reading::summary;
 use results::Results;
-use std::path::{Path, PathBuf};
-
-/// How a report is made.
-#[derive(Clone, Copy)]
-pub struct Options<'a> {
-    /// A CSV file with a second curve: the columns of `slideline theory`, or
-    /// a `JOB.history.csv`.
-    pub overlay: Option<&'a Path>,
-    /// Whether a job that still runs, or was killed, is shown as far as it
-    /// came.
-    pub unfinished: bool,
-    /// Hash of the deck as it is now, where it is known: a report of results
-    /// that belong to another text says so.
-    pub deck_hash: Option<&'a str>,
-    /// The page of a code, as `docs/errors` has it.
-    pub page: fn(&str) -> Option<&'static str>,
-}
-
-impl Default for Options<'_> {
-    fn default() -> Self {
-        Self { overlay: None, unfinished: false, deck_hash: None, page: |_| None }
-    }
-}
+use std::path::PathBuf;
 
 /// A report that was written.
 #[derive(Clone, Debug, PartialEq, Eq)]

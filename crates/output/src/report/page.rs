@@ -1,14 +1,15 @@
 //! The page itself: what can be said in words stands in it as HTML, what is
 //! drawn follows as data and script.
 
-use super::Options;
 use super::data::data;
+use super::options::Options;
 use super::overlay::Overlay;
-use super::prose::{escaped, html};
+use super::prose::html;
 use super::results::Results;
 use super::verdict;
 use crate::json::{Members as _, Value};
 use crate::number::general;
+use slideline_figures::escaped;
 
 /// Style sheet of the report, light, dark and on paper, for other pages that
 /// shall look like it.

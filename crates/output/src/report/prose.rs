@@ -1,21 +1,6 @@
 //! The pages of codes as HTML: headings, paragraphs, code, bold.
 
-/// Text as it may stand in HTML, in an attribute too.
-pub fn escaped(text: &str) -> String {
-    let mut safe = String::with_capacity(text.len());
-    for letter in text.chars() {
-        match letter {
-            '&' => safe.push_str("&amp;"),
-            '<' => safe.push_str("&lt;"),
-            '>' => safe.push_str("&gt;"),
-            '"' => safe.push_str("&quot;"),
-            '\'' => safe.push_str("&#39;"),
-            c if c.is_control() && c != '\n' && c != '\t' => safe.push('\u{FFFD}'),
-            c => safe.push(c),
-        }
-    }
-    safe
-}
+use slideline_figures::escaped;
 
 /// A page in the few marks that the pages use, as HTML.
 pub(crate) fn html(page: &str) -> String {
@@ -90,6 +75,5 @@ mod tests {
             "<h4>SL1: a &lt;b&gt;</h4><p><b>What.</b> Of <code>*NODE</code> &amp; <i>so</i> on.</p>\
              <pre>*CARD, &lt;x&gt;\n\n1</pre>"
         );
-        assert_eq!(escaped("</script>'\"\u{1}"), "&lt;/script&gt;&#39;&quot;\u{FFFD}");
     }
 }

@@ -1,11 +1,11 @@
 //! The verdict in words: what a designer wants to know first.
 
-use super::prose::escaped;
 use super::results::Results;
 use crate::json::Members as _;
 use crate::number::general;
 use crate::reading::summary::Driven;
 use crate::verdict::{Judged, is_locked, judge};
+use slideline_figures::escaped;
 use slideline_measures::{Stroke, Taken, WayOut};
 
 /// Judges the results that were read back.

@@ -8,9 +8,8 @@ use slideline_solve::observe::{Frame, Status, Unconverged};
 use std::collections::HashMap;
 use std::fmt::Write as _;
 
-/// Bytes that are coded at a time: a multiple of three, so that nothing is
-/// padded between.
-const BLOCK: usize = 3 * 512;
+/// Bytes that are coded at a time.
+const BLOCK: usize = 3072;
 
 /// VTK_LINE; every cell is one (some readers know no poly-lines).
 const LINE: u8 = 3;
@@ -40,6 +39,8 @@ pub(super) struct Grid {
     point_count: usize,
     /// The finished `<Cells>` element.
     topology: String,
+    /// The finished arrays of node labels, and of element labels and kinds.
+    labels: [String; 2],
 }
 
 impl Grid {
@@ -64,21 +65,19 @@ impl Grid {
             point_count = end;
         }
         let topology = topology(&cells);
-        Self { outlines, cells, beam_cells, point_count, topology }
+        let labels = [node_labels(model, point_count), cell_labels(&cells)];
+        Self { outlines, cells, beam_cells, point_count, topology, labels }
     }
 
-    /// The whole file of a state.
-    pub fn state(&self, frame: &Frame<'_>) -> String {
-        self.file(frame, None)
-    }
-
-    /// The file of a state that is no equilibrium, with what is missing to it.
-    pub fn unconverged(&self, state: &Unconverged<'_>) -> String {
-        self.file(&state.frame, Some(state))
-    }
-
-    fn file(&self, frame: &Frame<'_>, unconverged: Option<&Unconverged<'_>>) -> String {
-        let mut text = String::with_capacity(self.topology.len() + 400 * self.point_count);
+    /// The whole file of a state, in place of what `text` holds; of one that is
+    /// no equilibrium with what is missing to it.
+    pub fn file(
+        &self,
+        text: &mut String,
+        frame: &Frame<'_>,
+        unconverged: Option<&Unconverged<'_>>,
+    ) {
+        text.clear();
         let _ = write!(
             text,
             "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" \
@@ -89,23 +88,22 @@ impl Grid {
         ); // a String takes any text
         let (points, displacement) = self.positions(frame);
         text.push_str("<Points>\n");
-        push_floats(&mut text, "Points", 3, &points);
+        push_floats(text, "Points", 3, &points);
         text.push_str("</Points>\n");
         text.push_str(&self.topology);
         text.push_str("<PointData>\n");
-        push_floats(&mut text, "displacement", 3, &displacement);
-        self.push_nodal(&mut text, frame);
+        push_floats(text, "displacement", 3, &displacement);
+        self.push_nodal(text, frame);
         if let Some(state) = unconverged {
             let residual = |node, dof| state.residual(node, dof);
             let (forces, moments) = Dof::ALL.split_at(3);
-            push_floats(&mut text, "residual_force", 3, &self.vectors(frame, forces, &residual));
-            push_floats(&mut text, "residual_moment", 3, &self.vectors(frame, moments, &residual));
+            push_floats(text, "residual_force", 3, &self.vectors(frame, forces, &residual));
+            push_floats(text, "residual_moment", 3, &self.vectors(frame, moments, &residual));
         }
-        self.push_contact(&mut text, frame);
+        self.push_contact(text, frame);
         text.push_str("</PointData>\n<CellData>\n");
-        self.push_sections(&mut text, frame);
+        self.push_sections(text, frame);
         text.push_str("</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
-        text
     }
 
     /// Current positions and displacements, three components a point.
@@ -183,15 +181,7 @@ impl Grid {
         push_floats(text, "contact_slip", 1, &slip);
         push_floats(text, "contact_opening", 1, &opening);
         push_short(text, "contact_status", &status);
-        let labels: Vec<i64> = frame
-            .model
-            .nodes
-            .iter()
-            .map(|node| i64::try_from(node.label).unwrap_or(i64::MAX))
-            .chain(std::iter::repeat(0))
-            .take(self.point_count)
-            .collect();
-        push_long(text, "node", &labels);
+        text.push_str(&self.labels[0]);
     }
 
     fn push_sections(&self, text: &mut String, frame: &Frame<'_>) {
@@ -224,12 +214,30 @@ impl Grid {
         for (name, column) in &columns {
             push_floats(text, name, 1, column);
         }
-        let labels: Vec<i64> =
-            self.cells.iter().map(|cell| i64::try_from(cell.label).unwrap_or(i64::MAX)).collect();
-        push_long(text, "element", &labels);
-        let kinds: Vec<i32> = self.cells.iter().map(|cell| cell.kind as i32).collect();
-        push_short(text, "kind", &kinds);
+        text.push_str(&self.labels[1]);
     }
+}
+
+fn node_labels(model: &Model, points: usize) -> String {
+    let labels = model.nodes.iter().map(|node| whole(node.label)).chain(std::iter::repeat(0));
+    let mut text = String::new();
+    push_long(&mut text, "node", &labels.take(points).collect::<Vec<i64>>());
+    text
+}
+
+fn cell_labels(cells: &[Cell]) -> String {
+    let mut text = String::new();
+    push_long(
+        &mut text,
+        "element",
+        &cells.iter().map(|cell| whole(cell.label)).collect::<Vec<_>>(),
+    );
+    push_short(&mut text, "kind", &cells.iter().map(|cell| cell.kind as i32).collect::<Vec<_>>());
+    text
+}
+
+fn whole(label: u64) -> i64 {
+    i64::try_from(label).unwrap_or(i64::MAX)
 }
 
 fn element_cells(model: &Model) -> Vec<Cell> {
@@ -269,8 +277,8 @@ fn topology(cells: &[Cell]) -> String {
     text
 }
 
-/// A data array: the number of bytes and the bytes, as one base64 text. Values
-/// are coded a few at a time: 12 of 8 bytes are 32 letters three times over.
+/// A data array: the number of bytes and the bytes, as one base64 text, coded a
+/// block at a time right into the file's text.
 fn push_array<T: Copy, const N: usize>(
     text: &mut String,
     [kind, name]: [&str; 2],
@@ -284,16 +292,20 @@ fn push_array<T: Copy, const N: usize>(
     }
     text.push_str(" format=\"binary\">");
     let length = u32::try_from(values.len() * N).unwrap_or(u32::MAX);
-    let mut bytes = Vec::with_capacity(BLOCK + 4 + N);
-    bytes.extend(length.to_le_bytes());
+    let mut block = [0; BLOCK];
+    block[..4].copy_from_slice(&length.to_le_bytes());
+    let mut filled = 4;
     for &value in values {
-        bytes.extend(code(value));
-        if bytes.len() >= BLOCK {
-            STANDARD.encode_string(&bytes[..BLOCK], text);
-            bytes.drain(..BLOCK);
+        block[filled..filled + N].copy_from_slice(&code(value));
+        filled += N;
+        if filled > BLOCK - 8 {
+            let whole = filled - filled % 3; // so that nothing is padded between
+            STANDARD.encode_string(&block[..whole], text);
+            block.copy_within(whole..filled, 0);
+            filled -= whole;
         }
     }
-    STANDARD.encode_string(&bytes, text);
+    STANDARD.encode_string(&block[..filled], text);
     text.push_str("</DataArray>\n");
 }
 

@@ -33,6 +33,8 @@ const RENEWAL: Duration = Duration::from_secs(1);
 pub(crate) struct States {
     job: JobFiles,
     grid: Option<Grid>,
+    /// The text of a state, written anew for each.
+    text: String,
     list: String,
     numbers: StateNumbers,
     /// Converged increments of all steps.
@@ -43,9 +45,18 @@ pub(crate) struct States {
 
 impl States {
     pub fn new(job: &JobFiles) -> Self {
-        let (list, first_time) = (String::new(), String::new());
+        let (list, first_time, text) = Default::default();
         let (numbers, listed) = (StateNumbers::default(), None);
-        Self { job: job.clone(), grid: None, list, numbers, increments: 0, first_time, listed }
+        Self {
+            job: job.clone(),
+            grid: None,
+            text,
+            list,
+            numbers,
+            increments: 0,
+            first_time,
+            listed,
+        }
     }
 
     /// The list of the states that a run which goes on finds; their times
@@ -92,7 +103,8 @@ impl States {
     fn state(&mut self, frame: &Frame<'_>) -> Result<(), WriteError> {
         let grid = self.grid.get_or_insert_with(|| Grid::new(frame.model));
         let name = self.job.state_name(self.increments);
-        replace(&self.job.folder().join(&name), grid.state(frame).as_bytes())?;
+        grid.file(&mut self.text, frame, None);
+        replace(&self.job.folder().join(&name), self.text.as_bytes())?;
         let mut time = String::new();
         push_shortest(&mut time, frame.total_time);
         self.list(self.increments, &time);
@@ -105,7 +117,8 @@ impl States {
     /// Beside the states, for it is none: `JOB.failed.vtu`.
     fn unconverged(&mut self, state: &Unconverged<'_>) -> Result<(), WriteError> {
         let grid = self.grid.get_or_insert_with(|| Grid::new(state.frame.model));
-        replace(&self.job.path(FAILED), grid.unconverged(state).as_bytes())
+        grid.file(&mut self.text, &state.frame, Some(state));
+        replace(&self.job.path(FAILED), self.text.as_bytes())
     }
 
     fn write_list(&mut self) -> Result<(), WriteError> {

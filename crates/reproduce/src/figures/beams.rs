@@ -1,9 +1,9 @@
 //! What the drawings of models have in common: meshes at a moment of a run.
 
-use crate::draw::{BLACK, GREY, Pen, Rectangle, Scene, View, WHITE};
-use crate::study::Curve;
+use crate::curve::Curve;
 use slideline::Model;
 use slideline::model::{Master, NodeIndex};
+use slideline_figures::{BLACK, GREY, Pen, Rectangle, Scene, View, WHITE};
 
 /// Undeformed places of all nodes [L].
 pub(super) fn at_rest(model: &Model) -> Vec<[f64; 2]> {

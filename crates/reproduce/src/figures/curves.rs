@@ -1,13 +1,15 @@
 //! Figures 3, 4, 6 and 8: force and moment curves, theory as lines, finite
 //! elements as symbols.
 
-use super::{Figure, WIDTH};
-use crate::draw::{
-    Anchor, Axis, Chart, DARK, Dash, Entry, GREY, Marker, Pen, Rectangle, SMALL, Scene, Text, scene,
-};
-use crate::study::{Curve, FRICTION, ModelKind, Stick, Study};
+use super::figure::{Figure, WIDTH, scene};
+use crate::cases::{FRICTION, ModelKind, Stick};
+use crate::curve::Curve;
+use crate::study::Study;
 use crate::theory::Theory;
 use slideline::Onset;
+use slideline_figures::{
+    Anchor, Axis, DARK, Dash, Entry, Frame, GREY, Marker, Pen, Rectangle, SMALL, Scene, Text,
+};
 use std::f64::consts::PI;
 
 const HEIGHT: f64 = 300.0;
@@ -31,45 +33,25 @@ fn theory(study: &Study, problem: u8, with_friction: bool) -> Vec<[f64; 2]> {
     study.references.lines[place].iter().map(|&point| in_units(problem, point)).collect()
 }
 
-fn frame(height: f64) -> Rectangle {
-    Rectangle { left: 52.0, top: 10.0, width: WIDTH - 62.0, height: height - 46.0 }
+fn frame(x: Axis, y: Axis) -> Frame {
+    let window = Rectangle { left: 52.0, top: 10.0, width: WIDTH - 62.0, height: HEIGHT - 46.0 };
+    Frame::new(window, [x, y], std::iter::empty())
+}
+
+fn displacement() -> Axis {
+    Axis::fixed("vertical displacement of the circle  *\u{3b4}y*  (mm)", [0.0, -31.5], 5.0, 0)
 }
 
 /// F_y over the displacement, to `top` newton; a step of room below zero.
-fn force_chart(top: f64, step: f64) -> Chart {
-    let x = Axis {
-        title: "vertical displacement of the circle  *\u{3b4}y*  (mm)".to_owned(),
-        from: 0.0,
-        to: -31.5,
-        step: 5.0,
-        decimals: 0,
-    };
-    let y = Axis {
-        title: "vertical force  *F*_{y}  (N)".to_owned(),
-        from: step,
-        to: -top,
-        step,
-        decimals: usize::from(step < 5.0),
-    };
-    Chart { frame: frame(HEIGHT), x, y }
+fn force_chart(top: f64, step: f64) -> Frame {
+    let decimals = usize::from(step < 5.0);
+    let title = "vertical force  *F*_{y}  (N)";
+    frame(displacement(), Axis::fixed(title, [step, -top], step, decimals))
 }
 
-fn moment_chart() -> Chart {
-    let x = Axis {
-        title: "rotation of the cam  (\u{b0})".to_owned(),
-        from: 0.0,
-        to: -62.0,
-        step: 10.0,
-        decimals: 0,
-    };
-    let y = Axis {
-        title: "drive moment  *M*_{z}  (N mm)".to_owned(),
-        from: 40.0,
-        to: -120.0,
-        step: 20.0,
-        decimals: 0,
-    };
-    Chart { frame: frame(HEIGHT), x, y }
+fn moment_chart() -> Frame {
+    let y = Axis::fixed("drive moment  *M*_{z}  (N mm)", [40.0, -120.0], 20.0, 0);
+    frame(Axis::fixed("rotation of the cam  (\u{b0})", [0.0, -62.0], 10.0, 0), y)
 }
 
 fn line(pen: Pen, words: &str) -> Entry {
@@ -86,9 +68,9 @@ fn friction(mu: f64) -> String {
 
 /// Theory of the first problem.
 pub(super) fn figure_3(study: &Study) -> Figure {
-    let mut scene = scene(WIDTH, HEIGHT, "Vertical force over displacement, theory");
+    let mut scene = scene(HEIGHT, "Vertical force over displacement, theory");
     let chart = force_chart(40.0, 5.0);
-    chart.draw(&mut scene);
+    chart.ticks(&mut scene);
     chart.line(&mut scene, &theory(study, 1, true), DASHED);
     chart.line(&mut scene, &theory(study, 1, false), SMOOTH);
     let entries = [
@@ -96,13 +78,12 @@ pub(super) fn figure_3(study: &Study) -> Figure {
         line(SMOOTH, "theory, *\u{3bc}* = 0"),
     ];
     chart.legend(&mut scene, [16.0, 20.0], &entries);
-    Figure {
-        name: "fig3",
+    Figure::new(
+        "fig3",
         scene,
-        caption: "Theoretical answer of the first problem with and without friction: linear \
-                  theory, equations (1) to (8)."
-            .to_owned(),
-    }
+        "Theoretical answer of the first problem with and without friction: linear \
+                  theory, equations (1) to (8).",
+    )
 }
 
 const MODELS: [(ModelKind, Marker, &str); 3] = [
@@ -115,7 +96,7 @@ const MODELS: [(ModelKind, Marker, &str); 3] = [
 fn three_models(
     study: &Study,
     scene: &mut Scene,
-    chart: &Chart,
+    chart: &Frame,
     stick: Stick,
     onset: Onset,
 ) -> Vec<Entry> {
@@ -129,26 +110,25 @@ fn three_models(
 
 /// The three models without friction.
 pub(super) fn figure_4(study: &Study) -> Figure {
-    let mut scene = scene(WIDTH, HEIGHT, "Three models without friction against theory");
+    let mut scene = scene(HEIGHT, "Three models without friction against theory");
     let chart = force_chart(15.0, 2.5);
-    chart.draw(&mut scene);
+    chart.ticks(&mut scene);
     chart.line(&mut scene, &theory(study, 1, false), SMOOTH);
     let mut entries = vec![line(SMOOTH, "theory, *\u{3bc}* = 0")];
     entries.extend(three_models(study, &mut scene, &chart, Stick::Frictionless, Onset::Immediate));
     chart.legend(&mut scene, [16.0, 20.0], &entries);
-    Figure {
-        name: "fig4",
+    Figure::new(
+        "fig4",
         scene,
-        caption: "Finite element models of the first problem without friction, 20 equal \
-                  increments, a symbol at each."
-            .to_owned(),
-    }
+        "Finite element models of the first problem without friction, 20 equal \
+                  increments, a symbol at each.",
+    )
 }
 
-fn figure_6(study: &Study, onset: Onset, title: &str) -> (Scene, Chart) {
-    let mut scene = scene(WIDTH, HEIGHT, title);
+fn figure_6(study: &Study, onset: Onset, title: &str) -> (Scene, Frame) {
+    let mut scene = scene(HEIGHT, title);
     let chart = force_chart(40.0, 5.0);
-    chart.draw(&mut scene);
+    chart.ticks(&mut scene);
     chart.line(&mut scene, &theory(study, 1, true), DASHED);
     chart.line(&mut scene, &theory(study, 1, false), SMOOTH);
     let mut entries = vec![
@@ -167,7 +147,7 @@ pub(super) fn figure_6a(study: &Study) -> Figure {
     let note = |scene: &mut Scene, model, lost: bool, words: [&str; 2], at: [f64; 2]| {
         if let Some(point) = remarkable(study, model, lost) {
             let target = chart.at(point);
-            let from = [chart.frame.left + at[0], chart.frame.top + at[1]];
+            let from = [chart.window.left + at[0], chart.window.top + at[1]];
             let [dx, dy] = [target[0] - from[0], target[1] - from[1]];
             let reach = 1.0 - 5.0 / dx.hypot(dy);
             let tip = [from[0] + reach * dx, from[1] + reach * dy];
@@ -182,15 +162,15 @@ pub(super) fn figure_6a(study: &Study) -> Figure {
     note(&mut scene, ModelKind::Isl, true, words, [232.0, 104.0]);
     let words = ["IRS coarse: the slave was closed", "already, its friction acts"];
     note(&mut scene, ModelKind::IrsCoarse, false, words, [232.0, 142.0]);
-    Figure {
-        name: "fig6a",
+    Figure::new(
+        "fig6a",
         scene,
-        caption: format!(
+        format!(
             "a) First problem, {}, friction logic of 1995 (FRICTION ONSET=MATFRU, penalty): no \
              friction in an increment in which a slave node closes.",
             friction(FRICTION).replace('*', "")
         ),
-    }
+    )
 }
 
 /// The point at which most friction was lost; or, where nearly all of it is
@@ -218,19 +198,18 @@ fn remarkable(study: &Study, model: ModelKind, lost: bool) -> Option<[f64; 2]> {
 pub(super) fn figure_6b(study: &Study) -> Figure {
     let title = "Three models with friction, modified friction logic";
     let (scene, _) = figure_6(study, Onset::Immediate, title);
-    Figure {
-        name: "fig6b",
+    Figure::new(
+        "fig6b",
         scene,
-        caption: "b) The same with the modified logic (FRICTION ONSET=IMMEDIATE, the default): \
-             friction whenever a node is closed."
-            .to_owned(),
-    }
+        "b) The same with the modified logic (FRICTION ONSET=IMMEDIATE, the default): \
+             friction whenever a node is closed.",
+    )
 }
 
 fn figure_8(study: &Study, onset: Onset, title: &str) -> Scene {
-    let mut scene = scene(WIDTH, HEIGHT, title);
+    let mut scene = scene(HEIGHT, title);
     let chart = moment_chart();
-    chart.draw(&mut scene);
+    chart.ticks(&mut scene);
     chart.line(&mut scene, &theory(study, 2, true), DASHED);
     chart.line(&mut scene, &theory(study, 2, false), SMOOTH);
     let curve = |model, stick, onset| points(study.curve(model, stick, onset));
@@ -256,37 +235,30 @@ fn figure_8(study: &Study, onset: Onset, title: &str) -> Scene {
 /// The second problem under the logic of 1995.
 pub(super) fn figure_8a(study: &Study) -> Figure {
     let title = "Drive moment of the cam, friction logic of 1995";
-    Figure {
-        name: "fig8a",
-        scene: figure_8(study, Onset::Matfru, title),
-        caption: "a) Second problem, friction logic of 1995: as the cam turns, a new slave node \
-                  closes in nearly every increment, and its friction is omitted."
-            .to_owned(),
-    }
+    Figure::new(
+        "fig8a",
+        figure_8(study, Onset::Matfru, title),
+        "a) Second problem, friction logic of 1995: as the cam turns, a new slave node \
+                  closes in nearly every increment, and its friction is omitted.",
+    )
 }
 
 /// The second problem, friction called whenever a node is closed.
 pub(super) fn figure_8b(study: &Study) -> Figure {
     let title = "Drive moment of the cam, modified friction logic";
-    Figure {
-        name: "fig8b",
-        scene: figure_8(study, Onset::Immediate, title),
-        caption: "b) The same with the modified logic.".to_owned(),
-    }
+    Figure::new(
+        "fig8b",
+        figure_8(study, Onset::Immediate, title),
+        "b) The same with the modified logic.",
+    )
 }
 
 /// How far linear theory is from the exact references: not in the paper.
 pub(super) fn linear_theory(study: &Study) -> Figure {
-    let mut scene = scene(WIDTH, HEIGHT, "Linear theory against exact references");
-    let mut chart = force_chart(1.0, 1.0);
-    chart.y = Axis {
-        title: "linear theory too high by  (% of peak)".to_owned(),
-        from: -0.5,
-        to: 3.5,
-        step: 0.5,
-        decimals: 1,
-    };
-    chart.draw(&mut scene);
+    let mut scene = scene(HEIGHT, "Linear theory against exact references");
+    let title = "linear theory too high by  (% of peak)";
+    let chart = frame(displacement(), Axis::fixed(title, [-0.5, 3.5], 0.5, 1));
+    chart.ticks(&mut scene);
     let linear = study.references.get(ModelKind::Isl, Theory::Linear, 0.0);
     let peak = linear.iter().fold(0.0, |most: f64, value| value.abs().max(most));
     let lines = [
@@ -305,11 +277,10 @@ pub(super) fn linear_theory(study: &Study) -> Figure {
     }
     let entries: Vec<Entry> = lines.iter().map(|(_, pen, words)| line(*pen, words)).collect();
     chart.legend(&mut scene, [16.0, 20.0], &entries);
-    Figure {
-        name: "linear_theory",
+    Figure::new(
+        "linear_theory",
         scene,
-        caption: "Error of the linear theory of the first problem, without friction, against more \
-                  and more complete references."
-            .to_owned(),
-    }
+        "Error of the linear theory of the first problem, without friction, against more \
+                  and more complete references.",
+    )
 }

@@ -2,32 +2,19 @@
 
 mod beams;
 mod curves;
+mod figure;
 mod formulations;
 mod models;
 mod normals;
 mod schematics;
 
+pub(crate) use figure::Figure;
 pub(crate) use normals::{tilts, worst_increment};
 
-use crate::draw::Scene;
 use crate::study::Study;
-
-/// A figure and the name of its files.
-#[derive(Clone, Debug)]
-pub(crate) struct Figure {
-    /// Such as `fig6a`.
-    pub name: &'static str,
-    /// The drawing.
-    pub scene: Scene,
-    /// What the page says below it.
-    pub caption: String,
-}
 
 /// How many there are.
 pub(crate) const COUNT: usize = 12;
-
-/// Width of a figure on paper, in points: 160 mm.
-pub(crate) const WIDTH: f64 = 453.5;
 
 /// All figures, in the paper's order; the last two are ours.
 pub(crate) fn all(study: &Study) -> Vec<Figure> {

@@ -1,10 +1,12 @@
 //! Figures 2 and 7: the finite element models, with blow-ups of the contact.
 
 use super::beams::{at_rest, beam, beam_nodes, body, clamp, driver, edge};
-use super::{Figure, WIDTH};
-use crate::draw::{Anchor, BLACK, Dash, GREY, Pen, Rectangle, SMALL, Scene, Text, View, scene};
-use crate::study::{Curve, ModelKind, Stick, Study};
+use super::figure::{Figure, scene};
+use crate::cases::{ModelKind, Stick};
+use crate::curve::Curve;
+use crate::study::Study;
 use slideline::Onset;
+use slideline_figures::{Anchor, BLACK, Dash, GREY, Pen, Rectangle, SMALL, Scene, Text, View};
 
 /// A model at rest in a window.
 fn panel(scene: &mut Scene, view: &View, curve: &Curve, dot: f64) {
@@ -27,7 +29,7 @@ fn panel(scene: &mut Scene, view: &View, curve: &Curve, dot: f64) {
 
 /// The three models of the first problem.
 pub(super) fn figure_2(study: &Study) -> Figure {
-    let mut scene = scene(WIDTH, 358.0, "Three finite element models of the first problem");
+    let mut scene = scene(358.0, "Three finite element models of the first problem");
     let titles = [
         (ModelKind::IrsCoarse, "IRS, coarse mesh", "24 beams, slaves on the beam"),
         (ModelKind::IrsFine, "IRS, fine mesh", "99 beams, slaves on the beam"),
@@ -59,19 +61,18 @@ pub(super) fn figure_2(study: &Study) -> Figure {
         panel(&mut scene, &near, curve, 2.3);
         edge(&mut scene, window);
     }
-    Figure {
-        name: "fig2",
+    Figure::new(
+        "fig2",
         scene,
-        caption: "Finite element models of the first problem, and blow-ups of the contact region \
+        "Finite element models of the first problem, and blow-ups of the contact region \
                   as the decks have it. Discs are slave nodes, open circles the nodes of the \
-                  slide line."
-            .to_owned(),
-    }
+                  slide line.",
+    )
 }
 
 /// The model of the second problem.
 pub(super) fn figure_7(study: &Study) -> Figure {
-    let mut scene = scene(WIDTH, 196.0, "Finite element model of the second problem");
+    let mut scene = scene(196.0, "Finite element model of the second problem");
     if let Some(curve) = study.curve(ModelKind::Cam, Stick::Penalty, Onset::Immediate) {
         let window = Rectangle { left: 4.0, top: 4.0, width: 268.0, height: 188.0 };
         let whole = View { window, middle: [25.0e-3, 8.6e-3], scale: 4.75e3 };
@@ -80,14 +81,13 @@ pub(super) fn figure_7(study: &Study) -> Figure {
         pivot(&mut scene, &whole, curve);
         blow_up(&mut scene, curve);
     }
-    Figure {
-        name: "fig7",
+    Figure::new(
+        "fig7",
         scene,
-        caption: "ISL model of the second problem: a rigid cam, turned clockwise into a flexible \
+        "ISL model of the second problem: a rigid cam, turned clockwise into a flexible \
                   member. Grey: the last increment, with friction. Right: the contact in the \
-                  middle of the stroke. The dimensions are ours; the paper does not give any."
-            .to_owned(),
-    }
+                  middle of the stroke. The dimensions are ours; the paper does not give any.",
+    )
 }
 
 /// The end of the stroke, in grey.
@@ -138,7 +138,7 @@ fn blow_up(scene: &mut Scene, curve: &Curve) {
     scene.circle([left + 4.0, below - 3.0], 2.4, Some(BLACK), Some(Pen::solid(0.7)));
     scene.text(Text::new([left + 12.0, below], "slave nodes").size(SMALL));
     let left = left + 82.0;
-    let open = Some(crate::draw::WHITE);
+    let open = Some(slideline_figures::WHITE);
     scene.circle([left, below - 3.0], 2.4, open, Some(Pen::solid(0.7)));
     scene.text(Text::new([left + 8.0, below], "slide line").size(SMALL));
 }

@@ -1,11 +1,13 @@
 //! Figure 5: where the normal contact forces point in IRS and ISL models.
 
 use super::beams::{beam, body, driver, edge};
-use super::{Figure, WIDTH};
-use crate::draw::{Anchor, DARK, Dash, GREY, Pen, Rectangle, SMALL, Scene, Text, View, scene};
-use crate::study::{Curve, INCREMENTS, ModelKind, Stick, Study};
+use super::figure::{Figure, scene};
+use crate::cases::{INCREMENTS, ModelKind, Stick};
+use crate::curve::Curve;
+use crate::study::Study;
 use slideline::Onset;
 use slideline::model::Master;
+use slideline_figures::{Anchor, DARK, Dash, GREY, Pen, Rectangle, SMALL, Scene, Text, View};
 use slideline_theory::{FirstProblem, Reference, Stroke};
 
 /// The exact contact: its point, and the direction of its force on the beam.
@@ -80,7 +82,7 @@ fn isl(study: &Study) -> Option<&Curve> {
 
 /// Both models in that increment.
 pub(super) fn figure_5(study: &Study) -> Figure {
-    let mut scene = scene(WIDTH, 300.0, "Normal contact forces of IRS and ISL models");
+    let mut scene = scene(300.0, "Normal contact forces of IRS and ISL models");
     let increment = worst_increment(study).unwrap_or(INCREMENTS);
     let panels = [(irs(study), "a) IRS method"), (isl(study), "b) ISL method")];
     for (place, (curve, title)) in panels.into_iter().enumerate() {
@@ -93,17 +95,17 @@ pub(super) fn figure_5(study: &Study) -> Figure {
         edge(&mut scene, window);
     }
     legend(&mut scene);
-    Figure {
-        name: "fig5",
+    Figure::new(
+        "fig5",
         scene,
-        caption: format!(
+        format!(
             "Normal contact forces on the beam in increment {increment} of our runs without \
              friction, to scale. In a master/slave algorithm a slave node does not penetrate the \
              master surface, but nothing keeps the master from penetrating between slave nodes: \
              with IRS the force acts where a beam node happens to be and points away from the \
              centre of the circle; with ISL it is normal to the beam."
         ),
-    }
+    )
 }
 
 fn panel(scene: &mut Scene, window: Rectangle, curve: &Curve, increment: usize, exact: Exact) {
@@ -145,8 +147,8 @@ fn legend(scene: &mut Scene) {
     scene
         .text(Text::new([223.0, y + 3.3], "line of force, shear-flexible beam theory").size(SMALL));
     let y = 282.0;
-    scene.circle([23.0, y], 2.6, Some(crate::draw::BLACK), Some(Pen::solid(0.7)));
+    scene.circle([23.0, y], 2.6, Some(slideline_figures::BLACK), Some(Pen::solid(0.7)));
     scene.text(Text::new([43.0, y + 3.3], "slave node").size(SMALL));
-    scene.circle([203.0, y], 2.6, Some(crate::draw::WHITE), Some(Pen::solid(0.7)));
+    scene.circle([203.0, y], 2.6, Some(slideline_figures::WHITE), Some(Pen::solid(0.7)));
     scene.text(Text::new([223.0, y + 3.3], "node of the master surface").size(SMALL));
 }

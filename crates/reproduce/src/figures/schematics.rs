@@ -4,8 +4,8 @@
 //! deflections are larger than they would be.
 
 use super::beams::clamp;
-use super::{Figure, WIDTH};
-use crate::draw::{Anchor, BLACK, DARK, Dash, GREY, Pen, Rectangle, Scene, Text, View, scene};
+use super::figure::{Figure, scene};
+use slideline_figures::{Anchor, BLACK, DARK, Dash, GREY, Pen, Rectangle, Scene, Text, View};
 
 const THIN: Pen = Pen::solid(0.6);
 const HEAVY: Pen = Pen::solid(2.0);
@@ -66,18 +66,17 @@ impl Bent {
 
 /// Both problems side by side.
 pub(super) fn figure_1() -> Figure {
-    let mut scene = scene(WIDTH, 292.0, "Schematics of both problems");
+    let mut scene = scene(292.0, "Schematics of both problems");
     scene.text(Text::new([6.0, 14.0], "a) First example problem").bold());
     scene.text(Text::new([214.0, 14.0], "b) Second example problem").bold());
     first(&mut scene);
     second(&mut scene);
-    Figure {
-        name: "fig1",
+    Figure::new(
+        "fig1",
         scene,
-        caption: "Schematics of the problems: a rigid circle is pushed along a cantilever (a), \
-                  a rigid cam is turned into one (b). Deflections are exaggerated."
-            .to_owned(),
-    }
+        "Schematics of the problems: a rigid circle is pushed along a cantilever (a), \
+                  a rigid cam is turned into one (b). Deflections are exaggerated.",
+    )
 }
 
 fn first(scene: &mut Scene) {

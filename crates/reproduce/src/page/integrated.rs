@@ -1,9 +1,9 @@
 //! The section on contact that is integrated along the beam.
 
 use super::{IMMEDIATE, MATFRU, NONE, Page, fixed, kept};
+use crate::cases::{FINE, FRICTION, ModelKind};
 use crate::figures;
-use crate::fine::{Errors, FINE};
-use crate::study::{FRICTION, ModelKind};
+use crate::fine::Errors;
 use slideline_theory::FirstProblem;
 use std::fmt::Write as _;
 

@@ -51,6 +51,9 @@ impl Workspace {
     pub(super) fn linearise_points(&mut self, plan: &Plan<'_>, committed: &State) {
         self.points.clear();
         for (place, point) in plan.contact.points.iter().enumerate() {
+            if self.evaluation.look.idle[place] {
+                continue;
+            }
             let meeting = &self.evaluation.meetings[place];
             if point.is_station() && !meeting.faces {
                 self.pressures[place] = 0.0;

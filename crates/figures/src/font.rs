@@ -4,7 +4,7 @@ use ttf_parser::OutlineBuilder;
 
 /// A cut of the letters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Face {
+pub(crate) enum Face {
     /// Upright.
     Regular,
     /// Bold.
@@ -14,11 +14,11 @@ pub(super) enum Face {
 }
 
 /// Family by which an SVG asks for the letters; the second has the same widths.
-pub(super) const FAMILY: &str = "DejaVu Sans, Verdana, sans-serif";
+pub(crate) const FAMILY: &str = "DejaVu Sans, Verdana, sans-serif";
 
-const REGULAR: &[u8] = include_bytes!("../../fonts/DejaVuSans.ttf");
-const BOLD: &[u8] = include_bytes!("../../fonts/DejaVuSans-Bold.ttf");
-const OBLIQUE: &[u8] = include_bytes!("../../fonts/DejaVuSans-Oblique.ttf");
+const REGULAR: &[u8] = include_bytes!("../fonts/DejaVuSans.ttf");
+const BOLD: &[u8] = include_bytes!("../fonts/DejaVuSans-Bold.ttf");
+const OBLIQUE: &[u8] = include_bytes!("../fonts/DejaVuSans-Oblique.ttf");
 
 fn parsed(face: Face) -> Option<ttf_parser::Face<'static>> {
     let bytes = match face {
@@ -35,7 +35,7 @@ fn glyph(font: &ttf_parser::Face<'_>, letter: char) -> Option<ttf_parser::GlyphI
 }
 
 /// Width of letters of that size, in its unit.
-pub(super) fn width(face: Face, letters: &str, size: f64) -> f64 {
+pub(crate) fn width(face: Face, letters: &str, size: f64) -> f64 {
     let Some(font) = parsed(face) else { return 0.0 };
     let advance = |letter| font.glyph_hor_advance(glyph(&font, letter)?);
     let units: f64 = letters.chars().filter_map(advance).map(f64::from).sum();
@@ -44,13 +44,13 @@ pub(super) fn width(face: Face, letters: &str, size: f64) -> f64 {
 
 #[cfg(test)]
 /// Whether the face has every one of these letters.
-pub(super) fn has(face: Face, letters: &str) -> bool {
+pub(crate) fn has(face: Face, letters: &str) -> bool {
     parsed(face).is_some_and(|font| letters.chars().all(|l| font.glyph_index(l).is_some()))
 }
 
 /// Takes the pieces of an outline: points of the plane, y up, with the origin
 /// at the left end of the base line.
-pub(super) trait Pieces {
+pub(crate) trait Pieces {
     /// A new contour.
     fn move_to(&mut self, p: [f64; 2]);
     /// A straight piece.
@@ -62,7 +62,7 @@ pub(super) trait Pieces {
 }
 
 /// Outlines of letters of that size.
-pub(super) fn outline(face: Face, letters: &str, size: f64, into: &mut dyn Pieces) {
+pub(crate) fn outline(face: Face, letters: &str, size: f64, into: &mut dyn Pieces) {
     let Some(font) = parsed(face) else { return };
     let scale = size / f64::from(font.units_per_em());
     let mut pen = Placed { x: 0.0, scale, into };

@@ -1,8 +1,10 @@
 //! Curves in frames that stand below one another.
 
-use super::axis::{Axis, Scale, number};
-use super::figure::Figure;
-use crate::draw::{Anchor, CURVES, Colour, Dash, GRID, INK, Pen, Scene, Text, Unit};
+use crate::axis::Axis;
+use crate::colour::{CURVES, Colour};
+use crate::frame::{Frame, LETTERS};
+use crate::scene::{Anchor, Dash, Pen, Scene, Text, Unit};
+use crate::view::Rectangle;
 
 /// How points are shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,12 +50,10 @@ pub struct Panel {
 const LEFT: f64 = 90.0;
 const WIDTH: f64 = 600.0;
 const LINE: f64 = 16.0;
-/// Size of letters.
-const LETTERS: f64 = 13.0;
 
 /// Draws panels below one another, the legend of all above. In a frame the
 /// first series stands above the others, guides above all.
-pub fn chart(title: impl Into<String>, panels: &[Panel]) -> Figure {
+pub fn chart(title: impl Into<String>, panels: &[Panel]) -> Scene {
     let series = panels.iter().flat_map(|panel| &panel.series);
     let named: Vec<&Series> = series.filter(|series| !series.name.is_empty()).collect();
     let mut scene = Scene::new(Unit::Pixel, [LEFT + WIDTH + 30.0, 0.0], &title.into());
@@ -62,12 +62,14 @@ pub fn chart(title: impl Into<String>, panels: &[Panel]) -> Figure {
     }
     let mut top = 18.0 + LINE * named.len().max(1) as f64;
     for (place, panel) in panels.iter().enumerate() {
-        let frame = Frame::around(panel, top);
-        frame.draw(&mut scene, panel);
+        let window = Rectangle { left: LEFT, top, width: WIDTH, height: panel.height };
+        let points = panel.series.iter().flat_map(|series| &series.points);
+        let frame = Frame::new(window, [panel.x.clone(), panel.y.clone()], points);
+        frame.grid(&mut scene);
         let (guides, others): (Vec<&Series>, Vec<&Series>) =
             panel.series.iter().partition(|series| series.mark == Mark::Guide);
         for series in others.iter().rev().chain(&guides) {
-            frame.series(&mut scene, panel, series);
+            draw(&frame, &mut scene, series);
         }
         let bottom = top + panel.height;
         let shared = panels.get(place + 1).is_some_and(|next| next.x.title == panel.x.title);
@@ -78,7 +80,7 @@ pub fn chart(title: impl Into<String>, panels: &[Panel]) -> Figure {
         top = bottom + if shared { 40.0 } else { 60.0 };
     }
     scene.height = top;
-    Figure { scene }
+    scene
 }
 
 fn pen(series: &Series, width: f64) -> Pen {
@@ -107,70 +109,20 @@ fn legend(scene: &mut Scene, series: &Series, y: f64) {
     scene.text(words([LEFT + 36.0, y], &series.name));
 }
 
-/// A frame on the paper with the values at its edges.
-struct Frame {
-    top: f64,
-    height: f64,
-    x: Scale,
-    y: Scale,
-}
-
-impl Frame {
-    fn around(panel: &Panel, top: f64) -> Self {
-        let points = || panel.series.iter().flat_map(|series| &series.points);
-        let seen = || points().filter(|[x, y]| panel.x.shows(*x) && panel.y.shows(*y));
-        let x = panel.x.around(seen().map(|[x, _]| *x));
-        let y = panel.y.around(seen().map(|[_, y]| *y));
-        Self { top, height: panel.height, x, y }
+fn draw(frame: &Frame, scene: &mut Scene, series: &Series) {
+    let colour = colour(series);
+    let discs = match series.mark {
+        Mark::Curve | Mark::Dashed => (series.points.len() <= 120).then_some(2.4),
+        Mark::Guide => None,
+        Mark::Discs => Some(3.2),
+    };
+    if let Some(radius) = discs {
+        let placed = series.points.iter().filter_map(|&point| frame.placed(point));
+        placed.for_each(|at| scene.circle(at, radius, Some(colour), None));
     }
-
-    fn at(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        [LEFT + WIDTH * self.x.place(x), self.top + self.height * (1.0 - self.y.place(y))]
-    }
-
-    fn draw(&self, scene: &mut Scene, panel: &Panel) {
-        let (right, bottom) = (LEFT + WIDTH, self.top + self.height);
-        for value in self.x.ticks(7.0) {
-            let x = LEFT + WIDTH * self.x.place(value);
-            scene.line(vec![[x, self.top], [x, bottom]], Pen::solid(1.0).colour(GRID));
-            let number = words([x, bottom + 18.0], &number(value));
-            scene.text(number.anchor(Anchor::Middle));
-        }
-        for value in self.y.ticks(if self.height > 200.0 { 7.0 } else { 4.0 }) {
-            let y = self.top + self.height * (1.0 - self.y.place(value));
-            scene.line(vec![[LEFT, y], [right, y]], Pen::solid(1.0).colour(GRID));
-            let number = words([LEFT - 7.0, y + 4.5], &number(value));
-            scene.text(number.anchor(Anchor::End));
-        }
-        let corners = vec![[LEFT, self.top], [right, self.top], [right, bottom], [LEFT, bottom]];
-        scene.polygon(corners, None, Some(Pen::solid(1.0).colour(INK)));
-        let title = words([22.0, self.top + 0.5 * self.height], &panel.y.title);
-        scene.text(title.anchor(Anchor::Middle).upwards());
-    }
-
-    fn series(&self, scene: &mut Scene, panel: &Panel, series: &Series) {
-        let colour = colour(series);
-        let placed = series
-            .points
-            .iter()
-            .map(|&[x, y]| (panel.x.shows(x) && panel.y.shows(y)).then(|| self.at([x, y])));
-        let placed: Vec<Option<[f64; 2]>> = placed.collect();
-        let discs = match series.mark {
-            Mark::Curve | Mark::Dashed => (placed.len() <= 120).then_some(2.4),
-            Mark::Guide => None,
-            Mark::Discs => Some(3.2),
-        };
-        let line = series.mark != Mark::Discs;
+    if series.mark != Mark::Discs {
         let width = if series.mark == Mark::Guide { 1.2 } else { 1.8 };
-        for part in placed.split(Option::is_none) {
-            let points: Vec<[f64; 2]> = part.iter().flatten().copied().collect();
-            if let Some(radius) = discs {
-                points.iter().for_each(|at| scene.circle(*at, radius, Some(colour), None));
-            }
-            if line {
-                scene.line(points, pen(series, width));
-            }
-        }
+        frame.line(scene, &series.points, pen(series, width));
     }
 }
 

@@ -1,7 +1,8 @@
 //! A scene as dots.
 
-use super::font::{self, Pieces};
-use super::scene::{Colour, Item, Pen, Scene, Text, grey};
+use crate::colour::{BLACK, Colour};
+use crate::font::{self, Pieces};
+use crate::scene::{Item, Pen, Scene, Text};
 use tiny_skia::{
     Color, FillRule, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, StrokeDash, Transform,
 };
@@ -106,7 +107,7 @@ fn write(dots: &mut Pixmap, words: &Text, transform: Transform) {
         font::outline(run.face, &run.letters, run.size, &mut letters);
     }
     if let Some(path) = letters.path.finish() {
-        dots.fill_path(&path, &ink(grey(0)), FillRule::Winding, transform, None);
+        dots.fill_path(&path, &ink(BLACK), FillRule::Winding, transform, None);
     }
 }
 

@@ -1,10 +1,9 @@
 //! A scene as SVG: no styles, no identifiers, so that it can stand in a page
 //! beside others.
 
-use super::font::{FAMILY, Face};
-use super::scene::{Anchor, Colour, Item, Pen, Scene, Text, Unit};
-use super::{CURVES, GRID, INK};
-use crate::report::escaped;
+use crate::colour::{CURVES, Colour, GRID, INK};
+use crate::font::{FAMILY, Face};
+use crate::scene::{Anchor, Item, Pen, Scene, Text, Unit};
 use std::fmt::Write as _;
 
 /// Whose colours a figure has.
@@ -160,9 +159,36 @@ fn paint(attribute: &str, colour: Colour, colours: Colours) -> String {
     }
 }
 
+/// Text as it may stand in SVG and HTML, in an attribute too.
+pub fn escaped(text: &str) -> String {
+    let mut safe = String::with_capacity(text.len());
+    for letter in text.chars() {
+        match letter {
+            '&' => safe.push_str("&amp;"),
+            '<' => safe.push_str("&lt;"),
+            '>' => safe.push_str("&gt;"),
+            '"' => safe.push_str("&quot;"),
+            '\'' => safe.push_str("&#39;"),
+            c if c.is_control() && c != '\n' && c != '\t' => safe.push('\u{FFFD}'),
+            c => safe.push(c),
+        }
+    }
+    safe
+}
+
 /// Two decimals at most.
 fn short(value: f64) -> String {
     let text = format!("{value:.2}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_text_ends_an_element() {
+        assert_eq!(escaped("</script>'\"&\u{1}"), "&lt;/script&gt;&#39;&quot;&amp;\u{FFFD}");
+    }
 }

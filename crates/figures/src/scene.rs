@@ -1,16 +1,7 @@
 //! What a figure consists of.
 
-use super::font;
-
-/// A colour: red, green, blue.
-pub type Colour = [u8; 3];
-
-/// A grey, 0 black to 255 white.
-pub const fn grey(level: u8) -> Colour {
-    [level; 3]
-}
-
-const BLACK: Colour = grey(0);
+use crate::colour::{BLACK, Colour};
+use crate::font;
 
 /// What lengths of a figure are counted in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -196,7 +187,7 @@ impl Text {
     }
 
     /// Its pieces from left to right, placed as if it read to the right.
-    pub(super) fn runs(&self) -> Vec<Run> {
+    pub(crate) fn runs(&self) -> Vec<Run> {
         let mut runs = if self.plain {
             vec![Run::new(&self.content, self.size, self.bold, false)]
         } else {
@@ -218,7 +209,7 @@ impl Text {
 
 /// Letters of one face and size.
 #[derive(Clone, Debug)]
-pub(super) struct Run {
+pub(crate) struct Run {
     /// From the anchor, before turning.
     pub offset: [f64; 2],
     /// Letters.

@@ -1,10 +1,11 @@
 //! Drawing in the coordinates of a model, inside a window of the paper.
 
-use super::{Anchor, Colour, Pen, Scene, Text};
+use crate::colour::Colour;
+use crate::scene::{Anchor, Pen, Scene, Text};
 
 /// A rectangle of the paper [point].
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Rectangle {
+pub struct Rectangle {
     /// Left edge.
     pub left: f64,
     /// Upper edge.
@@ -49,7 +50,8 @@ impl Rectangle {
                 leaves = leaves.min(room / slope);
             }
         }
-        let at = |t: f64| [a[0] + t * d[0], a[1] + t * d[1]];
+        // the ends themselves, not what rounding makes of them
+        let at = |t: f64| if t == 1.0 { b } else { [a[0] + t * d[0], a[1] + t * d[1]] };
         (enters <= leaves).then(|| (at(enters), at(leaves)))
     }
 
@@ -69,7 +71,7 @@ impl Rectangle {
 
 /// A window through which a piece of the model is seen, true to scale.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct View {
+pub struct View {
     /// The window.
     pub window: Rectangle,
     /// Point of the model in its middle [L].
