@@ -88,7 +88,7 @@ fn fill_gaps(start: &mut Start<'_>) {
         let (point, still) =
             (start.model.nodes.plane(row.node), Body { reference: [0.0; 2], dofs: [0.0; 3] });
         let Some(Facade::Body(surface, _)) = facade(start, pair) else { continue };
-        let facing = surface.closest(&still, point, None);
+        let facing = surface.closest(&still, point);
         if let Some(gap) = facing.and_then(|facing| surface.gap(&still, &facing, point)) {
             row.opening = -gap.overclosure();
             row.normal = gap.normal();
@@ -186,7 +186,7 @@ fn meet(facade: &Facade, chain: &[[f64; 2]], master: &Body, point: [f64; 2]) -> 
         Facade::Body(surface, _) => {
             let at = master.to_body(point);
             let still = Body { reference: master.reference, dofs: [0.0; 3] };
-            let facing = surface.closest(&still, at, None);
+            let facing = surface.closest(&still, at);
             if let Some((facing, gap)) =
                 facing.and_then(|facing| Some((facing, surface.gap(&still, &facing, at)?)))
             {
@@ -207,7 +207,7 @@ fn meet(facade: &Facade, chain: &[[f64; 2]], master: &Body, point: [f64; 2]) -> 
             }
         }
         Facade::Line(line, _) => {
-            let piece = line.closest(chain, point, None);
+            let piece = line.closest(chain, None, point);
             if let Some(gap) = piece.and_then(|piece| chain_gap(line, &piece, chain, point)) {
                 let (overclosure, along) = (gap.overclosure(), gap.along());
                 return Met::Facing { overclosure, along, trusted: true };

@@ -34,7 +34,7 @@ fn circle() -> RigidSurface {
 
 fn overclosure_of_node(nodes: &[[f64; 2]], number: usize) -> f64 {
     let point = nodes[number - 1];
-    let facing = circle().closest(&STILL, point, None).unwrap();
+    let facing = circle().closest(&STILL, point).unwrap();
     circle().gap(&STILL, &facing, point).unwrap().overclosure()
 }
 
@@ -57,7 +57,7 @@ fn initial_overclosure_of_the_1995_slide_line_deck() {
     let at = |degrees: f64| {
         let (s, c) = degrees.to_radians().sin_cos();
         let point = [9e-3 * s, 45e-3 - 9e-3 * c];
-        let piece = chain.closest(&nodes, point, None).unwrap();
+        let piece = chain.closest(&nodes, None, point).unwrap();
         chain_gap(&chain, &piece, &nodes, point).unwrap()
     };
     assert!((at(88.0).overclosure() - 8.667e-6).abs() < 6e-10);
@@ -76,7 +76,7 @@ fn smoothed_chain_is_continuous() {
     for i in 0..20_000 {
         let x = 0.2 + f64::from(i) * 1.5e-4;
         let point = [x, 0.3];
-        let piece = chain.closest(&nodes, point, None).unwrap();
+        let piece = chain.closest(&nodes, None, point).unwrap();
         let gap = chain_gap(&chain, &piece, &nodes, point).unwrap();
         if let Some(before) = last {
             assert!((gap.overclosure() - before.overclosure()).abs() < 2e-4, "{x}");
@@ -94,7 +94,7 @@ fn coordinate_runs_on_at_a_joint() {
     let along = |degrees: f64| {
         let (s, c) = degrees.to_radians().sin_cos();
         let point = [9.01e-3 * s, 45e-3 + 9.01e-3 * c];
-        let facing = circle().closest(&STILL, point, None).unwrap();
+        let facing = circle().closest(&STILL, point).unwrap();
         circle().gap(&STILL, &facing, point).unwrap().along()
     };
     for degrees in [0.5, 30.0, 89.999_999, 90.000_001, 120.0, 179.5] {
@@ -171,7 +171,7 @@ fn surface() -> RigidSurface {
 fn on_dofs(dofs: &[f64; 5], slip_origin: Option<f64>) -> Option<([f64; 5], [f64; 25], f64)> {
     let body = Body { reference: [0.3, -1.7], dofs: [dofs[2], dofs[3], dofs[4]] };
     let point = [dofs[0], dofs[1]];
-    let facing = surface().closest(&body, point, None)?;
+    let facing = surface().closest(&body, point)?;
     let gap = surface().gap(&body, &facing, point)?;
     let slave = Attachment::Point { map: PointMap::Free, first: 0 };
     let attachments = surface().attachments(&body, &facing, slave, 2)?;
@@ -197,7 +197,7 @@ proptest! {
         let reference = wavy(&[0.0; 8]);
         let chain = Chain::new(&reference, f, 0.1).unwrap();
         let point = [p.0, p.1];
-        if let Some(piece) = chain.closest(&nodes, point, None) {
+        if let Some(piece) = chain.closest(&nodes, None, point) {
             let gap = chain_gap(&chain, &piece, &nodes, point).unwrap();
             let mut positions = vec![point];
             positions.extend_from_slice(&nodes[piece.nodes()]);
@@ -215,8 +215,8 @@ proptest! {
         let moved = |x: [f64; 2]| [c * x[0] - s * x[1] + 0.3, s * x[0] + c * x[1] - 0.7];
         let there: Vec<_> = nodes.iter().map(|x| moved(*x)).collect();
         let point = [p.0, p.1];
-        if let Some(piece) = chain.closest(&nodes, point, None) {
-            let other = chain.closest(&there, moved(point), Some(piece)).unwrap();
+        if let Some(piece) = chain.closest(&nodes, None, point) {
+            let other = chain.closest(&there, None, moved(point)).unwrap();
             let a = chain_gap(&chain, &piece, &nodes, point).unwrap();
             let b = chain_gap(&chain, &other, &there, moved(point)).unwrap();
             prop_assert!((a.overclosure() - b.overclosure()).abs() < 1e-13, "{piece:?} {other:?}");
@@ -256,20 +256,20 @@ proptest! {
     #[test]
     fn no_nan(nodes in prop::collection::vec(prop::array::uniform2(prop::num::f64::NORMAL | prop::num::f64::ZERO), 4), point in prop::array::uniform2(-1e3..1e3_f64)) {
         let chain = Chain::new(&wavy(&[0.0; 8]), 0.2, 0.1).unwrap();
-        if let Some(piece) = chain.closest(&nodes, point, None)
+        if let Some(piece) = chain.closest(&nodes, None, point)
             && let Some(gap) = chain_gap(&chain, &piece, &nodes, point)
         {
             prop_assert!(gap.overclosure().is_finite() && gap.along().is_finite());
         }
         let same = vec![point; 4];
-        prop_assert!(chain.closest(&same, point, None).is_none());
+        prop_assert!(chain.closest(&same, None, point).is_none());
     }
 
     /// The same for rigid surfaces, far and near.
     #[test]
     fn no_nan_on_rigid_surfaces(point in prop::array::uniform2(prop::num::f64::NORMAL | prop::num::f64::ZERO), dofs in prop::array::uniform3(-10.0..10.0_f64)) {
         let body = Body { reference: [0.0, 0.0], dofs };
-        if let Some(facing) = surface().closest(&body, point, None)
+        if let Some(facing) = surface().closest(&body, point)
             && let Some(gap) = surface().gap(&body, &facing, point)
         {
             prop_assert!(gap.overclosure().is_finite() && gap.along().is_finite());

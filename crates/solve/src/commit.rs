@@ -2,6 +2,7 @@
 
 use crate::account::account;
 use crate::constraints::Role;
+use crate::contact::MasterPositions;
 use crate::newton::{Target, Workspace};
 use crate::plan::Plan;
 use crate::state::State;
@@ -76,8 +77,8 @@ fn count_slip(plan: &Plan<'_>, committed: &State, work: &Workspace, trial: &mut 
 /// touching their history: the gaps of the start, and the origin of slip for
 /// points that close in the first increment.
 pub fn locate_points(plan: &Plan<'_>, committed: &mut State, work: &mut Workspace) {
-    let mut positions = Vec::with_capacity(plan.contact.chain_nodes());
-    plan.contact.meet(&committed.displacement, &mut positions, &mut work.evaluation.meetings);
+    let mut positions = MasterPositions::default();
+    plan.contact.meet(&committed.displacement, &[], &mut positions, &mut work.evaluation.meetings);
     for (point, meeting) in committed.points.iter_mut().zip(&work.evaluation.meetings) {
         point.opening = -meeting.overclosure;
         point.along = meeting.faces.then_some(meeting.along);

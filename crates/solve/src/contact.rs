@@ -9,17 +9,23 @@
 //! Geometry only; pressures and tractions come from the laws, in
 //! [`crate::linearised`] and [`crate::evaluate`].
 
+mod candidates;
 mod crossing;
 mod facade;
+mod idle;
 mod laws;
 mod meeting;
+mod positions;
 mod shear;
 mod strip;
 
+pub use candidates::coupled_parts;
 pub use crossing::{Missed, Sweep, SweepScratch};
 pub use facade::placed;
+pub use idle::Look;
 pub use laws::{average as average_element, memory_size};
 pub use meeting::{GeometryScratch, Meeting};
+pub use positions::MasterPositions;
 pub use strip::{STRIP_POINTS, Strip};
 
 use crate::dofs::DofMap;
@@ -169,21 +175,26 @@ impl Contact {
         self.points.push(point);
     }
 
-    /// Sets of slots that may ever couple.
-    pub fn cliques(&self) -> Vec<Vec<usize>> {
+    /// Sets of dofs that may couple: of deforming masters with many parts, only
+    /// what is near in one of the `states`.
+    pub fn cliques(&self, states: &[&[f64]]) -> Vec<Vec<usize>> {
         let mut cliques = Vec::new();
+        let near = self.candidates(states);
         for strip in &self.strips {
             if let Facade::Body { slots, .. } = &self.facades[strip.pair] {
                 cliques.push([&strip.all_slots()[..], slots].concat());
             }
         }
-        for point in &self.points {
+        for (place, point) in self.points.iter().enumerate() {
             let Carrier::Node { slots: own, .. } = &point.carrier else { continue };
             match &self.facades[point.pair] {
                 Facade::Nothing => {}
                 Facade::Body { slots, .. } => cliques.push([&own[..], slots].concat()),
                 Facade::Line { nodes, .. } => {
-                    for window in nodes.windows(nodes.len().min(3)) {
+                    let all = 0..nodes.len();
+                    let range = near.get(place).cloned().flatten().unwrap_or(all);
+                    let window = range.len().min(3);
+                    for window in nodes[range].windows(window.max(1)) {
                         let mut clique = own.to_vec();
                         window.iter().for_each(|(_, slots)| clique.extend(slots));
                         cliques.push(clique);
@@ -194,16 +205,19 @@ impl Contact {
         cliques
     }
 
-    /// Number of chain positions of all pairs, for the scratch.
-    pub fn chain_nodes(&self) -> usize {
-        self.chain_nodes
-    }
-
     /// Where every point stands at displacements `u`. `positions` is scratch.
-    pub fn meet(&self, u: &[f64], positions: &mut Vec<[f64; 2]>, into: &mut [Meeting]) {
+    /// Points that `idle` names are left as they are.
+    pub fn meet(
+        &self,
+        u: &[f64],
+        idle: &[bool],
+        positions: &mut MasterPositions,
+        into: &mut [Meeting],
+    ) {
         self.place_chains(u, positions);
         for (place, point) in self.points.iter().enumerate() {
-            if !point.is_station() {
+            let is_idle = idle.get(place).is_some_and(|&idle| idle);
+            if !is_idle && !point.is_station() {
                 into[place].area = point.area;
                 self.meet_one(point, u, positions, &mut into[place]);
             }
@@ -215,7 +229,7 @@ impl Contact {
 
     /// As [`Contact::meet`], with stations left where they stand on their
     /// elements.
-    pub fn meet_in_place(&self, u: &[f64], positions: &mut Vec<[f64; 2]>, into: &mut [Meeting]) {
+    pub fn meet_in_place(&self, u: &[f64], positions: &mut MasterPositions, into: &mut [Meeting]) {
         self.place_chains(u, positions);
         for (point, meeting) in self.points.iter().zip(into) {
             if meeting.faces || !point.is_station() {
@@ -224,19 +238,25 @@ impl Contact {
         }
     }
 
-    /// Positions of all chains at displacements `u`.
-    pub fn place_chains(&self, u: &[f64], positions: &mut Vec<[f64; 2]>) {
-        positions.clear();
-        for facade in &self.facades {
-            if let Facade::Line { nodes, .. } = facade {
-                positions.extend(nodes.iter().map(|(at, slots)| moved(at, slots, u)));
+    /// Where the points that `idle` names stand at displacements `u`, for which
+    /// the chains are placed already.
+    pub fn meet_idle(
+        &self,
+        u: &[f64],
+        idle: &[bool],
+        positions: &MasterPositions,
+        into: &mut [Meeting],
+    ) {
+        for (place, point) in self.points.iter().enumerate() {
+            if idle[place] {
+                self.meet_one(point, u, positions, &mut into[place]);
             }
         }
     }
 
     /// Where a point stands at displacements `u`, however far from its
     /// master; a station where its cell, wholly closed, has it.
-    pub fn stand(&self, place: usize, u: &[f64], positions: &[[f64; 2]]) -> Meeting {
+    pub fn stand(&self, place: usize, u: &[f64], positions: &MasterPositions) -> Meeting {
         let point = &self.points[place];
         let mut meeting = Meeting { area: point.area, ..Meeting::NOWHERE };
         if let Carrier::Station { strip } = point.carrier {
@@ -250,7 +270,7 @@ impl Contact {
     /// it, up to a gap of `slack`, were that end prolonged; a station at `xi`
     /// of its element.
     pub fn has_slid_off(&self, place: usize, (xi, slack): (f64, f64), u: &[f64]) -> bool {
-        let mut positions = Vec::with_capacity(self.chain_nodes);
+        let mut positions = MasterPositions::default();
         self.place_chains(u, &mut positions);
         let point = &self.points[place];
         let mut stencil = self.slave(point, xi, u);
@@ -258,11 +278,17 @@ impl Contact {
             return false;
         }
         let begins = self.laws[point.pair].normal.contact_begins();
-        let beyond = self.facades[point.pair].beyond_end(stencil.position, u, &positions);
+        let beyond = self.facades[point.pair].beyond_end(stencil.position, u, &positions.nodes);
         beyond.is_some_and(|overclosure| overclosure > begins - slack)
     }
 
-    fn meet_one(&self, point: &SlavePoint, u: &[f64], positions: &[[f64; 2]], into: &mut Meeting) {
+    fn meet_one(
+        &self,
+        point: &SlavePoint,
+        u: &[f64],
+        positions: &MasterPositions,
+        into: &mut Meeting,
+    ) {
         self.meet_stencil(point, self.slave(point, into.xi, u), (u, positions), into);
     }
 
@@ -270,7 +296,7 @@ impl Contact {
         &self,
         point: &SlavePoint,
         mut stencil: Stencil<'_>,
-        (u, positions): (&[f64], &[[f64; 2]]),
+        (u, positions): (&[f64], &MasterPositions),
         into: &mut Meeting,
     ) {
         into.position = stencil.position;
@@ -314,11 +340,12 @@ impl Contact {
         point: &SlavePoint,
         xi: f64,
         u: &[f64],
-        positions: &[[f64; 2]],
+        positions: &MasterPositions,
         stencil: &mut Stencil<'_>,
     ) -> Option<AnyGap> {
         let slave = self.attachment(point, xi);
-        self.facades[point.pair].face(slave, u, positions, stencil)
+        let tree = positions.tree(point.pair);
+        self.facades[point.pair].face(slave, u, (&positions.nodes, tree), stencil)
     }
 
     /// Tangent of the geometry of a point, normal * D dh + tangential *
@@ -394,7 +421,8 @@ impl Contact {
             return pair::slip(history, meeting.along, period);
         }
         let mut stencil = self.slave(point, meeting.xi, committed);
-        let before = self.face(point, meeting.xi, committed, &[], &mut stencil);
+        let before =
+            self.face(point, meeting.xi, committed, &MasterPositions::default(), &mut stencil);
         let along = before.map(|gap| gap.along());
         pair::slip(&History { along, ..*history }, meeting.along, period)
     }
@@ -411,8 +439,10 @@ impl Contact {
     ) -> f64 {
         let point = &self.points[place];
         let (history, along) = if point.is_station() {
+            let none = MasterPositions::default();
             let along = |u: &[f64]| {
-                let gap = self.face(point, old.xi, u, &[], &mut self.slave(point, old.xi, u));
+                let mut stencil = self.slave(point, old.xi, u);
+                let gap = self.face(point, old.xi, u, &none, &mut stencil);
                 gap.map(|gap| gap.along())
             };
             (History { along: along(from), ..History::default() }, along(to))

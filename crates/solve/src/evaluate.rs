@@ -7,7 +7,7 @@
 //! The result depends on the arguments alone.
 
 use crate::constraints::Rows;
-use crate::contact::Meeting;
+use crate::contact::{Look, MasterPositions, Meeting};
 use crate::observe::{FrictionCall, Status};
 use crate::plan::Plan;
 use crate::stabilise::Dashpot;
@@ -72,7 +72,9 @@ pub struct Evaluation {
     pub memory: Vec<f64>,
     /// What a user friction law complained of.
     pub fault: Option<UserFrictionError>,
-    positions: Vec<[f64; 2]>,
+    /// What was seen of the points that iterations leave alone.
+    pub look: Look,
+    positions: MasterPositions,
 }
 
 impl Evaluation {
@@ -95,7 +97,8 @@ impl Evaluation {
             stick_slip: 0.0,
             memory: vec![0.0; plan.contact.memory_size],
             fault: None,
-            positions: Vec::with_capacity(plan.contact.chain_nodes()),
+            look: Look::default(),
+            positions: MasterPositions::default(),
         }
     }
 
@@ -117,9 +120,14 @@ pub fn evaluate(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into: &mu
     into.flux = plan.structure.flux(&into.contributions);
     into.structure.iter_mut().zip(trial.load).for_each(|(force, load)| *force -= load);
     plan.constraints.carry(&into.rows, &mut into.structure);
-    plan.contact.meet(trial.u, &mut into.positions, &mut into.meetings);
+    let Evaluation { meetings, positions, look, .. } = into;
+    plan.contact.find_idle(meetings, (trial.u, trial.pressures), look);
+    plan.contact.meet(trial.u, &look.idle, positions, meetings);
     let start = (&committed.displacement[..], &committed.points[..]);
-    plan.contact.turn_away_from_behind(start, trial.u, &mut into.meetings);
+    plan.contact.turn_away_from_behind(start, trial.u, meetings);
+    if !look.idle.contains(&true) {
+        look.note(trial.u);
+    }
     evaluate_contact(plan, committed, trial, into);
     into.damping.fill(0.0);
     for dashpot in trial.dashpots {
@@ -133,6 +141,69 @@ pub fn evaluate(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into: &mu
     }
 }
 
+/// Looks at the points that the evaluation left alone, at the same trial; says
+/// whether none of them carries pressure after all. If one does, all points are
+/// looked at next.
+pub fn complete(
+    plan: &Plan<'_>,
+    committed: &State,
+    trial: &Trial<'_>,
+    into: &mut Evaluation,
+) -> bool {
+    if !into.look.idle.contains(&true) {
+        return true;
+    }
+    let Evaluation { meetings, positions, look, .. } = into;
+    plan.contact.meet_idle(trial.u, &look.idle, positions, meetings);
+    let start = (&committed.displacement[..], &committed.points[..]);
+    plan.contact.turn_away_from_behind(start, trial.u, meetings);
+    let mut open = true;
+    for place in 0..plan.contact.points.len() {
+        if into.look.idle[place] {
+            let now = evaluate_point(plan, (committed, trial), place, into);
+            open &= !now.closed;
+            into.points[place] = now;
+        }
+    }
+    match open {
+        true => into.look.note(trial.u),
+        false => into.look.forget(),
+    }
+    into.look.idle.fill(false);
+    open
+}
+
+/// What a point does in a trial, and its memory of a user law.
+fn evaluate_point(
+    plan: &Plan<'_>,
+    (committed, trial): (&State, &Trial<'_>),
+    place: usize,
+    into: &mut Evaluation,
+) -> PointState {
+    let (point, meeting) = (&plan.contact.points[place], &into.meetings[place]);
+    let laws = &plan.contact.laws[point.pair];
+    let before = &committed.points[place];
+    let estimate = (trial.pressures[place], trial.tractions[place]);
+    // Without friction the slip is only told, and found at the commit.
+    let slip = match meeting.faces && laws.has_friction() {
+        true => plan.contact.slip(place, &before.history(), meeting, &committed.displacement),
+        false => 0.0,
+    };
+    let encounter = Encounter { plan, laws, before, meeting, estimate, slip, dt: trial.dt };
+    let range = point.memory..point.memory + point.memory_size;
+    let mut memory = UserMemory {
+        time: trial.time,
+        committed: &committed.memory[range.clone()],
+        state: &mut into.memory[range],
+        fault: &mut into.fault,
+    };
+    let now = encounter.follow(&mut memory);
+    if laws.friction.needs_multiplier() && now.status == Status::Stick {
+        into.stick_slip = into.stick_slip.max(slip.abs());
+    }
+    now
+}
+
 fn evaluate_contact(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into: &mut Evaluation) {
     into.contact.fill(0.0);
     into.contact_energy = 0.0;
@@ -141,31 +212,18 @@ fn evaluate_contact(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into:
     into.stick_slip = 0.0;
     into.fault = None;
     for (place, point) in plan.contact.points.iter().enumerate() {
-        let meeting = &into.meetings[place];
-        if point.is_station() && !meeting.faces {
+        if into.look.idle[place] {
+            continue;
+        }
+        if point.is_station() && !into.meetings[place].faces {
             let (now, before) = (&mut into.points[place], &committed.points[place]);
             if !now.is_untouched() || before.ever_closed {
                 now.open_from(before);
             }
             continue;
         }
-        let laws = &plan.contact.laws[point.pair];
-        let before = &committed.points[place];
-        let estimate = (trial.pressures[place], trial.tractions[place]);
-        // Without friction the slip is only told, and found at the commit.
-        let slip = match meeting.faces && laws.has_friction() {
-            true => plan.contact.slip(place, &before.history(), meeting, &committed.displacement),
-            false => 0.0,
-        };
-        let encounter = Encounter { plan, laws, before, meeting, estimate, slip, dt: trial.dt };
-        let range = point.memory..point.memory + point.memory_size;
-        let mut memory = UserMemory {
-            time: trial.time,
-            committed: &committed.memory[range.clone()],
-            state: &mut into.memory[range],
-            fault: &mut into.fault,
-        };
-        let now = encounter.follow(&mut memory);
+        let now = evaluate_point(plan, (committed, trial), place, into);
+        let (laws, meeting) = (&plan.contact.laws[point.pair], &into.meetings[place]);
         let (normal, tangential) = (now.area * now.pressure, now.area * now.traction);
         if now.closed {
             for k in 0..meeting.width {
@@ -180,9 +238,6 @@ fn evaluate_contact(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into:
             let defect =
                 if now.closed { meeting.overclosure.abs() } else { meeting.overclosure.max(0.0) };
             into.penetration = into.penetration.max(defect);
-        }
-        if laws.friction.needs_multiplier() && now.status == Status::Stick {
-            into.stick_slip = into.stick_slip.max(slip.abs());
         }
         into.points[place] = now;
     }

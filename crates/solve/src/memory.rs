@@ -64,7 +64,10 @@ fn couplings(pair: &ContactPair) -> (f64, &ContactPair) {
     let points = crate::contact::point_count(pair) as f64;
     let bytes = match &pair.master {
         Master::RigidSurface(_) => POINT * points,
-        Master::SlideLine(line) => (POINT + COUPLING * line.nodes.len() as f64) * points,
+        Master::SlideLine(line) => {
+            let parts = crate::contact::coupled_parts(points, line.nodes.len() as f64);
+            (POINT + COUPLING * parts) * points
+        }
     };
     (bytes, pair)
 }

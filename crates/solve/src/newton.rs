@@ -17,9 +17,9 @@ mod search;
 mod stresses;
 mod turns;
 
-use crate::contact::{GeometryScratch, Missed, Sweep, SweepScratch};
+use crate::contact::{GeometryScratch, MasterPositions, Missed, Sweep, SweepScratch};
 use crate::convergence::{Field, FieldHistory, Measures, judge};
-use crate::evaluate::{Evaluation, Trial, evaluate};
+use crate::evaluate::{Evaluation, Trial, complete, evaluate};
 use crate::evidence::Evidence;
 use crate::increments::Verdict;
 use crate::linearised::{LinearPoint, LinearisedContact, Stiffness};
@@ -80,6 +80,8 @@ pub struct Workspace {
     /// The tangent without augmentation, and with it.
     values: Vec<f64>,
     augmented: Vec<f64>,
+    /// Whether contact couples what the pattern does not hold.
+    pub outside: bool,
     /// How the condensed contact problem of the iteration is solved.
     enforcement: Enforcement,
     /// The increment [T].
@@ -102,7 +104,7 @@ pub struct Workspace {
     geometry: GeometryScratch,
     sweep: SweepScratch,
     dashpots: Vec<Dashpot>,
-    chain_positions: Vec<[f64; 2]>,
+    chain_positions: MasterPositions,
     was_closed: Vec<bool>,
     /// Most negative pivots of a symmetric factorisation in this attempt:
     /// directions in which the structure gives way.
@@ -135,6 +137,7 @@ impl Workspace {
             solver: plan.analyse(),
             values: vec![0.0; plan.pattern.entries()],
             augmented: vec![0.0; plan.pattern.entries()],
+            outside: false,
             enforcement: Enforcement::default(),
             dt: 0.0,
             correction: vec![0.0; equations],
@@ -149,10 +152,10 @@ impl Workspace {
             tractions: vec![0.0; points],
             points: Vec::with_capacity(points),
             contact,
-            geometry: GeometryScratch::new(&plan.contact),
+            geometry: GeometryScratch::new(),
             sweep: SweepScratch::default(),
             dashpots: Vec::new(),
-            chain_positions: Vec::new(),
+            chain_positions: MasterPositions::default(),
             was_closed: vec![false; points],
             negative_pivots: 0,
             evidence: Evidence::new(points),
@@ -182,16 +185,24 @@ pub fn attempt(
     let mut progress = Progress::default();
     loop {
         if let Err(fault) = work.iterate(plan, committed, target.dt) {
+            work.complete(plan, committed);
             return progress.end(Verdict::Broken, Some(fault));
         }
-        if work.evaluation.fault.is_some() {
+        if work.outside || work.evaluation.fault.is_some() {
+            work.complete(plan, committed);
             return progress.end(Verdict::Broken, None);
         }
-        let report = work.judge(plan, committed, target, &mut progress);
+        let mut report = work.judge(plan, committed, target, &mut progress);
+        if report.converged && !work.complete(plan, committed) {
+            // one that was left alone touches after all: its pressure comes next
+            work.evaluate(plan, committed, target.dt);
+            report.converged = false;
+        }
         watch(&report);
         let verdict = progress.verdict(&report, &limits);
         progress.last = Some(report);
         if let Some(verdict) = verdict {
+            work.complete(plan, committed);
             let missed = match verdict {
                 Verdict::Converged { .. } => work.missed(plan, committed),
                 _ => None,
@@ -383,7 +394,20 @@ impl Workspace {
     /// One Newton iteration: assemble, factor, solve, move, evaluate.
     fn iterate(&mut self, plan: &Plan<'_>, committed: &State, dt: f64) -> Result<(), SolveError> {
         self.factor(plan, committed)?;
+        if self.outside {
+            return Ok(());
+        }
         self.contact_step(plan, committed, dt)?;
+        if !self.leaves_idle(plan) {
+            // what was left alone may touch within this step
+            self.evaluation.look.forget();
+            self.evaluate(plan, committed, dt);
+            self.factor(plan, committed)?;
+            if self.outside {
+                return Ok(());
+            }
+            self.contact_step(plan, committed, dt)?;
+        }
         let length = self.limit_turns(plan);
         if self.line_search {
             self.search(plan, committed, (dt, length));
@@ -392,6 +416,36 @@ impl Workspace {
             self.evaluate(plan, committed, dt);
         }
         Ok(())
+    }
+
+    /// Whether the whole correction leaves idle points open.
+    fn leaves_idle(&mut self, plan: &Plan<'_>) -> bool {
+        if !self.evaluation.look.idle.contains(&true) {
+            return true;
+        }
+        self.residual.copy_from_slice(&self.u);
+        for (equation, &dof) in plan.constraints.dof_of_equation.iter().enumerate() {
+            self.residual[dof] += self.correction[equation];
+        }
+        plan.constraints.enforce(&mut self.residual);
+        let Evaluation { meetings, look, .. } = &mut self.evaluation;
+        plan.contact.stay_idle(meetings, &self.residual, look)
+    }
+
+    /// Looks at the points that iterations have left alone; says whether none of
+    /// them touches.
+    fn complete(&mut self, plan: &Plan<'_>, committed: &State) -> bool {
+        let trial = Trial {
+            u: &self.u,
+            load: &self.load,
+            stresses: &self.stresses,
+            pressures: &self.pressures,
+            tractions: &self.tractions,
+            dashpots: &self.dashpots,
+            time: committed.total_time + self.dt,
+            dt: self.dt,
+        };
+        complete(plan, committed, &trial, &mut self.evaluation)
     }
 
     /// Contact that the way from the last commit to the trial passes through.

@@ -40,6 +40,8 @@ pub struct Plan<'a> {
     /// with l the length of the stiffest element (or of the model), so that
     /// all entries of the tangent are stiffnesses F/L.
     pub units: Vec<f64>,
+    /// Whether couplings of contact may be missing from the pattern.
+    pub is_lenient: bool,
     /// How contact is solved, where not by its size.
     pub enforcement: Option<Enforcement>,
     /// Threads for element loops; none: this one.
@@ -102,15 +104,8 @@ impl<'a> Plan<'a> {
         let constraints = Constraints::new(model, step, &dofs);
         let mut structure = Structure::new(model, (&dofs, &constraints), step.nlgeom);
         let contact = Contact::new(model, &dofs, users);
-        let equations = |own: &[usize]| -> Vec<usize> {
-            let mut into = Vec::with_capacity(own.len());
-            own.iter().for_each(|&dof| constraints.equations_of(dof, &mut into));
-            into
-        };
-        let contact_cliques = contact.cliques();
-        let cliques =
-            structure.cliques().chain(contact_cliques.iter().map(Vec::as_slice)).map(equations);
-        let pattern = Pattern::from_cliques(constraints.equations(), cliques);
+        let states = [&*start.displacement];
+        let pattern = coupled(&structure, &contact, &constraints, &states);
         structure.find_entries(&constraints, &pattern);
         let elastic = structure.touched(dofs.len());
         let reach = model
@@ -145,11 +140,18 @@ impl<'a> Plan<'a> {
             reach,
             lever,
             units,
+            is_lenient: false,
             enforcement: None,
             pool,
             start,
             linear_systems: LinearSystems::default(),
         }
+    }
+
+    /// Makes the pattern anew, with the contact that is near in these states.
+    pub fn take_in(&mut self, states: &[&[f64]]) {
+        self.pattern = coupled(&self.structure, &self.contact, &self.constraints, states);
+        self.structure.find_entries(&self.constraints, &self.pattern);
     }
 
     /// The same with linear systems made elsewhere.
@@ -266,6 +268,23 @@ impl<'a> Plan<'a> {
             None => start + (end - start) * (step_time / period),
         }
     }
+}
+
+/// The pattern of elements and of the contact that is near in some states.
+fn coupled(
+    structure: &Structure,
+    contact: &Contact,
+    constraints: &Constraints,
+    states: &[&[f64]],
+) -> Pattern {
+    let equations = |own: &[usize]| -> Vec<usize> {
+        let mut into = Vec::with_capacity(own.len());
+        own.iter().for_each(|&dof| constraints.equations_of(dof, &mut into));
+        into
+    };
+    let near = contact.cliques(states);
+    let cliques = structure.cliques().chain(near.iter().map(Vec::as_slice)).map(equations);
+    Pattern::from_cliques(constraints.equations(), cliques)
 }
 
 /// Coordinates of the points of all rigid surfaces.

@@ -152,6 +152,10 @@ fn begin_again(decision: Decision, procedure: &Static) -> Decision {
     }
 }
 
+/// States of one increment that the pattern follows; beyond, the tangent may do
+/// without couplings of contact that roams.
+const MOST_REACHED: usize = 12;
+
 /// A run under way.
 struct Walk<'a> {
     model: &'a Model,
@@ -255,11 +259,38 @@ impl<'a> Walk<'a> {
             load: Cow::Borrowed(&self.committed.load),
             released: Cow::Borrowed(&self.committed.reaction),
         };
-        let plan = self.plan(step, start.owned());
+        let mut plan = self.plan(step, start.owned());
         let mut work = Workspace::new(&plan);
         crate::commit::locate_points(&plan, &mut self.committed, &mut work);
         self.begin(&plan, number, None, &work)?;
-        self.increments(&plan, number, Control::begin(&step.procedure), &mut work)
+        self.all_increments(&mut plan, number, Control::begin(&step.procedure), &mut work)
+    }
+
+    /// Increments until the end of the step; where contact couples what the
+    /// pattern does not hold, it is made anew.
+    fn all_increments(
+        &mut self,
+        plan: &mut Plan<'a>,
+        number: usize,
+        mut control: Control,
+        work: &mut Workspace,
+    ) -> Result<(), Left> {
+        // within an increment what it has touched on its way stays
+        let mut reached: Vec<Vec<f64>> = Vec::new();
+        while let Some(outside) = self.increments(plan, number, control, work)? {
+            if outside.committed != control.committed {
+                reached.clear();
+            }
+            reached.push(std::mem::take(&mut work.u));
+            let mut states = vec![&self.committed.displacement[..]];
+            states.extend(reached.iter().map(Vec::as_slice));
+            plan.take_in(&states);
+            plan.is_lenient = reached.len() > MOST_REACHED;
+            *work = Workspace::new(plan);
+            crate::commit::recall_points(&self.committed, work);
+            control = outside;
+        }
+        Ok(())
     }
 
     fn plan(&self, step: &'a Step, start: Start<'static>) -> Plan<'a> {
@@ -272,24 +303,26 @@ impl<'a> Walk<'a> {
     /// What is left of a step.
     fn rest_of_step(&mut self, from: &Checkpoint<'_>) -> Result<(), Left> {
         let Some(step) = self.model.steps.get(from.step - 1) else { return Ok(()) };
-        let plan = self.plan(step, from.start.owned());
+        let mut plan = self.plan(step, from.start.owned());
+        plan.take_in(&[&self.committed.displacement]);
         let mut work = Workspace::new(&plan);
         crate::commit::recall_points(&self.committed, &mut work);
         self.begin(&plan, from.step, Some(from), &work)?;
         match from.control {
-            Some(control) => self.increments(&plan, from.step, control, &mut work),
+            Some(control) => self.all_increments(&mut plan, from.step, control, &mut work),
             None => Ok(()),
         }
     }
 
-    /// Increments until the end of the step, or until none can be found.
+    /// Increments until the end of the step, or until none can be found, or until
+    /// contact couples what the pattern does not hold: then, where it stands.
     fn increments(
         &mut self,
         plan: &Plan<'_>,
         number: usize,
         mut control: Control,
         work: &mut Workspace,
-    ) -> Result<(), Left> {
+    ) -> Result<Option<Control>, Left> {
         let step = plan.step;
         let limits = step.controls.effective_time();
         loop {
@@ -303,6 +336,9 @@ impl<'a> Walk<'a> {
             let after =
                 |verdict| control.after(verdict, &step.procedure, &limits, step.max_increments);
             let mut outcome = self.attempt(plan, &target, work)?;
+            if work.outside {
+                return Ok(Some(control));
+            }
             if self.stabilise(plan, &outcome, work)? {
                 continue;
             }
@@ -323,7 +359,7 @@ impl<'a> Walk<'a> {
                 self.commit(plan, &target, &outcome, &decision, work)?;
             }
             match decision {
-                Decision::StepDone => return Ok(()),
+                Decision::StepDone => return Ok(None),
                 Decision::Continue(next) => control = next,
                 Decision::Cut(next) => {
                     self.fail(&target, &outcome, Some(next.dt))?;

@@ -13,7 +13,7 @@
 //! tangent is exact, symmetric and never negative.
 
 use crate::constraints::Rows;
-use crate::contact::Meeting;
+use crate::contact::{MasterPositions, Meeting};
 use crate::linearised::MOST_DOFS;
 use crate::plan::Plan;
 use crate::restraint::Restraint;
@@ -92,7 +92,7 @@ pub fn fill(
     plan: &Plan<'_>,
     committed: &State,
     (step_time, dt): (f64, f64),
-    positions: &mut Vec<[f64; 2]>,
+    positions: &mut MasterPositions,
     into: &mut Vec<Dashpot>,
 ) {
     into.clear();
@@ -140,7 +140,7 @@ fn automatic(plan: &Plan<'_>, place: usize, factor: f64) -> f64 {
 /// Whether contact that is open, and was so at the last commit, would oppose
 /// a motion if its points had dashpots; and no contact that was closed.
 pub fn would_hold(plan: &Plan<'_>, committed: &State, mode: &[f64]) -> bool {
-    let mut positions = Vec::new();
+    let mut positions = MasterPositions::default();
     let u = &committed.displacement;
     plan.contact.place_chains(u, &mut positions);
     let mut motion = vec![0.0; plan.dofs.len()];

@@ -14,7 +14,7 @@
 //! stations of integrated contact stand on their elements.
 
 use crate::constraints::Rows;
-use crate::contact::{GeometryScratch, Meeting};
+use crate::contact::{GeometryScratch, MasterPositions, Meeting};
 use crate::evaluate::{Evaluation, Trial};
 use crate::observe::{FrictionCall, Status, TangentReport};
 use crate::plan::Plan;
@@ -196,7 +196,7 @@ pub fn assembled(place: &Place<'_>) -> Vec<f64> {
     plan.structure.gather_force(&contributions, &mut force);
     place.add_contact_force(&place.evaluation.meetings, trial.u, &mut force);
     plan.stiffen_by_turning(trial.u, &mut force, &mut values);
-    let mut scratch = GeometryScratch::new(&plan.contact);
+    let mut scratch = GeometryScratch::new();
     plan.contact.fill_scratch(trial.u, &mut scratch);
     for point in 0..plan.contact.points.len() {
         place.add_point(point, &mut scratch, &mut values);
@@ -305,7 +305,7 @@ pub struct Differences<'a> {
     force: Vec<f64>,
     rows: Rows,
     meetings: Vec<Meeting>,
-    positions: Vec<[f64; 2]>,
+    positions: MasterPositions,
     u: Vec<f64>,
     middle: Vec<f64>,
     /// The column by central differences, extrapolated [F/L and the like].
@@ -324,7 +324,7 @@ impl<'a> Differences<'a> {
             force: vec![0.0; slots],
             rows: Rows::default(),
             meetings: place.evaluation.meetings.clone(),
-            positions: Vec::new(),
+            positions: MasterPositions::default(),
             u: place.trial.u.to_vec(),
             middle: Vec::new(),
             best: vec![0.0; n],
@@ -535,7 +535,13 @@ mod tests {
             let mut dashpots = Vec::new();
             committed.stabilised = true;
             let halfway = (0.5, 0.5);
-            crate::stabilise::fill(&plan, &committed, halfway, &mut vec![], &mut dashpots);
+            crate::stabilise::fill(
+                &plan,
+                &committed,
+                halfway,
+                &mut MasterPositions::default(),
+                &mut dashpots,
+            );
             // as stiff as the contact itself, lest the differences miss it
             dashpots.iter_mut().for_each(|dashpot| dashpot.scale_to(1.0));
             let none = vec![0.0; points];

@@ -16,11 +16,12 @@
 
 use super::facade::Facade;
 use super::meeting::Meeting;
+use super::positions::MasterPositions;
 use super::{Carrier, Contact, moved};
 use crate::constraints::Constraints;
 use crate::state::PointState;
 use slideline_mech::contact::pair::Body;
-use slideline_mech::contact::search::sweep::{apart, cross_chain};
+use slideline_mech::contact::search::sweep::{apart, cross_chain, cross_parts};
 
 /// A master that was passed through.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,9 +60,11 @@ pub struct SweepScratch {
     /// Displacements at both ends of a part of the way.
     parts: [Vec<f64>; 2],
     /// Positions of chains there [L].
-    chains: [Vec<[f64; 2]>; 2],
+    chains: [MasterPositions; 2],
     /// Crossings by slave points, in the order of the way.
     events: Vec<(usize, Event)>,
+    /// Parts of a deforming master near the way of a point.
+    near: Vec<usize>,
 }
 
 /// Where a slave point enters or leaves a master, or stands at an end of its way.
@@ -135,6 +138,8 @@ impl Contact {
                 sweep.constraints.enforce(&mut scratch.parts[end]);
                 self.place_chains(&scratch.parts[end], &mut scratch.chains[end]);
             }
+            let [from, to] = &mut scratch.chains;
+            self.fit_ways(from, to);
             for pair in 0..self.facades.len() {
                 self.cross_pair(pair, (part, parts), scratch);
             }
@@ -144,7 +149,7 @@ impl Contact {
 
     /// Adds the crossings of the slave points of a pair in a part of the way.
     fn cross_pair(&self, pair: usize, (part, parts): (usize, usize), scratch: &mut SweepScratch) {
-        let SweepScratch { parts: u, chains, events } = scratch;
+        let SweepScratch { parts: u, chains, events, near } = scratch;
         let room = self.facades[pair].swept(u, chains);
         let share = |fraction: f64| (part as f64 + fraction) / parts as f64;
         for (place, point) in self.points.iter().enumerate().filter(|(_, p)| p.pair == pair) {
@@ -175,8 +180,18 @@ impl Contact {
                 }
                 Facade::Line { chain, nodes, offset } => {
                     let range = *offset..offset + nodes.len();
-                    let positions = (&chains[0][range.clone()], &chains[1][range]);
-                    cross_chain(positions, (way[0], way[1]), |crossing| {
+                    let positions = (&chains[0].nodes[range.clone()], &chains[1].nodes[range]);
+                    near.clear();
+                    match chains[0].tree(pair) {
+                        Some(tree) => {
+                            let low = [0, 1].map(|axis| way[0][axis].min(way[1][axis]));
+                            let high = [0, 1].map(|axis| way[0][axis].max(way[1][axis]));
+                            tree.overlapping((low, high), |part| near.push(part));
+                            near.sort_unstable();
+                        }
+                        None => near.extend(0..chain.segments()),
+                    }
+                    cross_parts(positions, near.iter().copied(), (way[0], way[1]), |crossing| {
                         let start = chain.arc_coordinate(crossing.segment);
                         let own = crossing.parameter * chain.reference_length(crossing.segment);
                         let (normal, inward) = (crossing.normal, crossing.inward);
@@ -208,7 +223,7 @@ impl Contact {
         place: usize,
         sweep: &Sweep<'_>,
         events: &[(usize, Event)],
-        chains: &[Vec<[f64; 2]>; 2],
+        chains: &[MasterPositions; 2],
     ) -> Option<f64> {
         let mut entered = self
             .faces(place, (sweep.from, sweep.before), &chains[0], 0.0)
@@ -244,7 +259,7 @@ impl Contact {
         &self,
         place: usize,
         (u, points): (&[f64], &[PointState]),
-        chains: &[[f64; 2]],
+        chains: &MasterPositions,
         fraction: f64,
     ) -> Option<Event> {
         let point = &self.points[place];

@@ -1,11 +1,13 @@
 //! Masters, ready to be searched.
 
 use super::meeting::Stencil;
+use super::positions::MasterPositions;
 use super::{slots_of, translations};
 use crate::dofs::DofMap;
 use slideline_mech::contact::pair::{AnyGap, Body, RigidSurface, chain_attachments, chain_gap};
 use slideline_mech::contact::search::chain::Chain;
 use slideline_mech::contact::search::rigid::RigidSegment;
+use slideline_mech::contact::search::tree::BoxTree;
 use slideline_mech::rigid::{Attachment, PointMap};
 use slideline_model::{Model, SlideLine, SurfaceSegment};
 
@@ -63,14 +65,14 @@ impl Facade {
         &self,
         slave: Attachment,
         u: &[f64],
-        positions: &[[f64; 2]],
+        (positions, tree): (&[[f64; 2]], Option<&BoxTree<2>>),
         stencil: &mut Stencil<'_>,
     ) -> Option<AnyGap> {
         match self {
             Facade::Nothing => None,
             Facade::Body { slots, reference, surface } => {
                 let body = Body { reference: *reference, dofs: slots.map(|slot| u[slot]) };
-                let facing = surface.closest(&body, stencil.position, None)?;
+                let facing = surface.closest(&body, stencil.position)?;
                 let gap = surface.gap(&body, &facing, stencil.position)?;
                 let first = stencil.width;
                 stencil.attachments = surface.attachments(&body, &facing, slave, first);
@@ -79,7 +81,7 @@ impl Facade {
             }
             Facade::Line { chain, nodes, offset } => {
                 let positions = positions.get(*offset..offset + nodes.len())?;
-                let piece = chain.closest(positions, stencil.position, None)?;
+                let piece = chain.closest(positions, tree, stencil.position)?;
                 let gap = chain_gap(chain, &piece, positions, stencil.position)?;
                 let mut control = [slave; 3];
                 let facing = &nodes[piece.nodes()];
@@ -96,7 +98,7 @@ impl Facade {
 
     /// Places whose box holds the master at displacements of both ends of a
     /// way and, straight, between them.
-    pub fn swept(&self, u: &[Vec<f64>; 2], chains: &[Vec<[f64; 2]>; 2]) -> [[f64; 2]; 2] {
+    pub fn swept(&self, u: &[Vec<f64>; 2], chains: &[MasterPositions; 2]) -> [[f64; 2]; 2] {
         let mut low = [f64::INFINITY; 2];
         let mut high = [f64::NEG_INFINITY; 2];
         let mut take = |at: [f64; 2], room: f64| {
@@ -116,7 +118,7 @@ impl Facade {
             }
             Facade::Line { nodes, offset, .. } => {
                 let range = *offset..offset + nodes.len();
-                chains.iter().flat_map(|c| &c[range.clone()]).for_each(|&at| take(at, 0.0));
+                chains.iter().flat_map(|c| &c.nodes[range.clone()]).for_each(|&at| take(at, 0.0));
             }
         }
         [low, high]

@@ -6,7 +6,7 @@
 //!   slots of the state vector: h, sigma, drag and their gradients
 //! ```
 
-use super::Contact;
+use super::positions::MasterPositions;
 use super::shear::{Shear, TURNS};
 use crate::linearised::MOST_DOFS;
 use slideline_mech::contact::pair::{AnyGap, StencilAttachments};
@@ -172,13 +172,13 @@ impl<'a> Stencil<'a> {
 pub struct GeometryScratch {
     /// The tangent, row-major.
     pub tangent: [f64; MOST_DOFS * MOST_DOFS],
-    pub(super) positions: Vec<[f64; 2]>,
+    pub(super) positions: MasterPositions,
 }
 
 impl GeometryScratch {
-    /// Room for the chains of a plan.
-    pub fn new(contact: &Contact) -> Self {
-        let positions = Vec::with_capacity(contact.chain_nodes());
+    /// Room for a tangent.
+    pub fn new() -> Self {
+        let positions = MasterPositions::default();
         Self { tangent: [0.0; MOST_DOFS * MOST_DOFS], positions }
     }
 }

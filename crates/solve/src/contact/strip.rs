@@ -9,6 +9,7 @@
 
 use super::facade::Facade;
 use super::meeting::{Meeting, Stencil};
+use super::positions::MasterPositions;
 use super::shear::{Shear, TURNS, sheared_beams};
 use super::{Carrier, Contact, slots_of};
 use crate::dofs::DofMap;
@@ -169,11 +170,12 @@ impl Contact {
             let overclosure = surface.overclosure(&body, bent.position(xi));
             overclosure.unwrap_or(f64::NEG_INFINITY) - begins
         };
+        let none = MasterPositions::default();
         strip.place_stations(beyond, |station, xi, area| {
             let meeting = &mut into[station];
             (meeting.xi, meeting.area) = (xi, area);
             let point = &self.points[strip.first + station];
-            self.meet_stencil(point, strip.stencil(&ends, xi), (u, &[]), meeting);
+            self.meet_stencil(point, strip.stencil(&ends, xi), (u, &none), meeting);
         });
     }
 }

@@ -25,6 +25,11 @@ impl Workspace {
     pub(super) fn factor(&mut self, plan: &Plan<'_>, committed: &State) -> Result<(), SolveError> {
         loop {
             self.linearise_points(plan, committed);
+            let counts = |point: &&LinearPoint| point.stiffness > 0.0 || point.pressure > 0.0;
+            self.outside = !self.points.iter().filter(counts).all(|point| plan.holds(point));
+            if self.outside {
+                return Ok(());
+            }
             self.assemble(plan);
             self.choose_enforcement(plan, committed);
             let Self { values, augmented, solver, points, .. } = self;
@@ -46,6 +51,9 @@ impl Workspace {
     pub(super) fn linearise_points(&mut self, plan: &Plan<'_>, committed: &State) {
         self.points.clear();
         for (place, point) in plan.contact.points.iter().enumerate() {
+            if self.evaluation.look.idle[place] {
+                continue;
+            }
             let meeting = &self.evaluation.meetings[place];
             if point.is_station() && !meeting.faces {
                 self.pressures[place] = 0.0;

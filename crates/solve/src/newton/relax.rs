@@ -82,6 +82,7 @@ impl Workspace {
                 if self.iterate(plan, committed, target.dt).is_err() {
                     break;
                 }
+                self.complete(plan, committed);
                 let report = self.judge(plan, committed, target, progress);
                 watch(&report);
                 let settled = report.converged && self.way(plan) <= LONGEST;

@@ -234,13 +234,8 @@ impl RigidSurface {
     }
 
     /// What faces `point` (in space) on the body; see [`rigid::closest`].
-    pub fn closest(
-        &self,
-        body: &Body,
-        point: [f64; 2],
-        committed: Option<Facing>,
-    ) -> Option<Facing> {
-        rigid::closest_on(&self.segments, self.period.is_some(), body.to_body(point), committed)
+    pub fn closest(&self, body: &Body, point: [f64; 2]) -> Option<Facing> {
+        rigid::closest_on(&self.segments, self.period.is_some(), body.to_body(point))
     }
 
     /// Where the straight path between two places in the frame of the body crosses the surface, with
@@ -262,8 +257,7 @@ impl RigidSurface {
     /// nothing.
     pub fn overclosure(&self, body: &Body, point: [f64; 2]) -> Option<f64> {
         let local = body.to_body(point);
-        let (facing, distance) =
-            rigid::nearest_on(&self.segments, self.period.is_some(), local, None)?;
+        let (facing, distance) = rigid::nearest_on(&self.segments, self.period.is_some(), local)?;
         let segment = self.segments.get(facing.segment)?;
         match (facing.part, *segment) {
             (Part::Interior, RigidSegment::Line { a, b }) => {

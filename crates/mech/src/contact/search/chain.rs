@@ -11,6 +11,7 @@
 //! facing piece. Without it a point in the wedge at a node faces the nearer of the two straight parts,
 //! each taken as prolonged to the bisector: the gap stays continuous, its normal jumps there.
 
+use super::tree::{Bounds, BoxTree};
 use super::{INSIDE, Point, TIE, cross, dot, project_line, project_quadratic, sub};
 
 /// Kind of a piece of the chain.
@@ -41,10 +42,6 @@ impl Piece {
             PieceKind::Straight => self.index..self.index + 2,
             PieceKind::Corner => self.index.saturating_sub(1)..self.index + 2,
         }
-    }
-
-    fn same_part(&self, other: &Self) -> bool {
-        self.index == other.index && self.kind == other.kind
     }
 }
 
@@ -117,30 +114,80 @@ impl Chain {
         self.arc.get(index).copied().unwrap_or(0.0)
     }
 
-    /// The piece nearest by |g| that faces `point`, for the current `positions` of the nodes; on a tie
-    /// the `committed` one. `None` if the point faces no piece: see [`Chain::beyond_end`]. A number of
-    /// positions other than that of the nodes gives `None`. [semantics: search]
+    /// The piece nearest by |g| that faces `point`, for the current `positions` of the nodes. `None`
+    /// if the point faces no piece: see [`Chain::beyond_end`]. A number of positions other than that
+    /// of the nodes gives `None`. With a tree of the parts, fitted to the positions, only those near
+    /// are looked at; the answer is the same. [semantics: search]
     pub fn closest(
         &self,
         positions: &[Point],
+        tree: Option<&BoxTree<2>>,
         point: Point,
-        committed: Option<Piece>,
     ) -> Option<Piece> {
         if positions.len() != self.node_count() {
             return None;
         }
         let mut best: Option<Candidate> = None;
-        let nearest = nearest_node(positions, point)?;
+        let nearest = match tree {
+            Some(tree) => self.nearest_by_tree(positions, tree, point)?,
+            None => nearest_node(positions, point)?,
+        };
         let around = nearest.saturating_sub(1)..(nearest + 2).min(self.lengths.len());
         for index in around.clone() {
-            self.consider(positions, point, index, committed.as_ref(), &mut best);
+            self.consider(positions, point, index, &mut best);
         }
-        for index in (0..around.start).chain(around.end..self.lengths.len()) {
-            if self.may_be_nearer(positions, point, index, best.as_ref()) {
-                self.consider(positions, point, index, committed.as_ref(), &mut best);
+        let limit = best_limit(best.as_ref());
+        let mut rest = |index: usize| {
+            if !around.contains(&index)
+                && self.may_be_nearer(positions, point, index, best.as_ref())
+            {
+                self.consider(positions, point, index, &mut best);
             }
+        };
+        match tree.filter(|_| limit.is_finite()) {
+            Some(tree) => {
+                // in the order of the parts, as without the tree: ties are decided by it
+                let (mut from, mut found) = (0, [usize::MAX; AT_ONCE]);
+                loop {
+                    found.fill(usize::MAX);
+                    tree.within(point, limit, |part| insert(&mut found, part, from));
+                    let full = found[AT_ONCE - 1] != usize::MAX;
+                    found.iter().take_while(|&&part| part != usize::MAX).for_each(|&p| rest(p));
+                    if !full {
+                        break;
+                    }
+                    from = found[AT_ONCE - 1] + 1;
+                }
+            }
+            None => (0..self.lengths.len()).for_each(rest),
         }
         best.map(|candidate| candidate.piece)
+    }
+
+    /// Boxes of the parts for a tree: the circle about the first node of a segment that holds the
+    /// segments before and after it, prolonged.
+    pub fn bounds(&self, positions: &[Point], index: usize) -> Bounds<2> {
+        let reach = self.reach(positions, index);
+        (positions[index].map(|x| x - reach), positions[index].map(|x| x + reach))
+    }
+
+    /// Number of segments, the parts of a tree.
+    pub fn segments(&self) -> usize {
+        self.lengths.len()
+    }
+
+    fn nearest_by_tree(
+        &self,
+        positions: &[Point],
+        tree: &BoxTree<2>,
+        point: Point,
+    ) -> Option<usize> {
+        let square = |node: usize| {
+            let apart = sub(point, positions[node]);
+            dot(apart, apart)
+        };
+        let (part, _) = tree.nearest(point, |part| square(part).min(square(part + 1)))?;
+        Some(if square(part) <= square(part + 1) { part } else { part + 1 })
     }
 
     /// Compares the straight part `index` and the corner at its first node with the best so far.
@@ -149,13 +196,12 @@ impl Chain {
         positions: &[Point],
         point: Point,
         index: usize,
-        committed: Option<&Piece>,
         best: &mut Option<Candidate>,
     ) {
         let straight = self.straight(positions, point, index);
         let corner = self.corner(positions, point, index);
         for candidate in [straight, corner].into_iter().flatten() {
-            if better(&candidate, best.as_ref(), committed) {
+            if better(&candidate, best.as_ref()) {
                 *best = Some(candidate);
             }
         }
@@ -171,33 +217,21 @@ impl Chain {
         index: usize,
         best: Option<&Candidate>,
     ) -> bool {
-        let Some(best) = best else { return true };
+        let apart = sub(point, positions[index]);
+        let limit = self.reach(positions, index) + best_limit(best);
+        dot(apart, apart) <= limit * limit
+    }
+
+    /// Radius of the circle about the first node of segment `index` that holds it, its extension and
+    /// the segment before [L].
+    fn reach(&self, positions: &[Point], index: usize) -> f64 {
         let node = positions[index];
         let square = |p: Point| dot(sub(p, node), sub(p, node));
         let mut reach = square(positions[index + 1]);
         if let Some(before) = index.checked_sub(1) {
             reach = reach.max(square(positions[before]));
         }
-        let reach = (1.0 + self.extension) * reach.sqrt();
-        let limit = reach + (best.distance + best.outside) * (1.0 + 2.0 * TIE);
-        square(point) <= limit * limit
-    }
-
-    /// The projection of `point` on a given part, however far outside its range: for an iteration
-    /// that keeps its piece. Corners answer only inside.
-    pub fn project(
-        &self,
-        positions: &[Point],
-        point: Point,
-        (index, kind): (usize, PieceKind),
-    ) -> Option<Piece> {
-        let parameter = match kind {
-            PieceKind::Straight => {
-                project_line(*positions.get(index)?, *positions.get(index + 1)?, point)?
-            }
-            PieceKind::Corner => project_quadratic(&self.corner_control(positions, index)?, point)?,
-        };
-        Some(Piece { index, kind, parameter })
+        (1.0 + self.extension) * reach.sqrt()
     }
 
     /// Overclosure [L] that a point beyond an end would have against the straight line that prolongs
@@ -303,12 +337,29 @@ fn nearest_node(positions: &[Point], point: Point) -> Option<usize> {
     nearest
 }
 
-/// Nearer; on a tie the committed piece.
-fn better(candidate: &Candidate, best: Option<&Candidate>, committed: Option<&Piece>) -> bool {
+/// Nearer by more than rounding.
+fn better(candidate: &Candidate, best: Option<&Candidate>) -> bool {
     let Some(best) = best else { return candidate.distance.is_finite() };
-    let is_committed = committed.is_some_and(|piece| piece.same_part(&candidate.piece));
     let (new, old) = (candidate.distance + candidate.outside, best.distance + best.outside);
-    if (new - old).abs() <= TIE * (new + old) { is_committed } else { new < old }
+    (new - old).abs() > TIE * (new + old) && new < old
+}
+
+/// Distance beyond which nothing is nearer than the best so far [L].
+fn best_limit(best: Option<&Candidate>) -> f64 {
+    best.map_or(f64::INFINITY, |best| (best.distance + best.outside) * (1.0 + 2.0 * TIE))
+}
+
+/// Parts that a tree's answer is sorted into at a time.
+const AT_ONCE: usize = 16;
+
+/// Keeps the lowest parts from `from` on, ascending, each once.
+fn insert(found: &mut [usize; AT_ONCE], part: usize, from: usize) {
+    if part < from || part >= found[AT_ONCE - 1] || found.contains(&part) {
+        return;
+    }
+    let at = found.iter().position(|&other| part < other).unwrap_or(AT_ONCE - 1);
+    found.copy_within(at..AT_ONCE - 1, at + 1);
+    found[at] = part;
 }
 
 #[cfg(test)]

@@ -10,6 +10,7 @@ pub mod chain;
 pub mod rigid;
 pub mod segment;
 pub mod sweep;
+pub mod tree;
 
 type Point = [f64; 2];
 

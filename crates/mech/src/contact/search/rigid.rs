@@ -38,24 +38,15 @@ pub struct Facing {
     pub parameter: f64,
 }
 
-/// The part nearest by |g| that faces `point` (frame of the body); on a tie the `committed` one.
+/// The part nearest by |g| that faces `point` (frame of the body).
 /// All segments are looked at. `None` if the point faces nothing. [semantics: search]
-pub fn closest(
-    segments: &[RigidSegment],
-    point: Point,
-    committed: Option<Facing>,
-) -> Option<Facing> {
-    closest_on(segments, is_closed(segments), point, committed)
+pub fn closest(segments: &[RigidSegment], point: Point) -> Option<Facing> {
+    closest_on(segments, is_closed(segments), point)
 }
 
 /// The same where it is known whether the surface is `closed`.
-pub fn closest_on(
-    segments: &[RigidSegment],
-    closed: bool,
-    point: Point,
-    committed: Option<Facing>,
-) -> Option<Facing> {
-    let (mut facing, _) = nearest_on(segments, closed, point, committed)?;
+pub fn closest_on(segments: &[RigidSegment], closed: bool, point: Point) -> Option<Facing> {
+    let (mut facing, _) = nearest_on(segments, closed, point)?;
     if facing.part == Part::Interior
         && let Some(parameter) = segments[facing.segment].arc_parameter(point)
     {
@@ -65,12 +56,7 @@ pub fn closest_on(
 }
 
 /// The same with the distance |g| [L], and without the parameter of an arc.
-pub fn nearest_on(
-    segments: &[RigidSegment],
-    closed: bool,
-    point: Point,
-    committed: Option<Facing>,
-) -> Option<(Facing, f64)> {
+pub fn nearest_on(segments: &[RigidSegment], closed: bool, point: Point) -> Option<(Facing, f64)> {
     let mut best: Option<(Facing, f64)> = None;
     for (index, segment) in segments.iter().enumerate() {
         let interior = segment.project(point).map(|(parameter, distance)| {
@@ -84,7 +70,7 @@ pub fn nearest_on(
             None
         };
         if let Some((facing, distance)) = interior
-            && better(&facing, distance, best.as_ref(), committed.as_ref())
+            && better(distance, best.as_ref())
             && is_seen(segments, &facing, point)
         {
             best = Some((facing, distance));
@@ -94,7 +80,7 @@ pub fn nearest_on(
         let reached = best.as_ref().is_none_or(|&(_, least)| nearer(least));
         if let Some(next) = next.filter(|_| reached)
             && let Some((facing, distance)) = vertex(segment, next, index, point)
-            && better(&facing, distance, best.as_ref(), committed.as_ref())
+            && better(distance, best.as_ref())
             && is_seen(segments, &facing, point)
         {
             best = Some((facing, distance));
@@ -212,20 +198,10 @@ fn vertex(
     ))
 }
 
-fn better(
-    facing: &Facing,
-    distance: f64,
-    best: Option<&(Facing, f64)>,
-    committed: Option<&Facing>,
-) -> bool {
+/// Nearer by more than rounding.
+fn better(distance: f64, best: Option<&(Facing, f64)>) -> bool {
     let Some((_, least)) = best else { return distance.is_finite() };
-    let is_committed =
-        committed.is_some_and(|kept| kept.segment == facing.segment && kept.part == facing.part);
-    if (distance - least).abs() <= TIE * (distance + least) {
-        is_committed
-    } else {
-        distance < *least
-    }
+    (distance - least).abs() > TIE * (distance + least) && distance < *least
 }
 
 #[cfg(test)]

@@ -51,9 +51,20 @@ pub fn cross_rigid(
 pub fn cross_chain(
     (before, after): (&[Point], &[Point]),
     point: (Point, Point),
+    each: impl FnMut(Crossing),
+) {
+    cross_parts((before, after), 0..before.len().saturating_sub(1), point, each);
+}
+
+/// The same with the segments given, as a tree has found them.
+pub fn cross_parts(
+    (before, after): (&[Point], &[Point]),
+    parts: impl Iterator<Item = usize>,
+    point: (Point, Point),
     mut each: impl FnMut(Crossing),
 ) {
-    for (index, (start, end)) in before.windows(2).zip(after.windows(2)).enumerate() {
+    for index in parts {
+        let [start, end] = [before, after].map(|line| [line[index], line[index + 1]]);
         if apart(&[start[0], start[1], end[0], end[1]], &[point.0, point.1]) {
             continue;
         }

@@ -1,0 +1,106 @@
+//! Which parts of a deforming master a point may touch before long.
+//!
+//! ```text
+//!            x  slave point
+//!      . . . | . . .
+//!   o---o---o---o---o---o---o     what it faces, and a few parts on either side
+//!       |<--------->|
+//! ```
+//!
+//! The pattern of the tangent holds the couplings of candidates. A point that
+//! touches beyond them makes it anew; what touches decides, so that candidates
+//! change no result.
+
+use super::facade::Facade;
+use super::positions::MasterPositions;
+use super::{Carrier, Contact};
+use crate::linearised::LinearPoint;
+use crate::plan::Plan;
+use std::ops::Range;
+
+/// Couplings of a pair from which on only those near are taken in.
+const MANY: usize = 10_000;
+/// Parts on either side of what a point faces.
+const BESIDE: usize = 3;
+/// Gap up to which a point has candidates, in distances of neighbouring slave
+/// points.
+const NEAR: f64 = 4.0;
+
+/// Nodes of a deforming master that each of `points` couples with at a time.
+pub fn coupled_parts(points: f64, nodes: f64) -> f64 {
+    match points * nodes > MANY as f64 {
+        true => nodes.min((2 * BESIDE + 3) as f64),
+        false => nodes,
+    }
+}
+
+/// Nodes of the master that a point may touch; `None`: any of them.
+pub(super) type Candidates = Option<Range<usize>>;
+
+impl Contact {
+    /// Whether a pair has so many couplings that only those near are taken in.
+    pub fn is_selective(&self, pair: usize) -> bool {
+        let points = self.slave_nodes[pair].len();
+        match &self.facades[pair] {
+            Facade::Line { nodes, .. } => points * nodes.len() > MANY,
+            _ => false,
+        }
+    }
+
+    /// Candidates of all points that have not all nodes of their master, near in
+    /// one of the `states`.
+    pub(super) fn candidates(&self, states: &[&[f64]]) -> Vec<Candidates> {
+        if (0..self.facades.len()).all(|pair| !self.is_selective(pair)) {
+            return Vec::new();
+        }
+        let mut all: Vec<Candidates> =
+            self.points.iter().map(|point| self.is_selective(point.pair).then_some(0..0)).collect();
+        let mut positions = MasterPositions::default();
+        for u in states {
+            self.place_chains(u, &mut positions);
+            for (place, own) in all.iter_mut().enumerate() {
+                if let (Some(range), Some(near)) = (own, self.near(place, u, &positions)) {
+                    *range = match Range::is_empty(range) {
+                        true => near,
+                        false => range.start.min(near.start)..range.end.max(near.end),
+                    };
+                }
+            }
+        }
+        all
+    }
+
+    /// Nodes about the part that a point faces, where it is near.
+    fn near(&self, place: usize, u: &[f64], positions: &MasterPositions) -> Option<Range<usize>> {
+        let point = &self.points[place];
+        let Facade::Line { chain, nodes, offset } = &self.facades[point.pair] else { return None };
+        let Carrier::Node { position, slots } = &point.carrier else { return None };
+        let at = super::moved(position, slots, u);
+        let own = &positions.nodes[*offset..offset + nodes.len()];
+        let piece = chain.closest(own, positions.tree(point.pair), at)?;
+        let apart = |node: [f64; 2]| (at[0] - node[0]).hypot(at[1] - node[1]);
+        let part = piece.nodes();
+        let distance = own[part.clone()].iter().map(|&node| apart(node)).fold(f64::MAX, f64::min);
+        let far = distance > NEAR * self.spacing[point.pair].max(apart_nodes(&own[part.clone()]));
+        (!far).then(|| part.start.saturating_sub(BESIDE)..(part.end + BESIDE).min(nodes.len()))
+    }
+}
+
+/// Largest distance of neighbouring nodes [L].
+fn apart_nodes(nodes: &[[f64; 2]]) -> f64 {
+    let lengths = nodes.windows(2).map(|w| (w[1][0] - w[0][0]).hypot(w[1][1] - w[0][1]));
+    lengths.fold(0.0, f64::max)
+}
+
+impl Plan<'_> {
+    /// Whether the pattern holds all couplings of a point.
+    pub fn holds(&self, point: &LinearPoint) -> bool {
+        if self.is_lenient || !self.contact.is_selective(point.pair) {
+            return true;
+        }
+        let own = &point.equations[..point.width];
+        let pairs =
+            own.iter().enumerate().flat_map(|(k, &i)| own[..k].iter().map(move |&j| (i, j)));
+        pairs.into_iter().all(|(i, j)| self.pattern.position(i, j).is_some())
+    }
+}

@@ -1,0 +1,63 @@
+//! Where the nodes of deforming masters stand, and trees over their parts.
+//!
+//! ```text
+//!   u --> positions of all chains, one after the other
+//!         trees of the long ones, fitted: a search looks at what is near
+//! ```
+
+use super::facade::Facade;
+use super::{Contact, moved};
+use slideline_mech::contact::search::tree::BoxTree;
+
+/// Segments from which on a tree pays.
+const LONG: usize = 48;
+
+/// Positions of the nodes of all deforming masters in one configuration.
+#[derive(Clone, Debug, Default)]
+pub struct MasterPositions {
+    /// Positions, chain after chain [L].
+    pub nodes: Vec<[f64; 2]>,
+    /// A tree a pair, where its master is long.
+    trees: Vec<Option<BoxTree<2>>>,
+}
+
+impl MasterPositions {
+    /// The tree over the master of a pair, where there is one.
+    pub fn tree(&self, pair: usize) -> Option<&BoxTree<2>> {
+        self.trees.get(pair).and_then(Option::as_ref)
+    }
+}
+
+impl Contact {
+    /// Fits the trees of `into` to the ways from its own positions to others.
+    pub(super) fn fit_ways(&self, into: &mut MasterPositions, to: &MasterPositions) {
+        for (facade, tree) in self.facades.iter().zip(&mut into.trees) {
+            let (Facade::Line { chain, offset, .. }, Some(tree)) = (facade, tree) else { continue };
+            let ends = [&into.nodes[*offset..], &to.nodes[*offset..]];
+            tree.fit(|part| {
+                let [a, b] = ends.map(|own| chain.bounds(own, part));
+                let low = [0, 1].map(|axis| a.0[axis].min(b.0[axis]));
+                (low, [0, 1].map(|axis| a.1[axis].max(b.1[axis])))
+            });
+        }
+    }
+
+    /// Positions of all chains at displacements `u`, written.
+    pub fn place_chains(&self, u: &[f64], into: &mut MasterPositions) {
+        into.nodes.clear();
+        into.trees.resize(self.facades.len(), None);
+        for (facade, tree) in self.facades.iter().zip(&mut into.trees) {
+            let Facade::Line { chain, nodes, offset } = facade else { continue };
+            into.nodes.extend(nodes.iter().map(|(at, slots)| moved(at, slots, u)));
+            if chain.segments() < LONG {
+                continue;
+            }
+            let own = &into.nodes[*offset..];
+            let bounds = |part| chain.bounds(own, part);
+            match tree {
+                Some(tree) => tree.fit(bounds),
+                None => *tree = Some(BoxTree::new(chain.segments(), bounds)),
+            }
+        }
+    }
+}
