@@ -104,7 +104,7 @@ pub fn initial_contact(model: &Model) -> Vec<ContactRow> {
     let undeformed = Start::undeformed(DofMap::new(model).len());
     let plan = Plan::without_pattern(model, step, undeformed, &UserFrictions::default(), None);
     let points = plan.contact.points.len();
-    let mut state = State::undeformed(plan.dofs.len(), points, plan.contact.memory_size);
+    let mut state = State::undeformed(plan.dofs.len(), points, (plan.contact.memory_size, 0));
     locate_points(&plan, &mut state, &mut vec![Meeting::NOWHERE; points]);
     contact_rows(&plan, &state, &mut rows);
     rows
