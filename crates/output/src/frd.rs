@@ -2,7 +2,7 @@
 //! cgx and PrePoMax open. Written where the deck asks for states.
 //!
 //! ```text
-//!     1C title      2C nodes      3C elements (type 11: lines)
+//!     1C title      2C nodes      3C elements (type 11: lines, 9: quadrilaterals)
 //!   100C DISP, FORC, STRESS, S11, SECTION, CONTACT for each increment due
 //!  9999
 //! ```
@@ -16,7 +16,8 @@ use crate::kept::Kept;
 use crate::outline::{Outline, outlines};
 use crate::section::nodal_sections;
 use crate::writer::Writer;
-use slideline_model::{Dof, ElementBlock, Model, NodeIndex};
+use slideline_model::{Dof, Kinematics, Model, NodeIndex};
+use slideline_results::{NodeComponent, NodeField, contact_component};
 use slideline_solve::observe::{ContactRow, Event, Frame};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -77,12 +78,18 @@ impl Frd {
     }
 }
 
-/// What does not change: lines between nodes, outlines of rigid surfaces.
+/// Group, type and nodes of an element of the file: beams 0, springs 1, slave
+/// surfaces 2, rigid surfaces 3, solids 4.
+type Piece<N> = (u32, u8, Vec<N>);
+
+/// The type of a line between two nodes.
+const LINE: u8 = 11;
+
+/// What does not change: elements, outlines of rigid surfaces.
 #[derive(Default)]
 struct Mesh {
-    /// Group and ends of each line: beams 0, springs 1, slave surfaces 2,
-    /// rigid surfaces 3. Numbered in turn: a beam of three nodes is two lines.
-    lines: Vec<(u32, [u64; 2])>,
+    /// Numbered in turn: a beam of three nodes is two lines.
+    pieces: Vec<Piece<u64>>,
     outlines: Vec<Outline>,
     /// Number of the first point of an outline.
     first: u64,
@@ -90,32 +97,36 @@ struct Mesh {
 
 impl Mesh {
     fn of(model: &Model) -> Self {
-        let mut lines: Vec<(u32, [NodeIndex; 2])> = Vec::new();
+        let mut pieces: Vec<Piece<NodeIndex>> = Vec::new();
         for block in &model.blocks {
-            if let Some(beams) = block.beams() {
-                for beam in &beams.elements {
-                    let ends = beam.all_nodes().zip(beam.all_nodes().skip(1));
-                    lines.extend(ends.map(|(a, b)| (0, [a, b])));
-                }
-            } else if let ElementBlock::Spring(springs) = block {
-                let joining = springs.elements.iter().filter(|e| e.nodes[0] != e.nodes[1]);
-                lines.extend(joining.map(|e| (1, e.nodes)));
+            let group = match block.kind.kinematics {
+                Kinematics::Beam { .. } => 0,
+                Kinematics::Spring => 1,
+                Kinematics::PlaneStrain | Kinematics::Other => 4,
+            };
+            for element in &block.elements {
+                pieces.extend(block.kind.cell.pieces.iter().map(|piece| {
+                    let nodes = piece.nodes.iter().map(|&place| element.nodes[place]);
+                    (group, piece.frd, nodes.collect())
+                }));
             }
         }
         let pairs = model.contact_pairs.iter();
-        lines.extend(pairs.flat_map(|pair| &pair.elements).map(|element| (2, element.nodes)));
+        let surfaces = pairs.flat_map(|pair| &pair.elements);
+        pieces.extend(surfaces.map(|element| (2, LINE, element.nodes.to_vec())));
         let label = |node| model.nodes.label(node);
-        let mut lines: Vec<(u32, [u64; 2])> =
-            lines.into_iter().map(|(group, ends)| (group, ends.map(label))).collect();
+        let labels = |nodes: Vec<NodeIndex>| nodes.into_iter().map(label).collect();
+        let mut pieces: Vec<Piece<u64>> =
+            pieces.into_iter().map(|(group, kind, nodes)| (group, kind, labels(nodes))).collect();
         let outlines = outlines(model);
         let first = model.nodes.iter().map(|node| node.label).max().unwrap_or(0) + 1;
         let mut from = first;
         for outline in &outlines {
             let to = from + outline.points.len() as u64;
-            lines.extend((from + 1..to).map(|point| (3, [point - 1, point])));
+            pieces.extend((from + 1..to).map(|point| (3, LINE, vec![point - 1, point])));
             from = to;
         }
-        Self { lines, outlines, first }
+        Self { pieces, outlines, first }
     }
 
     /// Number, carrier and undeformed place of the points of outlines.
@@ -137,10 +148,14 @@ impl Mesh {
             push_node(text, label, &[x, y, 0.0]);
         }
         text.push_str(" -3\n");
-        let _ = writeln!(text, "    3C{:18}{:>12}{:37}1", "", self.lines.len(), "");
-        for (place, (group, [a, b])) in self.lines.iter().enumerate() {
-            let _ = writeln!(text, " -1{:>10}{:>5}{group:>5}{:>5}", place + 1, 11, 1);
-            let _ = writeln!(text, " -2{a:>10}{b:>10}");
+        let _ = writeln!(text, "    3C{:18}{:>12}{:37}1", "", self.pieces.len(), "");
+        for (place, (group, kind, nodes)) in self.pieces.iter().enumerate() {
+            let _ = writeln!(text, " -1{:>10}{kind:>5}{group:>5}{:>5}", place + 1, 1);
+            text.push_str(" -2");
+            for node in nodes {
+                let _ = write!(text, "{node:>10}");
+            }
+            text.push('\n');
         }
         text.push_str(" -3\n");
     }
@@ -167,15 +182,20 @@ impl Results<'_> {
     /// DISP and FORC of every node.
     fn push_motion(&mut self, mesh: &Mesh) {
         let frame = self.frame;
-        let dofs = [Dof::U1, Dof::U2, Dof::U3];
         let nodes = || frame.model.nodes.iter().map(|node| node.label).enumerate();
-        let motion = nodes().map(|(k, l)| (l, dofs.map(|dof| frame.nodal.displacement(k, dof))));
+        let along = |field: NodeField| {
+            let parts: Vec<NodeComponent> = field.components(&Dof::ALL[..3]).collect();
+            let row =
+                move |node| -> [f64; 3] { std::array::from_fn(|k| parts[k].value(frame, node)) };
+            nodes().map(move |(node, label)| (label, row(node)))
+        };
+        let motion = along(NodeField::Motion);
         let carried = mesh.points().map(|(label, outline, point)| {
             let moved = outline.carried(frame, point);
             (label, [moved[0] - point[0], moved[1] - point[1], 0.0])
         });
         self.push("DISP", Shape::Vector, &["D1", "D2", "D3"], motion.chain(carried).collect());
-        let forces = nodes().map(|(k, l)| (l, dofs.map(|dof| frame.nodal.reaction(k, dof))));
+        let forces = along(NodeField::Reaction);
         let none = mesh.points().map(|(label, ..)| (label, [0.0; 3]));
         self.push("FORC", Shape::Vector, &["F1", "F2", "F3"], forces.chain(none).collect());
     }
@@ -199,11 +219,13 @@ impl Results<'_> {
 
     fn push_contact(&mut self) {
         let label = |node: &NodeIndex| self.frame.model.nodes.label(*node);
-        let values = |row: &ContactRow| [row.opening, row.slip, 0.0, row.pressure, row.shear, 0.0];
+        // in the plane there is no second tangent
+        let names = ["COPEN", "CSLIP1", "CSLIP2", "CPRESS", "CSHEAR1", "CSHEAR2"];
+        let parts = names.map(contact_component);
+        let values = |row: &ContactRow| parts.map(|own| own.map_or(0.0, |own| (own.value)(row)));
         let rows: Vec<(u64, [f64; 6])> =
             contact(self.frame).iter().map(|(node, row)| (label(node), values(row))).collect();
         if !rows.is_empty() {
-            let names = ["COPEN", "CSLIP1", "CSLIP2", "CPRESS", "CSHEAR1", "CSHEAR2"];
             self.push("CONTACT", Shape::Scalars, &names, rows);
         }
     }

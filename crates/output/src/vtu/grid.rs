@@ -3,7 +3,8 @@
 use crate::outline::{Outline, outlines};
 use crate::section::{axial_stresses, beams, outer_mises};
 use base64::{Engine as _, engine::general_purpose::STANDARD};
-use slideline_model::{Dof, ElementBlock, Model, NodeIndex};
+use slideline_model::{Dof, Element, Kinematics, Model, NodeIndex};
+use slideline_results::{NodeComponent, NodeField, contact_component, shown};
 use slideline_solve::observe::{Frame, Status, Unconverged};
 use std::collections::HashMap;
 use std::fmt::Write as _;
@@ -11,7 +12,19 @@ use std::fmt::Write as _;
 /// Bytes that are coded at a time.
 const BLOCK: usize = 3072;
 
-/// VTK_LINE; every cell is one (some readers know no poly-lines).
+/// The field of forces and moments.
+const REACTION: NodeField = NodeField::Reaction;
+
+/// Arrays of contact, each with its component and what stands where there is no
+/// contact point.
+const CONTACT: [(&str, &str, f64); 4] = [
+    ("contact_pressure", "CPRESS", 0.0),
+    ("contact_shear", "CSHEAR1", 0.0),
+    ("contact_slip", "CSLIP1", 0.0),
+    ("contact_opening", "COPEN", f64::NAN),
+];
+
+/// VTK_LINE: all curves are lines (some readers know no poly-lines).
 const LINE: u8 = 3;
 
 /// What a cell stands for, as written to `kind`.
@@ -21,12 +34,21 @@ enum Kind {
     Spring = 1,
     SlaveSurface = 2,
     RigidSurface = 3,
+    Solid = 4,
 }
 
 struct Cell {
-    points: [usize; 2],
+    points: Vec<usize>,
+    /// Type in VTK's numbers.
+    shape: u8,
     kind: Kind,
     label: u64,
+}
+
+impl Cell {
+    fn line(points: [usize; 2], kind: Kind, label: u64) -> Self {
+        Self { points: points.to_vec(), shape: LINE, kind, label }
+    }
 }
 
 /// What does not change between states.
@@ -57,11 +79,8 @@ impl Grid {
         let mut point_count = model.nodes.len();
         for outline in &outlines {
             let end = point_count + outline.points.len();
-            cells.extend((point_count + 1..end).map(|point| Cell {
-                points: [point - 1, point],
-                kind: Kind::RigidSurface,
-                label: 0,
-            }));
+            let lines = (point_count + 1..end).map(|point| [point - 1, point]);
+            cells.extend(lines.map(|points| Cell::line(points, Kind::RigidSurface, 0)));
             point_count = end;
         }
         let topology = topology(&cells);
@@ -93,12 +112,14 @@ impl Grid {
         text.push_str(&self.topology);
         text.push_str("<PointData>\n");
         push_floats(text, "displacement", 3, &displacement);
-        self.push_nodal(text, frame);
+        let value = |part: NodeComponent, node| part.value(frame, node);
+        self.push_vectors(text, frame, "rotation", (NodeField::Motion, 3), &value);
+        self.push_vectors(text, frame, "reaction_force", (REACTION, 0), &value);
+        self.push_vectors(text, frame, "reaction_moment", (REACTION, 3), &value);
         if let Some(state) = unconverged {
-            let residual = |node, dof| state.residual(node, dof);
-            let (forces, moments) = Dof::ALL.split_at(3);
-            push_floats(text, "residual_force", 3, &self.vectors(frame, forces, &residual));
-            push_floats(text, "residual_moment", 3, &self.vectors(frame, moments, &residual));
+            let missing = |part: NodeComponent, node| part.residual(state, node);
+            self.push_vectors(text, frame, "residual_force", (REACTION, 0), &missing);
+            self.push_vectors(text, frame, "residual_moment", (REACTION, 3), &missing);
         }
         self.push_contact(text, frame);
         text.push_str("</PointData>\n<CellData>\n");
@@ -127,59 +148,45 @@ impl Grid {
         (points, displacement)
     }
 
-    fn push_nodal(&self, text: &mut String, frame: &Frame<'_>) {
-        let (move_dofs, turn_dofs) = Dof::ALL.split_at(3);
-        let motion = |node, dof| frame.nodal.displacement(node, dof);
-        let reaction = |node, dof| frame.nodal.reaction(node, dof);
-        push_floats(text, "rotation", 3, &self.vectors(frame, turn_dofs, &motion));
-        push_floats(text, "reaction_force", 3, &self.vectors(frame, move_dofs, &reaction));
-        push_floats(text, "reaction_moment", 3, &self.vectors(frame, turn_dofs, &reaction));
-    }
-
-    /// Three components at every node, zero at the points of outlines.
-    fn vectors(
+    /// Three components of a field, from one on, at every node; zero at the
+    /// points of outlines.
+    fn push_vectors(
         &self,
+        text: &mut String,
         frame: &Frame<'_>,
-        dofs: &[Dof],
-        value: &dyn Fn(NodeIndex, Dof) -> f64,
-    ) -> Vec<f64> {
+        name: &str,
+        (field, first): (NodeField, usize),
+        value: &dyn Fn(NodeComponent, NodeIndex) -> f64,
+    ) {
+        let parts: Vec<NodeComponent> = field.components(&Dof::ALL[first..first + 3]).collect();
         let mut values = Vec::with_capacity(3 * self.point_count);
         for node in 0..frame.model.nodes.len() {
-            values.extend(dofs.iter().map(|&dof| value(node, dof)));
+            values.extend(parts.iter().map(|&part| value(part, node)));
         }
         values.resize(3 * self.point_count, 0.0);
-        values
+        push_floats(text, name, 3, &values);
     }
 
     /// Contact at slave nodes: elsewhere no pressure, no opening (not a
     /// number) and status -1. A node of several pairs shows where it is
     /// pressed most.
     fn push_contact(&self, text: &mut String, frame: &Frame<'_>) {
-        let mut pressure = vec![0.0; self.point_count];
-        let mut shear = vec![0.0; self.point_count];
-        let mut slip = vec![0.0; self.point_count];
-        let mut opening = vec![f64::NAN; self.point_count];
-        let mut status = vec![-1_i32; self.point_count];
-        for row in frame.contact {
-            let node = row.node;
-            let shown = status[node] >= 0;
-            if shown && (pressure[node] > row.pressure || opening[node] <= row.opening) {
-                continue;
+        let shown = shown(frame);
+        for (name, component, without) in CONTACT {
+            let mut values = vec![without; self.point_count];
+            for (&node, row) in &shown {
+                values[node] = contact_component(component).map_or(without, |own| (own.value)(row));
             }
-            pressure[node] = row.pressure;
-            shear[node] = row.shear;
-            slip[node] = row.slip;
-            opening[node] = row.opening;
+            push_floats(text, name, 1, &values);
+        }
+        let mut status = vec![-1; self.point_count];
+        for (&node, row) in &shown {
             status[node] = match row.status {
                 Status::Open => 0,
                 Status::Stick => 1,
                 Status::Slip => 2,
             };
         }
-        push_floats(text, "contact_pressure", 1, &pressure);
-        push_floats(text, "contact_shear", 1, &shear);
-        push_floats(text, "contact_slip", 1, &slip);
-        push_floats(text, "contact_opening", 1, &opening);
         push_short(text, "contact_status", &status);
         text.push_str(&self.labels[0]);
     }
@@ -242,33 +249,38 @@ fn whole(label: u64) -> i64 {
 
 fn element_cells(model: &Model) -> Vec<Cell> {
     let mut cells = Vec::new();
-    let line = |nodes: [NodeIndex; 2], kind, label| Cell { points: nodes, kind, label };
     for block in &model.blocks {
-        match block {
-            ElementBlock::B21(block) | ElementBlock::B22(block) | ElementBlock::B23(block) => {
-                for e in &block.elements {
-                    let ends = e.all_nodes().zip(e.all_nodes().skip(1));
-                    cells.extend(ends.map(|(a, b)| line([a, b], Kind::Beam, e.label)));
-                }
-            }
-            ElementBlock::Spring(block) => {
-                let joining = block.elements.iter().filter(|e| e.nodes[0] != e.nodes[1]);
-                cells.extend(joining.map(|e| line(e.nodes, Kind::Spring, e.label)));
-            }
+        let kind = match block.kind.kinematics {
+            Kinematics::Beam { .. } => Kind::Beam,
+            Kinematics::Spring => Kind::Spring,
+            Kinematics::PlaneStrain | Kinematics::Other => Kind::Solid,
+        };
+        for element in &block.elements {
+            let Element { label, nodes, .. } = element;
+            cells.extend(block.kind.cell.pieces.iter().map(|piece| {
+                let points = piece.nodes.iter().map(|&place| nodes[place]).collect();
+                Cell { points, shape: piece.vtk, kind, label }
+            }));
         }
     }
     for pair in &model.contact_pairs {
         let surface = pair.elements.iter();
-        cells.extend(surface.map(|e| line(e.nodes, Kind::SlaveSurface, e.label)));
+        cells.extend(surface.map(|e| Cell::line(e.nodes, Kind::SlaveSurface, e.label)));
     }
     cells
 }
 
 fn topology(cells: &[Cell]) -> String {
     let count = |place: usize| i64::try_from(place).unwrap_or(i64::MAX);
-    let connectivity: Vec<i64> = cells.iter().flat_map(|cell| cell.points.map(count)).collect();
-    let offsets: Vec<i64> = (1..=cells.len()).map(|cell| count(2 * cell)).collect();
-    let types = vec![LINE; cells.len()];
+    let connectivity: Vec<i64> =
+        cells.iter().flat_map(|cell| cell.points.iter().map(|&p| count(p))).collect();
+    let mut end = 0;
+    let ends = cells.iter().map(|cell| {
+        end += cell.points.len();
+        count(end)
+    });
+    let offsets: Vec<i64> = ends.collect();
+    let types: Vec<u8> = cells.iter().map(|cell| cell.shape).collect();
     let mut text = "<Cells>\n".to_owned();
     push_long(&mut text, "connectivity", &connectivity);
     push_long(&mut text, "offsets", &offsets);
