@@ -4,7 +4,6 @@
 use super::data::data;
 use super::options::Options;
 use super::overlay::Overlay;
-use super::prose;
 use super::results::Results;
 use super::verdict;
 use crate::json::{Members as _, Value};
@@ -258,7 +257,7 @@ fn warnings(results: &Results, options: &Options<'_>) -> Markup {
                 }
                 @if let Some(help) = said.text("help") { p { "What to do: " (help) } }
                 @if let Some(page) = page_of(code) {
-                    details { summary { "The page of " (code) } (PreEscaped(prose::html(page))) }
+                    details { summary { "The page of " (code) } (PreEscaped(page)) }
                 }
             }
         }
