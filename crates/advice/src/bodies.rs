@@ -9,7 +9,7 @@ pub struct Bodies {
     pub active: Vec<bool>,
     /// Whether a node hangs on a rigid link.
     pub dependent: Vec<Option<NodeIndex>>,
-    /// Whether a beam of the node's body can bend, by the node that stands
+    /// Whether an element of the node's body can strain, by the node that stands
     /// for the body.
     flexible: Vec<bool>,
 }
@@ -24,10 +24,10 @@ impl Bodies {
             dependent: vec![None; count],
             flexible: vec![false; count],
         };
-        for beam in model.blocks.iter().filter_map(|block| block.beams()) {
-            for element in &beam.elements {
+        for block in model.blocks.iter().filter(|block| block.kind.joins()) {
+            for element in &block.elements {
                 let first = element.nodes[0];
-                for node in element.all_nodes() {
+                for &node in element.nodes {
                     bodies.join(first, node);
                     bodies.active[node] = true;
                 }
@@ -49,9 +49,9 @@ impl Bodies {
     }
 
     fn find_flexible(&mut self, model: &Model) {
-        for beam in model.blocks.iter().filter_map(|block| block.beams()) {
-            for element in &beam.elements {
-                if element.nodes.iter().any(|&node| self.dependent[node].is_none()) {
+        for block in model.blocks.iter().filter(|block| block.kind.joins()) {
+            for element in &block.elements {
+                if element.ends().iter().any(|&node| self.dependent[node].is_none()) {
                     let body = self.of_node(element.nodes[0]);
                     self.flexible[body] = true;
                 }
@@ -59,7 +59,7 @@ impl Bodies {
         }
     }
 
-    /// Whether a beam of the body of `node` can bend.
+    /// Whether an element of the body of `node` can strain.
     pub fn is_flexible(&self, node: NodeIndex) -> bool {
         self.flexible[self.of_node(node)]
     }

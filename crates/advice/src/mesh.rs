@@ -3,10 +3,7 @@
 use crate::finding::{Finding, Place};
 use crate::start::{Start, length, less};
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{
-    BeamElement, ContactPair, Dof, ElementBlock, Master, NodeIndex, SlideLine, SpringElement,
-    SpringKind,
-};
+use slideline_model::{ContactPair, Dof, Element, Master, NodeIndex, SlideLine};
 use std::collections::BTreeMap;
 
 /// Ratio of neighbouring element lengths that spoils both [1].
@@ -26,8 +23,11 @@ pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
 
 fn beam_nodes(start: &Start<'_>) -> Vec<NodeIndex> {
     let blocks = start.model.blocks.iter().filter_map(|block| block.beams());
-    let mut nodes: Vec<NodeIndex> =
-        blocks.flat_map(|block| &block.elements).flat_map(|element| element.all_nodes()).collect();
+    let mut nodes: Vec<NodeIndex> = blocks
+        .flat_map(|block| block.elements)
+        .flat_map(|element| element.nodes)
+        .copied()
+        .collect();
     nodes.sort_unstable();
     nodes.dedup();
     nodes
@@ -44,12 +44,9 @@ fn stand_apart(start: &Start<'_>, a: NodeIndex, b: NodeIndex) -> bool {
         };
         holds(Dof::U1) && holds(Dof::U2)
     };
-    let joined = model.blocks.iter().any(|block| match block {
-        ElementBlock::Spring(block) if block.kind == SpringKind::Axial => {
-            let both = |e: &SpringElement| e.nodes.contains(&a) && e.nodes.contains(&b);
-            block.elements.iter().any(both)
-        }
-        _ => false,
+    let mut springs = model.blocks.iter().filter_map(|block| block.springs());
+    let joined = springs.any(|springs| {
+        springs.elements.iter().any(|e| e.nodes.contains(&a) && e.nodes.contains(&b))
     });
     let touching = model.contact_pairs.iter().any(|pair| {
         let slave = |node| pair.elements.iter().any(|element| element.nodes.contains(&node));
@@ -110,8 +107,8 @@ fn not_joined(start: &Start<'_>, [first, second]: [NodeIndex; 2]) -> Finding {
     }
 }
 
-fn long(start: &Start<'_>, element: &BeamElement) -> f64 {
-    let [a, b] = element.nodes.map(|node| start.model.nodes.plane(node));
+fn long(start: &Start<'_>, element: Element<'_>) -> f64 {
+    let [a, b] = element.ends().map(|node| start.model.nodes.plane(node));
     length(less(b, a))
 }
 
@@ -120,7 +117,7 @@ fn long(start: &Start<'_>, element: &BeamElement) -> f64 {
 fn stout(start: &Start<'_>, findings: &mut Vec<Finding>) {
     let blocks = || start.model.blocks.iter().filter_map(|block| block.beams());
     let mut whole: BTreeMap<NodeIndex, f64> = BTreeMap::new();
-    for element in blocks().flat_map(|block| &block.elements) {
+    for element in blocks().flat_map(|block| block.elements) {
         *whole.entry(start.bodies.of_node(element.nodes[0])).or_default() += long(start, element);
     }
     let mut told: Vec<NodeIndex> = Vec::new();
@@ -129,7 +126,7 @@ fn stout(start: &Start<'_>, findings: &mut Vec<Finding>) {
         let flexible = block
             .elements
             .iter()
-            .filter(|e| e.nodes.iter().any(|&node| start.bodies.dependent[node].is_none()));
+            .filter(|e| e.ends().iter().any(|&node| start.bodies.dependent[node].is_none()));
         for element in flexible {
             let body = start.bodies.of_node(element.nodes[0]);
             let whole = whole.get(&body).copied().unwrap_or_default();
@@ -154,10 +151,10 @@ fn stout(start: &Start<'_>, findings: &mut Vec<Finding>) {
 /// SL0412: neighbours of very different length.
 fn uneven(start: &Start<'_>) -> Option<Finding> {
     let blocks = start.model.blocks.iter().filter_map(|block| block.beams());
-    let mut at_node: BTreeMap<NodeIndex, &BeamElement> = BTreeMap::new();
-    let rigid = |e: &BeamElement| e.nodes.iter().all(|&n| start.bodies.dependent[n].is_some());
-    for element in blocks.flat_map(|block| &block.elements).filter(|element| !rigid(element)) {
-        for node in element.nodes {
+    let mut at_node: BTreeMap<NodeIndex, Element<'_>> = BTreeMap::new();
+    let rigid = |e: &Element<'_>| e.ends().iter().all(|&n| start.bodies.dependent[n].is_some());
+    for element in blocks.flat_map(|block| block.elements).filter(|element| !rigid(element)) {
+        for node in element.ends() {
             let Some(other) = at_node.insert(node, element) else { continue };
             let (one, two) = (long(start, other), long(start, element));
             if one.max(two) > UNEVEN * one.min(two) {

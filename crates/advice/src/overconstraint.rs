@@ -94,8 +94,8 @@ fn say(start: &Start<'_>, pair: &ContactPair, nodes: [NodeIndex; 3], sagitta: f6
 
 /// A pressure of the order of contact pressures: a thousandth of the modulus.
 fn pressure_scale(start: &Start<'_>, pair: &ContactPair) -> f64 {
-    let beams = start.model.blocks.iter().filter_map(|block| block.beams());
-    let modulus = beams.map(|beam| beam.section.material.modulus).fold(0.0, f64::max);
+    let materials = start.model.blocks.iter().filter_map(|block| block.section.elastic());
+    let modulus = materials.map(|material| material.modulus).fold(0.0, f64::max);
     let scale = if modulus > 0.0 { 1e-3 * modulus } else { 1.0 };
     scale * (start.reach / (start.reach + pair.interaction.width.abs())).max(0.1)
 }

@@ -9,7 +9,7 @@
 use crate::finding::Finding;
 use crate::start::{Start, length, less};
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{BeamElement, ContactPair, Master, NodeIndex};
+use slideline_model::{ContactPair, Element, Master, NodeIndex};
 
 /// Pieces nearer than this fraction of the shorter one lie on one another [1].
 const NEAR: f64 = 1e-6;
@@ -20,7 +20,7 @@ const NAMED: usize = 3;
 pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
     let mut elements: Vec<Piece<'_>> = pieces(start);
     elements.sort_by(|a, b| a.low.total_cmp(&b.low));
-    let mut found: Vec<(Overlap, &BeamElement, &BeamElement)> = Vec::new();
+    let mut found: Vec<(Overlap, Element<'_>, Element<'_>)> = Vec::new();
     for (place, a) in elements.iter().enumerate() {
         for b in elements[place + 1..].iter().take_while(|b| b.low <= a.high) {
             if let Some(overlap) = overlap(start, a, b) {
@@ -42,7 +42,7 @@ pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
         let last = of_kind.into_iter().take(NAMED).enumerate();
         findings.extend(last.map(|(k, (_, a, b))| {
             let others = if k + 1 == NAMED && count > NAMED { count - NAMED } else { 0 };
-            say(kind, a, b, others)
+            say(kind, *a, *b, others)
         }));
     }
     pairs(start, findings);
@@ -57,7 +57,7 @@ enum Overlap {
 }
 
 struct Piece<'a> {
-    element: &'a BeamElement,
+    element: Element<'a>,
     ends: [[f64; 2]; 2],
     low: f64,
     high: f64,
@@ -67,11 +67,11 @@ struct Piece<'a> {
 fn pieces<'a>(start: &Start<'a>) -> Vec<Piece<'a>> {
     let blocks = start.model.blocks.iter().filter_map(|block| block.beams());
     let rigid = |node: NodeIndex| start.bodies.dependent[node].is_some();
-    let elements = blocks.flat_map(|block| &block.elements);
+    let elements = blocks.flat_map(|block| block.elements);
     elements
-        .filter(|element| !element.nodes.iter().all(|&node| rigid(node)))
+        .filter(|element| !element.ends().iter().all(|&node| rigid(node)))
         .map(|element| {
-            let ends = element.nodes.map(|node| start.model.nodes.plane(node));
+            let ends = element.ends().map(|node| start.model.nodes.plane(node));
             let (low, high) = (ends[0][0].min(ends[1][0]), ends[0][0].max(ends[1][0]));
             Piece { element, ends, low, high }
         })
@@ -101,7 +101,7 @@ fn overlap(start: &Start<'_>, a: &Piece<'_>, b: &Piece<'_>) -> Option<Overlap> {
     }
     let joined = start.bodies.of_node(a.element.nodes[0])
         == start.bodies.of_node(b.element.nodes[0])
-        && a.element.nodes.iter().any(|node| b.element.nodes.contains(node));
+        && a.element.ends().iter().any(|node| b.element.ends().contains(node));
     if joined || from[1] * to[1] >= 0.0 || from[1].abs() <= near || to[1].abs() <= near {
         return None;
     }
@@ -111,19 +111,20 @@ fn overlap(start: &Start<'_>, a: &Piece<'_>, b: &Piece<'_>) -> Option<Overlap> {
 
 /// Whether one beam carries slaves of a pair whose master the other carries:
 /// then they may start on one another.
-fn in_contact(start: &Start<'_>, a: &BeamElement, b: &BeamElement) -> bool {
-    let sides = |pair: &ContactPair, slave: &BeamElement, master: &BeamElement| {
+fn in_contact(start: &Start<'_>, a: Element<'_>, b: Element<'_>) -> bool {
+    let sides = |pair: &ContactPair, slave: Element<'_>, master: Element<'_>| {
         let Master::SlideLine(line) = &pair.master else { return false };
-        slave.nodes.iter().any(|&n| pair.elements.iter().any(|e| e.nodes.contains(&n)))
-            && master.nodes.iter().any(|node| line.nodes.contains(node))
+        slave.ends().iter().any(|&n| pair.elements.iter().any(|e| e.nodes.contains(&n)))
+            && master.ends().iter().any(|node| line.nodes.contains(node))
     };
     let mut pairs = start.model.contact_pairs.iter();
     pairs.any(|pair| sides(pair, a, b) || sides(pair, b, a))
 }
 
-fn say(kind: Overlap, a: &BeamElement, b: &BeamElement, others: usize) -> Finding {
+fn say(kind: Overlap, a: Element<'_>, b: Element<'_>, others: usize) -> Finding {
     let more = if others > 0 { format!(" (and {others} more)") } else { String::new() };
-    let same = a.nodes == b.nodes || a.nodes == [b.nodes[1], b.nodes[0]];
+    let [ends, others_ends] = [a.ends(), b.ends()];
+    let same = ends == others_ends || ends == [others_ends[1], others_ends[0]];
     let said = match (kind, same) {
         (Overlap::Along, true) => Diagnostic::warning(
             Code("SL0411"),

@@ -12,7 +12,7 @@
 use crate::finding::{Finding, Place};
 use crate::start::{Start, arc_of, circle_of, length, less, spacing};
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{ContactPair, Dof, ElementBlock, Master, NodeIndex, SpringKind, Step};
+use slideline_model::{ContactPair, Dof, Master, NodeIndex, Step};
 use std::collections::BTreeMap;
 
 /// Pivots below this count as zero; rows are of length one [1].
@@ -115,18 +115,17 @@ impl<'a> Holds<'a> {
 
     fn springs(&mut self) {
         let model = self.start.model;
-        for block in &model.blocks {
-            let ElementBlock::Spring(block) = block else { continue };
-            for spring in &block.elements {
-                match block.kind {
-                    SpringKind::Ground(dof) => self.hold(spring.nodes[0], dof),
-                    SpringKind::Axial => {
-                        let ends = spring.nodes.map(|node| model.nodes.plane(node));
+        for block in model.blocks.iter().filter_map(|block| block.springs()) {
+            for spring in block.elements {
+                match block.section.dof {
+                    Some(dof) => self.hold(spring.nodes[0], dof),
+                    None => {
+                        let ends = spring.ends().map(|node| model.nodes.plane(node));
                         let way = less(ends[1], ends[0]);
                         let long = length(way);
                         if long > 0.0 {
                             let way = [way[0] / long, way[1] / long];
-                            self.between(spring.nodes, ends[0], way);
+                            self.between(spring.ends(), ends[0], way);
                         }
                     }
                 }

@@ -77,12 +77,10 @@ pub fn rms_tilt(law: &NormalLaw, spacing: f64, radius: f64) -> f64 {
 fn slides(start: &Start<'_>, pair: &ContactPair) -> bool {
     let on_beams = |node| {
         let mut beams = start.model.blocks.iter().filter_map(|block| block.beams());
-        let has = |e: &slideline_model::BeamElement, node| {
-            e.nodes.contains(&node) || e.middle == Some(node)
-        };
+        let has = |e: &slideline_model::Element<'_>, node| e.nodes.contains(&node);
         beams.any(|block| {
             block.elements.iter().any(|e| {
-                has(e, node) && pair.elements.iter().any(|c| c.nodes.iter().all(|&n| has(e, n)))
+                has(&e, node) && pair.elements.iter().any(|c| c.nodes.iter().all(|&n| has(&e, n)))
             })
         })
     };

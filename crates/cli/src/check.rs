@@ -152,17 +152,7 @@ fn report(read: &Read, start: Option<&InitialGaps>) -> String {
 }
 
 fn elements(model: &Model) -> usize {
-    use slideline::model::ElementBlock;
-    model
-        .blocks
-        .iter()
-        .map(|block| match block {
-            ElementBlock::B21(block) | ElementBlock::B22(block) | ElementBlock::B23(block) => {
-                block.elements.len()
-            }
-            ElementBlock::Spring(block) => block.elements.len(),
-        })
-        .sum()
+    model.blocks.iter().map(|block| block.elements.len()).sum()
 }
 
 /// Contact points of a pair, the deepest overclosure first.

@@ -6,8 +6,9 @@ use slideline_deck::DataLine;
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::material::Elastic;
 use slideline_model::{
-    ContactPrint, Controls, Dialect, Dof, ElementPrint, Extrapolation, Interaction, Model, Node,
-    NodePrint, PrintTarget, SavedStates, ShearRule, Static, SurfaceSegment,
+    self as model, BeamSection, ContactPrint, Controls, Dialect, Dof, ElementPrint, ElementType,
+    Extrapolation, Interaction, Model, Node, NodePrint, PrintTarget, SavedStates, ShearRule,
+    SolidSection, Static, SurfaceSegment, TYPES,
 };
 
 use crate::log::{Log, Target};
@@ -74,61 +75,91 @@ pub(crate) enum Owner {
     Broken,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+impl Owner {
+    /// The section, if it is one.
+    pub fn section(self) -> Option<usize> {
+        match self {
+            Self::Section(index) => Some(index),
+            _ => None,
+        }
+    }
+}
+
+/// What `*ELEMENT` may define.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum ElementKind {
-    B21,
-    B22,
-    B23,
+    /// A row of the element table.
+    Structural(&'static ElementType),
     Isl21,
     Irs21,
-    Spring1,
-    SpringA,
 }
 
 impl ElementKind {
-    /// The kinds that have a beam section.
-    pub const BEAMS: [Self; 3] = [Self::B21, Self::B22, Self::B23];
+    /// All there are.
+    pub fn all() -> impl Iterator<Item = Self> {
+        TYPES.into_iter().map(Self::Structural).chain([Self::Isl21, Self::Irs21])
+    }
 
     pub fn node_count(self) -> usize {
         match self {
-            Self::Spring1 => 1,
-            Self::B21 | Self::B23 | Self::Isl21 | Self::SpringA => 2,
-            Self::B22 | Self::Irs21 => 3,
+            Self::Structural(row) => row.cell.nodes,
+            Self::Isl21 => 2,
+            Self::Irs21 => 3,
         }
     }
 
     pub fn name(self) -> &'static str {
         match self {
-            Self::B21 => "B21",
-            Self::B22 => "B22",
-            Self::B23 => "B23",
+            Self::Structural(row) => row.name(),
             Self::Isl21 => "ISL21",
             Self::Irs21 => "IRS21",
-            Self::Spring1 => "SPRING1",
-            Self::SpringA => "SPRINGA",
+        }
+    }
+
+    /// Whether a deck may call it so.
+    pub fn is_called(self, name: &str) -> bool {
+        match self {
+            Self::Structural(row) => row.names.contains(&name),
+            _ => self.name() == name,
+        }
+    }
+
+    /// The card that gives it a section.
+    pub fn card(self) -> Option<&'static str> {
+        match self {
+            Self::Structural(row) => row.kinematics.card(),
+            _ => None,
         }
     }
 
     pub fn is_beam(self) -> bool {
-        Self::BEAMS.contains(&self)
+        matches!(self, Self::Structural(row) if row.is_beam())
     }
 
     pub fn is_contact(self) -> bool {
         matches!(self, Self::Isl21 | Self::Irs21)
     }
-
-    pub fn is_spring(self) -> bool {
-        matches!(self, Self::Spring1 | Self::SpringA)
-    }
 }
 
-/// An element; only the first [`ElementKind::node_count`] nodes count.
+/// The most nodes that an element has.
+pub(crate) const MOST_NODES: usize =
+    if slideline_model::MOST_NODES > 3 { slideline_model::MOST_NODES } else { 3 };
+
+/// An element.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Element {
     pub label: u64,
     pub kind: ElementKind,
-    pub nodes: [u64; 3],
+    /// Its nodes first, then zeros.
+    pub nodes: [u64; MOST_NODES],
     pub origin: Span,
+}
+
+impl Element {
+    /// Labels of its nodes.
+    pub fn nodes(&self) -> &[u64] {
+        &self.nodes[..self.kind.node_count()]
+    }
 }
 
 #[derive(Clone, Debug)]
@@ -137,11 +168,37 @@ pub(crate) struct Section {
     pub material: String,
     pub material_span: Span,
     pub set_span: Span,
-    pub width: f64,
-    pub height: f64,
-    pub poisson: f64,
-    pub shear: ShearRule,
+    pub body: Body,
     pub origin: Span,
+}
+
+/// What a section says of the body around its nodes.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Body {
+    Beam { width: f64, height: f64, poisson: f64, shear: ShearRule },
+    Solid { thickness: f64 },
+}
+
+impl Body {
+    /// The card that gives it.
+    pub fn card(self) -> &'static str {
+        match self {
+            Self::Beam { .. } => "*BEAM SECTION",
+            Self::Solid { .. } => "*SOLID SECTION",
+        }
+    }
+
+    /// The same with an elastic material.
+    pub fn of(self, material: Elastic) -> model::Section {
+        match self {
+            Self::Beam { width, height, poisson, shear } => {
+                model::Section::Beam(BeamSection { width, height, poisson, material, shear })
+            }
+            Self::Solid { thickness } => {
+                model::Section::Solid(SolidSection { thickness, material })
+            }
+        }
+    }
 }
 
 #[derive(Clone, Debug)]

@@ -7,8 +7,8 @@ use crate::cards::{
     contact_output, contact_pair, contact_print, controls, el_file, el_print, elastic, element,
     element_output, elgen, elset, end_step, friction, heading, interface, material, mpc, ngen,
     nmap, node, node_file, node_output, node_print, nset, output, print, restart, rigid_body,
-    rigid_surface, slide_line, spring, static_, step, surface, surface_behavior, surface_contact,
-    surface_interaction, transverse_shear,
+    rigid_surface, slide_line, solid_section, spring, static_, step, surface, surface_behavior,
+    surface_contact, surface_interaction, transverse_shear,
 };
 use crate::keyword::Keyword;
 use crate::reading::{Match, resolve};
@@ -27,6 +27,7 @@ pub(crate) const REGISTRY: &[&'static dyn Keyword] = &[
     &elgen::Elgen,
     &beam_section::BeamSection,
     &transverse_shear::TransverseShearStiffness,
+    &solid_section::SolidSection,
     &spring::Spring,
     &material::Material,
     &elastic::Elastic,

@@ -78,6 +78,19 @@ impl Real for f64 {
     }
 }
 
+/// A function of one number by its value and first two derivatives there: f + f' dx + f'' dx^2/2 with
+/// dx = 0, which carries the derivatives on.
+pub fn taylor<R: Real>(x: R, [f, first, second]: [f64; 3]) -> R {
+    let dx = x - R::from_f64(x.value());
+    R::from_f64(f) + dx * (R::from_f64(first) + dx * R::from_f64(0.5 * second))
+}
+
+/// ln(1 + x), accurate for small x.
+pub fn ln_1p<R: Real>(x: R) -> R {
+    let inverse = 1.0 / (1.0 + x.value());
+    taylor(x, [x.value().ln_1p(), inverse, -inverse * inverse])
+}
+
 /// A number with its gradient and Hessian with respect to `N` variables.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Second<const N: usize> {

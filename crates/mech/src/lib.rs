@@ -7,7 +7,7 @@
 //!
 //! Arrays in, arrays out: no node numbers, no global dofs, no text, no state kept between calls.
 //! An element is its strain energy, a gap its formula, a law its expression. Where speed asks for
-//! it a hand-written twin of the derivatives stands beside the formula and is tested against it.
+//! it closed-form derivatives stand beside the formula and are tested against it.
 //!
 //! Dimension tags in brackets: F force, L length, T time, 1 dimensionless.
 

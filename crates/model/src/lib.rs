@@ -30,8 +30,9 @@ pub use contact::{
 };
 pub use controls::{Controls, FieldControls, TimeIncrementation};
 pub use element::{
-    Allowable, BeamBlock, BeamElement, BeamSection, ElementBlock, ShearRule, SpringBlock,
-    SpringElement, SpringKind,
+    Allowable, BeamSection, Beams, Element, ElementBlock, ElementType, Elements, Field, Kinematics,
+    Location, MOST_NODES, Section, ShearRule, SolidSection, SpringSection, Springs, TYPES,
+    Undeformed, element_type, types,
 };
 pub use node::{Dof, LinearConstraint, Node, NodeIndex, Nodes, RigidLink};
 pub use output::{
@@ -78,7 +79,7 @@ pub struct Model {
     pub nodes: Nodes,
     /// Named node sets, members in order.
     pub node_sets: Vec<NodeSet>,
-    /// Elements in blocks of one kind and one section.
+    /// Elements in blocks of one type and one section.
     pub blocks: Vec<ElementBlock>,
     /// What beams may be strained to, where the deck says so.
     pub allowables: Vec<Allowable>,
@@ -126,6 +127,11 @@ impl Model {
         nodes.sort_by_key(|&node| self.nodes.label(node));
         nodes.dedup();
         nodes
+    }
+
+    /// Number of state variables of all elements.
+    pub fn element_states(&self) -> usize {
+        self.blocks.iter().map(|block| block.kind.states * block.elements.len()).sum()
     }
 
     /// The amplitude of that name, letter case ignored.

@@ -34,6 +34,11 @@ impl Dof {
         usize::try_from(number - 1).ok().and_then(|index| Self::ALL.get(index).copied())
     }
 
+    /// The list of this one alone.
+    pub fn alone(self) -> &'static [Self] {
+        &Self::ALL[self as usize..=self as usize]
+    }
+
     /// Deck number 1 to 6.
     pub fn number(self) -> usize {
         self as usize + 1

@@ -8,17 +8,18 @@
 //!        o         x o       that their neighbours lie on
 //! ```
 //!
-//! What is refined is what the deck approximates: beams, the contact elements
-//! on them, slide lines, and contact elements on the rim of a rigid body,
+//! What is refined is what the deck approximates: beams, quadrilaterals (in four),
+//! the contact elements on them, slide lines, and contact elements on the rim of a rigid body,
 //! whose true shape is taken to be the circle (or straight line) through
 //! neighbouring nodes. Sections, laws, steps and requests stay. Beams in a
 //! row that approximate a bow stay the polygon that they are.
 
 use crate::{
-    BeamElement, ContactElement, Dof, ElementBlock, Master, Model, Node, NodeIndex, Prescribed,
-    RigidLink, Step,
+    ContactElement, Dof, Element, Elements, Master, Model, Node, NodeIndex, Prescribed, RigidLink,
+    Step,
 };
 use slideline_diag::{Code, Diagnostic, Span};
+use slideline_mech::element::cell::QUAD4;
 use std::collections::{HashMap, HashSet};
 
 /// A mesh that cannot be halved.
@@ -32,7 +33,7 @@ const NOT_HALVED: Code = Code("SL0602");
 /// shape is not known.
 pub fn refine(model: &Model) -> Result<Model, Box<Diagnostic>> {
     let mut halving = Halving::new(model);
-    halving.beams();
+    halving.elements()?;
     for place in 0..model.contact_pairs.len() {
         halving.contact(model, place)?;
     }
@@ -131,42 +132,65 @@ impl Halving {
         self.add_node(position, ends, origin)
     }
 
-    fn beams(&mut self) {
+    fn elements(&mut self) -> Result<(), Box<Diagnostic>> {
         let mut blocks = std::mem::take(&mut self.model.blocks);
-        for block in &mut blocks {
-            let (ElementBlock::B21(beams) | ElementBlock::B22(beams) | ElementBlock::B23(beams)) =
-                block
-            else {
-                continue;
-            };
-            let halves = beams.elements.iter().flat_map(|beam| self.halve(beam)).collect();
-            beams.elements = halves;
+        for block in blocks.iter_mut().filter(|block| block.kind.joins()) {
+            let mut parts = Elements::new(block.kind.cell.nodes);
+            for element in &block.elements {
+                match block.kind.cell {
+                    _ if block.kind.is_beam() => self.halve(element, &mut parts),
+                    cell if *cell == QUAD4 => self.quarter(element, &mut parts),
+                    _ => return Err(unknown_cell(block.word(), block.origin)),
+                }
+            }
+            block.elements = parts;
         }
         self.model.blocks = blocks;
+        Ok(())
+    }
+
+    /// A quadrilateral in four.
+    fn quarter(&mut self, element: Element<'_>, into: &mut Elements) {
+        let Element { label, nodes, origin } = element;
+        let [a, b, c, d] = *nodes else { return };
+        let sides = [[a, b], [b, c], [c, d], [d, a]];
+        let sides = sides.map(|ends| self.middle(ends, &[(ends[0], 0.5), (ends[1], 0.5)], origin));
+        let corners = [(a, 0.25), (b, 0.25), (c, 0.25), (d, 0.25)];
+        let [ab, bc, cd, da] = sides;
+        let centre = self.middle([ab, cd], &corners, origin);
+        let parts =
+            [[a, ab, centre, da], [ab, b, bc, centre], [centre, bc, c, cd], [da, centre, cd, d]];
+        for (place, part) in parts.iter().enumerate() {
+            let label = if place == 0 { label } else { self.element_label() };
+            into.push(label, part, origin);
+        }
     }
 
     /// A beam in two. One between nodes of the same rigid body strains
     /// nothing and stays.
-    fn halve(&mut self, beam: &BeamElement) -> Vec<BeamElement> {
-        let [a, b] = beam.nodes;
-        if self.same_body(beam.nodes).is_some() {
-            return vec![*beam];
+    fn halve(&mut self, beam: Element<'_>, into: &mut Elements) {
+        let Element { label, nodes, origin } = beam;
+        let ends = beam.ends();
+        if self.same_body(ends).is_some() {
+            return into.push(label, nodes, origin);
         }
-        let half = |label, nodes, middle| BeamElement { label, nodes, middle, ..*beam };
-        let label = self.element_label();
-        match beam.middle {
-            None => {
-                let m = self.middle(beam.nodes, &[(a, 0.5), (b, 0.5)], beam.origin);
-                vec![half(beam.label, [a, m], None), half(label, [m, b], None)]
-            }
+        let new = self.element_label();
+        match *nodes {
             // the parabola through the three nodes, at its quarters
-            Some(m) => {
-                self.middles.insert(edge(beam.nodes), m);
+            [a, m, b] => {
+                self.middles.insert(edge(ends), m);
                 let first = [(a, 0.375), (m, 0.75), (b, -0.125)];
                 let last = [(a, -0.125), (m, 0.75), (b, 0.375)];
-                let first = self.middle([a, m], &first, beam.origin);
-                let last = self.middle([m, b], &last, beam.origin);
-                vec![half(beam.label, [a, m], Some(first)), half(label, [m, b], Some(last))]
+                let first = self.middle([a, m], &first, origin);
+                let last = self.middle([m, b], &last, origin);
+                into.push(label, &[a, first, m], origin);
+                into.push(new, &[m, last, b], origin);
+            }
+            _ => {
+                let [a, b] = ends;
+                let m = self.middle(ends, &[(a, 0.5), (b, 0.5)], origin);
+                into.push(label, &[a, m], origin);
+                into.push(new, &[m, b], origin);
             }
         }
     }
@@ -266,13 +290,14 @@ fn refusal([a, b]: [u64; 2], reason: &str, origin: Span) -> Box<Diagnostic> {
     ))
 }
 
+fn unknown_cell(word: &str, origin: Span) -> Box<Diagnostic> {
+    let message = format!("the mesh cannot be halved: elements of type {word} have no rule for it");
+    let help = "Run without error bars, or run decks of two meshes and compare.";
+    Box::new(Diagnostic::error(NOT_HALVED, message).at(origin).help(help))
+}
+
 fn largest_element(model: &Model) -> u64 {
-    let structural = model.blocks.iter().flat_map(|block| match block {
-        ElementBlock::Spring(block) => block.elements.iter().map(|e| e.label).collect::<Vec<_>>(),
-        ElementBlock::B21(block) | ElementBlock::B22(block) | ElementBlock::B23(block) => {
-            block.elements.iter().map(|e| e.label).collect()
-        }
-    });
+    let structural = model.blocks.iter().flat_map(|block| &block.elements).map(|e| e.label);
     let pairs = model.contact_pairs.iter();
     let contact = pairs.flat_map(|pair| pair.elements.iter().map(|element| element.label));
     structural.chain(contact).max().unwrap_or(0)

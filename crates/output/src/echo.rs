@@ -2,10 +2,9 @@
 
 use crate::ledger::onset_word;
 use crate::number::general;
-use slideline_mech::section::{BeamStiffness, Rectangle, TransverseShear, rectangle_stiffness};
 use slideline_model::{
-    BeamBlock, BeamSection, ContactPair, ElementBlock, Formulation, Friction, Master, Model,
-    NodeIndex, NormalLaw, SpringBlock, SpringKind, Step, StickRule,
+    BeamSection, ContactPair, ElementBlock, ElementType, Formulation, Friction, Kinematics, Master,
+    Model, NodeIndex, NormalLaw, Section, SolidSection, SpringSection, Step, StickRule,
 };
 use slideline_solve::observe::{ContactRow, Frame};
 use std::fmt::Write as _;
@@ -17,11 +16,11 @@ pub fn model_echo(model: &Model, start: &Frame<'_>) -> String {
     heading(&mut text, model);
     nodes(&mut text, model);
     for block in &model.blocks {
-        match block {
-            ElementBlock::B21(beam) | ElementBlock::B22(beam) | ElementBlock::B23(beam) => {
-                beams(&mut text, model, block.word(), beam);
-            }
-            ElementBlock::Spring(block) => springs(&mut text, block),
+        match &block.section {
+            Section::Beam(section) => beams(&mut text, model, block, section),
+            Section::Spring(section) => springs(&mut text, block, section),
+            Section::Solid(section) => solids(&mut text, block, section),
+            Section::Properties(_) => elements(&mut text, block),
         }
     }
     for (place, pair) in model.contact_pairs.iter().enumerate() {
@@ -65,8 +64,8 @@ fn nodes(text: &mut String, model: &Model) {
     }
 }
 
-fn beams(text: &mut String, model: &Model, word: &str, block: &BeamBlock) {
-    let section = &block.section;
+fn beams(text: &mut String, model: &Model, block: &ElementBlock, section: &BeamSection) {
+    let word = block.word();
     line(text, format_args!("\nBEAMS {}  {} elements {word}", block.name, block.elements.len()));
     line(
         text,
@@ -79,9 +78,9 @@ fn beams(text: &mut String, model: &Model, word: &str, block: &BeamBlock) {
             general(section.material.shear_modulus(), 9),
         ),
     );
-    let stiffness = |length: f64| beam_stiffness(word, block, length);
+    let stiffness = |length: f64| section.stiffness(length, block.kind.cell.nodes == 3);
     let lengths: Vec<f64> =
-        block.elements.iter().map(|element| distance(model, element.nodes)).collect();
+        block.elements.iter().map(|element| distance(model, element.ends())).collect();
     let Some((short, long)) = extremes(&lengths) else { return };
     let (of_short, of_long) = (stiffness(short), stiffness(long));
     line(
@@ -93,7 +92,7 @@ fn beams(text: &mut String, model: &Model, word: &str, block: &BeamBlock) {
             range(short, long),
         ),
     );
-    transverse_shear(text, word, section, [of_short.shear, of_long.shear]);
+    transverse_shear(text, block.kind, section, [of_short.shear, of_long.shear]);
     if section.poisson != 0.0 {
         line(
             text,
@@ -105,8 +104,13 @@ fn beams(text: &mut String, model: &Model, word: &str, block: &BeamBlock) {
     }
 }
 
-fn transverse_shear(text: &mut String, word: &str, section: &BeamSection, range_of: [f64; 2]) {
-    if word == "B23" {
+fn transverse_shear(
+    text: &mut String,
+    kind: &ElementType,
+    section: &BeamSection,
+    range_of: [f64; 2],
+) {
+    if kind.kinematics == (Kinematics::Beam { sheared: false }) {
         line(text, format_args!("  rigid in transverse shear"));
         return;
     }
@@ -120,23 +124,9 @@ fn transverse_shear(text: &mut String, word: &str, section: &BeamSection, range_
             "  transverse shear stiffness K = {}: f_p times {shear}, SCF = {}{}",
             range(range_of[0], range_of[1]),
             general(section.shear.slenderness_compensation, 9),
-            if word == "B22" { " times 1e-4 (second order)" } else { "" },
+            if kind.cell.nodes == 3 { " times 1e-4 (second order)" } else { "" },
         ),
     );
-}
-
-/// EA, K and EI of an element of that block and length [L].
-fn beam_stiffness(word: &str, block: &BeamBlock, length: f64) -> BeamStiffness {
-    let section = &block.section;
-    let rectangle =
-        Rectangle { width: section.width, height: section.height, poisson: section.poisson };
-    let shear = TransverseShear {
-        slenderness: section.shear.slenderness_compensation,
-        given: section.shear.stiffness,
-        ..TransverseShear::default()
-    };
-    let shear = if word == "B22" { shear.second_order() } else { shear };
-    rectangle_stiffness(&rectangle, &section.material, &shear, length)
 }
 
 fn distance(model: &Model, [first, second]: [NodeIndex; 2]) -> f64 {
@@ -155,10 +145,31 @@ fn range(low: f64, high: f64) -> String {
     if low == high { low } else { format!("{low} to {high}") }
 }
 
-fn springs(text: &mut String, block: &SpringBlock) {
-    let kind = match block.kind {
-        SpringKind::Ground(dof) => format!("to the ground, dof {}", dof.number()),
-        SpringKind::Axial => "along the line between two nodes".to_owned(),
+/// Solids of one section.
+fn solids(text: &mut String, block: &ElementBlock, section: &SolidSection) {
+    let (word, count) = (block.word(), block.elements.len());
+    line(text, format_args!("\nSOLIDS {}  {count} elements {word}", block.name));
+    line(
+        text,
+        format_args!(
+            "  thickness {}; E = {}, nu = {}",
+            general(section.thickness, 9),
+            general(section.material.modulus, 9),
+            general(section.material.poisson, 9),
+        ),
+    );
+}
+
+/// Elements of a type that somebody else has defined.
+fn elements(text: &mut String, block: &ElementBlock) {
+    let (word, count) = (block.word(), block.elements.len());
+    line(text, format_args!("\nELEMENTS {}  {count} elements {word}", block.name));
+}
+
+fn springs(text: &mut String, block: &ElementBlock, section: &SpringSection) {
+    let kind = match section.dof {
+        Some(dof) => format!("to the ground, dof {}", dof.number()),
+        None => "along the line between two nodes".to_owned(),
     };
     line(
         text,
@@ -166,7 +177,7 @@ fn springs(text: &mut String, block: &SpringBlock) {
             "\nSPRINGS {}  {} elements {kind}, stiffness {}",
             block.name,
             block.elements.len(),
-            general(block.stiffness, 9)
+            general(section.stiffness, 9)
         ),
     );
 }

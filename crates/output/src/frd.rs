@@ -2,7 +2,7 @@
 //! cgx and PrePoMax open. Written where the deck asks for states.
 //!
 //! ```text
-//!     1C title      2C nodes      3C elements (type 11: lines)
+//!     1C title      2C nodes      3C elements (type 11: lines, 9: quadrilaterals)
 //!   100C DISP, FORC, STRESS, S11, SECTION, CONTACT for each increment due
 //!  9999
 //! ```
@@ -16,7 +16,7 @@ use crate::kept::Kept;
 use crate::outline::{Outline, outlines};
 use crate::section::nodal_sections;
 use crate::writer::Writer;
-use slideline_model::{Dof, ElementBlock, Model, NodeIndex};
+use slideline_model::{Dof, Kinematics, Model, NodeIndex};
 use slideline_results::{NodeComponent, NodeField, contact_component};
 use slideline_solve::observe::{ContactRow, Event, Frame};
 use std::collections::BTreeMap;
@@ -78,12 +78,18 @@ impl Frd {
     }
 }
 
-/// What does not change: lines between nodes, outlines of rigid surfaces.
+/// Group, type and nodes of an element of the file: beams 0, springs 1, slave
+/// surfaces 2, rigid surfaces 3, solids 4.
+type Piece<N> = (u32, u8, Vec<N>);
+
+/// The type of a line between two nodes.
+const LINE: u8 = 11;
+
+/// What does not change: elements, outlines of rigid surfaces.
 #[derive(Default)]
 struct Mesh {
-    /// Group and ends of each line: beams 0, springs 1, slave surfaces 2,
-    /// rigid surfaces 3. Numbered in turn: a beam of three nodes is two lines.
-    lines: Vec<(u32, [u64; 2])>,
+    /// Numbered in turn: a beam of three nodes is two lines.
+    pieces: Vec<Piece<u64>>,
     outlines: Vec<Outline>,
     /// Number of the first point of an outline.
     first: u64,
@@ -91,32 +97,36 @@ struct Mesh {
 
 impl Mesh {
     fn of(model: &Model) -> Self {
-        let mut lines: Vec<(u32, [NodeIndex; 2])> = Vec::new();
+        let mut pieces: Vec<Piece<NodeIndex>> = Vec::new();
         for block in &model.blocks {
-            if let Some(beams) = block.beams() {
-                for beam in &beams.elements {
-                    let ends = beam.all_nodes().zip(beam.all_nodes().skip(1));
-                    lines.extend(ends.map(|(a, b)| (0, [a, b])));
-                }
-            } else if let ElementBlock::Spring(springs) = block {
-                let joining = springs.elements.iter().filter(|e| e.nodes[0] != e.nodes[1]);
-                lines.extend(joining.map(|e| (1, e.nodes)));
+            let group = match block.kind.kinematics {
+                Kinematics::Beam { .. } => 0,
+                Kinematics::Spring => 1,
+                Kinematics::PlaneStrain | Kinematics::Other => 4,
+            };
+            for element in &block.elements {
+                pieces.extend(block.kind.cell.pieces.iter().map(|piece| {
+                    let nodes = piece.nodes.iter().map(|&place| element.nodes[place]);
+                    (group, piece.frd, nodes.collect())
+                }));
             }
         }
         let pairs = model.contact_pairs.iter();
-        lines.extend(pairs.flat_map(|pair| &pair.elements).map(|element| (2, element.nodes)));
+        let surfaces = pairs.flat_map(|pair| &pair.elements);
+        pieces.extend(surfaces.map(|element| (2, LINE, element.nodes.to_vec())));
         let label = |node| model.nodes.label(node);
-        let mut lines: Vec<(u32, [u64; 2])> =
-            lines.into_iter().map(|(group, ends)| (group, ends.map(label))).collect();
+        let labels = |nodes: Vec<NodeIndex>| nodes.into_iter().map(label).collect();
+        let mut pieces: Vec<Piece<u64>> =
+            pieces.into_iter().map(|(group, kind, nodes)| (group, kind, labels(nodes))).collect();
         let outlines = outlines(model);
         let first = model.nodes.iter().map(|node| node.label).max().unwrap_or(0) + 1;
         let mut from = first;
         for outline in &outlines {
             let to = from + outline.points.len() as u64;
-            lines.extend((from + 1..to).map(|point| (3, [point - 1, point])));
+            pieces.extend((from + 1..to).map(|point| (3, LINE, vec![point - 1, point])));
             from = to;
         }
-        Self { lines, outlines, first }
+        Self { pieces, outlines, first }
     }
 
     /// Number, carrier and undeformed place of the points of outlines.
@@ -138,10 +148,14 @@ impl Mesh {
             push_node(text, label, &[x, y, 0.0]);
         }
         text.push_str(" -3\n");
-        let _ = writeln!(text, "    3C{:18}{:>12}{:37}1", "", self.lines.len(), "");
-        for (place, (group, [a, b])) in self.lines.iter().enumerate() {
-            let _ = writeln!(text, " -1{:>10}{:>5}{group:>5}{:>5}", place + 1, 11, 1);
-            let _ = writeln!(text, " -2{a:>10}{b:>10}");
+        let _ = writeln!(text, "    3C{:18}{:>12}{:37}1", "", self.pieces.len(), "");
+        for (place, (group, kind, nodes)) in self.pieces.iter().enumerate() {
+            let _ = writeln!(text, " -1{:>10}{kind:>5}{group:>5}{:>5}", place + 1, 1);
+            text.push_str(" -2");
+            for node in nodes {
+                let _ = write!(text, "{node:>10}");
+            }
+            text.push('\n');
         }
         text.push_str(" -3\n");
     }

@@ -107,9 +107,8 @@ impl Drawing {
     fn beams(&mut self, model: &Model) {
         for block in model.blocks.iter().filter_map(|block| block.beams()) {
             let half = (0.5 * block.section.height * self.scale).max(1.0);
-            for element in &block.elements {
-                let nodes: Vec<NodeIndex> = element.all_nodes().collect();
-                for ends in nodes.windows(2) {
+            for element in block.elements {
+                for ends in element.nodes.windows(2) {
                     let [a, b] = [0, 1].map(|end| self.at(model.nodes.plane(ends[end])));
                     let Some([x, y]) = direction(a, b) else { continue };
                     let corner = |p: [f64; 2], s: f64| [p[0] - s * half * y, p[1] + s * half * x];

@@ -8,7 +8,7 @@
 //!     1 o-------   y = -height/2
 //! ```
 
-use slideline_model::{BeamElement, BeamSection, Dof, NodeIndex, SECTION_POINTS};
+use slideline_model::{BeamSection, Dof, Element, NodeIndex, SECTION_POINTS};
 use slideline_solve::observe::{BeamRow, Frame};
 use std::collections::BTreeMap;
 
@@ -80,7 +80,7 @@ pub(crate) fn nodal_sections(frame: &Frame<'_>) -> BTreeMap<NodeIndex, NodalSect
         let [from, to] = row.nodes.map(place);
         let stresses = axial_stresses(row, section);
         let forces = [row.axial_force, row.shear_force, row.bending_moment];
-        for node in element.all_nodes() {
+        for &node in element.nodes {
             let sums = found.entry(node).or_default();
             sums.beams += 1.0;
             (0..2).for_each(|axis| sums.chord[axis] += to[axis] - from[axis]);
@@ -95,10 +95,10 @@ pub(crate) fn nodal_sections(frame: &Frame<'_>) -> BTreeMap<NodeIndex, NodalSect
 /// to one rigid body have no results.
 pub(crate) fn beams<'a>(
     frame: &Frame<'a>,
-) -> impl Iterator<Item = (&'a BeamRow, &'a BeamElement, &'a BeamSection)> + use<'a> {
+) -> impl Iterator<Item = (&'a BeamRow, Element<'a>, &'a BeamSection)> + use<'a> {
     let blocks = frame.model.blocks.iter().filter_map(|block| block.beams());
     let mut elements =
-        blocks.flat_map(|block| block.elements.iter().map(|element| (element, &block.section)));
+        blocks.flat_map(|block| block.elements.iter().map(move |element| (element, block.section)));
     frame.beams.iter().filter_map(move |row| {
         let (element, section) = elements.find(|(element, _)| element.label == row.label)?;
         Some((row, element, section))

@@ -205,9 +205,9 @@ impl<'a> Summary<'a> {
         let pairs = step.model.contact_pairs.iter().map(|pair| pair.name.clone());
         self.names = (step.model.heading.clone(), pairs.collect());
         for allowable in &step.model.allowables {
-            let block = step.model.blocks.get(allowable.block).and_then(|block| block.beams());
-            let elements = block.map_or(&[][..], |block| &block.elements);
-            self.allowable.extend(elements.iter().map(|own| (own.label, allowable.strain)));
+            let block = step.model.blocks.get(allowable.block);
+            let elements = block.into_iter().flat_map(|block| &block.elements);
+            self.allowable.extend(elements.map(|own| (own.label, allowable.strain)));
         }
         let columns = columns(step.start.nodal.dofs());
         for node in step.model.history_nodes() {

@@ -6,8 +6,8 @@ use crate::json::{Value, json};
 use crate::ledger::onset_word;
 use crate::number::general;
 use slideline_model::{
-    Controls, Dialect, Dof, ElementBlock, FieldControls, Friction, Master, Model, NodeIndex, Onset,
-    Step, StickRule, TimeIncrementation,
+    Controls, Dialect, Dof, FieldControls, Friction, Kinematics, Master, Model, NodeIndex, Onset,
+    Section, Step, StickRule, TimeIncrementation,
 };
 
 /// Members of `JOB.json`:
@@ -68,7 +68,7 @@ fn sections(model: &Model) -> Value {
     let blocks = model.blocks.iter().filter_map(|block| block.beams());
     let sections = blocks.map(|block| {
         let mut runs: Vec<[u64; 2]> = Vec::new();
-        for element in &block.elements {
+        for element in block.elements {
             match runs.last_mut().filter(|run| run[1].checked_add(1) == Some(element.label)) {
                 Some(run) => run[1] = element.label,
                 None => runs.push([element.label; 2]),
@@ -132,9 +132,10 @@ fn settings(model: &Model) -> Value {
     let onset = model.friction_onset;
     list.say("*CONTACT CONTROLS", "FRICTION ONSET", onset_word(onset), onset == Onset::Immediate);
     for block in &model.blocks {
-        // B23 is rigid in shear.
-        if let ElementBlock::B21(block) | ElementBlock::B22(block) = block {
-            let shear = &block.section.shear;
+        if let (Kinematics::Beam { sheared: true }, Section::Beam(section)) =
+            (block.kind.kinematics, &block.section)
+        {
+            let shear = &section.shear;
             let card = format!("*BEAM SECTION {}", block.name);
             list.number(&card, "SCF", shear.slenderness_compensation, 0.25);
             match shear.stiffness {

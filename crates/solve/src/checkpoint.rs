@@ -127,6 +127,8 @@ impl Checkpoint<'_> {
             && vectors.iter().all(|vector| vector.len() == slots)
             && vectors.iter().all(|vector| vector.iter().all(|value| value.is_finite()))
             && (state.points.len(), state.memory.len()) == (points, memory)
+            && state.elements.len() == model.element_states()
+            && state.elements.iter().all(|value| value.is_finite())
             && [0, slots].contains(&state.damping.len())
             && state.damping.iter().all(|value| value.is_finite())
     }
@@ -140,8 +142,9 @@ mod tests {
     use crate::state::PointState;
 
     fn checkpoint() -> Checkpoint<'static> {
-        let mut state = State::undeformed(6, 2, 1);
+        let mut state = State::undeformed(6, 2, (1, 3));
         state.displacement = vec![0.1, -0.0, f64::MIN_POSITIVE, 1e300, 3.0, -7.5];
+        state.elements = vec![0.0, -2.5, 1e-300];
         state.points[1] = PointState {
             closed: true,
             status: Status::Slip,

@@ -10,7 +10,7 @@
 //! belongs to; one without elements has all, to move as it is told. The numbering
 //! knows no step: it holds for a whole run and for those that go on from it.
 
-use slideline_model::{BeamElement, Dof, ElementBlock, Master, Model, NodeIndex, SpringKind};
+use slideline_model::{Dof, Master, Model, NodeIndex};
 use std::ops::Range;
 
 /// The dofs of a model's nodes, numbered node by node.
@@ -119,21 +119,9 @@ impl DofMap {
 fn of_elements(model: &Model) -> Vec<(NodeIndex, Dof)> {
     let mut used = Vec::new();
     for block in &model.blocks {
-        match block {
-            ElementBlock::B21(block) | ElementBlock::B22(block) | ElementBlock::B23(block) => {
-                let nodes = block.elements.iter().flat_map(BeamElement::all_nodes);
-                used.extend(nodes.flat_map(rigid_body));
-            }
-            ElementBlock::Spring(block) => {
-                for element in &block.elements {
-                    match block.kind {
-                        SpringKind::Ground(dof) => used.push((element.nodes[0], dof)),
-                        SpringKind::Axial => {
-                            used.extend(element.nodes.iter().flat_map(|&node| point(node)));
-                        }
-                    }
-                }
-            }
+        let stiffened = block.stiffened_dofs();
+        for &node in block.elements.iter().flat_map(|element| element.nodes) {
+            used.extend(stiffened.iter().map(|&dof| (node, dof)));
         }
     }
     used

@@ -12,7 +12,7 @@ use crate::observe::{FrictionCall, Status};
 use crate::plan::Plan;
 use crate::stabilise::Dashpot;
 use crate::state::{PointState, State};
-use crate::structure::{Contributions, Flux};
+use crate::structure::{Configuration, Contributions, Flux};
 use slideline_mech::contact::friction::{self, UserFrictionError};
 use slideline_mech::contact::pair::{Laws, PointTrial, UserMemory};
 
@@ -113,7 +113,9 @@ impl Evaluation {
 
 /// Evaluates a trial state against the committed one.
 pub fn evaluate(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into: &mut Evaluation) {
-    plan.structure.evaluate(trial.u, Some(trial.stresses), &mut into.contributions, plan.pool);
+    let stresses = Some(trial.stresses);
+    let at = Configuration { u: trial.u, stresses, state: &committed.elements };
+    plan.structure.evaluate(&at, &mut into.contributions, plan.pool);
     plan.constraints.linearise(trial.u, &mut into.rows);
     into.structure.fill(0.0);
     into.strain_energy = plan.structure.gather_force(&into.contributions, &mut into.structure);

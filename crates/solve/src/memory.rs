@@ -31,8 +31,8 @@ const FACTOR: f64 = 16.0;
 
 /// Why a model is too large, if it is.
 pub fn objection(model: &Model) -> Option<Diagnostic> {
-    let elements = model.blocks.iter().filter_map(|block| block.beams());
-    let elements = elements.map(|beams| beams.elements.len()).sum::<usize>();
+    let joining = model.blocks.iter().filter(|block| block.kind.joins());
+    let elements = joining.map(|block| block.elements.len()).sum::<usize>();
     let contact = model.contact_pairs.iter().map(couplings);
     let contact = contact.fold((0.0, None), |(sum, largest), (bytes, pair)| match largest {
         Some((most, _)) if most >= bytes => (sum + bytes, largest),

@@ -28,6 +28,7 @@ use crate::plan::Plan;
 use crate::predict;
 use crate::stabilise::{self, Dashpot};
 use crate::state::State;
+use crate::structure::Configuration;
 pub use assembly::TOUCH;
 use assembly::circumstances;
 use relax::Relaxation;
@@ -312,7 +313,8 @@ impl Workspace {
             *value = self.u[slot] - committed.displacement[slot];
         }
         let from = &committed.displacement;
-        plan.structure.evaluate(from, None, &mut self.evaluation.contributions, plan.pool);
+        let at = Configuration { u: from, stresses: None, state: &committed.elements };
+        plan.structure.evaluate(&at, &mut self.evaluation.contributions, plan.pool);
         plan.constraints.linearise(from, &mut self.evaluation.rows);
         self.residual.fill(0.0);
         plan.structure.multiply(&self.evaluation.contributions, change, &mut self.residual);

@@ -14,7 +14,7 @@ use crate::dofs::DofMap;
 use serde::{Deserialize, Serialize};
 use slideline_diag::Diagnostic;
 use slideline_mech::contact::enforcement::Enforcement;
-use slideline_model::{Dof, Model, NodeIndex};
+use slideline_model::{BeamSection, Dof, Element, Model, NodeIndex};
 use std::ops::ControlFlow;
 
 /// Watches a run.
@@ -254,6 +254,8 @@ pub struct Frame<'a> {
     pub pairs: &'a [PairRow],
     /// Section results of the beams, block by block in element order.
     pub beams: &'a [BeamRow],
+    /// Results of the elements of every block, as the fields of its type.
+    pub elements: &'a [BlockResults],
     /// Energies.
     pub energy: Energies,
 }
@@ -427,6 +429,51 @@ pub struct BeamRow {
     pub strains: [f64; 3],
     /// Largest fibre strain, |axial| + |curvature| height / 2 [1].
     pub fibre_strain: f64,
+}
+
+impl BeamRow {
+    /// That of a beam of a section with its results, in the order of its fields.
+    pub(crate) fn of(beam: Element<'_>, section: &BeamSection, values: &[f64]) -> Self {
+        let at = |place: usize| values.get(place).copied().unwrap_or_default();
+        let strains = [at(3), at(4), at(5)];
+        Self {
+            label: beam.label,
+            nodes: beam.ends(),
+            axial_force: at(0),
+            shear_force: at(1),
+            bending_moment: at(2),
+            strains,
+            fibre_strain: strains[0].abs() + strains[2].abs() * (0.5 * section.height),
+        }
+    }
+}
+
+/// Results of the elements of a block. Elements that belong to one rigid body have
+/// none.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct BlockResults {
+    /// Index of the block in the model.
+    pub block: usize,
+    /// Index in the block of each element that has results.
+    pub members: Vec<usize>,
+    /// Values, element by element, each in the order of the fields of its type.
+    pub values: Vec<f64>,
+}
+
+impl BlockResults {
+    /// The elements with all their values.
+    pub fn elements<'a>(
+        &'a self,
+        model: &'a Model,
+    ) -> impl Iterator<Item = (Element<'a>, &'a [f64])> {
+        let block = model.blocks.get(self.block);
+        let width = block.map_or(1, |block| block.kind.all_values().max(1));
+        let values = self.values.chunks_exact(width);
+        block.into_iter().flat_map(move |block| {
+            let members = self.members.iter().map(|&member| block.elements.get(member));
+            members.zip(values.clone())
+        })
+    }
 }
 
 /// Energies since time 0 [F L].

@@ -64,7 +64,6 @@ pub struct Start<'a> {
 
 impl Start<'_> {
     /// Of an undeformed model without loads.
-    #[cfg(test)]
     pub fn undeformed(slots: usize) -> Start<'static> {
         let zero = || Cow::Owned(vec![0.0; slots]);
         Start { displacement: zero(), load: zero(), released: zero() }
@@ -96,17 +95,29 @@ impl<'a> Plan<'a> {
     pub fn new(
         model: &'a Model,
         step: &'a Step,
+        start: Start<'static>,
+        users: &UserFrictions,
+        pool: Option<&'a ThreadPool>,
+    ) -> Self {
+        let displacement = start.displacement.clone();
+        let mut plan = Self::without_pattern(model, step, start, users, pool);
+        plan.take_in(&[&*displacement]);
+        plan
+    }
+
+    /// The same with an empty pattern: enough to look at contact.
+    pub fn without_pattern(
+        model: &'a Model,
+        step: &'a Step,
         mut start: Start<'static>,
         users: &UserFrictions,
         pool: Option<&'a ThreadPool>,
     ) -> Self {
         let dofs = DofMap::new(model);
         let constraints = Constraints::new(model, step, &dofs);
-        let mut structure = Structure::new(model, (&dofs, &constraints), step.nlgeom);
+        let structure = Structure::new(model, (&dofs, &constraints), step.nlgeom);
         let contact = Contact::new(model, &dofs, users);
-        let states = [&*start.displacement];
-        let pattern = coupled(&structure, &contact, &constraints, &states);
-        structure.find_entries(&constraints, &pattern);
+        let pattern = Pattern::from_pairs(0, std::iter::empty());
         let elastic = structure.touched(dofs.len());
         let reach = model
             .nodes
@@ -282,8 +293,12 @@ fn coupled(
         own.iter().for_each(|&dof| constraints.equations_of(dof, &mut into));
         into
     };
-    let near = contact.cliques(states);
-    let cliques = structure.cliques().chain(near.iter().map(Vec::as_slice)).map(equations);
+    // many points with prescribed dofs couple the same unknowns of their master
+    let near = contact.cliques(states).into_iter().map(|own| equations(&own));
+    let mut near: Vec<Vec<usize>> = near.filter(|own| own.len() > 1).collect();
+    near.sort_unstable();
+    near.dedup();
+    let cliques = structure.cliques().map(equations).chain(near);
     Pattern::from_cliques(constraints.equations(), cliques)
 }
 

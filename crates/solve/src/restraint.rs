@@ -10,7 +10,7 @@
 //! that happens to be singular proves nothing of a body that is held: there the
 //! structure has reached a limit of its strength, or numbers one of theirs.
 
-use slideline_model::{Dof, ElementBlock, Model, NodeIndex, SpringKind, Step};
+use slideline_model::{Dof, Model, NodeIndex, Step};
 use std::collections::HashMap;
 
 /// The bodies of a model and how a step restrains them.
@@ -28,14 +28,11 @@ impl Restraint {
             .flat_map(|node| model.nodes.plane(node))
             .fold(0.0_f64, |size, x| size.max(x.abs()));
         let held = step.prescribed.iter().map(|prescribed| (prescribed.node, prescribed.dof));
-        let springs = model.blocks.iter().filter_map(|block| match block {
-            ElementBlock::Spring(block) if block.stiffness != 0.0 => match block.kind {
-                SpringKind::Ground(dof) => {
-                    Some(block.elements.iter().map(move |e| (e.nodes[0], dof)))
-                }
-                SpringKind::Axial => None,
-            },
-            _ => None,
+        let springs = model.blocks.iter().filter_map(|block| block.springs());
+        let springs = springs.filter(|springs| springs.section.stiffness != 0.0);
+        let springs = springs.filter_map(|springs| {
+            let dof = springs.section.dof?;
+            Some(springs.elements.iter().map(move |spring| (spring.nodes[0], dof)))
         });
         let held: Vec<(NodeIndex, Dof)> = held.chain(springs.flatten()).collect();
         let mut rows: HashMap<NodeIndex, Vec<[f64; 3]>> = HashMap::new();
@@ -80,11 +77,10 @@ impl Bodies {
         let parent = (0..model.nodes.len()).collect();
         let mut new = Self { parent, used: Vec::new(), turns: Default::default() };
         let mut turning = Vec::new();
-        for beam in model.blocks.iter().filter_map(|block| block.beams()) {
-            for element in &beam.elements {
-                let nodes: Vec<NodeIndex> = element.all_nodes().collect();
-                nodes.windows(2).for_each(|w| new.join(w[0], w[1]));
-                turning.extend(nodes);
+        for block in model.blocks.iter().filter(|block| block.kind.joins()) {
+            for element in &block.elements {
+                element.nodes.windows(2).for_each(|w| new.join(w[0], w[1]));
+                turning.extend(element.nodes);
             }
         }
         for link in &model.rigid_links {

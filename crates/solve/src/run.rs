@@ -194,7 +194,7 @@ impl<'a> Walk<'a> {
         let points = model.contact_pairs.iter().map(point_count).sum();
         let memory = |pair: &ContactPair| point_count(pair) * memory_size(pair);
         let memory = model.contact_pairs.iter().map(memory).sum();
-        let committed = State::undeformed(slots, points, memory);
+        let committed = State::undeformed(slots, points, (memory, model.element_states()));
         Self {
             model,
             users: &options.user_frictions,
@@ -261,7 +261,8 @@ impl<'a> Walk<'a> {
         };
         let mut plan = self.plan(step, start.owned());
         let mut work = Workspace::new(&plan);
-        crate::commit::locate_points(&plan, &mut self.committed, &mut work);
+        let meetings = &mut work.evaluation.meetings;
+        crate::commit::locate_points(&plan, &mut self.committed, meetings);
         self.begin(&plan, number, None, &work)?;
         self.all_increments(&mut plan, number, Control::begin(&step.procedure), &mut work)
     }

@@ -29,6 +29,8 @@ pub struct State {
     pub points: Vec<PointState>,
     /// State values of user friction laws.
     pub memory: Vec<f64>,
+    /// State variables of the elements and their materials, block by block.
+    pub elements: Vec<f64>,
     /// Average flux of forces and moments over the step.
     pub flux: [Flow; 2],
     /// Nodal forces of contact stabilisation, a slot each; empty without it.
@@ -105,8 +107,9 @@ impl PointState {
 }
 
 impl State {
-    /// The undeformed model: everything zero, every point open.
-    pub fn undeformed(slots: usize, points: usize, memory: usize) -> Self {
+    /// The undeformed model: everything zero, every point open. `states` counts the state
+    /// values of user friction laws and those of elements.
+    pub fn undeformed(slots: usize, points: usize, states: (usize, usize)) -> Self {
         Self {
             displacement: vec![0.0; slots],
             increment: vec![0.0; slots],
@@ -114,7 +117,8 @@ impl State {
             reaction: vec![0.0; slots],
             load: vec![0.0; slots],
             points: vec![PointState::default(); points],
-            memory: vec![0.0; memory],
+            memory: vec![0.0; states.0],
+            elements: vec![0.0; states.1],
             ..Self::default()
         }
     }

@@ -8,9 +8,10 @@
 //!
 //! Elements write slots of their own and a gather in fixed order sums them,
 //! so that the sum has the same bits on any number of threads. The slots of all
-//! elements lie behind one another: an element takes as much as it needs.
+//! elements lie behind one another: an element takes as much as it needs. What an
+//! element is, only its block's kernel knows.
 
-mod element;
+mod block;
 mod flux;
 mod place;
 #[cfg(test)]
@@ -19,42 +20,31 @@ mod tests;
 pub use flux::Flux;
 
 use crate::constraints::{Constraints, Rows};
-use crate::observe::BeamRow;
-use element::{Kinematics, Placed};
+use crate::observe::BlockResults;
+use block::Block;
 use rayon::ThreadPool;
 use slideline_linalg::Pattern;
-use slideline_model::NodeIndex;
+use slideline_mech::element::{MOST_VARIABLES, Response, Strains};
+use std::ops::Range;
 
 /// From this number of elements on, threads pay.
 const PARALLEL: usize = 2000;
 /// Elements that one thread takes at a time.
 const SHARE: usize = 256;
 
-/// A beam as output wants to see it.
-#[derive(Clone, Debug)]
-pub struct BeamReport {
-    /// Place among the structure's elements.
-    element: usize,
-    /// Element label.
-    pub label: u64,
-    /// Its ends.
-    pub nodes: [NodeIndex; 2],
-    /// Half its height [L].
-    pub half_height: f64,
-}
-
 /// All elements of a step.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Structure {
-    elements: Vec<Placed>,
-    /// Slots of the elements' own variables, element by element.
+    blocks: Vec<Block>,
+    /// Number of elements.
+    count: usize,
+    /// Dofs of the elements' own variables, element by element.
     own: Vec<usize>,
     /// Index of each tangent entry among the matrix values, row by row;
     /// `usize::MAX`: none.
     entries: Vec<usize>,
     /// Elements with dofs that follow others.
     dependent: Vec<usize>,
-    beams: Vec<BeamReport>,
     nlgeom: bool,
     /// How many stresses the elements have.
     stresses: usize,
@@ -62,6 +52,18 @@ pub struct Structure {
     pub stiffest: f64,
     /// Length of the element that has it [L].
     pub stiffest_length: f64,
+}
+
+/// What elements respond to.
+#[derive(Clone, Copy, Debug)]
+pub struct Configuration<'a> {
+    /// Displacements and rotations, a dof each [L or 1].
+    pub u: &'a [f64],
+    /// Estimated stresses that the geometric stiffness is made of, where they are
+    /// not those of the strains.
+    pub stresses: Option<&'a [f64]>,
+    /// Committed state variables of all elements.
+    pub state: &'a [f64],
 }
 
 /// What every element contributes, in slots of its own.
@@ -73,31 +75,55 @@ pub struct Contributions {
     tangent: Vec<f64>,
     /// Strain energy of each element [F L].
     energy: Vec<f64>,
+    /// State variables of the elements, one after the other, were this state
+    /// committed.
+    state: Vec<f64>,
 }
 
 impl Structure {
     /// Room for what the elements contribute, empty.
     pub fn room(&self) -> Contributions {
+        let states = self.blocks.iter().map(|block| block.states * block.elements.len());
         Contributions {
             force: vec![0.0; self.own.len()],
             tangent: vec![0.0; self.entries.len()],
-            energy: vec![0.0; self.elements.len()],
+            energy: vec![0.0; self.count],
+            state: vec![0.0; states.sum()],
         }
+    }
+
+    /// All elements, each with its block.
+    fn elements(&self) -> impl Iterator<Item = (&Block, usize)> {
+        self.blocks.iter().flat_map(|block| block.elements.clone().map(move |e| (block, e)))
+    }
+
+    /// An element with its block.
+    fn element(&self, element: usize) -> (&Block, usize) {
+        let at = self.blocks.partition_point(|block| block.elements.end <= element);
+        (&self.blocks[at], element)
+    }
+
+    /// The elements with dofs that follow others.
+    fn dependent(&self) -> impl Iterator<Item = (&Block, usize)> {
+        self.dependent.iter().map(|&element| self.element(element))
     }
 
     /// Sets of slots that couple.
     pub fn cliques(&self) -> impl Iterator<Item = &[usize]> {
-        self.elements.iter().map(|element| &self.own[element.own()])
+        self.elements().map(|(block, element)| &self.own[block.own(element)])
     }
 
     /// Finds every tangent entry's place in the matrix.
     pub fn find_entries(&mut self, constraints: &Constraints, pattern: &Pattern) {
-        for (place, element) in self.elements.iter().enumerate() {
-            if self.dependent.binary_search(&place).is_ok() {
+        let Self { blocks, own, entries, dependent, .. } = self;
+        let elements =
+            blocks.iter().flat_map(|block| block.elements.clone().map(move |e| (block, e)));
+        for (block, element) in elements {
+            if dependent.binary_search(&element).is_ok() {
                 continue;
             }
-            let own = &self.own[element.own()];
-            let entries = &mut self.entries[element.entries()];
+            let own = &own[block.own(element)];
+            let entries = &mut entries[block.entries(element)];
             let pairs = own.iter().flat_map(|&i| own.iter().map(move |&j| (i, j)));
             for (entry, (i, j)) in entries.iter_mut().zip(pairs) {
                 *entry = match (constraints.equation(i), constraints.equation(j)) {
@@ -131,9 +157,15 @@ impl Structure {
         if into.is_empty() {
             return;
         }
-        for element in &self.elements {
-            let own = &self.own[element.own()];
-            element.stresses_after((u, change), own, &mut into[element.stresses()]);
+        let (mut q, mut moved) = ([0.0; MOST_VARIABLES], [0.0; MOST_VARIABLES]);
+        for (block, element) in self.elements() {
+            let own = &self.own[block.own(element)];
+            let (q, moved) = (&mut q[..own.len()], &mut moved[..own.len()]);
+            for ((q, moved), &dof) in q.iter_mut().zip(&mut *moved).zip(own) {
+                (*q, *moved) = (u[dof], change[dof]);
+            }
+            let into = &mut into[block.stresses(element)];
+            block.kernel.stresses_after(block.number(element), q, moved, into);
         }
     }
 
@@ -143,77 +175,136 @@ impl Structure {
         if stresses.is_empty() {
             return;
         }
-        for element in &self.elements {
-            let least = element.shape.slight_tension(reach);
-            for point in stresses[element.stresses()].as_chunks_mut::<3>().0 {
-                if point[0].abs() < least {
-                    point[0] = least;
-                }
-            }
+        for (block, element) in self.elements() {
+            let own = &mut stresses[block.stresses(element)];
+            block.kernel.tighten(block.number(element), reach, own);
         }
     }
 
-    /// The largest turn of a beam's nodes against each other [1], of the
-    /// changes `of` the slots.
+    /// The largest turn of an element's nodes against each other [1], of the
+    /// changes `of` the dofs.
     pub fn largest_bend(&self, of: impl Fn(usize) -> f64) -> f64 {
-        let mut largest = 0.0_f64;
-        for beam in &self.beams {
-            let nodes = self.own[self.elements[beam.element].own()].as_chunks::<3>().0;
-            let turns = || nodes.iter().map(|node| of(node[2]));
-            let (low, high) =
-                (turns().fold(f64::INFINITY, f64::min), turns().fold(f64::NEG_INFINITY, f64::max));
-            largest = largest.max(high - low);
-        }
-        largest
+        let bend =
+            |(block, element): (&Block, usize)| block.bend(&self.own[block.own(element)], &of);
+        let turning = self.blocks.iter().filter(|block| block.translations < block.dofs.len());
+        let elements = turning.flat_map(|block| block.elements.clone().map(move |e| (block, e)));
+        elements.map(bend).fold(0.0, f64::max)
     }
 
-    /// Evaluates every element at displacements `u`, each into its own place;
-    /// with estimates of the stresses these make the geometric stiffness.
+    /// Evaluates every element, each into its own place; with estimates of the
+    /// stresses these make the geometric stiffness.
     pub fn evaluate(
         &self,
-        u: &[f64],
-        stresses: Option<&[f64]>,
+        at: &Configuration<'_>,
         into: &mut Contributions,
         pool: Option<&ThreadPool>,
     ) {
-        let trial = (u, stresses.filter(|_| self.nlgeom));
+        let at = Configuration { stresses: at.stresses.filter(|_| self.nlgeom), ..*at };
         let part = Part {
-            elements: &self.elements,
+            elements: 0..self.count,
             force: &mut into.force,
-            tangent: &mut into.tangent,
+            tangent: Some(&mut into.tangent),
             energy: &mut into.energy,
+            state: &mut into.state,
         };
-        match pool.filter(|_| self.elements.len() >= PARALLEL) {
-            Some(pool) => pool.install(|| self.evaluate_shared(trial, part)),
-            None => self.evaluate_part(trial, part),
+        self.evaluate_all(&at, part, pool);
+    }
+
+    /// Evaluates forces, energies and states alone: tangents stay as they are. The
+    /// bits are those of [`Structure::evaluate`].
+    pub fn evaluate_forces(
+        &self,
+        at: &Configuration<'_>,
+        into: &mut Contributions,
+        pool: Option<&ThreadPool>,
+    ) {
+        let at = Configuration { stresses: None, ..*at };
+        let part = Part {
+            elements: 0..self.count,
+            force: &mut into.force,
+            tangent: None,
+            energy: &mut into.energy,
+            state: &mut into.state,
+        };
+        self.evaluate_all(&at, part, pool);
+    }
+
+    fn evaluate_all(&self, at: &Configuration<'_>, part: Part<'_>, pool: Option<&ThreadPool>) {
+        match pool.filter(|_| self.count >= PARALLEL) {
+            Some(pool) => pool.install(|| self.evaluate_shared(at, part)),
+            None => self.evaluate_part(at, part),
         }
     }
 
     /// Halves a part until one thread can take it.
-    fn evaluate_shared(&self, trial: Displacements<'_>, part: Part<'_>) {
+    fn evaluate_shared(&self, at: &Configuration<'_>, part: Part<'_>) {
         if part.elements.len() <= SHARE {
-            return self.evaluate_part(trial, part);
+            return self.evaluate_part(at, part);
         }
-        let (first, second) = part.halve();
-        rayon::join(|| self.evaluate_shared(trial, first), || self.evaluate_shared(trial, second));
+        let (first, second) = self.halve(part);
+        rayon::join(|| self.evaluate_shared(at, first), || self.evaluate_shared(at, second));
     }
 
-    fn evaluate_part(&self, (u, stresses): Displacements<'_>, part: Part<'_>) {
-        let Part { elements, mut force, mut tangent, energy } = part;
-        for (element, energy) in elements.iter().zip(energy) {
-            let width = element.width();
-            let (own_force, rest) = force.split_at_mut(width);
-            force = rest;
-            let (own_tangent, rest) = tangent.split_at_mut(width * width);
-            tangent = rest;
-            let own = &self.own[element.own()];
-            let slots = (own_force, own_tangent);
-            let kinematics = match stresses {
-                Some(stresses) => Kinematics::Mixed(&stresses[element.stresses()]),
-                None if self.nlgeom => Kinematics::Exact,
-                None => Kinematics::Linear,
-            };
-            *energy = element.shape.evaluate(u, own, kinematics, slots);
+    fn halve<'a>(&self, part: Part<'a>) -> (Part<'a>, Part<'a>) {
+        let Range { start, end } = part.elements;
+        let middle = start + (end - start) / 2;
+        let [mut width, mut square, mut states] = [0; 3];
+        for block in &self.blocks {
+            let own = block.elements.start.max(start)..block.elements.end.min(middle);
+            width += own.len() * block.variables;
+            square += own.len() * block.variables * block.variables;
+            states += own.len() * block.states;
+        }
+        let (force, other_force) = part.force.split_at_mut(width);
+        let (tangent, other_tangent) = part.tangent.map(|all| all.split_at_mut(square)).unzip();
+        let (energy, other_energy) = part.energy.split_at_mut(middle - start);
+        let (state, other_state) = part.state.split_at_mut(states);
+        (
+            Part { elements: start..middle, force, tangent, energy, state },
+            Part {
+                elements: middle..end,
+                force: other_force,
+                tangent: other_tangent,
+                energy: other_energy,
+                state: other_state,
+            },
+        )
+    }
+
+    fn evaluate_part(&self, at: &Configuration<'_>, mut part: Part<'_>) {
+        let mut variables = [0.0; MOST_VARIABLES];
+        let first = self.blocks.partition_point(|block| block.elements.end <= part.elements.start);
+        for block in &self.blocks[first..] {
+            let elements = block.elements.start.max(part.elements.start)
+                ..block.elements.end.min(part.elements.end);
+            let (kernel, width) = (&*block.kernel, block.variables);
+            let q = &mut variables[..width];
+            for element in elements {
+                let own = &self.own[block.own(element)];
+                q.iter_mut().zip(own).for_each(|(q, &dof)| *q = at.u[dof]);
+                let strains = match at.stresses {
+                    Some(stresses) => Strains::Mixed(&stresses[block.stresses(element)]),
+                    None => self.strains(),
+                };
+                let Some((energy, into)) = part.take(width, block.states) else { return };
+                let committed = &at.state[block.state(element)];
+                *energy = kernel.respond(block.number(element), q, committed, strains, into);
+            }
+        }
+    }
+
+    /// How strains follow displacements in this step.
+    fn strains(&self) -> Strains<'static> {
+        if self.nlgeom { Strains::Exact } else { Strains::Linear }
+    }
+
+    /// Copies the trial state of the elements to where a commit keeps it.
+    pub fn gather_state(&self, from: &Contributions, into: &mut [f64]) {
+        let mut rest: &[f64] = &from.state;
+        for (block, element) in self.elements().filter(|(block, _)| block.states > 0) {
+            let (own, behind) = rest.split_at(block.states);
+            into[block.state(element)].copy_from_slice(own);
+            rest = behind;
         }
     }
 
@@ -237,8 +328,9 @@ impl Structure {
                 *sum += value;
             }
         }
-        for element in self.dependent.iter().map(|&element| &self.elements[element]) {
-            let (own, tangent) = (&self.own[element.own()], &from.tangent[element.entries()]);
+        for (block, element) in self.dependent() {
+            let own = &self.own[block.own(element)];
+            let tangent = &from.tangent[block.entries(element)];
             let at = |i: usize, j: usize| tangent[i * own.len() + j];
             constraints.scatter((rows, pattern), own, at, values);
         }
@@ -253,16 +345,17 @@ impl Structure {
         from: &Contributions,
         into: &mut [f64],
     ) {
-        let mut own_force = [0.0; element::WIDTH];
-        for element in self.dependent.iter().map(|&element| &self.elements[element]) {
-            let own = &self.own[element.own()];
-            let force = &mut own_force[..own.len()];
-            let kinematics = match stresses.filter(|_| self.nlgeom) {
-                Some(stresses) => Kinematics::Mixed(&stresses[element.stresses()]),
-                None => Kinematics::Exact,
-            };
-            if !element.shape.force_of_stresses(u, own, kinematics, force) {
-                force.copy_from_slice(&from.force[element.own()]);
+        let (mut q, mut own_force) = ([0.0; MOST_VARIABLES], [0.0; MOST_VARIABLES]);
+        for (block, element) in self.dependent() {
+            let own = &self.own[block.own(element)];
+            let (q, force) = (&mut q[..own.len()], &mut own_force[..own.len()]);
+            q.iter_mut().zip(own).for_each(|(q, &dof)| *q = u[dof]);
+            let estimated = stresses.filter(|_| self.nlgeom).is_some_and(|stresses| {
+                let stresses = &stresses[block.stresses(element)];
+                block.kernel.force_of_stresses(block.number(element), q, stresses, force)
+            });
+            if !estimated {
+                force.copy_from_slice(&from.force[block.own(element)]);
             }
             own.iter().zip(&*force).for_each(|(&dof, value)| into[dof] += value);
         }
@@ -271,9 +364,9 @@ impl Structure {
     /// Sums K v for a full vector v of slots into `product` (a first guess of
     /// what a prescribed motion does).
     pub fn multiply(&self, from: &Contributions, v: &[f64], product: &mut [f64]) {
-        for element in &self.elements {
-            let own = &self.own[element.own()];
-            let rows = from.tangent[element.entries()].chunks_exact(element.width());
+        for (block, element) in self.elements() {
+            let own = &self.own[block.own(element)];
+            let rows = from.tangent[block.entries(element)].chunks_exact(block.variables);
             for (&target, row) in own.iter().zip(rows) {
                 let sum: f64 = row.iter().zip(own).map(|(k, &slot)| k * v[slot]).sum();
                 product[target] += sum;
@@ -285,63 +378,51 @@ impl Structure {
     /// elements, with the number of nodal vectors counted: the flux q.
     pub fn flux(&self, from: &Contributions) -> Flux {
         let mut flux = Flux::default();
-        let mut rest: &[f64] = &from.force;
-        for element in &self.elements {
-            let (own, behind) = rest.split_at(element.width());
-            element.count(own, &mut flux);
-            rest = behind;
+        for (block, element) in self.elements() {
+            block.count(&from.force[block.own(element)], &mut flux);
         }
         flux
     }
 
-    /// Section results of every beam.
-    pub fn beam_rows<'a>(&'a self, u: &'a [f64]) -> impl Iterator<Item = BeamRow> + 'a {
-        self.beams.iter().map(move |beam| {
-            let placed = &self.elements[beam.element];
-            let (strains, forces) =
-                placed.section(u, &self.own[placed.own()], self.nlgeom).unwrap_or_default();
-            BeamRow {
-                label: beam.label,
-                nodes: beam.nodes,
-                axial_force: forces[0],
-                shear_force: forces[1],
-                bending_moment: forces[2],
-                strains,
-                fibre_strain: strains[0].abs() + strains[2].abs() * beam.half_height,
+    /// Results of all elements, block by block; room that `into` has is used again.
+    pub fn results(&self, u: &[f64], state: &[f64], into: &mut Vec<BlockResults>) {
+        into.resize_with(self.blocks.len(), BlockResults::default);
+        let mut variables = [0.0; MOST_VARIABLES];
+        for (block, into) in self.blocks.iter().zip(into) {
+            into.block = block.block;
+            into.members.clone_from(&block.members);
+            into.values.resize(block.results * block.elements.len(), 0.0);
+            let q = &mut variables[..block.variables];
+            let values = into.values.chunks_exact_mut(block.results.max(1));
+            for (element, values) in block.elements.clone().zip(values) {
+                let own = &self.own[block.own(element)];
+                q.iter_mut().zip(own).for_each(|(q, &dof)| *q = u[dof]);
+                let (number, state) = (block.number(element), &state[block.state(element)]);
+                block.kernel.results(number, q, state, self.strains(), values);
             }
-        })
+        }
     }
 }
 
-/// Displacements, and the stresses that the geometric stiffness is made of
-/// where they are not those of the strains.
-type Displacements<'a> = (&'a [f64], Option<&'a [f64]>);
-
 /// Elements that lie together, with their slots.
 struct Part<'a> {
-    elements: &'a [Placed],
+    elements: Range<usize>,
     force: &'a mut [f64],
-    tangent: &'a mut [f64],
+    /// `None`: forces only.
+    tangent: Option<&'a mut [f64]>,
     energy: &'a mut [f64],
+    state: &'a mut [f64],
 }
 
-impl Part<'_> {
-    fn halve(self) -> (Self, Self) {
-        let middle = self.elements.len() / 2;
-        let (first, second) = self.elements.split_at(middle);
-        let width: usize = first.iter().map(Placed::width).sum();
-        let square: usize = first.iter().map(|element| element.width() * element.width()).sum();
-        let (force, other_force) = self.force.split_at_mut(width);
-        let (tangent, other_tangent) = self.tangent.split_at_mut(square);
-        let (energy, other_energy) = self.energy.split_at_mut(middle);
-        (
-            Self { elements: first, force, tangent, energy },
-            Self {
-                elements: second,
-                force: other_force,
-                tangent: other_tangent,
-                energy: other_energy,
-            },
-        )
+impl<'a> Part<'a> {
+    /// The slots of the next element.
+    fn take(&mut self, width: usize, states: usize) -> Option<(&'a mut f64, Response<'a>)> {
+        let force = self.force.split_off_mut(..width)?;
+        let tangent = match &mut self.tangent {
+            Some(rest) => Some(rest.split_off_mut(..width * width)?),
+            None => None,
+        };
+        let state = self.state.split_off_mut(..states)?;
+        Some((self.energy.split_off_first_mut()?, Response { force, tangent, state }))
     }
 }

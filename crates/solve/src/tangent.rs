@@ -19,11 +19,11 @@ use crate::evaluate::{Evaluation, Trial};
 use crate::observe::{FrictionCall, Status, TangentReport};
 use crate::plan::Plan;
 use crate::state::State;
-use crate::structure::Contributions;
+use crate::structure::{Configuration, Contributions};
 use slideline_diag::{Code, Diagnostic};
 use slideline_mech::contact::friction::Traction;
 use slideline_mech::contact::pair::{Laws, PointTrial, UserMemory};
-use slideline_model::{Dof, ElementBlock, NodeIndex};
+use slideline_model::{Dof, NodeIndex};
 
 /// Differences of a displacement, in sizes of the model, and of a rotation.
 /// Their square over that of a clearance is what truncation leaves; eps over
@@ -151,17 +151,8 @@ impl Place<'_> {
         let joins = |own: &[NodeIndex]| {
             nodes.iter().all(|node| own.iter().any(|&own| constraints.carrier(own) == *node))
         };
-        self.plan.model.blocks.iter().find_map(|block| match block {
-            ElementBlock::B21(block) | ElementBlock::B22(block) | ElementBlock::B23(block) => {
-                let all =
-                    |beam: &slideline_model::BeamElement| beam.all_nodes().collect::<Vec<_>>();
-                block.elements.iter().find(|beam| joins(&all(beam))).map(|beam| beam.label)
-            }
-            ElementBlock::Spring(block) => {
-                let found = block.elements.iter().find(|spring| joins(&spring.nodes));
-                found.map(|spring| spring.label)
-            }
-        })
+        let mut elements = self.plan.model.blocks.iter().flat_map(|block| &block.elements);
+        elements.find(|element| joins(element.nodes)).map(|element| element.label)
     }
 
     /// Pair and slave node of the first closed point that couples two
@@ -187,7 +178,8 @@ pub fn assembled(place: &Place<'_>) -> Vec<f64> {
     let mut values = vec![0.0; plan.pattern.entries()];
     // The geometric stiffness of the iteration is that of estimated stresses.
     let mut contributions = plan.structure.room();
-    plan.structure.evaluate(trial.u, None, &mut contributions, plan.pool);
+    let at = Configuration { u: trial.u, stresses: None, state: &place.committed.elements };
+    plan.structure.evaluate(&at, &mut contributions, plan.pool);
     let rows = &place.evaluation.rows;
     plan.gather_tangent(&contributions, rows, &mut values);
     trial.dashpots.iter().for_each(|dashpot| dashpot.stiffen(plan, rows, &mut values));
@@ -368,8 +360,9 @@ impl<'a> Differences<'a> {
     }
 
     fn residual(&mut self) -> Vec<f64> {
-        let Place { plan, trial, evaluation, .. } = self.place;
-        plan.structure.evaluate(&self.u, None, &mut self.contributions, plan.pool);
+        let Place { plan, trial, evaluation, committed } = self.place;
+        let at = Configuration { u: &self.u, stresses: None, state: &committed.elements };
+        plan.structure.evaluate_forces(&at, &mut self.contributions, plan.pool);
         self.force.iter_mut().zip(trial.load).for_each(|(force, load)| *force = -load);
         let _energy = plan.structure.gather_force(&self.contributions, &mut self.force);
         self.meetings.copy_from_slice(&evaluation.meetings);
@@ -420,15 +413,9 @@ mod tests {
             material: Elastic { modulus: 1e3, poisson: 0.3 },
             shear: ShearRule::default(),
         };
-        let elements = (0..6).map(|k| BeamElement {
-            label: k as u64 + 1,
-            nodes: [beam[k], beam[k + 1]],
-            middle: None,
-            origin: AT,
-        });
-        let block =
-            BeamBlock { name: "B".into(), section, elements: elements.collect(), origin: AT };
-        model.blocks.push(ElementBlock::B21(block));
+        let elements = (0..6).map(|k| (k as u64 + 1, [beam[k], beam[k + 1]]));
+        let block = ElementBlock::new(&types::B21, "B", Section::Beam(section), AT);
+        model.blocks.push(block.with(elements));
         model.rigid_links = rim
             .iter()
             .map(|&dependent| RigidLink { dependent, master: body, origin: AT })
@@ -522,9 +509,9 @@ mod tests {
             let start = crate::plan::Start::undeformed(slots);
             let users = crate::users::UserFrictions::default();
             let plan = Plan::new(&model, &model.steps[0], start, &users, None);
-            let mut committed = State::undeformed(slots, points, 0);
+            let mut committed = State::undeformed(slots, points, (0, 0));
             let mut work = crate::newton::Workspace::new(&plan);
-            crate::commit::locate_points(&plan, &mut committed, &mut work);
+            crate::commit::locate_points(&plan, &mut committed, &mut work.evaluation.meetings);
             let body = model.nodes.find(100).unwrap();
             let mut u: Vec<f64> =
                 (0..slots).map(|k| 0.02 * ((k * 7919 % 13) as f64 / 6.0 - 1.0)).collect();

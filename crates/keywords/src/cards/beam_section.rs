@@ -4,7 +4,7 @@ use slideline_diag::{Code, Diagnostic};
 use slideline_model::ShearRule;
 
 use crate::draft::Draft;
-use crate::draft::{Owner, Section};
+use crate::draft::{Body, Owner, Section};
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
 
@@ -58,10 +58,7 @@ impl Keyword for BeamSection {
             material,
             material_span: card.span_of("MATERIAL"),
             set_span: card.span_of("ELSET"),
-            width,
-            height,
-            poisson,
-            shear: ShearRule::default(),
+            body: Body::Beam { width, height, poisson, shear: ShearRule::default() },
             origin: card.span(),
         });
     }

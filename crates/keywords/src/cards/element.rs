@@ -52,25 +52,16 @@ impl Keyword for Element {
 }
 
 fn kind(card: &Reading<'_>, draft: &mut Draft) -> Option<ElementKind> {
-    const KINDS: [ElementKind; 7] = [
-        ElementKind::B21,
-        ElementKind::B22,
-        ElementKind::B23,
-        ElementKind::Isl21,
-        ElementKind::Irs21,
-        ElementKind::Spring1,
-        ElementKind::SpringA,
-    ];
     let name = card.name("TYPE")?;
-    let found = KINDS.into_iter().find(|kind| kind.name() == name);
+    let found = ElementKind::all().find(|kind| kind.is_called(&name));
     if found.is_none() {
         draft.mark_incomplete(Subject::Elements);
     }
     if found.is_none() && draft.log.first_time(&format!("element type {name}")) {
         let message = format!("elements of type {name} are not supported");
-        let known = KINDS.map(ElementKind::name).join(", ");
+        let known: Vec<&str> = ElementKind::all().map(ElementKind::name).collect();
         let error = Diagnostic::error(Code("SL0220"), message).at(card.span_of("TYPE"));
-        draft.log.push(error.help(format!("supported: {known}")));
+        draft.log.push(error.help(format!("supported: {}", known.join(", "))));
     }
     found
 }
@@ -85,7 +76,7 @@ fn element(line: &DataLine, kind: ElementKind, draft: &mut Draft) -> Option<draf
         draft.log.error("SL0231", message, line.span);
         return None;
     }
-    let mut nodes = [0; 3];
+    let mut nodes = [0; draft::MOST_NODES];
     for (at, node) in nodes.iter_mut().take(count).enumerate() {
         *node = draft.log.label(line, at + 1, "a node number")?;
     }

@@ -44,6 +44,7 @@ pub(crate) mod restart;
 pub(crate) mod rigid_body;
 pub(crate) mod rigid_surface;
 pub(crate) mod slide_line;
+pub(crate) mod solid_section;
 pub(crate) mod spring;
 pub(crate) mod static_;
 pub(crate) mod step;

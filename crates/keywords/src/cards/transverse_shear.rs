@@ -2,8 +2,7 @@
 
 use slideline_model::ShearRule;
 
-use crate::draft::Draft;
-use crate::draft::Owner;
+use crate::draft::{Body, Draft};
 use crate::keyword::{Keyword, Level, Subject};
 use crate::reading::Reading;
 
@@ -31,7 +30,8 @@ impl Keyword for TransverseShearStiffness {
     }
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
-        let Owner::Section(index) = draft.owner else {
+        let beams = |index: &usize| matches!(draft.sections[*index].body, Body::Beam { .. });
+        let Some(index) = draft.owner.section().filter(beams) else {
             draft.orphan(self.name(), "BEAM SECTION", card.span());
             return;
         };
@@ -49,7 +49,8 @@ impl Keyword for TransverseShearStiffness {
             let message = "the slenderness compensation factor must not be negative";
             draft.log.error("SL0210", message, line.fields[2].span);
         }
-        draft.sections[index].shear =
-            ShearRule { stiffness, slenderness_compensation: compensation };
+        if let Body::Beam { shear, .. } = &mut draft.sections[index].body {
+            *shear = ShearRule { stiffness, slenderness_compensation: compensation };
+        }
     }
 }

@@ -33,7 +33,7 @@ fn tie_body(body: &RigidBody, dependents: &mut HashMap<NodeIndex, Span>, draft: 
     if let Some(set) = &body.elements {
         for index in draft.elements_of(&set.name, set.span).unwrap_or_default() {
             let element = draft.elements[index];
-            let labels = element.nodes.iter().take(element.kind.node_count());
+            let labels = element.nodes().iter();
             nodes.extend(labels.filter_map(|&label| draft.model.nodes.find(label)));
         }
     }

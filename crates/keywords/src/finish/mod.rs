@@ -25,7 +25,7 @@ use crate::rule::Subject;
 pub(crate) fn finish(draft: &mut Draft, steps_doubted: bool) -> Model {
     nodes::sets(draft);
     nodes::elements(draft);
-    sections::beams(draft);
+    sections::sections(draft);
     sections::springs(draft);
     contact::pairs(draft);
     surface_pairs::pairs(draft);
@@ -94,7 +94,7 @@ impl Draft {
     /// Places of the first two nodes of an element; `None` where undefined,
     /// which has been reported.
     fn ends_of(&self, element: &Element) -> Option<[NodeIndex; 2]> {
-        let [a, b, _] = element.nodes;
+        let [a, b, ..] = element.nodes;
         Some([self.model.nodes.find(a)?, self.model.nodes.find(b)?])
     }
 

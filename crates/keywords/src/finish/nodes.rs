@@ -83,8 +83,7 @@ fn warn_empty(
 pub(super) fn elements(draft: &mut Draft) {
     let mut missing: Vec<(u64, u64, Span)> = Vec::new();
     for element in &draft.elements {
-        let nodes = element.nodes.iter().take(element.kind.node_count());
-        for &node in nodes {
+        for &node in element.nodes() {
             if draft.model.nodes.find(node).is_none() {
                 missing.push((element.label, node, element.origin));
             }

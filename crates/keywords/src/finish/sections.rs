@@ -2,61 +2,66 @@
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::element::b22::axis_runs_forward;
+use slideline_mech::element::mean_dilation::runs_around;
 use slideline_mech::material::Elastic;
 use slideline_model::{
-    Allowable, BeamBlock, BeamElement, BeamSection, ElementBlock, NodeIndex, SpringBlock,
-    SpringElement, SpringKind,
+    Allowable, Dof, ElementBlock, ElementType, Elements, NodeIndex, SpringSection, TYPES, types,
 };
 
 use crate::draft::{Draft, Element, ElementKind, Section, Spring};
 use crate::rule::Subject;
 
-/// `*BEAM SECTION` with its elements and its material.
-pub(super) fn beams(draft: &mut Draft) {
+/// Section cards with their elements and their material.
+pub(super) fn sections(draft: &mut Draft) {
     let mut owner = vec![None; draft.elements.len()];
     for section in draft.sections.clone() {
         let Some(found) = draft.elements_of(&section.set, section.set_span) else { continue };
-        let mut elements: [Vec<BeamElement>; 3] = Default::default();
+        let mut claimed: Vec<(&'static ElementType, Elements)> = Vec::new();
         for index in found {
             let element = draft.elements[index];
-            if claim(&element, &mut owner[index], &section, draft) {
-                let kind = ElementKind::BEAMS.iter().position(|&kind| kind == element.kind);
-                elements[kind.unwrap_or(0)].extend(beam(&element, draft));
+            let Some(row) = claim(&element, &mut owner[index], &section, draft) else { continue };
+            if !claimed.iter().any(|(kind, _)| *kind == row) {
+                claimed.push((row, Elements::new(row.cell.nodes)));
+            }
+            if let Some(nodes) = nodes(&element, row, draft)
+                && let Some((_, elements)) = claimed.iter_mut().find(|(kind, _)| *kind == row)
+            {
+                elements.push(element.label, &nodes, element.origin);
             }
         }
         if let Some(material) = material(&section, draft) {
-            let shape = BeamSection {
-                width: section.width,
-                height: section.height,
-                poisson: section.poisson,
-                material,
-                shear: section.shear,
-            };
-            beam_blocks(&section, shape, elements, draft);
+            blocks(&section, &section.body.of(material), claimed, draft);
         }
     }
     allowables(draft);
     let owned: Vec<bool> = owner.iter().map(Option::is_some).collect();
-    for kind in ElementKind::BEAMS {
-        without(kind, "*BEAM SECTION", &owned, draft);
+    for row in TYPES {
+        if let Some(card) = row.kinematics.card().filter(|_| row.joins()) {
+            without(row, card, &owned, draft);
+        }
     }
 }
 
-/// A block for every type of beam in a section's set; one without elements
-/// where there are none at all.
-fn beam_blocks(
+/// A block for every type of element in a section's set, in the order of the
+/// table; one without elements where there are none at all.
+fn blocks(
     section: &Section,
-    shape: BeamSection,
-    elements: [Vec<BeamElement>; 3],
+    made: &slideline_model::Section,
+    mut claimed: Vec<(&'static ElementType, Elements)>,
     draft: &mut Draft,
 ) {
-    let none = elements.iter().all(Vec::is_empty);
-    let variants = [ElementBlock::B21, ElementBlock::B22, ElementBlock::B23];
-    for (place, (elements, variant)) in elements.into_iter().zip(variants).enumerate() {
-        if !elements.is_empty() || (none && place == 0) {
-            let (name, origin) = (section.set.clone(), section.origin);
-            let block = BeamBlock { name, section: shape, elements, origin };
-            draft.model.blocks.push(variant(block));
+    claimed.retain(|(_, elements)| !elements.is_empty());
+    let none = claimed.is_empty();
+    let of_card =
+        TYPES.into_iter().filter(|row| row.kinematics.card() == Some(section.body.card()));
+    for (place, row) in of_card.enumerate() {
+        let mut block = ElementBlock::new(row, &section.set, made.clone(), section.origin);
+        let own = claimed.iter().position(|(kind, _)| *kind == row);
+        if let Some(own) = own {
+            block.elements = claimed.swap_remove(own).1;
+        }
+        if own.is_some() || (none && place == 0) {
+            draft.model.blocks.push(block);
         }
     }
 }
@@ -85,58 +90,90 @@ fn allowables(draft: &mut Draft) {
     }
 }
 
-/// Gives an element to a section; false where it is no beam or is taken.
+/// Gives an element to a section; `None` where it takes none like it or is taken.
 fn claim(
     element: &Element,
     owner: &mut Option<slideline_diag::Span>,
     section: &Section,
     draft: &mut Draft,
-) -> bool {
-    if !element.kind.is_beam() {
-        let message = format!(
-            "element {} of the set {} is of type {}, which has no beam section",
-            element.label,
-            section.set,
-            element.kind.name()
-        );
-        let error = Diagnostic::error(Code("SL0325"), message).at(section.set_span);
-        draft.consequence(Subject::Elements, error);
-        return false;
-    }
+) -> Option<&'static ElementType> {
+    let card = section.body.card();
+    let row = match element.kind {
+        ElementKind::Structural(row) if row.kinematics.card() == Some(card) => row,
+        kind => {
+            let what = card.trim_start_matches('*').to_lowercase();
+            let message = format!(
+                "element {} of the set {} is of type {}, which has no {what}",
+                element.label,
+                section.set,
+                kind.name()
+            );
+            let mut error = Diagnostic::error(Code("SL0325"), message).at(section.set_span);
+            if let Some(own) = kind.card().filter(|_| !kind.is_beam()) {
+                error = error.help(format!("its card is {own}"));
+            }
+            draft.consequence(Subject::Elements, error);
+            return None;
+        }
+    };
     if let Some(first) = *owner {
         let message = format!("element {} has two sections", element.label);
         let error = Diagnostic::error(Code("SL0320"), message).at(section.set_span);
         draft.consequence(Subject::Elements, error.label(first, "the first one"));
-        return false;
-    }
-    *owner = Some(section.origin);
-    true
-}
-
-fn beam(element: &Element, draft: &mut Draft) -> Option<BeamElement> {
-    let mut nodes = draft.ends_of(element)?;
-    let middle = if element.kind == ElementKind::B22 {
-        // In the deck the nodes stand in order along the beam.
-        let last = draft.model.nodes.find(element.nodes[2])?;
-        Some(std::mem::replace(&mut nodes[1], last))
-    } else {
-        None
-    };
-    if draft.has_no_length(element, nodes) || !middle_is_sound(element, nodes, middle, draft) {
         return None;
     }
-    Some(BeamElement { label: element.label, nodes, middle, origin: element.origin })
+    *owner = Some(section.origin);
+    Some(row)
+}
+
+/// Its nodes, where they make a sound element.
+fn nodes(element: &Element, row: &ElementType, draft: &mut Draft) -> Option<Vec<NodeIndex>> {
+    let labels = element.nodes().iter();
+    let nodes: Vec<NodeIndex> =
+        labels.map(|&label| draft.model.nodes.find(label)).collect::<Option<_>>()?;
+    let sound = match *nodes {
+        [first, last] if row.is_beam() => !draft.has_no_length(element, [first, last]),
+        [first, middle, last] if row.is_beam() => {
+            !draft.has_no_length(element, [first, last])
+                && middle_is_sound(element, [first, middle, last], draft)
+        }
+        [a, b, c, d] => corners_are_sound(element, [a, b, c, d], draft),
+        _ => true,
+    };
+    sound.then_some(nodes)
+}
+
+/// Complains about a quadrilateral whose corners do not run around it
+/// counter-clockwise; false if so.
+fn corners_are_sound(element: &Element, corners: [NodeIndex; 4], draft: &mut Draft) -> bool {
+    let at = corners.map(|node| draft.model.nodes.plane(node));
+    let sound = runs_around(&at);
+    if !sound {
+        let [a, b, c, d] = at;
+        let clockwise = runs_around(&[a, d, c, b]);
+        let (what, help) = if clockwise {
+            ("its nodes run clockwise", "turn their order round: first, fourth, third, second node")
+        } else {
+            (
+                "it is folded or far re-entrant",
+                "give its corners in their order around it, and none of its inner angles much over \
+                 180 degrees",
+            )
+        };
+        let message = format!("element {}: {what}", element.label);
+        let error = Diagnostic::error(Code("SL0346"), message).at(element.origin);
+        draft.consequence(Subject::Nodes, error.help(help));
+    }
+    sound
 }
 
 /// Complains about a middle node so far from the middle that the axis would
 /// turn back; false if so.
 fn middle_is_sound(
     element: &Element,
-    [first, last]: [NodeIndex; 2],
-    middle: Option<NodeIndex>,
+    [first, middle, last]: [NodeIndex; 3],
     draft: &mut Draft,
 ) -> bool {
-    let Some(middle) = middle else { return true };
     let reference = [first, middle, last].map(|node| draft.model.nodes.plane(node));
     let sound = axis_runs_forward(&reference);
     if !sound {
@@ -180,7 +217,8 @@ fn no_material(name: &str, span: Span, draft: &mut Draft) {
 }
 
 /// Complains about elements that no card gave a stiffness.
-fn without(kind: ElementKind, card: &str, owned: &[bool], draft: &mut Draft) {
+fn without(row: &'static ElementType, card: &str, owned: &[bool], draft: &mut Draft) {
+    let kind = ElementKind::Structural(row);
     let lonely = |&(index, element): &(usize, &Element)| element.kind == kind && !owned[index];
     let count = draft.elements.iter().enumerate().filter(lonely).count();
     let Some((_, first)) = draft.elements.iter().enumerate().find(lonely) else { return };
@@ -197,10 +235,11 @@ pub(super) fn springs(draft: &mut Draft) {
     let mut owned = vec![false; draft.elements.len()];
     for spring in draft.springs.clone() {
         let Some(found) = draft.elements_of(&spring.set, spring.set_span) else { continue };
-        for kind in [ElementKind::Spring1, ElementKind::SpringA] {
-            spring_block(&spring, kind, &found, &mut owned, draft);
+        for row in [&types::SPRING1, &types::SPRINGA] {
+            spring_block(&spring, row, &found, &mut owned, draft);
         }
-        if let Some(&index) = found.iter().find(|&&index| !draft.elements[index].kind.is_spring()) {
+        let foreign = |index: &&usize| draft.elements[**index].kind.card() != Some("*SPRING");
+        if let Some(&index) = found.iter().find(foreign) {
             let element = draft.elements[index];
             let message = format!(
                 "element {} of the set {} is of type {}, which is not a spring",
@@ -212,51 +251,55 @@ pub(super) fn springs(draft: &mut Draft) {
             draft.consequence(Subject::Elements, error);
         }
     }
-    for kind in [ElementKind::Spring1, ElementKind::SpringA] {
-        without(kind, "*SPRING", &owned, draft);
+    for row in [&types::SPRING1, &types::SPRINGA] {
+        without(row, "*SPRING", &owned, draft);
     }
 }
 
 fn spring_block(
     spring: &Spring,
-    kind: ElementKind,
+    row: &'static ElementType,
     found: &[usize],
     owned: &mut [bool],
     draft: &mut Draft,
 ) {
-    let mut elements = Vec::new();
+    let to_ground = row.cell.nodes == 1;
+    let dof = spring.dof.filter(|_| to_ground);
+    let section = SpringSection { stiffness: spring.stiffness, dof };
+    let mut block = ElementBlock::new(
+        row,
+        &spring.set,
+        slideline_model::Section::Spring(section),
+        spring.origin,
+    );
     for &index in found {
-        let mut element = draft.elements[index];
-        if element.kind != kind {
+        let element = draft.elements[index];
+        if element.kind != ElementKind::Structural(row) {
             continue;
         }
         owned[index] = true;
-        if kind == ElementKind::Spring1 {
-            element.nodes[1] = element.nodes[0];
-        }
-        let Some(nodes) = draft.ends_of(&element) else { continue };
-        if kind == ElementKind::SpringA && draft.has_no_length(&element, nodes) {
+        let labels = element.nodes().iter();
+        let nodes: Option<Vec<NodeIndex>> =
+            labels.map(|&label| draft.model.nodes.find(label)).collect();
+        let Some(nodes) = nodes else { continue };
+        if let [a, b] = *nodes
+            && draft.has_no_length(&element, [a, b])
+        {
             continue;
         }
-        elements.push(SpringElement { label: element.label, nodes, origin: element.origin });
+        block.elements.push(element.label, &nodes, element.origin);
     }
-    if elements.is_empty() {
+    if block.elements.is_empty() {
         return;
     }
-    let kind = match (kind, spring.dof) {
-        (ElementKind::Spring1, Some(dof)) if dof.is_plane() => SpringKind::Ground(dof),
-        (ElementKind::Spring1, given) => {
-            let message = match given {
-                Some(dof) => format!("a plane model has no dof {}", dof.number()),
-                None => "SPRING1 needs its degree of freedom on the first data line".to_owned(),
-            };
-            let error = Diagnostic::error(Code("SL0251"), message).at(spring.origin);
-            draft.consequence(Subject::Sections, error);
-            return;
-        }
-        _ => SpringKind::Axial,
-    };
-    let (name, stiffness, origin) = (spring.set.clone(), spring.stiffness, spring.origin);
-    let block = SpringBlock { name, stiffness, kind, elements, origin };
-    draft.model.blocks.push(ElementBlock::Spring(block));
+    if to_ground && !dof.is_some_and(Dof::is_plane) {
+        let message = match dof {
+            Some(dof) => format!("a plane model has no dof {}", dof.number()),
+            None => "SPRING1 needs its degree of freedom on the first data line".to_owned(),
+        };
+        let error = Diagnostic::error(Code("SL0251"), message).at(spring.origin);
+        draft.consequence(Subject::Sections, error);
+        return;
+    }
+    draft.model.blocks.push(block);
 }

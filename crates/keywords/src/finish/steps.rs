@@ -267,7 +267,7 @@ fn beams_to_print(set: &str, span: Option<Span>, draft: &mut Draft) -> Vec<u64> 
         found.unwrap_or_default().into_iter().map(|index| draft.elements[index].label).collect()
     });
     let blocks = draft.model.blocks.iter().filter_map(|block| block.beams());
-    let beams = blocks.flat_map(|block| &block.elements).map(|beam| beam.label);
+    let beams = blocks.flat_map(|block| block.elements).map(|beam| beam.label);
     let mut labels: Vec<u64> =
         beams.filter(|label| asked.as_ref().is_none_or(|asked| asked.contains(label))).collect();
     labels.sort_unstable();

@@ -298,7 +298,6 @@ pub(super) const GROUPS: &[Group] = &[
             "CENTROID",
             "SHELL GENERAL SECTION",
             "SHELL SECTION",
-            "SOLID SECTION",
             "SUBSTRUCTURE PROPERTY",
             "TAPER",
             "USER ELEMENT",

@@ -15,6 +15,7 @@
 //! "Stresses of their own in the linearisation"]
 
 use crate::differentiate::Second;
+use crate::section::BeamStiffness;
 
 /// An element of `N` variables whose tangent takes `S` stresses that are estimated apart.
 pub trait Mixed<const N: usize, const NN: usize, const S: usize> {
@@ -46,4 +47,27 @@ pub(super) fn line<const N: usize>(q: &[f64; N], change: &[f64; N]) -> [Second<1
 /// Value plus derivative: where the tangent of a curve arrives at t = 1.
 pub(super) fn arrival(number: &Second<1>) -> f64 {
     number.value + number.gradient[0]
+}
+
+/// Axial strain below which a stress counts as none [1].
+const SLIGHT_STRAIN: f64 = 1e-9;
+/// Part of the bending stiffness of a beam as long as the model that the geometric stiffness of
+/// such a stress may be [1].
+const SLIGHT_STIFFNESS: f64 = 1e-3;
+
+/// Raises axial stresses of a beam that are next to none, in a model of size `reach` [L], to a
+/// slight tension: docs/theory.md eq. (3.30). Three stresses a point, the axial one first.
+pub(super) fn tighten(stiffness: &BeamStiffness, reach: f64, stresses: &mut [f64]) {
+    let by_bending = SLIGHT_STIFFNESS * stiffness.bending / (reach * reach);
+    let least = (SLIGHT_STRAIN * stiffness.axial).min(by_bending);
+    for point in stresses.as_chunks_mut::<3>().0 {
+        if point[0].abs() < least {
+            point[0] = least;
+        }
+    }
+}
+
+/// The estimated stresses of a caller as those of the element; others count as none.
+pub(super) fn estimate<const S: usize>(stresses: &[f64]) -> [f64; S] {
+    stresses.try_into().unwrap_or([0.0; S])
 }

@@ -1,13 +1,29 @@
-//! Elements: one folder each. An element is its strain energy.
+//! Elements: cell, quadrature, kinematics and material, multiplied in a kernel.
+//!
+//! ```text
+//!   cell (shape functions, faces)  x  quadrature  x  kinematics  x  section or material
+//!                \______________ a Kernel: the elements of one block ______________/
+//! ```
+//!
+//! An element is its strain energy; where speed asks for it its derivatives are written by hand and
+//! tested against it.
 
 pub mod b21;
 pub mod b22;
 pub mod b23;
+pub mod cell;
+mod instances;
+mod kernel;
+pub mod mean_dilation;
 pub mod mixed;
+pub mod quadrature;
 pub mod spring;
 
 pub use b21::{Beam21, BeamSectionForces, BeamStrains};
 pub use b22::Beam22;
 pub use b23::Beam23;
+pub use instances::Instances;
+pub use kernel::{Element, Kernel, MOST_VARIABLES, Response, Scale, Strains};
+pub use mean_dilation::MeanDilation;
 pub use mixed::Mixed;
 pub use spring::{AxialSpring, GroundSpring};

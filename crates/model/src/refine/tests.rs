@@ -4,8 +4,8 @@
 
 use super::*;
 use crate::{
-    BeamBlock, BeamSection, ContactPair, Formulation, Friction, Interaction, Lumping, NodeSet,
-    NormalLaw, RigidSurface, ShearRule, SlideLine,
+    BeamSection, ContactPair, ElementBlock, ElementType, Formulation, Friction, Interaction,
+    Lumping, NodeSet, NormalLaw, RigidSurface, Section, ShearRule, SlideLine, SolidSection, types,
 };
 use slideline_mech::material::Elastic;
 
@@ -13,20 +13,22 @@ fn node(model: &mut Model, label: u64, x: f64, y: f64) -> NodeIndex {
     model.nodes.insert(Node { label, position: [x, y, 0.0], origin: Span::default() })
 }
 
-fn block(elements: Vec<BeamElement>) -> BeamBlock {
+/// Elements by label and nodes.
+fn block<const N: usize>(
+    kind: &'static ElementType,
+    elements: &[(u64, [NodeIndex; N])],
+) -> ElementBlock {
     let material = Elastic { modulus: 1.0, poisson: 0.0 };
-    let section = BeamSection {
-        width: 1.0,
-        height: 1.0,
-        poisson: 0.0,
-        material,
-        shear: ShearRule::default(),
+    let shear = ShearRule::default();
+    let section = match kind.is_beam() {
+        true => {
+            let (width, height) = (1.0, 1.0);
+            Section::Beam(BeamSection { width, height, poisson: 0.0, material, shear })
+        }
+        false => Section::Solid(SolidSection { thickness: 1.0, material }),
     };
-    BeamBlock { name: "BEAM".into(), section, elements, origin: Span::default() }
-}
-
-fn beam(label: u64, nodes: [NodeIndex; 2], middle: Option<NodeIndex>) -> BeamElement {
-    BeamElement { label, nodes, middle, origin: Span::default() }
+    let elements = elements.iter().copied();
+    ElementBlock::new(kind, "BEAM", section, Span::default()).with(elements)
 }
 
 fn pair(nodes: &[NodeIndex], master: Master) -> ContactPair {
@@ -58,8 +60,7 @@ fn pair(nodes: &[NodeIndex], master: Master) -> ContactPair {
 fn two_beams() -> Model {
     let mut model = Model::default();
     let n: Vec<_> = (0..3).map(|k| node(&mut model, k + 1, k as f64, 0.0)).collect();
-    let beams = vec![beam(10, [n[0], n[1]], None), beam(11, [n[1], n[2]], None)];
-    model.blocks.push(ElementBlock::B21(block(beams)));
+    model.blocks.push(block(&types::B21, &[(10, [n[0], n[1]]), (11, [n[1], n[2]])]));
     let members = vec![n[0], n[1]];
     model.node_sets.push(NodeSet { name: "LEFT".into(), members, origin: Span::default() });
     model
@@ -77,8 +78,8 @@ fn beams_sets_and_contact_elements_share_the_new_nodes() {
         RigidSurface { reference, start: [0.0; 2], segments: Vec::new(), origin: Span::default() };
     model.contact_pairs.push(pair(&[0, 1, 2], Master::RigidSurface(surface)));
     let fine = refine(&model).unwrap();
-    let beams = &fine.blocks[0].beams().unwrap().elements;
-    let ends: Vec<_> = beams.iter().map(|b| b.nodes.map(|n| fine.nodes.label(n))).collect();
+    let beams = &fine.blocks[0].elements;
+    let ends: Vec<_> = beams.iter().map(|b| b.ends().map(|n| fine.nodes.label(n))).collect();
     assert_eq!(ends, [[1, 100], [100, 2], [2, 101], [101, 3]]);
     assert_eq!(beams.iter().map(|b| b.label).collect::<Vec<_>>(), [10, 12, 11, 13]);
     let contact = &fine.contact_pairs[0].elements;
@@ -95,12 +96,10 @@ fn three_node_beams_keep_their_parabola() {
     let mut model = Model::default();
     let n = [(0.0, 0.0), (1.0, 1.0), (2.0, 0.0)];
     let n: Vec<_> = (1..).zip(n).map(|(l, (x, y))| node(&mut model, l, x, y)).collect();
-    let beams = vec![beam(1, [n[0], n[2]], Some(n[1]))];
-    model.blocks.push(ElementBlock::B22(block(beams)));
+    model.blocks.push(block(&types::B22, &[(1, [n[0], n[1], n[2]])]));
     let fine = refine(&model).unwrap();
-    let halves = &fine.blocks[0].beams().unwrap().elements;
-    assert_eq!([halves[0].nodes, halves[1].nodes], [[0, 1], [1, 2]]);
-    assert_eq!([halves[0].middle, halves[1].middle], [Some(3), Some(4)]);
+    let halves = &fine.blocks[0].elements;
+    assert_eq!([halves.get(0).nodes, halves.get(1).nodes], [[0, 3, 1], [1, 4, 2]]);
     // y = 1 - (x - 1)2 at the quarters
     assert_eq!([fine.nodes.plane(3), fine.nodes.plane(4)], [[0.5, 0.75], [1.5, 0.75]]);
 }
@@ -159,4 +158,25 @@ fn a_straight_rim_is_halved_on_its_line() {
     // quarter circle about (0, 0) of radius 1: sagitta 1 - cos 45 degrees, outwards
     let s = sagitta([1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]);
     assert!((s + (1.0 - 0.5f64.sqrt())).abs() < 1e-15, "{s}");
+}
+
+/// Two quadrilaterals side by side: eight, with the middle of the common side once.
+#[test]
+fn quadrilaterals_share_the_nodes_of_their_sides() {
+    let mut model = Model::default();
+    let places = [(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (2.0, 1.0), (1.0, 1.0), (0.0, 1.0)];
+    let n: Vec<_> = (1..).zip(places).map(|(l, (x, y))| node(&mut model, l, x, y)).collect();
+    let quads = [(7, [n[0], n[1], n[4], n[5]]), (8, [n[1], n[2], n[3], n[4]])];
+    model.blocks.push(block(&types::CPE4, &quads));
+    let fine = refine(&model).unwrap();
+    assert_eq!(fine.nodes.len(), 15);
+    let parts = &fine.blocks[0].elements;
+    let labels: Vec<u64> = parts.iter().map(|part| part.label).collect();
+    assert_eq!(labels, [7, 9, 10, 11, 8, 12, 13, 14]);
+    let area = |nodes: &[NodeIndex]| {
+        let at = |k: usize| fine.nodes.plane(nodes[k % 4]);
+        (0..4).map(|k| 0.5 * (at(k)[0] * at(k + 1)[1] - at(k)[1] * at(k + 1)[0])).sum::<f64>()
+    };
+    assert!(parts.iter().all(|part| (area(part.nodes) - 0.25).abs() < 1e-15));
+    assert_eq!(refine(&fine).unwrap().blocks[0].elements.len(), 32);
 }

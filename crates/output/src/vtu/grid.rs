@@ -3,7 +3,7 @@
 use crate::outline::{Outline, outlines};
 use crate::section::{axial_stresses, beams, outer_mises};
 use base64::{Engine as _, engine::general_purpose::STANDARD};
-use slideline_model::{Dof, ElementBlock, Model, NodeIndex};
+use slideline_model::{Dof, Element, Kinematics, Model, NodeIndex};
 use slideline_results::{NodeComponent, NodeField, contact_component, shown};
 use slideline_solve::observe::{Frame, Status, Unconverged};
 use std::collections::HashMap;
@@ -24,7 +24,7 @@ const CONTACT: [(&str, &str, f64); 4] = [
     ("contact_opening", "COPEN", f64::NAN),
 ];
 
-/// VTK_LINE; every cell is one (some readers know no poly-lines).
+/// VTK_LINE: all curves are lines (some readers know no poly-lines).
 const LINE: u8 = 3;
 
 /// What a cell stands for, as written to `kind`.
@@ -34,12 +34,21 @@ enum Kind {
     Spring = 1,
     SlaveSurface = 2,
     RigidSurface = 3,
+    Solid = 4,
 }
 
 struct Cell {
-    points: [usize; 2],
+    points: Vec<usize>,
+    /// Type in VTK's numbers.
+    shape: u8,
     kind: Kind,
     label: u64,
+}
+
+impl Cell {
+    fn line(points: [usize; 2], kind: Kind, label: u64) -> Self {
+        Self { points: points.to_vec(), shape: LINE, kind, label }
+    }
 }
 
 /// What does not change between states.
@@ -70,11 +79,8 @@ impl Grid {
         let mut point_count = model.nodes.len();
         for outline in &outlines {
             let end = point_count + outline.points.len();
-            cells.extend((point_count + 1..end).map(|point| Cell {
-                points: [point - 1, point],
-                kind: Kind::RigidSurface,
-                label: 0,
-            }));
+            let lines = (point_count + 1..end).map(|point| [point - 1, point]);
+            cells.extend(lines.map(|points| Cell::line(points, Kind::RigidSurface, 0)));
             point_count = end;
         }
         let topology = topology(&cells);
@@ -243,33 +249,38 @@ fn whole(label: u64) -> i64 {
 
 fn element_cells(model: &Model) -> Vec<Cell> {
     let mut cells = Vec::new();
-    let line = |nodes: [NodeIndex; 2], kind, label| Cell { points: nodes, kind, label };
     for block in &model.blocks {
-        match block {
-            ElementBlock::B21(block) | ElementBlock::B22(block) | ElementBlock::B23(block) => {
-                for e in &block.elements {
-                    let ends = e.all_nodes().zip(e.all_nodes().skip(1));
-                    cells.extend(ends.map(|(a, b)| line([a, b], Kind::Beam, e.label)));
-                }
-            }
-            ElementBlock::Spring(block) => {
-                let joining = block.elements.iter().filter(|e| e.nodes[0] != e.nodes[1]);
-                cells.extend(joining.map(|e| line(e.nodes, Kind::Spring, e.label)));
-            }
+        let kind = match block.kind.kinematics {
+            Kinematics::Beam { .. } => Kind::Beam,
+            Kinematics::Spring => Kind::Spring,
+            Kinematics::PlaneStrain | Kinematics::Other => Kind::Solid,
+        };
+        for element in &block.elements {
+            let Element { label, nodes, .. } = element;
+            cells.extend(block.kind.cell.pieces.iter().map(|piece| {
+                let points = piece.nodes.iter().map(|&place| nodes[place]).collect();
+                Cell { points, shape: piece.vtk, kind, label }
+            }));
         }
     }
     for pair in &model.contact_pairs {
         let surface = pair.elements.iter();
-        cells.extend(surface.map(|e| line(e.nodes, Kind::SlaveSurface, e.label)));
+        cells.extend(surface.map(|e| Cell::line(e.nodes, Kind::SlaveSurface, e.label)));
     }
     cells
 }
 
 fn topology(cells: &[Cell]) -> String {
     let count = |place: usize| i64::try_from(place).unwrap_or(i64::MAX);
-    let connectivity: Vec<i64> = cells.iter().flat_map(|cell| cell.points.map(count)).collect();
-    let offsets: Vec<i64> = (1..=cells.len()).map(|cell| count(2 * cell)).collect();
-    let types = vec![LINE; cells.len()];
+    let connectivity: Vec<i64> =
+        cells.iter().flat_map(|cell| cell.points.iter().map(|&p| count(p))).collect();
+    let mut end = 0;
+    let ends = cells.iter().map(|cell| {
+        end += cell.points.len();
+        count(end)
+    });
+    let offsets: Vec<i64> = ends.collect();
+    let types: Vec<u8> = cells.iter().map(|cell| cell.shape).collect();
     let mut text = "<Cells>\n".to_owned();
     push_long(&mut text, "connectivity", &connectivity);
     push_long(&mut text, "offsets", &offsets);

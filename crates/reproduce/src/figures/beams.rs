@@ -19,7 +19,7 @@ pub(super) fn beam_nodes(model: &Model) -> Vec<NodeIndex> {
         let Some(block) = block.beams() else { continue };
         for element in block.elements.iter().filter(|element| !tied(element.nodes[0])) {
             let begun = usize::from(nodes.last() == Some(&element.nodes[0]));
-            nodes.extend(element.all_nodes().skip(begun));
+            nodes.extend(element.nodes.iter().skip(begun));
         }
     }
     nodes

@@ -65,11 +65,9 @@ const PENALTY: f64 = 10.0;
 /// Largest EA/l of the beams, per area of a contact element [F/L3].
 fn stiffest_face(model: &Model, pair: &ContactPair) -> f64 {
     let length = average(model, pair);
-    let axial = |block: &ElementBlock| match block {
-        ElementBlock::B21(block) | ElementBlock::B22(block) | ElementBlock::B23(block) => {
-            block.section.material.modulus * block.section.width * block.section.height
-        }
-        ElementBlock::Spring(_) => 0.0,
+    let axial = |block: &ElementBlock| match block.beams() {
+        Some(beams) => beams.section.material.modulus * beams.section.width * beams.section.height,
+        None => 0.0,
     };
     let largest = model.blocks.iter().map(axial).fold(0.0, f64::max);
     largest / (length * length * pair.interaction.width)
@@ -83,8 +81,8 @@ pub(super) fn spacing(model: &Model, pair: &ContactPair, facade: &Facade) -> f64
         return own;
     }
     let beams = model.blocks.iter().filter_map(|block| block.beams());
-    let lengths = beams.flat_map(|block| &block.elements).map(|element| {
-        let [a, b] = element.nodes.map(|node| model.nodes.plane(node));
+    let lengths = beams.flat_map(|block| block.elements).map(|element| {
+        let [a, b] = element.ends().map(|node| model.nodes.plane(node));
         (b[0] - a[0]).hypot(b[1] - a[1])
     });
     let (sum, count) = lengths.fold((0.0, 0.0), |(sum, count), l| (sum + l, count + 1.0));

@@ -4,7 +4,7 @@ use super::slots_of;
 use crate::dofs::DofMap;
 use crate::linearised::MOST_DOFS;
 use slideline_mech::contact::points::slopes::{MOST_SLOPE_DOFS, ShearSlopes, ShearedBeam};
-use slideline_model::{BeamElement, ElementBlock, Model, NodeIndex};
+use slideline_model::{Element, Kinematics, Model, NodeIndex};
 use std::collections::HashMap;
 
 /// Places of the ends' turns among the slots of a strip.
@@ -24,16 +24,17 @@ pub struct Shear {
 }
 
 /// Shear-flexible beams by their nodes.
-pub type ShearedBeams<'a> = HashMap<NodeIndex, Vec<&'a BeamElement>>;
+pub type ShearedBeams<'a> = HashMap<NodeIndex, Vec<Element<'a>>>;
 
 /// The beams of a model whose chords turn beyond their sections. A shear-rigid
 /// beam's do so by bending.
 pub fn sheared_beams(model: &Model) -> ShearedBeams<'_> {
     let mut beams = ShearedBeams::new();
     for block in &model.blocks {
-        if let ElementBlock::B22(block) = block {
+        let sheared = block.kind.kinematics == Kinematics::Beam { sheared: true };
+        if sheared && block.kind.cell.nodes == 3 {
             for beam in &block.elements {
-                beam.nodes.iter().for_each(|node| beams.entry(*node).or_default().push(beam));
+                beam.ends().iter().for_each(|node| beams.entry(*node).or_default().push(beam));
             }
         }
     }
@@ -49,11 +50,11 @@ impl Shear {
         nodes: [NodeIndex; 2],
         beams: &ShearedBeams<'_>,
     ) -> Option<Self> {
-        let is_own = |beam: &&&BeamElement| nodes.iter().all(|node| beam.nodes.contains(node));
+        let is_own = |beam: &&Element<'_>| nodes.iter().all(|node| beam.ends().contains(node));
         let own = *beams.get(&nodes[0])?.iter().find(is_own)?;
         // Where more than two beams meet, none is the next one.
         let next = |node: NodeIndex| match beams[&node][..] {
-            [a, b] => Some(if std::ptr::eq(a, own) { b } else { a }),
+            [a, b] => Some(if a == own { b } else { a }),
             _ => None,
         };
         let mut places = Places { dofs, nodes, further: Vec::new() };
@@ -132,16 +133,16 @@ struct Places<'a> {
 }
 
 impl Places<'_> {
-    fn sheared(&mut self, model: &Model, beam: &BeamElement) -> ShearedBeam {
-        let [a, b] = beam.nodes.map(|node| model.nodes.plane(node));
-        let ends = beam.nodes.map(|node| self.node(node));
-        let rotations = match beam.middle {
+    fn sheared(&mut self, model: &Model, beam: Element<'_>) -> ShearedBeam {
+        let [a, b] = beam.ends().map(|node| model.nodes.plane(node));
+        let ends = beam.ends().map(|node| self.node(node));
+        let rotations = match *beam.nodes {
             // Simpson's rule, as exact as the element's own two points.
-            Some(middle) => {
+            [_, middle, _] => {
                 let middle = self.further(slots_of(self.dofs, middle)[2]);
                 [(ends[0] + 2, 1.0 / 6.0), (middle, 4.0 / 6.0), (ends[1] + 2, 1.0 / 6.0)]
             }
-            None => [(ends[0] + 2, 0.5), (ends[1] + 2, 0.5), (ends[1] + 2, 0.0)],
+            _ => [(ends[0] + 2, 0.5), (ends[1] + 2, 0.5), (ends[1] + 2, 0.0)],
         };
         ShearedBeam { chord: [b[0] - a[0], b[1] - a[1]], ends, rotations }
     }

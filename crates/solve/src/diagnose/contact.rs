@@ -75,8 +75,8 @@ impl Case<'_> {
         if carried > 0.0 && carried.is_finite() {
             return carried;
         }
-        let beams = model.blocks.iter().filter_map(|block| block.beams());
-        let modulus = beams.map(|beam| beam.section.material.modulus).fold(0.0, f64::max);
+        let materials = model.blocks.iter().filter_map(|block| block.section.elastic());
+        let modulus = materials.map(|material| material.modulus).fold(0.0, f64::max);
         if modulus > 0.0 { 1e-3 * modulus } else { 1.0 }
     }
 
@@ -343,9 +343,9 @@ fn line_end(model: &Model, line: &SlideLine, pair: &ContactPair, along: f64) -> 
 /// The other end of a beam at a node that is not among the nodes known.
 fn neighbour(model: &Model, end: NodeIndex, known: &[NodeIndex]) -> Option<NodeIndex> {
     let beams = model.blocks.iter().filter_map(|block| block.beams());
-    let mut elements = beams.flat_map(|block| &block.elements);
+    let mut elements = beams.flat_map(|block| block.elements);
     elements.find_map(|beam| {
-        let [a, b] = beam.nodes;
+        let [a, b] = beam.ends();
         let other = if a == end { b } else { a };
         ((a == end || b == end) && !known.contains(&other)).then_some(other)
     })

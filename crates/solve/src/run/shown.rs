@@ -1,7 +1,7 @@
 //! What observers are shown of a state: rows, counts, the frame about them.
 
 use crate::newton::{Outcome, Target};
-use crate::observe::{BeamRow, ContactRow, Frame, Nodal, PairRow};
+use crate::observe::{BeamRow, BlockResults, ContactRow, Frame, Nodal, PairRow};
 use crate::plan::Plan;
 use crate::rows::contact_rows;
 use crate::state::State;
@@ -17,14 +17,21 @@ pub(super) struct Rows {
     pub pairs: Vec<PairRow>,
     /// A row a beam.
     pub beams: Vec<BeamRow>,
+    /// Results of the elements of every block.
+    pub elements: Vec<BlockResults>,
 }
 
 impl Rows {
     /// Those of a state; pairs are left as they are.
     pub fn fill(&mut self, plan: &Plan<'_>, state: &State) {
         contact_rows(plan, state, &mut self.contact);
+        plan.structure.results(&state.displacement, &state.elements, &mut self.elements);
         self.beams.clear();
-        self.beams.extend(plan.structure.beam_rows(&state.displacement));
+        for results in &self.elements {
+            let Some(beams) = plan.model.blocks[results.block].beams() else { continue };
+            let rows = results.elements(plan.model);
+            self.beams.extend(rows.map(|(beam, values)| BeamRow::of(beam, beams.section, values)));
+        }
     }
 }
 
@@ -82,6 +89,7 @@ pub(super) fn frame<'a>(
         contact: &rows.contact,
         pairs: &rows.pairs,
         beams: &rows.beams,
+        elements: &rows.elements,
         energy: state.energy,
     }
 }

@@ -9,17 +9,12 @@ use slideline_model::*;
 
 const AT: Span = Span { file: FileId(0), start: 0, end: 0 };
 
-fn section() -> BeamSection {
+fn beams<const N: usize>(kind: &'static ElementType, nodes: Vec<[NodeIndex; N]>) -> ElementBlock {
     let material = Elastic { modulus: 1e3, poisson: 0.3 };
-    BeamSection { width: 1.0, height: 0.2, poisson: 0.0, material, shear: ShearRule::default() }
-}
-
-fn beams(elements: Vec<BeamElement>) -> BeamBlock {
-    BeamBlock { name: "B".into(), section: section(), elements, origin: AT }
-}
-
-fn beam(a: NodeIndex, middle: Option<NodeIndex>, b: NodeIndex) -> BeamElement {
-    BeamElement { label: 1, nodes: [a, b], middle, origin: AT }
+    let shear = ShearRule::default();
+    let section = BeamSection { width: 1.0, height: 0.2, poisson: 0.0, material, shear };
+    let block = ElementBlock::new(kind, "B", Section::Beam(section), AT);
+    block.with(nodes.into_iter().map(|nodes| (1, nodes)))
 }
 
 fn step() -> Step {
@@ -58,21 +53,21 @@ fn model(count: usize) -> Model {
     };
     let n: Vec<NodeIndex> = (0..count + 2).map(&mut node).collect();
     let (rider, body) = (n[count], n[count + 1]);
-    let last = beam(n[2], Some(n[3]), rider);
+    let spring = Section::Spring(SpringSection { stiffness: 7.0, dof: None });
+    let spring = ElementBlock::new(&types::SPRINGA, "S", spring, AT);
+    let row = n[..count].windows(2).map(|w| [w[0], w[1]]);
     model.blocks = vec![
-        ElementBlock::B22(beams(vec![beam(n[0], Some(n[1]), n[2]), last])),
-        ElementBlock::B23(beams(vec![beam(n[0], None, n[2]), beam(n[1], None, rider)])),
-        ElementBlock::Spring(SpringBlock {
-            name: "S".into(),
-            stiffness: 7.0,
-            kind: SpringKind::Axial,
-            elements: vec![SpringElement { label: 1, nodes: [n[1], rider], origin: AT }],
-            origin: AT,
-        }),
-        ElementBlock::B21(beams(n[..count].windows(2).map(|w| beam(w[0], None, w[1])).collect())),
+        beams(&types::B22, vec![[n[0], n[1], n[2]], [n[2], n[3], rider]]),
+        beams(&types::B23, vec![[n[0], n[2]], [n[1], rider]]),
+        spring.with([(1, [n[1], rider])]),
+        beams(&types::B21, row.collect()),
     ];
     model.rigid_links = vec![RigidLink { dependent: rider, master: body, origin: AT }];
     model
+}
+
+fn at<'a>(u: &'a [f64], stresses: Option<&'a [f64]>) -> Configuration<'a> {
+    Configuration { u, stresses, state: &[] }
 }
 
 struct Built {
@@ -87,7 +82,7 @@ impl Built {
     /// forces of the stresses.
     fn tangent(&self, u: &[f64], stresses: Option<&[f64]>) -> (Vec<f64>, Contributions) {
         let mut room = self.structure.room();
-        self.structure.evaluate(u, stresses, &mut room, None);
+        self.structure.evaluate(&at(&u, stresses), &mut room, None);
         let (mut values, mut force) = (vec![0.0; self.pattern.entries()], vec![0.0; u.len()]);
         let mut rows = Rows::default();
         self.constraints.linearise(u, &mut rows);
@@ -104,7 +99,7 @@ impl Built {
     /// Energy and carried force.
     fn force(&self, u: &[f64]) -> (f64, Vec<f64>) {
         let (mut room, mut force) = (self.structure.room(), vec![0.0; u.len()]);
-        self.structure.evaluate(u, None, &mut room, None);
+        self.structure.evaluate(&at(&u, None), &mut room, None);
         let energy = self.structure.gather_force(&room, &mut force);
         let mut rows = Rows::default();
         self.constraints.linearise(u, &mut rows);
@@ -192,7 +187,7 @@ fn linear_kinematics() {
     u[3 * 5..].fill(0.0); // a rigid arm turns by a finite angle all the same
     constraints.enforce(&mut u);
     let mut room = structure.room();
-    structure.evaluate(&u, None, &mut room, None);
+    structure.evaluate(&at(&u, None), &mut room, None);
     let (mut force, mut product) = (vec![0.0; u.len()], vec![0.0; u.len()]);
     let energy = structure.gather_force(&room, &mut force);
     structure.multiply(&room, &u, &mut product);
@@ -202,9 +197,13 @@ fn linear_kinematics() {
     for &slot in free {
         assert!((force[slot] - product[slot]).abs() < 1e-10, "{slot}");
     }
-    let rows: Vec<BeamRow> = structure.beam_rows(&u).collect();
-    assert_eq!(rows.len(), 7);
-    assert!(rows[2].strains[1] == 0.0 && rows[2].shear_force != 0.0, "B23 has V without strain");
+    let mut results = Vec::new();
+    structure.results(&u, &[], &mut results);
+    let of = |block: &BlockResults| block.elements(&model).count();
+    assert_eq!(results.iter().map(of).collect::<Vec<_>>(), [2, 2, 1, 3]);
+    // SF1, SF2, SM1, SE1, SE2, SK1
+    let (_, b23) = results[1].elements(&model).next().unwrap();
+    assert!(b23.len() == 6 && b23[4] == 0.0 && b23[1] != 0.0, "B23 has V without strain");
 }
 
 /// Requirement: the same bits on one thread and on several.
@@ -217,8 +216,8 @@ fn threads_change_nothing() {
     let (mut one, mut many) = (structure.room(), structure.room());
     let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().unwrap();
     let stresses: Vec<f64> = structure.stress_room().iter().map(|_| 0.3).collect();
-    structure.evaluate(&u, Some(&stresses), &mut one, None);
-    structure.evaluate(&u, Some(&stresses), &mut many, Some(&pool));
+    structure.evaluate(&at(&u, Some(&stresses)), &mut one, None);
+    structure.evaluate(&at(&u, Some(&stresses)), &mut many, Some(&pool));
     assert!(one.force == many.force && one.tangent == many.tangent && one.energy == many.energy);
     assert!(one.force.iter().any(|&f| f != 0.0));
 }

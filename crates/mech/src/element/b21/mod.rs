@@ -11,7 +11,7 @@
 //! Everything is formed in the frame of the undeformed element from displacement *differences*, so
 //! that rounding of the end forces does not grow with the coordinates [semantics: force floor].
 
-mod twin;
+mod derivatives;
 
 use super::mixed::arrival;
 use crate::differentiate::{Real, Second};
@@ -37,6 +37,15 @@ pub struct BeamSectionForces {
     pub shear: f64,
     /// Bending moment M [F L].
     pub moment: f64,
+}
+
+impl BeamStrains {
+    /// Writes the section forces, then these strains.
+    pub(super) fn write_with(&self, forces: &BeamSectionForces, into: &mut [f64]) {
+        let own =
+            [forces.axial, forces.shear, forces.moment, self.axial, self.shear, self.curvature];
+        into.iter_mut().zip(own).for_each(|(into, value)| *into = value);
+    }
 }
 
 impl From<[f64; 3]> for BeamSectionForces {

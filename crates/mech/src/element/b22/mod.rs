@@ -12,25 +12,16 @@
 //! element replaced by those of the point; the reference curve enters through its own tangent
 //! there, so that an undeformed curved beam has no strain. [derived: docs/theory.md, "Three nodes: B22"]
 
-mod twin;
+mod derivatives;
 
 use super::b21::{BeamSectionForces, BeamStrains};
+use super::cell::{line3_shapes, line3_slopes};
+use super::quadrature::GAUSS_2;
 use crate::differentiate::Real;
 use crate::section::BeamStiffness;
 
-/// xi of the second integration point, 1/sqrt 3; both have weight 1. Why there: docs/theory.md
-/// eq. (3.13).
-const GAUSS: f64 = 0.577_350_269_189_625_8;
-
-/// Shape functions of the three nodes at xi: docs/theory.md eq. (3.9).
-fn shapes(xi: f64) -> [f64; 3] {
-    [0.5 * xi * (xi - 1.0), (1.0 - xi) * (1.0 + xi), 0.5 * xi * (xi + 1.0)]
-}
-
-/// Their derivatives by xi.
-fn slopes(xi: f64) -> [f64; 3] {
-    [xi - 0.5, -2.0 * xi, xi + 0.5]
-}
+/// xi of the second integration point; both have weight 1. Why there: docs/theory.md eq. (3.13).
+const GAUSS: f64 = GAUSS_2;
 
 /// Whether the parabola through first end, middle node and second end [L] runs from end to end
 /// without turning back: the tangents at both ends point along the chord, as they do for a middle
@@ -38,7 +29,7 @@ fn slopes(xi: f64) -> [f64; 3] {
 pub fn axis_runs_forward([first, middle, last]: &[[f64; 2]; 3]) -> bool {
     let chord = [last[0] - first[0], last[1] - first[1]];
     let forward = |xi: f64| {
-        let by_xi = slopes(xi);
+        let by_xi = line3_slopes(xi);
         let along = |k: usize| by_xi[0] * (first[k] - middle[k]) + by_xi[2] * (last[k] - middle[k]);
         along(0) * chord[0] + along(1) * chord[1] > 0.0
     };
@@ -60,7 +51,7 @@ struct Station {
 
 impl Station {
     fn new(reference: &[[f64; 2]; 3], xi: f64) -> Self {
-        let by_xi = slopes(xi);
+        let by_xi = line3_slopes(xi);
         // Slopes sum to zero: differences keep the digits of elements far from the origin.
         let along: [f64; 2] = std::array::from_fn(|k| {
             by_xi[0] * (reference[0][k] - reference[1][k])
@@ -72,7 +63,12 @@ impl Station {
         } else {
             (0.0, [1.0, 0.0])
         };
-        Self { length, direction, shapes: shapes(xi), slopes: by_xi.map(|slope| slope * inverse) }
+        Self {
+            length,
+            direction,
+            shapes: line3_shapes(xi),
+            slopes: by_xi.map(|slope| slope * inverse),
+        }
     }
 
     /// (du/ds, df/ds) and f of the point.

@@ -23,25 +23,12 @@
 //! one-point Reissner element B21: W is a function of those and the curvature, so that kinematics
 //! and their derivatives are those of [`Beam21`].
 
-mod twin;
+mod derivatives;
 
 use super::b21::{Beam21, BeamSectionForces, BeamStrains};
+use super::quadrature::{GAUSS_4, GAUSS_4_MEAN};
 use crate::differentiate::Real;
 use crate::section::BeamStiffness;
-
-/// The four Gauss points of [-1, 1] and their weights for a mean value.
-const POINTS: [f64; 4] = [
-    -0.861_136_311_594_052_6,
-    -0.339_981_043_584_856_26,
-    0.339_981_043_584_856_26,
-    0.861_136_311_594_052_6,
-];
-const WEIGHTS: [f64; 4] = [
-    0.173_927_422_568_726_93,
-    0.326_072_577_431_273_07,
-    0.326_072_577_431_273_07,
-    0.173_927_422_568_726_93,
-];
 
 /// Two-node shear-rigid plane beam element.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -154,7 +141,7 @@ impl Beam23 {
 /// for an arc of 36 degrees.
 fn mean_versine<R: Real>(k: R, psi: R) -> R {
     let mut mean = R::from_f64(0.0);
-    for (xi, weight) in POINTS.into_iter().zip(WEIGHTS) {
+    for (xi, weight) in GAUSS_4.into_iter().zip(GAUSS_4_MEAN) {
         let theta = k * R::from_f64(xi) - psi * R::from_f64(legendre(xi));
         let half = (theta * R::from_f64(0.5)).sin();
         mean = mean + R::from_f64(2.0 * weight) * half * half;

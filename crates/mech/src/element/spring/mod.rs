@@ -4,6 +4,7 @@
 //!   SPRING1   |/\/\/\o--> u        SPRINGA   1 o/\/\/\o 2   turns with its ends
 //! ```
 
+use super::kernel::{Element, Scale};
 use crate::differentiate::Real;
 
 /// SPRING1: a linear spring between one dof and the ground.
@@ -11,6 +12,8 @@ use crate::differentiate::Real;
 pub struct GroundSpring {
     /// Stiffness k [F/L], or [F L] for a rotation.
     pub stiffness: f64,
+    /// On which of the variables of its node it acts.
+    pub component: usize,
 }
 
 impl GroundSpring {
@@ -23,6 +26,27 @@ impl GroundSpring {
     pub fn force_and_tangent(&self, u: f64) -> (f64, f64) {
         (self.stiffness * u, self.stiffness)
     }
+}
+
+impl<const N: usize, const NN: usize> Element<N, NN> for GroundSpring {
+    fn linear(&self, q: &[f64; N], force: &mut [f64; N], tangent: &mut [f64; NN]) -> f64 {
+        let (value, stiffness) = self.force_and_tangent(q[self.component]);
+        *force = [0.0; N];
+        *tangent = [0.0; NN];
+        force[self.component] = value;
+        tangent[self.component * (N + 1)] = stiffness;
+        self.energy(q[self.component])
+    }
+
+    fn exact(&self, q: &[f64; N], force: &mut [f64; N], tangent: &mut [f64; NN]) -> f64 {
+        self.linear(q, force, tangent)
+    }
+
+    fn scale(&self) -> Scale {
+        Scale { stiffness: self.stiffness.abs(), length: None }
+    }
+
+    fn results(&self, _q: &[f64; N], _linear: bool, _into: &mut [f64]) {}
 }
 
 /// SPRINGA: a linear spring between two nodes, acting along their current axis.
@@ -107,6 +131,22 @@ impl AxialSpring {
         fill(tangent, [[entry(0, 0), entry(0, 1)], [entry(1, 0), entry(1, 1)]]);
         0.5 * pull * elongation
     }
+}
+
+impl Element<4, 16> for AxialSpring {
+    fn linear(&self, q: &[f64; 4], force: &mut [f64; 4], tangent: &mut [f64; 16]) -> f64 {
+        self.linear_force_and_tangent(q, force, tangent)
+    }
+
+    fn exact(&self, q: &[f64; 4], force: &mut [f64; 4], tangent: &mut [f64; 16]) -> f64 {
+        self.force_and_tangent(q, force, tangent)
+    }
+
+    fn scale(&self) -> Scale {
+        Scale { stiffness: self.stiffness.abs(), length: None }
+    }
+
+    fn results(&self, _q: &[f64; 4], _linear: bool, _into: &mut [f64]) {}
 }
 
 /// The 4 x 4 tangent [[B, -B], [-B, B]] of a 2 x 2 block.

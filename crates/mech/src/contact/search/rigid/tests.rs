@@ -98,11 +98,11 @@ fn beyond_an_end() {
         (beyond_end(&quarter, [0.5, -0.5]).unwrap().depth - (1.0 - 0.5f64.sqrt())).abs() < 1e-15
     );
     assert!((beyond_end(&quarter, [-1.0, 1.0]).unwrap().depth - (1.0 - 2f64.sqrt())).abs() < 1e-15);
-    assert_eq!(beyond_end(&quarter, [0.5, 0.5]));
+    assert_eq!(beyond_end(&quarter, [0.5, 0.5]), None);
     let line = [RigidSegment::Line { a: [0.0, 0.0], b: [2.0, 0.0] }];
     assert!((beyond_end(&line, [2.5, -0.1]).unwrap().depth - 0.1).abs() < 1e-15);
     assert!((beyond_end(&line, [-0.5, 0.2]).unwrap().depth + 0.2).abs() < 1e-15);
-    assert_eq!(beyond_end(&line, [1.0, 0.2]));
+    assert_eq!(beyond_end(&line, [1.0, 0.2]), None);
     let (after, before) = (beyond_end(&line, [2.5, -0.1]), beyond_end(&line, [-0.5, 0.2]));
     assert_eq!(after.map(|end| (end.at_start, end.beyond)), Some((false, 0.5)));
     assert_eq!(before.map(|end| (end.at_start, end.beyond)), Some((true, 0.5)));

@@ -2,7 +2,8 @@
 
 use super::{Beam22, Station, between};
 use crate::element::b21::{BeamSectionForces, BeamStrains};
-use crate::element::mixed::{Mixed, line};
+use crate::element::kernel::{Element, Scale};
+use crate::element::mixed::{Mixed, estimate, line, tighten};
 
 /// Derivatives at a point: the turned slopes and the strains.
 struct Turned {
@@ -21,13 +22,17 @@ impl Beam22 {
         Turned { slopes, strains, forces: self.forces_of(&strains) }
     }
 
-    /// Writes the internal force dW/dq into `force`: (F, F, F L) of first end, middle, second end.
-    pub fn force(&self, q: &[f64; 9], force: &mut [f64; 9]) {
+    /// Writes the internal force dW/dq into `force`: (F, F, F L) of first end, middle, second end;
+    /// returns the strain energy [F L].
+    pub fn force(&self, q: &[f64; 9], force: &mut [f64; 9]) -> f64 {
         *force = [0.0; 9];
+        let mut energy = 0.0;
         for station in &self.stations {
             let turned = self.turned(station, station.strains(q), station.motion(q).1);
             add_force(station, &turned, force);
+            energy += energy_of(station, &turned);
         }
+        energy
     }
 
     /// Writes the internal force and the tangent d2W/dq2 (row-major, symmetric) and returns the
@@ -217,5 +222,60 @@ fn mirror(tangent: &mut [f64; 81]) {
         for j in 0..i {
             tangent[9 * i + j] = tangent[9 * j + i];
         }
+    }
+}
+
+impl Element<9, 81> for Beam22 {
+    fn linear(&self, q: &[f64; 9], force: &mut [f64; 9], tangent: &mut [f64; 81]) -> f64 {
+        self.linear_force_and_tangent(q, force, tangent)
+    }
+
+    fn exact(&self, q: &[f64; 9], force: &mut [f64; 9], tangent: &mut [f64; 81]) -> f64 {
+        self.force_and_tangent(q, force, tangent)
+    }
+
+    fn exact_force(&self, q: &[f64; 9], force: &mut [f64; 9]) -> f64 {
+        self.force(q, force)
+    }
+
+    fn scale(&self) -> Scale {
+        // between neighbouring nodes, along chords
+        let [a, b, c] = self.reference;
+        let distance = |p: [f64; 2], q: [f64; 2]| (q[0] - p[0]).hypot(q[1] - p[1]);
+        let half = 0.5 * (distance(a, b) + distance(b, c));
+        Scale { stiffness: self.stiffness.axial / half, length: Some(half) }
+    }
+
+    /// N, V, M [F, F, F L], then eps, gam, kap [1, 1, 1/L], at the middle.
+    fn results(&self, q: &[f64; 9], linear: bool, into: &mut [f64]) {
+        let strains = if linear { self.linear_strains(q) } else { self.strains(q) };
+        strains.write_with(&self.forces_of(&strains), into);
+    }
+
+    fn estimate_size(&self) -> usize {
+        6
+    }
+
+    fn mixed(
+        &self,
+        q: &[f64; 9],
+        stresses: &[f64],
+        force: &mut [f64; 9],
+        tangent: &mut [f64; 81],
+    ) -> f64 {
+        self.force_and_mixed_tangent(q, &estimate(stresses), force, tangent)
+    }
+
+    fn force_of_stresses(&self, q: &[f64; 9], stresses: &[f64], force: &mut [f64; 9]) -> bool {
+        *force = Mixed::force_of_stresses(self, q, &estimate(stresses));
+        true
+    }
+
+    fn stresses_after(&self, q: &[f64; 9], change: &[f64; 9], into: &mut [f64]) {
+        into.copy_from_slice(&Mixed::stresses_after(self, q, change));
+    }
+
+    fn tighten(&self, reach: f64, stresses: &mut [f64]) {
+        tighten(&self.stiffness, reach, stresses);
     }
 }

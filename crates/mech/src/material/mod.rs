@@ -1,4 +1,9 @@
-//! Materials.
+//! Materials: pure functions of a strain measure, differentiated by whoever asks.
+
+mod plane;
+
+pub(crate) use plane::invariants;
+pub use plane::{Hencky, PlaneInvariants, PlaneStrainLaw, SaintVenant, SmallStrain};
 
 /// Isotropic linear elasticity.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,6 +19,11 @@ impl Elastic {
     pub fn shear_modulus(&self) -> f64 {
         self.modulus / (2.0 * (1.0 + self.poisson))
     }
+
+    /// Bulk modulus K = E / 3(1 - 2 nu) [F/L2].
+    pub fn bulk_modulus(&self) -> f64 {
+        self.modulus / (3.0 * (1.0 - 2.0 * self.poisson))
+    }
 }
 
 #[cfg(test)]
@@ -21,8 +31,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn shear_modulus_of_the_1995_beam() {
+    fn moduli_of_the_1995_beam() {
         let material = Elastic { modulus: 6.9e9, poisson: 0.3 };
         assert!((material.shear_modulus() - 6.9e9 / 2.6).abs() < 1e-3);
+        assert!((material.bulk_modulus() - 6.9e9 / 1.2).abs() < 1e-3);
     }
 }

@@ -1,7 +1,8 @@
 //! The hand-written derivatives of the energy of [`Beam21`]; tested against the energy itself.
 
 use super::{Beam21, BeamSectionForces, BeamStrains};
-use crate::element::mixed::{Mixed, line};
+use crate::element::kernel::{Element, Scale};
+use crate::element::mixed::{Mixed, estimate, line, tighten};
 
 /// Cosine and sine of the angle of the section, mean rotation included.
 pub(in crate::element) struct Frame {
@@ -31,11 +32,13 @@ impl Beam21 {
         *into = [-fx, -fy, couple - m, fx, fy, couple + m];
     }
 
-    /// Writes the internal force dW/dq into `force`: (F, F, F L) of node 1, then of node 2.
-    pub fn force(&self, q: &[f64; 6], force: &mut [f64; 6]) {
+    /// Writes the internal force dW/dq into `force`: (F, F, F L) of node 1, then of node 2; returns
+    /// the strain energy [F L].
+    pub fn force(&self, q: &[f64; 6], force: &mut [f64; 6]) -> f64 {
         let strains = self.strains(q);
         let forces = self.forces_of(&strains);
         self.end_forces(&self.frame(0.5 * (q[2] + q[5])), &strains, &forces, force);
+        self.energy_of(&strains, &forces)
     }
 
     /// Writes the internal force and the tangent d2W/dq2 (row-major, symmetric) and returns the
@@ -169,5 +172,56 @@ impl Mixed<6, 36, 3> for Beam21 {
     fn stresses_after(&self, q: &[f64; 6], change: &[f64; 6]) -> [f64; 3] {
         let strains = self.strains_of(&line(q, change));
         self.forces_of(&strains.arrived()).into()
+    }
+}
+
+impl Element<6, 36> for Beam21 {
+    fn linear(&self, q: &[f64; 6], force: &mut [f64; 6], tangent: &mut [f64; 36]) -> f64 {
+        self.linear_force_and_tangent(q, force, tangent)
+    }
+
+    fn exact(&self, q: &[f64; 6], force: &mut [f64; 6], tangent: &mut [f64; 36]) -> f64 {
+        self.force_and_tangent(q, force, tangent)
+    }
+
+    fn exact_force(&self, q: &[f64; 6], force: &mut [f64; 6]) -> f64 {
+        self.force(q, force)
+    }
+
+    fn scale(&self) -> Scale {
+        Scale { stiffness: self.stiffness.axial / self.length, length: Some(self.length) }
+    }
+
+    /// N, V, M [F, F, F L], then eps, gam, kap [1, 1, 1/L], at the middle.
+    fn results(&self, q: &[f64; 6], linear: bool, into: &mut [f64]) {
+        let strains = if linear { self.linear_strains(q) } else { self.strains(q) };
+        strains.write_with(&self.forces_of(&strains), into);
+    }
+
+    fn estimate_size(&self) -> usize {
+        3
+    }
+
+    fn mixed(
+        &self,
+        q: &[f64; 6],
+        stresses: &[f64],
+        force: &mut [f64; 6],
+        tangent: &mut [f64; 36],
+    ) -> f64 {
+        self.force_and_mixed_tangent(q, &estimate(stresses), force, tangent)
+    }
+
+    fn force_of_stresses(&self, q: &[f64; 6], stresses: &[f64], force: &mut [f64; 6]) -> bool {
+        *force = Mixed::force_of_stresses(self, q, &estimate(stresses));
+        true
+    }
+
+    fn stresses_after(&self, q: &[f64; 6], change: &[f64; 6], into: &mut [f64]) {
+        into.copy_from_slice(&Mixed::stresses_after(self, q, change));
+    }
+
+    fn tighten(&self, reach: f64, stresses: &mut [f64]) {
+        tighten(&self.stiffness, reach, stresses);
     }
 }

@@ -5,7 +5,8 @@
 use super::Beam23;
 use crate::differentiate::Second;
 use crate::element::b21::{Beam21, BeamSectionForces, BeamStrains};
-use crate::element::mixed::{Mixed, arrival, line};
+use crate::element::kernel::{Element, Scale};
+use crate::element::mixed::{Mixed, arrival, estimate, line, tighten};
 
 impl Beam23 {
     fn law(&self, chord: &BeamStrains) -> Second<3> {
@@ -14,8 +15,9 @@ impl Beam23 {
         self.energy_per_length(&BeamStrains { axial, shear, curvature })
     }
 
-    /// Writes the internal force dW/dq into `force`: (F, F, F L) of node 1, then of node 2.
-    pub fn force(&self, q: &[f64; 6], force: &mut [f64; 6]) {
+    /// Writes the internal force dW/dq into `force`: (F, F, F L) of node 1, then of node 2; returns
+    /// the strain energy [F L].
+    pub fn force(&self, q: &[f64; 6], force: &mut [f64; 6]) -> f64 {
         let strains = self.chord.strains(q);
         let law = self.law(&strains);
         self.chord.end_forces(
@@ -24,6 +26,7 @@ impl Beam23 {
             &forces(&law),
             force,
         );
+        self.length() * law.value
     }
 
     /// Writes the internal force and the tangent d2W/dq2 (row-major, symmetric) and returns the
@@ -154,5 +157,60 @@ fn material_tangent(
             tangent[6 * i + j] = sum;
             tangent[6 * j + i] = sum;
         }
+    }
+}
+
+impl Element<6, 36> for Beam23 {
+    fn linear(&self, q: &[f64; 6], force: &mut [f64; 6], tangent: &mut [f64; 36]) -> f64 {
+        self.linear_force_and_tangent(q, force, tangent)
+    }
+
+    fn exact(&self, q: &[f64; 6], force: &mut [f64; 6], tangent: &mut [f64; 36]) -> f64 {
+        self.force_and_tangent(q, force, tangent)
+    }
+
+    fn exact_force(&self, q: &[f64; 6], force: &mut [f64; 6]) -> f64 {
+        self.force(q, force)
+    }
+
+    fn scale(&self) -> Scale {
+        Scale { stiffness: self.stiffness().axial / self.length(), length: Some(self.length()) }
+    }
+
+    /// N, V, M [F, F, F L], then eps, gam, kap [1, 1, 1/L], at the middle.
+    fn results(&self, q: &[f64; 6], linear: bool, into: &mut [f64]) {
+        let (strains, forces) = if linear {
+            (self.linear_strains(q), self.linear_section_forces(q))
+        } else {
+            (self.strains(q), self.section_forces(q))
+        };
+        strains.write_with(&forces, into);
+    }
+
+    fn estimate_size(&self) -> usize {
+        3
+    }
+
+    fn mixed(
+        &self,
+        q: &[f64; 6],
+        stresses: &[f64],
+        force: &mut [f64; 6],
+        tangent: &mut [f64; 36],
+    ) -> f64 {
+        self.force_and_mixed_tangent(q, &estimate(stresses), force, tangent)
+    }
+
+    fn force_of_stresses(&self, q: &[f64; 6], stresses: &[f64], force: &mut [f64; 6]) -> bool {
+        *force = Mixed::force_of_stresses(self, q, &estimate(stresses));
+        true
+    }
+
+    fn stresses_after(&self, q: &[f64; 6], change: &[f64; 6], into: &mut [f64]) {
+        into.copy_from_slice(&Mixed::stresses_after(self, q, change));
+    }
+
+    fn tighten(&self, reach: f64, stresses: &mut [f64]) {
+        tighten(&self.stiffness(), reach, stresses);
     }
 }

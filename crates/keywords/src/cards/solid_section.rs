@@ -1,0 +1,60 @@
+//! `*SOLID SECTION`: the thickness of solids.
+
+use crate::draft::{Body, Draft, Owner, Section};
+use crate::keyword::{Keyword, Level, Rule, Subject};
+use crate::reading::Reading;
+
+/// `*SOLID SECTION`.
+pub(crate) struct SolidSection;
+
+impl Keyword for SolidSection {
+    fn name(&self) -> &'static str {
+        "SOLID SECTION"
+    }
+
+    fn parameters(&self) -> &'static [Rule] {
+        const RULES: &[Rule] = &[Rule::required("ELSET"), Rule::required("MATERIAL")];
+        RULES
+    }
+
+    fn level(&self) -> Level {
+        Level::Model
+    }
+
+    fn subject(&self) -> Subject {
+        Subject::Sections
+    }
+
+    fn page(&self) -> &'static str {
+        page!("SOLID-SECTION")
+    }
+
+    fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
+        draft.owner = Owner::Broken;
+        let Some((set, material)) = card.name("ELSET").zip(card.name("MATERIAL")) else { return };
+        let Some(thickness) = thickness(card, draft) else { return };
+        draft.owner = Owner::Section(draft.sections.len());
+        draft.sections.push(Section {
+            set,
+            material,
+            material_span: card.span_of("MATERIAL"),
+            set_span: card.span_of("ELSET"),
+            body: Body::Solid { thickness },
+            origin: card.span(),
+        });
+    }
+}
+
+/// The thickness out of the plane [L], 1 by default.
+fn thickness(card: &Reading<'_>, draft: &mut Draft) -> Option<f64> {
+    let Some(line) = card.data().first() else { return Some(1.0) };
+    draft.log.at_most(line, 1);
+    draft.log.at_most_lines(card.data(), 1, "SOLID SECTION");
+    let thickness = draft.log.number_or(line, 0, 1.0)?;
+    if thickness <= 0.0 {
+        let message = "the thickness of the section must be positive";
+        draft.log.error("SL0210", message, line.fields[0].span);
+        return None;
+    }
+    Some(thickness)
+}

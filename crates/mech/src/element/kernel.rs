@@ -1,0 +1,158 @@
+//! What a solver asks of the elements of a block: the border between the physics of one element and
+//! everything that numbers, gathers, commits and writes.
+//!
+//! ```text
+//!   displacements q, committed state, strains
+//!        |
+//!        v         +--> force  dW/dq
+//!     respond -----+--> tangent d2W/dq2     (not in the force-only mode)
+//!        |         +--> trial state
+//!        v
+//!   strain energy W
+//! ```
+//!
+//! A kernel holds the elements of one block, all of one type, and names them by their number in the
+//! block. Whoever has a formulation of his own implements [`Kernel`], or [`Element`] for one element
+//! of fixed size, and lets [`Instances`](super::Instances) do the rest.
+
+use std::fmt::Debug;
+
+/// How strains follow displacements.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Strains<'a> {
+    /// Small displacements (a step without NLGEOM).
+    Linear,
+    /// Any displacement; the tangent is the derivative of the force.
+    Exact,
+    /// Any displacement; the geometric stiffness is that of these estimated stresses.
+    Mixed(&'a [f64]),
+}
+
+/// Where a response is written.
+#[derive(Debug)]
+pub struct Response<'a> {
+    /// Force dW/dq, an entry a variable [F or F L].
+    pub force: &'a mut [f64],
+    /// Tangent d2W/dq2, row-major; `None`: force only.
+    pub tangent: Option<&'a mut [f64]>,
+    /// State variables, were this state committed.
+    pub state: &'a mut [f64],
+}
+
+/// How stiff an element is, for the rounding floor of residuals.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scale {
+    /// Largest stiffness against a displacement [F/L].
+    pub stiffness: f64,
+    /// Length that belongs to it [L]; `None`: it has none.
+    pub length: Option<f64>,
+}
+
+/// The most variables an element may have: 27 nodes in space.
+pub const MOST_VARIABLES: usize = 81;
+
+/// The elements of a block.
+pub trait Kernel: Debug + Send + Sync {
+    /// Number of elements.
+    fn count(&self) -> usize;
+
+    /// Number of variables of an element, at most [`MOST_VARIABLES`].
+    fn variables(&self) -> usize;
+
+    /// Number of stresses of an element that an iteration may estimate apart.
+    fn estimate_size(&self) -> usize {
+        0
+    }
+
+    /// Writes force, tangent and trial state of an element at the displacements `q`, which it
+    /// reaches from its committed state, and returns its strain energy [F L]. The force-only mode
+    /// writes the same bits.
+    fn respond(
+        &self,
+        element: usize,
+        q: &[f64],
+        committed: &[f64],
+        strains: Strains<'_>,
+        into: Response<'_>,
+    ) -> f64;
+
+    /// Writes the force of estimated stresses at `q`; false where there are none to be estimated.
+    fn force_of_stresses(
+        &self,
+        _element: usize,
+        _q: &[f64],
+        _stresses: &[f64],
+        _force: &mut [f64],
+    ) -> bool {
+        false
+    }
+
+    /// Writes the stresses that a linear solution with the change `change` of `q` arrives at.
+    fn stresses_after(&self, _element: usize, _q: &[f64], _change: &[f64], _into: &mut [f64]) {}
+
+    /// Raises estimated stresses that are next to none, in a model of size `reach` [L], to a slight
+    /// tension: docs/theory.md eq. (3.30).
+    fn tighten(&self, _element: usize, _reach: f64, _stresses: &mut [f64]) {}
+
+    /// How stiff an element is.
+    fn scale(&self, element: usize) -> Scale;
+
+    /// Writes what the element offers as results at `q` and its state, in the order of the fields
+    /// that its type declares.
+    fn results(
+        &self,
+        element: usize,
+        q: &[f64],
+        state: &[f64],
+        strains: Strains<'_>,
+        into: &mut [f64],
+    );
+}
+
+/// One element of `N` variables without state; `NN` is `N` squared.
+pub trait Element<const N: usize, const NN: usize>: Debug + Send + Sync {
+    /// Writes force and tangent of small displacements, returns the strain energy [F L].
+    fn linear(&self, q: &[f64; N], force: &mut [f64; N], tangent: &mut [f64; NN]) -> f64;
+
+    /// Writes force and tangent, returns the strain energy [F L].
+    fn exact(&self, q: &[f64; N], force: &mut [f64; N], tangent: &mut [f64; NN]) -> f64;
+
+    /// Writes the force alone, with the bits of [`Element::exact`], returns the strain energy [F L].
+    fn exact_force(&self, q: &[f64; N], force: &mut [f64; N]) -> f64 {
+        self.exact(q, force, &mut [0.0; NN])
+    }
+
+    /// How stiff it is.
+    fn scale(&self) -> Scale;
+
+    /// Writes its results.
+    fn results(&self, q: &[f64; N], linear: bool, into: &mut [f64]);
+
+    /// Number of stresses that may be estimated apart.
+    fn estimate_size(&self) -> usize {
+        0
+    }
+
+    /// Writes force of the law and tangent with the geometric stiffness of `stresses`, returns the
+    /// strain energy [F L]. See [`Mixed`](super::Mixed).
+    fn mixed(
+        &self,
+        q: &[f64; N],
+        _stresses: &[f64],
+        force: &mut [f64; N],
+        tangent: &mut [f64; NN],
+    ) -> f64 {
+        self.exact(q, force, tangent)
+    }
+
+    /// Writes the force of estimated stresses; false where there are none.
+    fn force_of_stresses(&self, _q: &[f64; N], _stresses: &[f64], _force: &mut [f64; N]) -> bool {
+        false
+    }
+
+    /// Writes the stresses that a linear solution with the change `change` arrives at.
+    fn stresses_after(&self, _q: &[f64; N], _change: &[f64; N], _into: &mut [f64]) {}
+
+    /// See [`Kernel::tighten`].
+    fn tighten(&self, _reach: f64, _stresses: &mut [f64]) {}
+}

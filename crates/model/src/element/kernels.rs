@@ -1,0 +1,99 @@
+//! Kernels of the rows of the table: sections in a deck's words become those of the mechanics.
+
+use super::{BeamSection, Section, Undeformed};
+use crate::{Dialect, Dof};
+use slideline_mech::element::mean_dilation::Quad4;
+use slideline_mech::element::{
+    AxialSpring, Beam21, Beam22, Beam23, GroundSpring, Instances, Kernel,
+};
+use slideline_mech::material::{Hencky, SaintVenant};
+use slideline_mech::section::{BeamStiffness, Rectangle, TransverseShear, rectangle_stiffness};
+use std::sync::Arc;
+
+type Made = Option<Arc<dyn Kernel>>;
+
+pub(super) fn b21(block: &Undeformed<'_>) -> Made {
+    let Section::Beam(section) = block.section else { return None };
+    let elements = block.plane::<2>().map(|ends| {
+        let stiffness = section.stiffness(distance(ends[0], ends[1]), false);
+        Beam21::new(ends, stiffness)
+    });
+    Some(Arc::new(elements.collect::<Instances<_, 6, 36>>()))
+}
+
+pub(super) fn b22(block: &Undeformed<'_>) -> Made {
+    let Section::Beam(section) = block.section else { return None };
+    let elements = block.plane::<3>().map(|nodes| {
+        let length = distance(nodes[0], nodes[1]) + distance(nodes[1], nodes[2]);
+        Beam22::new(nodes, section.stiffness(length, true))
+    });
+    Some(Arc::new(elements.collect::<Instances<_, 9, 81>>()))
+}
+
+pub(super) fn b23(block: &Undeformed<'_>) -> Made {
+    let Section::Beam(section) = block.section else { return None };
+    let elements = block.plane::<2>().map(|ends| {
+        let stiffness = section.stiffness(distance(ends[0], ends[1]), false);
+        Beam23::new(ends, stiffness)
+    });
+    Some(Arc::new(elements.collect::<Instances<_, 6, 36>>()))
+}
+
+pub(super) fn spring1(block: &Undeformed<'_>) -> Made {
+    let Section::Spring(section) = block.section else { return None };
+    let dof = section.dof?;
+    let component = usize::from(dof == Dof::U2);
+    let springs =
+        block.nodes.iter().map(|_| GroundSpring { stiffness: section.stiffness, component });
+    Some(match dof.is_rotation() {
+        true => Arc::new(springs.collect::<Instances<_, 1, 1>>()),
+        false => Arc::new(springs.collect::<Instances<_, 2, 4>>()),
+    })
+}
+
+pub(super) fn springa(block: &Undeformed<'_>) -> Made {
+    let Section::Spring(section) = block.section else { return None };
+    if section.dof.is_some() {
+        return None;
+    }
+    let stiffness = section.stiffness;
+    let springs = block.plane::<2>().map(|reference| AxialSpring { reference, stiffness });
+    Some(Arc::new(springs.collect::<Instances<_, 4, 16>>()))
+}
+
+/// `*ELASTIC` at large strain is another law in each program: logarithmic strain in Abaqus,
+/// Green's in CalculiX. [semantics: keywords, `*ELASTIC`]
+pub(super) fn cpe4(block: &Undeformed<'_>) -> Made {
+    let Section::Solid(section) = block.section else { return None };
+    let (elastic, thickness) = (section.material, section.thickness);
+    Some(match block.dialect {
+        Dialect::Abaqus => {
+            let law = (Hencky(elastic), elastic, true);
+            let solids = block.plane::<4>().map(|corners| Quad4::quad4(&corners, thickness, law));
+            Arc::new(solids.collect::<Instances<_, 8, 64>>())
+        }
+        Dialect::Calculix => {
+            let law = (SaintVenant(elastic), elastic, false);
+            let solids = block.plane::<4>().map(|corners| Quad4::quad4(&corners, thickness, law));
+            Arc::new(solids.collect::<Instances<_, 8, 64>>())
+        }
+    })
+}
+
+impl BeamSection {
+    /// EA, K and EI of an element of that length [L]; `second_order`: of three nodes.
+    pub fn stiffness(&self, length: f64, second_order: bool) -> BeamStiffness {
+        let rectangle = Rectangle { width: self.width, height: self.height, poisson: self.poisson };
+        let shear = TransverseShear {
+            slenderness: self.shear.slenderness_compensation,
+            given: self.shear.stiffness,
+            ..TransverseShear::default()
+        };
+        let shear = if second_order { shear.second_order() } else { shear };
+        rectangle_stiffness(&rectangle, &self.material, &shear, length)
+    }
+}
+
+fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    (b[0] - a[0]).hypot(b[1] - a[1])
+}

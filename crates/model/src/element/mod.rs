@@ -1,0 +1,237 @@
+//! Elements in blocks of one type and one section.
+//!
+//! ```text
+//!   block:  type (a row of the table)   section   elements: label, nodes, deck line
+//! ```
+
+mod kernels;
+mod section;
+mod table;
+
+pub use section::{BeamSection, Section, ShearRule, SolidSection, SpringSection};
+pub use table::{
+    ElementType, Field, Kinematics, Location, MOST_NODES, TYPES, Undeformed, element_type, types,
+};
+
+use crate::{Dof, NodeIndex};
+use slideline_diag::Span;
+
+/// Elements that share type and section: the solver dispatches once a block.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ElementBlock {
+    /// What kind of element it is.
+    pub kind: &'static ElementType,
+    /// Name of the element set that the section was given to.
+    pub name: String,
+    /// Section and material.
+    pub section: Section,
+    /// Elements in order of definition.
+    pub elements: Elements,
+    /// The section's card.
+    pub origin: Span,
+}
+
+impl ElementBlock {
+    /// A block without elements.
+    pub fn new(kind: &'static ElementType, name: &str, section: Section, origin: Span) -> Self {
+        let elements = Elements::new(kind.cell.nodes);
+        Self { kind, name: name.to_owned(), section, elements, origin }
+    }
+
+    /// The same with elements: label and nodes of each, all from one place of the deck.
+    pub fn with<N: AsRef<[NodeIndex]>>(
+        mut self,
+        elements: impl IntoIterator<Item = (u64, N)>,
+    ) -> Self {
+        for (label, nodes) in elements {
+            self.elements.push(label, nodes.as_ref(), self.origin);
+        }
+        self
+    }
+
+    /// The type in a deck's words.
+    pub fn word(&self) -> &'static str {
+        self.kind.name()
+    }
+
+    /// Dofs of every node that an element moves with. A spring to the ground has
+    /// those that turn together with its own.
+    pub fn dofs(&self) -> &'static [Dof] {
+        match &self.section {
+            Section::Spring(SpringSection { dof: Some(dof), .. }) if dof.is_rotation() => {
+                &[Dof::UR3]
+            }
+            _ => self.kind.dofs,
+        }
+    }
+
+    /// Dofs of every node that an element gives stiffness to.
+    pub fn stiffened_dofs(&self) -> &'static [Dof] {
+        match &self.section {
+            Section::Spring(SpringSection { dof: Some(dof), .. }) => dof.alone(),
+            _ => self.kind.dofs,
+        }
+    }
+
+    /// The beams, of whatever type; `None`: other elements.
+    pub fn beams(&self) -> Option<Beams<'_>> {
+        match &self.section {
+            Section::Beam(section) => Some(Beams {
+                name: &self.name,
+                section,
+                elements: &self.elements,
+                origin: self.origin,
+            }),
+            _ => None,
+        }
+    }
+
+    /// The springs, of whatever type; `None`: other elements.
+    pub fn springs(&self) -> Option<Springs<'_>> {
+        match &self.section {
+            Section::Spring(section) => {
+                Some(Springs { name: &self.name, section, elements: &self.elements })
+            }
+            _ => None,
+        }
+    }
+}
+
+/// A block of beams.
+#[derive(Clone, Copy, Debug)]
+pub struct Beams<'a> {
+    /// Name of the element set that the section was given to.
+    pub name: &'a str,
+    /// Section and material.
+    pub section: &'a BeamSection,
+    /// Elements in order of definition.
+    pub elements: &'a Elements,
+    /// The section's card.
+    pub origin: Span,
+}
+
+/// A block of springs.
+#[derive(Clone, Copy, Debug)]
+pub struct Springs<'a> {
+    /// Name of the element set.
+    pub name: &'a str,
+    /// Stiffness and dof.
+    pub section: &'a SpringSection,
+    /// Elements in order of definition.
+    pub elements: &'a Elements,
+}
+
+/// Elements of one number of nodes, in order of definition.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Elements {
+    /// Nodes of an element, at least one.
+    width: usize,
+    /// Label of each, and where it was defined.
+    named: Vec<(u64, Span)>,
+    /// Nodes of all of them, one element after the other.
+    nodes: Vec<NodeIndex>,
+}
+
+impl Elements {
+    /// None yet, of so many nodes each.
+    pub fn new(nodes: usize) -> Self {
+        Self { width: nodes.max(1), named: Vec::new(), nodes: Vec::new() }
+    }
+
+    /// Takes an element in. Nodes that are missing are its last one again; more
+    /// than it has are left out.
+    pub fn push(&mut self, label: u64, nodes: &[NodeIndex], origin: Span) {
+        let Some(&last) = nodes.last() else { return };
+        self.named.push((label, origin));
+        let filled = nodes.iter().copied().chain(std::iter::repeat(last));
+        self.nodes.extend(filled.take(self.width));
+    }
+
+    /// How many.
+    pub fn len(&self) -> usize {
+        self.named.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.named.is_empty()
+    }
+
+    /// The element at that index of the block.
+    ///
+    /// Panics only for an index that this block never gave out.
+    pub fn get(&self, index: usize) -> Element<'_> {
+        let (label, origin) = self.named[index];
+        let nodes = &self.nodes[self.width * index..self.width * (index + 1)];
+        Element { label, nodes, origin }
+    }
+
+    /// All of them.
+    pub fn iter(&self) -> ElementIter<'_> {
+        self.into_iter()
+    }
+}
+
+impl<'a> IntoIterator for &'a Elements {
+    type Item = Element<'a>;
+    type IntoIter = ElementIter<'a>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        ElementIter { named: self.named.iter(), nodes: self.nodes.chunks_exact(self.width) }
+    }
+}
+
+/// The elements of a block, one after the other.
+#[derive(Clone, Debug)]
+pub struct ElementIter<'a> {
+    named: std::slice::Iter<'a, (u64, Span)>,
+    nodes: std::slice::ChunksExact<'a, NodeIndex>,
+}
+
+impl<'a> Iterator for ElementIter<'a> {
+    type Item = Element<'a>;
+
+    fn next(&mut self) -> Option<Element<'a>> {
+        let (&(label, origin), nodes) = self.named.next().zip(self.nodes.next())?;
+        Some(Element { label, nodes, origin })
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        self.named.size_hint()
+    }
+}
+
+impl ExactSizeIterator for ElementIter<'_> {}
+
+/// An element.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Element<'a> {
+    /// Its number in the deck.
+    pub label: u64,
+    /// Its nodes, in the order of the deck.
+    pub nodes: &'a [NodeIndex],
+    /// Where it was defined.
+    pub origin: Span,
+}
+
+impl Element<'_> {
+    /// First and last node: the ends of a line; of a spring to the ground twice
+    /// its node.
+    pub fn ends(&self) -> [NodeIndex; 2] {
+        [self.nodes[0], self.nodes[self.nodes.len() - 1]]
+    }
+}
+
+/// What the material of a beam section may be strained to. It changes no
+/// result: margin and verdict are held against it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Allowable {
+    /// Index of the block of beams.
+    pub block: usize,
+    /// Allowable fibre strain [1].
+    pub strain: f64,
+    /// Its stress, where the deck gave that one [F/L2].
+    pub stress: Option<f64>,
+    /// Where it was defined.
+    pub origin: Span,
+}

@@ -1,0 +1,78 @@
+//! What the elements of a block are made of.
+
+use crate::Dof;
+use slideline_mech::material::Elastic;
+
+/// Section and material of a block.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Section {
+    /// `*BEAM SECTION`.
+    Beam(BeamSection),
+    /// `*SPRING`.
+    Spring(SpringSection),
+    /// `*SOLID SECTION`.
+    Solid(SolidSection),
+    /// Numbers for an element type that somebody else has defined; what they mean is
+    /// his.
+    Properties(Vec<f64>),
+}
+
+impl Section {
+    /// Its elastic material; `None`: it has none.
+    pub fn elastic(&self) -> Option<&Elastic> {
+        match self {
+            Self::Beam(section) => Some(&section.material),
+            Self::Solid(section) => Some(&section.material),
+            Self::Spring(_) | Self::Properties(_) => None,
+        }
+    }
+}
+
+/// A rectangular section of an elastic material.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BeamSection {
+    /// Width out of the plane [L].
+    pub width: f64,
+    /// Height in the plane [L].
+    pub height: f64,
+    /// Section Poisson ratio [1]; read, stated, and kept out of the energy.
+    pub poisson: f64,
+    /// Material.
+    pub material: Elastic,
+    /// Transverse shear.
+    pub shear: ShearRule,
+}
+
+/// How the transverse shear stiffness is found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShearRule {
+    /// `K23` of `*TRANSVERSE SHEAR STIFFNESS` [F]; default k G A.
+    pub stiffness: Option<f64>,
+    /// Slenderness compensation factor SCF [1]; default 0.25.
+    pub slenderness_compensation: f64,
+}
+
+impl Default for ShearRule {
+    fn default() -> Self {
+        Self { stiffness: None, slenderness_compensation: 0.25 }
+    }
+}
+
+/// Linear springs of one stiffness.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpringSection {
+    /// Stiffness [F/L] (about a rotation: [F L]).
+    pub stiffness: f64,
+    /// The dof that a spring to the ground (`SPRING1`) acts on; `None` for one along the
+    /// line between two nodes (`SPRINGA`).
+    pub dof: Option<Dof>,
+}
+
+/// A solid of one material.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SolidSection {
+    /// Thickness out of the plane [L].
+    pub thickness: f64,
+    /// Material.
+    pub material: Elastic,
+}

@@ -1,0 +1,282 @@
+//! The element table: everything that others need to know of an element type, in one row.
+//!
+//! A row outside this crate is as good as one of these: a block that names it is read, solved and
+//! written like any other.
+
+use super::{Section, kernels};
+use crate::{Dialect, Dof};
+use slideline_mech::element::Kernel;
+use slideline_mech::element::cell::{Cell, LINE2, LINE3, POINT, QUAD4};
+use std::sync::Arc;
+
+/// An element type.
+#[derive(Clone, Copy, Debug)]
+pub struct ElementType {
+    /// Its names in decks: of Abaqus, of CalculiX.
+    pub names: [&'static str; 2],
+    /// Reference cell: number of nodes, faces, what viewers are given.
+    pub cell: &'static Cell,
+    /// Dofs of every node.
+    pub dofs: &'static [Dof],
+    /// What it is in mechanics; it decides on the section.
+    pub kinematics: Kinematics,
+    /// Number of integration points.
+    pub points: usize,
+    /// Number of state variables of an element.
+    pub states: usize,
+    /// Results it offers, in the order in which its kernel writes them.
+    pub fields: &'static [Field],
+    /// Makes the kernel of a block; `None` for a section that is not its own.
+    pub kernel: fn(&Undeformed<'_>) -> Option<Arc<dyn Kernel>>,
+}
+
+/// What an element is in mechanics.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kinematics {
+    /// A plane beam.
+    Beam {
+        /// Whether its sections lean over its axis by a shear strain.
+        sheared: bool,
+    },
+    /// A spring: it joins nothing to a body.
+    Spring,
+    /// A solid in plane strain.
+    PlaneStrain,
+    /// Something else.
+    Other,
+}
+
+impl Kinematics {
+    /// The card that gives its section; `None`: no card does.
+    pub fn card(self) -> Option<&'static str> {
+        match self {
+            Self::Beam { .. } => Some("*BEAM SECTION"),
+            Self::Spring => Some("*SPRING"),
+            Self::PlaneStrain => Some("*SOLID SECTION"),
+            Self::Other => None,
+        }
+    }
+}
+
+/// A named result of every element of a type.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Field {
+    /// Name, as decks ask for it.
+    pub name: &'static str,
+    /// Names of its components.
+    pub components: &'static [&'static str],
+    /// Unit tag, such as `[F/L2]`.
+    pub unit: &'static str,
+    /// Where its values stand.
+    pub location: Location,
+}
+
+/// Where values stand in an element.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Location {
+    /// Once, at the centroid.
+    Centroid,
+    /// At every integration point.
+    Points,
+    /// At every node.
+    Nodes,
+}
+
+/// The elements of a block before the first step.
+#[derive(Clone, Copy, Debug)]
+pub struct Undeformed<'a> {
+    /// Their section.
+    pub section: &'a Section,
+    /// Whose reading counts where programs mean different mechanics.
+    pub dialect: Dialect,
+    /// Positions of the nodes [L], element by element.
+    pub nodes: &'a [[f64; 3]],
+}
+
+impl Undeformed<'_> {
+    /// Positions in the plane of the `N` nodes of each element [L].
+    pub fn plane<const N: usize>(&self) -> impl Iterator<Item = [[f64; 2]; N]> {
+        self.nodes.as_chunks::<N>().0.iter().map(|nodes| nodes.map(|[x, y, _]| [x, y]))
+    }
+}
+
+impl PartialEq for ElementType {
+    fn eq(&self, other: &Self) -> bool {
+        self.names == other.names
+    }
+}
+
+impl ElementType {
+    /// Its name.
+    pub fn name(&self) -> &'static str {
+        self.names[0]
+    }
+
+    /// Whether it is a beam.
+    pub fn is_beam(&self) -> bool {
+        matches!(self.kinematics, Kinematics::Beam { .. })
+    }
+
+    /// Whether its nodes belong to one body: those of a spring do not.
+    pub fn joins(&self) -> bool {
+        self.kinematics != Kinematics::Spring
+    }
+
+    /// Number of values of a field of one element.
+    pub fn values(&self, field: &Field) -> usize {
+        let places = match field.location {
+            Location::Centroid => 1,
+            Location::Points => self.points,
+            Location::Nodes => self.cell.nodes,
+        };
+        places * field.components.len()
+    }
+
+    /// Number of values of all fields of one element.
+    pub fn all_values(&self) -> usize {
+        self.fields.iter().map(|field| self.values(field)).sum()
+    }
+}
+
+/// The row of that name in decks.
+pub fn element_type(name: &str) -> Option<&'static ElementType> {
+    TYPES.into_iter().find(|row| row.names.contains(&name))
+}
+
+/// All rows.
+pub static TYPES: [&ElementType; 6] =
+    [&types::B21, &types::B22, &types::B23, &types::SPRING1, &types::SPRINGA, &types::CPE4];
+
+/// The most nodes that a row has.
+pub const MOST_NODES: usize = {
+    let (mut most, mut row) = (0, 0);
+    while row < TYPES.len() {
+        if TYPES[row].cell.nodes > most {
+            most = TYPES[row].cell.nodes;
+        }
+        row += 1;
+    }
+    most
+};
+
+const fn at(location: Location, name: &'static str, unit: &'static str) -> Field {
+    Field { name, components: &[], unit, location }
+}
+
+const fn of(field: Field, components: &'static [&'static str]) -> Field {
+    Field { components, ..field }
+}
+
+/// Section forces and strains of a beam, at its middle.
+const BEAM_FIELDS: &[Field] = &[
+    of(at(Location::Centroid, "SF", "[F]"), &["SF1", "SF2"]),
+    of(at(Location::Centroid, "SM", "[F L]"), &["SM1"]),
+    of(at(Location::Centroid, "SE", "[1]"), &["SE1", "SE2"]),
+    of(at(Location::Centroid, "SK", "[1/L]"), &["SK1"]),
+];
+
+/// Stress and strain of a plane solid at its integration points.
+const PLANE_FIELDS: &[Field] = &[
+    of(at(Location::Points, "S", "[F/L2]"), &["S11", "S22", "S33", "S12"]),
+    of(at(Location::Points, "E", "[1]"), &["E11", "E22", "E33", "E12"]),
+];
+
+const TURNING: &[Dof] = &[Dof::U1, Dof::U2, Dof::UR3];
+const MOVING: &[Dof] = &[Dof::U1, Dof::U2];
+
+/// The rows of the table.
+pub mod types {
+    use super::*;
+
+    /// Two-node shear-flexible plane beam.
+    pub static B21: ElementType = ElementType {
+        names: ["B21"; 2],
+        cell: &LINE2,
+        dofs: TURNING,
+        kinematics: Kinematics::Beam { sheared: true },
+        points: 1,
+        states: 0,
+        fields: BEAM_FIELDS,
+        kernel: kernels::b21,
+    };
+
+    /// Three-node shear-flexible plane beam: end, middle, end.
+    pub static B22: ElementType =
+        ElementType { names: ["B22"; 2], cell: &LINE3, points: 2, kernel: kernels::b22, ..B21 };
+
+    /// Two-node shear-rigid plane beam.
+    pub static B23: ElementType = ElementType {
+        names: ["B23"; 2],
+        kinematics: Kinematics::Beam { sheared: false },
+        kernel: kernels::b23,
+        ..B21
+    };
+
+    /// Spring between a dof and the ground.
+    pub static SPRING1: ElementType = ElementType {
+        names: ["SPRING1"; 2],
+        cell: &POINT,
+        dofs: MOVING,
+        kinematics: Kinematics::Spring,
+        points: 0,
+        states: 0,
+        fields: &[],
+        kernel: kernels::spring1,
+    };
+
+    /// Spring between two nodes, along the line that joins them.
+    pub static SPRINGA: ElementType =
+        ElementType { names: ["SPRINGA"; 2], cell: &LINE2, kernel: kernels::springa, ..SPRING1 };
+
+    /// Quadrilateral in plane strain, one pressure an element.
+    pub static CPE4: ElementType = ElementType {
+        names: ["CPE4"; 2],
+        cell: &QUAD4,
+        dofs: MOVING,
+        kinematics: Kinematics::PlaneStrain,
+        points: 4,
+        states: 0,
+        fields: PLANE_FIELDS,
+        kernel: kernels::cpe4,
+    };
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Requirement: every row agrees with its kernel: variables are its dofs, results its fields;
+    /// and no two rows have the same name.
+    #[test]
+    fn rows_agree_with_their_kernels() {
+        use crate::{BeamSection, ShearRule, SolidSection, SpringSection};
+        use slideline_mech::element::Strains;
+        let material = slideline_mech::material::Elastic { modulus: 1.0, poisson: 0.3 };
+        let shear = ShearRule::default();
+        let sections = [
+            Section::Beam(BeamSection { width: 1.0, height: 1.0, poisson: 0.0, material, shear }),
+            Section::Spring(SpringSection { stiffness: 1.0, dof: Some(Dof::U2) }),
+            Section::Spring(SpringSection { stiffness: 1.0, dof: None }),
+            Section::Solid(SolidSection { thickness: 1.0, material }),
+        ];
+        let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.5, 1.0, 0.0], [0.0, 1.0, 0.0]];
+        for row in TYPES {
+            let kernels: Vec<Arc<dyn Kernel>> = sections
+                .iter()
+                .filter_map(|section| {
+                    let nodes = &corners[..row.cell.nodes];
+                    (row.kernel)(&Undeformed { section, dialect: Dialect::Abaqus, nodes })
+                })
+                .collect();
+            assert_eq!(kernels.len(), 1, "{} takes one of these sections", row.name());
+            let kernel = &kernels[0];
+            assert_eq!((kernel.count(), kernel.variables()), (1, row.dofs.len() * row.cell.nodes));
+            let mut results = vec![f64::NAN; row.all_values()];
+            let q = vec![0.01; kernel.variables()];
+            kernel.results(0, &q, &[], Strains::Exact, &mut results);
+            assert!(results.iter().all(|value| value.is_finite()), "{}", row.name());
+            assert!(TYPES.into_iter().filter(|other| *other == row).count() == 1);
+            assert_eq!(element_type(row.name()), Some(row));
+        }
+    }
+}
