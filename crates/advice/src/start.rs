@@ -10,8 +10,7 @@ use crate::moments::Rehearsal;
 use slideline_model::{
     ContactPair, Dof, Master, Model, NodeIndex, Prescribed, Step, SurfaceSegment,
 };
-use slideline_solve::observe::{ContactRow, Event, Observer, Stop};
-use std::ops::ControlFlow;
+use slideline_solve::observe::ContactRow;
 
 /// A model with what is known of it before it runs.
 pub struct Start<'a> {
@@ -29,14 +28,12 @@ pub struct Start<'a> {
 }
 
 impl<'a> Start<'a> {
-    /// Begins a run and ends it there.
+    /// That of a model.
     pub fn of(model: &'a Model) -> Self {
-        let mut first = First(Vec::new());
-        let _ = slideline_solve::run(model, &slideline_solve::Options::default(), &mut first); // ended by us, on purpose
         Self {
             model,
             bodies: Bodies::of(model),
-            points: first.0,
+            points: slideline_solve::initial_contact(model),
             reach: reach(model),
             rehearsals: Vec::new(),
         }
@@ -219,15 +216,4 @@ fn extent(points: impl Iterator<Item = [f64; 2]>) -> f64 {
     }
     let extent = length(less(high, low));
     if extent.is_finite() { extent } else { 0.0 }
-}
-
-struct First(Vec<ContactRow>);
-
-impl Observer for First {
-    fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
-        if let Event::StepBegin(report) = event {
-            self.0 = report.start.contact.to_vec();
-        }
-        ControlFlow::Break(Stop::Interrupted)
-    }
 }

@@ -1,63 +1,115 @@
-//! Refactorisation and one solution of typical systems: chains of plane beams (3 dofs a node) and a
-//! plane grid. `cargo bench -p slideline-linalg`.
+//! Refactorisation, one solution and many, of typical systems: chains of plane beams (3 dofs a node),
+//! a plane grid of quadrilaterals (2 dofs) and a space grid of bricks (3 dofs); with them the rate of
+//! a dense product, the measure of the machine. `cargo bench -p slideline-linalg`; a part of a name
+//! behind `--` chooses.
 
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use slideline_linalg::{BackEnd, Kind, Pattern, analyse, analyse_with};
+use faer::linalg::matmul::matmul;
+use faer::{Accum, Mat, Par};
+use slideline_linalg::{BackEnd, Kind, Pattern, analyse_with};
 
 /// Beam chain with `nodes` nodes: diagonally dominant values on the pattern of the elements.
-fn chain(nodes: usize) -> (Pattern, Vec<f64>) {
+fn chain(nodes: usize) -> Pattern {
     let elements = (0..nodes - 1).map(|e| (3 * e..3 * e + 6).collect::<Vec<usize>>());
-    let pattern = Pattern::from_cliques(3 * nodes, elements);
-    let values = values(&pattern, 12.0);
-    (pattern, values)
+    Pattern::from_cliques(3 * nodes, elements)
 }
 
-/// Grid of `side` x `side` nodes, five-point stencil.
-fn grid(side: usize) -> (Pattern, Vec<f64>) {
-    let n = side * side;
-    let right = (0..n).filter(move |i| i % side + 1 < side).map(|i| (i, i + 1));
-    let pattern = Pattern::from_pairs(n, right.chain((0..n - side).map(|i| (i, i + side))));
-    let values = values(&pattern, 4.5);
-    (pattern, values)
+/// Grid of nodes whose cells (quadrilaterals, bricks) couple all their dofs.
+fn grid(nodes: [usize; 3], dofs: usize) -> Pattern {
+    let [nx, ny, nz] = nodes;
+    let node = move |x: usize, y: usize, z: usize| x + nx * (y + ny * z);
+    let cells = (0..nx - 1).flat_map(move |x| (0..ny - 1).map(move |y| (x, y)));
+    let layers = if nz == 1 { 1 } else { nz - 1 };
+    let cells = cells.flat_map(move |(x, y)| (0..layers).map(move |z| (x, y, z)));
+    let clique = move |(x, y, z): (usize, usize, usize)| {
+        let corners = (0..8).map(move |c| (x + (c & 1), y + (c >> 1 & 1), z + (c >> 2)));
+        let inside = corners.filter(move |&(_, _, z)| z < nz);
+        inside.flat_map(move |(x, y, z)| (0..dofs).map(move |d| dofs * node(x, y, z) + d)).collect()
+    };
+    Pattern::from_cliques(dofs * nx * ny * nz, cells.map(clique).collect::<Vec<Vec<_>>>().iter())
 }
 
-fn values(pattern: &Pattern, diagonal: f64) -> Vec<f64> {
+/// Diagonally dominant values, unsymmetric only where asked for.
+fn values(pattern: &Pattern, kind: Kind) -> Vec<f64> {
     let rows = (0..pattern.size()).flat_map(|i| pattern.row(i).iter().map(move |&j| (i, j)));
-    let off = |i: usize, j: usize| -1.0 + 0.1 * ((i + j) % 7) as f64;
-    rows.map(|(i, j)| if i == j { diagonal } else { off(i, j) }).collect()
+    let skew = |i: usize, j: usize| if kind == Kind::Unsymmetric && i < j { 0.2 } else { 0.0 };
+    let off = |i: usize, j: usize| -1.0 + 0.1 * ((i + j) % 7) as f64 + skew(i, j);
+    let value = |(i, j): (usize, usize)| {
+        if i == j { 0.8 * pattern.row(i).len() as f64 } else { off(i, j) }
+    };
+    rows.map(value).collect()
+}
+
+fn systems() -> Vec<(&'static str, Pattern, Vec<BackEnd>)> {
+    let (banded, sparse) = (BackEnd::Banded, BackEnd::Sparse);
+    vec![
+        ("chain 75", chain(25), vec![banded]),
+        ("chain 300", chain(100), vec![banded]),
+        ("chain 3000", chain(1000), vec![banded]),
+        ("plane 5 k", grid([50, 50, 1], 2), vec![banded, sparse]),
+        ("plane 49 k", grid([157, 157, 1], 2), vec![sparse]),
+        ("space 8 k", grid([14, 14, 14], 3), vec![sparse]),
+        ("space 49 k", grid([25, 25, 26], 3), vec![sparse]),
+    ]
 }
 
 fn factor(criterion: &mut Criterion) {
-    let systems = [
-        ("chain 75", chain(25)),
-        ("chain 300", chain(100)),
-        ("chain 3000", chain(1000)),
-        ("grid 5041", grid(71)),
-    ];
-    for (name, (pattern, values)) in &systems {
+    let wanted = std::env::args().skip(1).find(|argument| !argument.starts_with('-'));
+    for (name, pattern, back_ends) in systems() {
         for kind in [Kind::Symmetric, Kind::Unsymmetric] {
-            let mut solvers = vec![("chosen", analyse(pattern, kind))];
-            if name.starts_with("grid") {
-                solvers.push(("banded", analyse_with(pattern, kind, BackEnd::Banded)));
-                solvers.push(("sparse", analyse_with(pattern, kind, BackEnd::Sparse)));
-            }
-            for (which, mut solver) in solvers {
-                println!("{which}: {}", solver.description());
-                let mut x = vec![1.0; pattern.size()];
-                criterion.bench_function(&format!("{name} {kind:?} {which}"), |b| {
-                    b.iter(|| {
-                        x.fill(1.0);
-                        let report = solver.refactor(pattern, black_box(values));
-                        let solved = solver.solve(&mut x);
-                        black_box((report.is_ok(), solved.is_ok()))
-                    });
-                });
+            let values = values(&pattern, kind);
+            for &back_end in &back_ends {
+                let name = format!("{name} {kind:?} {back_end:?}");
+                if wanted.as_ref().is_none_or(|part| name.contains(part.as_str())) {
+                    measure(criterion, &name, (&pattern, &values), (kind, back_end));
+                }
             }
         }
     }
 }
 
-criterion_group!(benches, factor);
+fn measure(
+    criterion: &mut Criterion,
+    name: &str,
+    (pattern, values): (&Pattern, &[f64]),
+    (kind, back_end): (Kind, BackEnd),
+) {
+    let begin = std::time::Instant::now();
+    let mut solver = analyse_with(pattern, kind, back_end);
+    println!(
+        "{name}: analysed in {:.3} s: {}",
+        begin.elapsed().as_secs_f64(),
+        solver.description()
+    );
+    let n = pattern.size();
+    let mut block = vec![1.0; 32 * n];
+    let mut group = criterion.benchmark_group(name);
+    group.sample_size(10);
+    group.bench_function("refactor", |b| {
+        b.iter(|| black_box(solver.refactor(pattern, black_box(values)).is_ok()));
+    });
+    group.bench_function("solve", |b| {
+        b.iter(|| black_box(solver.solve(&mut block[..n]).is_ok()));
+    });
+    group.bench_function("solve 32", |b| {
+        b.iter(|| black_box(solver.solve_many(&mut block, 32).is_ok()));
+    });
+    group.finish();
+}
+
+/// Rate of a dense product of order 1000: 2e9 operations.
+fn product(criterion: &mut Criterion) {
+    let a = Mat::from_fn(1000, 1000, |i, j| ((i * 7 + j) % 11) as f64);
+    let mut c = Mat::<f64>::zeros(1000, 1000);
+    let mut group = criterion.benchmark_group("dense product of order 1000");
+    group.sample_size(10);
+    group.bench_function("2e9 operations", |b| {
+        b.iter(|| matmul(&mut c, Accum::Replace, &a, &a, 1.0, Par::Seq));
+    });
+    group.finish();
+}
+
+criterion_group!(benches, product, factor);
 criterion_main!(benches);

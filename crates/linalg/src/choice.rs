@@ -35,7 +35,7 @@ impl BuiltIn {
         if self.back_end.is_none()
             && layout.operations(kind) > SMALL
             && let Some(sparse) = Sparse::new(pattern, kind)
-            && (sparse_seconds(&sparse, kind) < banded_seconds(&layout, kind)
+            && (sparse_seconds(&sparse) < banded_seconds(&layout, kind)
                 || layout.entries(kind) > LARGEST_BAND)
         {
             return Box::new(sparse);
@@ -63,7 +63,6 @@ fn banded_seconds(layout: &Layout, kind: Kind) -> f64 {
 
 /// Rough time of a sparse factorisation [s]: dense blocks are fast, the way there is not. The
 /// constants are measured on plane grids.
-fn sparse_seconds(sparse: &Sparse, kind: Kind) -> f64 {
-    let entry = if kind == Kind::Symmetric { 15e-9 } else { 80e-9 };
-    sparse.operations() / 6e9 + sparse.entries() * entry
+fn sparse_seconds(sparse: &Sparse) -> f64 {
+    sparse.operations() / 1e10 + sparse.entries() * 6e-9
 }

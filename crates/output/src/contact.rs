@@ -1,28 +1,40 @@
 //! `JOB.contact.csv`: a row per slave point that is or was in contact.
 
 use crate::rows::{Rows, Sheet};
+use slideline_results::{ContactComponent, contact_component};
 use slideline_solve::observe::{Frame, StepReport};
+
+/// Columns of numbers before the word on friction, and behind it.
+const BEFORE: [&str; 4] = ["COPEN", "CPRESS", "CSHEAR1", "CSLIP1"];
+const BEHIND: [&str; 5] = ["x", "y", "normal_x", "normal_y", "area"];
 
 /// `JOB.contact.csv`.
 #[derive(Default)]
-pub(crate) struct Contact;
+pub(crate) struct Contact {
+    before: Vec<&'static ContactComponent>,
+    behind: Vec<&'static ContactComponent>,
+}
 
 impl Rows for Contact {
     const ENDING: &'static str = ".contact.csv";
 
     fn columns(&mut self, _: &StepReport<'_>) -> Option<String> {
-        let columns = "pair,node,status,COPEN,CPRESS,CSHEAR1,CSLIP1,friction,\
-                       x,y,normal_x,normal_y,area";
-        Some(columns.to_owned())
+        self.before = BEFORE.iter().filter_map(|name| contact_component(name)).collect();
+        self.behind = BEHIND.iter().filter_map(|name| contact_component(name)).collect();
+        let names = |list: &[&'static ContactComponent]| {
+            list.iter().map(|column| column.name).collect::<Vec<_>>().join(",")
+        };
+        let (before, behind) = (names(&self.before), names(&self.behind));
+        Some(format!("pair,node,status,{before},friction,{behind}"))
     }
 
     fn rows(&self, sheet: &mut Sheet<'_>, frame: &Frame<'_>) {
         for row in frame.contact.iter().filter(|row| row.ever_closed) {
             sheet.row().name(&frame.model.contact_pairs[row.pair].name);
             sheet.cell(frame.model.nodes.label(row.node)).cell(row.status.word());
-            sheet.numbers([row.opening, row.pressure, row.shear, row.slip]);
-            sheet.cell(row.friction.word()).numbers(row.position).numbers(row.normal);
-            sheet.numbers([row.area]).end();
+            sheet.numbers(self.before.iter().map(|column| (column.value)(row)));
+            sheet.cell(row.friction.word());
+            sheet.numbers(self.behind.iter().map(|column| (column.value)(row))).end();
         }
     }
 }

@@ -17,6 +17,7 @@ use crate::outline::{Outline, outlines};
 use crate::section::nodal_sections;
 use crate::writer::Writer;
 use slideline_model::{Dof, Kinematics, Model, NodeIndex};
+use slideline_results::{NodeComponent, NodeField, contact_component};
 use slideline_solve::observe::{ContactRow, Event, Frame};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -181,15 +182,20 @@ impl Results<'_> {
     /// DISP and FORC of every node.
     fn push_motion(&mut self, mesh: &Mesh) {
         let frame = self.frame;
-        let dofs = [Dof::U1, Dof::U2, Dof::U3];
         let nodes = || frame.model.nodes.iter().map(|node| node.label).enumerate();
-        let motion = nodes().map(|(k, l)| (l, dofs.map(|dof| frame.nodal.displacement(k, dof))));
+        let along = |field: NodeField| {
+            let parts: Vec<NodeComponent> = field.components(&Dof::ALL[..3]).collect();
+            let row =
+                move |node| -> [f64; 3] { std::array::from_fn(|k| parts[k].value(frame, node)) };
+            nodes().map(move |(node, label)| (label, row(node)))
+        };
+        let motion = along(NodeField::Motion);
         let carried = mesh.points().map(|(label, outline, point)| {
             let moved = outline.carried(frame, point);
             (label, [moved[0] - point[0], moved[1] - point[1], 0.0])
         });
         self.push("DISP", Shape::Vector, &["D1", "D2", "D3"], motion.chain(carried).collect());
-        let forces = nodes().map(|(k, l)| (l, dofs.map(|dof| frame.nodal.reaction(k, dof))));
+        let forces = along(NodeField::Reaction);
         let none = mesh.points().map(|(label, ..)| (label, [0.0; 3]));
         self.push("FORC", Shape::Vector, &["F1", "F2", "F3"], forces.chain(none).collect());
     }
@@ -213,11 +219,13 @@ impl Results<'_> {
 
     fn push_contact(&mut self) {
         let label = |node: &NodeIndex| self.frame.model.nodes.label(*node);
-        let values = |row: &ContactRow| [row.opening, row.slip, 0.0, row.pressure, row.shear, 0.0];
+        // in the plane there is no second tangent
+        let names = ["COPEN", "CSLIP1", "CSLIP2", "CPRESS", "CSHEAR1", "CSHEAR2"];
+        let parts = names.map(contact_component);
+        let values = |row: &ContactRow| parts.map(|own| own.map_or(0.0, |own| (own.value)(row)));
         let rows: Vec<(u64, [f64; 6])> =
             contact(self.frame).iter().map(|(node, row)| (label(node), values(row))).collect();
         if !rows.is_empty() {
-            let names = ["COPEN", "CSLIP1", "CSLIP2", "CPRESS", "CSHEAR1", "CSHEAR2"];
             self.push("CONTACT", Shape::Scalars, &names, rows);
         }
     }

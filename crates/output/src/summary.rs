@@ -2,7 +2,7 @@
 
 use crate::facts::{Earlier, Facts, Status};
 use crate::file::{WriteError, replace};
-use crate::history::{Column, columns};
+use crate::history::columns;
 use crate::job::JobFiles;
 use crate::json::{Map, Value, joined, json, text};
 use crate::ledger::onset_word;
@@ -15,6 +15,7 @@ use serde::{Deserialize, Serialize};
 use slideline_diag::{Diagnostic, Severity, Sources};
 use slideline_measures::NoiseSummary;
 use slideline_model::{Dialect, NodeIndex};
+use slideline_results::NodeComponent;
 use slideline_solve::Checkpoint;
 use slideline_solve::observe::{Ending, Event, Frame, StepReport, Totals};
 use std::collections::BTreeMap;
@@ -62,7 +63,7 @@ pub(crate) struct Summary<'a> {
     memory: Memory,
     /// Warnings, advice and notes.
     said: [Vec<Value>; 3],
-    curves: Vec<(String, NodeIndex, Column)>,
+    curves: Vec<(String, NodeIndex, NodeComponent)>,
     dropped_work: f64,
     totals: Totals,
     understood: Option<Value>,
@@ -238,7 +239,7 @@ impl<'a> Summary<'a> {
             keep_larger(&mut memory.normal, (force, pair as u64, time));
         }
         for ((_, node, column), peak) in self.curves.iter().zip(&mut memory.peaks) {
-            let now = (column.value(&frame.nodal, *node), time);
+            let now = (column.value(frame, *node), time);
             let peak = peak.get_or_insert(Peak { least: now, most: now });
             if now.0 < peak.least.0 {
                 peak.least = now;

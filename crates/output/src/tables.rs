@@ -9,12 +9,12 @@
 //!           AT            9999            9999
 //! ```
 
-use crate::history::Column;
 use crate::section::{axial_stresses, beams, outer_mises};
 use slideline_model::{
-    BeamSection, ContactPrint, ContactVariable, Dof, ElementPrint, ElementVariable, Model,
-    NodeIndex, NodePrint, NodeVariable, Request,
+    BeamSection, ContactPrint, ContactVariable, ElementPrint, ElementVariable, Model, NodeIndex,
+    NodePrint, Request,
 };
+use slideline_results::{CONTACT_FIELDS, ContactComponent, NodeComponent, NodeField};
 use slideline_solve::observe::{BeamRow, ContactRow, Frame};
 use std::fmt::Write as _;
 
@@ -95,51 +95,11 @@ fn push_values(text: &mut String, head: &str, values: &[f64]) {
     push_cells(text, head, values.iter().map(|value| format!("{value:.7e}")));
 }
 
-/// A column of a printed table.
-enum Printed {
-    Nodal(Column),
-    Load(Dof),
-    Coordinate(Dof),
-}
-
-impl Printed {
-    fn of(variable: NodeVariable, dofs: &[Dof]) -> Vec<Self> {
-        let all = dofs.iter().copied();
-        match variable {
-            NodeVariable::U => all.map(|dof| Self::Nodal(Column::Motion(dof))).collect(),
-            NodeVariable::RF => all.map(|dof| Self::Nodal(Column::Reaction(dof))).collect(),
-            NodeVariable::CF => all.map(Self::Load).collect(),
-            NodeVariable::COORD => {
-                all.filter(|dof| !dof.is_rotation()).map(Self::Coordinate).collect()
-            }
-        }
-    }
-
-    fn name(&self) -> &'static str {
-        match self {
-            Self::Nodal(column) => column.name(),
-            Self::Load(dof) => ["CF1", "CF2", "CF3", "CM1", "CM2", "CM3"][dof.number() - 1],
-            Self::Coordinate(dof) => ["COOR1", "COOR2", "COOR3"][dof.number() - 1],
-        }
-    }
-
-    fn value(&self, frame: &Frame<'_>, node: NodeIndex) -> f64 {
-        match *self {
-            Self::Nodal(column) => column.value(&frame.nodal, node),
-            Self::Load(dof) => frame.nodal.load(node, dof),
-            Self::Coordinate(dof) => {
-                frame.model.nodes.get(node).position[dof.number() - 1]
-                    + frame.nodal.displacement(node, dof)
-            }
-        }
-    }
-}
-
 /// A table that `*NODE PRINT` asks for: a row a node.
 pub(crate) fn push_nodes(text: &mut String, frame: &Frame<'_>, print: &NodePrint) {
     let dofs = frame.nodal.dofs();
-    let columns: Vec<Printed> =
-        print.variables.iter().flat_map(|&variable| Printed::of(variable, dofs)).collect();
+    let fields = print.variables.iter().map(|&variable| NodeField::from(variable));
+    let columns: Vec<NodeComponent> = fields.flat_map(|field| field.components(dofs)).collect();
     let row = |&node: &NodeIndex| {
         let label = frame.model.nodes.label(node);
         let values = columns.iter().map(|column| column.value(frame, node)).collect();
@@ -147,7 +107,7 @@ pub(crate) fn push_nodes(text: &mut String, frame: &Frame<'_>, print: &NodePrint
     };
     let table = Table {
         head: format!("{:>10}", "NODE"),
-        names: columns.iter().map(Printed::name).collect(),
+        names: columns.iter().map(|column| column.name()).collect(),
         rows: print.nodes.iter().map(row).collect(),
     };
     let what = if print.request.set.is_empty() { "NODES all nodes" } else { "NODES" };
@@ -209,17 +169,17 @@ fn element_values(
 
 /// A table that `*CONTACT PRINT` asks for: a row a slave node of every pair.
 pub(crate) fn push_contact(text: &mut String, frame: &Frame<'_>, print: &ContactPrint) {
+    let columns = || print.variables.iter().flat_map(|&variable| contact_field(variable));
     let row = |row: &ContactRow| {
         let (pair, label) = (pair_name(frame.model, row), frame.model.nodes.label(row.node));
-        let values = print.variables.iter().flat_map(|&v| contact_values(v, row)).collect();
+        let values = columns().map(|column| (column.value)(row)).collect();
         let head = format!("{pair:<16} {label:>10} {:<6}", row.status.word());
         Row { head, label, values }
     };
-    let names = print.variables.iter().flat_map(|&variable| contact_columns(variable));
     let own = frame.contact.iter().filter(|row| print.nodes.contains(&row.node));
     let table = Table {
         head: format!("{:<16} {:>10} {:<6}", "PAIR", "NODE", "STATUS"),
-        names: names.copied().collect(),
+        names: columns().map(|column| column.name).collect(),
         rows: own.map(row).collect(),
     };
     let what = if print.request.set.is_empty() { "CONTACT all slave nodes" } else { "CONTACT" };
@@ -230,18 +190,8 @@ fn pair_name<'a>(model: &'a Model, row: &ContactRow) -> &'a str {
     model.contact_pairs.get(row.pair).map_or("", |pair| pair.name.as_str())
 }
 
-fn contact_columns(variable: ContactVariable) -> &'static [&'static str] {
-    match variable {
-        ContactVariable::CSTRESS => &["CPRESS", "CSHEAR1"],
-        ContactVariable::CDISP => &["COPEN", "CSLIP1"],
-        ContactVariable::CFORCE => &["CNORMF", "CSHEARF"],
-    }
-}
-
-fn contact_values(variable: ContactVariable, row: &ContactRow) -> [f64; 2] {
-    match variable {
-        ContactVariable::CSTRESS => [row.pressure, row.shear],
-        ContactVariable::CDISP => [row.opening, row.slip],
-        ContactVariable::CFORCE => [row.pressure * row.area, row.shear * row.area],
-    }
+/// The components that a variable of `*CONTACT PRINT` stands for.
+fn contact_field(variable: ContactVariable) -> &'static [ContactComponent] {
+    let mut fields = CONTACT_FIELDS.iter();
+    fields.find(|field| field.variable == Some(variable)).map_or(&[], |field| field.components)
 }

@@ -136,7 +136,7 @@ fn axes_of_contact_are_the_folders_and_never_import_one_another() {
 }
 
 /// Crates whose files still import one another in circles.
-const CIRCLES: [&str; 5] = ["deck", "mech", "model", "solve", "verification"];
+const CIRCLES: [&str; 6] = ["deck", "mech", "model", "solve", "theory", "verification"];
 
 /// Every file can be read before those that import it.
 #[test]

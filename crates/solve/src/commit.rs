@@ -2,10 +2,15 @@
 
 use crate::account::account;
 use crate::constraints::Role;
-use crate::contact::MasterPositions;
+use crate::contact::{MasterPositions, Meeting};
+use crate::dofs::DofMap;
 use crate::newton::{Target, Workspace};
-use crate::plan::Plan;
+use crate::observe::ContactRow;
+use crate::plan::{Plan, Start};
+use crate::rows::contact_rows;
 use crate::state::State;
+use crate::users::UserFrictions;
+use slideline_model::Model;
 
 /// Writes the state after an increment into `trial` (every field).
 pub fn commit(
@@ -78,10 +83,10 @@ fn count_slip(plan: &Plan<'_>, committed: &State, work: &Workspace, trial: &mut 
 /// Fills in where the contact points of a committed state stand, without
 /// touching their history: the gaps of the start, and the origin of slip for
 /// points that close in the first increment.
-pub fn locate_points(plan: &Plan<'_>, committed: &mut State, work: &mut Workspace) {
+pub fn locate_points(plan: &Plan<'_>, committed: &mut State, meetings: &mut [Meeting]) {
     let mut positions = MasterPositions::default();
-    plan.contact.meet(&committed.displacement, &[], &mut positions, &mut work.evaluation.meetings);
-    for (point, meeting) in committed.points.iter_mut().zip(&work.evaluation.meetings) {
+    plan.contact.meet(&committed.displacement, &[], &mut positions, meetings);
+    for (point, meeting) in committed.points.iter_mut().zip(meetings) {
         point.opening = -meeting.overclosure;
         point.along = meeting.faces.then_some(meeting.along);
         point.position = meeting.position;
@@ -89,6 +94,20 @@ pub fn locate_points(plan: &Plan<'_>, committed: &mut State, work: &mut Workspac
         point.area = meeting.area;
         point.xi = meeting.xi;
     }
+}
+
+/// The contact points of an undeformed model, a row a slave node of every pair:
+/// gaps, facing places and areas.
+pub fn initial_contact(model: &Model) -> Vec<ContactRow> {
+    let mut rows = Vec::new();
+    let Some(step) = model.steps.first() else { return rows };
+    let undeformed = Start::undeformed(DofMap::new(model).len());
+    let plan = Plan::without_pattern(model, step, undeformed, &UserFrictions::default(), None);
+    let points = plan.contact.points.len();
+    let mut state = State::undeformed(plan.dofs.len(), points, (plan.contact.memory_size, 0));
+    locate_points(&plan, &mut state, &mut vec![Meeting::NOWHERE; points]);
+    contact_rows(&plan, &state, &mut rows);
+    rows
 }
 
 /// The places of a committed state as the evaluation that led to it left

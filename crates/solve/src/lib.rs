@@ -39,6 +39,7 @@ mod tangent;
 mod users;
 
 pub use checkpoint::Checkpoint;
+pub use commit::initial_contact;
 pub use contact::placed as rigid_surface;
 pub use increments::{Control, Decision, StopReason, Verdict};
 pub use linear_systems::LinearSystems;

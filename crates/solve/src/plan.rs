@@ -44,6 +44,8 @@ pub struct Plan<'a> {
     pub is_lenient: bool,
     /// How contact is solved, where not by its size.
     pub enforcement: Option<Enforcement>,
+    /// Largest load of the step [F or F L].
+    pub largest_load: f64,
     /// Threads for element loops; none: this one.
     pub pool: Option<&'a ThreadPool>,
     start: Start<'static>,
@@ -64,7 +66,6 @@ pub struct Start<'a> {
 
 impl Start<'_> {
     /// Of an undeformed model without loads.
-    #[cfg(test)]
     pub fn undeformed(slots: usize) -> Start<'static> {
         let zero = || Cow::Owned(vec![0.0; slots]);
         Start { displacement: zero(), load: zero(), released: zero() }
@@ -96,17 +97,29 @@ impl<'a> Plan<'a> {
     pub fn new(
         model: &'a Model,
         step: &'a Step,
+        start: Start<'static>,
+        users: &UserFrictions,
+        pool: Option<&'a ThreadPool>,
+    ) -> Self {
+        let displacement = start.displacement.clone();
+        let mut plan = Self::without_pattern(model, step, start, users, pool);
+        plan.take_in(&[&*displacement]);
+        plan
+    }
+
+    /// The same with an empty pattern: enough to look at contact.
+    pub fn without_pattern(
+        model: &'a Model,
+        step: &'a Step,
         mut start: Start<'static>,
         users: &UserFrictions,
         pool: Option<&'a ThreadPool>,
     ) -> Self {
         let dofs = DofMap::new(model);
         let constraints = Constraints::new(model, step, &dofs);
-        let mut structure = Structure::new(model, (&dofs, &constraints), step.nlgeom);
+        let structure = Structure::new(model, (&dofs, &constraints), step.nlgeom);
         let contact = Contact::new(model, &dofs, users);
-        let states = [&*start.displacement];
-        let pattern = coupled(&structure, &contact, &constraints, &states);
-        structure.find_entries(&constraints, &pattern);
+        let pattern = Pattern::from_pairs(0, std::iter::empty());
         let elastic = structure.touched(dofs.len());
         let reach = model
             .nodes
@@ -141,6 +154,7 @@ impl<'a> Plan<'a> {
             lever,
             units,
             is_lenient: false,
+            largest_load: step.loads.iter().fold(0.0, |most, load| load.value.abs().max(most)),
             enforcement: None,
             pool,
             start,
@@ -282,8 +296,12 @@ fn coupled(
         own.iter().for_each(|&dof| constraints.equations_of(dof, &mut into));
         into
     };
-    let near = contact.cliques(states);
-    let cliques = structure.cliques().chain(near.iter().map(Vec::as_slice)).map(equations);
+    // many points with prescribed dofs couple the same unknowns of their master
+    let near = contact.cliques(states).into_iter().map(|own| equations(&own));
+    let mut near: Vec<Vec<usize>> = near.filter(|own| own.len() > 1).collect();
+    near.sort_unstable();
+    near.dedup();
+    let cliques = structure.cliques().map(equations).chain(near);
     Pattern::from_cliques(constraints.equations(), cliques)
 }
 

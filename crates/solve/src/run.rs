@@ -261,7 +261,8 @@ impl<'a> Walk<'a> {
         };
         let mut plan = self.plan(step, start.owned());
         let mut work = Workspace::new(&plan);
-        crate::commit::locate_points(&plan, &mut self.committed, &mut work);
+        let meetings = &mut work.evaluation.meetings;
+        crate::commit::locate_points(&plan, &mut self.committed, meetings);
         self.begin(&plan, number, None, &work)?;
         self.all_increments(&mut plan, number, Control::begin(&step.procedure), &mut work)
     }

@@ -511,7 +511,7 @@ mod tests {
             let plan = Plan::new(&model, &model.steps[0], start, &users, None);
             let mut committed = State::undeformed(slots, points, (0, 0));
             let mut work = crate::newton::Workspace::new(&plan);
-            crate::commit::locate_points(&plan, &mut committed, &mut work);
+            crate::commit::locate_points(&plan, &mut committed, &mut work.evaluation.meetings);
             let body = model.nodes.find(100).unwrap();
             let mut u: Vec<f64> =
                 (0..slots).map(|k| 0.02 * ((k * 7919 % 13) as f64 / 6.0 - 1.0)).collect();

@@ -4,12 +4,25 @@ use crate::outline::{Outline, outlines};
 use crate::section::{axial_stresses, beams, outer_mises};
 use base64::{Engine as _, engine::general_purpose::STANDARD};
 use slideline_model::{Dof, Element, Kinematics, Model, NodeIndex};
+use slideline_results::{NodeComponent, NodeField, contact_component, shown};
 use slideline_solve::observe::{Frame, Status, Unconverged};
 use std::collections::HashMap;
 use std::fmt::Write as _;
 
 /// Bytes that are coded at a time.
 const BLOCK: usize = 3072;
+
+/// The field of forces and moments.
+const REACTION: NodeField = NodeField::Reaction;
+
+/// Arrays of contact, each with its component and what stands where there is no
+/// contact point.
+const CONTACT: [(&str, &str, f64); 4] = [
+    ("contact_pressure", "CPRESS", 0.0),
+    ("contact_shear", "CSHEAR1", 0.0),
+    ("contact_slip", "CSLIP1", 0.0),
+    ("contact_opening", "COPEN", f64::NAN),
+];
 
 /// VTK_LINE: all curves are lines (some readers know no poly-lines).
 const LINE: u8 = 3;
@@ -99,12 +112,14 @@ impl Grid {
         text.push_str(&self.topology);
         text.push_str("<PointData>\n");
         push_floats(text, "displacement", 3, &displacement);
-        self.push_nodal(text, frame);
+        let value = |part: NodeComponent, node| part.value(frame, node);
+        self.push_vectors(text, frame, "rotation", (NodeField::Motion, 3), &value);
+        self.push_vectors(text, frame, "reaction_force", (REACTION, 0), &value);
+        self.push_vectors(text, frame, "reaction_moment", (REACTION, 3), &value);
         if let Some(state) = unconverged {
-            let residual = |node, dof| state.residual(node, dof);
-            let (forces, moments) = Dof::ALL.split_at(3);
-            push_floats(text, "residual_force", 3, &self.vectors(frame, forces, &residual));
-            push_floats(text, "residual_moment", 3, &self.vectors(frame, moments, &residual));
+            let missing = |part: NodeComponent, node| part.residual(state, node);
+            self.push_vectors(text, frame, "residual_force", (REACTION, 0), &missing);
+            self.push_vectors(text, frame, "residual_moment", (REACTION, 3), &missing);
         }
         self.push_contact(text, frame);
         text.push_str("</PointData>\n<CellData>\n");
@@ -133,59 +148,45 @@ impl Grid {
         (points, displacement)
     }
 
-    fn push_nodal(&self, text: &mut String, frame: &Frame<'_>) {
-        let (move_dofs, turn_dofs) = Dof::ALL.split_at(3);
-        let motion = |node, dof| frame.nodal.displacement(node, dof);
-        let reaction = |node, dof| frame.nodal.reaction(node, dof);
-        push_floats(text, "rotation", 3, &self.vectors(frame, turn_dofs, &motion));
-        push_floats(text, "reaction_force", 3, &self.vectors(frame, move_dofs, &reaction));
-        push_floats(text, "reaction_moment", 3, &self.vectors(frame, turn_dofs, &reaction));
-    }
-
-    /// Three components at every node, zero at the points of outlines.
-    fn vectors(
+    /// Three components of a field, from one on, at every node; zero at the
+    /// points of outlines.
+    fn push_vectors(
         &self,
+        text: &mut String,
         frame: &Frame<'_>,
-        dofs: &[Dof],
-        value: &dyn Fn(NodeIndex, Dof) -> f64,
-    ) -> Vec<f64> {
+        name: &str,
+        (field, first): (NodeField, usize),
+        value: &dyn Fn(NodeComponent, NodeIndex) -> f64,
+    ) {
+        let parts: Vec<NodeComponent> = field.components(&Dof::ALL[first..first + 3]).collect();
         let mut values = Vec::with_capacity(3 * self.point_count);
         for node in 0..frame.model.nodes.len() {
-            values.extend(dofs.iter().map(|&dof| value(node, dof)));
+            values.extend(parts.iter().map(|&part| value(part, node)));
         }
         values.resize(3 * self.point_count, 0.0);
-        values
+        push_floats(text, name, 3, &values);
     }
 
     /// Contact at slave nodes: elsewhere no pressure, no opening (not a
     /// number) and status -1. A node of several pairs shows where it is
     /// pressed most.
     fn push_contact(&self, text: &mut String, frame: &Frame<'_>) {
-        let mut pressure = vec![0.0; self.point_count];
-        let mut shear = vec![0.0; self.point_count];
-        let mut slip = vec![0.0; self.point_count];
-        let mut opening = vec![f64::NAN; self.point_count];
-        let mut status = vec![-1_i32; self.point_count];
-        for row in frame.contact {
-            let node = row.node;
-            let shown = status[node] >= 0;
-            if shown && (pressure[node] > row.pressure || opening[node] <= row.opening) {
-                continue;
+        let shown = shown(frame);
+        for (name, component, without) in CONTACT {
+            let mut values = vec![without; self.point_count];
+            for (&node, row) in &shown {
+                values[node] = contact_component(component).map_or(without, |own| (own.value)(row));
             }
-            pressure[node] = row.pressure;
-            shear[node] = row.shear;
-            slip[node] = row.slip;
-            opening[node] = row.opening;
+            push_floats(text, name, 1, &values);
+        }
+        let mut status = vec![-1; self.point_count];
+        for (&node, row) in &shown {
             status[node] = match row.status {
                 Status::Open => 0,
                 Status::Stick => 1,
                 Status::Slip => 2,
             };
         }
-        push_floats(text, "contact_pressure", 1, &pressure);
-        push_floats(text, "contact_shear", 1, &shear);
-        push_floats(text, "contact_slip", 1, &slip);
-        push_floats(text, "contact_opening", 1, &opening);
         push_short(text, "contact_status", &status);
         text.push_str(&self.labels[0]);
     }

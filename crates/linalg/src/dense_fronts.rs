@@ -1,0 +1,263 @@
+//! Dense work of one front: elimination of its columns, and what is left for its parent.
+//!
+//! ```text
+//!            columns  rows
+//!           +--------+-----+     panel   = columns, all of them: L below, U (or D) on and above
+//!   columns | L\U    | U12 |     above   = U12, of unsymmetric fronts
+//!           +--------+-----+     update  = the Schur complement, handed to the parent
+//!   rows    | L21    | F22 |
+//!           +--------+-----+     all column after column
+//! ```
+//!
+//! Pivots are sought among the front's own columns only (static structure); what is too small is
+//! replaced and reported. Columns are halved until they are few (Toledo 1997), so that nearly all
+//! work is matrix products.
+
+use faer::linalg::matmul::{matmul, triangular};
+use faer::linalg::triangular_solve::solve_unit_lower_triangular_in_place;
+use faer::prelude::{Reborrow, ReborrowMut};
+use faer::{Accum, MatMut, MatRef, Par};
+
+/// Number of columns that are eliminated one by one.
+const NARROW: usize = 8;
+/// Part of the largest candidate from which on the diagonal is kept as pivot: a front keeps its
+/// order, and nearly symmetric matrices their structure of errors.
+const KEPT: f64 = 0.1;
+/// Pivot, relative to the size of its equation, below which it is replaced.
+const TINY: f64 = f64::EPSILON;
+/// What it is replaced by, relative to the size of the equation: half of all digits, the best
+/// compromise between growth and error (Li and Demmel 1998).
+const REPLACEMENT: f64 = 1.5e-8;
+
+/// Pivots so far.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pivots {
+    pub negative: usize,
+    pub smallest_ratio: f64,
+    /// Position of the smallest in the order of elimination.
+    pub smallest: usize,
+}
+
+impl Pivots {
+    pub const NONE: Self = Self { negative: 0, smallest_ratio: f64::INFINITY, smallest: 0 };
+
+    /// Notes a pivot of the equation at position `at`; returns it, or its replacement.
+    fn note(&mut self, pivot: f64, size: f64, at: usize) -> f64 {
+        let ratio = pivot.abs() / size;
+        let usual = ratio >= self.smallest_ratio;
+        if !usual {
+            (self.smallest_ratio, self.smallest) = (ratio, at);
+        }
+        self.negative += usize::from(pivot < 0.0);
+        if ratio > TINY { pivot } else { (REPLACEMENT * size).copysign(pivot) }
+    }
+}
+
+/// A front at work: its columns are at positions from `first` on.
+pub(crate) struct DenseFront<'a> {
+    pub panel: &'a mut [f64],
+    /// Empty for symmetric fronts.
+    pub above: &'a mut [f64],
+    pub update: &'a mut [f64],
+    pub columns: usize,
+    pub rows: usize,
+    /// Position of the first column.
+    pub first: usize,
+}
+
+impl DenseFront<'_> {
+    fn height(&self) -> usize {
+        self.columns + self.rows
+    }
+
+    /// P A = L U of the columns with exchanges among them, then U12 and F22. `size` holds the sizes
+    /// of the front's equations; `exchange` receives the row that each column was exchanged with.
+    pub fn factor_lu(&mut self, size: &[f64], exchange: &mut [u32], pivots: &mut Pivots) {
+        self.lu_of_columns(0, self.columns, size, exchange, pivots);
+        let (k, r) = (self.columns, self.rows);
+        if r == 0 {
+            return;
+        }
+        if exchange.iter().enumerate().any(|(j, &row)| row as usize != j) {
+            for column in self.above.chunks_exact_mut(k) {
+                exchange.iter().enumerate().for_each(|(j, &row)| column.swap(j, row as usize));
+            }
+        }
+        let panel = MatRef::from_column_major_slice(self.panel, k + r, k);
+        let (l11, l21) = panel.split_at_row(k);
+        let mut u12 = MatMut::from_column_major_slice_mut(self.above, k, r);
+        solve_unit_lower_triangular_in_place(l11, u12.rb_mut(), Par::Seq);
+        let update = MatMut::from_column_major_slice_mut(self.update, r, r);
+        matmul(update, Accum::Add, l21, u12.rb(), -1.0, Par::Seq);
+    }
+
+    fn lu_of_columns(
+        &mut self,
+        from: usize,
+        to: usize,
+        size: &[f64],
+        exchange: &mut [u32],
+        pivots: &mut Pivots,
+    ) {
+        if to - from <= NARROW {
+            for j in from..to {
+                exchange[j] = self.exchange_rows(j) as u32;
+                self.eliminate_column(j, to, size[j], pivots);
+            }
+            return;
+        }
+        let (height, middle) = (self.height(), middle(from, to));
+        self.lu_of_columns(from, middle, size, exchange, pivots);
+        let (left, right) = self.panel.split_at_mut(middle * height);
+        let left = MatRef::from_column_major_slice(&left[from * height..], height, middle - from);
+        let (_, left) = left.split_at_row(from);
+        let (l11, l21) = left.split_at_row(middle - from);
+        let right = &mut right[..(to - middle) * height];
+        let right = MatMut::from_column_major_slice_mut(right, height, to - middle);
+        let (_, right) = right.split_at_row_mut(from);
+        let (mut u12, a22) = right.split_at_row_mut(middle - from);
+        solve_unit_lower_triangular_in_place(l11, u12.rb_mut(), Par::Seq);
+        matmul(a22, Accum::Add, l21, u12.rb(), -1.0, Par::Seq);
+        self.lu_of_columns(middle, to, size, exchange, pivots);
+    }
+
+    /// Brings the pivot of column j to the diagonal; returns the row it came from.
+    fn exchange_rows(&mut self, j: usize) -> usize {
+        let height = self.height();
+        let candidates = &self.panel[j * height + j..j * height + self.columns];
+        let (mut best, mut largest) = (0, 0.0);
+        for (p, entry) in candidates.iter().enumerate() {
+            if entry.abs() > largest {
+                (best, largest) = (p, entry.abs());
+            }
+        }
+        if best == 0 || candidates[0].abs() >= KEPT * largest {
+            return j;
+        }
+        for column in self.panel.chunks_exact_mut(height) {
+            column.swap(j, j + best);
+        }
+        j + best
+    }
+
+    /// Divides column j by its pivot and subtracts it from the columns up to `to`.
+    fn eliminate_column(&mut self, j: usize, to: usize, size: f64, pivots: &mut Pivots) {
+        let height = self.height();
+        let (head, tail) = self.panel.split_at_mut((j + 1) * height);
+        let column = &mut head[j * height + j..];
+        column[0] = pivots.note(column[0], size, self.first + j);
+        let inverse = 1.0 / column[0];
+        let column = &mut column[1..];
+        column.iter_mut().for_each(|l| *l *= inverse);
+        for target in tail.chunks_exact_mut(height).take(to - j - 1) {
+            subtract_from(&mut target[j..], column);
+        }
+    }
+
+    /// A = L D L' of the columns without exchanges, then the lower triangle of F22. `scratch` has
+    /// room for columns times the height.
+    pub fn factor_ldlt(&mut self, size: &[f64], scratch: &mut [f64], pivots: &mut Pivots) {
+        self.ldlt_of_columns(0, self.columns, size, scratch, pivots);
+        let (k, r) = (self.columns, self.rows);
+        if r == 0 {
+            return;
+        }
+        let l21 = MatRef::from_column_major_slice(self.panel, k + r, k).split_at_row(k).1;
+        let weighted = weigh(self.panel, k + r, (0, k), (k, k + r), scratch);
+        let update = MatMut::from_column_major_slice_mut(self.update, r, r);
+        add_lower(update, l21, weighted);
+    }
+
+    fn ldlt_of_columns(
+        &mut self,
+        from: usize,
+        to: usize,
+        size: &[f64],
+        scratch: &mut [f64],
+        pivots: &mut Pivots,
+    ) {
+        if to - from <= NARROW {
+            (from..to).for_each(|j| self.eliminate_symmetric(j, to, size[j], pivots));
+            return;
+        }
+        let (height, middle) = (self.height(), middle(from, to));
+        self.ldlt_of_columns(from, middle, size, scratch, pivots);
+        let (left, right) = self.panel.split_at_mut(middle * height);
+        let weighted = weigh(left, height, (from, middle), (middle, to), scratch);
+        let left = MatRef::from_column_major_slice(&left[from * height..], height, middle - from);
+        let (_, left) = left.split_at_row(middle);
+        let (square, below) = left.split_at_row(to - middle);
+        let right = &mut right[..(to - middle) * height];
+        let right = MatMut::from_column_major_slice_mut(right, height, to - middle);
+        let (_, right) = right.split_at_row_mut(middle);
+        let (own, rest) = right.split_at_row_mut(to - middle);
+        add_lower(own, square, weighted);
+        matmul(rest, Accum::Add, below, weighted, -1.0, Par::Seq);
+        self.ldlt_of_columns(middle, to, size, scratch, pivots);
+    }
+
+    fn eliminate_symmetric(&mut self, j: usize, to: usize, size: f64, pivots: &mut Pivots) {
+        let height = self.height();
+        let (head, tail) = self.panel.split_at_mut((j + 1) * height);
+        let column = &mut head[j * height + j..];
+        column[0] = pivots.note(column[0], size, self.first + j);
+        let inverse = 1.0 / column[0];
+        let column = &mut column[1..];
+        for (p, target) in tail.chunks_exact_mut(height).take(to - j - 1).enumerate() {
+            let factor = column[p] * inverse;
+            for (t, l) in target[j + 1 + p..].iter_mut().zip(&column[p..]) {
+                *t -= factor * l;
+            }
+        }
+        column.iter_mut().for_each(|l| *l *= inverse);
+    }
+}
+
+/// Where columns are halved: the left half is whole narrow blocks.
+fn middle(from: usize, to: usize) -> usize {
+    from + ((to - from) / 2).next_multiple_of(NARROW)
+}
+
+/// target[1..] -= target[0] * column.
+fn subtract_from(target: &mut [f64], column: &[f64]) {
+    let factor = target[0];
+    if factor != 0.0 {
+        target[1..].iter_mut().zip(column).for_each(|(t, l)| *t -= factor * l);
+    }
+}
+
+/// D L' for the columns `of` and the rows `over` of L, in scratch.
+fn weigh<'a>(
+    panel: &[f64],
+    height: usize,
+    of: (usize, usize),
+    over: (usize, usize),
+    scratch: &'a mut [f64],
+) -> MatRef<'a, f64> {
+    let (count, width) = (of.1 - of.0, over.1 - over.0);
+    let scratch = &mut scratch[..count * width];
+    for (p, j) in (of.0..of.1).enumerate() {
+        let column = &panel[j * height..(j + 1) * height];
+        for (l, target) in column[over.0..over.1].iter().zip(scratch[p..].iter_mut().step_by(count))
+        {
+            *target = column[j] * l;
+        }
+    }
+    MatRef::from_column_major_slice(scratch, count, width)
+}
+
+/// target -= left * right, the lower triangle of it.
+fn add_lower(target: MatMut<'_, f64>, left: MatRef<'_, f64>, right: MatRef<'_, f64>) {
+    use triangular::BlockStructure::{Rectangular, TriangularLower};
+    triangular::matmul(
+        target,
+        TriangularLower,
+        Accum::Add,
+        left,
+        Rectangular,
+        right,
+        Rectangular,
+        -1.0,
+        Par::Seq,
+    );
+}

@@ -1,0 +1,121 @@
+//! Fields on nodes.
+
+use slideline_model::{Dof, NodeIndex, NodeVariable};
+use slideline_solve::observe::{Frame, Unconverged};
+
+/// A field on nodes, as decks ask for it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NodeField {
+    /// U: displacements [L] and rotations [1].
+    Motion,
+    /// RF: forces [F] and moments [F L] of supports on the model.
+    Reaction,
+    /// CF: applied forces [F] and moments [F L].
+    Load,
+    /// COORD: current coordinates [L].
+    Coordinate,
+}
+
+impl From<NodeVariable> for NodeField {
+    fn from(variable: NodeVariable) -> Self {
+        match variable {
+            NodeVariable::U => Self::Motion,
+            NodeVariable::RF => Self::Reaction,
+            NodeVariable::CF => Self::Load,
+            NodeVariable::COORD => Self::Coordinate,
+        }
+    }
+}
+
+impl NodeField {
+    /// All fields.
+    pub const ALL: [Self; 4] = [Self::Motion, Self::Reaction, Self::Load, Self::Coordinate];
+
+    /// Name, as decks ask for it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Motion => "U",
+            Self::Reaction => "RF",
+            Self::Load => "CF",
+            Self::Coordinate => "COORD",
+        }
+    }
+
+    /// Its components along some dofs; a coordinate has none along a rotation.
+    pub fn components(self, dofs: &[Dof]) -> impl Iterator<Item = NodeComponent> {
+        let has = move |dof: &Dof| self != Self::Coordinate || !dof.is_rotation();
+        dofs.iter().copied().filter(has).map(move |dof| NodeComponent { field: self, dof })
+    }
+}
+
+/// A component of a field on nodes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NodeComponent {
+    /// The field.
+    pub field: NodeField,
+    /// The dof it belongs to.
+    pub dof: Dof,
+}
+
+impl NodeComponent {
+    /// Name, such as `U2`, `RM3`, `COOR1`.
+    pub fn name(self) -> &'static str {
+        let own = |names: [&'static str; 6]| names[self.dof.number() - 1];
+        match self.field {
+            NodeField::Motion => self.dof.name(),
+            NodeField::Reaction => self.dof.reaction_name(),
+            NodeField::Load => own(["CF1", "CF2", "CF3", "CM1", "CM2", "CM3"]),
+            NodeField::Coordinate => own(["COOR1", "COOR2", "COOR3", "", "", ""]),
+        }
+    }
+
+    /// Unit tag.
+    pub fn unit(self) -> &'static str {
+        match (self.field, self.dof.is_rotation()) {
+            (NodeField::Motion, true) => "[1]",
+            (NodeField::Motion | NodeField::Coordinate, _) => "[L]",
+            (NodeField::Reaction | NodeField::Load, true) => "[F L]",
+            (NodeField::Reaction | NodeField::Load, false) => "[F]",
+        }
+    }
+
+    /// Its value at a node.
+    pub fn value(self, frame: &Frame<'_>, node: NodeIndex) -> f64 {
+        let (nodal, dof) = (&frame.nodal, self.dof);
+        match self.field {
+            NodeField::Motion => nodal.displacement(node, dof),
+            NodeField::Reaction => nodal.reaction(node, dof),
+            NodeField::Load => nodal.load(node, dof),
+            NodeField::Coordinate => {
+                let still = frame.model.nodes.get(node).position;
+                still[dof.number() - 1] + nodal.displacement(node, dof)
+            }
+        }
+    }
+
+    /// What is missing to equilibrium along its dof [F or F L].
+    pub fn residual(self, state: &Unconverged<'_>, node: NodeIndex) -> f64 {
+        state.residual(node, self.dof)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Requirement: names and units are those of docs/files.md.
+    #[test]
+    fn components_are_named_as_decks_name_them() {
+        let of = |field: NodeField| -> Vec<(&str, &str)> {
+            field.components(&Dof::PLANE).map(|own| (own.name(), own.unit())).collect()
+        };
+        assert_eq!(of(NodeField::Motion), [("U1", "[L]"), ("U2", "[L]"), ("UR3", "[1]")]);
+        assert_eq!(of(NodeField::Reaction), [("RF1", "[F]"), ("RF2", "[F]"), ("RM3", "[F L]")]);
+        assert_eq!(of(NodeField::Load), [("CF1", "[F]"), ("CF2", "[F]"), ("CM3", "[F L]")]);
+        assert_eq!(of(NodeField::Coordinate), [("COOR1", "[L]"), ("COOR2", "[L]")]);
+        for field in NodeField::ALL {
+            let names: Vec<&str> = field.components(&Dof::ALL).map(NodeComponent::name).collect();
+            assert!(names.iter().all(|name| !name.is_empty()), "{}", field.name());
+        }
+    }
+}
