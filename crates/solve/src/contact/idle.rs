@@ -16,7 +16,7 @@ use super::{Carrier, Contact, moved};
 use slideline_mech::contact::pair::Body;
 
 /// Room for the turning of what a point faces along its way, as a part of that [1].
-const ROOM: f64 = 0.5;
+const ROOM: f64 = 1.0;
 
 /// What was seen when all points were last looked at.
 #[derive(Clone, Debug, Default)]
