@@ -2,7 +2,7 @@
 
 use crate::account::account;
 use crate::constraints::Role;
-use crate::contact::{MasterPositions, Meeting};
+use crate::contact::{MasterPositions, ContactKinematics};
 use crate::dofs::DofMap;
 use crate::newton::{Target, Workspace};
 use crate::observe::ContactRow;
@@ -43,7 +43,7 @@ pub fn commit(
     if crate::stabilise::settings(plan, committed).is_some() {
         trial.damping.extend_from_slice(&evaluation.damping);
     }
-    trial.memory.copy_from_slice(&evaluation.memory);
+    trial.state_variables.copy_from_slice(&evaluation.state_variables);
     trial.elements.copy_from_slice(&committed.elements);
     plan.structure.gather_state(&evaluation.contributions, &mut trial.elements);
     count_slip(plan, committed, work, trial);
@@ -72,10 +72,10 @@ fn count_slip(plan: &Plan<'_>, committed: &State, work: &Workspace, trial: &mut 
     for (place, point) in plan.contact.points.iter().enumerate() {
         let (now, before) = (&mut trial.points[place], &committed.points[place]);
         if now.closed && !plan.contact.laws[point.pair].has_friction() {
-            let meeting = &work.evaluation.meetings[place];
+            let kinematics = &work.evaluation.kinematics[place];
             let history = before.history();
             now.slip =
-                before.slip + plan.contact.slip(place, &history, meeting, &committed.displacement);
+                before.slip + plan.contact.slip(place, &history, kinematics, &committed.displacement);
         }
     }
 }
@@ -83,16 +83,16 @@ fn count_slip(plan: &Plan<'_>, committed: &State, work: &Workspace, trial: &mut 
 /// Fills in where the contact points of a committed state stand, without
 /// touching their history: the gaps of the start, and the origin of slip for
 /// points that close in the first increment.
-pub fn locate_points(plan: &Plan<'_>, committed: &mut State, meetings: &mut [Meeting]) {
+pub fn locate_points(plan: &Plan<'_>, committed: &mut State, kinematics: &mut [ContactKinematics]) {
     let mut positions = MasterPositions::default();
-    plan.contact.meet(&committed.displacement, &[], &mut positions, meetings);
-    for (point, meeting) in committed.points.iter_mut().zip(meetings) {
-        point.opening = -meeting.overclosure;
-        point.along = meeting.faces.then_some(meeting.along);
-        point.position = meeting.position;
-        point.normal = meeting.normal;
-        point.area = meeting.area;
-        point.xi = meeting.xi;
+    plan.contact.meet(&committed.displacement, &[], &mut positions, kinematics);
+    for (point, kinematics) in committed.points.iter_mut().zip(kinematics) {
+        point.opening = -kinematics.overclosure;
+        point.along = kinematics.faces.then_some(kinematics.along);
+        point.position = kinematics.position;
+        point.normal = kinematics.normal;
+        point.area = kinematics.area;
+        point.xi = kinematics.xi;
     }
 }
 
@@ -104,8 +104,8 @@ pub fn initial_contact(model: &Model) -> Vec<ContactRow> {
     let undeformed = Start::undeformed(DofMap::new(model).len());
     let plan = Plan::without_pattern(model, step, undeformed, &UserFrictions::default(), None);
     let points = plan.contact.points.len();
-    let mut state = State::undeformed(plan.dofs.len(), points, (plan.contact.memory_size, 0));
-    locate_points(&plan, &mut state, &mut vec![Meeting::NOWHERE; points]);
+    let mut state = State::undeformed(plan.dofs.len(), points, (plan.contact.state_size, 0));
+    locate_points(&plan, &mut state, &mut vec![ContactKinematics::NOWHERE; points]);
     contact_rows(&plan, &state, &mut rows);
     rows
 }
@@ -113,10 +113,10 @@ pub fn initial_contact(model: &Model) -> Vec<ContactRow> {
 /// The places of a committed state as the evaluation that led to it left
 /// them, so that points without a master keep what was last said of them.
 pub fn recall_points(committed: &State, work: &mut Workspace) {
-    for (point, meeting) in committed.points.iter().zip(&mut work.evaluation.meetings) {
-        meeting.position = point.position;
-        meeting.normal = point.normal;
-        meeting.area = point.area;
-        meeting.xi = point.xi;
+    for (point, kinematics) in committed.points.iter().zip(&mut work.evaluation.kinematics) {
+        kinematics.position = point.position;
+        kinematics.normal = point.normal;
+        kinematics.area = point.area;
+        kinematics.xi = point.xi;
     }
 }

@@ -20,7 +20,7 @@ mod convergence;
 mod diagnose;
 mod dofs;
 mod evaluate;
-mod evidence;
+mod iteration_history;
 mod increments;
 mod linear_systems;
 mod linearised;

@@ -20,7 +20,7 @@ mod turns;
 use crate::contact::{GeometryScratch, MasterPositions, Missed, Sweep, SweepScratch};
 use crate::convergence::{Field, FieldHistory, Measures, judge};
 use crate::evaluate::{Evaluation, Trial, complete, evaluate};
-use crate::evidence::Evidence;
+use crate::iteration_history::IterationHistory;
 use crate::increments::Verdict;
 use crate::linearised::{LinearPoint, LinearisedContact, Stiffness};
 use crate::observe::{ContactChange, IterationReport};
@@ -30,7 +30,7 @@ use crate::stabilise::{self, Dashpot};
 use crate::state::State;
 use crate::structure::Configuration;
 pub use assembly::TOUCH;
-use assembly::circumstances;
+use assembly::context;
 use relax::Relaxation;
 pub use relax::relax;
 use slideline_linalg::{SolveError, Solver};
@@ -88,7 +88,7 @@ pub struct Workspace {
     /// The increment [T].
     dt: f64,
     correction: Vec<f64>,
-    correction_slots: Vec<f64>,
+    correction_dofs: Vec<f64>,
     residual: Vec<f64>,
     /// Forces on dependent dofs with which the tangent turns, a dof each.
     turning: Vec<f64>,
@@ -111,13 +111,13 @@ pub struct Workspace {
     /// directions in which the structure gives way.
     pub negative_pivots: usize,
     /// What the iterations of this attempt showed of every contact point.
-    pub evidence: Evidence,
+    pub iteration_history: IterationHistory,
     /// Whether corrections are shortened until they lessen the residual.
     pub line_search: bool,
     /// Fraction of the last correction that was taken [1].
     step_length: f64,
-    /// Whether every facing point lends its stiffness in this attempt.
-    lend_to_all: bool,
+    /// Whether every facing point augments its stiffness in this attempt.
+    augment_all: bool,
     /// What holds the state back on its way downhill.
     relaxation: Relaxation,
     /// The list of changes of the last report, to be used again.
@@ -142,7 +142,7 @@ impl Workspace {
             enforcement: Enforcement::default(),
             dt: 0.0,
             correction: vec![0.0; equations],
-            correction_slots: vec![0.0; slots],
+            correction_dofs: vec![0.0; slots],
             residual: vec![0.0; slots],
             turning: vec![0.0; slots],
             increment: vec![0.0; slots],
@@ -159,10 +159,10 @@ impl Workspace {
             chain_positions: MasterPositions::default(),
             was_closed: vec![false; points],
             negative_pivots: 0,
-            evidence: Evidence::new(points),
+            iteration_history: IterationHistory::new(points),
             line_search: false,
             step_length: 1.0,
-            lend_to_all: false,
+            augment_all: false,
             relaxation: Relaxation::default(),
             changes: Vec::with_capacity(points),
         }
@@ -282,7 +282,7 @@ impl Progress {
 impl Workspace {
     /// The first guess, evaluated.
     fn begin(&mut self, plan: &Plan<'_>, committed: &State, target: &Target) {
-        self.lend_to_all = false;
+        self.augment_all = false;
         self.dt = target.dt;
         self.negative_pivots = 0;
         let times = (target.step_time, target.dt);
@@ -302,13 +302,13 @@ impl Workspace {
         }
         self.first_stresses(plan, committed, target.dt);
         self.evaluate(plan, committed, target.dt);
-        self.evidence.begin(&self.evaluation.points);
+        self.iteration_history.begin(&self.evaluation.points);
     }
 
     /// Without a last increment to repeat, what is prescribed on the
     /// structure is spread over it linearly, lest one element takes it all.
     fn spread_prescribed(&mut self, plan: &Plan<'_>, committed: &State, target: &Target) {
-        let change = &mut self.correction_slots;
+        let change = &mut self.correction_dofs;
         for (slot, value) in change.iter_mut().enumerate() {
             *value = self.u[slot] - committed.displacement[slot];
         }
@@ -386,7 +386,7 @@ impl Workspace {
             }
         }
         self.hold_back(plan);
-        let context = circumstances(plan, committed, dt);
+        let context = context(plan, committed, dt);
         let Self { contact, enforcement, values, augmented, solver, points, correction, .. } = self;
         let (pattern, symmetrised) = (&plan.pattern, plan.symmetrised());
         let mut stiffness = Stiffness { pattern, values, augmented, solver, symmetrised };
@@ -430,8 +430,8 @@ impl Workspace {
             self.residual[dof] += self.correction[equation];
         }
         plan.constraints.enforce(&mut self.residual);
-        let Evaluation { meetings, look, .. } = &self.evaluation;
-        plan.contact.stay_idle(meetings, &self.residual, look)
+        let Evaluation { kinematics, look, .. } = &self.evaluation;
+        plan.contact.stay_idle(kinematics, &self.residual, look)
     }
 
     /// Looks at the points that iterations have left alone; says whether none of
@@ -467,13 +467,13 @@ impl Workspace {
     /// Moves by a fraction of the correction.
     fn advance(&mut self, plan: &Plan<'_>, length: f64) {
         self.step_length = length;
-        self.correction_slots.fill(0.0);
+        self.correction_dofs.fill(0.0);
         for (equation, &slot) in plan.constraints.dof_of_equation.iter().enumerate() {
-            self.correction_slots[slot] = self.correction[equation];
+            self.correction_dofs[slot] = self.correction[equation];
         }
-        plan.constraints.expand(&self.evaluation.rows, &mut self.correction_slots);
+        plan.constraints.expand(&self.evaluation.rows, &mut self.correction_dofs);
         self.move_stresses(plan, length);
-        for (slot, change) in self.correction_slots.iter_mut().enumerate() {
+        for (slot, change) in self.correction_dofs.iter_mut().enumerate() {
             *change *= length;
             self.u[slot] += *change;
         }
@@ -517,7 +517,7 @@ impl Workspace {
         let controls = &plan.step.controls.field;
         let averages = [0, 1].map(|field| committed.flux[field].with(flux[field], controls));
         self.note_changes(plan, controls.r_n * averages[0], &mut report);
-        self.evidence.note(&self.evaluation.points);
+        self.iteration_history.note(&self.evaluation.points);
         if report.severe {
             progress.severe += 1;
             progress.since_change = 0;

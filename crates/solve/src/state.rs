@@ -28,7 +28,7 @@ pub struct State {
     /// Contact points, in the order of the plan.
     pub points: Vec<PointState>,
     /// State values of user friction laws.
-    pub memory: Vec<f64>,
+    pub state_variables: Vec<f64>,
     /// State variables of the elements and their materials, block by block.
     pub elements: Vec<f64>,
     /// Average flux of forces and moments over the step.
@@ -82,18 +82,18 @@ pub struct PointState {
     pub normal: [f64; 2],
     /// Area it stands for [L2].
     pub area: f64,
-    /// Where a station stands on its element, 0 to 1.
+    /// Where a integration_point stands on its element, 0 to 1.
     pub xi: f64,
 }
 
 impl PointState {
-    /// Whether this is what [`PointState::open_from`] makes of a station that
+    /// Whether this is what [`PointState::open_from`] makes of a integration_point that
     /// was never closed.
     pub fn is_untouched(&self) -> bool {
         self.opening == f64::INFINITY && self.area == 0.0 && !self.ever_closed
     }
 
-    /// A station that faces nothing: open, what it has done before kept.
+    /// A integration_point that faces nothing: open, what it has done before kept.
     pub fn open_from(&mut self, before: &Self) {
         let (ever_closed, slip) = (before.ever_closed, before.slip);
         let opening = f64::INFINITY;
@@ -117,7 +117,7 @@ impl State {
             reaction: vec![0.0; slots],
             load: vec![0.0; slots],
             points: vec![PointState::default(); points],
-            memory: vec![0.0; states.0],
+            state_variables: vec![0.0; states.0],
             elements: vec![0.0; states.1],
             ..Self::default()
         }

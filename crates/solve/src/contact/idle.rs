@@ -10,8 +10,8 @@
 //! looked at again; one that touches after all, as where a part comes to face it
 //! that did not before, sends the iteration on.
 
-use super::facade::Facade;
-use super::meeting::Meeting;
+use super::master::MasterSurface;
+use super::kinematics::ContactKinematics;
 use super::{Carrier, Contact, moved};
 use slideline_mech::contact::pair::Body;
 
@@ -46,7 +46,7 @@ impl Contact {
     /// carry no pressure by the estimates.
     pub fn find_idle(
         &self,
-        meetings: &[Meeting],
+        kinematics: &[ContactKinematics],
         (u, pressures): (&[f64], &[f64]),
         look: &mut Look,
     ) {
@@ -57,47 +57,47 @@ impl Contact {
         }
         for place in 0..self.points.len() {
             look.idle[place] =
-                pressures[place] == 0.0 && self.stays_open(place, &meetings[place], u, look);
+                pressures[place] == 0.0 && self.stays_open(place, &kinematics[place], u, look);
         }
     }
 
     /// Whether the way to `u` would leave all idle points open.
-    pub fn stay_idle(&self, meetings: &[Meeting], u: &[f64], look: &Look) -> bool {
+    pub fn stay_idle(&self, kinematics: &[ContactKinematics], u: &[f64], look: &Look) -> bool {
         if !look.idle.contains(&true) {
             return true;
         }
         let idle = |place: &usize| look.idle[*place];
         (0..self.points.len())
             .filter(idle)
-            .all(|place| self.stays_open(place, &meetings[place], u, look))
+            .all(|place| self.stays_open(place, &kinematics[place], u, look))
     }
 
-    fn stays_open(&self, place: usize, meeting: &Meeting, u: &[f64], look: &Look) -> bool {
+    fn stays_open(&self, place: usize, kinematics: &ContactKinematics, u: &[f64], look: &Look) -> bool {
         let point = &self.points[place];
         let Carrier::Node { position, slots } = &point.carrier else { return false };
-        if !meeting.faces {
+        if !kinematics.faces {
             return false;
         }
-        let way = match &self.facades[point.pair] {
-            Facade::Nothing => return false,
-            Facade::Body { slots: body, reference, .. } => {
+        let way = match &self.masters[point.pair] {
+            MasterSurface::Nothing => return false,
+            MasterSurface::Body { slots: body, reference, .. } => {
                 let seen = |u: &[f64]| {
                     let body = Body { reference: *reference, dofs: body.map(|slot| u[slot]) };
                     body.to_body(moved(position, slots, u))
                 };
                 distance(seen(u), seen(&look.at))
             }
-            Facade::Line { .. } => {
+            MasterSurface::Line { .. } => {
                 let moved = |own: &[usize]| [0, 1].map(|k| u[own[k]] - look.at[own[k]]);
                 let way = moved(slots);
-                let facing = meeting.slots[2..meeting.width].as_chunks::<2>().0;
+                let facing = kinematics.slots[2..kinematics.width].as_chunks::<2>().0;
                 facing.iter().map(|own| distance(way, moved(own))).fold(0.0, f64::max)
             }
         };
-        let own = meeting.slots[..meeting.width].iter().zip(&meeting.gradient);
+        let own = kinematics.slots[..kinematics.width].iter().zip(&kinematics.gradient);
         let closing: f64 = own.map(|(&slot, g)| g * (u[slot] - look.at[slot])).sum();
         let begins = self.laws[point.pair].normal.contact_begins();
-        begins - (meeting.overclosure + closing) > ROOM * way
+        begins - (kinematics.overclosure + closing) > ROOM * way
     }
 }
 

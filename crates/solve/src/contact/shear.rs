@@ -1,25 +1,25 @@
-//! The shear angles of the beams about a strip, by slots.
+//! The shear angles of the beams about a segment, by slots.
 
-use super::slots_of;
+use super::rigid_dofs;
 use crate::dofs::DofMap;
 use crate::linearised::MOST_DOFS;
 use slideline_mech::contact::points::slopes::{MOST_SLOPE_DOFS, ShearSlopes, ShearedBeam};
 use slideline_model::{Element, Kinematics, Model, NodeIndex};
 use std::collections::HashMap;
 
-/// Places of the ends' turns among the slots of a strip.
+/// Places of the ends' turns among the slots of a segment.
 pub const TURNS: [usize; 2] = [2, 5];
-/// Slots of a strip and of the rigid body that it faces, before those that
+/// Slots of a segment and of the rigid body that it faces, before those that
 /// shear alone follows.
 const DIRECT: usize = 9;
 
-/// What turns the tangents of a strip beyond its nodes.
+/// What turns the tangents of a segment beyond its nodes.
 #[derive(Clone, Debug)]
 pub struct Shear {
-    /// The turning, by local numbers: 0 to 5 the strip's slots, from 9 on the
+    /// The turning, by local numbers: 0 to 5 the segment's slots, from 9 on the
     /// further ones.
     slopes: ShearSlopes,
-    /// Slots beyond those of the strip and of the body that it faces.
+    /// Slots beyond those of the segment and of the body that it faces.
     pub further: Vec<usize>,
 }
 
@@ -75,7 +75,7 @@ impl Shear {
     }
 
     /// Turns of both ends beyond their rotations [rad]; `slots` begin with the
-    /// strip's.
+    /// segment's.
     pub fn turns(&self, slots: &[usize], u: &[f64]) -> [f64; 2] {
         let dofs = self.dofs(slots, u);
         [0, 1].map(|end| self.slopes.turn(end, &dofs))
@@ -125,7 +125,7 @@ impl Shear {
     }
 }
 
-/// Local numbers of the dofs about a strip.
+/// Local numbers of the dofs about a segment.
 struct Places<'a> {
     dofs: &'a DofMap,
     nodes: [NodeIndex; 2],
@@ -139,7 +139,7 @@ impl Places<'_> {
         let rotations = match *beam.nodes {
             // Simpson's rule, as exact as the element's own two points.
             [_, middle, _] => {
-                let middle = self.further(slots_of(self.dofs, middle)[2]);
+                let middle = self.further(rigid_dofs(self.dofs, middle)[2]);
                 [(ends[0] + 2, 1.0 / 6.0), (middle, 4.0 / 6.0), (ends[1] + 2, 1.0 / 6.0)]
             }
             _ => [(ends[0] + 2, 0.5), (ends[1] + 2, 0.5), (ends[1] + 2, 0.0)],
@@ -152,7 +152,7 @@ impl Places<'_> {
         match self.nodes.iter().position(|&own| own == node) {
             Some(own) => 3 * own,
             None => {
-                let [x, y, turn] = slots_of(self.dofs, node);
+                let [x, y, turn] = rigid_dofs(self.dofs, node);
                 let first = self.further(x);
                 self.further(y);
                 self.further(turn);

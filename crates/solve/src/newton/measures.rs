@@ -33,7 +33,7 @@ impl Workspace {
         }
         let free = |slot: usize| plan.constraints.equation(slot).is_some();
         let (residual, at) = largest_nodal(dofs, field, &self.residual, free);
-        let (correction, moved) = largest_nodal(dofs, field, &self.correction_slots, free);
+        let (correction, moved) = largest_nodal(dofs, field, &self.correction_dofs, free);
         let (increment, _) = largest_nodal(dofs, field, &self.increment, |_| true);
         crate::observe::FieldReport {
             residual,
@@ -98,7 +98,7 @@ impl Workspace {
         report: &mut IterationReport,
     ) {
         for (place, point) in self.evaluation.points.iter().enumerate() {
-            if point.closed == self.was_closed[place] || plan.contact.points[place].is_station() {
+            if point.closed == self.was_closed[place] || plan.contact.points[place].is_integration_point() {
                 continue;
             }
             let own = &plan.contact.points[place];

@@ -67,7 +67,7 @@ impl Workspace {
 
     /// Size of what is not balanced: forces, moments over the length of the
     /// stiffest element, and what hard contact and exact stick miss, times the
-    /// stiffness lent to them [F].
+    /// stiffness augmentation to them [F].
     fn merit(&self, plan: &Plan<'_>) -> f64 {
         let length = plan.structure.stiffest_length;
         let lever = if length > 0.0 { length } else { plan.reach.max(f64::MIN_POSITIVE) };
@@ -78,7 +78,7 @@ impl Workspace {
             sum += force * force;
         }
         let missed = self.evaluation.penetration + self.evaluation.stick_slip;
-        let missed = super::assembly::LENT * plan.structure.stiffest * missed;
+        let missed = super::assembly::AUGMENTATION * plan.structure.stiffest * missed;
         let all = (sum + missed * missed).sqrt();
         if all.is_finite() { all } else { f64::MAX }
     }

@@ -10,7 +10,7 @@
 //!
 //! docs/theory.md section 10.
 
-use super::{Left, Walk};
+use super::{Left, Analysis};
 use crate::commit::{commit, recall_points};
 use crate::constraints::Role;
 use crate::increments::Verdict;
@@ -43,7 +43,7 @@ const FALLS: f64 = 0.4;
 /// as the model reaches.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-impl Walk<'_> {
+impl Analysis<'_> {
     /// Enters what the increment that was just committed left over into the
     /// sums of its step. Where it jumped, what the jump released is counted
     /// apart, and said.

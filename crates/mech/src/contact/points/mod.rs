@@ -8,7 +8,7 @@
 //! ```
 
 pub mod slopes;
-pub mod stations;
+pub mod integration_points;
 
 /// Tributary area of each slave node [L2]: A_i = width (sum over the elements meeting at node i of
 /// its share times their length), chords of the undeformed mesh. With shares of one half an end

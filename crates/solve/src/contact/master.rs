@@ -1,8 +1,8 @@
 //! Masters, ready to be searched.
 
-use super::meeting::Stencil;
+use super::kinematics::Stencil;
 use super::positions::MasterPositions;
-use super::{slots_of, translations};
+use super::{rigid_dofs, translations};
 use crate::dofs::DofMap;
 use slideline_mech::contact::pair::{AnyGap, Body, RigidSurface, chain_attachments, chain_gap};
 use slideline_mech::contact::search::chain::Chain;
@@ -13,7 +13,7 @@ use slideline_model::{Model, SlideLine, SurfaceSegment};
 
 /// A master, ready to be searched.
 #[derive(Clone, Debug)]
-pub enum Facade {
+pub enum MasterSurface {
     /// A rigid surface on the body of a node.
     Body {
         /// Slots of the body's dofs.
@@ -36,23 +36,23 @@ pub enum Facade {
     Nothing,
 }
 
-impl Facade {
-    /// The facade of a chain of nodes.
-    pub fn chain(model: &Model, dofs: &DofMap, line: &SlideLine, offset: usize) -> Facade {
+impl MasterSurface {
+    /// The master of a chain of nodes.
+    pub fn chain(model: &Model, dofs: &DofMap, line: &SlideLine, offset: usize) -> MasterSurface {
         let reference: Vec<_> = line.nodes.iter().map(|&node| model.nodes.plane(node)).collect();
         let nodes =
             line.nodes.iter().map(|&node| (model.nodes.plane(node), translations(dofs, node)));
         match Chain::new(&reference, line.smooth, line.extension) {
-            Some(chain) => Facade::Line { chain, nodes: nodes.collect(), offset },
-            None => Facade::Nothing,
+            Some(chain) => MasterSurface::Line { chain, nodes: nodes.collect(), offset },
+            None => MasterSurface::Nothing,
         }
     }
 
-    /// The facade of a rigid surface on the body of its node.
-    pub fn body(model: &Model, dofs: &DofMap, surface: &slideline_model::RigidSurface) -> Facade {
-        let Some(placed) = placed(surface) else { return Facade::Nothing };
-        Facade::Body {
-            slots: slots_of(dofs, surface.reference),
+    /// The master of a rigid surface on the body of its node.
+    pub fn body(model: &Model, dofs: &DofMap, surface: &slideline_model::RigidSurface) -> MasterSurface {
+        let Some(placed) = placed(surface) else { return MasterSurface::Nothing };
+        MasterSurface::Body {
+            slots: rigid_dofs(dofs, surface.reference),
             reference: model.nodes.plane(surface.reference),
             surface: placed,
         }
@@ -69,8 +69,8 @@ impl Facade {
         stencil: &mut Stencil<'_>,
     ) -> Option<AnyGap> {
         match self {
-            Facade::Nothing => None,
-            Facade::Body { slots, reference, surface } => {
+            MasterSurface::Nothing => None,
+            MasterSurface::Body { slots, reference, surface } => {
                 let body = Body { reference: *reference, dofs: slots.map(|slot| u[slot]) };
                 let facing = surface.closest(&body, stencil.position)?;
                 let gap = surface.gap(&body, &facing, stencil.position)?;
@@ -79,7 +79,7 @@ impl Facade {
                 stencil.add_from(slots, u);
                 Some(gap)
             }
-            Facade::Line { chain, nodes, offset } => {
+            MasterSurface::Line { chain, nodes, offset } => {
                 let positions = positions.get(*offset..offset + nodes.len())?;
                 let piece = chain.closest(positions, tree, stencil.position)?;
                 let gap = chain_gap(chain, &piece, positions, stencil.position)?;
@@ -108,15 +108,15 @@ impl Facade {
             }
         };
         match self {
-            Facade::Nothing => {}
-            Facade::Body { slots, reference, surface } => {
+            MasterSurface::Nothing => {}
+            MasterSurface::Body { slots, reference, surface } => {
                 let (centre, radius) = surface.bounds();
                 for u in u {
                     let body = Body { reference: *reference, dofs: slots.map(|slot| u[slot]) };
                     take(body.to_space(centre), radius);
                 }
             }
-            Facade::Line { nodes, offset, .. } => {
+            MasterSurface::Line { nodes, offset, .. } => {
                 let range = *offset..offset + nodes.len();
                 chains.iter().flat_map(|c| &c.nodes[range.clone()]).for_each(|&at| take(at, 0.0));
             }

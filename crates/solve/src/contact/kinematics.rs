@@ -3,7 +3,7 @@
 //! ```text
 //!   kernel variables (point, control points, rotation)
 //!        |  attachments: how each follows dofs
-//!   slots of the state vector: h, sigma, drag and their gradients
+//!   slots of the state vector: h, sigma, direction and their gradients
 //! ```
 
 use super::positions::MasterPositions;
@@ -14,7 +14,7 @@ use slideline_mech::rigid::{Attachment, push_gradients};
 
 /// A slave point against its master in one configuration.
 #[derive(Clone, Copy, Debug)]
-pub struct Meeting {
+pub struct ContactKinematics {
     /// Whether it faces its master at all.
     pub faces: bool,
     /// Overclosure [L]; minus infinity where it faces nothing.
@@ -27,7 +27,7 @@ pub struct Meeting {
     pub position: [f64; 2],
     /// Area it stands for [L2].
     pub area: f64,
-    /// Where a station stands on its element, 0 to 1.
+    /// Where a integration_point stands on its element, 0 to 1.
     pub xi: f64,
     /// Number of slots it couples.
     pub width: usize,
@@ -38,7 +38,7 @@ pub struct Meeting {
     /// d sigma/du of each slot [1].
     pub slip_gradient: [f64; MOST_DOFS],
     /// Direction of the tangential force on each slot [1].
-    pub drag: [f64; MOST_DOFS],
+    pub direction: [f64; MOST_DOFS],
 }
 
 /// The dofs that a point and what it faces depend on.
@@ -49,18 +49,18 @@ pub struct Stencil<'a> {
     pub width: usize,
     /// The slots.
     pub slots: [usize; MOST_DOFS],
-    /// Their values; in place of a strip's rotations the turns of its line.
+    /// Their values; in place of a segment's rotations the turns of its line.
     pub values: [f64; MOST_DOFS],
     /// How the variables of the gap follow them.
     pub attachments: Option<StencilAttachments>,
-    /// The shear that turns the line of a strip beyond its rotations.
+    /// The shear that turns the line of a segment beyond its rotations.
     pub shear: Option<&'a Shear>,
 }
 
 /// The most slots that a gap follows directly, those of shear left out.
 pub const MOST_DIRECT: usize = 16;
 
-impl Meeting {
+impl ContactKinematics {
     /// A point that faces nothing.
     pub const NOWHERE: Self = Self {
         faces: false,
@@ -74,11 +74,11 @@ impl Meeting {
         slots: [0; MOST_DOFS],
         gradient: [0.0; MOST_DOFS],
         slip_gradient: [0.0; MOST_DOFS],
-        drag: [0.0; MOST_DOFS],
+        direction: [0.0; MOST_DOFS],
     };
 }
 
-impl Meeting {
+impl ContactKinematics {
     /// The point faces nothing and stands for nothing.
     pub fn turn_away(&mut self) {
         self.faces = false;
@@ -105,27 +105,27 @@ impl Meeting {
         self.slots[..m].copy_from_slice(&stencil.slots[..m]);
         self.gradient[..m].fill(0.0);
         self.slip_gradient[..m].fill(0.0);
-        self.drag[..m].fill(0.0);
+        self.direction[..m].fill(0.0);
         let from = gap.derivatives();
         push_gradients(
             stencil.attachments(),
             &stencil.values[..m],
-            [from.gradient, from.slip_gradient, from.drag],
-            [&mut self.gradient[..m], &mut self.slip_gradient[..m], &mut self.drag[..m]],
+            [from.gradient, from.slip_gradient, from.direction],
+            [&mut self.gradient[..m], &mut self.slip_gradient[..m], &mut self.direction[..m]],
         );
         if let Some(shear) = stencil.shear {
             self.follow_shear(shear, u);
         }
     }
 
-    /// Derivatives by the turns of a strip's ends become derivatives by all
+    /// Derivatives by the turns of a segment's ends become derivatives by all
     /// dofs that shear follows.
     fn follow_shear(&mut self, shear: &Shear, u: &[f64]) {
         let direct = self.width;
         self.width += shear.further.len();
         self.slots[direct..self.width].copy_from_slice(&shear.further);
         let by_end = shear.gradients(&self.slots[..self.width], u);
-        for derivative in [&mut self.gradient, &mut self.slip_gradient, &mut self.drag] {
+        for derivative in [&mut self.gradient, &mut self.slip_gradient, &mut self.direction] {
             derivative[direct..self.width].fill(0.0);
             let by_turn = TURNS.map(|turn| derivative[turn]);
             for (factor, gradient) in by_turn.into_iter().zip(&by_end) {
