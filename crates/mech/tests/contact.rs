@@ -123,7 +123,8 @@ fn force_and_tangent(gap: &AnyGap, slip: f64) -> (Vec<f64>, Vec<f64>) {
     let overclosure = gap.overclosure();
     let trial =
         PointTrial { overclosure, slip, pressure: 0.0, traction: 0.0, stiffness: 0.0, dt: 1.0 };
-    let mut state_variables = UserState { time: 0.0, committed: &[], state: &mut [], fault: &mut None };
+    let mut state_variables =
+        UserState { time: 0.0, committed: &[], state: &mut [], fault: &mut None };
     let response = laws.respond(&history, &trial, &mut state_variables);
     let (p, tau) = (response.pressure, response.traction);
     let slope = laws.normal.pressure(overclosure).unwrap().1;

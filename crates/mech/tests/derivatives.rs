@@ -49,7 +49,8 @@ fn compare<const N: usize>(gap: &Gap<N>, h: &Second<N>, sigma: &Second<N>, lengt
             let (a, b) = (gap.hessian[i][j], h.hessian[i][j]);
             assert!(close(a, b, by_h, tolerance), "h {i} {j}: {a} {b}");
             let growth = (g[0] * column.0 + g[1] * column.1) / at_slave;
-            let (a, b) = (gap.direction_derivative[i][j], (s[i][j] - direction * growth) / at_slave);
+            let (a, b) =
+                (gap.direction_derivative[i][j], (s[i][j] - direction * growth) / at_slave);
             let by_drag = (1.0 + direction.abs()) * by_s / at_slave;
             assert!(close(a, b, by_drag, tolerance), "s {i} {j}: {a} {b}");
         }

@@ -76,12 +76,18 @@ const ROUNDINGS: f64 = 8.0;
 
 impl Sum {
     /// Takes in all dofs that a closed point acts on.
-    fn add(&mut self, plan: &Plan<'_>, state: &State, now: &PointState, kinematics: &ContactKinematics) {
+    fn add(
+        &mut self,
+        plan: &Plan<'_>,
+        state: &State,
+        now: &PointState,
+        kinematics: &ContactKinematics,
+    ) {
         let about = *self.about.get_or_insert(now.position);
         let (normal, tangential) = (now.area * now.pressure, now.area * now.traction);
         for k in 0..kinematics.width {
             let value = normal * kinematics.gradient[k] + tangential * kinematics.direction[k];
-            let (node, dof) = plan.dofs.name(kinematics.slots[k]);
+            let (node, dof) = plan.dofs.name(kinematics.dofs[k]);
             let [x, y] = plan.model.nodes.plane(node);
             let [u, v] = plan.dofs.translation(&state.displacement, node);
             let arm = [x + u - about[0], y + v - about[1]];

@@ -2,7 +2,7 @@
 
 use crate::account::account;
 use crate::constraints::Role;
-use crate::contact::{MasterPositions, ContactKinematics};
+use crate::contact::{ContactKinematics, MasterPositions};
 use crate::dofs::DofMap;
 use crate::newton::{Target, Workspace};
 use crate::observe::ContactRow;
@@ -25,15 +25,15 @@ pub fn commit(
     trial.step_time = target.step_time;
     trial.displacement.copy_from_slice(&work.u);
     come_to_rest(plan, trial);
-    for (slot, increment) in trial.increment.iter_mut().enumerate() {
-        *increment = work.u[slot] - committed.displacement[slot];
+    for (dof, increment) in trial.increment.iter_mut().enumerate() {
+        *increment = work.u[dof] - committed.displacement[dof];
     }
     trial.increment_before.copy_from_slice(&committed.increment);
     trial.increment_time = [target.dt, committed.increment_time[0]];
     trial.load.copy_from_slice(&work.load);
-    for (slot, role) in plan.constraints.roles.iter().enumerate() {
-        trial.reaction[slot] = match role {
-            Role::Prescribed(_) => evaluation.unbalanced(slot),
+    for (dof, role) in plan.constraints.roles.iter().enumerate() {
+        trial.reaction[dof] = match role {
+            Role::Prescribed(_) => evaluation.unbalanced(dof),
             _ => 0.0,
         };
     }
@@ -59,10 +59,10 @@ pub fn commit(
 /// smallest numbers that there are.
 fn come_to_rest(plan: &Plan<'_>, trial: &mut State) {
     let nothing = f64::EPSILON.powi(4);
-    for &slot in &plan.constraints.dof_of_equation {
-        let size = if plan.dofs.name(slot).1.is_rotation() { 1.0 } else { plan.reach };
-        if trial.displacement[slot].abs() < nothing * size {
-            trial.displacement[slot] = 0.0;
+    for &dof in &plan.constraints.dof_of_equation {
+        let size = if plan.dofs.name(dof).1.is_rotation() { 1.0 } else { plan.reach };
+        if trial.displacement[dof].abs() < nothing * size {
+            trial.displacement[dof] = 0.0;
         }
     }
 }
@@ -74,8 +74,8 @@ fn count_slip(plan: &Plan<'_>, committed: &State, work: &Workspace, trial: &mut 
         if now.closed && !plan.contact.laws[point.pair].has_friction() {
             let kinematics = &work.evaluation.kinematics[place];
             let history = before.history();
-            now.slip =
-                before.slip + plan.contact.slip(place, &history, kinematics, &committed.displacement);
+            now.slip = before.slip
+                + plan.contact.slip(place, &history, kinematics, &committed.displacement);
         }
     }
 }

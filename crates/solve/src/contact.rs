@@ -11,20 +11,20 @@
 
 mod candidates;
 mod crossing;
-mod master;
 mod idle;
-mod laws;
 mod kinematics;
+mod laws;
+mod master;
 mod positions;
-mod shear;
 mod segment;
+mod shear;
 
 pub use candidates::coupled_parts;
 pub use crossing::{Missed, Sweep, SweepScratch};
-pub use master::placed;
 pub use idle::Look;
+pub use kinematics::{ContactKinematics, GeometryScratch};
 pub use laws::{average as average_element, state_size};
-pub use kinematics::{GeometryScratch, ContactKinematics};
+pub use master::placed;
 pub use positions::MasterPositions;
 pub use segment::{SEGMENT_POINTS, SlaveSegment};
 
@@ -32,8 +32,8 @@ use crate::dofs::DofMap;
 use crate::linearised::MOST_DOFS;
 use crate::state::PointState;
 use crate::users::UserFrictions;
-use master::MasterSurface;
 use kinematics::{MOST_DIRECT, Stencil};
+use master::MasterSurface;
 use slideline_mech::contact::pair::{self, AnyGap, History, Laws};
 use slideline_mech::contact::points::tributary_areas;
 use slideline_mech::rigid::{Attachment, PointMap, push_forward};
@@ -70,7 +70,7 @@ impl SlavePoint {
 #[derive(Clone, Debug)]
 enum Carrier {
     /// A node, free or on a rigid body.
-    Node { position: [f64; 2], slots: [usize; 2] },
+    Node { position: [f64; 2], dofs: [usize; 2] },
     /// A Gauss point of a cell of a segment.
     IntegrationPoint { segment: usize },
 }
@@ -122,7 +122,9 @@ impl Contact {
             contact.laws.push(laws::laws(model, pair, users));
             let master = match &pair.master {
                 Master::RigidSurface(surface) => MasterSurface::body(model, dofs, surface),
-                Master::SlideLine(line) => MasterSurface::chain(model, dofs, line, contact.chain_nodes),
+                Master::SlideLine(line) => {
+                    MasterSurface::chain(model, dofs, line, contact.chain_nodes)
+                }
             };
             if let MasterSurface::Line { nodes, .. } = &master {
                 contact.chain_nodes += nodes.len();
@@ -157,8 +159,8 @@ impl Contact {
         let shares: Vec<_> = pair.elements.iter().map(|e| e.lumping.shares()).collect();
         let areas = tributary_areas(&elements, &shares, &coordinates, width);
         for (&node, area) in nodes.iter().zip(areas) {
-            let (position, slots) = (model.nodes.plane(node), translations(dofs, node));
-            self.add_point(place, pair, (node, area), Carrier::Node { position, slots });
+            let (position, dofs) = (model.nodes.plane(node), translations(dofs, node));
+            self.add_point(place, pair, (node, area), Carrier::Node { position, dofs });
         }
     }
 
@@ -171,7 +173,8 @@ impl Contact {
     ) {
         let (state_variables, state_size) = (self.state_size, state_size(pair));
         self.state_size += state_size;
-        let point = SlavePoint { pair: pair_place, node, area, state_variables, state_size, carrier };
+        let point =
+            SlavePoint { pair: pair_place, node, area, state_variables, state_size, carrier };
         self.points.push(point);
     }
 
@@ -181,22 +184,22 @@ impl Contact {
         let mut cliques = Vec::new();
         let near = self.candidates(states);
         for segment in &self.segments {
-            if let MasterSurface::Body { slots, .. } = &self.masters[segment.pair] {
-                cliques.push([&segment.all_dofs()[..], slots].concat());
+            if let MasterSurface::Body { dofs, .. } = &self.masters[segment.pair] {
+                cliques.push([&segment.all_dofs()[..], dofs].concat());
             }
         }
         for (place, point) in self.points.iter().enumerate() {
-            let Carrier::Node { slots: own, .. } = &point.carrier else { continue };
+            let Carrier::Node { dofs: own, .. } = &point.carrier else { continue };
             match &self.masters[point.pair] {
                 MasterSurface::Nothing => {}
-                MasterSurface::Body { slots, .. } => cliques.push([&own[..], slots].concat()),
+                MasterSurface::Body { dofs, .. } => cliques.push([&own[..], dofs].concat()),
                 MasterSurface::Line { nodes, .. } => {
                     let all = 0..nodes.len();
                     let range = near.get(place).cloned().flatten().unwrap_or(all);
                     let window = range.len().min(3);
                     for window in nodes[range].windows(window.max(1)) {
                         let mut clique = own.to_vec();
-                        window.iter().for_each(|(_, slots)| clique.extend(slots));
+                        window.iter().for_each(|(_, dofs)| clique.extend(dofs));
                         cliques.push(clique);
                     }
                 }
@@ -229,7 +232,12 @@ impl Contact {
 
     /// As [`Contact::meet`], with integration_points left where they stand on their
     /// elements.
-    pub fn meet_in_place(&self, u: &[f64], positions: &mut MasterPositions, into: &mut [ContactKinematics]) {
+    pub fn meet_in_place(
+        &self,
+        u: &[f64],
+        positions: &mut MasterPositions,
+        into: &mut [ContactKinematics],
+    ) {
         self.place_chains(u, positions);
         for (point, kinematics) in self.points.iter().zip(into) {
             if kinematics.faces || !point.is_integration_point() {
@@ -313,9 +321,9 @@ impl Contact {
     /// The slave's part of a stencil.
     fn slave(&self, point: &SlavePoint, xi: f64, u: &[f64]) -> Stencil<'_> {
         match &point.carrier {
-            Carrier::Node { position, slots } => {
-                let mut stencil = Stencil::new(moved(position, slots, u));
-                stencil.add_from(slots, u);
+            Carrier::Node { position, dofs } => {
+                let mut stencil = Stencil::new(moved(position, dofs, u));
+                stencil.add_from(dofs, u);
                 stencil
             }
             Carrier::IntegrationPoint { segment } => {
@@ -373,7 +381,8 @@ impl Contact {
         for (into, (h, s)) in gradient.iter_mut().zip(from.gradient.iter().zip(from.direction)) {
             *into = sum(h, s);
         }
-        for (into, (h, s)) in hessian.iter_mut().zip(from.hessian.iter().zip(from.direction_derivative))
+        for (into, (h, s)) in
+            hessian.iter_mut().zip(from.hessian.iter().zip(from.direction_derivative))
         {
             *into = sum(h, s);
         }
@@ -392,8 +401,8 @@ impl Contact {
             room,
         );
         if let Some(shear) = stencil.shear {
-            let slots = &kinematics.slots[..m];
-            shear.push_tangent((slots, u), &force, (&tangent, direct), &mut scratch.tangent);
+            let dofs = &kinematics.dofs[..m];
+            shear.push_tangent((dofs, u), &force, (&tangent, direct), &mut scratch.tangent);
         }
     }
 
@@ -492,6 +501,6 @@ fn translations(dofs: &DofMap, node: NodeIndex) -> [usize; 2] {
 }
 
 /// Current position of a node.
-fn moved(position: &[f64; 2], slots: &[usize; 2], u: &[f64]) -> [f64; 2] {
-    [position[0] + u[slots[0]], position[1] + u[slots[1]]]
+fn moved(position: &[f64; 2], dofs: &[usize; 2], u: &[f64]) -> [f64; 2] {
+    [position[0] + u[dofs[0]], position[1] + u[dofs[1]]]
 }

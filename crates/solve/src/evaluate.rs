@@ -7,7 +7,7 @@
 //! The result depends on the arguments alone.
 
 use crate::constraints::Rows;
-use crate::contact::{Look, MasterPositions, ContactKinematics};
+use crate::contact::{ContactKinematics, Look, MasterPositions};
 use crate::observe::{FrictionCall, Status};
 use crate::plan::Plan;
 use crate::stabilise::Dashpot;
@@ -19,9 +19,9 @@ use slideline_mech::contact::pair::{Laws, PointTrial, UserState};
 /// A trial state.
 #[derive(Clone, Copy, Debug)]
 pub struct Trial<'a> {
-    /// Displacements and rotations, a slot each [L or 1].
+    /// Displacements and rotations, a dof each [L or 1].
     pub u: &'a [f64],
-    /// Applied loads, a slot each [F or F L].
+    /// Applied loads, a dof each [F or F L].
     pub load: &'a [f64],
     /// Stresses of every element as the iteration estimates them [F, F, F L].
     pub stresses: &'a [f64],
@@ -80,13 +80,13 @@ pub struct Evaluation {
 impl Evaluation {
     /// Room for a plan.
     pub fn new(plan: &Plan<'_>) -> Self {
-        let (slots, points) = (plan.dofs.len(), plan.contact.points.len());
+        let (dofs, points) = (plan.dofs.len(), plan.contact.points.len());
         Self {
             contributions: plan.structure.room(),
             rows: Rows::default(),
-            structure: vec![0.0; slots],
-            contact: vec![0.0; slots],
-            damping: vec![0.0; slots],
+            structure: vec![0.0; dofs],
+            contact: vec![0.0; dofs],
+            damping: vec![0.0; dofs],
             kinematics: vec![ContactKinematics::NOWHERE; points],
             points: vec![PointState::default(); points],
             strain_energy: 0.0,
@@ -102,12 +102,12 @@ impl Evaluation {
         }
     }
 
-    /// What nothing balances at a slot: forces of elements and of contact less
+    /// What nothing balances at a dof: forces of elements and of contact less
     /// the loads, those of dependent nodes with their masters; at a support its
     /// reaction. The one residual of convergence, line search, reactions and
     /// diagnosis [F or F L].
-    pub fn unbalanced(&self, slot: usize) -> f64 {
-        self.structure[slot] + self.contact[slot]
+    pub fn unbalanced(&self, dof: usize) -> f64 {
+        self.structure[dof] + self.contact[dof]
     }
 }
 
@@ -229,7 +229,7 @@ fn evaluate_contact(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into:
         let (normal, tangential) = (now.area * now.pressure, now.area * now.traction);
         if now.closed {
             for k in 0..kinematics.width {
-                into.contact[kinematics.slots[k]] +=
+                into.contact[kinematics.dofs[k]] +=
                     normal * kinematics.gradient[k] + tangential * kinematics.direction[k];
             }
             into.flux.force(normal.hypot(tangential));
@@ -237,8 +237,11 @@ fn evaluate_contact(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into:
             into.elastic_slip_energy += 0.5 * tangential * now.elastic_slip;
         }
         if laws.normal.pressure(kinematics.overclosure).is_none() && kinematics.faces {
-            let defect =
-                if now.closed { kinematics.overclosure.abs() } else { kinematics.overclosure.max(0.0) };
+            let defect = if now.closed {
+                kinematics.overclosure.abs()
+            } else {
+                kinematics.overclosure.max(0.0)
+            };
             into.penetration = into.penetration.max(defect);
         }
         into.points[place] = now;

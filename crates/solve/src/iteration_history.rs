@@ -147,8 +147,13 @@ mod tests {
         }
         assert_eq!((iteration_history.window(), iteration_history.chattering()), (8, vec![0]));
         assert_eq!(iteration_history.wavering(), [2]);
-        assert_eq!((iteration_history.points[0].changes(), iteration_history.points[2].flips()), (8, 8));
+        assert_eq!(
+            (iteration_history.points[0].changes(), iteration_history.points[2].flips()),
+            (8, 8)
+        );
         iteration_history.begin(&at(0));
-        assert!(iteration_history.chattering().is_empty() && iteration_history.wavering().is_empty());
+        assert!(
+            iteration_history.chattering().is_empty() && iteration_history.wavering().is_empty()
+        );
     }
 }

@@ -25,12 +25,12 @@
 mod augmentation;
 mod contradiction;
 mod convex;
+mod integration_points;
 mod iterate;
 mod jam;
 mod laws;
 mod matrix_free;
 mod pivoting;
-mod integration_points;
 mod system;
 
 pub use augmentation::Stiffness;
@@ -40,7 +40,7 @@ use slideline_linalg::{SolveError, Solver};
 use slideline_mech::contact::enforcement::Enforcement;
 use slideline_mech::contact::pair::Laws;
 use std::collections::HashMap;
-use system::{Row, IntegrationPoint, System, Unknown};
+use system::{IntegrationPoint, Row, System, Unknown};
 
 /// The most dofs one contact point couples.
 pub const MOST_DOFS: usize = 18;
@@ -404,7 +404,8 @@ impl LinearisedContact {
     ) {
         let n = correction.len();
         self.release_others(points, context);
-        let system = System { rows: &self.rows, compliance: &self.compliance, integration_points: &[] };
+        let system =
+            System { rows: &self.rows, compliance: &self.compliance, integration_points: &[] };
         self.values.clear();
         for (i, row) in self.rows.iter().enumerate() {
             let (multiplier, value) = system.multiplier_and_value(i, &self.unknown);

@@ -20,8 +20,8 @@ mod turns;
 use crate::contact::{GeometryScratch, MasterPositions, Missed, Sweep, SweepScratch};
 use crate::convergence::{Field, FieldHistory, Measures, judge};
 use crate::evaluate::{Evaluation, Trial, complete, evaluate};
-use crate::iteration_history::IterationHistory;
 use crate::increments::Verdict;
+use crate::iteration_history::IterationHistory;
 use crate::linearised::{LinearPoint, LinearisedContact, Stiffness};
 use crate::observe::{ContactChange, IterationReport};
 use crate::plan::Plan;
@@ -95,7 +95,7 @@ pub struct Workspace {
     increment: Vec<f64>,
     /// Stresses of the elements as the linear solutions arrive at them.
     stresses: Vec<f64>,
-    /// No motion, a slot each.
+    /// No motion, a dof each.
     still: Vec<f64>,
     arrived: Vec<f64>,
     pressures: Vec<f64>,
@@ -127,13 +127,13 @@ pub struct Workspace {
 impl Workspace {
     /// Room for a plan; the symbolic factorisation happens here.
     pub fn new(plan: &Plan<'_>) -> Self {
-        let (slots, equations) = (plan.dofs.len(), plan.constraints.equations());
+        let (dofs, equations) = (plan.dofs.len(), plan.constraints.equations());
         let points = plan.contact.points.len();
         let mut contact = LinearisedContact::default();
         contact.reserve(points, equations);
         Self {
-            u: vec![0.0; slots],
-            load: vec![0.0; slots],
+            u: vec![0.0; dofs],
+            load: vec![0.0; dofs],
             evaluation: Evaluation::new(plan),
             solver: plan.analyse(),
             values: vec![0.0; plan.pattern.entries()],
@@ -142,12 +142,12 @@ impl Workspace {
             enforcement: Enforcement::default(),
             dt: 0.0,
             correction: vec![0.0; equations],
-            correction_dofs: vec![0.0; slots],
-            residual: vec![0.0; slots],
-            turning: vec![0.0; slots],
-            increment: vec![0.0; slots],
+            correction_dofs: vec![0.0; dofs],
+            residual: vec![0.0; dofs],
+            turning: vec![0.0; dofs],
+            increment: vec![0.0; dofs],
             stresses: plan.structure.stress_room(),
-            still: vec![0.0; slots],
+            still: vec![0.0; dofs],
             arrived: plan.structure.stress_room(),
             pressures: vec![0.0; points],
             tractions: vec![0.0; points],
@@ -309,8 +309,8 @@ impl Workspace {
     /// structure is spread over it linearly, lest one element takes it all.
     fn spread_prescribed(&mut self, plan: &Plan<'_>, committed: &State, target: &Target) {
         let change = &mut self.correction_dofs;
-        for (slot, value) in change.iter_mut().enumerate() {
-            *value = self.u[slot] - committed.displacement[slot];
+        for (dof, value) in change.iter_mut().enumerate() {
+            *value = self.u[dof] - committed.displacement[dof];
         }
         let from = &committed.displacement;
         let at = Configuration { u: from, stresses: None, state: &committed.elements };
@@ -319,8 +319,8 @@ impl Workspace {
         self.residual.fill(0.0);
         plan.structure.multiply(&self.evaluation.contributions, change, &mut self.residual);
         plan.constraints.carry(&self.evaluation.rows, &mut self.residual);
-        for (equation, &slot) in plan.constraints.dof_of_equation.iter().enumerate() {
-            self.correction[equation] = -self.residual[slot];
+        for (equation, &dof) in plan.constraints.dof_of_equation.iter().enumerate() {
+            self.correction[equation] = -self.residual[dof];
         }
         if self.correction.iter().all(|&value| value == 0.0) {
             return;
@@ -330,8 +330,8 @@ impl Workspace {
         plan.gather_tangent(contributions, rows, &mut self.values);
         let factored = self.solver.refactor(&plan.pattern, &self.values);
         if factored.is_ok() && self.solver.solve(&mut self.correction).is_ok() {
-            for (equation, &slot) in plan.constraints.dof_of_equation.iter().enumerate() {
-                self.u[slot] += self.correction[equation];
+            for (equation, &dof) in plan.constraints.dof_of_equation.iter().enumerate() {
+                self.u[dof] += self.correction[equation];
             }
             plan.constraints.enforce(&mut self.u);
             plan.prescribe(target.step_time, &mut self.u);
@@ -377,12 +377,12 @@ impl Workspace {
         committed: &State,
         dt: f64,
     ) -> Result<(), SolveError> {
-        for (equation, &slot) in plan.constraints.dof_of_equation.iter().enumerate() {
-            self.correction[equation] = -self.evaluation.structure[slot];
+        for (equation, &dof) in plan.constraints.dof_of_equation.iter().enumerate() {
+            self.correction[equation] = -self.evaluation.structure[dof];
         }
         if !self.dashpots.is_empty() {
-            for (equation, &slot) in plan.constraints.dof_of_equation.iter().enumerate() {
-                self.correction[equation] -= self.evaluation.damping[slot];
+            for (equation, &dof) in plan.constraints.dof_of_equation.iter().enumerate() {
+                self.correction[equation] -= self.evaluation.damping[dof];
             }
         }
         self.hold_back(plan);
@@ -468,14 +468,14 @@ impl Workspace {
     fn advance(&mut self, plan: &Plan<'_>, length: f64) {
         self.step_length = length;
         self.correction_dofs.fill(0.0);
-        for (equation, &slot) in plan.constraints.dof_of_equation.iter().enumerate() {
-            self.correction_dofs[slot] = self.correction[equation];
+        for (equation, &dof) in plan.constraints.dof_of_equation.iter().enumerate() {
+            self.correction_dofs[dof] = self.correction[equation];
         }
         plan.constraints.expand(&self.evaluation.rows, &mut self.correction_dofs);
         self.move_stresses(plan, length);
-        for (slot, change) in self.correction_dofs.iter_mut().enumerate() {
+        for (dof, change) in self.correction_dofs.iter_mut().enumerate() {
             *change *= length;
-            self.u[slot] += *change;
+            self.u[dof] += *change;
         }
         for linear in &self.points {
             let place = linear.place;

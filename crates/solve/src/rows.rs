@@ -71,7 +71,9 @@ fn segment_rows(plan: &Plan<'_>, state: &State, pair: usize, rows: &mut Vec<Cont
 fn gather(plan: &Plan<'_>, state: &State, segment: &SlaveSegment, gathered: &mut [Gathered]) {
     for k in segment.first..segment.first + SEGMENT_POINTS {
         let (integration_point, whole) = (&state.points[k], plan.contact.points[k].area);
-        for (row, share) in segment.rows.into_iter().zip([1.0 - integration_point.xi, integration_point.xi]) {
+        for (row, share) in
+            segment.rows.into_iter().zip([1.0 - integration_point.xi, integration_point.xi])
+        {
             gathered[row].add(integration_point, whole, share);
         }
     }
@@ -97,7 +99,9 @@ impl Gathered {
             if row.status != Status::Slip {
                 row.status = integration_point.status;
             }
-            if row.friction != FrictionCall::Dropped && integration_point.friction != FrictionCall::None {
+            if row.friction != FrictionCall::Dropped
+                && integration_point.friction != FrictionCall::None
+            {
                 row.friction = integration_point.friction;
             }
         }

@@ -1,13 +1,13 @@
 //! The whole analysis: steps, increments, commits.
 
-mod recovery;
 mod jump;
+mod recovery;
 mod shown;
 
 use crate::balance::pair_rows;
 use crate::checkpoint::Checkpoint;
 use crate::commit::commit;
-use crate::contact::{state_size, point_count};
+use crate::contact::{point_count, state_size};
 use crate::convergence::FluxAverage;
 use crate::diagnose;
 use crate::dofs::DofMap;
@@ -190,11 +190,11 @@ impl<'a> Analysis<'a> {
         pool: Option<&'a rayon::ThreadPool>,
         observer: &'a mut dyn Observer,
     ) -> Self {
-        let slots = DofMap::new(model).len();
+        let dofs = DofMap::new(model).len();
         let points = model.contact_pairs.iter().map(point_count).sum();
         let state_variables = |pair: &ContactPair| point_count(pair) * state_size(pair);
         let state_variables = model.contact_pairs.iter().map(state_variables).sum();
-        let committed = State::undeformed(slots, points, (state_variables, model.element_states()));
+        let committed = State::undeformed(dofs, points, (state_variables, model.element_states()));
         Self {
             model,
             users: &options.user_frictions,

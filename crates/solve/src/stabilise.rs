@@ -13,7 +13,7 @@
 //! tangent is exact, symmetric and never negative.
 
 use crate::constraints::Rows;
-use crate::contact::{MasterPositions, ContactKinematics};
+use crate::contact::{ContactKinematics, MasterPositions};
 use crate::linearised::MOST_DOFS;
 use crate::plan::Plan;
 use crate::restraint::Restraint;
@@ -29,7 +29,7 @@ const SHARE: f64 = 1e-7;
 #[derive(Clone, Copy, Debug)]
 pub struct Dashpot {
     width: usize,
-    slots: [usize; MOST_DOFS],
+    dofs: [usize; MOST_DOFS],
     normal: [f64; MOST_DOFS],
     tangential: [f64; MOST_DOFS],
     /// Force by the motion of the increment, along the normal and along the
@@ -41,25 +41,25 @@ impl Dashpot {
     fn new(kinematics: &ContactKinematics, stiffness: [f64; 2]) -> Self {
         Self {
             width: kinematics.width,
-            slots: kinematics.slots,
+            dofs: kinematics.dofs,
             normal: kinematics.gradient,
             tangential: kinematics.slip_gradient,
             stiffness,
         }
     }
 
-    /// Adds the forces of having moved from `committed` to `u`, a slot each;
+    /// Adds the forces of having moved from `committed` to `u`, a dof each;
     /// says how large they are together [F].
     pub fn press(&self, u: &[f64], committed: &[f64], into: &mut [f64]) -> f64 {
         let (mut closing, mut sliding) = (0.0, 0.0);
-        for (k, &slot) in self.slots[..self.width].iter().enumerate() {
-            let moved = u[slot] - committed[slot];
+        for (k, &dof) in self.dofs[..self.width].iter().enumerate() {
+            let moved = u[dof] - committed[dof];
             closing += self.normal[k] * moved;
             sliding += self.tangential[k] * moved;
         }
         let (p, t) = (self.stiffness[0] * closing, self.stiffness[1] * sliding);
-        for (k, &slot) in self.slots[..self.width].iter().enumerate() {
-            into[slot] += p * self.normal[k] + t * self.tangential[k];
+        for (k, &dof) in self.dofs[..self.width].iter().enumerate() {
+            into[dof] += p * self.normal[k] + t * self.tangential[k];
         }
         p.hypot(t)
     }
@@ -76,7 +76,7 @@ impl Dashpot {
             self.stiffness[0] * self.normal[i] * self.normal[j]
                 + self.stiffness[1] * self.tangential[i] * self.tangential[j]
         };
-        plan.scatter(rows, &self.slots[..self.width], at, values);
+        plan.scatter(rows, &self.dofs[..self.width], at, values);
     }
 }
 
@@ -168,8 +168,8 @@ pub fn would_hold(plan: &Plan<'_>, committed: &State, mode: &[f64]) -> bool {
 fn moves(kinematics: &ContactKinematics, motion: &[f64]) -> bool {
     let (mut closing, mut sliding, mut size) = (0.0, 0.0, 0.0_f64);
     for k in 0..kinematics.width {
-        closing += kinematics.gradient[k] * motion[kinematics.slots[k]];
-        sliding += kinematics.slip_gradient[k] * motion[kinematics.slots[k]];
+        closing += kinematics.gradient[k] * motion[kinematics.dofs[k]];
+        sliding += kinematics.slip_gradient[k] * motion[kinematics.dofs[k]];
         size = size.max(kinematics.gradient[k].abs() + kinematics.slip_gradient[k].abs());
     }
     kinematics.faces && f64::max(closing.abs(), sliding.abs()) > 1e-6 * size

@@ -13,7 +13,7 @@ pub struct State {
     pub total_time: f64,
     /// Time in the step [T].
     pub step_time: f64,
-    /// Displacements and rotations, a slot each [L or 1].
+    /// Displacements and rotations, a dof each [L or 1].
     pub displacement: Vec<f64>,
     /// The last increment of each, for the first guess of the next.
     pub increment: Vec<f64>,
@@ -33,7 +33,7 @@ pub struct State {
     pub elements: Vec<f64>,
     /// Average flux of forces and moments over the step.
     pub flux: [Flow; 2],
-    /// Nodal forces of contact stabilisation, a slot each; empty without it.
+    /// Nodal forces of contact stabilisation, a dof each; empty without it.
     pub damping: Vec<f64>,
     /// Whether contact of this step is stabilised without the deck's asking.
     pub stabilised: bool,
@@ -109,13 +109,13 @@ impl PointState {
 impl State {
     /// The undeformed model: everything zero, every point open. `states` counts the state
     /// values of user friction laws and those of elements.
-    pub fn undeformed(slots: usize, points: usize, states: (usize, usize)) -> Self {
+    pub fn undeformed(dofs: usize, points: usize, states: (usize, usize)) -> Self {
         Self {
-            displacement: vec![0.0; slots],
-            increment: vec![0.0; slots],
-            increment_before: vec![0.0; slots],
-            reaction: vec![0.0; slots],
-            load: vec![0.0; slots],
+            displacement: vec![0.0; dofs],
+            increment: vec![0.0; dofs],
+            increment_before: vec![0.0; dofs],
+            reaction: vec![0.0; dofs],
+            load: vec![0.0; dofs],
             points: vec![PointState::default(); points],
             state_variables: vec![0.0; states.0],
             elements: vec![0.0; states.1],

@@ -14,7 +14,7 @@
 //! integration_points of integrated contact stand on their elements.
 
 use crate::constraints::Rows;
-use crate::contact::{GeometryScratch, MasterPositions, ContactKinematics};
+use crate::contact::{ContactKinematics, GeometryScratch, MasterPositions};
 use crate::evaluate::{Evaluation, Trial};
 use crate::observe::{FrictionCall, Status, TangentReport};
 use crate::plan::Plan;
@@ -162,12 +162,13 @@ impl Place<'_> {
         let points = self.plan.contact.points.iter().zip(places);
         let couples = |kinematics: &ContactKinematics| {
             let mut own = Vec::new();
-            for &dof in &kinematics.slots[..kinematics.width] {
+            for &dof in &kinematics.dofs[..kinematics.width] {
                 self.plan.constraints.equations_of(dof, &mut own);
             }
             equations.iter().all(|equation| own.contains(equation))
         };
-        let found = points.into_iter().find(|(_, (kinematics, now))| now.closed && couples(kinematics));
+        let found =
+            points.into_iter().find(|(_, (kinematics, now))| now.closed && couples(kinematics));
         found.map(|(point, _)| (point.pair, point.node))
     }
 }
@@ -208,14 +209,15 @@ impl Place<'_> {
         let forces = (now.area * pressure, now.area * traction.tau);
         plan.contact.geometric_tangent(place, trial.u, kinematics, forces, scratch);
         let geometry = &scratch.tangent;
-        let (a, b, direction) = (&kinematics.gradient, &kinematics.slip_gradient, &kinematics.direction);
+        let (a, b, direction) =
+            (&kinematics.gradient, &kinematics.slip_gradient, &kinematics.direction);
         let entry = |i: usize, j: usize| {
             let by_slip = traction.d_tau_d_slip * b[j];
             let by_pressure = traction.d_tau_d_pressure * slope * a[j];
             let law = slope * a[i] * a[j] + direction[i] * (by_slip + by_pressure);
             geometry[kinematics.width * i + j] + now.area * law
         };
-        plan.scatter(&evaluation.rows, &kinematics.slots[..kinematics.width], entry, values);
+        plan.scatter(&evaluation.rows, &kinematics.dofs[..kinematics.width], entry, values);
     }
 
     /// Adds the forces of points as they stand at displacements `u`, and those
@@ -226,7 +228,7 @@ impl Place<'_> {
             let area = self.evaluation.points[place].area;
             let (normal, tangential) = (area * pressure, area * traction.tau);
             for k in 0..kinematics.width {
-                force[kinematics.slots[k]] +=
+                force[kinematics.dofs[k]] +=
                     normal * kinematics.gradient[k] + tangential * kinematics.direction[k];
             }
         }
@@ -309,11 +311,11 @@ pub struct Differences<'a> {
 impl<'a> Differences<'a> {
     /// Room, and the residual of the state itself.
     pub fn new(place: &'a Place<'a>) -> Self {
-        let (slots, n) = (place.plan.dofs.len(), place.plan.constraints.equations());
+        let (dofs, n) = (place.plan.dofs.len(), place.plan.constraints.equations());
         let mut new = Self {
             place,
             contributions: place.plan.structure.room(),
-            force: vec![0.0; slots],
+            force: vec![0.0; dofs],
             rows: Rows::default(),
             kinematics: place.evaluation.kinematics.clone(),
             positions: MasterPositions::default(),
@@ -504,17 +506,17 @@ mod tests {
     fn assembled_tangent_by_differences() {
         for (line, direction) in [(true, 0.3), (true, 0.02), (false, 0.3), (false, -0.02)] {
             let model = model(line);
-            let (slots, points) =
+            let (dofs, points) =
                 (DofMap::new(&model).len(), model.contact_pairs[0].slave_nodes().len());
-            let start = crate::plan::Start::undeformed(slots);
+            let start = crate::plan::Start::undeformed(dofs);
             let users = crate::users::UserFrictions::default();
             let plan = Plan::new(&model, &model.steps[0], start, &users, None);
-            let mut committed = State::undeformed(slots, points, (0, 0));
+            let mut committed = State::undeformed(dofs, points, (0, 0));
             let mut work = crate::newton::Workspace::new(&plan);
             crate::commit::locate_points(&plan, &mut committed, &mut work.evaluation.kinematics);
             let body = model.nodes.find(100).unwrap();
             let mut u: Vec<f64> =
-                (0..slots).map(|k| 0.02 * ((k * 7919 % 13) as f64 / 6.0 - 1.0)).collect();
+                (0..dofs).map(|k| 0.02 * ((k * 7919 % 13) as f64 / 6.0 - 1.0)).collect();
             u[..3].fill(0.0);
             let body = plan.dofs.of_node(body);
             u[body].copy_from_slice(&[direction, -0.06, 0.1 * direction]);
@@ -533,7 +535,7 @@ mod tests {
             dashpots.iter_mut().for_each(|dashpot| dashpot.scale_to(1.0));
             let none = vec![0.0; points];
             let stresses = plan.structure.stress_room();
-            let load = vec![0.0; slots];
+            let load = vec![0.0; dofs];
             let trial = Trial {
                 stresses: &stresses,
                 u: &u,

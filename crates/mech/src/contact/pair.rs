@@ -170,7 +170,12 @@ impl Laws {
     }
 
     /// Asks the embedding program's law about one point. An answer that is no number is a fault.
-    fn ask_user(&self, point: FrictionPoint, dt: f64, state_variables: &mut UserState<'_>) -> Traction {
+    fn ask_user(
+        &self,
+        point: FrictionPoint,
+        dt: f64,
+        state_variables: &mut UserState<'_>,
+    ) -> Traction {
         let (Some(law), FrictionLaw::User { properties, .. }) = (&self.user, &self.friction) else {
             return Traction::ZERO;
         };
@@ -205,7 +210,12 @@ impl Laws {
 
     /// What the normal law complementarities of a pressure at an overclosure, felt through the structure's
     /// stiffness `kappa` [F/L3]; infinite: nothing yields, the law is inserted.
-    pub fn complementarity_of_pressure(&self, pressure: f64, overclosure: f64, kappa: f64) -> Complementarity {
+    pub fn complementarity_of_pressure(
+        &self,
+        pressure: f64,
+        overclosure: f64,
+        kappa: f64,
+    ) -> Complementarity {
         if kappa.is_infinite() {
             let (value, slope) = self.normal.pressure(overclosure).unwrap_or((0.0, 0.0));
             return Complementarity::inserted(value, slope);
@@ -240,7 +250,11 @@ impl Laws {
             return projected(self.friction.resolve(closed, z, elastic_slip, (slip, dt)));
         }
         let updated = if self.user.is_some() {
-            self.ask_user(FrictionPoint { pressure: closed, slip, elastic_slip }, dt, state_variables)
+            self.ask_user(
+                FrictionPoint { pressure: closed, slip, elastic_slip },
+                dt,
+                state_variables,
+            )
         } else {
             self.friction.update(closed, slip, elastic_slip, dt)
         };

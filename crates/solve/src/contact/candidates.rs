@@ -73,9 +73,11 @@ impl Contact {
     /// Nodes about the part that a point faces, where it is near.
     fn near(&self, place: usize, u: &[f64], positions: &MasterPositions) -> Option<Range<usize>> {
         let point = &self.points[place];
-        let MasterSurface::Line { chain, nodes, offset } = &self.masters[point.pair] else { return None };
-        let Carrier::Node { position, slots } = &point.carrier else { return None };
-        let at = super::moved(position, slots, u);
+        let MasterSurface::Line { chain, nodes, offset } = &self.masters[point.pair] else {
+            return None;
+        };
+        let Carrier::Node { position, dofs } = &point.carrier else { return None };
+        let at = super::moved(position, dofs, u);
         let own = &positions.nodes[*offset..offset + nodes.len()];
         let piece = chain.closest(own, positions.tree(point.pair), at)?;
         let apart = |node: [f64; 2]| (at[0] - node[0]).hypot(at[1] - node[1]);

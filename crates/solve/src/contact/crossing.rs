@@ -14,8 +14,8 @@
 //! slave point relative to its master, and the ways of the master's corners and
 //! noses through the lines between slave nodes. docs/theory.md section 5.8. (derived)
 
-use super::master::MasterSurface;
 use super::kinematics::ContactKinematics;
+use super::master::MasterSurface;
 use super::positions::MasterPositions;
 use super::{Carrier, Contact, moved};
 use crate::constraints::Constraints;
@@ -44,7 +44,7 @@ pub struct Sweep<'a> {
     pub constraints: &'a Constraints,
     /// Dofs that are rotations.
     pub rotations: &'a [usize],
-    /// Displacements at its beginning, a slot each.
+    /// Displacements at its beginning, a dof each.
     pub from: &'a [f64],
     /// At its end.
     pub to: &'a [f64],
@@ -165,9 +165,9 @@ impl Contact {
             }
             match &self.masters[pair] {
                 MasterSurface::Nothing => {}
-                MasterSurface::Body { slots, reference, surface } => {
+                MasterSurface::Body { dofs, reference, surface } => {
                     let local = [0, 1].map(|end| {
-                        let dofs = slots.map(|slot| u[end][slot]);
+                        let dofs = dofs.map(|dof| u[end][dof]);
                         Body { reference: *reference, dofs }.to_body(way[end])
                     });
                     surface.crossings((local[0], local[1]), |crossing, along| {
@@ -274,13 +274,18 @@ impl Contact {
                 if !kinematics.faces {
                     return None;
                 }
-                (kinematics.along, kinematics.normal, kinematics.position, kinematics.overclosure > 0.0)
+                (
+                    kinematics.along,
+                    kinematics.normal,
+                    kinematics.position,
+                    kinematics.overclosure > 0.0,
+                )
             }
         };
-        let MasterSurface::Body { slots, reference, .. } = &self.masters[point.pair] else {
+        let MasterSurface::Body { dofs, reference, .. } = &self.masters[point.pair] else {
             return Some(Event { fraction, along, normal, at: position, inward });
         };
-        let body = Body { reference: *reference, dofs: slots.map(|slot| u[slot]) };
+        let body = Body { reference: *reference, dofs: dofs.map(|dof| u[dof]) };
         let (sin, cos) = body.dofs[2].sin_cos();
         let normal = [cos * normal[0] + sin * normal[1], cos * normal[1] - sin * normal[0]];
         Some(Event { fraction, along, normal, at: body.to_body(position), inward })
@@ -291,7 +296,7 @@ impl Contact {
     /// cut no more than that end.
     fn sinks(&self, place: usize, from: &Event, sweep: &Sweep<'_>) -> bool {
         let point = &self.points[place];
-        let MasterSurface::Body { slots, reference, surface } = &self.masters[point.pair] else {
+        let MasterSurface::Body { dofs, reference, surface } = &self.masters[point.pair] else {
             return false;
         };
         let allowed = CUT * self.spacing[point.pair];
@@ -299,7 +304,7 @@ impl Contact {
         if point.is_integration_point() || (surface.period().is_none() && to_end <= allowed) {
             return false;
         }
-        let body = Body { reference: *reference, dofs: slots.map(|slot| sweep.to[slot]) };
+        let body = Body { reference: *reference, dofs: dofs.map(|dof| sweep.to[dof]) };
         let end = body.to_body(sweep.now[place].position);
         let depth = (1..SAMPLES).filter_map(|k| {
             let t = k as f64 / SAMPLES as f64;
@@ -359,14 +364,14 @@ impl Contact {
         let [first, second] = pairs.map(|pair| &self.masters[pair]);
         let within = |of: &MasterSurface, other: &MasterSurface| {
             let (
-                MasterSurface::Body { slots, reference, surface },
-                MasterSurface::Body { slots: s, reference: r, surface: own },
+                MasterSurface::Body { dofs, reference, surface },
+                MasterSurface::Body { dofs: s, reference: r, surface: own },
             ) = (of, other)
             else {
                 return 0.0;
             };
-            let body = Body { reference: *reference, dofs: slots.map(|slot| u[slot]) };
-            let other = Body { reference: *r, dofs: s.map(|slot| u[slot]) };
+            let body = Body { reference: *reference, dofs: dofs.map(|dof| u[dof]) };
+            let other = Body { reference: *r, dofs: s.map(|dof| u[dof]) };
             let ((a, reach), (b, other_reach)) = (surface.bounds(), own.bounds());
             let ([ax, ay], [bx, by]) = (body.to_space(a), other.to_space(b));
             if (bx - ax).hypot(by - ay) > reach + other_reach {
@@ -417,17 +422,16 @@ impl Contact {
         let mut inward = false;
         match &self.masters[pair] {
             MasterSurface::Nothing => {}
-            MasterSurface::Body { slots, reference, surface } => {
+            MasterSurface::Body { dofs, reference, surface } => {
                 let local = |at: [f64; 2], u: &[f64]| {
-                    Body { reference: *reference, dofs: slots.map(|slot| u[slot]) }.to_body(at)
+                    Body { reference: *reference, dofs: dofs.map(|dof| u[dof]) }.to_body(at)
                 };
                 let way = (local(start, from), local(end, to));
                 surface.crossings(way, |crossing, _| inward |= crossing.inward);
             }
             MasterSurface::Line { chain, nodes, .. } => {
                 let positions = |u: &[f64]| {
-                    let nodes: Vec<_> =
-                        nodes.iter().map(|(at, slots)| moved(at, slots, u)).collect();
+                    let nodes: Vec<_> = nodes.iter().map(|(at, dofs)| moved(at, dofs, u)).collect();
                     chain.prolonged(nodes)
                 };
                 let (before, after) = (positions(from), positions(to));
@@ -442,11 +446,11 @@ impl Contact {
     pub fn passed_between(&self, sweep: &Sweep<'_>) -> Option<Missed> {
         let mut first: Option<Missed> = None;
         for (pair, master) in self.masters.iter().enumerate() {
-            let MasterSurface::Body { slots, reference, surface } = master else { continue };
+            let MasterSurface::Body { dofs, reference, surface } = master else { continue };
             if self.edges[pair].is_empty() {
                 continue;
             }
-            let body = |u: &[f64]| Body { reference: *reference, dofs: slots.map(|slot| u[slot]) };
+            let body = |u: &[f64]| Body { reference: *reference, dofs: dofs.map(|dof| u[dof]) };
             let bodies = (body(sweep.from), body(sweep.to));
             for &points in &self.edges[pair] {
                 // a soft law lets the points themselves sink in

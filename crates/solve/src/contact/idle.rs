@@ -10,8 +10,8 @@
 //! looked at again; one that touches after all, as where a part comes to face it
 //! that did not before, sends the iteration on.
 
-use super::master::MasterSurface;
 use super::kinematics::ContactKinematics;
+use super::master::MasterSurface;
 use super::{Carrier, Contact, moved};
 use slideline_mech::contact::pair::Body;
 
@@ -72,30 +72,36 @@ impl Contact {
             .all(|place| self.stays_open(place, &kinematics[place], u, look))
     }
 
-    fn stays_open(&self, place: usize, kinematics: &ContactKinematics, u: &[f64], look: &Look) -> bool {
+    fn stays_open(
+        &self,
+        place: usize,
+        kinematics: &ContactKinematics,
+        u: &[f64],
+        look: &Look,
+    ) -> bool {
         let point = &self.points[place];
-        let Carrier::Node { position, slots } = &point.carrier else { return false };
+        let Carrier::Node { position, dofs } = &point.carrier else { return false };
         if !kinematics.faces {
             return false;
         }
         let way = match &self.masters[point.pair] {
             MasterSurface::Nothing => return false,
-            MasterSurface::Body { slots: body, reference, .. } => {
+            MasterSurface::Body { dofs: body, reference, .. } => {
                 let seen = |u: &[f64]| {
-                    let body = Body { reference: *reference, dofs: body.map(|slot| u[slot]) };
-                    body.to_body(moved(position, slots, u))
+                    let body = Body { reference: *reference, dofs: body.map(|dof| u[dof]) };
+                    body.to_body(moved(position, dofs, u))
                 };
                 distance(seen(u), seen(&look.at))
             }
             MasterSurface::Line { .. } => {
                 let moved = |own: &[usize]| [0, 1].map(|k| u[own[k]] - look.at[own[k]]);
-                let way = moved(slots);
-                let facing = kinematics.slots[2..kinematics.width].as_chunks::<2>().0;
+                let way = moved(dofs);
+                let facing = kinematics.dofs[2..kinematics.width].as_chunks::<2>().0;
                 facing.iter().map(|own| distance(way, moved(own))).fold(0.0, f64::max)
             }
         };
-        let own = kinematics.slots[..kinematics.width].iter().zip(&kinematics.gradient);
-        let closing: f64 = own.map(|(&slot, g)| g * (u[slot] - look.at[slot])).sum();
+        let own = kinematics.dofs[..kinematics.width].iter().zip(&kinematics.gradient);
+        let closing: f64 = own.map(|(&dof, g)| g * (u[dof] - look.at[dof])).sum();
         let begins = self.laws[point.pair].normal.contact_begins();
         begins - (kinematics.overclosure + closing) > ROOM * way
     }

@@ -1,7 +1,7 @@
 //! The laws of a pair, with the lengths of its mesh filled in.
 
-use super::master::MasterSurface;
 use super::local_elements;
+use super::master::MasterSurface;
 use crate::users::UserFrictions;
 use slideline_mech::contact::friction::{Decay, FrictionLaw, Stick};
 use slideline_mech::contact::normal::NormalLaw;

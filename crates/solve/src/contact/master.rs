@@ -16,8 +16,8 @@ use slideline_model::{Model, SlideLine, SurfaceSegment};
 pub enum MasterSurface {
     /// A rigid surface on the body of a node.
     Body {
-        /// Slots of the body's dofs.
-        slots: [usize; 3],
+        /// Dofs of the body's dofs.
+        dofs: [usize; 3],
         /// Undeformed position of its node [L].
         reference: [f64; 2],
         /// The surface, undeformed.
@@ -49,10 +49,14 @@ impl MasterSurface {
     }
 
     /// The master of a rigid surface on the body of its node.
-    pub fn body(model: &Model, dofs: &DofMap, surface: &slideline_model::RigidSurface) -> MasterSurface {
+    pub fn body(
+        model: &Model,
+        dofs: &DofMap,
+        surface: &slideline_model::RigidSurface,
+    ) -> MasterSurface {
         let Some(placed) = placed(surface) else { return MasterSurface::Nothing };
         MasterSurface::Body {
-            slots: rigid_dofs(dofs, surface.reference),
+            dofs: rigid_dofs(dofs, surface.reference),
             reference: model.nodes.plane(surface.reference),
             surface: placed,
         }
@@ -70,13 +74,13 @@ impl MasterSurface {
     ) -> Option<AnyGap> {
         match self {
             MasterSurface::Nothing => None,
-            MasterSurface::Body { slots, reference, surface } => {
-                let body = Body { reference: *reference, dofs: slots.map(|slot| u[slot]) };
+            MasterSurface::Body { dofs, reference, surface } => {
+                let body = Body { reference: *reference, dofs: dofs.map(|dof| u[dof]) };
                 let facing = surface.closest(&body, stencil.position)?;
                 let gap = surface.gap(&body, &facing, stencil.position)?;
                 let first = stencil.width;
                 stencil.attachments = surface.attachments(&body, &facing, slave, first);
-                stencil.add_from(slots, u);
+                stencil.add_from(dofs, u);
                 Some(gap)
             }
             MasterSurface::Line { chain, nodes, offset } => {
@@ -85,10 +89,10 @@ impl MasterSurface {
                 let gap = chain_gap(chain, &piece, positions, stencil.position)?;
                 let mut control = [slave; 3];
                 let facing = &nodes[piece.nodes()];
-                for (attachment, (_, slots)) in control.iter_mut().zip(facing) {
+                for (attachment, (_, dofs)) in control.iter_mut().zip(facing) {
                     let first = stencil.width;
                     *attachment = Attachment::Point { map: PointMap::Free, first };
-                    stencil.add_from(slots, u);
+                    stencil.add_from(dofs, u);
                 }
                 stencil.attachments = Some(chain_attachments(slave, &control[..facing.len()]));
                 Some(gap)
@@ -109,10 +113,10 @@ impl MasterSurface {
         };
         match self {
             MasterSurface::Nothing => {}
-            MasterSurface::Body { slots, reference, surface } => {
+            MasterSurface::Body { dofs, reference, surface } => {
                 let (centre, radius) = surface.bounds();
                 for u in u {
-                    let body = Body { reference: *reference, dofs: slots.map(|slot| u[slot]) };
+                    let body = Body { reference: *reference, dofs: dofs.map(|dof| u[dof]) };
                     take(body.to_space(centre), radius);
                 }
             }
@@ -129,8 +133,8 @@ impl MasterSurface {
     pub fn beyond_end(&self, point: [f64; 2], u: &[f64], positions: &[[f64; 2]]) -> Option<f64> {
         match self {
             Self::Nothing => None,
-            Self::Body { slots, reference, surface } => {
-                let body = Body { reference: *reference, dofs: slots.map(|slot| u[slot]) };
+            Self::Body { dofs, reference, surface } => {
+                let body = Body { reference: *reference, dofs: dofs.map(|dof| u[dof]) };
                 surface.beyond_end(&body, point)
             }
             Self::Line { chain, nodes, offset } => {

@@ -32,7 +32,9 @@ impl Contact {
     /// Fits the trees of `into` to the ways from its own positions to others.
     pub(super) fn fit_ways(&self, into: &mut MasterPositions, to: &MasterPositions) {
         for (master, tree) in self.masters.iter().zip(&mut into.trees) {
-            let (MasterSurface::Line { chain, offset, .. }, Some(tree)) = (master, tree) else { continue };
+            let (MasterSurface::Line { chain, offset, .. }, Some(tree)) = (master, tree) else {
+                continue;
+            };
             let ends = [&into.nodes[*offset..], &to.nodes[*offset..]];
             tree.fit(|part| {
                 let [a, b] = ends.map(|own| chain.bounds(own, part));
@@ -48,7 +50,7 @@ impl Contact {
         into.trees.resize(self.masters.len(), None);
         for (master, tree) in self.masters.iter().zip(&mut into.trees) {
             let MasterSurface::Line { chain, nodes, offset } = master else { continue };
-            into.nodes.extend(nodes.iter().map(|(at, slots)| moved(at, slots, u)));
+            into.nodes.extend(nodes.iter().map(|(at, dofs)| moved(at, dofs, u)));
             if chain.segments() < LONG {
                 continue;
             }

@@ -7,14 +7,16 @@
 //!           /  master   \
 //! ```
 
-use super::master::MasterSurface;
 use super::kinematics::{ContactKinematics, Stencil};
+use super::master::MasterSurface;
 use super::positions::MasterPositions;
 use super::shear::{Shear, TURNS, sheared_beams};
 use super::{Carrier, Contact, rigid_dofs};
 use crate::dofs::DofMap;
 use slideline_mech::contact::pair::Body;
-use slideline_mech::contact::points::integration_points::{GAUSS, HermiteLine, POINTS, closed_part_between};
+use slideline_mech::contact::points::integration_points::{
+    GAUSS, HermiteLine, POINTS, closed_part_between,
+};
 use slideline_model::{ContactPair, Model, NodeIndex};
 use std::collections::HashMap;
 
@@ -30,8 +32,8 @@ pub struct SlaveSegment {
     pub rows: [usize; 2],
     /// Its smooth line.
     pub line: HermiteLine,
-    /// Slots of both nodes.
-    pub slots: [usize; 6],
+    /// Dofs of both nodes.
+    pub dofs: [usize; 6],
     /// What turns its tangents beyond its nodes, of shear-flexible beams.
     pub shear: Option<Shear>,
     /// Out-of-plane width [L].
@@ -51,9 +53,9 @@ impl SlaveSegment {
 
     /// Displacements and turns of both ends of its line.
     pub fn ends(&self, u: &[f64]) -> [f64; 6] {
-        let mut ends = self.slots.map(|slot| u[slot]);
+        let mut ends = self.dofs.map(|dof| u[dof]);
         if let Some(shear) = &self.shear {
-            let turns = shear.turns(&self.slots, u);
+            let turns = shear.turns(&self.dofs, u);
             for (turn, by_shear) in TURNS.into_iter().zip(turns) {
                 ends[turn] += by_shear;
             }
@@ -69,7 +71,7 @@ impl SlaveSegment {
         for (end, u) in u.iter().enumerate() {
             for node in 0..2 {
                 let [x, y] = self.line.nodes[node];
-                let at = [x + u[self.slots[3 * node]], y + u[self.slots[3 * node + 1]]];
+                let at = [x + u[self.dofs[3 * node]], y + u[self.dofs[3 * node + 1]]];
                 let room = room[0] + room[1];
                 corners[4 * end + 2 * node] = at.map(|x| x - room);
                 corners[4 * end + 2 * node + 1] = at.map(|x| x + room);
@@ -81,22 +83,26 @@ impl SlaveSegment {
     /// The stencil of its integration_point at `xi`, its ends known.
     pub fn stencil(&self, ends: &[f64; 6], xi: f64) -> Stencil<'_> {
         let mut stencil = Stencil::new(self.line.bent(ends).position(xi));
-        stencil.add(&self.slots, *ends);
+        stencil.add(&self.dofs, *ends);
         stencil.shear = self.shear.as_ref();
         stencil
     }
 
-    /// All slots that its line follows.
+    /// All dofs that its line follows.
     pub fn all_dofs(&self) -> Vec<usize> {
         let further = self.shear.iter().flat_map(|shear| &shear.further);
-        self.slots.iter().chain(further).copied().collect()
+        self.dofs.iter().chain(further).copied().collect()
     }
 
     /// Places the integration_points of the segment where `beyond`, the overclosure
     /// beyond the point where contact begins at a place on it, lets them
     /// follow the closed part of their cells, and says which integration_points contact
     /// may reach in an iteration: `place(integration_point, xi, area)`.
-    fn place_integration_points(&self, beyond: impl Fn(f64) -> f64, mut place: impl FnMut(usize, f64, f64)) {
+    fn place_integration_points(
+        &self,
+        beyond: impl Fn(f64) -> f64,
+        mut place: impl FnMut(usize, f64, f64),
+    ) {
         let length = self.line.length();
         if top_of_parabola([beyond(0.0), beyond(0.5), beyond(1.0)]) < -NEAR * length {
             return;
@@ -142,14 +148,19 @@ impl Contact {
                 for (_, weight) in GAUSS {
                     let area = width * length * weight / CELLS as f64;
                     let node = element.nodes[usize::from(2 * cell >= CELLS)];
-                    self.add_point(place, pair, (node, area), Carrier::IntegrationPoint { segment });
+                    self.add_point(
+                        place,
+                        pair,
+                        (node, area),
+                        Carrier::IntegrationPoint { segment },
+                    );
                 }
             }
             self.segments.push(SlaveSegment {
                 pair: place,
                 rows: element.nodes.map(|node| rows[&node]),
                 line: HermiteLine { nodes, tangents },
-                slots: [a[0], a[1], a[2], b[0], b[1], b[2]],
+                dofs: [a[0], a[1], a[2], b[0], b[1], b[2]],
                 shear: Shear::new(model, dofs, element.nodes, &beams),
                 width,
                 first,
@@ -159,11 +170,18 @@ impl Contact {
 
     /// Stations follow the closed part of their cells; those of cells that
     /// contact cannot reach in an iteration face nothing.
-    pub(super) fn meet_segment(&self, segment: &SlaveSegment, u: &[f64], into: &mut [ContactKinematics]) {
+    pub(super) fn meet_segment(
+        &self,
+        segment: &SlaveSegment,
+        u: &[f64],
+        into: &mut [ContactKinematics],
+    ) {
         into.iter_mut().for_each(ContactKinematics::turn_away);
         let begins = self.laws[segment.pair].normal.contact_begins();
-        let MasterSurface::Body { slots, reference, surface } = &self.masters[segment.pair] else { return };
-        let body = Body { reference: *reference, dofs: slots.map(|slot| u[slot]) };
+        let MasterSurface::Body { dofs, reference, surface } = &self.masters[segment.pair] else {
+            return;
+        };
+        let body = Body { reference: *reference, dofs: dofs.map(|dof| u[dof]) };
         let ends = segment.ends(u);
         let bent = segment.line.bent(&ends);
         let beyond = |xi: f64| {

@@ -122,17 +122,17 @@ impl Case<'_> {
     /// a part that locks was pulled.
     fn force_reached(&self) -> String {
         let (plan, committed) = (self.plan, self.committed);
-        let drives = |slot: &usize| {
-            matches!(plan.constraints.roles[*slot], Role::Prescribed(_))
-                && committed.increment[*slot] != 0.0
-                && !plan.dofs.is_rotation(*slot)
+        let drives = |dof: &usize| {
+            matches!(plan.constraints.roles[*dof], Role::Prescribed(_))
+                && committed.increment[*dof] != 0.0
+                && !plan.dofs.is_rotation(*dof)
         };
-        let size = |slot: usize| committed.reaction[slot].abs();
+        let size = |dof: usize| committed.reaction[dof].abs();
         let largest =
             (0..plan.dofs.len()).filter(drives).max_by(|&a, &b| size(a).total_cmp(&size(b)));
-        largest.map_or(String::new(), |slot| {
-            let (node, dof) = plan.dofs.name(slot);
-            let force = committed.reaction[slot];
+        largest.map_or(String::new(), |dof| {
+            let force = committed.reaction[dof];
+            let (node, dof) = plan.dofs.name(dof);
             format!(
                 "; the force reached at node {}, {}, is {force:.4e}",
                 self.label(node),

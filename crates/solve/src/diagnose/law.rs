@@ -62,8 +62,12 @@ impl Case<'_> {
         if !now.closed || now.pressure <= 0.0 {
             return None;
         }
-        let slip =
-            self.plan.contact.slip(place, &before.history(), kinematics, &self.committed.displacement);
+        let slip = self.plan.contact.slip(
+            place,
+            &before.history(),
+            kinematics,
+            &self.committed.displacement,
+        );
         let answer = |slip: f64, pressure: f64| self.ask(place, slip, pressure);
         let (told, by_slip, by_pressure) = answer(slip, now.pressure);
         let steps = [

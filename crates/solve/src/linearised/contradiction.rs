@@ -10,7 +10,7 @@
 //! some points that press depend on one another. (derived)
 
 use super::pivoting::pivoting;
-use super::{LawContext, Kind, LinearPoint, LinearisedContact, System};
+use super::{Kind, LawContext, LinearPoint, LinearisedContact, System};
 
 /// Hard points that cannot all close.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,7 +39,8 @@ impl LinearisedContact {
         if hard.is_empty() || self.compliance.len() < self.rows.len() * self.rows.len() {
             return None;
         }
-        let system = System { rows: &self.rows, compliance: &self.compliance, integration_points: &[] };
+        let system =
+            System { rows: &self.rows, compliance: &self.compliance, integration_points: &[] };
         let mut unknown = self.unknown.clone();
         pivoting(&system, &hard, &mut unknown);
         let at = |i: usize| system.multiplier_and_value(i, &unknown);

@@ -16,7 +16,7 @@
 
 use super::iterate::eliminate_in_units;
 use super::system::{Row, System, Unknown};
-use super::{LawContext, Kind, LinearPoint, LinearisedContact};
+use super::{Kind, LawContext, LinearPoint, LinearisedContact};
 use slideline_mech::contact::enforcement::Complementarity;
 
 /// Rounds in which the limits of friction follow the pressures.
@@ -50,8 +50,11 @@ impl LinearisedContact {
         let m = self.rows.len();
         let mut work = Descent::room(m);
         let mut unknown = std::mem::take(&mut self.unknown);
-        let system =
-            System { rows: &self.rows, compliance: &self.compliance, integration_points: &self.integration_points };
+        let system = System {
+            rows: &self.rows,
+            compliance: &self.compliance,
+            integration_points: &self.integration_points,
+        };
         for _ in 0..STEPS {
             let size = work.evaluate(&system, &unknown, points, fixed);
             if !size.is_finite() || size <= 1e-24 * system.largest_multiplier(&unknown) {
@@ -98,8 +101,11 @@ impl LinearisedContact {
     /// Gives the points the pressures of the present unknowns; says whether
     /// they are what they were.
     fn follow_pressures(&mut self, points: &mut [LinearPoint], fixed: &LawContext<'_>) -> bool {
-        let system =
-            System { rows: &self.rows, compliance: &self.compliance, integration_points: &self.integration_points };
+        let system = System {
+            rows: &self.rows,
+            compliance: &self.compliance,
+            integration_points: &self.integration_points,
+        };
         let values: Vec<f64> =
             (0..self.rows.len()).map(|i| system.multiplier_and_value(i, &self.unknown).1).collect();
         let (mut change, mut largest) = (0.0_f64, 0.0_f64);
@@ -115,7 +121,9 @@ impl LinearisedContact {
             }
         }
         for integration_point in &self.integration_points {
-            let pressure = fixed.integration_point(integration_point, &points[integration_point.point], &values).pressure;
+            let pressure = fixed
+                .integration_point(integration_point, &points[integration_point.point], &values)
+                .pressure;
             follow(&mut points[integration_point.point], pressure);
         }
         change <= STEADY * largest
@@ -223,7 +231,8 @@ impl LawContext<'_> {
             }
             (Kind::Tangential, Some(sliding)) => {
                 let values = [sliding.traction, value, point.pressure];
-                let complementarity = self.complementarity_of_traction(laws, values, sliding, f64::INFINITY);
+                let complementarity =
+                    self.complementarity_of_traction(laws, values, sliding, f64::INFINITY);
                 Complementarity { by_pressure: 0.0, ..complementarity }
             }
             _ if laws.normal.pressure(0.0).is_none() => match value > 0.0 {

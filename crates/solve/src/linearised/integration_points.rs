@@ -18,7 +18,9 @@ impl LinearisedContact {
         base: &[f64],
     ) -> Result<(), SolveError> {
         let mut integration_point = IntegrationPoint { point: place, rows: [0; MOST_DOFS] };
-        for (row, &equation) in integration_point.rows.iter_mut().zip(&point.equations[..point.width]) {
+        for (row, &equation) in
+            integration_point.rows.iter_mut().zip(&point.equations[..point.width])
+        {
             *row = match self.interface.get(&equation) {
                 Some(&known) => known,
                 None => {

@@ -2,7 +2,7 @@
 
 use super::pivoting::{eliminate, pivoting};
 use super::system::{Row, System};
-use super::{LawContext, Kind, LinearPoint, LinearisedContact};
+use super::{Kind, LawContext, LinearPoint, LinearisedContact};
 
 /// The most iterations of the small system.
 const ITERATIONS: usize = 40;
@@ -35,11 +35,7 @@ impl LinearisedContact {
     /// friction from the least energy for fixed limits, or among the
     /// active sets of a hard law from the set that a pivoting method finds.
     /// Says whether the laws of all rows are met.
-    pub(super) fn iterate(
-        &mut self,
-        points: &[LinearPoint],
-        context: &LawContext<'_>,
-    ) -> bool {
+    pub(super) fn iterate(&mut self, points: &[LinearPoint], context: &LawContext<'_>) -> bool {
         if self.newton(points, context) {
             return true;
         }
@@ -80,16 +76,15 @@ impl LinearisedContact {
         self.stiffness.resize(if self.integration_points.is_empty() { 0 } else { m * m }, 0.0);
         self.values.resize(m, 0.0);
         let (stiffness, values) = (&mut self.stiffness, &mut self.values);
-        let system =
-            System { rows: &self.rows, compliance: &self.compliance, integration_points: &self.integration_points };
+        let system = System {
+            rows: &self.rows,
+            compliance: &self.compliance,
+            integration_points: &self.integration_points,
+        };
         let (residual, jacobian) = (&mut self.residual, &mut self.jacobian);
         let unknown = &mut self.unknown;
-        let mut size = system.residual(
-            (unknown, points),
-            context,
-            residual,
-            (jacobian, stiffness, values),
-        );
+        let mut size =
+            system.residual((unknown, points), context, residual, (jacobian, stiffness, values));
         for _ in 0..ITERATIONS {
             if size == 0.0 || !size.is_finite() {
                 return size == 0.0;
@@ -127,11 +122,7 @@ impl LinearisedContact {
     /// pivoting method that ends for any compliance: Lawson and Hanson's
     /// non-negative least squares, written for h = b - C p <= 0, p >= 0,
     /// p h = 0. Soft points keep their pressures. False: nothing to pivoting.
-    fn pivot_pressures(
-        &mut self,
-        points: &[LinearPoint],
-        context: &LawContext<'_>,
-    ) -> bool {
+    fn pivot_pressures(&mut self, points: &[LinearPoint], context: &LawContext<'_>) -> bool {
         let hard = |row: &Row| {
             let Some((point, kind)) = row.point() else { return false };
             let law = &context.laws[points[point].pair].normal;
@@ -142,7 +133,8 @@ impl LinearisedContact {
         if candidates.is_empty() {
             return false;
         }
-        let system = System { rows: &self.rows, compliance: &self.compliance, integration_points: &[] };
+        let system =
+            System { rows: &self.rows, compliance: &self.compliance, integration_points: &[] };
         pivoting(&system, &candidates, &mut self.unknown);
         true
     }

@@ -11,7 +11,7 @@
 //! pressure closes it by more than the pressure opens it: no pressure holds
 //! the balance, and the contact jams. On a slope this is mu tan a >= 1. (derived)
 
-use super::{LawContext, Kind, LinearPoint, LinearisedContact};
+use super::{Kind, LawContext, LinearPoint, LinearisedContact};
 
 impl LinearisedContact {
     /// Whether the point at `place` jams when it slides in the direction of

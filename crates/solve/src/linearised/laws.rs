@@ -1,7 +1,7 @@
 //! What the laws of contact ask of a row or a integration_point.
 
-use super::system::{Row, IntegrationPoint};
-use super::{LawContext, Kind, LinearPoint, MOST_DOFS, Sliding};
+use super::system::{IntegrationPoint, Row};
+use super::{Kind, LawContext, LinearPoint, MOST_DOFS, Sliding};
 use slideline_mech::contact::enforcement::Complementarity;
 use slideline_mech::contact::pair::{Laws, UserState};
 
@@ -68,8 +68,13 @@ impl LawContext<'_> {
             (Kind::Tangential, Some(sliding)) => {
                 let pressure = if self.symmetrised { point.pressure } else { pressure };
                 let values = [multiplier, value, pressure];
-                let complementarity = self.complementarity_of_traction(laws, values, sliding, row.kappa);
-                if self.symmetrised { Complementarity { by_pressure: 0.0, ..complementarity } } else { complementarity }
+                let complementarity =
+                    self.complementarity_of_traction(laws, values, sliding, row.kappa);
+                if self.symmetrised {
+                    Complementarity { by_pressure: 0.0, ..complementarity }
+                } else {
+                    complementarity
+                }
             }
             _ => laws.complementarity_of_pressure(multiplier, value, row.kappa),
         }
@@ -108,7 +113,8 @@ impl LawContext<'_> {
             tangential += point.tangential[a] * d;
         }
         let laws = &self.laws[point.pair];
-        let complementarity = laws.complementarity_of_pressure(0.0, point.overclosure + normal, f64::INFINITY);
+        let complementarity =
+            laws.complementarity_of_pressure(0.0, point.overclosure + normal, f64::INFINITY);
         let mut answer = PointAnswer {
             pressure: complementarity.value,
             traction: 0.0,
@@ -122,7 +128,8 @@ impl LawContext<'_> {
             let by_pressure = if self.symmetrised { 0.0 } else { direction.by_pressure };
             answer.traction = direction.value;
             answer.force[1] = direction.value - sliding.stiffness * tangential;
-            answer.slope[1] = [by_pressure * complementarity.by_value, direction.by_value - sliding.stiffness];
+            answer.slope[1] =
+                [by_pressure * complementarity.by_value, direction.by_value - sliding.stiffness];
         }
         answer
     }
@@ -140,6 +147,11 @@ impl LawContext<'_> {
         let mut state = committed.to_vec();
         let mut state_variables =
             UserState { time: self.time, committed, state: &mut state, fault: &mut None };
-        laws.complementarity_of_traction(values, sliding.elastic_slip, (kappa, self.dt), &mut state_variables)
+        laws.complementarity_of_traction(
+            values,
+            sliding.elastic_slip,
+            (kappa, self.dt),
+            &mut state_variables,
+        )
     }
 }

@@ -16,8 +16,8 @@
 
 use super::augmentation::Stiffness;
 use super::laws::PointAnswer;
-use super::system::{Row, IntegrationPoint, Unknown};
-use super::{LawContext, Kind, LinearPoint, LinearisedContact, MOST_DOFS};
+use super::system::{IntegrationPoint, Row, Unknown};
+use super::{Kind, LawContext, LinearPoint, LinearisedContact, MOST_DOFS};
 use slideline_linalg::SolveError;
 use slideline_linalg::krylov::{self, Stop, gmres};
 use slideline_mech::contact::enforcement::Complementarity;
@@ -187,7 +187,9 @@ impl LinearisedContact {
         context: &LawContext<'_>,
     ) {
         let mut integration_point = IntegrationPoint { point: place, rows: [0; MOST_DOFS] };
-        for (row, &equation) in integration_point.rows.iter_mut().zip(&point.equations[..point.width]) {
+        for (row, &equation) in
+            integration_point.rows.iter_mut().zip(&point.equations[..point.width])
+        {
             *row = match self.interface.get(&equation) {
                 Some(&known) => known,
                 None => {
@@ -249,7 +251,8 @@ impl LinearisedContact {
                         _ => (normal, point.stiffness),
                     };
                     row.free = row.start + point.dot(kind, &work.base);
-                    (row.own, row.augmentation, row.kappa, row.felt) = (own, augmentation, own, own);
+                    (row.own, row.augmentation, row.kappa, row.felt) =
+                        (own, augmentation, own, own);
                     let felt = own + augmentation;
                     row.weight = if felt > 0.0 { point.area / felt } else { point.area };
                 }
@@ -336,12 +339,14 @@ impl LinearisedContact {
             *answer = context.integration_point(integration_point, point, values);
             if !answer.is_idle() {
                 for (a, &i) in integration_point.rows[..point.width].iter().enumerate() {
-                    let force = point.normal[a] * answer.force[0] + point.direction[a] * answer.force[1];
+                    let force =
+                        point.normal[a] * answer.force[0] + point.direction[a] * answer.force[1];
                     residual[i] -= point.area * force;
                 }
             }
         }
-        let multiplier = |i: usize| q[i] + self.rows[i].augmentation * (values[i] - self.rows[i].start);
+        let multiplier =
+            |i: usize| q[i] + self.rows[i].augmentation * (values[i] - self.rows[i].start);
         for (i, row) in self.rows.iter().enumerate() {
             let Unknown::Multiplier { point, kind, pressure_row } = row.unknown else { continue };
             let asked = [multiplier(i), values[i], multiplier(pressure_row)];
@@ -369,12 +374,27 @@ impl LinearisedContact {
         work: &mut MatrixFree,
         tolerance: f64,
     ) -> Result<usize, SolveError> {
-        let MatrixFree { full, residual, step, yielded, scaled, complementarities, answers, solves, .. } =
-            work;
+        let MatrixFree {
+            full,
+            residual,
+            step,
+            yielded,
+            scaled,
+            complementarities,
+            answers,
+            solves,
+            ..
+        } = work;
         let [v, w] = &mut work.trial;
         let rows = &self.rows;
         let mut c = Compliance { rows, points, full, solves, fault: None };
-        let slopes = Slopes { rows, integration_points: &self.integration_points, points, complementarities, answers };
+        let slopes = Slopes {
+            rows,
+            integration_points: &self.integration_points,
+            points,
+            complementarities,
+            answers,
+        };
         // in the norm of the energy: sqrt(weight) v
         for ((scaled, f), row) in scaled.iter_mut().zip(&*residual).zip(rows) {
             *scaled = f * row.weight.sqrt();
@@ -481,7 +501,8 @@ impl LinearisedContact {
             let point = &points[integration_point.point];
             let answer = context.integration_point(integration_point, point, &work.values);
             for (a, &i) in integration_point.rows[..point.width].iter().enumerate() {
-                let force = point.normal[a] * answer.force[0] + point.direction[a] * answer.force[1];
+                let force =
+                    point.normal[a] * answer.force[0] + point.direction[a] * answer.force[1];
                 q[i] += point.area * force;
             }
         }
@@ -497,7 +518,9 @@ impl LinearisedContact {
         stiffness: &Stiffness<'_>,
         work: &MatrixFree,
     ) -> Vec<(usize, [f64; 2])> {
-        let slope = |complementarity: &Complementarity| complementarity.by_value / (1.0 - complementarity.by_multiplier).max(0.0);
+        let slope = |complementarity: &Complementarity| {
+            complementarity.by_value / (1.0 - complementarity.by_multiplier).max(0.0)
+        };
         let mut wanted = Vec::with_capacity(self.rows.len());
         for (i, row) in self.rows.iter().enumerate() {
             let Some((place, Kind::Normal)) = row.point() else { continue };
@@ -507,7 +530,10 @@ impl LinearisedContact {
                 true => within(slope(&work.complementarities[i + 1]), local[1], 0.0),
                 false => 0.0,
             };
-            wanted.push((place, [within(slope(&work.complementarities[i]), local[0], 0.0), tangential]));
+            wanted.push((
+                place,
+                [within(slope(&work.complementarities[i]), local[0], 0.0), tangential],
+            ));
         }
         for (integration_point, answer) in self.integration_points.iter().zip(&work.answers) {
             let point = &points[integration_point.point];
@@ -598,10 +624,12 @@ impl Slopes<'_> {
     /// J v, with w = C v known: docs/theory.md eq. (8.27).
     fn product(&self, v: &[f64], w: &[f64], into: &mut [f64]) {
         let multiplier = |i: usize| v[i] - self.rows[i].augmentation * w[i];
-        for (i, (row, complementarity)) in self.rows.iter().zip(self.complementarities).enumerate() {
+        for (i, (row, complementarity)) in self.rows.iter().zip(self.complementarities).enumerate()
+        {
             into[i] = match row.unknown {
                 Unknown::Multiplier { pressure_row, .. } => {
-                    multiplier(i) * (1.0 - complementarity.by_multiplier) + complementarity.by_value * w[i]
+                    multiplier(i) * (1.0 - complementarity.by_multiplier)
+                        + complementarity.by_value * w[i]
                         - complementarity.by_pressure * multiplier(pressure_row)
                 }
                 Unknown::Interface { .. } => v[i],
@@ -630,15 +658,18 @@ impl Slopes<'_> {
     /// The inverse of J with C taken as its diagonal would be of the point's own
     /// equations; in the norm of the energy.
     fn precondition(&self, x: &[f64], into: &mut [f64]) {
-        for (i, (row, complementarity)) in self.rows.iter().zip(self.complementarities).enumerate() {
+        for (i, (row, complementarity)) in self.rows.iter().zip(self.complementarities).enumerate()
+        {
             let Unknown::Multiplier { pressure_row, .. } = row.unknown else {
                 into[i] = x[i];
                 continue;
             };
             let own = |row: &Row, complementarity: &Complementarity| {
-                let compliance = if row.felt > 0.0 { 1.0 / (row.felt + row.augmentation) } else { 0.0 };
+                let compliance =
+                    if row.felt > 0.0 { 1.0 / (row.felt + row.augmentation) } else { 0.0 };
                 let multiplier = 1.0 - row.augmentation * compliance;
-                let by = multiplier * (1.0 - complementarity.by_multiplier) + complementarity.by_value * compliance;
+                let by = multiplier * (1.0 - complementarity.by_multiplier)
+                    + complementarity.by_value * compliance;
                 (if by.abs() > f64::EPSILON { by } else { 1.0 }, multiplier)
             };
             let mut right = x[i];

@@ -1,6 +1,6 @@
 //! The small system of one Newton iteration: its rows, residual and slope.
 
-use super::{LawContext, Kind, LinearPoint, MOST_DOFS};
+use super::{Kind, LawContext, LinearPoint, MOST_DOFS};
 use slideline_mech::contact::enforcement::Complementarity;
 
 /// What a row of the small system stands for.
@@ -128,15 +128,21 @@ impl System<'_> {
     }
 
     /// dF/dq of a pressure or traction.
-    pub(super) fn differentiate(&self, i: usize, k: usize, complementarity: &Complementarity, jacobian: &mut [f64]) {
+    pub(super) fn differentiate(
+        &self,
+        i: usize,
+        k: usize,
+        complementarity: &Complementarity,
+        jacobian: &mut [f64],
+    ) {
         let m = self.rows.len();
         for j in 0..m {
             // d value/dq_j = -C_ij, d lambda_i/dq_j = delta_ij - s C_ij
             let by_value = -self.compliance[i * m + j];
             let own = if i == j { 1.0 } else { 0.0 };
             let by_multiplier = own + self.rows[i].augmentation * by_value;
-            let of_pressure =
-                if j == k { 1.0 } else { 0.0 } - self.rows[k].augmentation * self.compliance[k * m + j];
+            let of_pressure = if j == k { 1.0 } else { 0.0 }
+                - self.rows[k].augmentation * self.compliance[k * m + j];
             jacobian[i * m + j] = by_multiplier
                 - complementarity.by_multiplier * by_multiplier
                 - complementarity.by_value * by_value

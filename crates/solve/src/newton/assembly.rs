@@ -69,7 +69,12 @@ impl Workspace {
             let augmentation = if touching { augmentation_stiffness(plan, point) } else { 0.0 };
             let called = laws.has_friction() && laws.onset.called(before.closed, true);
             let sliding = (called && kinematics.faces).then(|| Sliding {
-                slip: plan.contact.slip(place, &before.history(), kinematics, &committed.displacement),
+                slip: plan.contact.slip(
+                    place,
+                    &before.history(),
+                    kinematics,
+                    &committed.displacement,
+                ),
                 elastic_slip: before.elastic_slip,
                 traction: self.tractions[place],
                 stiffness: augmentation,
@@ -91,9 +96,10 @@ impl Workspace {
                 sliding,
             };
             for k in 0..kinematics.width {
-                let own = [kinematics.gradient[k], kinematics.slip_gradient[k], kinematics.direction[k]];
+                let own =
+                    [kinematics.gradient[k], kinematics.slip_gradient[k], kinematics.direction[k]];
                 let add = &mut |equation, a: f64| linear.add(equation, own.map(|g| a * g));
-                plan.constraints.for_each_equation(&self.evaluation.rows, kinematics.slots[k], add);
+                plan.constraints.for_each_equation(&self.evaluation.rows, kinematics.dofs[k], add);
             }
             self.points.push(linear);
         }
@@ -144,11 +150,12 @@ impl Workspace {
     pub(super) fn add_geometry(&mut self, plan: &Plan<'_>, place: usize) {
         let kinematics: &ContactKinematics = &self.evaluation.kinematics[place];
         let width = kinematics.width;
-        let forces = (kinematics.area * self.pressures[place], kinematics.area * self.tractions[place]);
+        let forces =
+            (kinematics.area * self.pressures[place], kinematics.area * self.tractions[place]);
         let geometry = &mut self.geometry;
         plan.contact.geometric_tangent(place, &self.u, kinematics, forces, geometry);
         let at = |i: usize, j: usize| geometry.tangent[width * i + j];
-        plan.scatter(&self.evaluation.rows, &kinematics.slots[..width], at, &mut self.values);
+        plan.scatter(&self.evaluation.rows, &kinematics.dofs[..width], at, &mut self.values);
     }
 
     /// Adds what the turning of rigid links makes of the forces that the
@@ -165,7 +172,7 @@ impl Workspace {
             let kinematics = &evaluation.kinematics[linear.place];
             let [p, tau] = [self.pressures[linear.place], self.tractions[linear.place]];
             for k in 0..kinematics.width {
-                turning[kinematics.slots[k]] +=
+                turning[kinematics.dofs[k]] +=
                     kinematics.area * (p * kinematics.gradient[k] + tau * kinematics.direction[k]);
             }
         }
@@ -173,11 +180,7 @@ impl Workspace {
     }
 }
 
-pub(super) fn context<'a>(
-    plan: &'a Plan<'_>,
-    committed: &'a State,
-    dt: f64,
-) -> LawContext<'a> {
+pub(super) fn context<'a>(plan: &'a Plan<'_>, committed: &'a State, dt: f64) -> LawContext<'a> {
     LawContext {
         laws: &plan.contact.laws,
         time: committed.total_time + dt,

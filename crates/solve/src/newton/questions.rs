@@ -131,11 +131,11 @@ impl Workspace {
         Some(plan.dofs.name(plan.constraints.dof_of_equation[largest]).0)
     }
 
-    /// Forces that nothing balances in the trial state, a slot each; zero
+    /// Forces that nothing balances in the trial state, a dof each; zero
     /// where supports balance them [F or F L].
     pub fn residuals(&self, plan: &Plan<'_>) -> Vec<f64> {
-        let force = |slot: usize| match plan.constraints.equation(slot) {
-            Some(_) => self.evaluation.unbalanced(slot),
+        let force = |dof: usize| match plan.constraints.equation(dof) {
+            Some(_) => self.evaluation.unbalanced(dof),
             None => 0.0,
         };
         (0..plan.dofs.len()).map(force).collect()

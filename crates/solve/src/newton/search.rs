@@ -72,9 +72,9 @@ impl Workspace {
         let length = plan.structure.stiffest_length;
         let lever = if length > 0.0 { length } else { plan.reach.max(f64::MIN_POSITIVE) };
         let mut sum = 0.0;
-        for &slot in &plan.constraints.dof_of_equation {
-            let force = self.evaluation.unbalanced(slot);
-            let force = if plan.dofs.name(slot).1.is_rotation() { force / lever } else { force };
+        for &dof in &plan.constraints.dof_of_equation {
+            let force = self.evaluation.unbalanced(dof);
+            let force = if plan.dofs.name(dof).1.is_rotation() { force / lever } else { force };
             sum += force * force;
         }
         let missed = self.evaluation.penetration + self.evaluation.stick_slip;

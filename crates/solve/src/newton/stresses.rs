@@ -21,8 +21,8 @@ impl Workspace {
         let last = committed.increment_time[0];
         if last == 0.0 {
             // What is prescribed was spread linearly: this is where that arrives.
-            for (slot, change) in still.iter_mut().enumerate() {
-                *change = self.u[slot] - committed.displacement[slot];
+            for (dof, change) in still.iter_mut().enumerate() {
+                *change = self.u[dof] - committed.displacement[dof];
             }
             plan.structure.stresses_after(&committed.displacement, still, &mut self.stresses);
             still.fill(0.0);
@@ -33,8 +33,8 @@ impl Workspace {
         if plan.step.extrapolation == Extrapolation::None {
             return;
         }
-        for (slot, before) in self.residual.iter_mut().enumerate() {
-            *before = committed.displacement[slot] - committed.increment[slot];
+        for (dof, before) in self.residual.iter_mut().enumerate() {
+            *before = committed.displacement[dof] - committed.increment[dof];
         }
         plan.structure.stresses_after(&self.residual, still, &mut self.arrived);
         for (stress, before) in self.stresses.iter_mut().zip(&self.arrived) {

@@ -8,7 +8,7 @@
 //! ```
 
 use super::shown::{Numbers, frame};
-use super::{Left, Analysis};
+use super::{Analysis, Left};
 use crate::commit::commit;
 use crate::diagnose::{self, Case};
 use crate::increments::{StopReason, Verdict};

@@ -75,11 +75,13 @@ mod tests {
         let (k, kappa, h) = (7.0, 3.0, 0.2);
         let slope = k / (1.0 + k / kappa);
         let lambda = k * h;
-        let complementarity = Complementarity::multiplier(slope * (h + lambda / kappa), slope, kappa);
+        let complementarity =
+            Complementarity::multiplier(slope * (h + lambda / kappa), slope, kappa);
         assert!((complementarity.value - lambda).abs() < 1e-14);
         // Newton from any multiplier lands there in one step, for the complementarity is affine in it.
         let guess = 5.0;
-        let complementarity = Complementarity::multiplier(slope * (h + guess / kappa), slope, kappa);
+        let complementarity =
+            Complementarity::multiplier(slope * (h + guess / kappa), slope, kappa);
         let step = (guess - complementarity.value) / (1.0 - complementarity.by_multiplier);
         assert!((guess - step - lambda).abs() < 1e-13);
     }

@@ -46,9 +46,10 @@ pub struct Gap<const N: usize> {
 impl<const N: usize> Gap<N> {
     /// Whether every number is finite.
     pub(crate) fn checked(self) -> Option<Self> {
-        let sums = self.gradient.iter().chain(&self.slip_gradient).chain(&self.direction).sum::<f64>()
-            + self.hessian.as_flattened().iter().sum::<f64>()
-            + self.direction_derivative.as_flattened().iter().sum::<f64>();
+        let sums =
+            self.gradient.iter().chain(&self.slip_gradient).chain(&self.direction).sum::<f64>()
+                + self.hessian.as_flattened().iter().sum::<f64>()
+                + self.direction_derivative.as_flattened().iter().sum::<f64>();
         (self.overclosure + self.along + sums).is_finite().then_some(self)
     }
 }

@@ -33,10 +33,20 @@ fn demands_by_differences() {
     for friction in [elastic, decaying] {
         let laws = laws(friction);
         for (tau, slip, p) in [(1e5, 1e-6, 2e6), (9e5, 5e-6, 2e6), (-9e5, -5e-6, 1e6)] {
-            let at =
-                |x: [f64; 3]| laws.complementarity_of_traction(x, 5e-7, (kappa, 0.05), &mut state_variables(&mut None));
+            let at = |x: [f64; 3]| {
+                laws.complementarity_of_traction(
+                    x,
+                    5e-7,
+                    (kappa, 0.05),
+                    &mut state_variables(&mut None),
+                )
+            };
             let complementarity = at([tau, slip, p]);
-            let stated = [complementarity.by_multiplier, complementarity.by_value, complementarity.by_pressure];
+            let stated = [
+                complementarity.by_multiplier,
+                complementarity.by_value,
+                complementarity.by_pressure,
+            ];
             for (k, size) in [1e5, 1e-6, 1e6].into_iter().enumerate() {
                 let step = 1e-6 * size;
                 let (mut up, mut down) = ([tau, slip, p], [tau, slip, p]);
@@ -55,8 +65,14 @@ fn demands_by_differences() {
             let complementarity = laws.complementarity_of_pressure(p, h, kappa);
             let by_p = (at(p + 1.0, h) - at(p - 1.0, h)) / 2.0;
             let by_h = (at(p, h + 1e-12) - at(p, h - 1e-12)) / 2e-12;
-            assert!((by_p - complementarity.by_multiplier).abs() < 1e-5, "{by_p} {complementarity:?}");
-            assert!((by_h - complementarity.by_value).abs() < 1e-5 * kappa, "{by_h} {complementarity:?}");
+            assert!(
+                (by_p - complementarity.by_multiplier).abs() < 1e-5,
+                "{by_p} {complementarity:?}"
+            );
+            assert!(
+                (by_h - complementarity.by_value).abs() < 1e-5 * kappa,
+                "{by_h} {complementarity:?}"
+            );
         }
     }
 }
@@ -83,7 +99,8 @@ fn friction_dissipates() {
         let laws = laws(coulomb(stick, None));
         for slip in [-1e-3, -5e-6, 5e-6, 1e-3] {
             let history = History { closed: true, along: Some(0.0), elastic_slip: 0.0 };
-            let response = laws.respond(&history, &trial(-2e-6, slip), &mut state_variables(&mut None));
+            let response =
+                laws.respond(&history, &trial(-2e-6, slip), &mut state_variables(&mut None));
             assert!(response.traction.tau * slip > 0.0);
             assert!(response.traction.dissipated_slip >= 0.0);
         }
