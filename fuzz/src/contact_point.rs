@@ -51,7 +51,7 @@ fn laws(v: &[f64]) {
 
 fn chain(nodes: &[[f64; 2]], smoothing: f64, point: [f64; 2]) {
     let Some(chain) = Chain::new(nodes, smoothing, 0.1) else { return };
-    let Some(piece) = chain.closest(nodes, point, None) else { return };
+    let Some(piece) = chain.closest(nodes, None, point) else { return };
     assert!(piece.nodes().end <= nodes.len() && !piece.parameter.is_nan(), "{piece:?}");
     if let Some(gap) = chain_gap(&chain, &piece, nodes, point) {
         finite(&gap);
@@ -75,7 +75,7 @@ fn rigid(points: &[[f64; 2]], point: [f64; 2], dofs: [f64; 3]) {
     if let Some(overclosure) = surface.overclosure(&body, point) {
         assert!(!overclosure.is_nan(), "{surface:?} {point:?}");
     }
-    let Some(facing) = surface.closest(&body, point, None) else { return };
+    let Some(facing) = surface.closest(&body, point) else { return };
     if let Some(gap) = surface.gap(&body, &facing, point) {
         finite(&gap);
     }
