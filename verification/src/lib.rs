@@ -14,6 +14,7 @@
 mod cam;
 mod claim;
 mod curve;
+pub mod many_points;
 mod metrics;
 mod push;
 pub mod random;

@@ -430,7 +430,7 @@ impl Workspace {
             self.residual[dof] += self.correction[equation];
         }
         plan.constraints.enforce(&mut self.residual);
-        let Evaluation { meetings, look, .. } = &mut self.evaluation;
+        let Evaluation { meetings, look, .. } = &self.evaluation;
         plan.contact.stay_idle(meetings, &self.residual, look)
     }
 

@@ -44,6 +44,8 @@ pub struct Plan<'a> {
     pub is_lenient: bool,
     /// How contact is solved, where not by its size.
     pub enforcement: Option<Enforcement>,
+    /// Largest load of the step [F or F L].
+    pub largest_load: f64,
     /// Threads for element loops; none: this one.
     pub pool: Option<&'a ThreadPool>,
     start: Start<'static>,
@@ -152,6 +154,7 @@ impl<'a> Plan<'a> {
             lever,
             units,
             is_lenient: false,
+            largest_load: step.loads.iter().fold(0.0, |most, load| load.value.abs().max(most)),
             enforcement: None,
             pool,
             start,

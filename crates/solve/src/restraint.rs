@@ -59,7 +59,11 @@ impl Restraint {
 
     /// Whether some body keeps a rigid motion.
     pub fn has_loose_body(&mut self) -> bool {
-        self.bodies.used.clone().into_iter().any(|node| !self.holds(node))
+        let mut roots: Vec<NodeIndex> = self.bodies.used.clone();
+        roots.iter_mut().for_each(|node| *node = self.bodies.root(*node));
+        roots.sort_unstable();
+        roots.dedup();
+        roots.into_iter().any(|root| !self.holds(root))
     }
 }
 

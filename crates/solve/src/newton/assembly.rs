@@ -193,7 +193,7 @@ pub(super) fn circumstances<'a>(
 /// element. Without elements, of one that the largest load would shorten by the
 /// size of the model; where nothing has a size, any.
 pub(super) fn lent_stiffness(plan: &Plan<'_>, point: &SlavePoint) -> f64 {
-    let load = plan.step.loads.iter().fold(0.0_f64, |largest, load| largest.max(load.value.abs()));
+    let load = plan.largest_load;
     let scale = match plan.structure.stiffest > 0.0 {
         true => LENT * plan.structure.stiffest,
         false if plan.reach > 0.0 => load / plan.reach,

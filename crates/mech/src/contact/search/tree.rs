@@ -70,9 +70,9 @@ impl<const D: usize> BoxTree<D> {
 
     fn split(&mut self, (from, to): (usize, usize), centre: &impl Fn(u32, usize) -> f64) {
         let own = self.branches.len();
-        let mut branch = Branch { bounds: nothing(), parts: (from as u32, 0), second: 0 };
+        let mut branch = Branch { bounds: nothing(), parts: (0, 0), second: 0 };
         if to - from <= LEAF {
-            branch.parts.1 = (to - from) as u32;
+            branch.parts = (from as u32, (to - from) as u32);
             self.branches.push(branch);
             return;
         }
@@ -151,17 +151,35 @@ impl<const D: usize> BoxTree<D> {
     /// The part with the least `measure`, the lowest number among equals; `measure` is a squared
     /// distance of the point, no less than that of the part's box [L2].
     pub fn nearest(&self, point: [f64; D], measure: impl Fn(usize) -> f64) -> Option<(usize, f64)> {
-        let least = std::cell::Cell::new((usize::MAX, f64::INFINITY));
-        self.visit(
-            |bounds| distance_squared(bounds, &point) <= least.get().1,
-            |part| {
-                let (best, value) = (least.get(), measure(part));
-                if value < best.1 || (value == best.1 && part < best.0) {
-                    least.set((part, value));
+        let (mut best, mut least) = (usize::MAX, f64::INFINITY);
+        // branches with the distance of their boxes; the nearer one is looked at first
+        let mut open = [(0u32, 0.0f64); 64];
+        let mut count = usize::from(!self.branches.is_empty());
+        while count > 0 {
+            count -= 1;
+            let (own, distance) = open[count];
+            if distance > least {
+                continue;
+            }
+            let branch = &self.branches[own as usize];
+            // an inner branch has none of its own
+            let (first, parts) = branch.parts;
+            for &part in &self.parts[first as usize..(first + parts) as usize] {
+                let value = measure(part as usize);
+                if value < least || (value == least && (part as usize) < best) {
+                    (best, least) = (part as usize, value);
                 }
-            },
-        );
-        Some(least.get()).filter(|(part, _)| *part != usize::MAX)
+            }
+            if parts == 0 {
+                let below = [own + 1, branch.second].map(|below| {
+                    (below, distance_squared(&self.branches[below as usize].bounds, &point))
+                });
+                let nearer = usize::from(below[1].1 < below[0].1);
+                (open[count], open[count + 1]) = (below[1 - nearer], below[nearer]);
+                count += 2;
+            }
+        }
+        (best != usize::MAX).then_some((best, least))
     }
 }
 

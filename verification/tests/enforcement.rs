@@ -8,6 +8,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
 
 use slideline::{Enforcement, Job, Quiet, ReadOptions, RunOptions, SolveOptions, Status, run};
+use slideline_verification::many_points::{HARD, SOFT, beam_on_beam, beam_on_flat};
 use std::fmt::Write;
 use std::path::Path;
 
@@ -76,7 +77,7 @@ macro_rules! paper {
         fn $name() {
             let name = stringify!($name);
             let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-                .join("../../corpus/diehl1995").join(name).with_extension("inp");
+                .join("../corpus/diehl1995").join(name).with_extension("inp");
             agree(name, &tight(&std::fs::read_to_string(path).unwrap()));
         }
     )*};
@@ -92,45 +93,34 @@ paper!(
     surface_coarse_mu03
 );
 
-/// A beam of `nodes` nodes loaded onto a flat that then slides, under a law.
-fn flat(nodes: usize, law: &str) -> String {
-    let length = nodes as f64 - 1.0;
-    let elements = nodes - 1;
-    let (left, right) = (-0.5 * length - 10.0, 1.5 * length + 10.0);
-    format!(
-        "*NODE, NSET=BEAM\n1, 0.0, 0.0\n{nodes}, {length:?}, 0.0\n*NGEN, NSET=BEAM\n\
-         1, {nodes}, 1\n*ELEMENT, TYPE=B21, ELSET=BEAM\n1, 1, 2\n*ELGEN, ELSET=BEAM\n\
-         1, {elements}, 1, 1\n*BEAM SECTION, SECTION=RECT, ELSET=BEAM, MATERIAL=M\n10.0, 1.0\n\
-         *MATERIAL, NAME=M\n*ELASTIC\n210000.0, 0.3\n*NODE, NSET=REF\n900000, 0.0, -1.0\n\
-         *SURFACE, NAME=FLAT, TYPE=SEGMENTS\nSTART, {left:?}, 0.0\nLINE, {right:?}, 0.0\n\
-         *RIGID BODY, REF NODE=900000, ANALYTICAL SURFACE=FLAT\n\
-         *SURFACE, NAME=UNDER, TYPE=ELEMENT\nBEAM, SNEG\n*SURFACE INTERACTION, NAME=TOUCH\n10.0\n\
-         {law}\n*CONTACT PAIR, INTERACTION=TOUCH, TYPE=NODE TO SURFACE, NO THICKNESS\n\
-         UNDER, FLAT\n*STEP, NLGEOM, INC=400\n*STATIC\n0.25, 1.0, 1.0E-6, 0.25\n*BOUNDARY\n\
-         1, 1\n900000, 1\n900000, 6\n900000, 2, 2\n*CLOAD\nBEAM, 2, -20.0\n*NODE PRINT, NSET=REF\n\
-         RF\n*END STEP\n*STEP, NLGEOM, INC=400\n*STATIC\n0.25, 1.0, 1.0E-6, 0.25\n*BOUNDARY\n\
-         900000, 1, 1, 0.05\n*END STEP\n"
-    )
-}
-
-const SOFT: &str = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=EXPONENTIAL\n0.02, 10.0";
-
 #[test]
 fn many_soft_points() {
-    agree("soft", &tight(&flat(150, SOFT)));
-    agree("soft_friction", &tight(&flat(110, &format!("*FRICTION\n0.2\n{SOFT}"))));
+    agree("soft", &tight(&beam_on_flat(150, SOFT, None)));
+    agree("soft_friction", &tight(&beam_on_flat(110, SOFT, Some(0.2))));
 }
 
 #[test]
 fn many_hard_points() {
-    agree("hard", &tight(&flat(120, "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HARD")));
-    agree("hard_exact_stick", &tight(&flat(90, "*FRICTION, LAGRANGE\n0.2")));
+    agree("hard", &tight(&beam_on_flat(120, HARD, None)));
+    agree("hard_friction", &tight(&beam_on_flat(90, HARD, Some(0.2))));
+}
+
+/// Requirement: a master with so many parts that only those near enter the pattern gives what one
+/// with all of them does: the same increments as the dense way finds, on both sides of that size.
+#[test]
+fn beams_on_beams() {
+    agree("beams", &beam_on_beam(90));
+    agree("beams_selective", &beam_on_beam(108));
 }
 
 /// Requirement: without being told, large problems are solved without the matrix and small ones
 /// with it.
 #[test]
 fn the_size_decides() {
-    assert!(solve("large", &flat(150, SOFT), None).text.contains("contact matrix-free"));
-    assert!(!solve("small", &flat(50, SOFT), None).text.contains("contact matrix-free"));
+    assert!(
+        solve("large", &beam_on_flat(150, SOFT, None), None).text.contains("contact matrix-free")
+    );
+    assert!(
+        !solve("small", &beam_on_flat(50, SOFT, None), None).text.contains("contact matrix-free")
+    );
 }
