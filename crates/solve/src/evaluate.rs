@@ -143,6 +143,20 @@ pub fn evaluate(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into: &mu
     }
 }
 
+/// Looks at all points of a committed state, where they were last looked at
+/// elsewhere: what an attempt leaves alone depends on that state only, however it
+/// was reached.
+pub fn look_at(plan: &Plan<'_>, committed: &State, into: &mut Evaluation) {
+    let u = &committed.displacement[..];
+    if into.look.is_at(u) {
+        return;
+    }
+    let Evaluation { kinematics, positions, look, .. } = into;
+    plan.contact.meet(u, &[], positions, kinematics);
+    plan.contact.turn_away_from_behind((u, &committed.points), u, kinematics);
+    look.note(u);
+}
+
 /// Looks at the points that the evaluation left alone, at the same trial; says
 /// whether none of them carries pressure after all. If one does, all points are
 /// looked at next.

@@ -19,7 +19,7 @@ mod turns;
 
 use crate::contact::{GeometryScratch, MasterPositions, Missed, Sweep, SweepScratch};
 use crate::convergence::{Field, FieldHistory, Measures, judge};
-use crate::evaluate::{Evaluation, Trial, complete, evaluate};
+use crate::evaluate::{Evaluation, Trial, complete, evaluate, look_at};
 use crate::increments::Verdict;
 use crate::iteration_history::IterationHistory;
 use crate::linearised::{LinearPoint, LinearisedContact, Stiffness};
@@ -301,6 +301,7 @@ impl Workspace {
             self.spread_prescribed(plan, committed, target);
         }
         self.first_stresses(plan, committed, target.dt);
+        look_at(plan, committed, &mut self.evaluation);
         self.evaluate(plan, committed, target.dt);
         self.iteration_history.begin(&self.evaluation.points);
     }

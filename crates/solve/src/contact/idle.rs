@@ -34,6 +34,11 @@ impl Look {
         self.idle.fill(false);
     }
 
+    /// Whether all points were last looked at at displacements `u`.
+    pub fn is_at(&self, u: &[f64]) -> bool {
+        self.at == u
+    }
+
     /// Notes that all points were looked at, at displacements `u`.
     pub fn note(&mut self, u: &[f64]) {
         self.at.clear();

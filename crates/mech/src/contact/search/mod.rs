@@ -40,8 +40,7 @@ fn project_quadratic(control: &[Point; 3], point: Point) -> Option<f64> {
     // F/2 by powers of s, about the first point: (w - 2 s d - s^2 c) . (d + s c)
     let (w, d) = (sub(point, control[0]), sub(control[1], control[0]));
     let c = sub(sub(control[2], control[1]), d);
-    let [f0, f1, f2, f3] =
-        [dot(w, d), dot(w, c) - 2.0 * dot(d, d), -3.0 * dot(d, c), -dot(c, c)];
+    let [f0, f1, f2, f3] = [dot(w, d), dot(w, c) - 2.0 * dot(d, d), -3.0 * dot(d, c), -dot(c, c)];
     let value = |s: f64| {
         let f = f0 + s * (f1 + s * (f2 + s * f3));
         (f, f1 + s * (2.0 * f2 + 3.0 * s * f3))
