@@ -124,7 +124,7 @@ fn degenerate_input() {
     assert!(Chain::new(&[[0.0, 0.0], [0.0, 0.0]], 0.0, 0.1).is_none());
     assert!(Chain::new(&zigzag(), 0.5, 0.1).is_none());
     let chain = Chain::new(&zigzag(), 0.2, 0.1).unwrap();
-    assert!(chain.closest(&[[1.0, 1.0]; 4], [1.0, 1.0], None).is_none());
+    assert!(chain.closest(&[[1.0, 1.0]; 4], None, [1.0, 1.0]).is_none());
     assert!(chain.closest(&zigzag()[..2], None, [1.0, 1.0]).is_none());
     assert!(chain.closest(&zigzag(), None, [f64::NAN, 1.0]).is_none());
 }

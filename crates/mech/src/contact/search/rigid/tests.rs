@@ -1,4 +1,4 @@
-use super::{Facing, Part, RigidSegment, beyond_end, closest, is_closed};
+use super::{Part, RigidSegment, beyond_end, closest, is_closed};
 
 /// The circle of the 1995 deck: two arcs, clockwise over +x, as listed there.
 fn half_circle() -> Vec<RigidSegment> {
