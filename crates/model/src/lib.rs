@@ -32,7 +32,7 @@ pub use controls::{Controls, FieldControls, TimeIncrementation};
 pub use element::{
     Allowable, BeamSection, Beams, Element, ElementBlock, ElementType, Elements, Field, Kinematics,
     Location, MOST_NODES, Section, ShearRule, SolidSection, SpringSection, Springs, TYPES,
-    Undeformed, element_type, types,
+    Undeformed, element_type, mean_at_nodes, types,
 };
 pub use node::{Dof, LinearConstraint, Node, NodeIndex, Nodes, RigidLink};
 pub use output::{

@@ -154,8 +154,10 @@ pub enum ElementVariable {
     SE,
     /// Curvature SK1.
     SK,
-    /// Axial stress S11 at section points.
+    /// Axial stress S11 at section points; of solids all components.
     S,
+    /// Strain of solids.
+    E,
     /// Mises stress at section points 1 and 5, where there is no shear stress.
     MISES,
 }

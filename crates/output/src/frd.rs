@@ -17,6 +17,7 @@ use crate::outline::{Outline, outlines};
 use crate::section::nodal_sections;
 use crate::writer::Writer;
 use slideline_model::{Dof, Kinematics, Model, NodeIndex};
+use slideline_results::element::nodal_stresses;
 use slideline_results::{NodeComponent, NodeField, contact_component};
 use slideline_solve::observe::{ContactRow, Event, Frame};
 use std::collections::BTreeMap;
@@ -200,18 +201,24 @@ impl Results<'_> {
         self.push("FORC", Shape::Vector, &["F1", "F2", "F3"], forces.chain(none).collect());
     }
 
-    /// Stresses and section forces at the nodes of beams.
+    /// Stresses at the nodes of solids and beams, section forces of beams.
     fn push_sections(&mut self) {
         let nodes = nodal_sections(self.frame);
-        if nodes.is_empty() {
+        let label = |node: &NodeIndex| self.frame.model.nodes.label(*node);
+        let mut tensors = nodal_stresses(self.frame);
+        // where beams and solids share a node, the beam's outer fibre is told
+        tensors.extend(nodes.iter().map(|(&node, at)| (node, at.tensor())));
+        if tensors.is_empty() {
             return;
         }
-        let label = |node: &NodeIndex| self.frame.model.nodes.label(*node);
-        let stress = nodes.iter().map(|(node, at)| (label(node), at.tensor())).collect();
+        let stress = tensors.iter().map(|(node, tensor)| (label(node), *tensor)).collect();
         let points = nodes.iter().map(|(node, at)| (label(node), at.stresses())).collect();
         let forces = nodes.iter().map(|(node, at)| (label(node), at.forces())).collect();
         let names = ["SXX", "SYY", "SZZ", "SXY", "SYZ", "SZX"];
         self.push("STRESS", Shape::Tensor, &names, stress);
+        if nodes.is_empty() {
+            return;
+        }
         let names = ["S11_1", "S11_2", "S11_3", "S11_4", "S11_5"];
         self.push("S11", Shape::Scalars, &names, points);
         self.push("SECTION", Shape::Scalars, &["SF1", "SF2", "SM1"], forces);

@@ -11,9 +11,10 @@
 
 use crate::section::{axial_stresses, beams, outer_mises};
 use slideline_model::{
-    BeamSection, ContactPrint, ContactVariable, ElementPrint, ElementVariable, Model, NodeIndex,
-    NodePrint, Request,
+    BeamSection, ContactPrint, ContactVariable, ElementPrint, ElementType, ElementVariable, Model,
+    NodeIndex, NodePrint, Request,
 };
+use slideline_results::element as solid;
 use slideline_results::{CONTACT_FIELDS, ContactComponent, NodeComponent, NodeField};
 use slideline_solve::observe::{BeamRow, ContactRow, Frame};
 use std::fmt::Write as _;
@@ -114,9 +115,74 @@ pub(crate) fn push_nodes(text: &mut String, frame: &Frame<'_>, print: &NodePrint
     table.push(text, frame, (what, &print.request));
 }
 
-/// A table that `*EL PRINT` asks for: a row a beam and, where stresses are
-/// asked for, one a section point.
+/// The tables that `*EL PRINT` asks for: of beams and of solids.
 pub(crate) fn push_elements(text: &mut String, frame: &Frame<'_>, print: &ElementPrint) {
+    let of_solids = print.variables.iter().any(|&variable| !solid_columns(variable).is_empty());
+    let solids = of_solids && push_solids(text, frame, print);
+    if !solids || frame.model.blocks.iter().any(|block| block.beams().is_some()) {
+        push_beams(text, frame, print);
+    }
+}
+
+/// A row an integration point of a solid; false where there is none.
+fn push_solids(text: &mut String, frame: &Frame<'_>, print: &ElementPrint) -> bool {
+    let mut rows = Vec::new();
+    for (kind, results) in solid::blocks(frame) {
+        for (element, values) in results.elements(frame.model) {
+            let label = element.label;
+            if print.elements.binary_search(&label).is_err() {
+                continue;
+            }
+            for point in 0..solid::stresses(kind, values).len() {
+                let of = |&variable| solid_values(variable, kind, values, point);
+                let head = format!("{label:>10} {:>5}", point + 1);
+                rows.push(Row {
+                    head,
+                    label,
+                    values: print.variables.iter().flat_map(of).collect(),
+                });
+            }
+        }
+    }
+    let found = !rows.is_empty();
+    if found {
+        let names = print.variables.iter().flat_map(|&variable| solid_columns(variable));
+        let head = format!("{:>10} {:>5}", "ELEMENT", "POINT");
+        let table = Table { head, names: names.copied().collect(), rows };
+        let what = if print.request.set.is_empty() { "ELEMENTS all solids" } else { "ELEMENTS" };
+        table.push(text, frame, (what, &print.request));
+    }
+    found
+}
+
+fn solid_columns(variable: ElementVariable) -> &'static [&'static str] {
+    match variable {
+        ElementVariable::S => &["S11", "S22", "S33", "S12"],
+        ElementVariable::E => &["E11", "E22", "E33", "E12"],
+        ElementVariable::MISES => &["MISES"],
+        _ => &[],
+    }
+}
+
+fn solid_values(
+    variable: ElementVariable,
+    kind: &ElementType,
+    values: &[f64],
+    point: usize,
+) -> Vec<f64> {
+    let field = match variable {
+        ElementVariable::S => "S",
+        ElementVariable::E => "E",
+        ElementVariable::MISES => return vec![solid::mises(solid::stresses(kind, values)[point])],
+        _ => return Vec::new(),
+    };
+    let width = solid_columns(variable).len();
+    let first = kind.field(field).map_or(0, |(_, first)| first) + width * point;
+    values[first..first + width].to_vec()
+}
+
+/// A row a beam and, where stresses are asked for, one a section point.
+fn push_beams(text: &mut String, frame: &Frame<'_>, print: &ElementPrint) {
     let stressed = print.variables.contains(&ElementVariable::S);
     let place = |element: &str, point: &str| match stressed {
         true => format!("{element:>10} {point:>5}"),
@@ -147,6 +213,7 @@ fn element_columns(variable: ElementVariable) -> &'static [&'static str] {
         ElementVariable::SK => &["SK1"],
         ElementVariable::S => &["S11"],
         ElementVariable::MISES => &["MISES"],
+        ElementVariable::E => &[],
     }
 }
 
@@ -164,6 +231,7 @@ fn element_values(
         ElementVariable::SK => vec![row.strains[2]],
         ElementVariable::S => vec![stresses[point - 1]],
         ElementVariable::MISES => vec![outer_mises(&stresses)],
+        ElementVariable::E => Vec::new(),
     }
 }
 

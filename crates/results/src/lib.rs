@@ -2,6 +2,7 @@
 //!
 //! ```text
 //!   Frame --+--> nodes:           U  RF  CF  COORD
+//!           |--> elements:        the fields of their types: SF  SM  S  E ...
 //!           '--> contact points:  CSTRESS  CDISP  CFORCE  ...
 //!                     |
 //!                     '--> components: name, unit, value --> every file format
@@ -11,6 +12,7 @@
 //! components: a field that is added here appears wherever fields are written.
 
 mod contact;
+pub mod element;
 mod node;
 
 pub use contact::{CONTACT_FIELDS, ContactComponent, ContactField, contact_component, shown};

@@ -11,7 +11,7 @@
 use slideline::mech::element::cell::LINE2;
 use slideline::mech::element::{Kernel, Response, Scale, Strains};
 use slideline::model::{
-    Dof, ElementBlock, ElementType, Field, Kinematics, Location, Section, Undeformed,
+    Dof, ElementBlock, ElementType, Field, Kinematics, Location, Section, Undeformed, mean_at_nodes,
 };
 use slideline::observe::Ending;
 use slideline::{Event, Job, Model, Observer, ReadOptions, SolveOptions, Stop, solve};
@@ -30,6 +30,7 @@ pub static YIELDING_BAR: ElementType = ElementType {
         Field { name: "S", components: &["S11"], unit: "[F/L2]", location: Location::Points },
         Field { name: "PE", components: &["PE11"], unit: "[1]", location: Location::Points },
     ],
+    at_nodes: mean_at_nodes,
     kernel: bars,
 };
 

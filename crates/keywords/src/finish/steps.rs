@@ -226,7 +226,7 @@ fn carry_requests(carried: &mut Carried, step: &StepDraft, draft: &mut Draft) {
     });
     renew(&mut carried.prints, asked.collect(), |print| &print.request);
     let asked = step.element_prints.iter().cloned().map(|(mut print, span)| {
-        print.elements = beams_to_print(&print.request.set, span, draft);
+        print.elements = elements_to_print(&print.request.set, span, draft);
         print
     });
     renew(&mut carried.element_prints, asked.collect(), |print| &print.request);
@@ -260,16 +260,17 @@ fn nodes_to_print(set: &str, span: Option<Span>, draft: &mut Draft) -> Vec<NodeI
     nodes
 }
 
-/// Labels of the beams of an element set, ascending; without a set all beams.
-fn beams_to_print(set: &str, span: Option<Span>, draft: &mut Draft) -> Vec<u64> {
+/// Labels of the elements with results of an element set, ascending; without a set
+/// of all.
+fn elements_to_print(set: &str, span: Option<Span>, draft: &mut Draft) -> Vec<u64> {
     let asked: Option<HashSet<u64>> = span.map(|span| {
         let found = draft.elements_of(set, span);
         found.unwrap_or_default().into_iter().map(|index| draft.elements[index].label).collect()
     });
-    let blocks = draft.model.blocks.iter().filter_map(|block| block.beams());
-    let beams = blocks.flat_map(|block| block.elements).map(|beam| beam.label);
+    let blocks = draft.model.blocks.iter().filter(|block| !block.kind.fields.is_empty());
+    let all = blocks.flat_map(|block| &block.elements).map(|element| element.label);
     let mut labels: Vec<u64> =
-        beams.filter(|label| asked.as_ref().is_none_or(|asked| asked.contains(label))).collect();
+        all.filter(|label| asked.as_ref().is_none_or(|asked| asked.contains(label))).collect();
     labels.sort_unstable();
     labels
 }

@@ -23,9 +23,33 @@ pub const GAUSS_4_MEAN: [f64; 4] = [
 pub const SQUARE_2X2: [[f64; 2]; 4] =
     [[-GAUSS_2, -GAUSS_2], [GAUSS_2, -GAUSS_2], [-GAUSS_2, GAUSS_2], [GAUSS_2, GAUSS_2]];
 
+/// Values at the corners of the square, counter-clockwise from (-1, -1), of the bilinear function
+/// through those at [`SQUARE_2X2`].
+pub fn square_corners(points: &[f64], corners: &mut [f64]) {
+    let Ok(points) = <&[f64; 4]>::try_from(points) else { return };
+    let reach = 1.0 / GAUSS_2;
+    for (corner, place) in
+        corners.iter_mut().zip([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])
+    {
+        // the points are the corners of a square of half the side GAUSS_2
+        let [a, b, c, d] = super::cell::quad4_shapes(place.map(|x: f64| x * reach));
+        *corner = a * points[0] + b * points[1] + c * points[3] + d * points[2];
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Requirement: a bilinear function is carried to the corners exactly. Tolerance: rounding.
+    #[test]
+    fn corners_of_a_bilinear_function() {
+        let of = |[x, y]: [f64; 2]| 2.0 + x - 3.0 * y + 0.5 * x * y;
+        let mut corners = [0.0; 4];
+        square_corners(&SQUARE_2X2.map(of), &mut corners);
+        let exact = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(of);
+        assert!(corners.iter().zip(exact).all(|(a, b)| (a - b).abs() < 1e-14), "{corners:?}");
+    }
 
     /// Requirement: n points integrate polynomials of degree 2 n - 1. Tolerance: rounding.
     #[test]

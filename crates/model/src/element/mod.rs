@@ -10,7 +10,8 @@ mod table;
 
 pub use section::{BeamSection, Section, ShearRule, SolidSection, SpringSection};
 pub use table::{
-    ElementType, Field, Kinematics, Location, MOST_NODES, TYPES, Undeformed, element_type, types,
+    ElementType, Field, Kinematics, Location, MOST_NODES, TYPES, Undeformed, element_type,
+    mean_at_nodes, types,
 };
 
 use crate::{Dof, NodeIndex};

@@ -26,6 +26,8 @@ pub struct ElementType {
     pub states: usize,
     /// Results it offers, in the order in which its kernel writes them.
     pub fields: &'static [Field],
+    /// Values at the nodes from those at the integration points, one component.
+    pub at_nodes: fn(points: &[f64], nodes: &mut [f64]),
     /// Makes the kernel of a block; `None` for a section that is not its own.
     pub kernel: fn(&Undeformed<'_>) -> Option<Arc<dyn Kernel>>,
 }
@@ -132,6 +134,18 @@ impl ElementType {
         places * field.components.len()
     }
 
+    /// A field with where its values begin among those of an element.
+    pub fn field(&self, name: &str) -> Option<(&'static Field, usize)> {
+        let mut first = 0;
+        for field in self.fields {
+            if field.name == name {
+                return Some((field, first));
+            }
+            first += self.values(field);
+        }
+        None
+    }
+
     /// Number of values of all fields of one element.
     pub fn all_values(&self) -> usize {
         self.fields.iter().map(|field| self.values(field)).sum()
@@ -141,6 +155,11 @@ impl ElementType {
 /// The row of that name in decks.
 pub fn element_type(name: &str) -> Option<&'static ElementType> {
     TYPES.into_iter().find(|row| row.names.contains(&name))
+}
+
+/// The mean of the integration points at every node.
+pub fn mean_at_nodes(points: &[f64], nodes: &mut [f64]) {
+    nodes.fill(points.iter().sum::<f64>() / points.len().max(1) as f64);
 }
 
 /// All rows.
@@ -197,6 +216,7 @@ pub mod types {
         points: 1,
         states: 0,
         fields: BEAM_FIELDS,
+        at_nodes: mean_at_nodes,
         kernel: kernels::b21,
     };
 
@@ -221,6 +241,7 @@ pub mod types {
         points: 0,
         states: 0,
         fields: &[],
+        at_nodes: mean_at_nodes,
         kernel: kernels::spring1,
     };
 
@@ -237,6 +258,7 @@ pub mod types {
         points: 4,
         states: 0,
         fields: PLANE_FIELDS,
+        at_nodes: slideline_mech::element::quadrature::square_corners,
         kernel: kernels::cpe4,
     };
 }

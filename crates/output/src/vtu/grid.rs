@@ -4,6 +4,7 @@ use crate::outline::{Outline, outlines};
 use crate::section::{axial_stresses, beams, outer_mises};
 use base64::{Engine as _, engine::general_purpose::STANDARD};
 use slideline_model::{Dof, Element, Kinematics, Model, NodeIndex};
+use slideline_results::element as solid;
 use slideline_results::{NodeComponent, NodeField, contact_component, shown};
 use slideline_solve::observe::{Frame, Status, Unconverged};
 use std::collections::HashMap;
@@ -55,9 +56,9 @@ impl Cell {
 pub(super) struct Grid {
     outlines: Vec<Outline>,
     cells: Vec<Cell>,
-    /// First place in the cell list of every beam's element label and number
+    /// First index in the cell list of every element label with results and number
     /// of its cells: two for a beam of three nodes.
-    beam_cells: HashMap<u64, (usize, usize)>,
+    cells_of: HashMap<u64, (usize, usize)>,
     point_count: usize,
     /// The finished `<Cells>` element.
     topology: String,
@@ -69,10 +70,10 @@ impl Grid {
     /// Lays points and cells of a model out.
     pub fn new(model: &Model) -> Self {
         let mut cells = element_cells(model);
-        let mut beam_cells = HashMap::new();
+        let mut cells_of = HashMap::new();
         for (place, cell) in cells.iter().enumerate() {
-            if matches!(cell.kind, Kind::Beam) {
-                beam_cells.entry(cell.label).or_insert((place, 0)).1 += 1;
+            if matches!(cell.kind, Kind::Beam | Kind::Solid) {
+                cells_of.entry(cell.label).or_insert((place, 0)).1 += 1;
             }
         }
         let outlines = outlines(model);
@@ -85,7 +86,7 @@ impl Grid {
         }
         let topology = topology(&cells);
         let labels = [node_labels(model, point_count), cell_labels(&cells)];
-        Self { outlines, cells, beam_cells, point_count, topology, labels }
+        Self { outlines, cells, cells_of, point_count, topology, labels }
     }
 
     /// The whole file of a state, in place of what `text` holds; of one that is
@@ -203,7 +204,7 @@ impl Grid {
             ("mises", vec![0.0; count]),
         ];
         for (beam, _, section) in beams(frame) {
-            let Some(&(first, cells)) = self.beam_cells.get(&beam.label) else { continue };
+            let Some(&(first, cells)) = self.cells_of.get(&beam.label) else { continue };
             let stresses = axial_stresses(beam, section);
             let values = [
                 beam.axial_force,
@@ -218,10 +219,41 @@ impl Grid {
                 column[first..first + cells].fill(value);
             }
         }
+        let [.., (_, mises)] = &mut columns;
+        let own = self.solids(frame, mises);
         for (name, column) in &columns {
             push_floats(text, name, 1, column);
         }
+        for (name, column) in &own {
+            push_floats(text, name, 1, column);
+        }
         text.push_str(&self.labels[1]);
+    }
+
+    /// Means over the element of all fields that are not those of a beam, each under
+    /// its own name; Mises stresses of solids go into `mises`.
+    fn solids(&self, frame: &Frame<'_>, mises: &mut [f64]) -> Vec<(&'static str, Vec<f64>)> {
+        let mut columns: Vec<(&'static str, Vec<f64>)> = Vec::new();
+        for (kind, results) in solid::blocks(frame) {
+            for (element, values) in results.elements(frame.model) {
+                let Some(&(first, cells)) = self.cells_of.get(&element.label) else { continue };
+                let own = first..first + cells;
+                for (name, mean) in solid::means(kind, values) {
+                    let known = columns.iter().position(|(column, _)| *column == name);
+                    let at = known.unwrap_or_else(|| {
+                        columns.push((name, vec![0.0; self.cells.len()]));
+                        columns.len() - 1
+                    });
+                    columns[at].1[own.clone()].fill(mean);
+                }
+                let stresses = solid::stresses(kind, values);
+                if !stresses.is_empty() {
+                    let sum: f64 = stresses.iter().map(|&tensor| solid::mises(tensor)).sum();
+                    mises[own].fill(sum / stresses.len() as f64);
+                }
+            }
+        }
+        columns
     }
 }
 
