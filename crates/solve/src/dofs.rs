@@ -10,7 +10,7 @@
 //! belongs to; one without elements has all, to move as it is told. The numbering
 //! knows no step: it holds for a whole run and for those that go on from it.
 
-use slideline_model::{Dof, Master, Model, NodeIndex};
+use slideline_model::{Dof, Kinematics, Master, Model, NodeIndex};
 use std::ops::Range;
 
 /// The dofs of a model's nodes, numbered node by node.
@@ -33,8 +33,11 @@ impl DofMap {
     pub fn new(model: &Model) -> Self {
         let mut has = vec![[None; Dof::ALL.len()]; model.nodes.len()];
         let elastic = of_elements(model);
+        // a spring acts on a node, but is no part that the node belongs to
         let mut alone = vec![true; model.nodes.len()];
-        elastic.iter().for_each(|&(node, _)| alone[node] = false);
+        let parts = model.blocks.iter().filter(|block| block.kind.kinematics != Kinematics::Spring);
+        let members = parts.flat_map(|block| block.elements.iter()).flat_map(|e| e.nodes);
+        members.for_each(|&node| alone[node] = false);
         let free = (0..alone.len()).filter(|&node| alone[node]).flat_map(rigid_body);
         free.for_each(|(node, dof)| has[node][dof as usize] = Some(false));
         for (node, dof) in elastic.into_iter().chain(of_bodies(model)) {
@@ -115,7 +118,7 @@ impl DofMap {
     }
 }
 
-/// Dofs that elements use.
+/// Dofs that elements give stiffness to.
 fn of_elements(model: &Model) -> Vec<(NodeIndex, Dof)> {
     let mut used = Vec::new();
     for block in &model.blocks {
