@@ -1,7 +1,7 @@
 //! `slideline report`: JOB.html from the result files.
 
 use crate::exit::Exit;
-use crate::{explain, render, screen};
+use crate::{docs, explain, render, screen};
 use clap::{Args, ValueHint};
 use slideline::diag::{Code, Diagnostic, Sources};
 use slideline::output::report::{CHANGED, Options, Problem, deck_hash as ran_deck_hash, write};
@@ -34,7 +34,7 @@ pub(crate) fn report(arguments: &ReportArguments) -> Exit {
         overlay: arguments.overlay.as_deref(),
         unfinished: arguments.unfinished,
         deck_hash: now.as_deref(),
-        page: explain::code_page,
+        page: page_of,
     };
     match write(&files, &options) {
         Ok(report) => {
@@ -46,6 +46,11 @@ pub(crate) fn report(arguments: &ReportArguments) -> Exit {
         }
         Err(problem) => refused(&problem),
     }
+}
+
+/// The page of a code as a part of the report.
+fn page_of(code: &str) -> Option<String> {
+    explain::code_page(code).map(docs::fragment)
 }
 
 /// The job that a user means by a deck or by a result file, and its files.
@@ -118,7 +123,7 @@ pub(crate) fn after_run(outcome: &mut Outcome) {
     if outcome.status == Status::InputError || outcome.output_failure.is_some() {
         return;
     }
-    let options = Options { page: explain::code_page, ..Options::default() };
+    let options = Options { page: page_of, ..Options::default() };
     if let Err(problem) = write(&outcome.files, &options) {
         outcome.output_failure = Some(problem.to_string());
         if outcome.status == Status::Completed {

@@ -10,8 +10,8 @@
 mod jobs;
 
 use jobs::{
-    PROGRAM, WRITE, code, columns, corpus, files, folder, irs, isl, same, sections, slideline,
-    stderr,
+    HEAD, PROGRAM, WRITE, code, columns, corpus, files, folder, irs, isl, same, sections,
+    slideline, stderr,
 };
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -193,7 +193,7 @@ fn what_cannot_be_gone_on_from() {
         damaged.push(state[..length].to_vec());
         let mut flipped = state.clone();
         // what both marks are in, the preface or the last state: the rest is not used
-        let used = [length % 22, 54 + length % (places[1] - 54), length.max(last)];
+        let used = [length % 22, HEAD + length % (places[1] - HEAD), length.max(last)];
         let place = used[length % 3];
         flipped[place] ^= 1 << moments.below(8);
         damaged.push(flipped);

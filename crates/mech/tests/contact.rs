@@ -6,7 +6,7 @@ use slideline_mech::contact::friction::{FrictionLaw, Stick};
 use slideline_mech::contact::normal::NormalLaw;
 use slideline_mech::contact::onset::Onset;
 use slideline_mech::contact::pair::{
-    AnyGap, Body, History, Laws, PointTrial, RigidSurface, UserMemory, chain_gap,
+    AnyGap, Body, History, Laws, PointTrial, RigidSurface, UserState, chain_gap,
 };
 use slideline_mech::contact::search::chain::Chain;
 use slideline_mech::contact::search::rigid::RigidSegment;
@@ -123,21 +123,22 @@ fn force_and_tangent(gap: &AnyGap, slip: f64) -> (Vec<f64>, Vec<f64>) {
     let overclosure = gap.overclosure();
     let trial =
         PointTrial { overclosure, slip, pressure: 0.0, traction: 0.0, stiffness: 0.0, dt: 1.0 };
-    let mut memory = UserMemory { time: 0.0, committed: &[], state: &mut [], fault: &mut None };
-    let response = laws.respond(&history, &trial, &mut memory);
+    let mut state_variables =
+        UserState { time: 0.0, committed: &[], state: &mut [], fault: &mut None };
+    let response = laws.respond(&history, &trial, &mut state_variables);
     let (p, tau) = (response.pressure, response.traction);
     let slope = laws.normal.pressure(overclosure).unwrap().1;
     let d = gap.derivatives();
     let n = gap.width();
-    let force = (0..n).map(|i| p * d.gradient[i] + tau.tau * d.drag[i]).collect();
+    let force = (0..n).map(|i| p * d.gradient[i] + tau.tau * d.direction[i]).collect();
     let tangent = (0..n * n).map(|k| {
         let (i, j) = (k / n, k % n);
         let by_slip = tau.d_tau_d_slip * d.slip_gradient[j];
         let by_pressure = tau.d_tau_d_pressure * slope * d.gradient[j];
         p * d.hessian[k]
-            + tau.tau * d.drag_derivative[k]
+            + tau.tau * d.direction_derivative[k]
             + slope * d.gradient[i] * d.gradient[j]
-            + d.drag[i] * (by_slip + by_pressure)
+            + d.direction[i] * (by_slip + by_pressure)
     });
     (force, tangent.collect())
 }

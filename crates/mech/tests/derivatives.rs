@@ -32,12 +32,12 @@ fn compare<const N: usize>(gap: &Gap<N>, h: &Second<N>, sigma: &Second<N>, lengt
     let size =
         |m: &[[f64; N]; N]| m.as_flattened().iter().fold(1.0 / length, |a, b| a.max(b.abs()));
     let (by_h, by_s) = (size(&h.hessian), size(&sigma.hessian));
-    // The drag is d sigma/dq over its length at the slave.
+    // The direction is d sigma/dq over its length at the slave.
     let (g, s) = (&sigma.gradient, &sigma.hessian);
     let at_slave = g[0].hypot(g[1]);
     for i in 0..N {
-        let drag = g[i] / at_slave;
-        assert!(close(gap.drag[i], drag, 1.0 + drag.abs(), 1e-11));
+        let direction = g[i] / at_slave;
+        assert!(close(gap.direction[i], direction, 1.0 + direction.abs(), 1e-11));
         assert!(close(gap.gradient[i], h.gradient[i], 1.0, 1e-11));
         assert!(close(
             gap.slip_gradient[i],
@@ -49,8 +49,9 @@ fn compare<const N: usize>(gap: &Gap<N>, h: &Second<N>, sigma: &Second<N>, lengt
             let (a, b) = (gap.hessian[i][j], h.hessian[i][j]);
             assert!(close(a, b, by_h, tolerance), "h {i} {j}: {a} {b}");
             let growth = (g[0] * column.0 + g[1] * column.1) / at_slave;
-            let (a, b) = (gap.drag_derivative[i][j], (s[i][j] - drag * growth) / at_slave);
-            let by_drag = (1.0 + drag.abs()) * by_s / at_slave;
+            let (a, b) =
+                (gap.direction_derivative[i][j], (s[i][j] - direction * growth) / at_slave);
+            let by_drag = (1.0 + direction.abs()) * by_s / at_slave;
             assert!(close(a, b, by_drag, tolerance), "s {i} {j}: {a} {b}");
         }
     }
@@ -70,9 +71,9 @@ fn differences<const N: usize>(q: &[f64; N], length: f64, kernel: impl Fn(&[f64;
         assert!(close(slope(up.along, down.along), gap.slip_gradient[j], 3.0, 1e-7));
         for i in 0..N {
             let h = slope(up.gradient[i], down.gradient[i]);
-            let s = slope(up.drag[i], down.drag[i]);
+            let s = slope(up.direction[i], down.direction[i]);
             assert!(close(h, gap.hessian[i][j], 30.0 / length, 1e-7));
-            assert!(close(s, gap.drag_derivative[i][j], 300.0 / length, 1e-7));
+            assert!(close(s, gap.direction_derivative[i][j], 300.0 / length, 1e-7));
         }
     }
 }

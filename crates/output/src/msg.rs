@@ -15,6 +15,13 @@ use slideline_solve::observe::{
 };
 use std::fmt::Write as _;
 
+/// Appends a line; a String takes any text.
+macro_rules! line {
+    ($text:expr, $($content:tt)*) => {{
+        let _ = writeln!($text, $($content)*);
+    }};
+}
+
 /// Writes `JOB.msg`.
 pub(crate) struct Msg<'a> {
     job: JobFiles,
@@ -64,7 +71,7 @@ impl<'a> Msg<'a> {
         if self.headed != place {
             self.headed = place;
             let (step, increment, attempt) = place;
-            line(text, format_args!("\nSTEP {step}  INCREMENT {increment}  ATTEMPT {attempt}"));
+            line!(text, "\nSTEP {step}  INCREMENT {increment}  ATTEMPT {attempt}");
         }
         iteration_heading(text, report);
         self.field(text, "force", &report.force);
@@ -76,20 +83,18 @@ impl<'a> Msg<'a> {
     }
 
     fn field(&self, text: &mut String, name: &str, field: &FieldReport) {
-        line(
+        line!(
             text,
-            format_args!(
-                "    {name:<7} largest residual {:>11}{}  time-averaged {name} {:>11}  allowed \
+            "    {name:<7} largest residual {:>11}{}  time-averaged {name} {:>11}  allowed \
                  {:>11}  largest correction {:>11}{}  largest increment {:>11}{}",
-                general(field.residual, 4),
-                self.place(field.residual_at),
-                general(field.average, 4),
-                general(field.allowed, 4),
-                general(field.correction, 4),
-                self.place(field.correction_at),
-                general(field.increment, 4),
-                if field.converged { "  ok" } else { "" },
-            ),
+            general(field.residual, 4),
+            self.place(field.residual_at),
+            general(field.average, 4),
+            general(field.allowed, 4),
+            general(field.correction, 4),
+            self.place(field.correction_at),
+            general(field.increment, 4),
+            if field.converged { "  ok" } else { "" }
         );
     }
 
@@ -107,7 +112,7 @@ impl<'a> Msg<'a> {
         for change in changes {
             let pair = self.pairs.get(change.pair).map_or("?", String::as_str);
             let now = if change.closed { "closes" } else { "opens" };
-            line(text, format_args!("    {pair} node {} {now}", self.label(change.node)));
+            line!(text, "    {pair} node {} {now}", self.label(change.node));
         }
     }
 
@@ -121,7 +126,7 @@ impl<'a> Msg<'a> {
             general(report.assembled, 7),
             general(report.difference, 7),
         );
-        self.with_file(|file| line(file, format_args!("{text}")))
+        self.with_file(|file| line!(file, "{text}"))
     }
 
     fn with_file(&mut self, write: impl FnOnce(&mut String)) -> Result<(), WriteError> {
@@ -129,12 +134,6 @@ impl<'a> Msg<'a> {
         write(&mut file.text);
         file.flush()
     }
-}
-
-/// Appends a line; a String takes any text.
-fn line(text: &mut String, content: std::fmt::Arguments<'_>) {
-    let _ = text.write_fmt(content);
-    text.push('\n');
 }
 
 fn step_of<'a>(report: &StepReport<'a>) -> Option<&'a slideline_model::Step> {
@@ -145,16 +144,14 @@ fn step_of<'a>(report: &StepReport<'a>) -> Option<&'a slideline_model::Step> {
 fn step_heading(text: &mut String, report: &StepReport<'_>) {
     let step = step_of(report);
     let title = step.map_or("", |step| step.title.as_str()).replace('\n', " / ");
-    line(text, format_args!("\nSTEP {}  {title}", report.step));
-    line(
+    line!(text, "\nSTEP {}  {title}", report.step);
+    line!(
         text,
-        format_args!(
-            "  {} equations, {} entries in the pattern, solved by: {}; the tangent is treated as {}",
-            report.equations,
-            report.entries,
-            report.linear_solver,
-            if report.unsymmetric { "unsymmetric" } else { "symmetric" },
-        ),
+        "  {} equations, {} entries in the pattern, solved by: {}; the tangent is treated as {}",
+        report.equations,
+        report.entries,
+        report.linear_solver,
+        if report.unsymmetric { "unsymmetric" } else { "symmetric" }
     );
     let Some(step) = step else { return };
     let field = &step.controls.field;
@@ -164,22 +161,17 @@ fn step_heading(text: &mut String, report: &StepReport<'_>) {
     } else {
         "this program's own; *CONTROLS, PARAMETERS=FIELD sets another"
     };
-    line(
+    line!(
         text,
-        format_args!(
-            "  residual tolerance R_n = {} of the time-averaged force ({whose}), R_p = {} after \
+        "  residual tolerance R_n = {} of the time-averaged force ({whose}), R_p = {} after \
              {} iterations; correction tolerance C_n = {}",
-            general(field.r_n, 4),
-            general(field.r_p, 4),
-            time.i_p,
-            general(field.c_n, 4),
-        ),
+        general(field.r_n, 4),
+        general(field.r_p, 4),
+        time.i_p,
+        general(field.c_n, 4)
     );
     if step.controls.discontinuous {
-        line(
-            text,
-            format_args!("  ANALYSIS=DISCONTINUOUS: I_0 = {}, I_R = {}", time.i_0, time.i_r),
-        );
+        line!(text, "  ANALYSIS=DISCONTINUOUS: I_0 = {}, I_R = {}", time.i_0, time.i_r);
     }
 }
 
@@ -199,30 +191,26 @@ fn iteration_heading(text: &mut String, report: &IterationReport) {
         own => format!("; contact {}, {} solutions", own.word(), report.solutions),
     };
     let changes = report.contact_changes.len();
-    line(
+    line!(
         text,
-        format_args!(
-            "  ITERATION {}  {kind}; {changes} contact change{}, {} closed, contact defect \
+        "  ITERATION {}  {kind}; {changes} contact change{}, {} closed, contact defect \
              {}{way}{shortened}{}",
-            report.iteration,
-            if changes == 1 { "" } else { "s" },
-            report.closed,
-            general(report.contact_defect, 4),
-            if report.converged { "; CONVERGED" } else { "" },
-        ),
+        report.iteration,
+        if changes == 1 { "" } else { "s" },
+        report.closed,
+        general(report.contact_defect, 4),
+        if report.converged { "; CONVERGED" } else { "" }
     );
 }
 
 fn committed(text: &mut String, frame: &Frame<'_>) {
-    line(
+    line!(
         text,
-        format_args!(
-            "  INCREMENT {} IS DONE: time increment {}, step time {}, total time {}",
-            frame.increment,
-            general(frame.time_increment, 6),
-            general(frame.step_time, 6),
-            general(frame.total_time, 6),
-        ),
+        "  INCREMENT {} IS DONE: time increment {}, step time {}, total time {}",
+        frame.increment,
+        general(frame.time_increment, 6),
+        general(frame.step_time, 6),
+        general(frame.total_time, 6)
     );
 }
 
@@ -231,15 +219,13 @@ fn attempt_failed(text: &mut String, attempt: &AttemptReport) {
         || "no further attempt".to_owned(),
         |next| format!("next attempt with time increment {}", general(next, 6)),
     );
-    line(
+    line!(
         text,
-        format_args!(
-            "  ATTEMPT {} OF INCREMENT {} IS GIVEN UP (time increment {}): {}; {next}",
-            attempt.attempt,
-            attempt.increment,
-            general(attempt.time_increment, 6),
-            attempt.reason,
-        ),
+        "  ATTEMPT {} OF INCREMENT {} IS GIVEN UP (time increment {}): {}; {next}",
+        attempt.attempt,
+        attempt.increment,
+        general(attempt.time_increment, 6),
+        attempt.reason
     );
 }
 
@@ -248,14 +234,14 @@ fn diagnosed(text: &mut String, said: &Diagnostic, sources: &Sources) {
         .span
         .and_then(|span| sources.locate(span))
         .map_or_else(String::new, |at| format!(" ({}, line {})", at.file, at.line));
-    line(text, format_args!("\n{} {}: {}{place}", said.severity.word(), said.code, said.message));
+    line!(text, "\n{} {}: {}{place}", said.severity.word(), said.code, said.message);
     for label in &said.labels {
         if let Some(at) = sources.locate(label.span) {
-            line(text, format_args!("  {}, line {}: {}", at.file, at.line, label.text));
+            line!(text, "  {}, line {}: {}", at.file, at.line, label.text);
         }
     }
     if let Some(help) = &said.help {
-        line(text, format_args!("  what to do: {help}"));
+        line!(text, "  what to do: {help}");
     }
 }
 
@@ -268,11 +254,9 @@ fn ended(text: &mut String, ending: &Ending) {
         Ending::Stopped(totals, _) => ("THE RUN WAS STOPPED".to_owned(), totals),
     };
     let Totals { increments, cutbacks, iterations, .. } = totals;
-    line(
+    line!(
         text,
-        format_args!(
-            "\n{word}\n  {increments} increments, {cutbacks} cutbacks, {iterations} iterations"
-        ),
+        "\n{word}\n  {increments} increments, {cutbacks} cutbacks, {iterations} iterations"
     );
 }
 

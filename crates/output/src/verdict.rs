@@ -126,7 +126,7 @@ pub(crate) fn attached(job: &JobFiles, mut summary: Value) -> Value {
     let kept = |node| names.iter().any(|driven| driven.node == node);
     let history = History::read(&job.path(".history.csv"), kept).unwrap_or_default();
     let judged = judge(&summary, energies.as_ref(), |driven| {
-        let column = |name: &str| history.from_start(driven.node, name);
+        let column = |name: &str| history.with_start(driven.node, name);
         Some([column(&driven.motion)?, column(&driven.reaction)?])
     });
     let forces = judged.strokes.iter().map(|(driven, stroke)| forces(driven, stroke));

@@ -599,8 +599,8 @@ fn printed_tables_and_csv_files_say_the_same() {
                 }
                 compared[kind] += 1;
             }
-            if kind == 2 && own.is_some() {
-                assert_eq!(row["STATUS"], own.unwrap()["status"], "{line}");
+            if let (2, Some(own)) = (kind, own) {
+                assert_eq!(row["STATUS"], own["status"], "{line}");
             }
         }
     }

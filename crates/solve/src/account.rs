@@ -73,10 +73,10 @@ pub fn account(plan: &Plan<'_>, committed: &State, work: &Workspace, trial: &mut
         stabilisation: before.stabilisation + damped(committed, trial),
         ..*before
     };
-    for slot in 0..plan.dofs.len() {
-        let mean_reaction = 0.5 * (committed.reaction[slot] + trial.reaction[slot]);
-        let mean_load = 0.5 * (committed.load[slot] + trial.load[slot]);
-        energy.external_work += (mean_reaction + mean_load) * trial.increment[slot];
+    for dof in 0..plan.dofs.len() {
+        let mean_reaction = 0.5 * (committed.reaction[dof] + trial.reaction[dof]);
+        let mean_load = 0.5 * (committed.load[dof] + trial.load[dof]);
+        energy.external_work += (mean_reaction + mean_load) * trial.increment[dof];
     }
     let friction = Friction::of(plan, committed, work, trial);
     energy.friction_dissipation += friction.dissipated;
@@ -122,10 +122,10 @@ fn from_the_start(plan: &Plan<'_>, start: &State, left: f64) -> f64 {
 /// Energy that the dashpots of stabilisation took, by the trapezoidal rule as
 /// the external work.
 fn damped(committed: &State, trial: &State) -> f64 {
-    let at = |state: &State, slot: usize| state.damping.get(slot).copied().unwrap_or(0.0);
-    let slots = 0..committed.damping.len().max(trial.damping.len());
-    let mean = |slot| 0.5 * (at(committed, slot) + at(trial, slot));
-    slots.map(|slot| mean(slot) * trial.increment[slot]).sum()
+    let at = |state: &State, dof: usize| state.damping.get(dof).copied().unwrap_or(0.0);
+    let dofs = 0..committed.damping.len().max(trial.damping.len());
+    let mean = |dof| 0.5 * (at(committed, dof) + at(trial, dof));
+    dofs.map(|dof| mean(dof) * trial.increment[dof]).sum()
 }
 
 /// What friction did in an increment, of all points [F L].

@@ -5,7 +5,7 @@
 //!   master  -f  <---      and so for moments about any place
 //! ```
 
-use crate::contact::Meeting;
+use crate::contact::ContactKinematics;
 use crate::newton::Workspace;
 use crate::observe::{ContactRow, PairRow, Status};
 use crate::plan::Plan;
@@ -37,7 +37,7 @@ pub fn pair_rows(
         if -now.opening > row.penetration {
             (row.penetration, row.deepest) = (-now.opening, Some(point.node));
         }
-        sums[point.pair].add(plan, state, now, &work.evaluation.meetings[place]);
+        sums[point.pair].add(plan, state, now, &work.evaluation.kinematics[place]);
     }
     for (row, sum) in rows.iter_mut().zip(&sums) {
         (row.force_imbalance, row.moment_imbalance) = sum.imbalance();
@@ -76,12 +76,18 @@ const ROUNDINGS: f64 = 8.0;
 
 impl Sum {
     /// Takes in all dofs that a closed point acts on.
-    fn add(&mut self, plan: &Plan<'_>, state: &State, now: &PointState, meeting: &Meeting) {
+    fn add(
+        &mut self,
+        plan: &Plan<'_>,
+        state: &State,
+        now: &PointState,
+        kinematics: &ContactKinematics,
+    ) {
         let about = *self.about.get_or_insert(now.position);
         let (normal, tangential) = (now.area * now.pressure, now.area * now.traction);
-        for k in 0..meeting.width {
-            let value = normal * meeting.gradient[k] + tangential * meeting.drag[k];
-            let (node, dof) = plan.dofs.name(meeting.slots[k]);
+        for k in 0..kinematics.width {
+            let value = normal * kinematics.gradient[k] + tangential * kinematics.direction[k];
+            let (node, dof) = plan.dofs.name(kinematics.dofs[k]);
             let [x, y] = plan.model.nodes.plane(node);
             let [u, v] = plan.dofs.translation(&state.displacement, node);
             let arm = [x + u - about[0], y + v - about[1]];

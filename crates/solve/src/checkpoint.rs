@@ -11,7 +11,7 @@
 //! was never left: an increment depends on nothing but these values and the
 //! model. [derived]
 
-use crate::contact::{memory_size, point_count};
+use crate::contact::{point_count, state_size};
 use crate::dofs::DofMap;
 use crate::increments::Control;
 use crate::observe::{Energies, Totals};
@@ -99,10 +99,10 @@ impl Checkpoint<'_> {
     /// Whether the state is one of this model: so many nodes, points and
     /// steps, and an increment that can be tried.
     pub fn fits(&self, model: &Model) -> bool {
-        let slots = DofMap::new(model).len();
+        let dofs = DofMap::new(model).len();
         let points = model.contact_pairs.iter().map(point_count).sum::<usize>();
-        let memory = |pair: &ContactPair| point_count(pair) * memory_size(pair);
-        let memory = model.contact_pairs.iter().map(memory).sum::<usize>();
+        let state_variables = |pair: &ContactPair| point_count(pair) * state_size(pair);
+        let state_variables = model.contact_pairs.iter().map(state_variables).sum::<usize>();
         let state = &self.state;
         let vectors = [
             &state.displacement[..],
@@ -124,12 +124,12 @@ impl Checkpoint<'_> {
         ahead
             && state.total_time.is_finite()
             && state.step_time.is_finite()
-            && vectors.iter().all(|vector| vector.len() == slots)
+            && vectors.iter().all(|vector| vector.len() == dofs)
             && vectors.iter().all(|vector| vector.iter().all(|value| value.is_finite()))
-            && (state.points.len(), state.memory.len()) == (points, memory)
+            && (state.points.len(), state.state_variables.len()) == (points, state_variables)
             && state.elements.len() == model.element_states()
             && state.elements.iter().all(|value| value.is_finite())
-            && [0, slots].contains(&state.damping.len())
+            && [0, dofs].contains(&state.damping.len())
             && state.damping.iter().all(|value| value.is_finite())
     }
 }
@@ -186,7 +186,7 @@ mod tests {
         }
     }
 
-    /// Requirement: no byte makes reading panic or take more memory than the
+    /// Requirement: no byte makes reading panic or take more state_variables than the
     /// text has.
     #[test]
     fn any_byte_is_survived() {

@@ -2,7 +2,7 @@
 
 use crate::account::account;
 use crate::constraints::Role;
-use crate::contact::{MasterPositions, Meeting};
+use crate::contact::{ContactKinematics, MasterPositions};
 use crate::dofs::DofMap;
 use crate::newton::{Target, Workspace};
 use crate::observe::ContactRow;
@@ -25,15 +25,15 @@ pub fn commit(
     trial.step_time = target.step_time;
     trial.displacement.copy_from_slice(&work.u);
     come_to_rest(plan, trial);
-    for (slot, increment) in trial.increment.iter_mut().enumerate() {
-        *increment = work.u[slot] - committed.displacement[slot];
+    for (dof, increment) in trial.increment.iter_mut().enumerate() {
+        *increment = work.u[dof] - committed.displacement[dof];
     }
     trial.increment_before.copy_from_slice(&committed.increment);
     trial.increment_time = [target.dt, committed.increment_time[0]];
     trial.load.copy_from_slice(&work.load);
-    for (slot, role) in plan.constraints.roles.iter().enumerate() {
-        trial.reaction[slot] = match role {
-            Role::Prescribed(_) => evaluation.unbalanced(slot),
+    for (dof, role) in plan.constraints.roles.iter().enumerate() {
+        trial.reaction[dof] = match role {
+            Role::Prescribed(_) => evaluation.unbalanced(dof),
             _ => 0.0,
         };
     }
@@ -43,7 +43,7 @@ pub fn commit(
     if crate::stabilise::settings(plan, committed).is_some() {
         trial.damping.extend_from_slice(&evaluation.damping);
     }
-    trial.memory.copy_from_slice(&evaluation.memory);
+    trial.state_variables.copy_from_slice(&evaluation.state_variables);
     trial.elements.copy_from_slice(&committed.elements);
     plan.structure.gather_state(&evaluation.contributions, &mut trial.elements);
     count_slip(plan, committed, work, trial);
@@ -59,10 +59,10 @@ pub fn commit(
 /// smallest numbers that there are.
 fn come_to_rest(plan: &Plan<'_>, trial: &mut State) {
     let nothing = f64::EPSILON.powi(4);
-    for &slot in &plan.constraints.dof_of_equation {
-        let size = if plan.dofs.name(slot).1.is_rotation() { 1.0 } else { plan.reach };
-        if trial.displacement[slot].abs() < nothing * size {
-            trial.displacement[slot] = 0.0;
+    for &dof in &plan.constraints.dof_of_equation {
+        let size = if plan.dofs.name(dof).1.is_rotation() { 1.0 } else { plan.reach };
+        if trial.displacement[dof].abs() < nothing * size {
+            trial.displacement[dof] = 0.0;
         }
     }
 }
@@ -72,10 +72,10 @@ fn count_slip(plan: &Plan<'_>, committed: &State, work: &Workspace, trial: &mut 
     for (place, point) in plan.contact.points.iter().enumerate() {
         let (now, before) = (&mut trial.points[place], &committed.points[place]);
         if now.closed && !plan.contact.laws[point.pair].has_friction() {
-            let meeting = &work.evaluation.meetings[place];
+            let kinematics = &work.evaluation.kinematics[place];
             let history = before.history();
-            now.slip =
-                before.slip + plan.contact.slip(place, &history, meeting, &committed.displacement);
+            now.slip = before.slip
+                + plan.contact.slip(place, &history, kinematics, &committed.displacement);
         }
     }
 }
@@ -83,16 +83,16 @@ fn count_slip(plan: &Plan<'_>, committed: &State, work: &Workspace, trial: &mut 
 /// Fills in where the contact points of a committed state stand, without
 /// touching their history: the gaps of the start, and the origin of slip for
 /// points that close in the first increment.
-pub fn locate_points(plan: &Plan<'_>, committed: &mut State, meetings: &mut [Meeting]) {
+pub fn locate_points(plan: &Plan<'_>, committed: &mut State, kinematics: &mut [ContactKinematics]) {
     let mut positions = MasterPositions::default();
-    plan.contact.meet(&committed.displacement, &[], &mut positions, meetings);
-    for (point, meeting) in committed.points.iter_mut().zip(meetings) {
-        point.opening = -meeting.overclosure;
-        point.along = meeting.faces.then_some(meeting.along);
-        point.position = meeting.position;
-        point.normal = meeting.normal;
-        point.area = meeting.area;
-        point.xi = meeting.xi;
+    plan.contact.meet(&committed.displacement, &[], &mut positions, kinematics);
+    for (point, kinematics) in committed.points.iter_mut().zip(kinematics) {
+        point.opening = -kinematics.overclosure;
+        point.along = kinematics.faces.then_some(kinematics.along);
+        point.position = kinematics.position;
+        point.normal = kinematics.normal;
+        point.area = kinematics.area;
+        point.xi = kinematics.xi;
     }
 }
 
@@ -104,8 +104,8 @@ pub fn initial_contact(model: &Model) -> Vec<ContactRow> {
     let undeformed = Start::undeformed(DofMap::new(model).len());
     let plan = Plan::without_pattern(model, step, undeformed, &UserFrictions::default(), None);
     let points = plan.contact.points.len();
-    let mut state = State::undeformed(plan.dofs.len(), points, (plan.contact.memory_size, 0));
-    locate_points(&plan, &mut state, &mut vec![Meeting::NOWHERE; points]);
+    let mut state = State::undeformed(plan.dofs.len(), points, (plan.contact.state_size, 0));
+    locate_points(&plan, &mut state, &mut vec![ContactKinematics::NOWHERE; points]);
     contact_rows(&plan, &state, &mut rows);
     rows
 }
@@ -113,10 +113,10 @@ pub fn initial_contact(model: &Model) -> Vec<ContactRow> {
 /// The places of a committed state as the evaluation that led to it left
 /// them, so that points without a master keep what was last said of them.
 pub fn recall_points(committed: &State, work: &mut Workspace) {
-    for (point, meeting) in committed.points.iter().zip(&mut work.evaluation.meetings) {
-        meeting.position = point.position;
-        meeting.normal = point.normal;
-        meeting.area = point.area;
-        meeting.xi = point.xi;
+    for (point, kinematics) in committed.points.iter().zip(&mut work.evaluation.kinematics) {
+        kinematics.position = point.position;
+        kinematics.normal = point.normal;
+        kinematics.area = point.area;
+        kinematics.xi = point.xi;
     }
 }

@@ -11,29 +11,29 @@
 
 mod candidates;
 mod crossing;
-mod facade;
 mod idle;
+mod kinematics;
 mod laws;
-mod meeting;
+mod master;
 mod positions;
+mod segment;
 mod shear;
-mod strip;
 
 pub use candidates::coupled_parts;
 pub use crossing::{Missed, Sweep, SweepScratch};
-pub use facade::placed;
 pub use idle::Look;
-pub use laws::{average as average_element, memory_size};
-pub use meeting::{GeometryScratch, Meeting};
+pub use kinematics::{ContactKinematics, GeometryScratch};
+pub use laws::{average as average_element, state_size};
+pub use master::placed;
 pub use positions::MasterPositions;
-pub use strip::{STRIP_POINTS, Strip};
+pub use segment::{SEGMENT_POINTS, SlaveSegment};
 
 use crate::dofs::DofMap;
 use crate::linearised::MOST_DOFS;
 use crate::state::PointState;
 use crate::users::UserFrictions;
-use facade::Facade;
-use meeting::{MOST_DIRECT, Stencil};
+use kinematics::{MOST_DIRECT, Stencil};
+use master::MasterSurface;
 use slideline_mech::contact::pair::{self, AnyGap, History, Laws};
 use slideline_mech::contact::points::tributary_areas;
 use slideline_mech::rigid::{Attachment, PointMap, push_forward};
@@ -48,31 +48,31 @@ const MOST_VARIABLES: usize = 8;
 pub struct SlavePoint {
     /// Place of its pair in the model.
     pub pair: usize,
-    /// Its node; of a station the nearer one.
+    /// Its node; of a integration_point the nearer one.
     pub node: NodeIndex,
-    /// Tributary area [L2]; of a station, with its whole cell closed.
+    /// Tributary area [L2]; of a integration_point, with its whole cell closed.
     pub area: f64,
     /// Where its state values of a user friction law begin.
-    pub memory: usize,
+    pub state_variables: usize,
     /// How many they are.
-    pub memory_size: usize,
+    pub state_size: usize,
     /// How it is carried.
     carrier: Carrier,
 }
 
 impl SlavePoint {
-    /// Whether it is a station of integrated contact.
-    pub fn is_station(&self) -> bool {
-        matches!(self.carrier, Carrier::Station { .. })
+    /// Whether it is a integration_point of integrated contact.
+    pub fn is_integration_point(&self) -> bool {
+        matches!(self.carrier, Carrier::IntegrationPoint { .. })
     }
 }
 
 #[derive(Clone, Debug)]
 enum Carrier {
     /// A node, free or on a rigid body.
-    Node { position: [f64; 2], slots: [usize; 2] },
-    /// A Gauss point of a cell of a strip.
-    Station { strip: usize },
+    Node { position: [f64; 2], dofs: [usize; 2] },
+    /// A Gauss point of a cell of a segment.
+    IntegrationPoint { segment: usize },
 }
 
 /// All contact pairs of a step.
@@ -85,10 +85,10 @@ pub struct Contact {
     /// Laws, a pair each.
     pub laws: Vec<Laws>,
     /// Elements along which contact is integrated.
-    pub strips: Vec<Strip>,
+    pub segments: Vec<SlaveSegment>,
     /// Number of state values of user friction laws.
-    pub memory_size: usize,
-    facades: Vec<Facade>,
+    pub state_size: usize,
+    masters: Vec<MasterSurface>,
     /// Distance of neighbouring slave points, a pair each [L].
     spacing: Vec<f64>,
     /// Slave points that contact elements join, a list a pair.
@@ -105,9 +105,9 @@ impl Contact {
             points: Vec::new(),
             slave_nodes: model.contact_pairs.iter().map(ContactPair::slave_nodes).collect(),
             laws: Vec::new(),
-            strips: Vec::new(),
-            memory_size: 0,
-            facades: Vec::new(),
+            segments: Vec::new(),
+            state_size: 0,
+            masters: Vec::new(),
             spacing: Vec::new(),
             edges: Vec::new(),
             opposed: Vec::new(),
@@ -117,18 +117,20 @@ impl Contact {
             contact.edges.push(Vec::new());
             match pair.formulation {
                 Formulation::NodeToSurface => contact.add_nodes(model, dofs, place, pair),
-                Formulation::SurfaceToSurface => contact.add_strips(model, dofs, place, pair),
+                Formulation::SurfaceToSurface => contact.add_segments(model, dofs, place, pair),
             }
             contact.laws.push(laws::laws(model, pair, users));
-            let facade = match &pair.master {
-                Master::RigidSurface(surface) => Facade::body(model, dofs, surface),
-                Master::SlideLine(line) => Facade::chain(model, dofs, line, contact.chain_nodes),
+            let master = match &pair.master {
+                Master::RigidSurface(surface) => MasterSurface::body(model, dofs, surface),
+                Master::SlideLine(line) => {
+                    MasterSurface::chain(model, dofs, line, contact.chain_nodes)
+                }
             };
-            if let Facade::Line { nodes, .. } = &facade {
+            if let MasterSurface::Line { nodes, .. } = &master {
                 contact.chain_nodes += nodes.len();
             }
-            contact.spacing.push(laws::spacing(model, pair, &facade));
-            contact.facades.push(facade);
+            contact.spacing.push(laws::spacing(model, pair, &master));
+            contact.masters.push(master);
         }
         contact.opposed = contact.opposed_pairs();
         contact
@@ -136,8 +138,8 @@ impl Contact {
 
     /// Pairs with rigid masters that share slave nodes.
     fn opposed_pairs(&self) -> Vec<[usize; 2]> {
-        let rigid = |pair: &usize| matches!(self.facades[*pair], Facade::Body { .. });
-        let pairs: Vec<usize> = (0..self.facades.len()).filter(rigid).collect();
+        let rigid = |pair: &usize| matches!(self.masters[*pair], MasterSurface::Body { .. });
+        let pairs: Vec<usize> = (0..self.masters.len()).filter(rigid).collect();
         let mut opposed = Vec::new();
         for (k, &first) in pairs.iter().enumerate() {
             let own: HashSet<_> = self.slave_nodes[first].iter().collect();
@@ -157,8 +159,8 @@ impl Contact {
         let shares: Vec<_> = pair.elements.iter().map(|e| e.lumping.shares()).collect();
         let areas = tributary_areas(&elements, &shares, &coordinates, width);
         for (&node, area) in nodes.iter().zip(areas) {
-            let (position, slots) = (model.nodes.plane(node), translations(dofs, node));
-            self.add_point(place, pair, (node, area), Carrier::Node { position, slots });
+            let (position, dofs) = (model.nodes.plane(node), translations(dofs, node));
+            self.add_point(place, pair, (node, area), Carrier::Node { position, dofs });
         }
     }
 
@@ -169,9 +171,10 @@ impl Contact {
         (node, area): (NodeIndex, f64),
         carrier: Carrier,
     ) {
-        let (memory, memory_size) = (self.memory_size, memory_size(pair));
-        self.memory_size += memory_size;
-        let point = SlavePoint { pair: pair_place, node, area, memory, memory_size, carrier };
+        let (state_variables, state_size) = (self.state_size, state_size(pair));
+        self.state_size += state_size;
+        let point =
+            SlavePoint { pair: pair_place, node, area, state_variables, state_size, carrier };
         self.points.push(point);
     }
 
@@ -180,23 +183,23 @@ impl Contact {
     pub fn cliques(&self, states: &[&[f64]]) -> Vec<Vec<usize>> {
         let mut cliques = Vec::new();
         let near = self.candidates(states);
-        for strip in &self.strips {
-            if let Facade::Body { slots, .. } = &self.facades[strip.pair] {
-                cliques.push([&strip.all_slots()[..], slots].concat());
+        for segment in &self.segments {
+            if let MasterSurface::Body { dofs, .. } = &self.masters[segment.pair] {
+                cliques.push([&segment.all_dofs()[..], dofs].concat());
             }
         }
         for (place, point) in self.points.iter().enumerate() {
-            let Carrier::Node { slots: own, .. } = &point.carrier else { continue };
-            match &self.facades[point.pair] {
-                Facade::Nothing => {}
-                Facade::Body { slots, .. } => cliques.push([&own[..], slots].concat()),
-                Facade::Line { nodes, .. } => {
+            let Carrier::Node { dofs: own, .. } = &point.carrier else { continue };
+            match &self.masters[point.pair] {
+                MasterSurface::Nothing => {}
+                MasterSurface::Body { dofs, .. } => cliques.push([&own[..], dofs].concat()),
+                MasterSurface::Line { nodes, .. } => {
                     let all = 0..nodes.len();
                     let range = near.get(place).cloned().flatten().unwrap_or(all);
                     let window = range.len().min(3);
                     for window in nodes[range].windows(window.max(1)) {
                         let mut clique = own.to_vec();
-                        window.iter().for_each(|(_, slots)| clique.extend(slots));
+                        window.iter().for_each(|(_, dofs)| clique.extend(dofs));
                         cliques.push(clique);
                     }
                 }
@@ -212,28 +215,33 @@ impl Contact {
         u: &[f64],
         idle: &[bool],
         positions: &mut MasterPositions,
-        into: &mut [Meeting],
+        into: &mut [ContactKinematics],
     ) {
         self.place_chains(u, positions);
         for (place, point) in self.points.iter().enumerate() {
             let is_idle = idle.get(place).is_some_and(|&idle| idle);
-            if !is_idle && !point.is_station() {
+            if !is_idle && !point.is_integration_point() {
                 into[place].area = point.area;
                 self.meet_one(point, u, positions, &mut into[place]);
             }
         }
-        for strip in &self.strips {
-            self.meet_strip(strip, u, &mut into[strip.first..][..STRIP_POINTS]);
+        for segment in &self.segments {
+            self.meet_segment(segment, u, &mut into[segment.first..][..SEGMENT_POINTS]);
         }
     }
 
-    /// As [`Contact::meet`], with stations left where they stand on their
+    /// As [`Contact::meet`], with integration_points left where they stand on their
     /// elements.
-    pub fn meet_in_place(&self, u: &[f64], positions: &mut MasterPositions, into: &mut [Meeting]) {
+    pub fn meet_in_place(
+        &self,
+        u: &[f64],
+        positions: &mut MasterPositions,
+        into: &mut [ContactKinematics],
+    ) {
         self.place_chains(u, positions);
-        for (point, meeting) in self.points.iter().zip(into) {
-            if meeting.faces || !point.is_station() {
-                self.meet_one(point, u, positions, meeting);
+        for (point, kinematics) in self.points.iter().zip(into) {
+            if kinematics.faces || !point.is_integration_point() {
+                self.meet_one(point, u, positions, kinematics);
             }
         }
     }
@@ -245,7 +253,7 @@ impl Contact {
         u: &[f64],
         idle: &[bool],
         positions: &MasterPositions,
-        into: &mut [Meeting],
+        into: &mut [ContactKinematics],
     ) {
         for (place, point) in self.points.iter().enumerate() {
             if idle[place] {
@@ -255,19 +263,19 @@ impl Contact {
     }
 
     /// Where a point stands at displacements `u`, however far from its
-    /// master; a station where its cell, wholly closed, has it.
-    pub fn stand(&self, place: usize, u: &[f64], positions: &MasterPositions) -> Meeting {
+    /// master; a integration_point where its cell, wholly closed, has it.
+    pub fn stand(&self, place: usize, u: &[f64], positions: &MasterPositions) -> ContactKinematics {
         let point = &self.points[place];
-        let mut meeting = Meeting { area: point.area, ..Meeting::NOWHERE };
-        if let Carrier::Station { strip } = point.carrier {
-            meeting.xi = Strip::resting_place(place - self.strips[strip].first);
+        let mut kinematics = ContactKinematics { area: point.area, ..ContactKinematics::NOWHERE };
+        if let Carrier::IntegrationPoint { segment } = point.carrier {
+            kinematics.xi = SlaveSegment::resting_place(place - self.segments[segment].first);
         }
-        self.meet_one(point, u, positions, &mut meeting);
-        meeting
+        self.meet_one(point, u, positions, &mut kinematics);
+        kinematics
     }
 
     /// Whether a point faces nothing because its master ends, and would touch
-    /// it, up to a gap of `slack`, were that end prolonged; a station at `xi`
+    /// it, up to a gap of `slack`, were that end prolonged; a integration_point at `xi`
     /// of its element.
     pub fn has_slid_off(&self, place: usize, (xi, slack): (f64, f64), u: &[f64]) -> bool {
         let mut positions = MasterPositions::default();
@@ -278,7 +286,7 @@ impl Contact {
             return false;
         }
         let begins = self.laws[point.pair].normal.contact_begins();
-        let beyond = self.facades[point.pair].beyond_end(stencil.position, u, &positions.nodes);
+        let beyond = self.masters[point.pair].beyond_end(stencil.position, u, &positions.nodes);
         beyond.is_some_and(|overclosure| overclosure > begins - slack)
     }
 
@@ -287,7 +295,7 @@ impl Contact {
         point: &SlavePoint,
         u: &[f64],
         positions: &MasterPositions,
-        into: &mut Meeting,
+        into: &mut ContactKinematics,
     ) {
         self.meet_stencil(point, self.slave(point, into.xi, u), (u, positions), into);
     }
@@ -297,7 +305,7 @@ impl Contact {
         point: &SlavePoint,
         mut stencil: Stencil<'_>,
         (u, positions): (&[f64], &MasterPositions),
-        into: &mut Meeting,
+        into: &mut ContactKinematics,
     ) {
         into.position = stencil.position;
         match self.face(point, into.xi, u, positions, &mut stencil) {
@@ -313,14 +321,14 @@ impl Contact {
     /// The slave's part of a stencil.
     fn slave(&self, point: &SlavePoint, xi: f64, u: &[f64]) -> Stencil<'_> {
         match &point.carrier {
-            Carrier::Node { position, slots } => {
-                let mut stencil = Stencil::new(moved(position, slots, u));
-                stencil.add_from(slots, u);
+            Carrier::Node { position, dofs } => {
+                let mut stencil = Stencil::new(moved(position, dofs, u));
+                stencil.add_from(dofs, u);
                 stencil
             }
-            Carrier::Station { strip } => {
-                let strip = &self.strips[*strip];
-                strip.stencil(&strip.ends(u), xi)
+            Carrier::IntegrationPoint { segment } => {
+                let segment = &self.segments[*segment];
+                segment.stencil(&segment.ends(u), xi)
             }
         }
     }
@@ -328,8 +336,8 @@ impl Contact {
     fn attachment(&self, point: &SlavePoint, xi: f64) -> Attachment {
         match &point.carrier {
             Carrier::Node { .. } => Attachment::Point { map: PointMap::Free, first: 0 },
-            Carrier::Station { strip } => {
-                Attachment::Blend { blend: self.strips[*strip].line.blend(xi), firsts: [0, 3] }
+            Carrier::IntegrationPoint { segment } => {
+                Attachment::Blend { blend: self.segments[*segment].line.blend(xi), firsts: [0, 3] }
             }
         }
     }
@@ -345,35 +353,36 @@ impl Contact {
     ) -> Option<AnyGap> {
         let slave = self.attachment(point, xi);
         let tree = positions.tree(point.pair);
-        self.facades[point.pair].face(slave, u, (&positions.nodes, tree), stencil)
+        self.masters[point.pair].face(slave, u, (&positions.nodes, tree), stencil)
     }
 
     /// Tangent of the geometry of a point, normal * D dh + tangential *
-    /// D drag, with `normal` and `tangential` forces [F]; row-major, as wide
-    /// as the meeting.
+    /// D direction, with `normal` and `tangential` forces [F]; row-major, as wide
+    /// as the kinematics.
     pub fn geometric_tangent(
         &self,
         place: usize,
         u: &[f64],
-        meeting: &Meeting,
+        kinematics: &ContactKinematics,
         (normal, tangential): (f64, f64),
         scratch: &mut GeometryScratch,
     ) {
         let point = &self.points[place];
-        let mut stencil = self.slave(point, meeting.xi, u);
-        let m = meeting.width;
+        let mut stencil = self.slave(point, kinematics.xi, u);
+        let m = kinematics.width;
         scratch.tangent[..m * m].fill(0.0);
-        let Some(gap) = self.face(point, meeting.xi, u, &scratch.positions, &mut stencil) else {
+        let Some(gap) = self.face(point, kinematics.xi, u, &scratch.positions, &mut stencil) else {
             return;
         };
         let (from, n) = (gap.derivatives(), gap.width());
         let mut gradient = [0.0; MOST_VARIABLES];
         let mut hessian = [0.0; MOST_VARIABLES * MOST_VARIABLES];
         let sum = |h: &f64, s: &f64| normal * h + tangential * s;
-        for (into, (h, s)) in gradient.iter_mut().zip(from.gradient.iter().zip(from.drag)) {
+        for (into, (h, s)) in gradient.iter_mut().zip(from.gradient.iter().zip(from.direction)) {
             *into = sum(h, s);
         }
-        for (into, (h, s)) in hessian.iter_mut().zip(from.hessian.iter().zip(from.drag_derivative))
+        for (into, (h, s)) in
+            hessian.iter_mut().zip(from.hessian.iter().zip(from.direction_derivative))
         {
             *into = sum(h, s);
         }
@@ -392,8 +401,8 @@ impl Contact {
             room,
         );
         if let Some(shear) = stencil.shear {
-            let slots = &meeting.slots[..m];
-            shear.push_tangent((slots, u), &force, (&tangent, direct), &mut scratch.tangent);
+            let dofs = &kinematics.dofs[..m];
+            shear.push_tangent((dofs, u), &force, (&tangent, direct), &mut scratch.tangent);
         }
     }
 
@@ -403,33 +412,33 @@ impl Contact {
     }
 
     /// Change of the slip coordinate of a point since its commit [L]; zero
-    /// where it faced nothing then or faces nothing now. A station compares
+    /// where it faced nothing then or faces nothing now. A integration_point compares
     /// the same material place in both configurations.
     pub fn slip(
         &self,
         place: usize,
         history: &History,
-        meeting: &Meeting,
+        kinematics: &ContactKinematics,
         committed: &[f64],
     ) -> f64 {
         let point = &self.points[place];
-        if !meeting.faces {
+        if !kinematics.faces {
             return 0.0;
         }
         let period = self.period(point);
-        if !point.is_station() {
-            return pair::slip(history, meeting.along, period);
+        if !point.is_integration_point() {
+            return pair::slip(history, kinematics.along, period);
         }
-        let mut stencil = self.slave(point, meeting.xi, committed);
+        let mut stencil = self.slave(point, kinematics.xi, committed);
         let before =
-            self.face(point, meeting.xi, committed, &MasterPositions::default(), &mut stencil);
+            self.face(point, kinematics.xi, committed, &MasterPositions::default(), &mut stencil);
         let along = before.map(|gap| gap.along());
-        pair::slip(&History { along, ..*history }, meeting.along, period)
+        pair::slip(&History { along, ..*history }, kinematics.along, period)
     }
 
     /// Change of the slip coordinate of a point that opened, between its
     /// committed state `old` and `new`, at displacements `from` and `to` [L];
-    /// a station where it stood on its element before. Zero where it faces
+    /// a integration_point where it stood on its element before. Zero where it faces
     /// nothing in one of them.
     pub fn opening_slip(
         &self,
@@ -438,7 +447,7 @@ impl Contact {
         (from, to): (&[f64], &[f64]),
     ) -> f64 {
         let point = &self.points[place];
-        let (history, along) = if point.is_station() {
+        let (history, along) = if point.is_integration_point() {
             let none = MasterPositions::default();
             let along = |u: &[f64]| {
                 let mut stencil = self.slave(point, old.xi, u);
@@ -454,8 +463,8 @@ impl Contact {
 
     /// Length after which the slip coordinate of a point's master begins anew.
     fn period(&self, point: &SlavePoint) -> Option<f64> {
-        match &self.facades[point.pair] {
-            Facade::Body { surface, .. } => surface.period(),
+        match &self.masters[point.pair] {
+            MasterSurface::Body { surface, .. } => surface.period(),
             _ => None,
         }
     }
@@ -465,7 +474,7 @@ impl Contact {
 pub fn point_count(pair: &ContactPair) -> usize {
     match pair.formulation {
         Formulation::NodeToSurface => pair.slave_nodes().len(),
-        Formulation::SurfaceToSurface => pair.elements.len() * STRIP_POINTS,
+        Formulation::SurfaceToSurface => pair.elements.len() * SEGMENT_POINTS,
     }
 }
 
@@ -482,7 +491,7 @@ fn local_elements(
 }
 
 /// The dofs of a node that turns: displacements and rotation.
-fn slots_of(dofs: &DofMap, node: NodeIndex) -> [usize; 3] {
+fn rigid_dofs(dofs: &DofMap, node: NodeIndex) -> [usize; 3] {
     [Dof::U1, Dof::U2, Dof::UR3].map(|dof| dofs.find(node, dof).unwrap_or(0))
 }
 
@@ -492,6 +501,6 @@ fn translations(dofs: &DofMap, node: NodeIndex) -> [usize; 2] {
 }
 
 /// Current position of a node.
-fn moved(position: &[f64; 2], slots: &[usize; 2], u: &[f64]) -> [f64; 2] {
-    [position[0] + u[slots[0]], position[1] + u[slots[1]]]
+fn moved(position: &[f64; 2], dofs: &[usize; 2], u: &[f64]) -> [f64; 2] {
+    [position[0] + u[dofs[0]], position[1] + u[dofs[1]]]
 }

@@ -152,7 +152,7 @@ pub fn judge(
 }
 
 /// The largest nodal vector of a field in `value`, and where its largest
-/// component stands. Only slots accepted by `counts` take part.
+/// component stands. Only dofs accepted by `counts` take part.
 pub fn largest_nodal(
     dofs: &DofMap,
     field: Field,
@@ -163,13 +163,13 @@ pub fn largest_nodal(
     for node in 0..dofs.nodes() {
         let mut square = 0.0;
         let mut component = (0.0, None);
-        for slot in dofs.of_node(node) {
-            if dofs.is_rotation(slot) != (field == Field::Moment) || !counts(slot) {
+        for dof in dofs.of_node(node) {
+            if dofs.is_rotation(dof) != (field == Field::Moment) || !counts(dof) {
                 continue;
             }
-            square += value[slot] * value[slot];
-            if value[slot].abs() > component.0 {
-                component = (value[slot].abs(), Some(slot));
+            square += value[dof] * value[dof];
+            if value[dof].abs() > component.0 {
+                component = (value[dof].abs(), Some(dof));
             }
         }
         if square > largest.0 {

@@ -1,7 +1,7 @@
 //! Why an increment could not be found, in physical words.
 //!
 //! ```text
-//!   iterations --> evidence (status, way and gap of every point; residual;
+//!   iterations --> iteration_history (status, way and gap of every point; residual;
 //!                  pivots; null motion; contradictions)  --> the first cause
 //!                                                            that it proves
 //! ```

@@ -7,21 +7,21 @@
 //! The result depends on the arguments alone.
 
 use crate::constraints::Rows;
-use crate::contact::{Look, MasterPositions, Meeting};
+use crate::contact::{ContactKinematics, Look, MasterPositions};
 use crate::observe::{FrictionCall, Status};
 use crate::plan::Plan;
 use crate::stabilise::Dashpot;
 use crate::state::{PointState, State};
 use crate::structure::{Configuration, Contributions, Flux};
 use slideline_mech::contact::friction::{self, UserFrictionError};
-use slideline_mech::contact::pair::{Laws, PointTrial, UserMemory};
+use slideline_mech::contact::pair::{Laws, PointTrial, UserState};
 
 /// A trial state.
 #[derive(Clone, Copy, Debug)]
 pub struct Trial<'a> {
-    /// Displacements and rotations, a slot each [L or 1].
+    /// Displacements and rotations, a dof each [L or 1].
     pub u: &'a [f64],
-    /// Applied loads, a slot each [F or F L].
+    /// Applied loads, a dof each [F or F L].
     pub load: &'a [f64],
     /// Stresses of every element as the iteration estimates them [F, F, F L].
     pub stresses: &'a [f64],
@@ -53,7 +53,7 @@ pub struct Evaluation {
     /// Forces of stabilisation alone [F or F L].
     pub damping: Vec<f64>,
     /// Where the contact points stand.
-    pub meetings: Vec<Meeting>,
+    pub kinematics: Vec<ContactKinematics>,
     /// Their history, were this state committed.
     pub points: Vec<PointState>,
     /// Strain energy [F L].
@@ -69,7 +69,7 @@ pub struct Evaluation {
     /// Largest slip of a point that must not slip [L].
     pub stick_slip: f64,
     /// State values of user friction laws, were this state committed.
-    pub memory: Vec<f64>,
+    pub state_variables: Vec<f64>,
     /// What a user friction law complained of.
     pub fault: Option<UserFrictionError>,
     /// What was seen of the points that iterations leave alone.
@@ -80,14 +80,14 @@ pub struct Evaluation {
 impl Evaluation {
     /// Room for a plan.
     pub fn new(plan: &Plan<'_>) -> Self {
-        let (slots, points) = (plan.dofs.len(), plan.contact.points.len());
+        let (dofs, points) = (plan.dofs.len(), plan.contact.points.len());
         Self {
             contributions: plan.structure.room(),
             rows: Rows::default(),
-            structure: vec![0.0; slots],
-            contact: vec![0.0; slots],
-            damping: vec![0.0; slots],
-            meetings: vec![Meeting::NOWHERE; points],
+            structure: vec![0.0; dofs],
+            contact: vec![0.0; dofs],
+            damping: vec![0.0; dofs],
+            kinematics: vec![ContactKinematics::NOWHERE; points],
             points: vec![PointState::default(); points],
             strain_energy: 0.0,
             contact_energy: 0.0,
@@ -95,19 +95,19 @@ impl Evaluation {
             flux: Flux::default(),
             penetration: 0.0,
             stick_slip: 0.0,
-            memory: vec![0.0; plan.contact.memory_size],
+            state_variables: vec![0.0; plan.contact.state_size],
             fault: None,
             look: Look::default(),
             positions: MasterPositions::default(),
         }
     }
 
-    /// What nothing balances at a slot: forces of elements and of contact less
+    /// What nothing balances at a dof: forces of elements and of contact less
     /// the loads, those of dependent nodes with their masters; at a support its
     /// reaction. The one residual of convergence, line search, reactions and
     /// diagnosis [F or F L].
-    pub fn unbalanced(&self, slot: usize) -> f64 {
-        self.structure[slot] + self.contact[slot]
+    pub fn unbalanced(&self, dof: usize) -> f64 {
+        self.structure[dof] + self.contact[dof]
     }
 }
 
@@ -122,11 +122,11 @@ pub fn evaluate(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into: &mu
     into.flux = plan.structure.flux(&into.contributions);
     into.structure.iter_mut().zip(trial.load).for_each(|(force, load)| *force -= load);
     plan.constraints.carry(&into.rows, &mut into.structure);
-    let Evaluation { meetings, positions, look, .. } = into;
-    plan.contact.find_idle(meetings, (trial.u, trial.pressures), look);
-    plan.contact.meet(trial.u, &look.idle, positions, meetings);
+    let Evaluation { kinematics, positions, look, .. } = into;
+    plan.contact.find_idle(kinematics, (trial.u, trial.pressures), look);
+    plan.contact.meet(trial.u, &look.idle, positions, kinematics);
     let start = (&committed.displacement[..], &committed.points[..]);
-    plan.contact.turn_away_from_behind(start, trial.u, meetings);
+    plan.contact.turn_away_from_behind(start, trial.u, kinematics);
     if !look.idle.contains(&true) {
         look.note(trial.u);
     }
@@ -143,6 +143,20 @@ pub fn evaluate(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into: &mu
     }
 }
 
+/// Looks at all points of a committed state, where they were last looked at
+/// elsewhere: what an attempt leaves alone depends on that state only, however it
+/// was reached.
+pub fn look_at(plan: &Plan<'_>, committed: &State, into: &mut Evaluation) {
+    let u = &committed.displacement[..];
+    if into.look.is_at(u) {
+        return;
+    }
+    let Evaluation { kinematics, positions, look, .. } = into;
+    plan.contact.meet(u, &[], positions, kinematics);
+    plan.contact.turn_away_from_behind((u, &committed.points), u, kinematics);
+    look.note(u);
+}
+
 /// Looks at the points that the evaluation left alone, at the same trial; says
 /// whether none of them carries pressure after all. If one does, all points are
 /// looked at next.
@@ -155,10 +169,10 @@ pub fn complete(
     if !into.look.idle.contains(&true) {
         return true;
     }
-    let Evaluation { meetings, positions, look, .. } = into;
-    plan.contact.meet_idle(trial.u, &look.idle, positions, meetings);
+    let Evaluation { kinematics, positions, look, .. } = into;
+    plan.contact.meet_idle(trial.u, &look.idle, positions, kinematics);
     let start = (&committed.displacement[..], &committed.points[..]);
-    plan.contact.turn_away_from_behind(start, trial.u, meetings);
+    plan.contact.turn_away_from_behind(start, trial.u, kinematics);
     let mut open = true;
     for place in 0..plan.contact.points.len() {
         if into.look.idle[place] {
@@ -175,31 +189,31 @@ pub fn complete(
     open
 }
 
-/// What a point does in a trial, and its memory of a user law.
+/// What a point does in a trial, and its state_variables of a user law.
 fn evaluate_point(
     plan: &Plan<'_>,
     (committed, trial): (&State, &Trial<'_>),
     place: usize,
     into: &mut Evaluation,
 ) -> PointState {
-    let (point, meeting) = (&plan.contact.points[place], &into.meetings[place]);
+    let (point, kinematics) = (&plan.contact.points[place], &into.kinematics[place]);
     let laws = &plan.contact.laws[point.pair];
     let before = &committed.points[place];
     let estimate = (trial.pressures[place], trial.tractions[place]);
     // Without friction the slip is only told, and found at the commit.
-    let slip = match meeting.faces && laws.has_friction() {
-        true => plan.contact.slip(place, &before.history(), meeting, &committed.displacement),
+    let slip = match kinematics.faces && laws.has_friction() {
+        true => plan.contact.slip(place, &before.history(), kinematics, &committed.displacement),
         false => 0.0,
     };
-    let encounter = Encounter { plan, laws, before, meeting, estimate, slip, dt: trial.dt };
-    let range = point.memory..point.memory + point.memory_size;
-    let mut memory = UserMemory {
+    let encounter = Encounter { plan, laws, before, kinematics, estimate, slip, dt: trial.dt };
+    let range = point.state_variables..point.state_variables + point.state_size;
+    let mut state_variables = UserState {
         time: trial.time,
-        committed: &committed.memory[range.clone()],
-        state: &mut into.memory[range],
+        committed: &committed.state_variables[range.clone()],
+        state: &mut into.state_variables[range],
         fault: &mut into.fault,
     };
-    let now = encounter.follow(&mut memory);
+    let now = encounter.follow(&mut state_variables);
     if laws.friction.needs_multiplier() && now.status == Status::Stick {
         into.stick_slip = into.stick_slip.max(slip.abs());
     }
@@ -217,7 +231,7 @@ fn evaluate_contact(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into:
         if into.look.idle[place] {
             continue;
         }
-        if point.is_station() && !into.meetings[place].faces {
+        if point.is_integration_point() && !into.kinematics[place].faces {
             let (now, before) = (&mut into.points[place], &committed.points[place]);
             if !now.is_untouched() || before.ever_closed {
                 now.open_from(before);
@@ -225,20 +239,23 @@ fn evaluate_contact(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into:
             continue;
         }
         let now = evaluate_point(plan, (committed, trial), place, into);
-        let (laws, meeting) = (&plan.contact.laws[point.pair], &into.meetings[place]);
+        let (laws, kinematics) = (&plan.contact.laws[point.pair], &into.kinematics[place]);
         let (normal, tangential) = (now.area * now.pressure, now.area * now.traction);
         if now.closed {
-            for k in 0..meeting.width {
-                into.contact[meeting.slots[k]] +=
-                    normal * meeting.gradient[k] + tangential * meeting.drag[k];
+            for k in 0..kinematics.width {
+                into.contact[kinematics.dofs[k]] +=
+                    normal * kinematics.gradient[k] + tangential * kinematics.direction[k];
             }
             into.flux.force(normal.hypot(tangential));
-            into.contact_energy += now.area * laws.normal.energy(meeting.overclosure);
+            into.contact_energy += now.area * laws.normal.energy(kinematics.overclosure);
             into.elastic_slip_energy += 0.5 * tangential * now.elastic_slip;
         }
-        if laws.normal.pressure(meeting.overclosure).is_none() && meeting.faces {
-            let defect =
-                if now.closed { meeting.overclosure.abs() } else { meeting.overclosure.max(0.0) };
+        if laws.normal.pressure(kinematics.overclosure).is_none() && kinematics.faces {
+            let defect = if now.closed {
+                kinematics.overclosure.abs()
+            } else {
+                kinematics.overclosure.max(0.0)
+            };
             into.penetration = into.penetration.max(defect);
         }
         into.points[place] = now;
@@ -250,26 +267,26 @@ struct Encounter<'a> {
     plan: &'a Plan<'a>,
     laws: &'a Laws,
     before: &'a PointState,
-    meeting: &'a Meeting,
+    kinematics: &'a ContactKinematics,
     estimate: (f64, f64),
     slip: f64,
     dt: f64,
 }
 
 impl Encounter<'_> {
-    fn follow(&self, memory: &mut UserMemory<'_>) -> PointState {
-        let (meeting, before, slip) = (self.meeting, self.before, self.slip);
+    fn follow(&self, state_variables: &mut UserState<'_>) -> PointState {
+        let (kinematics, before, slip) = (self.kinematics, self.before, self.slip);
         let trial = PointTrial {
-            overclosure: meeting.overclosure,
+            overclosure: kinematics.overclosure,
             slip,
             pressure: self.estimate.0,
             traction: self.estimate.1,
-            stiffness: self.plan.structure.stiffest / meeting.area,
+            stiffness: self.plan.structure.stiffest / kinematics.area,
             dt: self.dt,
         };
-        let response = self.laws.respond(&before.history(), &trial, memory);
+        let response = self.laws.respond(&before.history(), &trial, state_variables);
         if !response.called {
-            memory.state.copy_from_slice(memory.committed);
+            state_variables.state.copy_from_slice(state_variables.committed);
         }
         let (closed, traction) = (response.closed, response.traction);
         let status = match (closed, traction.status) {
@@ -289,16 +306,16 @@ impl Encounter<'_> {
             friction,
             pressure: response.pressure,
             traction: traction.tau,
-            opening: -meeting.overclosure,
-            along: meeting.faces.then_some(meeting.along),
+            opening: -kinematics.overclosure,
+            along: kinematics.faces.then_some(kinematics.along),
             elastic_slip: traction.elastic_slip,
             slip: if closed { before.slip + slip } else { before.slip },
             dissipated: traction.dissipated_slip,
             dropped_work: 0.0,
-            position: meeting.position,
-            normal: meeting.normal,
-            area: meeting.area,
-            xi: meeting.xi,
+            position: kinematics.position,
+            normal: kinematics.normal,
+            area: kinematics.area,
+            xi: kinematics.xi,
         };
         if friction == FrictionCall::Dropped {
             let limit = self.laws.friction.limit_traction(response.pressure, slip, self.dt);

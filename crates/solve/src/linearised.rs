@@ -16,7 +16,7 @@
 //! one row a pressure or a traction, which a semismooth Newton method solves
 //! to round-off. See docs/theory.md, "The contact step".
 //!
-//! Points that are closed already lend K a moderate stiffness s (it enters K
+//! Points that are closed already augment K a moderate stiffness s (it enters K
 //! and leaves the multipliers again: lambda = q + s (e - e0)), so that a body
 //! held by contact alone has a regular K. The laws of friction, and with them
 //! the coupling of traction and pressure, stand in the small system; K itself
@@ -25,12 +25,12 @@
 mod augmentation;
 mod contradiction;
 mod convex;
+mod integration_points;
 mod iterate;
 mod jam;
 mod laws;
 mod matrix_free;
-mod settle;
-mod stations;
+mod pivoting;
 mod system;
 
 pub use augmentation::Stiffness;
@@ -40,7 +40,7 @@ use slideline_linalg::{SolveError, Solver};
 use slideline_mech::contact::enforcement::Enforcement;
 use slideline_mech::contact::pair::Laws;
 use std::collections::HashMap;
-use system::{Row, Station, System, Unknown};
+use system::{IntegrationPoint, Row, System, Unknown};
 
 /// The most dofs one contact point couples.
 pub const MOST_DOFS: usize = 18;
@@ -54,15 +54,15 @@ pub struct Sliding {
     pub elastic_slip: f64,
     /// Shear traction: estimate in, solution out [F/L2].
     pub traction: f64,
-    /// Stiffness lent to K [F/L3].
+    /// Stiffness augmentation to K [F/L3].
     pub stiffness: f64,
     /// Where the point's state values of a user law begin, and how many.
-    pub memory: (usize, usize),
+    pub state_variables: (usize, usize),
 }
 
 /// What is common to all points of an increment.
 #[derive(Debug)]
-pub struct Circumstances<'a> {
+pub struct LawContext<'a> {
     /// Laws, a pair each.
     pub laws: &'a [Laws],
     /// Total time at the end of the increment [T].
@@ -89,7 +89,7 @@ pub struct LinearPoint {
     pub pair: usize,
     /// Area [L2].
     pub area: f64,
-    /// Whether it is one of the many stations of integrated contact.
+    /// Whether it is one of the many integration_points of integrated contact.
     pub integrated: bool,
     /// Number of equations it acts on.
     pub width: usize,
@@ -100,12 +100,12 @@ pub struct LinearPoint {
     /// d slip/du of each [1].
     pub tangential: [f64; MOST_DOFS],
     /// Direction of the tangential force on each [1].
-    pub drag: [f64; MOST_DOFS],
+    pub direction: [f64; MOST_DOFS],
     /// Overclosure [L].
     pub overclosure: f64,
     /// Pressure: estimate in, solution out [F/L2].
     pub pressure: f64,
-    /// Stiffness lent to K [F/L3].
+    /// Stiffness augmentation to K [F/L3].
     pub stiffness: f64,
     /// Friction, where it would be called for a closed point.
     pub sliding: Option<Sliding>,
@@ -114,16 +114,16 @@ pub struct LinearPoint {
 impl LinearPoint {
     /// Adds derivatives by an equation: of overclosure and slip, and of the
     /// force of a traction.
-    pub fn add(&mut self, equation: usize, [normal, tangential, drag]: [f64; 3]) {
+    pub fn add(&mut self, equation: usize, [normal, tangential, direction]: [f64; 3]) {
         let known = self.equations[..self.width].iter().position(|&own| own == equation);
         let at = known.unwrap_or(self.width);
         if at == self.width {
             (self.equations[at], self.width) = (equation, at + 1);
-            (self.normal[at], self.tangential[at], self.drag[at]) = (0.0, 0.0, 0.0);
+            (self.normal[at], self.tangential[at], self.direction[at]) = (0.0, 0.0, 0.0);
         }
         self.normal[at] += normal;
         self.tangential[at] += tangential;
-        self.drag[at] += drag;
+        self.direction[at] += direction;
     }
 
     fn dot(&self, of: Kind, vector: &[f64]) -> f64 {
@@ -142,7 +142,7 @@ impl LinearPoint {
     fn force(&self, of: Kind) -> &[f64] {
         match of {
             Kind::Normal => &self.normal[..self.width],
-            Kind::Tangential => &self.drag[..self.width],
+            Kind::Tangential => &self.direction[..self.width],
         }
     }
 
@@ -177,8 +177,8 @@ pub struct LinearisedContact {
     moved: Vec<f64>,
     /// Displacements of the interface rows.
     values: Vec<f64>,
-    stations: Vec<Station>,
-    /// Rows of equations that stations press on.
+    integration_points: Vec<IntegrationPoint>,
+    /// Rows of equations that integration_points press on.
     interface: HashMap<usize, usize>,
     matrix_free: MatrixFree,
     /// Whether the laws of all rows were met in the last solution.
@@ -212,7 +212,7 @@ impl LinearisedContact {
     pub fn solve(
         &mut self,
         points: &mut [LinearPoint],
-        circumstances: &Circumstances<'_>,
+        context: &LawContext<'_>,
         (enforcement, stiffness): (Enforcement, &mut Stiffness<'_>),
         correction: &mut [f64],
     ) -> Result<(), SolveError> {
@@ -221,10 +221,10 @@ impl LinearisedContact {
         self.response.clear();
         self.in_rows.clear();
         self.in_rows.resize(points.len(), false);
-        self.stations.clear();
+        self.integration_points.clear();
         self.interface.clear();
         if enforcement == Enforcement::MatrixFree {
-            return self.solve_matrix_free(points, circumstances, stiffness, correction);
+            return self.solve_matrix_free(points, context, stiffness, correction);
         }
         let solver = &mut *stiffness.solver;
         solver.solve(correction)?;
@@ -233,19 +233,19 @@ impl LinearisedContact {
         let mut touching = true;
         self.solved = true;
         for _ in 0..ROUNDS {
-            let joined = self.admit(points, circumstances, touching, solver, correction)?;
+            let joined = self.activate(points, context, touching, solver, correction)?;
             if joined {
                 if touching {
                     self.press(points);
                 }
                 self.couple(points, correction);
-                self.solved = self.iterate(points, circumstances);
+                self.solved = self.iterate(points, context);
             } else if !touching {
                 break;
             }
             touching = false;
         }
-        self.hand_out(points, circumstances, correction);
+        self.back_substitute(points, context, correction);
         Ok(())
     }
 
@@ -262,10 +262,10 @@ impl LinearisedContact {
 
     /// Lets points join that touch already (`touching`), or that would touch
     /// by the present estimate; says whether any did.
-    fn admit(
+    fn activate(
         &mut self,
         points: &[LinearPoint],
-        circumstances: &Circumstances<'_>,
+        context: &LawContext<'_>,
         touching: bool,
         solver: &mut Solver,
         base: &[f64],
@@ -275,13 +275,13 @@ impl LinearisedContact {
         }
         let mut joined = false;
         for (place, point) in points.iter().enumerate() {
-            if self.in_rows[place] || !self.joins(point, circumstances, touching) {
+            if self.in_rows[place] || !self.joins(point, context, touching) {
                 continue;
             }
             self.in_rows[place] = true;
             joined = true;
             if point.integrated {
-                self.add_station((point, place), circumstances, solver, base)?;
+                self.add_integration_point((point, place), context, solver, base)?;
                 continue;
             }
             self.add_row(point, place, Kind::Normal, solver, base)?;
@@ -294,7 +294,7 @@ impl LinearisedContact {
 
     /// Whether a point touches already (`touching`), or would by the present
     /// estimate of du.
-    fn joins(&self, point: &LinearPoint, context: &Circumstances<'_>, touching: bool) -> bool {
+    fn joins(&self, point: &LinearPoint, context: &LawContext<'_>, touching: bool) -> bool {
         if !point.moves(Kind::Normal) {
             return false;
         }
@@ -342,7 +342,7 @@ impl LinearisedContact {
 
     /// A row for the pressure or the traction of a point, with its first guess.
     fn push_row(&mut self, point: &LinearPoint, place: usize, kind: Kind) {
-        let (start, lent) = match (kind, &point.sliding) {
+        let (start, augmentation) = match (kind, &point.sliding) {
             (Kind::Tangential, Some(sliding)) => (sliding.slip, sliding.stiffness),
             _ => (point.overclosure, point.stiffness),
         };
@@ -351,7 +351,7 @@ impl LinearisedContact {
             Kind::Tangential => self.rows.len() - 1,
         };
         let unknown = Unknown::Multiplier { point: place, kind, pressure_row };
-        self.rows.push(Row { start, lent, unit: 1.0 / point.area, ..Row::new(unknown) });
+        self.rows.push(Row { start, augmentation, unit: 1.0 / point.area, ..Row::new(unknown) });
         let guess = match (kind, &point.sliding) {
             (Kind::Tangential, Some(sliding)) => sliding.traction,
             _ => point.pressure,
@@ -360,7 +360,7 @@ impl LinearisedContact {
         self.unknown.push(guess);
     }
 
-    /// A row for the force of all stations on an equation.
+    /// A row for the force of all integration_points on an equation.
     fn push_interface(&mut self, equation: usize, unit: f64) -> usize {
         let place = self.rows.len();
         self.rows.push(Row { unit: 1.0 / unit, ..Row::new(Unknown::Interface { equation }) });
@@ -388,7 +388,7 @@ impl LinearisedContact {
             let own = self.compliance[i * m + i];
             let row = &mut self.rows[i];
             row.kappa = if own > 0.0 { 1.0 / own } else { f64::INFINITY };
-            row.own = row.kappa - row.lent;
+            row.own = row.kappa - row.augmentation;
             row.felt = if own > 0.0 { 1.0 / own } else { 0.0 };
             let area = row.point().map_or(1.0, |(point, _)| points[point].area);
             row.weight = area * own.abs();
@@ -396,25 +396,26 @@ impl LinearisedContact {
     }
 
     /// du from the multipliers, and the multipliers to their points.
-    fn hand_out(
+    fn back_substitute(
         &mut self,
         points: &mut [LinearPoint],
-        circumstances: &Circumstances<'_>,
+        context: &LawContext<'_>,
         correction: &mut [f64],
     ) {
         let n = correction.len();
-        self.release_others(points, circumstances);
-        let system = System { rows: &self.rows, compliance: &self.compliance, stations: &[] };
+        self.release_others(points, context);
+        let system =
+            System { rows: &self.rows, compliance: &self.compliance, integration_points: &[] };
         self.values.clear();
         for (i, row) in self.rows.iter().enumerate() {
             let (multiplier, value) = system.multiplier_and_value(i, &self.unknown);
             self.values.push(value);
             if let Some((place, kind)) = row.point() {
                 let found = [multiplier, value, row.kappa];
-                give_multiplier(&mut points[place], circumstances, kind, found);
+                give_multiplier(&mut points[place], context, kind, found);
             }
         }
-        self.give_stations(points, circumstances);
+        self.give_integration_points(points, context);
         for (i, &q) in self.unknown.iter().take(self.rows.len()).enumerate() {
             for (du, w) in correction.iter_mut().zip(&self.response[i * n..][..n]) {
                 *du -= q * w;
@@ -424,13 +425,13 @@ impl LinearisedContact {
 
     /// Points without rows press as their law says where nothing moves them,
     /// and not at all elsewhere.
-    fn release_others(&self, points: &mut [LinearPoint], circumstances: &Circumstances<'_>) {
+    fn release_others(&self, points: &mut [LinearPoint], context: &LawContext<'_>) {
         for (place, point) in points.iter_mut().enumerate() {
             if self.in_rows[place] {
                 continue;
             }
             let fixed = !point.moves(Kind::Normal);
-            let laws = &circumstances.laws[point.pair];
+            let laws = &context.laws[point.pair];
             point.pressure = if fixed { laws.pressure(point.overclosure, 0.0) } else { 0.0 };
             if let Some(sliding) = &mut point.sliding {
                 sliding.traction = 0.0;
@@ -438,14 +439,14 @@ impl LinearisedContact {
         }
     }
 
-    /// Gives the stations what their laws say at the displacements found.
-    fn give_stations(&self, points: &mut [LinearPoint], circumstances: &Circumstances<'_>) {
+    /// Gives the integration_points what their laws say at the displacements found.
+    fn give_integration_points(&self, points: &mut [LinearPoint], context: &LawContext<'_>) {
         for point in points.iter_mut() {
-            circumstances.slide_as_prescribed(point);
+            context.slide_as_prescribed(point);
         }
-        for station in &self.stations {
-            let point = &mut points[station.point];
-            let answer = circumstances.station(station, point, &self.values);
+        for integration_point in &self.integration_points {
+            let point = &mut points[integration_point.point];
+            let answer = context.integration_point(integration_point, point, &self.values);
             point.pressure = answer.pressure;
             if let Some(sliding) = &mut point.sliding {
                 sliding.traction = answer.traction;
@@ -458,15 +459,15 @@ impl LinearisedContact {
 /// stiffness that the law was asked through.
 fn give_multiplier(
     point: &mut LinearPoint,
-    circumstances: &Circumstances<'_>,
+    context: &LawContext<'_>,
     kind: Kind,
     [multiplier, value, kappa]: [f64; 3],
 ) {
     match (kind, &mut point.sliding) {
         (Kind::Tangential, Some(sliding)) => sliding.traction = multiplier,
         _ => {
-            let laws = &circumstances.laws[point.pair];
-            point.pressure = laws.demand_pressure(multiplier, value, kappa).value;
+            let laws = &context.laws[point.pair];
+            point.pressure = laws.complementarity_of_pressure(multiplier, value, kappa).value;
         }
     }
 }

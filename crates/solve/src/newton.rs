@@ -19,9 +19,9 @@ mod turns;
 
 use crate::contact::{GeometryScratch, MasterPositions, Missed, Sweep, SweepScratch};
 use crate::convergence::{Field, FieldHistory, Measures, judge};
-use crate::evaluate::{Evaluation, Trial, complete, evaluate};
-use crate::evidence::Evidence;
+use crate::evaluate::{Evaluation, Trial, complete, evaluate, look_at};
 use crate::increments::Verdict;
+use crate::iteration_history::IterationHistory;
 use crate::linearised::{LinearPoint, LinearisedContact, Stiffness};
 use crate::observe::{ContactChange, IterationReport};
 use crate::plan::Plan;
@@ -30,7 +30,7 @@ use crate::stabilise::{self, Dashpot};
 use crate::state::State;
 use crate::structure::Configuration;
 pub use assembly::TOUCH;
-use assembly::circumstances;
+use assembly::context;
 use relax::Relaxation;
 pub use relax::relax;
 use slideline_linalg::{SolveError, Solver};
@@ -88,14 +88,14 @@ pub struct Workspace {
     /// The increment [T].
     dt: f64,
     correction: Vec<f64>,
-    correction_slots: Vec<f64>,
+    correction_dofs: Vec<f64>,
     residual: Vec<f64>,
     /// Forces on dependent dofs with which the tangent turns, a dof each.
     turning: Vec<f64>,
     increment: Vec<f64>,
     /// Stresses of the elements as the linear solutions arrive at them.
     stresses: Vec<f64>,
-    /// No motion, a slot each.
+    /// No motion, a dof each.
     still: Vec<f64>,
     arrived: Vec<f64>,
     pressures: Vec<f64>,
@@ -111,13 +111,13 @@ pub struct Workspace {
     /// directions in which the structure gives way.
     pub negative_pivots: usize,
     /// What the iterations of this attempt showed of every contact point.
-    pub evidence: Evidence,
+    pub iteration_history: IterationHistory,
     /// Whether corrections are shortened until they lessen the residual.
     pub line_search: bool,
     /// Fraction of the last correction that was taken [1].
     step_length: f64,
-    /// Whether every facing point lends its stiffness in this attempt.
-    lend_to_all: bool,
+    /// Whether every facing point augments its stiffness in this attempt.
+    augment_all: bool,
     /// What holds the state back on its way downhill.
     relaxation: Relaxation,
     /// The list of changes of the last report, to be used again.
@@ -127,13 +127,13 @@ pub struct Workspace {
 impl Workspace {
     /// Room for a plan; the symbolic factorisation happens here.
     pub fn new(plan: &Plan<'_>) -> Self {
-        let (slots, equations) = (plan.dofs.len(), plan.constraints.equations());
+        let (dofs, equations) = (plan.dofs.len(), plan.constraints.equations());
         let points = plan.contact.points.len();
         let mut contact = LinearisedContact::default();
         contact.reserve(points, equations);
         Self {
-            u: vec![0.0; slots],
-            load: vec![0.0; slots],
+            u: vec![0.0; dofs],
+            load: vec![0.0; dofs],
             evaluation: Evaluation::new(plan),
             solver: plan.analyse(),
             values: vec![0.0; plan.pattern.entries()],
@@ -142,12 +142,12 @@ impl Workspace {
             enforcement: Enforcement::default(),
             dt: 0.0,
             correction: vec![0.0; equations],
-            correction_slots: vec![0.0; slots],
-            residual: vec![0.0; slots],
-            turning: vec![0.0; slots],
-            increment: vec![0.0; slots],
+            correction_dofs: vec![0.0; dofs],
+            residual: vec![0.0; dofs],
+            turning: vec![0.0; dofs],
+            increment: vec![0.0; dofs],
             stresses: plan.structure.stress_room(),
-            still: vec![0.0; slots],
+            still: vec![0.0; dofs],
             arrived: plan.structure.stress_room(),
             pressures: vec![0.0; points],
             tractions: vec![0.0; points],
@@ -159,10 +159,10 @@ impl Workspace {
             chain_positions: MasterPositions::default(),
             was_closed: vec![false; points],
             negative_pivots: 0,
-            evidence: Evidence::new(points),
+            iteration_history: IterationHistory::new(points),
             line_search: false,
             step_length: 1.0,
-            lend_to_all: false,
+            augment_all: false,
             relaxation: Relaxation::default(),
             changes: Vec::with_capacity(points),
         }
@@ -282,7 +282,7 @@ impl Progress {
 impl Workspace {
     /// The first guess, evaluated.
     fn begin(&mut self, plan: &Plan<'_>, committed: &State, target: &Target) {
-        self.lend_to_all = false;
+        self.augment_all = false;
         self.dt = target.dt;
         self.negative_pivots = 0;
         let times = (target.step_time, target.dt);
@@ -301,16 +301,17 @@ impl Workspace {
             self.spread_prescribed(plan, committed, target);
         }
         self.first_stresses(plan, committed, target.dt);
+        look_at(plan, committed, &mut self.evaluation);
         self.evaluate(plan, committed, target.dt);
-        self.evidence.begin(&self.evaluation.points);
+        self.iteration_history.begin(&self.evaluation.points);
     }
 
     /// Without a last increment to repeat, what is prescribed on the
     /// structure is spread over it linearly, lest one element takes it all.
     fn spread_prescribed(&mut self, plan: &Plan<'_>, committed: &State, target: &Target) {
-        let change = &mut self.correction_slots;
-        for (slot, value) in change.iter_mut().enumerate() {
-            *value = self.u[slot] - committed.displacement[slot];
+        let change = &mut self.correction_dofs;
+        for (dof, value) in change.iter_mut().enumerate() {
+            *value = self.u[dof] - committed.displacement[dof];
         }
         let from = &committed.displacement;
         let at = Configuration { u: from, stresses: None, state: &committed.elements };
@@ -319,8 +320,8 @@ impl Workspace {
         self.residual.fill(0.0);
         plan.structure.multiply(&self.evaluation.contributions, change, &mut self.residual);
         plan.constraints.carry(&self.evaluation.rows, &mut self.residual);
-        for (equation, &slot) in plan.constraints.dof_of_equation.iter().enumerate() {
-            self.correction[equation] = -self.residual[slot];
+        for (equation, &dof) in plan.constraints.dof_of_equation.iter().enumerate() {
+            self.correction[equation] = -self.residual[dof];
         }
         if self.correction.iter().all(|&value| value == 0.0) {
             return;
@@ -330,8 +331,8 @@ impl Workspace {
         plan.gather_tangent(contributions, rows, &mut self.values);
         let factored = self.solver.refactor(&plan.pattern, &self.values);
         if factored.is_ok() && self.solver.solve(&mut self.correction).is_ok() {
-            for (equation, &slot) in plan.constraints.dof_of_equation.iter().enumerate() {
-                self.u[slot] += self.correction[equation];
+            for (equation, &dof) in plan.constraints.dof_of_equation.iter().enumerate() {
+                self.u[dof] += self.correction[equation];
             }
             plan.constraints.enforce(&mut self.u);
             plan.prescribe(target.step_time, &mut self.u);
@@ -377,16 +378,16 @@ impl Workspace {
         committed: &State,
         dt: f64,
     ) -> Result<(), SolveError> {
-        for (equation, &slot) in plan.constraints.dof_of_equation.iter().enumerate() {
-            self.correction[equation] = -self.evaluation.structure[slot];
+        for (equation, &dof) in plan.constraints.dof_of_equation.iter().enumerate() {
+            self.correction[equation] = -self.evaluation.structure[dof];
         }
         if !self.dashpots.is_empty() {
-            for (equation, &slot) in plan.constraints.dof_of_equation.iter().enumerate() {
-                self.correction[equation] -= self.evaluation.damping[slot];
+            for (equation, &dof) in plan.constraints.dof_of_equation.iter().enumerate() {
+                self.correction[equation] -= self.evaluation.damping[dof];
             }
         }
         self.hold_back(plan);
-        let context = circumstances(plan, committed, dt);
+        let context = context(plan, committed, dt);
         let Self { contact, enforcement, values, augmented, solver, points, correction, .. } = self;
         let (pattern, symmetrised) = (&plan.pattern, plan.symmetrised());
         let mut stiffness = Stiffness { pattern, values, augmented, solver, symmetrised };
@@ -430,8 +431,8 @@ impl Workspace {
             self.residual[dof] += self.correction[equation];
         }
         plan.constraints.enforce(&mut self.residual);
-        let Evaluation { meetings, look, .. } = &mut self.evaluation;
-        plan.contact.stay_idle(meetings, &self.residual, look)
+        let Evaluation { kinematics, look, .. } = &self.evaluation;
+        plan.contact.stay_idle(kinematics, &self.residual, look)
     }
 
     /// Looks at the points that iterations have left alone; says whether none of
@@ -467,15 +468,15 @@ impl Workspace {
     /// Moves by a fraction of the correction.
     fn advance(&mut self, plan: &Plan<'_>, length: f64) {
         self.step_length = length;
-        self.correction_slots.fill(0.0);
-        for (equation, &slot) in plan.constraints.dof_of_equation.iter().enumerate() {
-            self.correction_slots[slot] = self.correction[equation];
+        self.correction_dofs.fill(0.0);
+        for (equation, &dof) in plan.constraints.dof_of_equation.iter().enumerate() {
+            self.correction_dofs[dof] = self.correction[equation];
         }
-        plan.constraints.expand(&self.evaluation.rows, &mut self.correction_slots);
+        plan.constraints.expand(&self.evaluation.rows, &mut self.correction_dofs);
         self.move_stresses(plan, length);
-        for (slot, change) in self.correction_slots.iter_mut().enumerate() {
+        for (dof, change) in self.correction_dofs.iter_mut().enumerate() {
             *change *= length;
-            self.u[slot] += *change;
+            self.u[dof] += *change;
         }
         for linear in &self.points {
             let place = linear.place;
@@ -517,7 +518,7 @@ impl Workspace {
         let controls = &plan.step.controls.field;
         let averages = [0, 1].map(|field| committed.flux[field].with(flux[field], controls));
         self.note_changes(plan, controls.r_n * averages[0], &mut report);
-        self.evidence.note(&self.evaluation.points);
+        self.iteration_history.note(&self.evaluation.points);
         if report.severe {
             progress.severe += 1;
             progress.since_change = 0;

@@ -1,7 +1,7 @@
 //! A step, prepared once: numbering, pattern, symbolic factorisation.
 
 use crate::constraints::{Constraints, Role, Rows};
-use crate::contact::{Contact, Meeting};
+use crate::contact::{Contact, ContactKinematics};
 use crate::dofs::DofMap;
 use crate::linear_systems::LinearSystems;
 use crate::structure::{Contributions, Structure};
@@ -30,7 +30,7 @@ pub struct Plan<'a> {
     pub contact: Contact,
     /// Sparsity of the tangent.
     pub pattern: Pattern,
-    /// Slots that belong to elements.
+    /// Dofs that belong to elements.
     pub elastic: Vec<bool>,
     /// Largest coordinate of the model [L].
     pub reach: f64,
@@ -52,7 +52,7 @@ pub struct Plan<'a> {
     linear_systems: LinearSystems,
 }
 
-/// What a step begins from, a slot each.
+/// What a step begins from, a dof each.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Start<'a> {
     /// Displacements and rotations [L or 1].
@@ -66,8 +66,8 @@ pub struct Start<'a> {
 
 impl Start<'_> {
     /// Of an undeformed model without loads.
-    pub fn undeformed(slots: usize) -> Start<'static> {
-        let zero = || Cow::Owned(vec![0.0; slots]);
+    pub fn undeformed(dofs: usize) -> Start<'static> {
+        let zero = || Cow::Owned(vec![0.0; dofs]);
         Start { displacement: zero(), load: zero(), released: zero() }
     }
 
@@ -92,7 +92,7 @@ impl Start<'_> {
 
 impl<'a> Plan<'a> {
     /// Prepares a step that begins from the state given. Of the reactions that
-    /// `start` names as released, those of slots that the step leaves free
+    /// `start` names as released, those of dofs that the step leaves free
     /// become loads that ramp off.
     pub fn new(
         model: &'a Model,
@@ -127,8 +127,8 @@ impl<'a> Plan<'a> {
             .flat_map(|node| node.position)
             .chain(surface_points(model))
             .fold(0.0, |largest: f64, x| largest.max(x.abs()));
-        for (slot, force) in start.released.to_mut().iter_mut().enumerate() {
-            if constraints.equation(slot).is_none() {
+        for (dof, force) in start.released.to_mut().iter_mut().enumerate() {
+            if constraints.equation(dof).is_none() {
                 *force = 0.0;
             }
         }
@@ -136,7 +136,7 @@ impl<'a> Plan<'a> {
             true => structure.stiffest_length,
             false => reach,
         };
-        let unit = |slot: &usize| match dofs.is_rotation(*slot) {
+        let unit = |dof: &usize| match dofs.is_rotation(*dof) {
             true if lever > 0.0 => 1.0 / lever,
             _ => 1.0,
         };
@@ -201,9 +201,9 @@ impl<'a> Plan<'a> {
     }
 
     /// Whether some unknown moves a point towards or from its master.
-    pub fn contact_yields(&self, meeting: &Meeting, rows: &Rows) -> bool {
+    pub fn contact_yields(&self, kinematics: &ContactKinematics, rows: &Rows) -> bool {
         let mut yields = false;
-        for (&dof, &g) in meeting.slots[..meeting.width].iter().zip(&meeting.gradient) {
+        for (&dof, &g) in kinematics.dofs[..kinematics.width].iter().zip(&kinematics.gradient) {
             let note = &mut |_: usize, a: f64| yields |= a * g != 0.0;
             self.constraints.for_each_equation(rows, dof, note);
         }
@@ -245,12 +245,12 @@ impl<'a> Plan<'a> {
 
     /// Puts the prescribed values of a time of the step into `u`.
     pub fn prescribe(&self, step_time: f64, u: &mut [f64]) {
-        for (slot, role) in self.constraints.roles.iter().enumerate() {
+        for (dof, role) in self.constraints.roles.iter().enumerate() {
             if let Role::Prescribed(place) = *role {
                 let prescribed = &self.step.prescribed[place];
                 let amplitude = prescribed.amplitude.map(|a| &self.model.amplitudes[a]);
-                u[slot] =
-                    self.at(step_time, self.start.displacement[slot], prescribed.value, amplitude);
+                u[dof] =
+                    self.at(step_time, self.start.displacement[dof], prescribed.value, amplitude);
             }
         }
     }
@@ -258,14 +258,14 @@ impl<'a> Plan<'a> {
     /// Puts the loads of a time of the step into `load`.
     pub fn load(&self, step_time: f64, load: &mut [f64]) {
         load.fill(0.0);
-        for (slot, value) in load.iter_mut().enumerate() {
+        for (dof, value) in load.iter_mut().enumerate() {
             // What the step before applied and this one does not fades out.
-            *value = self.at(step_time, self.start.load[slot], 0.0, None);
+            *value = self.at(step_time, self.start.load[dof], 0.0, None);
         }
         for entry in &self.step.loads {
-            let Some(slot) = self.dofs.find(entry.node, entry.dof) else { continue };
+            let Some(dof) = self.dofs.find(entry.node, entry.dof) else { continue };
             let amplitude = entry.amplitude.map(|a| &self.model.amplitudes[a]);
-            load[slot] = self.at(step_time, self.start.load[slot], entry.value, amplitude);
+            load[dof] = self.at(step_time, self.start.load[dof], entry.value, amplitude);
         }
         // A support that is released lets go over the step (manual).
         for (value, &reaction) in load.iter_mut().zip(&*self.start.released) {

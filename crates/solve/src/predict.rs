@@ -13,13 +13,13 @@ pub fn extrapolate(plan: &Plan<'_>, committed: &State, dt: f64, u: &mut [f64]) {
     }
     let ratio = dt / last;
     let parabolic = plan.step.extrapolation == Extrapolation::Parabolic && before > 0.0;
-    for &slot in &plan.constraints.dof_of_equation {
-        let rate = committed.increment[slot];
-        u[slot] += ratio * rate;
+    for &dof in &plan.constraints.dof_of_equation {
+        let rate = committed.increment[dof];
+        u[dof] += ratio * rate;
         if parabolic {
             // Newton's form: divided differences of the last two increments.
-            let bend = (rate / last - committed.increment_before[slot] / before) / (last + before);
-            u[slot] += bend * dt * (dt + last);
+            let bend = (rate / last - committed.increment_before[dof] / before) / (last + before);
+            u[dof] += bend * dt * (dt + last);
         }
     }
 }

@@ -2,11 +2,11 @@
 //!
 //! ```text
 //!   node contact:        a row is a point
-//!   integrated contact:  a row gathers the stations beside a node,
+//!   integrated contact:  a row gathers the integration_points beside a node,
 //!                        weighted by its linear shape function
 //! ```
 
-use crate::contact::{STRIP_POINTS, Strip};
+use crate::contact::{SEGMENT_POINTS, SlaveSegment};
 use crate::observe::{ContactRow, FrictionCall, Status};
 use crate::plan::Plan;
 use crate::state::{PointState, State};
@@ -18,7 +18,7 @@ pub fn contact_rows(plan: &Plan<'_>, state: &State, rows: &mut Vec<ContactRow>) 
     for (place, pair) in plan.model.contact_pairs.iter().enumerate() {
         match pair.formulation {
             Formulation::NodeToSurface => node_rows(plan, state, place, rows),
-            Formulation::SurfaceToSurface => strip_rows(plan, state, place, rows),
+            Formulation::SurfaceToSurface => segment_rows(plan, state, place, rows),
         }
     }
 }
@@ -53,7 +53,7 @@ struct Gathered {
     force: f64,
 }
 
-fn strip_rows(plan: &Plan<'_>, state: &State, pair: usize, rows: &mut Vec<ContactRow>) {
+fn segment_rows(plan: &Plan<'_>, state: &State, pair: usize, rows: &mut Vec<ContactRow>) {
     let nodes = &plan.contact.slave_nodes[pair];
     let mut gathered = vec![Gathered::default(); nodes.len()];
     for (sum, &node) in gathered.iter_mut().zip(nodes) {
@@ -62,43 +62,47 @@ fn strip_rows(plan: &Plan<'_>, state: &State, pair: usize, rows: &mut Vec<Contac
         sum.row.opening = f64::INFINITY;
         sum.row.position = current(plan, state, node);
     }
-    for strip in plan.contact.strips.iter().filter(|strip| strip.pair == pair) {
-        gather(plan, state, strip, &mut gathered);
+    for segment in plan.contact.segments.iter().filter(|segment| segment.pair == pair) {
+        gather(plan, state, segment, &mut gathered);
     }
     rows.extend(gathered.into_iter().map(Gathered::finish));
 }
 
-fn gather(plan: &Plan<'_>, state: &State, strip: &Strip, gathered: &mut [Gathered]) {
-    for k in strip.first..strip.first + STRIP_POINTS {
-        let (station, whole) = (&state.points[k], plan.contact.points[k].area);
-        for (row, share) in strip.rows.into_iter().zip([1.0 - station.xi, station.xi]) {
-            gathered[row].add(station, whole, share);
+fn gather(plan: &Plan<'_>, state: &State, segment: &SlaveSegment, gathered: &mut [Gathered]) {
+    for k in segment.first..segment.first + SEGMENT_POINTS {
+        let (integration_point, whole) = (&state.points[k], plan.contact.points[k].area);
+        for (row, share) in
+            segment.rows.into_iter().zip([1.0 - integration_point.xi, integration_point.xi])
+        {
+            gathered[row].add(integration_point, whole, share);
         }
     }
 }
 
 impl Gathered {
-    fn add(&mut self, station: &PointState, whole: f64, share: f64) {
+    fn add(&mut self, integration_point: &PointState, whole: f64, share: f64) {
         let row = &mut self.row;
-        let force = share * station.area * station.pressure;
+        let force = share * integration_point.area * integration_point.pressure;
         row.area += share * whole;
         row.pressure += force;
-        row.shear += share * station.area * station.traction;
-        row.slip += force * station.slip;
-        row.dropped_work += share * station.dropped_work;
-        row.ever_closed |= station.ever_closed;
+        row.shear += share * integration_point.area * integration_point.traction;
+        row.slip += force * integration_point.slip;
+        row.dropped_work += share * integration_point.dropped_work;
+        row.ever_closed |= integration_point.ever_closed;
         self.force += force;
-        if station.opening.is_finite() && station.opening < row.opening {
-            row.opening = station.opening;
-            row.normal = station.normal;
-            row.along = station.along.unwrap_or(0.0);
+        if integration_point.opening.is_finite() && integration_point.opening < row.opening {
+            row.opening = integration_point.opening;
+            row.normal = integration_point.normal;
+            row.along = integration_point.along.unwrap_or(0.0);
         }
-        if station.closed && share > 0.0 {
+        if integration_point.closed && share > 0.0 {
             if row.status != Status::Slip {
-                row.status = station.status;
+                row.status = integration_point.status;
             }
-            if row.friction != FrictionCall::Dropped && station.friction != FrictionCall::None {
-                row.friction = station.friction;
+            if row.friction != FrictionCall::Dropped
+                && integration_point.friction != FrictionCall::None
+            {
+                row.friction = integration_point.friction;
             }
         }
     }

@@ -1,13 +1,13 @@
 //! The whole analysis: steps, increments, commits.
 
-mod giving_up;
 mod jump;
+mod recovery;
 mod shown;
 
 use crate::balance::pair_rows;
 use crate::checkpoint::Checkpoint;
 use crate::commit::commit;
-use crate::contact::{memory_size, point_count};
+use crate::contact::{point_count, state_size};
 use crate::convergence::FluxAverage;
 use crate::diagnose;
 use crate::dofs::DofMap;
@@ -81,7 +81,7 @@ impl Default for Options {
 /// Runs every step of a model and tells the observer.
 pub fn run(model: &Model, options: &Options, observer: &mut dyn Observer) -> Ending {
     let pool = thread_pool(options.threads);
-    let ending = Walk::new(model, options, pool.as_ref(), observer).steps();
+    let ending = Analysis::new(model, options, pool.as_ref(), observer).steps();
     let _ = observer.event(Event::End(&ending));
     ending
 }
@@ -125,7 +125,7 @@ fn go_on(
         return None;
     }
     let pool = thread_pool(options.threads);
-    let mut walk = Walk::new(model, options, pool.as_ref(), observer);
+    let mut walk = Analysis::new(model, options, pool.as_ref(), observer);
     (walk.totals, walk.resumes) = (totals, resumes);
     let ending = walk.go_on(from);
     let _ = observer.event(Event::End(&ending));
@@ -157,7 +157,7 @@ fn begin_again(decision: Decision, procedure: &Static) -> Decision {
 const MOST_REACHED: usize = 12;
 
 /// A run under way.
-struct Walk<'a> {
+struct Analysis<'a> {
     model: &'a Model,
     users: &'a UserFrictions,
     linear_systems: &'a LinearSystems,
@@ -183,18 +183,18 @@ enum Left {
     Failed(Box<Diagnostic>),
 }
 
-impl<'a> Walk<'a> {
+impl<'a> Analysis<'a> {
     fn new(
         model: &'a Model,
         options: &'a Options,
         pool: Option<&'a rayon::ThreadPool>,
         observer: &'a mut dyn Observer,
     ) -> Self {
-        let slots = DofMap::new(model).len();
+        let dofs = DofMap::new(model).len();
         let points = model.contact_pairs.iter().map(point_count).sum();
-        let memory = |pair: &ContactPair| point_count(pair) * memory_size(pair);
-        let memory = model.contact_pairs.iter().map(memory).sum();
-        let committed = State::undeformed(slots, points, (memory, model.element_states()));
+        let state_variables = |pair: &ContactPair| point_count(pair) * state_size(pair);
+        let state_variables = model.contact_pairs.iter().map(state_variables).sum();
+        let committed = State::undeformed(dofs, points, (state_variables, model.element_states()));
         Self {
             model,
             users: &options.user_frictions,
@@ -261,8 +261,8 @@ impl<'a> Walk<'a> {
         };
         let mut plan = self.plan(step, start.owned());
         let mut work = Workspace::new(&plan);
-        let meetings = &mut work.evaluation.meetings;
-        crate::commit::locate_points(&plan, &mut self.committed, meetings);
+        let kinematics = &mut work.evaluation.kinematics;
+        crate::commit::locate_points(&plan, &mut self.committed, kinematics);
         self.begin(&plan, number, None, &work)?;
         self.all_increments(&mut plan, number, Control::begin(&step.procedure), &mut work)
     }

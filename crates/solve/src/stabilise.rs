@@ -13,7 +13,7 @@
 //! tangent is exact, symmetric and never negative.
 
 use crate::constraints::Rows;
-use crate::contact::{MasterPositions, Meeting};
+use crate::contact::{ContactKinematics, MasterPositions};
 use crate::linearised::MOST_DOFS;
 use crate::plan::Plan;
 use crate::restraint::Restraint;
@@ -29,7 +29,7 @@ const SHARE: f64 = 1e-7;
 #[derive(Clone, Copy, Debug)]
 pub struct Dashpot {
     width: usize,
-    slots: [usize; MOST_DOFS],
+    dofs: [usize; MOST_DOFS],
     normal: [f64; MOST_DOFS],
     tangential: [f64; MOST_DOFS],
     /// Force by the motion of the increment, along the normal and along the
@@ -38,28 +38,28 @@ pub struct Dashpot {
 }
 
 impl Dashpot {
-    fn new(meeting: &Meeting, stiffness: [f64; 2]) -> Self {
+    fn new(kinematics: &ContactKinematics, stiffness: [f64; 2]) -> Self {
         Self {
-            width: meeting.width,
-            slots: meeting.slots,
-            normal: meeting.gradient,
-            tangential: meeting.slip_gradient,
+            width: kinematics.width,
+            dofs: kinematics.dofs,
+            normal: kinematics.gradient,
+            tangential: kinematics.slip_gradient,
             stiffness,
         }
     }
 
-    /// Adds the forces of having moved from `committed` to `u`, a slot each;
+    /// Adds the forces of having moved from `committed` to `u`, a dof each;
     /// says how large they are together [F].
     pub fn press(&self, u: &[f64], committed: &[f64], into: &mut [f64]) -> f64 {
         let (mut closing, mut sliding) = (0.0, 0.0);
-        for (k, &slot) in self.slots[..self.width].iter().enumerate() {
-            let moved = u[slot] - committed[slot];
+        for (k, &dof) in self.dofs[..self.width].iter().enumerate() {
+            let moved = u[dof] - committed[dof];
             closing += self.normal[k] * moved;
             sliding += self.tangential[k] * moved;
         }
         let (p, t) = (self.stiffness[0] * closing, self.stiffness[1] * sliding);
-        for (k, &slot) in self.slots[..self.width].iter().enumerate() {
-            into[slot] += p * self.normal[k] + t * self.tangential[k];
+        for (k, &dof) in self.dofs[..self.width].iter().enumerate() {
+            into[dof] += p * self.normal[k] + t * self.tangential[k];
         }
         p.hypot(t)
     }
@@ -76,7 +76,7 @@ impl Dashpot {
             self.stiffness[0] * self.normal[i] * self.normal[j]
                 + self.stiffness[1] * self.tangential[i] * self.tangential[j]
         };
-        plan.scatter(rows, &self.slots[..self.width], at, values);
+        plan.scatter(rows, &self.dofs[..self.width], at, values);
     }
 }
 
@@ -104,15 +104,15 @@ pub fn fill(
     let u = &committed.displacement;
     plan.contact.place_chains(u, positions);
     for place in 0..plan.contact.points.len() {
-        let meeting = plan.contact.stand(place, u, positions);
-        let near = nearness(&settings, -meeting.overclosure);
-        if !meeting.faces || near == 0.0 {
+        let kinematics = plan.contact.stand(place, u, positions);
+        let near = nearness(&settings, -kinematics.overclosure);
+        if !kinematics.faces || near == 0.0 {
             continue;
         }
         let own = settings.coefficient;
         let coefficient = own.unwrap_or_else(|| automatic(plan, place, settings.factor));
-        let stiffness = near * meeting.area * coefficient * fading / dt;
-        into.push(Dashpot::new(&meeting, [stiffness, settings.tangent_fraction * stiffness]));
+        let stiffness = near * kinematics.area * coefficient * fading / dt;
+        into.push(Dashpot::new(&kinematics, [stiffness, settings.tangent_fraction * stiffness]));
     }
 }
 
@@ -152,8 +152,8 @@ pub fn would_hold(plan: &Plan<'_>, committed: &State, mode: &[f64]) -> bool {
     plan.constraints.expand(&rows, &mut motion);
     let mut holds = false;
     for (place, before) in committed.points.iter().enumerate() {
-        let meeting = plan.contact.stand(place, u, &positions);
-        if !moves(&meeting, &motion) {
+        let kinematics = plan.contact.stand(place, u, &positions);
+        if !moves(&kinematics, &motion) {
             continue;
         }
         if before.closed {
@@ -165,14 +165,14 @@ pub fn would_hold(plan: &Plan<'_>, committed: &State, mode: &[f64]) -> bool {
 }
 
 /// Whether a motion closes, opens or slides a point.
-fn moves(meeting: &Meeting, motion: &[f64]) -> bool {
+fn moves(kinematics: &ContactKinematics, motion: &[f64]) -> bool {
     let (mut closing, mut sliding, mut size) = (0.0, 0.0, 0.0_f64);
-    for k in 0..meeting.width {
-        closing += meeting.gradient[k] * motion[meeting.slots[k]];
-        sliding += meeting.slip_gradient[k] * motion[meeting.slots[k]];
-        size = size.max(meeting.gradient[k].abs() + meeting.slip_gradient[k].abs());
+    for k in 0..kinematics.width {
+        closing += kinematics.gradient[k] * motion[kinematics.dofs[k]];
+        sliding += kinematics.slip_gradient[k] * motion[kinematics.dofs[k]];
+        size = size.max(kinematics.gradient[k].abs() + kinematics.slip_gradient[k].abs());
     }
-    meeting.faces && f64::max(closing.abs(), sliding.abs()) > 1e-6 * size
+    kinematics.faces && f64::max(closing.abs(), sliding.abs()) > 1e-6 * size
 }
 
 /// Whether contact may be stabilised in some step: because the deck asks for

@@ -13,7 +13,7 @@ pub struct State {
     pub total_time: f64,
     /// Time in the step [T].
     pub step_time: f64,
-    /// Displacements and rotations, a slot each [L or 1].
+    /// Displacements and rotations, a dof each [L or 1].
     pub displacement: Vec<f64>,
     /// The last increment of each, for the first guess of the next.
     pub increment: Vec<f64>,
@@ -28,12 +28,12 @@ pub struct State {
     /// Contact points, in the order of the plan.
     pub points: Vec<PointState>,
     /// State values of user friction laws.
-    pub memory: Vec<f64>,
+    pub state_variables: Vec<f64>,
     /// State variables of the elements and their materials, block by block.
     pub elements: Vec<f64>,
     /// Average flux of forces and moments over the step.
     pub flux: [Flow; 2],
-    /// Nodal forces of contact stabilisation, a slot each; empty without it.
+    /// Nodal forces of contact stabilisation, a dof each; empty without it.
     pub damping: Vec<f64>,
     /// Whether contact of this step is stabilised without the deck's asking.
     pub stabilised: bool,
@@ -82,18 +82,18 @@ pub struct PointState {
     pub normal: [f64; 2],
     /// Area it stands for [L2].
     pub area: f64,
-    /// Where a station stands on its element, 0 to 1.
+    /// Where a integration_point stands on its element, 0 to 1.
     pub xi: f64,
 }
 
 impl PointState {
-    /// Whether this is what [`PointState::open_from`] makes of a station that
+    /// Whether this is what [`PointState::open_from`] makes of a integration_point that
     /// was never closed.
     pub fn is_untouched(&self) -> bool {
         self.opening == f64::INFINITY && self.area == 0.0 && !self.ever_closed
     }
 
-    /// A station that faces nothing: open, what it has done before kept.
+    /// A integration_point that faces nothing: open, what it has done before kept.
     pub fn open_from(&mut self, before: &Self) {
         let (ever_closed, slip) = (before.ever_closed, before.slip);
         let opening = f64::INFINITY;
@@ -109,15 +109,15 @@ impl PointState {
 impl State {
     /// The undeformed model: everything zero, every point open. `states` counts the state
     /// values of user friction laws and those of elements.
-    pub fn undeformed(slots: usize, points: usize, states: (usize, usize)) -> Self {
+    pub fn undeformed(dofs: usize, points: usize, states: (usize, usize)) -> Self {
         Self {
-            displacement: vec![0.0; slots],
-            increment: vec![0.0; slots],
-            increment_before: vec![0.0; slots],
-            reaction: vec![0.0; slots],
-            load: vec![0.0; slots],
+            displacement: vec![0.0; dofs],
+            increment: vec![0.0; dofs],
+            increment_before: vec![0.0; dofs],
+            reaction: vec![0.0; dofs],
+            load: vec![0.0; dofs],
             points: vec![PointState::default(); points],
-            memory: vec![0.0; states.0],
+            state_variables: vec![0.0; states.0],
             elements: vec![0.0; states.1],
             ..Self::default()
         }

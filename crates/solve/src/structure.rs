@@ -1,4 +1,4 @@
-//! The elements of a step, each with its own slot for force and tangent.
+//! The elements of a step, each with its own dof for force and tangent.
 //!
 //! ```text
 //!   u --> element 1 --> [force | tangent]  \
@@ -6,8 +6,8 @@
 //!   u --> element 3 --> [force | tangent]  /
 //! ```
 //!
-//! Elements write slots of their own and a gather in fixed order sums them,
-//! so that the sum has the same bits on any number of threads. The slots of all
+//! Elements write dofs of their own and a gather in fixed order sums them,
+//! so that the sum has the same bits on any number of threads. The dofs of all
 //! elements lie behind one another: an element takes as much as it needs. What an
 //! element is, only its block's kernel knows.
 
@@ -66,7 +66,7 @@ pub struct Configuration<'a> {
     pub state: &'a [f64],
 }
 
-/// What every element contributes, in slots of its own.
+/// What every element contributes, in dofs of its own.
 #[derive(Clone, Debug)]
 pub struct Contributions {
     /// Laid out as [`Structure::own`].
@@ -108,7 +108,7 @@ impl Structure {
         self.dependent.iter().map(|&element| self.element(element))
     }
 
-    /// Sets of slots that couple.
+    /// Sets of dofs that couple.
     pub fn cliques(&self) -> impl Iterator<Item = &[usize]> {
         self.elements().map(|(block, element)| &self.own[block.own(element)])
     }
@@ -136,11 +136,11 @@ impl Structure {
         }
     }
 
-    /// Whether each slot belongs to an element (rounding grows with those).
-    pub fn touched(&self, slots: usize) -> Vec<bool> {
-        let mut touched = vec![false; slots];
-        for &slot in &self.own {
-            touched[slot] = true;
+    /// Whether each dof belongs to an element (rounding grows with those).
+    pub fn touched(&self, dofs: usize) -> Vec<bool> {
+        let mut touched = vec![false; dofs];
+        for &dof in &self.own {
+            touched[dof] = true;
         }
         touched
     }
@@ -151,7 +151,7 @@ impl Structure {
         vec![0.0; if self.nlgeom { self.stresses } else { 0 }]
     }
 
-    /// The stresses that a linear solution with the `change` of all slots
+    /// The stresses that a linear solution with the `change` of all dofs
     /// arrives at from displacements `u`: docs/theory.md eq. (3.27).
     pub fn stresses_after(&self, u: &[f64], change: &[f64], into: &mut [f64]) {
         if into.is_empty() {
@@ -310,8 +310,8 @@ impl Structure {
 
     /// Sums forces into the full vector; returns the strain energy [F L].
     pub fn gather_force(&self, from: &Contributions, force: &mut [f64]) -> f64 {
-        for (&slot, value) in self.own.iter().zip(&from.force) {
-            force[slot] += value;
+        for (&dof, value) in self.own.iter().zip(&from.force) {
+            force[dof] += value;
         }
         from.energy.iter().fold(0.0, |sum, energy| sum + energy)
     }
@@ -361,14 +361,14 @@ impl Structure {
         }
     }
 
-    /// Sums K v for a full vector v of slots into `product` (a first guess of
+    /// Sums K v for a full vector v of dofs into `product` (a first guess of
     /// what a prescribed motion does).
     pub fn multiply(&self, from: &Contributions, v: &[f64], product: &mut [f64]) {
         for (block, element) in self.elements() {
             let own = &self.own[block.own(element)];
             let rows = from.tangent[block.entries(element)].chunks_exact(block.variables);
             for (&target, row) in own.iter().zip(rows) {
-                let sum: f64 = row.iter().zip(own).map(|(k, &slot)| k * v[slot]).sum();
+                let sum: f64 = row.iter().zip(own).map(|(k, &dof)| k * v[dof]).sum();
                 product[target] += sum;
             }
         }
@@ -404,7 +404,7 @@ impl Structure {
     }
 }
 
-/// Elements that lie together, with their slots.
+/// Elements that lie together, with their dofs.
 struct Part<'a> {
     elements: Range<usize>,
     force: &'a mut [f64],
@@ -415,7 +415,7 @@ struct Part<'a> {
 }
 
 impl<'a> Part<'a> {
-    /// The slots of the next element.
+    /// The dofs of the next element.
     fn take(&mut self, width: usize, states: usize) -> Option<(&'a mut f64, Response<'a>)> {
         let force = self.force.split_off_mut(..width)?;
         let tangent = match &mut self.tangent {

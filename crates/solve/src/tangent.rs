@@ -11,10 +11,10 @@
 //! against differences of the residual, law and geometry, friction and rigid
 //! links together. What the contact step solves for on its own stays as it
 //! is: hard pressures, exact stick, whether friction is called, and where the
-//! stations of integrated contact stand on their elements.
+//! integration_points of integrated contact stand on their elements.
 
 use crate::constraints::Rows;
-use crate::contact::{GeometryScratch, MasterPositions, Meeting};
+use crate::contact::{ContactKinematics, GeometryScratch, MasterPositions};
 use crate::evaluate::{Evaluation, Trial};
 use crate::observe::{FrictionCall, Status, TangentReport};
 use crate::plan::Plan;
@@ -22,7 +22,7 @@ use crate::state::State;
 use crate::structure::{Configuration, Contributions};
 use slideline_diag::{Code, Diagnostic};
 use slideline_mech::contact::friction::Traction;
-use slideline_mech::contact::pair::{Laws, PointTrial, UserMemory};
+use slideline_mech::contact::pair::{Laws, PointTrial, UserState};
 use slideline_model::{Dof, NodeIndex};
 
 /// Differences of a displacement, in sizes of the model, and of a rotation.
@@ -158,16 +158,17 @@ impl Place<'_> {
     /// Pair and slave node of the first closed point that couples two
     /// equations.
     fn point(&self, equations: [usize; 2]) -> Option<(usize, NodeIndex)> {
-        let places = self.evaluation.meetings.iter().zip(&self.evaluation.points);
+        let places = self.evaluation.kinematics.iter().zip(&self.evaluation.points);
         let points = self.plan.contact.points.iter().zip(places);
-        let couples = |meeting: &Meeting| {
+        let couples = |kinematics: &ContactKinematics| {
             let mut own = Vec::new();
-            for &dof in &meeting.slots[..meeting.width] {
+            for &dof in &kinematics.dofs[..kinematics.width] {
                 self.plan.constraints.equations_of(dof, &mut own);
             }
             equations.iter().all(|equation| own.contains(equation))
         };
-        let found = points.into_iter().find(|(_, (meeting, now))| now.closed && couples(meeting));
+        let found =
+            points.into_iter().find(|(_, (kinematics, now))| now.closed && couples(kinematics));
         found.map(|(point, _)| (point.pair, point.node))
     }
 }
@@ -186,7 +187,7 @@ pub fn assembled(place: &Place<'_>) -> Vec<f64> {
     // Every force on a dependent dof turns with those that it follows.
     let mut force: Vec<f64> = trial.load.iter().map(|load| -load).collect();
     plan.structure.gather_force(&contributions, &mut force);
-    place.add_contact_force(&place.evaluation.meetings, trial.u, &mut force);
+    place.add_contact_force(&place.evaluation.kinematics, trial.u, &mut force);
     plan.stiffen_by_turning(trial.u, &mut force, &mut values);
     let mut scratch = GeometryScratch::new();
     plan.contact.fill_scratch(trial.u, &mut scratch);
@@ -199,35 +200,36 @@ pub fn assembled(place: &Place<'_>) -> Vec<f64> {
 impl Place<'_> {
     fn add_point(&self, place: usize, scratch: &mut GeometryScratch, values: &mut [f64]) {
         let Place { plan, trial, evaluation, .. } = self;
-        let (meeting, now) = (&evaluation.meetings[place], &evaluation.points[place]);
+        let (kinematics, now) = (&evaluation.kinematics[place], &evaluation.points[place]);
         if !now.closed {
             return;
         }
-        let (law, slope) = self.law(place, meeting);
+        let (law, slope) = self.law(place, kinematics);
         let (pressure, traction) = (law.0, &law.1);
         let forces = (now.area * pressure, now.area * traction.tau);
-        plan.contact.geometric_tangent(place, trial.u, meeting, forces, scratch);
+        plan.contact.geometric_tangent(place, trial.u, kinematics, forces, scratch);
         let geometry = &scratch.tangent;
-        let (a, b, drag) = (&meeting.gradient, &meeting.slip_gradient, &meeting.drag);
+        let (a, b, direction) =
+            (&kinematics.gradient, &kinematics.slip_gradient, &kinematics.direction);
         let entry = |i: usize, j: usize| {
             let by_slip = traction.d_tau_d_slip * b[j];
             let by_pressure = traction.d_tau_d_pressure * slope * a[j];
-            let law = slope * a[i] * a[j] + drag[i] * (by_slip + by_pressure);
-            geometry[meeting.width * i + j] + now.area * law
+            let law = slope * a[i] * a[j] + direction[i] * (by_slip + by_pressure);
+            geometry[kinematics.width * i + j] + now.area * law
         };
-        plan.scatter(&evaluation.rows, &meeting.slots[..meeting.width], entry, values);
+        plan.scatter(&evaluation.rows, &kinematics.dofs[..kinematics.width], entry, values);
     }
 
     /// Adds the forces of points as they stand at displacements `u`, and those
     /// of dashpots.
-    fn add_contact_force(&self, meetings: &[Meeting], u: &[f64], force: &mut [f64]) {
-        for (place, meeting) in meetings.iter().enumerate().filter(|(_, m)| m.faces) {
-            let ((pressure, traction), _) = self.law(place, meeting);
+    fn add_contact_force(&self, kinematics: &[ContactKinematics], u: &[f64], force: &mut [f64]) {
+        for (place, kinematics) in kinematics.iter().enumerate().filter(|(_, m)| m.faces) {
+            let ((pressure, traction), _) = self.law(place, kinematics);
             let area = self.evaluation.points[place].area;
             let (normal, tangential) = (area * pressure, area * traction.tau);
-            for k in 0..meeting.width {
-                force[meeting.slots[k]] +=
-                    normal * meeting.gradient[k] + tangential * meeting.drag[k];
+            for k in 0..kinematics.width {
+                force[kinematics.dofs[k]] +=
+                    normal * kinematics.gradient[k] + tangential * kinematics.direction[k];
             }
         }
         for dashpot in self.trial.dashpots {
@@ -235,20 +237,20 @@ impl Place<'_> {
         }
     }
 
-    /// Pressure and traction of a point at a meeting, and the slope of the
+    /// Pressure and traction of a point at a kinematics, and the slope of the
     /// pressure; whether friction is called, and whether it sticks exactly, is
     /// as in the converged state.
-    fn law(&self, place: usize, meeting: &Meeting) -> ((f64, Traction), f64) {
+    fn law(&self, place: usize, kinematics: &ContactKinematics) -> ((f64, Traction), f64) {
         let Place { plan, committed, trial, evaluation } = self;
         let point = &plan.contact.points[place];
         let laws: &Laws = &plan.contact.laws[point.pair];
         let (before, now) = (&committed.points[place].history(), &evaluation.points[place]);
-        let slip = plan.contact.slip(place, before, meeting, &committed.displacement);
-        let slope = match meeting.faces {
-            true => laws.normal.pressure(meeting.overclosure).map_or(0.0, |(_, slope)| slope),
+        let slip = plan.contact.slip(place, before, kinematics, &committed.displacement);
+        let slope = match kinematics.faces {
+            true => laws.normal.pressure(kinematics.overclosure).map_or(0.0, |(_, slope)| slope),
             false => 0.0,
         };
-        let pressure = laws.pressure(meeting.overclosure, now.pressure);
+        let pressure = laws.pressure(kinematics.overclosure, now.pressure);
         if now.friction != FrictionCall::Called || pressure == 0.0 {
             return ((pressure, Traction::ZERO), slope);
         }
@@ -267,9 +269,9 @@ impl Place<'_> {
             };
             return ((pressure, traction), slope);
         }
-        let memory = point.memory..point.memory + point.memory_size;
+        let state_variables = point.state_variables..point.state_variables + point.state_size;
         let estimate = PointTrial {
-            overclosure: meeting.overclosure,
+            overclosure: kinematics.overclosure,
             slip,
             pressure: now.pressure,
             traction: now.traction,
@@ -279,10 +281,10 @@ impl Place<'_> {
         let response = laws.respond(
             before,
             &estimate,
-            &mut UserMemory {
+            &mut UserState {
                 time: trial.time,
-                committed: &committed.memory[memory],
-                state: &mut vec![0.0; point.memory_size],
+                committed: &committed.state_variables[state_variables],
+                state: &mut vec![0.0; point.state_size],
                 fault: &mut None,
             },
         );
@@ -296,7 +298,7 @@ pub struct Differences<'a> {
     contributions: Contributions,
     force: Vec<f64>,
     rows: Rows,
-    meetings: Vec<Meeting>,
+    kinematics: Vec<ContactKinematics>,
     positions: MasterPositions,
     u: Vec<f64>,
     middle: Vec<f64>,
@@ -309,13 +311,13 @@ pub struct Differences<'a> {
 impl<'a> Differences<'a> {
     /// Room, and the residual of the state itself.
     pub fn new(place: &'a Place<'a>) -> Self {
-        let (slots, n) = (place.plan.dofs.len(), place.plan.constraints.equations());
+        let (dofs, n) = (place.plan.dofs.len(), place.plan.constraints.equations());
         let mut new = Self {
             place,
             contributions: place.plan.structure.room(),
-            force: vec![0.0; slots],
+            force: vec![0.0; dofs],
             rows: Rows::default(),
-            meetings: place.evaluation.meetings.clone(),
+            kinematics: place.evaluation.kinematics.clone(),
             positions: MasterPositions::default(),
             u: place.trial.u.to_vec(),
             middle: Vec::new(),
@@ -365,9 +367,9 @@ impl<'a> Differences<'a> {
         plan.structure.evaluate_forces(&at, &mut self.contributions, plan.pool);
         self.force.iter_mut().zip(trial.load).for_each(|(force, load)| *force = -load);
         let _energy = plan.structure.gather_force(&self.contributions, &mut self.force);
-        self.meetings.copy_from_slice(&evaluation.meetings);
-        plan.contact.meet_in_place(&self.u, &mut self.positions, &mut self.meetings);
-        self.place.add_contact_force(&self.meetings, &self.u, &mut self.force);
+        self.kinematics.copy_from_slice(&evaluation.kinematics);
+        plan.contact.meet_in_place(&self.u, &mut self.positions, &mut self.kinematics);
+        self.place.add_contact_force(&self.kinematics, &self.u, &mut self.force);
         plan.constraints.linearise(&self.u, &mut self.rows);
         plan.constraints.carry(&self.rows, &mut self.force);
         plan.constraints.dof_of_equation.iter().map(|&dof| self.force[dof]).collect()
@@ -502,22 +504,22 @@ mod tests {
     /// tolerance 1e-7 of the largest entry of its kind.
     #[test]
     fn assembled_tangent_by_differences() {
-        for (line, drag) in [(true, 0.3), (true, 0.02), (false, 0.3), (false, -0.02)] {
+        for (line, direction) in [(true, 0.3), (true, 0.02), (false, 0.3), (false, -0.02)] {
             let model = model(line);
-            let (slots, points) =
+            let (dofs, points) =
                 (DofMap::new(&model).len(), model.contact_pairs[0].slave_nodes().len());
-            let start = crate::plan::Start::undeformed(slots);
+            let start = crate::plan::Start::undeformed(dofs);
             let users = crate::users::UserFrictions::default();
             let plan = Plan::new(&model, &model.steps[0], start, &users, None);
-            let mut committed = State::undeformed(slots, points, (0, 0));
+            let mut committed = State::undeformed(dofs, points, (0, 0));
             let mut work = crate::newton::Workspace::new(&plan);
-            crate::commit::locate_points(&plan, &mut committed, &mut work.evaluation.meetings);
+            crate::commit::locate_points(&plan, &mut committed, &mut work.evaluation.kinematics);
             let body = model.nodes.find(100).unwrap();
             let mut u: Vec<f64> =
-                (0..slots).map(|k| 0.02 * ((k * 7919 % 13) as f64 / 6.0 - 1.0)).collect();
+                (0..dofs).map(|k| 0.02 * ((k * 7919 % 13) as f64 / 6.0 - 1.0)).collect();
             u[..3].fill(0.0);
             let body = plan.dofs.of_node(body);
-            u[body].copy_from_slice(&[drag, -0.06, 0.1 * drag]);
+            u[body].copy_from_slice(&[direction, -0.06, 0.1 * direction]);
             plan.constraints.enforce(&mut u);
             let mut dashpots = Vec::new();
             committed.stabilised = true;
@@ -533,7 +535,7 @@ mod tests {
             dashpots.iter_mut().for_each(|dashpot| dashpot.scale_to(1.0));
             let none = vec![0.0; points];
             let stresses = plan.structure.stress_room();
-            let load = vec![0.0; slots];
+            let load = vec![0.0; dofs];
             let trial = Trial {
                 stresses: &stresses,
                 u: &u,
@@ -551,7 +553,7 @@ mod tests {
             let place =
                 Place { plan: &plan, committed: &committed, trial, evaluation: &evaluation };
             let report = check(&place, (1, 1));
-            assert!(report.off < 1e-7, "{line} {drag}: {report:?}");
+            assert!(report.off < 1e-7, "{line} {direction}: {report:?}");
             assert!(fault(&plan, &report).is_none());
         }
     }

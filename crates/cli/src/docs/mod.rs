@@ -13,6 +13,7 @@ use crate::exit::Exit;
 use crate::{explain, screen};
 use clap::{Args, ValueHint};
 use page::Page;
+pub(crate) use page::fragment;
 use slideline::keywords::keywords;
 use slideline::output::{WriteError, write_file};
 use std::fmt::Write as _;

@@ -3,6 +3,7 @@
 use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd, html::push_html};
 use pulldown_latex::config::{DisplayMode, RenderConfig};
 use pulldown_latex::{Storage, push_mathml};
+use slideline::output::report::escaped;
 use std::fmt::Write as _;
 
 /// A page before it is set: where it goes, without ending, and its Markdown.
@@ -53,14 +54,25 @@ pub(super) fn html(page: &Page) -> String {
     )
 }
 
+/// A text as a part of another page: its headings are small, and links, which
+/// would lead nowhere, are words.
+pub(crate) fn fragment(text: &str) -> String {
+    let small = |event| match event {
+        Event::Start(Tag::Heading { .. }) => Some(Event::Html("<h4>".into())),
+        Event::End(TagEnd::Heading(_)) => Some(Event::Html("</h4>".into())),
+        Event::Start(Tag::Link { .. }) | Event::End(TagEnd::Link) => None,
+        other => Some(set(other)),
+    };
+    let mut body = String::new();
+    let options = Options::ENABLE_TABLES | Options::ENABLE_MATH;
+    push_html(&mut body, Parser::new_ext(text, options).filter_map(small));
+    body
+}
+
 /// Text of the first heading.
 fn title(text: &str) -> &str {
     let line = text.lines().find(|line| line.starts_with("# "));
     line.map_or("", |line| line.trim_start_matches("# "))
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 /// Gives every heading the name that links within the texts use: lower case,

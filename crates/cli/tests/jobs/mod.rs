@@ -156,21 +156,24 @@ pub fn stderr(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
-/// FNV-1a, 64 bits, written again.
-pub fn checksum(bytes: &[u8]) -> u64 {
-    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash: u64, &byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3)
-    })
+/// CRC-32 (IEEE), written again.
+fn checksum(bytes: &[u8]) -> u32 {
+    let step = |sum: u32| sum >> 1 ^ if sum & 1 == 1 { 0xedb8_8320 } else { 0 };
+    let byte = |sum: u32, byte: &u8| (0..8).fold(sum ^ u32::from(*byte), |sum, _| step(sum));
+    !bytes.iter().fold(!0_u32, byte)
 }
+
+/// Bytes of the head of a `JOB.rst`: its name, its format, two marks.
+pub const HEAD: usize = 22 + 2 * 12;
 
 /// First byte of every section of a `JOB.rst` (the preface, then a state each)
 /// and the end of the last.
 pub fn sections(file: &[u8]) -> Vec<usize> {
     let word = |at: usize| u64::from_le_bytes(*file[at..].first_chunk().unwrap()) as usize;
-    let (mut places, valid) = (vec![54], word(22).max(word(38)));
+    let (mut places, valid) = (vec![HEAD], word(22).max(word(34)));
     while *places.last().unwrap() < valid {
         let start = *places.last().unwrap();
-        places.push(start + 16 + word(start));
+        places.push(start + 12 + word(start));
     }
     places
 }
@@ -178,6 +181,6 @@ pub fn sections(file: &[u8]) -> Vec<usize> {
 /// A `JOB.rst` whose head says that it ends after the state of that number.
 pub fn up_to_state(file: &[u8], number: usize) -> Vec<u8> {
     let end = sections(file)[number + 1] as u64;
-    let mark = [end.to_le_bytes(), checksum(&end.to_le_bytes()).to_le_bytes()].concat();
-    [&file[..22], &mark, &mark, &file[54..]].concat()
+    let mark = [&end.to_le_bytes()[..], &checksum(&end.to_le_bytes()).to_le_bytes()].concat();
+    [&file[..22], &mark, &mark, &file[HEAD..]].concat()
 }

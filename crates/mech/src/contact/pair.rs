@@ -8,7 +8,7 @@
 //!
 //! Everything is a pure function of the gap, the committed state and the multipliers of the trial.
 
-use super::enforcement::Demand;
+use super::enforcement::Complementarity;
 use super::friction::{
     FrictionBatch, FrictionLaw, FrictionPoint, Projection, Registered, Status, Traction,
     UserFrictionError,
@@ -37,9 +37,9 @@ pub struct Laws {
     pub user: Option<Registered>,
 }
 
-/// The memory of a user law at a point.
+/// The state_variables of a user law at a point.
 #[derive(Debug)]
-pub struct UserMemory<'a> {
+pub struct UserState<'a> {
     /// Total time at the end of the increment [T].
     pub time: f64,
     /// Committed state.
@@ -106,18 +106,18 @@ impl Laws {
         self.normal.pressure(overclosure).map_or(estimate, |(pressure, _)| pressure)
     }
 
-    /// What a point does in a trial state; `memory` is that of a user law. [semantics: friction onset]
+    /// What a point does in a trial state; `state_variables` is that of a user law. [semantics: friction onset]
     pub fn respond(
         &self,
         history: &History,
         trial: &PointTrial,
-        memory: &mut UserMemory<'_>,
+        state_variables: &mut UserState<'_>,
     ) -> Response {
         let pressure = self.pressure(trial.overclosure, trial.pressure);
         let closed = pressure != 0.0;
         let called = self.has_friction() && self.onset.called(history.closed, closed);
         let traction = match called {
-            true => self.traction(pressure, history, trial, memory),
+            true => self.traction(pressure, history, trial, state_variables),
             false => Traction::ZERO,
         };
         Response { pressure, traction, closed, called }
@@ -128,12 +128,12 @@ impl Laws {
         pressure: f64,
         history: &History,
         trial: &PointTrial,
-        memory: &mut UserMemory<'_>,
+        state_variables: &mut UserState<'_>,
     ) -> Traction {
         let (slip, dt) = (trial.slip, trial.dt);
         if self.user.is_some() {
             let point = FrictionPoint { pressure, slip, elastic_slip: history.elastic_slip };
-            return self.ask_user(point, dt, memory);
+            return self.ask_user(point, dt, state_variables);
         }
         if !self.friction.needs_multiplier() {
             return self.friction.update(pressure, slip, history.elastic_slip, dt);
@@ -170,22 +170,27 @@ impl Laws {
     }
 
     /// Asks the embedding program's law about one point. An answer that is no number is a fault.
-    fn ask_user(&self, point: FrictionPoint, dt: f64, memory: &mut UserMemory<'_>) -> Traction {
+    fn ask_user(
+        &self,
+        point: FrictionPoint,
+        dt: f64,
+        state_variables: &mut UserState<'_>,
+    ) -> Traction {
         let (Some(law), FrictionLaw::User { properties, .. }) = (&self.user, &self.friction) else {
             return Traction::ZERO;
         };
         if point.pressure <= 0.0 {
-            memory.state.copy_from_slice(memory.committed);
+            state_variables.state.copy_from_slice(state_variables.committed);
             return Traction::ZERO;
         }
         let mut tractions = [Traction::ZERO];
         let answer = law.0.update(&mut FrictionBatch {
             properties,
-            time: memory.time,
+            time: state_variables.time,
             dt,
             points: &[point],
-            committed: memory.committed,
-            state: memory.state,
+            committed: state_variables.committed,
+            state: state_variables.state,
             tractions: &mut tractions,
         });
         let sum = tractions[0].tau + tractions[0].d_tau_d_slip + tractions[0].d_tau_d_pressure;
@@ -193,39 +198,44 @@ impl Laws {
             Ok(()) if sum.is_finite() => tractions[0],
             Ok(()) => {
                 let message = "the answer is not a finite number".to_string();
-                *memory.fault = Some(UserFrictionError { message });
+                *state_variables.fault = Some(UserFrictionError { message });
                 Traction::ZERO
             }
             Err(fault) => {
-                *memory.fault = Some(fault);
+                *state_variables.fault = Some(fault);
                 Traction::ZERO
             }
         }
     }
 
-    /// What the normal law demands of a pressure at an overclosure, felt through the structure's
+    /// What the normal law complementarities of a pressure at an overclosure, felt through the structure's
     /// stiffness `kappa` [F/L3]; infinite: nothing yields, the law is inserted.
-    pub fn demand_pressure(&self, pressure: f64, overclosure: f64, kappa: f64) -> Demand {
+    pub fn complementarity_of_pressure(
+        &self,
+        pressure: f64,
+        overclosure: f64,
+        kappa: f64,
+    ) -> Complementarity {
         if kappa.is_infinite() {
             let (value, slope) = self.normal.pressure(overclosure).unwrap_or((0.0, 0.0));
-            return Demand::inserted(value, slope);
+            return Complementarity::inserted(value, slope);
         }
         let (value, slope) = self.normal.resolvent(overclosure + pressure / kappa, kappa);
-        Demand::multiplier(value, slope, kappa)
+        Complementarity::multiplier(value, slope, kappa)
     }
 
-    /// What the friction law demands of a traction: `slip` and `pressure` as the contact step has
+    /// What the friction law complementarities of a traction: `slip` and `pressure` as the contact step has
     /// them, `kappa` as for the pressure.
-    pub fn demand_traction(
+    pub fn complementarity_of_traction(
         &self,
         [traction, slip, pressure]: [f64; 3],
         elastic_slip: f64,
         (kappa, dt): (f64, f64),
-        memory: &mut UserMemory<'_>,
-    ) -> Demand {
+        state_variables: &mut UserState<'_>,
+    ) -> Complementarity {
         let closed = pressure.max(0.0);
         let of_pressure = if pressure > 0.0 { 1.0 } else { 0.0 };
-        let projected = |projected: Projection| Demand {
+        let projected = |projected: Projection| Complementarity {
             value: projected.tau,
             by_multiplier: projected.by_z,
             by_value: kappa * projected.by_z + projected.by_slip,
@@ -240,11 +250,15 @@ impl Laws {
             return projected(self.friction.resolve(closed, z, elastic_slip, (slip, dt)));
         }
         let updated = if self.user.is_some() {
-            self.ask_user(FrictionPoint { pressure: closed, slip, elastic_slip }, dt, memory)
+            self.ask_user(
+                FrictionPoint { pressure: closed, slip, elastic_slip },
+                dt,
+                state_variables,
+            )
         } else {
             self.friction.update(closed, slip, elastic_slip, dt)
         };
-        Demand::inserted(updated.tau, updated.d_tau_d_slip)
+        Complementarity::inserted(updated.tau, updated.d_tau_d_slip)
             .with_pressure(updated.d_tau_d_pressure * of_pressure)
     }
 }

@@ -65,8 +65,8 @@ impl History {
     }
 
     /// The same from the start on, at which everything is zero.
-    pub fn from_start(&self, node: u64, name: &str) -> Option<Vec<f64>> {
-        self.column(node, name).map(with_start)
+    pub fn with_start(&self, node: u64, name: &str) -> Option<Vec<f64>> {
+        self.column(node, name).map(self::with_start)
     }
 
     /// Cuts what a job that was killed wrote beyond its last whole increment.

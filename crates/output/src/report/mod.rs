@@ -18,7 +18,6 @@ mod iterations;
 mod options;
 mod overlay;
 mod page;
-mod prose;
 mod results;
 mod verdict;
 

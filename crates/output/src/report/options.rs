@@ -14,8 +14,8 @@ pub struct Options<'a> {
     /// Hash of the deck as it is now, where it is known: a report of results
     /// that belong to another text says so.
     pub deck_hash: Option<&'a str>,
-    /// The page of a code, as `docs/errors` has it.
-    pub page: fn(&str) -> Option<&'static str>,
+    /// The page of a code, as HTML that may stand below a heading.
+    pub page: fn(&str) -> Option<String>,
 }
 
 impl Default for Options<'_> {

@@ -4,16 +4,17 @@
 use super::data::data;
 use super::options::Options;
 use super::overlay::Overlay;
-use super::prose::html;
 use super::results::Results;
 use super::verdict;
 use crate::json::{Members as _, Value};
 use crate::number::general;
-use slideline_figures::escaped;
+use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 /// Style sheet of the report, light, dark and on paper, for other pages that
 /// shall look like it.
 pub const STYLE: &str = include_str!("assets/page.css");
+/// Nothing is loaded from anywhere.
+const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'";
 /// In the order in which they need one another.
 const SCRIPTS: [&str; 4] = [
     include_str!("assets/data.js"),
@@ -33,19 +34,26 @@ pub(crate) fn page(
 ) -> String {
     let judged = verdict::judged(results);
     let data = data(job, results, &judged, overlay);
+    let head = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta http-equiv="Content-Security-Policy" content=(POLICY);
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="color-scheme" content="light dark";
+                title { (title(job, results)) " - slideline" }
+                style { (PreEscaped(STYLE)) }
+            }
+        }
+    };
+    let head = head.into_string();
     let mut text = String::with_capacity(data.len() + (1 << 17));
-    text.push_str("<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
-    text.push_str(
-        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; \
-         script-src 'unsafe-inline'; style-src 'unsafe-inline'\">\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <meta name=\"color-scheme\" content=\"light dark\">\n",
-    );
-    text.push_str(&format!("<title>{} - slideline</title>\n", escaped(&title(job, results))));
-    text.push_str(&format!("<style>\n{STYLE}</style>\n</head>\n<body>\n"));
+    text.push_str(head.strip_suffix("</html>").unwrap_or(&head));
+    text.push_str("\n<body>\n");
     // names come last, so that no name is taken for a place to fill
     let places = [
-        ("{{remarks}}", remarks.iter().map(|said| note(said)).collect()),
+        ("{{remarks}}", html! { @for said in remarks { (note(said)) } }),
         ("{{verdict}}", verdict::banner(results, &judged)),
         ("{{facts}}", facts(results)),
         ("{{states}}", states(results)),
@@ -53,31 +61,30 @@ pub(crate) fn page(
         ("{{noise}}", noise(results)),
         ("{{warnings}}", warnings(results, options)),
         ("{{notes}}", notes(results)),
-        ("{{title}}", escaped(&title(job, results))),
+        ("{{title}}", html! { (title(job, results)) }),
         ("{{settings}}", settings(results)),
-        ("{{echo}}", format!("<pre class=\"echo\">{}</pre>", escaped(&results.echo))),
-        ("{{job}}", escaped(job)),
+        ("{{echo}}", html! { pre.echo { (results.echo) } }),
+        ("{{job}}", html! { (job) }),
     ];
     text.push_str(&filled(BODY, &places));
     text.push_str(&format!("<script type=\"application/json\" id=\"data\">{data}</script>\n"));
     text.push_str("<script>\n\"use strict\";\n(function () {\n");
-    for script in SCRIPTS {
-        text.push_str(script);
-    }
+    SCRIPTS.iter().for_each(|script| text.push_str(script));
     text.push_str("})();\n</script>\n</body>\n</html>\n");
     text
 }
 
 /// Fills the places of a template in one pass, so that what is filled in is
 /// never searched for places.
-fn filled(template: &str, places: &[(&str, String)]) -> String {
+fn filled(template: &str, places: &[(&str, Markup)]) -> String {
     let mut text = String::new();
     let mut rest = template;
     while let Some(start) = rest.find("{{") {
         text.push_str(&rest[..start]);
         rest = &rest[start..];
         let place = places.iter().find(|(name, _)| rest.starts_with(name));
-        let (name, content) = place.map_or(("{{", "{{"), |(name, content)| (*name, content));
+        let (name, content) =
+            place.map_or(("{{", "{{"), |(name, content)| (*name, content.0.as_str()));
         text.push_str(content);
         rest = &rest[name.len()..];
     }
@@ -93,12 +100,12 @@ fn title(job: &str, results: &Results) -> String {
     first.unwrap_or(job).to_owned()
 }
 
-fn note(said: &str) -> String {
-    format!("<p class=\"remark\">{}</p>\n", escaped(said))
+fn note(said: &str) -> Markup {
+    html! { p.remark { (said) } }
 }
 
 /// Version, deck, dialect: what a reader must know to repeat the run.
-fn facts(results: &Results) -> String {
+fn facts(results: &Results) -> Markup {
     let summary = &results.summary;
     let text = |key: &str| summary.text(key).unwrap_or("-").to_owned();
     let seconds = summary.number("wall_seconds").map_or("-".to_owned(), |s| general(s, 3));
@@ -109,20 +116,17 @@ fn facts(results: &Results) -> String {
         ("friction onset", text("friction_onset")),
         ("wall time", format!("{seconds} s")),
     ];
-    let rows = facts
-        .iter()
-        .map(|(name, value)| format!("<dt>{}</dt><dd>{}</dd>", escaped(name), escaped(value)));
-    format!("<dl class=\"facts\">{}</dl>", rows.collect::<String>())
+    html! { dl.facts { @for (name, value) in facts { dt { (name) } dd { (value) } } } }
 }
 
 /// Which increments the shape can be drawn at, where it is not all of them.
-fn states(results: &Results) -> String {
+fn states(results: &Results) -> Markup {
     let (written, count) = (&results.frames.written, results.energies.times.len());
     if written.is_empty() {
         return note("The deck asked for no states, so there is no shape to draw.");
     }
     if written.len() > count {
-        return String::new();
+        return html! {};
     }
     let after: Vec<String> = written.iter().filter(|n| **n > 0).map(usize::to_string).collect();
     let list = match after.len() {
@@ -136,20 +140,19 @@ fn states(results: &Results) -> String {
     ))
 }
 
-fn table(heading: &[&str], rows: &[Vec<String>]) -> String {
-    let heads: String = heading.iter().map(|head| format!("<th>{head}</th>")).collect();
-    let rows = rows.iter().map(|row| {
-        let cells: String = row.iter().map(|cell| format!("<td>{}</td>", escaped(cell))).collect();
-        format!("<tr>{cells}</tr>")
-    });
-    format!(
-        "<div class=\"wide\"><table><thead><tr>{heads}</tr></thead><tbody>{}</tbody></table></div>",
-        rows.collect::<String>()
-    )
+fn table(heading: &[&str], rows: &[Vec<String>]) -> Markup {
+    html! {
+        div.wide {
+            table {
+                thead { tr { @for head in heading { th { (head) } } } }
+                tbody { @for row in rows { tr { @for cell in row { td { (cell) } } } } }
+            }
+        }
+    }
 }
 
 /// Friction that acted, and friction that the onset did not call.
-fn ledger(results: &Results) -> String {
+fn ledger(results: &Results) -> Markup {
     let energy = |name: &str| results.energies.last(name).unwrap_or(0.0);
     let dropped = results.summary.get("dropped_friction");
     let count = |friction: char| -> usize {
@@ -174,13 +177,13 @@ fn ledger(results: &Results) -> String {
         0 => "Friction was called at every closed point that has any.",
         _ => "Closed points went without friction (SL0601): the forces lack it.",
     };
-    format!("<p>{said}</p>{}", table(&["entry", "value"], &rows))
+    html! { p { (said) } (table(&["entry", "value"], &rows)) }
 }
 
 /// Noise of the driven reactions and of the contact pairs.
-fn noise(results: &Results) -> String {
+fn noise(results: &Results) -> Markup {
     let Some(noise) = results.summary.get("noise") else {
-        return "<p>The summary holds no measures of noise.</p>".to_owned();
+        return html! { p { "The summary holds no measures of noise." } };
     };
     let cell = |value: Option<f64>| value.map_or("-".to_owned(), |value| general(value, 3));
     let percent = |value: Option<f64>| cell(value.map(|value| 100.0 * value));
@@ -209,27 +212,26 @@ fn noise(results: &Results) -> String {
             ]
         })
         .collect();
-    let mut text = String::new();
-    if !reactions.is_empty() {
-        let heads = ["driven reaction", "roughness, % of peak", "reversals"];
-        text.push_str(&table(&heads, &reactions));
+    let of_reactions = ["driven reaction", "roughness, % of peak", "reversals"];
+    let of_pairs = [
+        "contact pair",
+        "contact changes per increment",
+        "deepest penetration",
+        "in c0",
+        "forces left over",
+        "moments left over",
+    ];
+    html! {
+        @if !reactions.is_empty() { (table(&of_reactions, &reactions)) }
+        @if !pairs.is_empty() { (table(&of_pairs, &pairs)) }
+        @if reactions.is_empty() && pairs.is_empty() {
+            p { "Nothing is driven and nothing touches." }
+        }
     }
-    if !pairs.is_empty() {
-        let heads = [
-            "contact pair",
-            "contact changes per increment",
-            "deepest penetration",
-            "in c0",
-            "forces left over",
-            "moments left over",
-        ];
-        text.push_str(&table(&heads, &pairs));
-    }
-    if text.is_empty() { "<p>Nothing is driven and nothing touches.</p>".to_owned() } else { text }
 }
 
 /// What was said before, during and after the run and may matter.
-fn warnings(results: &Results, options: &Options<'_>) -> String {
+fn warnings(results: &Results, options: &Options<'_>) -> Markup {
     let summary = &results.summary;
     let list = |key: &str, severity| summary.list(key).iter().map(move |said| (severity, said));
     let diagnosis = summary.get("diagnosis").map(|said| ("error", said));
@@ -238,73 +240,77 @@ fn warnings(results: &Results, options: &Options<'_>) -> String {
         .chain(list("warnings", "warning"))
         .chain(list("advice", "advice"))
         .collect();
-    if all.is_empty() {
-        return "<p>No warning before, during or after the run.</p>".to_owned();
-    }
     let mut told: Vec<&str> = Vec::new();
-    let mut text = String::new();
-    for (severity, said) in all {
-        let code = said.text("code").unwrap_or("?");
-        let message = escaped(said.text("message").unwrap_or_default());
-        text.push_str(&format!(
-            "<div class=\"said {severity}\"><p><strong>{severity} {}</strong>{}: {message}</p>",
-            escaped(code),
-            place(said)
-        ));
-        if let Some(help) = said.text("help") {
-            text.push_str(&format!("<p>What to do: {}</p>", escaped(help)));
+    let mut page_of = |code| {
+        let first = !told.contains(&code);
+        told.push(code);
+        (options.page)(code).filter(|_| first)
+    };
+    html! {
+        @if all.is_empty() { p { "No warning before, during or after the run." } }
+        @for (severity, said) in all {
+            @let code = said.text("code").unwrap_or("?");
+            div class=(format!("said {severity}")) {
+                p {
+                    strong { (severity) " " (code) }
+                    (place(said)) ": " (said.text("message").unwrap_or_default())
+                }
+                @if let Some(help) = said.text("help") { p { "What to do: " (help) } }
+                @if let Some(page) = page_of(code) {
+                    details { summary { "The page of " (code) } (PreEscaped(page)) }
+                }
+            }
         }
-        if let Some(page) = (options.page)(code).filter(|_| !told.contains(&code)) {
-            let page = html(page);
-            text.push_str(&format!(
-                "<details><summary>The page of {}</summary>{page}</details>",
-                escaped(code)
-            ));
-            told.push(code);
-        }
-        text.push_str("</div>");
     }
-    text
 }
 
-fn place(said: &Value) -> String {
-    match (said.text("file"), said.count("line")) {
-        (Some(file), Some(line)) => {
-            format!(" <span class=\"place\">{}:{line}</span>", escaped(file))
+fn place(said: &Value) -> Markup {
+    html! {
+        @if let (Some(file), Some(line)) = (said.text("file"), said.count("line")) {
+            " " span.place { (file) ":" (line) }
         }
-        _ => String::new(),
     }
 }
 
 /// Trivial things, one line each.
-fn notes(results: &Results) -> String {
+fn notes(results: &Results) -> Markup {
     let notes = results.summary.list("notes");
-    let line = |said: &Value| {
-        let code = escaped(said.text("code").unwrap_or("?"));
-        let message = escaped(said.text("message").unwrap_or_default());
-        format!("<li>{code}{}: {message}</li>", place(said))
-    };
-    match notes.len() {
-        0 => "<p>None.</p>".to_owned(),
-        _ => format!("<ul>{}</ul>", notes.iter().map(line).collect::<String>()),
+    html! {
+        @if notes.is_empty() { p { "None." } } @else {
+            ul {
+                @for said in notes {
+                    li {
+                        (said.text("code").unwrap_or("?")) (place(said)) ": "
+                        (said.text("message").unwrap_or_default())
+                    }
+                }
+            }
+        }
     }
 }
 
-fn settings(results: &Results) -> String {
+fn settings(results: &Results) -> Markup {
     let settings = results.summary.list("settings");
-    let rows: Vec<Vec<String>> = settings
-        .iter()
-        .map(|setting| {
-            let text = |key: &str| setting.text(key).unwrap_or_default().to_owned();
-            let origin = if setting.flag("default") { "default" } else { "deck or command line" };
-            vec![text("card"), text("name"), text("value"), origin.to_owned()]
-        })
-        .collect();
-    if rows.is_empty() {
-        return "<p>The summary lists no settings.</p>".to_owned();
+    html! {
+        @if settings.is_empty() { p { "The summary lists no settings." } } @else {
+            div.wide {
+                table {
+                    thead { tr { th { "card" } th { "setting" } th { "value that ruled" } th { "it is the" } } }
+                    tbody {
+                        @for own in settings {
+                            tr {
+                                @for key in ["card", "name", "value"] {
+                                    td { (own.text(key).unwrap_or_default()) }
+                                }
+                                @if own.flag("default") { td.default { "default" } }
+                                @else { td { "deck or command line" } }
+                            }
+                        }
+                    }
+                }
+            }
+        }
     }
-    table(&["card", "setting", "value that ruled", "it is the"], &rows)
-        .replace("<td>default</td>", "<td class=\"default\">default</td>")
 }
 
 #[cfg(test)]
@@ -315,7 +321,7 @@ mod tests {
     /// a place of the template is only a name.
     #[test]
     fn what_is_filled_in_is_not_filled_again() {
-        let places = [("{{a}}", "{{b}}".to_owned()), ("{{b}}", "x".to_owned())];
+        let places = [("{{a}}", html! { "{{b}}" }), ("{{b}}", html! { "x" })];
         assert_eq!(filled("<{{a}}{{b}}{{c}}>", &places), "<{{b}}x{{c}}>");
     }
 }

@@ -5,7 +5,7 @@ use crate::json::Members as _;
 use crate::number::general;
 use crate::reading::summary::Driven;
 use crate::verdict::{Judged, is_locked, judge};
-use slideline_figures::escaped;
+use maud::{Markup, html};
 use slideline_measures::{Stroke, Taken, WayOut};
 
 /// Judges the results that were read back.
@@ -178,7 +178,7 @@ fn largest_strain(results: &Results) -> Option<(f64, usize, f64)> {
 }
 
 /// The verdict as it stands at the top of the page: colour, reasons, numbers.
-pub(crate) fn banner(results: &Results, judged: &Judged) -> String {
+pub(crate) fn banner(results: &Results, judged: &Judged) -> Markup {
     let verdict = &judged.verdict;
     let word = verdict.colour.word();
     let headline = match verdict.colour {
@@ -188,28 +188,28 @@ pub(crate) fn banner(results: &Results, judged: &Judged) -> String {
         }
         slideline_measures::Colour::Red => "Red: do not use the numbers",
     };
-    let reasons: String = verdict
-        .reasons
-        .iter()
-        .map(|(colour, reason)| {
-            format!("<li class=\"{}\">{}</li>", colour.word(), escaped(&capital(reason)))
-        })
-        .collect();
-    let list = if reasons.is_empty() { reasons } else { format!("<ul>{reasons}</ul>") };
     let words = sentences(results, judged);
-    let rest: Vec<String> = words.iter().skip(2).map(|said| escaped(said)).collect();
-    format!(
-        "<div id=\"verdict\" class=\"verdict {word}\"><p class=\"colour\"><span class=\"lamp\" \
-         aria-hidden=\"true\"></span><strong>{headline}</strong></p>{list}\
-         <p>{}.</p></div>\n{}<p class=\"words\">{}.</p>\n",
-        words.first().map_or_else(String::new, |said| escaped(said)),
-        tiles(results, judged),
-        rest.join(". ")
-    )
+    let first = words.first().map_or("", String::as_str);
+    let rest: Vec<&str> = words.iter().skip(2).map(String::as_str).collect();
+    html! {
+        div id="verdict" class=(format!("verdict {word}")) {
+            p.colour { span.lamp aria-hidden="true" {} strong { (headline) } }
+            @if !verdict.reasons.is_empty() {
+                ul {
+                    @for (colour, reason) in &verdict.reasons {
+                        li class=(colour.word()) { (capital(reason)) }
+                    }
+                }
+            }
+            p { (first) "." }
+        }
+        (tiles(results, judged))
+        p.words { (rest.join(". ")) "." }
+    }
 }
 
 /// Big numbers: forces in and out, their ratio, normal force, work, strain.
-fn tiles(results: &Results, judged: &Judged) -> String {
+fn tiles(results: &Results, judged: &Judged) -> Markup {
     let mut list: Vec<[String; 3]> = Vec::new();
     if let Some((driven, stroke)) = judged.strokes.first() {
         let kind = kind(driven);
@@ -220,21 +220,13 @@ fn tiles(results: &Results, judged: &Judged) -> String {
         let (value, note) = taken(stroke.push, "the driver holds it back");
         list.push([format!("push-in {kind}"), value, note]);
         if stroke.way_out == WayOut::None {
-            list.push([
-                format!("pull-out {kind}"),
-                "-".to_owned(),
-                "the deck has no way out".to_owned(),
-            ]);
+            list.push([format!("pull-out {kind}"), "-".into(), "the deck has no way out".into()]);
         } else {
             let (value, note) = taken(stroke.pull, "it comes out by itself");
             list.push([format!("pull-out {kind}"), value, note]);
         }
         if let Some(ratio) = stroke.ratio() {
-            list.push([
-                "out / in".to_owned(),
-                general(ratio, 3),
-                "pull-out over push-in".to_owned(),
-            ]);
+            list.push(["out / in".into(), general(ratio, 3), "pull-out over push-in".into()]);
         }
         let out = match stroke.way_out {
             WayOut::None => String::new(),
@@ -259,14 +251,14 @@ fn tiles(results: &Results, judged: &Judged) -> String {
         };
         list.push(["largest strain".to_owned(), format!("{} %", general(100.0 * value, 3)), note]);
     }
-    let tile = |[name, value, note]: &[String; 3]| {
-        let class = if note.ends_with("FAIL") { " class=\"fail\"" } else { "" };
-        format!(
-            "<div{class}><dt>{}</dt><dd><b>{}</b><small>{}</small></dd></div>",
-            escaped(name),
-            escaped(value),
-            escaped(note)
-        )
-    };
-    format!("<dl class=\"tiles\">{}</dl>\n", list.iter().map(tile).collect::<String>())
+    html! {
+        dl.tiles {
+            @for [name, value, note] in &list {
+                div class=[note.ends_with("FAIL").then_some("fail")] {
+                    dt { (name) }
+                    dd { b { (value) } small { (note) } }
+                }
+            }
+        }
+    }
 }

@@ -129,7 +129,7 @@ fn is_whole(file: &File, length: u64) -> io::Result<()> {
     let found = file.metadata()?;
     #[cfg(unix)]
     if std::os::unix::fs::MetadataExt::nlink(&found) == 0 {
-        let message = "somebody removed the file while the job was running";
+        let message = "No such file any more: somebody removed it while the job was running";
         return Err(io::Error::new(io::ErrorKind::NotFound, message));
     }
     if found.len() < length {

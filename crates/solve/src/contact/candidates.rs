@@ -11,7 +11,7 @@
 //! touches beyond them makes it anew; what touches decides, so that candidates
 //! change no result.
 
-use super::facade::Facade;
+use super::master::MasterSurface;
 use super::positions::MasterPositions;
 use super::{Carrier, Contact};
 use crate::linearised::LinearPoint;
@@ -41,8 +41,8 @@ impl Contact {
     /// Whether a pair has so many couplings that only those near are taken in.
     pub fn is_selective(&self, pair: usize) -> bool {
         let points = self.slave_nodes[pair].len();
-        match &self.facades[pair] {
-            Facade::Line { nodes, .. } => points * nodes.len() > MANY,
+        match &self.masters[pair] {
+            MasterSurface::Line { nodes, .. } => points * nodes.len() > MANY,
             _ => false,
         }
     }
@@ -50,7 +50,7 @@ impl Contact {
     /// Candidates of all points that have not all nodes of their master, near in
     /// one of the `states`.
     pub(super) fn candidates(&self, states: &[&[f64]]) -> Vec<Candidates> {
-        if (0..self.facades.len()).all(|pair| !self.is_selective(pair)) {
+        if (0..self.masters.len()).all(|pair| !self.is_selective(pair)) {
             return Vec::new();
         }
         let mut all: Vec<Candidates> =
@@ -73,9 +73,11 @@ impl Contact {
     /// Nodes about the part that a point faces, where it is near.
     fn near(&self, place: usize, u: &[f64], positions: &MasterPositions) -> Option<Range<usize>> {
         let point = &self.points[place];
-        let Facade::Line { chain, nodes, offset } = &self.facades[point.pair] else { return None };
-        let Carrier::Node { position, slots } = &point.carrier else { return None };
-        let at = super::moved(position, slots, u);
+        let MasterSurface::Line { chain, nodes, offset } = &self.masters[point.pair] else {
+            return None;
+        };
+        let Carrier::Node { position, dofs } = &point.carrier else { return None };
+        let at = super::moved(position, dofs, u);
         let own = &positions.nodes[*offset..offset + nodes.len()];
         let piece = chain.closest(own, positions.tree(point.pair), at)?;
         let apart = |node: [f64; 2]| (at[0] - node[0]).hypot(at[1] - node[1]);

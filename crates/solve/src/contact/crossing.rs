@@ -14,8 +14,8 @@
 //! slave point relative to its master, and the ways of the master's corners and
 //! noses through the lines between slave nodes. docs/theory.md section 5.8. (derived)
 
-use super::facade::Facade;
-use super::meeting::Meeting;
+use super::kinematics::ContactKinematics;
+use super::master::MasterSurface;
 use super::positions::MasterPositions;
 use super::{Carrier, Contact, moved};
 use crate::constraints::Constraints;
@@ -44,7 +44,7 @@ pub struct Sweep<'a> {
     pub constraints: &'a Constraints,
     /// Dofs that are rotations.
     pub rotations: &'a [usize],
-    /// Displacements at its beginning, a slot each.
+    /// Displacements at its beginning, a dof each.
     pub from: &'a [f64],
     /// At its end.
     pub to: &'a [f64],
@@ -115,7 +115,7 @@ impl Contact {
         // what slid round a body without leaving it
         for (place, (before, now)) in sweep.before.iter().zip(sweep.now).enumerate() {
             let turned = dot(before.normal, now.normal) < 0.0;
-            if before.closed && now.closed && turned && !self.points[place].is_station() {
+            if before.closed && now.closed && turned && !self.points[place].is_integration_point() {
                 consider(place, &[]);
             }
         }
@@ -140,7 +140,7 @@ impl Contact {
             }
             let [from, to] = &mut scratch.chains;
             self.fit_ways(from, to);
-            for pair in 0..self.facades.len() {
+            for pair in 0..self.masters.len() {
                 self.cross_pair(pair, (part, parts), scratch);
             }
         }
@@ -150,11 +150,11 @@ impl Contact {
     /// Adds the crossings of the slave points of a pair in a part of the way.
     fn cross_pair(&self, pair: usize, (part, parts): (usize, usize), scratch: &mut SweepScratch) {
         let SweepScratch { parts: u, chains, events, near } = scratch;
-        let room = self.facades[pair].swept(u, chains);
+        let room = self.masters[pair].swept(u, chains);
         let share = |fraction: f64| (part as f64 + fraction) / parts as f64;
         for (place, point) in self.points.iter().enumerate().filter(|(_, p)| p.pair == pair) {
-            if let Carrier::Station { strip } = point.carrier
-                && apart(&self.strips[strip].hull(u), &room)
+            if let Carrier::IntegrationPoint { segment } = point.carrier
+                && apart(&self.segments[segment].hull(u), &room)
             {
                 continue;
             }
@@ -163,11 +163,11 @@ impl Contact {
             if apart(&way, &room) {
                 continue;
             }
-            match &self.facades[pair] {
-                Facade::Nothing => {}
-                Facade::Body { slots, reference, surface } => {
+            match &self.masters[pair] {
+                MasterSurface::Nothing => {}
+                MasterSurface::Body { dofs, reference, surface } => {
                     let local = [0, 1].map(|end| {
-                        let dofs = slots.map(|slot| u[end][slot]);
+                        let dofs = dofs.map(|dof| u[end][dof]);
                         Body { reference: *reference, dofs }.to_body(way[end])
                     });
                     surface.crossings((local[0], local[1]), |crossing, along| {
@@ -178,7 +178,7 @@ impl Contact {
                         events.push((place, event));
                     });
                 }
-                Facade::Line { chain, nodes, offset } => {
+                MasterSurface::Line { chain, nodes, offset } => {
                     let range = *offset..offset + nodes.len();
                     let positions = (&chains[0].nodes[range.clone()], &chains[1].nodes[range]);
                     near.clear();
@@ -207,12 +207,12 @@ impl Contact {
         }
     }
 
-    /// Where a station stands on its element while its cell is closed.
+    /// Where a integration_point stands on its element while its cell is closed.
     fn resting_place(&self, place: usize) -> f64 {
         match self.points[place].carrier {
             Carrier::Node { .. } => 0.0,
-            Carrier::Station { strip } => {
-                super::Strip::resting_place(place - self.strips[strip].first)
+            Carrier::IntegrationPoint { segment } => {
+                super::SlaveSegment::resting_place(place - self.segments[segment].first)
             }
         }
     }
@@ -241,7 +241,7 @@ impl Contact {
             }
         }
         let from = entered?;
-        let is_line = matches!(self.facades[self.points[place].pair], Facade::Line { .. });
+        let is_line = matches!(self.masters[self.points[place].pair], MasterSurface::Line { .. });
         if is_line && sweep.now[place].along.is_some() {
             return None; // it faces the line, whose corners are smoothed, on the side it stands
         }
@@ -269,18 +269,23 @@ impl Contact {
                 let inward = state.closed || state.opening < 0.0;
                 (state.along?, state.normal, state.position, inward)
             }
-            Carrier::Station { .. } => {
-                let meeting = self.stand(place, u, chains);
-                if !meeting.faces {
+            Carrier::IntegrationPoint { .. } => {
+                let kinematics = self.stand(place, u, chains);
+                if !kinematics.faces {
                     return None;
                 }
-                (meeting.along, meeting.normal, meeting.position, meeting.overclosure > 0.0)
+                (
+                    kinematics.along,
+                    kinematics.normal,
+                    kinematics.position,
+                    kinematics.overclosure > 0.0,
+                )
             }
         };
-        let Facade::Body { slots, reference, .. } = &self.facades[point.pair] else {
+        let MasterSurface::Body { dofs, reference, .. } = &self.masters[point.pair] else {
             return Some(Event { fraction, along, normal, at: position, inward });
         };
-        let body = Body { reference: *reference, dofs: slots.map(|slot| u[slot]) };
+        let body = Body { reference: *reference, dofs: dofs.map(|dof| u[dof]) };
         let (sin, cos) = body.dofs[2].sin_cos();
         let normal = [cos * normal[0] + sin * normal[1], cos * normal[1] - sin * normal[0]];
         Some(Event { fraction, along, normal, at: body.to_body(position), inward })
@@ -291,15 +296,15 @@ impl Contact {
     /// cut no more than that end.
     fn sinks(&self, place: usize, from: &Event, sweep: &Sweep<'_>) -> bool {
         let point = &self.points[place];
-        let Facade::Body { slots, reference, surface } = &self.facades[point.pair] else {
+        let MasterSurface::Body { dofs, reference, surface } = &self.masters[point.pair] else {
             return false;
         };
         let allowed = CUT * self.spacing[point.pair];
         let to_end = from.along.min(surface.length() - from.along);
-        if point.is_station() || (surface.period().is_none() && to_end <= allowed) {
+        if point.is_integration_point() || (surface.period().is_none() && to_end <= allowed) {
             return false;
         }
-        let body = Body { reference: *reference, dofs: slots.map(|slot| sweep.to[slot]) };
+        let body = Body { reference: *reference, dofs: dofs.map(|dof| sweep.to[dof]) };
         let end = body.to_body(sweep.now[place].position);
         let depth = (1..SAMPLES).filter_map(|k| {
             let t = k as f64 / SAMPLES as f64;
@@ -313,7 +318,7 @@ impl Contact {
     /// more than a corner.
     fn is_through(&self, place: usize, from: &Event, to: &Event) -> bool {
         let pair = self.points[place].pair;
-        let Facade::Body { surface, .. } = &self.facades[pair] else { return false };
+        let MasterSurface::Body { surface, .. } = &self.masters[pair] else { return false };
         if dot(from.normal, to.normal) >= 0.0 {
             return false;
         }
@@ -356,17 +361,17 @@ impl Contact {
     /// How deep two rigid masters stand in one another [L]; zero where they do
     /// not, or are not rigid.
     pub fn overlap(&self, pairs: [usize; 2], u: &[f64]) -> f64 {
-        let [first, second] = pairs.map(|pair| &self.facades[pair]);
-        let within = |of: &Facade, other: &Facade| {
+        let [first, second] = pairs.map(|pair| &self.masters[pair]);
+        let within = |of: &MasterSurface, other: &MasterSurface| {
             let (
-                Facade::Body { slots, reference, surface },
-                Facade::Body { slots: s, reference: r, surface: own },
+                MasterSurface::Body { dofs, reference, surface },
+                MasterSurface::Body { dofs: s, reference: r, surface: own },
             ) = (of, other)
             else {
                 return 0.0;
             };
-            let body = Body { reference: *reference, dofs: slots.map(|slot| u[slot]) };
-            let other = Body { reference: *r, dofs: s.map(|slot| u[slot]) };
+            let body = Body { reference: *reference, dofs: dofs.map(|dof| u[dof]) };
+            let other = Body { reference: *r, dofs: s.map(|dof| u[dof]) };
             let ((a, reach), (b, other_reach)) = (surface.bounds(), own.bounds());
             let ([ax, ay], [bx, by]) = (body.to_space(a), other.to_space(b));
             if (bx - ax).hypot(by - ay) > reach + other_reach {
@@ -393,15 +398,15 @@ impl Contact {
         &self,
         (from, before): (&[f64], &[PointState]),
         u: &[f64],
-        meetings: &mut [Meeting],
+        kinematics: &mut [ContactKinematics],
     ) {
         for (place, point) in self.points.iter().enumerate() {
-            let (before, meeting) = (&before[place], &mut meetings[place]);
-            let aside = before.along.is_none() && !before.closed && !point.is_station();
-            if aside && meeting.faces && meeting.overclosure > 0.0 {
+            let (before, kinematics) = (&before[place], &mut kinematics[place]);
+            let aside = before.along.is_none() && !before.closed && !point.is_integration_point();
+            if aside && kinematics.faces && kinematics.overclosure > 0.0 {
                 let start = self.slave(point, 0.0, from).position;
-                if !self.enters(point.pair, (start, meeting.position), (from, u)) {
-                    meeting.turn_away_in_place();
+                if !self.enters(point.pair, (start, kinematics.position), (from, u)) {
+                    kinematics.turn_away_in_place();
                 }
             }
         }
@@ -415,19 +420,18 @@ impl Contact {
         (from, to): (&[f64], &[f64]),
     ) -> bool {
         let mut inward = false;
-        match &self.facades[pair] {
-            Facade::Nothing => {}
-            Facade::Body { slots, reference, surface } => {
+        match &self.masters[pair] {
+            MasterSurface::Nothing => {}
+            MasterSurface::Body { dofs, reference, surface } => {
                 let local = |at: [f64; 2], u: &[f64]| {
-                    Body { reference: *reference, dofs: slots.map(|slot| u[slot]) }.to_body(at)
+                    Body { reference: *reference, dofs: dofs.map(|dof| u[dof]) }.to_body(at)
                 };
                 let way = (local(start, from), local(end, to));
                 surface.crossings(way, |crossing, _| inward |= crossing.inward);
             }
-            Facade::Line { chain, nodes, .. } => {
+            MasterSurface::Line { chain, nodes, .. } => {
                 let positions = |u: &[f64]| {
-                    let nodes: Vec<_> =
-                        nodes.iter().map(|(at, slots)| moved(at, slots, u)).collect();
+                    let nodes: Vec<_> = nodes.iter().map(|(at, dofs)| moved(at, dofs, u)).collect();
                     chain.prolonged(nodes)
                 };
                 let (before, after) = (positions(from), positions(to));
@@ -441,12 +445,12 @@ impl Contact {
     /// nodes deeper than their distance lets it.
     pub fn passed_between(&self, sweep: &Sweep<'_>) -> Option<Missed> {
         let mut first: Option<Missed> = None;
-        for (pair, facade) in self.facades.iter().enumerate() {
-            let Facade::Body { slots, reference, surface } = facade else { continue };
+        for (pair, master) in self.masters.iter().enumerate() {
+            let MasterSurface::Body { dofs, reference, surface } = master else { continue };
             if self.edges[pair].is_empty() {
                 continue;
             }
-            let body = |u: &[f64]| Body { reference: *reference, dofs: slots.map(|slot| u[slot]) };
+            let body = |u: &[f64]| Body { reference: *reference, dofs: dofs.map(|dof| u[dof]) };
             let bodies = (body(sweep.from), body(sweep.to));
             for &points in &self.edges[pair] {
                 // a soft law lets the points themselves sink in

@@ -1,29 +1,28 @@
-//! Points that no motion so far can have brought into contact.
+//! Points that no motion so far will have brought into contact.
 //!
 //! ```text
-//!      x  opening when it was last looked at
-//!      |  > way of the point + way of its master since: it is open still
-//!   ---------  master
+//!      x - - > x   opening, as its derivatives carry it along the way since it was
+//!      |       |   last looked at: far more than what may turn meanwhile
+//!   -------------  master
 //! ```
 //!
 //! An iteration leaves them alone. Before a state is taken as converged they are
 //! looked at again; one that touches after all, as where a part comes to face it
 //! that did not before, sends the iteration on.
 
-use super::facade::Facade;
-use super::meeting::Meeting;
-use super::{Carrier, Contact};
+use super::kinematics::ContactKinematics;
+use super::master::MasterSurface;
+use super::{Carrier, Contact, moved};
+use slideline_mech::contact::pair::Body;
 
-/// Room for rounding and for the turning of what is near, as a part of the ways [1].
-const ROOM: f64 = 0.1;
+/// Room for the turning of what a point faces along its way, as a part of that [1].
+const ROOM: f64 = 1.0;
 
 /// What was seen when all points were last looked at.
 #[derive(Clone, Debug, Default)]
 pub struct Look {
     /// Displacements then; empty: never.
     at: Vec<f64>,
-    /// Largest way of each pair's master since [L].
-    ways: Vec<f64>,
     /// Whether each point is left alone.
     pub idle: Vec<bool>,
 }
@@ -33,6 +32,11 @@ impl Look {
     pub fn forget(&mut self) {
         self.at.clear();
         self.idle.fill(false);
+    }
+
+    /// Whether all points were last looked at at displacements `u`.
+    pub fn is_at(&self, u: &[f64]) -> bool {
+        self.at == u
     }
 
     /// Notes that all points were looked at, at displacements `u`.
@@ -47,7 +51,7 @@ impl Contact {
     /// carry no pressure by the estimates.
     pub fn find_idle(
         &self,
-        meetings: &[Meeting],
+        kinematics: &[ContactKinematics],
         (u, pressures): (&[f64], &[f64]),
         look: &mut Look,
     ) {
@@ -56,55 +60,58 @@ impl Contact {
             look.idle.fill(false);
             return;
         }
-        self.ways(u, look);
         for place in 0..self.points.len() {
             look.idle[place] =
-                pressures[place] == 0.0 && self.stays_open(place, &meetings[place], u, look);
+                pressures[place] == 0.0 && self.stays_open(place, &kinematics[place], u, look);
         }
     }
 
     /// Whether the way to `u` would leave all idle points open.
-    pub fn stay_idle(&self, meetings: &[Meeting], u: &[f64], look: &mut Look) -> bool {
+    pub fn stay_idle(&self, kinematics: &[ContactKinematics], u: &[f64], look: &Look) -> bool {
         if !look.idle.contains(&true) {
             return true;
         }
-        self.ways(u, look);
         let idle = |place: &usize| look.idle[*place];
         (0..self.points.len())
             .filter(idle)
-            .all(|place| self.stays_open(place, &meetings[place], u, look))
+            .all(|place| self.stays_open(place, &kinematics[place], u, look))
     }
 
-    fn stays_open(&self, place: usize, meeting: &Meeting, u: &[f64], look: &Look) -> bool {
+    fn stays_open(
+        &self,
+        place: usize,
+        kinematics: &ContactKinematics,
+        u: &[f64],
+        look: &Look,
+    ) -> bool {
         let point = &self.points[place];
-        let Carrier::Node { slots, .. } = &point.carrier else { return false };
-        let way = slots.map(|slot| u[slot] - look.at[slot]);
-        let way = way[0].hypot(way[1]) + look.ways[point.pair];
-        let begins = self.laws[point.pair].normal.contact_begins();
-        meeting.faces && begins - meeting.overclosure > (1.0 + ROOM) * way
-    }
-
-    /// Largest way of each master from the last look to `u`.
-    fn ways(&self, u: &[f64], look: &mut Look) {
-        look.ways.clear();
-        for facade in &self.facades {
-            let moved = |slot: usize| u[slot] - look.at[slot];
-            look.ways.push(match facade {
-                Facade::Nothing => 0.0,
-                Facade::Body { slots, reference, surface } => {
-                    let (centre, radius) = surface.bounds();
-                    let arm = (centre[0] - reference[0]).hypot(centre[1] - reference[1]);
-                    let turn = moved(slots[2]).abs() * (arm + radius);
-                    moved(slots[0]).hypot(moved(slots[1])) + turn
-                }
-                Facade::Line { chain, nodes, .. } => {
-                    let ways = nodes
-                        .iter()
-                        .map(|(_, slots)| moved(slots[0]).powi(2) + moved(slots[1]).powi(2));
-                    let largest = ways.fold(0.0_f64, |a, b| if b > a { b } else { a });
-                    (1.0 + 2.0 * chain.extension) * largest.sqrt()
-                }
-            });
+        let Carrier::Node { position, dofs } = &point.carrier else { return false };
+        if !kinematics.faces {
+            return false;
         }
+        let way = match &self.masters[point.pair] {
+            MasterSurface::Nothing => return false,
+            MasterSurface::Body { dofs: body, reference, .. } => {
+                let seen = |u: &[f64]| {
+                    let body = Body { reference: *reference, dofs: body.map(|dof| u[dof]) };
+                    body.to_body(moved(position, dofs, u))
+                };
+                distance(seen(u), seen(&look.at))
+            }
+            MasterSurface::Line { .. } => {
+                let moved = |own: &[usize]| [0, 1].map(|k| u[own[k]] - look.at[own[k]]);
+                let way = moved(dofs);
+                let facing = kinematics.dofs[2..kinematics.width].as_chunks::<2>().0;
+                facing.iter().map(|own| distance(way, moved(own))).fold(0.0, f64::max)
+            }
+        };
+        let own = kinematics.dofs[..kinematics.width].iter().zip(&kinematics.gradient);
+        let closing: f64 = own.map(|(&dof, g)| g * (u[dof] - look.at[dof])).sum();
+        let begins = self.laws[point.pair].normal.contact_begins();
+        begins - (kinematics.overclosure + closing) > ROOM * way
     }
+}
+
+fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
 }

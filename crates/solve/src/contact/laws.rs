@@ -1,7 +1,7 @@
 //! The laws of a pair, with the lengths of its mesh filled in.
 
-use super::facade::Facade;
 use super::local_elements;
+use super::master::MasterSurface;
 use crate::users::UserFrictions;
 use slideline_mech::contact::friction::{Decay, FrictionLaw, Stick};
 use slideline_mech::contact::normal::NormalLaw;
@@ -10,7 +10,7 @@ use slideline_mech::contact::points::average_length;
 use slideline_model::{ContactPair, ElementBlock, Formulation, Friction, Model, StickRule};
 
 /// State values a point of the pair keeps for a user friction law.
-pub fn memory_size(pair: &ContactPair) -> usize {
+pub fn state_size(pair: &ContactPair) -> usize {
     match &pair.interaction.friction {
         Friction::User { state_size, .. } => *state_size,
         _ => 0,
@@ -29,7 +29,7 @@ pub fn laws(model: &Model, pair: &ContactPair, users: &UserFrictions) -> Laws {
             limit: *limit,
             decay: decay.map(|decay| Decay { kinetic: decay.kinetic, rate: decay.rate }),
             stick: match stick {
-                // Exact stick at every station would fix more than the nodes can follow.
+                // Exact stick at every integration_point would fix more than the nodes can follow.
                 StickRule::Lagrange if integrated => elastic(0.005),
                 StickRule::Lagrange => Stick::Lagrange,
                 StickRule::ElasticSlip(slip) => Stick::Elastic { slip: *slip },
@@ -75,7 +75,7 @@ fn stiffest_face(model: &Model, pair: &ContactPair) -> f64 {
 
 /// Distance of neighbouring slave points [L]: the mean length of the contact
 /// elements, or else of the beams, or else a tenth of a rigid master.
-pub(super) fn spacing(model: &Model, pair: &ContactPair, facade: &Facade) -> f64 {
+pub(super) fn spacing(model: &Model, pair: &ContactPair, master: &MasterSurface) -> f64 {
     let own = average(model, pair);
     if own > 0.0 {
         return own;
@@ -86,9 +86,9 @@ pub(super) fn spacing(model: &Model, pair: &ContactPair, facade: &Facade) -> f64
         (b[0] - a[0]).hypot(b[1] - a[1])
     });
     let (sum, count) = lengths.fold((0.0, 0.0), |(sum, count), l| (sum + l, count + 1.0));
-    match facade {
+    match master {
         _ if count > 0.0 => sum / count,
-        Facade::Body { surface, .. } => 0.2 * surface.bounds().1,
+        MasterSurface::Body { surface, .. } => 0.2 * surface.bounds().1,
         _ => 0.0,
     }
 }

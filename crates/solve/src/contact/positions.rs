@@ -5,7 +5,7 @@
 //!         trees of the long ones, fitted: a search looks at what is near
 //! ```
 
-use super::facade::Facade;
+use super::master::MasterSurface;
 use super::{Contact, moved};
 use slideline_mech::contact::search::tree::BoxTree;
 
@@ -31,8 +31,10 @@ impl MasterPositions {
 impl Contact {
     /// Fits the trees of `into` to the ways from its own positions to others.
     pub(super) fn fit_ways(&self, into: &mut MasterPositions, to: &MasterPositions) {
-        for (facade, tree) in self.facades.iter().zip(&mut into.trees) {
-            let (Facade::Line { chain, offset, .. }, Some(tree)) = (facade, tree) else { continue };
+        for (master, tree) in self.masters.iter().zip(&mut into.trees) {
+            let (MasterSurface::Line { chain, offset, .. }, Some(tree)) = (master, tree) else {
+                continue;
+            };
             let ends = [&into.nodes[*offset..], &to.nodes[*offset..]];
             tree.fit(|part| {
                 let [a, b] = ends.map(|own| chain.bounds(own, part));
@@ -45,10 +47,10 @@ impl Contact {
     /// Positions of all chains at displacements `u`, written.
     pub fn place_chains(&self, u: &[f64], into: &mut MasterPositions) {
         into.nodes.clear();
-        into.trees.resize(self.facades.len(), None);
-        for (facade, tree) in self.facades.iter().zip(&mut into.trees) {
-            let Facade::Line { chain, nodes, offset } = facade else { continue };
-            into.nodes.extend(nodes.iter().map(|(at, slots)| moved(at, slots, u)));
+        into.trees.resize(self.masters.len(), None);
+        for (master, tree) in self.masters.iter().zip(&mut into.trees) {
+            let MasterSurface::Line { chain, nodes, offset } = master else { continue };
+            into.nodes.extend(nodes.iter().map(|(at, dofs)| moved(at, dofs, u)));
             if chain.segments() < LONG {
                 continue;
             }

@@ -1,25 +1,25 @@
-//! The shear angles of the beams about a strip, by slots.
+//! The shear angles of the beams about a segment, by dofs.
 
-use super::slots_of;
+use super::rigid_dofs;
 use crate::dofs::DofMap;
 use crate::linearised::MOST_DOFS;
 use slideline_mech::contact::points::slopes::{MOST_SLOPE_DOFS, ShearSlopes, ShearedBeam};
 use slideline_model::{Element, Kinematics, Model, NodeIndex};
 use std::collections::HashMap;
 
-/// Places of the ends' turns among the slots of a strip.
+/// Places of the ends' turns among the dofs of a segment.
 pub const TURNS: [usize; 2] = [2, 5];
-/// Slots of a strip and of the rigid body that it faces, before those that
+/// Dofs of a segment and of the rigid body that it faces, before those that
 /// shear alone follows.
 const DIRECT: usize = 9;
 
-/// What turns the tangents of a strip beyond its nodes.
+/// What turns the tangents of a segment beyond its nodes.
 #[derive(Clone, Debug)]
 pub struct Shear {
-    /// The turning, by local numbers: 0 to 5 the strip's slots, from 9 on the
+    /// The turning, by local numbers: 0 to 5 the segment's dofs, from 9 on the
     /// further ones.
     slopes: ShearSlopes,
-    /// Slots beyond those of the strip and of the body that it faces.
+    /// Dofs beyond those of the segment and of the body that it faces.
     pub further: Vec<usize>,
 }
 
@@ -63,46 +63,46 @@ impl Shear {
         Some(Self { slopes: ShearSlopes { beams }, further: places.further })
     }
 
-    fn dofs(&self, slots: &[usize], u: &[f64]) -> [f64; MOST_SLOPE_DOFS] {
-        let mut dofs = [0.0; MOST_SLOPE_DOFS];
-        for (dof, &slot) in dofs.iter_mut().zip(&slots[..6]) {
-            *dof = u[slot];
+    fn values(&self, dofs: &[usize], u: &[f64]) -> [f64; MOST_SLOPE_DOFS] {
+        let mut values = [0.0; MOST_SLOPE_DOFS];
+        for (value, &dof) in values.iter_mut().zip(&dofs[..6]) {
+            *value = u[dof];
         }
-        for (dof, &slot) in dofs[DIRECT..].iter_mut().zip(&self.further) {
-            *dof = u[slot];
+        for (value, &dof) in values[DIRECT..].iter_mut().zip(&self.further) {
+            *value = u[dof];
         }
-        dofs
+        values
     }
 
-    /// Turns of both ends beyond their rotations [rad]; `slots` begin with the
-    /// strip's.
-    pub fn turns(&self, slots: &[usize], u: &[f64]) -> [f64; 2] {
-        let dofs = self.dofs(slots, u);
-        [0, 1].map(|end| self.slopes.turn(end, &dofs))
+    /// Turns of both ends beyond their rotations [rad]; `dofs` begin with the
+    /// segment's.
+    pub fn turns(&self, dofs: &[usize], u: &[f64]) -> [f64; 2] {
+        let values = self.values(dofs, u);
+        [0, 1].map(|end| self.slopes.turn(end, &values))
     }
 
-    /// Their derivatives by all slots.
-    pub fn gradients(&self, slots: &[usize], u: &[f64]) -> [[f64; MOST_SLOPE_DOFS]; 2] {
-        let dofs = self.dofs(slots, u);
-        [0, 1].map(|end| self.slopes.gradient(end, &dofs))
+    /// Their derivatives by all dofs.
+    pub fn gradients(&self, dofs: &[usize], u: &[f64]) -> [[f64; MOST_SLOPE_DOFS]; 2] {
+        let values = self.values(dofs, u);
+        [0, 1].map(|end| self.slopes.gradient(end, &values))
     }
 
-    /// Tangent by all slots from force and tangent by the direct ones, the
+    /// Tangent by all dofs from force and tangent by the direct ones, the
     /// ends' turns among them.
     pub fn push_tangent(
         &self,
-        (slots, u): (&[usize], &[f64]),
+        (dofs, u): (&[usize], &[f64]),
         force: &[f64; MOST_DOFS],
         (direct, n): (&[f64], usize),
         tangent: &mut [f64],
     ) {
-        let (m, dofs) = (slots.len(), self.dofs(slots, u));
+        let (m, values) = (dofs.len(), self.values(dofs, u));
         for (row, from) in tangent.chunks_exact_mut(m).zip(direct.chunks_exact(n).take(n)) {
             row[..n].copy_from_slice(from);
         }
-        let gradients = self.gradients(slots, u);
+        let gradients = self.gradients(dofs, u);
         for (&turn, gradient) in TURNS.iter().zip(&gradients) {
-            // By one turn and one slot, and back.
+            // By one turn and one dof, and back.
             for j in 0..n {
                 let (across, along) = (direct[j * n + turn], direct[turn * n + j]);
                 for (k, g) in gradient[..m].iter().enumerate() {
@@ -120,12 +120,12 @@ impl Shear {
             }
         }
         for (end, turn) in TURNS.into_iter().enumerate() {
-            self.slopes.add_hessian(end, &dofs, force[turn], (&mut *tangent, m));
+            self.slopes.add_hessian(end, &values, force[turn], (&mut *tangent, m));
         }
     }
 }
 
-/// Local numbers of the dofs about a strip.
+/// Local numbers of the dofs about a segment.
 struct Places<'a> {
     dofs: &'a DofMap,
     nodes: [NodeIndex; 2],
@@ -139,7 +139,7 @@ impl Places<'_> {
         let rotations = match *beam.nodes {
             // Simpson's rule, as exact as the element's own two points.
             [_, middle, _] => {
-                let middle = self.further(slots_of(self.dofs, middle)[2]);
+                let middle = self.further(rigid_dofs(self.dofs, middle)[2]);
                 [(ends[0] + 2, 1.0 / 6.0), (middle, 4.0 / 6.0), (ends[1] + 2, 1.0 / 6.0)]
             }
             _ => [(ends[0] + 2, 0.5), (ends[1] + 2, 0.5), (ends[1] + 2, 0.0)],
@@ -152,7 +152,7 @@ impl Places<'_> {
         match self.nodes.iter().position(|&own| own == node) {
             Some(own) => 3 * own,
             None => {
-                let [x, y, turn] = slots_of(self.dofs, node);
+                let [x, y, turn] = rigid_dofs(self.dofs, node);
                 let first = self.further(x);
                 self.further(y);
                 self.further(turn);
@@ -161,8 +161,8 @@ impl Places<'_> {
         }
     }
 
-    fn further(&mut self, slot: usize) -> usize {
-        self.further.push(slot);
+    fn further(&mut self, dof: usize) -> usize {
+        self.further.push(dof);
         DIRECT + self.further.len() - 1
     }
 }

@@ -122,17 +122,17 @@ impl Case<'_> {
     /// a part that locks was pulled.
     fn force_reached(&self) -> String {
         let (plan, committed) = (self.plan, self.committed);
-        let drives = |slot: &usize| {
-            matches!(plan.constraints.roles[*slot], Role::Prescribed(_))
-                && committed.increment[*slot] != 0.0
-                && !plan.dofs.is_rotation(*slot)
+        let drives = |dof: &usize| {
+            matches!(plan.constraints.roles[*dof], Role::Prescribed(_))
+                && committed.increment[*dof] != 0.0
+                && !plan.dofs.is_rotation(*dof)
         };
-        let size = |slot: usize| committed.reaction[slot].abs();
+        let size = |dof: usize| committed.reaction[dof].abs();
         let largest =
             (0..plan.dofs.len()).filter(drives).max_by(|&a, &b| size(a).total_cmp(&size(b)));
-        largest.map_or(String::new(), |slot| {
-            let (node, dof) = plan.dofs.name(slot);
-            let force = committed.reaction[slot];
+        largest.map_or(String::new(), |dof| {
+            let force = committed.reaction[dof];
+            let (node, dof) = plan.dofs.name(dof);
             format!(
                 "; the force reached at node {}, {}, is {force:.4e}",
                 self.label(node),
@@ -143,11 +143,11 @@ impl Case<'_> {
 
     /// Points that went on opening and closing.
     pub(super) fn chattering(&self) -> Option<Diagnostic> {
-        let evidence = &self.work.evidence;
-        let places = evidence.chattering();
+        let iteration_history = &self.work.iteration_history;
+        let places = iteration_history.chattering();
         let worst = *places.first()?;
         let pair = self.pair_of(worst);
-        let point = &evidence.points[worst];
+        let point = &iteration_history.points[worst];
         let message = format!(
             "contact of {} chatters at {} {}: {} opened or closed in {} of the last {} \
              iterations, in the last one from {} to {}",
@@ -156,14 +156,14 @@ impl Case<'_> {
             self.beyond(),
             self.nodes(&places[..1]),
             point.changes(),
-            evidence.window(),
+            iteration_history.window(),
             stands(point.overclosure[1]),
             stands(point.overclosure[0]),
         );
         let said = Diagnostic::error(Code("SL0513"), message);
         if point.overclosure.contains(&f64::NEG_INFINITY) {
             // It goes to and fro over an end of its master.
-            let end = master_end(self.plan, pair, self.work.evaluation.meetings[worst].along);
+            let end = master_end(self.plan, pair, self.work.evaluation.kinematics[worst].along);
             let said = said.at(end.origin).help(end.remedy);
             return Some(match end.card {
                 Some((place, card)) => said.card(place, card),
@@ -181,11 +181,11 @@ impl Case<'_> {
     /// Closed points that went on changing between stick and slip, or the way
     /// they slide.
     pub(super) fn wavering(&self) -> Option<Diagnostic> {
-        let evidence = &self.work.evidence;
-        let places = evidence.wavering();
+        let iteration_history = &self.work.iteration_history;
+        let places = iteration_history.wavering();
         let worst = *places.first()?;
         let pair = self.pair_of(worst);
-        let point = &evidence.points[worst];
+        let point = &iteration_history.points[worst];
         let message = format!(
             "friction of {} cycles at {} {}: {} changed between stick and slip or its direction \
              in {} of the last {} iterations, at a traction of up to {:.3e} under a pressure of \
@@ -195,7 +195,7 @@ impl Case<'_> {
             self.beyond(),
             self.nodes(&places[..1]),
             point.flips(),
-            evidence.window(),
+            iteration_history.window(),
             point.dragged[0],
             point.dragged[1],
         );

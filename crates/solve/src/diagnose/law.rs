@@ -3,7 +3,7 @@
 
 use super::Case;
 use slideline_diag::{Code, Diagnostic, Place};
-use slideline_mech::contact::pair::UserMemory;
+use slideline_mech::contact::pair::UserState;
 use slideline_model::Friction;
 
 /// A disagreement beyond this fraction of the larger slope is a fault.
@@ -57,13 +57,17 @@ impl Case<'_> {
     /// allow.
     fn wrong_slope(&self, place: usize) -> Option<Slope> {
         let now = &self.work.evaluation.points[place];
-        let meeting = &self.work.evaluation.meetings[place];
+        let kinematics = &self.work.evaluation.kinematics[place];
         let before = &self.committed.points[place];
         if !now.closed || now.pressure <= 0.0 {
             return None;
         }
-        let slip =
-            self.plan.contact.slip(place, &before.history(), meeting, &self.committed.displacement);
+        let slip = self.plan.contact.slip(
+            place,
+            &before.history(),
+            kinematics,
+            &self.committed.displacement,
+        );
         let answer = |slip: f64, pressure: f64| self.ask(place, slip, pressure);
         let (told, by_slip, by_pressure) = answer(slip, now.pressure);
         let steps = [
@@ -85,18 +89,18 @@ impl Case<'_> {
     fn ask(&self, place: usize, slip: f64, pressure: f64) -> (f64, f64, f64) {
         let point = &self.plan.contact.points[place];
         let laws = &self.plan.contact.laws[point.pair];
-        let memory = point.memory..point.memory + point.memory_size;
-        let demand = laws.demand_traction(
+        let state_variables = point.state_variables..point.state_variables + point.state_size;
+        let complementarity = laws.complementarity_of_traction(
             [0.0, slip, pressure],
             self.committed.points[place].elastic_slip,
             (f64::INFINITY, self.dt),
-            &mut UserMemory {
+            &mut UserState {
                 time: self.committed.total_time + self.dt,
-                committed: &self.committed.memory[memory],
-                state: &mut vec![0.0; point.memory_size],
+                committed: &self.committed.state_variables[state_variables],
+                state: &mut vec![0.0; point.state_size],
                 fault: &mut None,
             },
         );
-        (demand.value, demand.by_value, demand.by_pressure)
+        (complementarity.value, complementarity.by_value, complementarity.by_pressure)
     }
 }

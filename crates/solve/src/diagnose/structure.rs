@@ -63,8 +63,8 @@ impl Case<'_> {
             return format!("move along ({u:.3}, {v:.3})");
         }
         let [x, y] = self.plan.model.nodes.plane(motion.node);
-        let slot = |dof| self.plan.dofs.find(motion.node, dof).map_or(0.0, |s| self.work.u[s]);
-        let (x, y) = (x + slot(Dof::U1) - v / w, y + slot(Dof::U2) + u / w);
+        let dof = |dof| self.plan.dofs.find(motion.node, dof).map_or(0.0, |s| self.work.u[s]);
+        let (x, y) = (x + dof(Dof::U1) - v / w, y + dof(Dof::U2) + u / w);
         format!("turn about ({x:.4e}, {y:.4e})")
     }
 
@@ -93,8 +93,7 @@ impl Case<'_> {
         let reach = self.plan.reach.max(f64::MIN_POSITIVE);
         let at = |node: NodeIndex, dof: Dof| {
             let plan = self.plan;
-            let equation =
-                plan.dofs.find(node, dof).and_then(|slot| plan.constraints.equation(slot));
+            let equation = plan.dofs.find(node, dof).and_then(|dof| plan.constraints.equation(dof));
             equation.map_or(0.0, |equation| mode[equation])
         };
         // a turn counts where nothing moves with it
@@ -116,8 +115,7 @@ impl Case<'_> {
             return None;
         }
         let (label, dof) = (self.label(load.node), load.dof);
-        let slot = plan.dofs.find(load.node, dof);
-        let moved = slot.map_or(0.0, |slot| self.committed.displacement[slot]);
+        let moved = plan.dofs.read(&self.committed.displacement, load.node, dof);
         let message = format!(
             "the structure snaps through {}: under the load at node {label}, {} it is unstable in \
              {} direction{}, after a displacement of {moved:.4e}",

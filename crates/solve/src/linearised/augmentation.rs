@@ -51,7 +51,7 @@ impl Stiffness<'_> {
                 if let Some(at) = at {
                     self.augmented[at] += point.area
                         * (point.stiffness * point.normal[i] * point.normal[j]
-                            + tangential * point.drag[i] * point.tangential[j]);
+                            + tangential * point.direction[i] * point.tangential[j]);
                 }
             }
         }
@@ -68,7 +68,7 @@ impl Stiffness<'_> {
             if diagonal > 0.0 {
                 compliance[0] += point.area * point.normal[k] * point.normal[k] / diagonal;
                 compliance[1] +=
-                    point.area * (point.drag[k] * point.tangential[k]).abs() / diagonal;
+                    point.area * (point.direction[k] * point.tangential[k]).abs() / diagonal;
             }
         }
         compliance.map(|c| if c > 0.0 { 1.0 / c } else { 0.0 })

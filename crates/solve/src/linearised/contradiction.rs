@@ -5,12 +5,12 @@
 //!      \ /\ /       both close: what opens one point closes the other
 //! ```
 //!
-//! The pivoting method of [`super::settle`] finds pressures that close every
+//! The pivoting method of [`super::pivoting`] finds pressures that close every
 //! hard point wherever any do. What then still penetrates cannot be helped:
 //! some points that press depend on one another. (derived)
 
-use super::settle::settle;
-use super::{Circumstances, Kind, LinearPoint, LinearisedContact, System};
+use super::pivoting::pivoting;
+use super::{Kind, LawContext, LinearPoint, LinearisedContact, System};
 
 /// Hard points that cannot all close.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,21 +27,22 @@ impl LinearisedContact {
     pub fn contradiction(
         &self,
         points: &[LinearPoint],
-        circumstances: &Circumstances<'_>,
+        context: &LawContext<'_>,
         tolerance: f64,
     ) -> Option<Contradiction> {
         let hard: Vec<usize> = (0..self.rows.len())
             .filter(|&i| match self.rows[i].point() {
-                Some((point, Kind::Normal)) => circumstances.is_hard(&points[point]),
+                Some((point, Kind::Normal)) => context.is_hard(&points[point]),
                 _ => false,
             })
             .collect();
         if hard.is_empty() || self.compliance.len() < self.rows.len() * self.rows.len() {
             return None;
         }
-        let system = System { rows: &self.rows, compliance: &self.compliance, stations: &[] };
+        let system =
+            System { rows: &self.rows, compliance: &self.compliance, integration_points: &[] };
         let mut unknown = self.unknown.clone();
-        settle(&system, &hard, &mut unknown);
+        pivoting(&system, &hard, &mut unknown);
         let at = |i: usize| system.multiplier_and_value(i, &unknown);
         let left = hard.iter().map(|&i| at(i).1).fold(f64::NEG_INFINITY, f64::max);
         let presses = |&i: &usize| unknown[i] > 0.0 || at(i).1 > tolerance;
@@ -87,7 +88,7 @@ impl LinearisedContact {
 /// as the others say [1]: what the conditioning of K leaves of zero.
 const DEPENDENT: f64 = 1e-6;
 
-impl Circumstances<'_> {
+impl LawContext<'_> {
     /// Whether no overclosure is allowed at the point.
     pub fn is_hard(&self, point: &LinearPoint) -> bool {
         !point.integrated && self.laws[point.pair].normal.pressure(0.0).is_none()

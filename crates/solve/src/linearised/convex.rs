@@ -16,8 +16,8 @@
 
 use super::iterate::eliminate_in_units;
 use super::system::{Row, System, Unknown};
-use super::{Circumstances, Kind, LinearPoint, LinearisedContact};
-use slideline_mech::contact::enforcement::Demand;
+use super::{Kind, LawContext, LinearPoint, LinearisedContact};
+use slideline_mech::contact::enforcement::Complementarity;
 
 /// Rounds in which the limits of friction follow the pressures.
 const ROUNDS: usize = 8;
@@ -34,9 +34,9 @@ const STEADY: f64 = 1e-6;
 impl LinearisedContact {
     /// Moves the unknowns to where the energy is least, rounds of fixed limits
     /// after one another.
-    pub(super) fn minimise(&mut self, points: &[LinearPoint], circumstances: &Circumstances<'_>) {
+    pub(super) fn minimise(&mut self, points: &[LinearPoint], context: &LawContext<'_>) {
         let mut held = points.to_vec();
-        let fixed = Circumstances { symmetrised: true, ..*circumstances };
+        let fixed = LawContext { symmetrised: true, ..*context };
         for _ in 0..ROUNDS {
             self.descend(&held, &fixed);
             if self.follow_pressures(&mut held, &fixed) {
@@ -46,12 +46,15 @@ impl LinearisedContact {
     }
 
     /// Newton with steps that end where the energy is least.
-    fn descend(&mut self, points: &[LinearPoint], fixed: &Circumstances<'_>) {
+    fn descend(&mut self, points: &[LinearPoint], fixed: &LawContext<'_>) {
         let m = self.rows.len();
         let mut work = Descent::room(m);
         let mut unknown = std::mem::take(&mut self.unknown);
-        let system =
-            System { rows: &self.rows, compliance: &self.compliance, stations: &self.stations };
+        let system = System {
+            rows: &self.rows,
+            compliance: &self.compliance,
+            integration_points: &self.integration_points,
+        };
         for _ in 0..STEPS {
             let size = work.evaluate(&system, &unknown, points, fixed);
             if !size.is_finite() || size <= 1e-24 * system.largest_multiplier(&unknown) {
@@ -97,9 +100,12 @@ impl LinearisedContact {
 
     /// Gives the points the pressures of the present unknowns; says whether
     /// they are what they were.
-    fn follow_pressures(&mut self, points: &mut [LinearPoint], fixed: &Circumstances<'_>) -> bool {
-        let system =
-            System { rows: &self.rows, compliance: &self.compliance, stations: &self.stations };
+    fn follow_pressures(&mut self, points: &mut [LinearPoint], fixed: &LawContext<'_>) -> bool {
+        let system = System {
+            rows: &self.rows,
+            compliance: &self.compliance,
+            integration_points: &self.integration_points,
+        };
         let values: Vec<f64> =
             (0..self.rows.len()).map(|i| system.multiplier_and_value(i, &self.unknown).1).collect();
         let (mut change, mut largest) = (0.0_f64, 0.0_f64);
@@ -114,9 +120,11 @@ impl LinearisedContact {
                 follow(&mut points[place], pressure);
             }
         }
-        for station in &self.stations {
-            let pressure = fixed.station(station, &points[station.point], &values).pressure;
-            follow(&mut points[station.point], pressure);
+        for integration_point in &self.integration_points {
+            let pressure = fixed
+                .integration_point(integration_point, &points[integration_point.point], &values)
+                .pressure;
+            follow(&mut points[integration_point.point], pressure);
         }
         change <= STEADY * largest
     }
@@ -155,12 +163,12 @@ impl Descent {
         system: &System<'_>,
         unknown: &[f64],
         points: &[LinearPoint],
-        fixed: &Circumstances<'_>,
+        fixed: &LawContext<'_>,
     ) -> f64 {
         for (i, value) in self.values.iter_mut().enumerate() {
             *value = system.multiplier_and_value(i, unknown).1;
         }
-        if !system.stations.is_empty() {
+        if !system.integration_points.is_empty() {
             let known = (unknown, &self.values[..], points);
             let slope = (&mut self.jacobian[..], &mut self.stiffness[..]);
             system.interface(known, fixed, &mut self.residual, slope);
@@ -168,13 +176,13 @@ impl Descent {
         for (i, row) in system.rows.iter().enumerate() {
             let Unknown::Multiplier { point, kind, pressure_row } = row.unknown else { continue };
             let (multiplier, value) = system.multiplier_and_value(i, unknown);
-            let mut demand = fixed.inserted(row, kind, &points[point], value);
+            let mut complementarity = fixed.inserted(row, kind, &points[point], value);
             if self.steepest && kind == Kind::Tangential {
-                demand.by_value =
+                complementarity.by_value =
                     fixed.inserted(row, kind, &points[point], fixed.rest(&points[point])).by_value;
             }
-            self.residual[i] = multiplier - demand.value;
-            system.differentiate(i, pressure_row, &demand, &mut self.jacobian);
+            self.residual[i] = multiplier - complementarity.value;
+            system.differentiate(i, pressure_row, &complementarity, &mut self.jacobian);
         }
         let squares = self.residual.iter().zip(system.rows).map(|(f, row)| f * f * row.weight);
         squares.sum()
@@ -201,7 +209,7 @@ impl Descent {
     }
 }
 
-impl Circumstances<'_> {
+impl LawContext<'_> {
     /// The slip at which a point carries no traction [L].
     fn rest(&self, point: &LinearPoint) -> f64 {
         point.sliding.map_or(0.0, |sliding| -sliding.elastic_slip)
@@ -209,7 +217,7 @@ impl Circumstances<'_> {
 
     /// The law of a row at an overclosure or slip, at the limit of the pressure
     /// that the point has; a hard law and exact stick as a stiff spring.
-    fn inserted(&self, row: &Row, kind: Kind, point: &LinearPoint, value: f64) -> Demand {
+    fn inserted(&self, row: &Row, kind: Kind, point: &LinearPoint, value: f64) -> Complementarity {
         let laws = &self.laws[point.pair];
         let stiff = STIFF * row.felt;
         match (kind, &point.sliding) {
@@ -217,20 +225,21 @@ impl Circumstances<'_> {
                 let limit = laws.friction.limit_traction(point.pressure, sliding.slip, self.dt);
                 let tau = stiff * value;
                 match tau.abs() <= limit {
-                    true => Demand::inserted(tau, stiff),
-                    false => Demand::inserted(limit * tau.signum(), 0.0),
+                    true => Complementarity::inserted(tau, stiff),
+                    false => Complementarity::inserted(limit * tau.signum(), 0.0),
                 }
             }
             (Kind::Tangential, Some(sliding)) => {
                 let values = [sliding.traction, value, point.pressure];
-                let demand = self.demand_traction(laws, values, sliding, f64::INFINITY);
-                Demand { by_pressure: 0.0, ..demand }
+                let complementarity =
+                    self.complementarity_of_traction(laws, values, sliding, f64::INFINITY);
+                Complementarity { by_pressure: 0.0, ..complementarity }
             }
             _ if laws.normal.pressure(0.0).is_none() => match value > 0.0 {
-                true => Demand::inserted(stiff * value, stiff),
-                false => Demand::inserted(0.0, 0.0),
+                true => Complementarity::inserted(stiff * value, stiff),
+                false => Complementarity::inserted(0.0, 0.0),
             },
-            _ => laws.demand_pressure(0.0, value, f64::INFINITY),
+            _ => laws.complementarity_of_pressure(0.0, value, f64::INFINITY),
         }
     }
 }

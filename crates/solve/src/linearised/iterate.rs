@@ -1,8 +1,8 @@
 //! The semismooth Newton method of the small system.
 
-use super::settle::{eliminate, settle};
+use super::pivoting::{eliminate, pivoting};
 use super::system::{Row, System};
-use super::{Circumstances, Kind, LinearPoint, LinearisedContact};
+use super::{Kind, LawContext, LinearPoint, LinearisedContact};
 
 /// The most iterations of the small system.
 const ITERATIONS: usize = 40;
@@ -11,7 +11,7 @@ const RESTARTS: usize = 3;
 /// Residual of the small system, relative to its multipliers, at which a step
 /// that gains nothing means rounding, not a wrong set.
 const ROUNDED: f64 = 1e-9;
-/// Least part of the stiffness with its loan that a row is taken to feel
+/// Least part of the stiffness with its augmentation that a row is taken to feel
 /// without it: what rounding leaves of the difference [1].
 const LEAST_OWN: f64 = 1e-6;
 /// Shortest fraction of a step that is tried.
@@ -31,36 +31,32 @@ pub(super) fn eliminate_in_units(rows: &[Row], jacobian: &mut [f64], step: &mut 
 
 impl LinearisedContact {
     /// Solves the small system: by Newton with the stiffness that rows feel, with
-    /// their loans and without; where Newton is lost between the limits of
+    /// their augmentations and without; where Newton is lost between the limits of
     /// friction from the least energy for fixed limits, or among the
     /// active sets of a hard law from the set that a pivoting method finds.
     /// Says whether the laws of all rows are met.
-    pub(super) fn iterate(
-        &mut self,
-        points: &[LinearPoint],
-        circumstances: &Circumstances<'_>,
-    ) -> bool {
-        if self.newton(points, circumstances) {
+    pub(super) fn iterate(&mut self, points: &[LinearPoint], context: &LawContext<'_>) -> bool {
+        if self.newton(points, context) {
             return true;
         }
         let start = self.unknown.clone();
         for row in &mut self.rows {
             (row.kappa, row.own) = (row.own.max(LEAST_OWN * row.kappa), row.kappa);
         }
-        if self.newton(points, circumstances) {
+        if self.newton(points, context) {
             return true;
         }
         self.rows.iter_mut().for_each(|row| row.kappa = row.own);
         self.unknown.copy_from_slice(&start);
-        self.minimise(points, circumstances);
-        if self.newton(points, circumstances) {
+        self.minimise(points, context);
+        if self.newton(points, context) {
             return true;
         }
         for _ in 0..RESTARTS {
-            if !self.settle_pressures(points, circumstances) {
+            if !self.pivot_pressures(points, context) {
                 return false;
             }
-            if self.newton(points, circumstances) {
+            if self.newton(points, context) {
                 return true;
             }
         }
@@ -68,7 +64,7 @@ impl LinearisedContact {
     }
 
     /// Semismooth Newton with backtracking; says whether it converged.
-    fn newton(&mut self, points: &[LinearPoint], circumstances: &Circumstances<'_>) -> bool {
+    fn newton(&mut self, points: &[LinearPoint], context: &LawContext<'_>) -> bool {
         let m = self.rows.len();
         for vector in [&mut self.residual, &mut self.step, &mut self.trial] {
             vector.clear();
@@ -77,19 +73,18 @@ impl LinearisedContact {
         self.jacobian.clear();
         self.jacobian.resize(m * m, 0.0);
         self.stiffness.clear();
-        self.stiffness.resize(if self.stations.is_empty() { 0 } else { m * m }, 0.0);
+        self.stiffness.resize(if self.integration_points.is_empty() { 0 } else { m * m }, 0.0);
         self.values.resize(m, 0.0);
         let (stiffness, values) = (&mut self.stiffness, &mut self.values);
-        let system =
-            System { rows: &self.rows, compliance: &self.compliance, stations: &self.stations };
+        let system = System {
+            rows: &self.rows,
+            compliance: &self.compliance,
+            integration_points: &self.integration_points,
+        };
         let (residual, jacobian) = (&mut self.residual, &mut self.jacobian);
         let unknown = &mut self.unknown;
-        let mut size = system.residual(
-            (unknown, points),
-            circumstances,
-            residual,
-            (jacobian, stiffness, values),
-        );
+        let mut size =
+            system.residual((unknown, points), context, residual, (jacobian, stiffness, values));
         for _ in 0..ITERATIONS {
             if size == 0.0 || !size.is_finite() {
                 return size == 0.0;
@@ -104,7 +99,7 @@ impl LinearisedContact {
                 }
                 let new = system.residual(
                     (&self.trial, points),
-                    circumstances,
+                    context,
                     residual,
                     (jacobian, stiffness, values),
                 );
@@ -126,15 +121,11 @@ impl LinearisedContact {
     /// Finds the pressures of hard points for the present tractions by a
     /// pivoting method that ends for any compliance: Lawson and Hanson's
     /// non-negative least squares, written for h = b - C p <= 0, p >= 0,
-    /// p h = 0. Soft points keep their pressures. False: nothing to settle.
-    fn settle_pressures(
-        &mut self,
-        points: &[LinearPoint],
-        circumstances: &Circumstances<'_>,
-    ) -> bool {
+    /// p h = 0. Soft points keep their pressures. False: nothing to pivoting.
+    fn pivot_pressures(&mut self, points: &[LinearPoint], context: &LawContext<'_>) -> bool {
         let hard = |row: &Row| {
             let Some((point, kind)) = row.point() else { return false };
-            let law = &circumstances.laws[points[point].pair].normal;
+            let law = &context.laws[points[point].pair].normal;
             kind == Kind::Normal && law.pressure(0.0).is_none()
         };
         let candidates: Vec<usize> =
@@ -142,8 +133,9 @@ impl LinearisedContact {
         if candidates.is_empty() {
             return false;
         }
-        let system = System { rows: &self.rows, compliance: &self.compliance, stations: &[] };
-        settle(&system, &candidates, &mut self.unknown);
+        let system =
+            System { rows: &self.rows, compliance: &self.compliance, integration_points: &[] };
+        pivoting(&system, &candidates, &mut self.unknown);
         true
     }
 }

@@ -11,7 +11,7 @@
 //! pressure closes it by more than the pressure opens it: no pressure holds
 //! the balance, and the contact jams. On a slope this is mu tan a >= 1. (derived)
 
-use super::{Circumstances, Kind, LinearPoint, LinearisedContact};
+use super::{Kind, LawContext, LinearPoint, LinearisedContact};
 
 impl LinearisedContact {
     /// Whether the point at `place` jams when it slides in the direction of
@@ -22,7 +22,7 @@ impl LinearisedContact {
         points: &[LinearPoint],
         place: usize,
         (way, pressure): (f64, f64),
-        circumstances: &Circumstances<'_>,
+        context: &LawContext<'_>,
     ) -> bool {
         let m = self.rows.len();
         let row = |kind| self.rows.iter().position(|row| row.point() == Some((place, kind)));
@@ -31,15 +31,15 @@ impl LinearisedContact {
             return false;
         }
         let c = |i: usize, j: usize| self.compliance[i * m + j];
-        let law = &circumstances.laws[points[place].pair].friction;
-        let limit = |pressure| law.limit_traction(pressure, 0.0, circumstances.dt);
+        let law = &context.laws[points[place].pair].friction;
+        let limit = |pressure| law.limit_traction(pressure, 0.0, context.dt);
         let mu = (limit(pressure * (1.0 + 1e-6)) - limit(pressure)) / (1e-6 * pressure);
         if !mu.is_finite() {
             return false;
         }
-        // what the lent stiffness of the point itself takes off its compliance
-        let lent = self.rows[t].lent * (c(n, n) * c(t, t) - c(n, t) * c(t, n));
-        let opens = c(n, n) + mu * way.signum() * c(n, t) - lent;
+        // what the augmentation stiffness of the point itself takes off its compliance
+        let augmentation = self.rows[t].augmentation * (c(n, n) * c(t, t) - c(n, t) * c(t, n));
+        let opens = c(n, n) + mu * way.signum() * c(n, t) - augmentation;
         opens <= 1e-9 * c(n, n).abs()
     }
 }

@@ -1,22 +1,22 @@
-//! What the laws of contact ask of a row or a station.
+//! What the laws of contact ask of a row or a integration_point.
 
-use super::system::{Row, Station};
-use super::{Circumstances, Kind, LinearPoint, MOST_DOFS, Sliding};
-use slideline_mech::contact::enforcement::Demand;
-use slideline_mech::contact::pair::{Laws, UserMemory};
+use super::system::{IntegrationPoint, Row};
+use super::{Kind, LawContext, LinearPoint, MOST_DOFS, Sliding};
+use slideline_mech::contact::enforcement::Complementarity;
+use slideline_mech::contact::pair::{Laws, UserState};
 
-/// A station at the displacements of the small system.
+/// A integration_point at the displacements of the small system.
 #[derive(Clone, Debug, Default)]
-pub(super) struct StationAnswer {
+pub(super) struct PointAnswer {
     pub pressure: f64,
     pub traction: f64,
-    /// Pressure and traction less what the lent stiffness carries [F/L2].
+    /// Pressure and traction less what the augmentation stiffness carries [F/L2].
     pub force: [f64; 2],
     /// Their derivatives by overclosure and slip [F/L3].
     pub slope: [[f64; 2]; 2],
 }
 
-impl StationAnswer {
+impl PointAnswer {
     /// Whether it neither presses nor would with a little more closing.
     pub(super) fn is_idle(&self) -> bool {
         self.force == [0.0; 2] && self.slope == [[0.0; 2]; 2]
@@ -41,7 +41,7 @@ impl StationAnswer {
         let drags = [tn, tt] != [0.0; 2];
         for (a, &i) in rows.iter().enumerate() {
             let row = &mut stiffness[i * m..][..m];
-            let (n, t) = (point.normal[a], point.drag[a]);
+            let (n, t) = (point.normal[a], point.direction[a]);
             for (&k, by) in rows.iter().zip(&pressure) {
                 row[k] += n * by;
             }
@@ -54,24 +54,29 @@ impl StationAnswer {
     }
 }
 
-impl Circumstances<'_> {
-    /// What the law of a row demands of its multiplier.
-    pub(super) fn demand(
+impl LawContext<'_> {
+    /// What the law of a row complementarities of its multiplier.
+    pub(super) fn complementarity(
         &self,
         row: &Row,
         kind: Kind,
         point: &LinearPoint,
         [multiplier, value, pressure]: [f64; 3],
-    ) -> Demand {
+    ) -> Complementarity {
         let laws = &self.laws[point.pair];
         match (kind, &point.sliding) {
             (Kind::Tangential, Some(sliding)) => {
                 let pressure = if self.symmetrised { point.pressure } else { pressure };
                 let values = [multiplier, value, pressure];
-                let demand = self.demand_traction(laws, values, sliding, row.kappa);
-                if self.symmetrised { Demand { by_pressure: 0.0, ..demand } } else { demand }
+                let complementarity =
+                    self.complementarity_of_traction(laws, values, sliding, row.kappa);
+                if self.symmetrised {
+                    Complementarity { by_pressure: 0.0, ..complementarity }
+                } else {
+                    complementarity
+                }
             }
-            _ => laws.demand_pressure(multiplier, value, row.kappa),
+            _ => laws.complementarity_of_pressure(multiplier, value, row.kappa),
         }
     }
 
@@ -93,53 +98,60 @@ impl Circumstances<'_> {
         }
     }
 
-    /// A station with its laws inserted: among many stations of one element
+    /// A integration_point with its laws inserted: among many integration_points of one element
     /// none has a multiplier of its own.
-    pub(super) fn station(
+    pub(super) fn integration_point(
         &self,
-        station: &Station,
+        integration_point: &IntegrationPoint,
         point: &LinearPoint,
         values: &[f64],
-    ) -> StationAnswer {
+    ) -> PointAnswer {
         let (mut normal, mut tangential) = (0.0, 0.0);
         for a in 0..point.width {
-            let d = values[station.rows[a]];
+            let d = values[integration_point.rows[a]];
             normal += point.normal[a] * d;
             tangential += point.tangential[a] * d;
         }
         let laws = &self.laws[point.pair];
-        let demand = laws.demand_pressure(0.0, point.overclosure + normal, f64::INFINITY);
-        let mut answer = StationAnswer {
-            pressure: demand.value,
+        let complementarity =
+            laws.complementarity_of_pressure(0.0, point.overclosure + normal, f64::INFINITY);
+        let mut answer = PointAnswer {
+            pressure: complementarity.value,
             traction: 0.0,
-            force: [demand.value - point.stiffness * normal, 0.0],
-            slope: [[demand.by_value - point.stiffness, 0.0], [0.0, 0.0]],
+            force: [complementarity.value - point.stiffness * normal, 0.0],
+            slope: [[complementarity.by_value - point.stiffness, 0.0], [0.0, 0.0]],
         };
         if let Some(sliding) = &point.sliding {
-            let limit = if self.symmetrised { point.pressure } else { demand.value };
+            let limit = if self.symmetrised { point.pressure } else { complementarity.value };
             let values = [sliding.traction, sliding.slip + tangential, limit];
-            let drag = self.demand_traction(laws, values, sliding, f64::INFINITY);
-            let by_pressure = if self.symmetrised { 0.0 } else { drag.by_pressure };
-            answer.traction = drag.value;
-            answer.force[1] = drag.value - sliding.stiffness * tangential;
-            answer.slope[1] = [by_pressure * demand.by_value, drag.by_value - sliding.stiffness];
+            let direction = self.complementarity_of_traction(laws, values, sliding, f64::INFINITY);
+            let by_pressure = if self.symmetrised { 0.0 } else { direction.by_pressure };
+            answer.traction = direction.value;
+            answer.force[1] = direction.value - sliding.stiffness * tangential;
+            answer.slope[1] =
+                [by_pressure * complementarity.by_value, direction.by_value - sliding.stiffness];
         }
         answer
     }
 
-    pub(super) fn demand_traction(
+    pub(super) fn complementarity_of_traction(
         &self,
         laws: &Laws,
         values: [f64; 3],
         sliding: &Sliding,
         kappa: f64,
-    ) -> Demand {
-        let (begin, size) = sliding.memory;
+    ) -> Complementarity {
+        let (begin, size) = sliding.state_variables;
         let committed = self.committed.get(begin..begin + size).unwrap_or(&[]);
-        // Only a user law has a memory, and only then does this allocate.
+        // Only a user law has a state_variables, and only then does this allocate.
         let mut state = committed.to_vec();
-        let mut memory =
-            UserMemory { time: self.time, committed, state: &mut state, fault: &mut None };
-        laws.demand_traction(values, sliding.elastic_slip, (kappa, self.dt), &mut memory)
+        let mut state_variables =
+            UserState { time: self.time, committed, state: &mut state, fault: &mut None };
+        laws.complementarity_of_traction(
+            values,
+            sliding.elastic_slip,
+            (kappa, self.dt),
+            &mut state_variables,
+        )
     }
 }

@@ -15,12 +15,12 @@
 //! [derived]
 
 use super::augmentation::Stiffness;
-use super::laws::StationAnswer;
-use super::system::{Row, Station, Unknown};
-use super::{Circumstances, Kind, LinearPoint, LinearisedContact, MOST_DOFS};
+use super::laws::PointAnswer;
+use super::system::{IntegrationPoint, Row, Unknown};
+use super::{Kind, LawContext, LinearPoint, LinearisedContact, MOST_DOFS};
 use slideline_linalg::SolveError;
 use slideline_linalg::krylov::{self, Stop, gmres};
-use slideline_mech::contact::enforcement::Demand;
+use slideline_mech::contact::enforcement::Complementarity;
 
 /// The most Newton steps.
 const STEPS: usize = 60;
@@ -57,8 +57,8 @@ pub(super) struct MatrixFree {
     yielded: Vec<f64>,
     trial: [Vec<f64>; 2],
     scaled: Vec<f64>,
-    demands: Vec<Demand>,
-    answers: Vec<StationAnswer>,
+    complementarities: Vec<Complementarity>,
+    answers: Vec<PointAnswer>,
     krylov: krylov::Workspace,
     /// Solutions with the factored stiffness in this iteration.
     pub solves: usize,
@@ -111,7 +111,7 @@ impl LinearisedContact {
     pub(super) fn solve_matrix_free(
         &mut self,
         points: &mut [LinearPoint],
-        context: &Circumstances<'_>,
+        context: &LawContext<'_>,
         stiffness: &mut Stiffness<'_>,
         correction: &mut [f64],
     ) -> Result<(), SolveError> {
@@ -123,7 +123,7 @@ impl LinearisedContact {
         let result = self.rounds_matrix_free(points, context, stiffness, &mut work);
         correction.copy_from_slice(&self.moved);
         if result.is_ok() {
-            self.back_substitute(points, context, &work);
+            self.back_substitute_matrix_free(points, context, &work);
         }
         self.matrix_free = work;
         result
@@ -132,7 +132,7 @@ impl LinearisedContact {
     fn rounds_matrix_free(
         &mut self,
         points: &mut [LinearPoint],
-        context: &Circumstances<'_>,
+        context: &LawContext<'_>,
         stiffness: &mut Stiffness<'_>,
         work: &mut MatrixFree,
     ) -> Result<(), SolveError> {
@@ -140,7 +140,7 @@ impl LinearisedContact {
         self.moved.clone_from(&work.base);
         let mut touching = true;
         for _ in 0..super::ROUNDS {
-            let joined = self.activate(points, context, touching);
+            let joined = self.activate_matrix_free(points, context, touching);
             if joined {
                 if touching {
                     self.guess(points, context);
@@ -156,10 +156,10 @@ impl LinearisedContact {
 
     /// Rows of points that touch already (`touching`), or that would by the
     /// present estimate; says whether any joined.
-    fn activate(
+    fn activate_matrix_free(
         &mut self,
         points: &[LinearPoint],
-        context: &Circumstances<'_>,
+        context: &LawContext<'_>,
         touching: bool,
     ) -> bool {
         let mut joined = false;
@@ -170,7 +170,7 @@ impl LinearisedContact {
             self.in_rows[place] = true;
             joined = true;
             if point.integrated {
-                self.activate_station((point, place), context);
+                self.activate_integration_point((point, place), context);
                 continue;
             }
             self.push_row(point, place, Kind::Normal);
@@ -181,13 +181,15 @@ impl LinearisedContact {
         joined
     }
 
-    fn activate_station(
+    fn activate_integration_point(
         &mut self,
         (point, place): (&LinearPoint, usize),
-        context: &Circumstances<'_>,
+        context: &LawContext<'_>,
     ) {
-        let mut station = Station { point: place, rows: [0; MOST_DOFS] };
-        for (row, &equation) in station.rows.iter_mut().zip(&point.equations[..point.width]) {
+        let mut integration_point = IntegrationPoint { point: place, rows: [0; MOST_DOFS] };
+        for (row, &equation) in
+            integration_point.rows.iter_mut().zip(&point.equations[..point.width])
+        {
             *row = match self.interface.get(&equation) {
                 Some(&known) => known,
                 None => {
@@ -196,11 +198,11 @@ impl LinearisedContact {
                 }
             };
         }
-        self.stations.push(station);
+        self.integration_points.push(integration_point);
     }
 
     /// The first guess of all rows: laws linearised about the estimates.
-    fn guess(&mut self, points: &[LinearPoint], context: &Circumstances<'_>) {
+    fn guess(&mut self, points: &[LinearPoint], context: &LawContext<'_>) {
         for (row, q) in self.rows.iter().zip(&mut self.unknown) {
             *q = match row.unknown {
                 Unknown::Multiplier { point, kind, .. } => {
@@ -210,11 +212,11 @@ impl LinearisedContact {
                 Unknown::Interface { .. } => 0.0,
             };
         }
-        for station in &self.stations {
-            let point = &points[station.point];
+        for integration_point in &self.integration_points {
+            let point = &points[integration_point.point];
             let [pressure, traction] = context.linearised(point);
-            for (a, &i) in station.rows[..point.width].iter().enumerate() {
-                let force = pressure * point.normal[a] + traction * point.drag[a];
+            for (a, &i) in integration_point.rows[..point.width].iter().enumerate() {
+                let force = pressure * point.normal[a] + traction * point.direction[a];
                 self.unknown[i] += point.area * force;
             }
         }
@@ -225,11 +227,11 @@ impl LinearisedContact {
     fn iterate_matrix_free(
         &mut self,
         points: &mut [LinearPoint],
-        context: &Circumstances<'_>,
+        context: &LawContext<'_>,
         stiffness: &mut Stiffness<'_>,
         work: &mut MatrixFree,
     ) -> Result<bool, SolveError> {
-        work.make_room(self.rows.len(), self.stations.len());
+        work.make_room(self.rows.len(), self.integration_points.len());
         self.place_rows(points, stiffness, work);
         let mut q = std::mem::take(&mut self.unknown);
         let result = self.newton_matrix_free(points, context, stiffness, work, &mut q);
@@ -244,13 +246,14 @@ impl LinearisedContact {
                 Unknown::Multiplier { point, kind, .. } => {
                     let point = &points[point];
                     let [normal, tangential] = stiffness.local(point);
-                    let (own, lent) = match (kind, &point.sliding) {
+                    let (own, augmentation) = match (kind, &point.sliding) {
                         (Kind::Tangential, Some(sliding)) => (tangential, sliding.stiffness),
                         _ => (normal, point.stiffness),
                     };
                     row.free = row.start + point.dot(kind, &work.base);
-                    (row.own, row.lent, row.kappa, row.felt) = (own, lent, own, own);
-                    let felt = own + lent;
+                    (row.own, row.augmentation, row.kappa, row.felt) =
+                        (own, augmentation, own, own);
+                    let felt = own + augmentation;
                     row.weight = if felt > 0.0 { point.area / felt } else { point.area };
                 }
                 Unknown::Interface { equation } => {
@@ -268,7 +271,7 @@ impl LinearisedContact {
     fn newton_matrix_free(
         &mut self,
         points: &mut [LinearPoint],
-        context: &Circumstances<'_>,
+        context: &LawContext<'_>,
         stiffness: &mut Stiffness<'_>,
         work: &mut MatrixFree,
         q: &mut [f64],
@@ -325,28 +328,30 @@ impl LinearisedContact {
     fn measure(
         &self,
         points: &[LinearPoint],
-        context: &Circumstances<'_>,
+        context: &LawContext<'_>,
         work: &mut MatrixFree,
         q: &[f64],
     ) -> f64 {
-        let MatrixFree { values, residual, demands, answers, .. } = work;
+        let MatrixFree { values, residual, complementarities, answers, .. } = work;
         residual.copy_from_slice(q);
-        for (station, answer) in self.stations.iter().zip(answers.iter_mut()) {
-            let point = &points[station.point];
-            *answer = context.station(station, point, values);
+        for (integration_point, answer) in self.integration_points.iter().zip(answers.iter_mut()) {
+            let point = &points[integration_point.point];
+            *answer = context.integration_point(integration_point, point, values);
             if !answer.is_idle() {
-                for (a, &i) in station.rows[..point.width].iter().enumerate() {
-                    let force = point.normal[a] * answer.force[0] + point.drag[a] * answer.force[1];
+                for (a, &i) in integration_point.rows[..point.width].iter().enumerate() {
+                    let force =
+                        point.normal[a] * answer.force[0] + point.direction[a] * answer.force[1];
                     residual[i] -= point.area * force;
                 }
             }
         }
-        let multiplier = |i: usize| q[i] + self.rows[i].lent * (values[i] - self.rows[i].start);
+        let multiplier =
+            |i: usize| q[i] + self.rows[i].augmentation * (values[i] - self.rows[i].start);
         for (i, row) in self.rows.iter().enumerate() {
             let Unknown::Multiplier { point, kind, pressure_row } = row.unknown else { continue };
             let asked = [multiplier(i), values[i], multiplier(pressure_row)];
-            demands[i] = context.demand(row, kind, &points[point], asked);
-            residual[i] = asked[0] - demands[i].value;
+            complementarities[i] = context.complementarity(row, kind, &points[point], asked);
+            residual[i] = asked[0] - complementarities[i].value;
         }
         residual.iter().zip(&self.rows).map(|(f, row)| f * f * row.weight).sum()
     }
@@ -354,7 +359,7 @@ impl LinearisedContact {
     /// Largest multiplier in the squared norm of the residual.
     fn largest(&self, work: &MatrixFree, q: &[f64]) -> f64 {
         let of = |(i, row): (usize, &Row)| {
-            let multiplier = q[i] + row.lent * (work.values[i] - row.start);
+            let multiplier = q[i] + row.augmentation * (work.values[i] - row.start);
             multiplier.abs().max(q[i].abs()).powi(2) * row.weight
         };
         self.rows.iter().enumerate().map(of).fold(f64::MIN_POSITIVE, f64::max)
@@ -364,17 +369,32 @@ impl LinearisedContact {
     fn find_step(
         &self,
         points: &[LinearPoint],
-        context: &Circumstances<'_>,
+        context: &LawContext<'_>,
         stiffness: &mut Stiffness<'_>,
         work: &mut MatrixFree,
         tolerance: f64,
     ) -> Result<usize, SolveError> {
-        let MatrixFree { full, residual, step, yielded, scaled, demands, answers, solves, .. } =
-            work;
+        let MatrixFree {
+            full,
+            residual,
+            step,
+            yielded,
+            scaled,
+            complementarities,
+            answers,
+            solves,
+            ..
+        } = work;
         let [v, w] = &mut work.trial;
         let rows = &self.rows;
         let mut c = Compliance { rows, points, full, solves, fault: None };
-        let slopes = Slopes { rows, stations: &self.stations, points, demands, answers };
+        let slopes = Slopes {
+            rows,
+            integration_points: &self.integration_points,
+            points,
+            complementarities,
+            answers,
+        };
         // in the norm of the energy: sqrt(weight) v
         for ((scaled, f), row) in scaled.iter_mut().zip(&*residual).zip(rows) {
             *scaled = f * row.weight.sqrt();
@@ -406,7 +426,7 @@ impl LinearisedContact {
     fn advance(
         &mut self,
         points: &[LinearPoint],
-        context: &Circumstances<'_>,
+        context: &LawContext<'_>,
         work: &mut MatrixFree,
         q: &mut [f64],
         size: f64,
@@ -440,7 +460,7 @@ impl LinearisedContact {
     fn augment_anew(
         &mut self,
         points: &mut [LinearPoint],
-        context: &Circumstances<'_>,
+        context: &LawContext<'_>,
         stiffness: &mut Stiffness<'_>,
         work: &mut MatrixFree,
         q: &mut [f64],
@@ -461,7 +481,7 @@ impl LinearisedContact {
             return Ok(false);
         }
         let multipliers: Vec<f64> = (0..q.len())
-            .map(|i| q[i] + self.rows[i].lent * (work.values[i] - self.rows[i].start))
+            .map(|i| q[i] + self.rows[i].augmentation * (work.values[i] - self.rows[i].start))
             .collect();
         wanted.into_iter().for_each(|(place, new)| points[place].set_augmentation(new));
         stiffness.factor(points)?;
@@ -469,19 +489,20 @@ impl LinearisedContact {
         self.place_rows(points, stiffness, work);
         for (i, row) in self.rows.iter().enumerate() {
             if row.point().is_some() {
-                q[i] = multipliers[i] - row.lent * (work.values[i] - row.start);
+                q[i] = multipliers[i] - row.augmentation * (work.values[i] - row.start);
             }
         }
-        for station in &self.stations {
-            for &i in &station.rows[..points[station.point].width] {
+        for integration_point in &self.integration_points {
+            for &i in &integration_point.rows[..points[integration_point.point].width] {
                 q[i] = 0.0;
             }
         }
-        for station in &self.stations {
-            let point = &points[station.point];
-            let answer = context.station(station, point, &work.values);
-            for (a, &i) in station.rows[..point.width].iter().enumerate() {
-                let force = point.normal[a] * answer.force[0] + point.drag[a] * answer.force[1];
+        for integration_point in &self.integration_points {
+            let point = &points[integration_point.point];
+            let answer = context.integration_point(integration_point, point, &work.values);
+            for (a, &i) in integration_point.rows[..point.width].iter().enumerate() {
+                let force =
+                    point.normal[a] * answer.force[0] + point.direction[a] * answer.force[1];
                 q[i] += point.area * force;
             }
         }
@@ -497,40 +518,45 @@ impl LinearisedContact {
         stiffness: &Stiffness<'_>,
         work: &MatrixFree,
     ) -> Vec<(usize, [f64; 2])> {
-        let slope = |demand: &Demand| demand.by_value / (1.0 - demand.by_multiplier).max(0.0);
+        let slope = |complementarity: &Complementarity| {
+            complementarity.by_value / (1.0 - complementarity.by_multiplier).max(0.0)
+        };
         let mut wanted = Vec::with_capacity(self.rows.len());
         for (i, row) in self.rows.iter().enumerate() {
             let Some((place, Kind::Normal)) = row.point() else { continue };
             let local = stiffness.local(&points[place]);
             let next = self.rows.get(i + 1).and_then(Row::point);
             let tangential = match next == Some((place, Kind::Tangential)) {
-                true => within(slope(&work.demands[i + 1]), local[1], 0.0),
+                true => within(slope(&work.complementarities[i + 1]), local[1], 0.0),
                 false => 0.0,
             };
-            wanted.push((place, [within(slope(&work.demands[i]), local[0], 0.0), tangential]));
+            wanted.push((
+                place,
+                [within(slope(&work.complementarities[i]), local[0], 0.0), tangential],
+            ));
         }
-        for (station, answer) in self.stations.iter().zip(&work.answers) {
-            let point = &points[station.point];
+        for (integration_point, answer) in self.integration_points.iter().zip(&work.answers) {
+            let point = &points[integration_point.point];
             let local = stiffness.local(point);
-            let lent = point.sliding.map_or(0.0, |sliding| sliding.stiffness);
-            let slopes = [answer.slope[0][0] + point.stiffness, answer.slope[1][1] + lent];
+            let augmentation = point.sliding.map_or(0.0, |sliding| sliding.stiffness);
+            let slopes = [answer.slope[0][0] + point.stiffness, answer.slope[1][1] + augmentation];
             let normal = within(slopes[0], local[0], 0.0);
-            wanted.push((station.point, [normal, within(slopes[1], local[1], 0.0)]));
+            wanted.push((integration_point.point, [normal, within(slopes[1], local[1], 0.0)]));
         }
         wanted
     }
 
     /// Pressures and tractions of the points from the solution.
-    fn back_substitute(
+    fn back_substitute_matrix_free(
         &mut self,
         points: &mut [LinearPoint],
-        context: &Circumstances<'_>,
+        context: &LawContext<'_>,
         work: &MatrixFree,
     ) {
         self.release_others(points, context);
         for (i, row) in self.rows.iter().enumerate() {
             let Some((place, kind)) = row.point() else { continue };
-            let multiplier = self.unknown[i] + row.lent * (work.values[i] - row.start);
+            let multiplier = self.unknown[i] + row.augmentation * (work.values[i] - row.start);
             super::give_multiplier(
                 &mut points[place],
                 context,
@@ -539,12 +565,12 @@ impl LinearisedContact {
             );
         }
         self.values.clone_from(&work.values);
-        self.give_stations(points, context);
+        self.give_integration_points(points, context);
     }
 }
 
 impl MatrixFree {
-    fn make_room(&mut self, rows: usize, stations: usize) {
+    fn make_room(&mut self, rows: usize, integration_points: usize) {
         let [a, b] = &mut self.trial;
         let vectors = [
             &mut self.values,
@@ -558,8 +584,8 @@ impl MatrixFree {
         for vector in vectors {
             vector.resize(rows, 0.0);
         }
-        self.demands.resize(rows, Demand::default());
-        self.answers.resize(stations, StationAnswer::default());
+        self.complementarities.resize(rows, Complementarity::default());
+        self.answers.resize(integration_points, PointAnswer::default());
     }
 
     /// K_s^-1 of the right-hand side.
@@ -588,31 +614,33 @@ fn factorisation_in_solves(stiffness: &Stiffness<'_>) -> f64 {
 /// The slopes of the laws about an estimate.
 struct Slopes<'a> {
     rows: &'a [Row],
-    stations: &'a [Station],
+    integration_points: &'a [IntegrationPoint],
     points: &'a [LinearPoint],
-    demands: &'a [Demand],
-    answers: &'a [StationAnswer],
+    complementarities: &'a [Complementarity],
+    answers: &'a [PointAnswer],
 }
 
 impl Slopes<'_> {
     /// J v, with w = C v known: docs/theory.md eq. (8.27).
     fn product(&self, v: &[f64], w: &[f64], into: &mut [f64]) {
-        let multiplier = |i: usize| v[i] - self.rows[i].lent * w[i];
-        for (i, (row, demand)) in self.rows.iter().zip(self.demands).enumerate() {
+        let multiplier = |i: usize| v[i] - self.rows[i].augmentation * w[i];
+        for (i, (row, complementarity)) in self.rows.iter().zip(self.complementarities).enumerate()
+        {
             into[i] = match row.unknown {
                 Unknown::Multiplier { pressure_row, .. } => {
-                    multiplier(i) * (1.0 - demand.by_multiplier) + demand.by_value * w[i]
-                        - demand.by_pressure * multiplier(pressure_row)
+                    multiplier(i) * (1.0 - complementarity.by_multiplier)
+                        + complementarity.by_value * w[i]
+                        - complementarity.by_pressure * multiplier(pressure_row)
                 }
                 Unknown::Interface { .. } => v[i],
             };
         }
-        for (station, answer) in self.stations.iter().zip(self.answers) {
+        for (integration_point, answer) in self.integration_points.iter().zip(self.answers) {
             if answer.is_idle() {
                 continue;
             }
-            let point = &self.points[station.point];
-            let rows = &station.rows[..point.width];
+            let point = &self.points[integration_point.point];
+            let rows = &integration_point.rows[..point.width];
             let (mut normal, mut tangential) = (0.0, 0.0);
             for (a, &i) in rows.iter().enumerate() {
                 normal += point.normal[a] * w[i];
@@ -622,7 +650,7 @@ impl Slopes<'_> {
             let force = [nn * normal + nt * tangential, tn * normal + tt * tangential]
                 .map(|f| f * point.area);
             for (a, &i) in rows.iter().enumerate() {
-                into[i] += point.normal[a] * force[0] + point.drag[a] * force[1];
+                into[i] += point.normal[a] * force[0] + point.direction[a] * force[1];
             }
         }
     }
@@ -630,30 +658,33 @@ impl Slopes<'_> {
     /// The inverse of J with C taken as its diagonal would be of the point's own
     /// equations; in the norm of the energy.
     fn precondition(&self, x: &[f64], into: &mut [f64]) {
-        for (i, (row, demand)) in self.rows.iter().zip(self.demands).enumerate() {
+        for (i, (row, complementarity)) in self.rows.iter().zip(self.complementarities).enumerate()
+        {
             let Unknown::Multiplier { pressure_row, .. } = row.unknown else {
                 into[i] = x[i];
                 continue;
             };
-            let own = |row: &Row, demand: &Demand| {
-                let compliance = if row.felt > 0.0 { 1.0 / (row.felt + row.lent) } else { 0.0 };
-                let multiplier = 1.0 - row.lent * compliance;
-                let by = multiplier * (1.0 - demand.by_multiplier) + demand.by_value * compliance;
+            let own = |row: &Row, complementarity: &Complementarity| {
+                let compliance =
+                    if row.felt > 0.0 { 1.0 / (row.felt + row.augmentation) } else { 0.0 };
+                let multiplier = 1.0 - row.augmentation * compliance;
+                let by = multiplier * (1.0 - complementarity.by_multiplier)
+                    + complementarity.by_value * compliance;
                 (if by.abs() > f64::EPSILON { by } else { 1.0 }, multiplier)
             };
             let mut right = x[i];
-            if pressure_row != i && demand.by_pressure != 0.0 {
+            if pressure_row != i && complementarity.by_pressure != 0.0 {
                 let pressure = &self.rows[pressure_row];
-                let (_, multiplier) = own(pressure, &self.demands[pressure_row]);
+                let (_, multiplier) = own(pressure, &self.complementarities[pressure_row]);
                 let scale = (row.weight / pressure.weight).sqrt();
-                right += demand.by_pressure * multiplier * into[pressure_row] * scale;
+                right += complementarity.by_pressure * multiplier * into[pressure_row] * scale;
             }
-            into[i] = right / own(row, demand).0;
+            into[i] = right / own(row, complementarity).0;
         }
     }
 }
 
-impl Circumstances<'_> {
+impl LawContext<'_> {
     /// Augments points that touch by their laws at the first estimate.
     pub fn augment(&self, points: &mut [LinearPoint], stiffness: &Stiffness<'_>) {
         for point in points.iter_mut().filter(|point| point.stiffness > 0.0) {

@@ -1,7 +1,7 @@
 //! The small system of one Newton iteration: its rows, residual and slope.
 
-use super::{Circumstances, Kind, LinearPoint, MOST_DOFS};
-use slideline_mech::contact::enforcement::Demand;
+use super::{Kind, LawContext, LinearPoint, MOST_DOFS};
+use slideline_mech::contact::enforcement::Complementarity;
 
 /// What a row of the small system stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,7 +13,7 @@ pub(super) enum Unknown {
         /// Row of the same point's pressure (its own, for a pressure).
         pressure_row: usize,
     },
-    /// The contact force of all stations on an equation.
+    /// The contact force of all integration_points on an equation.
     Interface { equation: usize },
 }
 
@@ -22,17 +22,17 @@ pub(super) enum Unknown {
 pub(super) struct Row {
     pub unknown: Unknown,
     /// Overclosure, slip or displacement without any multiplier beyond the
-    /// lent stiffness [L].
+    /// augmentation stiffness [L].
     pub free: f64,
     /// The same at the point of linearisation [L].
     pub start: f64,
     /// Lent stiffness [F/L3].
-    pub lent: f64,
+    pub augmentation: f64,
     /// Stiffness of the structure as the row feels it [F/L3].
     pub kappa: f64,
-    /// What is left of it without the loan [F/L3].
+    /// What is left of it without the augmentation [F/L3].
     pub own: f64,
-    /// Stiffness of the structure as the row feels it, with its loan [F/L3].
+    /// Stiffness of the structure as the row feels it, with its augmentation [F/L3].
     pub felt: f64,
     /// Natural unit of its unknown: that of one force.
     pub unit: f64,
@@ -47,7 +47,7 @@ impl Row {
             unknown,
             free: 0.0,
             start: 0.0,
-            lent: 0.0,
+            augmentation: 0.0,
             kappa: 0.0,
             own: 0.0,
             felt: 0.0,
@@ -65,9 +65,9 @@ impl Row {
     }
 }
 
-/// A station that takes part, with the rows of its equations.
+/// A integration_point that takes part, with the rows of its equations.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Station {
+pub(super) struct IntegrationPoint {
     pub point: usize,
     pub rows: [usize; MOST_DOFS],
 }
@@ -77,7 +77,7 @@ pub(super) struct Station {
 pub(super) struct System<'a> {
     pub rows: &'a [Row],
     pub compliance: &'a [f64],
-    pub stations: &'a [Station],
+    pub integration_points: &'a [IntegrationPoint],
 }
 
 impl System<'_> {
@@ -87,7 +87,7 @@ impl System<'_> {
         let yielded: f64 =
             self.compliance[i * m..][..m].iter().zip(unknown).map(|(c, q)| c * q).sum();
         let value = row.free - yielded;
-        (unknown[i] + row.lent * (value - row.start), value)
+        (unknown[i] + row.augmentation * (value - row.start), value)
     }
 
     /// Largest multiplier in the squared norm of the residual.
@@ -104,52 +104,58 @@ impl System<'_> {
     pub(super) fn residual(
         &self,
         (unknown, points): (&[f64], &[LinearPoint]),
-        circumstances: &Circumstances<'_>,
+        context: &LawContext<'_>,
         residual: &mut [f64],
         (jacobian, stiffness, values): (&mut [f64], &mut [f64], &mut [f64]),
     ) -> f64 {
-        if !self.stations.is_empty() {
+        if !self.integration_points.is_empty() {
             for (i, value) in values.iter_mut().enumerate() {
                 *value = self.multiplier_and_value(i, unknown).1;
             }
             let known = (unknown, &*values, points);
-            self.interface(known, circumstances, residual, (jacobian, stiffness));
+            self.interface(known, context, residual, (jacobian, stiffness));
         }
         for (i, row) in self.rows.iter().enumerate() {
             let Unknown::Multiplier { point, kind, pressure_row } = row.unknown else { continue };
             let (multiplier, value) = self.multiplier_and_value(i, unknown);
             let pressure = self.multiplier_and_value(pressure_row, unknown).0;
             let values = [multiplier, value, pressure];
-            let demand = circumstances.demand(row, kind, &points[point], values);
-            residual[i] = multiplier - demand.value;
-            self.differentiate(i, pressure_row, &demand, jacobian);
+            let complementarity = context.complementarity(row, kind, &points[point], values);
+            residual[i] = multiplier - complementarity.value;
+            self.differentiate(i, pressure_row, &complementarity, jacobian);
         }
         residual.iter().zip(self.rows).map(|(f, row)| f * f * row.weight).sum()
     }
 
     /// dF/dq of a pressure or traction.
-    pub(super) fn differentiate(&self, i: usize, k: usize, demand: &Demand, jacobian: &mut [f64]) {
+    pub(super) fn differentiate(
+        &self,
+        i: usize,
+        k: usize,
+        complementarity: &Complementarity,
+        jacobian: &mut [f64],
+    ) {
         let m = self.rows.len();
         for j in 0..m {
             // d value/dq_j = -C_ij, d lambda_i/dq_j = delta_ij - s C_ij
             let by_value = -self.compliance[i * m + j];
             let own = if i == j { 1.0 } else { 0.0 };
-            let by_multiplier = own + self.rows[i].lent * by_value;
-            let of_pressure =
-                if j == k { 1.0 } else { 0.0 } - self.rows[k].lent * self.compliance[k * m + j];
+            let by_multiplier = own + self.rows[i].augmentation * by_value;
+            let of_pressure = if j == k { 1.0 } else { 0.0 }
+                - self.rows[k].augmentation * self.compliance[k * m + j];
             jacobian[i * m + j] = by_multiplier
-                - demand.by_multiplier * by_multiplier
-                - demand.by_value * by_value
-                - demand.by_pressure * of_pressure;
+                - complementarity.by_multiplier * by_multiplier
+                - complementarity.by_value * by_value
+                - complementarity.by_pressure * of_pressure;
         }
     }
 
-    /// The rows of equations that stations press on: F = q - f(d), with f the
-    /// force of all stations at the displacements d = free - C q.
+    /// The rows of equations that integration_points press on: F = q - f(d), with f the
+    /// force of all integration_points at the displacements d = free - C q.
     pub(super) fn interface(
         &self,
         (unknown, values, points): (&[f64], &[f64], &[LinearPoint]),
-        circumstances: &Circumstances<'_>,
+        context: &LawContext<'_>,
         residual: &mut [f64],
         (jacobian, stiffness): (&mut [f64], &mut [f64]),
     ) {
@@ -159,16 +165,16 @@ impl System<'_> {
         for i in (0..m).filter(is_interface) {
             residual[i] = unknown[i];
         }
-        for station in self.stations {
-            let point = &points[station.point];
-            let answer = circumstances.station(station, point, values);
+        for integration_point in self.integration_points {
+            let point = &points[integration_point.point];
+            let answer = context.integration_point(integration_point, point, values);
             if answer.is_idle() {
                 continue;
             }
-            let rows = &station.rows[..point.width];
+            let rows = &integration_point.rows[..point.width];
             for (a, &i) in rows.iter().enumerate() {
                 residual[i] -= point.area
-                    * (point.normal[a] * answer.force[0] + point.drag[a] * answer.force[1]);
+                    * (point.normal[a] * answer.force[0] + point.direction[a] * answer.force[1]);
             }
             answer.add_slope(point, rows, m, stiffness);
         }

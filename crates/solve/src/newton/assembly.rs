@@ -1,9 +1,9 @@
-//! The tangent of an iteration: elements, geometry of contact, lent stiffness.
+//! The tangent of an iteration: elements, geometry of contact, augmentation stiffness.
 
 use super::Workspace;
-use crate::contact::{Meeting, STRIP_POINTS, SlavePoint};
+use crate::contact::{ContactKinematics, SEGMENT_POINTS, SlavePoint};
 use crate::evaluate::Evaluation;
-use crate::linearised::{Circumstances, LinearPoint, MOST_DOFS, Sliding, Stiffness};
+use crate::linearised::{LawContext, LinearPoint, MOST_DOFS, Sliding, Stiffness};
 use crate::plan::Plan;
 use crate::state::State;
 use slideline_linalg::SolveError;
@@ -13,14 +13,14 @@ use slideline_mech::contact::enforcement::Enforcement;
 pub const TOUCH: f64 = 1e-9;
 /// Rows from which on the condensed contact problem is solved without its matrix.
 const DENSE_ROWS: f64 = 100.0;
-/// Rows that a touching station adds to it: those of its element are shared.
-const INTEGRATED_ROWS: f64 = 6.0 / STRIP_POINTS as f64;
-/// Stiffness lent to a closed point, as a fraction of the stiffest element.
-pub(super) const LENT: f64 = 0.1;
+/// Rows that a touching integration_point adds to it: those of its element are shared.
+const INTEGRATED_ROWS: f64 = 6.0 / SEGMENT_POINTS as f64;
+/// Stiffness augmentation to a closed point, as a fraction of the stiffest element.
+pub(super) const AUGMENTATION: f64 = 0.1;
 
 impl Workspace {
     /// Assembles and factors. Where nothing but contact that is still open
-    /// would hold the model, stiffness is lent to every point that faces its
+    /// would hold the model, stiffness is augmentation to every point that faces its
     /// master, and the contact step closes the gap.
     pub(super) fn factor(&mut self, plan: &Plan<'_>, committed: &State) -> Result<(), SolveError> {
         loop {
@@ -41,7 +41,7 @@ impl Workspace {
                     self.negative_pivots = self.negative_pivots.max(negative);
                     return Ok(());
                 }
-                Err(SolveError::Singular { .. }) if !self.lend_to_all => self.lend_to_all = true,
+                Err(SolveError::Singular { .. }) if !self.augment_all => self.augment_all = true,
                 Err(fault) => return Err(fault),
             }
         }
@@ -54,46 +54,52 @@ impl Workspace {
             if self.evaluation.look.idle[place] {
                 continue;
             }
-            let meeting = &self.evaluation.meetings[place];
-            if point.is_station() && !meeting.faces {
+            let kinematics = &self.evaluation.kinematics[place];
+            if point.is_integration_point() && !kinematics.faces {
                 self.pressures[place] = 0.0;
                 self.tractions[place] = 0.0;
                 continue;
             }
             let before = &committed.points[place];
             let laws = &plan.contact.laws[point.pair];
-            let touching = meeting.faces
-                && (self.lend_to_all
+            let touching = kinematics.faces
+                && (self.augment_all
                     || self.pressures[place] > 0.0
-                    || meeting.overclosure > laws.normal.contact_begins() - TOUCH * plan.reach);
-            let lent = if touching { lent_stiffness(plan, point) } else { 0.0 };
+                    || kinematics.overclosure > laws.normal.contact_begins() - TOUCH * plan.reach);
+            let augmentation = if touching { augmentation_stiffness(plan, point) } else { 0.0 };
             let called = laws.has_friction() && laws.onset.called(before.closed, true);
-            let sliding = (called && meeting.faces).then(|| Sliding {
-                slip: plan.contact.slip(place, &before.history(), meeting, &committed.displacement),
+            let sliding = (called && kinematics.faces).then(|| Sliding {
+                slip: plan.contact.slip(
+                    place,
+                    &before.history(),
+                    kinematics,
+                    &committed.displacement,
+                ),
                 elastic_slip: before.elastic_slip,
                 traction: self.tractions[place],
-                stiffness: lent,
-                memory: (point.memory, point.memory_size),
+                stiffness: augmentation,
+                state_variables: (point.state_variables, point.state_size),
             });
             let mut linear = LinearPoint {
                 place,
                 pair: point.pair,
-                area: meeting.area,
-                integrated: point.is_station(),
+                area: kinematics.area,
+                integrated: point.is_integration_point(),
                 width: 0,
                 equations: [0; MOST_DOFS],
                 normal: [0.0; MOST_DOFS],
                 tangential: [0.0; MOST_DOFS],
-                drag: [0.0; MOST_DOFS],
-                overclosure: meeting.overclosure,
-                pressure: if meeting.faces { self.pressures[place] } else { 0.0 },
-                stiffness: lent,
+                direction: [0.0; MOST_DOFS],
+                overclosure: kinematics.overclosure,
+                pressure: if kinematics.faces { self.pressures[place] } else { 0.0 },
+                stiffness: augmentation,
                 sliding,
             };
-            for k in 0..meeting.width {
-                let own = [meeting.gradient[k], meeting.slip_gradient[k], meeting.drag[k]];
+            for k in 0..kinematics.width {
+                let own =
+                    [kinematics.gradient[k], kinematics.slip_gradient[k], kinematics.direction[k]];
                 let add = &mut |equation, a: f64| linear.add(equation, own.map(|g| a * g));
-                plan.constraints.for_each_equation(&self.evaluation.rows, meeting.slots[k], add);
+                plan.constraints.for_each_equation(&self.evaluation.rows, kinematics.dofs[k], add);
             }
             self.points.push(linear);
         }
@@ -133,7 +139,7 @@ impl Workspace {
         };
         self.enforcement = plan.enforcement.unwrap_or(by_size);
         if self.enforcement == Enforcement::MatrixFree {
-            let context = circumstances(plan, committed, self.dt);
+            let context = context(plan, committed, self.dt);
             let Self { values, augmented, solver, points, .. } = self;
             let (pattern, symmetrised) = (&plan.pattern, plan.symmetrised());
             let stiffness = Stiffness { pattern, values, augmented, solver, symmetrised };
@@ -142,13 +148,14 @@ impl Workspace {
     }
 
     pub(super) fn add_geometry(&mut self, plan: &Plan<'_>, place: usize) {
-        let meeting: &Meeting = &self.evaluation.meetings[place];
-        let width = meeting.width;
-        let forces = (meeting.area * self.pressures[place], meeting.area * self.tractions[place]);
+        let kinematics: &ContactKinematics = &self.evaluation.kinematics[place];
+        let width = kinematics.width;
+        let forces =
+            (kinematics.area * self.pressures[place], kinematics.area * self.tractions[place]);
         let geometry = &mut self.geometry;
-        plan.contact.geometric_tangent(place, &self.u, meeting, forces, geometry);
+        plan.contact.geometric_tangent(place, &self.u, kinematics, forces, geometry);
         let at = |i: usize, j: usize| geometry.tangent[width * i + j];
-        plan.scatter(&self.evaluation.rows, &meeting.slots[..width], at, &mut self.values);
+        plan.scatter(&self.evaluation.rows, &kinematics.dofs[..width], at, &mut self.values);
     }
 
     /// Adds what the turning of rigid links makes of the forces that the
@@ -162,45 +169,41 @@ impl Workspace {
         let stresses = Some(&self.stresses[..]);
         plan.structure.turning_forces(&self.u, stresses, &evaluation.contributions, turning);
         for linear in &self.points {
-            let meeting = &evaluation.meetings[linear.place];
+            let kinematics = &evaluation.kinematics[linear.place];
             let [p, tau] = [self.pressures[linear.place], self.tractions[linear.place]];
-            for k in 0..meeting.width {
-                turning[meeting.slots[k]] +=
-                    meeting.area * (p * meeting.gradient[k] + tau * meeting.drag[k]);
+            for k in 0..kinematics.width {
+                turning[kinematics.dofs[k]] +=
+                    kinematics.area * (p * kinematics.gradient[k] + tau * kinematics.direction[k]);
             }
         }
         plan.stiffen_by_turning(&self.u, turning, &mut self.values);
     }
 }
 
-pub(super) fn circumstances<'a>(
-    plan: &'a Plan<'_>,
-    committed: &'a State,
-    dt: f64,
-) -> Circumstances<'a> {
-    Circumstances {
+pub(super) fn context<'a>(plan: &'a Plan<'_>, committed: &'a State, dt: f64) -> LawContext<'a> {
+    LawContext {
         laws: &plan.contact.laws,
         time: committed.total_time + dt,
         dt,
-        committed: &committed.memory,
+        committed: &committed.state_variables,
         symmetrised: plan.symmetrised(),
         rounding: 8.0 * f64::EPSILON * plan.reach,
         units: &plan.units,
     }
 }
 
-/// Stiffness per area lent to a point [F/L3]: a part of that of the stiffest
+/// Stiffness per area augmentation to a point [F/L3]: a part of that of the stiffest
 /// element. Without elements, of one that the largest load would shorten by the
 /// size of the model; where nothing has a size, any.
-pub(super) fn lent_stiffness(plan: &Plan<'_>, point: &SlavePoint) -> f64 {
+pub(super) fn augmentation_stiffness(plan: &Plan<'_>, point: &SlavePoint) -> f64 {
     let load = plan.largest_load;
     let scale = match plan.structure.stiffest > 0.0 {
-        true => LENT * plan.structure.stiffest,
+        true => AUGMENTATION * plan.structure.stiffest,
         false if plan.reach > 0.0 => load / plan.reach,
         false => load,
     };
     if scale > 0.0 && point.area > 0.0 {
-        let points = if point.is_station() { STRIP_POINTS as f64 } else { 1.0 };
+        let points = if point.is_integration_point() { SEGMENT_POINTS as f64 } else { 1.0 };
         scale / (points * point.area)
     } else {
         1.0

@@ -27,19 +27,19 @@ impl Workspace {
         field: Field,
     ) -> crate::observe::FieldReport {
         let dofs = &plan.dofs;
-        for slot in 0..dofs.len() {
-            self.residual[slot] = self.evaluation.unbalanced(slot);
-            self.increment[slot] = self.u[slot] - committed.displacement[slot];
+        for dof in 0..dofs.len() {
+            self.residual[dof] = self.evaluation.unbalanced(dof);
+            self.increment[dof] = self.u[dof] - committed.displacement[dof];
         }
-        let free = |slot: usize| plan.constraints.equation(slot).is_some();
+        let free = |dof: usize| plan.constraints.equation(dof).is_some();
         let (residual, at) = largest_nodal(dofs, field, &self.residual, free);
-        let (correction, moved) = largest_nodal(dofs, field, &self.correction_slots, free);
+        let (correction, moved) = largest_nodal(dofs, field, &self.correction_dofs, free);
         let (increment, _) = largest_nodal(dofs, field, &self.increment, |_| true);
         crate::observe::FieldReport {
             residual,
-            residual_at: at.map(|slot| dofs.name(slot)),
+            residual_at: at.map(|dof| dofs.name(dof)),
             correction,
-            correction_at: moved.map(|slot| dofs.name(slot)),
+            correction_at: moved.map(|dof| dofs.name(dof)),
             increment,
             ..crate::observe::FieldReport::default()
         }
@@ -55,12 +55,12 @@ impl Workspace {
         let mut moved = 0.0_f64;
         let mut reach = plan.reach;
         let start = &plan.start().displacement;
-        for (slot, u) in
+        for (dof, u) in
             self.u.iter().zip(start.iter()).map(|(u, s)| u.abs().max(s.abs())).enumerate()
         {
-            if !plan.dofs.name(slot).1.is_rotation() {
+            if !plan.dofs.name(dof).1.is_rotation() {
                 reach = reach.max(u);
-                if plan.elastic[slot] {
+                if plan.elastic[dof] {
                     moved = moved.max(u);
                 }
             }
@@ -98,7 +98,9 @@ impl Workspace {
         report: &mut IterationReport,
     ) {
         for (place, point) in self.evaluation.points.iter().enumerate() {
-            if point.closed == self.was_closed[place] || plan.contact.points[place].is_station() {
+            if point.closed == self.was_closed[place]
+                || plan.contact.points[place].is_integration_point()
+            {
                 continue;
             }
             let own = &plan.contact.points[place];

@@ -1,8 +1,8 @@
 //! What a diagnosis asks of an attempt that has failed.
 
-use super::assembly::circumstances;
+use super::assembly::context;
 use super::{Target, Workspace};
-use crate::evidence::Evidence;
+use crate::iteration_history::IterationHistory;
 use crate::linearised::Contradiction;
 use crate::plan::Plan;
 use crate::state::State;
@@ -19,7 +19,7 @@ impl Workspace {
     /// Points, closed at the last commit, whose friction locks them: by the
     /// equations of the last iteration and the way they went until then.
     pub fn jammed(&self, plan: &Plan<'_>, committed: &State) -> Vec<usize> {
-        let around = circumstances(plan, committed, 1.0);
+        let around = context(plan, committed, 1.0);
         let locked = |&place: &usize| {
             let before = &committed.points[place];
             let trial = self.points[place].sliding.map_or(0.0, |sliding| sliding.slip);
@@ -38,8 +38,8 @@ impl Workspace {
         committed: &State,
         target: &Target,
     ) -> Vec<usize> {
-        let room = Evidence::new(plan.contact.points.len());
-        let evidence = std::mem::replace(&mut self.evidence, room);
+        let room = IterationHistory::new(plan.contact.points.len());
+        let iteration_history = std::mem::replace(&mut self.iteration_history, room);
         let (u, load, negative_pivots) = (self.u.clone(), self.load.clone(), self.negative_pivots);
         let (pressures, tractions) = (self.pressures.clone(), self.tractions.clone());
         let (evaluation, points) = (self.evaluation.clone(), self.points.clone());
@@ -49,7 +49,7 @@ impl Workspace {
         (self.u, self.load, self.negative_pivots) = (u, load, negative_pivots);
         (self.pressures, self.tractions) = (pressures, tractions);
         (self.evaluation, self.points) = (evaluation, points);
-        self.evidence = evidence;
+        self.iteration_history = iteration_history;
         found
     }
 
@@ -69,13 +69,13 @@ impl Workspace {
         let tolerance = self.contact_tolerance(plan, 0.0);
         let (mut places, mut left) = (Vec::new(), 0.0_f64);
         for (place, point) in plan.contact.points.iter().enumerate() {
-            let meeting = &self.evaluation.meetings[place];
+            let kinematics = &self.evaluation.kinematics[place];
             let law = &plan.contact.laws[point.pair].normal;
-            let yields = plan.contact_yields(meeting, &self.evaluation.rows);
-            let deep = meeting.faces && meeting.overclosure > tolerance;
-            if deep && !yields && !point.is_station() && law.pressure(0.0).is_none() {
+            let yields = plan.contact_yields(kinematics, &self.evaluation.rows);
+            let deep = kinematics.faces && kinematics.overclosure > tolerance;
+            if deep && !yields && !point.is_integration_point() && law.pressure(0.0).is_none() {
                 places.push(place);
-                left = left.max(meeting.overclosure);
+                left = left.max(kinematics.overclosure);
             }
         }
         (!places.is_empty()).then_some(Contradiction { places, left })
@@ -92,7 +92,7 @@ impl Workspace {
         if self.evaluation.penetration <= tolerance {
             return None;
         }
-        self.contact.contradiction(&self.points, &circumstances(plan, committed, dt), tolerance)
+        self.contact.contradiction(&self.points, &context(plan, committed, dt), tolerance)
     }
 
     /// What moves without resistance under the tangent that was assembled
@@ -131,11 +131,11 @@ impl Workspace {
         Some(plan.dofs.name(plan.constraints.dof_of_equation[largest]).0)
     }
 
-    /// Forces that nothing balances in the trial state, a slot each; zero
+    /// Forces that nothing balances in the trial state, a dof each; zero
     /// where supports balance them [F or F L].
     pub fn residuals(&self, plan: &Plan<'_>) -> Vec<f64> {
-        let force = |slot: usize| match plan.constraints.equation(slot) {
-            Some(_) => self.evaluation.unbalanced(slot),
+        let force = |dof: usize| match plan.constraints.equation(dof) {
+            Some(_) => self.evaluation.unbalanced(dof),
             None => 0.0,
         };
         (0..plan.dofs.len()).map(force).collect()

@@ -61,7 +61,7 @@ pub fn relax(
 pub(super) struct Relaxation {
     /// mu, in stiffnesses of the stiffest element; zero: none.
     pub stiffness: f64,
-    /// State at the beginning of the step, a slot each.
+    /// State at the beginning of the step, a dof each.
     pub anchor: Vec<f64>,
     /// Estimates of pressures, tractions and stresses there.
     estimates: [Vec<f64>; 3],
@@ -150,8 +150,8 @@ impl Workspace {
     /// Largest way since the beginning of the step in lengths of the stiffest
     /// element, or turn [1].
     fn way(&self, plan: &Plan<'_>) -> f64 {
-        let moved = |(equation, &slot): (usize, &usize)| {
-            let way = (self.u[slot] - self.relaxation.anchor[slot]).abs();
+        let moved = |(equation, &dof): (usize, &usize)| {
+            let way = (self.u[dof] - self.relaxation.anchor[dof]).abs();
             way * if plan.units[equation] == 1.0 { 1.0 / plan.lever } else { 1.0 }
         };
         let ways = plan.constraints.dof_of_equation.iter().enumerate().map(moved);
@@ -169,8 +169,8 @@ impl Workspace {
         if self.relaxation.stiffness == 0.0 {
             return;
         }
-        for (equation, &slot) in plan.constraints.dof_of_equation.iter().enumerate() {
-            let way = self.u[slot] - self.relaxation.anchor[slot];
+        for (equation, &dof) in plan.constraints.dof_of_equation.iter().enumerate() {
+            let way = self.u[dof] - self.relaxation.anchor[dof];
             self.correction[equation] -= self.held_by(plan, equation) * way;
         }
     }

@@ -67,18 +67,18 @@ impl Workspace {
 
     /// Size of what is not balanced: forces, moments over the length of the
     /// stiffest element, and what hard contact and exact stick miss, times the
-    /// stiffness lent to them [F].
+    /// stiffness augmentation to them [F].
     fn merit(&self, plan: &Plan<'_>) -> f64 {
         let length = plan.structure.stiffest_length;
         let lever = if length > 0.0 { length } else { plan.reach.max(f64::MIN_POSITIVE) };
         let mut sum = 0.0;
-        for &slot in &plan.constraints.dof_of_equation {
-            let force = self.evaluation.unbalanced(slot);
-            let force = if plan.dofs.name(slot).1.is_rotation() { force / lever } else { force };
+        for &dof in &plan.constraints.dof_of_equation {
+            let force = self.evaluation.unbalanced(dof);
+            let force = if plan.dofs.name(dof).1.is_rotation() { force / lever } else { force };
             sum += force * force;
         }
         let missed = self.evaluation.penetration + self.evaluation.stick_slip;
-        let missed = super::assembly::LENT * plan.structure.stiffest * missed;
+        let missed = super::assembly::AUGMENTATION * plan.structure.stiffest * missed;
         let all = (sum + missed * missed).sqrt();
         if all.is_finite() { all } else { f64::MAX }
     }

@@ -17,12 +17,12 @@ impl Workspace {
     /// The first guess of an increment: docs/theory.md eq. (3.29). Stresses are functions of the
     /// displacements, so that history needs none of its own.
     pub(super) fn first_stresses(&mut self, plan: &Plan<'_>, committed: &State, dt: f64) {
-        let still = &mut self.correction_slots;
+        let still = &mut self.correction_dofs;
         let last = committed.increment_time[0];
         if last == 0.0 {
             // What is prescribed was spread linearly: this is where that arrives.
-            for (slot, change) in still.iter_mut().enumerate() {
-                *change = self.u[slot] - committed.displacement[slot];
+            for (dof, change) in still.iter_mut().enumerate() {
+                *change = self.u[dof] - committed.displacement[dof];
             }
             plan.structure.stresses_after(&committed.displacement, still, &mut self.stresses);
             still.fill(0.0);
@@ -33,8 +33,8 @@ impl Workspace {
         if plan.step.extrapolation == Extrapolation::None {
             return;
         }
-        for (slot, before) in self.residual.iter_mut().enumerate() {
-            *before = committed.displacement[slot] - committed.increment[slot];
+        for (dof, before) in self.residual.iter_mut().enumerate() {
+            *before = committed.displacement[dof] - committed.increment[dof];
         }
         plan.structure.stresses_after(&self.residual, still, &mut self.arrived);
         for (stress, before) in self.stresses.iter_mut().zip(&self.arrived) {
@@ -51,7 +51,7 @@ impl Workspace {
     /// Moves the estimates by a fraction of the way to where the linear solution arrives; before
     /// the displacements move.
     pub(super) fn move_stresses(&mut self, plan: &Plan<'_>, length: f64) {
-        plan.structure.stresses_after(&self.u, &self.correction_slots, &mut self.arrived);
+        plan.structure.stresses_after(&self.u, &self.correction_dofs, &mut self.arrived);
         for (stress, arrived) in self.stresses.iter_mut().zip(&self.arrived) {
             *stress += length * (arrived - *stress);
         }

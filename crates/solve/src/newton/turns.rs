@@ -15,13 +15,13 @@ const LARGEST_ROTATION: f64 = 0.5;
 impl Workspace {
     /// Fraction of the correction at which nothing turns too far.
     pub(super) fn limit_turns(&self, plan: &Plan<'_>) -> f64 {
-        let of = |slot: usize| plan.constraints.equation(slot).map_or(0.0, |e| self.correction[e]);
+        let of = |dof: usize| plan.constraints.equation(dof).map_or(0.0, |e| self.correction[e]);
         let turn = if plan.contact.points.is_empty() {
             plan.structure.largest_bend(of)
         } else {
             let free = plan.constraints.dof_of_equation.iter();
-            let rotations = free.filter(|&&slot| plan.dofs.name(slot).1.is_rotation());
-            rotations.fold(0.0_f64, |largest, &slot| largest.max(of(slot).abs()))
+            let rotations = free.filter(|&&dof| plan.dofs.name(dof).1.is_rotation());
+            rotations.fold(0.0_f64, |largest, &dof| largest.max(of(dof).abs()))
         };
         if turn > LARGEST_ROTATION { LARGEST_ROTATION / turn } else { 1.0 }
     }

@@ -10,7 +10,7 @@
 //!
 //! docs/theory.md section 10.
 
-use super::{Left, Walk};
+use super::{Analysis, Left};
 use crate::commit::{commit, recall_points};
 use crate::constraints::Role;
 use crate::increments::Verdict;
@@ -43,7 +43,7 @@ const FALLS: f64 = 0.4;
 /// as the model reaches.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-impl Walk<'_> {
+impl Analysis<'_> {
     /// Enters what the increment that was just committed left over into the
     /// sums of its step. Where it jumped, what the jump released is counted
     /// apart, and said.
@@ -215,10 +215,10 @@ impl Part {
         rest.left -= beyond.left;
         let mut landed = back.to;
         let mut done = 0.0;
-        for slot in 0..plan.dofs.len() {
-            let force = |state: &State| state.load[slot] + state.reaction[slot];
+        for dof in 0..plan.dofs.len() {
+            let force = |state: &State| state.load[dof] + state.reaction[dof];
             let mean = 0.5 * (force(&limit) + force(&landed));
-            done += mean * (landed.displacement[slot] - limit.displacement[slot]);
+            done += mean * (landed.displacement[dof] - limit.displacement[dof]);
         }
         let kept = |state: &State| state.energy.strain_energy + state.energy.contact_energy;
         landed.books.left = done - (kept(&landed) - kept(&limit));
@@ -252,15 +252,15 @@ impl Part {
     /// Whether something that is prescribed or applied makes most of its own
     /// change in this part of `whole`: not the structure jumps then.
     fn is_driven(&self, plan: &Plan<'_>, whole: &Self) -> bool {
-        let change = |part: &Self, slot: usize| match plan.constraints.roles[slot] {
-            Role::Prescribed(_) => part.to.displacement[slot] - part.from.displacement[slot],
+        let change = |part: &Self, dof: usize| match plan.constraints.roles[dof] {
+            Role::Prescribed(_) => part.to.displacement[dof] - part.from.displacement[dof],
             _ => {
-                let force = |state: &State| state.load[slot] + state.reaction[slot];
+                let force = |state: &State| state.load[dof] + state.reaction[dof];
                 force(&part.to) - force(&part.from)
             }
         };
-        let mut slots = 0..plan.dofs.len().min(self.from.load.len());
-        slots.any(|slot| change(self, slot).abs() > 0.5 * change(whole, slot).abs())
+        let mut dofs = 0..plan.dofs.len().min(self.from.load.len());
+        dofs.any(|dof| change(self, dof).abs() > 0.5 * change(whole, dof).abs())
     }
 }
 

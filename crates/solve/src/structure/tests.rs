@@ -1,4 +1,4 @@
-//! Every type of element together, through the lists of slots.
+//! Every type of element together, through the lists of dofs.
 
 use super::*;
 use crate::constraints::{Constraints, Rows};
@@ -149,15 +149,15 @@ fn gathered_tangent_by_differences() {
     let mut flat = vec![0.0; pattern.entries()];
     structure.gather_tangent(&room, (constraints, &rows, pattern), &mut flat);
     for column in 0..constraints.equations() {
-        let slot = constraints.dof_of_equation[column];
+        let dof = constraints.dof_of_equation[column];
         let moved = |sign: f64| {
             let mut moved = u.clone();
-            moved[slot] += sign * 1e-6;
+            moved[dof] += sign * 1e-6;
             constraints.enforce(&mut moved);
             built.force(&moved)
         };
         let (up, down) = (moved(1.0), moved(-1.0));
-        assert!(((up.0 - down.0) / 2e-6 - here[slot]).abs() < 1e-6 * largest, "{slot}");
+        assert!(((up.0 - down.0) / 2e-6 - here[dof]).abs() < 1e-6 * largest, "{dof}");
         for row in 0..constraints.equations() {
             let at = constraints.dof_of_equation[row];
             let difference = (up.1[at] - down.1[at]) / 2e-6;
@@ -165,7 +165,7 @@ fn gathered_tangent_by_differences() {
             assert!((difference - entry).abs() < 1e-6 * largest, "{row} {column}");
         }
         let (mut unit, mut product) = (vec![0.0; u.len()], vec![0.0; u.len()]);
-        unit[slot] = 1.0;
+        unit[dof] = 1.0;
         constraints.expand(&rows, &mut unit);
         structure.multiply(&room, &unit, &mut product);
         constraints.carry(&rows, &mut product);
@@ -193,14 +193,14 @@ fn linear_kinematics() {
     structure.multiply(&room, &u, &mut product);
     let work: f64 = force.iter().zip(&u).map(|(f, u)| f * u).sum();
     assert!((work - 2.0 * energy).abs() < 1e-12 * energy, "{work} {energy}");
-    let free = constraints.dof_of_equation.iter().filter(|&&slot| slot < 12);
-    for &slot in free {
-        assert!((force[slot] - product[slot]).abs() < 1e-10, "{slot}");
+    let free = constraints.dof_of_equation.iter().filter(|&&dof| dof < 12);
+    for &dof in free {
+        assert!((force[dof] - product[dof]).abs() < 1e-10, "{dof}");
     }
     let mut results = Vec::new();
     structure.results(&u, &[], &mut results);
     let of = |block: &BlockResults| block.elements(&model).count();
-    assert_eq!(results.iter().map(of).collect::<Vec<_>>(), [2, 2, 0, 3]);
+    assert_eq!(results.iter().map(of).collect::<Vec<_>>(), [2, 2, 0, 3], "springs have no results");
     // SF1, SF2, SM1, SE1, SE2, SK1
     let (_, b23) = results[1].elements(&model).next().unwrap();
     assert!(b23.len() == 6 && b23[4] == 0.0 && b23[1] != 0.0, "B23 has V without strain");
@@ -263,8 +263,8 @@ fn stresses_after_by_differences() {
     let Built { constraints, structure, .. } = &built;
     let u = motion(&built);
     let mut change = vec![0.0; u.len()];
-    for (k, &slot) in constraints.dof_of_equation.iter().enumerate() {
-        change[slot] = 0.1 * (k as f64 + 0.3).sin();
+    for (k, &dof) in constraints.dof_of_equation.iter().enumerate() {
+        change[dof] = 0.1 * (k as f64 + 0.3).sin();
     }
     let mut rows = Rows::default();
     constraints.linearise(&u, &mut rows);

@@ -5,7 +5,7 @@
 //!   multiplier:  lambda is an unknown; lambda = P(h + lambda/kappa)             (mixed, Lagrange)
 //! ```
 //!
-//! Either way a law demands a value of the multiplier: [`Demand`]. The equation lambda - demand = 0
+//! Either way a law complementarities a value of the multiplier: [`Complementarity`]. The equation lambda - complementarity = 0
 //! is what the contact step solves; with P the Moreau-Yosida form of the law it is single-valued and
 //! piecewise smooth for soft and hard laws alike, and kappa changes the path, not the solution.
 //! [semantics: enforcement remark; derived]
@@ -34,7 +34,7 @@ impl Enforcement {
 
 /// What a law says a multiplier should be, with derivatives.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Demand {
+pub struct Complementarity {
     /// The value [F/L2].
     pub value: f64,
     /// Its derivative by the multiplier itself [1].
@@ -45,7 +45,7 @@ pub struct Demand {
     pub by_pressure: f64,
 }
 
-impl Demand {
+impl Complementarity {
     /// A law inserted: `value` and `slope` at the overclosure or slip.
     pub fn inserted(value: f64, slope: f64) -> Self {
         Self { value, by_value: slope, ..Self::default() }
@@ -75,12 +75,14 @@ mod tests {
         let (k, kappa, h) = (7.0, 3.0, 0.2);
         let slope = k / (1.0 + k / kappa);
         let lambda = k * h;
-        let demand = Demand::multiplier(slope * (h + lambda / kappa), slope, kappa);
-        assert!((demand.value - lambda).abs() < 1e-14);
-        // Newton from any multiplier lands there in one step, for the demand is affine in it.
+        let complementarity =
+            Complementarity::multiplier(slope * (h + lambda / kappa), slope, kappa);
+        assert!((complementarity.value - lambda).abs() < 1e-14);
+        // Newton from any multiplier lands there in one step, for the complementarity is affine in it.
         let guess = 5.0;
-        let demand = Demand::multiplier(slope * (h + guess / kappa), slope, kappa);
-        let step = (guess - demand.value) / (1.0 - demand.by_multiplier);
+        let complementarity =
+            Complementarity::multiplier(slope * (h + guess / kappa), slope, kappa);
+        let step = (guess - complementarity.value) / (1.0 - complementarity.by_multiplier);
         assert!((guess - step - lambda).abs() < 1e-13);
     }
 }

@@ -60,15 +60,15 @@ impl Circle {
             gradient: [0.0; 5],
             slip_gradient: [0.0; 5],
             hessian: [[0.0; 5]; 5],
-            drag: [0.0; 5],
-            drag_derivative: [[0.0; 5]; 5],
+            direction: [0.0; 5],
+            direction_derivative: [[0.0; 5]; 5],
             normal: [-travel * e[0], -travel * e[1]],
             tangent: [-travel * e[1], travel * e[0]],
             position: [centre[0] + self.radius * e[0], centre[1] + self.radius * e[1]],
             parameter: angle,
         };
         gap.slip_gradient[4] = -travel * self.radius;
-        gap.drag[4] = -travel * distance;
+        gap.direction[4] = -travel * distance;
         fill_derivatives(&mut gap, e, distance, travel, self.radius);
         gap.checked()
     }
@@ -81,7 +81,7 @@ impl Circle {
     }
 }
 
-/// d|d| = e.dx, D d|d| = (t.dx)(t.Dx)/|d|, d theta = t.dx/|d|, dx relative to the centre; the drag is
+/// d|d| = e.dx, D d|d| = (t.dx)(t.Dx)/|d|, d theta = t.dx/|d|, dx relative to the centre; the direction is
 /// t.dx and turns with D t = -e (t.Dx)/|d|, its lever about the centre is |d|.
 fn fill_derivatives(gap: &mut Gap<5>, e: [f64; 2], distance: f64, travel: f64, radius: f64) {
     let t = [-e[1], e[0]];
@@ -90,13 +90,13 @@ fn fill_derivatives(gap: &mut Gap<5>, e: [f64; 2], distance: f64, travel: f64, r
     for i in 0..4 {
         gap.gradient[i] = travel * sign(i) * e[i % 2];
         gap.slip_gradient[i] = slip * sign(i) * t[i % 2];
-        gap.drag[i] = travel * sign(i) * t[i % 2];
-        gap.drag_derivative[4][i] = -travel * sign(i) * e[i % 2];
+        gap.direction[i] = travel * sign(i) * t[i % 2];
+        gap.direction_derivative[4][i] = -travel * sign(i) * e[i % 2];
         for j in 0..4 {
             let both = travel * sign(i) * sign(j) / distance;
             let (a, b) = (i % 2, j % 2);
             gap.hessian[i][j] = both * t[a] * t[b];
-            gap.drag_derivative[i][j] = -both * e[a] * t[b];
+            gap.direction_derivative[i][j] = -both * e[a] * t[b];
         }
     }
 }

@@ -161,7 +161,7 @@ fn variable<const K: usize>(weights: &Weights<K>, index: usize) -> Variable {
 ///
 /// With F(xi, q) = (x_s - x_c).a = 0: xi_i = -F_i/F_xi,
 /// xi_ij = -(F_ij + F_i,xi xi_j + F_j,xi xi_i + F_xixi xi_i xi_j)/F_xi; dg = n.(dx_s - v);
-/// The drag is d sigma/|d sigma/dx_s|; |d sigma/dx_s| = sigma' |a|/|F_xi|.
+/// The direction is d sigma/|d sigma/dx_s|; |d sigma/dx_s| = sigma' |a|/|F_xi|.
 /// D dg = -(n.v1) Dxi - (n.V1) dxi - b dxi Dxi + (g/m)(n.v1 + b dxi)(n.V1 + b Dxi).
 /// `None` for a degenerate curve or a point on its centre of curvature. [semantics: closest point]
 pub fn point_to_curve<const K: usize, const N: usize>(
@@ -192,8 +192,8 @@ pub fn point_to_curve<const K: usize, const N: usize>(
         gradient: [0.0; N],
         slip_gradient: [0.0; N],
         hessian: [[0.0; N]; N],
-        drag: [0.0; N],
-        drag_derivative: [[0.0; N]; N],
+        direction: [0.0; N],
+        direction_derivative: [[0.0; N]; N],
         normal,
         tangent,
         position: curve.position,
@@ -239,7 +239,7 @@ fn fill_derivatives<const K: usize, const N: usize>(
             (v.tangent * curve.first[c] + dot(curve.first, curve.second) * xi[j]) / metric;
         let turn = (change[j] + slope_xi * xi[j]) / slope;
         growth[j] = along.second / along.first * xi[j] + stretch - turn;
-        gap.drag[j] = scale * gap.slip_gradient[j];
+        gap.direction[j] = scale * gap.slip_gradient[j];
     }
     for i in 0..N {
         for j in i..N {
@@ -256,8 +256,8 @@ fn fill_derivatives<const K: usize, const N: usize>(
             let s_ij = along.first * xi_ij + along.second * xi[i] * xi[j];
             gap.hessian[i][j] = -g_ij;
             gap.hessian[j][i] = -g_ij;
-            gap.drag_derivative[i][j] = scale * s_ij - gap.drag[i] * growth[j];
-            gap.drag_derivative[j][i] = scale * s_ij - gap.drag[j] * growth[i];
+            gap.direction_derivative[i][j] = scale * s_ij - gap.direction[i] * growth[j];
+            gap.direction_derivative[j][i] = scale * s_ij - gap.direction[j] * growth[i];
         }
     }
 }

@@ -30,9 +30,9 @@ pub struct Gap<const N: usize> {
     /// Direction of the tangential force on each variable [1]: d sigma/dq divided by its length at the
     /// slave, so that a traction tau drags the slave with tau A whatever the gap, and the master with
     /// the same force and moment. On a rigid master the lever arm runs to the slave point.
-    pub drag: [f64; N],
-    /// Derivative of `drag` i by variable j [1/L]; not symmetric.
-    pub drag_derivative: [[f64; N]; N],
+    pub direction: [f64; N],
+    /// Derivative of `direction` i by variable j [1/L]; not symmetric.
+    pub direction_derivative: [[f64; N]; N],
     /// Outward unit normal of the master.
     pub normal: [f64; 2],
     /// Unit tangent of the master, in the direction of travel.
@@ -46,9 +46,10 @@ pub struct Gap<const N: usize> {
 impl<const N: usize> Gap<N> {
     /// Whether every number is finite.
     pub(crate) fn checked(self) -> Option<Self> {
-        let sums = self.gradient.iter().chain(&self.slip_gradient).chain(&self.drag).sum::<f64>()
-            + self.hessian.as_flattened().iter().sum::<f64>()
-            + self.drag_derivative.as_flattened().iter().sum::<f64>();
+        let sums =
+            self.gradient.iter().chain(&self.slip_gradient).chain(&self.direction).sum::<f64>()
+                + self.hessian.as_flattened().iter().sum::<f64>()
+                + self.direction_derivative.as_flattened().iter().sum::<f64>();
         (self.overclosure + self.along + sums).is_finite().then_some(self)
     }
 }

@@ -69,8 +69,8 @@ impl AnyGap {
             gradient: &gap.gradient,
             slip_gradient: &gap.slip_gradient,
             hessian: gap.hessian.as_flattened(),
-            drag: &gap.drag,
-            drag_derivative: gap.drag_derivative.as_flattened(),
+            direction: &gap.direction,
+            direction_derivative: gap.direction_derivative.as_flattened(),
         })
     }
 }
@@ -85,9 +85,9 @@ pub struct Derivatives<'a> {
     /// d2h/dq2, n x n row-major [1/L].
     pub hessian: &'a [f64],
     /// Direction of the tangential force, n [1].
-    pub drag: &'a [f64],
+    pub direction: &'a [f64],
     /// Its derivative, n x n row-major, not symmetric [1/L].
-    pub drag_derivative: &'a [f64],
+    pub direction_derivative: &'a [f64],
 }
 
 /// Where the attachments of a stencil go, slave first.

@@ -17,12 +17,12 @@ fn trial(overclosure: f64, slip: f64) -> PointTrial {
     PointTrial { overclosure, slip, pressure: 0.0, traction: 0.0, stiffness: 1e12, dt: 0.05 }
 }
 
-/// No law of a user, no memory.
-fn memory(fault: &mut Option<UserFrictionError>) -> UserMemory<'_> {
-    UserMemory { time: 0.0, committed: &[], state: &mut [], fault }
+/// No law of a user, no state_variables.
+fn state_variables(fault: &mut Option<UserFrictionError>) -> UserState<'_> {
+    UserState { time: 0.0, committed: &[], state: &mut [], fault }
 }
 
-/// Requirement: the derivatives that a demand states are those of the demand. Central differences
+/// Requirement: the derivatives that a complementarity states are those of the complementarity. Central differences
 /// with relative steps of 1e-6; tolerance 1e-6 of the largest derivative (truncation 1e-12, rounding
 /// 1e-10 of the value).
 #[test]
@@ -33,10 +33,20 @@ fn demands_by_differences() {
     for friction in [elastic, decaying] {
         let laws = laws(friction);
         for (tau, slip, p) in [(1e5, 1e-6, 2e6), (9e5, 5e-6, 2e6), (-9e5, -5e-6, 1e6)] {
-            let at =
-                |x: [f64; 3]| laws.demand_traction(x, 5e-7, (kappa, 0.05), &mut memory(&mut None));
-            let demand = at([tau, slip, p]);
-            let stated = [demand.by_multiplier, demand.by_value, demand.by_pressure];
+            let at = |x: [f64; 3]| {
+                laws.complementarity_of_traction(
+                    x,
+                    5e-7,
+                    (kappa, 0.05),
+                    &mut state_variables(&mut None),
+                )
+            };
+            let complementarity = at([tau, slip, p]);
+            let stated = [
+                complementarity.by_multiplier,
+                complementarity.by_value,
+                complementarity.by_pressure,
+            ];
             for (k, size) in [1e5, 1e-6, 1e6].into_iter().enumerate() {
                 let step = 1e-6 * size;
                 let (mut up, mut down) = ([tau, slip, p], [tau, slip, p]);
@@ -51,17 +61,23 @@ fn demands_by_differences() {
             }
         }
         for (p, h) in [(1e5, -8e-6), (3e6, -1e-6), (0.0, -2e-5)] {
-            let at = |p: f64, h: f64| laws.demand_pressure(p, h, kappa).value;
-            let demand = laws.demand_pressure(p, h, kappa);
+            let at = |p: f64, h: f64| laws.complementarity_of_pressure(p, h, kappa).value;
+            let complementarity = laws.complementarity_of_pressure(p, h, kappa);
             let by_p = (at(p + 1.0, h) - at(p - 1.0, h)) / 2.0;
             let by_h = (at(p, h + 1e-12) - at(p, h - 1e-12)) / 2e-12;
-            assert!((by_p - demand.by_multiplier).abs() < 1e-5, "{by_p} {demand:?}");
-            assert!((by_h - demand.by_value).abs() < 1e-5 * kappa, "{by_h} {demand:?}");
+            assert!(
+                (by_p - complementarity.by_multiplier).abs() < 1e-5,
+                "{by_p} {complementarity:?}"
+            );
+            assert!(
+                (by_h - complementarity.by_value).abs() < 1e-5 * kappa,
+                "{by_h} {complementarity:?}"
+            );
         }
     }
 }
 
-/// Requirement: a solution of the demand equation obeys the law: lambda = demand(lambda, h) exactly
+/// Requirement: a solution of the complementarity equation obeys the law: lambda = complementarity(lambda, h) exactly
 /// where lambda = p(h). Tolerance: round-off of the resolvent.
 #[test]
 fn the_law_is_the_solution_of_its_demand() {
@@ -69,8 +85,8 @@ fn the_law_is_the_solution_of_its_demand() {
     for h in [-9e-6, -5e-6, 0.0, 8e-6] {
         let p = laws.pressure(h, 0.0);
         for kappa in [1e9, 1e12, 1e14] {
-            let demand = laws.demand_pressure(p, h, kappa);
-            assert!((demand.value - p).abs() < 1e-11 * p, "{h} {kappa}");
+            let complementarity = laws.complementarity_of_pressure(p, h, kappa);
+            assert!((complementarity.value - p).abs() < 1e-11 * p, "{h} {kappa}");
         }
     }
 }
@@ -83,7 +99,8 @@ fn friction_dissipates() {
         let laws = laws(coulomb(stick, None));
         for slip in [-1e-3, -5e-6, 5e-6, 1e-3] {
             let history = History { closed: true, along: Some(0.0), elastic_slip: 0.0 };
-            let response = laws.respond(&history, &trial(-2e-6, slip), &mut memory(&mut None));
+            let response =
+                laws.respond(&history, &trial(-2e-6, slip), &mut state_variables(&mut None));
             assert!(response.traction.tau * slip > 0.0);
             assert!(response.traction.dissipated_slip >= 0.0);
         }
@@ -100,7 +117,7 @@ fn nothing_faces_nothing() {
         let response = laws.respond(
             &History::default(),
             &trial(f64::NEG_INFINITY, 0.0),
-            &mut memory(&mut None),
+            &mut state_variables(&mut None),
         );
         assert!(!response.closed && response.pressure == 0.0);
     }

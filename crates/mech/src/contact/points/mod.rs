@@ -7,8 +7,8 @@
 //!      o----m----o                   a three-node beam: 1/6, 4/6, 1/6 of it
 //! ```
 
+pub mod integration_points;
 pub mod slopes;
-pub mod stations;
 
 /// Tributary area of each slave node [L2]: A_i = width (sum over the elements meeting at node i of
 /// its share times their length), chords of the undeformed mesh. With shares of one half an end

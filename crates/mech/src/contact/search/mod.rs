@@ -37,17 +37,13 @@ const TIE: f64 = 1e-12;
 /// [0, 1] up to [`INSIDE`]; `None` if the point does not face it. Newton with bisection on
 /// F(s) = (x - B).B', which falls through zero at a nearest point.
 fn project_quadratic(control: &[Point; 3], point: Point) -> Option<f64> {
+    // F/2 by powers of s, about the first point: (w - 2 s d - s^2 c) . (d + s c)
+    let (w, d) = (sub(point, control[0]), sub(control[1], control[0]));
+    let c = sub(sub(control[2], control[1]), d);
+    let [f0, f1, f2, f3] = [dot(w, d), dot(w, c) - 2.0 * dot(d, d), -3.0 * dot(d, c), -dot(c, c)];
     let value = |s: f64| {
-        let rest = 1.0 - s;
-        let (mut b, mut d, mut dd) = ([0.0; 2], [0.0; 2], [0.0; 2]);
-        for c in 0..2 {
-            let (p, q, r) = (control[0][c], control[1][c], control[2][c]);
-            b[c] = rest * rest * p + 2.0 * s * rest * q + s * s * r;
-            d[c] = 2.0 * (rest * (q - p) + s * (r - q));
-            dd[c] = 2.0 * (r - 2.0 * q + p);
-        }
-        let apart = sub(point, b);
-        (dot(apart, d), dot(apart, dd) - dot(d, d))
+        let f = f0 + s * (f1 + s * (f2 + s * f3));
+        (f, f1 + s * (2.0 * f2 + 3.0 * s * f3))
     };
     let (mut low, mut high) = (-INSIDE, 1.0 + INSIDE);
     if value(low).0 < 0.0 || value(high).0 > 0.0 {

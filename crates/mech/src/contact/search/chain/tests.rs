@@ -77,6 +77,15 @@ fn the_tree_changes_no_answer() {
             assert_eq!(chain.closest(&x, None, *node), chain.closest(&x, Some(&tree), *node));
         }
     }
+    let x: Vec<[f64; 2]> = (0..70).map(|k| [f64::from(k), 0.1 * f64::from(k % 2)]).collect();
+    let chain = Chain::new(&x, 0.2, 0.1).unwrap();
+    let tree = BoxTree::new(chain.segments(), |part| chain.bounds(&x, part));
+    for k in 0..400 {
+        let p = [-10.0 + 0.25 * f64::from(k), 3.0 * f64::from(k).sin()];
+        let (slow, quick) = (chain.closest(&x, None, p), chain.closest(&x, Some(&tree), p));
+        assert_eq!(slow, quick, "{p:?}");
+        none += i32::from(slow.is_none());
+    }
     assert!(facing > 6000 && none > 10, "{facing} {none}");
 }
 

@@ -1,20 +1,22 @@
-//! Integrated contact: slave elements as strips of stations.
+//! Integrated contact: slave elements as segments of integration_points.
 //!
 //! ```text
-//!   o==:==:==:==:==:==:==:==o   a strip: smooth line over a slave element, in cells
-//!              [x x x]          stations follow the closed part of their cell
+//!   o==:==:==:==:==:==:==:==o   a segment: smooth line over a slave element, in cells
+//!              [x x x]          integration_points follow the closed part of their cell
 //!            ___________
 //!           /  master   \
 //! ```
 
-use super::facade::Facade;
-use super::meeting::{Meeting, Stencil};
+use super::kinematics::{ContactKinematics, Stencil};
+use super::master::MasterSurface;
 use super::positions::MasterPositions;
 use super::shear::{Shear, TURNS, sheared_beams};
-use super::{Carrier, Contact, slots_of};
+use super::{Carrier, Contact, rigid_dofs};
 use crate::dofs::DofMap;
 use slideline_mech::contact::pair::Body;
-use slideline_mech::contact::points::stations::{GAUSS, HermiteLine, POINTS, closed_part_between};
+use slideline_mech::contact::points::integration_points::{
+    GAUSS, HermiteLine, POINTS, closed_part_between,
+};
 use slideline_model::{ContactPair, Model, NodeIndex};
 use std::collections::HashMap;
 
@@ -23,15 +25,15 @@ pub const CELLS: usize = 8;
 
 /// A slave element along which contact is integrated.
 #[derive(Clone, Debug)]
-pub struct Strip {
+pub struct SlaveSegment {
     /// Place of its pair in the model.
     pub pair: usize,
     /// Places of its nodes among the slave nodes of its pair.
     pub rows: [usize; 2],
     /// Its smooth line.
     pub line: HermiteLine,
-    /// Slots of both nodes.
-    pub slots: [usize; 6],
+    /// Dofs of both nodes.
+    pub dofs: [usize; 6],
     /// What turns its tangents beyond its nodes, of shear-flexible beams.
     pub shear: Option<Shear>,
     /// Out-of-plane width [L].
@@ -40,20 +42,20 @@ pub struct Strip {
     pub first: usize,
 }
 
-/// Points of a strip.
-pub const STRIP_POINTS: usize = CELLS * POINTS;
+/// Points of a segment.
+pub const SEGMENT_POINTS: usize = CELLS * POINTS;
 
-impl Strip {
-    /// Place on the element of one of its stations while its cell is closed.
-    pub fn resting_place(station: usize) -> f64 {
-        ((station / POINTS) as f64 + GAUSS[station % POINTS].0) / CELLS as f64
+impl SlaveSegment {
+    /// Place on the element of one of its integration_points while its cell is closed.
+    pub fn resting_place(integration_point: usize) -> f64 {
+        ((integration_point / POINTS) as f64 + GAUSS[integration_point % POINTS].0) / CELLS as f64
     }
 
     /// Displacements and turns of both ends of its line.
     pub fn ends(&self, u: &[f64]) -> [f64; 6] {
-        let mut ends = self.slots.map(|slot| u[slot]);
+        let mut ends = self.dofs.map(|dof| u[dof]);
         if let Some(shear) = &self.shear {
-            let turns = shear.turns(&self.slots, u);
+            let turns = shear.turns(&self.dofs, u);
             for (turn, by_shear) in TURNS.into_iter().zip(turns) {
                 ends[turn] += by_shear;
             }
@@ -69,7 +71,7 @@ impl Strip {
         for (end, u) in u.iter().enumerate() {
             for node in 0..2 {
                 let [x, y] = self.line.nodes[node];
-                let at = [x + u[self.slots[3 * node]], y + u[self.slots[3 * node + 1]]];
+                let at = [x + u[self.dofs[3 * node]], y + u[self.dofs[3 * node + 1]]];
                 let room = room[0] + room[1];
                 corners[4 * end + 2 * node] = at.map(|x| x - room);
                 corners[4 * end + 2 * node + 1] = at.map(|x| x + room);
@@ -78,25 +80,29 @@ impl Strip {
         corners
     }
 
-    /// The stencil of its station at `xi`, its ends known.
+    /// The stencil of its integration_point at `xi`, its ends known.
     pub fn stencil(&self, ends: &[f64; 6], xi: f64) -> Stencil<'_> {
         let mut stencil = Stencil::new(self.line.bent(ends).position(xi));
-        stencil.add(&self.slots, *ends);
+        stencil.add(&self.dofs, *ends);
         stencil.shear = self.shear.as_ref();
         stencil
     }
 
-    /// All slots that its line follows.
-    pub fn all_slots(&self) -> Vec<usize> {
+    /// All dofs that its line follows.
+    pub fn all_dofs(&self) -> Vec<usize> {
         let further = self.shear.iter().flat_map(|shear| &shear.further);
-        self.slots.iter().chain(further).copied().collect()
+        self.dofs.iter().chain(further).copied().collect()
     }
 
-    /// Places the stations of the strip where `beyond`, the overclosure
+    /// Places the integration_points of the segment where `beyond`, the overclosure
     /// beyond the point where contact begins at a place on it, lets them
-    /// follow the closed part of their cells, and says which stations contact
-    /// may reach in an iteration: `place(station, xi, area)`.
-    fn place_stations(&self, beyond: impl Fn(f64) -> f64, mut place: impl FnMut(usize, f64, f64)) {
+    /// follow the closed part of their cells, and says which integration_points contact
+    /// may reach in an iteration: `place(integration_point, xi, area)`.
+    fn place_integration_points(
+        &self,
+        beyond: impl Fn(f64) -> f64,
+        mut place: impl FnMut(usize, f64, f64),
+    ) {
         let length = self.line.length();
         if top_of_parabola([beyond(0.0), beyond(0.5), beyond(1.0)]) < -NEAR * length {
             return;
@@ -118,8 +124,8 @@ impl Strip {
 }
 
 impl Contact {
-    /// Adds the elements of a pair as strips of stations.
-    pub(super) fn add_strips(
+    /// Adds the elements of a pair as segments of integration_points.
+    pub(super) fn add_segments(
         &mut self,
         model: &Model,
         dofs: &DofMap,
@@ -134,22 +140,27 @@ impl Contact {
             let nodes = element.nodes.map(|node| model.nodes.plane(node));
             let length = (nodes[1][0] - nodes[0][0]).hypot(nodes[1][1] - nodes[0][1]);
             let tangents = element.nodes.map(|node| tangents[&node].map(|t| t * length));
-            let [a, b] = element.nodes.map(|node| slots_of(dofs, node));
-            let strip = self.strips.len();
+            let [a, b] = element.nodes.map(|node| rigid_dofs(dofs, node));
+            let segment = self.segments.len();
             let first = self.points.len();
             let width = pair.interaction.width;
             for cell in 0..CELLS {
                 for (_, weight) in GAUSS {
                     let area = width * length * weight / CELLS as f64;
                     let node = element.nodes[usize::from(2 * cell >= CELLS)];
-                    self.add_point(place, pair, (node, area), Carrier::Station { strip });
+                    self.add_point(
+                        place,
+                        pair,
+                        (node, area),
+                        Carrier::IntegrationPoint { segment },
+                    );
                 }
             }
-            self.strips.push(Strip {
+            self.segments.push(SlaveSegment {
                 pair: place,
                 rows: element.nodes.map(|node| rows[&node]),
                 line: HermiteLine { nodes, tangents },
-                slots: [a[0], a[1], a[2], b[0], b[1], b[2]],
+                dofs: [a[0], a[1], a[2], b[0], b[1], b[2]],
                 shear: Shear::new(model, dofs, element.nodes, &beams),
                 width,
                 first,
@@ -159,23 +170,30 @@ impl Contact {
 
     /// Stations follow the closed part of their cells; those of cells that
     /// contact cannot reach in an iteration face nothing.
-    pub(super) fn meet_strip(&self, strip: &Strip, u: &[f64], into: &mut [Meeting]) {
-        into.iter_mut().for_each(Meeting::turn_away);
-        let begins = self.laws[strip.pair].normal.contact_begins();
-        let Facade::Body { slots, reference, surface } = &self.facades[strip.pair] else { return };
-        let body = Body { reference: *reference, dofs: slots.map(|slot| u[slot]) };
-        let ends = strip.ends(u);
-        let bent = strip.line.bent(&ends);
+    pub(super) fn meet_segment(
+        &self,
+        segment: &SlaveSegment,
+        u: &[f64],
+        into: &mut [ContactKinematics],
+    ) {
+        into.iter_mut().for_each(ContactKinematics::turn_away);
+        let begins = self.laws[segment.pair].normal.contact_begins();
+        let MasterSurface::Body { dofs, reference, surface } = &self.masters[segment.pair] else {
+            return;
+        };
+        let body = Body { reference: *reference, dofs: dofs.map(|dof| u[dof]) };
+        let ends = segment.ends(u);
+        let bent = segment.line.bent(&ends);
         let beyond = |xi: f64| {
             let overclosure = surface.overclosure(&body, bent.position(xi));
             overclosure.unwrap_or(f64::NEG_INFINITY) - begins
         };
         let none = MasterPositions::default();
-        strip.place_stations(beyond, |station, xi, area| {
-            let meeting = &mut into[station];
-            (meeting.xi, meeting.area) = (xi, area);
-            let point = &self.points[strip.first + station];
-            self.meet_stencil(point, strip.stencil(&ends, xi), (u, &none), meeting);
+        segment.place_integration_points(beyond, |integration_point, xi, area| {
+            let kinematics = &mut into[integration_point];
+            (kinematics.xi, kinematics.area) = (xi, area);
+            let point = &self.points[segment.first + integration_point];
+            self.meet_stencil(point, segment.stencil(&ends, xi), (u, &none), kinematics);
         });
     }
 }

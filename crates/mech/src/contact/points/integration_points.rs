@@ -34,7 +34,7 @@ pub struct HermiteLine {
 }
 
 impl HermiteLine {
-    /// How the station at `xi` in [0, 1] follows the nodes: Hermite polynomials on positions, and
+    /// How the integration_point at `xi` in [0, 1] follows the nodes: Hermite polynomials on positions, and
     /// on the tangents as arms that turn.
     pub fn blend(&self, xi: f64) -> Blend {
         let rest = 1.0 - xi;
@@ -47,7 +47,7 @@ impl HermiteLine {
         }
     }
 
-    /// Undeformed position of the station at `xi` [L].
+    /// Undeformed position of the integration_point at `xi` [L].
     pub fn reference(&self, xi: f64) -> [f64; 2] {
         let blend = self.blend(xi);
         let at =
@@ -82,7 +82,7 @@ pub struct BentLine {
 }
 
 impl BentLine {
-    /// Position of the station at `xi` [L].
+    /// Position of the integration_point at `xi` [L].
     pub fn position(&self, xi: f64) -> [f64; 2] {
         let rest = 1.0 - xi;
         let (h1, h2) = (xi * rest * rest, -xi * xi * rest);

@@ -1,33 +1,35 @@
 //! Stations of integrated contact in the small system.
 //!
-//! Many stations press on few equations: none has a row of its own, the
+//! Many integration_points press on few equations: none has a row of its own, the
 //! equations that they press on have.
 
-use super::system::Station;
-use super::{Circumstances, LinearPoint, LinearisedContact, MOST_DOFS};
+use super::system::IntegrationPoint;
+use super::{LawContext, LinearPoint, LinearisedContact, MOST_DOFS};
 use slideline_linalg::{SolveError, Solver};
 
 impl LinearisedContact {
-    /// Lets a station join; its equations that no station has touched yet
+    /// Lets a integration_point join; its equations that no integration_point has touched yet
     /// become rows.
-    pub(super) fn add_station(
+    pub(super) fn add_integration_point(
         &mut self,
         (point, place): (&LinearPoint, usize),
-        circumstances: &Circumstances<'_>,
+        context: &LawContext<'_>,
         solver: &mut Solver,
         base: &[f64],
     ) -> Result<(), SolveError> {
-        let mut station = Station { point: place, rows: [0; MOST_DOFS] };
-        for (row, &equation) in station.rows.iter_mut().zip(&point.equations[..point.width]) {
+        let mut integration_point = IntegrationPoint { point: place, rows: [0; MOST_DOFS] };
+        for (row, &equation) in
+            integration_point.rows.iter_mut().zip(&point.equations[..point.width])
+        {
             *row = match self.interface.get(&equation) {
                 Some(&known) => known,
                 None => {
-                    let unit = circumstances.units.get(equation).copied().unwrap_or(1.0);
+                    let unit = context.units.get(equation).copied().unwrap_or(1.0);
                     self.add_interface((equation, unit), solver, base)?
                 }
             };
         }
-        self.stations.push(station);
+        self.integration_points.push(integration_point);
         Ok(())
     }
 
@@ -50,12 +52,12 @@ impl LinearisedContact {
     /// Starts the forces of the interface rows from the pressures and
     /// tractions that the iteration estimates.
     pub(super) fn press(&mut self, points: &[LinearPoint]) {
-        for station in &self.stations {
-            let point = &points[station.point];
+        for integration_point in &self.integration_points {
+            let point = &points[integration_point.point];
             let traction = point.sliding.map_or(0.0, |sliding| sliding.traction);
             for a in 0..point.width {
-                let force = point.pressure * point.normal[a] + traction * point.drag[a];
-                self.unknown[station.rows[a]] += point.area * force;
+                let force = point.pressure * point.normal[a] + traction * point.direction[a];
+                self.unknown[integration_point.rows[a]] += point.area * force;
             }
         }
     }

@@ -10,7 +10,7 @@ use super::system::System;
 
 /// Non-negative least squares on the rows `candidates` of a system; the
 /// other unknowns stay as they are.
-pub(super) fn settle(system: &System<'_>, candidates: &[usize], unknown: &mut [f64]) {
+pub(super) fn pivoting(system: &System<'_>, candidates: &[usize], unknown: &mut [f64]) {
     let scale = candidates.iter().map(|&i| system.rows[i].free.abs()).fold(0.0, f64::max);
     for &i in candidates {
         // p = 0: q = -s (h - h0), to first order without the other rows.

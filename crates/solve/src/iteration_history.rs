@@ -63,13 +63,13 @@ fn latest(bits: u32) -> u32 {
 
 /// All contact points in the iterations of an attempt.
 #[derive(Clone, Debug, Default)]
-pub struct Evidence {
+pub struct IterationHistory {
     /// In the order of the plan.
     pub points: Vec<PointEvidence>,
     iterations: u32,
 }
 
-impl Evidence {
+impl IterationHistory {
     /// Room for `points` points.
     pub fn new(points: usize) -> Self {
         Self { points: vec![PointEvidence::default(); points], iterations: 0 }
@@ -140,15 +140,20 @@ mod tests {
                 point(true, Status::Slip, swing),
             ]
         };
-        let mut evidence = Evidence::new(3);
-        evidence.begin(&at(0));
+        let mut iteration_history = IterationHistory::new(3);
+        iteration_history.begin(&at(0));
         for k in 1..10 {
-            evidence.note(&at(k));
+            iteration_history.note(&at(k));
         }
-        assert_eq!((evidence.window(), evidence.chattering()), (8, vec![0]));
-        assert_eq!(evidence.wavering(), [2]);
-        assert_eq!((evidence.points[0].changes(), evidence.points[2].flips()), (8, 8));
-        evidence.begin(&at(0));
-        assert!(evidence.chattering().is_empty() && evidence.wavering().is_empty());
+        assert_eq!((iteration_history.window(), iteration_history.chattering()), (8, vec![0]));
+        assert_eq!(iteration_history.wavering(), [2]);
+        assert_eq!(
+            (iteration_history.points[0].changes(), iteration_history.points[2].flips()),
+            (8, 8)
+        );
+        iteration_history.begin(&at(0));
+        assert!(
+            iteration_history.chattering().is_empty() && iteration_history.wavering().is_empty()
+        );
     }
 }

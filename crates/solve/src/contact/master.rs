@@ -1,8 +1,8 @@
 //! Masters, ready to be searched.
 
-use super::meeting::Stencil;
+use super::kinematics::Stencil;
 use super::positions::MasterPositions;
-use super::{slots_of, translations};
+use super::{rigid_dofs, translations};
 use crate::dofs::DofMap;
 use slideline_mech::contact::pair::{AnyGap, Body, RigidSurface, chain_attachments, chain_gap};
 use slideline_mech::contact::search::chain::Chain;
@@ -13,11 +13,11 @@ use slideline_model::{Model, SlideLine, SurfaceSegment};
 
 /// A master, ready to be searched.
 #[derive(Clone, Debug)]
-pub enum Facade {
+pub enum MasterSurface {
     /// A rigid surface on the body of a node.
     Body {
-        /// Slots of the body's dofs.
-        slots: [usize; 3],
+        /// Dofs of the body's dofs.
+        dofs: [usize; 3],
         /// Undeformed position of its node [L].
         reference: [f64; 2],
         /// The surface, undeformed.
@@ -36,23 +36,27 @@ pub enum Facade {
     Nothing,
 }
 
-impl Facade {
-    /// The facade of a chain of nodes.
-    pub fn chain(model: &Model, dofs: &DofMap, line: &SlideLine, offset: usize) -> Facade {
+impl MasterSurface {
+    /// The master of a chain of nodes.
+    pub fn chain(model: &Model, dofs: &DofMap, line: &SlideLine, offset: usize) -> MasterSurface {
         let reference: Vec<_> = line.nodes.iter().map(|&node| model.nodes.plane(node)).collect();
         let nodes =
             line.nodes.iter().map(|&node| (model.nodes.plane(node), translations(dofs, node)));
         match Chain::new(&reference, line.smooth, line.extension) {
-            Some(chain) => Facade::Line { chain, nodes: nodes.collect(), offset },
-            None => Facade::Nothing,
+            Some(chain) => MasterSurface::Line { chain, nodes: nodes.collect(), offset },
+            None => MasterSurface::Nothing,
         }
     }
 
-    /// The facade of a rigid surface on the body of its node.
-    pub fn body(model: &Model, dofs: &DofMap, surface: &slideline_model::RigidSurface) -> Facade {
-        let Some(placed) = placed(surface) else { return Facade::Nothing };
-        Facade::Body {
-            slots: slots_of(dofs, surface.reference),
+    /// The master of a rigid surface on the body of its node.
+    pub fn body(
+        model: &Model,
+        dofs: &DofMap,
+        surface: &slideline_model::RigidSurface,
+    ) -> MasterSurface {
+        let Some(placed) = placed(surface) else { return MasterSurface::Nothing };
+        MasterSurface::Body {
+            dofs: rigid_dofs(dofs, surface.reference),
             reference: model.nodes.plane(surface.reference),
             surface: placed,
         }
@@ -69,26 +73,26 @@ impl Facade {
         stencil: &mut Stencil<'_>,
     ) -> Option<AnyGap> {
         match self {
-            Facade::Nothing => None,
-            Facade::Body { slots, reference, surface } => {
-                let body = Body { reference: *reference, dofs: slots.map(|slot| u[slot]) };
+            MasterSurface::Nothing => None,
+            MasterSurface::Body { dofs, reference, surface } => {
+                let body = Body { reference: *reference, dofs: dofs.map(|dof| u[dof]) };
                 let facing = surface.closest(&body, stencil.position)?;
                 let gap = surface.gap(&body, &facing, stencil.position)?;
                 let first = stencil.width;
                 stencil.attachments = surface.attachments(&body, &facing, slave, first);
-                stencil.add_from(slots, u);
+                stencil.add_from(dofs, u);
                 Some(gap)
             }
-            Facade::Line { chain, nodes, offset } => {
+            MasterSurface::Line { chain, nodes, offset } => {
                 let positions = positions.get(*offset..offset + nodes.len())?;
                 let piece = chain.closest(positions, tree, stencil.position)?;
                 let gap = chain_gap(chain, &piece, positions, stencil.position)?;
                 let mut control = [slave; 3];
                 let facing = &nodes[piece.nodes()];
-                for (attachment, (_, slots)) in control.iter_mut().zip(facing) {
+                for (attachment, (_, dofs)) in control.iter_mut().zip(facing) {
                     let first = stencil.width;
                     *attachment = Attachment::Point { map: PointMap::Free, first };
-                    stencil.add_from(slots, u);
+                    stencil.add_from(dofs, u);
                 }
                 stencil.attachments = Some(chain_attachments(slave, &control[..facing.len()]));
                 Some(gap)
@@ -108,15 +112,15 @@ impl Facade {
             }
         };
         match self {
-            Facade::Nothing => {}
-            Facade::Body { slots, reference, surface } => {
+            MasterSurface::Nothing => {}
+            MasterSurface::Body { dofs, reference, surface } => {
                 let (centre, radius) = surface.bounds();
                 for u in u {
-                    let body = Body { reference: *reference, dofs: slots.map(|slot| u[slot]) };
+                    let body = Body { reference: *reference, dofs: dofs.map(|dof| u[dof]) };
                     take(body.to_space(centre), radius);
                 }
             }
-            Facade::Line { nodes, offset, .. } => {
+            MasterSurface::Line { nodes, offset, .. } => {
                 let range = *offset..offset + nodes.len();
                 chains.iter().flat_map(|c| &c.nodes[range.clone()]).for_each(|&at| take(at, 0.0));
             }
@@ -129,8 +133,8 @@ impl Facade {
     pub fn beyond_end(&self, point: [f64; 2], u: &[f64], positions: &[[f64; 2]]) -> Option<f64> {
         match self {
             Self::Nothing => None,
-            Self::Body { slots, reference, surface } => {
-                let body = Body { reference: *reference, dofs: slots.map(|slot| u[slot]) };
+            Self::Body { dofs, reference, surface } => {
+                let body = Body { reference: *reference, dofs: dofs.map(|dof| u[dof]) };
                 surface.beyond_end(&body, point)
             }
             Self::Line { chain, nodes, offset } => {

@@ -1,9 +1,9 @@
-//! A slave point against its master in one configuration, in slots.
+//! A slave point against its master in one configuration, in dofs.
 //!
 //! ```text
 //!   kernel variables (point, control points, rotation)
 //!        |  attachments: how each follows dofs
-//!   slots of the state vector: h, sigma, drag and their gradients
+//!   dofs of the state vector: h, sigma, direction and their gradients
 //! ```
 
 use super::positions::MasterPositions;
@@ -14,7 +14,7 @@ use slideline_mech::rigid::{Attachment, push_gradients};
 
 /// A slave point against its master in one configuration.
 #[derive(Clone, Copy, Debug)]
-pub struct Meeting {
+pub struct ContactKinematics {
     /// Whether it faces its master at all.
     pub faces: bool,
     /// Overclosure [L]; minus infinity where it faces nothing.
@@ -27,40 +27,40 @@ pub struct Meeting {
     pub position: [f64; 2],
     /// Area it stands for [L2].
     pub area: f64,
-    /// Where a station stands on its element, 0 to 1.
+    /// Where a integration_point stands on its element, 0 to 1.
     pub xi: f64,
-    /// Number of slots it couples.
+    /// Number of dofs it couples.
     pub width: usize,
-    /// Those slots.
-    pub slots: [usize; MOST_DOFS],
-    /// dh/du of each slot [1].
+    /// Those dofs.
+    pub dofs: [usize; MOST_DOFS],
+    /// dh/du of each dof [1].
     pub gradient: [f64; MOST_DOFS],
-    /// d sigma/du of each slot [1].
+    /// d sigma/du of each dof [1].
     pub slip_gradient: [f64; MOST_DOFS],
-    /// Direction of the tangential force on each slot [1].
-    pub drag: [f64; MOST_DOFS],
+    /// Direction of the tangential force on each dof [1].
+    pub direction: [f64; MOST_DOFS],
 }
 
 /// The dofs that a point and what it faces depend on.
 pub struct Stencil<'a> {
     /// Position of the point [L].
     pub position: [f64; 2],
-    /// Number of slots.
+    /// Number of dofs.
     pub width: usize,
-    /// The slots.
-    pub slots: [usize; MOST_DOFS],
-    /// Their values; in place of a strip's rotations the turns of its line.
+    /// The dofs.
+    pub dofs: [usize; MOST_DOFS],
+    /// Their values; in place of a segment's rotations the turns of its line.
     pub values: [f64; MOST_DOFS],
     /// How the variables of the gap follow them.
     pub attachments: Option<StencilAttachments>,
-    /// The shear that turns the line of a strip beyond its rotations.
+    /// The shear that turns the line of a segment beyond its rotations.
     pub shear: Option<&'a Shear>,
 }
 
-/// The most slots that a gap follows directly, those of shear left out.
+/// The most dofs that a gap follows directly, those of shear left out.
 pub const MOST_DIRECT: usize = 16;
 
-impl Meeting {
+impl ContactKinematics {
     /// A point that faces nothing.
     pub const NOWHERE: Self = Self {
         faces: false,
@@ -71,14 +71,14 @@ impl Meeting {
         area: 0.0,
         xi: 0.0,
         width: 0,
-        slots: [0; MOST_DOFS],
+        dofs: [0; MOST_DOFS],
         gradient: [0.0; MOST_DOFS],
         slip_gradient: [0.0; MOST_DOFS],
-        drag: [0.0; MOST_DOFS],
+        direction: [0.0; MOST_DOFS],
     };
 }
 
-impl Meeting {
+impl ContactKinematics {
     /// The point faces nothing and stands for nothing.
     pub fn turn_away(&mut self) {
         self.faces = false;
@@ -94,7 +94,7 @@ impl Meeting {
         self.area = area;
     }
 
-    /// Takes a gap in and pushes its gradients from kernel variables to slots.
+    /// Takes a gap in and pushes its gradients from kernel variables to dofs.
     pub fn take(&mut self, gap: &AnyGap, stencil: &Stencil<'_>, u: &[f64]) {
         self.faces = true;
         self.overclosure = gap.overclosure();
@@ -102,30 +102,30 @@ impl Meeting {
         self.normal = gap.normal();
         let m = stencil.width;
         self.width = m;
-        self.slots[..m].copy_from_slice(&stencil.slots[..m]);
+        self.dofs[..m].copy_from_slice(&stencil.dofs[..m]);
         self.gradient[..m].fill(0.0);
         self.slip_gradient[..m].fill(0.0);
-        self.drag[..m].fill(0.0);
+        self.direction[..m].fill(0.0);
         let from = gap.derivatives();
         push_gradients(
             stencil.attachments(),
             &stencil.values[..m],
-            [from.gradient, from.slip_gradient, from.drag],
-            [&mut self.gradient[..m], &mut self.slip_gradient[..m], &mut self.drag[..m]],
+            [from.gradient, from.slip_gradient, from.direction],
+            [&mut self.gradient[..m], &mut self.slip_gradient[..m], &mut self.direction[..m]],
         );
         if let Some(shear) = stencil.shear {
             self.follow_shear(shear, u);
         }
     }
 
-    /// Derivatives by the turns of a strip's ends become derivatives by all
+    /// Derivatives by the turns of a segment's ends become derivatives by all
     /// dofs that shear follows.
     fn follow_shear(&mut self, shear: &Shear, u: &[f64]) {
         let direct = self.width;
         self.width += shear.further.len();
-        self.slots[direct..self.width].copy_from_slice(&shear.further);
-        let by_end = shear.gradients(&self.slots[..self.width], u);
-        for derivative in [&mut self.gradient, &mut self.slip_gradient, &mut self.drag] {
+        self.dofs[direct..self.width].copy_from_slice(&shear.further);
+        let by_end = shear.gradients(&self.dofs[..self.width], u);
+        for derivative in [&mut self.gradient, &mut self.slip_gradient, &mut self.direction] {
             derivative[direct..self.width].fill(0.0);
             let by_turn = TURNS.map(|turn| derivative[turn]);
             for (factor, gradient) in by_turn.into_iter().zip(&by_end) {
@@ -141,27 +141,27 @@ impl<'a> Stencil<'a> {
         Self {
             position,
             width: 0,
-            slots: [0; MOST_DOFS],
+            dofs: [0; MOST_DOFS],
             values: [0.0; MOST_DOFS],
             attachments: None,
             shear: None,
         }
     }
 
-    /// Adds slots with their values.
-    pub fn add(&mut self, slots: &[usize], values: impl IntoIterator<Item = f64>) {
-        self.slots[self.width..][..slots.len()].copy_from_slice(slots);
-        let room = &mut self.values[self.width..][..slots.len()];
+    /// Adds dofs with their values.
+    pub fn add(&mut self, dofs: &[usize], values: impl IntoIterator<Item = f64>) {
+        self.dofs[self.width..][..dofs.len()].copy_from_slice(dofs);
+        let room = &mut self.values[self.width..][..dofs.len()];
         room.iter_mut().zip(values).for_each(|(room, value)| *room = value);
-        self.width += slots.len();
+        self.width += dofs.len();
     }
 
-    /// Adds slots with their values in the state vector.
-    pub fn add_from(&mut self, slots: &[usize], u: &[f64]) {
-        self.add(slots, slots.iter().map(|&slot| u[slot]));
+    /// Adds dofs with their values in the state vector.
+    pub fn add_from(&mut self, dofs: &[usize], u: &[f64]) {
+        self.add(dofs, dofs.iter().map(|&dof| u[dof]));
     }
 
-    /// How the variables of the gap follow the slots.
+    /// How the variables of the gap follow the dofs.
     pub fn attachments(&self) -> &[Attachment] {
         self.attachments.as_ref().map_or(&[], StencilAttachments::as_slice)
     }

@@ -8,7 +8,7 @@
 //! ```
 
 use super::shown::{Numbers, frame};
-use super::{Left, Walk};
+use super::{Analysis, Left};
 use crate::commit::commit;
 use crate::diagnose::{self, Case};
 use crate::increments::{StopReason, Verdict};
@@ -24,7 +24,7 @@ use slideline_linalg::SolveError;
 /// Energy of stabilisation, as a part of all energy, from which on it is told.
 const MUCH: f64 = 0.05;
 
-impl Walk<'_> {
+impl Analysis<'_> {
     /// Stabilises contact where a body that only open contact would hold has
     /// made the tangent singular; says whether it did.
     pub(super) fn stabilise(
