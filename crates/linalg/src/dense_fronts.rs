@@ -10,7 +10,7 @@
 //! ```
 //!
 //! Pivots are sought among the front's own columns only (static structure); what is too small is
-//! replaced and reported. Columns are halved until they are few (Toledo 1997), so that nearly all
+//! replaced and reported. Columns are halved until they are few [toledo1997], so that nearly all
 //! work is matrix products.
 
 use faer::linalg::matmul::{matmul, triangular};
@@ -26,7 +26,7 @@ const KEPT: f64 = 0.1;
 /// Pivot, relative to the size of its equation, below which it is replaced.
 const TINY: f64 = f64::EPSILON;
 /// What it is replaced by, relative to the size of the equation: half of all digits, the best
-/// compromise between growth and error (Li and Demmel 1998).
+/// compromise between growth and error [li1998].
 const REPLACEMENT: f64 = 1.5e-8;
 
 /// Pivots so far.

@@ -12,7 +12,7 @@
 //!                        0
 //! ```
 //!
-//! Liu (1990) for the tree, Gilbert, Ng and Peyton (1994) for the counts, Ashcraft and Grimes (1989)
+//! [liu1990] for the tree, [gilbert1994] for the counts, [ashcraft1989]
 //! for fronts that are joined although that stores zeros.
 
 use crate::ordering::positions;

@@ -7,9 +7,9 @@
 //!   A [z1 .. zk] = [v1 .. vk+1] H,  z = M v,   x = x0 + [z1 .. zk] y,  |beta e1 - H y| smallest
 //! ```
 //!
-//! Flexible GMRES without restarts: Saad and Schultz (1986), Saad (1993); the basis is made
+//! Flexible GMRES without restarts: [saad1986], [saad1993]; the basis is made
 //! orthogonal by the modified Gram-Schmidt process and once more where cancellation was strong
-//! (Daniel, Gragg, Kaufman and Stewart 1976).
+//! [daniel1976].
 
 use crate::kernel::dot;
 

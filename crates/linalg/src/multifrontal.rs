@@ -6,7 +6,7 @@
 //!        front 2
 //! ```
 //!
-//! Duff and Reid (1983); Liu (1992). Everything is sized by the analysis: a factorisation allocates
+//! [duff1983], [liu1992]. Everything is sized by the analysis: a factorisation allocates
 //! nothing, and the same values give the same bits.
 
 mod substitution;

@@ -39,7 +39,7 @@ pub(crate) fn best_tree(pattern: &Pattern) -> Option<Tree> {
     Some(best)
 }
 
-/// Approximate minimum degree (Amestoy, Davis and Duff 1996).
+/// Approximate minimum degree [amestoy1996].
 fn minimum_degree(pattern: &Pattern) -> Option<Vec<usize>> {
     let n = pattern.size();
     let structure =

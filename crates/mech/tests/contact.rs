@@ -9,7 +9,7 @@ use slideline_mech::contact::pair::{
     AnyGap, Body, History, Laws, PointTrial, RigidSurface, UserState, chain_gap,
 };
 use slideline_mech::contact::search::chain::Chain;
-use slideline_mech::contact::search::rigid::RigidSegment;
+use slideline_mech::contact::search::rigid::{Part, RigidSegment};
 use slideline_mech::rigid::{Attachment, PointMap, push_forward};
 
 const STILL: Body = Body { reference: [0.0, 45e-3], dofs: [0.0; 3] };
@@ -168,8 +168,11 @@ fn surface() -> RigidSurface {
     ])
 }
 
+/// Force and tangent on the dofs, the coordinate along the surface, and the segment with its part.
+type OnDofs = ([f64; 5], [f64; 25], f64, (usize, Part));
+
 /// Local dofs: slave (x, y), body (x, y, phi); force and tangent pushed to them.
-fn on_dofs(dofs: &[f64; 5], slip_origin: Option<f64>) -> Option<([f64; 5], [f64; 25], f64)> {
+fn on_dofs(dofs: &[f64; 5], slip_origin: Option<f64>) -> Option<OnDofs> {
     let body = Body { reference: [0.3, -1.7], dofs: [dofs[2], dofs[3], dofs[4]] };
     let point = [dofs[0], dofs[1]];
     let facing = surface().closest(&body, point)?;
@@ -180,7 +183,7 @@ fn on_dofs(dofs: &[f64; 5], slip_origin: Option<f64>) -> Option<([f64; 5], [f64;
     let (force, tangent) = force_and_tangent(&gap, slip);
     let (mut f, mut t) = ([0.0; 5], [0.0; 25]);
     push_forward(attachments.as_slice(), dofs, &force, &tangent, &mut f, &mut t);
-    Some((f, t, gap.along()))
+    Some((f, t, gap.along(), (facing.segment, facing.part)))
 }
 
 fn spans() -> impl Strategy<Value = [f64; 5]> {
@@ -229,7 +232,8 @@ proptest! {
     /// the dofs (body rotation included) is that of differences.
     #[test]
     fn rigid_surface_on_dofs(dofs in spans()) {
-        let Some((f, t, along)) = on_dofs(&dofs, None) else { return Ok(()) };
+        // too many points without a facing part would fail the test
+        let Some((f, t, along, part)) = on_dofs(&dofs, None) else { return Err(TestCaseError::reject("faces nothing")) };
         let node = [0.3 + dofs[2], -1.7 + dofs[3]];
         let sum = balance(&f[..4], &[[dofs[0], dofs[1]], node]);
         prop_assert!(sum[0].abs() < 1e-12 * 50.0 && sum[1].abs() < 1e-12 * 50.0);
@@ -241,14 +245,15 @@ proptest! {
             up[j] += 1e-6;
             down[j] -= 1e-6;
             let (Some(up), Some(down)) = (on_dofs(&up, origin), on_dofs(&down, origin)) else {
-                return Ok(());
+                continue;
             };
             // A step across a joint of two segments is no difference quotient.
-            let jumped = (up.2 - down.2).abs() > 1e-4 * (1.0 + most);
-            let kinked = (0..5).any(|i| ((up.1[5 * i + j] - down.1[5 * i + j]).abs()) > 1e-3 * most);
+            if up.3 != part || down.3 != part {
+                continue;
+            }
             for i in 0..5 {
                 let difference = (up.0[i] - down.0[i]) / 2e-6;
-                prop_assert!(jumped || kinked || (difference - t[5 * i + j]).abs() < 1e-6 * most);
+                prop_assert!((difference - t[5 * i + j]).abs() < 1e-6 * most, "{} {} {:?}", i, j, part);
             }
         }
     }

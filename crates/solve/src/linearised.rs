@@ -36,7 +36,7 @@ mod system;
 pub use augmentation::Stiffness;
 pub use contradiction::Contradiction;
 use matrix_free::MatrixFree;
-use slideline_linalg::{SolveError, Solver};
+use slideline_linalg::{DenseLu, SolveError, Solver};
 use slideline_mech::contact::enforcement::Enforcement;
 use slideline_mech::contact::pair::Laws;
 use std::collections::HashMap;
@@ -170,6 +170,8 @@ pub struct LinearisedContact {
     step: Vec<f64>,
     trial: Vec<f64>,
     jacobian: Vec<f64>,
+    /// Its factors.
+    factors: DenseLu,
     /// dF/dd of the interface rows, row-major over all rows.
     stiffness: Vec<f64>,
     in_rows: Vec<bool>,

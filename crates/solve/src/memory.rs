@@ -96,6 +96,44 @@ fn available() -> Option<f64> {
 mod tests {
     use super::*;
 
+    /// Requirement: contact that no memory holds is told, with the pair's card
+    /// and a remedy: 150 GB of points along the elements of one pair.
+    #[test]
+    fn contact_that_does_not_fit_is_told() {
+        let at = slideline_diag::Span { file: slideline_diag::FileId(0), start: 5, end: 9 };
+        let lumping = slideline_model::Lumping::Halves;
+        let element =
+            slideline_model::ContactElement { label: 1, nodes: [0, 1], lumping, origin: at };
+        let interaction = slideline_model::Interaction {
+            width: 1.0,
+            normal: slideline_model::NormalLaw::Hard,
+            friction: slideline_model::Friction::Frictionless,
+            origin: at,
+            normal_origin: None,
+            friction_origin: None,
+        };
+        let surface = slideline_model::RigidSurface {
+            reference: 0,
+            start: [0.0; 2],
+            segments: vec![],
+            origin: at,
+        };
+        let pair = ContactPair {
+            name: "P".to_owned(),
+            formulation: slideline_model::Formulation::SurfaceToSurface,
+            vocabulary: slideline_model::Vocabulary::Elements,
+            elements: vec![element; 2_500_000],
+            master: Master::RigidSurface(surface),
+            interaction,
+            origin: at,
+        };
+        let model = Model { contact_pairs: vec![pair], ..Model::default() };
+        let said = objection(&model).unwrap();
+        assert_eq!((said.code, said.span), (Code("SL0415"), Some(at)));
+        assert!(said.message.contains("GiB"), "{said:?}");
+        assert!(said.help.unwrap().contains("fewer slave nodes"));
+    }
+
     #[test]
     fn a_small_model_fits_and_a_pebibyte_does_not() {
         assert!(objection(&Model::default()).is_none());

@@ -10,6 +10,7 @@
 //! that happens to be singular proves nothing of a body that is held: there the
 //! structure has reached a limit of its strength, or numbers one of theirs.
 
+use slideline_linalg::reduce_rows;
 use slideline_model::{Dof, Model, NodeIndex, Step};
 use std::collections::HashMap;
 
@@ -120,28 +121,16 @@ impl Bodies {
     }
 }
 
+/// Part of the largest entry below which a row depends on the others [1].
+const DEPENDENT: f64 = 1e-9;
+
 /// Rank of a few rows of three.
 fn rank(rows: &[[f64; 3]]) -> usize {
-    let mut rows = rows.to_vec();
-    let mut found = 0;
-    for column in 0..3 {
-        let scale = rows.iter().flatten().fold(0.0_f64, |a, b| a.max(b.abs()));
-        let pivot = (found..rows.len())
-            .max_by(|&a, &b| rows[a][column].abs().total_cmp(&rows[b][column].abs()));
-        let Some(pivot) = pivot.filter(|&row| rows[row][column].abs() > 1e-9 * scale) else {
-            continue;
-        };
-        rows.swap(found, pivot);
-        let top = rows[found];
-        for row in rows.iter_mut().skip(found + 1) {
-            let factor = row[column] / top[column];
-            for (value, above) in row.iter_mut().zip(top) {
-                *value -= factor * above;
-            }
-        }
-        found += 1;
-    }
-    found
+    let mut rows = rows.as_flattened().to_vec();
+    let scale = rows.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
+    let mut pivots = Vec::with_capacity(3);
+    reduce_rows(&mut rows, 3, DEPENDENT * scale, &mut pivots);
+    pivots.len()
 }
 
 #[cfg(test)]

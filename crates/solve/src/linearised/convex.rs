@@ -17,6 +17,7 @@
 use super::iterate::eliminate_in_units;
 use super::system::{Row, System, Unknown};
 use super::{Kind, LawContext, LinearPoint, LinearisedContact};
+use slideline_linalg::DenseLu;
 use slideline_mech::contact::enforcement::Complementarity;
 
 /// Rounds in which the limits of friction follow the pressures.
@@ -137,6 +138,7 @@ struct Descent {
     push: Vec<f64>,
     residual: Vec<f64>,
     jacobian: Vec<f64>,
+    factors: DenseLu,
     stiffness: Vec<f64>,
     values: Vec<f64>,
     /// Whether slopes are those of stick, sliding or not.
@@ -151,6 +153,7 @@ impl Descent {
             push: vec![0.0; m],
             residual: vec![0.0; m],
             jacobian: square(),
+            factors: DenseLu::default(),
             stiffness: square(),
             values: vec![0.0; m],
             steepest: false,
@@ -191,7 +194,7 @@ impl Descent {
     /// The step, J step = F, and what the energy says of it.
     fn find_step(&mut self, system: &System<'_>) {
         self.step.copy_from_slice(&self.residual);
-        eliminate_in_units(system.rows, &mut self.jacobian, &mut self.step);
+        eliminate_in_units(system.rows, &self.jacobian, &mut self.factors, &mut self.step);
         let rows = system.compliance.chunks_exact(system.rows.len());
         for ((push, row), compliance) in self.push.iter_mut().zip(system.rows).zip(rows) {
             let moved: f64 = compliance.iter().zip(&self.step).map(|(c, d)| c * d).sum();

@@ -1,8 +1,9 @@
 //! The semismooth Newton method of the small system.
 
-use super::pivoting::{eliminate, pivoting};
+use super::pivoting::pivoting;
 use super::system::{Row, System};
 use super::{Kind, LawContext, LinearPoint, LinearisedContact};
+use slideline_linalg::DenseLu;
 
 /// The most iterations of the small system.
 const ITERATIONS: usize = 40;
@@ -19,13 +20,23 @@ const SHORTEST: f64 = 1e-3;
 
 /// Eliminates with every row and column in the unit of its force, so that no
 /// choice of a pivot depends on how forces and lengths are measured.
-pub(super) fn eliminate_in_units(rows: &[Row], jacobian: &mut [f64], step: &mut [f64]) {
-    for (i, row) in jacobian.chunks_exact_mut(rows.len()).enumerate() {
+pub(super) fn eliminate_in_units(
+    rows: &[Row],
+    jacobian: &[f64],
+    factors: &mut DenseLu,
+    step: &mut [f64],
+) {
+    let scaled = factors.matrix_mut(rows.len()).chunks_exact_mut(rows.len());
+    for (i, (scaled, row)) in scaled.zip(jacobian.chunks_exact(rows.len())).enumerate() {
         let own = rows[i].unit;
         step[i] /= own;
-        row.iter_mut().zip(rows).for_each(|(entry, other)| *entry *= other.unit / own);
+        for ((scaled, entry), other) in scaled.iter_mut().zip(row).zip(rows) {
+            *scaled = entry * (other.unit / own);
+        }
     }
-    eliminate(jacobian, step);
+    factors.factor();
+    // as many equations as were factored: it cannot fail
+    let _ = factors.solve(step);
     step.iter_mut().zip(rows).for_each(|(step, row)| *step *= row.unit);
 }
 
@@ -91,7 +102,7 @@ impl LinearisedContact {
             }
             let rounded = size <= ROUNDED * ROUNDED * system.largest_multiplier(unknown);
             self.step.copy_from_slice(residual);
-            eliminate_in_units(&self.rows, jacobian, &mut self.step);
+            eliminate_in_units(&self.rows, jacobian, &mut self.factors, &mut self.step);
             let mut length = 1.0;
             loop {
                 for ((trial, q), step) in self.trial.iter_mut().zip(&*unknown).zip(&self.step) {

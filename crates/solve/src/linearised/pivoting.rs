@@ -1,5 +1,4 @@
-//! Dense work of the small system: elimination, and the pivoting method that
-//! finds which hard points press.
+//! The pivoting method that finds which hard points press.
 //!
 //! ```text
 //!   h = b - C p <= 0,  p >= 0,  p h = 0:   take the worst violation in,
@@ -7,6 +6,7 @@
 //! ```
 
 use super::system::System;
+use slideline_linalg::DenseLu;
 
 /// Non-negative least squares on the rows `candidates` of a system; the
 /// other unknowns stay as they are.
@@ -17,6 +17,7 @@ pub(super) fn pivoting(system: &System<'_>, candidates: &[usize], unknown: &mut 
         unknown[i] = 0.0;
     }
     let mut active: Vec<usize> = Vec::new();
+    let mut factors = DenseLu::default();
     for _ in 0..4 * candidates.len() + 8 {
         let value = |i: usize| system.multiplier_and_value(i, unknown).1;
         let open = candidates.iter().copied().filter(|i| !active.contains(i));
@@ -25,16 +26,21 @@ pub(super) fn pivoting(system: &System<'_>, candidates: &[usize], unknown: &mut 
             return;
         }
         active.push(worst);
-        while !close(system, &mut active, unknown) {}
+        while !close(system, &mut active, &mut factors, unknown) {}
     }
 }
 
 /// Closes the active rows (h = 0, others p = 0); drops the row whose pressure
 /// turns negative first. False: a row was dropped, close again.
-fn close(system: &System<'_>, active: &mut Vec<usize>, unknown: &mut [f64]) -> bool {
+fn close(
+    system: &System<'_>,
+    active: &mut Vec<usize>,
+    factors: &mut DenseLu,
+    unknown: &mut [f64],
+) -> bool {
     let m = active.len();
     let n = system.rows.len();
-    let mut matrix = vec![0.0; m * m];
+    let matrix = factors.matrix_mut(m);
     let mut rhs = vec![0.0; m];
     for (a, &i) in active.iter().enumerate() {
         rhs[a] = system.multiplier_and_value(i, unknown).1;
@@ -42,7 +48,9 @@ fn close(system: &System<'_>, active: &mut Vec<usize>, unknown: &mut [f64]) -> b
             matrix[a * m + b] = system.compliance[i * n + j];
         }
     }
-    eliminate(&mut matrix, &mut rhs);
+    factors.factor();
+    // as many equations as were factored: it cannot fail
+    let _ = factors.solve(&mut rhs);
     let mut fraction = 1.0;
     let mut leaves = None;
     for (a, &i) in active.iter().enumerate() {
@@ -64,44 +72,5 @@ fn close(system: &System<'_>, active: &mut Vec<usize>, unknown: &mut [f64]) -> b
             false
         }
         None => true,
-    }
-}
-
-/// Solves a dense system in place by elimination with row pivoting. A row
-/// that depends on the others (an overconstrained point) is given a zero
-/// change.
-pub(super) fn eliminate(matrix: &mut [f64], rhs: &mut [f64]) {
-    let m = rhs.len();
-    let scale = matrix.iter().fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
-    for k in 0..m {
-        let pivot = (k..m)
-            .max_by(|&a, &b| matrix[a * m + k].abs().total_cmp(&matrix[b * m + k].abs()))
-            .unwrap_or(k);
-        if pivot != k {
-            for j in 0..m {
-                matrix.swap(k * m + j, pivot * m + j);
-            }
-            rhs.swap(k, pivot);
-        }
-        if matrix[k * m + k].abs() <= 1e-14 * scale {
-            for j in 0..m {
-                matrix[k * m + j] = if j == k { 1.0 } else { 0.0 };
-            }
-            rhs[k] = 0.0;
-            continue;
-        }
-        for i in k + 1..m {
-            let factor = matrix[i * m + k] / matrix[k * m + k];
-            if factor != 0.0 {
-                for j in k..m {
-                    matrix[i * m + j] -= factor * matrix[k * m + j];
-                }
-                rhs[i] -= factor * rhs[k];
-            }
-        }
-    }
-    for k in (0..m).rev() {
-        let known: f64 = (k + 1..m).map(|j| matrix[k * m + j] * rhs[j]).sum();
-        rhs[k] = (rhs[k] - known) / matrix[k * m + k];
     }
 }

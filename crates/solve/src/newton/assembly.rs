@@ -41,7 +41,11 @@ impl Workspace {
                     self.negative_pivots = self.negative_pivots.max(negative);
                     return Ok(());
                 }
-                Err(SolveError::Singular { .. }) if !self.augment_all => self.augment_all = true,
+                Err(SolveError::Singular { .. }) if !self.augment_all => {
+                    self.augment_all = true;
+                    self.evaluation.look.forget();
+                    self.evaluate(plan, committed, self.dt);
+                }
                 Err(fault) => return Err(fault),
             }
         }
