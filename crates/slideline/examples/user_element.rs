@@ -90,8 +90,8 @@ impl Kernel for Bars {
         let ([x, y], length) = self.bars[element];
         let [stress, slope, plastic] = self.law(self.strain(element, q), committed[0]);
         let rows = [-x, -y, x, y];
-        for i in 0..4 {
-            into.force[i] = self.area * stress * rows[i];
+        for (force, row) in into.force.iter_mut().zip(rows) {
+            *force = self.area * stress * row;
         }
         if let Some(tangent) = into.tangent {
             for (place, entry) in tangent.iter_mut().enumerate() {

@@ -5,7 +5,10 @@
 
 use slideline::model::Dof;
 use slideline::observe::Ending;
-use slideline::{Dialect, Event, Job, Observer, ReadOptions, SolveOptions, Stop, solve};
+use slideline::{
+    Dialect, Event, Job, Observer, Quiet, ReadOptions, RunOptions, SolveOptions, Status, Stop,
+    solve,
+};
 use std::fmt::Write as _;
 use std::ops::ControlFlow;
 
@@ -154,5 +157,43 @@ fn both_dialects_pull_by_their_own_law() {
         let last = run(&deck, 2, dialect);
         assert!((last.stress[0] - exact).abs() < 1e-9, "{dialect:?} {:?}", last.stress);
         assert!(last.increments >= 2);
+    }
+}
+
+/// Requirement: the files of a run with solids say the same: cells of four nodes with mean stresses
+/// in the VTU file, quadrilaterals with nodal stresses in the `.frd`, a row an integration point in
+/// the table; and the report reads them back. Source: one element under an even pull.
+#[test]
+fn files_of_solids() {
+    let deck = mesh(1, 1, |s, t| [s, t])
+        + "*SOLID SECTION, ELSET=SOLID, MATERIAL=M\n*MATERIAL, NAME=M\n*ELASTIC\n10.0\n\
+           *STEP\n*STATIC\n1.0, 1.0\n*BOUNDARY\n1, 1, 2\n3, 1, 2\n2, 2, 2\n4, 2, 2\n\
+           2, 1, 1, 0.25\n4, 1, 1, 0.25\n*EL PRINT\nS, E\n*EL FILE\nS\n*NODE FILE\nU\n*END STEP\n";
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("files_of_solids");
+    let _ = std::fs::remove_dir_all(&folder);
+    let read = Job::read_text("solid", &deck, &ReadOptions::default());
+    let options = RunOptions { folder: Some(folder.clone()), ..RunOptions::default() };
+    let outcome = slideline::run(&read, &options, &mut Quiet);
+    assert_eq!(outcome.status, Status::Completed, "{:#?}", outcome.diagnostics);
+    let text = |name: &str| std::fs::read_to_string(folder.join(name)).unwrap();
+    let table = text("solid.dat");
+    assert!(table.contains("ELEMENTS all solids"), "{table}");
+    let row = table.lines().find(|line| line.trim_start().starts_with("1     4 ")).unwrap();
+    let values: Vec<f64> =
+        row.split_whitespace().skip(2).map(|value| value.parse().unwrap()).collect();
+    for (value, exact) in values.iter().zip([2.5, 0.0, 0.0, 0.0, 0.25, 0.0, 0.0, 0.0]) {
+        assert!((value - exact).abs() < 1e-9, "{row}");
+    }
+    let viewer = text("solid.frd");
+    assert!(
+        viewer
+            .contains(" -1         1    9    4    1\n -2         1         2         4         3")
+    );
+    let stresses = viewer.rsplit("STRESS").next().unwrap();
+    let rows = stresses.lines().filter(|line| line.starts_with(" -1"));
+    assert_eq!(rows.filter(|row| row[13..].starts_with(" 2.50000E+00")).count(), 4, "{stresses}");
+    let state = text("solid_0001.vtu");
+    for name in ["S11", "S12", "E33"] {
+        assert!(state.contains(&format!("Name=\"{name}\"")), "{name}");
     }
 }

@@ -16,12 +16,15 @@ pub(crate) struct Frames {
     pub labels: Vec<i64>,
     /// x and y of the undeformed points in turn.
     pub reference: Vec<f64>,
-    /// Pairs of points that are joined.
+    /// Pairs of points that are joined: lines, and the edges of solids.
     pub cells: Vec<i64>,
-    /// Kinds of cells: 0 beam, 1 spring, 2 slave surface, 3 rigid surface.
+    /// Kinds of what they belong to: 0 beam, 1 spring, 2 slave surface, 3 rigid
+    /// surface, 4 solid.
     pub kinds: Vec<i32>,
     /// Numbers of elements.
     pub elements: Vec<i64>,
+    /// Index of each pair's cell among those of the files.
+    of_cell: Vec<usize>,
     /// Number of the state of each frame; 0 is the start.
     pub states: Vec<usize>,
     /// Numbers of all states that were written.
@@ -67,17 +70,36 @@ impl Frames {
         let moved = plane(&file.doubles("displacement")?);
         self.reference = positions.iter().zip(&moved).map(|(x, u)| x - u).collect();
         self.labels = file.long("node")?;
-        self.cells = file.long("connectivity")?;
-        self.kinds = file.short("kind")?;
-        self.elements = file.long("element")?;
+        let (connectivity, ends) = (file.long("connectivity")?, file.long("offsets")?);
+        let (kinds, elements) = (file.short("kind")?, file.long("element")?);
         let points = self.reference.len() / 2;
         let inside = |point: &i64| usize::try_from(*point).is_ok_and(|point| point < points);
         let fits = self.labels.len() == points
-            && self.cells.len() == 2 * self.kinds.len()
-            && self.elements.len() == self.kinds.len()
-            && self.cells.iter().all(inside);
+            && ends.len() == kinds.len()
+            && elements.len() == kinds.len()
+            && connectivity.iter().all(inside);
+        let mut begin = 0;
+        for (cell, (end, (&kind, &element))) in
+            ends.iter().zip(kinds.iter().zip(&elements)).enumerate()
+        {
+            let end = usize::try_from(*end).unwrap_or(0);
+            self.join(connectivity.get(begin..end).unwrap_or_default(), (cell, kind, element));
+            begin = end;
+        }
         let path = job.folder().join(job.state_name(state));
-        if fits { Ok(()) } else { Err(unreadable(&path, "its arrays do not fit one another")) }
+        let whole = fits && begin == connectivity.len();
+        if whole { Ok(()) } else { Err(unreadable(&path, "its arrays do not fit one another")) }
+    }
+
+    /// Takes in a line, or the edges around an area.
+    fn join(&mut self, points: &[i64], (cell, kind, element): (usize, i32, i64)) {
+        let around = if points.len() > 2 { points.len() } else { points.len().saturating_sub(1) };
+        for k in 0..around {
+            self.cells.extend([points[k], points[(k + 1) % points.len()]]);
+            self.kinds.push(kind);
+            self.elements.push(element);
+            self.of_cell.push(cell);
+        }
     }
 
     fn add(&mut self, job: &JobFiles, state: usize) -> Result<(), Problem> {
@@ -87,9 +109,11 @@ impl Frames {
             let path = job.folder().join(job.state_name(state));
             return Err(unreadable(&path, "it has other points than the first state"));
         }
-        for (value, &element) in file.doubles("fibre_strain")?.iter().zip(&self.elements) {
-            if *value > 0.0 && self.strain.is_none_or(|(largest, ..)| *value > largest) {
-                self.strain = Some((*value, element, state));
+        let fibre_strain = file.doubles("fibre_strain")?;
+        for (&cell, &element) in self.of_cell.iter().zip(&self.elements) {
+            let value = fibre_strain.get(cell).copied().unwrap_or_default();
+            if value > 0.0 && self.strain.is_none_or(|(largest, ..)| value > largest) {
+                self.strain = Some((value, element, state));
             }
         }
         let [moment, first, last] =
@@ -98,8 +122,10 @@ impl Frames {
         let outer = |cell: usize| {
             if last[cell].abs() > first[cell].abs() { last[cell] } else { first[cell] }
         };
-        let short = [&moment, &first, &last].iter().any(|column| column.len() < self.kinds.len());
-        let beams = (0..self.kinds.len()).filter(|&cell| self.kinds[cell] == 0 && !short);
+        let cells = self.of_cell.last().map_or(0, |last| last + 1);
+        let short = [&moment, &first, &last].iter().any(|column| column.len() < cells);
+        let beams = self.of_cell.iter().zip(&self.kinds).filter(|(_, kind)| **kind == 0 && !short);
+        let beams = beams.map(|(&cell, _)| cell);
         let values = beams.flat_map(|cell| [moment[cell] as f32, outer(cell) as f32]);
         self.sections.push(values.collect());
         self.states.push(state);

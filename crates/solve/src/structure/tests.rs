@@ -82,7 +82,7 @@ impl Built {
     /// forces of the stresses.
     fn tangent(&self, u: &[f64], stresses: Option<&[f64]>) -> (Vec<f64>, Contributions) {
         let mut room = self.structure.room();
-        self.structure.evaluate(&at(&u, stresses), &mut room, None);
+        self.structure.evaluate(&at(u, stresses), &mut room, None);
         let (mut values, mut force) = (vec![0.0; self.pattern.entries()], vec![0.0; u.len()]);
         let mut rows = Rows::default();
         self.constraints.linearise(u, &mut rows);
@@ -99,7 +99,7 @@ impl Built {
     /// Energy and carried force.
     fn force(&self, u: &[f64]) -> (f64, Vec<f64>) {
         let (mut room, mut force) = (self.structure.room(), vec![0.0; u.len()]);
-        self.structure.evaluate(&at(&u, None), &mut room, None);
+        self.structure.evaluate(&at(u, None), &mut room, None);
         let energy = self.structure.gather_force(&room, &mut force);
         let mut rows = Rows::default();
         self.constraints.linearise(u, &mut rows);

@@ -89,8 +89,8 @@ impl<L: PlaneStrainLaw, const NODES: usize, const POINTS: usize> MeanDilation<L,
             let by_dilation = by_dilation + pressure * point.weight;
             for (node, force) in force.chunks_exact_mut(2).enumerate() {
                 let rows = rows(point, &cofactor, node);
-                for i in 0..2 {
-                    force[i] += 2.0 * by_shear * (d1 * rows.first[i] + d2 * rows.second[i])
+                for (i, force) in force.iter_mut().enumerate() {
+                    *force += 2.0 * by_shear * (d1 * rows.first[i] + d2 * rows.second[i])
                         + by_dilation * rows.dilation[i];
                 }
             }
@@ -110,8 +110,8 @@ impl<L: PlaneStrainLaw, const NODES: usize, const POINTS: usize> MeanDilation<L,
             let cofactor = state.cofactor(linear);
             for (node, own) in own.iter_mut().enumerate() {
                 *own = rows(point, &cofactor, node);
-                for i in 0..2 {
-                    mean[node][i] += point.weight / self.volume * own.dilation[i];
+                for (mean, own) in mean[node].iter_mut().zip(own.dilation) {
+                    *mean += point.weight / self.volume * own;
                 }
             }
         }
