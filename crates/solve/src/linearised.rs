@@ -35,6 +35,7 @@ mod system;
 
 pub use augmentation::Stiffness;
 pub use contradiction::Contradiction;
+use convex::Descent;
 use matrix_free::MatrixFree;
 use slideline_linalg::{DenseLu, SolveError, Solver};
 use slideline_mech::contact::enforcement::Enforcement;
@@ -172,6 +173,8 @@ pub struct LinearisedContact {
     residual: Vec<f64>,
     step: Vec<f64>,
     trial: Vec<f64>,
+    /// Unknowns where the first way left them.
+    begun: Vec<f64>,
     jacobian: Vec<f64>,
     /// Its factors.
     factors: DenseLu,
@@ -186,6 +189,7 @@ pub struct LinearisedContact {
     /// Rows of equations that integration_points press on.
     interface: HashMap<usize, usize>,
     matrix_free: MatrixFree,
+    descent: Descent,
     /// Whether the laws of all rows were met in the last solution.
     solved: bool,
 }
@@ -204,9 +208,9 @@ impl LinearisedContact {
         // factored once, so that what it needs is there
         self.factors.matrix_mut(rows);
         self.factors.factor();
-        for vector in [&mut self.unknown, &mut self.residual, &mut self.step, &mut self.trial] {
-            vector.reserve(rows);
-        }
+        self.descent.reserve(rows, points);
+        let vectors = [&mut self.unknown, &mut self.residual, &mut self.step, &mut self.trial];
+        vectors.into_iter().chain([&mut self.begun]).for_each(|vector| vector.reserve(rows));
         self.in_rows.reserve(points);
         self.moved.reserve(equations);
         self.values.reserve(rows);

@@ -291,6 +291,8 @@ impl Workspace {
     fn begin(&mut self, plan: &Plan<'_>, committed: &State, target: &Target) {
         self.augment_all = false;
         self.only_dense = false;
+        // the last attempt's list went with its outcome
+        self.changes.reserve(plan.contact.points.len());
         self.dt = target.dt;
         self.negative_pivots = 0;
         let times = (target.step_time, target.dt);

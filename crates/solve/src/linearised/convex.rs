@@ -36,20 +36,24 @@ impl LinearisedContact {
     /// Moves the unknowns to where the energy is least, rounds of fixed limits
     /// after one another.
     pub(super) fn minimise(&mut self, points: &[LinearPoint], context: &LawContext<'_>) {
-        let mut held = points.to_vec();
+        let mut work = std::mem::take(&mut self.descent);
+        let mut held = std::mem::take(&mut work.held);
+        held.clear();
+        held.extend_from_slice(points);
         let fixed = LawContext { symmetrised: true, ..*context };
         for _ in 0..ROUNDS {
-            self.descend(&held, &fixed);
-            if self.follow_pressures(&mut held, &fixed) {
+            self.descend(&held, &fixed, &mut work);
+            if self.follow_pressures(&mut held, &fixed, &mut work.values) {
                 break;
             }
         }
+        work.held = held;
+        self.descent = work;
     }
 
     /// Newton with steps that end where the energy is least.
-    fn descend(&mut self, points: &[LinearPoint], fixed: &LawContext<'_>) {
-        let m = self.rows.len();
-        let mut work = Descent::room(m);
+    fn descend(&mut self, points: &[LinearPoint], fixed: &LawContext<'_>, work: &mut Descent) {
+        work.make_room(self.rows.len());
         let mut unknown = std::mem::take(&mut self.unknown);
         let system = System {
             rows: &self.rows,
@@ -62,7 +66,7 @@ impl LinearisedContact {
                 break;
             }
             work.find_step(&system);
-            let from = unknown.clone();
+            work.from.clone_from(&unknown);
             if work.slope() <= 0.0 {
                 // Sliding, the structure gives way; sticking it may not: the
                 // steepest the laws can be lies above them all the way.
@@ -77,7 +81,7 @@ impl LinearisedContact {
             let (mut low, mut high) = (0.0, 1.0);
             let mut at = 1.0;
             for _ in 0..HALVINGS {
-                for ((q, start), step) in unknown.iter_mut().zip(&from).zip(&work.step) {
+                for ((q, start), step) in unknown.iter_mut().zip(&work.from).zip(&work.step) {
                     *q = start - at * step;
                 }
                 work.evaluate(&system, &unknown, points, fixed);
@@ -101,14 +105,20 @@ impl LinearisedContact {
 
     /// Gives the points the pressures of the present unknowns; says whether
     /// they are what they were.
-    fn follow_pressures(&mut self, points: &mut [LinearPoint], fixed: &LawContext<'_>) -> bool {
+    fn follow_pressures(
+        &mut self,
+        points: &mut [LinearPoint],
+        fixed: &LawContext<'_>,
+        values: &mut Vec<f64>,
+    ) -> bool {
         let system = System {
             rows: &self.rows,
             compliance: &self.compliance,
             integration_points: &self.integration_points,
         };
-        let values: Vec<f64> =
-            (0..self.rows.len()).map(|i| system.multiplier_and_value(i, &self.unknown).1).collect();
+        values.clear();
+        let rows = 0..self.rows.len();
+        values.extend(rows.map(|i| system.multiplier_and_value(i, &self.unknown).1));
         let (mut change, mut largest) = (0.0_f64, 0.0_f64);
         let mut follow = |point: &mut LinearPoint, pressure: f64| {
             change = change.max((pressure - point.pressure).abs());
@@ -131,8 +141,13 @@ impl LinearisedContact {
     }
 }
 
-/// Scratch of a descent.
-struct Descent {
+/// Scratch of a descent, kept.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Descent {
+    /// Points with the pressures that limit friction.
+    held: Vec<LinearPoint>,
+    /// Unknowns at the beginning of a step.
+    from: Vec<f64>,
     step: Vec<f64>,
     /// A C step: how the energy falls with the residual of each row.
     push: Vec<f64>,
@@ -146,18 +161,21 @@ struct Descent {
 }
 
 impl Descent {
-    fn room(m: usize) -> Self {
-        let square = || vec![0.0; m * m];
-        Self {
-            step: vec![0.0; m],
-            push: vec![0.0; m],
-            residual: vec![0.0; m],
-            jacobian: square(),
-            factors: DenseLu::default(),
-            stiffness: square(),
-            values: vec![0.0; m],
-            steepest: false,
-        }
+    /// Room for `m` rows and so many points, so that later steps allocate nothing.
+    pub fn reserve(&mut self, m: usize, points: usize) {
+        self.make_room(m);
+        self.held.reserve(points);
+        // factored once, so that what it needs is there
+        self.factors.matrix_mut(m);
+        self.factors.factor();
+    }
+
+    /// Room for `m` rows.
+    fn make_room(&mut self, m: usize) {
+        let Self { from, step, push, residual, jacobian, stiffness, values, .. } = self;
+        [from, step, push, residual, values].into_iter().for_each(|list| list.resize(m, 0.0));
+        [jacobian, stiffness].into_iter().for_each(|square| square.resize(m * m, 0.0));
+        self.steepest = false;
     }
 
     /// F = lambda - law with the laws inserted, and dF/dq; its weighted square.

@@ -50,7 +50,7 @@ impl LinearisedContact {
         if self.newton(points, context) {
             return true;
         }
-        let start = self.unknown.clone();
+        self.begun.clone_from(&self.unknown);
         for row in &mut self.rows {
             (row.kappa, row.own) = (row.own.max(LEAST_OWN * row.kappa), row.kappa);
         }
@@ -58,7 +58,7 @@ impl LinearisedContact {
             return true;
         }
         self.rows.iter_mut().for_each(|row| row.kappa = row.own);
-        self.unknown.copy_from_slice(&start);
+        self.unknown.clone_from(&self.begun);
         self.minimise(points, context);
         if self.newton(points, context) {
             return true;
