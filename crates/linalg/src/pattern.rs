@@ -31,10 +31,19 @@ impl Pattern {
     /// Pattern of `n` equations from coupled pairs (row, column). Transposes and the diagonal are
     /// added, repetitions removed; pairs outside `0..n` are ignored.
     pub fn from_pairs(n: usize, pairs: impl Iterator<Item = (usize, usize)>) -> Self {
-        let inside: Vec<(usize, usize)> =
-            pairs.filter(|&(i, j)| i < n && j < n && i != j).collect();
+        let inside: Vec<(usize, usize)> = pairs.filter(|&pair| Self::couples(n, pair)).collect();
+        Self::from_couplings(n, &inside)
+    }
+
+    /// Whether a pair is one of different equations that there are.
+    fn couples(n: usize, (i, j): (usize, usize)) -> bool {
+        i < n && j < n && i != j
+    }
+
+    /// Pattern of `n` equations from pairs that all couple.
+    fn from_couplings(n: usize, inside: &[(usize, usize)]) -> Self {
         let mut start = vec![0usize; n + 1];
-        for &(i, j) in &inside {
+        for &(i, j) in inside {
             start[i + 1] += 1;
             start[j + 1] += 1;
         }
@@ -50,7 +59,7 @@ impl Pattern {
         for i in 0..n {
             put(i, i);
         }
-        for &(i, j) in &inside {
+        for &(i, j) in inside {
             put(i, j);
             put(j, i);
         }
@@ -64,10 +73,11 @@ impl Pattern {
         for clique in cliques {
             let members = clique.as_ref();
             for (at, &i) in members.iter().enumerate() {
-                pairs.extend(members[at + 1..].iter().map(|&j| (i, j)));
+                let own = members[at + 1..].iter().map(|&j| (i, j));
+                pairs.extend(own.filter(|&pair| Self::couples(n, pair)));
             }
         }
-        Self::from_pairs(n, pairs.into_iter())
+        Self::from_couplings(n, &pairs)
     }
 
     fn from_unsorted_rows(n: usize, start: &[usize], all: &mut [usize]) -> Self {

@@ -26,12 +26,12 @@ pub struct ContactPair {
 impl ContactPair {
     /// Slave nodes in order of first appearance, each once.
     pub fn slave_nodes(&self) -> Vec<NodeIndex> {
-        let mut seen = std::collections::HashSet::new();
-        self.elements
-            .iter()
-            .flat_map(|element| element.nodes)
-            .filter(|&node| seen.insert(node))
-            .collect()
+        let most = 2 * self.elements.len();
+        let mut seen = std::collections::HashSet::with_capacity(most);
+        let mut nodes = Vec::with_capacity(most);
+        let ends = self.elements.iter().flat_map(|element| element.nodes);
+        nodes.extend(ends.filter(|&node| seen.insert(node)));
+        nodes
     }
 }
 

@@ -13,13 +13,13 @@ use crate::state::{PointState, State};
 use slideline_model::Dof;
 
 /// Fills a row for every pair of a state that was just committed; `closed`
-/// says which contact rows were closed before.
+/// says which contact rows were closed before; `sums` is scratch.
 pub fn pair_rows(
     plan: &Plan<'_>,
     state: &State,
     work: &Workspace,
     (contact, closed): (&[ContactRow], &[bool]),
-    rows: &mut Vec<PairRow>,
+    (rows, sums): (&mut Vec<PairRow>, &mut Vec<Sum>),
 ) {
     rows.clear();
     rows.resize(plan.contact.laws.len(), PairRow::default());
@@ -30,7 +30,8 @@ pub fn pair_rows(
         rows[row.pair].changes += usize::from(is_closed != was_closed);
     }
     let points = plan.contact.points.iter().zip(&state.points).enumerate();
-    let mut sums = vec![Sum::default(); rows.len()];
+    sums.clear();
+    sums.resize(rows.len(), Sum::default());
     for (place, (point, now)) in points.filter(|(_, (_, now))| now.closed) {
         let row = &mut rows[point.pair];
         row.press(now);
@@ -39,7 +40,7 @@ pub fn pair_rows(
         }
         sums[point.pair].add(plan, state, now, &work.evaluation.kinematics[place]);
     }
-    for (row, sum) in rows.iter_mut().zip(&sums) {
+    for (row, sum) in rows.iter_mut().zip(sums) {
         (row.force_imbalance, row.moment_imbalance) = sum.imbalance();
     }
 }
@@ -61,7 +62,7 @@ impl PairRow {
 /// them; moments about the first closed point, so that no distant origin
 /// blows up their rounding.
 #[derive(Clone, Copy, Debug, Default)]
-struct Sum {
+pub struct Sum {
     about: Option<[f64; 2]>,
     force: [f64; 2],
     moment: f64,

@@ -91,6 +91,11 @@ impl Constraints {
     /// Gives every dependent dof its role and a row of the dofs it follows.
     fn add_rows(&mut self) {
         let Self { roles, rigid, linear, dependent_dofs, row_start, row_dofs, .. } = self;
+        let dependents = 3 * rigid.len() + linear.len();
+        dependent_dofs.reserve_exact(dependents);
+        row_start.reserve_exact(dependents);
+        let followed = linear.iter().map(|constraint| constraint.terms.len());
+        row_dofs.reserve_exact(5 * rigid.len() + followed.sum::<usize>());
         let mut add = |dependent: usize, followed: &mut dyn Iterator<Item = usize>| {
             roles[dependent] = Role::Dependent(row_start.len() - 1);
             dependent_dofs.push(dependent);
@@ -108,6 +113,8 @@ impl Constraints {
     }
 
     fn number_unknowns(&mut self) {
+        let is_free = |role: &&Role| matches!(role, Role::Free(_));
+        self.dof_of_equation.reserve_exact(self.roles.iter().filter(is_free).count());
         for (dof, role) in self.roles.iter_mut().enumerate() {
             if matches!(role, Role::Free(_)) {
                 *role = Role::Free(self.dof_of_equation.len());

@@ -10,6 +10,7 @@
 //! [`crate::linearised`] and [`crate::evaluate`].
 
 mod candidates;
+mod cliques;
 mod crossing;
 mod idle;
 mod kinematics;
@@ -20,6 +21,7 @@ mod segment;
 mod shear;
 
 pub use candidates::coupled_parts;
+pub use cliques::Cliques;
 pub use crossing::{Missed, Sweep, SweepScratch};
 pub use idle::Look;
 pub use kinematics::{ContactKinematics, GeometryScratch};
@@ -158,6 +160,7 @@ impl Contact {
         let width = pair.interaction.width;
         let shares: Vec<_> = pair.elements.iter().map(|e| e.lumping.shares()).collect();
         let areas = tributary_areas(&elements, &shares, &coordinates, width);
+        self.points.reserve(nodes.len());
         for (&node, area) in nodes.iter().zip(areas) {
             let (position, dofs) = (model.nodes.plane(node), translations(dofs, node));
             self.add_point(place, pair, (node, area), Carrier::Node { position, dofs });
@@ -176,36 +179,6 @@ impl Contact {
         let point =
             SlavePoint { pair: pair_place, node, area, state_variables, state_size, carrier };
         self.points.push(point);
-    }
-
-    /// Sets of dofs that may couple: of deforming masters with many parts, only
-    /// what is near in one of the `states`.
-    pub fn cliques(&self, states: &[&[f64]]) -> Vec<Vec<usize>> {
-        let mut cliques = Vec::new();
-        let near = self.candidates(states);
-        for segment in &self.segments {
-            if let MasterSurface::Body { dofs, .. } = &self.masters[segment.pair] {
-                cliques.push([&segment.all_dofs()[..], dofs].concat());
-            }
-        }
-        for (place, point) in self.points.iter().enumerate() {
-            let Carrier::Node { dofs: own, .. } = &point.carrier else { continue };
-            match &self.masters[point.pair] {
-                MasterSurface::Nothing => {}
-                MasterSurface::Body { dofs, .. } => cliques.push([&own[..], dofs].concat()),
-                MasterSurface::Line { nodes, .. } => {
-                    let all = 0..nodes.len();
-                    let range = near.get(place).cloned().flatten().unwrap_or(all);
-                    let window = range.len().min(3);
-                    for window in nodes[range].windows(window.max(1)) {
-                        let mut clique = own.to_vec();
-                        window.iter().for_each(|(_, dofs)| clique.extend(dofs));
-                        cliques.push(clique);
-                    }
-                }
-            }
-        }
-        cliques
     }
 
     /// Where every point stands at displacements `u`. `positions` is scratch.

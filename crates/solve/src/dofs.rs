@@ -10,7 +10,7 @@
 //! belongs to; one without elements has all, to move as it is told. The numbering
 //! knows no step: it holds for a whole run and for those that go on from it.
 
-use slideline_model::{Dof, Master, Model, NodeIndex};
+use slideline_model::{Dof, Kinematics, Master, Model, NodeIndex};
 use std::ops::Range;
 
 /// The dofs of a model's nodes, numbered node by node.
@@ -32,15 +32,23 @@ impl DofMap {
     /// Numbers the dofs of a model.
     pub fn new(model: &Model) -> Self {
         let mut has = vec![[None; Dof::ALL.len()]; model.nodes.len()];
-        let elastic = of_elements(model);
+        // a spring acts on a node, but is no part that the node belongs to
         let mut alone = vec![true; model.nodes.len()];
-        elastic.iter().for_each(|&(node, _)| alone[node] = false);
+        let parts = model.blocks.iter().filter(|block| block.kind.kinematics != Kinematics::Spring);
+        let members = parts.flat_map(|block| block.elements.iter()).flat_map(|e| e.nodes);
+        members.for_each(|&node| alone[node] = false);
         let free = (0..alone.len()).filter(|&node| alone[node]).flat_map(rigid_body);
         free.for_each(|(node, dof)| has[node][dof as usize] = Some(false));
-        for (node, dof) in elastic.into_iter().chain(of_bodies(model)) {
-            has[node][dof as usize] = Some(true);
-        }
-        let mut map = Self { first: vec![0], ..Self::default() };
+        of_elements(model, |node, dof| has[node][dof as usize] = Some(true));
+        of_bodies(model, |(node, dof)| has[node][dof as usize] = Some(true));
+        let count = has.iter().flatten().flatten().count();
+        let mut map = Self {
+            first: Vec::with_capacity(model.nodes.len() + 1),
+            names: Vec::with_capacity(count),
+            active: Vec::with_capacity(count),
+            ..Self::default()
+        };
+        map.first.push(0);
         for (node, has) in has.iter().enumerate() {
             for dof in Dof::ALL {
                 if let Some(active) = has[dof as usize] {
@@ -50,7 +58,10 @@ impl DofMap {
             }
             map.first.push(map.names.len());
         }
-        map.rotations = (0..map.len()).filter(|&dof| map.is_rotation(dof)).collect();
+        let turning = |dof: &usize| map.is_rotation(*dof);
+        let mut rotations = Vec::with_capacity((0..count).filter(turning).count());
+        rotations.extend((0..count).filter(turning));
+        map.rotations = rotations;
         let used = |dof: &Dof| dof.is_plane() || map.names.iter().any(|(_, own)| own == dof);
         map.kinds = Dof::ALL.into_iter().filter(used).collect();
         map
@@ -115,33 +126,32 @@ impl DofMap {
     }
 }
 
-/// Dofs that elements use.
-fn of_elements(model: &Model) -> Vec<(NodeIndex, Dof)> {
-    let mut used = Vec::new();
+/// Calls back with the dofs that elements give stiffness to.
+fn of_elements(model: &Model, mut note: impl FnMut(NodeIndex, Dof)) {
     for block in &model.blocks {
         let stiffened = block.stiffened_dofs();
         for &node in block.elements.iter().flat_map(|element| element.nodes) {
-            used.extend(stiffened.iter().map(|&dof| (node, dof)));
+            stiffened.iter().for_each(|&dof| note(node, dof));
         }
     }
-    used
 }
 
-/// Dofs that rigid bodies and contact use.
-fn of_bodies(model: &Model) -> Vec<(NodeIndex, Dof)> {
-    let mut used = Vec::new();
+/// Calls back with the dofs that rigid bodies and contact use.
+fn of_bodies(model: &Model, mut note: impl FnMut((NodeIndex, Dof))) {
     for link in &model.rigid_links {
-        used.extend([link.master, link.dependent].into_iter().flat_map(rigid_body));
+        [link.master, link.dependent].into_iter().flat_map(rigid_body).for_each(&mut note);
     }
     for pair in &model.contact_pairs {
         // A contact node needs no element: its translations matter all the same.
-        used.extend(pair.elements.iter().flat_map(|element| element.nodes).flat_map(point));
+        let slaves = pair.elements.iter().flat_map(|element| element.nodes);
+        slaves.flat_map(point).for_each(&mut note);
         match &pair.master {
-            Master::RigidSurface(surface) => used.extend(rigid_body(surface.reference)),
-            Master::SlideLine(line) => used.extend(line.nodes.iter().flat_map(|&n| point(n))),
+            Master::RigidSurface(surface) => rigid_body(surface.reference).for_each(&mut note),
+            Master::SlideLine(line) => {
+                line.nodes.iter().flat_map(|&node| point(node)).for_each(&mut note);
+            }
         }
     }
-    used
 }
 
 /// The dofs of a node that turns.

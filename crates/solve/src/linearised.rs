@@ -107,6 +107,9 @@ pub struct LinearPoint {
     pub pressure: f64,
     /// Stiffness augmentation to K [F/L3].
     pub stiffness: f64,
+    /// Stiffness of the structure below which the point's own counts as none
+    /// [F/L3].
+    pub least: f64,
     /// Friction, where it would be called for a closed point.
     pub sliding: Option<Sliding>,
 }
@@ -198,6 +201,9 @@ impl LinearisedContact {
         self.response.reserve(rows * equations);
         self.compliance.reserve(rows * rows);
         self.jacobian.reserve(rows * rows);
+        // factored once, so that what it needs is there
+        self.factors.matrix_mut(rows);
+        self.factors.factor();
         for vector in [&mut self.unknown, &mut self.residual, &mut self.step, &mut self.trial] {
             vector.reserve(rows);
         }

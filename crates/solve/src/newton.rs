@@ -36,6 +36,10 @@ pub use relax::relax;
 use slideline_linalg::{SolveError, Solver};
 use slideline_mech::contact::enforcement::Enforcement;
 
+/// The most points whose contact is solved with its matrix where the other way is
+/// lost: the cost grows with their cube.
+const MOST_DENSE: usize = 1000;
+
 /// What an attempt aims at.
 #[derive(Clone, Copy, Debug)]
 pub struct Target {
@@ -85,6 +89,8 @@ pub struct Workspace {
     pub outside: bool,
     /// How the condensed contact problem of the iteration is solved.
     enforcement: Enforcement,
+    /// Whether the rest of the attempt goes the dense way.
+    only_dense: bool,
     /// The increment [T].
     dt: f64,
     correction: Vec<f64>,
@@ -140,6 +146,7 @@ impl Workspace {
             augmented: vec![0.0; plan.pattern.entries()],
             outside: false,
             enforcement: Enforcement::default(),
+            only_dense: false,
             dt: 0.0,
             correction: vec![0.0; equations],
             correction_dofs: vec![0.0; dofs],
@@ -283,6 +290,7 @@ impl Workspace {
     /// The first guess, evaluated.
     fn begin(&mut self, plan: &Plan<'_>, committed: &State, target: &Target) {
         self.augment_all = false;
+        self.only_dense = false;
         self.dt = target.dt;
         self.negative_pivots = 0;
         let times = (target.step_time, target.dt);
@@ -394,22 +402,40 @@ impl Workspace {
         contact.solve(points, &context, (*enforcement, &mut stiffness), correction)
     }
 
+    /// Factors and solves the linearised problem. Where the way without the matrix
+    /// of contact is lost, the rest of the attempt goes the other one, which can
+    /// pivot, as long as its cost allows.
+    fn linear_step(
+        &mut self,
+        plan: &Plan<'_>,
+        committed: &State,
+        dt: f64,
+    ) -> Result<(), SolveError> {
+        let mut done = self.factor(plan, committed);
+        if done.is_ok() && !self.outside {
+            done = self.contact_step(plan, committed, dt);
+        }
+        let free = self.enforcement == Enforcement::MatrixFree && plan.enforcement.is_none();
+        let lost = done.is_err() || !self.contact.is_solved();
+        if self.outside || !free || !lost || self.points.len() > MOST_DENSE {
+            return done;
+        }
+        self.only_dense = true;
+        self.factor(plan, committed)?;
+        self.contact_step(plan, committed, dt)
+    }
+
     /// One Newton iteration: assemble, factor, solve, move, evaluate.
     fn iterate(&mut self, plan: &Plan<'_>, committed: &State, dt: f64) -> Result<(), SolveError> {
-        self.factor(plan, committed)?;
-        if self.outside {
-            return Ok(());
-        }
-        self.contact_step(plan, committed, dt)?;
-        if !self.leaves_idle(plan) {
+        self.linear_step(plan, committed, dt)?;
+        if !self.outside && !self.leaves_idle(plan) {
             // what was left alone may touch within this step
             self.evaluation.look.forget();
             self.evaluate(plan, committed, dt);
-            self.factor(plan, committed)?;
-            if self.outside {
-                return Ok(());
-            }
-            self.contact_step(plan, committed, dt)?;
+            self.linear_step(plan, committed, dt)?;
+        }
+        if self.outside {
+            return Ok(());
         }
         let length = self.limit_turns(plan);
         if self.line_search {

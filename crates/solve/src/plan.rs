@@ -1,7 +1,7 @@
 //! A step, prepared once: numbering, pattern, symbolic factorisation.
 
 use crate::constraints::{Constraints, Role, Rows};
-use crate::contact::{Contact, ContactKinematics};
+use crate::contact::{Cliques, Contact, ContactKinematics};
 use crate::dofs::DofMap;
 use crate::linear_systems::LinearSystems;
 use crate::structure::{Contributions, Structure};
@@ -291,18 +291,17 @@ fn coupled(
     constraints: &Constraints,
     states: &[&[f64]],
 ) -> Pattern {
-    let equations = |own: &[usize]| -> Vec<usize> {
-        let mut into = Vec::with_capacity(own.len());
-        own.iter().for_each(|&dof| constraints.equations_of(dof, &mut into));
-        into
-    };
     // many points with prescribed dofs couple the same unknowns of their master
-    let near = contact.cliques(states).into_iter().map(|own| equations(&own));
-    let mut near: Vec<Vec<usize>> = near.filter(|own| own.len() > 1).collect();
-    near.sort_unstable();
-    near.dedup();
-    let cliques = structure.cliques().map(equations).chain(near);
-    Pattern::from_cliques(constraints.equations(), cliques)
+    let near = contact.cliques(states, constraints);
+    let coupling = || near.iter().filter(|own| own.len() > 1);
+    let mut several: Vec<&[usize]> = Vec::with_capacity(coupling().count());
+    several.extend(coupling());
+    several.sort_unstable();
+    several.dedup();
+    let (elements, dofs) = structure.size_of_cliques();
+    let mut own = Cliques::with_room(elements, dofs);
+    structure.cliques().for_each(|dofs| own.add(constraints, dofs));
+    Pattern::from_cliques(constraints.equations(), own.iter().chain(several))
 }
 
 /// Coordinates of the points of all rigid surfaces.

@@ -81,8 +81,12 @@ impl Bodies {
     fn of(model: &Model) -> Self {
         let parent = (0..model.nodes.len()).collect();
         let mut new = Self { parent, used: Vec::new(), turns: Default::default() };
-        let mut turning = Vec::new();
-        for block in model.blocks.iter().filter(|block| block.kind.joins()) {
+        let joining = || model.blocks.iter().filter(|block| block.kind.joins());
+        let corners = joining().flat_map(|block| &block.elements);
+        let corners = corners.map(|element| element.nodes.len()).sum::<usize>();
+        let further = model.rigid_links.len() + model.contact_pairs.len();
+        let mut turning = Vec::with_capacity(corners + further);
+        for block in joining() {
             for element in &block.elements {
                 element.nodes.windows(2).for_each(|w| new.join(w[0], w[1]));
                 turning.extend(element.nodes);

@@ -25,7 +25,7 @@ use crate::users::UserFrictions;
 use shown::{Numbers, Rows, frame};
 use slideline_diag::Diagnostic;
 use slideline_mech::contact::enforcement::Enforcement;
-use slideline_model::{ContactPair, Model, Static, Step};
+use slideline_model::{Model, Static, Step};
 use std::borrow::Cow;
 use std::ops::ControlFlow;
 
@@ -191,9 +191,12 @@ impl<'a> Analysis<'a> {
         observer: &'a mut dyn Observer,
     ) -> Self {
         let dofs = DofMap::new(model).len();
-        let points = model.contact_pairs.iter().map(point_count).sum();
-        let state_variables = |pair: &ContactPair| point_count(pair) * state_size(pair);
-        let state_variables = model.contact_pairs.iter().map(state_variables).sum();
+        let (mut points, mut state_variables) = (0, 0);
+        for pair in &model.contact_pairs {
+            let count = point_count(pair);
+            points += count;
+            state_variables += count * state_size(pair);
+        }
         let committed = State::undeformed(dofs, points, (state_variables, model.element_states()));
         Self {
             model,
@@ -494,8 +497,8 @@ impl<'a> Analysis<'a> {
         self.rows.fill(plan, &self.committed);
         let last = *decision == Decision::StepDone;
         let numbers = Numbers { last, ..Numbers::of(target, outcome) };
-        let Rows { contact, closed, pairs, .. } = &mut self.rows;
-        pair_rows(plan, &self.committed, work, (contact, closed), pairs);
+        let Rows { contact, closed, pairs, sums, .. } = &mut self.rows;
+        pair_rows(plan, &self.committed, work, (contact, closed), (pairs, sums));
         let jumped = self.balance_books(plan, target, work);
         let frame = frame(plan, &self.committed, &numbers, &self.rows);
         // A wish to stop does not keep back what belongs to the increment.

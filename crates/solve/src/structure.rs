@@ -113,6 +113,11 @@ impl Structure {
         self.elements().map(|(block, element)| &self.own[block.own(element)])
     }
 
+    /// How many sets [`Self::cliques`] gives, and their members in all.
+    pub fn size_of_cliques(&self) -> (usize, usize) {
+        (self.count, self.own.len())
+    }
+
     /// Finds every tangent entry's place in the matrix.
     pub fn find_entries(&mut self, constraints: &Constraints, pattern: &Pattern) {
         let Self { blocks, own, entries, dependent, .. } = self;

@@ -14,6 +14,7 @@ impl Constraints {
     pub fn linearise(&self, u: &[f64], into: &mut Rows) {
         let list = &mut into.coefficients;
         list.clear();
+        list.reserve_exact(self.row_dofs.len());
         for link in &self.rigid {
             for (component, _) in link.dependent_dofs() {
                 let count = link.followed(component).into_iter().flatten().count();

@@ -301,10 +301,13 @@ impl Contact {
         };
         let allowed = CUT * self.spacing[point.pair];
         let to_end = from.along.min(surface.length() - from.along);
-        if point.is_integration_point() || (surface.period().is_none() && to_end <= allowed) {
+        let body = Body { reference: *reference, dofs: dofs.map(|dof| sweep.to[dof]) };
+        // near an open end it slid off only if it lies beyond that end now
+        let is_off = || surface.beyond_end(&body, sweep.now[place].position).is_some();
+        let may_slide_off = surface.period().is_none() && to_end <= allowed;
+        if point.is_integration_point() || (may_slide_off && is_off()) {
             return false;
         }
-        let body = Body { reference: *reference, dofs: dofs.map(|dof| sweep.to[dof]) };
         let end = body.to_body(sweep.now[place].position);
         let depth = (1..SAMPLES).filter_map(|k| {
             let t = k as f64 / SAMPLES as f64;

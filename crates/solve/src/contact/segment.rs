@@ -89,9 +89,9 @@ impl SlaveSegment {
     }
 
     /// All dofs that its line follows.
-    pub fn all_dofs(&self) -> Vec<usize> {
+    pub fn all_dofs(&self) -> impl Iterator<Item = &usize> {
         let further = self.shear.iter().flat_map(|shear| &shear.further);
-        self.dofs.iter().chain(further).copied().collect()
+        self.dofs.iter().chain(further)
     }
 
     /// Places the integration_points of the segment where `beyond`, the overclosure

@@ -65,13 +65,16 @@ impl Stiffness<'_> {
         for k in 0..point.width {
             let own = point.equations[k];
             let diagonal = self.pattern.position(own, own).map_or(0.0, |at| self.values[at]);
-            if diagonal > 0.0 {
-                compliance[0] += point.area * point.normal[k] * point.normal[k] / diagonal;
-                compliance[1] +=
-                    point.area * (point.direction[k] * point.tangential[k]).abs() / diagonal;
+            let squares = [
+                point.normal[k] * point.normal[k],
+                (point.direction[k] * point.tangential[k]).abs(),
+            ];
+            for (sum, square) in compliance.iter_mut().zip(squares).filter(|(_, s)| *s > 0.0) {
+                // what nothing but contact holds yields without end
+                *sum += if diagonal > 0.0 { point.area * square / diagonal } else { f64::INFINITY };
             }
         }
-        compliance.map(|c| if c > 0.0 { 1.0 / c } else { 0.0 })
+        compliance.map(|c| if c > 0.0 { (1.0 / c).max(point.least) } else { 0.0 })
     }
 }
 

@@ -11,6 +11,9 @@ use slideline_mech::contact::enforcement::Enforcement;
 
 /// How far apart, in sizes of the model, points still count as touching.
 pub const TOUCH: f64 = 1e-9;
+/// Part of that below which the stiffness that a point feels of its own
+/// equations is none: a chain has none across its line [1].
+const NOTHING: f64 = 1e-3;
 /// Rows from which on the condensed contact problem is solved without its matrix.
 const DENSE_ROWS: f64 = 100.0;
 /// Rows that a touching integration_point adds to it: those of its element are shared.
@@ -97,6 +100,7 @@ impl Workspace {
                 overclosure: kinematics.overclosure,
                 pressure: if kinematics.faces { self.pressures[place] } else { 0.0 },
                 stiffness: augmentation,
+                least: NOTHING * augmentation_stiffness(plan, point),
                 sliding,
             };
             for k in 0..kinematics.width {
@@ -137,7 +141,7 @@ impl Workspace {
             false => 0.0,
         };
         let rows: f64 = self.points.iter().map(rows).sum();
-        let by_size = match rows < DENSE_ROWS {
+        let by_size = match rows < DENSE_ROWS || self.only_dense {
             true => Enforcement::Dense,
             false => Enforcement::MatrixFree,
         };

@@ -1,5 +1,6 @@
 //! What observers are shown of a state: rows, counts, the frame about them.
 
+use crate::balance::Sum;
 use crate::newton::{Outcome, Target};
 use crate::observe::{BeamRow, BlockResults, ContactRow, Frame, Nodal, PairRow};
 use crate::plan::Plan;
@@ -15,6 +16,8 @@ pub(super) struct Rows {
     pub closed: Vec<bool>,
     /// A row a pair.
     pub pairs: Vec<PairRow>,
+    /// Scratch of the rows of pairs.
+    pub sums: Vec<Sum>,
     /// A row a beam.
     pub beams: Vec<BeamRow>,
     /// Results of the elements of every block.

@@ -33,10 +33,9 @@ impl Structure {
         let kinds = block.dofs();
         let straining = |element: &Element<'_>| !is_rigid(element, block, constraints);
         let elements = || block.elements.iter().enumerate().filter(|(_, own)| straining(own));
-        let nodes: Vec<[f64; 3]> = elements()
-            .flat_map(|(_, own)| own.nodes)
-            .map(|&node| model.nodes.get(node).position)
-            .collect();
+        let corners = || elements().flat_map(|(_, own)| own.nodes);
+        let mut nodes: Vec<[f64; 3]> = Vec::with_capacity(corners().count());
+        nodes.extend(corners().map(|&node| model.nodes.get(node).position));
         let undeformed =
             Undeformed { section: &block.section, dialect: model.dialect, nodes: &nodes };
         let Some(kernel) = (block.kind.kernel)(&undeformed) else { return };
@@ -51,12 +50,13 @@ impl Structure {
             first_entry: self.entries.len(),
             first_stress: self.stresses,
             block: index,
-            members: Vec::new(),
+            members: Vec::with_capacity(elements().count()),
             first_state,
             states: block.kind.states,
             results: block.kind.all_values(),
             kernel,
         };
+        self.own.reserve_exact(variables * elements().count());
         for (member, element) in elements() {
             let begin = self.own.len();
             for &node in element.nodes {

@@ -1,0 +1,69 @@
+//! Which unknowns contact may couple.
+
+use super::master::MasterSurface;
+use super::{Carrier, Contact};
+use crate::constraints::Constraints;
+
+/// Sets of unknowns, one behind the other in one list.
+#[derive(Clone, Debug, Default)]
+pub struct Cliques {
+    members: Vec<usize>,
+    /// Where every set ends among the members.
+    ends: Vec<usize>,
+}
+
+impl Cliques {
+    /// None yet, with room for so many sets and members.
+    pub fn with_room(sets: usize, members: usize) -> Self {
+        Self { members: Vec::with_capacity(members), ends: Vec::with_capacity(sets) }
+    }
+
+    /// Adds the unknowns that a set of dofs depends on.
+    pub fn add<'a>(
+        &mut self,
+        constraints: &Constraints,
+        dofs: impl IntoIterator<Item = &'a usize>,
+    ) {
+        dofs.into_iter().for_each(|&dof| constraints.equations_of(dof, &mut self.members));
+        self.ends.push(self.members.len());
+    }
+
+    /// All sets, in the order in which they were added.
+    pub fn iter(&self) -> impl Iterator<Item = &[usize]> {
+        let begins = std::iter::once(0).chain(self.ends.iter().copied());
+        begins.zip(&self.ends).map(|(begin, &end)| &self.members[begin..end])
+    }
+}
+
+impl Contact {
+    /// Sets of unknowns that may couple: of deforming masters with many parts,
+    /// only what is near in one of the `states`.
+    pub fn cliques(&self, states: &[&[f64]], constraints: &Constraints) -> Cliques {
+        let mut cliques = Cliques::default();
+        let near = self.candidates(states);
+        for segment in &self.segments {
+            if let MasterSurface::Body { dofs, .. } = &self.masters[segment.pair] {
+                cliques.add(constraints, segment.all_dofs().chain(dofs));
+            }
+        }
+        for (place, point) in self.points.iter().enumerate() {
+            let Carrier::Node { dofs: own, .. } = &point.carrier else { continue };
+            match &self.masters[point.pair] {
+                MasterSurface::Nothing => {}
+                MasterSurface::Body { dofs, .. } => {
+                    cliques.add(constraints, own.iter().chain(dofs));
+                }
+                MasterSurface::Line { nodes, .. } => {
+                    let all = 0..nodes.len();
+                    let range = near.get(place).cloned().flatten().unwrap_or(all);
+                    let window = range.len().min(3);
+                    for window in nodes[range].windows(window.max(1)) {
+                        let facing = window.iter().flat_map(|(_, dofs)| dofs);
+                        cliques.add(constraints, own.iter().chain(facing));
+                    }
+                }
+            }
+        }
+        cliques
+    }
+}
