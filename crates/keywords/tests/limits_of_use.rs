@@ -36,7 +36,7 @@ fn what_the_page_names_is_refused() {
     const MODEL: &str = "*STEP";
     const HISTORY: &str = "*END STEP";
     let cases = [
-        ("solids, plane strain", "TYPE=B21", "TYPE=CPE4"),
+        ("solids other than CPE4", "TYPE=B21", "TYPE=CPE8"),
         ("anything in space", "TYPE=B21", "TYPE=B31"),
         ("shells", MODEL, "*SHELL SECTION\n*STEP"),
         ("sections other than the rectangle", "SECTION=RECT", "SECTION=CIRC"),
