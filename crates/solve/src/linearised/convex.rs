@@ -133,7 +133,7 @@ impl LinearisedContact {
         }
         for integration_point in &self.integration_points {
             let pressure = fixed
-                .integration_point(integration_point, &points[integration_point.point], &values)
+                .integration_point(integration_point, &points[integration_point.point], values)
                 .pressure;
             follow(&mut points[integration_point.point], pressure);
         }
