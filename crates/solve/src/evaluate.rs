@@ -158,8 +158,8 @@ pub fn look_at(plan: &Plan<'_>, committed: &State, into: &mut Evaluation) {
 }
 
 /// Looks at the points that the evaluation left alone, at the same trial; says
-/// whether none of them carries pressure after all. If one does, all points are
-/// looked at next.
+/// whether none of them touches after all. If one does, all points are looked at
+/// next.
 pub fn complete(
     plan: &Plan<'_>,
     committed: &State,
@@ -177,7 +177,9 @@ pub fn complete(
     for place in 0..plan.contact.points.len() {
         if into.look.idle[place] {
             let now = evaluate_point(plan, (committed, trial), place, into);
-            open &= !now.closed;
+            // of a hard law the pressure is an estimate: the overclosure decides
+            let law = &plan.contact.laws[plan.contact.points[place].pair].normal;
+            open &= now.along.is_none() || -now.opening <= law.contact_begins();
             into.points[place] = now;
         }
     }
@@ -189,7 +191,7 @@ pub fn complete(
     open
 }
 
-/// What a point does in a trial, and its state_variables of a user law.
+/// What a point does in a trial; writes its state variables of a user law.
 fn evaluate_point(
     plan: &Plan<'_>,
     (committed, trial): (&State, &Trial<'_>),

@@ -557,4 +557,48 @@ mod tests {
             assert!(fault(&plan, &report).is_none());
         }
     }
+
+    /// Requirement: a point that was left alone and touches is found before a
+    /// state is taken, under a soft law and under a hard one, whose pressure is
+    /// zero until the contact step gives it one.
+    #[test]
+    fn idle_points_that_touch_are_found() {
+        for law in [NormalLaw::Exponential { clearance: 0.1, pressure: 2.0 }, NormalLaw::Hard] {
+            let mut model = model(true);
+            model.contact_pairs[0].interaction.normal = law;
+            let (dofs, points) =
+                (DofMap::new(&model).len(), model.contact_pairs[0].slave_nodes().len());
+            let start = crate::plan::Start::undeformed(dofs);
+            let users = crate::users::UserFrictions::default();
+            let plan = Plan::new(&model, &model.steps[0], start, &users, None);
+            let mut committed = State::undeformed(dofs, points, (0, 0));
+            let mut work = crate::newton::Workspace::new(&plan);
+            crate::commit::locate_points(&plan, &mut committed, &mut work.evaluation.kinematics);
+            let none = vec![0.0; points];
+            let stresses = plan.structure.stress_room();
+            let (mut u, load) = (vec![0.0; dofs], vec![0.0; dofs]);
+            let body = plan.dofs.of_node(model.nodes.find(100).unwrap());
+            let mut evaluation = Evaluation::new(&plan);
+            let mut touches = |down: f64| {
+                u[body.start + 1] = down;
+                plan.constraints.enforce(&mut u);
+                let trial = Trial {
+                    stresses: &stresses,
+                    u: &u,
+                    load: &load,
+                    pressures: &none,
+                    tractions: &none,
+                    dashpots: &[],
+                    time: 1.0,
+                    dt: 1.0,
+                };
+                evaluation.look.forget();
+                evaluate(&plan, &committed, &trial, &mut evaluation);
+                evaluation.look.idle.fill(true);
+                !crate::evaluate::complete(&plan, &committed, &trial, &mut evaluation)
+            };
+            assert!(!touches(0.5), "far above");
+            assert!(touches(-0.1), "pressed in");
+        }
+    }
 }

@@ -23,6 +23,9 @@ const ROOM: f64 = 1.0;
 pub struct Look {
     /// Displacements then; empty: never.
     at: Vec<f64>,
+    /// Whether no evaluation has followed: the kinematics of all points are those
+    /// of then. Later this holds for the ones that were left alone ever since.
+    is_fresh: bool,
     /// Whether each point is left alone.
     pub idle: Vec<bool>,
 }
@@ -43,12 +46,14 @@ impl Look {
     pub fn note(&mut self, u: &[f64]) {
         self.at.clear();
         self.at.extend_from_slice(u);
+        self.is_fresh = true;
     }
 }
 
 impl Contact {
-    /// Finds the points that the way to `u` leaves open for certain, of those that
-    /// carry no pressure by the estimates.
+    /// Finds the points that the way to `u` leaves open by what was seen, of those
+    /// that carry no pressure by the estimates. One that was looked at since stays
+    /// looked at until all are.
     pub fn find_idle(
         &self,
         kinematics: &[ContactKinematics],
@@ -61,9 +66,11 @@ impl Contact {
             return;
         }
         for place in 0..self.points.len() {
-            look.idle[place] =
-                pressures[place] == 0.0 && self.stays_open(place, &kinematics[place], u, look);
+            look.idle[place] = (look.is_fresh || look.idle[place])
+                && pressures[place] == 0.0
+                && self.stays_open(place, &kinematics[place], u, look);
         }
+        look.is_fresh = false;
     }
 
     /// Whether the way to `u` would leave all idle points open.

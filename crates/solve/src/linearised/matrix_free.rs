@@ -121,8 +121,8 @@ impl LinearisedContact {
         work.right_side.extend_from_slice(correction);
         work.full.resize(correction.len(), 0.0);
         let result = self.rounds_matrix_free(points, context, stiffness, &mut work);
-        correction.copy_from_slice(&self.moved);
         if result.is_ok() {
+            correction.copy_from_slice(&self.moved);
             self.back_substitute_matrix_free(points, context, &work);
         }
         self.matrix_free = work;
@@ -285,7 +285,7 @@ impl LinearisedContact {
                 return Ok(size.is_finite());
             }
             let tolerance = (0.1 * (size / largest).sqrt()).clamp(1e-6, 1e-2);
-            let products = self.find_step(points, context, stiffness, work, tolerance)?;
+            let products = self.find_step(points, stiffness, work, tolerance)?;
             let from = (size, products > affordable);
             size = match self.advance(points, context, work, q, size) {
                 Some(less) => less,
@@ -369,7 +369,6 @@ impl LinearisedContact {
     fn find_step(
         &self,
         points: &[LinearPoint],
-        context: &LawContext<'_>,
         stiffness: &mut Stiffness<'_>,
         work: &mut MatrixFree,
         tolerance: f64,
@@ -416,7 +415,6 @@ impl LinearisedContact {
             &mut work.krylov,
         );
         step.iter_mut().zip(rows).for_each(|(step, row)| *step /= row.weight.sqrt());
-        let _ = context;
         c.product(stiffness, step, yielded);
         c.fault.map_or(Ok(progress.iterations), Err)
     }

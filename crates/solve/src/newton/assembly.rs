@@ -11,20 +11,20 @@ use slideline_mech::contact::enforcement::Enforcement;
 
 /// How far apart, in sizes of the model, points still count as touching.
 pub const TOUCH: f64 = 1e-9;
-/// Part of that below which the stiffness that a point feels of its own
+/// Part of the augmentation stiffness below which the one that a point feels of its own
 /// equations is none: a chain has none across its line [1].
 const NOTHING: f64 = 1e-3;
 /// Rows from which on the condensed contact problem is solved without its matrix.
 const DENSE_ROWS: f64 = 100.0;
-/// Rows that a touching integration_point adds to it: those of its element are shared.
+/// Rows that a touching integration point adds to it: those of its element are shared.
 const INTEGRATED_ROWS: f64 = 6.0 / SEGMENT_POINTS as f64;
-/// Stiffness augmentation to a closed point, as a fraction of the stiffest element.
+/// Augmentation stiffness of a closed point, as a fraction of the stiffest element.
 pub(super) const AUGMENTATION: f64 = 0.1;
 
 impl Workspace {
     /// Assembles and factors. Where nothing but contact that is still open
-    /// would hold the model, stiffness is augmentation to every point that faces its
-    /// master, and the contact step closes the gap.
+    /// would hold the model, every point that faces its master is augmented,
+    /// and the contact step closes the gap.
     pub(super) fn factor(&mut self, plan: &Plan<'_>, committed: &State) -> Result<(), SolveError> {
         loop {
             self.linearise_points(plan, committed);
@@ -54,7 +54,7 @@ impl Workspace {
         }
     }
 
-    /// Contact points as the small system wants them.
+    /// Contact points as the condensed problem wants them.
     pub(super) fn linearise_points(&mut self, plan: &Plan<'_>, committed: &State) {
         self.points.clear();
         for (place, point) in plan.contact.points.iter().enumerate() {
@@ -200,7 +200,7 @@ pub(super) fn context<'a>(plan: &'a Plan<'_>, committed: &'a State, dt: f64) -> 
     }
 }
 
-/// Stiffness per area augmentation to a point [F/L3]: a part of that of the stiffest
+/// Augmentation stiffness per area of a point [F/L3]: a part of that of the stiffest
 /// element. Without elements, of one that the largest load would shorten by the
 /// size of the model; where nothing has a size, any.
 pub(super) fn augmentation_stiffness(plan: &Plan<'_>, point: &SlavePoint) -> f64 {

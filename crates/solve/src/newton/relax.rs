@@ -82,7 +82,9 @@ impl Workspace {
                 if self.iterate(plan, committed, target.dt).is_err() {
                     break;
                 }
-                self.complete(plan, committed);
+                if !self.complete(plan, committed) {
+                    self.evaluate(plan, committed, target.dt);
+                }
                 let report = self.judge(plan, committed, target, progress);
                 watch(&report);
                 let settled = report.converged && self.way(plan) <= LONGEST;
