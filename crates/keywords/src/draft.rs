@@ -7,8 +7,8 @@ use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::material::Elastic;
 use slideline_model::{
     self as model, BeamSection, ContactPrint, Controls, Dialect, Dof, ElementPrint, ElementType,
-    Extrapolation, Interaction, Model, Node, NodePrint, PrintTarget, SavedStates, ShearRule,
-    SolidSection, Static, SurfaceSegment, TYPES,
+    Extrapolation, Interaction, Model, Node, NodePrint, PrintTarget, ProfilePoint, SavedStates,
+    ShearRule, SolidSection, Static, SurfaceSegment, TYPES,
 };
 
 use crate::log::{Log, Target};
@@ -240,7 +240,7 @@ pub(crate) struct Surface {
 
 #[derive(Clone, Debug)]
 pub(crate) enum Shape {
-    Rigid { start: [f64; 2], segments: Vec<SurfaceSegment> },
+    Rigid { start: ProfilePoint, segments: Vec<SurfaceSegment> },
     Line { nodes: Vec<(u64, Span)>, smooth: f64, extension: f64 },
 }
 

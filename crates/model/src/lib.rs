@@ -26,7 +26,7 @@ mod vocabulary;
 pub use amplitude::Amplitude;
 pub use contact::{
     ContactElement, ContactPair, Decay, Formulation, Friction, Interaction, Lumping, Master,
-    RigidSurface, SlideLine, StickRule, SurfaceSegment,
+    ProfilePoint, RigidSurface, SlideLine, StickRule, SurfaceSegment,
 };
 pub use controls::{Controls, FieldControls, TimeIncrementation};
 pub use element::{

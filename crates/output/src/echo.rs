@@ -130,7 +130,7 @@ fn transverse_shear(
 }
 
 fn distance(model: &Model, [first, second]: [NodeIndex; 2]) -> f64 {
-    let (a, b) = (model.nodes.plane(first), model.nodes.plane(second));
+    let (a, b) = (model.nodes.position(first), model.nodes.position(second));
     (b[0] - a[0]).hypot(b[1] - a[1])
 }
 

@@ -39,7 +39,7 @@ pub(super) fn resolve(model: &Model, dofs: &DofMap) -> (Vec<RigidLink>, Vec<Node
     for link in &model.rigid_links {
         let master = last(link.master);
         carrier[link.dependent] = master;
-        let (from, to) = (model.nodes.plane(master), model.nodes.plane(link.dependent));
+        let (from, to) = (model.nodes.position(master), model.nodes.position(link.dependent));
         let [Some(x), Some(y), Some(turn)] = PLANE.map(|dof| dofs.find(master, dof)) else {
             continue; // a master that the numbering does not know: none is made
         };
