@@ -1,5 +1,6 @@
 //! Nodes, their degrees of freedom, and links that make them rigid.
 
+use crate::numbering::{Name, Numbering};
 use slideline_diag::Span;
 use std::collections::HashMap;
 
@@ -81,6 +82,7 @@ pub struct Node {
 pub struct Nodes {
     list: Vec<Node>,
     by_label: HashMap<u64, NodeIndex>,
+    numbering: Numbering,
 }
 
 impl Nodes {
@@ -115,6 +117,30 @@ impl Nodes {
     /// Label of the node at that place.
     pub fn label(&self, index: NodeIndex) -> u64 {
         self.list[index].label
+    }
+
+    /// The node at that place in the deck's words, `ARM-1.12` in a deck of parts.
+    pub fn name(&self, index: NodeIndex) -> Name<'_> {
+        self.numbering.name(self.label(index))
+    }
+
+    /// How numbers are made of instances and numbers of their parts.
+    pub fn numbering(&self) -> &Numbering {
+        &self.numbering
+    }
+
+    /// Says how the numbers are made; they stay as they are.
+    pub fn set_numbering(&mut self, numbering: Numbering) {
+        self.numbering = numbering;
+    }
+
+    /// Gives the numbers of instances another stride.
+    pub fn restride(&mut self, stride: u64) {
+        for node in &mut self.list {
+            node.label = self.numbering.restride(node.label, stride);
+        }
+        self.by_label = self.list.iter().enumerate().map(|(at, node)| (node.label, at)).collect();
+        self.numbering = Numbering::new(stride, self.numbering.instances().to_vec());
     }
 
     /// Undeformed position in the plane [L].
