@@ -143,6 +143,17 @@ impl Model {
         self.nodes.restride(stride);
     }
 
+    /// Whether an element moves out of the plane.
+    pub fn is_in_space(&self) -> bool {
+        let outside = |block: &ElementBlock| block.kind.dofs.iter().any(|dof| !dof.is_plane());
+        self.blocks.iter().any(outside)
+    }
+
+    /// The directions in which a rigid body of the model moves.
+    pub fn directions(&self) -> &'static [Dof] {
+        if self.is_in_space() { &Dof::ALL } else { &Dof::PLANE }
+    }
+
     /// Number of state variables of all elements.
     pub fn element_states(&self) -> usize {
         self.blocks.iter().map(|block| block.kind.states * block.elements.len()).sum()

@@ -178,14 +178,30 @@ pub struct LinearConstraint {
     pub origin: Span,
 }
 
-/// `*MPC` type BEAM: the dependent node moves as if welded to the master by a
-/// rigid bar, rotation included.
+/// Dofs of a node that move as if welded to another one by a rigid bar: `*RIGID BODY`, `*MPC` of
+/// type BEAM, `*KINEMATIC`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RigidLink {
-    /// The node that gives up its dofs.
+    /// The node that gives up dofs.
     pub dependent: NodeIndex,
     /// The node it follows.
     pub master: NodeIndex,
+    /// Which of its six dofs follow.
+    pub follows: [bool; 6],
+    /// `ROT NODE`: the node whose displacements are the rotation of the master.
+    pub turn: Option<NodeIndex>,
     /// Where it was said.
     pub origin: Span,
+}
+
+impl RigidLink {
+    /// All dofs of a node follow.
+    pub const WELDED: [bool; 6] = [true; 6];
+    /// Its displacements follow, it turns by itself.
+    pub const PINNED: [bool; 6] = [true, true, true, false, false, false];
+
+    /// A node that follows another with all its dofs.
+    pub fn welded(dependent: NodeIndex, master: NodeIndex, origin: Span) -> Self {
+        Self { dependent, master, follows: Self::WELDED, turn: None, origin }
+    }
 }
