@@ -92,7 +92,7 @@ fn same_place(start: &Start<'_>, findings: &mut Vec<Finding>) {
 
 fn not_joined(start: &Start<'_>, [first, second]: [NodeIndex; 2]) -> Finding {
     let nodes = &start.model.nodes;
-    let labels = [nodes.label(first), nodes.label(second)];
+    let labels = [nodes.name(first), nodes.name(second)];
     let message = format!(
         "beam nodes {} and {} are at the same place but not connected: the beam has a gap there",
         labels[0], labels[1]
@@ -184,7 +184,7 @@ fn doubles_back(start: &Start<'_>, pair: &ContactPair, line: &SlideLine) -> Opti
         "the slide line of {} turns back at node {}: its nodes are not listed in their order \
          along the part",
         pair.name,
-        start.model.nodes.label(back[1])
+        start.model.nodes.name(back[1])
     );
     let said = Diagnostic::warning(Code("SL0412"), message).at(line.origin);
     Some(Finding::said(said.help(pair.vocabulary.order_chain())))

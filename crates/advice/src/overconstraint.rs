@@ -71,7 +71,7 @@ fn three(start: &Start<'_>, pair: &ContactPair, straight: f64) -> Option<([NodeI
 }
 
 fn say(start: &Start<'_>, pair: &ContactPair, nodes: [NodeIndex; 3], sagitta: f64) -> Finding {
-    let [a, b, c] = nodes.map(|node| start.model.nodes.label(node));
+    let [a, b, c] = nodes.map(|node| start.model.nodes.name(node));
     let what = match &pair.master {
         Master::SlideLine(_) => "slide line",
         Master::RigidSurface(_) => "rigid surface",

@@ -239,7 +239,7 @@ impl<'a> Holds<'a> {
         for_good: bool,
     ) -> Finding {
         let nodes = &self.start.model.nodes;
-        let (label, origin) = (nodes.label(body), nodes.get(body).origin);
+        let (label, origin) = (nodes.name(body), nodes.get(body).origin);
         let (how, mut dofs): (Vec<String>, Vec<usize>) =
             motions.iter().map(|motion| self.describe(body, *motion)).unzip();
         dofs.sort_unstable();

@@ -123,7 +123,7 @@ fn reversed(start: &Start<'_>, pair: &ContactPair, line: &SlideLine) -> String {
         pair.name, line.smooth, line.extension
     );
     let nodes: Vec<String> =
-        line.nodes.iter().rev().map(|&node| start.model.nodes.label(node).to_string()).collect();
+        line.nodes.iter().rev().map(|&node| start.model.nodes.name(node).to_string()).collect();
     for row in nodes.chunks(16) {
         let _ = writeln!(text, "{}", row.join(", ")); // a String takes any text
     }

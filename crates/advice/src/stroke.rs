@@ -275,7 +275,7 @@ fn too_short(
         "the slide line of {} is too short for the stroke: the contact point would end about \
          {beyond:.3e} beyond node {}, and contact is lost there",
         pair.name,
-        start.model.nodes.label(node)
+        start.model.nodes.name(node)
     );
     Some(Finding::said(Diagnostic::warning(Code("SL0408"), message).at(line.origin).help(format!(
         "{} on that side, or end the motion earlier on *BOUNDARY",

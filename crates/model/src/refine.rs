@@ -245,7 +245,7 @@ impl Halving {
             return Err(refusal(labels, reason, origin));
         };
         let node = self.add_node(at, ends, origin);
-        self.model.rigid_links.push(RigidLink { dependent: node, master, origin });
+        self.model.rigid_links.push(RigidLink::welded(node, master, origin));
         Ok(node)
     }
 

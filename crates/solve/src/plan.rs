@@ -223,9 +223,10 @@ impl<'a> Plan<'a> {
     /// Adds what the turning of constraints makes of forces `f` on all dofs; uses
     /// them up.
     pub fn stiffen_by_turning(&self, u: &[f64], f: &mut [f64], values: &mut [f64]) {
-        self.constraints.turning(u, f, |dof, stiffness| {
-            let equation = self.constraints.equation(dof);
-            if let Some(at) = equation.and_then(|e| self.pattern.position(e, e)) {
+        self.constraints.turning(u, f, |row, column, stiffness| {
+            let equations = [row, column].map(|dof| self.constraints.equation(dof));
+            let [Some(row), Some(column)] = equations else { return };
+            if let Some(at) = self.pattern.position(row, column) {
                 values[at] += stiffness;
             }
         });

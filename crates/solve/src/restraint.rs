@@ -52,7 +52,7 @@ impl Restraint {
             });
             rows.entry(root).or_default().push(rigid_motion(dof, arm));
         }
-        let in_space = model.blocks.iter().any(|block| block.kind.dofs.contains(&Dof::U3));
+        let in_space = model.is_in_space();
         Self { bodies, rows, in_space }
     }
 

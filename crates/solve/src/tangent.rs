@@ -417,10 +417,8 @@ mod tests {
         let elements = (0..6).map(|k| (k as u64 + 1, [beam[k], beam[k + 1]]));
         let block = ElementBlock::new(&types::B21, "B", Section::Beam(section), AT);
         model.blocks.push(block.with(elements));
-        model.rigid_links = rim
-            .iter()
-            .map(|&dependent| RigidLink { dependent, master: body, origin: AT })
-            .collect();
+        model.rigid_links =
+            rim.iter().map(|&dependent| RigidLink::welded(dependent, body, AT)).collect();
         let pairs = |nodes: &[NodeIndex]| -> Vec<ContactElement> {
             let of = |w: &[NodeIndex]| ContactElement {
                 label: 1,

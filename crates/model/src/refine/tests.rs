@@ -120,7 +120,7 @@ fn rims_are_halved_on_their_circle() {
         })
         .collect();
     for &dependent in &slaves {
-        model.rigid_links.push(RigidLink { dependent, master: reference, origin: Span::default() });
+        model.rigid_links.push(RigidLink::welded(dependent, reference, Span::default()));
     }
     model.contact_pairs.push(pair(&slaves, slide_line(vec![0, 1, 2])));
     let fine = refine(&model).unwrap();
@@ -144,7 +144,7 @@ fn what_cannot_be_halved_says_so() {
     let slaves: Vec<_> =
         (200..).zip(corner).map(|(label, (x, y))| node(&mut model, label, x, y)).collect();
     for &dependent in &slaves {
-        model.rigid_links.push(RigidLink { dependent, master: reference, origin: Span::default() });
+        model.rigid_links.push(RigidLink::welded(dependent, reference, Span::default()));
     }
     model.contact_pairs.push(pair(&slaves, slide_line(vec![0, 1, 2])));
     let said = refine(&model).unwrap_err();

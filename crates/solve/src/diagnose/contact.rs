@@ -274,7 +274,7 @@ pub fn slid_off(plan: &Plan<'_>, committed: &State, now: &State) -> Vec<Diagnost
         }
         last = Some((point.pair, point.node));
         let pair = &plan.model.contact_pairs[point.pair];
-        let label = plan.model.nodes.label(point.node);
+        let label = plan.model.nodes.name(point.node);
         let end = master_end(plan, pair, before.along.unwrap_or_default()[0]);
         let message = format!(
             "node {label} has slid off the end of {} between total time {:.6} and {:.6}",
@@ -329,7 +329,7 @@ fn line_end(model: &Model, line: &SlideLine, pair: &ContactPair, along: f64) -> 
     let card = (!known && pair.vocabulary == Vocabulary::Elements).then(|| {
         let head = format!("*SLIDE LINE, TYPE=LINEAR, ELSET={}", pair.name);
         let mut text = format!("{head}, SMOOTH={}, EXTENSION ZONE={extension}\n", line.smooth);
-        let labels: Vec<String> = nodes.iter().map(|&n| model.nodes.label(n).to_string()).collect();
+        let labels: Vec<String> = nodes.iter().map(|&n| model.nodes.name(n).to_string()).collect();
         for row in labels.chunks(16) {
             text.push_str(&row.join(", "));
             text.push('\n');

@@ -380,7 +380,7 @@ impl Jump {
             target.increment, target.step, self.time
         );
         if let Some((node, moved)) = self.node {
-            let label = plan.model.nodes.label(node);
+            let label = plan.model.nodes.name(node);
             message.push_str(&format!(": node {label} springs by {moved:.4e}"));
         }
         for &pair in &self.lost {
