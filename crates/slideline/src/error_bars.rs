@@ -32,10 +32,7 @@ impl Reactions {
     pub fn of(model: &Model) -> Self {
         let nodes = model.history_nodes();
         let labels = nodes.iter().map(|&node| model.nodes.label(node)).collect();
-        let used = |dof: &Dof| {
-            dof.is_plane() || model.blocks.iter().any(|block| block.kind.dofs.contains(dof))
-        };
-        let dofs: Vec<Dof> = Dof::ALL.into_iter().filter(used).collect();
+        let dofs = model.directions().to_vec();
         let curves = vec![Vec::new(); nodes.len() * dofs.len()];
         Self { nodes, labels, dofs, times: Vec::new(), curves }
     }

@@ -141,7 +141,8 @@ const WITHOUT_DIMENSION: [&str; 8] =
     ["model", "keywords", "solve", "results", "advice", "slideline", "deck", "cli"];
 
 /// Where two numbers are no vector of the plane, or what is described is plane by nature.
-const PAIRS: [(&str, &str); 8] = [
+const PAIRS: [(&str, &str); 9] = [
+    ("crates/model/src/lib.rs", "the directions of a body, in the plane or in space"),
     ("crates/model/src/contact.rs", "points of a profile; shares of two nodes; two coefficients"),
     ("crates/model/src/element/", "kernels of plane elements"),
     ("crates/keywords/src/cards/beam_section.rs", "width and height"),

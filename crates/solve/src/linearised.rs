@@ -390,3 +390,6 @@ fn give_multiplier(
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -167,6 +167,14 @@ impl LinearPoints {
         }
     }
 
+    /// Adds a point with its rows over equations, row by row.
+    #[cfg(test)]
+    pub fn push_rows(&mut self, point: LinearPoint, equations: &[usize], rows: &[f64]) {
+        self.points.push(point);
+        self.operator.push(equations);
+        self.operator.rows_mut(self.points.len() - 1).values().copy_from_slice(rows);
+    }
+
     /// A point with its rows.
     pub fn at(&self, index: usize) -> LinearRows<'_> {
         LinearRows { point: &self.points[index], rows: self.operator.rows(index) }
