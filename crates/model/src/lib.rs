@@ -42,6 +42,7 @@ pub use output::{
 pub use refine::refine;
 pub use slideline_mech::contact::normal::NormalLaw;
 pub use slideline_mech::contact::onset::Onset;
+pub use slideline_mech::material::Material;
 pub use stabilisation::Stabilisation;
 pub use step::{Extrapolation, Load, Prescribed, Static, Step};
 pub use vocabulary::Vocabulary;
@@ -129,9 +130,14 @@ impl Model {
         nodes
     }
 
+    /// Whether something moves in space, not in a plane alone.
+    pub fn is_spatial(&self) -> bool {
+        self.blocks.iter().any(|block| block.kind.is_spatial())
+    }
+
     /// Number of state variables of all elements.
     pub fn element_states(&self) -> usize {
-        self.blocks.iter().map(|block| block.kind.states * block.elements.len()).sum()
+        self.blocks.iter().map(|block| block.states() * block.elements.len()).sum()
     }
 
     /// The amplitude of that name, letter case ignored.

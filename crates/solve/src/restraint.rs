@@ -17,7 +17,9 @@ use std::collections::HashMap;
 /// The bodies of a model and how a step restrains them.
 pub struct Restraint {
     bodies: Bodies,
-    rows: HashMap<NodeIndex, Vec<[f64; 3]>>,
+    /// Whether bodies move in space.
+    spatial: bool,
+    rows: HashMap<NodeIndex, Vec<[f64; 6]>>,
 }
 
 impl Restraint {
@@ -26,7 +28,7 @@ impl Restraint {
     pub fn of(model: &Model, step: &Step) -> Self {
         let mut bodies = Bodies::of(model);
         let size = (0..model.nodes.len())
-            .flat_map(|node| model.nodes.plane(node))
+            .flat_map(|node| model.nodes.get(node).position)
             .fold(0.0_f64, |size, x| size.max(x.abs()));
         let held = step.prescribed.iter().map(|prescribed| (prescribed.node, prescribed.dof));
         let springs = model.blocks.iter().filter_map(|block| block.springs());
@@ -36,25 +38,34 @@ impl Restraint {
             Some(springs.elements.iter().map(move |spring| (spring.nodes[0], dof)))
         });
         let held: Vec<(NodeIndex, Dof)> = held.chain(springs.flatten()).collect();
-        let mut rows: HashMap<NodeIndex, Vec<[f64; 3]>> = HashMap::new();
+        let mut rows: HashMap<NodeIndex, Vec<[f64; 6]>> = HashMap::new();
         for (node, dof) in held {
             let root = bodies.root(node);
-            let ([x, y], [a, b]) = (model.nodes.plane(node), model.nodes.plane(root));
-            let arm = if size > 0.0 { [(x - a) / size, (y - b) / size] } else { [0.0; 2] };
-            let row = match dof {
-                Dof::U1 => [1.0, 0.0, -arm[1]],
-                Dof::U2 => [0.0, 1.0, arm[0]],
-                _ => [0.0, 0.0, 1.0],
-            };
+            let (at, about) = (model.nodes.get(node).position, model.nodes.get(root).position);
+            let apart =
+                |axis: usize| if size > 0.0 { (at[axis] - about[axis]) / size } else { 0.0 };
+            let mut row = [0.0; 6];
+            row[dof as usize] = 1.0;
+            if !dof.is_rotation() {
+                // u = turn x arm
+                let axis = dof as usize;
+                let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
+                row[3 + next] = apart(last);
+                row[3 + last] = -apart(next);
+            }
             rows.entry(root).or_default().push(row);
         }
-        Self { bodies, rows }
+        Self { bodies, spatial: model.is_spatial(), rows }
     }
 
     /// Whether no rigid motion is left to the body of a node, contact aside.
     pub fn holds(&mut self, node: NodeIndex) -> bool {
         let root = self.bodies.root(node);
-        let needed = if self.bodies.turns.contains(&root) { 3 } else { 2 };
+        let needed = match (self.spatial, self.bodies.turns.contains(&root)) {
+            (true, true) => 6,
+            (false, true) | (true, false) => 3,
+            (false, false) => 2,
+        };
         rank(self.rows.get(&root).map_or(&[], Vec::as_slice)) >= needed
     }
 
@@ -128,12 +139,12 @@ impl Bodies {
 /// Part of the largest entry below which a row depends on the others [1].
 const DEPENDENT: f64 = 1e-9;
 
-/// Rank of a few rows of three.
-fn rank(rows: &[[f64; 3]]) -> usize {
+/// Rank of a few rows of six.
+fn rank(rows: &[[f64; 6]]) -> usize {
     let mut rows = rows.as_flattened().to_vec();
     let scale = rows.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
-    let mut pivots = Vec::with_capacity(3);
-    reduce_rows(&mut rows, 3, DEPENDENT * scale, &mut pivots);
+    let mut pivots = Vec::with_capacity(6);
+    reduce_rows(&mut rows, 6, DEPENDENT * scale, &mut pivots);
     pivots.len()
 }
 
@@ -145,10 +156,11 @@ mod tests {
     /// whatever the arm.
     #[test]
     fn ranks_of_supports() {
-        let (x, y, turn) = ([1.0, 0.0, -0.3], [0.0, 1.0, 0.7], [0.0, 0.0, 1.0]);
-        assert_eq!(rank(&[x, y, turn]), 3);
-        assert_eq!(rank(&[y, [0.0, 1.0, 0.2]]), 2);
-        assert_eq!(rank(&[x, [1.0, 0.0, -0.3], y]), 2);
+        let plane = |[x, y, turn]: [f64; 3]| [x, y, 0.0, 0.0, 0.0, turn];
+        let (x, y) = (plane([1.0, 0.0, -0.3]), plane([0.0, 1.0, 0.7]));
+        assert_eq!(rank(&[x, y, plane([0.0, 0.0, 1.0])]), 3);
+        assert_eq!(rank(&[y, plane([0.0, 1.0, 0.2])]), 2);
+        assert_eq!(rank(&[x, plane([1.0, 0.0, -0.3]), y]), 2);
         assert_eq!(rank(&[]), 0);
     }
 }
