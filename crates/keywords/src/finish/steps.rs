@@ -192,8 +192,9 @@ fn prescribe(
     draft: &mut Draft,
 ) {
     let amplitude = amplitude(line, draft);
+    let spatial = draft.is_spatial();
     for node in draft.nodes_of(&line.target, line.target_span) {
-        for &dof in line.dofs.iter().filter(|dof| dof.is_plane()) {
+        for &dof in line.dofs.iter().filter(|dof| spatial || dof.is_plane()) {
             if let Some(&link) = dependents.get(&node) {
                 let label = draft.model.nodes.label(node);
                 let message = format!("node {label} follows a rigid link and cannot be prescribed");
