@@ -7,10 +7,11 @@ use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::material::{Elastic, LargeStrain};
 use slideline_model::{
     self as model, BeamSection, ContactPrint, Controls, Dialect, Dof, ElementPrint, ElementType,
-    Extrapolation, Interaction, Model, Node, NodePrint, Nodes, PrintTarget, ProfilePoint,
-    SavedStates, ShearRule, SolidSection, Static, SurfaceSegment, TYPES,
+    Extrapolation, Interaction, Model, Node, NodeIndex, NodePrint, Nodes, PrintTarget,
+    ProfilePoint, SavedStates, ShearRule, SolidSection, Static, SurfaceSegment, TYPES,
 };
 
+use crate::constraints::{Coupling, Equation, Link};
 use crate::log::{Log, Target};
 use crate::rule::Subject;
 use crate::scopes::Parts;
@@ -52,6 +53,10 @@ pub(crate) struct Draft {
     pub pairings: Vec<Pairing>,
     pub bodies: Vec<RigidBody>,
     pub links: Vec<Link>,
+    pub equations: Vec<Equation>,
+    pub couplings: Vec<Coupling>,
+    /// Dofs that follow others, and where it was said; known when links are resolved.
+    pub dependents: HashMap<(NodeIndex, Dof), Span>,
     pub parts: Parts<Contents>,
     pub restart: Option<SavedStates>,
     /// Whether the cards are those of a deck that goes on from an earlier job.
@@ -84,6 +89,8 @@ pub(crate) struct Contents {
     pub pairings: Vec<Pairing>,
     pub bodies: Vec<RigidBody>,
     pub links: Vec<Link>,
+    pub equations: Vec<Equation>,
+    pub couplings: Vec<Coupling>,
 }
 
 /// The card that a suboption belongs to.
@@ -95,6 +102,7 @@ pub(crate) enum Owner {
     Interaction(usize),
     Material(usize),
     Section(usize),
+    Coupling(usize),
     /// The owner is broken or missing, and that has been said.
     Broken,
 }
@@ -283,16 +291,6 @@ pub(crate) struct Interface {
     pub set: String,
     pub set_span: Span,
     pub interaction: Interaction,
-}
-
-/// `*MPC` BEAM.
-#[derive(Clone, Debug)]
-pub(crate) struct Link {
-    pub dependent: Target,
-    pub dependent_span: Span,
-    pub master: Target,
-    pub master_span: Span,
-    pub origin: Span,
 }
 
 /// A line of `*BOUNDARY` or `*CLOAD`.
