@@ -19,8 +19,9 @@ mod master;
 mod positions;
 mod segment;
 mod shear;
+mod values;
 
-pub use candidates::coupled_parts;
+pub use candidates::{Candidates, coupled_parts};
 pub use cliques::Cliques;
 pub use crossing::{Missed, Sweep, SweepScratch};
 pub use idle::Look;
@@ -77,8 +78,8 @@ enum Carrier {
     IntegrationPoint { segment: usize },
 }
 
-/// All contact pairs of a step.
-#[derive(Clone, Debug)]
+/// All contact pairs of a model.
+#[derive(Clone, Debug, Default)]
 pub struct Contact {
     /// Slave points of all pairs, pair by pair.
     pub points: Vec<SlavePoint>,
@@ -98,6 +99,8 @@ pub struct Contact {
     /// Pairs with rigid masters that share slave nodes.
     opposed: Vec<[usize; 2]>,
     chain_nodes: usize,
+    /// Tangents of a slave surface at its nodes, as scratch [1].
+    tangents: Vec<[f64; 2]>,
 }
 
 impl Contact {
@@ -114,6 +117,7 @@ impl Contact {
             edges: Vec::new(),
             opposed: Vec::new(),
             chain_nodes: 0,
+            tangents: Vec::new(),
         };
         for (place, pair) in model.contact_pairs.iter().enumerate() {
             contact.edges.push(Vec::new());
@@ -121,7 +125,8 @@ impl Contact {
                 Formulation::NodeToSurface => contact.add_nodes(model, dofs, place, pair),
                 Formulation::SurfaceToSurface => contact.add_segments(model, dofs, place, pair),
             }
-            contact.laws.push(laws::laws(model, pair, users));
+            let length = laws::average(model, pair);
+            contact.laws.push(laws::laws(model, pair, length, users));
             let master = match &pair.master {
                 Master::RigidSurface(surface) => MasterSurface::body(model, dofs, surface),
                 Master::SlideLine(line) => {
@@ -131,7 +136,7 @@ impl Contact {
             if let MasterSurface::Line { nodes, .. } = &master {
                 contact.chain_nodes += nodes.len();
             }
-            contact.spacing.push(laws::spacing(model, pair, &master));
+            contact.spacing.push(laws::spacing(model, length, &master));
             contact.masters.push(master);
         }
         contact.opposed = contact.opposed_pairs();

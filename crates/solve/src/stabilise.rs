@@ -15,7 +15,7 @@
 use crate::constraints::Rows;
 use crate::contact::{ContactKinematics, MasterPositions};
 use crate::linearised::MOST_DOFS;
-use crate::plan::Plan;
+use crate::problem::Problem;
 use crate::restraint::Restraint;
 use crate::state::State;
 use slideline_model::{Model, Stabilisation};
@@ -71,7 +71,7 @@ impl Dashpot {
     }
 
     /// Adds its stiffness to the values of the pattern.
-    pub fn stiffen(&self, plan: &Plan<'_>, rows: &Rows, values: &mut [f64]) {
+    pub fn stiffen(&self, plan: &Problem<'_>, rows: &Rows, values: &mut [f64]) {
         let at = |i: usize, j: usize| {
             self.stiffness[0] * self.normal[i] * self.normal[j]
                 + self.stiffness[1] * self.tangential[i] * self.tangential[j]
@@ -82,14 +82,14 @@ impl Dashpot {
 
 /// What stabilises contact in a step: the deck's word, or the program's own
 /// where it had to be switched on.
-pub fn settings(plan: &Plan<'_>, committed: &State) -> Option<Stabilisation> {
+pub fn settings(plan: &Problem<'_>, committed: &State) -> Option<Stabilisation> {
     let own = committed.stabilised.then(|| Stabilisation::automatic(plan.step.origin));
     plan.step.stabilisation.or(own)
 }
 
 /// The dashpots of an increment of length `dt` that ends at `step_time`.
 pub fn fill(
-    plan: &Plan<'_>,
+    plan: &Problem<'_>,
     committed: &State,
     (step_time, dt): (f64, f64),
     positions: &mut MasterPositions,
@@ -127,7 +127,7 @@ fn nearness(settings: &Stabilisation, gap: f64) -> f64 {
 /// c of a pair [F T/L3]: soft against the stiffest element, yet stiff enough
 /// that the loads of the step move a body that nothing else holds by no more
 /// than the size of the model. (choice)
-fn automatic(plan: &Plan<'_>, place: usize, factor: f64) -> f64 {
+fn automatic(plan: &Problem<'_>, place: usize, factor: f64) -> f64 {
     let pair = plan.contact.points[place].pair;
     let own = plan.contact.points.iter().filter(|point| point.pair == pair);
     let area: f64 = own.map(|point| point.area).sum();
@@ -139,7 +139,7 @@ fn automatic(plan: &Plan<'_>, place: usize, factor: f64) -> f64 {
 
 /// Whether contact that is open, and was so at the last commit, would oppose
 /// a motion if its points had dashpots; and no contact that was closed.
-pub fn would_hold(plan: &Plan<'_>, committed: &State, mode: &[f64]) -> bool {
+pub fn would_hold(plan: &Problem<'_>, committed: &State, mode: &[f64]) -> bool {
     let mut positions = MasterPositions::default();
     let u = &committed.displacement;
     plan.contact.place_chains(u, &mut positions);

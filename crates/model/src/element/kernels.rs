@@ -8,74 +8,74 @@ use slideline_mech::element::{
 };
 use slideline_mech::material::{Hencky, SaintVenant};
 use slideline_mech::section::{BeamStiffness, Rectangle, TransverseShear, rectangle_stiffness};
-use std::sync::Arc;
 
-type Made = Option<Arc<dyn Kernel>>;
+/// The kernel that was made; the one before it, whose room may be used again.
+type Kept = Option<Box<dyn Kernel>>;
 
-pub(super) fn b21(block: &Undeformed<'_>) -> Made {
+pub(super) fn b21(block: &Undeformed<'_>, room: Kept) -> Kept {
     let Section::Beam(section) = block.section else { return None };
     let elements = block.plane::<2>().map(|ends| {
         let stiffness = section.stiffness(distance(ends[0], ends[1]), false);
         Beam21::new(ends, stiffness)
     });
-    Some(Arc::new(elements.collect::<Instances<_, 6, 36>>()))
+    Some(Instances::<_, 6, 36>::in_room(room, elements))
 }
 
-pub(super) fn b22(block: &Undeformed<'_>) -> Made {
+pub(super) fn b22(block: &Undeformed<'_>, room: Kept) -> Kept {
     let Section::Beam(section) = block.section else { return None };
     let elements = block.plane::<3>().map(|nodes| {
         let length = distance(nodes[0], nodes[1]) + distance(nodes[1], nodes[2]);
         Beam22::new(nodes, section.stiffness(length, true))
     });
-    Some(Arc::new(elements.collect::<Instances<_, 9, 81>>()))
+    Some(Instances::<_, 9, 81>::in_room(room, elements))
 }
 
-pub(super) fn b23(block: &Undeformed<'_>) -> Made {
+pub(super) fn b23(block: &Undeformed<'_>, room: Kept) -> Kept {
     let Section::Beam(section) = block.section else { return None };
     let elements = block.plane::<2>().map(|ends| {
         let stiffness = section.stiffness(distance(ends[0], ends[1]), false);
         Beam23::new(ends, stiffness)
     });
-    Some(Arc::new(elements.collect::<Instances<_, 6, 36>>()))
+    Some(Instances::<_, 6, 36>::in_room(room, elements))
 }
 
-pub(super) fn spring1(block: &Undeformed<'_>) -> Made {
+pub(super) fn spring1(block: &Undeformed<'_>, room: Kept) -> Kept {
     let Section::Spring(section) = block.section else { return None };
     let dof = section.dof?;
     let component = usize::from(dof == Dof::U2);
     let springs =
         block.nodes.iter().map(|_| GroundSpring { stiffness: section.stiffness, component });
     Some(match dof.is_rotation() {
-        true => Arc::new(springs.collect::<Instances<_, 1, 1>>()),
-        false => Arc::new(springs.collect::<Instances<_, 2, 4>>()),
+        true => Instances::<_, 1, 1>::in_room(room, springs),
+        false => Instances::<_, 2, 4>::in_room(room, springs),
     })
 }
 
-pub(super) fn springa(block: &Undeformed<'_>) -> Made {
+pub(super) fn springa(block: &Undeformed<'_>, room: Kept) -> Kept {
     let Section::Spring(section) = block.section else { return None };
     if section.dof.is_some() {
         return None;
     }
     let stiffness = section.stiffness;
     let springs = block.plane::<2>().map(|reference| AxialSpring { reference, stiffness });
-    Some(Arc::new(springs.collect::<Instances<_, 4, 16>>()))
+    Some(Instances::<_, 4, 16>::in_room(room, springs))
 }
 
 /// `*ELASTIC` at large strain is another law in each program: logarithmic strain in Abaqus,
 /// Green's in CalculiX. [semantics: keywords, `*ELASTIC`]
-pub(super) fn cpe4(block: &Undeformed<'_>) -> Made {
+pub(super) fn cpe4(block: &Undeformed<'_>, room: Kept) -> Kept {
     let Section::Solid(section) = block.section else { return None };
     let (elastic, thickness) = (section.material, section.thickness);
     Some(match block.dialect {
         Dialect::Abaqus => {
             let law = (Hencky(elastic), elastic, true);
             let solids = block.plane::<4>().map(|corners| Quad4::quad4(&corners, thickness, law));
-            Arc::new(solids.collect::<Instances<_, 8, 64>>())
+            Instances::<_, 8, 64>::in_room(room, solids)
         }
         Dialect::Calculix => {
             let law = (SaintVenant(elastic), elastic, false);
             let solids = block.plane::<4>().map(|corners| Quad4::quad4(&corners, thickness, law));
-            Arc::new(solids.collect::<Instances<_, 8, 64>>())
+            Instances::<_, 8, 64>::in_room(room, solids)
         }
     })
 }

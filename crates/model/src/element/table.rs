@@ -7,7 +7,6 @@ use super::{Section, kernels};
 use crate::{Dialect, Dof};
 use slideline_mech::element::Kernel;
 use slideline_mech::element::cell::{Cell, LINE2, LINE3, POINT, QUAD4};
-use std::sync::Arc;
 
 /// An element type.
 #[derive(Clone, Copy, Debug)]
@@ -28,8 +27,9 @@ pub struct ElementType {
     pub fields: &'static [Field],
     /// Values at the nodes from those at the integration points, one component.
     pub at_nodes: fn(points: &[f64], nodes: &mut [f64]),
-    /// Makes the kernel of a block; `None` for a section that is not its own.
-    pub kernel: fn(&Undeformed<'_>) -> Option<Arc<dyn Kernel>>,
+    /// Makes the kernel of a block; `None` for a section that is not its own. One that was
+    /// made before may be taken apart for its room, and need not be.
+    pub kernel: fn(&Undeformed<'_>, Option<Box<dyn Kernel>>) -> Option<Box<dyn Kernel>>,
 }
 
 /// What an element is in mechanics.
@@ -283,11 +283,11 @@ mod tests {
         ];
         let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.5, 1.0, 0.0], [0.0, 1.0, 0.0]];
         for row in TYPES {
-            let kernels: Vec<Arc<dyn Kernel>> = sections
+            let kernels: Vec<Box<dyn Kernel>> = sections
                 .iter()
                 .filter_map(|section| {
                     let nodes = &corners[..row.cell.nodes];
-                    (row.kernel)(&Undeformed { section, dialect: Dialect::Abaqus, nodes })
+                    (row.kernel)(&Undeformed { section, dialect: Dialect::Abaqus, nodes }, None)
                 })
                 .collect();
             assert_eq!(kernels.len(), 1, "{} takes one of these sections", row.name());

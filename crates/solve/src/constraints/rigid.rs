@@ -11,12 +11,12 @@ use slideline_model::{Dof, Model, NodeIndex};
 /// A node that follows another as part of a rigid body, in the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct RigidLink {
+    /// The node with the dofs, and the dependent one.
+    nodes: [NodeIndex; 2],
     /// Displacements and rotation of the dependent node.
     dependent: [Option<usize>; 3],
     /// Those of the node with the dofs.
     master: [usize; 3],
-    /// Undeformed vector from the master to the dependent node [L].
-    arm: PointMap,
 }
 
 const PLANE: [Dof; 3] = [Dof::U1, Dof::U2, Dof::UR3];
@@ -39,20 +39,25 @@ pub(super) fn resolve(model: &Model, dofs: &DofMap) -> (Vec<RigidLink>, Vec<Node
     for link in &model.rigid_links {
         let master = last(link.master);
         carrier[link.dependent] = master;
-        let (from, to) = (model.nodes.plane(master), model.nodes.plane(link.dependent));
         let [Some(x), Some(y), Some(turn)] = PLANE.map(|dof| dofs.find(master, dof)) else {
             continue; // a master that the numbering does not know: none is made
         };
         links.push(RigidLink {
+            nodes: [master, link.dependent],
             dependent: PLANE.map(|dof| dofs.find(link.dependent, dof)),
             master: [x, y, turn],
-            arm: PointMap::Arm { arm: [to[0] - from[0], to[1] - from[1]] },
         });
     }
     (links, carrier)
 }
 
 impl RigidLink {
+    /// The undeformed vector from the master to the dependent node [L].
+    pub fn arm(&self, model: &Model) -> PointMap {
+        let [from, to] = self.nodes.map(|node| model.nodes.plane(node));
+        PointMap::Arm { arm: [to[0] - from[0], to[1] - from[1]] }
+    }
+
     /// Dependent dofs with their components.
     pub fn dependent_dofs(&self) -> impl Iterator<Item = (usize, usize)> + use<> {
         let own = self.dependent;
@@ -69,8 +74,8 @@ impl RigidLink {
     }
 
     /// Their coefficients at displacements `u`, in the same order.
-    pub fn coefficients(&self, component: usize, u: &[f64]) -> [f64; 2] {
-        let [x, y] = self.arm.current_arm(&[0.0, 0.0, u[self.master[2]]]);
+    pub fn coefficients(&self, arm: &PointMap, component: usize, u: &[f64]) -> [f64; 2] {
+        let [x, y] = arm.current_arm(&[0.0, 0.0, u[self.master[2]]]);
         match component {
             0 => [1.0, -y],
             1 => [1.0, x],
@@ -79,9 +84,9 @@ impl RigidLink {
     }
 
     /// Moves the dependent node to where its master takes it.
-    pub fn enforce(&self, u: &mut [f64]) {
+    pub fn enforce(&self, arm: &PointMap, u: &mut [f64]) {
         let pose = self.master.map(|dof| u[dof]);
-        let [x, y] = self.arm.displacement(&pose);
+        let [x, y] = arm.displacement(&pose);
         for (own, value) in self.dependent.into_iter().zip([x, y, pose[2]]) {
             if let Some(own) = own {
                 u[own] = value;
@@ -91,10 +96,10 @@ impl RigidLink {
 
     /// The rotation of the master and -(r . f), with f the force on the
     /// dependent node [F L]; docs/theory.md eq. (4.4).
-    pub fn turning(&self, u: &[f64], f: &[f64]) -> Option<(usize, f64)> {
+    pub fn turning(&self, arm: &PointMap, u: &[f64], f: &[f64]) -> Option<(usize, f64)> {
         let [fx, fy] = [self.dependent[0], self.dependent[1]].map(|dof| dof.map_or(0.0, |d| f[d]));
         let turn = self.master[2];
-        let [x, y] = self.arm.current_arm(&[0.0, 0.0, u[turn]]);
+        let [x, y] = arm.current_arm(&[0.0, 0.0, u[turn]]);
         (fx != 0.0 || fy != 0.0).then_some((turn, -(x * fx + y * fy)))
     }
 }

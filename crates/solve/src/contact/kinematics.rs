@@ -175,6 +175,12 @@ pub struct GeometryScratch {
     pub(super) positions: MasterPositions,
 }
 
+impl Default for GeometryScratch {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 impl GeometryScratch {
     /// Room for a tangent.
     pub fn new() -> Self {

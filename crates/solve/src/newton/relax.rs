@@ -14,11 +14,11 @@
 //! are measured. What is judged is the residual without D: the state that is
 //! found is an equilibrium of the model as it is. docs/theory.md eq. (9.4). [kelley1998]
 
-use super::{Outcome, Progress, Target, Workspace};
+use super::{Outcome, Progress, Scratch, Target};
 use crate::contact::Sweep;
 use crate::increments::Verdict;
 use crate::observe::IterationReport;
-use crate::plan::Plan;
+use crate::problem::Problem;
 use crate::state::State;
 
 /// Stiffness of relaxation at first, in those of the stiffest element [1].
@@ -42,10 +42,10 @@ const ITERATIONS: usize = 4;
 /// Walks one increment downhill. `watch` sees every iteration; on success the
 /// workspace holds the converged trial.
 pub fn relax(
-    plan: &Plan<'_>,
+    plan: &Problem<'_>,
     committed: &State,
     target: &Target,
-    work: &mut Workspace,
+    work: &mut Scratch,
     watch: &mut dyn FnMut(&IterationReport),
 ) -> Outcome {
     work.begin(plan, committed, target);
@@ -67,10 +67,10 @@ pub(super) struct Relaxation {
     estimates: [Vec<f64>; 3],
 }
 
-impl Workspace {
+impl Scratch {
     fn relax(
         &mut self,
-        plan: &Plan<'_>,
+        plan: &Problem<'_>,
         committed: &State,
         (target, progress): (&Target, &mut Progress),
         watch: &mut dyn FnMut(&IterationReport),
@@ -98,7 +98,7 @@ impl Workspace {
                 }
             }
             let sweep = Sweep {
-                constraints: &plan.constraints,
+                constraints: plan.constraints,
                 rotations: plan.dofs.rotations(),
                 from: &self.relaxation.anchor,
                 to: &self.u,
@@ -139,7 +139,7 @@ impl Workspace {
         }
     }
 
-    fn return_to_anchor(&mut self, plan: &Plan<'_>, committed: &State, dt: f64) {
+    fn return_to_anchor(&mut self, plan: &Problem<'_>, committed: &State, dt: f64) {
         let relaxation = &self.relaxation;
         self.u.copy_from_slice(&relaxation.anchor);
         let [pressures, tractions, stresses] = &relaxation.estimates;
@@ -151,7 +151,7 @@ impl Workspace {
 
     /// Largest way since the beginning of the step in lengths of the stiffest
     /// element, or turn [1].
-    fn way(&self, plan: &Plan<'_>) -> f64 {
+    fn way(&self, plan: &Problem<'_>) -> f64 {
         let moved = |(equation, &dof): (usize, &usize)| {
             let way = (self.u[dof] - self.relaxation.anchor[dof]).abs();
             way * if plan.units[equation] == 1.0 { 1.0 / plan.lever } else { 1.0 }
@@ -161,13 +161,13 @@ impl Workspace {
     }
 
     /// Stiffness that relaxation gives an unknown [F/L or F L].
-    pub(super) fn held_by(&self, plan: &Plan<'_>, equation: usize) -> f64 {
+    pub(super) fn held_by(&self, plan: &Problem<'_>, equation: usize) -> f64 {
         let unit = plan.units[equation];
         self.relaxation.stiffness * plan.structure.stiffest / (unit * unit)
     }
 
     /// Takes the forces of relaxation off a right-hand side.
-    pub(super) fn hold_back(&mut self, plan: &Plan<'_>) {
+    pub(super) fn hold_back(&mut self, plan: &Problem<'_>) {
         if self.relaxation.stiffness == 0.0 {
             return;
         }
@@ -178,7 +178,7 @@ impl Workspace {
     }
 
     /// Adds its stiffness to the tangent.
-    pub(super) fn stiffen(&mut self, plan: &Plan<'_>) {
+    pub(super) fn stiffen(&mut self, plan: &Problem<'_>) {
         if self.relaxation.stiffness == 0.0 {
             return;
         }

@@ -10,8 +10,8 @@
 //! Only the last attempt at an increment searches, when shorter increments are
 //! used up: a full step is the better one wherever Newton converges at all.
 
-use super::Workspace;
-use crate::plan::Plan;
+use super::Scratch;
+use crate::problem::Problem;
 use crate::state::State;
 use slideline_model::TimeIncrementation;
 
@@ -30,10 +30,15 @@ pub fn limits(of: &TimeIncrementation) -> TimeIncrementation {
     TimeIncrementation { i_0: u32::MAX, i_r: u32::MAX, i_c, i_s, ..*of }
 }
 
-impl Workspace {
+impl Scratch {
     /// Moves by the fraction, of at most `longest`, that lessens the residual
     /// enough, or else by the one that leaves least of it.
-    pub(super) fn search(&mut self, plan: &Plan<'_>, committed: &State, (dt, longest): (f64, f64)) {
+    pub(super) fn search(
+        &mut self,
+        plan: &Problem<'_>,
+        committed: &State,
+        (dt, longest): (f64, f64),
+    ) {
         let from = [&self.u, &self.pressures, &self.tractions, &self.stresses].map(Vec::clone);
         let before = self.merit(plan);
         let mut best = (f64::INFINITY, longest);
@@ -68,7 +73,7 @@ impl Workspace {
     /// Size of what is not balanced: forces, moments over the length of the
     /// stiffest element, and what hard contact and exact stick miss, times the
     /// stiffness augmentation to them [F].
-    fn merit(&self, plan: &Plan<'_>) -> f64 {
+    fn merit(&self, plan: &Problem<'_>) -> f64 {
         let length = plan.structure.stiffest_length;
         let lever = if length > 0.0 { length } else { plan.reach.max(f64::MIN_POSITIVE) };
         let mut sum = 0.0;

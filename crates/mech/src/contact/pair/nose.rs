@@ -41,9 +41,9 @@ const NARROW: f64 = 0.1;
 const WIDE: f64 = 0.5;
 
 impl Nose {
-    /// Those of a surface.
-    pub fn of(segments: &[RigidSegment], closed: bool) -> Vec<Self> {
-        let mut noses = Vec::new();
+    /// Writes those of a surface.
+    pub fn find(segments: &[RigidSegment], closed: bool, noses: &mut Vec<Self>) {
+        noses.clear();
         for (index, segment) in segments.iter().enumerate() {
             if let RigidSegment::Arc { centre, radius, convex: true, .. } = *segment {
                 let beyond = [false, true].map(|ahead| arcs_beyond(segments, closed, index, ahead));
@@ -56,7 +56,6 @@ impl Nose {
                 noses.push(Self::Corner { at: segment.end(), tangents });
             }
         }
-        noses
     }
 
     /// How it reaches through the line between two points of space; `None` where it points
