@@ -7,14 +7,15 @@ use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::material::Elastic;
 use slideline_model::{
     self as model, BeamSection, ContactPrint, Controls, Dialect, Dof, ElementPrint, ElementType,
-    Extrapolation, Interaction, Model, Node, NodePrint, PrintTarget, SavedStates, ShearRule,
-    SolidSection, Static, SurfaceSegment, TYPES,
+    Extrapolation, Interaction, Model, Node, NodePrint, Nodes, PrintTarget, ProfilePoint,
+    SavedStates, ShearRule, SolidSection, Static, SurfaceSegment, TYPES,
 };
 
 use crate::log::{Log, Target};
 use crate::rule::Subject;
+use crate::scopes::Parts;
 use crate::sets::Sets;
-use crate::surfaces::{NamedInteraction, NamedSurface, Pairing, RigidBody};
+use crate::surfaces::{Named, NamedInteraction, NamedSurface, Pairing, RigidBody};
 
 /// Most nodes, elements and set members that a deck may generate. A slip in
 /// an `*NGEN` line must not fill the memory.
@@ -34,6 +35,8 @@ pub(crate) struct Draft {
     pub model: Model,
     pub node_sets: Sets,
     pub element_sets: Sets,
+    /// Node sets that the nodes of an element set join.
+    pub node_sets_of_elements: Vec<(String, Named)>,
     pub elements: Vec<Element>,
     pub element_by_label: HashMap<u64, usize>,
     pub sections: Vec<Section>,
@@ -47,6 +50,7 @@ pub(crate) struct Draft {
     pub pairings: Vec<Pairing>,
     pub bodies: Vec<RigidBody>,
     pub links: Vec<Link>,
+    pub parts: Parts<Contents>,
     pub restart: Option<SavedStates>,
     /// Whether the cards are those of a deck that goes on from an earlier job.
     pub goes_on: bool,
@@ -60,6 +64,24 @@ pub(crate) struct Draft {
     generated: u64,
     expanded: u64,
     incomplete: Vec<Subject>,
+}
+
+/// What belongs to a part: everything with numbers and names of its own.
+#[derive(Clone, Default)]
+pub(crate) struct Contents {
+    pub nodes: Nodes,
+    pub node_sets: Sets,
+    pub element_sets: Sets,
+    pub node_sets_of_elements: Vec<(String, Named)>,
+    pub elements: Vec<Element>,
+    pub sections: Vec<Section>,
+    pub springs: Vec<Spring>,
+    pub surfaces: Vec<Surface>,
+    pub interfaces: Vec<Interface>,
+    pub named_surfaces: Vec<NamedSurface>,
+    pub pairings: Vec<Pairing>,
+    pub bodies: Vec<RigidBody>,
+    pub links: Vec<Link>,
 }
 
 /// The card that a suboption belongs to.
@@ -240,7 +262,7 @@ pub(crate) struct Surface {
 
 #[derive(Clone, Debug)]
 pub(crate) enum Shape {
-    Rigid { start: [f64; 2], segments: Vec<SurfaceSegment> },
+    Rigid { start: ProfilePoint, segments: Vec<SurfaceSegment> },
     Line { nodes: Vec<(u64, Span)>, smooth: f64, extension: f64 },
 }
 
@@ -370,9 +392,6 @@ impl Draft {
             self.model.nodes.insert(Node { label, position, origin });
             return;
         };
-        if self.log.has_parts {
-            return; // parts number their nodes alike
-        }
         let old = *self.model.nodes.get(index);
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * a.abs().max(b.abs());
         if old.position.iter().zip(position).all(|(&a, b)| near(a, b)) {
@@ -394,9 +413,7 @@ impl Draft {
     pub fn add_element(&mut self, element: Element) {
         if let Some(&old) = self.element_by_label.get(&element.label) {
             let origin = element.origin;
-            if !self.log.has_parts
-                && self.log.first_time(&format!("element {} {}", origin.file.0, origin.start))
-            {
+            if self.log.first_time(&format!("element {} {}", origin.file.0, origin.start)) {
                 let message = format!("element {} is defined twice", element.label);
                 let error = Diagnostic::error(Code("SL0229"), message).at(origin);
                 self.log.push(error.label(self.elements[old].origin, "defined here first"));

@@ -50,7 +50,6 @@ fn what_the_page_names_is_refused() {
         ("equations", MODEL, "*EQUATION\n*STEP"),
         ("ties", MODEL, "*TIE\n*STEP"),
         ("initial stresses", MODEL, "*INITIAL CONDITIONS, TYPE=STRESS\n*STEP"),
-        ("parts and instances", MODEL, "*PART, NAME=A\n*STEP"),
         ("`*PARAMETER`", MODEL, "*PARAMETER\nw = 1.\n*STEP"),
         ("dynamics", HISTORY, "*DYNAMIC\n*END STEP"),
         ("frequencies", HISTORY, "*FREQUENCY\n*END STEP"),

@@ -15,6 +15,7 @@ pub fn model_echo(model: &Model, start: &Frame<'_>) -> String {
     let mut text = String::new();
     heading(&mut text, model);
     nodes(&mut text, model);
+    instances(&mut text, model);
     for block in &model.blocks {
         match &block.section {
             Section::Beam(section) => beams(&mut text, model, block, section),
@@ -61,6 +62,23 @@ fn nodes(text: &mut String, model: &Model) {
             let name = ["x", "y", "z"][axis];
             line(text, format_args!("  {name} from {} to {}", general(low, 9), general(high, 9)));
         }
+    }
+}
+
+/// Who has which numbers: in files a node of an instance has one number.
+fn instances(text: &mut String, model: &Model) {
+    let numbering = model.nodes.numbering();
+    if numbering.instances().is_empty() {
+        return;
+    }
+    if numbering.stride() == 0 {
+        line(text, format_args!("\nINSTANCES  all numbers are those of the deck"));
+        return;
+    }
+    line(text, format_args!("\nINSTANCES  numbers in files of nodes and elements"));
+    for (name, k) in numbering.instances().iter().zip(1_u64..) {
+        let offset = k * numbering.stride();
+        line(text, format_args!("  {name}.n is {offset} + n"));
     }
 }
 
@@ -130,7 +148,7 @@ fn transverse_shear(
 }
 
 fn distance(model: &Model, [first, second]: [NodeIndex; 2]) -> f64 {
-    let (a, b) = (model.nodes.plane(first), model.nodes.plane(second));
+    let (a, b) = (model.nodes.position(first), model.nodes.position(second));
     (b[0] - a[0]).hypot(b[1] - a[1])
 }
 

@@ -16,7 +16,7 @@ use crate::kept::Kept;
 use crate::outline::{Outline, outlines};
 use crate::section::nodal_sections;
 use crate::writer::Writer;
-use slideline_model::{Dof, Kinematics, Model, NodeIndex};
+use slideline_model::{Dof, Kinematics, Model, NodeIndex, ProfilePoint};
 use slideline_results::element::nodal_stresses;
 use slideline_results::{NodeComponent, NodeField, contact_component};
 use slideline_solve::observe::{ContactRow, Event, Frame};
@@ -83,6 +83,8 @@ impl Frd {
 /// surfaces 2, rigid surfaces 3, solids 4.
 type Piece<N> = (u32, u8, Vec<N>);
 
+/// Most nodes of an element on one line.
+const NODES_A_LINE: usize = 10;
 /// The type of a line between two nodes.
 const LINE: u8 = 11;
 
@@ -107,7 +109,7 @@ impl Mesh {
             };
             for element in &block.elements {
                 pieces.extend(block.kind.cell.pieces.iter().map(|piece| {
-                    let nodes = piece.nodes.iter().map(|&place| element.nodes[place]);
+                    let nodes = piece.frd_nodes.iter().map(|&place| element.nodes[place]);
                     (group, piece.frd, nodes.collect())
                 }));
             }
@@ -131,7 +133,7 @@ impl Mesh {
     }
 
     /// Number, carrier and undeformed place of the points of outlines.
-    fn points(&self) -> impl Iterator<Item = (u64, &Outline, [f64; 2])> {
+    fn points(&self) -> impl Iterator<Item = (u64, &Outline, ProfilePoint)> {
         let points = self.outlines.iter().flat_map(|o| o.points.iter().map(move |&p| (o, p)));
         (self.first..).zip(points).map(|(label, (outline, point))| (label, outline, point))
     }
@@ -152,11 +154,13 @@ impl Mesh {
         let _ = writeln!(text, "    3C{:18}{:>12}{:37}1", "", self.pieces.len(), "");
         for (place, (group, kind, nodes)) in self.pieces.iter().enumerate() {
             let _ = writeln!(text, " -1{:>10}{kind:>5}{group:>5}{:>5}", place + 1, 1);
-            text.push_str(" -2");
-            for node in nodes {
-                let _ = write!(text, "{node:>10}");
+            for line in nodes.chunks(NODES_A_LINE) {
+                text.push_str(" -2");
+                for node in line {
+                    let _ = write!(text, "{node:>10}");
+                }
+                text.push('\n');
             }
-            text.push('\n');
         }
         text.push_str(" -3\n");
     }

@@ -29,7 +29,7 @@ pub fn commit(
         *increment = work.u[dof] - committed.displacement[dof];
     }
     trial.increment_before.copy_from_slice(&committed.increment);
-    trial.increment_time = [target.dt, committed.increment_time[0]];
+    trial.increment_time = (target.dt, committed.increment_time.0);
     trial.load.copy_from_slice(&work.load);
     for (dof, role) in plan.constraints.roles.iter().enumerate() {
         trial.reaction[dof] = match role {
@@ -72,7 +72,7 @@ fn count_slip(plan: &Problem<'_>, committed: &State, work: &Scratch, trial: &mut
     for (place, point) in plan.contact.points.iter().enumerate() {
         let (now, before) = (&mut trial.points[place], &committed.points[place]);
         if now.closed && !plan.contact.laws[point.pair].has_friction() {
-            let kinematics = &work.evaluation.kinematics[place];
+            let kinematics = &work.evaluation.kinematics.points()[place];
             let history = before.history();
             now.slip = before.slip
                 + plan.contact.slip(place, &history, kinematics, &committed.displacement);
@@ -87,10 +87,10 @@ pub fn locate_points(
     contact: &Contact,
     committed: &mut State,
     positions: &mut MasterPositions,
-    kinematics: &mut [ContactKinematics],
+    kinematics: &mut ContactKinematics,
 ) {
     contact.meet(&committed.displacement, &[], positions, kinematics);
-    for (point, kinematics) in committed.points.iter_mut().zip(kinematics) {
+    for (point, kinematics) in committed.points.iter_mut().zip(kinematics.points()) {
         point.opening = -kinematics.overclosure;
         point.along = kinematics.faces.then_some(kinematics.along);
         point.position = kinematics.position;
@@ -111,7 +111,7 @@ pub fn initial_contact(model: &Model) -> Vec<ContactRow> {
     let contact = Contact::new(model, &dofs, &UserFrictions::default());
     let points = contact.points.len();
     let mut state = State::undeformed(dofs.len(), points, (contact.state_size, 0));
-    let mut kinematics = vec![ContactKinematics::NOWHERE; points];
+    let mut kinematics = contact.nowhere();
     locate_points(&contact, &mut state, &mut MasterPositions::default(), &mut kinematics);
     contact_rows((model, &dofs), &contact, &state, (&mut rows, &mut Vec::new()));
     rows
@@ -120,7 +120,8 @@ pub fn initial_contact(model: &Model) -> Vec<ContactRow> {
 /// The places of a committed state as the evaluation that led to it left
 /// them, so that points without a master keep what was last said of them.
 pub fn recall_points(committed: &State, work: &mut Scratch) {
-    for (point, kinematics) in committed.points.iter().zip(&mut work.evaluation.kinematics) {
+    let kinematics = work.evaluation.kinematics.points_mut();
+    for (point, kinematics) in committed.points.iter().zip(kinematics) {
         kinematics.position = point.position;
         kinematics.normal = point.normal;
         kinematics.area = point.area;

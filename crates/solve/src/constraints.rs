@@ -112,11 +112,12 @@ impl ConstraintNumbering {
     /// Gives every dependent dof its role and a row of the dofs it follows.
     fn add_rows(&mut self) {
         let Self { roles, rigid, linear, dependent_dofs, row_start, row_dofs, .. } = self;
-        let dependents = 3 * rigid.len() + linear.len();
+        let of_links = rigid.iter().map(|link| link.dependent_dofs().count()).sum::<usize>();
+        let dependents = of_links + linear.len();
         dependent_dofs.reserve_exact(dependents);
         row_start.reserve_exact(dependents);
         let followed = linear.iter().map(|constraint| constraint.terms.len());
-        row_dofs.reserve_exact(5 * rigid.len() + followed.sum::<usize>());
+        row_dofs.reserve(2 * of_links + followed.sum::<usize>());
         let mut add = |dependent: usize, followed: &mut dyn Iterator<Item = usize>| {
             roles[dependent] = Role::Dependent(row_start.len() - 1);
             dependent_dofs.push(dependent);
@@ -190,7 +191,7 @@ impl Constraints<'_> {
     /// Moves dependent dofs to where the others take them.
     pub fn enforce(&self, u: &mut [f64]) {
         let links = self.rigid.iter().zip(&self.motion.arms);
-        links.for_each(|(link, arm)| link.enforce(arm, u));
+        links.for_each(|(link, &arm)| link.enforce(arm, u));
         for (row, constraint) in self.linear.iter().enumerate() {
             let (coefficients, constant) = self.motion.linear(row);
             constraint.enforce(coefficients, constant, u);
@@ -199,15 +200,14 @@ impl Constraints<'_> {
 
     /// Stiffness by the turning of T, f . d2u/dq2, for forces `f` on all dofs
     /// (those that act on dependent ones count; they are used up): calls back
-    /// with rotations and their stiffness.
-    pub fn turning(&self, u: &[f64], f: &mut [f64], mut call: impl FnMut(usize, f64)) {
+    /// with pairs of rotations and their stiffness.
+    pub fn turning(&self, u: &[f64], f: &mut [f64], mut call: impl FnMut(usize, usize, f64)) {
         // what follows a body linearly presses on it too
         for (row, constraint) in self.linear.iter().enumerate().rev() {
             constraint.carry(self.motion.linear(row).0, f);
         }
-        let links = self.rigid.iter().zip(&self.motion.arms);
-        for (dof, stiffness) in links.filter_map(|(link, arm)| link.turning(arm, u, f)) {
-            call(dof, stiffness);
+        for (link, &arm) in self.rigid.iter().zip(&self.motion.arms) {
+            link.turning(arm, u, f, &mut call);
         }
     }
 }

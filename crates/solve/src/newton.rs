@@ -25,12 +25,12 @@ use crate::evaluate::{Evaluation, Trial, complete, evaluate, look_at, zero};
 use crate::increments::Verdict;
 use crate::iteration_history::IterationHistory;
 use crate::linear_systems::LinearSystems;
-use crate::linearised::{LinearPoint, LinearisedContact, Stiffness};
+use crate::linearised::{LinearPoints, LinearisedContact, Stiffness};
 use crate::observe::{ContactChange, IterationReport};
 use crate::plan::{Coupling, Numbering};
 use crate::predict;
 use crate::problem::Problem;
-use crate::stabilise::{self, Dashpot};
+use crate::stabilise::{self, Dashpots};
 use crate::state::State;
 use crate::structure::{Configuration, Gather, Product};
 use crate::values::Values;
@@ -41,10 +41,14 @@ pub use relax::relax;
 use slideline_diag::Diagnostic;
 use slideline_linalg::{Kind, SolveError, Solver};
 use slideline_mech::contact::enforcement::Enforcement;
+use slideline_mech::contact::tangential::Tangential;
 
 /// The most points whose contact is solved with its matrix where the other way is
 /// lost: the cost grows with their cube.
 const MOST_DENSE: usize = 1000;
+
+/// Equations of a contact point that room is kept for.
+const ROWS: usize = 18;
 
 /// What an attempt aims at.
 #[derive(Clone, Copy, Debug)]
@@ -105,6 +109,8 @@ pub struct Scratch {
     systems: Vec<System>,
     /// Parts of their masters that points may touch.
     near: Vec<Candidates>,
+    /// Positions of deforming masters.
+    positions: MasterPositions,
     /// The tangent without augmentation, and with it.
     values: Vec<f64>,
     augmented: Vec<f64>,
@@ -127,13 +133,12 @@ pub struct Scratch {
     still: Vec<f64>,
     arrived: Vec<f64>,
     pressures: Vec<f64>,
-    tractions: Vec<f64>,
-    points: Vec<LinearPoint>,
+    tractions: Vec<Tangential>,
+    points: LinearPoints,
     contact: LinearisedContact,
     geometry: GeometryScratch,
     sweep: SweepScratch,
-    dashpots: Vec<Dashpot>,
-    chain_positions: MasterPositions,
+    dashpots: Dashpots,
     was_closed: Vec<bool>,
     /// Most negative pivots of a symmetric factorisation in this attempt:
     /// directions in which the structure gives way.
@@ -164,7 +169,7 @@ impl Scratch {
         states: impl Iterator<Item = &'s [f64]>,
         linear_systems: &LinearSystems,
     ) -> Coupling {
-        values.contact.candidates(states, &mut self.chain_positions, &mut self.near);
+        values.contact.candidates(states, &mut self.positions, &mut self.near);
         let (systems, near) = (&mut self.systems, &self.near[..]);
         let fits = |system: &System| {
             (system.step, system.kind) == (own, kind) && *system.coupling.near == *near
@@ -204,8 +209,8 @@ impl Scratch {
     }
 
     /// Positions of deforming masters, as scratch, and where contact points stand.
-    pub fn places(&mut self) -> (&mut MasterPositions, &mut [ContactKinematics]) {
-        (&mut self.chain_positions, &mut self.evaluation.kinematics)
+    pub fn places(&mut self) -> (&mut MasterPositions, &mut ContactKinematics) {
+        (&mut self.positions, &mut self.evaluation.kinematics)
     }
 
     /// Makes room for a problem, as if nothing had been solved before; the coupling must be
@@ -230,18 +235,18 @@ impl Scratch {
         for list in [&mut self.stresses, &mut self.arrived] {
             zero(list, plan.structure.stress_room());
         }
-        for list in [&mut self.pressures, &mut self.tractions] {
-            zero(list, points);
-        }
+        zero(&mut self.pressures, points);
+        self.tractions.clear();
+        self.tractions.resize(points, Tangential::ZERO);
         zero(&mut self.correction, equations);
-        self.points.clear();
-        self.points.reserve(points);
+        self.points.clear(plan.contact.directions);
+        self.points.reserve(points, ROWS);
         self.contact.reserve(points, equations);
         self.was_closed.clear();
         self.was_closed.resize(points, false);
         self.iteration_history.fit(points);
         self.changes.reserve(points);
-        self.dashpots.clear();
+        self.dashpots.forget(plan.contact);
         (self.outside, self.only_dense, self.augment_all) = (false, false, false);
         (self.line_search, self.negative_pivots) = (false, 0);
         (self.step_length, self.dt) = (1.0, 0.0);
@@ -397,7 +402,7 @@ impl Scratch {
         self.dt = target.dt;
         self.negative_pivots = 0;
         let times = (target.step_time, target.dt);
-        stabilise::fill(plan, committed, times, &mut self.chain_positions, &mut self.dashpots);
+        stabilise::fill(plan, committed, times, &mut self.dashpots);
         self.u.copy_from_slice(&committed.displacement);
         predict::extrapolate(plan, committed, target.dt, &mut self.u);
         plan.prescribe(target.step_time, &mut self.u);
@@ -408,7 +413,7 @@ impl Scratch {
             self.tractions[place] = point.traction;
             self.was_closed[place] = point.closed;
         }
-        if committed.increment_time[0] == 0.0 {
+        if committed.increment_time.0 == 0.0 {
             self.spread_prescribed(plan, committed, target);
         }
         self.first_stresses(plan, committed, target.dt);
@@ -614,13 +619,12 @@ impl Scratch {
             *change *= length;
             self.u[dof] += *change;
         }
-        for linear in &self.points {
+        for linear in self.points.iter() {
             let place = linear.place;
             let pressure = &mut self.pressures[place];
             *pressure += length * (linear.pressure - *pressure);
-            let traction = linear.sliding.map_or(0.0, |sliding| sliding.traction);
             let old = &mut self.tractions[place];
-            *old += length * (traction - *old);
+            *old += length * (linear.traction() - *old);
         }
         plan.constraints.enforce(&mut self.u);
     }

@@ -146,7 +146,7 @@ fn nodes(element: &Element, row: &ElementType, draft: &mut Draft) -> Option<Vec<
 /// Complains about a quadrilateral whose corners do not run around it
 /// counter-clockwise; false if so.
 fn corners_are_sound(element: &Element, corners: [NodeIndex; 4], draft: &mut Draft) -> bool {
-    let at = corners.map(|node| draft.model.nodes.plane(node));
+    let at = corners.map(|node| draft.model.nodes.position(node)).map(|[x, y, _]| [x, y]);
     let sound = runs_around(&at);
     if !sound {
         let [a, b, c, d] = at;
@@ -174,7 +174,8 @@ fn middle_is_sound(
     [first, middle, last]: [NodeIndex; 3],
     draft: &mut Draft,
 ) -> bool {
-    let reference = [first, middle, last].map(|node| draft.model.nodes.plane(node));
+    let reference = [first, middle, last].map(|node| draft.model.nodes.position(node));
+    let reference = reference.map(|[x, y, _]| [x, y]);
     let sound = axis_runs_forward(&reference);
     if !sound {
         let label = |node| draft.model.nodes.label(node);

@@ -7,6 +7,7 @@ use super::{Section, kernels};
 use crate::{Dialect, Dof};
 use slideline_mech::element::Kernel;
 use slideline_mech::element::cell::{Cell, LINE2, LINE3, POINT, QUAD4};
+use slideline_mech::element::quadrature::QUAD_4;
 
 /// An element type.
 #[derive(Clone, Copy, Debug)]
@@ -258,7 +259,7 @@ pub mod types {
         points: 4,
         states: 0,
         fields: PLANE_FIELDS,
-        at_nodes: slideline_mech::element::quadrature::square_corners,
+        at_nodes: |points, nodes| QUAD_4.carry(points, &QUAD4, nodes),
         kernel: kernels::cpe4,
     };
 }

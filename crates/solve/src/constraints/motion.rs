@@ -8,14 +8,13 @@
 //! takes anew.
 
 use super::ConstraintNumbering;
-use slideline_mech::rigid::PointMap;
 use slideline_model::Model;
 
 /// Arms and coefficients of the constraints of a model.
 #[derive(Clone, Debug, Default)]
 pub struct Motion {
     /// Undeformed vectors from the masters of rigid links to their dependent nodes [L].
-    pub(super) arms: Vec<PointMap>,
+    pub(super) arms: Vec<[f64; 3]>,
     /// Coefficients of linear constraints, one constraint after the other [1, L or 1/L].
     coefficients: Vec<f64>,
     /// Where the coefficients of each end.

@@ -15,7 +15,7 @@ impl Constraints<'_> {
         let list = &mut into.coefficients;
         list.clear();
         list.reserve_exact(self.row_dofs.len());
-        for (link, arm) in self.rigid.iter().zip(&self.motion.arms) {
+        for (link, &arm) in self.rigid.iter().zip(&self.motion.arms) {
             for (component, _) in link.dependent_dofs() {
                 let count = link.followed(component).into_iter().flatten().count();
                 list.extend(&link.coefficients(arm, component, u)[..count]);

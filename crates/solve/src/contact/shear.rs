@@ -2,7 +2,6 @@
 
 use super::rigid_dofs;
 use crate::dofs::DofMap;
-use crate::linearised::MOST_DOFS;
 use slideline_mech::contact::points::slopes::{MOST_SLOPE_DOFS, ShearSlopes, ShearedBeam};
 use slideline_model::{Element, Kinematics, Model, NodeIndex};
 use std::collections::HashMap;
@@ -71,7 +70,7 @@ impl Shear {
     pub fn take(&mut self, model: &Model) {
         for (beam, ends) in self.slopes.beams.iter_mut().zip(self.ends) {
             if let (Some(beam), Some(ends)) = (beam, ends) {
-                let [a, b] = ends.map(|node| model.nodes.plane(node));
+                let [a, b] = ends.map(|node| model.nodes.get(node).position);
                 beam.chord = [b[0] - a[0], b[1] - a[1]];
             }
         }
@@ -106,7 +105,7 @@ impl Shear {
     pub fn push_tangent(
         &self,
         (dofs, u): (&[usize], &[f64]),
-        force: &[f64; MOST_DOFS],
+        force: &[f64],
         (direct, n): (&[f64], usize),
         tangent: &mut [f64],
     ) {
@@ -148,7 +147,7 @@ struct Places<'a> {
 
 impl Places<'_> {
     fn sheared(&mut self, model: &Model, beam: Element<'_>) -> ShearedBeam {
-        let [a, b] = beam.ends().map(|node| model.nodes.plane(node));
+        let [a, b] = beam.ends().map(|node| model.nodes.get(node).position);
         let ends = beam.ends().map(|node| self.node(node));
         let rotations = match *beam.nodes {
             // Simpson's rule, as exact as the element's own two points.

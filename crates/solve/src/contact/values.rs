@@ -46,7 +46,7 @@ impl Contact {
         for point in &mut self.points {
             point.area = 0.0;
             if let Carrier::Node { position, .. } = &mut point.carrier {
-                *position = model.nodes.plane(point.node);
+                *position = model.nodes.get(point.node).position;
             }
         }
         for (pair, edges) in model.contact_pairs.iter().zip(&self.edges) {
@@ -67,27 +67,26 @@ impl Contact {
         for (index, pair) in model.contact_pairs.iter().enumerate().filter(|p| integrated(p.1)) {
             let Some(own) = rest.split_off_mut(..pair.elements.len()) else { return };
             tangents.clear();
-            tangents.resize(slave_nodes[index].len(), [0.0; 2]);
+            tangents.resize(slave_nodes[index].len(), [0.0; 3]);
             for (element, segment) in pair.elements.iter().zip(&*own) {
-                let [a, b] = element.nodes.map(|node| model.nodes.plane(node));
-                let d = [b[0] - a[0], b[1] - a[1]];
-                let length = d[0].hypot(d[1]);
+                let [a, b] = element.nodes.map(|node| model.nodes.get(node).position);
+                let d: [f64; 3] = std::array::from_fn(|c| b[c] - a[c]);
+                let length = distance(model, element.nodes);
                 for row in segment.rows {
-                    let sum = tangents[row];
-                    tangents[row] = [sum[0] + d[0] / length, sum[1] + d[1] / length];
+                    tangents[row].iter_mut().zip(d).for_each(|(sum, d)| *sum += d / length);
                 }
             }
             for tangent in tangents.iter_mut() {
-                let size = tangent[0].hypot(tangent[1]);
+                let size = tangent[0].hypot(tangent[1]).hypot(tangent[2]);
                 if size > 0.0 {
                     *tangent = tangent.map(|t| t / size);
                 }
             }
             for (element, segment) in pair.elements.iter().zip(own) {
                 let length = distance(model, element.nodes);
-                let nodes = element.nodes.map(|node| model.nodes.plane(node));
+                let nodes = element.nodes.map(|node| model.nodes.get(node).position);
                 let tangents = segment.rows.map(|row| tangents[row].map(|t| t * length));
-                segment.line = HermiteLine { nodes, tangents };
+                segment.line = HermiteLine::new(nodes, tangents);
                 segment.width = pair.interaction.width;
                 segment.shear.iter_mut().for_each(|shear| shear.take(model));
                 let areas = segment.areas();
@@ -101,12 +100,12 @@ impl Contact {
     fn take_master(&mut self, model: &Model, dofs: &DofMap, index: usize) -> bool {
         match (&mut self.masters[index], &model.contact_pairs[index].master) {
             (MasterSurface::Body { reference, surface, .. }, Master::RigidSurface(said)) => {
-                *reference = model.nodes.plane(said.reference);
+                *reference = model.nodes.get(said.reference).position;
                 surface.take(placed_segments(said))
             }
             (MasterSurface::Line { chain, nodes, .. }, Master::SlideLine(line)) => {
                 for ((position, _), &node) in nodes.iter_mut().zip(&line.nodes) {
-                    *position = model.nodes.plane(node);
+                    *position = model.nodes.get(node).position;
                 }
                 let ends = line.nodes.windows(2);
                 let lengths = ends.map(|ends| distance(model, [ends[0], ends[1]]));
@@ -154,6 +153,6 @@ fn mean_length(model: &Model, pair: &ContactPair) -> f64 {
 }
 
 fn distance(model: &Model, nodes: [NodeIndex; 2]) -> f64 {
-    let [a, b] = nodes.map(|node| model.nodes.plane(node));
-    (b[0] - a[0]).hypot(b[1] - a[1])
+    let [a, b] = nodes.map(|node| model.nodes.get(node).position);
+    (b[0] - a[0]).hypot(b[1] - a[1]).hypot(b[2] - a[2])
 }

@@ -97,7 +97,10 @@ fn draw(model: &Model, note: &mut impl FnMut(Part, usize)) {
     }
     note(Part::RigidLinks, model.rigid_links.len());
     for link in &model.rigid_links {
-        [link.dependent, link.master].into_iter().for_each(|node| note(Part::RigidLinks, node));
+        let turn = link.turn.map_or(0, |node| node + 1);
+        let own = [link.dependent, link.master, turn].into_iter();
+        let follows = link.follows.iter().map(|&follows| usize::from(follows));
+        own.chain(follows).for_each(|number| note(Part::RigidLinks, number));
     }
     note(Part::LinearConstraints, model.linear_constraints.len());
     for constraint in &model.linear_constraints {

@@ -13,8 +13,8 @@
 
 mod response;
 
-use super::cell::quad4_slopes;
-use super::quadrature::SQUARE_2X2;
+use super::cell::QUAD4;
+use super::quadrature::QUAD_4;
 use crate::differentiate::Real;
 use crate::material::{Elastic, PlaneInvariants, PlaneStrainLaw};
 
@@ -52,8 +52,8 @@ impl<L> Quad4<L> {
         thickness: f64,
         (law, elastic, engineering): (L, Elastic, bool),
     ) -> Self {
-        let points = SQUARE_2X2.map(|place| {
-            let (slopes, area) = at_point(corners, &quad4_slopes(place));
+        let points = std::array::from_fn(|point| {
+            let (slopes, area) = at_point(corners, &quad4_slopes(&QUAD_4.points[point]));
             Point { weight: area * thickness, slopes }
         });
         let volume = points.iter().map(|point| point.weight).sum();
@@ -64,7 +64,13 @@ impl<L> Quad4<L> {
 /// Whether the integration points of the quadrilateral on four positions [L] all have a positive
 /// area: corners counter-clockwise, none far re-entrant.
 pub fn runs_around(corners: &[[f64; 2]; 4]) -> bool {
-    SQUARE_2X2.iter().all(|&place| at_point(corners, &quad4_slopes(place)).1 > 0.0)
+    QUAD_4.points.iter().all(|place| at_point(corners, &quad4_slopes(place)).1 > 0.0)
+}
+
+fn quad4_slopes(place: &[f64; 3]) -> [[f64; 2]; 4] {
+    let mut slopes = [[0.0; 3]; 4];
+    (QUAD4.slopes)(place, &mut slopes);
+    slopes.map(|[x, y, _]| [x, y])
 }
 
 /// Derivatives by undeformed position of functions given by their slopes on the reference cell,
