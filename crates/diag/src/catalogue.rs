@@ -146,6 +146,7 @@ catalogue! {
     "SL0338" "an interaction that nothing uses"
     "SL0345" "a middle node far from the middle"
     "SL0346" "corners that make no element"
+    "SL0347" "an equation that cannot be used"
     "SL0400" "a contact pair as it was understood"
     "SL0401" "hard contact that is integrated"
     "SL0402" "an initial overclosure"

@@ -4,13 +4,14 @@ use std::collections::HashMap;
 
 use slideline_deck::DataLine;
 use slideline_diag::{Code, Diagnostic, Span};
-use slideline_mech::material::Elastic;
+use slideline_mech::material::{Elastic, LargeStrain};
 use slideline_model::{
     self as model, BeamSection, ContactPrint, Controls, Dialect, Dof, ElementPrint, ElementType,
-    Extrapolation, Interaction, Model, Node, NodePrint, Nodes, PrintTarget, ProfilePoint,
-    SavedStates, ShearRule, SolidSection, Static, SurfaceSegment, TYPES,
+    Extrapolation, Interaction, Model, Node, NodeIndex, NodePrint, Nodes, PrintTarget,
+    ProfilePoint, SavedStates, ShearRule, SolidSection, Static, SurfaceSegment, TYPES,
 };
 
+use crate::constraints::{Coupling, Equation, Link};
 use crate::log::{Log, Target};
 use crate::rule::Subject;
 use crate::scopes::Parts;
@@ -38,6 +39,8 @@ pub(crate) struct Draft {
     /// Node sets that the nodes of an element set join.
     pub node_sets_of_elements: Vec<(String, Named)>,
     pub elements: Vec<Element>,
+    /// Whether one of them moves in space.
+    spatial: bool,
     pub element_by_label: HashMap<u64, usize>,
     pub sections: Vec<Section>,
     pub materials: Vec<Material>,
@@ -50,6 +53,10 @@ pub(crate) struct Draft {
     pub pairings: Vec<Pairing>,
     pub bodies: Vec<RigidBody>,
     pub links: Vec<Link>,
+    pub equations: Vec<Equation>,
+    pub couplings: Vec<Coupling>,
+    /// Dofs that follow others, and where it was said; known when links are resolved.
+    pub dependents: HashMap<(NodeIndex, Dof), Span>,
     pub parts: Parts<Contents>,
     pub restart: Option<SavedStates>,
     /// Whether the cards are those of a deck that goes on from an earlier job.
@@ -82,6 +89,8 @@ pub(crate) struct Contents {
     pub pairings: Vec<Pairing>,
     pub bodies: Vec<RigidBody>,
     pub links: Vec<Link>,
+    pub equations: Vec<Equation>,
+    pub couplings: Vec<Coupling>,
 }
 
 /// The card that a suboption belongs to.
@@ -93,6 +102,7 @@ pub(crate) enum Owner {
     Interaction(usize),
     Material(usize),
     Section(usize),
+    Coupling(usize),
     /// The owner is broken or missing, and that has been said.
     Broken,
 }
@@ -158,6 +168,11 @@ impl ElementKind {
         matches!(self, Self::Structural(row) if row.is_beam())
     }
 
+    /// Whether it moves in space.
+    pub fn is_spatial(self) -> bool {
+        matches!(self, Self::Structural(row) if row.is_spatial())
+    }
+
     pub fn is_contact(self) -> bool {
         matches!(self, Self::Isl21 | Self::Irs21)
     }
@@ -211,12 +226,17 @@ impl Body {
     }
 
     /// The same with an elastic material.
-    pub fn of(self, material: Elastic) -> model::Section {
+    pub fn of(self, material: Elastic, dialect: Dialect) -> model::Section {
         match self {
             Self::Beam { width, height, poisson, shear } => {
                 model::Section::Beam(BeamSection { width, height, poisson, material, shear })
             }
             Self::Solid { thickness } => {
+                let large = match dialect {
+                    Dialect::Abaqus => LargeStrain::Logarithmic,
+                    Dialect::Calculix => LargeStrain::Green,
+                };
+                let material = model::Material::Elastic(material, large);
                 model::Section::Solid(SolidSection { thickness, material })
             }
         }
@@ -271,16 +291,6 @@ pub(crate) struct Interface {
     pub set: String,
     pub set_span: Span,
     pub interaction: Interaction,
-}
-
-/// `*MPC` BEAM.
-#[derive(Clone, Debug)]
-pub(crate) struct Link {
-    pub dependent: Target,
-    pub dependent_span: Span,
-    pub master: Target,
-    pub master_span: Span,
-    pub origin: Span,
 }
 
 /// A line of `*BOUNDARY` or `*CLOAD`.
@@ -421,7 +431,13 @@ impl Draft {
             return;
         }
         self.element_by_label.insert(element.label, self.elements.len());
+        self.spatial |= element.kind.is_spatial();
         self.elements.push(element);
+    }
+
+    /// Whether an element moves in space, not in a plane alone.
+    pub fn is_spatial(&self) -> bool {
+        self.spatial
     }
 
     /// The interaction of the `*INTERFACE` or `*SURFACE INTERACTION` that a

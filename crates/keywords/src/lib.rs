@@ -12,6 +12,7 @@
 //! complaints about what it caused.
 
 mod cards;
+mod constraints;
 mod draft;
 mod earlier;
 mod fillet;

@@ -39,6 +39,8 @@ impl Draft {
             pairings: take(&mut self.pairings),
             bodies: take(&mut self.bodies),
             links: take(&mut self.links),
+            equations: take(&mut self.equations),
+            couplings: take(&mut self.couplings),
         }
     }
 
@@ -58,6 +60,8 @@ impl Draft {
         self.pairings = contents.pairings;
         self.bodies = contents.bodies;
         self.links = contents.links;
+        self.equations = contents.equations;
+        self.couplings = contents.couplings;
     }
 
     /// `*PART`.

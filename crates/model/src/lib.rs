@@ -44,6 +44,7 @@ pub use output::{
 pub use refine::refine;
 pub use slideline_mech::contact::normal::NormalLaw;
 pub use slideline_mech::contact::onset::Onset;
+pub use slideline_mech::material::Material;
 pub use stabilisation::Stabilisation;
 pub use step::{Extrapolation, Load, Prescribed, Static, Step};
 pub use vocabulary::Vocabulary;
@@ -156,7 +157,7 @@ impl Model {
 
     /// Number of state variables of all elements.
     pub fn element_states(&self) -> usize {
-        self.blocks.iter().map(|block| block.kind.states * block.elements.len()).sum()
+        self.blocks.iter().map(|block| block.states() * block.elements.len()).sum()
     }
 
     /// The amplitude of that name, letter case ignored.

@@ -105,7 +105,7 @@ impl Mesh {
             let group = match block.kind.kinematics {
                 Kinematics::Beam { .. } => 0,
                 Kinematics::Spring => 1,
-                Kinematics::PlaneStrain | Kinematics::Other => 4,
+                Kinematics::Solid { .. } | Kinematics::Other => 4,
             };
             for element in &block.elements {
                 pieces.extend(block.kind.cell.pieces.iter().map(|piece| {

@@ -10,7 +10,7 @@
 //! belongs to; one without elements has all, to move as it is told. The numbering
 //! knows no step: it holds for a whole run and for those that go on from it.
 
-use slideline_model::{Dof, Kinematics, Master, Model, NodeIndex};
+use slideline_model::{Dof, Master, Model, NodeIndex};
 use std::ops::Range;
 
 /// The dofs of a model's nodes, numbered node by node.
@@ -34,7 +34,7 @@ impl DofMap {
         let mut has = vec![[None; Dof::ALL.len()]; model.nodes.len()];
         // a spring acts on a node, but is no part that the node belongs to
         let mut alone = vec![true; model.nodes.len()];
-        let parts = model.blocks.iter().filter(|block| block.kind.kinematics != Kinematics::Spring);
+        let parts = model.blocks.iter().filter(|block| block.kind.joins());
         let members = parts.flat_map(|block| block.elements.iter()).flat_map(|e| e.nodes);
         members.for_each(|&node| alone[node] = false);
         let free =

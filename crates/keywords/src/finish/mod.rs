@@ -3,6 +3,9 @@
 
 mod chain;
 mod contact;
+mod distributing;
+mod equations;
+mod faces;
 mod links;
 mod master_chain;
 mod nodes;
@@ -29,6 +32,7 @@ pub(crate) fn finish(draft: &mut Draft, steps_doubted: bool) -> Model {
     nodes::elements(draft);
     sections::sections(draft);
     sections::springs(draft);
+    faces::check(draft);
     contact::pairs(draft);
     surface_pairs::pairs(draft);
     links::links(draft);

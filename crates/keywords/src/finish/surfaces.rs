@@ -88,7 +88,10 @@ fn facets(surface: &NamedSurface, stretches: &[Stretch], draft: &mut Draft) -> O
                     element.kind.name()
                 );
                 let error = Diagnostic::error(Code("SL0332"), message).at(stretch.span);
-                draft.consequence(Subject::Elements, error.help("surfaces are made of beams"));
+                draft.consequence(
+                    Subject::Elements,
+                    error.help("contact is between beams and analytical surfaces"),
+                );
                 return None;
             }
             let Some((nodes, middle)) = draft.beam_nodes(&element) else { continue };
@@ -106,7 +109,7 @@ fn facets(surface: &NamedSurface, stretches: &[Stretch], draft: &mut Draft) -> O
     Some(facets)
 }
 
-fn elements_of(stretch: &Stretch, draft: &mut Draft) -> Vec<usize> {
+pub(super) fn elements_of(stretch: &Stretch, draft: &mut Draft) -> Vec<usize> {
     match &stretch.elements {
         Target::Set(set) => draft.elements_of(set, stretch.span).unwrap_or_default(),
         Target::Label(label) => {

@@ -3,7 +3,8 @@
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{Node, SurfaceSegment};
 
-use crate::draft::{Contents, Draft, Element, Interface, Link, Section, Shape, Spring, Surface};
+use crate::constraints::{Coupling, Equation, Link, Points};
+use crate::draft::{Contents, Draft, Element, Interface, Section, Shape, Spring, Surface};
 use crate::instances::{Placement, Target};
 use crate::motion::Motion;
 use crate::sets::{Item, NamedSet, Sets};
@@ -113,6 +114,8 @@ impl Place for RigidBody {
     fn placed(mut self, by: &Placement) -> Self {
         self.reference = self.reference.placed(by);
         self.tied = self.tied.placed(by);
+        self.pinned = self.pinned.placed(by);
+        self.turn = self.turn.map(|(target, span)| (target.placed(by), span));
         self.elements = self.elements.placed(by);
         self.surface = self.surface.placed(by);
         self
@@ -122,6 +125,32 @@ impl Place for RigidBody {
 impl Place for Link {
     fn placed(mut self, by: &Placement) -> Self {
         (self.dependent, self.master) = (self.dependent.placed(by), self.master.placed(by));
+        self
+    }
+}
+
+impl Place for Equation {
+    fn placed(mut self, by: &Placement) -> Self {
+        self.terms.iter_mut().for_each(|term| term.node = term.node.clone().placed(by));
+        self
+    }
+}
+
+impl Place for Points {
+    fn placed(self, by: &Placement) -> Self {
+        match self {
+            Self::Nodes { target, span, weight } => {
+                Self::Nodes { target: target.placed(by), span, weight }
+            }
+            Self::Surface(named) => Self::Surface(named.placed(by)),
+        }
+    }
+}
+
+impl Place for Coupling {
+    fn placed(mut self, by: &Placement) -> Self {
+        self.reference = self.reference.placed(by);
+        self.points = self.points.into_iter().map(|points| points.placed(by)).collect();
         self
     }
 }
@@ -187,6 +216,8 @@ impl Draft {
         extend(&mut self.pairings, own.pairings, by);
         extend(&mut self.bodies, own.bodies, by);
         extend(&mut self.links, own.links, by);
+        extend(&mut self.equations, own.equations, by);
+        extend(&mut self.couplings, own.couplings, by);
     }
 }
 

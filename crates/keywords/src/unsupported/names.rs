@@ -115,13 +115,8 @@ pub(super) const GROUPS: &[Group] = &[
     ),
     (
         Unsupported,
-        "use *RIGID BODY, TIE NSET=, or *MPC of type BEAM",
-        &["COUPLING", "KINEMATIC", "KINEMATIC COUPLING"],
-    ),
-    (
-        Unsupported,
         "a load on a node is *CLOAD; a rigid link to several nodes is *MPC of type BEAM",
-        &["DISTRIBUTING", "DISTRIBUTING COUPLING", "DISTRIBUTION", "DISTRIBUTION TABLE"],
+        &["DISTRIBUTING COUPLING", "DISTRIBUTION", "DISTRIBUTION TABLE"],
     ),
     (
         Unsupported,
@@ -135,7 +130,7 @@ pub(super) const GROUPS: &[Group] = &[
             "SHELL TO SOLID COUPLING",
         ],
     ),
-    (Unsupported, "use *MPC of type BEAM for rigid links", &["EQUATION", "NETWORKMPC"]),
+    (Unsupported, "use *MPC of type BEAM for rigid links", &["NETWORKMPC"]),
     (
         Unsupported,
         "preload a bolt by a prescribed displacement in a first step (*BOUNDARY)",

@@ -1,12 +1,11 @@
 //! Kernels of the rows of the table: sections in a deck's words become those of the mechanics.
 
-use super::{BeamSection, Section, Undeformed};
+use super::{BeamSection, Kinematics, Section, Undeformed};
 use crate::{Dialect, Dof};
-use slideline_mech::element::mean_dilation::Quad4;
+use slideline_mech::element::solid::{Recipe, Solids, Told};
 use slideline_mech::element::{
     AxialSpring, Beam21, Beam22, Beam23, GroundSpring, Instances, Kernel,
 };
-use slideline_mech::material::{Hencky, SaintVenant};
 use slideline_mech::section::{BeamStiffness, Rectangle, TransverseShear, rectangle_stiffness};
 
 /// The kernel that was made; the one before it, whose room may be used again.
@@ -61,23 +60,30 @@ pub(super) fn springa(block: &Undeformed<'_>, room: Kept) -> Kept {
     Some(Instances::<_, 4, 16>::in_room(room, springs))
 }
 
-/// `*ELASTIC` at large strain is another law in each program: logarithmic strain in Abaqus,
-/// Green's in CalculiX. [semantics: keywords, `*ELASTIC`]
-pub(super) fn cpe4(block: &Undeformed<'_>, room: Kept) -> Kept {
+/// Solids of a row; what they do about locking is a matter of the dialect.
+pub(super) fn solid<const D: usize, const N: usize, const P: usize>(
+    block: &Undeformed<'_>,
+    _room: Kept,
+) -> Kept {
     let Section::Solid(section) = block.section else { return None };
-    let (elastic, thickness) = (section.material, section.thickness);
-    Some(match block.dialect {
-        Dialect::Abaqus => {
-            let law = (Hencky(elastic), elastic, true);
-            let solids = block.plane::<4>().map(|corners| Quad4::quad4(&corners, thickness, law));
-            Instances::<_, 8, 64>::in_room(room, solids)
-        }
-        Dialect::Calculix => {
-            let law = (SaintVenant(elastic), elastic, false);
-            let solids = block.plane::<4>().map(|corners| Quad4::quad4(&corners, thickness, law));
-            Instances::<_, 8, 64>::in_room(room, solids)
-        }
-    })
+    let Kinematics::Solid { strains, formulation, rule } = block.kind.kinematics else {
+        return None;
+    };
+    let (formulation, told) = match block.dialect {
+        Dialect::Abaqus => (formulation[0], Told::Logarithmic),
+        Dialect::Calculix => (formulation[1], Told::Green),
+    };
+    let recipe = Recipe {
+        cell: block.kind.cell,
+        rule,
+        kinematics: strains,
+        formulation,
+        material: section.material.clone(),
+        thickness: section.thickness,
+        told,
+    };
+    let solids = Solids::<D, N, P>::new(recipe, block.positions::<D, N>())?;
+    Some(Box::new(solids))
 }
 
 impl BeamSection {

@@ -7,7 +7,7 @@ use crate::{
     BeamSection, ContactPair, ElementBlock, ElementType, Formulation, Friction, Interaction,
     Lumping, NodeSet, NormalLaw, RigidSurface, Section, ShearRule, SlideLine, SolidSection, types,
 };
-use slideline_mech::material::Elastic;
+use slideline_mech::material::{Elastic, LargeStrain, Material};
 
 fn node(model: &mut Model, label: u64, x: f64, y: f64) -> NodeIndex {
     model.nodes.insert(Node { label, position: [x, y, 0.0], origin: Span::default() })
@@ -25,7 +25,10 @@ fn block<const N: usize>(
             let (width, height) = (1.0, 1.0);
             Section::Beam(BeamSection { width, height, poisson: 0.0, material, shear })
         }
-        false => Section::Solid(SolidSection { thickness: 1.0, material }),
+        false => Section::Solid(SolidSection {
+            thickness: 1.0,
+            material: Material::Elastic(material, LargeStrain::Logarithmic),
+        }),
     };
     let elements = elements.iter().copied();
     ElementBlock::new(kind, "BEAM", section, Span::default()).with(elements)

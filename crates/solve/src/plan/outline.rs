@@ -131,7 +131,7 @@ fn draw_block(block: &ElementBlock, note: &mut impl FnMut(usize)) {
         Section::Solid(_) => 2,
         Section::Properties(_) => 3,
     };
-    [section, kind.cell.nodes, kind.states, kind.all_values()].into_iter().for_each(&mut *note);
+    [section, kind.cell.nodes, block.states(), kind.all_values()].into_iter().for_each(&mut *note);
     for dofs in [block.dofs(), block.stiffened_dofs()] {
         note(dofs.len());
         dofs.iter().for_each(|&dof| note(dof as usize));

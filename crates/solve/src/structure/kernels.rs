@@ -31,9 +31,10 @@ impl Kernels {
             let corners = elements.flat_map(|element| element.nodes);
             self.nodes.extend(corners.map(|&node| model.nodes.get(node).position));
             let (section, nodes) = (&block.section, &self.nodes[..]);
-            let undeformed = Undeformed { section, dialect: model.dialect, nodes };
+            let (kind, dialect) = (block.kind, model.dialect);
+            let undeformed = Undeformed { kind, section, dialect, nodes };
             let room = known.then(|| self.blocks.remove(0));
-            let made = (block.kind.kernel)(&undeformed, room);
+            let made = (kind.kernel)(&undeformed, room);
             let shape = (numbered.members.len(), numbered.variables);
             let fits = |kernel: &Box<dyn Kernel>| (kernel.count(), kernel.variables()) == shape;
             let Some(kernel) = made.filter(fits) else {

@@ -28,7 +28,7 @@ impl ElementNumbering {
         let mut first_state = 0;
         for (index, block) in model.blocks.iter().enumerate() {
             numbering.place((model, index), (dofs, constraints), first_state);
-            first_state += block.kind.states * block.elements.len();
+            first_state += block.states() * block.elements.len();
         }
         numbering
     }
@@ -47,8 +47,12 @@ impl ElementNumbering {
         let Some((_, one)) = elements().next() else { return };
         let nodes: Vec<[f64; 3]> =
             one.nodes.iter().map(|&node| model.nodes.get(node).position).collect();
-        let undeformed =
-            Undeformed { section: &block.section, dialect: model.dialect, nodes: &nodes };
+        let undeformed = Undeformed {
+            kind: block.kind,
+            section: &block.section,
+            dialect: model.dialect,
+            nodes: &nodes,
+        };
         let Some(kernel) = (block.kind.kernel)(&undeformed, None) else { return };
         let (first, variables) = (self.count, kernel.variables());
         let count = elements().count();
@@ -64,7 +68,7 @@ impl ElementNumbering {
             block: index,
             members: Vec::with_capacity(count),
             first_state,
-            states: block.kind.states,
+            states: block.states(),
             results: block.kind.all_values(),
         };
         self.own.reserve_exact(variables * count);
