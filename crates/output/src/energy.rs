@@ -14,7 +14,7 @@ impl Rows for Energy {
     const ENDING: &'static str = ".energy.csv";
 
     fn columns(&mut self, report: &StepReport<'_>) -> Option<String> {
-        self.stabilised = report.may_stabilise;
+        self.stabilised = report.may_stabilise();
         let more = if self.stabilised { ",stabilisation" } else { "" };
         Some(format!(
             "external_work,strain_energy,contact_energy,friction_dissipation,friction_elastic,\
