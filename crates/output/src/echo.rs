@@ -142,7 +142,7 @@ fn extremes(values: &[f64]) -> Option<(f64, f64)> {
 /// `a`, or `a to b` where they differ by more than rounding.
 fn range(low: f64, high: f64) -> String {
     let (low, high) = (general(low, 9), general(high, 9));
-    if low == high { low } else { format!("{low} to {high}") }
+    if low == high { low.to_string() } else { format!("{low} to {high}") }
 }
 
 /// Solids of one section.
@@ -318,7 +318,7 @@ fn points(text: &mut String, model: &Model, rows: &[&ContactRow]) {
 
 /// A gap in words where the point faces no master.
 pub fn gap(opening: f64) -> String {
-    if opening.is_finite() { general(opening, 7) } else { "faces no master".to_owned() }
+    if opening.is_finite() { general(opening, 7).to_string() } else { "faces no master".to_owned() }
 }
 
 /// An initial overclosure holds energy before anything moves.

@@ -8,7 +8,7 @@
 //! ```
 
 use crate::number::general;
-use crate::outline::outlines;
+use crate::outline;
 use crate::report::STYLE;
 use slideline_figures::{Anchor, CURVES, Colour, Dash, INK, Pen, Scene, Text, Unit, escaped, grey};
 use slideline_model::{Dof, Master, Model, NodeIndex};
@@ -62,7 +62,7 @@ fn master_lines(model: &Model) -> Vec<Vec<[f64; 2]>> {
         Master::RigidSurface(_) => None,
     });
     let chains = chains.map(|nodes| nodes.iter().map(|&node| model.nodes.plane(node)).collect());
-    outlines(model).into_iter().map(|outline| outline.points).chain(chains).collect()
+    outline::chains(model).chain(chains).collect()
 }
 
 struct Drawing {

@@ -108,7 +108,8 @@ fn note(said: &str) -> Markup {
 fn facts(results: &Results) -> Markup {
     let summary = &results.summary;
     let text = |key: &str| summary.text(key).unwrap_or("-").to_owned();
-    let seconds = summary.number("wall_seconds").map_or("-".to_owned(), |s| general(s, 3));
+    let seconds =
+        summary.number("wall_seconds").map_or("-".to_owned(), |s| general(s, 3).to_string());
     let facts = [
         ("program", format!("slideline {}", text("program_version"))),
         ("deck (SHA-256)", text("deck_hash")),
@@ -164,8 +165,11 @@ fn ledger(results: &Results) -> Markup {
     let share = if lost + done > 0.0 { 100.0 * lost / (lost + done) } else { 0.0 };
     let number = |value: f64| general(value, 6);
     let rows = [
-        vec!["friction dissipated".to_owned(), number(done)],
-        vec!["stored in elastic slip at the end".to_owned(), number(energy("friction_elastic"))],
+        vec!["friction dissipated".to_owned(), number(done).to_string()],
+        vec![
+            "stored in elastic slip at the end".to_owned(),
+            number(energy("friction_elastic")).to_string(),
+        ],
         vec!["point-increments with friction called".to_owned(), count('c').to_string()],
         vec!["point-increments with friction dropped".to_owned(), points.to_string()],
         vec![
@@ -185,7 +189,8 @@ fn noise(results: &Results) -> Markup {
     let Some(noise) = results.summary.get("noise") else {
         return html! { p { "The summary holds no measures of noise." } };
     };
-    let cell = |value: Option<f64>| value.map_or("-".to_owned(), |value| general(value, 3));
+    let cell =
+        |value: Option<f64>| value.map_or("-".to_owned(), |value| general(value, 3).to_string());
     let percent = |value: Option<f64>| cell(value.map(|value| 100.0 * value));
     let reactions: Vec<Vec<String>> = results
         .driven
