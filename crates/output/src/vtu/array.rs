@@ -26,7 +26,7 @@ impl Text {
             if same[0].to_bits() == 0 && 8 * same.len() >= RUN {
                 self.code_zeros(8 * same.len());
             } else {
-                self.bytes.extend(same.iter().flat_map(|value| value.to_le_bytes()));
+                same.iter().for_each(|value| self.bytes.extend_from_slice(&value.to_le_bytes()));
             }
         }
         self.end();
