@@ -4,17 +4,19 @@ use std::collections::HashMap;
 
 use slideline_deck::DataLine;
 use slideline_diag::{Code, Diagnostic, Span};
-use slideline_mech::material::Elastic;
+use slideline_mech::material::{Elastic, LargeStrain};
 use slideline_model::{
     self as model, BeamSection, ContactPrint, Controls, Dialect, Dof, ElementPrint, ElementType,
-    Extrapolation, Interaction, Model, Node, NodePrint, PrintTarget, SavedStates, ShearRule,
-    SolidSection, Static, SurfaceSegment, TYPES,
+    Extrapolation, Interaction, Model, Node, NodeIndex, NodePrint, Nodes, PrintTarget,
+    ProfilePoint, SavedStates, ShearRule, SolidSection, Static, SurfaceSegment, TYPES,
 };
 
+use crate::constraints::{Coupling, Equation, Link};
 use crate::log::{Log, Target};
 use crate::rule::Subject;
+use crate::scopes::Parts;
 use crate::sets::Sets;
-use crate::surfaces::{NamedInteraction, NamedSurface, Pairing, RigidBody};
+use crate::surfaces::{Named, NamedInteraction, NamedSurface, Pairing, RigidBody};
 
 /// Most nodes, elements and set members that a deck may generate. A slip in
 /// an `*NGEN` line must not fill the memory.
@@ -34,7 +36,11 @@ pub(crate) struct Draft {
     pub model: Model,
     pub node_sets: Sets,
     pub element_sets: Sets,
+    /// Node sets that the nodes of an element set join.
+    pub node_sets_of_elements: Vec<(String, Named)>,
     pub elements: Vec<Element>,
+    /// Whether one of them moves in space.
+    spatial: bool,
     pub element_by_label: HashMap<u64, usize>,
     pub sections: Vec<Section>,
     pub materials: Vec<Material>,
@@ -47,6 +53,11 @@ pub(crate) struct Draft {
     pub pairings: Vec<Pairing>,
     pub bodies: Vec<RigidBody>,
     pub links: Vec<Link>,
+    pub equations: Vec<Equation>,
+    pub couplings: Vec<Coupling>,
+    /// Dofs that follow others, and where it was said; known when links are resolved.
+    pub dependents: HashMap<(NodeIndex, Dof), Span>,
+    pub parts: Parts<Contents>,
     pub restart: Option<SavedStates>,
     /// Whether the cards are those of a deck that goes on from an earlier job.
     pub goes_on: bool,
@@ -62,6 +73,26 @@ pub(crate) struct Draft {
     incomplete: Vec<Subject>,
 }
 
+/// What belongs to a part: everything with numbers and names of its own.
+#[derive(Clone, Default)]
+pub(crate) struct Contents {
+    pub nodes: Nodes,
+    pub node_sets: Sets,
+    pub element_sets: Sets,
+    pub node_sets_of_elements: Vec<(String, Named)>,
+    pub elements: Vec<Element>,
+    pub sections: Vec<Section>,
+    pub springs: Vec<Spring>,
+    pub surfaces: Vec<Surface>,
+    pub interfaces: Vec<Interface>,
+    pub named_surfaces: Vec<NamedSurface>,
+    pub pairings: Vec<Pairing>,
+    pub bodies: Vec<RigidBody>,
+    pub links: Vec<Link>,
+    pub equations: Vec<Equation>,
+    pub couplings: Vec<Coupling>,
+}
+
 /// The card that a suboption belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub(crate) enum Owner {
@@ -71,6 +102,7 @@ pub(crate) enum Owner {
     Interaction(usize),
     Material(usize),
     Section(usize),
+    Coupling(usize),
     /// The owner is broken or missing, and that has been said.
     Broken,
 }
@@ -136,6 +168,11 @@ impl ElementKind {
         matches!(self, Self::Structural(row) if row.is_beam())
     }
 
+    /// Whether it moves in space.
+    pub fn is_spatial(self) -> bool {
+        matches!(self, Self::Structural(row) if row.is_spatial())
+    }
+
     pub fn is_contact(self) -> bool {
         matches!(self, Self::Isl21 | Self::Irs21)
     }
@@ -189,12 +226,17 @@ impl Body {
     }
 
     /// The same with an elastic material.
-    pub fn of(self, material: Elastic) -> model::Section {
+    pub fn of(self, material: Elastic, dialect: Dialect) -> model::Section {
         match self {
             Self::Beam { width, height, poisson, shear } => {
                 model::Section::Beam(BeamSection { width, height, poisson, material, shear })
             }
             Self::Solid { thickness } => {
+                let large = match dialect {
+                    Dialect::Abaqus => LargeStrain::Logarithmic,
+                    Dialect::Calculix => LargeStrain::Green,
+                };
+                let material = model::Material::Elastic(material, large);
                 model::Section::Solid(SolidSection { thickness, material })
             }
         }
@@ -240,7 +282,7 @@ pub(crate) struct Surface {
 
 #[derive(Clone, Debug)]
 pub(crate) enum Shape {
-    Rigid { start: [f64; 2], segments: Vec<SurfaceSegment> },
+    Rigid { start: ProfilePoint, segments: Vec<SurfaceSegment> },
     Line { nodes: Vec<(u64, Span)>, smooth: f64, extension: f64 },
 }
 
@@ -249,16 +291,6 @@ pub(crate) struct Interface {
     pub set: String,
     pub set_span: Span,
     pub interaction: Interaction,
-}
-
-/// `*MPC` BEAM.
-#[derive(Clone, Debug)]
-pub(crate) struct Link {
-    pub dependent: Target,
-    pub dependent_span: Span,
-    pub master: Target,
-    pub master_span: Span,
-    pub origin: Span,
 }
 
 /// A line of `*BOUNDARY` or `*CLOAD`.
@@ -370,9 +402,6 @@ impl Draft {
             self.model.nodes.insert(Node { label, position, origin });
             return;
         };
-        if self.log.has_parts {
-            return; // parts number their nodes alike
-        }
         let old = *self.model.nodes.get(index);
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * a.abs().max(b.abs());
         if old.position.iter().zip(position).all(|(&a, b)| near(a, b)) {
@@ -394,9 +423,7 @@ impl Draft {
     pub fn add_element(&mut self, element: Element) {
         if let Some(&old) = self.element_by_label.get(&element.label) {
             let origin = element.origin;
-            if !self.log.has_parts
-                && self.log.first_time(&format!("element {} {}", origin.file.0, origin.start))
-            {
+            if self.log.first_time(&format!("element {} {}", origin.file.0, origin.start)) {
                 let message = format!("element {} is defined twice", element.label);
                 let error = Diagnostic::error(Code("SL0229"), message).at(origin);
                 self.log.push(error.label(self.elements[old].origin, "defined here first"));
@@ -404,7 +431,13 @@ impl Draft {
             return;
         }
         self.element_by_label.insert(element.label, self.elements.len());
+        self.spatial |= element.kind.is_spatial();
         self.elements.push(element);
+    }
+
+    /// Whether an element moves in space, not in a plane alone.
+    pub fn is_spatial(&self) -> bool {
+        self.spatial
     }
 
     /// The interaction of the `*INTERFACE` or `*SURFACE INTERACTION` that a

@@ -12,17 +12,22 @@
 //! complaints about what it caused.
 
 mod cards;
+mod constraints;
 mod draft;
 mod earlier;
 mod fillet;
 mod finish;
+mod instances;
 mod interpret;
 mod keyword;
 mod log;
+mod motion;
+mod parts;
 mod reading;
 mod registry;
 mod requests;
 mod rule;
+mod scopes;
 mod sets;
 mod surfaces;
 mod traps;

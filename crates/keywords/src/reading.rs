@@ -210,8 +210,6 @@ fn find_rule(parameter: &Parameter, keyword: Form, log: &mut Log) -> Option<&'st
             log.error("SL0203", message, word.span);
             None
         }
-        // Cards of an assembly name the instance they belong to.
-        Match::Unknown if log.has_parts && ["INSTANCE", "INTERNAL"].contains(&&*word.name) => None,
         Match::Unknown => {
             let message = format!("*{} has no parameter {}", keyword.name, word.raw);
             let error = Diagnostic::error(Code("SL0202"), message).at(word.span);

@@ -3,12 +3,13 @@
 use slideline_deck::normalise;
 
 use crate::cards::{
-    allowable, amplitude, beam_section, boundary, cload, contact_controls, contact_file,
-    contact_output, contact_pair, contact_print, controls, el_file, el_print, elastic, element,
-    element_output, elgen, elset, end_step, friction, heading, interface, material, mpc, ngen,
-    nmap, node, node_file, node_output, node_print, nset, output, print, restart, rigid_body,
-    rigid_surface, slide_line, solid_section, spring, static_, step, surface, surface_behavior,
-    surface_contact, surface_interaction, transverse_shear,
+    allowable, amplitude, assembly, beam_section, boundary, cload, contact_controls, contact_file,
+    contact_output, contact_pair, contact_print, controls, coupling, distributing, el_file,
+    el_print, elastic, element, element_output, elgen, elset, end_assembly, end_instance, end_part,
+    end_step, equation, friction, heading, instance, interface, kinematic, kinematic_coupling,
+    material, mpc, ngen, nmap, node, node_file, node_output, node_print, nset, output, part, print,
+    restart, rigid_body, rigid_surface, slide_line, solid_section, spring, static_, step, surface,
+    surface_behavior, surface_contact, surface_interaction, transverse_shear,
 };
 use crate::keyword::Keyword;
 use crate::reading::{Match, resolve};
@@ -18,6 +19,12 @@ use crate::rule::{Level, Rule};
 pub(crate) const REGISTRY: &[&'static dyn Keyword] = &[
     &heading::Heading,
     &restart::Restart,
+    &part::Part,
+    &end_part::EndPart,
+    &assembly::Assembly,
+    &end_assembly::EndAssembly,
+    &instance::Instance,
+    &end_instance::EndInstance,
     &node::Node,
     &ngen::Ngen,
     &nmap::Nmap,
@@ -44,6 +51,11 @@ pub(crate) const REGISTRY: &[&'static dyn Keyword] = &[
     &contact_pair::ContactPair,
     &contact_controls::ContactControls,
     &mpc::Mpc,
+    &equation::Equation,
+    &coupling::Coupling,
+    &kinematic::Kinematic,
+    &distributing::Distributing,
+    &kinematic_coupling::KinematicCoupling,
     &amplitude::Amplitude,
     &step::Step,
     &static_::Static,

@@ -9,7 +9,7 @@
 //! ```
 
 use slideline_diag::Span;
-use slideline_model::{Formulation, Interaction, SurfaceSegment};
+use slideline_model::{Formulation, Interaction, ProfilePoint, SurfaceSegment};
 
 use crate::log::Target;
 
@@ -33,7 +33,7 @@ pub(crate) struct NamedSurface {
 pub(crate) enum Extent {
     Elements(Vec<Stretch>),
     Nodes(Vec<(Target, Span)>),
-    Rigid { start: [f64; 2], segments: Vec<SurfaceSegment> },
+    Rigid { start: ProfilePoint, segments: Vec<SurfaceSegment> },
 }
 
 /// Elements, and which of their faces.
@@ -42,6 +42,8 @@ pub(crate) struct Stretch {
     pub elements: Target,
     pub span: Span,
     pub side: Option<Side>,
+    /// Face of a solid, from 0 for S1.
+    pub face: Option<usize>,
 }
 
 /// The face of a beam: the outward normal stands 90 degrees counter-clockwise
@@ -91,7 +93,11 @@ pub(crate) struct Pairing {
 pub(crate) struct RigidBody {
     pub reference: Target,
     pub reference_span: Span,
+    /// `ROT NODE`: the node whose displacements are the rotation.
+    pub turn: Option<(Target, Span)>,
     pub tied: Option<Named>,
+    /// Nodes that follow with their displacements alone.
+    pub pinned: Option<Named>,
     pub elements: Option<Named>,
     pub surface: Option<Named>,
     pub origin: Span,

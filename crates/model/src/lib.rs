@@ -17,6 +17,7 @@ mod contact;
 mod controls;
 mod element;
 mod node;
+mod numbering;
 mod output;
 mod refine;
 mod stabilisation;
@@ -26,7 +27,7 @@ mod vocabulary;
 pub use amplitude::Amplitude;
 pub use contact::{
     ContactElement, ContactPair, Decay, Formulation, Friction, Interaction, Lumping, Master,
-    RigidSurface, SlideLine, StickRule, SurfaceSegment,
+    ProfilePoint, RigidSurface, SlideLine, StickRule, SurfaceSegment,
 };
 pub use controls::{Controls, FieldControls, TimeIncrementation};
 pub use element::{
@@ -35,6 +36,7 @@ pub use element::{
     Undeformed, element_type, mean_at_nodes, types,
 };
 pub use node::{Dof, LinearConstraint, Node, NodeIndex, Nodes, RigidLink};
+pub use numbering::{Name, Numbering};
 pub use output::{
     ContactPrint, ContactVariable, ElementPrint, ElementVariable, NodePrint, NodeVariable,
     OutputRequests, PrintTarget, Request, SECTION_POINTS, SavedStates,
@@ -42,6 +44,7 @@ pub use output::{
 pub use refine::refine;
 pub use slideline_mech::contact::normal::NormalLaw;
 pub use slideline_mech::contact::onset::Onset;
+pub use slideline_mech::material::Material;
 pub use stabilisation::Stabilisation;
 pub use step::{Extrapolation, Load, Prescribed, Static, Step};
 pub use vocabulary::Vocabulary;
@@ -129,9 +132,32 @@ impl Model {
         nodes
     }
 
+    /// Gives the numbers of instances another stride: nodes, elements, and who names them.
+    pub fn restride(&mut self, stride: u64) {
+        let numbering = self.nodes.numbering().clone();
+        let new = |number: &mut u64| *number = numbering.restride(*number, stride);
+        self.blocks.iter_mut().flat_map(|block| block.elements.labels_mut()).for_each(new);
+        let pairs = self.contact_pairs.iter_mut().flat_map(|pair| &mut pair.elements);
+        pairs.map(|element| &mut element.label).for_each(new);
+        let steps = self.steps.iter_mut().flat_map(|step| &mut step.output.element_prints);
+        steps.flat_map(|print| &mut print.elements).for_each(new);
+        self.nodes.restride(stride);
+    }
+
+    /// Whether an element moves out of the plane.
+    pub fn is_in_space(&self) -> bool {
+        let outside = |block: &ElementBlock| block.kind.dofs.iter().any(|dof| !dof.is_plane());
+        self.blocks.iter().any(outside)
+    }
+
+    /// The directions in which a rigid body of the model moves.
+    pub fn directions(&self) -> &'static [Dof] {
+        if self.is_in_space() { &Dof::ALL } else { &Dof::PLANE }
+    }
+
     /// Number of state variables of all elements.
     pub fn element_states(&self) -> usize {
-        self.blocks.iter().map(|block| block.kind.states * block.elements.len()).sum()
+        self.blocks.iter().map(|block| block.states() * block.elements.len()).sum()
     }
 
     /// The amplitude of that name, letter case ignored.

@@ -2,9 +2,10 @@
 
 use crate::ledger::onset_word;
 use crate::number::general;
+use slideline_mech::element::solid;
 use slideline_model::{
     BeamSection, ContactPair, ElementBlock, ElementType, Formulation, Friction, Kinematics, Master,
-    Model, NodeIndex, NormalLaw, Section, SolidSection, SpringSection, Step, StickRule,
+    Material, Model, NodeIndex, NormalLaw, Section, SolidSection, SpringSection, Step, StickRule,
 };
 use slideline_solve::observe::{ContactRow, Frame};
 use std::fmt::Write as _;
@@ -15,6 +16,7 @@ pub fn model_echo(model: &Model, start: &Frame<'_>) -> String {
     let mut text = String::new();
     heading(&mut text, model);
     nodes(&mut text, model);
+    instances(&mut text, model);
     for block in &model.blocks {
         match &block.section {
             Section::Beam(section) => beams(&mut text, model, block, section),
@@ -55,6 +57,23 @@ fn nodes(text: &mut String, model: &Model) {
             let name = ["x", "y", "z"][axis];
             line!(text, "  {name} from {} to {}", general(low, 9), general(high, 9));
         }
+    }
+}
+
+/// Who has which numbers: in files a node of an instance has one number.
+fn instances(text: &mut String, model: &Model) {
+    let numbering = model.nodes.numbering();
+    if numbering.instances().is_empty() {
+        return;
+    }
+    if numbering.stride() == 0 {
+        line!(text, "\nINSTANCES  all numbers are those of the deck");
+        return;
+    }
+    line!(text, "\nINSTANCES  numbers in files of nodes and elements");
+    for (name, k) in numbering.instances().iter().zip(1_u64..) {
+        let offset = k * numbering.stride();
+        line!(text, "  {name}.n is {offset} + n");
     }
 }
 
@@ -116,7 +135,7 @@ fn transverse_shear(
 }
 
 fn distance(model: &Model, [first, second]: [NodeIndex; 2]) -> f64 {
-    let (a, b) = (model.nodes.plane(first), model.nodes.plane(second));
+    let (a, b) = (model.nodes.position(first), model.nodes.position(second));
     (b[0] - a[0]).hypot(b[1] - a[1])
 }
 
@@ -135,13 +154,34 @@ fn range(low: f64, high: f64) -> String {
 fn solids(text: &mut String, block: &ElementBlock, section: &SolidSection) {
     let (word, count) = (block.word(), block.elements.len());
     line!(text, "\nSOLIDS {}  {count} elements {word}", block.name);
-    line!(
-        text,
-        "  thickness {}; E = {}, nu = {}",
-        general(section.thickness, 9),
-        general(section.material.modulus, 9),
-        general(section.material.poisson, 9)
-    );
+    let material = match (&section.material, section.material.elastic()) {
+        (Material::Elastic(elastic, _), _) => {
+            format!("E = {}, nu = {}", general(elastic.modulus, 9), general(elastic.poisson, 9))
+        }
+        (Material::Anisotropic(_), _) => "anisotropic elasticity".to_owned(),
+        (Material::Rubber(_), Some(elastic)) => format!(
+            "rubber of shear modulus {} and bulk modulus {} at small strain",
+            general(elastic.shear_modulus(), 9),
+            general(elastic.bulk_modulus(), 9),
+        ),
+        (Material::Plastic(plastic), _) => format!(
+            "E = {}, nu = {}, yields at {}",
+            general(plastic.elastic.modulus, 9),
+            general(plastic.elastic.poisson, 9),
+            general(plastic.table.first().map_or(0.0, |line| line[0]), 9),
+        ),
+        _ => "a material of the embedding program".to_owned(),
+    };
+    if block.kind.is_spatial() {
+        line!(text, "  {material}");
+    } else {
+        line!(text, "  thickness {}; {material}", general(section.thickness, 9));
+    }
+    if let Kinematics::Solid { formulation, .. } = block.kind.kinematics
+        && formulation.contains(&solid::Formulation::Hourglass)
+    {
+        line!(text, "  hourglass control: stiffness of elastic bending");
+    }
 }
 
 /// Elements of a type that somebody else has defined.

@@ -79,6 +79,9 @@ impl Frd {
     }
 }
 
+/// Most nodes of an element on one line.
+const NODES_A_LINE: usize = 10;
+
 /// Title, nodes and elements, which are numbered in turn: a beam of three nodes
 /// is two lines. A String takes any text.
 fn push_mesh(text: &mut String, drawing: &Drawing, model: &Model, job: &str) {
@@ -90,13 +93,16 @@ fn push_mesh(text: &mut String, drawing: &Drawing, model: &Model, job: &str) {
     }
     text.push_str(" -3\n");
     let _ = writeln!(text, "    3C{:18}{:>12}{:37}1", "", drawing.pieces.len(), "");
-    for (place, Piece { kind, points, types, .. }) in drawing.pieces.iter().enumerate() {
-        let (number, group, kind) = (place + 1, *kind as u32, types[1]);
-        let _ = write!(text, " -1{number:>10}{kind:>5}{group:>5}{:>5}\n -2", 1);
-        for &point in points {
-            let _ = write!(text, "{:>10}", drawing.labels[point]);
+    for (place, Piece { kind, frd: (shape, points), .. }) in drawing.pieces.iter().enumerate() {
+        let (number, group) = (place + 1, *kind as u32);
+        let _ = writeln!(text, " -1{number:>10}{shape:>5}{group:>5}{:>5}", 1);
+        for line in points.chunks(NODES_A_LINE) {
+            text.push_str(" -2");
+            for &point in line {
+                let _ = write!(text, "{:>10}", drawing.labels[point]);
+            }
+            text.push('\n');
         }
-        text.push('\n');
     }
     text.push_str(" -3\n");
 }

@@ -7,7 +7,9 @@
 //!     (  x  )        chords; x: the node that carries them
 //! ```
 
-use slideline_model::{Dof, Kinematics, Master, Model, NodeIndex, RigidSurface, SurfaceSegment};
+use slideline_model::{
+    Dof, Kinematics, Master, Model, NodeIndex, ProfilePoint, RigidSurface, SurfaceSegment,
+};
 use slideline_results::NodeField;
 use slideline_solve::observe::Frame;
 
@@ -31,16 +33,16 @@ pub(crate) struct Piece {
     pub kind: Kind,
     /// Number of its element; 0 for a rigid surface.
     pub label: u64,
-    /// Places among the points.
-    pub points: Vec<usize>,
-    /// Its type in the numbers of VTK, and of CalculiX.
-    pub types: [u8; 2],
+    /// Its type and its places among the points, as VTK numbers them.
+    pub vtk: (u8, Vec<usize>),
+    /// The same as CalculiX numbers them.
+    pub frd: (u8, Vec<usize>),
 }
 
 impl Piece {
     /// All curves are lines (some readers know no poly-lines).
     fn line(kind: Kind, label: u64, points: [usize; 2]) -> Self {
-        Self { kind, label, points: points.to_vec(), types: [3, 11] }
+        Self { kind, label, vtk: (3, points.to_vec()), frd: (11, points.to_vec()) }
     }
 }
 
@@ -48,7 +50,7 @@ impl Piece {
 struct Outline {
     /// The node that carries it.
     reference: NodeIndex,
-    points: Vec<[f64; 2]>,
+    points: Vec<ProfilePoint>,
 }
 
 /// What viewers draw. Points are the nodes of the model, then those of rigid
@@ -69,12 +71,13 @@ impl Drawing {
             let kind = match block.kind.kinematics {
                 Kinematics::Beam { .. } => Kind::Beam,
                 Kinematics::Spring => Kind::Spring,
-                Kinematics::PlaneStrain | Kinematics::Other => Kind::Solid,
+                Kinematics::Solid { .. } | Kinematics::Other => Kind::Solid,
             };
             for element in &block.elements {
                 pieces.extend(block.kind.cell.pieces.iter().map(|piece| {
-                    let points = piece.nodes.iter().map(|&place| element.nodes[place]).collect();
-                    Piece { kind, label: element.label, points, types: [piece.vtk, piece.frd] }
+                    let of = |places: &[usize]| places.iter().map(|&p| element.nodes[p]).collect();
+                    let vtk = (piece.vtk, of(piece.nodes));
+                    Piece { kind, label: element.label, vtk, frd: (piece.frd, of(piece.frd_nodes)) }
                 }));
             }
         }
@@ -131,16 +134,16 @@ fn outlines(model: &Model) -> Vec<Outline> {
 }
 
 /// Undeformed points of every rigid surface [L].
-pub(crate) fn chains(model: &Model) -> impl Iterator<Item = Vec<[f64; 2]>> {
+pub(crate) fn chains(model: &Model) -> impl Iterator<Item = Vec<ProfilePoint>> {
     outlines(model).into_iter().map(|outline| outline.points)
 }
 
 impl Outline {
     /// Where one of its points is: x = x_ref + R(phi) (X - X_ref).
     /// [semantics: segments of a rigid surface]
-    fn carried(&self, frame: &Frame<'_>, point: [f64; 2]) -> [f64; 2] {
+    fn carried(&self, frame: &Frame<'_>, point: ProfilePoint) -> ProfilePoint {
         let reference = self.reference;
-        let origin = frame.model.nodes.plane(reference);
+        let origin = frame.model.nodes.position(reference);
         let moved = |dof| frame.nodal.displacement(reference, dof);
         let (sine, cosine) = moved(Dof::UR3).sin_cos();
         let arm = [point[0] - origin[0], point[1] - origin[1]];
@@ -174,7 +177,12 @@ fn outline(surface: &RigidSurface) -> Outline {
 }
 
 /// The shorter arc from `from` to `end`.
-fn push_arc(points: &mut Vec<[f64; 2]>, from: [f64; 2], end: [f64; 2], centre: [f64; 2]) {
+fn push_arc(
+    points: &mut Vec<ProfilePoint>,
+    from: ProfilePoint,
+    end: ProfilePoint,
+    centre: ProfilePoint,
+) {
     let arm = [from[0] - centre[0], from[1] - centre[1]];
     let last = [end[0] - centre[0], end[1] - centre[1]];
     let turn = (arm[0] * last[1] - arm[1] * last[0]).atan2(arm[0] * last[0] + arm[1] * last[1]);
@@ -189,7 +197,7 @@ fn push_arc(points: &mut Vec<[f64; 2]>, from: [f64; 2], end: [f64; 2], centre: [
 }
 
 /// The quadratic through three points, the second at half the parameter.
-fn push_parabola(points: &mut Vec<[f64; 2]>, [from, middle, end]: [[f64; 2]; 3]) {
+fn push_parabola(points: &mut Vec<ProfilePoint>, [from, middle, end]: [ProfilePoint; 3]) {
     for chord in 1..CHORDS {
         let s = f64::from(chord) / f64::from(CHORDS);
         let weights = [(1.0 - s) * (1.0 - 2.0 * s), 4.0 * s * (1.0 - s), s * (2.0 * s - 1.0)];

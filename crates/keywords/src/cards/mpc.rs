@@ -2,8 +2,9 @@
 
 use slideline_deck::{DataLine, normalise};
 
+use crate::constraints::{Link, LinkKind};
 use crate::draft::Draft;
-use crate::draft::Link;
+
 use crate::keyword::{Keyword, Level, Subject};
 use crate::reading::Reading;
 
@@ -28,7 +29,7 @@ impl Keyword for Mpc {
     }
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
-        if card.first_line("BEAM, dependent, master", &mut draft.log).is_none() {
+        if card.first_line("type, dependent, master", &mut draft.log).is_none() {
             return;
         }
         for line in card.data() {
@@ -40,17 +41,23 @@ impl Keyword for Mpc {
 }
 
 fn link(line: &DataLine, draft: &mut Draft) -> Option<Link> {
-    let kind = line.field(0).map_or("", |field| &field.text);
-    if normalise(kind) != "BEAM" {
-        let span = line.fields.first().map_or(line.span, |field| field.span);
-        let message = format!("*MPC of type `{kind}` is not supported: BEAM only");
-        draft.log.error("SL0221", message, span);
-        return None;
-    }
+    let word = line.field(0).map_or("", |field| &field.text);
+    let kind = match normalise(word).as_str() {
+        "BEAM" => LinkKind::Beam,
+        "TIE" => LinkKind::Tie,
+        "PIN" => LinkKind::Pin,
+        _ => {
+            let span = line.fields.first().map_or(line.span, |field| field.span);
+            let message = format!("*MPC of type `{word}` is not supported: BEAM, TIE or PIN");
+            draft.log.error("SL0221", message, span);
+            return None;
+        }
+    };
     draft.log.at_most(line, 3);
     let dependent = draft.log.target(line, 1, "the dependent node or set");
     let master = draft.log.target(line, 2, "the master node");
     Some(Link {
+        kind,
         dependent: dependent?,
         dependent_span: line.fields[1].span,
         master: master?,

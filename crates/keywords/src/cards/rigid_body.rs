@@ -1,7 +1,7 @@
 //! `*RIGID BODY`: nodes, elements and an analytical surface that move with a
 //! reference node.
 
-use slideline_deck::{Field, integer, normalise, parse_integer};
+use slideline_deck::{Field, integer, parse_integer};
 use slideline_diag::{Code, Diagnostic};
 
 use crate::draft::Draft;
@@ -25,6 +25,9 @@ impl Keyword for RigidBody {
             Rule::value("TIE NSET"),
             Rule::value("ELSET"),
             Rule::value("PIN NSET"),
+            Rule::value("NSET"),
+            Rule::value("ROT NODE"),
+            Rule::value("ISOTHERMAL"),
             Rule::value("POSITION"),
         ];
         RULES
@@ -48,20 +51,29 @@ impl Keyword for RigidBody {
         let named = |parameter: &str| {
             card.name(parameter).map(|name| Named { name, span: card.span_of(parameter) })
         };
-        let (tied, elements) = (named("TIE NSET"), named("ELSET"));
+        let (tied, elements) = (named("TIE NSET").or(named("NSET")), named("ELSET"));
+        if card.has("TIE NSET") && card.has("NSET") {
+            let message = "NSET and TIE NSET mean the same: give one of them";
+            draft.log.error("SL0215", message, card.span_of("NSET"));
+        }
+        let pinned = named("PIN NSET");
         let surface = named("ANALYTICAL SURFACE");
-        let parts = ["TIE NSET", "ELSET", "ANALYTICAL SURFACE", "PIN NSET"];
+        let parts = ["TIE NSET", "NSET", "ELSET", "ANALYTICAL SURFACE", "PIN NSET"];
         if !parts.into_iter().any(|part| card.has(part)) {
-            let message = "*RIGID BODY needs ANALYTICAL SURFACE=, TIE NSET= or ELSET=";
+            let message =
+                "*RIGID BODY needs ANALYTICAL SURFACE=, TIE NSET=, PIN NSET=, NSET= or ELSET=";
             draft.log.error("SL0205", message, card.span());
             return;
         }
-        let Some(reference) = reference(card, draft) else { return };
+        let Some(reference) = node(card, "REF NODE", draft) else { return };
+        let turn = node(card, "ROT NODE", draft).map(|node| (node, card.span_of("ROT NODE")));
         let (reference_span, origin) = (card.span_of("REF NODE"), card.span());
         draft.bodies.push(surfaces::RigidBody {
             reference,
             reference_span,
+            turn,
             tied,
+            pinned,
             elements,
             surface,
             origin,
@@ -70,11 +82,6 @@ impl Keyword for RigidBody {
 }
 
 fn unsupported(card: &Reading<'_>, draft: &mut Draft) {
-    if card.has("PIN NSET") {
-        let error = Diagnostic::error(Code("SL0221"), "PIN NSET is not supported");
-        let help = "TIE NSET ties displacements and rotation to the reference node";
-        draft.log.push(error.at(card.span_of("PIN NSET")).help(help));
-    }
     let known = &["INPUT", "CENTER OF MASS"];
     if let Some("CENTER OF MASS") = card.choice("POSITION", known, &mut draft.log) {
         let message = "POSITION=CENTER OF MASS is not supported";
@@ -84,10 +91,10 @@ fn unsupported(card: &Reading<'_>, draft: &mut Draft) {
 }
 
 /// A node, or the name of a set of one node.
-fn reference(card: &Reading<'_>, draft: &mut Draft) -> Option<Target> {
-    let word = card.word("REF NODE")?;
+pub(super) fn node(card: &Reading<'_>, parameter: &str, draft: &mut Draft) -> Option<Target> {
+    let word = card.word(parameter)?;
     if parse_integer(&word.raw).is_err() {
-        return card.name("REF NODE").map(|_| Target::Set(normalise(&word.raw)));
+        return card.name(parameter).map(|name| draft.log.instances.target(name));
     }
     let value = draft.log.take(integer(&Field { text: word.raw.clone(), span: word.span }))?;
     let label = u64::try_from(value).ok().filter(|_| (1..=MAX_LABEL).contains(&value));

@@ -18,8 +18,12 @@ impl Keyword for Surface {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] =
-            &[Rule::required("NAME"), Rule::value("TYPE"), Rule::value("FILLET RADIUS")];
+        const RULES: &[Rule] = &[
+            Rule::required("NAME"),
+            Rule::value("TYPE"),
+            Rule::value("FILLET RADIUS"),
+            Rule::flag("INTERNAL"),
+        ];
         RULES
     }
 
@@ -81,9 +85,12 @@ fn elements(card: &Reading<'_>, draft: &mut Draft) -> Option<Extent> {
     for line in card.data() {
         draft.log.at_most(line, 2);
         let elements = draft.log.target(line, 0, "the element set");
-        let side = side(card, line, draft);
+        let (side, face) = match face(line) {
+            Some(face) => (Some(None), Some(face)),
+            None => (side(card, line, draft), None),
+        };
         let Some((elements, side)) = elements.zip(side) else { continue };
-        stretches.push(Stretch { elements, span: line.fields[0].span, side });
+        stretches.push(Stretch { elements, span: line.fields[0].span, side, face });
     }
     Some(Extent::Elements(stretches))
 }
@@ -96,23 +103,26 @@ fn side(card: &Reading<'_>, line: &DataLine, draft: &mut Draft) -> Option<Option
         "SPOS" => Some(Some(Side::Positive)),
         "SNEG" => Some(Some(Side::Negative)),
         _ => {
-            // A face of solid elements: these have been refused, which is the cause.
-            let of_a_solid = !draft.is_complete(Subject::Elements)
-                && field.text.starts_with(['S', 's'])
-                && field.text[1..].parse::<u8>().is_ok();
             let key = format!("face {} {}", card.span().start, normalise(&field.text));
-            if of_a_solid || !draft.log.first_time(&key) {
+            if !draft.log.first_time(&key) {
                 return None;
             }
-            let message = format!("`{}` is not a face of a beam", field.text);
+            let message = format!("`{}` is not a face", field.text);
             let error = Diagnostic::error(Code("SL0256"), message).at(field.span);
             draft.log.push(error.help(
-                "SPOS is the face 90 degrees counter-clockwise of the element's direction, \
-                 SNEG the other one",
+                "S1 to S6 are faces of solids; of a beam SPOS is the face 90 degrees \
+                 counter-clockwise of the element's direction, SNEG the other one",
             ));
             None
         }
     }
+}
+
+/// The face of a solid, `S1` to `S6`, from 0.
+pub(super) fn face(line: &DataLine) -> Option<usize> {
+    let name = normalise(&line.field(1)?.text);
+    let number: usize = name.strip_prefix('S')?.parse().ok()?;
+    (1..=6).contains(&number).then(|| number - 1)
 }
 
 /// Lines of `node set or node`.

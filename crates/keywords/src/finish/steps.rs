@@ -64,17 +64,15 @@ impl Carried {
 
 pub(super) fn steps(draft: &mut Draft, doubted: bool) {
     presence(draft, doubted);
-    let dependents: HashMap<NodeIndex, Span> =
-        draft.model.rigid_links.iter().map(|link| (link.dependent, link.origin)).collect();
     let mut carried = Carried { restart: draft.restart, ..Carried::default() };
     for line in std::mem::take(&mut draft.initial) {
-        prescribe(&line, &dependents, &mut carried.prescribed, draft);
+        prescribe(&line, &mut carried.prescribed, draft);
     }
     for step in std::mem::take(&mut draft.steps) {
         if !draft.expand(carried.size(), step.origin) {
             break;
         }
-        let finished = finish(step, &dependents, &mut carried, draft);
+        let finished = finish(step, &mut carried, draft);
         settle(&mut carried, &finished, draft);
         draft.model.steps.push(finished);
     }
@@ -104,12 +102,7 @@ fn presence(draft: &mut Draft, doubted: bool) {
     }
 }
 
-fn finish(
-    step: StepDraft,
-    dependents: &HashMap<NodeIndex, Span>,
-    carried: &mut Carried,
-    draft: &mut Draft,
-) -> Step {
+fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
     if step.new_boundary {
         carried.prescribed = InForce::default();
     }
@@ -117,7 +110,7 @@ fn finish(
         carried.loads = InForce::default();
     }
     for line in &step.boundary {
-        prescribe(line, dependents, &mut carried.prescribed, draft);
+        prescribe(line, &mut carried.prescribed, draft);
     }
     for line in &step.loads {
         load(line, &mut carried.loads, draft);
@@ -184,27 +177,49 @@ fn amplitude(line: &Boundary, draft: &mut Draft) -> Option<usize> {
     found
 }
 
-/// Dofs that the plane does not have are passed over: `1, 1, 6` is common.
-fn prescribe(
-    line: &Boundary,
-    dependents: &HashMap<NodeIndex, Span>,
-    into: &mut InForce<Prescribed>,
-    draft: &mut Draft,
-) {
+/// Dofs that the model does not have are passed over: `1, 1, 6` is common.
+fn prescribe(line: &Boundary, into: &mut InForce<Prescribed>, draft: &mut Draft) {
     let amplitude = amplitude(line, draft);
     for node in draft.nodes_of(&line.target, line.target_span) {
-        for &dof in line.dofs.iter().filter(|dof| dof.is_plane()) {
-            if let Some(&link) = dependents.get(&node) {
+        for &dof in &line.dofs {
+            if !draft.has_motion(node, dof) {
+                continue;
+            }
+            if let Some(&link) = draft.dependents.get(&(node, dof)) {
                 let label = draft.model.nodes.label(node);
-                let message = format!("node {label} follows a rigid link and cannot be prescribed");
+                let message =
+                    format!("dof {} of node {label} follows others: not prescribed", dof.number());
                 let error = Diagnostic::error(Code("SL0315"), message).at(line.target_span);
-                let error = error.label(link, "linked here");
-                draft.consequence(Subject::Links, error.help("prescribe the master node instead"));
+                let error = error.label(link, "it follows here");
+                let help = "prescribe what it follows; an equation eliminates its first dof";
+                draft.consequence(Subject::Links, error.help(help));
             }
             let (value, origin) = (line.value, line.origin);
             into.set(node, dof, Prescribed { node, dof, value, amplitude, origin });
         }
     }
+}
+
+impl Draft {
+    /// Whether the model moves a node that way: rotation nodes of bodies keep the displacements
+    /// that are rotations.
+    fn has_motion(&self, node: NodeIndex, dof: Dof) -> bool {
+        let is_turn = || self.model.rigid_links.iter().any(|link| link.turn == Some(node));
+        self.model.directions().contains(&dof) || (!dof.is_rotation() && is_turn())
+    }
+}
+
+/// Every dof that some step, or the deck before the first one, prescribes.
+pub(super) fn prescribed(draft: &mut Draft) -> HashSet<(NodeIndex, Dof)> {
+    let steps = draft.steps.iter().flat_map(|step| &step.boundary);
+    let lines: Vec<Boundary> = draft.initial.iter().chain(steps).cloned().collect();
+    let mut all = HashSet::new();
+    for line in lines {
+        for node in draft.nodes_of(&line.target, line.target_span) {
+            all.extend(line.dofs.iter().map(|&dof| (node, dof)));
+        }
+    }
+    all
 }
 
 fn load(line: &Boundary, into: &mut InForce<Load>, draft: &mut Draft) {

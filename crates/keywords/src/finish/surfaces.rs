@@ -3,7 +3,9 @@
 use std::collections::HashSet;
 
 use slideline_diag::{Code, Diagnostic, Span};
-use slideline_model::{ContactElement, Lumping, NodeIndex, RigidSurface, SurfaceSegment};
+use slideline_model::{
+    ContactElement, Lumping, NodeIndex, ProfilePoint, RigidSurface, SurfaceSegment,
+};
 
 use super::chain::Facet;
 use crate::draft::{Draft, Element};
@@ -86,7 +88,10 @@ fn facets(surface: &NamedSurface, stretches: &[Stretch], draft: &mut Draft) -> O
                     element.kind.name()
                 );
                 let error = Diagnostic::error(Code("SL0332"), message).at(stretch.span);
-                draft.consequence(Subject::Elements, error.help("surfaces are made of beams"));
+                draft.consequence(
+                    Subject::Elements,
+                    error.help("contact is between beams and analytical surfaces"),
+                );
                 return None;
             }
             let Some((nodes, middle)) = draft.beam_nodes(&element) else { continue };
@@ -104,7 +109,7 @@ fn facets(surface: &NamedSurface, stretches: &[Stretch], draft: &mut Draft) -> O
     Some(facets)
 }
 
-fn elements_of(stretch: &Stretch, draft: &mut Draft) -> Vec<usize> {
+pub(super) fn elements_of(stretch: &Stretch, draft: &mut Draft) -> Vec<usize> {
     match &stretch.elements {
         Target::Set(set) => draft.elements_of(set, stretch.span).unwrap_or_default(),
         Target::Label(label) => {
@@ -152,7 +157,7 @@ fn empty(surface: &NamedSurface, what: &str, draft: &mut Draft) {
 /// An analytical surface with the reference node of its body.
 fn rigid(
     surface: &NamedSurface,
-    start: [f64; 2],
+    start: ProfilePoint,
     segments: &[SurfaceSegment],
     user: Span,
     draft: &mut Draft,
@@ -211,7 +216,7 @@ pub(super) fn stretches(
     let mut stretches = Vec::new();
     for (pair, label) in nodes.windows(2).zip(1..) {
         let ends = [pair[0], pair[1]];
-        if draft.model.nodes.plane(ends[0]) == draft.model.nodes.plane(ends[1]) {
+        if draft.model.nodes.position(ends[0]) == draft.model.nodes.position(ends[1]) {
             let [a, b] = ends.map(|node| draft.model.nodes.label(node));
             let message = format!("nodes {a} and {b} of the surface coincide: they have no area");
             let error = Diagnostic::error(Code("SL0306"), message).at(origin);

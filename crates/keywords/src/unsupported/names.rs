@@ -1,14 +1,12 @@
 //! The keywords by what is said of them.
 
-use Treatment::{Ignored, Parameters, Parts, Unsupported};
+use Treatment::{Ignored, Parameters, Unsupported};
 
 /// What becomes of a keyword of another program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Treatment {
     /// It has no effect in a static step of beams: passed over with a note.
     Ignored,
-    /// Another way of organising a deck; the rest of it cannot be judged.
-    Parts,
     /// Values behind names, which the data lines then use.
     Parameters,
     /// It changes the model, which stops the run.
@@ -19,14 +17,6 @@ pub(crate) enum Treatment {
 type Group = (Treatment, &'static str, &'static [&'static str]);
 
 pub(super) const GROUPS: &[Group] = &[
-    (
-        Parts,
-        "write one flat model. Abaqus/CAE does so with \"Do not use parts and assemblies in input \
-         files\" (Model > Edit Attributes). By hand: give every instance its own node and element \
-         numbers and its place in the assembly, then take *PART, *INSTANCE, *ASSEMBLY and their \
-         *END cards out",
-        &["PART", "END PART", "INSTANCE", "END INSTANCE", "ASSEMBLY", "END ASSEMBLY"],
-    ),
     (
         Parameters,
         "write the numbers themselves in place of the names in <...>",
@@ -125,13 +115,8 @@ pub(super) const GROUPS: &[Group] = &[
     ),
     (
         Unsupported,
-        "use *RIGID BODY, TIE NSET=, or *MPC of type BEAM",
-        &["COUPLING", "KINEMATIC", "KINEMATIC COUPLING"],
-    ),
-    (
-        Unsupported,
         "a load on a node is *CLOAD; a rigid link to several nodes is *MPC of type BEAM",
-        &["DISTRIBUTING", "DISTRIBUTING COUPLING", "DISTRIBUTION", "DISTRIBUTION TABLE"],
+        &["DISTRIBUTING COUPLING", "DISTRIBUTION", "DISTRIBUTION TABLE"],
     ),
     (
         Unsupported,
@@ -145,7 +130,7 @@ pub(super) const GROUPS: &[Group] = &[
             "SHELL TO SOLID COUPLING",
         ],
     ),
-    (Unsupported, "use *MPC of type BEAM for rigid links", &["EQUATION", "NETWORKMPC"]),
+    (Unsupported, "use *MPC of type BEAM for rigid links", &["NETWORKMPC"]),
     (
         Unsupported,
         "preload a bolt by a prescribed displacement in a first step (*BOUNDARY)",

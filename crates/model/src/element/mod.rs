@@ -6,6 +6,7 @@
 
 mod kernels;
 mod section;
+mod solids;
 mod table;
 
 pub use section::{BeamSection, Section, ShearRule, SolidSection, SpringSection};
@@ -48,6 +49,11 @@ impl ElementBlock {
             self.elements.push(label, nodes.as_ref(), self.origin);
         }
         self
+    }
+
+    /// Number of state variables of an element.
+    pub fn states(&self) -> usize {
+        (self.kind.states)(&self.section)
     }
 
     /// The type in a deck's words.
@@ -146,6 +152,11 @@ impl Elements {
         self.named.push((label, origin));
         let filled = nodes.iter().copied().chain(std::iter::repeat(last));
         self.nodes.extend(filled.take(self.width));
+    }
+
+    /// The label of each, to be changed.
+    pub fn labels_mut(&mut self) -> impl Iterator<Item = &mut u64> {
+        self.named.iter_mut().map(|(label, _)| label)
     }
 
     /// How many.

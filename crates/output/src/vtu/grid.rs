@@ -199,13 +199,13 @@ fn topology(drawing: &Drawing) -> Vec<u8> {
     let pieces = || drawing.pieces.iter();
     let mut end = 0;
     let ends = pieces().map(|piece| {
-        end += piece.points.len() as u64;
+        end += piece.vtk.1.len() as u64;
         end
     });
-    let types: Vec<u8> = pieces().map(|piece| piece.types[0]).collect();
+    let types: Vec<u8> = pieces().map(|piece| piece.vtk.0).collect();
     let mut text = Text::default();
     text.push(b"<Cells>\n");
-    let points = pieces().flat_map(|piece| piece.points.iter().map(|&point| point as u64));
+    let points = pieces().flat_map(|piece| piece.vtk.1.iter().map(|&point| point as u64));
     text.push_long("connectivity", points);
     text.push_long("offsets", ends);
     text.push_types(&types);

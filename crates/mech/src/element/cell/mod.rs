@@ -1,22 +1,30 @@
 //! Reference cells: what an element is made of before any physics.
 //!
 //! ```text
-//!   point   1-----2   1--2--3    4-----3      3
-//!     o      line2     line3     |     |     / \
-//!                                1-----2    1---2
-//!                                 quad4     tri3
+//!   point   1-----2   1--2--3    4-----3      3        4          6      8-----7
+//!     o      line2     line3     |     |     / \      /|\        /|\    /|    /|
+//!                                1-----2    1---2    1-|-3      4---5  5-----6 |
+//!                                 quad4     tri3      \|/       | 3 |  | 4---|-3
+//!                                                      2        1---2  1-----2
+//!                                                     tet4      wedge6   hex8
 //! ```
 //!
-//! Numbers of nodes, faces and integration points count from 1 in decks and from 0 here.
+//! Numbers of nodes, faces and integration points count from 1 in decks and from 0 here. Node and
+//! face numbers are those of Abaqus; areas and volumes have a positive Jacobian.
 
+mod areas;
+mod cube;
 mod line;
-mod quad;
+mod simplex;
+mod volumes;
+mod wedge;
 
+pub use areas::{QUAD4, QUAD8, TRI3, TRI6};
 pub use line::{line3_shapes, line3_slopes};
-pub use quad::{quad4_shapes, quad4_slopes};
+pub use volumes::{HEX8, HEX20, TET4, TET10, WEDGE6, WEDGE15};
 
-/// A reference cell as files and surfaces see it.
-#[derive(Debug, PartialEq)]
+/// A reference cell as elements, files and surfaces see it.
+#[derive(Debug)]
 pub struct Cell {
     /// Its name.
     pub name: &'static str,
@@ -24,11 +32,25 @@ pub struct Cell {
     pub dimension: usize,
     /// Number of nodes.
     pub nodes: usize,
-    /// Nodes of each face, in the order in which decks number faces (S1, S2, ...), each from its
-    /// first node to its last with the material on the left.
+    /// Nodes of each face, in the order in which decks number faces (S1, S2, ...). Of an area each
+    /// from its first node to its last with the material on the left; of a volume the corners
+    /// counter-clockwise as seen from outside, then the middle nodes, the first one between the
+    /// first two corners.
     pub faces: &'static [&'static [usize]],
     /// The pieces that viewers are given.
     pub pieces: &'static [Piece],
+    /// Where the nodes stand on the reference cell; none where nothing is interpolated.
+    pub places: &'static [[f64; 3]],
+    /// Writes the shape functions at a place.
+    pub shapes: fn(&[f64; 3], &mut [f64]),
+    /// Writes their derivatives by the coordinates of the reference cell.
+    pub slopes: fn(&[f64; 3], &mut [[f64; 3]]),
+}
+
+impl PartialEq for Cell {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+    }
 }
 
 /// A piece of a cell in files for viewers.
@@ -38,56 +60,47 @@ pub struct Piece {
     pub vtk: u8,
     /// Type in `.frd` files.
     pub frd: u8,
-    /// Its nodes, in the order of both.
+    /// Its nodes, in the order of VTK files.
     pub nodes: &'static [usize],
+    /// Its nodes, in the order of `.frd` files.
+    pub frd_nodes: &'static [usize],
 }
 
 /// A single node: nothing to be drawn.
-pub static POINT: Cell = Cell { name: "point", dimension: 0, nodes: 1, faces: &[], pieces: &[] };
+pub static POINT: Cell = Cell { name: "point", nodes: 1, ..NOTHING };
 
 /// Two nodes.
 pub static LINE2: Cell =
-    Cell { name: "line2", dimension: 1, nodes: 2, faces: &[], pieces: &[line([0, 1].as_slice())] };
+    Cell { name: "line2", dimension: 1, nodes: 2, pieces: &[line(&[0, 1])], ..NOTHING };
 
 /// End, middle, end; drawn as two straight lines.
 pub static LINE3: Cell = Cell {
     name: "line3",
     dimension: 1,
     nodes: 3,
-    faces: &[],
-    pieces: &[line([0, 1].as_slice()), line([1, 2].as_slice())],
+    pieces: &[line(&[0, 1]), line(&[1, 2])],
+    ..NOTHING
 };
 
-/// Four corners counter-clockwise. Faces: S1 from node 1 to 2, S2 from 2 to 3, S3 from 3 to 4, S4
-/// from 4 to 1.
-pub static QUAD4: Cell = Cell {
-    name: "quad4",
-    dimension: 2,
-    nodes: 4,
-    faces: &[&[0, 1], &[1, 2], &[2, 3], &[3, 0]],
-    pieces: &[Piece { vtk: 9, frd: 9, nodes: &[0, 1, 2, 3] }],
+const NOTHING: Cell = Cell {
+    name: "",
+    dimension: 0,
+    nodes: 0,
+    faces: &[],
+    pieces: &[],
+    places: &[],
+    shapes: |_, _| {},
+    slopes: |_, _| {},
 };
 
 const fn line(nodes: &'static [usize]) -> Piece {
-    Piece { vtk: 3, frd: 11, nodes }
+    Piece { vtk: 3, frd: 11, nodes, frd_nodes: nodes }
+}
+
+/// A piece whose nodes stand in the same order in both kinds of file.
+const fn piece(vtk: u8, frd: u8, nodes: &'static [usize]) -> Piece {
+    Piece { vtk, frd, nodes, frd_nodes: nodes }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Requirement: a row of the table agrees with itself: nodes of faces and pieces exist, the
-    /// faces of an area run once around it.
-    #[test]
-    fn cells_agree_with_themselves() {
-        for cell in [&POINT, &LINE2, &LINE3, &QUAD4] {
-            let named = cell.faces.iter().copied().chain(cell.pieces.iter().map(|p| p.nodes));
-            assert!(named.flatten().all(|&node| node < cell.nodes), "{}", cell.name);
-        }
-        let ends = QUAD4.faces.iter().map(|face| (face[0], face[face.len() - 1]));
-        let ends: Vec<(usize, usize)> = ends.collect();
-        for (place, (_, last)) in ends.iter().enumerate() {
-            assert_eq!(*last, ends[(place + 1) % ends.len()].0);
-        }
-    }
-}
+mod tests;

@@ -1,0 +1,76 @@
+//! Constraints as cards give them: who follows whom, by number and name.
+
+use slideline_diag::Span;
+use slideline_model::Dof;
+
+use crate::instances::Target;
+use crate::surfaces::Named;
+
+/// A line of `*MPC`.
+#[derive(Clone, Debug)]
+pub(crate) struct Link {
+    pub kind: LinkKind,
+    pub dependent: Target,
+    pub dependent_span: Span,
+    pub master: Target,
+    pub master_span: Span,
+    pub origin: Span,
+}
+
+/// The type of an `*MPC`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum LinkKind {
+    /// A rigid bar, welded at both ends.
+    Beam,
+    /// All dofs equal.
+    Tie,
+    /// Displacements equal.
+    Pin,
+}
+
+/// One equation of `*EQUATION`.
+#[derive(Clone, Debug)]
+pub(crate) struct Equation {
+    pub terms: Vec<Term>,
+    /// Its first line.
+    pub origin: Span,
+}
+
+/// A term of an equation.
+#[derive(Clone, Debug)]
+pub(crate) struct Term {
+    pub node: Target,
+    pub span: Span,
+    pub dof: Dof,
+    pub factor: f64,
+}
+
+/// `*COUPLING` with what follows it, `*KINEMATIC COUPLING`, `*DISTRIBUTING COUPLING`.
+#[derive(Clone, Debug)]
+pub(crate) struct Coupling {
+    pub reference: Target,
+    pub reference_span: Span,
+    pub points: Vec<Points>,
+    pub kind: CouplingKind,
+    pub origin: Span,
+}
+
+/// Points that are coupled.
+#[derive(Clone, Debug)]
+pub(crate) enum Points {
+    /// A node or a set, with the dofs that follow and a weight.
+    Nodes { target: Target, span: Span, weight: f64 },
+    /// The nodes of a surface.
+    Surface(Named),
+}
+
+/// How nodes are coupled to the reference node.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum CouplingKind {
+    /// Not said yet.
+    Open,
+    /// They follow it rigidly, with these dofs.
+    Kinematic([bool; 6]),
+    /// It follows their mean, with these dofs.
+    Distributing([bool; 6]),
+}

@@ -1,0 +1,156 @@
+//! Faces of solids: those that a surface names, and those on its outside.
+//!
+//! ```text
+//!    o-----o-----o     S1..S6 name a face of an element;
+//!    |     |     |     without a label a set stands for its free faces,
+//!    o-----o-----o     those that no other element of the set shares
+//! ```
+
+use std::collections::HashMap;
+
+use slideline_diag::{Code, Diagnostic, Span};
+use slideline_model::NodeIndex;
+
+use crate::draft::{Draft, ElementKind};
+use crate::rule::Subject;
+use crate::surfaces::{Extent, NamedSurface, Stretch};
+
+/// A face of a solid, or a beam as a line.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct SolidFace {
+    /// Place of its element in the draft.
+    pub element: usize,
+    /// Number of the face from 0; `None` for a line element as a whole.
+    pub face: Option<usize>,
+    /// Its nodes in the order of the cell.
+    pub nodes: Vec<NodeIndex>,
+    /// Where it was named.
+    pub span: Span,
+}
+
+/// The faces of a surface of elements; none for other surfaces.
+pub(super) fn faces(surface: &NamedSurface, draft: &mut Draft) -> Vec<SolidFace> {
+    let Extent::Elements(stretches) = &surface.extent else { return Vec::new() };
+    let mut faces = Vec::new();
+    for stretch in stretches {
+        let found = super::surfaces::elements_of(stretch, draft);
+        match stretch.face {
+            Some(face) => named(&found, face, stretch, draft, &mut faces),
+            None => free(&found, stretch.span, draft, &mut faces),
+        }
+    }
+    faces
+}
+
+/// Complains about faces that elements do not have, whoever uses the surface.
+pub(super) fn check(draft: &mut Draft) {
+    for surface in draft.named_surfaces.clone() {
+        let Extent::Elements(stretches) = &surface.extent else { continue };
+        for stretch in stretches {
+            let Some(face) = stretch.face else { continue };
+            let found = super::surfaces::elements_of(stretch, draft);
+            let lacks = |&&index: &&usize| face_nodes(index, Some(face), draft).is_none();
+            if let Some(&index) = found.iter().find(lacks) {
+                no_face(index, face, stretch.span, draft);
+            }
+        }
+    }
+}
+
+/// The nodes of a surface of any kind, each once.
+pub(super) fn nodes_of_surface(surface: &NamedSurface, draft: &mut Draft) -> Vec<NodeIndex> {
+    let mut nodes = Vec::new();
+    match &surface.extent {
+        Extent::Elements(_) => {
+            nodes.extend(faces(surface, draft).into_iter().flat_map(|face| face.nodes));
+        }
+        Extent::Nodes(targets) => {
+            for (target, span) in targets {
+                nodes.extend(draft.nodes_of(target, *span));
+            }
+        }
+        Extent::Rigid { .. } => {}
+    }
+    let mut seen = std::collections::HashSet::new();
+    nodes.retain(|node| seen.insert(*node));
+    nodes
+}
+
+/// One face of each element.
+fn named(
+    found: &[usize],
+    face: usize,
+    stretch: &Stretch,
+    draft: &mut Draft,
+    into: &mut Vec<SolidFace>,
+) {
+    for &index in found {
+        match face_nodes(index, Some(face), draft) {
+            Some(nodes) => {
+                into.push(SolidFace {
+                    element: index,
+                    face: Some(face),
+                    nodes,
+                    span: stretch.span,
+                });
+            }
+            None => no_face(index, face, stretch.span, draft),
+        }
+    }
+}
+
+pub(super) fn no_face(index: usize, face: usize, span: Span, draft: &mut Draft) {
+    let element = draft.elements[index];
+    let count = match element.kind {
+        ElementKind::Structural(row) => row.cell.faces.len(),
+        _ => 0,
+    };
+    if face < count {
+        return; // its nodes do not exist, which has been said
+    }
+    let message = format!("a {} element has no face {}", element.kind.name(), face + 1);
+    let error = Diagnostic::error(Code("SL0256"), message).at(span);
+    let help = match count {
+        0 => "it has no faces; a beam has SPOS and SNEG".to_owned(),
+        _ => format!("its faces are 1 to {count}"),
+    };
+    draft.consequence(Subject::Elements, error.help(help));
+}
+
+/// The nodes of a face; of the whole element where it is a line. `None` where there is no such
+/// face or a node does not exist.
+pub(super) fn face_nodes(
+    index: usize,
+    face: Option<usize>,
+    draft: &Draft,
+) -> Option<Vec<NodeIndex>> {
+    let element = draft.elements[index];
+    let ElementKind::Structural(row) = element.kind else { return None };
+    let find = |place: usize| draft.model.nodes.find(*element.nodes().get(place)?);
+    match face {
+        Some(face) => row.cell.faces.get(face)?.iter().map(|&place| find(place)).collect(),
+        None => (0..row.cell.nodes).map(find).collect(),
+    }
+}
+
+/// The faces that only one element of the list has; lines are surfaces themselves.
+fn free(found: &[usize], span: Span, draft: &Draft, into: &mut Vec<SolidFace>) {
+    let mut owners: HashMap<Vec<NodeIndex>, usize> = HashMap::new();
+    let mut all = Vec::new();
+    for &index in found {
+        let ElementKind::Structural(row) = draft.elements[index].kind else { continue };
+        let faces: Vec<Option<usize>> = match row.cell.faces.len() {
+            0 => vec![None],
+            count => (0..count).map(Some).collect(),
+        };
+        for face in faces {
+            let Some(nodes) = face_nodes(index, face, draft) else { continue };
+            let mut key = nodes.clone();
+            key.sort_unstable();
+            *owners.entry(key.clone()).or_insert(0) += 1;
+            all.push((key, SolidFace { element: index, face, nodes, span }));
+        }
+    }
+    let single = all.into_iter().filter(|(key, face)| face.face.is_none() || owners[key] == 1);
+    into.extend(single.map(|(_, face)| face));
+}
