@@ -98,6 +98,8 @@ pub struct Workspace {
     residual: Vec<f64>,
     /// Forces on dependent dofs with which the tangent turns, a dof each.
     turning: Vec<f64>,
+    /// Pressures on faces [F/L2].
+    faces: Vec<f64>,
     increment: Vec<f64>,
     /// Stresses of the elements as the linear solutions arrive at them.
     stresses: Vec<f64>,
@@ -152,6 +154,7 @@ impl Workspace {
             correction_dofs: vec![0.0; dofs],
             residual: vec![0.0; dofs],
             turning: vec![0.0; dofs],
+            faces: Vec::new(),
             increment: vec![0.0; dofs],
             stresses: plan.structure.stress_room(),
             still: vec![0.0; dofs],
@@ -301,6 +304,8 @@ impl Workspace {
         predict::extrapolate(plan, committed, target.dt, &mut self.u);
         plan.prescribe(target.step_time, &mut self.u);
         plan.load(target.step_time, &mut self.load);
+        self.faces.clear();
+        self.faces.extend(plan.pressures(target.step_time));
         plan.constraints.enforce(&mut self.u);
         for (place, point) in committed.points.iter().enumerate() {
             self.pressures[place] = point.pressure;
@@ -354,6 +359,7 @@ impl Workspace {
         Trial {
             u: &self.u,
             load: &self.load,
+            faces: &self.faces,
             stresses: &self.stresses,
             pressures: &self.pressures,
             tractions: &self.tractions,
@@ -370,6 +376,7 @@ impl Workspace {
         let trial = Trial {
             u: &self.u,
             load: &self.load,
+            faces: &self.faces,
             stresses: &self.stresses,
             pressures: &self.pressures,
             tractions: &self.tractions,
@@ -469,6 +476,7 @@ impl Workspace {
         let trial = Trial {
             u: &self.u,
             load: &self.load,
+            faces: &self.faces,
             stresses: &self.stresses,
             pressures: &self.pressures,
             tractions: &self.tractions,

@@ -4,6 +4,7 @@ use crate::constraints::{Constraints, Role, Rows};
 use crate::contact::{Cliques, Contact, ContactKinematics};
 use crate::dofs::DofMap;
 use crate::linear_systems::LinearSystems;
+use crate::loads::FaceLoads;
 use crate::structure::{Contributions, Structure};
 use crate::users::UserFrictions;
 use rayon::ThreadPool;
@@ -46,6 +47,8 @@ pub struct Plan<'a> {
     pub enforcement: Option<Enforcement>,
     /// Largest load of the step [F or F L].
     pub largest_load: f64,
+    /// Faces that are pressed.
+    pub faces: FaceLoads,
     /// Threads for element loops; none: this one.
     pub pool: Option<&'a ThreadPool>,
     start: Start<'static>,
@@ -119,6 +122,7 @@ impl<'a> Plan<'a> {
         let constraints = Constraints::new(model, step, &dofs);
         let structure = Structure::new(model, (&dofs, &constraints), step.nlgeom);
         let contact = Contact::new(model, &dofs, users);
+        let faces = FaceLoads::new(model, step, &dofs);
         let pattern = Pattern::from_pairs(0, std::iter::empty());
         let elastic = structure.touched(dofs.len());
         let reach = model
@@ -154,6 +158,7 @@ impl<'a> Plan<'a> {
             lever,
             units,
             is_lenient: false,
+            faces,
             largest_load: step.loads.iter().fold(0.0, |most, load| load.value.abs().max(most)),
             enforcement: None,
             pool,
@@ -191,7 +196,7 @@ impl<'a> Plan<'a> {
     pub fn unsymmetric(&self) -> bool {
         match self.step.unsymmetric {
             Some(said) => said,
-            None => self.contact.laws.iter().any(Laws::has_friction),
+            None => self.contact.laws.iter().any(Laws::has_friction) || self.faces.follow(),
         }
     }
 
@@ -268,10 +273,24 @@ impl<'a> Plan<'a> {
             let amplitude = entry.amplitude.map(|a| &self.model.amplitudes[a]);
             load[dof] = self.at(step_time, self.start.load[dof], entry.value, amplitude);
         }
+        for entry in &self.step.distributed.forces {
+            let Some(dof) = self.dofs.find(entry.node, entry.dof) else { continue };
+            let amplitude = entry.amplitude.map(|a| &self.model.amplitudes[a]);
+            load[dof] += self.at(step_time, 0.0, entry.value, amplitude);
+        }
         // A support that is released lets go over the step (manual).
         for (value, &reaction) in load.iter_mut().zip(&*self.start.released) {
             *value += self.at(step_time, reaction, 0.0, None);
         }
+    }
+
+    /// The pressures on faces at a time of the step [F/L2]. Those of the step before are among
+    /// the loads that fade out.
+    pub fn pressures(&self, step_time: f64) -> impl Iterator<Item = f64> + '_ {
+        self.step.distributed.pressures.iter().map(move |entry| {
+            let amplitude = entry.amplitude.map(|a| &self.model.amplitudes[a]);
+            self.at(step_time, 0.0, entry.value, amplitude)
+        })
     }
 
     /// A value between the start of the step and its end.

@@ -488,6 +488,7 @@ mod tests {
             loads: vec![],
             controls: Controls::default(),
             stabilisation: None,
+            distributed: Default::default(),
             output: OutputRequests::default(),
             origin: AT,
         });
@@ -535,6 +536,7 @@ mod tests {
             let stresses = plan.structure.stress_room();
             let load = vec![0.0; dofs];
             let trial = Trial {
+                faces: &[],
                 stresses: &stresses,
                 u: &u,
                 load: &load,
@@ -581,6 +583,7 @@ mod tests {
                 u[body.start + 1] = down;
                 plan.constraints.enforce(&mut u);
                 let trial = Trial {
+                    faces: &[],
                     stresses: &stresses,
                     u: &u,
                     load: &load,
