@@ -70,7 +70,7 @@ impl Curve {
     pub fn beam_energy(&self, row: &Row) -> f64 {
         let nodes = &self.model.nodes;
         let energy = |beam: &BeamRow| {
-            let [a, b] = beam.nodes.map(|node| nodes.plane(node));
+            let [a, b] = beam.nodes.map(|node| nodes.position(node));
             let [axial, shear, curvature] = beam.strains;
             0.5 * (b[0] - a[0]).hypot(b[1] - a[1])
                 * (beam.axial_force * axial

@@ -30,7 +30,7 @@ fn sums(curve: &Curve, labels: &[u64]) -> [Vec<f64>; 3] {
     let mut sums = [(); 3].map(|()| vec![0.0; curve.rows.len()]);
     for &label in labels {
         let node = curve.model.nodes.find(label).unwrap();
-        let start = curve.model.nodes.plane(node);
+        let start = curve.model.nodes.position(node);
         for (k, row) in curve.rows.iter().enumerate() {
             let ([fx, fy, m], u) = (row.reaction[node], row.displacement[node]);
             sums[0][k] += fx;

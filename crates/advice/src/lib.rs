@@ -36,8 +36,13 @@ use slideline_model::Model;
 /// solver refuses is judged without its contact points.
 pub fn advise(model: &Model) -> Vec<Finding> {
     let mut start = start::Start::of(model);
-    rehearsal::rehearse(&mut start);
     let mut findings = Vec::new();
+    if model.is_in_space() {
+        // bodies, motions and meshes are judged in the plane alone
+        units::judge(&start, &mut findings);
+        return findings;
+    }
+    rehearsal::rehearse(&mut start);
     let parts: [fn(&start::Start<'_>, &mut Vec<Finding>); 9] = [
         overclosure::judge,
         roles::judge,

@@ -129,7 +129,7 @@ fn pieces(start: &Start<'_>, pair: &ContactPair) -> f64 {
 }
 
 fn line_length(start: &Start<'_>, line: &SlideLine) -> f64 {
-    let at = |node| start.model.nodes.plane(node);
+    let at = |node| start.model.nodes.position(node);
     line.nodes.windows(2).map(|w| length(less(at(w[1]), at(w[0])))).sum()
 }
 
@@ -254,7 +254,7 @@ fn too_short(
     line: &SlideLine,
     reached: f64,
 ) -> Option<Finding> {
-    let at = |node| start.model.nodes.plane(node);
+    let at = |node| start.model.nodes.position(node);
     let whole = line_length(start, line);
     let ends = [
         line.nodes.first()?,

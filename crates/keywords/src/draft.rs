@@ -4,11 +4,11 @@ use std::collections::HashMap;
 
 use slideline_deck::DataLine;
 use slideline_diag::{Code, Diagnostic, Span};
-use slideline_mech::material::Elastic;
+use slideline_mech::material::{Elastic, LargeStrain};
 use slideline_model::{
     self as model, BeamSection, ContactPrint, Controls, Dialect, Dof, ElementPrint, ElementType,
-    Extrapolation, Interaction, Model, Node, NodeIndex, NodePrint, Nodes, PrintTarget, SavedStates,
-    ShearRule, SolidSection, Static, SurfaceSegment, TYPES,
+    Extrapolation, Interaction, Model, Node, NodeIndex, NodePrint, Nodes, PrintTarget,
+    ProfilePoint, SavedStates, ShearRule, SolidSection, Static, SurfaceSegment, TYPES,
 };
 
 use crate::constraints::{Coupling, Equation, Link};
@@ -40,6 +40,8 @@ pub(crate) struct Draft {
     /// Node sets that the nodes of an element set join.
     pub node_sets_of_elements: Vec<(String, Named)>,
     pub elements: Vec<Element>,
+    /// Whether one of them moves in space.
+    spatial: bool,
     pub element_by_label: HashMap<u64, usize>,
     pub sections: Vec<Section>,
     pub materials: Vec<Material>,
@@ -171,6 +173,11 @@ impl ElementKind {
         matches!(self, Self::Structural(row) if row.is_beam())
     }
 
+    /// Whether it moves in space.
+    pub fn is_spatial(self) -> bool {
+        matches!(self, Self::Structural(row) if row.is_spatial())
+    }
+
     pub fn is_contact(self) -> bool {
         matches!(self, Self::Isl21 | Self::Irs21)
     }
@@ -224,12 +231,17 @@ impl Body {
     }
 
     /// The same with an elastic material.
-    pub fn of(self, material: Elastic) -> model::Section {
+    pub fn of(self, material: Elastic, dialect: Dialect) -> model::Section {
         match self {
             Self::Beam { width, height, poisson, shear } => {
                 model::Section::Beam(BeamSection { width, height, poisson, material, shear })
             }
             Self::Solid { thickness } => {
+                let large = match dialect {
+                    Dialect::Abaqus => LargeStrain::Logarithmic,
+                    Dialect::Calculix => LargeStrain::Green,
+                };
+                let material = model::Material::Elastic(material, large);
                 model::Section::Solid(SolidSection { thickness, material })
             }
         }
@@ -275,7 +287,7 @@ pub(crate) struct Surface {
 
 #[derive(Clone, Debug)]
 pub(crate) enum Shape {
-    Rigid { start: [f64; 2], segments: Vec<SurfaceSegment> },
+    Rigid { start: ProfilePoint, segments: Vec<SurfaceSegment> },
     Line { nodes: Vec<(u64, Span)>, smooth: f64, extension: f64 },
 }
 
@@ -426,7 +438,13 @@ impl Draft {
             return;
         }
         self.element_by_label.insert(element.label, self.elements.len());
+        self.spatial |= element.kind.is_spatial();
         self.elements.push(element);
+    }
+
+    /// Whether an element moves in space, not in a plane alone.
+    pub fn is_spatial(&self) -> bool {
+        self.spatial
     }
 
     /// The interaction of the `*INTERFACE` or `*SURFACE INTERACTION` that a

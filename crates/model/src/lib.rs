@@ -28,7 +28,7 @@ mod vocabulary;
 pub use amplitude::Amplitude;
 pub use contact::{
     ContactElement, ContactPair, Decay, Formulation, Friction, Interaction, Lumping, Master,
-    RigidSurface, SlideLine, StickRule, SurfaceSegment,
+    ProfilePoint, RigidSurface, SlideLine, StickRule, SurfaceSegment,
 };
 pub use controls::{Controls, FieldControls, TimeIncrementation};
 pub use element::{
@@ -46,6 +46,7 @@ pub use output::{
 pub use refine::refine;
 pub use slideline_mech::contact::normal::NormalLaw;
 pub use slideline_mech::contact::onset::Onset;
+pub use slideline_mech::material::Material;
 pub use stabilisation::Stabilisation;
 pub use step::{Extrapolation, Load, Prescribed, Static, Step};
 pub use vocabulary::Vocabulary;
@@ -158,7 +159,7 @@ impl Model {
 
     /// Number of state variables of all elements.
     pub fn element_states(&self) -> usize {
-        self.blocks.iter().map(|block| block.kind.states * block.elements.len()).sum()
+        self.blocks.iter().map(|block| block.states() * block.elements.len()).sum()
     }
 
     /// The amplitude of that name, letter case ignored.

@@ -143,10 +143,9 @@ impl Nodes {
         self.numbering = Numbering::new(stride, self.numbering.instances().to_vec());
     }
 
-    /// Undeformed position in the plane [L].
-    pub fn plane(&self, index: NodeIndex) -> [f64; 2] {
-        let [x, y, _] = self.list[index].position;
-        [x, y]
+    /// Undeformed position [L].
+    pub fn position(&self, index: NodeIndex) -> [f64; 3] {
+        self.list[index].position
     }
 
     /// How many.

@@ -2,9 +2,10 @@
 
 use crate::ledger::onset_word;
 use crate::number::general;
+use slideline_mech::element::solid;
 use slideline_model::{
     BeamSection, ContactPair, ElementBlock, ElementType, Formulation, Friction, Kinematics, Master,
-    Model, NodeIndex, NormalLaw, Section, SolidSection, SpringSection, Step, StickRule,
+    Material, Model, NodeIndex, NormalLaw, Section, SolidSection, SpringSection, Step, StickRule,
 };
 use slideline_solve::observe::{ContactRow, Frame};
 use std::fmt::Write as _;
@@ -148,7 +149,7 @@ fn transverse_shear(
 }
 
 fn distance(model: &Model, [first, second]: [NodeIndex; 2]) -> f64 {
-    let (a, b) = (model.nodes.plane(first), model.nodes.plane(second));
+    let (a, b) = (model.nodes.position(first), model.nodes.position(second));
     (b[0] - a[0]).hypot(b[1] - a[1])
 }
 
@@ -167,15 +168,34 @@ fn range(low: f64, high: f64) -> String {
 fn solids(text: &mut String, block: &ElementBlock, section: &SolidSection) {
     let (word, count) = (block.word(), block.elements.len());
     line(text, format_args!("\nSOLIDS {}  {count} elements {word}", block.name));
-    line(
-        text,
-        format_args!(
-            "  thickness {}; E = {}, nu = {}",
-            general(section.thickness, 9),
-            general(section.material.modulus, 9),
-            general(section.material.poisson, 9),
+    let material = match (&section.material, section.material.elastic()) {
+        (Material::Elastic(elastic, _), _) => {
+            format!("E = {}, nu = {}", general(elastic.modulus, 9), general(elastic.poisson, 9))
+        }
+        (Material::Anisotropic(_), _) => "anisotropic elasticity".to_owned(),
+        (Material::Rubber(_), Some(elastic)) => format!(
+            "rubber of shear modulus {} and bulk modulus {} at small strain",
+            general(elastic.shear_modulus(), 9),
+            general(elastic.bulk_modulus(), 9),
         ),
-    );
+        (Material::Plastic(plastic), _) => format!(
+            "E = {}, nu = {}, yields at {}",
+            general(plastic.elastic.modulus, 9),
+            general(plastic.elastic.poisson, 9),
+            general(plastic.table.first().map_or(0.0, |line| line[0]), 9),
+        ),
+        _ => "a material of the embedding program".to_owned(),
+    };
+    if block.kind.is_spatial() {
+        line(text, format_args!("  {material}"));
+    } else {
+        line(text, format_args!("  thickness {}; {material}", general(section.thickness, 9)));
+    }
+    if let Kinematics::Solid { formulation, .. } = block.kind.kinematics
+        && formulation.contains(&solid::Formulation::Hourglass)
+    {
+        line(text, format_args!("  hourglass control: stiffness of elastic bending"));
+    }
 }
 
 /// Elements of a type that somebody else has defined.

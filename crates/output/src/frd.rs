@@ -16,7 +16,7 @@ use crate::kept::Kept;
 use crate::outline::{Outline, outlines};
 use crate::section::nodal_sections;
 use crate::writer::Writer;
-use slideline_model::{Dof, Kinematics, Model, NodeIndex};
+use slideline_model::{Dof, Kinematics, Model, NodeIndex, ProfilePoint};
 use slideline_results::element::nodal_stresses;
 use slideline_results::{NodeComponent, NodeField, contact_component};
 use slideline_solve::observe::{ContactRow, Event, Frame};
@@ -105,7 +105,7 @@ impl Mesh {
             let group = match block.kind.kinematics {
                 Kinematics::Beam { .. } => 0,
                 Kinematics::Spring => 1,
-                Kinematics::PlaneStrain | Kinematics::Other => 4,
+                Kinematics::Solid { .. } | Kinematics::Other => 4,
             };
             for element in &block.elements {
                 pieces.extend(block.kind.cell.pieces.iter().map(|piece| {
@@ -133,7 +133,7 @@ impl Mesh {
     }
 
     /// Number, carrier and undeformed place of the points of outlines.
-    fn points(&self) -> impl Iterator<Item = (u64, &Outline, [f64; 2])> {
+    fn points(&self) -> impl Iterator<Item = (u64, &Outline, ProfilePoint)> {
         let points = self.outlines.iter().flat_map(|o| o.points.iter().map(move |&p| (o, p)));
         (self.first..).zip(points).map(|(label, (outline, point))| (label, outline, point))
     }

@@ -38,15 +38,19 @@ pub fn means(
 /// Stress at every integration point: xx, yy, zz, xy, yz, zx [F/L2]; empty for
 /// elements without such a stress.
 pub fn stresses(kind: &ElementType, values: &[f64]) -> Vec<[f64; 6]> {
-    const PLANE: [&str; 4] = ["S11", "S22", "S33", "S12"];
-    match kind.field("S") {
-        Some((field, first)) if field.components == PLANE && field.location == Location::Points => {
-            let own = &values[first..first + kind.values(field)];
-            let tensors = own.as_chunks::<4>().0.iter();
-            tensors.map(|&[xx, yy, zz, xy]| [xx, yy, zz, xy, 0.0, 0.0]).collect()
-        }
-        _ => Vec::new(),
+    const NAMES: [&str; 6] = ["S11", "S22", "S33", "S12", "S13", "S23"];
+    let Some((field, first)) = kind.field("S") else { return Vec::new() };
+    let width = field.components.len();
+    let known = width >= 4 && NAMES.starts_with(field.components);
+    if !known || field.location != Location::Points {
+        return Vec::new();
     }
+    let own = &values[first..first + kind.values(field)];
+    let tensor = |own: &[f64]| {
+        let of = |k: usize| own.get(k).copied().unwrap_or(0.0);
+        [of(0), of(1), of(2), of(3), of(5), of(4)]
+    };
+    own.chunks_exact(width).map(tensor).collect()
 }
 
 /// Mises stress of a tensor [F/L2].
@@ -89,13 +93,13 @@ mod tests {
     /// Mises stress, an even pressure none.
     #[test]
     fn columns_and_mises_of_a_solid() {
-        let mut values = [0.0; 32];
+        let mut values = [0.0; 36];
         values[..16].copy_from_slice(&[
             1.0, 0.0, 0.0, 0.5, 3.0, 0.0, 0.0, 0.5, 1.0, 4.0, 0.0, 0.5, 3.0, 0.0, 0.0, 0.5,
         ]);
         let columns: Vec<_> = means(&CPE4, &values).collect();
         assert_eq!(columns[..4], [("S11", 2.0), ("S22", 1.0), ("S33", 0.0), ("S12", 0.5)]);
-        assert_eq!(columns.len(), 8);
+        assert_eq!(columns.len(), 9);
         assert_eq!(stresses(&CPE4, &values)[2], [1.0, 4.0, 0.0, 0.5, 0.0, 0.0]);
         assert_eq!(mises([0.0, 0.0, -2.0, 0.0, 0.0, 0.0]), 2.0);
         assert_eq!(mises([3.0, 3.0, 3.0, 0.0, 0.0, 0.0]), 0.0);

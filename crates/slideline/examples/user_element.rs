@@ -25,7 +25,7 @@ pub static YIELDING_BAR: ElementType = ElementType {
     dofs: &[Dof::U1, Dof::U2],
     kinematics: Kinematics::Other,
     points: 1,
-    states: 1,
+    states: |_| 1,
     fields: &[
         Field { name: "S", components: &["S11"], unit: "[F/L2]", location: Location::Points },
         Field { name: "PE", components: &["PE11"], unit: "[1]", location: Location::Points },

@@ -10,7 +10,7 @@
 //! belongs to; one without elements has all, to move as it is told. The numbering
 //! knows no step: it holds for a whole run and for those that go on from it.
 
-use slideline_model::{Dof, Kinematics, Master, Model, NodeIndex};
+use slideline_model::{Dof, Master, Model, NodeIndex};
 use std::ops::Range;
 
 /// The dofs of a model's nodes, numbered node by node.
@@ -34,7 +34,7 @@ impl DofMap {
         let mut has = vec![[None; Dof::ALL.len()]; model.nodes.len()];
         // a spring acts on a node, but is no part that the node belongs to
         let mut alone = vec![true; model.nodes.len()];
-        let parts = model.blocks.iter().filter(|block| block.kind.kinematics != Kinematics::Spring);
+        let parts = model.blocks.iter().filter(|block| block.kind.joins());
         let members = parts.flat_map(|block| block.elements.iter()).flat_map(|e| e.nodes);
         members.for_each(|&node| alone[node] = false);
         let free =
@@ -121,9 +121,38 @@ impl DofMap {
         self.find(node, dof).map_or(0.0, |dof| vector[dof])
     }
 
-    /// The displacement of a node along the first `D` axes [L].
-    pub fn translation<const D: usize>(&self, u: &[f64], node: NodeIndex) -> [f64; D] {
+    /// The displacement of a node [L]; zero along an axis whose dof it lacks.
+    pub fn translation(&self, u: &[f64], node: NodeIndex) -> [f64; 3] {
         std::array::from_fn(|axis| self.read(u, node, Dof::ALL[axis]))
+    }
+
+    /// The dofs of a node's displacement, those of the plane at least.
+    pub fn translations(&self, node: NodeIndex) -> Translations {
+        let of = |axis: usize| self.find(node, Dof::ALL[axis]);
+        let axes = if of(2).is_some() { 3 } else { 2 };
+        Translations { dofs: [0, 1, 2].map(|axis| of(axis).unwrap_or(0)), axes }
+    }
+}
+
+/// The dofs that carry a point in space: one an axis of the model's dimension.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Translations {
+    dofs: [usize; 3],
+    axes: usize,
+}
+
+impl Translations {
+    /// The dofs, axis by axis.
+    pub fn as_slice(&self) -> &[usize] {
+        &self.dofs[..self.axes]
+    }
+
+    /// Where a point that follows them stands [L].
+    pub fn displace(&self, mut position: [f64; 3], u: &[f64]) -> [f64; 3] {
+        for (at, &dof) in position.iter_mut().zip(self.as_slice()) {
+            *at += u[dof];
+        }
+        position
     }
 }
 

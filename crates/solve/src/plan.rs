@@ -1,7 +1,7 @@
 //! A step, prepared once: numbering, pattern, symbolic factorisation.
 
 use crate::constraints::{Constraints, Role, Rows};
-use crate::contact::{Cliques, Contact, ContactKinematics};
+use crate::contact::{Cliques, Contact, PointRows};
 use crate::dofs::DofMap;
 use crate::linear_systems::LinearSystems;
 use crate::loads::FaceLoads;
@@ -206,9 +206,9 @@ impl<'a> Plan<'a> {
     }
 
     /// Whether some unknown moves a point towards or from its master.
-    pub fn contact_yields(&self, kinematics: &ContactKinematics, rows: &Rows) -> bool {
+    pub fn contact_yields(&self, kinematics: &PointRows<'_>, rows: &Rows) -> bool {
         let mut yields = false;
-        for (&dof, &g) in kinematics.dofs[..kinematics.width].iter().zip(&kinematics.gradient) {
+        for (&dof, &g) in kinematics.rows.unknowns.iter().zip(kinematics.rows.normal()) {
             let note = &mut |_: usize, a: f64| yields |= a * g != 0.0;
             self.constraints.for_each_equation(rows, dof, note);
         }

@@ -108,7 +108,7 @@ impl Draft {
 
     /// Complains about an element whose two nodes coincide; true if so.
     fn has_no_length(&mut self, element: &Element, [a, b]: [NodeIndex; 2]) -> bool {
-        let zero = self.model.nodes.plane(a) == self.model.nodes.plane(b);
+        let zero = self.model.nodes.position(a) == self.model.nodes.position(b);
         if zero {
             let message = format!(
                 "element {} has no length: nodes {} and {} coincide",

@@ -114,8 +114,11 @@ pub(super) fn elements(draft: &mut Draft) {
     }
 }
 
-/// The model is plane: a third coordinate means nothing.
+/// In a plane model a third coordinate means nothing.
 fn out_of_plane(draft: &mut Draft) {
+    if draft.is_spatial() {
+        return;
+    }
     let outside = draft.model.nodes.iter().find(|node| node.position[2] != 0.0);
     if let Some(node) = outside {
         let message =

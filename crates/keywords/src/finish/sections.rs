@@ -2,10 +2,11 @@
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::element::b22::axis_runs_forward;
-use slideline_mech::element::mean_dilation::runs_around;
+use slideline_mech::element::solid::smallest_jacobian;
 use slideline_mech::material::Elastic;
 use slideline_model::{
-    Allowable, Dof, ElementBlock, ElementType, Elements, NodeIndex, SpringSection, TYPES, types,
+    Allowable, ElementBlock, ElementType, Elements, Kinematics, NodeIndex, SpringSection, TYPES,
+    types,
 };
 
 use crate::draft::{Draft, Element, ElementKind, Section, Spring};
@@ -30,7 +31,7 @@ pub(super) fn sections(draft: &mut Draft) {
             }
         }
         if let Some(material) = material(&section, draft) {
-            blocks(&section, &section.body.of(material), claimed, draft);
+            blocks(&section, &section.body.of(material, draft.dialect), claimed, draft);
         }
     }
     allowables(draft);
@@ -137,28 +138,46 @@ fn nodes(element: &Element, row: &ElementType, draft: &mut Draft) -> Option<Vec<
             !draft.has_no_length(element, [first, last])
                 && middle_is_sound(element, [first, middle, last], draft)
         }
-        [a, b, c, d] => corners_are_sound(element, [a, b, c, d], draft),
-        _ => true,
+        _ => solid_is_sound(element, row, &nodes, draft),
     };
     sound.then_some(nodes)
 }
 
-/// Complains about a quadrilateral whose corners do not run around it
-/// counter-clockwise; false if so.
-fn corners_are_sound(element: &Element, corners: [NodeIndex; 4], draft: &mut Draft) -> bool {
-    let at = corners.map(|node| draft.model.nodes.plane(node));
-    let sound = runs_around(&at);
+/// Complains about a solid whose nodes do not run around it as its type wants them, or that is
+/// folded; false if so.
+fn solid_is_sound(
+    element: &Element,
+    row: &ElementType,
+    nodes: &[NodeIndex],
+    draft: &mut Draft,
+) -> bool {
+    let Kinematics::Solid { rule, .. } = row.kinematics else { return true };
+    let at: Vec<[f64; 3]> = nodes.iter().map(|&node| draft.model.nodes.position(node)).collect();
+    let sound = smallest_jacobian(row.cell, rule, &at) > 0.0;
     if !sound {
-        let [a, b, c, d] = at;
-        let clockwise = runs_around(&[a, d, c, b]);
-        let (what, help) = if clockwise {
-            ("its nodes run clockwise", "turn their order round: first, fourth, third, second node")
-        } else {
-            (
+        let mirrored: Vec<[f64; 3]> = at.iter().map(|&[x, y, z]| [-x, y, z]).collect();
+        let wrong_way = smallest_jacobian(row.cell, rule, &mirrored) > 0.0;
+        let (what, help) = match (wrong_way, row.cell.name) {
+            (true, "quad4") => (
+                "its nodes run clockwise",
+                "turn their order round: first, fourth, third, second node",
+            ),
+            (true, _) if row.cell.dimension == 2 => {
+                ("its nodes run clockwise", "give its corners counter-clockwise")
+            }
+            (true, _) => (
+                "its nodes run the wrong way round",
+                "give the corners of its first face counter-clockwise as seen from inside",
+            ),
+            (false, _) if row.cell.dimension == 2 => (
                 "it is folded or far re-entrant",
                 "give its corners in their order around it, and none of its inner angles much over \
                  180 degrees",
-            )
+            ),
+            (false, _) => (
+                "it is flat, folded or far re-entrant",
+                "give its nodes in the order of its type, middle nodes near the middle of their edges",
+            ),
         };
         let message = format!("element {}: {what}", element.label);
         let error = Diagnostic::error(Code("SL0346"), message).at(element.origin);
@@ -174,7 +193,8 @@ fn middle_is_sound(
     [first, middle, last]: [NodeIndex; 3],
     draft: &mut Draft,
 ) -> bool {
-    let reference = [first, middle, last].map(|node| draft.model.nodes.plane(node));
+    let reference = [first, middle, last].map(|node| draft.model.nodes.position(node));
+    let reference = reference.map(|[x, y, _]| [x, y]);
     let sound = axis_runs_forward(&reference);
     if !sound {
         let label = |node| draft.model.nodes.label(node);
@@ -292,7 +312,8 @@ fn spring_block(
     if block.elements.is_empty() {
         return;
     }
-    if to_ground && !dof.is_some_and(Dof::is_plane) {
+    let spatial = draft.is_spatial();
+    if to_ground && !dof.is_some_and(|dof| spatial || dof.is_plane()) {
         let message = match dof {
             Some(dof) => format!("a plane model has no dof {}", dof.number()),
             None => "SPRING1 needs its degree of freedom on the first data line".to_owned(),

@@ -14,9 +14,9 @@ pub mod b23;
 pub mod cell;
 mod instances;
 mod kernel;
-pub mod mean_dilation;
 pub mod mixed;
 pub mod quadrature;
+pub mod solid;
 pub mod spring;
 
 pub use b21::{Beam21, BeamSectionForces, BeamStrains};
@@ -24,6 +24,6 @@ pub use b22::Beam22;
 pub use b23::Beam23;
 pub use instances::Instances;
 pub use kernel::{Element, Kernel, MOST_VARIABLES, Response, Scale, Strains};
-pub use mean_dilation::MeanDilation;
 pub use mixed::Mixed;
+pub use solid::Solids;
 pub use spring::{AxialSpring, GroundSpring};

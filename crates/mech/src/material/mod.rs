@@ -1,9 +1,36 @@
-//! Materials: pure functions of a strain measure, differentiated by whoever asks.
+//! Materials: pure functions of a strain and a committed state.
+//!
+//! ```text
+//!   displacement gradient H, committed state
+//!        |
+//!        v      +--> stress      Cauchy's where strains are small, Kirchhoff's where large
+//!     respond --+--> moduli      consistent with the trial state
+//!        |      +--> trial state
+//!        v
+//!   energy, dissipation
+//! ```
+//!
+//! All in three dimensions; plane stress and plane strain are the element's. Tensors are made by
+//! hand; where a law is differentiated it is by three invariants or stretches at most. Moduli at
+//! large strain: with C' = (1 + l)'(1 + l) the energy grows by tau:eps + eps:c:eps/2, eps = (C' -
+//! 1)/2, docs/theory.md eq. (3.43).
 
-mod plane;
+mod elastic;
+mod hyperelastic;
+pub mod plastic;
+mod principal;
+pub mod tensor;
+#[cfg(test)]
+mod tests;
 
-pub(crate) use plane::invariants;
-pub use plane::{Hencky, PlaneInvariants, PlaneStrainLaw, SaintVenant, SmallStrain};
+pub use elastic::{Anisotropic, LargeStrain};
+pub use hyperelastic::{MOST_TERMS, Rubber, Volume};
+pub use plastic::Plastic;
+pub use principal::Axes;
+
+use std::fmt::Debug;
+use std::sync::Arc;
+use tensor::{Matrix, Moduli, Symmetric, symmetric};
 
 /// Isotropic linear elasticity.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,14 +53,148 @@ impl Elastic {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+/// What a material answers.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Answer {
+    /// Cauchy stress where strains are small, Kirchhoff stress where large [F/L2].
+    pub stress: Symmetric,
+    /// Its moduli [F/L2].
+    pub moduli: Moduli,
+    /// Work done on the undeformed volume so far, dissipation included [F/L2].
+    pub energy: f64,
+    /// The part of it that is not given back [F/L2].
+    pub dissipation: f64,
+}
 
-    #[test]
-    fn moduli_of_the_1995_beam() {
-        let material = Elastic { modulus: 6.9e9, poisson: 0.3 };
-        assert!((material.shear_modulus() - 6.9e9 / 2.6).abs() < 1e-3);
-        assert!((material.bulk_modulus() - 6.9e9 / 1.2).abs() < 1e-3);
+/// A material that somebody else has written.
+pub trait Law: Debug + Send + Sync {
+    /// Number of state variables of a point.
+    fn states(&self) -> usize;
+
+    /// Answers the displacement gradient H; `large`: not linearised.
+    fn respond(
+        &self,
+        gradient: &Matrix,
+        large: bool,
+        committed: &[f64],
+        state: &mut [f64],
+    ) -> Answer;
+
+    /// A stiffness that bounds that of a stretch [F/L2], for the rounding floor of residuals.
+    fn stiffest(&self) -> f64;
+
+    /// Shear modulus of small strains [F/L2].
+    fn shear_modulus(&self) -> f64;
+}
+
+/// A material of solids.
+#[derive(Debug, Clone)]
+pub enum Material {
+    /// Linear elasticity.
+    Elastic(Elastic, LargeStrain),
+    /// Linear elasticity without isotropy.
+    Anisotropic(Box<Anisotropic>),
+    /// Rubber.
+    Rubber(Rubber),
+    /// Metal that yields.
+    Plastic(Plastic),
+    /// Somebody else's.
+    User(Arc<dyn Law>),
+}
+
+impl PartialEq for Material {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Elastic(a, large), Self::Elastic(b, other)) => a == b && large == other,
+            (Self::Anisotropic(a), Self::Anisotropic(b)) => a == b,
+            (Self::Rubber(a), Self::Rubber(b)) => a == b,
+            (Self::Plastic(a), Self::Plastic(b)) => a == b,
+            (Self::User(a), Self::User(b)) => Arc::ptr_eq(a, b),
+            _ => false,
+        }
+    }
+}
+
+impl Material {
+    /// Number of state variables of a point.
+    pub fn states(&self) -> usize {
+        match self {
+            Self::Elastic(..) | Self::Anisotropic(_) | Self::Rubber(_) => 0,
+            Self::Plastic(plastic) => plastic.states(),
+            Self::User(law) => law.states(),
+        }
+    }
+
+    /// Answers the displacement gradient H, linearised or not.
+    pub fn respond(
+        &self,
+        gradient: &Matrix,
+        large: bool,
+        committed: &[f64],
+        state: &mut [f64],
+    ) -> Answer {
+        match (self, large) {
+            (Self::Elastic(elastic, _), false) => elastic.small(&symmetric(gradient)),
+            (Self::Elastic(elastic, LargeStrain::Logarithmic), true) => elastic.hencky(gradient),
+            (Self::Elastic(elastic, LargeStrain::Green), true) => elastic.green(gradient),
+            (Self::Anisotropic(elastic), false) => elastic.small(&symmetric(gradient)),
+            (Self::Anisotropic(elastic), true) => elastic.green(gradient),
+            (Self::Rubber(rubber), false) => rubber.small().small(&symmetric(gradient)),
+            (Self::Rubber(rubber), true) => rubber.large(gradient),
+            (Self::Plastic(plastic), false) => {
+                plastic.small(&symmetric(gradient), committed, state)
+            }
+            (Self::Plastic(plastic), true) => plastic.large(gradient, committed, state),
+            (Self::User(law), _) => law.respond(gradient, large, committed, state),
+        }
+    }
+
+    /// Equivalent plastic strain of a state [1]; `None`: it has none.
+    pub fn plastic_strain(&self, state: &[f64]) -> Option<f64> {
+        match self {
+            Self::Plastic(_) => state.get(plastic::PEEQ).copied(),
+            _ => None,
+        }
+    }
+
+    /// A stiffness that bounds that of a stretch [F/L2].
+    pub fn stiffest(&self) -> f64 {
+        let of = |elastic: &Elastic| elastic.bulk_modulus() + 4.0 / 3.0 * elastic.shear_modulus();
+        match self {
+            Self::Elastic(elastic, _) | Self::Plastic(Plastic { elastic, .. }) => of(elastic),
+            Self::Anisotropic(elastic) => elastic.stiffest(),
+            Self::Rubber(rubber) => rubber.bulk_modulus() + 4.0 / 3.0 * rubber.shear_modulus(),
+            Self::User(law) => law.stiffest(),
+        }
+    }
+
+    /// Shear modulus of small strains [F/L2]; without isotropy the mean of three.
+    pub fn shear_modulus(&self) -> f64 {
+        match self {
+            Self::Elastic(elastic, _) | Self::Plastic(Plastic { elastic, .. }) => {
+                elastic.shear_modulus()
+            }
+            Self::Anisotropic(elastic) => (3..6).map(|k| elastic.moduli[k][k]).sum::<f64>() / 3.0,
+            Self::Rubber(rubber) => rubber.shear_modulus(),
+            Self::User(law) => law.shear_modulus(),
+        }
+    }
+
+    /// Isotropic elasticity of small strains, where it has one.
+    pub fn elastic(&self) -> Option<Elastic> {
+        match self {
+            Self::Elastic(elastic, _) | Self::Plastic(Plastic { elastic, .. }) => Some(*elastic),
+            Self::Rubber(rubber) => Some(rubber.small()),
+            Self::Anisotropic(_) | Self::User(_) => None,
+        }
+    }
+}
+
+impl Rubber {
+    /// Elasticity of small strains.
+    pub fn small(&self) -> Elastic {
+        let (shear, bulk) = (self.shear_modulus(), self.bulk_modulus());
+        let modulus = 9.0 * bulk * shear / (3.0 * bulk + shear);
+        Elastic { modulus, poisson: modulus / (2.0 * shear) - 1.0 }
     }
 }

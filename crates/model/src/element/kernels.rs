@@ -1,12 +1,11 @@
 //! Kernels of the rows of the table: sections in a deck's words become those of the mechanics.
 
-use super::{BeamSection, Section, Undeformed};
+use super::{BeamSection, Kinematics, Section, Undeformed};
 use crate::{Dialect, Dof};
-use slideline_mech::element::mean_dilation::Quad4;
+use slideline_mech::element::solid::{Recipe, Solids, Told};
 use slideline_mech::element::{
     AxialSpring, Beam21, Beam22, Beam23, GroundSpring, Instances, Kernel,
 };
-use slideline_mech::material::{Hencky, SaintVenant};
 use slideline_mech::section::{BeamStiffness, Rectangle, TransverseShear, rectangle_stiffness};
 use std::sync::Arc;
 
@@ -61,23 +60,29 @@ pub(super) fn springa(block: &Undeformed<'_>) -> Made {
     Some(Arc::new(springs.collect::<Instances<_, 4, 16>>()))
 }
 
-/// `*ELASTIC` at large strain is another law in each program: logarithmic strain in Abaqus,
-/// Green's in CalculiX. [semantics: keywords, `*ELASTIC`]
-pub(super) fn cpe4(block: &Undeformed<'_>) -> Made {
+/// Solids of a row; what they do about locking is a matter of the dialect.
+pub(super) fn solid<const D: usize, const N: usize, const P: usize>(
+    block: &Undeformed<'_>,
+) -> Made {
     let Section::Solid(section) = block.section else { return None };
-    let (elastic, thickness) = (section.material, section.thickness);
-    Some(match block.dialect {
-        Dialect::Abaqus => {
-            let law = (Hencky(elastic), elastic, true);
-            let solids = block.plane::<4>().map(|corners| Quad4::quad4(&corners, thickness, law));
-            Arc::new(solids.collect::<Instances<_, 8, 64>>())
-        }
-        Dialect::Calculix => {
-            let law = (SaintVenant(elastic), elastic, false);
-            let solids = block.plane::<4>().map(|corners| Quad4::quad4(&corners, thickness, law));
-            Arc::new(solids.collect::<Instances<_, 8, 64>>())
-        }
-    })
+    let Kinematics::Solid { strains, formulation, rule } = block.kind.kinematics else {
+        return None;
+    };
+    let (formulation, told) = match block.dialect {
+        Dialect::Abaqus => (formulation[0], Told::Logarithmic),
+        Dialect::Calculix => (formulation[1], Told::Green),
+    };
+    let recipe = Recipe {
+        cell: block.kind.cell,
+        rule,
+        kinematics: strains,
+        formulation,
+        material: section.material.clone(),
+        thickness: section.thickness,
+        told,
+    };
+    let solids = Solids::<D, N, P>::new(recipe, block.positions::<D, N>())?;
+    Some(Arc::new(solids))
 }
 
 impl BeamSection {

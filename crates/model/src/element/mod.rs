@@ -6,6 +6,7 @@
 
 mod kernels;
 mod section;
+mod solids;
 mod table;
 
 pub use section::{BeamSection, Section, ShearRule, SolidSection, SpringSection};
@@ -48,6 +49,11 @@ impl ElementBlock {
             self.elements.push(label, nodes.as_ref(), self.origin);
         }
         self
+    }
+
+    /// Number of state variables of an element.
+    pub fn states(&self) -> usize {
+        (self.kind.states)(&self.section)
     }
 
     /// The type in a deck's words.

@@ -1,7 +1,7 @@
 //! What the elements of a block are made of.
 
 use crate::Dof;
-use slideline_mech::material::Elastic;
+use slideline_mech::material::{Elastic, Material};
 
 /// Section and material of a block.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,11 +18,11 @@ pub enum Section {
 }
 
 impl Section {
-    /// Its elastic material; `None`: it has none.
-    pub fn elastic(&self) -> Option<&Elastic> {
+    /// Its elasticity at small strain; `None`: it has none.
+    pub fn elastic(&self) -> Option<Elastic> {
         match self {
-            Self::Beam(section) => Some(&section.material),
-            Self::Solid(section) => Some(&section.material),
+            Self::Beam(section) => Some(section.material),
+            Self::Solid(section) => section.material.elastic(),
             Self::Spring(_) | Self::Properties(_) => None,
         }
     }
@@ -69,10 +69,10 @@ pub struct SpringSection {
 }
 
 /// A solid of one material.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct SolidSection {
-    /// Thickness out of the plane [L].
+    /// Thickness out of the plane [L]; of no meaning in space.
     pub thickness: f64,
     /// Material.
-    pub material: Elastic,
+    pub material: Material,
 }

@@ -3,11 +3,13 @@
 //! A row outside this crate is as good as one of these: a block that names it is read, solved and
 //! written like any other.
 
+use super::solids::SOLIDS;
 use super::{Section, kernels};
 use crate::{Dialect, Dof};
 use slideline_mech::element::Kernel;
-use slideline_mech::element::cell::{Cell, LINE2, LINE3, POINT, QUAD4};
-use slideline_mech::element::quadrature::QUAD_4;
+use slideline_mech::element::cell::{Cell, LINE2, LINE3, POINT};
+use slideline_mech::element::quadrature::Quadrature;
+use slideline_mech::element::solid;
 use std::sync::Arc;
 
 /// An element type.
@@ -23,8 +25,8 @@ pub struct ElementType {
     pub kinematics: Kinematics,
     /// Number of integration points.
     pub points: usize,
-    /// Number of state variables of an element.
-    pub states: usize,
+    /// Number of state variables of an element with that section.
+    pub states: fn(&Section) -> usize,
     /// Results it offers, in the order in which its kernel writes them.
     pub fields: &'static [Field],
     /// Values at the nodes from those at the integration points, one component.
@@ -34,7 +36,7 @@ pub struct ElementType {
 }
 
 /// What an element is in mechanics.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kinematics {
     /// A plane beam.
     Beam {
@@ -43,8 +45,15 @@ pub enum Kinematics {
     },
     /// A spring: it joins nothing to a body.
     Spring,
-    /// A solid in plane strain.
-    PlaneStrain,
+    /// A solid.
+    Solid {
+        /// How its strains follow displacements.
+        strains: solid::Kinematics,
+        /// What it does about locking, as Abaqus and as CalculiX have it.
+        formulation: [solid::Formulation; 2],
+        /// Where it is integrated.
+        rule: &'static Quadrature,
+    },
     /// Something else.
     Other,
 }
@@ -55,7 +64,7 @@ impl Kinematics {
         match self {
             Self::Beam { .. } => Some("*BEAM SECTION"),
             Self::Spring => Some("*SPRING"),
-            Self::PlaneStrain => Some("*SOLID SECTION"),
+            Self::Solid { .. } => Some("*SOLID SECTION"),
             Self::Other => None,
         }
     }
@@ -88,6 +97,8 @@ pub enum Location {
 /// The elements of a block before the first step.
 #[derive(Clone, Copy, Debug)]
 pub struct Undeformed<'a> {
+    /// Their row of the table.
+    pub kind: &'static ElementType,
     /// Their section.
     pub section: &'a Section,
     /// Whose reading counts where programs mean different mechanics.
@@ -99,7 +110,13 @@ pub struct Undeformed<'a> {
 impl Undeformed<'_> {
     /// Positions in the plane of the `N` nodes of each element [L].
     pub fn plane<const N: usize>(&self) -> impl Iterator<Item = [[f64; 2]; N]> {
-        self.nodes.as_chunks::<N>().0.iter().map(|nodes| nodes.map(|[x, y, _]| [x, y]))
+        self.positions::<2, N>()
+    }
+
+    /// The first `D` coordinates of the `N` nodes of each element [L].
+    pub fn positions<const D: usize, const N: usize>(&self) -> impl Iterator<Item = [[f64; D]; N]> {
+        let elements = self.nodes.as_chunks::<N>().0.iter();
+        elements.map(|nodes| nodes.map(|node| std::array::from_fn(|axis| node[axis])))
     }
 }
 
@@ -122,7 +139,12 @@ impl ElementType {
 
     /// Whether its nodes belong to one body: those of a spring do not.
     pub fn joins(&self) -> bool {
-        self.kinematics != Kinematics::Spring
+        !matches!(self.kinematics, Kinematics::Spring)
+    }
+
+    /// Whether it moves in space, not in a plane alone.
+    pub fn is_spatial(&self) -> bool {
+        self.dofs.contains(&Dof::U3)
     }
 
     /// Number of values of a field of one element.
@@ -164,8 +186,16 @@ pub fn mean_at_nodes(points: &[f64], nodes: &mut [f64]) {
 }
 
 /// All rows.
-pub static TYPES: [&ElementType; 6] =
-    [&types::B21, &types::B22, &types::B23, &types::SPRING1, &types::SPRINGA, &types::CPE4];
+pub static TYPES: [&ElementType; 5 + SOLIDS.len()] = {
+    let mut all: [&ElementType; 5 + SOLIDS.len()] = [&types::B21; 5 + SOLIDS.len()];
+    [all[1], all[2], all[3], all[4]] = [&types::B22, &types::B23, &types::SPRING1, &types::SPRINGA];
+    let mut row = 0;
+    while row < SOLIDS.len() {
+        all[5 + row] = SOLIDS[row];
+        row += 1;
+    }
+    all
+};
 
 /// The most nodes that a row has.
 pub const MOST_NODES: usize = {
@@ -179,11 +209,11 @@ pub const MOST_NODES: usize = {
     most
 };
 
-const fn at(location: Location, name: &'static str, unit: &'static str) -> Field {
+pub(super) const fn at(location: Location, name: &'static str, unit: &'static str) -> Field {
     Field { name, components: &[], unit, location }
 }
 
-const fn of(field: Field, components: &'static [&'static str]) -> Field {
+pub(super) const fn of(field: Field, components: &'static [&'static str]) -> Field {
     Field { components, ..field }
 }
 
@@ -195,17 +225,12 @@ const BEAM_FIELDS: &[Field] = &[
     of(at(Location::Centroid, "SK", "[1/L]"), &["SK1"]),
 ];
 
-/// Stress and strain of a plane solid at its integration points.
-const PLANE_FIELDS: &[Field] = &[
-    of(at(Location::Points, "S", "[F/L2]"), &["S11", "S22", "S33", "S12"]),
-    of(at(Location::Points, "E", "[1]"), &["E11", "E22", "E33", "E12"]),
-];
-
 const TURNING: &[Dof] = &[Dof::U1, Dof::U2, Dof::UR3];
-const MOVING: &[Dof] = &[Dof::U1, Dof::U2];
+pub(super) const MOVING: &[Dof] = &[Dof::U1, Dof::U2];
 
 /// The rows of the table.
 pub mod types {
+    pub use super::super::solids::types::*;
     use super::*;
 
     /// Two-node shear-flexible plane beam.
@@ -215,7 +240,7 @@ pub mod types {
         dofs: TURNING,
         kinematics: Kinematics::Beam { sheared: true },
         points: 1,
-        states: 0,
+        states: |_| 0,
         fields: BEAM_FIELDS,
         at_nodes: mean_at_nodes,
         kernel: kernels::b21,
@@ -240,7 +265,7 @@ pub mod types {
         dofs: MOVING,
         kinematics: Kinematics::Spring,
         points: 0,
-        states: 0,
+        states: |_| 0,
         fields: &[],
         at_nodes: mean_at_nodes,
         kernel: kernels::spring1,
@@ -249,19 +274,6 @@ pub mod types {
     /// Spring between two nodes, along the line that joins them.
     pub static SPRINGA: ElementType =
         ElementType { names: ["SPRINGA"; 2], cell: &LINE2, kernel: kernels::springa, ..SPRING1 };
-
-    /// Quadrilateral in plane strain, one pressure an element.
-    pub static CPE4: ElementType = ElementType {
-        names: ["CPE4"; 2],
-        cell: &QUAD4,
-        dofs: MOVING,
-        kinematics: Kinematics::PlaneStrain,
-        points: 4,
-        states: 0,
-        fields: PLANE_FIELDS,
-        at_nodes: |points, nodes| QUAD_4.carry(points, &QUAD4, nodes),
-        kernel: kernels::cpe4,
-    };
 }
 
 #[cfg(test)]
@@ -274,29 +286,38 @@ mod tests {
     fn rows_agree_with_their_kernels() {
         use crate::{BeamSection, ShearRule, SolidSection, SpringSection};
         use slideline_mech::element::Strains;
-        let material = slideline_mech::material::Elastic { modulus: 1.0, poisson: 0.3 };
+        use slideline_mech::material::{LargeStrain, Material};
+        let elastic = slideline_mech::material::Elastic { modulus: 1.0, poisson: 0.3 };
         let shear = ShearRule::default();
+        let beam = BeamSection { width: 1.0, height: 1.0, poisson: 0.0, material: elastic, shear };
+        let material = Material::Elastic(elastic, LargeStrain::Logarithmic);
         let sections = [
-            Section::Beam(BeamSection { width: 1.0, height: 1.0, poisson: 0.0, material, shear }),
+            Section::Beam(beam),
             Section::Spring(SpringSection { stiffness: 1.0, dof: Some(Dof::U2) }),
             Section::Spring(SpringSection { stiffness: 1.0, dof: None }),
             Section::Solid(SolidSection { thickness: 1.0, material }),
         ];
-        let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.5, 1.0, 0.0], [0.0, 1.0, 0.0]];
         for row in TYPES {
-            let kernels: Vec<Arc<dyn Kernel>> = sections
+            let mut nodes = vec![[0.0; 3], [1.0, 0.0, 0.0], [1.5, 1.0, 0.0]];
+            if !row.cell.places.is_empty() {
+                nodes = row.cell.places.iter().map(|[x, y, z]| [x + 3.0, *y, *z]).collect();
+            }
+            let nodes = &nodes[..row.cell.nodes];
+            let made: Vec<(&Section, Arc<dyn Kernel>)> = sections
                 .iter()
                 .filter_map(|section| {
-                    let nodes = &corners[..row.cell.nodes];
-                    (row.kernel)(&Undeformed { section, dialect: Dialect::Abaqus, nodes })
+                    let dialect = Dialect::Abaqus;
+                    let kernel = (row.kernel)(&Undeformed { kind: row, section, dialect, nodes });
+                    Some((section, kernel?))
                 })
                 .collect();
-            assert_eq!(kernels.len(), 1, "{} takes one of these sections", row.name());
-            let kernel = &kernels[0];
+            assert_eq!(made.len(), 1, "{} takes one of these sections", row.name());
+            let (section, kernel) = &made[0];
             assert_eq!((kernel.count(), kernel.variables()), (1, row.dofs.len() * row.cell.nodes));
+            let state = vec![0.0; (row.states)(section)];
             let mut results = vec![f64::NAN; row.all_values()];
             let q = vec![0.01; kernel.variables()];
-            kernel.results(0, &q, &[], Strains::Exact, &mut results);
+            kernel.results(0, &q, &state, Strains::Linear, &mut results);
             assert!(results.iter().all(|value| value.is_finite()), "{}", row.name());
             assert!(TYPES.into_iter().filter(|other| *other == row).count() == 1);
             assert_eq!(element_type(row.name()), Some(row));

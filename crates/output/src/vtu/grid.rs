@@ -285,7 +285,7 @@ fn element_cells(model: &Model) -> Vec<Cell> {
         let kind = match block.kind.kinematics {
             Kinematics::Beam { .. } => Kind::Beam,
             Kinematics::Spring => Kind::Spring,
-            Kinematics::PlaneStrain | Kinematics::Other => Kind::Solid,
+            Kinematics::Solid { .. } | Kinematics::Other => Kind::Solid,
         };
         for element in &block.elements {
             let Element { label, nodes, .. } = element;

@@ -83,7 +83,7 @@ impl Body {
         dofs: &DofMap,
         (master, turn, dependent): (NodeIndex, Option<NodeIndex>, NodeIndex),
     ) -> Option<Self> {
-        let (from, to) = (model.nodes.plane(master), model.nodes.plane(dependent));
+        let (from, to) = (model.nodes.position(master), model.nodes.position(dependent));
         let [x, y] = [Dof::U1, Dof::U2].map(|dof| dofs.find(master, dof));
         let pose = [x?, y?, turning(dofs, master, turn, Dof::UR3)?];
         let arm = PointMap::Arm { arm: [to[0] - from[0], to[1] - from[1]] };

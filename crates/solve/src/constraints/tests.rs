@@ -188,7 +188,7 @@ static POINT_IN_SPACE: slideline_model::ElementType = slideline_model::ElementTy
     dofs: &Dof::ALL,
     kinematics: slideline_model::Kinematics::Other,
     points: 0,
-    states: 0,
+    states: |_| 0,
     fields: &[],
     at_nodes: slideline_model::mean_at_nodes,
     kernel: |_| None,

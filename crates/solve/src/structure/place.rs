@@ -17,7 +17,7 @@ impl Structure {
         for block in 0..model.blocks.len() {
             structure.place(model, numbering, block, first_state);
             let block = &model.blocks[block];
-            first_state += block.kind.states * block.elements.len();
+            first_state += block.states() * block.elements.len();
         }
         structure
     }
@@ -36,8 +36,12 @@ impl Structure {
         let corners = || elements().flat_map(|(_, own)| own.nodes);
         let mut nodes: Vec<[f64; 3]> = Vec::with_capacity(corners().count());
         nodes.extend(corners().map(|&node| model.nodes.get(node).position));
-        let undeformed =
-            Undeformed { section: &block.section, dialect: model.dialect, nodes: &nodes };
+        let undeformed = Undeformed {
+            kind: block.kind,
+            section: &block.section,
+            dialect: model.dialect,
+            nodes: &nodes,
+        };
         let Some(kernel) = (block.kind.kernel)(&undeformed) else { return };
         let (first, variables) = (self.count, kernel.variables());
         let mut placed = Block {
@@ -52,7 +56,7 @@ impl Structure {
             block: index,
             members: Vec::with_capacity(elements().count()),
             first_state,
-            states: block.kind.states,
+            states: block.states(),
             results: block.kind.all_values(),
             kernel,
         };

@@ -1,0 +1,355 @@
+//! Incompatible modes, transposed: bending without locking, stable in compression.
+//!
+//! ```text
+//!    H = H_u + F0 M(alpha),   M = (w0/w) J0^-T [alpha_ab xi_a] J0^-1
+//!
+//!    ___                      F0: deformation at the centre, so that a turn changes nothing
+//!   (___)  bends like a beam  J0: dX/dxi there; w: volume of a point by its weight
+//! ```
+//!
+//! The parameters alpha are the element's own: they are found where their force vanishes, and
+//! eliminated. Usual modes carry xi_b in the place of xi_a and lose stability in compression: J.
+//! Korelc and P. Wriggers (1996), S. Glaser and F. Armero (1997). docs/theory.md eqs. (3.55) to
+//! (3.57).
+
+use super::place::{Place, invert};
+use super::{Point, Solids, energy, gather};
+use crate::element::kernel::Response;
+use crate::material::tensor::{INDEX, Matrix};
+
+/// Most modes: three times three.
+const MOST: usize = 9;
+/// Most corrections of the parameters.
+const CORRECTIONS: usize = 30;
+/// Change of the parameters, relative to the strains, behind which the last linear correction is
+/// exact to rounding [1].
+const CLOSE: f64 = 1e-8;
+
+/// What the modes do at a point.
+#[derive(Clone, Copy)]
+struct Mode<const D: usize, const N: usize> {
+    /// Gradient of a mode by deformed position.
+    gradient: [[f64; D]; D],
+    /// What turns when a mode and a node move together, axis by axis [1/L].
+    turning: [[f64; N]; D],
+}
+
+/// The centre of an element.
+struct Centre<const D: usize, const N: usize> {
+    /// (dX/dxi)^-1 there.
+    inverse: [[f64; D]; D],
+    /// Derivatives of the shape functions [1/L].
+    slopes: [[f64; N]; D],
+    /// F of the displacements.
+    deformation: [[f64; D]; D],
+    /// Volume a weight of the rule.
+    density: f64,
+}
+
+/// Forces and tangents of nodes and modes.
+struct Sums<const D: usize, const N: usize> {
+    force: [f64; MOST],
+    own: [[f64; MOST]; MOST],
+    /// By the displacements of the nodes, axis by axis.
+    joint: [[[f64; N]; D]; MOST],
+}
+
+fn unit<const D: usize>() -> [[f64; D]; D] {
+    std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j))))
+}
+
+fn product<const D: usize>(a: &[[f64; D]; D], b: &[[f64; D]; D]) -> [[f64; D]; D] {
+    std::array::from_fn(|i| std::array::from_fn(|j| (0..D).map(|k| a[i][k] * b[k][j]).sum()))
+}
+
+impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
+    /// Where the parameters stand among an element's state variables.
+    fn first_parameter(&self) -> usize {
+        P * self.point_states()
+    }
+
+    fn centre(&self, element: usize, q: &[f64], large: bool) -> Centre<D, N> {
+        let mut place = Place::new(&self.elements[element], &self.tables.centre, &self.recipe);
+        place.follow(q);
+        let mut deformation = unit();
+        if large {
+            for i in 0..D {
+                (0..D).for_each(|j| deformation[i][j] += place.gradient[i][j]);
+            }
+        }
+        let (inverse, slopes) = (place.inverse, place.slopes);
+        Centre { inverse, slopes, deformation, density: place.weight }
+    }
+
+    /// M of one mode at a point.
+    fn mode(
+        &self,
+        mode: usize,
+        point: usize,
+        density: f64,
+        centre: &Centre<D, N>,
+    ) -> [[f64; D]; D] {
+        let (a, b) = (mode / D, mode % D);
+        let scale = centre.density / density * self.tables.points[point].at[a];
+        std::array::from_fn(|i| {
+            std::array::from_fn(|j| scale * centre.inverse[a][i] * centre.inverse[b][j])
+        })
+    }
+
+    /// A place whose gradients have the enhanced ones added, and what the modes do there.
+    fn enhanced(
+        &self,
+        point: usize,
+        place: &Place<D, N>,
+        (centre, large): (&Centre<D, N>, bool),
+        parameters: &[f64],
+    ) -> (Place<D, N>, [Mode<D, N>; MOST]) {
+        let density = place.weight / self.tables.points[point].weight;
+        let (mut with, mut sum) = (*place, [[0.0; D]; D]);
+        let none = Mode { gradient: [[0.0; D]; D], turning: [[0.0; N]; D] };
+        let mut modes = [none; MOST];
+        for (mode, into) in modes.iter_mut().take(D * D).enumerate() {
+            into.gradient = self.mode(mode, point, density, centre);
+            for (sum, row) in sum.iter_mut().zip(&into.gradient) {
+                sum.iter_mut().zip(row).for_each(|(sum, m)| *sum += parameters[mode] * m);
+            }
+        }
+        let added = product(&centre.deformation, &sum);
+        for i in 0..D {
+            (0..D).for_each(|j| with.gradient[i][j] += added[i][j]);
+        }
+        if large {
+            carry_back(&mut with.slopes, &sum, &centre.slopes);
+            turn(&with.gradient, centre, &mut modes);
+        }
+        (with, modes)
+    }
+
+    /// Force, tangent, trial state and energy of an element with modes.
+    pub(super) fn with_modes(
+        &self,
+        (element, places): (usize, &[Place<D, N>; P]),
+        q: &[f64],
+        (committed, large): (&[f64], bool),
+        into: Response<'_>,
+    ) -> f64 {
+        let first = self.first_parameter();
+        let mut parameters = [0.0; MOST];
+        parameters
+            .iter_mut()
+            .zip(&committed[first.min(committed.len())..])
+            .for_each(|(p, c)| *p = *c);
+        let centre = self.centre(element, q, large);
+        for _ in 0..CORRECTIONS {
+            let (points, sums) =
+                self.deformed((places, &centre), &parameters, large, (committed, &mut *into.state));
+            let Some(step) = solve::<1>(D * D, &sums.own, &sums.force.map(|f| [-f])) else { break };
+            parameters.iter_mut().zip(&step).for_each(|(own, [step])| *own += step);
+            let change = step.iter().fold(0.0_f64, |most, [step]| most.max(step.abs()));
+            let size = centre.size(&parameters, &points);
+            if change <= CLOSE * size {
+                let room = into.state.get_mut(first..first + D * D).unwrap_or_default();
+                room.iter_mut().zip(&parameters).for_each(|(to, own)| *to = *own);
+                gather::force(&points, into.force);
+                self.eliminate(&points, &sums, &step, (into.force, into.tangent));
+                return energy(&points, large);
+            }
+            if !change.is_finite() {
+                break;
+            }
+        }
+        into.force.fill(f64::NAN);
+        f64::NAN
+    }
+
+    /// All points and the sums of the modes.
+    fn deformed(
+        &self,
+        (places, centre): (&[Place<D, N>; P], &Centre<D, N>),
+        parameters: &[f64; MOST],
+        large: bool,
+        states: (&[f64], &mut [f64]),
+    ) -> ([Point<D, N>; P], Sums<D, N>) {
+        let parts: [_; P] =
+            std::array::from_fn(|k| self.enhanced(k, &places[k], (centre, large), parameters));
+        let points = self.answers(&parts.map(|(place, _)| place), large, states);
+        let mut sums =
+            Sums { force: [0.0; MOST], own: [[0.0; MOST]; MOST], joint: [[[0.0; N]; D]; MOST] };
+        for (point, (_, modes)) in points.iter().zip(&parts) {
+            sums.add(point, modes);
+        }
+        (points, sums)
+    }
+
+    /// Eliminates the parameters, whose last correction is `step`.
+    fn eliminate(
+        &self,
+        points: &[Point<D, N>; P],
+        sums: &Sums<D, N>,
+        step: &[[f64; 1]; MOST],
+        (force, tangent): (&mut [f64], Option<&mut [f64]>),
+    ) {
+        for (a, node) in force.chunks_exact_mut(D).enumerate() {
+            for (i, force) in node.iter_mut().enumerate() {
+                *force += (0..D * D).map(|m| sums.joint[m][i][a] * step[m][0]).sum::<f64>();
+            }
+        }
+        let Some(tangent) = tangent else { return };
+        gather::tangent(points, self.is_ring(), tangent);
+        for i in 0..D {
+            let sides: [[f64; N]; MOST] = std::array::from_fn(|m| sums.joint[m][i]);
+            let Some(solved) = solve::<N>(D * D, &sums.own, &sides) else { return };
+            for (b, k) in (0..N).flat_map(|b| (0..D).map(move |k| (b, k))) {
+                for a in 0..N {
+                    let less: f64 = (0..D * D).map(|m| solved[m][a] * sums.joint[m][k][b]).sum();
+                    tangent[D * N * (D * a + i) + D * b + k] -= less;
+                }
+            }
+        }
+    }
+
+    /// H at every point, enhanced by the parameters of a state, for results.
+    pub(super) fn enhanced_gradients(
+        &self,
+        (element, places): (usize, &mut [Place<D, N>; P]),
+        q: &[f64],
+        (state, large): (&[f64], bool),
+    ) {
+        let mut parameters = [0.0; MOST];
+        let first = self.first_parameter().min(state.len());
+        parameters.iter_mut().zip(&state[first..]).for_each(|(p, own)| *p = *own);
+        let centre = self.centre(element, q, large);
+        for (k, place) in places.iter_mut().enumerate() {
+            place.gradient = self.enhanced(k, place, (&centre, large), &parameters).0.gradient;
+        }
+    }
+}
+
+impl<const D: usize, const N: usize> Centre<D, N> {
+    /// What changes of the parameters are held against: themselves and the strains, in the units
+    /// of the parameters [L2].
+    fn size(&self, parameters: &[f64; MOST], points: &[Point<D, N>]) -> f64 {
+        let largest = |list: &[f64]| list.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        let strain = points
+            .iter()
+            .map(|point| largest(point.gradient.as_flattened()))
+            .fold(0.0_f64, f64::max);
+        let inverse = largest(self.inverse.as_flattened());
+        largest(parameters).max(strain / (inverse * inverse))
+    }
+}
+
+/// slopes += M' slopes at the centre: nodes move the modes along.
+fn carry_back<const D: usize, const N: usize>(
+    slopes: &mut [[f64; N]; D],
+    modes: &[[f64; D]; D],
+    centre: &[[f64; N]; D],
+) {
+    for (j, slopes) in slopes.iter_mut().enumerate() {
+        for (k, centre) in centre.iter().enumerate() {
+            slopes.iter_mut().zip(centre).for_each(|(s, c)| *s += modes[k][j] * c);
+        }
+    }
+}
+
+/// Makes the gradients of modes those by deformed position: F0 M F^-1, and M' grad0 F^-1.
+fn turn<const D: usize, const N: usize>(
+    gradient: &Matrix,
+    centre: &Centre<D, N>,
+    modes: &mut [Mode<D, N>; MOST],
+) {
+    let f: [[f64; D]; D] = std::array::from_fn(|i| {
+        std::array::from_fn(|j| gradient[i][j] + f64::from(u8::from(i == j)))
+    });
+    let (back, _) = invert(&f);
+    for mode in modes.iter_mut().take(D * D) {
+        let behind = product(&mode.gradient, &back);
+        for (j, row) in mode.turning.iter_mut().enumerate() {
+            for (k, slopes) in centre.slopes.iter().enumerate() {
+                row.iter_mut().zip(slopes).for_each(|(t, s)| *t += behind[k][j] * s);
+            }
+        }
+        mode.gradient = product(&centre.deformation, &behind);
+    }
+}
+
+impl<const D: usize, const N: usize> Sums<D, N> {
+    /// Adds a point: docs/theory.md eq. (3.57).
+    fn add(&mut self, point: &Point<D, N>, modes: &[Mode<D, N>; MOST]) {
+        let w = point.weight;
+        // w (c_ijkl + 1_ik tau_jl) l_kl of every mode
+        let mut products = [[[0.0; D]; D]; MOST];
+        let mut of_hoop = [0.0; MOST];
+        for (m, mode) in modes.iter().enumerate().take(D * D) {
+            for i in 0..D {
+                for j in 0..D {
+                    let moduli = &point.moduli[INDEX[i][j]];
+                    let mut sum = 0.0;
+                    for l in 0..D {
+                        for k in 0..D {
+                            sum += moduli[INDEX[k][l]] * mode.gradient[k][l];
+                        }
+                        sum += point.turning[INDEX[j][l]] * mode.gradient[i][l];
+                    }
+                    products[m][i][j] = w * sum;
+                    self.force[m] += w * point.stress[INDEX[i][j]] * mode.gradient[i][j];
+                    of_hoop[m] += w * point.moduli[2][INDEX[i][j]] * mode.gradient[i][j];
+                }
+            }
+        }
+        for (m, product) in products.iter().enumerate().take(D * D) {
+            for (own, mode) in self.own[m].iter_mut().zip(modes).take(D * D) {
+                let pairs = product.as_flattened().iter().zip(mode.gradient.as_flattened());
+                *own += pairs.map(|(p, l)| p * l).sum::<f64>();
+            }
+            for (i, row) in self.joint[m].iter_mut().enumerate() {
+                for j in 0..D {
+                    let turned: f64 = w * point.turning[INDEX[i][j]];
+                    for a in 0..N {
+                        row[a] +=
+                            product[i][j] * point.slopes[j][a] + turned * modes[m].turning[j][a];
+                    }
+                }
+            }
+            if D == 2 {
+                let row = &mut self.joint[m][0];
+                row.iter_mut().zip(&point.hoop).for_each(|(sum, hoop)| *sum += of_hoop[m] * hoop);
+            }
+        }
+    }
+}
+
+/// Solves a small dense system for `S` right sides by elimination with row pivots; `None`: it is
+/// singular.
+fn solve<const S: usize>(
+    size: usize,
+    matrix: &[[f64; MOST]; MOST],
+    sides: &[[f64; S]; MOST],
+) -> Option<[[f64; S]; MOST]> {
+    let (mut a, mut x) = (*matrix, *sides);
+    for k in 0..size {
+        let pivot = (k..size).max_by(|&i, &j| a[i][k].abs().total_cmp(&a[j][k].abs()))?;
+        a.swap(k, pivot);
+        x.swap(k, pivot);
+        let (row, side, head) = (a[k], x[k], a[k][k]);
+        if !(head.abs() > 0.0) {
+            return None;
+        }
+        for i in k + 1..size {
+            let factor = a[i][k] / head;
+            a[i].iter_mut().zip(&row).skip(k).for_each(|(entry, own)| *entry -= factor * own);
+            x[i].iter_mut().zip(&side).for_each(|(entry, own)| *entry -= factor * own);
+        }
+    }
+    for k in (0..size).rev() {
+        let head = a[k][k];
+        x[k].iter_mut().for_each(|entry| *entry /= head);
+        let side = x[k];
+        for i in 0..k {
+            let factor = a[i][k];
+            x[i].iter_mut().zip(&side).for_each(|(entry, own)| *entry -= factor * own);
+        }
+    }
+    (size..MOST).for_each(|k| x[k] = [0.0; S]);
+    Some(x)
+}

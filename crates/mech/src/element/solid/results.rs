@@ -1,0 +1,67 @@
+//! Results of a solid: stresses, strains and plastic strains at its points.
+
+use super::{Formulation, Solids};
+use crate::material::Axes;
+use crate::material::tensor::{Matrix, Symmetric, left, right, symmetric};
+
+/// Strains as results tell them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Told {
+    /// ln V where displacements are large, shear strains as angles (Abaqus).
+    #[default]
+    Logarithmic,
+    /// Green's strain where displacements are large, shear strains as components (CalculiX).
+    Green,
+}
+
+impl Told {
+    /// The strain of a displacement gradient, 11, 22, 33, 12, 13, 23 [1].
+    pub fn strain(self, gradient: &Matrix, large: bool) -> Symmetric {
+        let mut strain = match (self, large) {
+            (_, false) => symmetric(gradient),
+            (Self::Logarithmic, true) => {
+                let axes = Axes::of(&left(gradient));
+                axes.tensor(&axes.logs)
+            }
+            (Self::Green, true) => right(gradient).map(|entry| 0.5 * entry),
+        };
+        if self == Self::Logarithmic {
+            (3..6).for_each(|k| strain[k] *= 2.0);
+        }
+        strain
+    }
+}
+
+impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
+    /// Cauchy stress [F/L2] of every point, then strain [1] and the equivalent plastic strain [1]; 11, 22, 33, 12 in the plane, 13 and 23 behind them in space.
+    pub(super) fn write_results(
+        &self,
+        element: usize,
+        (q, state): (&[f64], &[f64]),
+        large: bool,
+        into: &mut [f64],
+    ) {
+        let mut places = self.places(element, q);
+        if self.recipe.formulation == Formulation::Incompatible {
+            self.enhanced_gradients((element, &mut places), q, (state, large));
+        }
+        // The committed state answers its own strains with the same stresses.
+        let mut scratch = state.to_vec();
+        let (points, _) = self.points(&places, large, (state, &mut scratch));
+        let width = if D == 2 { 4 } else { 6 };
+        let Some((stresses, rest)) = into.split_at_mut_checked(width * P) else { return };
+        let Some((strains, rest)) = rest.split_at_mut_checked(width * P) else { return };
+        let plastic = rest;
+        for (k, point) in points.iter().enumerate() {
+            let volume = if large { 1.0 + point.dilation } else { 1.0 };
+            let stress = point.stress.map(|stress| stress / volume);
+            stresses[width * k..width * (k + 1)].copy_from_slice(&stress[..width]);
+            let strain = self.recipe.told.strain(&point.gradient, large);
+            strains[width * k..width * (k + 1)].copy_from_slice(&strain[..width]);
+            let own = self.of_point(state, k);
+            if let Some(entry) = plastic.get_mut(k) {
+                *entry = self.recipe.material.plastic_strain(own).unwrap_or(0.0);
+            }
+        }
+    }
+}

@@ -1,0 +1,293 @@
+//! Metals: elastic until von Mises' stress reaches the yield stress, then plastic at constant volume.
+//!
+//! ```text
+//!   stress |      ______ table of yield stress and plastic strain, straight between
+//!          |   __/
+//!          |  /          b_e = F Cp^-1 F'   elastic part of the deformation
+//!          | /           plastic flow along the deviator of the Kirchhoff stress
+//!          |/_________
+//! ```
+//!
+//! Return along the radius, exact on every straight piece of the table: J. C. Simo and T. J. R.
+//! Hughes, Computational Inelasticity (1998), section 3.3; at large strain in principal logarithmic
+//! strains, where the same algorithm holds: J. C. Simo (1992). docs/theory.md eqs. (3.48) to (3.51).
+//!
+//! State variables: Cp^-1 - 1 (six), equivalent plastic strain, plastic work per volume, back
+//! stress (six; only where hardening moves the yield surface).
+
+use super::principal::Axes;
+use super::tensor::{
+    Matrix, Symmetric, add, add_dyad, carried, contract, deformation, deviator, inverse, left,
+};
+use super::{Answer, Elastic};
+
+/// Index of the equivalent plastic strain among the state variables.
+pub const PEEQ: usize = 6;
+const WORK: usize = 7;
+const BACK: usize = 8;
+
+/// An elastic material that yields.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plastic {
+    /// Elasticity.
+    pub elastic: Elastic,
+    /// Yield stress [F/L2] and plastic strain [1], strains ascending from zero; constant behind the
+    /// last one.
+    pub table: Vec<[f64; 2]>,
+    /// Modulus with which the yield surface moves, stress to plastic strain in tension [F/L2].
+    pub kinematic: f64,
+}
+
+/// What a return to the yield surface comes to.
+struct Return {
+    /// Increment of the equivalent plastic strain [1].
+    strain: f64,
+    /// Slope of the yield stress there [F/L2].
+    slope: f64,
+    /// Plastic work per volume [F/L2].
+    work: f64,
+}
+
+impl Plastic {
+    /// Number of state variables of a point.
+    pub fn states(&self) -> usize {
+        if self.kinematic == 0.0 { BACK } else { BACK + 6 }
+    }
+
+    /// Yield stress and its slope at an equivalent plastic strain.
+    fn yield_stress(&self, strain: f64) -> [f64; 2] {
+        let behind = self.table.iter().position(|line| line[1] > strain);
+        match behind {
+            Some(0) | None => [self.table.last().map_or(0.0, |line| line[0]), 0.0],
+            Some(next) => {
+                let ([low, from], [high, to]) = (self.table[next - 1], self.table[next]);
+                let slope = (high - low) / (to - from);
+                [low + slope * (strain - from), slope]
+            }
+        }
+    }
+
+    /// Returns an equivalent trial stress to the yield surface; `None`: it is inside.
+    fn back(&self, trial: f64, before: f64) -> Option<Return> {
+        let three = 3.0 * self.elastic.shear_modulus() + self.kinematic;
+        let [start, mut slope] = self.yield_stress(before);
+        if trial <= start {
+            return None;
+        }
+        let (mut at, mut stress, mut work) = (before, start, 0.0);
+        let mut ends = self.table.iter().map(|line| line[1]).filter(|end| *end > before);
+        loop {
+            let step = (trial - three * (at - before) - stress) / (three + slope);
+            let end = ends.next().unwrap_or(f64::INFINITY);
+            let room = (end - at).min(step);
+            work += room * (stress + 0.5 * slope * room);
+            at += room;
+            if step <= end - (at - room) || !end.is_finite() {
+                return Some(Return { strain: at - before, slope, work });
+            }
+            [stress, slope] = self.yield_stress(end);
+        }
+    }
+
+    /// Answer to a small strain.
+    pub fn small(&self, strain: &Symmetric, committed: &[f64], state: &mut [f64]) -> Answer {
+        state.copy_from_slice(committed);
+        let plastic: Symmetric = std::array::from_fn(|k| -0.5 * committed[k]);
+        let elastic = add(strain, -1.0, &plastic);
+        let mut stress = self.elastic.stress(&elastic);
+        let shear = self.elastic.shear_modulus();
+        let back = self.back_stress(committed);
+        let relative = add(&deviator(&stress), -1.0, &back);
+        let size = contract(&relative, &relative).sqrt();
+        let trial = 1.5f64.sqrt() * size;
+        let mut moduli = self.elastic.moduli();
+        let mut left_over = elastic;
+        if let Some(back) = self.back(trial, committed[PEEQ]) {
+            let way = relative.map(|s| s / size);
+            let amount = 1.5f64.sqrt() * back.strain;
+            stress = add(&stress, -2.0 * shear * amount, &way);
+            left_over = add(&elastic, -amount, &way);
+            (0..6).for_each(|k| state[k] -= 2.0 * amount * way[k]);
+            self.note(&back, &way, state);
+            let kept = 3.0 * shear * back.strain / trial;
+            super::tensor::add_unit(&mut moduli, -2.0 * shear * kept);
+            (0..3).for_each(|i| (0..3).for_each(|j| moduli[i][j] += 2.0 / 3.0 * shear * kept));
+            let tangent = 3.0 * shear / (3.0 * shear + self.kinematic + back.slope) - kept;
+            add_dyad(&mut moduli, -2.0 * shear * tangent, &way);
+        }
+        let energy = 0.5 * contract(&stress, &left_over) + self.held(state);
+        Answer { stress, moduli, energy, dissipation: state[WORK] }
+    }
+
+    /// Answer to a deformation; the yield surface does not move there.
+    pub fn large(&self, gradient: &Matrix, committed: &[f64], state: &mut [f64]) -> Answer {
+        state.copy_from_slice(committed);
+        let f = deformation(gradient);
+        let plastic: Symmetric = std::array::from_fn(|k| committed[k]);
+        let axes = Axes::of(&add(&left(gradient), 1.0, &carried(&f, &plastic)));
+        let (mut stresses, mut slopes, _) = self.elastic.principal(&axes.logs);
+        let mut logs = axes.logs;
+        let mean = (stresses[0] + stresses[1] + stresses[2]) / 3.0;
+        let s = stresses.map(|stress| stress - mean);
+        let size = (s[0] * s[0] + s[1] * s[1] + s[2] * s[2]).sqrt();
+        let trial = 1.5f64.sqrt() * size;
+        if let Some(back) = self.back(trial, committed[PEEQ]) {
+            let shear = self.elastic.shear_modulus();
+            let way = s.map(|s| s / size);
+            let amount = 1.5f64.sqrt() * back.strain;
+            let kept = 3.0 * shear * back.strain / trial;
+            let tangent = 3.0 * shear / (3.0 * shear + self.kinematic + back.slope) - kept;
+            for a in 0..3 {
+                stresses[a] -= 2.0 * shear * amount * way[a];
+                logs[a] -= amount * way[a];
+                slopes[a][a] -= 2.0 * shear * kept;
+                for b in 0..3 {
+                    slopes[a][b] += 2.0 * shear * (kept / 3.0 - tangent * way[a] * way[b]);
+                }
+            }
+            // Cp^-1 = F^-1 b_e F^-T
+            let elastic = axes.tensor(&logs.map(|log| (2.0 * log).exp_m1()));
+            self.keep(&f, gradient, &elastic, state);
+            state[PEEQ] += back.strain;
+            state[WORK] += back.work;
+        }
+        let stored = 0.5 * (0..3).map(|a| stresses[a] * logs[a]).sum::<f64>();
+        let answer = axes.answer(&stresses, &slopes, stored + state[WORK]);
+        Answer { dissipation: state[WORK], ..answer }
+    }
+
+    /// Keeps Cp^-1 - 1 = F^-1 (b_e - b) F^-T, of b_e - 1.
+    fn keep(&self, f: &Matrix, gradient: &Matrix, elastic: &Symmetric, state: &mut [f64]) {
+        let (back, _) = inverse(f);
+        let plastic = carried(&back, &add(elastic, -1.0, &left(gradient)));
+        state[..6].copy_from_slice(&plastic);
+    }
+
+    /// Notes strain, work and the moved surface of a return along `way`.
+    fn note(&self, back: &Return, way: &Symmetric, state: &mut [f64]) {
+        state[PEEQ] += back.strain;
+        state[WORK] += back.work;
+        if self.kinematic != 0.0 {
+            let amount = (2.0 / 3.0f64).sqrt() * self.kinematic * back.strain;
+            (0..6).for_each(|k| state[BACK + k] += amount * way[k]);
+        }
+    }
+
+    fn back_stress(&self, state: &[f64]) -> Symmetric {
+        std::array::from_fn(|k| state.get(BACK + k).copied().unwrap_or(0.0))
+    }
+
+    /// What plastic work and the moved surface hold per volume [F/L2].
+    fn held(&self, state: &[f64]) -> f64 {
+        let back = self.back_stress(state);
+        let moved = if self.kinematic == 0.0 {
+            0.0
+        } else {
+            0.75 * contract(&back, &back) / self.kinematic
+        };
+        state[WORK] + moved
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// det Cp^-1, one where flow keeps the volume.
+    fn volume(a: &Symmetric) -> f64 {
+        let mut b = *a;
+        (0..3).for_each(|k| b[k] += 1.0);
+        super::super::tensor::determinant(&super::super::tensor::full(&b))
+    }
+
+    fn steel() -> Plastic {
+        Plastic {
+            elastic: Elastic { modulus: 200.0, poisson: 0.3 },
+            table: vec![[1.0, 0.0], [1.5, 0.1], [1.6, 0.4]],
+            kinematic: 0.0,
+        }
+    }
+
+    /// Requirement: a stretch far beyond the table's first pieces ends on the table. Source: the
+    /// table. Tolerance: rounding.
+    #[test]
+    fn the_stress_ends_on_the_table() {
+        let steel = steel();
+        for (amount, before) in [(0.02, 0.0), (0.2, 0.0), (0.9, 0.0), (0.3, 0.05), (3.0, 1.0)] {
+            let mut committed = vec![0.0; 8];
+            committed[PEEQ] = before;
+            let mut state = vec![0.0; 8];
+            let strain = [amount, -0.5 * amount, -0.5 * amount, 0.1 * amount, 0.0, 0.0];
+            let answer = steel.small(&strain, &committed, &mut state);
+            let exact = steel.yield_stress(state[PEEQ])[0];
+            assert!((super::super::tensor::mises(&answer.stress) - exact).abs() < 1e-12);
+            assert!(super::super::tensor::trace(&std::array::from_fn(|k| state[k])).abs() < 1e-14);
+            let large = [[amount, 0.1 * amount, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]];
+            let answer = steel.large(&large, &committed, &mut state);
+            let exact = steel.yield_stress(state[PEEQ])[0];
+            assert!((super::super::tensor::mises(&answer.stress) - exact).abs() < 1e-11);
+            let flow: Symmetric = std::array::from_fn(|k| state[k]);
+            assert!((volume(&flow) - 1.0).abs() < 1e-12, "{}", volume(&flow));
+        }
+    }
+
+    /// Requirement: tension in one direction follows sigma = yield stress of the plastic strain
+    /// left when the elastic part is taken away, at small and at large strain (there in logarithmic
+    /// strain and Kirchhoff stress), and unloads elastically. Source: definition of the table.
+    #[test]
+    fn tension_in_one_direction() {
+        let steel = steel();
+        // the strain across is found by bisection so that nothing pulls there
+        let pull = |large: bool, log: f64, committed: &[f64], state: &mut [f64]| {
+            let mut answer = Answer::default();
+            let (mut low, mut high) = (-2.0, 2.0);
+            for _ in 0..200 {
+                let middle = 0.5 * (low + high);
+                answer = if large {
+                    let [x, y]: [f64; 2] = [log, middle];
+                    let h =
+                        [[x.exp_m1(), 0.0, 0.0], [0.0, y.exp_m1(), 0.0], [0.0, 0.0, y.exp_m1()]];
+                    steel.large(&h, committed, state)
+                } else {
+                    steel.small(&[log, middle, middle, 0.0, 0.0, 0.0], committed, state)
+                };
+                if answer.stress[1] > 0.0 { high = middle } else { low = middle }
+            }
+            answer.stress[0]
+        };
+        for large in [false, true] {
+            let (mut first, mut second) = (vec![0.0; 8], vec![0.0; 8]);
+            let stress = pull(large, 0.15, &[0.0; 8], &mut first);
+            let exact = steel.yield_stress(0.15 - stress / 200.0)[0];
+            assert!((stress - exact).abs() < 1e-9, "{large} {stress} {exact}");
+            assert!((first[PEEQ] - (0.15 - stress / 200.0)).abs() < 1e-9);
+            let less = pull(large, 0.148, &first, &mut second);
+            assert!((stress - less - 0.4).abs() < 1e-9, "{large} {less}");
+            assert_eq!(second[PEEQ], first[PEEQ]);
+        }
+    }
+
+    /// Requirement: linear kinematic hardening: after tension the yield stress in compression is
+    /// lower by twice what it rose (Bauschinger). Source: definition. Tolerance: rounding.
+    #[test]
+    fn the_yield_surface_moves() {
+        let steel = Plastic { table: vec![[1.0, 0.0]], kinematic: 10.0, ..steel() };
+        let mut state = vec![0.0; 14];
+        // pure shear: eps12 gives sigma12, yield at 1/sqrt 3
+        let shear = |strain: f64, from: &[f64], state: &mut Vec<f64>| {
+            steel.small(&[0.0, 0.0, 0.0, strain, 0.0, 0.0], from, state).stress[3]
+        };
+        let start = vec![0.0; 14];
+        let up = shear(0.05, &start, &mut state);
+        let peeq = state[PEEQ];
+        assert!((up - (1.0 + 10.0 * peeq) / 3f64.sqrt()).abs() < 1e-13);
+        let from = state.clone();
+        let g = 200.0 / 2.6;
+        let turn = 0.05 - (2.0 / 3f64.sqrt()) / (2.0 * g);
+        let down = shear(turn + 1e-9, &from, &mut state);
+        assert_eq!(state[PEEQ], peeq);
+        assert!((up - down - 2.0 / 3f64.sqrt()).abs() < 1e-6);
+        shear(turn - 1e-6, &from, &mut state);
+        assert!(state[PEEQ] > peeq);
+    }
+}
