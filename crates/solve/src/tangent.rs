@@ -519,6 +519,7 @@ mod tests {
             loads: vec![],
             controls: Controls::default(),
             stabilisation: None,
+            distributed: Default::default(),
             output: OutputRequests::default(),
             origin: AT,
         });
@@ -562,6 +563,7 @@ mod tests {
             let stresses = vec![0.0; plan.structure.stress_room()];
             let load = vec![0.0; dofs];
             let trial = Trial {
+                faces: &[],
                 stresses: &stresses,
                 u: &u,
                 load: &load,
@@ -610,6 +612,7 @@ mod tests {
                 u[body.start + 1] = down;
                 plan.constraints.enforce(&mut u);
                 let trial = Trial {
+                    faces: &[],
                     stresses: &stresses,
                     u: &u,
                     load: &load,
