@@ -4,8 +4,9 @@
 use slideline::mech::contact::friction::{FrictionLaw, Stick};
 use slideline::mech::contact::normal::NormalLaw;
 use slideline::mech::contact::pair::{AnyGap, Body, RigidSurface, chain_gap};
-use slideline::mech::contact::search::chain::Chain;
+use slideline::mech::contact::search::chain::{Chain, raised};
 use slideline::mech::contact::search::rigid::RigidSegment;
+use slideline::mech::contact::tangential::Tangential;
 
 /// Laws, a chain and a rigid surface of these numbers.
 pub fn check(bytes: &[u8]) {
@@ -43,13 +44,18 @@ fn laws(v: &[f64]) {
         for stick in [Stick::Lagrange, Stick::Elastic { slip: length }] {
             let coefficient = v[3].abs().min(10.0);
             let friction = FrictionLaw::Coulomb { coefficient, limit: None, decay: None, stick };
-            let tau = friction.update(p, v[4], v[5].clamp(-length, length), 1.0).tau;
-            assert!(!tau.is_nan() && !friction.limit_traction(p, v[4], 1.0).is_nan());
+            let slip = Tangential([v[4], v[6]]);
+            let before = Tangential([v[5].clamp(-length, length), 0.0]);
+            let tau = friction.update(p, slip, before, 1.0).tau;
+            let limit = friction.limit_traction(p, slip, 1.0);
+            assert!(!tau[0].is_nan() && !tau[1].is_nan() && !limit.is_nan());
         }
     }
 }
 
 fn chain(nodes: &[[f64; 2]], smoothing: f64, point: [f64; 2]) {
+    let nodes: Vec<_> = nodes.iter().copied().map(raised).collect();
+    let (nodes, point) = (&nodes[..], raised(point));
     let Some(chain) = Chain::new(nodes, smoothing, 0.1) else { return };
     let Some(piece) = chain.closest(nodes, None, point) else { return };
     assert!(piece.nodes().end <= nodes.len() && !piece.parameter.is_nan(), "{piece:?}");
@@ -71,7 +77,8 @@ fn rigid(points: &[[f64; 2]], point: [f64; 2], dofs: [f64; 3]) {
         });
     }
     let surface = RigidSurface::new(segments);
-    let body = Body { reference: [0.0, 0.0], dofs: [dofs[0], dofs[1], dofs[2] * 1e-9] };
+    let point = raised(point);
+    let body = Body { reference: [0.0; 3], dofs: [dofs[0], dofs[1], dofs[2] * 1e-9] };
     if let Some(overclosure) = surface.overclosure(&body, point) {
         assert!(!overclosure.is_nan(), "{surface:?} {point:?}");
     }
@@ -82,7 +89,7 @@ fn rigid(points: &[[f64; 2]], point: [f64; 2], dofs: [f64; 3]) {
 }
 
 fn finite(gap: &AnyGap) {
-    let [x, y] = gap.normal();
-    let numbers = [gap.overclosure(), gap.along(), x, y, gap.position()[0], gap.position()[1]];
+    let [x, y, _] = gap.normal();
+    let numbers = [gap.overclosure(), gap.along()[0], x, y, gap.position()[0], gap.position()[1]];
     assert!(numbers.iter().all(|number| !number.is_nan()), "{numbers:?}");
 }

@@ -62,7 +62,7 @@ fn stuck(curve: &Curve) -> (f64, usize) {
 
 fn largest_coordinate(curve: &Curve) -> f64 {
     let nodes = &curve.model.nodes;
-    let all = (0..nodes.len()).flat_map(|node| nodes.plane(node));
+    let all = (0..nodes.len()).flat_map(|node| nodes.position(node));
     all.fold(0.0, |most, x| x.abs().max(most))
 }
 

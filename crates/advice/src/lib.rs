@@ -37,7 +37,7 @@ use slideline_model::Model;
 pub fn advise(model: &Model) -> Vec<Finding> {
     let mut start = start::Start::of(model);
     let mut findings = Vec::new();
-    if model.is_spatial() {
+    if model.is_in_space() {
         // bodies, motions and meshes are judged in the plane alone
         units::judge(&start, &mut findings);
         return findings;

@@ -68,13 +68,13 @@ fn same_place(start: &Start<'_>, findings: &mut Vec<Finding>) {
     let nodes = &start.model.nodes;
     let mut beams = beam_nodes(start);
     beams.retain(|&node| start.bodies.dependent[node].is_none());
-    beams.sort_by(|&a, &b| nodes.plane(a)[0].total_cmp(&nodes.plane(b)[0]));
+    beams.sort_by(|&a, &b| nodes.position(a)[0].total_cmp(&nodes.position(b)[0]));
     let near = 1e-9 * start.reach;
     let mut found: Vec<[NodeIndex; 2]> = Vec::new();
     for (place, &a) in beams.iter().enumerate() {
         let follow = beams[place + 1..].iter();
-        for &b in follow.take_while(|&&b| nodes.plane(b)[0] - nodes.plane(a)[0] <= near) {
-            let apart = length(less(nodes.plane(a), nodes.plane(b))) > near;
+        for &b in follow.take_while(|&&b| nodes.position(b)[0] - nodes.position(a)[0] <= near) {
+            let apart = length(less(nodes.position(a), nodes.position(b))) > near;
             let one_body = start.bodies.of_node(a) == start.bodies.of_node(b);
             if apart || one_body || stand_apart(start, a, b) {
                 continue;
@@ -92,7 +92,7 @@ fn same_place(start: &Start<'_>, findings: &mut Vec<Finding>) {
 
 fn not_joined(start: &Start<'_>, [first, second]: [NodeIndex; 2]) -> Finding {
     let nodes = &start.model.nodes;
-    let labels = [nodes.label(first), nodes.label(second)];
+    let labels = [nodes.name(first), nodes.name(second)];
     let message = format!(
         "beam nodes {} and {} are at the same place but not connected: the beam has a gap there",
         labels[0], labels[1]
@@ -108,7 +108,7 @@ fn not_joined(start: &Start<'_>, [first, second]: [NodeIndex; 2]) -> Finding {
 }
 
 fn long(start: &Start<'_>, element: Element<'_>) -> f64 {
-    let [a, b] = element.ends().map(|node| start.model.nodes.plane(node));
+    let [a, b] = element.ends().map(|node| start.model.nodes.position(node));
     length(less(b, a))
 }
 
@@ -175,7 +175,7 @@ fn uneven(start: &Start<'_>) -> Option<Finding> {
 
 /// SL0412: a slide line that turns back upon itself.
 fn doubles_back(start: &Start<'_>, pair: &ContactPair, line: &SlideLine) -> Option<Finding> {
-    let at = |node| start.model.nodes.plane(node);
+    let at = |node| start.model.nodes.position(node);
     let back = line.nodes.windows(3).find(|w| {
         let (a, b) = (less(at(w[1]), at(w[0])), less(at(w[2]), at(w[1])));
         a[0] * b[0] + a[1] * b[1] < -0.5 * length(a) * length(b)
@@ -184,7 +184,7 @@ fn doubles_back(start: &Start<'_>, pair: &ContactPair, line: &SlideLine) -> Opti
         "the slide line of {} turns back at node {}: its nodes are not listed in their order \
          along the part",
         pair.name,
-        start.model.nodes.label(back[1])
+        start.model.nodes.name(back[1])
     );
     let said = Diagnostic::warning(Code("SL0412"), message).at(line.origin);
     Some(Finding::said(said.help(pair.vocabulary.order_chain())))

@@ -39,11 +39,11 @@ pub fn motion(
     };
     let of = |dof| find(step, driver, dof).map_or(0.0, now);
     let moved = Body {
-        reference: model.nodes.plane(driver),
+        reference: model.nodes.position(driver),
         dofs: [of(Dof::U1), of(Dof::U2), of(Dof::UR3)],
     };
     let agrees = own().all(|p| {
-        let at = model.nodes.plane(p.node);
+        let at = model.nodes.position(p.node);
         let to = moved.to_space(at);
         let (expected, size) = match p.dof {
             Dof::U1 => (to[0] - at[0], moved.dofs[0].abs().max(moved.dofs[1].abs())),
@@ -56,7 +56,7 @@ pub fn motion(
 }
 
 fn still(model: &Model, node: NodeIndex) -> Body {
-    Body { reference: model.nodes.plane(node), dofs: [0.0; 3] }
+    Body { reference: model.nodes.position(node), dofs: [0.0; 3] }
 }
 
 fn find(step: &Step, node: NodeIndex, dof: Dof) -> Option<&Prescribed> {

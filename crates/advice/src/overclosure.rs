@@ -36,7 +36,7 @@ fn say(start: &Start<'_>, pair: &ContactPair, deepest: &ContactRow, count: usize
         if count == 1 { "" } else { "s" },
         pair.name,
         if count == 1 { "s" } else { "" },
-        start.model.nodes.label(deepest.node),
+        start.model.nodes.name(deepest.node),
     );
     let small = match pair.interaction.normal {
         NormalLaw::Exponential { clearance, .. }

@@ -27,7 +27,7 @@ pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
 
 /// Length of the longest straight segment of the master [L].
 fn straight(start: &Start<'_>, pair: &ContactPair) -> f64 {
-    let at = |node| start.model.nodes.plane(node);
+    let at = |node| start.model.nodes.position(node);
     match &pair.master {
         Master::SlideLine(line) => {
             let sides = line.nodes.windows(2).map(|w| length(less(at(w[1]), at(w[0]))));
@@ -38,7 +38,7 @@ fn straight(start: &Start<'_>, pair: &ContactPair) -> f64 {
             let mut longest: f64 = 0.0;
             for segment in &surface.segments {
                 if let SurfaceSegment::Line { end } = *segment {
-                    longest = longest.max(length(less(end, from)));
+                    longest = longest.max((end[0] - from[0]).hypot(end[1] - from[1]));
                 }
                 from = segment.end();
             }
@@ -50,7 +50,7 @@ fn straight(start: &Start<'_>, pair: &ContactPair) -> f64 {
 /// Three neighbouring slaves of one rigid body that fit on a segment of the
 /// length `straight`, and how far the middle one stands off their chord [L].
 fn three(start: &Start<'_>, pair: &ContactPair, straight: f64) -> Option<([NodeIndex; 3], f64)> {
-    let at = |node| start.model.nodes.plane(node);
+    let at = |node| start.model.nodes.position(node);
     pair.elements.windows(2).find_map(|both| {
         let [first, second] = [both[0].nodes, both[1].nodes];
         let nodes = if first[1] == second[0] {
@@ -71,7 +71,7 @@ fn three(start: &Start<'_>, pair: &ContactPair, straight: f64) -> Option<([NodeI
 }
 
 fn say(start: &Start<'_>, pair: &ContactPair, nodes: [NodeIndex; 3], sagitta: f64) -> Finding {
-    let [a, b, c] = nodes.map(|node| start.model.nodes.label(node));
+    let [a, b, c] = nodes.map(|node| start.model.nodes.name(node));
     let what = match &pair.master {
         Master::SlideLine(_) => "slide line",
         Master::RigidSurface(_) => "rigid surface",

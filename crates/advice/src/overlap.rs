@@ -58,7 +58,7 @@ enum Overlap {
 
 struct Piece<'a> {
     element: Element<'a>,
-    ends: [[f64; 2]; 2],
+    ends: [[f64; 3]; 2],
     low: f64,
     high: f64,
 }
@@ -71,7 +71,7 @@ fn pieces<'a>(start: &Start<'a>) -> Vec<Piece<'a>> {
     elements
         .filter(|element| !element.ends().iter().all(|&node| rigid(node)))
         .map(|element| {
-            let ends = element.ends().map(|node| start.model.nodes.plane(node));
+            let ends = element.ends().map(|node| start.model.nodes.position(node));
             let (low, high) = (ends[0][0].min(ends[1][0]), ends[0][0].max(ends[1][0]));
             Piece { element, ends, low, high }
         })
@@ -89,7 +89,7 @@ fn overlap(start: &Start<'_>, a: &Piece<'_>, b: &Piece<'_>) -> Option<Overlap> {
     }
     let t = [along[0] / long, along[1] / long];
     // coordinates of b in the frame of a
-    let local = |point: [f64; 2]| {
+    let local = |point: [f64; 3]| {
         let d = less(point, p);
         [d[0] * t[0] + d[1] * t[1], d[1] * t[0] - d[0] * t[1]]
     };

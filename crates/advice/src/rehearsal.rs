@@ -10,7 +10,7 @@ use crate::moments::{Carrier, Moment, Rehearsal};
 use crate::motion::motion;
 use crate::start::{Start, length, less};
 use slideline_mech::contact::pair::{Body, RigidSurface, chain_gap};
-use slideline_mech::contact::search::chain::Chain;
+use slideline_mech::contact::search::chain::{Chain, flat};
 use slideline_mech::contact::search::rigid::{RigidSegment, beyond_end};
 use slideline_model::{ContactPair, Formulation, Master, NodeIndex, Step};
 
@@ -85,14 +85,13 @@ fn fill_gaps(start: &mut Start<'_>) {
         if pair.formulation != Formulation::SurfaceToSurface {
             continue;
         }
-        let (point, still) =
-            (start.model.nodes.plane(row.node), Body { reference: [0.0; 2], dofs: [0.0; 3] });
+        let (point, still) = (start.model.nodes.position(row.node), Body::STILL);
         let Some(Facade::Body(surface, _)) = facade(start, pair) else { continue };
         let facing = surface.closest(&still, point);
         if let Some(gap) = facing.and_then(|facing| surface.gap(&still, &facing, point)) {
             row.opening = -gap.overclosure();
             row.normal = gap.normal();
-            row.along = gap.along();
+            row.along = gap.along()[0];
             row.position = point;
         }
     }
@@ -105,7 +104,7 @@ fn facade(start: &Start<'_>, pair: &ContactPair) -> Option<Facade> {
             Some(Facade::Body(slideline_solve::rigid_surface(surface)?, surface.reference))
         }
         Master::SlideLine(line) => {
-            let at: Vec<_> = line.nodes.iter().map(|&n| start.model.nodes.plane(n)).collect();
+            let at: Vec<_> = line.nodes.iter().map(|&n| start.model.nodes.position(n)).collect();
             Some(Facade::Line(Chain::new(&at, line.smooth, line.extension)?, line.nodes.clone()))
         }
     }
@@ -116,7 +115,7 @@ fn arc_places(start: &Start<'_>, pair: &ContactPair, slaves: &[NodeIndex]) -> Ve
     let mut places = vec![0.0; slaves.len()];
     let place = |node| slaves.iter().position(|&own| own == node);
     for element in &pair.elements {
-        let [a, b] = element.nodes.map(|node| start.model.nodes.plane(node));
+        let [a, b] = element.nodes.map(|node| start.model.nodes.position(node));
         if let (Some(from), Some(to)) = (place(element.nodes[0]), place(element.nodes[1])) {
             places[to] = places[from] + length(less(b, a));
         }
@@ -135,8 +134,8 @@ fn walk(
     let first = *slaves.first()?;
     let one_body = slaves.iter().all(|&s| start.bodies.of_node(s) == start.bodies.of_node(first));
     let common = moved(first)?;
-    let place = |node: NodeIndex, body: &Body| body.to_space(start.model.nodes.plane(node));
-    let chain: Vec<[f64; 2]> = match facade {
+    let place = |node: NodeIndex, body: &Body| body.to_space(start.model.nodes.position(node));
+    let chain: Vec<[f64; 3]> = match facade {
         Facade::Body(..) => Vec::new(),
         Facade::Line(_, nodes) => {
             let at = |&node| moved(node).map(|body| place(node, &body));
@@ -181,7 +180,7 @@ fn walk(
     Some(moment)
 }
 
-fn meet(facade: &Facade, chain: &[[f64; 2]], master: &Body, point: [f64; 2]) -> Met {
+fn meet(facade: &Facade, chain: &[[f64; 3]], master: &Body, point: [f64; 3]) -> Met {
     match facade {
         Facade::Body(surface, _) => {
             let at = master.to_body(point);
@@ -196,10 +195,10 @@ fn meet(facade: &Facade, chain: &[[f64; 2]], master: &Body, point: [f64; 2]) -> 
                     _ => f64::INFINITY,
                 };
                 let trusted = overclosure < 0.5 * radius;
-                return Met::Facing { overclosure, along: gap.along(), trusted };
+                return Met::Facing { overclosure, along: gap.along()[0], trusted };
             }
             let size = surface.segments().iter().map(RigidSegment::length).fold(0.0, f64::max);
-            match beyond_end(surface.segments(), at) {
+            match beyond_end(surface.segments(), flat(at)) {
                 Some(end) if end.depth > 0.0 && end.depth < 0.5 * size => {
                     Met::Off(end.beyond, end.at_start)
                 }
@@ -209,7 +208,7 @@ fn meet(facade: &Facade, chain: &[[f64; 2]], master: &Body, point: [f64; 2]) -> 
         Facade::Line(line, _) => {
             let piece = line.closest(chain, None, point);
             if let Some(gap) = piece.and_then(|piece| chain_gap(line, &piece, chain, point)) {
-                let (overclosure, along) = (gap.overclosure(), gap.along());
+                let (overclosure, along) = (gap.overclosure(), gap.along()[0]);
                 return Met::Facing { overclosure, along, trusted: true };
             }
             match line.beyond_end(chain, point) {
@@ -225,11 +224,11 @@ fn meet(facade: &Facade, chain: &[[f64; 2]], master: &Body, point: [f64; 2]) -> 
 
 /// How far a point lies beyond the nearer end of a chain, along it [L], and
 /// whether that is its start.
-fn beyond_chain(chain: &[[f64; 2]], point: [f64; 2]) -> (f64, bool) {
-    let over = |end: [f64; 2], next: [f64; 2]| {
+fn beyond_chain(chain: &[[f64; 3]], point: [f64; 3]) -> (f64, bool) {
+    let over = |end: [f64; 3], next: [f64; 3]| {
         let out = less(end, next);
         let d = less(point, end);
-        (d[0] * out[0] + d[1] * out[1]) / length(out)
+        (d[0] * out[0] + d[1] * out[1] + d[2] * out[2]) / length(out)
     };
     match chain {
         [first, second, ..] => {

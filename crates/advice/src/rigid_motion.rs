@@ -29,6 +29,7 @@ pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
         let mut holds = Holds::new(start);
         holds.supports(step);
         holds.springs();
+        holds.rings();
         // what touches at the end of the step before is not known here
         holds.contact(number == 0);
         let free = holds.motions();
@@ -81,10 +82,10 @@ impl<'a> Holds<'a> {
 
     /// Adds `sign` times the motion of `point` with the body of `node` along
     /// `way`; rotations are scaled with the size of the model.
-    fn add(&self, row: &mut [f64], node: NodeIndex, point: [f64; 2], way: [f64; 2], sign: f64) {
+    fn add(&self, row: &mut [f64], node: NodeIndex, point: [f64; 3], way: [f64; 3], sign: f64) {
         let body = self.start.bodies.of_node(node);
         let Some(&first) = self.column.get(&body) else { return };
-        let arm = less(point, self.start.model.nodes.plane(body));
+        let arm = less(point, self.start.model.nodes.position(body));
         row[first] += sign * way[0];
         row[first + 1] += sign * way[1];
         row[first + 2] += sign * (way[1] * arm[0] - way[0] * arm[1]) / self.size;
@@ -99,10 +100,10 @@ impl<'a> Holds<'a> {
 
     fn hold(&mut self, node: NodeIndex, dof: Dof) {
         let mut row = vec![0.0; self.width()];
-        let at = self.start.model.nodes.plane(node);
+        let at = self.start.model.nodes.position(node);
         match dof {
-            Dof::U1 => self.add(&mut row, node, at, [1.0, 0.0], 1.0),
-            Dof::U2 => self.add(&mut row, node, at, [0.0, 1.0], 1.0),
+            Dof::U1 => self.add(&mut row, node, at, [1.0, 0.0, 0.0], 1.0),
+            Dof::U2 => self.add(&mut row, node, at, [0.0, 1.0, 0.0], 1.0),
             Dof::UR3 => {
                 if let Some(&first) = self.column.get(&self.start.bodies.of_node(node)) {
                     row[first + 2] = 1.0;
@@ -113,6 +114,16 @@ impl<'a> Holds<'a> {
         self.rows.push(row);
     }
 
+    /// Rings are held along their radius and against turns by their own hoop strain.
+    fn rings(&mut self) {
+        let mut held = std::collections::BTreeSet::new();
+        for (node, dof) in self.start.model.rings() {
+            if held.insert((self.start.bodies.of_node(node), dof)) {
+                self.hold(node, dof);
+            }
+        }
+    }
+
     fn springs(&mut self) {
         let model = self.start.model;
         for block in model.blocks.iter().filter_map(|block| block.springs()) {
@@ -120,11 +131,11 @@ impl<'a> Holds<'a> {
                 match block.section.dof {
                     Some(dof) => self.hold(spring.nodes[0], dof),
                     None => {
-                        let ends = spring.ends().map(|node| model.nodes.plane(node));
+                        let ends = spring.ends().map(|node| model.nodes.position(node));
                         let way = less(ends[1], ends[0]);
                         let long = length(way);
                         if long > 0.0 {
-                            let way = [way[0] / long, way[1] / long];
+                            let way = way.map(|x| x / long);
                             self.between(spring.ends(), ends[0], way);
                         }
                     }
@@ -134,7 +145,7 @@ impl<'a> Holds<'a> {
     }
 
     /// No motion of one body against the other at a point along `way`.
-    fn between(&mut self, nodes: [NodeIndex; 2], point: [f64; 2], way: [f64; 2]) {
+    fn between(&mut self, nodes: [NodeIndex; 2], point: [f64; 3], way: [f64; 3]) {
         let mut row = vec![0.0; self.width()];
         self.add(&mut row, nodes[0], point, way, 1.0);
         self.add(&mut row, nodes[1], point, way, -1.0);
@@ -164,7 +175,7 @@ impl<'a> Holds<'a> {
                 let nodes = [row.node, master_node(pair)];
                 self.between(nodes, row.position, nearest.normal);
                 if pair.interaction.has_friction() {
-                    let way = [nearest.normal[1], -nearest.normal[0]];
+                    let way = [nearest.normal[1], -nearest.normal[0], 0.0];
                     self.between(nodes, row.position, way);
                 }
             }
@@ -222,7 +233,7 @@ impl<'a> Holds<'a> {
     fn describe(&self, body: NodeIndex, [u, v, w]: Motion) -> (String, usize) {
         // what turns about a place far outside the model moves straight on
         if w.abs() * self.size > STRAIGHT * u.hypot(v) {
-            let at = self.start.model.nodes.plane(body);
+            let at = self.start.model.nodes.position(body);
             let centre = [at[0] - v / w, at[1] + u / w];
             return (format!("turn about ({:.4e}, {:.4e})", centre[0], centre[1]), 6);
         }
@@ -239,7 +250,7 @@ impl<'a> Holds<'a> {
         for_good: bool,
     ) -> Finding {
         let nodes = &self.start.model.nodes;
-        let (label, origin) = (nodes.label(body), nodes.get(body).origin);
+        let (label, origin) = (nodes.name(body), nodes.get(body).origin);
         let (how, mut dofs): (Vec<String>, Vec<usize>) =
             motions.iter().map(|motion| self.describe(body, *motion)).unzip();
         dofs.sort_unstable();

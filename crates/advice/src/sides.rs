@@ -3,7 +3,9 @@
 use crate::finding::{Finding, Place};
 use crate::start::{Start, spacing};
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{ContactPair, Master, RigidSurface, SlideLine, SurfaceSegment, Vocabulary};
+use slideline_model::{
+    ContactPair, Master, ProfilePoint, RigidSurface, SlideLine, SurfaceSegment, Vocabulary,
+};
 use std::fmt::Write as _;
 
 /// SL0407: most slaves lie deeper behind their master than a contact element
@@ -70,7 +72,7 @@ fn say(start: &Start<'_>, pair: &ContactPair, behind: usize, facing: usize) -> F
 /// The points of a rigid surface, to be written as data lines.
 pub struct SurfacePoints {
     /// The first one [L].
-    pub start: [f64; 2],
+    pub start: ProfilePoint,
     /// The way from there.
     pub segments: Vec<SurfaceSegment>,
 }
@@ -83,7 +85,7 @@ impl SurfacePoints {
 
     /// The same from the other end.
     fn backwards(self) -> Self {
-        let mut points: Vec<[f64; 2]> = vec![self.start];
+        let mut points: Vec<ProfilePoint> = vec![self.start];
         points.extend(self.segments.iter().map(SurfaceSegment::end));
         let segments =
             self.segments.iter().zip(&points).rev().map(|(segment, &end)| match *segment {
@@ -121,7 +123,7 @@ fn reversed(start: &Start<'_>, pair: &ContactPair, line: &SlideLine) -> String {
         pair.name, line.smooth, line.extension
     );
     let nodes: Vec<String> =
-        line.nodes.iter().rev().map(|&node| start.model.nodes.label(node).to_string()).collect();
+        line.nodes.iter().rev().map(|&node| start.model.nodes.name(node).to_string()).collect();
     for row in nodes.chunks(16) {
         let _ = writeln!(text, "{}", row.join(", ")); // a String takes any text
     }

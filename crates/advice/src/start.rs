@@ -8,7 +8,7 @@
 use crate::bodies::Bodies;
 use crate::moments::Rehearsal;
 use slideline_model::{
-    ContactPair, Dof, Master, Model, NodeIndex, Prescribed, Step, SurfaceSegment,
+    ContactPair, Dof, Master, Model, NodeIndex, Prescribed, ProfilePoint, Step, SurfaceSegment,
 };
 use slideline_solve::observe::ContactRow;
 
@@ -41,12 +41,11 @@ impl<'a> Start<'a> {
 
     /// Largest extent of nodes and rigid surfaces together [L].
     pub fn size(&self) -> f64 {
-        let mut points: Vec<[f64; 2]> =
-            self.model.nodes.iter().map(|node| [node.position[0], node.position[1]]).collect();
+        let mut points: Vec<[f64; 3]> = self.model.nodes.iter().map(|node| node.position).collect();
         for pair in &self.model.contact_pairs {
             if let Master::RigidSurface(surface) = &pair.master {
-                points.push(surface.start);
-                points.extend(surface.segments.iter().map(SurfaceSegment::end));
+                points.push(raised(surface.start));
+                points.extend(surface.segments.iter().map(|segment| raised(segment.end())));
             }
         }
         extent(points.into_iter())
@@ -69,31 +68,32 @@ impl<'a> Start<'a> {
         step: &Step,
         before: Option<&Step>,
         node: NodeIndex,
-        point: [f64; 2],
-    ) -> [f64; 2] {
+        point: [f64; 3],
+    ) -> [f64; 3] {
         let end = self.place(step, node, point);
-        let begin = before.map_or([0.0; 2], |step| self.place(step, node, point));
-        [end[0] - begin[0], end[1] - begin[1]]
+        let begin = before.map_or([0.0; 3], |step| self.place(step, node, point));
+        less(end, begin)
     }
 
     /// Displacement of `point` if it goes rigidly with the prescribed nodes
     /// of the body of `node`; zero where the body is held or free.
-    fn place(&self, step: &Step, node: NodeIndex, point: [f64; 2]) -> [f64; 2] {
+    fn place(&self, step: &Step, node: NodeIndex, point: [f64; 3]) -> [f64; 3] {
         let body = self.bodies.of_node(node);
         let own = |p: &&Prescribed| self.bodies.of_node(p.node) == body && p.moves();
         let Some(driver) = step.prescribed.iter().find(own).map(|p| p.node) else {
-            return [0.0; 2];
+            return [0.0; 3];
         };
         let value = |dof: Dof| {
             let given = step.prescribed.iter().find(|p| p.node == driver && p.dof == dof);
             given.map_or(0.0, |p| self.largest(p))
         };
-        let at = self.model.nodes.plane(driver);
+        let at = self.model.nodes.position(driver);
         let (sin, cos) = value(Dof::UR3).sin_cos();
         let arm = [point[0] - at[0], point[1] - at[1]];
         [
             value(Dof::U1) + (cos - 1.0) * arm[0] - sin * arm[1],
             value(Dof::U2) + sin * arm[0] + (cos - 1.0) * arm[1],
+            0.0,
         ]
     }
 
@@ -124,7 +124,7 @@ impl<'a> Start<'a> {
 
     /// Travel of a slave point relative to its master in a step [L]; for
     /// slaves that stand on an arc it is that of the arc's centre.
-    pub fn travel(&self, place: usize, pair: &ContactPair, row: &ContactRow) -> [f64; 2] {
+    pub fn travel(&self, place: usize, pair: &ContactPair, row: &ContactRow) -> [f64; 3] {
         let steps = &self.model.steps;
         let (step, before) = (&steps[place], place.checked_sub(1).map(|k| &steps[k]));
         let master = match &pair.master {
@@ -135,20 +135,21 @@ impl<'a> Start<'a> {
         let slave = self.carried(step, before, row.node, centre);
         let centre = circle_of(pair).map_or(row.position, |(centre, _)| centre);
         let master = self.carried(step, before, master, centre);
-        [slave[0] - master[0], slave[1] - master[1]]
+        less(slave, master)
     }
 }
 
 /// Centre and radius of the tightest convex circle of a pair's rigid surface.
-pub fn circle_of(pair: &ContactPair) -> Option<([f64; 2], f64)> {
+pub fn circle_of(pair: &ContactPair) -> Option<([f64; 3], f64)> {
     let Master::RigidSurface(surface) = &pair.master else { return None };
     let mut from = surface.start;
-    let mut tightest: Option<([f64; 2], f64)> = None;
+    let mut tightest: Option<([f64; 3], f64)> = None;
     for segment in &surface.segments {
         let end = match *segment {
             SurfaceSegment::Line { end } | SurfaceSegment::Parabola { end, .. } => end,
             SurfaceSegment::Circle { end, centre } => {
-                let (a, b) = (less(from, centre), less(end, centre));
+                let centre = raised(centre);
+                let (a, b) = (less(raised(from), centre), less(raised(end), centre));
                 let radius = length(a);
                 let clockwise = a[0] * b[1] - a[1] * b[0] < 0.0;
                 if clockwise && tightest.is_none_or(|(_, least)| radius < least) {
@@ -164,20 +165,22 @@ pub fn circle_of(pair: &ContactPair) -> Option<([f64; 2], f64)> {
 
 /// Centre and radius of the arc on which a slave and its neighbours stand;
 /// `None` at the ends of the slaves and on straight rows.
-pub fn arc_of(model: &Model, pair: &ContactPair, node: NodeIndex) -> Option<([f64; 2], f64)> {
+pub fn arc_of(model: &Model, pair: &ContactPair, node: NodeIndex) -> Option<([f64; 3], f64)> {
     let other = |nodes: [NodeIndex; 2]| if nodes[0] == node { nodes[1] } else { nodes[0] };
     let mut beside =
         pair.elements.iter().filter(|e| e.nodes.contains(&node)).map(|e| other(e.nodes));
     let (before, after) = (beside.next()?, beside.next()?);
-    let here = model.nodes.plane(node);
-    let (a, b) = (less(model.nodes.plane(before), here), less(model.nodes.plane(after), here));
+    let here = model.nodes.position(node);
+    let (a, b) =
+        (less(model.nodes.position(before), here), less(model.nodes.position(after), here));
     let area = 2.0 * (a[0] * b[1] - a[1] * b[0]);
     let (aa, bb) = (a[0] * a[0] + a[1] * a[1], b[0] * b[0] + b[1] * b[1]);
     if area.abs() < 1e-6 * (aa + bb) {
         return None;
     }
     let centre = [(b[1] * aa - a[1] * bb) / area, (a[0] * bb - b[0] * aa) / area];
-    Some(([here[0] + centre[0], here[1] + centre[1]], length(centre)))
+    let radius = centre[0].hypot(centre[1]);
+    Some(([here[0] + centre[0], here[1] + centre[1], here[2]], radius))
 }
 
 /// Average length of a pair's contact elements [L].
@@ -185,31 +188,36 @@ pub fn spacing(model: &Model, pair: &ContactPair) -> f64 {
     let sum: f64 = pair
         .elements
         .iter()
-        .map(|e| length(less(model.nodes.plane(e.nodes[1]), model.nodes.plane(e.nodes[0]))))
+        .map(|e| length(less(model.nodes.position(e.nodes[1]), model.nodes.position(e.nodes[0]))))
         .sum();
     sum / pair.elements.len().max(1) as f64
 }
 
 /// a - b.
-pub fn less(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
-    [a[0] - b[0], a[1] - b[1]]
+pub fn less(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|axis| a[axis] - b[axis])
+}
+
+/// A point of a profile in the plane, as a place in space.
+fn raised([x, y]: ProfilePoint) -> [f64; 3] {
+    [x, y, 0.0]
 }
 
 /// Length of a vector.
-pub fn length(a: [f64; 2]) -> f64 {
-    a[0].hypot(a[1])
+pub fn length(a: [f64; 3]) -> f64 {
+    a[0].hypot(a[1]).hypot(a[2])
 }
 
 fn reach(model: &Model) -> f64 {
-    extent(model.nodes.iter().map(|node| [node.position[0], node.position[1]]))
+    extent(model.nodes.iter().map(|node| node.position))
 }
 
 /// Diagonal of the box around points [L].
-fn extent(points: impl Iterator<Item = [f64; 2]>) -> f64 {
-    let mut low = [f64::INFINITY; 2];
-    let mut high = [f64::NEG_INFINITY; 2];
+fn extent(points: impl Iterator<Item = [f64; 3]>) -> f64 {
+    let mut low = [f64::INFINITY; 3];
+    let mut high = [f64::NEG_INFINITY; 3];
     for point in points {
-        for axis in 0..2 {
+        for axis in 0..3 {
             low[axis] = low[axis].min(point[axis]);
             high[axis] = high[axis].max(point[axis]);
         }

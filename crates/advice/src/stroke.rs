@@ -129,7 +129,7 @@ fn pieces(start: &Start<'_>, pair: &ContactPair) -> f64 {
 }
 
 fn line_length(start: &Start<'_>, line: &SlideLine) -> f64 {
-    let at = |node| start.model.nodes.plane(node);
+    let at = |node| start.model.nodes.position(node);
     line.nodes.windows(2).map(|w| length(less(at(w[1]), at(w[0])))).sum()
 }
 
@@ -254,7 +254,7 @@ fn too_short(
     line: &SlideLine,
     reached: f64,
 ) -> Option<Finding> {
-    let at = |node| start.model.nodes.plane(node);
+    let at = |node| start.model.nodes.position(node);
     let whole = line_length(start, line);
     let ends = [
         line.nodes.first()?,
@@ -275,7 +275,7 @@ fn too_short(
         "the slide line of {} is too short for the stroke: the contact point would end about \
          {beyond:.3e} beyond node {}, and contact is lost there",
         pair.name,
-        start.model.nodes.label(node)
+        start.model.nodes.name(node)
     );
     Some(Finding::said(Diagnostic::warning(Code("SL0408"), message).at(line.origin).help(format!(
         "{} on that side, or end the motion earlier on *BOUNDARY",

@@ -68,7 +68,7 @@ fn widths(start: &Start<'_>, findings: &mut Vec<Finding>) {
 fn strokes(start: &Start<'_>, findings: &mut Vec<Finding>) {
     let size = start.size();
     for prescribed in start.model.steps.iter().flat_map(|step| &step.prescribed) {
-        let (value, label) = (prescribed.value.abs(), start.model.nodes.label(prescribed.node));
+        let (value, label) = (prescribed.value.abs(), start.model.nodes.name(prescribed.node));
         let (message, help) = if prescribed.dof == Dof::UR3 && value > TURNS {
             (
                 format!(

@@ -4,17 +4,18 @@ use std::collections::HashMap;
 
 use slideline_deck::DataLine;
 use slideline_diag::{Code, Diagnostic, Span};
-use slideline_mech::material::{Elastic, LargeStrain};
+use slideline_mech::material::{Anisotropic, Elastic, Hardening, LargeStrain, Plastic, Rubber};
 use slideline_model::{
     self as model, BeamSection, ContactPrint, Controls, Dialect, Dof, ElementPrint, ElementType,
-    Extrapolation, Interaction, Model, Node, NodePrint, PrintTarget, SavedStates, ShearRule,
-    SolidSection, Static, SurfaceSegment, TYPES,
+    Extrapolation, Interaction, Model, Node, NodePrint, Nodes, PrintTarget, ProfilePoint,
+    SavedStates, ShearRule, SolidSection, Static, SurfaceSegment, TYPES,
 };
 
 use crate::log::{Log, Target};
 use crate::rule::Subject;
+use crate::scopes::Parts;
 use crate::sets::Sets;
-use crate::surfaces::{NamedInteraction, NamedSurface, Pairing, RigidBody};
+use crate::surfaces::{Named, NamedInteraction, NamedSurface, Pairing, RigidBody};
 
 /// Most nodes, elements and set members that a deck may generate. A slip in
 /// an `*NGEN` line must not fill the memory.
@@ -34,6 +35,8 @@ pub(crate) struct Draft {
     pub model: Model,
     pub node_sets: Sets,
     pub element_sets: Sets,
+    /// Node sets that the nodes of an element set join.
+    pub node_sets_of_elements: Vec<(String, Named)>,
     pub elements: Vec<Element>,
     /// Whether one of them moves in space.
     spatial: bool,
@@ -49,6 +52,7 @@ pub(crate) struct Draft {
     pub pairings: Vec<Pairing>,
     pub bodies: Vec<RigidBody>,
     pub links: Vec<Link>,
+    pub parts: Parts<Contents>,
     pub restart: Option<SavedStates>,
     /// Whether the cards are those of a deck that goes on from an earlier job.
     pub goes_on: bool,
@@ -62,6 +66,24 @@ pub(crate) struct Draft {
     generated: u64,
     expanded: u64,
     incomplete: Vec<Subject>,
+}
+
+/// What belongs to a part: everything with numbers and names of its own.
+#[derive(Clone, Default)]
+pub(crate) struct Contents {
+    pub nodes: Nodes,
+    pub node_sets: Sets,
+    pub element_sets: Sets,
+    pub node_sets_of_elements: Vec<(String, Named)>,
+    pub elements: Vec<Element>,
+    pub sections: Vec<Section>,
+    pub springs: Vec<Spring>,
+    pub surfaces: Vec<Surface>,
+    pub interfaces: Vec<Interface>,
+    pub named_surfaces: Vec<NamedSurface>,
+    pub pairings: Vec<Pairing>,
+    pub bodies: Vec<RigidBody>,
+    pub links: Vec<Link>,
 }
 
 /// The card that a suboption belongs to.
@@ -195,21 +217,18 @@ impl Body {
         }
     }
 
-    /// The same with an elastic material.
-    pub fn of(self, material: Elastic, dialect: Dialect) -> model::Section {
-        match self {
+    /// The same with a material; `None` where a beam is given another than an isotropic elastic one.
+    pub fn of(self, material: &Material, dialect: Dialect) -> Option<model::Section> {
+        Some(match self {
             Self::Beam { width, height, poisson, shear } => {
+                let material = material.elastic?;
                 model::Section::Beam(BeamSection { width, height, poisson, material, shear })
             }
             Self::Solid { thickness } => {
-                let large = match dialect {
-                    Dialect::Abaqus => LargeStrain::Logarithmic,
-                    Dialect::Calculix => LargeStrain::Green,
-                };
-                let material = model::Material::Elastic(material, large);
+                let material = material.solid(dialect)?;
                 model::Section::Solid(SolidSection { thickness, material })
             }
-        }
+        })
     }
 }
 
@@ -217,9 +236,37 @@ impl Body {
 pub(crate) struct Material {
     pub name: String,
     pub elastic: Option<Elastic>,
-    /// An `*ELASTIC` card was there, readable or not.
+    /// Elasticity without isotropy.
+    pub anisotropic: Option<Anisotropic>,
+    pub rubber: Option<Rubber>,
+    /// Yield stress and plastic strain, line by line.
+    pub hardening: Option<Hardening>,
+    /// An `*ELASTIC` or `*HYPERELASTIC` card was there, readable or not.
     pub has_card: bool,
     pub origin: Span,
+}
+
+impl Material {
+    /// As solids take it.
+    pub fn solid(&self, dialect: Dialect) -> Option<model::Material> {
+        let large = match dialect {
+            Dialect::Abaqus => LargeStrain::Logarithmic,
+            Dialect::Calculix => LargeStrain::Green,
+        };
+        if let Some(rubber) = &self.rubber {
+            return Some(model::Material::Rubber(rubber.clone()));
+        }
+        if let Some(anisotropic) = self.anisotropic {
+            return Some(model::Material::Anisotropic(Box::new(anisotropic)));
+        }
+        let elastic = self.elastic?;
+        Some(match &self.hardening {
+            Some(table) => {
+                model::Material::Plastic(Plastic { elastic, table: table.clone(), kinematic: 0.0 })
+            }
+            None => model::Material::Elastic(elastic, large),
+        })
+    }
 }
 
 /// What a material may be strained to: one of both.
@@ -252,7 +299,7 @@ pub(crate) struct Surface {
 
 #[derive(Clone, Debug)]
 pub(crate) enum Shape {
-    Rigid { start: [f64; 2], segments: Vec<SurfaceSegment> },
+    Rigid { start: ProfilePoint, segments: Vec<SurfaceSegment> },
     Line { nodes: Vec<(u64, Span)>, smooth: f64, extension: f64 },
 }
 
@@ -382,9 +429,6 @@ impl Draft {
             self.model.nodes.insert(Node { label, position, origin });
             return;
         };
-        if self.log.has_parts {
-            return; // parts number their nodes alike
-        }
         let old = *self.model.nodes.get(index);
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * a.abs().max(b.abs());
         if old.position.iter().zip(position).all(|(&a, b)| near(a, b)) {
@@ -406,9 +450,7 @@ impl Draft {
     pub fn add_element(&mut self, element: Element) {
         if let Some(&old) = self.element_by_label.get(&element.label) {
             let origin = element.origin;
-            if !self.log.has_parts
-                && self.log.first_time(&format!("element {} {}", origin.file.0, origin.start))
-            {
+            if self.log.first_time(&format!("element {} {}", origin.file.0, origin.start)) {
                 let message = format!("element {} is defined twice", element.label);
                 let error = Diagnostic::error(Code("SL0229"), message).at(origin);
                 self.log.push(error.label(self.elements[old].origin, "defined here first"));
@@ -416,8 +458,12 @@ impl Draft {
             return;
         }
         self.element_by_label.insert(element.label, self.elements.len());
-        self.spatial |= element.kind.is_spatial();
         self.elements.push(element);
+    }
+
+    /// Notes that the deck has elements of a kind, sound or not.
+    pub fn note_spatial(&mut self, kind: ElementKind) {
+        self.spatial |= kind.is_spatial();
     }
 
     /// Whether an element moves in space, not in a plane alone.

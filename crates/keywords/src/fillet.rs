@@ -11,7 +11,7 @@
 //! Lengths are measured from the corner in units of the radius, so that neither the place of the
 //! surface nor its units decide anything.
 
-use slideline_model::SurfaceSegment;
+use slideline_model::{ProfilePoint, SurfaceSegment};
 
 mod curve;
 
@@ -174,7 +174,7 @@ fn round(before: &Curve, behind: &Curve, radius: f64) -> Result<Option<Rounding>
 ///
 /// Follows the circle as it grows from the corner, so that of several circles that touch both
 /// curves it is the one in the corner.
-fn feet(a: &Curve, b: &Curve, side: f64) -> Option<[f64; 2]> {
+fn feet(a: &Curve, b: &Curve, side: f64) -> Option<ProfilePoint> {
     let (mut feet, mut radius, mut step) = ([1.0, 0.0], 0.0, 1.0_f64);
     while radius < 1.0 {
         let next = (radius + step).min(1.0);
@@ -199,7 +199,7 @@ fn feet(a: &Curve, b: &Curve, side: f64) -> Option<[f64; 2]> {
 
 /// Solves A(u) + r n_A(u) = B(v) + r n_B(v) near `feet`; `None` where it leads astray: the step
 /// was too large, or no such circle exists.
-fn newton(a: &Curve, b: &Curve, radius: f64, feet: [f64; 2]) -> Option<[f64; 2]> {
+fn newton(a: &Curve, b: &Curve, radius: f64, feet: ProfilePoint) -> Option<ProfilePoint> {
     let [mut u, mut v] = feet;
     let mut best = f64::INFINITY;
     for _ in 0..20 {

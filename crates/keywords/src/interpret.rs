@@ -148,6 +148,9 @@ fn misplaced(
     stray_history: &mut bool,
 ) -> bool {
     let name = keyword.name();
+    if name == "STEP" {
+        draft.close_forgotten("*STEP", card.span);
+    }
     match (keyword.level(), draft.in_step) {
         (Level::Model, true) => {
             let message = format!("*{name} belongs before the first *STEP");
@@ -204,28 +207,19 @@ fn find_keyword(card: &Card, draft: &mut Draft) -> Option<&'static dyn Keyword> 
 /// A keyword of another program: a note or an error, once for each cause.
 fn not_read(other: &Other, span: Span, draft: &mut Draft) {
     let Other { name, treatment, help } = *other;
-    let cause = if treatment == Treatment::Parts { "PART" } else { name };
     if treatment == Treatment::Ignored {
-        if draft.log.first_time(&format!("ignored {cause}")) {
+        if draft.log.first_time(&format!("ignored {name}")) {
             let message = format!("*{name} has no effect here and is ignored: {help}");
             draft.log.note("SL0257", message, span);
         }
         return;
     }
     unread(draft);
-    draft.log.has_parts |= treatment == Treatment::Parts;
     draft.log.has_parameters |= treatment == Treatment::Parameters;
-    if !draft.log.first_time(&format!("unsupported {cause}")) {
+    if !draft.log.first_time(&format!("unsupported {name}")) {
         return;
     }
-    let error = match treatment {
-        Treatment::Parts => Diagnostic::error(
-            Code("SL0258"),
-            format!("*{name}: a deck of parts, instances and an assembly is not supported"),
-        ),
-        _ => Diagnostic::error(Code("SL0221"), format!("*{name} is not supported")),
-    };
-    let error = error.at(span);
+    let error = Diagnostic::error(Code("SL0221"), format!("*{name} is not supported")).at(span);
     draft.log.push(if help.is_empty() { error } else { error.help(help) });
 }
 

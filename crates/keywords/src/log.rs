@@ -5,8 +5,8 @@ use std::collections::HashSet;
 use slideline_deck::{DataLine, Field, integer, normalise, number, parse_integer};
 use slideline_diag::{Code, Diagnostic, Listing, Severity, Span};
 
-/// Largest node or element number.
-pub(crate) const MAX_LABEL: i64 = 999_999_999;
+use crate::instances::Instances;
+pub(crate) use crate::instances::{MAX_LABEL, Target};
 
 /// Collects diagnostics.
 #[derive(Default)]
@@ -14,23 +14,18 @@ pub(crate) struct Log {
     listing: Listing,
     errors: usize,
     said: HashSet<String>,
-    /// The deck is written in parts, which has been said: their numbers and
-    /// references clash of necessity.
-    pub has_parts: bool,
+    /// Instances of parts, whose nodes and elements have names.
+    pub instances: Instances,
     /// The deck has `*PARAMETER`, which has been said: values in `<...>` are
     /// not complained about.
     pub has_parameters: bool,
 }
 
-/// A node or element number, or the name of a set.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Target {
-    Label(u64),
-    Set(String),
-}
-
 impl Log {
-    pub fn push(&mut self, diagnostic: Diagnostic) {
+    pub fn push(&mut self, mut diagnostic: Diagnostic) {
+        if let Some(said) = self.instances.in_words(&diagnostic.message) {
+            diagnostic.message = said;
+        }
         self.errors += usize::from(diagnostic.severity == Severity::Error);
         self.listing.push(diagnostic);
     }
@@ -155,11 +150,13 @@ impl Log {
             let value = self.integer_in(field)?;
             return self.in_range(value, field).map(Target::Label);
         }
-        if field.text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) {
+        let number = field.text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c));
+        let alphabetic = |c: char| c.is_alphabetic() && !"eEdD".contains(c) || c == '_';
+        if number && !field.text.contains(alphabetic) {
             self.integer_in(field);
             return None;
         }
-        Some(Target::Set(normalise(&field.text)))
+        Some(self.instances.target(normalise(&field.text)))
     }
 
     /// Complains about values behind the last one that means something.

@@ -175,6 +175,15 @@ impl<'a> Reading<'a> {
         self.card.span
     }
 
+    /// All numbers of the data lines, one after the other; blank ones are zero.
+    pub fn numbers(&self, log: &mut Log) -> Option<Vec<f64>> {
+        let fields =
+            self.data().iter().flat_map(|line| (0..line.fields.len()).map(move |k| (line, k)));
+        let read: Vec<Option<f64>> =
+            fields.map(|(line, at)| log.number_or(line, at, 0.0)).collect();
+        read.into_iter().collect()
+    }
+
     /// The only data line of the card; complains where there is none or more.
     pub fn only_line(&self, what: &str, log: &mut Log) -> Option<&'a DataLine> {
         log.at_most_lines(self.data(), 1, self.keyword.name);
@@ -210,8 +219,6 @@ fn find_rule(parameter: &Parameter, keyword: Form, log: &mut Log) -> Option<&'st
             log.error("SL0203", message, word.span);
             None
         }
-        // Cards of an assembly name the instance they belong to.
-        Match::Unknown if log.has_parts && ["INSTANCE", "INTERNAL"].contains(&&*word.name) => None,
         Match::Unknown => {
             let message = format!("*{} has no parameter {}", keyword.name, word.raw);
             let error = Diagnostic::error(Code("SL0202"), message).at(word.span);

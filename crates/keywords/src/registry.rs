@@ -3,10 +3,11 @@
 use slideline_deck::normalise;
 
 use crate::cards::{
-    allowable, amplitude, beam_section, boundary, cload, contact_controls, contact_file,
+    allowable, amplitude, assembly, beam_section, boundary, cload, contact_controls, contact_file,
     contact_output, contact_pair, contact_print, controls, el_file, el_print, elastic, element,
-    element_output, elgen, elset, end_step, friction, heading, interface, material, mpc, ngen,
-    nmap, node, node_file, node_output, node_print, nset, output, print, restart, rigid_body,
+    element_output, elgen, elset, end_assembly, end_instance, end_part, end_step, friction,
+    heading, hyperelastic, instance, interface, material, mpc, ngen, nmap, node, node_file,
+    node_output, node_print, nset, output, part, plastic, print, restart, rigid_body,
     rigid_surface, slide_line, solid_section, spring, static_, step, surface, surface_behavior,
     surface_contact, surface_interaction, transverse_shear,
 };
@@ -18,6 +19,12 @@ use crate::rule::{Level, Rule};
 pub(crate) const REGISTRY: &[&'static dyn Keyword] = &[
     &heading::Heading,
     &restart::Restart,
+    &part::Part,
+    &end_part::EndPart,
+    &assembly::Assembly,
+    &end_assembly::EndAssembly,
+    &instance::Instance,
+    &end_instance::EndInstance,
     &node::Node,
     &ngen::Ngen,
     &nmap::Nmap,
@@ -31,6 +38,8 @@ pub(crate) const REGISTRY: &[&'static dyn Keyword] = &[
     &spring::Spring,
     &material::Material,
     &elastic::Elastic,
+    &hyperelastic::Hyperelastic,
+    &plastic::Plastic,
     &allowable::Allowable,
     &rigid_surface::RigidSurface,
     &slide_line::SlideLine,

@@ -9,7 +9,7 @@
 //! ```
 
 use slideline_diag::Span;
-use slideline_model::{Formulation, Interaction, SurfaceSegment};
+use slideline_model::{Formulation, Interaction, ProfilePoint, SurfaceSegment};
 
 use crate::log::Target;
 
@@ -33,7 +33,7 @@ pub(crate) struct NamedSurface {
 pub(crate) enum Extent {
     Elements(Vec<Stretch>),
     Nodes(Vec<(Target, Span)>),
-    Rigid { start: [f64; 2], segments: Vec<SurfaceSegment> },
+    Rigid { start: ProfilePoint, segments: Vec<SurfaceSegment> },
 }
 
 /// Elements, and which of their faces.

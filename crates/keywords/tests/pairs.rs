@@ -138,7 +138,7 @@ fn contact_is_integrated_along_the_beam() {
 fn the_cam_stands_where_it_should() {
     let model = corpus("cam_surface");
     let Master::RigidSurface(cam) = &only_pair(&model).master else { panic!("analytical") };
-    assert_eq!(model.nodes.plane(cam.reference), [30e-3, 17e-3]);
+    assert_eq!(model.nodes.position(cam.reference), [30e-3, 17e-3, 0.0]);
     let phi = 40f64.to_radians();
     let expected = [30e-3 + 10e-3 * phi.sin(), 17e-3 - 10e-3 * phi.cos()];
     let mut from = cam.start;

@@ -26,7 +26,8 @@ fn good(name: &str) -> Model {
 }
 
 fn at(model: &Model, label: u64) -> [f64; 2] {
-    model.nodes.plane(model.nodes.find(label).expect("a node"))
+    let [x, y, _] = model.nodes.position(model.nodes.find(label).expect("a node"));
+    [x, y]
 }
 
 fn near(a: [f64; 2], b: [f64; 2]) {

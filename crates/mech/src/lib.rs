@@ -19,4 +19,5 @@ pub mod differentiate;
 pub mod element;
 pub mod material;
 pub mod rigid;
+pub mod rotation;
 pub mod section;

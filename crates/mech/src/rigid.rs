@@ -211,22 +211,26 @@ pub fn push_forward(
     add_turning_terms(attachments, dofs, gradient, tangent);
 }
 
-/// Pushes gradients of scalars (an overclosure, a slip, a drag) to the local dofs: J' g each. *Adds*
-/// into `into` (m entries each, as many as `dofs`).
-pub fn push_gradients<const K: usize>(
+/// Pushes gradients of scalars (an overclosure, slips, drags) to the local dofs: J' g each.
+/// `gradients` are lists of gradients, each with an entry a variable (n); *adds* into `into`, a row a
+/// gradient in their order, of which the first ones are those of `dofs`.
+pub fn push_gradients(
     attachments: &[Attachment],
     dofs: &[f64],
-    gradients: [&[f64]; K],
-    mut into: [&mut [f64]; K],
+    (gradients, n): (&[&[f64]], usize),
+    (into, width): (&mut [f64], usize),
 ) {
     let mut variable = 0;
     for attachment in attachments {
         for component in 0..attachment.variables() {
+            if variable >= n {
+                return;
+            }
             let row = attachment.row(component, dofs);
-            for (gradient, into) in gradients.iter().zip(&mut into) {
-                let Some(value) = gradient.get(variable) else { return };
+            let values = gradients.iter().flat_map(|list| list.chunks_exact(n));
+            for (into, gradient) in into.chunks_exact_mut(width).zip(values) {
                 for &(dof, coefficient) in row.pairs() {
-                    into[dof] += coefficient * value;
+                    into[dof] += coefficient * gradient[variable];
                 }
             }
             variable += 1;

@@ -9,16 +9,18 @@ use slideline_mech::contact::pair::{
     AnyGap, Body, History, Laws, PointTrial, RigidSurface, UserState, chain_gap,
 };
 use slideline_mech::contact::search::chain::Chain;
+use slideline_mech::contact::search::chain::{flat, raised};
 use slideline_mech::contact::search::rigid::{Part, RigidSegment};
+use slideline_mech::contact::tangential::Tangential;
 use slideline_mech::rigid::{Attachment, PointMap, push_forward};
 
-const STILL: Body = Body { reference: [0.0, 45e-3], dofs: [0.0; 3] };
+const STILL: Body = Body { reference: [0.0, 45e-3, 0.0], dofs: [0.0; 3] };
 
-fn beam_nodes(count: usize) -> Vec<[f64; 2]> {
+fn beam_nodes(count: usize) -> Vec<[f64; 3]> {
     (0..count)
         .map(|i| {
             let s = i as f64 / (count - 1) as f64;
-            [7e-3 + s * 2.222e-3, s * 50e-3]
+            [7e-3 + s * 2.222e-3, s * 50e-3, 0.0]
         })
         .collect()
 }
@@ -32,7 +34,7 @@ fn circle() -> RigidSurface {
     ])
 }
 
-fn overclosure_of_node(nodes: &[[f64; 2]], number: usize) -> f64 {
+fn overclosure_of_node(nodes: &[[f64; 3]], number: usize) -> f64 {
     let point = nodes[number - 1];
     let facing = circle().closest(&STILL, point).unwrap();
     circle().gap(&STILL, &facing, point).unwrap().overclosure()
@@ -56,7 +58,7 @@ fn initial_overclosure_of_the_1995_slide_line_deck() {
     let chain = Chain::new(&nodes, 0.25, 0.1).unwrap();
     let at = |degrees: f64| {
         let (s, c) = degrees.to_radians().sin_cos();
-        let point = [9e-3 * s, 45e-3 - 9e-3 * c];
+        let point = [9e-3 * s, 45e-3 - 9e-3 * c, 0.0];
         let piece = chain.closest(&nodes, None, point).unwrap();
         chain_gap(&chain, &piece, &nodes, point).unwrap()
     };
@@ -70,17 +72,17 @@ fn initial_overclosure_of_the_1995_slide_line_deck() {
 /// back for a point moving along a smoothed chain. Tolerance: the step.
 #[test]
 fn smoothed_chain_is_continuous() {
-    let nodes = vec![[0.0, 0.0], [1.0, 0.0], [2.0, 0.4], [3.5, 0.1]];
+    let nodes = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.4], [3.5, 0.1]].map(raised);
     let chain = Chain::new(&nodes, 0.3, 0.1).unwrap();
     let mut last: Option<AnyGap> = None;
     for i in 0..20_000 {
         let x = 0.2 + f64::from(i) * 1.5e-4;
-        let point = [x, 0.3];
+        let point = [x, 0.3, 0.0];
         let piece = chain.closest(&nodes, None, point).unwrap();
         let gap = chain_gap(&chain, &piece, &nodes, point).unwrap();
         if let Some(before) = last {
             assert!((gap.overclosure() - before.overclosure()).abs() < 2e-4, "{x}");
-            let step = (gap.along() - before.along()).abs();
+            let step = (gap.along() - before.along()).size();
             assert!(step < 1e-3, "{x}: {step}");
             assert!((gap.normal()[0] - before.normal()[0]).abs() < 3e-3, "{x}");
         }
@@ -93,9 +95,9 @@ fn smoothed_chain_is_continuous() {
 fn coordinate_runs_on_at_a_joint() {
     let along = |degrees: f64| {
         let (s, c) = degrees.to_radians().sin_cos();
-        let point = [9.01e-3 * s, 45e-3 + 9.01e-3 * c];
+        let point = [9.01e-3 * s, 45e-3 + 9.01e-3 * c, 0.0];
         let facing = circle().closest(&STILL, point).unwrap();
-        circle().gap(&STILL, &facing, point).unwrap().along()
+        circle().gap(&STILL, &facing, point).unwrap().along()[0]
     };
     for degrees in [0.5, 30.0, 89.999_999, 90.000_001, 120.0, 179.5] {
         assert!((along(degrees) - 9e-3 * f64::to_radians(degrees)).abs() < 1e-15, "{degrees}");
@@ -119,10 +121,12 @@ fn rubbing() -> Laws {
 /// Force p dh + tau d sigma over the variables of a gap and its derivative, for a given slip.
 fn force_and_tangent(gap: &AnyGap, slip: f64) -> (Vec<f64>, Vec<f64>) {
     let laws = rubbing();
-    let history = History { closed: true, along: Some(gap.along() - slip), elastic_slip: 0.0 };
+    let slip = Tangential::along(slip);
+    let (along, elastic_slip) = (Some(gap.along() - slip), Tangential::ZERO);
+    let history = History { closed: true, along, elastic_slip };
     let overclosure = gap.overclosure();
-    let trial =
-        PointTrial { overclosure, slip, pressure: 0.0, traction: 0.0, stiffness: 0.0, dt: 1.0 };
+    let (pressure, traction, stiffness, dt) = (0.0, Tangential::ZERO, 0.0, 1.0);
+    let trial = PointTrial { overclosure, slip, pressure, traction, stiffness, dt };
     let mut state_variables =
         UserState { time: 0.0, committed: &[], state: &mut [], fault: &mut None };
     let response = laws.respond(&history, &trial, &mut state_variables);
@@ -130,13 +134,13 @@ fn force_and_tangent(gap: &AnyGap, slip: f64) -> (Vec<f64>, Vec<f64>) {
     let slope = laws.normal.pressure(overclosure).unwrap().1;
     let d = gap.derivatives();
     let n = gap.width();
-    let force = (0..n).map(|i| p * d.gradient[i] + tau.tau * d.direction[i]).collect();
+    let force = (0..n).map(|i| p * d.gradient[i] + tau.tau[0] * d.direction[i]).collect();
     let tangent = (0..n * n).map(|k| {
         let (i, j) = (k / n, k % n);
-        let by_slip = tau.d_tau_d_slip * d.slip_gradient[j];
-        let by_pressure = tau.d_tau_d_pressure * slope * d.gradient[j];
+        let by_slip = tau.d_tau_d_slip.at(0, 0) * d.slip_gradient[j];
+        let by_pressure = tau.d_tau_d_pressure[0] * slope * d.gradient[j];
         p * d.hessian[k]
-            + tau.tau * d.direction_derivative[k]
+            + tau.tau[0] * d.direction_derivative[k]
             + slope * d.gradient[i] * d.gradient[j]
             + d.direction[i] * (by_slip + by_pressure)
     });
@@ -154,8 +158,8 @@ fn balance(force: &[f64], positions: &[[f64; 2]]) -> [f64; 3] {
     sum
 }
 
-fn wavy(jitter: &[f64; 8]) -> Vec<[f64; 2]> {
-    (0..4).map(|i| [i as f64 + jitter[2 * i], jitter[2 * i + 1]]).collect()
+fn wavy(jitter: &[f64; 8]) -> Vec<[f64; 3]> {
+    (0..4).map(|i| [i as f64 + jitter[2 * i], jitter[2 * i + 1], 0.0]).collect()
 }
 
 /// Mixed rigid surface: line, convex corner, line, arc, parabola.
@@ -173,17 +177,17 @@ type OnDofs = ([f64; 5], [f64; 25], f64, (usize, Part));
 
 /// Local dofs: slave (x, y), body (x, y, phi); force and tangent pushed to them.
 fn on_dofs(dofs: &[f64; 5], slip_origin: Option<f64>) -> Option<OnDofs> {
-    let body = Body { reference: [0.3, -1.7], dofs: [dofs[2], dofs[3], dofs[4]] };
-    let point = [dofs[0], dofs[1]];
+    let body = Body { reference: [0.3, -1.7, 0.0], dofs: [dofs[2], dofs[3], dofs[4]] };
+    let point = [dofs[0], dofs[1], 0.0];
     let facing = surface().closest(&body, point)?;
     let gap = surface().gap(&body, &facing, point)?;
     let slave = Attachment::Point { map: PointMap::Free, first: 0 };
     let attachments = surface().attachments(&body, &facing, slave, 2)?;
-    let slip = slip_origin.map_or(0.2, |origin| gap.along() - origin);
+    let slip = slip_origin.map_or(0.2, |origin| gap.along()[0] - origin);
     let (force, tangent) = force_and_tangent(&gap, slip);
     let (mut f, mut t) = ([0.0; 5], [0.0; 25]);
     push_forward(attachments.as_slice(), dofs, &force, &tangent, &mut f, &mut t);
-    Some((f, t, gap.along(), (facing.segment, facing.part)))
+    Some((f, t, gap.along()[0], (facing.segment, facing.part)))
 }
 
 fn spans() -> impl Strategy<Value = [f64; 5]> {
@@ -200,11 +204,11 @@ proptest! {
         let nodes = wavy(&j);
         let reference = wavy(&[0.0; 8]);
         let chain = Chain::new(&reference, f, 0.1).unwrap();
-        let point = [p.0, p.1];
+        let point = [p.0, p.1, 0.0];
         if let Some(piece) = chain.closest(&nodes, None, point) {
             let gap = chain_gap(&chain, &piece, &nodes, point).unwrap();
-            let mut positions = vec![point];
-            positions.extend_from_slice(&nodes[piece.nodes()]);
+            let mut positions = vec![flat(point)];
+            positions.extend(nodes[piece.nodes()].iter().copied().map(flat));
             let sum = balance(&force_and_tangent(&gap, slip).0, &positions);
             prop_assert!(sum.iter().all(|s| s.abs() < 1e-12 * 50.0), "{:?}", sum);
         }
@@ -216,15 +220,15 @@ proptest! {
         let nodes = wavy(&j);
         let chain = Chain::new(&wavy(&[0.0; 8]), f, 0.1).unwrap();
         let (s, c) = turn.sin_cos();
-        let moved = |x: [f64; 2]| [c * x[0] - s * x[1] + 0.3, s * x[0] + c * x[1] - 0.7];
+        let moved = |x: [f64; 3]| [c * x[0] - s * x[1] + 0.3, s * x[0] + c * x[1] - 0.7, 0.0];
         let there: Vec<_> = nodes.iter().map(|x| moved(*x)).collect();
-        let point = [p.0, p.1];
+        let point = [p.0, p.1, 0.0];
         if let Some(piece) = chain.closest(&nodes, None, point) {
             let other = chain.closest(&there, None, moved(point)).unwrap();
             let a = chain_gap(&chain, &piece, &nodes, point).unwrap();
             let b = chain_gap(&chain, &other, &there, moved(point)).unwrap();
             prop_assert!((a.overclosure() - b.overclosure()).abs() < 1e-13, "{piece:?} {other:?}");
-            prop_assert!((a.along() - b.along()).abs() < 1e-12);
+            prop_assert!((a.along() - b.along()).size() < 1e-12);
         }
     }
 
@@ -260,7 +264,7 @@ proptest! {
 
     /// Finite input never gives NaN: a gap has finite numbers or is `None`.
     #[test]
-    fn no_nan(nodes in prop::collection::vec(prop::array::uniform2(prop::num::f64::NORMAL | prop::num::f64::ZERO), 4), point in prop::array::uniform2(-1e3..1e3_f64)) {
+    fn no_nan(nodes in prop::collection::vec(prop::array::uniform3(prop::num::f64::NORMAL | prop::num::f64::ZERO), 4), point in prop::array::uniform3(-1e3..1e3_f64)) {
         let chain = Chain::new(&wavy(&[0.0; 8]), 0.2, 0.1).unwrap();
         if let Some(piece) = chain.closest(&nodes, None, point)
             && let Some(gap) = chain_gap(&chain, &piece, &nodes, point)
@@ -273,8 +277,8 @@ proptest! {
 
     /// The same for rigid surfaces, far and near.
     #[test]
-    fn no_nan_on_rigid_surfaces(point in prop::array::uniform2(prop::num::f64::NORMAL | prop::num::f64::ZERO), dofs in prop::array::uniform3(-10.0..10.0_f64)) {
-        let body = Body { reference: [0.0, 0.0], dofs };
+    fn no_nan_on_rigid_surfaces(point in prop::array::uniform3(prop::num::f64::NORMAL | prop::num::f64::ZERO), dofs in prop::array::uniform3(-10.0..10.0_f64)) {
+        let body = Body { reference: [0.0; 3], dofs };
         if let Some(facing) = surface().closest(&body, point)
             && let Some(gap) = surface().gap(&body, &facing, point)
         {

@@ -109,13 +109,16 @@ pub enum Master {
     SlideLine(SlideLine),
 }
 
+/// A point of a profile, in the plane of the profile [L].
+pub type ProfilePoint = [f64; 2];
+
 /// Line, arcs and parabolas fixed to a rigid body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RigidSurface {
     /// The body's reference node.
     pub reference: NodeIndex,
     /// First point, undeformed [L].
-    pub start: [f64; 2],
+    pub start: ProfilePoint,
     /// Segments, each from the end of the one before; the outward normal
     /// stands 90 degrees counter-clockwise of travel.
     pub segments: Vec<SurfaceSegment>,
@@ -129,27 +132,27 @@ pub enum SurfaceSegment {
     /// Straight.
     Line {
         /// End point.
-        end: [f64; 2],
+        end: ProfilePoint,
     },
     /// Circular, less than 180 degrees.
     Circle {
         /// End point.
-        end: [f64; 2],
+        end: ProfilePoint,
         /// Centre.
-        centre: [f64; 2],
+        centre: ProfilePoint,
     },
     /// Parabolic.
     Parabola {
         /// A point of the parabola between its ends.
-        middle: [f64; 2],
+        middle: ProfilePoint,
         /// End point.
-        end: [f64; 2],
+        end: ProfilePoint,
     },
 }
 
 impl SurfaceSegment {
     /// Its end point [L].
-    pub fn end(&self) -> [f64; 2] {
+    pub fn end(&self) -> ProfilePoint {
         match *self {
             Self::Line { end } | Self::Circle { end, .. } | Self::Parabola { end, .. } => end,
         }

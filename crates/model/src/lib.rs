@@ -17,6 +17,7 @@ mod contact;
 mod controls;
 mod element;
 mod node;
+mod numbering;
 mod output;
 mod refine;
 mod stabilisation;
@@ -26,7 +27,7 @@ mod vocabulary;
 pub use amplitude::Amplitude;
 pub use contact::{
     ContactElement, ContactPair, Decay, Formulation, Friction, Interaction, Lumping, Master,
-    RigidSurface, SlideLine, StickRule, SurfaceSegment,
+    ProfilePoint, RigidSurface, SlideLine, StickRule, SurfaceSegment,
 };
 pub use controls::{Controls, FieldControls, TimeIncrementation};
 pub use element::{
@@ -35,6 +36,7 @@ pub use element::{
     Undeformed, element_type, mean_at_nodes, types,
 };
 pub use node::{Dof, LinearConstraint, Node, NodeIndex, Nodes, RigidLink};
+pub use numbering::{Name, Numbering};
 pub use output::{
     ContactPrint, ContactVariable, ElementPrint, ElementVariable, NodePrint, NodeVariable,
     OutputRequests, PrintTarget, Request, SECTION_POINTS, SavedStates,
@@ -130,9 +132,34 @@ impl Model {
         nodes
     }
 
-    /// Whether something moves in space, not in a plane alone.
-    pub fn is_spatial(&self) -> bool {
-        self.blocks.iter().any(|block| block.kind.is_spatial())
+    /// Gives the numbers of instances another stride: nodes, elements, and who names them.
+    pub fn restride(&mut self, stride: u64) {
+        let numbering = self.nodes.numbering().clone();
+        let new = |number: &mut u64| *number = numbering.restride(*number, stride);
+        self.blocks.iter_mut().flat_map(|block| block.elements.labels_mut()).for_each(new);
+        let pairs = self.contact_pairs.iter_mut().flat_map(|pair| &mut pair.elements);
+        pairs.map(|element| &mut element.label).for_each(new);
+        let steps = self.steps.iter_mut().flat_map(|step| &mut step.output.element_prints);
+        steps.flat_map(|print| &mut print.elements).for_each(new);
+        self.nodes.restride(stride);
+    }
+
+    /// Whether an element moves out of the plane.
+    pub fn is_in_space(&self) -> bool {
+        let outside = |block: &ElementBlock| block.kind.dofs.iter().any(|dof| !dof.is_plane());
+        self.blocks.iter().any(outside)
+    }
+
+    /// The directions in which a rigid body of the model moves.
+    pub fn directions(&self) -> &'static [Dof] {
+        Dof::of_rigid_body(self.is_in_space())
+    }
+
+    /// What their hoop strain holds of rings: a node and a direction of every element's rigid motions.
+    pub fn rings(&self) -> impl Iterator<Item = (NodeIndex, Dof)> {
+        let rings = self.blocks.iter().filter(|block| block.kind.is_ring());
+        let first = rings.flat_map(|block| &block.elements).map(|element| element.nodes[0]);
+        first.flat_map(|node| [(node, Dof::U1), (node, Dof::UR3)])
     }
 
     /// Number of state variables of all elements.

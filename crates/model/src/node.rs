@@ -1,5 +1,6 @@
 //! Nodes, their degrees of freedom, and links that make them rigid.
 
+use crate::numbering::{Name, Numbering};
 use slideline_diag::Span;
 use std::collections::HashMap;
 
@@ -28,6 +29,11 @@ impl Dof {
     pub const ALL: [Self; 6] = [Self::U1, Self::U2, Self::U3, Self::UR1, Self::UR2, Self::UR3];
     /// Those that a plane model uses.
     pub const PLANE: [Self; 3] = [Self::U1, Self::U2, Self::UR3];
+
+    /// The motions of a rigid body, in space or in the plane.
+    pub fn of_rigid_body(in_space: bool) -> &'static [Self] {
+        if in_space { &Self::ALL } else { &Self::PLANE }
+    }
 
     /// From the deck's number 1 to 6.
     pub fn from_number(number: i64) -> Option<Self> {
@@ -81,6 +87,7 @@ pub struct Node {
 pub struct Nodes {
     list: Vec<Node>,
     by_label: HashMap<u64, NodeIndex>,
+    numbering: Numbering,
 }
 
 impl Nodes {
@@ -117,10 +124,33 @@ impl Nodes {
         self.list[index].label
     }
 
-    /// Undeformed position in the plane [L].
-    pub fn plane(&self, index: NodeIndex) -> [f64; 2] {
-        let [x, y, _] = self.list[index].position;
-        [x, y]
+    /// The node at that place in the deck's words, `ARM-1.12` in a deck of parts.
+    pub fn name(&self, index: NodeIndex) -> Name<'_> {
+        self.numbering.name(self.label(index))
+    }
+
+    /// How numbers are made of instances and numbers of their parts.
+    pub fn numbering(&self) -> &Numbering {
+        &self.numbering
+    }
+
+    /// Says how the numbers are made; they stay as they are.
+    pub fn set_numbering(&mut self, numbering: Numbering) {
+        self.numbering = numbering;
+    }
+
+    /// Gives the numbers of instances another stride.
+    pub fn restride(&mut self, stride: u64) {
+        for node in &mut self.list {
+            node.label = self.numbering.restride(node.label, stride);
+        }
+        self.by_label = self.list.iter().enumerate().map(|(at, node)| (node.label, at)).collect();
+        self.numbering = Numbering::new(stride, self.numbering.instances().to_vec());
+    }
+
+    /// Undeformed position [L].
+    pub fn position(&self, index: NodeIndex) -> [f64; 3] {
+        self.list[index].position
     }
 
     /// How many.
@@ -152,14 +182,30 @@ pub struct LinearConstraint {
     pub origin: Span,
 }
 
-/// `*MPC` type BEAM: the dependent node moves as if welded to the master by a
-/// rigid bar, rotation included.
+/// Dofs of a node that move as if welded to another one by a rigid bar: `*RIGID BODY`, `*MPC` of
+/// type BEAM, `*KINEMATIC`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RigidLink {
-    /// The node that gives up its dofs.
+    /// The node that gives up dofs.
     pub dependent: NodeIndex,
     /// The node it follows.
     pub master: NodeIndex,
+    /// Which of its six dofs follow.
+    pub follows: [bool; 6],
+    /// `ROT NODE`: the node whose displacements are the rotation of the master.
+    pub turn: Option<NodeIndex>,
     /// Where it was said.
     pub origin: Span,
+}
+
+impl RigidLink {
+    /// All dofs of a node follow.
+    pub const WELDED: [bool; 6] = [true; 6];
+    /// Its displacements follow, it turns by itself.
+    pub const PINNED: [bool; 6] = [true, true, true, false, false, false];
+
+    /// A node that follows another with all its dofs.
+    pub fn welded(dependent: NodeIndex, master: NodeIndex, origin: Span) -> Self {
+        Self { dependent, master, follows: Self::WELDED, turn: None, origin }
+    }
 }

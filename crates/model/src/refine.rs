@@ -240,12 +240,12 @@ impl Halving {
         let Some(master) = self.same_body(ends) else {
             return Err(refusal(labels, "no beam joins them and they share no rigid body", origin));
         };
-        let Some([x, y]) = rim(model, chain, place) else {
+        let Some(at) = rim(model, chain, place) else {
             let reason = "they and their neighbours lie neither on one circle nor on a line";
             return Err(refusal(labels, reason, origin));
         };
-        let node = self.add_node([x, y, 0.0], ends, origin);
-        self.model.rigid_links.push(RigidLink { dependent: node, master, origin });
+        let node = self.add_node(at, ends, origin);
+        self.model.rigid_links.push(RigidLink::welded(node, master, origin));
         Ok(node)
     }
 
@@ -310,11 +310,11 @@ const FLAT: f64 = 1e-9;
 
 /// The point halfway between the ends of an edge on the circle through them
 /// and a neighbour, on either side the same [L].
-fn rim(model: &Model, chain: &[Edge], place: usize) -> Option<[f64; 2]> {
+fn rim(model: &Model, chain: &[Edge], place: usize) -> Option<[f64; 3]> {
     let [a, b] = chain[place];
     let before = place.checked_sub(1).map(|k| chain[k]).filter(|edge| edge[1] == a);
     let after = chain.get(place + 1).filter(|edge| edge[0] == b);
-    let at = |node| model.nodes.plane(node);
+    let at = |node| model.nodes.position(node);
     let [pa, pb] = [at(a), at(b)];
     let sagittas: Vec<f64> = [before.map(|edge| edge[0]), after.map(|edge| edge[1])]
         .into_iter()
@@ -328,13 +328,13 @@ fn rim(model: &Model, chain: &[Edge], place: usize) -> Option<[f64; 2]> {
     if !mean.is_finite() || !sagittas.iter().all(agrees) {
         return None;
     }
-    let normal = [-chord[1] / length, chord[0] / length];
-    Some([0, 1].map(|k| 0.5 * (pa[k] + pb[k]) + mean * normal[k]))
+    let normal = [-chord[1] / length, chord[0] / length, 0.0];
+    Some([0, 1, 2].map(|k| 0.5 * (pa[k] + pb[k]) + mean * normal[k]))
 }
 
 /// How far the minor arc over the chord a b of the circle through c stands
 /// off the chord, along its left normal [L].
-fn sagitta(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
+fn sagitta(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> f64 {
     let [dx, dy] = [b[0] - a[0], b[1] - a[1]];
     let length = dx.hypot(dy);
     let (ex, ey) = (dx / length, dy / length);

@@ -4,8 +4,9 @@ use crate::ledger::onset_word;
 use crate::number::general;
 use slideline_mech::element::solid;
 use slideline_model::{
-    BeamSection, ContactPair, ElementBlock, ElementType, Formulation, Friction, Kinematics, Master,
-    Material, Model, NodeIndex, NormalLaw, Section, SolidSection, SpringSection, Step, StickRule,
+    BeamSection, ContactPair, Dialect, ElementBlock, ElementType, Formulation, Friction,
+    Kinematics, Master, Material, Model, NodeIndex, NormalLaw, Section, SolidSection,
+    SpringSection, Step, StickRule,
 };
 use slideline_solve::observe::{ContactRow, Frame};
 use std::fmt::Write as _;
@@ -16,11 +17,12 @@ pub fn model_echo(model: &Model, start: &Frame<'_>) -> String {
     let mut text = String::new();
     heading(&mut text, model);
     nodes(&mut text, model);
+    instances(&mut text, model);
     for block in &model.blocks {
         match &block.section {
             Section::Beam(section) => beams(&mut text, model, block, section),
             Section::Spring(section) => springs(&mut text, block, section),
-            Section::Solid(section) => solids(&mut text, block, section),
+            Section::Solid(section) => solids(&mut text, block, section, model.dialect),
             Section::Properties(_) => elements(&mut text, block),
         }
     }
@@ -62,6 +64,23 @@ fn nodes(text: &mut String, model: &Model) {
             let name = ["x", "y", "z"][axis];
             line(text, format_args!("  {name} from {} to {}", general(low, 9), general(high, 9)));
         }
+    }
+}
+
+/// Who has which numbers: in files a node of an instance has one number.
+fn instances(text: &mut String, model: &Model) {
+    let numbering = model.nodes.numbering();
+    if numbering.instances().is_empty() {
+        return;
+    }
+    if numbering.stride() == 0 {
+        line(text, format_args!("\nINSTANCES  all numbers are those of the deck"));
+        return;
+    }
+    line(text, format_args!("\nINSTANCES  numbers in files of nodes and elements"));
+    for (name, k) in numbering.instances().iter().zip(1_u64..) {
+        let offset = k * numbering.stride();
+        line(text, format_args!("  {name}.n is {offset} + n"));
     }
 }
 
@@ -131,7 +150,7 @@ fn transverse_shear(
 }
 
 fn distance(model: &Model, [first, second]: [NodeIndex; 2]) -> f64 {
-    let (a, b) = (model.nodes.plane(first), model.nodes.plane(second));
+    let (a, b) = (model.nodes.position(first), model.nodes.position(second));
     (b[0] - a[0]).hypot(b[1] - a[1])
 }
 
@@ -147,7 +166,7 @@ fn range(low: f64, high: f64) -> String {
 }
 
 /// Solids of one section.
-fn solids(text: &mut String, block: &ElementBlock, section: &SolidSection) {
+fn solids(text: &mut String, block: &ElementBlock, section: &SolidSection, dialect: Dialect) {
     let (word, count) = (block.word(), block.elements.len());
     line(text, format_args!("\nSOLIDS {}  {count} elements {word}", block.name));
     let material = match (&section.material, section.material.elastic()) {
@@ -173,10 +192,15 @@ fn solids(text: &mut String, block: &ElementBlock, section: &SolidSection) {
     } else {
         line(text, format_args!("  thickness {}; {material}", general(section.thickness, 9)));
     }
-    if let Kinematics::Solid { formulation, .. } = block.kind.kinematics
-        && formulation.contains(&solid::Formulation::Hourglass)
-    {
-        line(text, format_args!("  hourglass control: stiffness of elastic bending"));
+    let Kinematics::Solid { formulation, .. } = block.kind.kinematics else { return };
+    match formulation[usize::from(dialect == Dialect::Calculix)] {
+        solid::Formulation::Hourglass => {
+            line(text, format_args!("  hourglass control: stiffness of elastic bending"));
+        }
+        solid::Formulation::SoftHourglass => {
+            line(text, format_args!("  hourglass control: .032 E V sum (dN/dX)^2, as CalculiX"));
+        }
+        _ => {}
     }
 }
 

@@ -16,7 +16,7 @@ use crate::kept::Kept;
 use crate::outline::{Outline, outlines};
 use crate::section::nodal_sections;
 use crate::writer::Writer;
-use slideline_model::{Dof, Kinematics, Model, NodeIndex};
+use slideline_model::{Dof, Kinematics, Model, NodeIndex, ProfilePoint};
 use slideline_results::element::nodal_stresses;
 use slideline_results::{NodeComponent, NodeField, contact_component};
 use slideline_solve::observe::{ContactRow, Event, Frame};
@@ -133,7 +133,7 @@ impl Mesh {
     }
 
     /// Number, carrier and undeformed place of the points of outlines.
-    fn points(&self) -> impl Iterator<Item = (u64, &Outline, [f64; 2])> {
+    fn points(&self) -> impl Iterator<Item = (u64, &Outline, ProfilePoint)> {
         let points = self.outlines.iter().flat_map(|o| o.points.iter().map(move |&p| (o, p)));
         (self.first..).zip(points).map(|(label, (outline, point))| (label, outline, point))
     }

@@ -5,7 +5,7 @@
 //!     (  x  )   chords; x: the node that carries them
 //! ```
 
-use slideline_model::{Dof, Master, Model, NodeIndex, RigidSurface, SurfaceSegment};
+use slideline_model::{Dof, Master, Model, NodeIndex, ProfilePoint, RigidSurface, SurfaceSegment};
 use slideline_solve::observe::Frame;
 
 /// Chords of an arc or parabola per segment; at most 7.5 degrees of arc.
@@ -15,7 +15,7 @@ const CHORDS: u32 = 24;
 pub(crate) struct Outline {
     /// The node that carries it.
     pub reference: NodeIndex,
-    pub points: Vec<[f64; 2]>,
+    pub points: Vec<ProfilePoint>,
 }
 
 /// The outlines of a model, in the order of its contact pairs.
@@ -30,9 +30,9 @@ pub(crate) fn outlines(model: &Model) -> Vec<Outline> {
 impl Outline {
     /// Where one of its points is: x = x_ref + R(phi) (X - X_ref).
     /// [semantics: segments of a rigid surface]
-    pub fn carried(&self, frame: &Frame<'_>, point: [f64; 2]) -> [f64; 2] {
+    pub fn carried(&self, frame: &Frame<'_>, point: ProfilePoint) -> ProfilePoint {
         let reference = self.reference;
-        let origin = frame.model.nodes.plane(reference);
+        let origin = frame.model.nodes.position(reference);
         let moved = |dof| frame.nodal.displacement(reference, dof);
         let (sine, cosine) = moved(Dof::UR3).sin_cos();
         let arm = [point[0] - origin[0], point[1] - origin[1]];
@@ -66,7 +66,12 @@ fn outline(surface: &RigidSurface) -> Outline {
 }
 
 /// The shorter arc from `from` to `end`.
-fn push_arc(points: &mut Vec<[f64; 2]>, from: [f64; 2], end: [f64; 2], centre: [f64; 2]) {
+fn push_arc(
+    points: &mut Vec<ProfilePoint>,
+    from: ProfilePoint,
+    end: ProfilePoint,
+    centre: ProfilePoint,
+) {
     let arm = [from[0] - centre[0], from[1] - centre[1]];
     let last = [end[0] - centre[0], end[1] - centre[1]];
     let turn = (arm[0] * last[1] - arm[1] * last[0]).atan2(arm[0] * last[0] + arm[1] * last[1]);
@@ -81,7 +86,7 @@ fn push_arc(points: &mut Vec<[f64; 2]>, from: [f64; 2], end: [f64; 2], centre: [
 }
 
 /// The quadratic through three points, the second at half the parameter.
-fn push_parabola(points: &mut Vec<[f64; 2]>, [from, middle, end]: [[f64; 2]; 3]) {
+fn push_parabola(points: &mut Vec<ProfilePoint>, [from, middle, end]: [ProfilePoint; 3]) {
     for chord in 1..CHORDS {
         let s = f64::from(chord) / f64::from(CHORDS);
         let weights = [(1.0 - s) * (1.0 - 2.0 * s), 4.0 * s * (1.0 - s), s * (2.0 * s - 1.0)];

@@ -37,7 +37,8 @@ impl Rows for Pairs {
                 None => sheet.cell(""),
             };
             let imbalance = [row.force_imbalance, row.moment_imbalance];
-            sheet.numbers(row.force).numbers([row.moment]).numbers(imbalance).end();
+            let [x, y, _] = row.force;
+            sheet.numbers([x, y, row.moment[2]]).numbers(imbalance).end();
         }
     }
 }

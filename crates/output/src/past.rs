@@ -112,8 +112,8 @@ fn row(table: &Table, deepest: Option<NodeIndex>) -> Result<PairRow, Problem> {
         changes: table.number(5)?,
         penetration: number(6)?,
         deepest,
-        force: [number(8)?, number(9)?],
-        moment: number(10)?,
+        force: [number(8)?, number(9)?, 0.0],
+        moment: [0.0, 0.0, number(10)?],
         force_imbalance: number(11)?,
         moment_imbalance: number(12)?,
     })

@@ -56,13 +56,16 @@ pub fn picture(model: &Model, points: &[ContactRow]) -> Scene {
 }
 
 /// Lines of the masters of a model, undeformed, in their direction of travel.
-fn master_lines(model: &Model) -> Vec<Vec<[f64; 2]>> {
+fn master_lines(model: &Model) -> Vec<Vec<[f64; 3]>> {
     let chains = model.contact_pairs.iter().filter_map(|pair| match &pair.master {
         Master::SlideLine(chain) => Some(&chain.nodes),
         Master::RigidSurface(_) => None,
     });
-    let chains = chains.map(|nodes| nodes.iter().map(|&node| model.nodes.plane(node)).collect());
-    outlines(model).into_iter().map(|outline| outline.points).chain(chains).collect()
+    let chains = chains.map(|nodes| nodes.iter().map(|&node| model.nodes.position(node)).collect());
+    let profiles = outlines(model).into_iter();
+    let profiles =
+        profiles.map(|outline| outline.points.iter().map(|&[x, y]| [x, y, 0.0]).collect());
+    profiles.chain(chains).collect()
 }
 
 struct Drawing {
@@ -76,7 +79,7 @@ struct Drawing {
 impl Drawing {
     fn of(model: &Model) -> Self {
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-        let nodes = (0..model.nodes.iter().count()).map(|node| model.nodes.plane(node));
+        let nodes = (0..model.nodes.iter().count()).map(|node| model.nodes.position(node));
         for point in nodes.chain(master_lines(model).into_iter().flatten()) {
             for axis in 0..2 {
                 low[axis] = low[axis].min(point[axis]);
@@ -96,7 +99,7 @@ impl Drawing {
         Self { scene, middle, scale }
     }
 
-    fn at(&self, point: [f64; 2]) -> [f64; 2] {
+    fn at(&self, point: [f64; 3]) -> [f64; 2] {
         [
             0.5 * self.scene.width + self.scale * (point[0] - self.middle[0]),
             0.5 * self.scene.height - self.scale * (point[1] - self.middle[1]),
@@ -109,7 +112,7 @@ impl Drawing {
             let half = (0.5 * block.section.height * self.scale).max(1.0);
             for element in block.elements {
                 for ends in element.nodes.windows(2) {
-                    let [a, b] = [0, 1].map(|end| self.at(model.nodes.plane(ends[end])));
+                    let [a, b] = [0, 1].map(|end| self.at(model.nodes.position(ends[end])));
                     let Some([x, y]) = direction(a, b) else { continue };
                     let corner = |p: [f64; 2], s: f64| [p[0] - s * half * y, p[1] + s * half * x];
                     let corners =
@@ -150,7 +153,7 @@ impl Drawing {
 
     fn slaves(&mut self, model: &Model) {
         for node in model.contact_pairs.iter().flat_map(|pair| pair.slave_nodes()) {
-            let at = self.at(model.nodes.plane(node));
+            let at = self.at(model.nodes.position(node));
             self.scene.circle(at, 3.0, Some(SLAVE), None);
         }
     }
@@ -162,7 +165,8 @@ impl Drawing {
             let own = points.iter().filter(|row| row.pair == place && row.opening.is_finite());
             let mut smallest: Option<&ContactRow> = None;
             for row in own {
-                let foot = [0, 1].map(|axis| row.position[axis] - row.opening * row.normal[axis]);
+                let foot =
+                    [0, 1, 2].map(|axis| row.position[axis] - row.opening * row.normal[axis]);
                 let colour = if row.opening < 0.0 { OVERLAP } else { SLAVE };
                 let ends = [row.position, foot].map(|point| self.at(point));
                 let pen = Pen::solid(1.0).colour(colour).dash(Dash::Short);
@@ -196,7 +200,7 @@ impl Drawing {
         }
         let moved = |node| step.prescribed.iter().any(|own| own.node == node && own.moves());
         for (node, dofs) in held.into_iter().filter(|(node, _)| !moved(*node)) {
-            let [x, y] = self.at(model.nodes.plane(node));
+            let [x, y] = self.at(model.nodes.position(node));
             let clamped = [Dof::U1, Dof::U2, Dof::UR3].iter().all(|dof| dofs.contains(dof));
             let corners = match clamped {
                 true => vec![
@@ -224,7 +228,7 @@ impl Drawing {
                 continue;
             }
             seen.push((own.node, own.dof));
-            let from = self.at(model.nodes.plane(own.node));
+            let from = self.at(model.nodes.position(own.node));
             let length = 2.0 * ARROW * own.value.signum();
             let tip = [from[0] + length * axis[0], from[1] + length * axis[1]];
             self.scene.circle(from, 3.0, Some(MOTION), None);

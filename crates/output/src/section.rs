@@ -71,7 +71,7 @@ impl NodalSection {
 /// Section results at the nodes of the beams, in the order of the nodes.
 pub(crate) fn nodal_sections(frame: &Frame<'_>) -> BTreeMap<NodeIndex, NodalSection> {
     let place = |node: NodeIndex| {
-        let position = frame.model.nodes.plane(node);
+        let position = frame.model.nodes.position(node);
         let moved = |dof| frame.nodal.displacement(node, dof);
         [position[0] + moved(Dof::U1), position[1] + moved(Dof::U2)]
     };

@@ -19,6 +19,7 @@ use slideline_model::{
 /// | `supports` | `[{"node","dofs":[..]}]`: what is held throughout |
 /// | `sections` | `[{"height","elements":[first,last,..]}]`: heights of beam sections |
 /// | `pairs` | `[{"name","slave":[..],"master","nodes":[..],"normal","friction"}]` |
+/// | `instances` | `[{"name","first"}]`: `first` + n is the number of node or element n |
 /// | `settings` | `[{"card","name","value","default"}]` |
 pub(crate) fn understood(model: &Model) -> Value {
     let steps = || model.steps.iter();
@@ -37,8 +38,16 @@ pub(crate) fn understood(model: &Model) -> Value {
         "supports": supports(model),
         "sections": sections(model),
         "pairs": pairs(model),
+        "instances": instances(model),
         "settings": settings(model),
     })
+}
+
+/// Instances of parts, and what their numbers are raised by.
+fn instances(model: &Model) -> Value {
+    let numbering = model.nodes.numbering();
+    let named = numbering.instances().iter().zip(1_u64..);
+    named.map(|(name, k)| json!({"name": name, "first": k * numbering.stride()})).collect()
 }
 
 /// Nodes that the first step holds and no step moves.

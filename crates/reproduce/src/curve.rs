@@ -101,7 +101,7 @@ impl Observer for Watch {
 impl Watch {
     fn increment(&self, frame: &Frame<'_>) -> Increment {
         let place = |node: usize| {
-            let [x, y] = frame.model.nodes.plane(node);
+            let [x, y, _] = frame.model.nodes.position(node);
             let moved = |dof| frame.nodal.displacement(node, dof);
             [x + moved(Dof::U1), y + moved(Dof::U2)]
         };

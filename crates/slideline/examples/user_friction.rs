@@ -15,7 +15,7 @@
 //! cargo run --release -p slideline --example user_friction
 //! ```
 
-use slideline::friction::{FrictionBatch, FrictionPoint, Status, Traction};
+use slideline::friction::{FrictionBatch, FrictionPoint, Status, TangentialMap, Traction};
 use slideline::friction::{UserFriction, UserFrictionError};
 use slideline::model::Dof;
 use slideline::observe::Ending;
@@ -72,12 +72,12 @@ impl Constants {
     /// slid now; backward Euler, elastic below the limit.
     fn answer(&self, point: &FrictionPoint, slid: f64) -> (Traction, f64) {
         let trial = point.elastic_slip + point.slip;
-        if trial.abs() <= self.elastic_slip {
+        if trial.size() <= self.elastic_slip {
             let [tau, by_pressure, _] = self.limit(point.pressure, slid);
             let part = trial / self.elastic_slip;
             let sticking = Traction {
                 tau: tau * part,
-                d_tau_d_slip: tau / self.elastic_slip,
+                d_tau_d_slip: TangentialMap::isotropic(tau / self.elastic_slip),
                 d_tau_d_pressure: by_pressure * part,
                 elastic_slip: trial,
                 dissipated_slip: 0.0,
@@ -85,13 +85,14 @@ impl Constants {
             };
             return (sticking, slid);
         }
-        let dissipated = trial.abs() - self.elastic_slip;
+        let (way, dissipated) = (trial.direction(), trial.size() - self.elastic_slip);
         let [tau, by_pressure, by_distance] = self.limit(point.pressure, slid + dissipated);
+        let turning = TangentialMap::across(way, tau / trial.size());
         let sliding = Traction {
-            tau: tau * trial.signum(),
-            d_tau_d_slip: by_distance,
-            d_tau_d_pressure: by_pressure * trial.signum(),
-            elastic_slip: self.elastic_slip * trial.signum(),
+            tau: tau * way,
+            d_tau_d_slip: by_distance * way.outer(way) + turning,
+            d_tau_d_pressure: by_pressure * way,
+            elastic_slip: self.elastic_slip * way,
             dissipated_slip: dissipated,
             status: Status::Slip,
         };

@@ -48,7 +48,7 @@ fn add_gaps_of_nodes(model: &Model, start: &mut InitialGaps) {
             continue;
         };
         let Some(shape) = slideline_solve::rigid_surface(surface) else { continue };
-        let body = Body { reference: model.nodes.plane(surface.reference), dofs: [0.0; 3] };
+        let body = Body { reference: model.nodes.position(surface.reference), dofs: [0.0; 3] };
         let rows = start.points.iter_mut().filter(|row| row.pair == place);
         for row in rows.filter(|row| row.opening == f64::INFINITY) {
             if let Some(overclosure) = shape.overclosure(&body, row.position) {

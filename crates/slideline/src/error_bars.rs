@@ -20,9 +20,10 @@ use std::ops::ControlFlow;
 pub struct Reactions {
     nodes: Vec<NodeIndex>,
     labels: Vec<u64>,
+    dofs: Vec<Dof>,
     /// Total times of the increments [T].
     times: Vec<f64>,
-    /// One curve a node and plane dof, node by node [F or F L].
+    /// One curve a node and dof, node by node [F or F L].
     curves: Vec<Vec<f64>>,
 }
 
@@ -31,8 +32,12 @@ impl Reactions {
     pub fn of(model: &Model) -> Self {
         let nodes = model.history_nodes();
         let labels = nodes.iter().map(|&node| model.nodes.label(node)).collect();
-        let curves = vec![Vec::new(); nodes.len() * Dof::PLANE.len()];
-        Self { nodes, labels, times: Vec::new(), curves }
+        let used = |dof: &Dof| {
+            dof.is_plane() || model.blocks.iter().any(|block| block.kind.dofs.contains(dof))
+        };
+        let dofs: Vec<Dof> = Dof::ALL.into_iter().filter(used).collect();
+        let curves = vec![Vec::new(); nodes.len() * dofs.len()];
+        Self { nodes, labels, dofs, times: Vec::new(), curves }
     }
 
     /// Number of increments that were taken down.
@@ -78,9 +83,10 @@ impl Observer for Recorder<'_> {
     fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
         if let Event::Committed(frame) = &event {
             self.reactions.times.push(frame.total_time);
-            let nodes = &self.reactions.nodes;
-            let pairs = nodes.iter().flat_map(|&node| Dof::PLANE.map(|dof| (node, dof)));
-            for (curve, (node, dof)) in self.reactions.curves.iter_mut().zip(pairs) {
+            let Reactions { nodes, dofs, curves, .. } = &mut *self.reactions;
+            let (nodes, dofs) = (&*nodes, &*dofs);
+            let pairs = nodes.iter().flat_map(|&node| dofs.iter().map(move |&dof| (node, dof)));
+            for (curve, (node, dof)) in curves.iter_mut().zip(pairs) {
                 curve.push(frame.nodal.reaction(node, dof));
             }
         }
@@ -93,7 +99,9 @@ impl Observer for Recorder<'_> {
 pub struct ErrorBars {
     /// Labels of the nodes.
     pub nodes: Vec<u64>,
-    /// One curve a node and plane dof, node by node [F or F L].
+    /// Dofs of each that have reactions.
+    pub dofs: Vec<Dof>,
+    /// One curve a node and dof, node by node [F or F L].
     pub bars: Vec<Vec<f64>>,
 }
 
@@ -101,8 +109,8 @@ impl ErrorBars {
     /// Bars of one reaction, a value an increment [F or F L].
     pub fn of(&self, label: u64, dof: Dof) -> Option<&[f64]> {
         let node = self.nodes.iter().position(|&node| node == label)?;
-        let place = Dof::PLANE.iter().position(|&plane| plane == dof)?;
-        self.bars.get(node * Dof::PLANE.len() + place).map(Vec::as_slice)
+        let place = self.dofs.iter().position(|&own| own == dof)?;
+        self.bars.get(node * self.dofs.len() + place).map(Vec::as_slice)
     }
 
     fn rows<'a>(&'a self, method: &'a str, columns: &'a [String]) -> BarRows<'a> {
@@ -120,8 +128,11 @@ pub fn write_error_bars(
     mesh: Option<&ErrorBars>,
     time: Option<&ErrorBars>,
 ) -> Result<(), WriteError> {
-    let names = |kind: &str| Dof::PLANE.map(|dof| format!("{}_{kind}", dof.reaction_name()));
-    let (of_mesh, in_time) = (names("error"), names("time_error"));
+    let names = |bars: Option<&ErrorBars>, kind: &str| -> Vec<String> {
+        let dofs = bars.map_or(&[][..], |bars| &bars.dofs);
+        dofs.iter().map(|dof| format!("{}_{kind}", dof.reaction_name())).collect()
+    };
+    let (of_mesh, in_time) = (names(mesh, "error"), names(time, "time_error"));
     let mesh = mesh.map(|bars| bars.rows("halved and quartered mesh", &of_mesh));
     let time = time.map(|bars| bars.rows("halved and quartered increments", &in_time));
     add_error_bars(files, mesh.as_ref(), time.as_ref())
@@ -210,5 +221,5 @@ fn compare(
         let [half, quarter] = [0, 1].map(|k: usize| finer[k].at(place, &found.times));
         error_bar(coarse, &half, &quarter).unwrap_or_default()
     });
-    Ok(ErrorBars { nodes: found.labels.clone(), bars: bars.collect() })
+    Ok(ErrorBars { nodes: found.labels.clone(), dofs: found.dofs.clone(), bars: bars.collect() })
 }

@@ -135,6 +135,42 @@ fn axes_of_contact_are_the_folders_and_never_import_one_another() {
     }
 }
 
+/// Crates above the mechanics that know no dimension; drawings and the 1995 study are plane by
+/// nature.
+const WITHOUT_DIMENSION: [&str; 8] =
+    ["model", "keywords", "solve", "results", "advice", "slideline", "deck", "cli"];
+
+/// Where two numbers are no vector of the plane, or what is described is plane by nature.
+const PAIRS: [(&str, &str); 8] = [
+    ("crates/model/src/contact.rs", "points of a profile; shares of two nodes; two coefficients"),
+    ("crates/model/src/element/", "kernels of plane elements"),
+    ("crates/keywords/src/cards/beam_section.rs", "width and height"),
+    ("crates/solve/src/constraints/rigid.rs", "two coefficients of a dependent dof"),
+    ("crates/solve/src/newton/measures.rs", "forces and moments"),
+    ("crates/solve/src/contact/shear.rs", "two ends of a segment"),
+    ("crates/advice/src/roles.rs", "radius and spacing"),
+    ("crates/cli/src/live.rs", "motion and reaction"),
+];
+
+/// Nothing above the mechanics holds a vector of the plane, or the dofs of a plane model.
+#[test]
+fn no_plane_above_the_mechanics() {
+    for name in WITHOUT_DIMENSION {
+        let mut files = Vec::new();
+        collect(&root().join("crates").join(name).join("src"), &mut files);
+        for file in files.iter().filter(|file| file.extension().is_some_and(|end| end == "rs")) {
+            let place = file.strip_prefix(root()).unwrap().display().to_string();
+            let allowed = PAIRS.iter().any(|(known, _)| place.starts_with(known));
+            let text = read(file);
+            let code = text.split("#[cfg(test)]").next().unwrap_or_default();
+            let is_test = place.ends_with("tests.rs") || place.contains("/tests/");
+            for word in ["[f64; 2]", "Dof::PLANE", ".plane("].iter().filter(|_| !is_test) {
+                assert!(allowed || !code.contains(word), "{place} holds {word}");
+            }
+        }
+    }
+}
+
 /// Crates whose files still import one another in circles.
 const CIRCLES: [&str; 6] = ["deck", "mech", "model", "solve", "theory", "verification"];
 

@@ -9,7 +9,8 @@
 #![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
 
 use slideline::diag::{FileId, Sources};
-use slideline::friction::{FrictionBatch, Status, Traction, UserFriction, UserFrictionError};
+use slideline::friction::{FrictionBatch, Status, TangentialMap, Traction};
+use slideline::friction::{UserFriction, UserFrictionError};
 use slideline::observe::{Ending, Event, Observer, Stop};
 use slideline::{Diagnostic, Job, Quiet, Read, ReadOptions, SolveOptions, mended, solve};
 use std::ops::ControlFlow;
@@ -26,15 +27,15 @@ impl UserFriction for WrongSign {
     fn update(&self, batch: &mut FrictionBatch<'_>) -> Result<(), UserFrictionError> {
         for (point, traction) in batch.points.iter().zip(batch.tractions.iter_mut()) {
             let trial = (point.elastic_slip + point.slip) / LAW.1;
-            let status = if trial.abs() > 1.0 { Status::Slip } else { Status::Stick };
-            let part = trial.clamp(-1.0, 1.0);
-            let tau = LAW.0 * point.pressure * part;
+            let status = if trial.size() > 1.0 { Status::Slip } else { Status::Stick };
+            let part = if status == Status::Slip { trial.direction() } else { trial };
+            let tau = (LAW.0 * point.pressure) * part;
             let slope = if status == Status::Stick { LAW.0 * point.pressure / LAW.1 } else { 0.0 };
             *traction = Traction {
                 tau,
-                d_tau_d_slip: -slope,
+                d_tau_d_slip: TangentialMap::isotropic(-slope),
                 d_tau_d_pressure: LAW.0 * part,
-                elastic_slip: part * LAW.1,
+                elastic_slip: LAW.1 * part,
                 status,
                 ..Traction::ZERO
             };

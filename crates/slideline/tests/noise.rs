@@ -165,7 +165,7 @@ fn forces(read: &Read) -> Vec<(f64, f64)> {
         fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
             if let Event::Committed(frame) = event {
                 let reaction = frame.nodal.reaction(self.1, slideline::model::Dof::U2);
-                let [x, y] = frame.pairs[0].force;
+                let [x, y, _] = frame.pairs[0].force;
                 self.0.push((reaction, x.hypot(y)));
             }
             ControlFlow::Continue(())

@@ -8,7 +8,7 @@ mod example;
 
 use example::{Constants, DECK, NAME, pull};
 use slideline::friction::{
-    FrictionBatch, FrictionPoint, Traction, UserFriction, UserFrictionError,
+    FrictionBatch, FrictionPoint, Tangential, Traction, UserFriction, UserFrictionError,
 };
 use slideline::observe::Ending;
 use slideline::{Job, Quiet, ReadOptions, RunOptions, Severity, Status, TangentCheck, run};
@@ -46,6 +46,7 @@ fn a_law_with_a_memory_gives_its_closed_form() {
 #[test]
 fn its_derivatives_are_right() {
     let traction = |pressure: f64, slip: f64, elastic_slip: f64| {
+        let (slip, elastic_slip) = (Tangential::along(slip), Tangential::along(elastic_slip));
         let mut tractions = [Traction::ZERO];
         let mut state = [0.0];
         example::RunningIn
@@ -63,14 +64,14 @@ fn its_derivatives_are_right() {
     };
     for (p, slip, elastic) in [(20.0, 0.05, 2e-4), (3.0, -0.05, 2e-4), (20.0, 4e-4, -1e-4)] {
         let found = traction(p, slip, elastic);
-        let by_p = (traction(p * (1.0 + 1e-6), slip, elastic).tau
-            - traction(p * (1.0 - 1e-6), slip, elastic).tau)
+        let by_p = (traction(p * (1.0 + 1e-6), slip, elastic).tau[0]
+            - traction(p * (1.0 - 1e-6), slip, elastic).tau[0])
             / (2e-6 * p);
-        let by_slip = (traction(p, slip * (1.0 + 1e-6), elastic).tau
-            - traction(p, slip * (1.0 - 1e-6), elastic).tau)
+        let by_slip = (traction(p, slip * (1.0 + 1e-6), elastic).tau[0]
+            - traction(p, slip * (1.0 - 1e-6), elastic).tau[0])
             / (2e-6 * slip);
-        assert!((found.d_tau_d_pressure / by_p - 1.0).abs() < 1e-7, "{by_p} {found:?}");
-        assert!((found.d_tau_d_slip / by_slip - 1.0).abs() < 1e-7, "{by_slip} {found:?}");
+        assert!((found.d_tau_d_pressure[0] / by_p - 1.0).abs() < 1e-7, "{by_p} {found:?}");
+        assert!((found.d_tau_d_slip.at(0, 0) / by_slip - 1.0).abs() < 1e-7, "{by_slip} {found:?}");
     }
     assert_eq!(CONSTANTS, Constants::read(&[0.3, 10.0, 0.4, 0.2, 1e-3]).unwrap());
 }
@@ -103,7 +104,7 @@ impl UserFriction for WrongSlope {
     fn update(&self, batch: &mut FrictionBatch<'_>) -> Result<(), UserFrictionError> {
         example::RunningIn.update(batch)?;
         for traction in batch.tractions.iter_mut() {
-            traction.d_tau_d_slip *= 1.1;
+            traction.d_tau_d_slip = 1.1 * traction.d_tau_d_slip;
         }
         Ok(())
     }

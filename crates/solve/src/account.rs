@@ -15,6 +15,7 @@ use crate::observe::Energies;
 use crate::plan::Plan;
 use crate::state::State;
 use serde::{Deserialize, Serialize};
+use slideline_mech::contact::tangential::Tangential;
 
 /// What the last increment turned over and what it left unbalanced, and sums
 /// of that. [F L]
@@ -150,22 +151,22 @@ impl Friction {
         for place in 0..plan.contact.points.len() {
             let (old, new) = (&committed.points[place], &trial.points[place]);
             sum.dropped += new.dropped_work;
-            let [before, after] = [old, new].map(|point| point.traction * point.area);
-            if before == 0.0 && after == 0.0 {
+            let [before, after] = [old, new].map(|point| point.area * point.traction);
+            if before == Tangential::ZERO && after == Tangential::ZERO {
                 continue;
             }
-            let magnitude = 0.5 * (before.abs() + after.abs());
+            let magnitude = 0.5 * (before.size() + after.size());
             let mean = 0.5 * (before + after);
             if new.closed {
                 sum.dissipated += magnitude * new.dissipated;
-                sum.work += mean * (new.slip - old.slip);
+                sum.work += mean.dot(new.slip - old.slip);
                 continue;
             }
             // A point that opened slid until then: counted as the points are
             // that closed, which have slid only since.
             let ways = (&committed.displacement[..], &work.u[..]);
             let slip = plan.contact.opening_slip(place, (old, new), ways);
-            let opening = mean * slip;
+            let opening = mean.dot(slip);
             sum.opening += opening;
             sum.opening_dissipation += opening.max(0.0);
         }

@@ -5,11 +5,12 @@
 //!   master  -f  <---      and so for moments about any place
 //! ```
 
-use crate::contact::ContactKinematics;
+use crate::contact::PointRows;
 use crate::newton::Workspace;
 use crate::observe::{ContactRow, PairRow, Status};
 use crate::plan::Plan;
 use crate::state::{PointState, State};
+use slideline_mech::contact::tangential::Tangential;
 use slideline_model::Dof;
 
 /// Fills a row for every pair of a state that was just committed; `closed`
@@ -38,7 +39,7 @@ pub fn pair_rows(
         if -now.opening > row.penetration {
             (row.penetration, row.deepest) = (-now.opening, Some(point.node));
         }
-        sums[point.pair].add(plan, state, now, &work.evaluation.kinematics[place]);
+        sums[point.pair].add(plan, state, now, &work.evaluation.kinematics.at(place));
     }
     for (row, sum) in rows.iter_mut().zip(sums) {
         (row.force_imbalance, row.moment_imbalance) = sum.imbalance();
@@ -49,13 +50,31 @@ impl PairRow {
     /// Adds the force of a closed point on its slave: pressure along the
     /// master's normal, friction against the slip. [semantics: forces]
     fn press(&mut self, point: &PointState) {
-        let [nx, ny] = point.normal;
         let (p, tau) = (point.area * point.pressure, point.area * point.traction);
-        let force = [p * nx - tau * ny, p * ny + tau * nx];
-        self.force[0] += force[0];
-        self.force[1] += force[1];
-        self.moment += point.position[0] * force[1] - point.position[1] * force[0];
+        let force = PairRow::on_slave(point.normal, p, tau);
+        for (sum, own) in self.force.iter_mut().zip(force) {
+            *sum += own;
+        }
+        for (sum, own) in self.moment.iter_mut().zip(cross(point.position, force)) {
+            *sum += own;
+        }
     }
+
+    /// Force of a pressure and of friction on a slave: the first tangent of a master in the plane
+    /// is its normal turned clockwise.
+    fn on_slave([nx, ny, nz]: [f64; 3], p: f64, tau: Tangential) -> [f64; 3] {
+        [p * nx - tau[0] * ny, p * ny + tau[0] * nx, p * nz]
+    }
+}
+
+/// a x b.
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// Length of a vector.
+fn size(vector: [f64; 3]) -> f64 {
+    vector[0].hypot(vector[1]).hypot(vector[2])
 }
 
 /// Sums over the dofs that closed points act on, as the solver assembles
@@ -63,9 +82,9 @@ impl PairRow {
 /// blows up their rounding.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Sum {
-    about: Option<[f64; 2]>,
-    force: [f64; 2],
-    moment: f64,
+    about: Option<[f64; 3]>,
+    force: [f64; 3],
+    moment: [f64; 3],
     forces: f64,
     moments: f64,
     /// Largest coordinate of a node that takes part [L]: arms are rounded as it is.
@@ -82,53 +101,54 @@ impl Sum {
         plan: &Plan<'_>,
         state: &State,
         now: &PointState,
-        kinematics: &ContactKinematics,
+        kinematics: &PointRows<'_>,
     ) {
         let about = *self.about.get_or_insert(now.position);
         let (normal, tangential) = (now.area * now.pressure, now.area * now.traction);
-        for k in 0..kinematics.width {
-            let value = normal * kinematics.gradient[k] + tangential * kinematics.direction[k];
-            let (node, dof) = plan.dofs.name(kinematics.dofs[k]);
-            let [x, y] = plan.model.nodes.plane(node);
-            let [u, v] = plan.dofs.translation(&state.displacement, node);
-            let arm = [x + u - about[0], y + v - about[1]];
-            self.size = self.size.max((arm[0] + about[0]).abs()).max((arm[1] + about[1]).abs());
+        let rows = kinematics.rows;
+        for (k, &own) in rows.unknowns.iter().enumerate() {
+            let drag = |direction: usize| tangential[direction] * rows.force(direction)[k];
+            let value = (0..rows.directions())
+                .map(drag)
+                .fold(normal * rows.normal()[k], |sum, drag| sum + drag);
+            let (node, dof) = plan.dofs.name(own);
+            let position = plan.model.nodes.get(node).position;
+            let moved = plan.dofs.translation(&state.displacement, node);
+            let arm: [f64; 3] = std::array::from_fn(|c| position[c] + moved[c] - about[c]);
+            let far = |c: usize| (arm[c] + about[c]).abs();
+            self.size = self.size.max(far(0)).max(far(1)).max(far(2));
             self.take(dof, value, arm);
         }
     }
 
     /// Takes in a force or moment `value` on a dof of a node, `arm` away from
     /// the place of the moments.
-    fn take(&mut self, dof: Dof, value: f64, arm: [f64; 2]) {
-        let moment = match dof {
-            Dof::U1 => {
-                self.force[0] += value;
-                -arm[1] * value
-            }
-            Dof::U2 => {
-                self.force[1] += value;
-                arm[0] * value
-            }
-            _ => value,
-        };
-        self.moment += moment;
+    fn take(&mut self, dof: Dof, value: f64, arm: [f64; 3]) {
+        let axis = dof as usize % 3;
         if dof.is_rotation() {
+            self.moment[axis] += value;
             self.moments += value.abs();
-        } else {
-            self.forces += value.abs();
-            // The whole arm: a force along it has a moment of rounding alone.
-            self.moments += value.abs() * arm[0].hypot(arm[1]);
+            return;
         }
+        let mut force = [0.0; 3];
+        force[axis] = value;
+        self.force[axis] += value;
+        for (sum, own) in self.moment.iter_mut().zip(cross(arm, force)) {
+            *sum += own;
+        }
+        self.forces += value.abs();
+        // The whole arm: a force along it has a moment of rounding alone.
+        self.moments += value.abs() * size(arm);
     }
 
     /// What is left of forces and of moments, relative to what was summed [1].
     fn imbalance(&self) -> (f64, f64) {
         let relative = |left: f64, of: f64| if of > 0.0 { left / of } else { 0.0 };
-        let force = self.force[0].hypot(self.force[1]);
         // A contact at the reference node itself has arms of rounding alone.
         let rounding = ROUNDINGS * f64::EPSILON * self.size * self.forces;
-        let moment = if self.moment.abs() <= rounding { 0.0 } else { self.moment.abs() };
-        (relative(force, self.forces), relative(moment, self.moments))
+        let moment = size(self.moment);
+        let moment = if moment <= rounding { 0.0 } else { moment };
+        (relative(size(self.force), self.forces), relative(moment, self.moments))
     }
 }
 
@@ -140,9 +160,9 @@ mod tests {
     /// reference node stands at (1, -3), with the moment of its arm.
     fn balanced() -> Sum {
         let mut sum = Sum::default();
-        sum.take(Dof::U1, 2.0, [1.0, 0.0]);
-        sum.take(Dof::U1, -2.0, [1.0, -3.0]);
-        sum.take(Dof::UR3, 6.0, [1.0, -3.0]);
+        sum.take(Dof::U1, 2.0, [1.0, 0.0, 0.0]);
+        sum.take(Dof::U1, -2.0, [1.0, -3.0, 0.0]);
+        sum.take(Dof::UR3, 6.0, [1.0, -3.0, 0.0]);
         sum
     }
 
@@ -157,11 +177,11 @@ mod tests {
     #[test]
     fn what_is_lost_between_the_sides_is_found() {
         let mut more = balanced();
-        more.take(Dof::U2, 4e-3, [0.0, 0.0]);
+        more.take(Dof::U2, 4e-3, [0.0, 0.0, 0.0]);
         assert_eq!(more.imbalance().0, 4e-3 / 4.004);
         let mut bare = Sum::default();
-        bare.take(Dof::U1, 2.0, [1.0, 0.0]);
-        bare.take(Dof::U1, -2.0, [1.0, -3.0]);
+        bare.take(Dof::U1, 2.0, [1.0, 0.0, 0.0]);
+        bare.take(Dof::U1, -2.0, [1.0, -3.0, 0.0]);
         let (force, moment) = bare.imbalance();
         assert_eq!(force, 0.0);
         assert!((moment - 6.0 / (2.0 + 2.0 * 10f64.sqrt())).abs() < 1e-15, "{moment}");
@@ -172,12 +192,12 @@ mod tests {
     #[test]
     fn a_contact_at_its_reference_node_is_balanced() {
         let mut sum = Sum { size: 1e3, ..Sum::default() };
-        sum.take(Dof::U2, 5.0, [0.0, 0.0]);
-        sum.take(Dof::U2, -5.0, [1e-13, 0.0]);
+        sum.take(Dof::U2, 5.0, [0.0, 0.0, 0.0]);
+        sum.take(Dof::U2, -5.0, [1e-13, 0.0, 0.0]);
         assert_eq!(sum.imbalance(), (0.0, 0.0));
         let mut off = Sum { size: 1e3, ..Sum::default() };
-        off.take(Dof::U2, 5.0, [0.0, 0.0]);
-        off.take(Dof::U2, -5.0, [1e-9, 0.0]);
+        off.take(Dof::U2, 5.0, [0.0, 0.0, 0.0]);
+        off.take(Dof::U2, -5.0, [1e-9, 0.0, 0.0]);
         assert_eq!(off.imbalance(), (0.0, 1.0));
     }
 
@@ -186,8 +206,8 @@ mod tests {
     #[test]
     fn a_contact_without_lever_is_balanced() {
         let mut sum = Sum::default();
-        sum.take(Dof::U2, 5.0, [0.0, 0.0]);
-        sum.take(Dof::U2, -5.0, [1e-17, -1.0]);
+        sum.take(Dof::U2, 5.0, [0.0, 0.0, 0.0]);
+        sum.take(Dof::U2, -5.0, [1e-17, -1.0, 0.0]);
         assert!(sum.imbalance().1 <= 1e-16, "{:?}", sum.imbalance());
     }
 }

@@ -140,6 +140,7 @@ mod tests {
     use crate::account::Books;
     use crate::observe::{FrictionCall, Status};
     use crate::state::PointState;
+    use slideline_mech::contact::tangential::Tangential;
 
     fn checkpoint() -> Checkpoint<'static> {
         let mut state = State::undeformed(6, 2, (1, 3));
@@ -149,7 +150,7 @@ mod tests {
             closed: true,
             status: Status::Slip,
             friction: FrictionCall::Dropped,
-            along: Some(-0.0),
+            along: Some(Tangential::along(-0.0)),
             opening: f64::INFINITY,
             ..PointState::default()
         };

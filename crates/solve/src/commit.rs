@@ -29,7 +29,7 @@ pub fn commit(
         *increment = work.u[dof] - committed.displacement[dof];
     }
     trial.increment_before.copy_from_slice(&committed.increment);
-    trial.increment_time = [target.dt, committed.increment_time[0]];
+    trial.increment_time = (target.dt, committed.increment_time.0);
     trial.load.copy_from_slice(&work.load);
     for (dof, role) in plan.constraints.roles.iter().enumerate() {
         trial.reaction[dof] = match role {
@@ -72,7 +72,7 @@ fn count_slip(plan: &Plan<'_>, committed: &State, work: &Workspace, trial: &mut 
     for (place, point) in plan.contact.points.iter().enumerate() {
         let (now, before) = (&mut trial.points[place], &committed.points[place]);
         if now.closed && !plan.contact.laws[point.pair].has_friction() {
-            let kinematics = &work.evaluation.kinematics[place];
+            let kinematics = &work.evaluation.kinematics.points()[place];
             let history = before.history();
             now.slip = before.slip
                 + plan.contact.slip(place, &history, kinematics, &committed.displacement);
@@ -83,10 +83,10 @@ fn count_slip(plan: &Plan<'_>, committed: &State, work: &Workspace, trial: &mut 
 /// Fills in where the contact points of a committed state stand, without
 /// touching their history: the gaps of the start, and the origin of slip for
 /// points that close in the first increment.
-pub fn locate_points(plan: &Plan<'_>, committed: &mut State, kinematics: &mut [ContactKinematics]) {
+pub fn locate_points(plan: &Plan<'_>, committed: &mut State, kinematics: &mut ContactKinematics) {
     let mut positions = MasterPositions::default();
     plan.contact.meet(&committed.displacement, &[], &mut positions, kinematics);
-    for (point, kinematics) in committed.points.iter_mut().zip(kinematics) {
+    for (point, kinematics) in committed.points.iter_mut().zip(kinematics.points()) {
         point.opening = -kinematics.overclosure;
         point.along = kinematics.faces.then_some(kinematics.along);
         point.position = kinematics.position;
@@ -105,7 +105,7 @@ pub fn initial_contact(model: &Model) -> Vec<ContactRow> {
     let plan = Plan::without_pattern(model, step, undeformed, &UserFrictions::default(), None);
     let points = plan.contact.points.len();
     let mut state = State::undeformed(plan.dofs.len(), points, (plan.contact.state_size, 0));
-    locate_points(&plan, &mut state, &mut vec![ContactKinematics::NOWHERE; points]);
+    locate_points(&plan, &mut state, &mut plan.contact.nowhere());
     contact_rows(&plan, &state, &mut rows);
     rows
 }
@@ -113,7 +113,8 @@ pub fn initial_contact(model: &Model) -> Vec<ContactRow> {
 /// The places of a committed state as the evaluation that led to it left
 /// them, so that points without a master keep what was last said of them.
 pub fn recall_points(committed: &State, work: &mut Workspace) {
-    for (point, kinematics) in committed.points.iter().zip(&mut work.evaluation.kinematics) {
+    let kinematics = work.evaluation.kinematics.points_mut();
+    for (point, kinematics) in committed.points.iter().zip(kinematics) {
         kinematics.position = point.position;
         kinematics.normal = point.normal;
         kinematics.area = point.area;

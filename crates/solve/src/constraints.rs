@@ -91,11 +91,12 @@ impl Constraints {
     /// Gives every dependent dof its role and a row of the dofs it follows.
     fn add_rows(&mut self) {
         let Self { roles, rigid, linear, dependent_dofs, row_start, row_dofs, .. } = self;
-        let dependents = 3 * rigid.len() + linear.len();
+        let of_links = rigid.iter().map(|link| link.dependent_dofs().count()).sum::<usize>();
+        let dependents = of_links + linear.len();
         dependent_dofs.reserve_exact(dependents);
         row_start.reserve_exact(dependents);
         let followed = linear.iter().map(|constraint| constraint.terms.len());
-        row_dofs.reserve_exact(5 * rigid.len() + followed.sum::<usize>());
+        row_dofs.reserve(2 * of_links + followed.sum::<usize>());
         let mut add = |dependent: usize, followed: &mut dyn Iterator<Item = usize>| {
             roles[dependent] = Role::Dependent(row_start.len() - 1);
             dependent_dofs.push(dependent);
@@ -167,13 +168,11 @@ impl Constraints {
 
     /// Stiffness by the turning of T, f . d2u/dq2, for forces `f` on all dofs
     /// (those that act on dependent ones count; they are used up): calls back
-    /// with rotations and their stiffness.
-    pub fn turning(&self, u: &[f64], f: &mut [f64], mut call: impl FnMut(usize, f64)) {
+    /// with pairs of rotations and their stiffness.
+    pub fn turning(&self, u: &[f64], f: &mut [f64], mut call: impl FnMut(usize, usize, f64)) {
         // what follows a body linearly presses on it too
         self.linear.iter().rev().for_each(|constraint| constraint.carry(f));
-        for (dof, stiffness) in self.rigid.iter().filter_map(|link| link.turning(u, f)) {
-            call(dof, stiffness);
-        }
+        self.rigid.iter().for_each(|link| link.turning(u, f, &mut call));
     }
 
     /// Whether T turns with the unknowns.

@@ -16,6 +16,7 @@ mod idle;
 mod kinematics;
 mod laws;
 mod master;
+mod operator;
 mod positions;
 mod segment;
 mod shear;
@@ -24,26 +25,24 @@ pub use candidates::coupled_parts;
 pub use cliques::Cliques;
 pub use crossing::{Missed, Sweep, SweepScratch};
 pub use idle::Look;
-pub use kinematics::{ContactKinematics, GeometryScratch};
+pub use kinematics::{ContactKinematics, GeometryScratch, PointKinematics, PointRows};
 pub use laws::{average as average_element, state_size};
 pub use master::placed;
+pub use operator::{ContactOperator, OperatorRows};
 pub use positions::MasterPositions;
 pub use segment::{SEGMENT_POINTS, SlaveSegment};
 
-use crate::dofs::DofMap;
-use crate::linearised::MOST_DOFS;
+use crate::dofs::{DofMap, Translations};
 use crate::state::PointState;
 use crate::users::UserFrictions;
-use kinematics::{MOST_DIRECT, Stencil};
-use master::MasterSurface;
+use kinematics::{PointRowsMut, Stencil};
+use master::{Facing, MasterSurface};
 use slideline_mech::contact::pair::{self, AnyGap, History, Laws};
 use slideline_mech::contact::points::tributary_areas;
+use slideline_mech::contact::tangential::Tangential;
 use slideline_mech::rigid::{Attachment, PointMap, push_forward};
 use slideline_model::{ContactPair, Dof, Formulation, Master, Model, NodeIndex};
 use std::collections::{HashMap, HashSet};
-
-/// The most kernel variables of a point: itself and three control points.
-const MOST_VARIABLES: usize = 8;
 
 /// A slave point.
 #[derive(Clone, Debug)]
@@ -72,7 +71,7 @@ impl SlavePoint {
 #[derive(Clone, Debug)]
 enum Carrier {
     /// A node, free or on a rigid body.
-    Node { position: [f64; 2], dofs: [usize; 2] },
+    Node { position: [f64; 3], dofs: Translations },
     /// A Gauss point of a cell of a segment.
     IntegrationPoint { segment: usize },
 }
@@ -90,6 +89,8 @@ pub struct Contact {
     pub segments: Vec<SlaveSegment>,
     /// Number of state values of user friction laws.
     pub state_size: usize,
+    /// Tangential directions of a point: one in the plane.
+    pub directions: usize,
     masters: Vec<MasterSurface>,
     /// Distance of neighbouring slave points, a pair each [L].
     spacing: Vec<f64>,
@@ -109,6 +110,7 @@ impl Contact {
             laws: Vec::new(),
             segments: Vec::new(),
             state_size: 0,
+            directions: 1,
             masters: Vec::new(),
             spacing: Vec::new(),
             edges: Vec::new(),
@@ -162,7 +164,7 @@ impl Contact {
         let areas = tributary_areas(&elements, &shares, &coordinates, width);
         self.points.reserve(nodes.len());
         for (&node, area) in nodes.iter().zip(areas) {
-            let (position, dofs) = (model.nodes.plane(node), translations(dofs, node));
+            let (position, dofs) = (model.nodes.get(node).position, dofs.translations(node));
             self.add_point(place, pair, (node, area), Carrier::Node { position, dofs });
         }
     }
@@ -181,6 +183,19 @@ impl Contact {
         self.points.push(point);
     }
 
+    /// All points, facing nothing yet, each with room for the dofs it may follow.
+    pub fn nowhere(&self) -> ContactKinematics {
+        let room = |point: &SlavePoint| {
+            let own = match &point.carrier {
+                Carrier::Node { dofs, .. } => dofs.as_slice().len(),
+                Carrier::IntegrationPoint { segment } => self.segments[*segment].all_dofs().count(),
+            };
+            own + self.masters[point.pair].most_dofs()
+        };
+        let room = self.points.iter().map(room).max().unwrap_or(0);
+        ContactKinematics::nowhere(self.points.len(), room, self.directions)
+    }
+
     /// Where every point stands at displacements `u`. `positions` is scratch.
     /// Points that `idle` names are left as they are.
     pub fn meet(
@@ -188,33 +203,35 @@ impl Contact {
         u: &[f64],
         idle: &[bool],
         positions: &mut MasterPositions,
-        into: &mut [ContactKinematics],
+        into: &mut ContactKinematics,
     ) {
         self.place_chains(u, positions);
         for (place, point) in self.points.iter().enumerate() {
             let is_idle = idle.get(place).is_some_and(|&idle| idle);
             if !is_idle && !point.is_integration_point() {
-                into[place].area = point.area;
-                self.meet_one(point, u, positions, &mut into[place]);
+                let mut into = into.at_mut(place);
+                into.point.area = point.area;
+                self.meet_one(point, u, positions, &mut into);
             }
         }
         for segment in &self.segments {
-            self.meet_segment(segment, u, &mut into[segment.first..][..SEGMENT_POINTS]);
+            self.meet_segment(segment, u, into);
         }
     }
 
-    /// As [`Contact::meet`], with integration_points left where they stand on their
+    /// As [`Contact::meet`], with integration points left where they stand on their
     /// elements.
     pub fn meet_in_place(
         &self,
         u: &[f64],
         positions: &mut MasterPositions,
-        into: &mut [ContactKinematics],
+        into: &mut ContactKinematics,
     ) {
         self.place_chains(u, positions);
-        for (point, kinematics) in self.points.iter().zip(into) {
-            if kinematics.faces || !point.is_integration_point() {
-                self.meet_one(point, u, positions, kinematics);
+        for (place, point) in self.points.iter().enumerate() {
+            let mut into = into.at_mut(place);
+            if into.point.faces || !point.is_integration_point() {
+                self.meet_one(point, u, positions, &mut into);
             }
         }
     }
@@ -226,29 +243,42 @@ impl Contact {
         u: &[f64],
         idle: &[bool],
         positions: &MasterPositions,
-        into: &mut [ContactKinematics],
+        into: &mut ContactKinematics,
     ) {
         for (place, point) in self.points.iter().enumerate() {
             if idle[place] {
-                self.meet_one(point, u, positions, &mut into[place]);
+                self.meet_one(point, u, positions, &mut into.at_mut(place));
             }
         }
     }
 
-    /// Where a point stands at displacements `u`, however far from its
-    /// master; a integration_point where its cell, wholly closed, has it.
-    pub fn stand(&self, place: usize, u: &[f64], positions: &MasterPositions) -> ContactKinematics {
-        let point = &self.points[place];
-        let mut kinematics = ContactKinematics { area: point.area, ..ContactKinematics::NOWHERE };
-        if let Carrier::IntegrationPoint { segment } = point.carrier {
-            kinematics.xi = SlaveSegment::resting_place(place - self.segments[segment].first);
+    /// Where all points stand at displacements `u`, however far from their masters;
+    /// integration points where their cells, wholly closed, have them.
+    pub fn stand(&self, u: &[f64], positions: &mut MasterPositions, into: &mut ContactKinematics) {
+        self.place_chains(u, positions);
+        for (place, point) in self.points.iter().enumerate() {
+            let mut into = into.at_mut(place);
+            into.point.area = point.area;
+            into.point.xi = self.resting_place(place);
+            self.meet_one(point, u, positions, &mut into);
         }
-        self.meet_one(point, u, positions, &mut kinematics);
+    }
+
+    /// Where one of them stands, without its rows; the chains are placed already.
+    fn stands(&self, place: usize, u: &[f64], positions: &MasterPositions) -> PointKinematics {
+        let point = &self.points[place];
+        let xi = self.resting_place(place);
+        let mut kinematics = PointKinematics { area: point.area, xi, ..PointKinematics::NOWHERE };
+        let mut stencil = self.slave(point, xi, u);
+        kinematics.position = stencil.position;
+        if let Some((gap, facing)) = self.face(point, xi, u, positions, &mut stencil) {
+            kinematics.take(&gap, facing);
+        }
         kinematics
     }
 
     /// Whether a point faces nothing because its master ends, and would touch
-    /// it, up to a gap of `slack`, were that end prolonged; a integration_point at `xi`
+    /// it, up to a gap of `slack`, were that end prolonged; an integration point at `xi`
     /// of its element.
     pub fn has_slid_off(&self, place: usize, (xi, slack): (f64, f64), u: &[f64]) -> bool {
         let mut positions = MasterPositions::default();
@@ -268,9 +298,9 @@ impl Contact {
         point: &SlavePoint,
         u: &[f64],
         positions: &MasterPositions,
-        into: &mut ContactKinematics,
+        into: &mut PointRowsMut<'_>,
     ) {
-        self.meet_stencil(point, self.slave(point, into.xi, u), (u, positions), into);
+        self.meet_stencil(point, self.slave(point, into.point.xi, u), (u, positions), into);
     }
 
     fn meet_stencil(
@@ -278,16 +308,15 @@ impl Contact {
         point: &SlavePoint,
         mut stencil: Stencil<'_>,
         (u, positions): (&[f64], &MasterPositions),
-        into: &mut ContactKinematics,
+        into: &mut PointRowsMut<'_>,
     ) {
-        into.position = stencil.position;
-        match self.face(point, into.xi, u, positions, &mut stencil) {
-            Some(gap) => into.take(&gap, &stencil, u),
-            None => {
-                into.faces = false;
-                into.overclosure = f64::NEG_INFINITY;
-                into.width = 0;
+        into.point.position = stencil.position;
+        match self.face(point, into.point.xi, u, positions, &mut stencil) {
+            Some((gap, facing)) => {
+                into.point.take(&gap, facing);
+                into.take(&gap, &stencil, u);
             }
+            None => into.turn_away_in_place(),
         }
     }
 
@@ -295,8 +324,8 @@ impl Contact {
     fn slave(&self, point: &SlavePoint, xi: f64, u: &[f64]) -> Stencil<'_> {
         match &point.carrier {
             Carrier::Node { position, dofs } => {
-                let mut stencil = Stencil::new(moved(position, dofs, u));
-                stencil.add_from(dofs, u);
+                let mut stencil = Stencil::new(dofs.displace(*position, u));
+                stencil.add_from(dofs.as_slice(), u);
                 stencil
             }
             Carrier::IntegrationPoint { segment } => {
@@ -323,59 +352,58 @@ impl Contact {
         u: &[f64],
         positions: &MasterPositions,
         stencil: &mut Stencil<'_>,
-    ) -> Option<AnyGap> {
+    ) -> Option<(AnyGap, Facing)> {
         let slave = self.attachment(point, xi);
         let tree = positions.tree(point.pair);
-        self.masters[point.pair].face(slave, u, (&positions.nodes, tree), stencil)
+        let master = &self.masters[point.pair];
+        let facing = master.search(u, (&positions.nodes, tree), stencil.position)?;
+        let gap = master.gap(&facing, slave, (u, &positions.nodes), stencil)?;
+        Some((gap, facing))
     }
 
     /// Tangent of the geometry of a point, normal * D dh + tangential *
     /// D direction, with `normal` and `tangential` forces [F]; row-major, as wide
-    /// as the kinematics.
+    /// as its rows. The point faces what it faced when it was met.
     pub fn geometric_tangent(
         &self,
         place: usize,
         u: &[f64],
-        kinematics: &ContactKinematics,
-        (normal, tangential): (f64, f64),
+        kinematics: &PointRows<'_>,
+        (normal, tangential): (f64, Tangential),
         scratch: &mut GeometryScratch,
     ) {
         let point = &self.points[place];
         let mut stencil = self.slave(point, kinematics.xi, u);
-        let m = kinematics.width;
-        scratch.tangent[..m * m].fill(0.0);
-        let Some(gap) = self.face(point, kinematics.xi, u, &scratch.positions, &mut stencil) else {
+        let m = kinematics.rows.width();
+        let GeometryScratch { tangent, direct, force, positions } = scratch;
+        tangent.clear();
+        tangent.resize(m * m, 0.0);
+        let Some(facing) = &kinematics.facing else { return };
+        let slave = self.attachment(point, kinematics.xi);
+        let master = &self.masters[point.pair];
+        let Some(gap) = master.gap(facing, slave, (u, &positions.nodes), &mut stencil) else {
             return;
         };
         let (from, n) = (gap.derivatives(), gap.width());
         let mut gradient = [0.0; MOST_VARIABLES];
         let mut hessian = [0.0; MOST_VARIABLES * MOST_VARIABLES];
-        let sum = |h: &f64, s: &f64| normal * h + tangential * s;
-        for (into, (h, s)) in gradient.iter_mut().zip(from.gradient.iter().zip(from.direction)) {
-            *into = sum(h, s);
-        }
-        for (into, (h, s)) in
-            hessian.iter_mut().zip(from.hessian.iter().zip(from.direction_derivative))
-        {
-            *into = sum(h, s);
-        }
-        let direct = stencil.width;
-        let (mut force, mut tangent) = ([0.0; MOST_DOFS], [0.0; MOST_DIRECT * MOST_DIRECT]);
+        combine(&mut gradient[..n], normal, (from.gradient, from.direction), tangential);
+        let derivatives = (from.hessian, from.direction_derivative);
+        combine(&mut hessian[..n * n], normal, derivatives, tangential);
+        let width = stencil.width();
+        force.clear();
+        force.resize(width, 0.0);
+        direct.clear();
+        direct.resize(if stencil.shear.is_some() { width * width } else { 0 }, 0.0);
         let room = match stencil.shear {
-            Some(_) => &mut tangent[..direct * direct],
-            None => &mut scratch.tangent[..m * m],
+            Some(_) => &mut *direct,
+            None => &mut *tangent,
         };
-        push_forward(
-            stencil.attachments(),
-            &stencil.values[..direct],
-            &gradient[..n],
-            &hessian[..n * n],
-            &mut force[..direct],
-            room,
-        );
+        let (attachments, values) = (stencil.attachments(), stencil.values());
+        push_forward(attachments, values, &gradient[..n], &hessian[..n * n], force, room);
         if let Some(shear) = stencil.shear {
-            let dofs = &kinematics.dofs[..m];
-            shear.push_tangent((dofs, u), &force, (&tangent, direct), &mut scratch.tangent);
+            let dofs = kinematics.rows.unknowns;
+            shear.push_tangent((dofs, u), force, (direct, width), tangent);
         }
     }
 
@@ -384,19 +412,19 @@ impl Contact {
         self.place_chains(u, &mut scratch.positions);
     }
 
-    /// Change of the slip coordinate of a point since its commit [L]; zero
-    /// where it faced nothing then or faces nothing now. A integration_point compares
+    /// Change of the slip coordinates of a point since its commit [L]; zero
+    /// where it faced nothing then or faces nothing now. An integration point compares
     /// the same material place in both configurations.
     pub fn slip(
         &self,
         place: usize,
         history: &History,
-        kinematics: &ContactKinematics,
+        kinematics: &PointKinematics,
         committed: &[f64],
-    ) -> f64 {
+    ) -> Tangential {
         let point = &self.points[place];
         if !kinematics.faces {
-            return 0.0;
+            return Tangential::ZERO;
         }
         let period = self.period(point);
         if !point.is_integration_point() {
@@ -405,33 +433,34 @@ impl Contact {
         let mut stencil = self.slave(point, kinematics.xi, committed);
         let before =
             self.face(point, kinematics.xi, committed, &MasterPositions::default(), &mut stencil);
-        let along = before.map(|gap| gap.along());
+        let along = before.map(|(gap, _)| gap.along());
         pair::slip(&History { along, ..*history }, kinematics.along, period)
     }
 
-    /// Change of the slip coordinate of a point that opened, between its
+    /// Change of the slip coordinates of a point that opened, between its
     /// committed state `old` and `new`, at displacements `from` and `to` [L];
-    /// a integration_point where it stood on its element before. Zero where it faces
+    /// an integration point where it stood on its element before. Zero where it faces
     /// nothing in one of them.
     pub fn opening_slip(
         &self,
         place: usize,
         (old, new): (&PointState, &PointState),
         (from, to): (&[f64], &[f64]),
-    ) -> f64 {
+    ) -> Tangential {
         let point = &self.points[place];
         let (history, along) = if point.is_integration_point() {
             let none = MasterPositions::default();
             let along = |u: &[f64]| {
                 let mut stencil = self.slave(point, old.xi, u);
                 let gap = self.face(point, old.xi, u, &none, &mut stencil);
-                gap.map(|gap| gap.along())
+                gap.map(|(gap, _)| gap.along())
             };
             (History { along: along(from), ..History::default() }, along(to))
         } else {
             (old.history(), new.along)
         };
-        along.map_or(0.0, |along| pair::slip(&history, along, self.period(point)))
+        let slip = |along| pair::slip(&history, along, self.period(point));
+        along.map_or(Tangential::ZERO, slip)
     }
 
     /// Length after which the slip coordinate of a point's master begins anew.
@@ -456,24 +485,32 @@ fn local_elements(
     model: &Model,
     pair: &ContactPair,
     nodes: &[NodeIndex],
-) -> (Vec<[usize; 2]>, Vec<[f64; 2]>) {
+) -> (Vec<[usize; 2]>, Vec<[f64; 3]>) {
     let place: HashMap<_, _> =
         nodes.iter().enumerate().map(|(place, &node)| (node, place)).collect();
     let elements = pair.elements.iter().map(|element| element.nodes.map(|node| place[&node]));
-    (elements.collect(), nodes.iter().map(|&node| model.nodes.plane(node)).collect())
+    (elements.collect(), nodes.iter().map(|&node| model.nodes.get(node).position).collect())
 }
 
-/// The dofs of a node that turns: displacements and rotation.
+/// The dofs of a node that turns in the plane: displacements and rotation.
 fn rigid_dofs(dofs: &DofMap, node: NodeIndex) -> [usize; 3] {
     [Dof::U1, Dof::U2, Dof::UR3].map(|dof| dofs.find(node, dof).unwrap_or(0))
 }
 
-/// The displacements of a node.
-fn translations(dofs: &DofMap, node: NodeIndex) -> [usize; 2] {
-    [Dof::U1, Dof::U2].map(|dof| dofs.find(node, dof).unwrap_or(0))
-}
+/// The most kernel variables of a point in the plane: itself and three control points.
+const MOST_VARIABLES: usize = 8;
 
-/// Current position of a node.
-fn moved(position: &[f64; 2], dofs: &[usize; 2], u: &[f64]) -> [f64; 2] {
-    [position[0] + u[dofs[0]], position[1] + u[dofs[1]]]
+/// normal * of.0 + tangential . of.1, the latter direction after direction.
+fn combine(
+    into: &mut [f64],
+    normal: f64,
+    (along_normal, along_tangents): (&[f64], &[f64]),
+    tangential: Tangential,
+) {
+    for (into, h) in into.iter_mut().zip(along_normal) {
+        *into = normal * h;
+    }
+    for (of, force) in along_tangents.chunks_exact(along_normal.len()).zip(tangential.0) {
+        into.iter_mut().zip(of).for_each(|(into, s)| *into += force * s);
+    }
 }

@@ -21,7 +21,7 @@ use crate::newton::{Outcome, Workspace};
 use crate::plan::Plan;
 use crate::state::State;
 use slideline_diag::{Code, Diagnostic, Place};
-use slideline_model::{Extrapolation, Friction, NodeIndex, Step};
+use slideline_model::{Extrapolation, Friction, Name, NodeIndex, Step};
 
 /// An attempt that failed, with all that its iterations left.
 pub struct Case<'a> {
@@ -103,8 +103,9 @@ pub fn is_unknown(said: &Diagnostic) -> bool {
 const NAMED: usize = 4;
 
 impl Case<'_> {
-    fn label(&self, node: NodeIndex) -> u64 {
-        self.plan.model.nodes.label(node)
+    /// The node in the deck's words.
+    fn label(&self, node: NodeIndex) -> Name<'_> {
+        self.plan.model.nodes.name(node)
     }
 
     /// `node 4`, or `nodes 4, 5, 6, 7 and others`, of contact points.

@@ -37,11 +37,8 @@ impl DofMap {
         let parts = model.blocks.iter().filter(|block| block.kind.joins());
         let members = parts.flat_map(|block| block.elements.iter()).flat_map(|e| e.nodes);
         members.for_each(|&node| alone[node] = false);
-        let spatial = model.is_spatial();
-        let moving = |dof: &Dof| spatial || dof.is_plane();
-        let all = || Dof::ALL.into_iter().filter(moving);
-        let free = (0..alone.len()).filter(|&node| alone[node]);
-        let free = free.flat_map(|node| all().map(move |dof| (node, dof)));
+        let free =
+            (0..alone.len()).filter(|&node| alone[node]).flat_map(|node| rigid_body(model, node));
         free.for_each(|(node, dof)| has[node][dof as usize] = Some(false));
         of_elements(model, |node, dof| has[node][dof as usize] = Some(true));
         of_bodies(model, |(node, dof)| has[node][dof as usize] = Some(true));
@@ -124,9 +121,38 @@ impl DofMap {
         self.find(node, dof).map_or(0.0, |dof| vector[dof])
     }
 
-    /// The displacement of a node along the first `D` axes [L].
-    pub fn translation<const D: usize>(&self, u: &[f64], node: NodeIndex) -> [f64; D] {
+    /// The displacement of a node [L]; zero along an axis whose dof it lacks.
+    pub fn translation(&self, u: &[f64], node: NodeIndex) -> [f64; 3] {
         std::array::from_fn(|axis| self.read(u, node, Dof::ALL[axis]))
+    }
+
+    /// The dofs of a node's displacement, those of the plane at least.
+    pub fn translations(&self, node: NodeIndex) -> Translations {
+        let of = |axis: usize| self.find(node, Dof::ALL[axis]);
+        let axes = if of(2).is_some() { 3 } else { 2 };
+        Translations { dofs: [0, 1, 2].map(|axis| of(axis).unwrap_or(0)), axes }
+    }
+}
+
+/// The dofs that carry a point in space: one an axis of the model's dimension.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Translations {
+    dofs: [usize; 3],
+    axes: usize,
+}
+
+impl Translations {
+    /// The dofs, axis by axis.
+    pub fn as_slice(&self) -> &[usize] {
+        &self.dofs[..self.axes]
+    }
+
+    /// Where a point that follows them stands [L].
+    pub fn displace(&self, mut position: [f64; 3], u: &[f64]) -> [f64; 3] {
+        for (at, &dof) in position.iter_mut().zip(self.as_slice()) {
+            *at += u[dof];
+        }
+        position
     }
 }
 
@@ -143,27 +169,43 @@ fn of_elements(model: &Model, mut note: impl FnMut(NodeIndex, Dof)) {
 /// Calls back with the dofs that rigid bodies and contact use.
 fn of_bodies(model: &Model, mut note: impl FnMut((NodeIndex, Dof))) {
     for link in &model.rigid_links {
-        [link.master, link.dependent].into_iter().flat_map(rigid_body).for_each(&mut note);
+        for (node, dof) in rigid_body(model, link.dependent) {
+            if link.follows[dof as usize] {
+                note((node, dof));
+            }
+        }
+        for (node, dof) in rigid_body(model, link.master) {
+            match link.turn.filter(|_| dof.is_rotation()) {
+                Some(turn) => note((turn, Dof::ALL[dof as usize - 3])),
+                None => note((node, dof)),
+            }
+        }
+    }
+    for constraint in &model.linear_constraints {
+        note(constraint.dependent);
+        constraint.terms.iter().for_each(|&(node, dof, _)| note((node, dof)));
     }
     for pair in &model.contact_pairs {
         // A contact node needs no element: its translations matter all the same.
         let slaves = pair.elements.iter().flat_map(|element| element.nodes);
-        slaves.flat_map(point).for_each(&mut note);
+        slaves.flat_map(|node| point(model, node)).for_each(&mut note);
         match &pair.master {
-            Master::RigidSurface(surface) => rigid_body(surface.reference).for_each(&mut note),
+            Master::RigidSurface(surface) => {
+                rigid_body(model, surface.reference).for_each(&mut note)
+            }
             Master::SlideLine(line) => {
-                line.nodes.iter().flat_map(|&node| point(node)).for_each(&mut note);
+                line.nodes.iter().flat_map(|&node| point(model, node)).for_each(&mut note);
             }
         }
     }
 }
 
 /// The dofs of a node that turns.
-fn rigid_body(node: NodeIndex) -> impl Iterator<Item = (NodeIndex, Dof)> {
-    Dof::ALL.into_iter().filter(|dof| dof.is_plane()).map(move |dof| (node, dof))
+fn rigid_body(model: &Model, node: NodeIndex) -> impl Iterator<Item = (NodeIndex, Dof)> + use<> {
+    model.directions().iter().map(move |&dof| (node, dof))
 }
 
 /// The dofs of a node that does not turn.
-fn point(node: NodeIndex) -> impl Iterator<Item = (NodeIndex, Dof)> {
-    rigid_body(node).filter(|(_, dof)| !dof.is_rotation())
+fn point(model: &Model, node: NodeIndex) -> impl Iterator<Item = (NodeIndex, Dof)> + use<> {
+    rigid_body(model, node).filter(|(_, dof)| !dof.is_rotation())
 }

@@ -7,14 +7,15 @@
 //! The result depends on the arguments alone.
 
 use crate::constraints::Rows;
-use crate::contact::{ContactKinematics, Look, MasterPositions};
+use crate::contact::{ContactKinematics, Look, MasterPositions, PointKinematics};
 use crate::observe::{FrictionCall, Status};
 use crate::plan::Plan;
-use crate::stabilise::Dashpot;
+use crate::stabilise::Dashpots;
 use crate::state::{PointState, State};
 use crate::structure::{Configuration, Contributions, Flux};
 use slideline_mech::contact::friction::{self, UserFrictionError};
 use slideline_mech::contact::pair::{Laws, PointTrial, UserState};
+use slideline_mech::contact::tangential::Tangential;
 
 /// A trial state.
 #[derive(Clone, Copy, Debug)]
@@ -28,9 +29,9 @@ pub struct Trial<'a> {
     /// Pressure of every contact point as the iteration estimates it [F/L2].
     pub pressures: &'a [f64],
     /// Traction of every contact point likewise [F/L2].
-    pub tractions: &'a [f64],
+    pub tractions: &'a [Tangential],
     /// Dashpots of the increment, where contact is stabilised.
-    pub dashpots: &'a [Dashpot],
+    pub dashpots: &'a Dashpots,
     /// Total time at the end of the increment [T].
     pub time: f64,
     /// Increment [T].
@@ -53,7 +54,7 @@ pub struct Evaluation {
     /// Forces of stabilisation alone [F or F L].
     pub damping: Vec<f64>,
     /// Where the contact points stand.
-    pub kinematics: Vec<ContactKinematics>,
+    pub kinematics: ContactKinematics,
     /// Their history, were this state committed.
     pub points: Vec<PointState>,
     /// Strain energy [F L].
@@ -87,7 +88,7 @@ impl Evaluation {
             structure: vec![0.0; dofs],
             contact: vec![0.0; dofs],
             damping: vec![0.0; dofs],
-            kinematics: vec![ContactKinematics::NOWHERE; points],
+            kinematics: plan.contact.nowhere(),
             points: vec![PointState::default(); points],
             strain_energy: 0.0,
             contact_energy: 0.0,
@@ -132,10 +133,8 @@ pub fn evaluate(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into: &mu
     }
     evaluate_contact(plan, committed, trial, into);
     into.damping.fill(0.0);
-    for dashpot in trial.dashpots {
-        let force = dashpot.press(trial.u, &committed.displacement, &mut into.damping);
-        into.flux.force(force);
-    }
+    let Evaluation { damping, flux, .. } = into;
+    trial.dashpots.press(trial.u, &committed.displacement, damping, |force| flux.force(force));
     plan.constraints.carry(&into.rows, &mut into.contact);
     if !trial.dashpots.is_empty() {
         plan.constraints.carry(&into.rows, &mut into.damping);
@@ -198,14 +197,14 @@ fn evaluate_point(
     place: usize,
     into: &mut Evaluation,
 ) -> PointState {
-    let (point, kinematics) = (&plan.contact.points[place], &into.kinematics[place]);
+    let (point, kinematics) = (&plan.contact.points[place], &into.kinematics.points()[place]);
     let laws = &plan.contact.laws[point.pair];
     let before = &committed.points[place];
     let estimate = (trial.pressures[place], trial.tractions[place]);
     // Without friction the slip is only told, and found at the commit.
     let slip = match kinematics.faces && laws.has_friction() {
         true => plan.contact.slip(place, &before.history(), kinematics, &committed.displacement),
-        false => 0.0,
+        false => Tangential::ZERO,
     };
     let encounter = Encounter { plan, laws, before, kinematics, estimate, slip, dt: trial.dt };
     let range = point.state_variables..point.state_variables + point.state_size;
@@ -217,7 +216,7 @@ fn evaluate_point(
     };
     let now = encounter.follow(&mut state_variables);
     if laws.friction.needs_multiplier() && now.status == Status::Stick {
-        into.stick_slip = into.stick_slip.max(slip.abs());
+        into.stick_slip = into.stick_slip.max(slip.size());
     }
     now
 }
@@ -233,7 +232,7 @@ fn evaluate_contact(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into:
         if into.look.idle[place] {
             continue;
         }
-        if point.is_integration_point() && !into.kinematics[place].faces {
+        if point.is_integration_point() && !into.kinematics.points()[place].faces {
             let (now, before) = (&mut into.points[place], &committed.points[place]);
             if !now.is_untouched() || before.ever_closed {
                 now.open_from(before);
@@ -241,16 +240,13 @@ fn evaluate_contact(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into:
             continue;
         }
         let now = evaluate_point(plan, (committed, trial), place, into);
-        let (laws, kinematics) = (&plan.contact.laws[point.pair], &into.kinematics[place]);
+        let (laws, kinematics) = (&plan.contact.laws[point.pair], into.kinematics.at(place));
         let (normal, tangential) = (now.area * now.pressure, now.area * now.traction);
         if now.closed {
-            for k in 0..kinematics.width {
-                into.contact[kinematics.dofs[k]] +=
-                    normal * kinematics.gradient[k] + tangential * kinematics.direction[k];
-            }
-            into.flux.force(normal.hypot(tangential));
+            kinematics.push(normal, tangential, &mut into.contact);
+            into.flux.force(normal.hypot(tangential.size()));
             into.contact_energy += now.area * laws.normal.energy(kinematics.overclosure);
-            into.elastic_slip_energy += 0.5 * tangential * now.elastic_slip;
+            into.elastic_slip_energy += 0.5 * tangential.dot(now.elastic_slip);
         }
         if laws.normal.pressure(kinematics.overclosure).is_none() && kinematics.faces {
             let defect = if now.closed {
@@ -269,9 +265,9 @@ struct Encounter<'a> {
     plan: &'a Plan<'a>,
     laws: &'a Laws,
     before: &'a PointState,
-    kinematics: &'a ContactKinematics,
-    estimate: (f64, f64),
-    slip: f64,
+    kinematics: &'a PointKinematics,
+    estimate: (f64, Tangential),
+    slip: Tangential,
     dt: f64,
 }
 
@@ -321,7 +317,7 @@ impl Encounter<'_> {
         };
         if friction == FrictionCall::Dropped {
             let limit = self.laws.friction.limit_traction(response.pressure, slip, self.dt);
-            now.dropped_work = now.area * limit * slip.abs();
+            now.dropped_work = now.area * limit * slip.size();
         }
         now
     }

@@ -10,6 +10,7 @@
 
 use crate::observe::Status;
 use crate::state::PointState;
+use slideline_mech::contact::tangential::Tangential;
 
 /// Iterations that are looked back upon.
 const WINDOW: u32 = 8;
@@ -21,28 +22,28 @@ const RESTLESS: u32 = 4;
 pub struct PointEvidence {
     closed: bool,
     status: Status,
-    traction: f64,
+    traction: Tangential,
     /// One bit an iteration, the latest lowest: it opened or closed.
     changes: u32,
     /// Likewise: it began or ceased to slide, or slid the other way.
     flips: u32,
     /// Overclosure in the last iteration and in the one before [L].
-    pub overclosure: [f64; 2],
+    pub overclosure: (f64, f64),
     /// Largest shear traction, and pressure with it, of the attempt [F/L2].
-    pub dragged: [f64; 2],
+    pub dragged: (f64, f64),
 }
 
 impl PointEvidence {
     fn note(&mut self, now: &PointState) {
         let both = self.closed && now.closed;
-        let turned = self.traction * now.traction < 0.0;
+        let turned = self.traction.dot(now.traction) < 0.0;
         let wavers = both && (self.status != now.status || turned);
         self.changes = self.changes << 1 | u32::from(self.closed != now.closed);
         self.flips = self.flips << 1 | u32::from(wavers);
         (self.closed, self.status, self.traction) = (now.closed, now.status, now.traction);
-        self.overclosure = [-now.opening, self.overclosure[0]];
-        if now.traction.abs() > self.dragged[0] {
-            self.dragged = [now.traction.abs(), now.pressure];
+        self.overclosure = (-now.opening, self.overclosure.0);
+        if now.traction.size() > self.dragged.0 {
+            self.dragged = (now.traction.size(), now.pressure);
         }
     }
 
@@ -124,7 +125,12 @@ mod tests {
     use super::*;
 
     fn point(closed: bool, status: Status, traction: f64) -> PointState {
-        PointState { closed, status, traction, ..PointState::default() }
+        PointState {
+            closed,
+            status,
+            traction: Tangential::along(traction),
+            ..PointState::default()
+        }
     }
 
     /// Requirement: a point that opens and closes in every iteration chatters;

@@ -31,35 +31,22 @@ mod jam;
 mod laws;
 mod matrix_free;
 mod pivoting;
+mod points;
+mod slopes;
 mod system;
 
 pub use augmentation::Stiffness;
 pub use contradiction::Contradiction;
 use convex::Descent;
 use matrix_free::MatrixFree;
+use points::Kind;
+pub use points::{Augmentation, LinearPoint, LinearPoints, LinearRows, Sliding};
 use slideline_linalg::{DenseLu, SolveError, Solver};
 use slideline_mech::contact::enforcement::Enforcement;
 use slideline_mech::contact::pair::Laws;
+use slideline_mech::contact::tangential::Tangential;
 use std::collections::HashMap;
-use system::{IntegrationPoint, Row, System, Unknown};
-
-/// The most dofs one contact point couples.
-pub const MOST_DOFS: usize = 18;
-
-/// Friction at a point whose friction is called.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sliding {
-    /// Change of the slip coordinate since the last commit [L].
-    pub slip: f64,
-    /// Committed elastic slip [L].
-    pub elastic_slip: f64,
-    /// Shear traction: estimate in, solution out [F/L2].
-    pub traction: f64,
-    /// Stiffness augmentation to K [F/L3].
-    pub stiffness: f64,
-    /// Where the point's state values of a user law begin, and how many.
-    pub state_variables: (usize, usize),
-}
+use system::{IntegrationPoints, Row, System, Unknown};
 
 /// What is common to all points of an increment.
 #[derive(Debug)]
@@ -79,86 +66,6 @@ pub struct LawContext<'a> {
     pub rounding: f64,
     /// Natural unit of each equation's displacement, as in the plan.
     pub units: &'a [f64],
-}
-
-/// A contact point, linearised.
-#[derive(Clone, Copy, Debug)]
-pub struct LinearPoint {
-    /// Place of the point in the plan.
-    pub place: usize,
-    /// Place of its pair among the laws.
-    pub pair: usize,
-    /// Area [L2].
-    pub area: f64,
-    /// Whether it is one of the many integration_points of integrated contact.
-    pub integrated: bool,
-    /// Number of equations it acts on.
-    pub width: usize,
-    /// Those equations.
-    pub equations: [usize; MOST_DOFS],
-    /// dh/du of each [1].
-    pub normal: [f64; MOST_DOFS],
-    /// d slip/du of each [1].
-    pub tangential: [f64; MOST_DOFS],
-    /// Direction of the tangential force on each [1].
-    pub direction: [f64; MOST_DOFS],
-    /// Overclosure [L].
-    pub overclosure: f64,
-    /// Pressure: estimate in, solution out [F/L2].
-    pub pressure: f64,
-    /// Stiffness augmentation to K [F/L3].
-    pub stiffness: f64,
-    /// Stiffness of the structure below which the point's own counts as none
-    /// [F/L3].
-    pub least: f64,
-    /// Friction, where it would be called for a closed point.
-    pub sliding: Option<Sliding>,
-}
-
-impl LinearPoint {
-    /// Adds derivatives by an equation: of overclosure and slip, and of the
-    /// force of a traction.
-    pub fn add(&mut self, equation: usize, [normal, tangential, direction]: [f64; 3]) {
-        let known = self.equations[..self.width].iter().position(|&own| own == equation);
-        let at = known.unwrap_or(self.width);
-        if at == self.width {
-            (self.equations[at], self.width) = (equation, at + 1);
-            (self.normal[at], self.tangential[at], self.direction[at]) = (0.0, 0.0, 0.0);
-        }
-        self.normal[at] += normal;
-        self.tangential[at] += tangential;
-        self.direction[at] += direction;
-    }
-
-    fn dot(&self, of: Kind, vector: &[f64]) -> f64 {
-        let gradient = self.gradient(of);
-        self.equations[..self.width].iter().zip(gradient).map(|(&e, g)| g * vector[e]).sum()
-    }
-
-    fn gradient(&self, of: Kind) -> &[f64] {
-        match of {
-            Kind::Normal => &self.normal[..self.width],
-            Kind::Tangential => &self.tangential[..self.width],
-        }
-    }
-
-    /// Direction of the force of a multiplier.
-    fn force(&self, of: Kind) -> &[f64] {
-        match of {
-            Kind::Normal => &self.normal[..self.width],
-            Kind::Tangential => &self.direction[..self.width],
-        }
-    }
-
-    fn moves(&self, of: Kind) -> bool {
-        self.gradient(of).iter().any(|&g| g != 0.0)
-    }
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
-    Normal,
-    Tangential,
 }
 
 /// Scratch of the small system, kept from iteration to iteration.
@@ -185,7 +92,7 @@ pub struct LinearisedContact {
     moved: Vec<f64>,
     /// Displacements of the interface rows.
     values: Vec<f64>,
-    integration_points: Vec<IntegrationPoint>,
+    integration_points: IntegrationPoints,
     /// Rows of equations that integration_points press on.
     interface: HashMap<usize, usize>,
     matrix_free: MatrixFree,
@@ -223,7 +130,7 @@ impl LinearisedContact {
     /// Errors: the solver's.
     pub fn solve(
         &mut self,
-        points: &mut [LinearPoint],
+        points: &mut LinearPoints,
         context: &LawContext<'_>,
         (enforcement, stiffness): (Enforcement, &mut Stiffness<'_>),
         correction: &mut [f64],
@@ -276,7 +183,7 @@ impl LinearisedContact {
     /// by the present estimate; says whether any did.
     fn activate(
         &mut self,
-        points: &[LinearPoint],
+        points: &LinearPoints,
         context: &LawContext<'_>,
         touching: bool,
         solver: &mut Solver,
@@ -286,19 +193,21 @@ impl LinearisedContact {
             self.move_by_rows(base);
         }
         let mut joined = false;
-        for (place, point) in points.iter().enumerate() {
-            if self.in_rows[place] || !self.joins(point, context, touching) {
+        for (place, point) in points.with_rows().enumerate() {
+            if self.in_rows[place] || !self.joins(&point, context, touching) {
                 continue;
             }
             self.in_rows[place] = true;
             joined = true;
             if point.integrated {
-                self.add_integration_point((point, place), context, solver, base)?;
+                self.add_integration_point((&point, place), context, solver, base)?;
                 continue;
             }
-            self.add_row(point, place, Kind::Normal, solver, base)?;
-            if point.sliding.is_some() && point.moves(Kind::Tangential) {
-                self.add_row(point, place, Kind::Tangential, solver, base)?;
+            self.add_row(&point, place, Kind::Normal, solver, base)?;
+            if point.sliding.is_some() && point.slides() {
+                for direction in 0..points.directions() {
+                    self.add_row(&point, place, Kind::Tangential(direction), solver, base)?;
+                }
             }
         }
         Ok(joined)
@@ -306,7 +215,7 @@ impl LinearisedContact {
 
     /// Whether a point touches already (`touching`), or would by the present
     /// estimate of du.
-    fn joins(&self, point: &LinearPoint, context: &LawContext<'_>, touching: bool) -> bool {
+    fn joins(&self, point: &LinearRows<'_>, context: &LawContext<'_>, touching: bool) -> bool {
         if !point.moves(Kind::Normal) {
             return false;
         }
@@ -331,7 +240,7 @@ impl LinearisedContact {
 
     fn add_row(
         &mut self,
-        point: &LinearPoint,
+        point: &LinearRows<'_>,
         place: usize,
         kind: Kind,
         solver: &mut Solver,
@@ -341,9 +250,7 @@ impl LinearisedContact {
         let begin = self.response.len();
         self.response.resize(begin + n, 0.0);
         let response = &mut self.response[begin..];
-        for (&equation, g) in point.equations[..point.width].iter().zip(point.force(kind)) {
-            response[equation] += point.area * g;
-        }
+        point.push(kind, 1.0, response);
         solver.respond(response)?;
         self.push_row(point, place, kind);
         if let Some(row) = self.rows.last_mut() {
@@ -354,20 +261,19 @@ impl LinearisedContact {
 
     /// A row for the pressure or the traction of a point, with its first guess.
     fn push_row(&mut self, point: &LinearPoint, place: usize, kind: Kind) {
-        let (start, augmentation) = match (kind, &point.sliding) {
-            (Kind::Tangential, Some(sliding)) => (sliding.slip, sliding.stiffness),
-            _ => (point.overclosure, point.stiffness),
+        let (start, augmentation, guess) = match (kind, &point.sliding) {
+            (Kind::Tangential(direction), Some(sliding)) => {
+                let Sliding { slip, stiffness, traction, .. } = sliding;
+                (slip[direction], *stiffness, traction[direction])
+            }
+            _ => (point.overclosure, point.stiffness, point.pressure),
         };
         let pressure_row = match kind {
             Kind::Normal => self.rows.len(),
-            Kind::Tangential => self.rows.len() - 1,
+            Kind::Tangential(direction) => self.rows.len() - 1 - direction,
         };
         let unknown = Unknown::Multiplier { point: place, kind, pressure_row };
         self.rows.push(Row { start, augmentation, unit: 1.0 / point.area, ..Row::new(unknown) });
-        let guess = match (kind, &point.sliding) {
-            (Kind::Tangential, Some(sliding)) => sliding.traction,
-            _ => point.pressure,
-        };
         self.unknown.truncate(self.rows.len() - 1);
         self.unknown.push(guess);
     }
@@ -383,7 +289,7 @@ impl LinearisedContact {
     }
 
     /// Fills C and the stiffness that each row feels.
-    fn couple(&mut self, points: &[LinearPoint], base: &[f64]) {
+    fn couple(&mut self, points: &LinearPoints, base: &[f64]) {
         let (m, n) = (self.rows.len(), base.len());
         self.compliance.clear();
         self.compliance.resize(m * m, 0.0);
@@ -391,7 +297,7 @@ impl LinearisedContact {
             for j in 0..m {
                 let response = &self.response[j * n..][..n];
                 self.compliance[i * m + j] = match self.rows[i].unknown {
-                    Unknown::Multiplier { point, kind, .. } => points[point].dot(kind, response),
+                    Unknown::Multiplier { point, kind, .. } => points.at(point).dot(kind, response),
                     Unknown::Interface { equation } => response[equation],
                 };
             }
@@ -405,19 +311,23 @@ impl LinearisedContact {
             let area = row.point().map_or(1.0, |(point, _)| points[point].area);
             row.weight = area * own.abs();
         }
+        system::share_among_directions(&mut self.rows);
     }
 
     /// du from the multipliers, and the multipliers to their points.
     fn back_substitute(
         &mut self,
-        points: &mut [LinearPoint],
+        points: &mut LinearPoints,
         context: &LawContext<'_>,
         correction: &mut [f64],
     ) {
         let n = correction.len();
         self.release_others(points, context);
-        let system =
-            System { rows: &self.rows, compliance: &self.compliance, integration_points: &[] };
+        let system = System {
+            rows: &self.rows,
+            compliance: &self.compliance,
+            integration_points: IntegrationPoints::NONE,
+        };
         self.values.clear();
         for (i, row) in self.rows.iter().enumerate() {
             let (multiplier, value) = system.multiplier_and_value(i, &self.unknown);
@@ -437,32 +347,29 @@ impl LinearisedContact {
 
     /// Points without rows press as their law says where nothing moves them,
     /// and not at all elsewhere.
-    fn release_others(&self, points: &mut [LinearPoint], context: &LawContext<'_>) {
-        for (place, point) in points.iter_mut().enumerate() {
-            if self.in_rows[place] {
-                continue;
-            }
-            let fixed = !point.moves(Kind::Normal);
+    fn release_others(&self, points: &mut LinearPoints, context: &LawContext<'_>) {
+        for place in (0..points.len()).filter(|&place| !self.in_rows[place]) {
+            let fixed = !points.at(place).moves(Kind::Normal);
+            let point = &mut points[place];
             let laws = &context.laws[point.pair];
             point.pressure = if fixed { laws.pressure(point.overclosure, 0.0) } else { 0.0 };
-            if let Some(sliding) = &mut point.sliding {
-                sliding.traction = 0.0;
-            }
+            point.set_traction(Tangential::ZERO);
         }
     }
 
-    /// Gives the integration_points what their laws say at the displacements found.
-    fn give_integration_points(&self, points: &mut [LinearPoint], context: &LawContext<'_>) {
-        for point in points.iter_mut() {
-            context.slide_as_prescribed(point);
-        }
-        for integration_point in &self.integration_points {
-            let point = &mut points[integration_point.point];
-            let answer = context.integration_point(integration_point, point, &self.values);
-            point.pressure = answer.pressure;
-            if let Some(sliding) = &mut point.sliding {
-                sliding.traction = answer.traction;
+    /// Gives the integration points what their laws say at the displacements found.
+    fn give_integration_points(&self, points: &mut LinearPoints, context: &LawContext<'_>) {
+        for place in 0..points.len() {
+            if let Some(traction) = context.prescribed_sliding(&points.at(place)) {
+                points[place].set_traction(traction);
             }
+        }
+        for integration_point in self.integration_points.iter() {
+            let place = integration_point.point;
+            let answer =
+                context.integration_point(integration_point, &points.at(place), &self.values);
+            points[place].pressure = answer.pressure;
+            points[place].set_traction(answer.traction);
         }
     }
 }
@@ -476,7 +383,7 @@ fn give_multiplier(
     [multiplier, value, kappa]: [f64; 3],
 ) {
     match (kind, &mut point.sliding) {
-        (Kind::Tangential, Some(sliding)) => sliding.traction = multiplier,
+        (Kind::Tangential(direction), Some(sliding)) => sliding.traction.0[direction] = multiplier,
         _ => {
             let laws = &context.laws[point.pair];
             point.pressure = laws.complementarity_of_pressure(multiplier, value, kappa).value;

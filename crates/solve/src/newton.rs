@@ -17,16 +17,16 @@ mod search;
 mod stresses;
 mod turns;
 
-use crate::contact::{GeometryScratch, MasterPositions, Missed, Sweep, SweepScratch};
+use crate::contact::{GeometryScratch, Missed, Sweep, SweepScratch};
 use crate::convergence::{Field, FieldHistory, Measures, judge};
 use crate::evaluate::{Evaluation, Trial, complete, evaluate, look_at};
 use crate::increments::Verdict;
 use crate::iteration_history::IterationHistory;
-use crate::linearised::{LinearPoint, LinearisedContact, Stiffness};
+use crate::linearised::{LinearPoints, LinearisedContact, Stiffness};
 use crate::observe::{ContactChange, IterationReport};
 use crate::plan::Plan;
 use crate::predict;
-use crate::stabilise::{self, Dashpot};
+use crate::stabilise::{self, Dashpots};
 use crate::state::State;
 use crate::structure::Configuration;
 pub use assembly::TOUCH;
@@ -35,10 +35,14 @@ use relax::Relaxation;
 pub use relax::relax;
 use slideline_linalg::{SolveError, Solver};
 use slideline_mech::contact::enforcement::Enforcement;
+use slideline_mech::contact::tangential::Tangential;
 
 /// The most points whose contact is solved with its matrix where the other way is
 /// lost: the cost grows with their cube.
 const MOST_DENSE: usize = 1000;
+
+/// Equations of a contact point that room is kept for.
+const ROWS: usize = 18;
 
 /// What an attempt aims at.
 #[derive(Clone, Copy, Debug)]
@@ -105,13 +109,12 @@ pub struct Workspace {
     still: Vec<f64>,
     arrived: Vec<f64>,
     pressures: Vec<f64>,
-    tractions: Vec<f64>,
-    points: Vec<LinearPoint>,
+    tractions: Vec<Tangential>,
+    points: LinearPoints,
     contact: LinearisedContact,
     geometry: GeometryScratch,
     sweep: SweepScratch,
-    dashpots: Vec<Dashpot>,
-    chain_positions: MasterPositions,
+    dashpots: Dashpots,
     was_closed: Vec<bool>,
     /// Most negative pivots of a symmetric factorisation in this attempt:
     /// directions in which the structure gives way.
@@ -137,6 +140,8 @@ impl Workspace {
         let points = plan.contact.points.len();
         let mut contact = LinearisedContact::default();
         contact.reserve(points, equations);
+        let mut linear = LinearPoints::default();
+        linear.reserve(points, ROWS);
         Self {
             u: vec![0.0; dofs],
             load: vec![0.0; dofs],
@@ -157,13 +162,12 @@ impl Workspace {
             still: vec![0.0; dofs],
             arrived: plan.structure.stress_room(),
             pressures: vec![0.0; points],
-            tractions: vec![0.0; points],
-            points: Vec::with_capacity(points),
+            tractions: vec![Tangential::ZERO; points],
+            points: linear,
             contact,
-            geometry: GeometryScratch::new(),
+            geometry: GeometryScratch::default(),
             sweep: SweepScratch::default(),
-            dashpots: Vec::new(),
-            chain_positions: MasterPositions::default(),
+            dashpots: Dashpots::default(),
             was_closed: vec![false; points],
             negative_pivots: 0,
             iteration_history: IterationHistory::new(points),
@@ -296,7 +300,7 @@ impl Workspace {
         self.dt = target.dt;
         self.negative_pivots = 0;
         let times = (target.step_time, target.dt);
-        stabilise::fill(plan, committed, times, &mut self.chain_positions, &mut self.dashpots);
+        stabilise::fill(plan, committed, times, &mut self.dashpots);
         self.u.copy_from_slice(&committed.displacement);
         predict::extrapolate(plan, committed, target.dt, &mut self.u);
         plan.prescribe(target.step_time, &mut self.u);
@@ -307,7 +311,7 @@ impl Workspace {
             self.tractions[place] = point.traction;
             self.was_closed[place] = point.closed;
         }
-        if committed.increment_time[0] == 0.0 {
+        if committed.increment_time.0 == 0.0 {
             self.spread_prescribed(plan, committed, target);
         }
         self.first_stresses(plan, committed, target.dt);
@@ -506,13 +510,12 @@ impl Workspace {
             *change *= length;
             self.u[dof] += *change;
         }
-        for linear in &self.points {
+        for linear in self.points.iter() {
             let place = linear.place;
             let pressure = &mut self.pressures[place];
             *pressure += length * (linear.pressure - *pressure);
-            let traction = linear.sliding.map_or(0.0, |sliding| sliding.traction);
             let old = &mut self.tractions[place];
-            *old += length * (traction - *old);
+            *old += length * (linear.traction() - *old);
         }
         plan.constraints.enforce(&mut self.u);
     }

@@ -381,9 +381,9 @@ pub struct ContactRow {
     /// Whether friction was called.
     pub friction: FrictionCall,
     /// Current position of the point [L].
-    pub position: [f64; 2],
+    pub position: [f64; 3],
     /// Outward normal of the master there [1].
-    pub normal: [f64; 2],
+    pub normal: [f64; 3],
     /// Place on the master along its direction of travel [L].
     pub along: f64,
     /// Friction work that this increment dropped [F L]; see the ledger.
@@ -402,9 +402,9 @@ pub struct PairRow {
     /// Its node.
     pub deepest: Option<NodeIndex>,
     /// Sum of the forces on the slaves [F].
-    pub force: [f64; 2],
+    pub force: [f64; 3],
     /// Their moment about the origin [F L].
-    pub moment: f64,
+    pub moment: [f64; 3],
     /// What is left of all forces on slaves, masters and reference nodes
     /// together, relative to the sum of their magnitudes [1]: rounding.
     pub force_imbalance: f64,

@@ -1,7 +1,7 @@
 //! A step, prepared once: numbering, pattern, symbolic factorisation.
 
 use crate::constraints::{Constraints, Role, Rows};
-use crate::contact::{Cliques, Contact, ContactKinematics};
+use crate::contact::{Cliques, Contact, PointRows};
 use crate::dofs::DofMap;
 use crate::linear_systems::LinearSystems;
 use crate::structure::{Contributions, Structure};
@@ -201,9 +201,9 @@ impl<'a> Plan<'a> {
     }
 
     /// Whether some unknown moves a point towards or from its master.
-    pub fn contact_yields(&self, kinematics: &ContactKinematics, rows: &Rows) -> bool {
+    pub fn contact_yields(&self, kinematics: &PointRows<'_>, rows: &Rows) -> bool {
         let mut yields = false;
-        for (&dof, &g) in kinematics.dofs[..kinematics.width].iter().zip(&kinematics.gradient) {
+        for (&dof, &g) in kinematics.rows.unknowns.iter().zip(kinematics.rows.normal()) {
             let note = &mut |_: usize, a: f64| yields |= a * g != 0.0;
             self.constraints.for_each_equation(rows, dof, note);
         }
@@ -223,9 +223,10 @@ impl<'a> Plan<'a> {
     /// Adds what the turning of constraints makes of forces `f` on all dofs; uses
     /// them up.
     pub fn stiffen_by_turning(&self, u: &[f64], f: &mut [f64], values: &mut [f64]) {
-        self.constraints.turning(u, f, |dof, stiffness| {
-            let equation = self.constraints.equation(dof);
-            if let Some(at) = equation.and_then(|e| self.pattern.position(e, e)) {
+        self.constraints.turning(u, f, |row, column, stiffness| {
+            let equations = [row, column].map(|dof| self.constraints.equation(dof));
+            let [Some(row), Some(column)] = equations else { return };
+            if let Some(at) = self.pattern.position(row, column) {
                 values[at] += stiffness;
             }
         });

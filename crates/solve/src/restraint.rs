@@ -17,10 +17,14 @@ use std::collections::HashMap;
 /// The bodies of a model and how a step restrains them.
 pub struct Restraint {
     bodies: Bodies,
+    /// By the root of a body.
+    rows: HashMap<NodeIndex, Vec<Motion>>,
     /// Whether bodies move in space.
-    spatial: bool,
-    rows: HashMap<NodeIndex, Vec<[f64; 6]>>,
+    in_space: bool,
 }
+
+/// Coefficients of a rigid motion: along the three axes, and about them.
+type Motion = [f64; 6];
 
 impl Restraint {
     /// That of a step. Rotations count with the size of the model, so that the
@@ -28,7 +32,7 @@ impl Restraint {
     pub fn of(model: &Model, step: &Step) -> Self {
         let mut bodies = Bodies::of(model);
         let size = (0..model.nodes.len())
-            .flat_map(|node| model.nodes.get(node).position)
+            .flat_map(|node| model.nodes.position(node))
             .fold(0.0_f64, |size, x| size.max(x.abs()));
         let held = step.prescribed.iter().map(|prescribed| (prescribed.node, prescribed.dof));
         let springs = model.blocks.iter().filter_map(|block| block.springs());
@@ -37,33 +41,28 @@ impl Restraint {
             let dof = springs.section.dof?;
             Some(springs.elements.iter().map(move |spring| (spring.nodes[0], dof)))
         });
-        let held: Vec<(NodeIndex, Dof)> = held.chain(springs.flatten()).collect();
-        let mut rows: HashMap<NodeIndex, Vec<[f64; 6]>> = HashMap::new();
+        let held = held.chain(springs.flatten()).chain(model.rings());
+        let held: Vec<(NodeIndex, Dof)> = held.collect();
+        let mut rows: HashMap<NodeIndex, Vec<Motion>> = HashMap::new();
         for (node, dof) in held {
             let root = bodies.root(node);
-            let (at, about) = (model.nodes.get(node).position, model.nodes.get(root).position);
-            let apart =
-                |axis: usize| if size > 0.0 { (at[axis] - about[axis]) / size } else { 0.0 };
-            let mut row = [0.0; 6];
-            row[dof as usize] = 1.0;
-            if !dof.is_rotation() {
-                // u = turn x arm
-                let axis = dof as usize;
-                let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
-                row[3 + next] = apart(last);
-                row[3 + last] = -apart(next);
-            }
-            rows.entry(root).or_default().push(row);
+            let (at, origin) = (model.nodes.position(node), model.nodes.position(root));
+            let arm: [f64; 3] = std::array::from_fn(|axis| match size > 0.0 {
+                true => (at[axis] - origin[axis]) / size,
+                false => 0.0,
+            });
+            rows.entry(root).or_default().push(rigid_motion(dof, arm));
         }
-        Self { bodies, spatial: model.is_spatial(), rows }
+        let in_space = model.is_in_space();
+        Self { bodies, rows, in_space }
     }
 
     /// Whether no rigid motion is left to the body of a node, contact aside.
     pub fn holds(&mut self, node: NodeIndex) -> bool {
         let root = self.bodies.root(node);
-        let needed = match (self.spatial, self.bodies.turns.contains(&root)) {
+        let needed = match (self.in_space, self.bodies.turns.contains(&root)) {
             (true, true) => 6,
-            (false, true) | (true, false) => 3,
+            (true, false) | (false, true) => 3,
             (false, false) => 2,
         };
         rank(self.rows.get(&root).map_or(&[], Vec::as_slice)) >= needed
@@ -139,8 +138,21 @@ impl Bodies {
 /// Part of the largest entry below which a row depends on the others [1].
 const DEPENDENT: f64 = 1e-9;
 
-/// Rank of a few rows of six.
-fn rank(rows: &[[f64; 6]]) -> usize {
+/// What a dof of a rigid body sees of its motion, `arm` away from its root.
+fn rigid_motion(dof: Dof, arm: [f64; 3]) -> Motion {
+    let mut row = [0.0; 6];
+    row[dof as usize] = 1.0;
+    if !dof.is_rotation() {
+        // u = t + omega x r
+        let axis = dof as usize;
+        let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
+        (row[3 + next], row[3 + last]) = (arm[last], -arm[next]);
+    }
+    row
+}
+
+/// Rank of a few rows.
+fn rank(rows: &[Motion]) -> usize {
     let mut rows = rows.as_flattened().to_vec();
     let scale = rows.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
     let mut pivots = Vec::with_capacity(6);
@@ -156,11 +168,28 @@ mod tests {
     /// whatever the arm.
     #[test]
     fn ranks_of_supports() {
-        let plane = |[x, y, turn]: [f64; 3]| [x, y, 0.0, 0.0, 0.0, turn];
-        let (x, y) = (plane([1.0, 0.0, -0.3]), plane([0.0, 1.0, 0.7]));
-        assert_eq!(rank(&[x, y, plane([0.0, 0.0, 1.0])]), 3);
-        assert_eq!(rank(&[y, plane([0.0, 1.0, 0.2])]), 2);
-        assert_eq!(rank(&[x, plane([1.0, 0.0, -0.3]), y]), 2);
+        let at = |dof, x, y, z| rigid_motion(dof, [x, y, z]);
+        let (x, y) = (at(Dof::U1, 0.7, 0.3, 0.0), at(Dof::U2, 0.7, 0.3, 0.0));
+        assert_eq!(rank(&[x, y, at(Dof::UR3, 0.7, 0.3, 0.0)]), 3);
+        assert_eq!(rank(&[y, at(Dof::U2, 0.2, 0.0, 0.0)]), 2);
+        assert_eq!(rank(&[x, at(Dof::U1, 0.1, 0.3, 0.0), y]), 2);
         assert_eq!(rank(&[]), 0);
+        // three supports across a plane, two along it, one across that: 3-2-1
+        let across = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(|[x, y]| at(Dof::U3, x, y, 0.5));
+        let along =
+            [at(Dof::U2, 0.0, 0.0, 0.0), at(Dof::U2, 1.0, 0.0, 0.0), at(Dof::U1, 0.0, 0.0, 0.0)];
+        assert_eq!(rank(&[&across[..], &along].concat()), 6);
+        assert_eq!(rank(&[&across[..], &along[..2]].concat()), 5);
+    }
+
+    /// Requirement: the row of a dof is its displacement under a rigid motion: about the third axis
+    /// u = -w y, v = w x.
+    #[test]
+    fn rows_are_rigid_motions() {
+        let arm = [2.0, 3.0, 5.0];
+        assert_eq!(rigid_motion(Dof::U1, arm), [1.0, 0.0, 0.0, 0.0, 5.0, -3.0]);
+        assert_eq!(rigid_motion(Dof::U2, arm), [0.0, 1.0, 0.0, -5.0, 0.0, 2.0]);
+        assert_eq!(rigid_motion(Dof::U3, arm), [0.0, 0.0, 1.0, 3.0, -2.0, 0.0]);
+        assert_eq!(rigid_motion(Dof::UR2, arm), [0.0, 0.0, 0.0, 0.0, 1.0, 0.0]);
     }
 }

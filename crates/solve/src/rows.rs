@@ -33,13 +33,13 @@ fn node_rows(plan: &Plan<'_>, state: &State, pair: usize, rows: &mut Vec<Contact
             ever_closed: state.ever_closed,
             opening: state.opening,
             pressure: state.pressure,
-            shear: state.traction,
-            slip: state.slip,
+            shear: state.traction[0],
+            slip: state.slip[0],
             area: point.area,
             friction: state.friction,
             position: state.position,
             normal: state.normal,
-            along: state.along.unwrap_or(0.0),
+            along: state.along.unwrap_or_default()[0],
             dropped_work: state.dropped_work,
         },
     ));
@@ -85,15 +85,15 @@ impl Gathered {
         let force = share * integration_point.area * integration_point.pressure;
         row.area += share * whole;
         row.pressure += force;
-        row.shear += share * integration_point.area * integration_point.traction;
-        row.slip += force * integration_point.slip;
+        row.shear += share * integration_point.area * integration_point.traction[0];
+        row.slip += force * integration_point.slip[0];
         row.dropped_work += share * integration_point.dropped_work;
         row.ever_closed |= integration_point.ever_closed;
         self.force += force;
         if integration_point.opening.is_finite() && integration_point.opening < row.opening {
             row.opening = integration_point.opening;
             row.normal = integration_point.normal;
-            row.along = integration_point.along.unwrap_or(0.0);
+            row.along = integration_point.along.unwrap_or_default()[0];
         }
         if integration_point.closed && share > 0.0 {
             if row.status != Status::Slip {
@@ -119,8 +119,8 @@ impl Gathered {
     }
 }
 
-fn current(plan: &Plan<'_>, state: &State, node: NodeIndex) -> [f64; 2] {
-    let [x, y] = plan.model.nodes.plane(node);
-    let [u, v] = plan.dofs.translation(&state.displacement, node);
-    [x + u, y + v]
+fn current(plan: &Plan<'_>, state: &State, node: NodeIndex) -> [f64; 3] {
+    let from = plan.model.nodes.get(node).position;
+    let moved = plan.dofs.translation(&state.displacement, node);
+    std::array::from_fn(|axis| from[axis] + moved[axis])
 }

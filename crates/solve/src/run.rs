@@ -253,7 +253,7 @@ impl<'a> Analysis<'a> {
     /// One step: increments until its end, or until none can be found.
     fn step(&mut self, number: usize, step: &'a Step) -> Result<(), Left> {
         self.committed.step_time = 0.0;
-        self.committed.increment_time = [0.0; 2];
+        self.committed.increment_time = (0.0, 0.0);
         self.committed.flux.iter_mut().for_each(FluxAverage::begin_step);
         self.committed.damping.clear();
         self.committed.stabilised = false;

@@ -13,11 +13,11 @@
 //! tangent is exact, symmetric and never negative.
 
 use crate::constraints::Rows;
-use crate::contact::{ContactKinematics, MasterPositions};
-use crate::linearised::MOST_DOFS;
+use crate::contact::{ContactKinematics, MasterPositions, PointRows};
 use crate::plan::Plan;
 use crate::restraint::Restraint;
 use crate::state::State;
+use slideline_mech::contact::tangential::Tangential;
 use slideline_model::{Model, Stabilisation};
 
 /// Stiffness of all dashpots of a pair, walked in one increment as long as
@@ -25,58 +25,73 @@ use slideline_model::{Model, Stabilisation};
 /// softer than that by the square of the slenderness: about 1e-5.
 const SHARE: f64 = 1e-7;
 
-/// The dashpots of a point, within an increment.
-#[derive(Clone, Copy, Debug)]
-pub struct Dashpot {
-    width: usize,
-    dofs: [usize; MOST_DOFS],
-    normal: [f64; MOST_DOFS],
-    tangential: [f64; MOST_DOFS],
-    /// Force by the motion of the increment, along the normal and along the
-    /// tangent [F/L].
-    stiffness: [f64; 2],
+/// The dashpots of an increment.
+#[derive(Clone, Debug, Default)]
+pub struct Dashpots {
+    each: Vec<Dashpot>,
+    /// Where all points stand in the committed state.
+    kinematics: ContactKinematics,
+    positions: MasterPositions,
 }
 
-impl Dashpot {
-    fn new(kinematics: &ContactKinematics, stiffness: [f64; 2]) -> Self {
-        Self {
-            width: kinematics.width,
-            dofs: kinematics.dofs,
-            normal: kinematics.gradient,
-            tangential: kinematics.slip_gradient,
-            stiffness,
-        }
+/// The dashpots of a point.
+#[derive(Clone, Copy, Debug)]
+struct Dashpot {
+    place: usize,
+    /// Force by the motion of the increment along the normal [F/L].
+    normal: f64,
+    /// And along the tangents [F/L].
+    tangential: f64,
+}
+
+impl Dashpots {
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.each.is_empty()
     }
 
     /// Adds the forces of having moved from `committed` to `u`, a dof each;
-    /// says how large they are together [F].
-    pub fn press(&self, u: &[f64], committed: &[f64], into: &mut [f64]) -> f64 {
-        let (mut closing, mut sliding) = (0.0, 0.0);
-        for (k, &dof) in self.dofs[..self.width].iter().enumerate() {
-            let moved = u[dof] - committed[dof];
-            closing += self.normal[k] * moved;
-            sliding += self.tangential[k] * moved;
+    /// says of each point how large they are together [F].
+    pub fn press(&self, u: &[f64], committed: &[f64], into: &mut [f64], mut size: impl FnMut(f64)) {
+        for dashpot in &self.each {
+            let rows = self.kinematics.at(dashpot.place).rows;
+            let along = |row: &[f64]| -> f64 {
+                let each = rows.unknowns.iter().zip(row);
+                each.map(|(&dof, g)| g * (u[dof] - committed[dof])).sum()
+            };
+            let mut push = |row: &[f64], force: f64| {
+                rows.unknowns.iter().zip(row).for_each(|(&dof, g)| into[dof] += force * g);
+            };
+            let normal = dashpot.normal * along(rows.normal());
+            push(rows.normal(), normal);
+            let mut drag = Tangential::ZERO;
+            for direction in 0..rows.directions() {
+                drag.0[direction] = dashpot.tangential * along(rows.slip(direction));
+                push(rows.slip(direction), drag[direction]);
+            }
+            size(normal.hypot(drag.size()));
         }
-        let (p, t) = (self.stiffness[0] * closing, self.stiffness[1] * sliding);
-        for (k, &dof) in self.dofs[..self.width].iter().enumerate() {
-            into[dof] += p * self.normal[k] + t * self.tangential[k];
-        }
-        p.hypot(t)
     }
 
-    /// Sets both stiffnesses [F/L].
+    /// Sets all stiffnesses [F/L].
     #[cfg(test)]
     pub fn scale_to(&mut self, stiffness: f64) {
-        self.stiffness = [stiffness; 2];
+        for dashpot in &mut self.each {
+            (dashpot.normal, dashpot.tangential) = (stiffness, stiffness);
+        }
     }
 
-    /// Adds its stiffness to the values of the pattern.
+    /// Adds their stiffness to the values of the pattern.
     pub fn stiffen(&self, plan: &Plan<'_>, rows: &Rows, values: &mut [f64]) {
-        let at = |i: usize, j: usize| {
-            self.stiffness[0] * self.normal[i] * self.normal[j]
-                + self.stiffness[1] * self.tangential[i] * self.tangential[j]
-        };
-        plan.scatter(rows, &self.dofs[..self.width], at, values);
+        for dashpot in &self.each {
+            let own = self.kinematics.at(dashpot.place).rows;
+            let at = |i: usize, j: usize| {
+                let along = |k: usize| dashpot.tangential * own.slip(k)[i] * own.slip(k)[j];
+                let normal = dashpot.normal * own.normal()[i] * own.normal()[j];
+                (0..own.directions()).map(along).fold(normal, |sum, along| sum + along)
+            };
+            plan.scatter(rows, own.unknowns, at, values);
+        }
     }
 }
 
@@ -88,31 +103,27 @@ pub fn settings(plan: &Plan<'_>, committed: &State) -> Option<Stabilisation> {
 }
 
 /// The dashpots of an increment of length `dt` that ends at `step_time`.
-pub fn fill(
-    plan: &Plan<'_>,
-    committed: &State,
-    (step_time, dt): (f64, f64),
-    positions: &mut MasterPositions,
-    into: &mut Vec<Dashpot>,
-) {
-    into.clear();
+pub fn fill(plan: &Plan<'_>, committed: &State, (step_time, dt): (f64, f64), into: &mut Dashpots) {
+    into.each.clear();
     let Some(settings) = settings(plan, committed) else { return };
     let fading = 1.0 - step_time / plan.step.procedure.period;
     if fading <= 0.0 || dt <= 0.0 {
         return;
     }
-    let u = &committed.displacement;
-    plan.contact.place_chains(u, positions);
-    for place in 0..plan.contact.points.len() {
-        let kinematics = plan.contact.stand(place, u, positions);
-        let near = nearness(&settings, -kinematics.overclosure);
-        if !kinematics.faces || near == 0.0 {
+    let Dashpots { each, kinematics, positions } = into;
+    if kinematics.points().len() != plan.contact.points.len() {
+        *kinematics = plan.contact.nowhere();
+    }
+    plan.contact.stand(&committed.displacement, positions, kinematics);
+    for (place, point) in kinematics.points().iter().enumerate() {
+        let near = nearness(&settings, -point.overclosure);
+        if !point.faces || near == 0.0 {
             continue;
         }
         let own = settings.coefficient;
         let coefficient = own.unwrap_or_else(|| automatic(plan, place, settings.factor));
-        let stiffness = near * kinematics.area * coefficient * fading / dt;
-        into.push(Dashpot::new(&kinematics, [stiffness, settings.tangent_fraction * stiffness]));
+        let normal = near * point.area * coefficient * fading / dt;
+        each.push(Dashpot { place, normal, tangential: settings.tangent_fraction * normal });
     }
 }
 
@@ -140,9 +151,9 @@ fn automatic(plan: &Plan<'_>, place: usize, factor: f64) -> f64 {
 /// Whether contact that is open, and was so at the last commit, would oppose
 /// a motion if its points had dashpots; and no contact that was closed.
 pub fn would_hold(plan: &Plan<'_>, committed: &State, mode: &[f64]) -> bool {
-    let mut positions = MasterPositions::default();
     let u = &committed.displacement;
-    plan.contact.place_chains(u, &mut positions);
+    let mut kinematics = plan.contact.nowhere();
+    plan.contact.stand(u, &mut MasterPositions::default(), &mut kinematics);
     let mut motion = vec![0.0; plan.dofs.len()];
     let mut rows = Rows::default();
     for (&dof, value) in plan.constraints.dof_of_equation.iter().zip(mode) {
@@ -152,8 +163,7 @@ pub fn would_hold(plan: &Plan<'_>, committed: &State, mode: &[f64]) -> bool {
     plan.constraints.expand(&rows, &mut motion);
     let mut holds = false;
     for (place, before) in committed.points.iter().enumerate() {
-        let kinematics = plan.contact.stand(place, u, &positions);
-        if !moves(&kinematics, &motion) {
+        if !moves(&kinematics.at(place), &motion) {
             continue;
         }
         if before.closed {
@@ -165,14 +175,16 @@ pub fn would_hold(plan: &Plan<'_>, committed: &State, mode: &[f64]) -> bool {
 }
 
 /// Whether a motion closes, opens or slides a point.
-fn moves(kinematics: &ContactKinematics, motion: &[f64]) -> bool {
-    let (mut closing, mut sliding, mut size) = (0.0, 0.0, 0.0_f64);
-    for k in 0..kinematics.width {
-        closing += kinematics.gradient[k] * motion[kinematics.dofs[k]];
-        sliding += kinematics.slip_gradient[k] * motion[kinematics.dofs[k]];
-        size = size.max(kinematics.gradient[k].abs() + kinematics.slip_gradient[k].abs());
+fn moves(kinematics: &PointRows<'_>, motion: &[f64]) -> bool {
+    let rows = kinematics.rows;
+    let slips = (0..rows.directions()).map(|direction| rows.slip(direction));
+    let (mut most, mut sizes) = (0.0_f64, vec![0.0; rows.width()]);
+    for row in std::iter::once(rows.normal()).chain(slips) {
+        let moved: f64 = rows.unknowns.iter().zip(row).map(|(&dof, g)| g * motion[dof]).sum();
+        most = most.max(moved.abs());
+        sizes.iter_mut().zip(row).for_each(|(size, g)| *size += g.abs());
     }
-    kinematics.faces && f64::max(closing.abs(), sliding.abs()) > 1e-6 * size
+    kinematics.faces && most > 1e-6 * sizes.into_iter().fold(0.0, f64::max)
 }
 
 /// Whether contact may be stabilised in some step: because the deck asks for

@@ -5,6 +5,7 @@ use crate::convergence::FluxAverage;
 use crate::observe::{Energies, FrictionCall, Status};
 use serde::{Deserialize, Serialize};
 use slideline_mech::contact::pair::History;
+use slideline_mech::contact::tangential::Tangential;
 
 /// A committed (or trial) state of the whole model.
 #[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
@@ -20,7 +21,7 @@ pub struct State {
     /// The increment before it.
     pub increment_before: Vec<f64>,
     /// Length of the last increment and of the one before [T]; zero: none.
-    pub increment_time: [f64; 2],
+    pub increment_time: (f64, f64),
     /// Forces of supports on the model [F or F L].
     pub reaction: Vec<f64>,
     /// Applied loads [F or F L].
@@ -63,31 +64,31 @@ pub struct PointState {
     /// Pressure [F/L2].
     pub pressure: f64,
     /// Shear traction [F/L2].
-    pub traction: f64,
+    pub traction: Tangential,
     /// Gap, open positive [L].
     pub opening: f64,
-    /// Coordinate along the master [L]; `None` where it faces none.
-    pub along: Option<f64>,
+    /// Coordinates along the master [L]; `None` where it faces none.
+    pub along: Option<Tangential>,
     /// Elastic slip [L].
-    pub elastic_slip: f64,
+    pub elastic_slip: Tangential,
     /// Slip accumulated while closed [L].
-    pub slip: f64,
+    pub slip: Tangential,
     /// Magnitude of the slip dissipated in the last increment [L].
     pub dissipated: f64,
     /// Friction work dropped by the onset in the last increment [F L].
     pub dropped_work: f64,
     /// Current position [L].
-    pub position: [f64; 2],
+    pub position: [f64; 3],
     /// Outward normal of the master [1].
-    pub normal: [f64; 2],
+    pub normal: [f64; 3],
     /// Area it stands for [L2].
     pub area: f64,
-    /// Where a integration_point stands on its element, 0 to 1.
+    /// Where an integration point stands on its element, 0 to 1.
     pub xi: f64,
 }
 
 impl PointState {
-    /// Whether this is what [`PointState::open_from`] makes of a integration_point that
+    /// Whether this is what [`PointState::open_from`] makes of an integration point that
     /// was never closed.
     pub fn is_untouched(&self) -> bool {
         self.opening == f64::INFINITY && self.area == 0.0 && !self.ever_closed

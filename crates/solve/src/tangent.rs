@@ -14,7 +14,9 @@
 //! integration_points of integrated contact stand on their elements.
 
 use crate::constraints::Rows;
-use crate::contact::{ContactKinematics, GeometryScratch, MasterPositions};
+use crate::contact::{
+    ContactKinematics, GeometryScratch, MasterPositions, PointKinematics, PointRows,
+};
 use crate::evaluate::{Evaluation, Trial};
 use crate::observe::{FrictionCall, Status, TangentReport};
 use crate::plan::Plan;
@@ -160,9 +162,9 @@ impl Place<'_> {
     fn point(&self, equations: [usize; 2]) -> Option<(usize, NodeIndex)> {
         let places = self.evaluation.kinematics.iter().zip(&self.evaluation.points);
         let points = self.plan.contact.points.iter().zip(places);
-        let couples = |kinematics: &ContactKinematics| {
+        let couples = |kinematics: &PointRows<'_>| {
             let mut own = Vec::new();
-            for &dof in &kinematics.dofs[..kinematics.width] {
+            for &dof in kinematics.rows.unknowns {
                 self.plan.constraints.equations_of(dof, &mut own);
             }
             equations.iter().all(|equation| own.contains(equation))
@@ -183,13 +185,13 @@ pub fn assembled(place: &Place<'_>) -> Vec<f64> {
     plan.structure.evaluate(&at, &mut contributions, plan.pool);
     let rows = &place.evaluation.rows;
     plan.gather_tangent(&contributions, rows, &mut values);
-    trial.dashpots.iter().for_each(|dashpot| dashpot.stiffen(plan, rows, &mut values));
+    trial.dashpots.stiffen(plan, rows, &mut values);
     // Every force on a dependent dof turns with those that it follows.
     let mut force: Vec<f64> = trial.load.iter().map(|load| -load).collect();
     plan.structure.gather_force(&contributions, &mut force);
     place.add_contact_force(&place.evaluation.kinematics, trial.u, &mut force);
     plan.stiffen_by_turning(trial.u, &mut force, &mut values);
-    let mut scratch = GeometryScratch::new();
+    let mut scratch = GeometryScratch::default();
     plan.contact.fill_scratch(trial.u, &mut scratch);
     for point in 0..plan.contact.points.len() {
         place.add_point(point, &mut scratch, &mut values);
@@ -200,47 +202,42 @@ pub fn assembled(place: &Place<'_>) -> Vec<f64> {
 impl Place<'_> {
     fn add_point(&self, place: usize, scratch: &mut GeometryScratch, values: &mut [f64]) {
         let Place { plan, trial, evaluation, .. } = self;
-        let (kinematics, now) = (&evaluation.kinematics[place], &evaluation.points[place]);
+        let (kinematics, now) = (evaluation.kinematics.at(place), &evaluation.points[place]);
         if !now.closed {
             return;
         }
-        let (law, slope) = self.law(place, kinematics);
-        let (pressure, traction) = (law.0, &law.1);
+        let ((pressure, traction), slope) = self.law(place, &kinematics);
         let forces = (now.area * pressure, now.area * traction.tau);
-        plan.contact.geometric_tangent(place, trial.u, kinematics, forces, scratch);
-        let geometry = &scratch.tangent;
-        let (a, b, direction) =
-            (&kinematics.gradient, &kinematics.slip_gradient, &kinematics.direction);
-        let entry = |i: usize, j: usize| {
-            let by_slip = traction.d_tau_d_slip * b[j];
-            let by_pressure = traction.d_tau_d_pressure * slope * a[j];
-            let law = slope * a[i] * a[j] + direction[i] * (by_slip + by_pressure);
-            geometry[kinematics.width * i + j] + now.area * law
+        plan.contact.geometric_tangent(place, trial.u, &kinematics, forces, scratch);
+        let (geometry, rows) = (&scratch.tangent, kinematics.rows);
+        let a = rows.normal();
+        let drag = |i: usize, j: usize, k: usize| {
+            let by_slip = |l: usize| traction.d_tau_d_slip.at(k, l) * rows.slip(l)[j];
+            let by_slip: f64 = (0..rows.directions()).map(by_slip).sum();
+            rows.force(k)[i] * (by_slip + traction.d_tau_d_pressure[k] * slope * a[j])
         };
-        plan.scatter(&evaluation.rows, &kinematics.dofs[..kinematics.width], entry, values);
+        let entry = |i: usize, j: usize| {
+            let drags: f64 = (0..rows.directions()).map(|k| drag(i, j, k)).sum();
+            geometry[rows.width() * i + j] + now.area * (slope * a[i] * a[j] + drags)
+        };
+        plan.scatter(&evaluation.rows, rows.unknowns, entry, values);
     }
 
     /// Adds the forces of points as they stand at displacements `u`, and those
     /// of dashpots.
-    fn add_contact_force(&self, kinematics: &[ContactKinematics], u: &[f64], force: &mut [f64]) {
+    fn add_contact_force(&self, kinematics: &ContactKinematics, u: &[f64], force: &mut [f64]) {
         for (place, kinematics) in kinematics.iter().enumerate().filter(|(_, m)| m.faces) {
-            let ((pressure, traction), _) = self.law(place, kinematics);
+            let ((pressure, traction), _) = self.law(place, &kinematics);
             let area = self.evaluation.points[place].area;
-            let (normal, tangential) = (area * pressure, area * traction.tau);
-            for k in 0..kinematics.width {
-                force[kinematics.dofs[k]] +=
-                    normal * kinematics.gradient[k] + tangential * kinematics.direction[k];
-            }
+            kinematics.push(area * pressure, area * traction.tau, force);
         }
-        for dashpot in self.trial.dashpots {
-            dashpot.press(u, &self.committed.displacement, force);
-        }
+        self.trial.dashpots.press(u, &self.committed.displacement, force, |_| {});
     }
 
     /// Pressure and traction of a point at a kinematics, and the slope of the
     /// pressure; whether friction is called, and whether it sticks exactly, is
     /// as in the converged state.
-    fn law(&self, place: usize, kinematics: &ContactKinematics) -> ((f64, Traction), f64) {
+    fn law(&self, place: usize, kinematics: &PointKinematics) -> ((f64, Traction), f64) {
         let Place { plan, committed, trial, evaluation } = self;
         let point = &plan.contact.points[place];
         let laws: &Laws = &plan.contact.laws[point.pair];
@@ -298,14 +295,14 @@ pub struct Differences<'a> {
     contributions: Contributions,
     force: Vec<f64>,
     rows: Rows,
-    kinematics: Vec<ContactKinematics>,
+    kinematics: ContactKinematics,
     positions: MasterPositions,
     u: Vec<f64>,
     middle: Vec<f64>,
     /// The column by central differences, extrapolated [F/L and the like].
     pub best: Vec<f64>,
     /// Between which slopes it lies where the residual has a kink.
-    between: Vec<[f64; 2]>,
+    between: Vec<(f64, f64)>,
 }
 
 impl<'a> Differences<'a> {
@@ -322,7 +319,7 @@ impl<'a> Differences<'a> {
             u: place.trial.u.to_vec(),
             middle: Vec::new(),
             best: vec![0.0; n],
-            between: vec![[0.0; 2]; n],
+            between: vec![(0.0, 0.0); n],
         };
         new.middle = new.residual();
         new
@@ -338,18 +335,18 @@ impl<'a> Differences<'a> {
             let wide = (up[i] - down[i]) / (2.0 * h);
             let near = (near_up[i] - near_down[i]) / h;
             let best = (4.0 * near - wide) / 3.0;
-            let sides = [(near_up[i] - middle) / (0.5 * h), (middle - near_down[i]) / (0.5 * h)];
+            let sides = ((near_up[i] - middle) / (0.5 * h), (middle - near_down[i]) / (0.5 * h));
             // Of a smooth residual both sides draw together with the step.
             let gap = (up[i] - 2.0 * middle + down[i]).abs() / h;
-            let kink = (sides[0] - sides[1]).abs() > 0.75 * gap && gap > TOLERANCE * best.abs();
+            let kink = (sides.0 - sides.1).abs() > 0.75 * gap && gap > TOLERANCE * best.abs();
             self.best[i] = best;
-            self.between[i] = if kink { sides } else { [best; 2] };
+            self.between[i] = if kink { sides } else { (best, best) };
         }
     }
 
     /// How far an entry is from what differences allow [F/L and the like].
     fn distance(&self, i: usize, entry: f64) -> f64 {
-        let [a, b] = self.between[i];
+        let (a, b) = self.between[i];
         (a.min(b) - entry).max(entry - a.max(b)).max(0.0)
     }
 
@@ -367,7 +364,7 @@ impl<'a> Differences<'a> {
         plan.structure.evaluate_forces(&at, &mut self.contributions, plan.pool);
         self.force.iter_mut().zip(trial.load).for_each(|(force, load)| *force = -load);
         let _energy = plan.structure.gather_force(&self.contributions, &mut self.force);
-        self.kinematics.copy_from_slice(&evaluation.kinematics);
+        self.kinematics.copy_from(&evaluation.kinematics);
         plan.contact.meet_in_place(&self.u, &mut self.positions, &mut self.kinematics);
         self.place.add_contact_force(&self.kinematics, &self.u, &mut self.force);
         plan.constraints.linearise(&self.u, &mut self.rows);
@@ -381,7 +378,9 @@ mod tests {
     use super::*;
     use crate::dofs::DofMap;
     use crate::evaluate::evaluate;
+    use crate::stabilise::Dashpots;
     use slideline_diag::Span;
+    use slideline_mech::contact::tangential::Tangential;
     use slideline_mech::material::Elastic;
     use slideline_model::*;
 
@@ -418,10 +417,8 @@ mod tests {
         let elements = (0..6).map(|k| (k as u64 + 1, [beam[k], beam[k + 1]]));
         let block = ElementBlock::new(&types::B21, "B", Section::Beam(section), AT);
         model.blocks.push(block.with(elements));
-        model.rigid_links = rim
-            .iter()
-            .map(|&dependent| RigidLink { dependent, master: body, origin: AT })
-            .collect();
+        model.rigid_links =
+            rim.iter().map(|&dependent| RigidLink::welded(dependent, body, AT)).collect();
         let pairs = |nodes: &[NodeIndex]| -> Vec<ContactElement> {
             let of = |w: &[NodeIndex]| ContactElement {
                 label: 1,
@@ -521,19 +518,13 @@ mod tests {
             let body = plan.dofs.of_node(body);
             u[body].copy_from_slice(&[direction, -0.06, 0.1 * direction]);
             plan.constraints.enforce(&mut u);
-            let mut dashpots = Vec::new();
+            let mut dashpots = Dashpots::default();
             committed.stabilised = true;
             let halfway = (0.5, 0.5);
-            crate::stabilise::fill(
-                &plan,
-                &committed,
-                halfway,
-                &mut MasterPositions::default(),
-                &mut dashpots,
-            );
+            crate::stabilise::fill(&plan, &committed, halfway, &mut dashpots);
             // as stiff as the contact itself, lest the differences miss it
-            dashpots.iter_mut().for_each(|dashpot| dashpot.scale_to(1.0));
-            let none = vec![0.0; points];
+            dashpots.scale_to(1.0);
+            let (none, untouched) = (vec![0.0; points], vec![Tangential::ZERO; points]);
             let stresses = plan.structure.stress_room();
             let load = vec![0.0; dofs];
             let trial = Trial {
@@ -541,14 +532,16 @@ mod tests {
                 u: &u,
                 load: &load,
                 pressures: &none,
-                tractions: &none,
+                tractions: &untouched,
                 dashpots: &dashpots,
                 time: 1.0,
                 dt: 1.0,
             };
             let mut evaluation = Evaluation::new(&plan);
             evaluate(&plan, &committed, &trial, &mut evaluation);
-            assert!(evaluation.points.iter().any(|point| point.closed && point.traction != 0.0));
+            assert!(
+                evaluation.points.iter().any(|point| point.closed && point.traction.size() != 0.0)
+            );
             assert!(evaluation.damping.iter().any(|force| force.abs() > 1e-3));
             let place =
                 Place { plan: &plan, committed: &committed, trial, evaluation: &evaluation };
@@ -574,7 +567,7 @@ mod tests {
             let mut committed = State::undeformed(dofs, points, (0, 0));
             let mut work = crate::newton::Workspace::new(&plan);
             crate::commit::locate_points(&plan, &mut committed, &mut work.evaluation.kinematics);
-            let none = vec![0.0; points];
+            let (none, untouched) = (vec![0.0; points], vec![Tangential::ZERO; points]);
             let stresses = plan.structure.stress_room();
             let (mut u, load) = (vec![0.0; dofs], vec![0.0; dofs]);
             let body = plan.dofs.of_node(model.nodes.find(100).unwrap());
@@ -587,8 +580,8 @@ mod tests {
                     u: &u,
                     load: &load,
                     pressures: &none,
-                    tractions: &none,
-                    dashpots: &[],
+                    tractions: &untouched,
+                    dashpots: &Dashpots::default(),
                     time: 1.0,
                     dt: 1.0,
                 };

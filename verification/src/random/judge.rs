@@ -178,7 +178,7 @@ impl Observer for Watch {
 }
 
 fn position(frame: &Frame<'_>, node: usize) -> [f64; 2] {
-    let start = frame.model.nodes.plane(node);
+    let start = frame.model.nodes.position(node);
     let u = [Dof::U1, Dof::U2].map(|dof| frame.nodal.displacement(node, dof));
     [start[0] + u[0], start[1] + u[1]]
 }
@@ -195,7 +195,7 @@ fn body_balance(frame: &Frame<'_>, body: usize) -> [f64; 2] {
         .iter()
         .any(|pair| matches!(pair.master, slideline::model::Master::SlideLine(_)));
     for row in frame.contact.iter().filter(|row| row.pressure != 0.0) {
-        let [nx, ny] = row.normal;
+        let [nx, ny, _] = row.normal;
         let [p, tau] = [row.pressure * row.area, row.shear * row.area];
         // the travel is 90 degrees clockwise of the normal
         let force = [p * nx - tau * ny, p * ny + tau * nx];

@@ -14,8 +14,13 @@ impl Keyword for Elset {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] =
-            &[Rule::required("ELSET"), Rule::flag("GENERATE"), Rule::flag("UNSORTED")];
+        const RULES: &[Rule] = &[
+            Rule::required("ELSET"),
+            Rule::flag("GENERATE"),
+            Rule::flag("UNSORTED"),
+            Rule::value("INSTANCE"),
+            Rule::flag("INTERNAL"),
+        ];
         RULES
     }
 

@@ -1,13 +1,16 @@
 //! `*NSET`: a named set of nodes.
 
 use slideline_deck::DataLine;
-use slideline_diag::Span;
+use slideline_diag::{Code, Diagnostic, Span};
 
 use crate::draft::Draft;
+use crate::instances::Placement;
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::log::Target;
+use crate::parts::Place;
 use crate::reading::Reading;
 use crate::sets::Item;
+use crate::surfaces::Named;
 
 /// `*NSET`.
 pub(crate) struct Nset;
@@ -18,8 +21,14 @@ impl Keyword for Nset {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] =
-            &[Rule::required("NSET"), Rule::flag("GENERATE"), Rule::flag("UNSORTED")];
+        const RULES: &[Rule] = &[
+            Rule::required("NSET"),
+            Rule::flag("GENERATE"),
+            Rule::flag("UNSORTED"),
+            Rule::value("INSTANCE"),
+            Rule::flag("INTERNAL"),
+            Rule::value("ELSET"),
+        ];
         RULES
     }
 
@@ -41,12 +50,17 @@ impl Keyword for Nset {
         for (item, span) in read_members(card, draft) {
             draft.node_sets.join(&name, item, span);
         }
+        if let Some(elements) = card.name("ELSET") {
+            let elements = Named { name: elements, span: card.span_of("ELSET") };
+            draft.node_sets_of_elements.push((name, elements));
+        }
     }
 }
 
 /// The members listed on the data lines of `*NSET` and `*ELSET`.
 pub(crate) fn read_members(card: &Reading<'_>, draft: &mut Draft) -> Vec<(Item, Span)> {
     let mut members = Vec::new();
+    let placement = instance(card, draft);
     for line in card.data() {
         if card.has("GENERATE") {
             members.extend(range(line, draft).map(|item| (item, line.span)));
@@ -61,7 +75,26 @@ pub(crate) fn read_members(card: &Reading<'_>, draft: &mut Draft) -> Vec<(Item, 
             members.push((item, line.fields[at].span));
         }
     }
-    members
+    match placement {
+        Some(by) => members.into_iter().map(|(item, span)| (item.placed(&by), span)).collect(),
+        None => members,
+    }
+}
+
+/// The instance whose numbers and names the data lines use, where `INSTANCE` says one.
+fn instance(card: &Reading<'_>, draft: &mut Draft) -> Option<Placement> {
+    let name = card.name("INSTANCE")?;
+    let found = draft.log.instances.placement(&name);
+    if found.is_none() && draft.is_complete(Subject::Nodes) {
+        let message = format!("there is no instance {name}");
+        let error = Diagnostic::error(Code("SL0258"), message).at(card.span_of("INSTANCE"));
+        let help = match slideline_deck::nearest(&name, draft.log.instances.names()) {
+            Some(near) => format!("did you mean {near}?"),
+            None => format!("define it before: *INSTANCE, NAME={name}, PART=..."),
+        };
+        draft.log.push(error.help(help));
+    }
+    found
 }
 
 /// `first, last, increment`.

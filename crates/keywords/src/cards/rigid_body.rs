@@ -1,7 +1,7 @@
 //! `*RIGID BODY`: nodes, elements and an analytical surface that move with a
 //! reference node.
 
-use slideline_deck::{Field, integer, normalise, parse_integer};
+use slideline_deck::{Field, integer, parse_integer};
 use slideline_diag::{Code, Diagnostic};
 
 use crate::draft::Draft;
@@ -87,7 +87,7 @@ fn unsupported(card: &Reading<'_>, draft: &mut Draft) {
 fn reference(card: &Reading<'_>, draft: &mut Draft) -> Option<Target> {
     let word = card.word("REF NODE")?;
     if parse_integer(&word.raw).is_err() {
-        return card.name("REF NODE").map(|_| Target::Set(normalise(&word.raw)));
+        return card.name("REF NODE").map(|name| draft.log.instances.target(name));
     }
     let value = draft.log.take(integer(&Field { text: word.raw.clone(), span: word.span }))?;
     let label = u64::try_from(value).ok().filter(|_| (1..=MAX_LABEL).contains(&value));

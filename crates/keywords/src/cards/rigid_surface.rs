@@ -2,7 +2,7 @@
 
 use slideline_deck::{DataLine, normalise};
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::SurfaceSegment;
+use slideline_model::{ProfilePoint, SurfaceSegment};
 
 use crate::draft::Draft;
 use crate::draft::{Shape, Surface};
@@ -51,7 +51,7 @@ impl Keyword for RigidSurface {
 pub(crate) fn segments(
     card: &Reading<'_>,
     draft: &mut Draft,
-) -> Option<([f64; 2], Vec<SurfaceSegment>)> {
+) -> Option<(ProfilePoint, Vec<SurfaceSegment>)> {
     let errors = draft.log.errors();
     let radius = card.number("FILLET RADIUS", &mut draft.log)?.filter(|&radius| radius != 0.0);
     if radius.is_some_and(|radius| radius < 0.0) {
@@ -117,7 +117,7 @@ fn rounded_down(value: f64) -> String {
 /// Two radii of an arc may differ by this much, relative to their size.
 const RADIUS_TOLERANCE: f64 = 1e-4;
 
-fn start(line: &DataLine, draft: &mut Draft) -> Option<[f64; 2]> {
+fn start(line: &DataLine, draft: &mut Draft) -> Option<ProfilePoint> {
     let word = line.field(0).map_or("", |field| &field.text);
     if normalise(word) != "START" {
         let message = "the first line of a rigid surface is START, x, y";
@@ -128,13 +128,13 @@ fn start(line: &DataLine, draft: &mut Draft) -> Option<[f64; 2]> {
     point(line, 1, draft)
 }
 
-fn point(line: &DataLine, at: usize, draft: &mut Draft) -> Option<[f64; 2]> {
+fn point(line: &DataLine, at: usize, draft: &mut Draft) -> Option<ProfilePoint> {
     let x = draft.log.number(line, at, "x");
     let y = draft.log.number(line, at + 1, "y");
     Some([x?, y?])
 }
 
-fn end_of(segment: &SurfaceSegment) -> [f64; 2] {
+fn end_of(segment: &SurfaceSegment) -> ProfilePoint {
     match *segment {
         SurfaceSegment::Line { end }
         | SurfaceSegment::Circle { end, .. }
@@ -144,7 +144,11 @@ fn end_of(segment: &SurfaceSegment) -> [f64; 2] {
 
 /// A segment; `from` is `None` where the one before could not be read, and
 /// then its shape is not judged.
-fn segment(line: &DataLine, from: Option<[f64; 2]>, draft: &mut Draft) -> Option<SurfaceSegment> {
+fn segment(
+    line: &DataLine,
+    from: Option<ProfilePoint>,
+    draft: &mut Draft,
+) -> Option<SurfaceSegment> {
     let word = line.field(0).map_or("", |field| &field.text);
     let name = normalise(word);
     let segment = match name.as_str() {
@@ -175,12 +179,12 @@ fn segment(line: &DataLine, from: Option<[f64; 2]>, draft: &mut Draft) -> Option
     Some(segment)
 }
 
-fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+fn distance(a: ProfilePoint, b: ProfilePoint) -> f64 {
     (a[0] - b[0]).hypot(a[1] - b[1])
 }
 
 /// What is wrong with the shape of a segment. [semantics: surfaces, segments]
-fn fault(from: [f64; 2], segment: &SurfaceSegment) -> Option<String> {
+fn fault(from: ProfilePoint, segment: &SurfaceSegment) -> Option<String> {
     let end = end_of(segment);
     if distance(from, end) == 0.0 {
         return Some("the segment has zero length".to_owned());

@@ -18,8 +18,12 @@ impl Keyword for Surface {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] =
-            &[Rule::required("NAME"), Rule::value("TYPE"), Rule::value("FILLET RADIUS")];
+        const RULES: &[Rule] = &[
+            Rule::required("NAME"),
+            Rule::value("TYPE"),
+            Rule::value("FILLET RADIUS"),
+            Rule::flag("INTERNAL"),
+        ];
         RULES
     }
 

@@ -1,9 +1,9 @@
 //! Line, arc and parabola as curves of one parameter in [0, 1].
 
-use slideline_model::SurfaceSegment;
+use slideline_model::{ProfilePoint, SurfaceSegment};
 
 /// Point or direction in the plane [L] or [1].
-pub(super) type Point = [f64; 2];
+pub(super) type Point = ProfilePoint;
 
 pub(super) fn minus(a: Point, b: Point) -> Point {
     [a[0] - b[0], a[1] - b[1]]

@@ -143,10 +143,10 @@ impl Chain {
 
     /// Signed distance of a point from its nearest segment [L]: positive on
     /// the outer side; with the length of that segment [L].
-    pub fn distance(&self, nodes: &Nodes, point: [f64; 2]) -> (f64, f64) {
+    pub fn distance(&self, nodes: &Nodes, point: [f64; 3]) -> (f64, f64) {
         let mut nearest = (f64::INFINITY, 0.0, 0.0);
         for pair in self.nodes.windows(2) {
-            let (a, b) = (nodes.plane(pair[0]), nodes.plane(pair[1]));
+            let (a, b) = (nodes.position(pair[0]), nodes.position(pair[1]));
             let (t, r) = ([b[0] - a[0], b[1] - a[1]], [point[0] - a[0], point[1] - a[1]]);
             let length = t[0].hypot(t[1]);
             let along = ((r[0] * t[0] + r[1] * t[1]) / (length * length)).clamp(0.0, 1.0);
@@ -214,11 +214,11 @@ mod tests {
         }
         let facets = [facet(0, 1, None), facet(1, 2, None)];
         let mut chain = Chain::find(&facets).expect("a chain");
-        assert_eq!(chain.distance(&nodes, [1.0, 0.5]), (0.5, 2.0));
-        assert_eq!(chain.distance(&nodes, [2.25, 3.0]), (-0.25, 4.0));
+        assert_eq!(chain.distance(&nodes, [1.0, 0.5, 0.0]), (0.5, 2.0));
+        assert_eq!(chain.distance(&nodes, [2.25, 3.0, 0.0]), (-0.25, 4.0));
         assert_eq!(chain.label(), Some(Side::Positive));
         chain.reverse();
-        assert_eq!(chain.distance(&nodes, [1.0, 0.5]), (-0.5, 2.0));
+        assert_eq!(chain.distance(&nodes, [1.0, 0.5, 0.0]), (-0.5, 2.0));
         assert_eq!((chain.nodes.as_slice(), chain.label()), (&[2, 1, 0][..], Some(Side::Negative)));
     }
 }

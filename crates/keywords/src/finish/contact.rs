@@ -206,8 +206,9 @@ fn chain(nodes: &[(u64, Span)], surface: &Surface, draft: &mut Draft) -> Option<
             draft.consequence(Subject::Nodes, error);
             continue;
         };
-        let same =
-            |&last: &NodeIndex| draft.model.nodes.plane(last) == draft.model.nodes.plane(index);
+        let same = |&last: &NodeIndex| {
+            draft.model.nodes.position(last) == draft.model.nodes.position(index)
+        };
         if chain.last().is_some_and(same) {
             let message = format!("node {label} coincides with the one before it");
             let error = Diagnostic::error(Code("SL0324"), message).at(span);

@@ -59,7 +59,7 @@ fn tie(
         return;
     }
     dependents.insert(dependent, origin);
-    draft.model.rigid_links.push(RigidLink { dependent, master, origin });
+    draft.model.rigid_links.push(RigidLink::welded(dependent, master, origin));
 }
 
 fn one(link: &Link, dependents: &mut HashMap<NodeIndex, Span>, draft: &mut Draft) {

@@ -118,7 +118,7 @@ fn mean_distance(chain: &Chain, slaves: &[ContactElement], draft: &Draft) -> Opt
     for element in slaves.iter().step_by(slaves.len().div_ceil(looked_at).max(1)) {
         for node in element.nodes {
             let nodes = &draft.model.nodes;
-            let (distance, length) = chain.distance(nodes, nodes.plane(node));
+            let (distance, length) = chain.distance(nodes, nodes.position(node));
             signed += distance;
             size += distance.abs();
             lengths += length;

@@ -18,11 +18,13 @@ use unknown::unknown_set;
 
 use crate::draft::{Draft, Element};
 use crate::log::Target;
+use crate::parts::renumber;
 use crate::rule::Subject;
 
 /// Completes the model. `steps_doubted`: a step has been asked for already,
 /// or there are no cards at all.
 pub(crate) fn finish(draft: &mut Draft, steps_doubted: bool) -> Model {
+    draft.end_parts();
     nodes::sets(draft);
     nodes::elements(draft);
     sections::sections(draft);
@@ -31,13 +33,14 @@ pub(crate) fn finish(draft: &mut Draft, steps_doubted: bool) -> Model {
     surface_pairs::pairs(draft);
     links::links(draft);
     steps::steps(draft, steps_doubted);
+    renumber(&mut draft.model);
     std::mem::take(&mut draft.model)
 }
 
 impl Draft {
     /// Reports an error unless the subject it rests on is known to be
     /// incomplete, and once for each place.
-    fn consequence(&mut self, subject: Subject, error: Diagnostic) {
+    pub(crate) fn consequence(&mut self, subject: Subject, error: Diagnostic) {
         let at = error.span.unwrap_or_default();
         let key = format!("{} {} {}", error.code, at.file.0, at.start);
         if self.is_complete(subject) && self.log.first_time(&key) {
@@ -100,7 +103,7 @@ impl Draft {
 
     /// Complains about an element whose two nodes coincide; true if so.
     fn has_no_length(&mut self, element: &Element, [a, b]: [NodeIndex; 2]) -> bool {
-        let zero = self.model.nodes.plane(a) == self.model.nodes.plane(b);
+        let zero = self.model.nodes.position(a) == self.model.nodes.position(b);
         if zero {
             let message = format!(
                 "element {} has no length: nodes {} and {} coincide",

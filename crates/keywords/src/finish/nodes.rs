@@ -1,5 +1,7 @@
 //! Sets and elements refer to things that exist.
 
+use std::collections::HashSet;
+
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::NodeSet;
 
@@ -10,6 +12,7 @@ use crate::sets::{Item, Sets};
 
 /// Node sets become part of the model; members and named sets must exist.
 pub(super) fn sets(draft: &mut Draft) {
+    of_elements(draft);
     let sets = std::mem::take(&mut draft.node_sets);
     check_inner(&sets, "node", Subject::Nodes, draft);
     for set in sets.iter() {
@@ -45,6 +48,21 @@ pub(super) fn sets(draft: &mut Draft) {
     }
     draft.element_sets = sets;
     out_of_plane(draft);
+}
+
+/// `*NSET, ELSET=`: the nodes of elements join node sets, each once.
+fn of_elements(draft: &mut Draft) {
+    for (name, elements) in std::mem::take(&mut draft.node_sets_of_elements) {
+        let mut seen = HashSet::new();
+        for index in draft.elements_of(&elements.name, elements.span).unwrap_or_default() {
+            let element = draft.elements[index];
+            for &node in element.nodes() {
+                if draft.model.nodes.find(node).is_some() && seen.insert(node) {
+                    draft.node_sets.join(&name, Item::One(node), elements.span);
+                }
+            }
+        }
+    }
 }
 
 fn check_inner(sets: &Sets, kind: &str, subject: Subject, draft: &mut Draft) {

@@ -3,7 +3,9 @@
 use std::collections::HashSet;
 
 use slideline_diag::{Code, Diagnostic, Span};
-use slideline_model::{ContactElement, Lumping, NodeIndex, RigidSurface, SurfaceSegment};
+use slideline_model::{
+    ContactElement, Lumping, NodeIndex, ProfilePoint, RigidSurface, SurfaceSegment,
+};
 
 use super::chain::Facet;
 use crate::draft::{Draft, Element};
@@ -152,7 +154,7 @@ fn empty(surface: &NamedSurface, what: &str, draft: &mut Draft) {
 /// An analytical surface with the reference node of its body.
 fn rigid(
     surface: &NamedSurface,
-    start: [f64; 2],
+    start: ProfilePoint,
     segments: &[SurfaceSegment],
     user: Span,
     draft: &mut Draft,
@@ -211,7 +213,7 @@ pub(super) fn stretches(
     let mut stretches = Vec::new();
     for (pair, label) in nodes.windows(2).zip(1..) {
         let ends = [pair[0], pair[1]];
-        if draft.model.nodes.plane(ends[0]) == draft.model.nodes.plane(ends[1]) {
+        if draft.model.nodes.position(ends[0]) == draft.model.nodes.position(ends[1]) {
             let [a, b] = ends.map(|node| draft.model.nodes.label(node));
             let message = format!("nodes {a} and {b} of the surface coincide: they have no area");
             let error = Diagnostic::error(Code("SL0306"), message).at(origin);

@@ -1,14 +1,12 @@
 //! The keywords by what is said of them.
 
-use Treatment::{Ignored, Parameters, Parts, Unsupported};
+use Treatment::{Ignored, Parameters, Unsupported};
 
 /// What becomes of a keyword of another program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Treatment {
     /// It has no effect in a static step of beams: passed over with a note.
     Ignored,
-    /// Another way of organising a deck; the rest of it cannot be judged.
-    Parts,
     /// Values behind names, which the data lines then use.
     Parameters,
     /// It changes the model, which stops the run.
@@ -19,14 +17,6 @@ pub(crate) enum Treatment {
 type Group = (Treatment, &'static str, &'static [&'static str]);
 
 pub(super) const GROUPS: &[Group] = &[
-    (
-        Parts,
-        "write one flat model. Abaqus/CAE does so with \"Do not use parts and assemblies in input \
-         files\" (Model > Edit Attributes). By hand: give every instance its own node and element \
-         numbers and its place in the assembly, then take *PART, *INSTANCE, *ASSEMBLY and their \
-         *END cards out",
-        &["PART", "END PART", "INSTANCE", "END INSTANCE", "ASSEMBLY", "END ASSEMBLY"],
-    ),
     (
         Parameters,
         "write the numbers themselves in place of the names in <...>",
@@ -197,7 +187,7 @@ pub(super) const GROUPS: &[Group] = &[
     ),
     (
         Unsupported,
-        "materials are *ELASTIC",
+        "materials are *ELASTIC, *PLASTIC and *HYPERELASTIC",
         &[
             "ACOUSTIC MEDIUM",
             "ANISOTROPIC HYPERELASTIC",
@@ -226,7 +216,6 @@ pub(super) const GROUPS: &[Group] = &[
             "FAIL STRESS",
             "FLUID CONSTANTS",
             "FOAM HARDENING",
-            "HYPERELASTIC",
             "HYPERFOAM",
             "HYPOELASTIC",
             "HYSTERESIS",
@@ -238,7 +227,6 @@ pub(super) const GROUPS: &[Group] = &[
             "NO TENSION",
             "PERMEABILITY",
             "PLANAR TEST DATA",
-            "PLASTIC",
             "POROUS ELASTIC",
             "POTENTIAL",
             "RATE DEPENDENT",

@@ -11,7 +11,7 @@
 //! ```
 //!
 //! The seven are siblings that never import one another; [`pair`] composes them and is the only file
-//! that imports more than one. Signs: gap g open > 0, overclosure h = -g, pressure p >= 0, virtual
+//! that imports more than one; [`tangential`] holds the vectors that they hand to each other. Signs: gap g open > 0, overclosure h = -g, pressure p >= 0, virtual
 //! work A (p dh + tau d sigma) with tau of the sign of the slip, so that friction dissipates.
 
 pub mod enforcement;
@@ -22,3 +22,4 @@ pub mod onset;
 pub mod pair;
 pub mod points;
 pub mod search;
+pub mod tangential;

@@ -8,13 +8,14 @@
 //!
 //! Everything is a pure function of the gap, the committed state and the multipliers of the trial.
 
-use super::enforcement::Complementarity;
+use super::enforcement::{Complementarity, TangentialComplementarity};
 use super::friction::{
     FrictionBatch, FrictionLaw, FrictionPoint, Projection, Registered, Status, Traction,
     UserFrictionError,
 };
 use super::normal::NormalLaw;
 use super::onset::Onset;
+use super::tangential::{Tangential, TangentialMap};
 
 mod nose;
 mod surface;
@@ -55,11 +56,11 @@ pub struct UserState<'a> {
 pub struct History {
     /// Whether the point carried pressure.
     pub closed: bool,
-    /// Coordinate sigma on the master [L], kept for open points too; `None` while nothing faces the
+    /// Coordinates sigma on the master [L], kept for open points too; `None` while nothing faces the
     /// point, whose slip then counts from its next facing.
-    pub along: Option<f64>,
+    pub along: Option<Tangential>,
     /// Elastic slip [L].
-    pub elastic_slip: f64,
+    pub elastic_slip: Tangential,
 }
 
 /// A point in its trial state.
@@ -68,11 +69,11 @@ pub struct PointTrial {
     /// Overclosure h [L]; minus infinity where the point faces nothing.
     pub overclosure: f64,
     /// Change of sigma since the commit [L].
-    pub slip: f64,
+    pub slip: Tangential,
     /// Estimate of the pressure [F/L2]: a hard law takes it as it is.
     pub pressure: f64,
     /// Estimate of the traction [F/L2]: exact stick takes it as it is.
-    pub traction: f64,
+    pub traction: Tangential,
     /// Stiffness that tells sliding from rounding where stick is exact [F/L3].
     pub stiffness: f64,
     /// Increment [T].
@@ -145,7 +146,7 @@ impl Laws {
         let sticks = projected.status == Status::Stick;
         Traction {
             tau: if sticks { trial.traction } else { projected.tau },
-            dissipated_slip: if sticks { 0.0 } else { slip.abs() },
+            dissipated_slip: if sticks { 0.0 } else { slip.size() },
             status: projected.status,
             ..Traction::ZERO
         }
@@ -156,12 +157,12 @@ impl Laws {
     pub fn stick_stiffness(
         &self,
         pressure: f64,
-        (traction, slip): (f64, f64),
+        (traction, slip): (Tangential, Tangential),
         dt: f64,
     ) -> Option<f64> {
         let limit = self.friction.limit_traction(pressure, slip, dt);
         match &self.friction {
-            FrictionLaw::Coulomb { stick, .. } if traction.abs() < limit => {
+            FrictionLaw::Coulomb { stick, .. } if traction.size() < limit => {
                 Some(stick.stiffness(limit))
             }
             FrictionLaw::Rough { stick } if pressure > 0.0 => Some(stick.stiffness(pressure)),
@@ -193,9 +194,12 @@ impl Laws {
             state: state_variables.state,
             tractions: &mut tractions,
         });
-        let sum = tractions[0].tau + tractions[0].d_tau_d_slip + tractions[0].d_tau_d_pressure;
+        let given = tractions[0];
+        let is_finite = given.tau.is_finite()
+            && given.d_tau_d_slip.is_finite()
+            && given.d_tau_d_pressure.is_finite();
         match answer {
-            Ok(()) if sum.is_finite() => tractions[0],
+            Ok(()) if is_finite => given,
             Ok(()) => {
                 let message = "the answer is not a finite number".to_string();
                 *state_variables.fault = Some(UserFrictionError { message });
@@ -208,7 +212,7 @@ impl Laws {
         }
     }
 
-    /// What the normal law complementarities of a pressure at an overclosure, felt through the structure's
+    /// What the normal law asks of a pressure at an overclosure, felt through the structure's
     /// stiffness `kappa` [F/L3]; infinite: nothing yields, the law is inserted.
     pub fn complementarity_of_pressure(
         &self,
@@ -224,22 +228,22 @@ impl Laws {
         Complementarity::multiplier(value, slope, kappa)
     }
 
-    /// What the friction law complementarities of a traction: `slip` and `pressure` as the contact step has
+    /// What the friction law asks of a traction: `slip` and `pressure` as the contact step has
     /// them, `kappa` as for the pressure.
     pub fn complementarity_of_traction(
         &self,
-        [traction, slip, pressure]: [f64; 3],
-        elastic_slip: f64,
+        (traction, slip, pressure): (Tangential, Tangential, f64),
+        elastic_slip: Tangential,
         (kappa, dt): (f64, f64),
         state_variables: &mut UserState<'_>,
-    ) -> Complementarity {
+    ) -> TangentialComplementarity {
         let closed = pressure.max(0.0);
         let of_pressure = if pressure > 0.0 { 1.0 } else { 0.0 };
-        let projected = |projected: Projection| Complementarity {
+        let projected = |projected: Projection| TangentialComplementarity {
             value: projected.tau,
             by_multiplier: projected.by_z,
             by_value: kappa * projected.by_z + projected.by_slip,
-            by_pressure: projected.by_pressure * of_pressure,
+            by_pressure: of_pressure * projected.by_pressure,
         };
         if self.friction.needs_multiplier() {
             let z = traction + kappa * slip;
@@ -258,19 +262,25 @@ impl Laws {
         } else {
             self.friction.update(closed, slip, elastic_slip, dt)
         };
-        Complementarity::inserted(updated.tau, updated.d_tau_d_slip)
-            .with_pressure(updated.d_tau_d_pressure * of_pressure)
+        TangentialComplementarity {
+            value: updated.tau,
+            by_multiplier: TangentialMap::ZERO,
+            by_value: updated.d_tau_d_slip,
+            by_pressure: of_pressure * updated.d_tau_d_pressure,
+        }
     }
 }
 
-/// Change of the coordinate sigma since a commit [L], the short way round on a surface that closes
-/// after `period`; zero where the point faced nothing then.
-pub fn slip(history: &History, along: f64, period: Option<f64>) -> f64 {
-    let Some(from) = history.along else { return 0.0 };
-    let slip = along - from;
+/// Change of the coordinates sigma since a commit [L], the short way round on a surface that closes
+/// after `period` of its first one; zero where the point faced nothing then.
+pub fn slip(history: &History, along: Tangential, period: Option<f64>) -> Tangential {
+    let Some(from) = history.along else { return Tangential::ZERO };
+    let Tangential([first, second]) = along - from;
     match period {
-        Some(period) if period > 0.0 => slip - period * (slip / period).round(),
-        _ => slip,
+        Some(period) if period > 0.0 => {
+            Tangential([first - period * (first / period).round(), second])
+        }
+        _ => Tangential([first, second]),
     }
 }
 

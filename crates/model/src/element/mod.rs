@@ -154,6 +154,11 @@ impl Elements {
         self.nodes.extend(filled.take(self.width));
     }
 
+    /// The label of each, to be changed.
+    pub fn labels_mut(&mut self) -> impl Iterator<Item = &mut u64> {
+        self.named.iter_mut().map(|(label, _)| label)
+    }
+
     /// How many.
     pub fn len(&self) -> usize {
         self.named.len()

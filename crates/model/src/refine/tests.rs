@@ -89,7 +89,7 @@ fn beams_sets_and_contact_elements_share_the_new_nodes() {
     let of = |k: usize| contact[k].nodes.map(|n| fine.nodes.label(n));
     assert_eq!([of(0), of(1), of(2), of(3)], ends[..]);
     assert_eq!(fine.node_sets[0].members, [0, 1, 4]); // 100 joins, 101 does not
-    assert_eq!(fine.nodes.plane(4), [0.5, 0.0]);
+    assert_eq!(fine.nodes.position(4), [0.5, 0.0, 0.0]);
     // again: four times as many
     assert_eq!(refine(&fine).unwrap().contact_pairs[0].elements.len(), 8);
 }
@@ -104,7 +104,10 @@ fn three_node_beams_keep_their_parabola() {
     let halves = &fine.blocks[0].elements;
     assert_eq!([halves.get(0).nodes, halves.get(1).nodes], [[0, 3, 1], [1, 4, 2]]);
     // y = 1 - (x - 1)2 at the quarters
-    assert_eq!([fine.nodes.plane(3), fine.nodes.plane(4)], [[0.5, 0.75], [1.5, 0.75]]);
+    assert_eq!(
+        [fine.nodes.position(3), fine.nodes.position(4)],
+        [[0.5, 0.75, 0.0], [1.5, 0.75, 0.0]]
+    );
 }
 
 /// Slave nodes on the rim of a body: unequal steps, one circle.
@@ -120,14 +123,14 @@ fn rims_are_halved_on_their_circle() {
         })
         .collect();
     for &dependent in &slaves {
-        model.rigid_links.push(RigidLink { dependent, master: reference, origin: Span::default() });
+        model.rigid_links.push(RigidLink::welded(dependent, reference, Span::default()));
     }
     model.contact_pairs.push(pair(&slaves, slide_line(vec![0, 1, 2])));
     let fine = refine(&model).unwrap();
     let contact = &fine.contact_pairs[0];
     assert_eq!(contact.elements.len(), 6);
     for node in contact.slave_nodes() {
-        let [x, y] = fine.nodes.plane(node);
+        let [x, y, _] = fine.nodes.position(node);
         assert!(((x - 1.0).hypot(y - 3.0) - 2.0).abs() < 1e-12);
         assert!(fine.rigid_links.iter().any(|l| l.dependent == node && l.master == reference));
     }
@@ -144,7 +147,7 @@ fn what_cannot_be_halved_says_so() {
     let slaves: Vec<_> =
         (200..).zip(corner).map(|(label, (x, y))| node(&mut model, label, x, y)).collect();
     for &dependent in &slaves {
-        model.rigid_links.push(RigidLink { dependent, master: reference, origin: Span::default() });
+        model.rigid_links.push(RigidLink::welded(dependent, reference, Span::default()));
     }
     model.contact_pairs.push(pair(&slaves, slide_line(vec![0, 1, 2])));
     let said = refine(&model).unwrap_err();
@@ -157,9 +160,9 @@ fn what_cannot_be_halved_says_so() {
 
 #[test]
 fn a_straight_rim_is_halved_on_its_line() {
-    assert_eq!(sagitta([0.0, 0.0], [1.0, 0.0], [2.0, 0.0]), 0.0);
+    assert_eq!(sagitta([0.0; 3], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]), 0.0);
     // quarter circle about (0, 0) of radius 1: sagitta 1 - cos 45 degrees, outwards
-    let s = sagitta([1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]);
+    let s = sagitta([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]);
     assert!((s + (1.0 - 0.5f64.sqrt())).abs() < 1e-15, "{s}");
 }
 
@@ -177,7 +180,7 @@ fn quadrilaterals_share_the_nodes_of_their_sides() {
     let labels: Vec<u64> = parts.iter().map(|part| part.label).collect();
     assert_eq!(labels, [7, 9, 10, 11, 8, 12, 13, 14]);
     let area = |nodes: &[NodeIndex]| {
-        let at = |k: usize| fine.nodes.plane(nodes[k % 4]);
+        let at = |k: usize| fine.nodes.position(nodes[k % 4]);
         (0..4).map(|k| 0.5 * (at(k)[0] * at(k + 1)[1] - at(k)[1] * at(k + 1)[0])).sum::<f64>()
     };
     assert!(parts.iter().all(|part| (area(part.nodes) - 0.25).abs() < 1e-15));

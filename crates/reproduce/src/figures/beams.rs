@@ -5,9 +5,14 @@ use slideline::Model;
 use slideline::model::{Master, NodeIndex};
 use slideline_figures::{BLACK, GREY, Pen, Rectangle, Scene, View, WHITE};
 
+/// A place in the plane of the drawing.
+pub(super) fn flat([x, y, _]: [f64; 3]) -> [f64; 2] {
+    [x, y]
+}
+
 /// Undeformed places of all nodes [L].
 pub(super) fn at_rest(model: &Model) -> Vec<[f64; 2]> {
-    (0..model.nodes.len()).map(|node| model.nodes.plane(node)).collect()
+    (0..model.nodes.len()).map(|node| flat(model.nodes.position(node))).collect()
 }
 
 /// Nodes of the flexible beam, in order: those of beams that are not tied to

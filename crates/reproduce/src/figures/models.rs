@@ -1,6 +1,6 @@
 //! Figures 2 and 7: the finite element models, with blow-ups of the contact.
 
-use super::beams::{at_rest, beam, beam_nodes, body, clamp, driver, edge};
+use super::beams::{at_rest, beam, beam_nodes, body, clamp, driver, edge, flat};
 use super::figure::{Figure, scene};
 use crate::cases::{ModelKind, Stick};
 use crate::curve::Curve;
@@ -105,12 +105,12 @@ fn turned(scene: &mut Scene, view: &View, curve: &Curve) {
 
 fn pivot(scene: &mut Scene, view: &View, curve: &Curve) {
     let Some(node) = driver(&curve.model) else { return };
-    let p = curve.model.nodes.plane(node);
+    let p = flat(curve.model.nodes.position(node));
     let slaves: Vec<usize> =
         curve.model.contact_pairs.iter().flat_map(|pair| pair.slave_nodes()).collect();
     let thin = Pen::solid(0.5).colour(GREY).dash(Dash::Long);
     for end in [slaves.first(), slaves.last()].into_iter().flatten() {
-        view.line(scene, &[p, curve.model.nodes.plane(*end)], thin);
+        view.line(scene, &[p, flat(curve.model.nodes.position(*end))], thin);
     }
     view.dot(scene, p, 2.6, Some(BLACK), None);
     // clockwise, over the pivot
@@ -126,7 +126,7 @@ fn blow_up(scene: &mut Scene, curve: &Curve) {
     let closed = middle.contact.iter().max_by(|a, b| a.pressure.total_cmp(&b.pressure));
     let Some(closed) = closed else { return };
     let window = Rectangle { left: 284.0, top: 36.0, width: 164.0, height: 112.0 };
-    let view = View { window, middle: closed.position, scale: 36e3 };
+    let view = View { window, middle: flat(closed.position), scale: 36e3 };
     beam(scene, &view, &curve.model, &middle.places, 2.4);
     body(scene, &view, curve, &middle.places, 2.4);
     edge(scene, window);

@@ -1,6 +1,6 @@
 //! Figure 5: where the normal contact forces point in IRS and ISL models.
 
-use super::beams::{beam, body, driver, edge};
+use super::beams::{beam, body, driver, edge, flat};
 use super::figure::{Figure, scene};
 use crate::cases::{INCREMENTS, ModelKind, Stick};
 use crate::curve::Curve;
@@ -37,7 +37,7 @@ fn forces(curve: &Curve, increment: usize) -> Vec<([f64; 2], [f64; 2])> {
     closed
         .map(|point| {
             let size = on_beam * point.pressure * point.area;
-            (point.position, point.normal.map(|n| size * n))
+            (flat(point.position), flat(point.normal).map(|n| size * n))
         })
         .collect()
 }

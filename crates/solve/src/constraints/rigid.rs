@@ -6,95 +6,182 @@
 
 use crate::dofs::DofMap;
 use slideline_mech::rigid::PointMap;
+use slideline_mech::rotation;
 use slideline_model::{Dof, Model, NodeIndex};
 
-/// A node that follows another as part of a rigid body, in the plane.
+/// A node that follows another as part of a rigid body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct RigidLink {
-    /// Displacements and rotation of the dependent node.
-    dependent: [Option<usize>; 3],
-    /// Those of the node with the dofs.
-    master: [usize; 3],
-    /// Undeformed vector from the master to the dependent node [L].
-    arm: PointMap,
+    /// Displacements and rotations of the dependent node, those that follow.
+    dependent: [Option<usize>; 6],
+    /// How the body moves.
+    body: Body,
 }
 
-const PLANE: [Dof; 3] = [Dof::U1, Dof::U2, Dof::UR3];
+/// A body with the arm from the node that carries it to the dependent node, undeformed [L].
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Body {
+    /// In the plane: two displacements and a rotation.
+    Plane { pose: [usize; 3], arm: PointMap },
+    /// In space: three displacements and a rotation vector.
+    Space { shift: [usize; 3], turn: [usize; 3], arm: [f64; 3] },
+}
+
+/// The most dofs that one follows.
+const MOST: usize = 4;
 
 /// The links of a model, chains of them ended at the first node that is not
 /// dependent itself, and the carrier of every node.
 pub(super) fn resolve(model: &Model, dofs: &DofMap) -> (Vec<RigidLink>, Vec<NodeIndex>) {
     let mut follows: Vec<NodeIndex> = (0..model.nodes.len()).collect();
+    let mut turns = vec![None; model.nodes.len()];
     for link in &model.rigid_links {
         follows[link.dependent] = link.master;
+        turns[link.master] = link.turn;
     }
     let last = |mut node: NodeIndex| {
         for _ in 0..model.rigid_links.len() {
+            if follows[node] == node {
+                break;
+            }
             node = follows[node];
         }
         node
     };
+    let in_space = model.is_in_space();
     let mut carrier: Vec<NodeIndex> = (0..model.nodes.len()).collect();
     let mut links = Vec::with_capacity(model.rigid_links.len());
     for link in &model.rigid_links {
         let master = last(link.master);
-        carrier[link.dependent] = master;
-        let (from, to) = (model.nodes.plane(master), model.nodes.plane(link.dependent));
-        let [Some(x), Some(y), Some(turn)] = PLANE.map(|dof| dofs.find(master, dof)) else {
+        if link.follows == slideline_model::RigidLink::WELDED {
+            carrier[link.dependent] = master;
+        }
+        let body = match in_space {
+            true => Body::in_space(model, dofs, (master, turns[master], link.dependent)),
+            false => Body::in_plane(model, dofs, (master, turns[master], link.dependent)),
+        };
+        let Some(body) = body else {
             continue; // a master that the numbering does not know: none is made
         };
-        links.push(RigidLink {
-            dependent: PLANE.map(|dof| dofs.find(link.dependent, dof)),
-            master: [x, y, turn],
-            arm: PointMap::Arm { arm: [to[0] - from[0], to[1] - from[1]] },
-        });
+        let own = |dof: Dof| dofs.find(link.dependent, dof).filter(|_| link.follows[dof as usize]);
+        links.push(RigidLink { dependent: Dof::ALL.map(own), body });
     }
     (links, carrier)
+}
+
+/// The dof that is a rotation of a body: its own, or a displacement of its rotation node.
+fn turning(dofs: &DofMap, master: NodeIndex, turn: Option<NodeIndex>, dof: Dof) -> Option<usize> {
+    match turn {
+        Some(node) => dofs.find(node, Dof::ALL[dof as usize - 3]),
+        None => dofs.find(master, dof),
+    }
+}
+
+impl Body {
+    fn in_plane(
+        model: &Model,
+        dofs: &DofMap,
+        (master, turn, dependent): (NodeIndex, Option<NodeIndex>, NodeIndex),
+    ) -> Option<Self> {
+        let (from, to) = (model.nodes.position(master), model.nodes.position(dependent));
+        let [x, y] = [Dof::U1, Dof::U2].map(|dof| dofs.find(master, dof));
+        let pose = [x?, y?, turning(dofs, master, turn, Dof::UR3)?];
+        let arm = PointMap::Arm { arm: [to[0] - from[0], to[1] - from[1]] };
+        Some(Self::Plane { pose, arm })
+    }
+
+    fn in_space(
+        model: &Model,
+        dofs: &DofMap,
+        (master, turn, dependent): (NodeIndex, Option<NodeIndex>, NodeIndex),
+    ) -> Option<Self> {
+        let (from, to) = (model.nodes.get(master).position, model.nodes.get(dependent).position);
+        let [x, y, z] = [Dof::U1, Dof::U2, Dof::U3].map(|dof| dofs.find(master, dof));
+        let [a, b, c] = [Dof::UR1, Dof::UR2, Dof::UR3].map(|dof| turning(dofs, master, turn, dof));
+        let arm = std::array::from_fn(|k| to[k] - from[k]);
+        Some(Self::Space { shift: [x?, y?, z?], turn: [a?, b?, c?], arm })
+    }
 }
 
 impl RigidLink {
     /// Dependent dofs with their components.
     pub fn dependent_dofs(&self) -> impl Iterator<Item = (usize, usize)> + use<> {
         let own = self.dependent;
-        (0..3).filter_map(move |component| Some((component, own[component]?)))
+        (0..6).filter_map(move |component| Some((component, own[component]?)))
     }
 
     /// Dofs that a component follows.
-    pub fn followed(&self, component: usize) -> [Option<usize>; 2] {
-        let turn = self.master[2];
-        match component {
-            2 => [Some(turn), None],
-            _ => [Some(self.master[component]), Some(turn)],
+    pub fn followed(&self, component: usize) -> [Option<usize>; MOST] {
+        match self.body {
+            Body::Plane { pose: [.., turn], .. } if component >= 3 => {
+                [Some(turn), None, None, None]
+            }
+            Body::Plane { pose, .. } => [Some(pose[component.min(1)]), Some(pose[2]), None, None],
+            Body::Space { turn, .. } if component >= 3 => {
+                [Some(turn[component - 3]), None, None, None]
+            }
+            Body::Space { shift, turn: [a, b, c], .. } => {
+                [Some(shift[component]), Some(a), Some(b), Some(c)]
+            }
         }
     }
 
     /// Their coefficients at displacements `u`, in the same order.
-    pub fn coefficients(&self, component: usize, u: &[f64]) -> [f64; 2] {
-        let [x, y] = self.arm.current_arm(&[0.0, 0.0, u[self.master[2]]]);
-        match component {
-            0 => [1.0, -y],
-            1 => [1.0, x],
-            _ => [1.0, 0.0],
+    pub fn coefficients(&self, component: usize, u: &[f64]) -> [f64; MOST] {
+        match self.body {
+            _ if component >= 3 => [1.0, 0.0, 0.0, 0.0],
+            Body::Plane { pose, arm } => {
+                let [x, y] = arm.current_arm(&[0.0, 0.0, u[pose[2]]]);
+                [1.0, if component == 0 { -y } else { x }, 0.0, 0.0]
+            }
+            Body::Space { turn, arm, .. } => {
+                let [a, b, c] = rotation::slopes(turn.map(|dof| u[dof]), arm)[component];
+                [1.0, a, b, c]
+            }
         }
     }
 
     /// Moves the dependent node to where its master takes it.
     pub fn enforce(&self, u: &mut [f64]) {
-        let pose = self.master.map(|dof| u[dof]);
-        let [x, y] = self.arm.displacement(&pose);
-        for (own, value) in self.dependent.into_iter().zip([x, y, pose[2]]) {
+        let values = match self.body {
+            Body::Plane { pose, arm } => {
+                let pose = pose.map(|dof| u[dof]);
+                let [x, y] = arm.displacement(&pose);
+                [x, y, 0.0, 0.0, 0.0, pose[2]]
+            }
+            Body::Space { shift, turn, arm } => {
+                let phi = turn.map(|dof| u[dof]);
+                let [x, y, z] = rotation::displacement(&phi, arm);
+                let [a, b, c] = shift.map(|dof| u[dof]);
+                [a + x, b + y, c + z, phi[0], phi[1], phi[2]]
+            }
+        };
+        for (own, value) in self.dependent.into_iter().zip(values) {
             if let Some(own) = own {
                 u[own] = value;
             }
         }
     }
 
-    /// The rotation of the master and -(r . f), with f the force on the
-    /// dependent node [F L]; docs/theory.md eq. (4.4).
-    pub fn turning(&self, u: &[f64], f: &[f64]) -> Option<(usize, f64)> {
-        let [fx, fy] = [self.dependent[0], self.dependent[1]].map(|dof| dof.map_or(0.0, |d| f[d]));
-        let turn = self.master[2];
-        let [x, y] = self.arm.current_arm(&[0.0, 0.0, u[turn]]);
-        (fx != 0.0 || fy != 0.0).then_some((turn, -(x * fx + y * fy)))
+    /// Pairs of rotations of the body with f . d2x/dphi2, f the force on the
+    /// dependent node [F L]; docs/theory.md eqs (4.4), (4.6).
+    pub fn turning(&self, u: &[f64], f: &[f64], mut call: impl FnMut(usize, usize, f64)) {
+        let [own @ .., _, _, _] = self.dependent;
+        let force = own.map(|dof| dof.map_or(0.0, |dof| f[dof]));
+        if force == [0.0; 3] {
+            return;
+        }
+        match self.body {
+            Body::Plane { pose: [.., turn], arm } => {
+                let [x, y] = arm.current_arm(&[0.0, 0.0, u[turn]]);
+                call(turn, turn, -(x * force[0] + y * force[1]));
+            }
+            Body::Space { turn, arm, .. } => {
+                let curvature = rotation::curvature(turn.map(|dof| u[dof]), arm, force);
+                for (i, row) in curvature.iter().enumerate() {
+                    row.iter().zip(turn).for_each(|(&value, dof)| call(turn[i], dof, value));
+                }
+            }
+        }
     }
 }

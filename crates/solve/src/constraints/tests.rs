@@ -17,7 +17,7 @@ fn model() -> Model {
         let position = [label as f64, 0.3 * (label as f64).powi(2), 0.0];
         model.nodes.insert(Node { label: label + 1, position, origin: AT });
     }
-    let link = |dependent, master| slideline_model::RigidLink { dependent, master, origin: AT };
+    let link = |dependent, master| slideline_model::RigidLink::welded(dependent, master, AT);
     model.rigid_links = vec![link(2, 1), link(1, 0)];
     let follow = |node, terms: &[(NodeIndex, Dof, f64)], constant| {
         let (dependent, terms) = ((node, Dof::U2), terms.to_vec());
@@ -169,13 +169,100 @@ fn turning_by_differences() {
     };
     let turn = dofs.find(0, Dof::UR3).unwrap();
     let mut stiffness = 0.0;
-    constraints.turning(&u, &mut force.clone(), |_, k| stiffness += k);
+    constraints.turning(&u, &mut force.clone(), |_, _, k| stiffness += k);
     for &dof in &constraints.dof_of_equation {
         let (up, down) = (carried(1e-6, dof), carried(-1e-6, dof));
         for &row in &constraints.dof_of_equation {
             let difference = (up[row] - down[row]) / 2e-6;
             let expected = if (row, dof) == (turn, turn) { stiffness } else { 0.0 };
             assert!((difference - expected).abs() < 1e-8, "{row} {dof}: {difference}");
+        }
+    }
+}
+
+/// A point that moves in space and gives no force: dofs without physics.
+static POINT_IN_SPACE: slideline_model::ElementType = slideline_model::ElementType {
+    names: ["POINT"; 2],
+    cell: &slideline_mech::element::cell::POINT,
+    dofs: &Dof::ALL,
+    kinematics: slideline_model::Kinematics::Other,
+    points: 0,
+    states: |_| 0,
+    fields: &[],
+    at_nodes: slideline_model::mean_at_nodes,
+    kernel: |_| None,
+};
+
+/// A body in space whose rotation is the displacement of node 3; node 1 is welded to it, node 2
+/// pinned to it, and U3 of node 4 follows node 1 and U1 of node 4.
+fn in_space() -> Model {
+    let mut model = Model::default();
+    for label in 0..5 {
+        let x = f64::from(label);
+        let position = [x, 0.3 * x * x, 1.0 - 0.2 * x];
+        model.nodes.insert(Node { label: label as u64 + 1, position, origin: AT });
+    }
+    let section = slideline_model::Section::Properties(vec![]);
+    let block = slideline_model::ElementBlock::new(&POINT_IN_SPACE, "P", section, AT);
+    model.blocks = vec![block.with((0..5).map(|node| (node as u64 + 1, [node])))];
+    let link = |dependent, follows| slideline_model::RigidLink {
+        dependent,
+        master: 0,
+        follows,
+        turn: Some(3),
+        origin: AT,
+    };
+    use slideline_model::RigidLink as Link;
+    model.rigid_links = vec![link(1, Link::WELDED), link(2, Link::PINNED)];
+    model.linear_constraints = vec![slideline_model::LinearConstraint {
+        dependent: (4, Dof::U3),
+        terms: vec![(1, Dof::U3, 0.5), (4, Dof::U1, -0.3)],
+        constant: 0.1,
+        origin: AT,
+    }];
+    model.steps.push(Step { prescribed: vec![], ..step() });
+    model
+}
+
+/// Requirement: in space too T is the derivative of the motion and its transpose carries forces,
+/// with a rotation node, pinned nodes and equations; the turning is the derivative of T' f.
+/// Central differences of step 1e-6; tolerance 1e-8.
+#[test]
+fn bodies_in_space_by_differences() {
+    let model = in_space();
+    let dofs = DofMap::new(&model);
+    let constraints = Constraints::new(&model, &model.steps[0], &dofs);
+    // the body 3, the rotation node 6 (its own rotations stay free), pinned 3, others 6 - 1
+    assert_eq!(constraints.equations(), 6 + 6 + 3 + 5);
+    let mut u: Vec<f64> = (0..dofs.len()).map(|k| 0.3 * (1.0 + k as f64).sin()).collect();
+    constraints.enforce(&mut u);
+    let force: Vec<f64> = (0..u.len()).map(|k| (0.7 * k as f64).cos()).collect();
+    let at = |by: f64, dof: usize| {
+        let (mut moved, mut carried, mut rows) = (u.clone(), force.clone(), Rows::default());
+        moved[dof] += by;
+        constraints.enforce(&mut moved);
+        constraints.linearise(&moved, &mut rows);
+        constraints.carry(&rows, &mut carried);
+        (moved, carried)
+    };
+    let mut rows = Rows::default();
+    constraints.linearise(&u, &mut rows);
+    let mut stiffness = vec![0.0; u.len() * u.len()];
+    let count = u.len();
+    constraints.turning(&u, &mut force.clone(), |i, j, k| stiffness[i * count + j] += k);
+    for &dof in &constraints.dof_of_equation {
+        let ((up, force_up), (down, force_down)) = (at(1e-6, dof), at(-1e-6, dof));
+        let mut change = vec![0.0; count];
+        change[dof] = 1.0;
+        constraints.expand(&rows, &mut change);
+        for k in 0..count {
+            assert!((change[k] - (up[k] - down[k]) / 2e-6).abs() < 1e-8, "{k} by {dof}");
+        }
+        let work: f64 = force.iter().zip(&change).map(|(f, du)| f * du).sum();
+        assert!((at(0.0, dof).1[dof] - work).abs() < 1e-13);
+        for &row in &constraints.dof_of_equation {
+            let difference = (force_up[row] - force_down[row]) / 2e-6;
+            assert!((difference - stiffness[row * count + dof]).abs() < 1e-8, "{row} {dof}");
         }
     }
 }

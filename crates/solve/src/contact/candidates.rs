@@ -14,7 +14,7 @@
 use super::master::MasterSurface;
 use super::positions::MasterPositions;
 use super::{Carrier, Contact};
-use crate::linearised::LinearPoint;
+use crate::linearised::LinearRows;
 use crate::plan::Plan;
 use std::ops::Range;
 
@@ -77,30 +77,34 @@ impl Contact {
             return None;
         };
         let Carrier::Node { position, dofs } = &point.carrier else { return None };
-        let at = super::moved(position, dofs, u);
+        let at = dofs.displace(*position, u);
         let own = &positions.nodes[*offset..offset + nodes.len()];
         let piece = chain.closest(own, positions.tree(point.pair), at)?;
-        let apart = |node: [f64; 2]| (at[0] - node[0]).hypot(at[1] - node[1]);
         let part = piece.nodes();
-        let distance = own[part.clone()].iter().map(|&node| apart(node)).fold(f64::MAX, f64::min);
+        let distance =
+            own[part.clone()].iter().map(|&node| apart(at, node)).fold(f64::MAX, f64::min);
         let far = distance > NEAR * self.spacing[point.pair].max(apart_nodes(&own[part.clone()]));
         (!far).then(|| part.start.saturating_sub(BESIDE)..(part.end + BESIDE).min(nodes.len()))
     }
 }
 
 /// Largest distance of neighbouring nodes [L].
-fn apart_nodes(nodes: &[[f64; 2]]) -> f64 {
-    let lengths = nodes.windows(2).map(|w| (w[1][0] - w[0][0]).hypot(w[1][1] - w[0][1]));
-    lengths.fold(0.0, f64::max)
+fn apart_nodes(nodes: &[[f64; 3]]) -> f64 {
+    nodes.windows(2).map(|w| apart(w[0], w[1])).fold(0.0, f64::max)
+}
+
+/// Distance of two places [L].
+fn apart(a: [f64; 3], b: [f64; 3]) -> f64 {
+    (b[0] - a[0]).hypot(b[1] - a[1]).hypot(b[2] - a[2])
 }
 
 impl Plan<'_> {
     /// Whether the pattern holds all couplings of a point.
-    pub fn holds(&self, point: &LinearPoint) -> bool {
+    pub fn holds(&self, point: LinearRows<'_>) -> bool {
         if self.is_lenient || !self.contact.is_selective(point.pair) {
             return true;
         }
-        let own = &point.equations[..point.width];
+        let own = point.rows.unknowns;
         let pairs =
             own.iter().enumerate().flat_map(|(k, &i)| own[..k].iter().map(move |&j| (i, j)));
         pairs.into_iter().all(|(i, j)| self.pattern.position(i, j).is_some())

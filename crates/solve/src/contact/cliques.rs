@@ -51,15 +51,15 @@ impl Contact {
             match &self.masters[point.pair] {
                 MasterSurface::Nothing => {}
                 MasterSurface::Body { dofs, .. } => {
-                    cliques.add(constraints, own.iter().chain(dofs));
+                    cliques.add(constraints, own.as_slice().iter().chain(dofs));
                 }
                 MasterSurface::Line { nodes, .. } => {
                     let all = 0..nodes.len();
                     let range = near.get(place).cloned().flatten().unwrap_or(all);
                     let window = range.len().min(3);
                     for window in nodes[range].windows(window.max(1)) {
-                        let facing = window.iter().flat_map(|(_, dofs)| dofs);
-                        cliques.add(constraints, own.iter().chain(facing));
+                        let facing = window.iter().flat_map(|(_, dofs)| dofs.as_slice());
+                        cliques.add(constraints, own.as_slice().iter().chain(facing));
                     }
                 }
             }

@@ -17,10 +17,9 @@
 use super::kinematics::ContactKinematics;
 use super::master::MasterSurface;
 use super::positions::MasterPositions;
-use super::{Carrier, Contact, moved};
+use super::{Carrier, Contact};
 use crate::constraints::Constraints;
 use crate::state::PointState;
-use slideline_mech::contact::pair::Body;
 use slideline_mech::contact::search::sweep::{apart, cross_chain, cross_parts};
 
 /// A master that was passed through.
@@ -71,10 +70,11 @@ pub struct SweepScratch {
 #[derive(Clone, Copy, Debug)]
 struct Event {
     fraction: f64,
+    /// Along the first direction of the master [L].
     along: f64,
-    normal: [f64; 2],
+    normal: [f64; 3],
     /// In the frame of the body, of a rigid master [L].
-    at: [f64; 2],
+    at: [f64; 3],
     inward: bool,
 }
 
@@ -154,7 +154,7 @@ impl Contact {
         let share = |fraction: f64| (part as f64 + fraction) / parts as f64;
         for (place, point) in self.points.iter().enumerate().filter(|(_, p)| p.pair == pair) {
             if let Carrier::IntegrationPoint { segment } = point.carrier
-                && apart(&self.segments[segment].hull(u), &room)
+                && apart(self.segments[segment].hull(u).as_flattened(), &room)
             {
                 continue;
             }
@@ -165,14 +165,12 @@ impl Contact {
             }
             match &self.masters[pair] {
                 MasterSurface::Nothing => {}
-                MasterSurface::Body { dofs, reference, surface } => {
-                    let local = [0, 1].map(|end| {
-                        let dofs = dofs.map(|dof| u[end][dof]);
-                        Body { reference: *reference, dofs }.to_body(way[end])
-                    });
+                MasterSurface::Body { surface, .. } => {
+                    let body = |end: usize| self.masters[pair].placed_body(&u[end]);
+                    let local = [0, 1].map(|end| body(end).to_body(way[end]));
                     surface.crossings((local[0], local[1]), |crossing, along| {
                         let t = crossing.fraction;
-                        let at = [0, 1].map(|c| local[0][c] + t * (local[1][c] - local[0][c]));
+                        let at = between(local[0], local[1], t);
                         let (normal, inward) = (crossing.normal, crossing.inward);
                         let event = Event { fraction: share(t), along, normal, at, inward };
                         events.push((place, event));
@@ -181,16 +179,7 @@ impl Contact {
                 MasterSurface::Line { chain, nodes, offset } => {
                     let range = *offset..offset + nodes.len();
                     let positions = (&chains[0].nodes[range.clone()], &chains[1].nodes[range]);
-                    near.clear();
-                    match chains[0].tree(pair) {
-                        Some(tree) => {
-                            let low = [0, 1].map(|axis| way[0][axis].min(way[1][axis]));
-                            let high = [0, 1].map(|axis| way[0][axis].max(way[1][axis]));
-                            tree.overlapping((low, high), |part| near.push(part));
-                            near.sort_unstable();
-                        }
-                        None => near.extend(0..chain.segments()),
-                    }
+                    chain.near_way(chains[0].tree(pair), (way[0], way[1]), near);
                     cross_parts(positions, near.iter().copied(), (way[0], way[1]), |crossing| {
                         let start = chain.arc_coordinate(crossing.segment);
                         let own = crossing.parameter * chain.reference_length(crossing.segment);
@@ -208,7 +197,7 @@ impl Contact {
     }
 
     /// Where a integration_point stands on its element while its cell is closed.
-    fn resting_place(&self, place: usize) -> f64 {
+    pub(super) fn resting_place(&self, place: usize) -> f64 {
         match self.points[place].carrier {
             Carrier::Node { .. } => 0.0,
             Carrier::IntegrationPoint { segment } => {
@@ -270,7 +259,7 @@ impl Contact {
                 (state.along?, state.normal, state.position, inward)
             }
             Carrier::IntegrationPoint { .. } => {
-                let kinematics = self.stand(place, u, chains);
+                let kinematics = self.stands(place, u, chains);
                 if !kinematics.faces {
                     return None;
                 }
@@ -282,13 +271,14 @@ impl Contact {
                 )
             }
         };
-        let MasterSurface::Body { dofs, reference, .. } = &self.masters[point.pair] else {
+        let along = along[0];
+        let master = &self.masters[point.pair];
+        if !matches!(master, MasterSurface::Body { .. }) {
             return Some(Event { fraction, along, normal, at: position, inward });
-        };
-        let body = Body { reference: *reference, dofs: dofs.map(|dof| u[dof]) };
-        let (sin, cos) = body.dofs[2].sin_cos();
-        let normal = [cos * normal[0] + sin * normal[1], cos * normal[1] - sin * normal[0]];
-        Some(Event { fraction, along, normal, at: body.to_body(position), inward })
+        }
+        let body = master.placed_body(u);
+        let (normal, at) = (body.turn_back(normal), body.to_body(position));
+        Some(Event { fraction, along, normal, at, inward })
     }
 
     /// Whether a node that was closed and faces nothing now went down into its
@@ -296,12 +286,11 @@ impl Contact {
     /// cut no more than that end.
     fn sinks(&self, place: usize, from: &Event, sweep: &Sweep<'_>) -> bool {
         let point = &self.points[place];
-        let MasterSurface::Body { dofs, reference, surface } = &self.masters[point.pair] else {
-            return false;
-        };
+        let master = &self.masters[point.pair];
+        let MasterSurface::Body { surface, .. } = master else { return false };
         let allowed = CUT * self.spacing[point.pair];
         let to_end = from.along.min(surface.length() - from.along);
-        let body = Body { reference: *reference, dofs: dofs.map(|dof| sweep.to[dof]) };
+        let body = master.placed_body(sweep.to);
         // near an open end it slid off only if it lies beyond that end now
         let is_off = || surface.beyond_end(&body, sweep.now[place].position).is_some();
         let may_slide_off = surface.period().is_none() && to_end <= allowed;
@@ -311,7 +300,7 @@ impl Contact {
         let end = body.to_body(sweep.now[place].position);
         let depth = (1..SAMPLES).filter_map(|k| {
             let t = k as f64 / SAMPLES as f64;
-            surface.depth([0, 1].map(|c| from.at[c] + t * (end[c] - from.at[c])))
+            surface.depth(between(from.at, end, t))
         });
         depth.fold(0.0, f64::max) > allowed
     }
@@ -325,8 +314,7 @@ impl Contact {
         if dot(from.normal, to.normal) >= 0.0 {
             return false;
         }
-        let way = [to.at[0] - from.at[0], to.at[1] - from.at[1]];
-        let straight = way[0].hypot(way[1]);
+        let straight = apart_by(from.at, to.at);
         let mut round = (to.along - from.along).abs();
         if let Some(period) = surface.period() {
             round = round.min(period - round);
@@ -336,8 +324,7 @@ impl Contact {
         }
         let depth = (1..SAMPLES).map(|k| {
             let t = k as f64 / SAMPLES as f64;
-            let at = [from.at[0] + t * way[0], from.at[1] + t * way[1]];
-            surface.depth(at).unwrap_or(f64::INFINITY)
+            surface.depth(between(from.at, to.at, t)).unwrap_or(f64::INFINITY)
         });
         depth.fold(0.0, f64::max) > CUT * self.spacing[pair]
     }
@@ -366,23 +353,17 @@ impl Contact {
     pub fn overlap(&self, pairs: [usize; 2], u: &[f64]) -> f64 {
         let [first, second] = pairs.map(|pair| &self.masters[pair]);
         let within = |of: &MasterSurface, other: &MasterSurface| {
-            let (
-                MasterSurface::Body { dofs, reference, surface },
-                MasterSurface::Body { dofs: s, reference: r, surface: own },
-            ) = (of, other)
+            let (MasterSurface::Body { surface, .. }, MasterSurface::Body { surface: own, .. }) =
+                (of, other)
             else {
                 return 0.0;
             };
-            let body = Body { reference: *reference, dofs: dofs.map(|dof| u[dof]) };
-            let other = Body { reference: *r, dofs: s.map(|dof| u[dof]) };
+            let (body, other) = (of.placed_body(u), other.placed_body(u));
             let ((a, reach), (b, other_reach)) = (surface.bounds(), own.bounds());
-            let ([ax, ay], [bx, by]) = (body.to_space(a), other.to_space(b));
-            if (bx - ax).hypot(by - ay) > reach + other_reach {
+            if apart_by(body.to_space(a), other.to_space(b)) > reach + other_reach {
                 return 0.0;
             }
-            let places = surface.segments().iter().flat_map(|segment| {
-                (0..=OUTLINE).map(|k| segment.place(k as f64 / OUTLINE as f64))
-            });
+            let places = surface.outline(OUTLINE);
             let depths = places.filter_map(|at| own.overclosure(&other, body.to_space(at)));
             depths.fold(0.0_f64, f64::max)
         };
@@ -401,15 +382,16 @@ impl Contact {
         &self,
         (from, before): (&[f64], &[PointState]),
         u: &[f64],
-        kinematics: &mut [ContactKinematics],
+        kinematics: &mut ContactKinematics,
     ) {
         for (place, point) in self.points.iter().enumerate() {
-            let (before, kinematics) = (&before[place], &mut kinematics[place]);
+            let before = &before[place];
             let aside = before.along.is_none() && !before.closed && !point.is_integration_point();
-            if aside && kinematics.faces && kinematics.overclosure > 0.0 {
+            let now = kinematics.points()[place];
+            if aside && now.faces && now.overclosure > 0.0 {
                 let start = self.slave(point, 0.0, from).position;
-                if !self.enters(point.pair, (start, kinematics.position), (from, u)) {
-                    kinematics.turn_away_in_place();
+                if !self.enters(point.pair, (start, now.position), (from, u)) {
+                    kinematics.at_mut(place).turn_away_in_place();
                 }
             }
         }
@@ -419,23 +401,22 @@ impl Contact {
     fn enters(
         &self,
         pair: usize,
-        (start, end): ([f64; 2], [f64; 2]),
+        (start, end): ([f64; 3], [f64; 3]),
         (from, to): (&[f64], &[f64]),
     ) -> bool {
         let mut inward = false;
-        match &self.masters[pair] {
+        let master = &self.masters[pair];
+        match master {
             MasterSurface::Nothing => {}
-            MasterSurface::Body { dofs, reference, surface } => {
-                let local = |at: [f64; 2], u: &[f64]| {
-                    Body { reference: *reference, dofs: dofs.map(|dof| u[dof]) }.to_body(at)
-                };
+            MasterSurface::Body { surface, .. } => {
+                let local = |at: [f64; 3], u: &[f64]| master.placed_body(u).to_body(at);
                 let way = (local(start, from), local(end, to));
                 surface.crossings(way, |crossing, _| inward |= crossing.inward);
             }
             MasterSurface::Line { chain, nodes, .. } => {
                 let positions = |u: &[f64]| {
-                    let nodes: Vec<_> = nodes.iter().map(|(at, dofs)| moved(at, dofs, u)).collect();
-                    chain.prolonged(nodes)
+                    let nodes = nodes.iter().map(|(at, dofs)| dofs.displace(*at, u));
+                    chain.prolonged(nodes.collect())
                 };
                 let (before, after) = (positions(from), positions(to));
                 cross_chain((&before, &after), (start, end), |crossing| inward |= crossing.inward);
@@ -449,12 +430,11 @@ impl Contact {
     pub fn passed_between(&self, sweep: &Sweep<'_>) -> Option<Missed> {
         let mut first: Option<Missed> = None;
         for (pair, master) in self.masters.iter().enumerate() {
-            let MasterSurface::Body { dofs, reference, surface } = master else { continue };
+            let MasterSurface::Body { surface, .. } = master else { continue };
             if self.edges[pair].is_empty() {
                 continue;
             }
-            let body = |u: &[f64]| Body { reference: *reference, dofs: dofs.map(|dof| u[dof]) };
-            let bodies = (body(sweep.from), body(sweep.to));
+            let bodies = (master.placed_body(sweep.from), master.placed_body(sweep.to));
             for &points in &self.edges[pair] {
                 // a soft law lets the points themselves sink in
                 let sunk = points.map(|place| -sweep.now[place].opening);
@@ -484,6 +464,16 @@ impl Contact {
     }
 }
 
-fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// The place at a fraction of the way from `a` to `b` [L].
+fn between(a: [f64; 3], b: [f64; 3], fraction: f64) -> [f64; 3] {
+    std::array::from_fn(|c| a[c] + fraction * (b[c] - a[c]))
+}
+
+/// Distance of two places [L].
+fn apart_by(a: [f64; 3], b: [f64; 3]) -> f64 {
+    (b[0] - a[0]).hypot(b[1] - a[1]).hypot(b[2] - a[2])
 }

@@ -10,10 +10,9 @@
 //! looked at again; one that touches after all, as where a part comes to face it
 //! that did not before, sends the iteration on.
 
-use super::kinematics::ContactKinematics;
+use super::kinematics::{ContactKinematics, PointRows};
 use super::master::MasterSurface;
-use super::{Carrier, Contact, moved};
-use slideline_mech::contact::pair::Body;
+use super::{Carrier, Contact};
 
 /// Room for the turning of what a point faces along its way, as a part of that [1].
 const ROOM: f64 = 1.0;
@@ -56,7 +55,7 @@ impl Contact {
     /// looked at until all are.
     pub fn find_idle(
         &self,
-        kinematics: &[ContactKinematics],
+        kinematics: &ContactKinematics,
         (u, pressures): (&[f64], &[f64]),
         look: &mut Look,
     ) {
@@ -68,57 +67,54 @@ impl Contact {
         for place in 0..self.points.len() {
             look.idle[place] = (look.is_fresh || look.idle[place])
                 && pressures[place] == 0.0
-                && self.stays_open(place, &kinematics[place], u, look);
+                && self.stays_open(place, &kinematics.at(place), u, look);
         }
         look.is_fresh = false;
     }
 
     /// Whether the way to `u` would leave all idle points open.
-    pub fn stay_idle(&self, kinematics: &[ContactKinematics], u: &[f64], look: &Look) -> bool {
+    pub fn stay_idle(&self, kinematics: &ContactKinematics, u: &[f64], look: &Look) -> bool {
         if !look.idle.contains(&true) {
             return true;
         }
         let idle = |place: &usize| look.idle[*place];
         (0..self.points.len())
             .filter(idle)
-            .all(|place| self.stays_open(place, &kinematics[place], u, look))
+            .all(|place| self.stays_open(place, &kinematics.at(place), u, look))
     }
 
-    fn stays_open(
-        &self,
-        place: usize,
-        kinematics: &ContactKinematics,
-        u: &[f64],
-        look: &Look,
-    ) -> bool {
+    fn stays_open(&self, place: usize, kinematics: &PointRows<'_>, u: &[f64], look: &Look) -> bool {
         let point = &self.points[place];
         let Carrier::Node { position, dofs } = &point.carrier else { return false };
         if !kinematics.faces {
             return false;
         }
-        let way = match &self.masters[point.pair] {
+        let master = &self.masters[point.pair];
+        let way = match master {
             MasterSurface::Nothing => return false,
-            MasterSurface::Body { dofs: body, reference, .. } => {
-                let seen = |u: &[f64]| {
-                    let body = Body { reference: *reference, dofs: body.map(|dof| u[dof]) };
-                    body.to_body(moved(position, dofs, u))
-                };
+            MasterSurface::Body { .. } => {
+                let seen = |u: &[f64]| master.placed_body(u).to_body(dofs.displace(*position, u));
                 distance(seen(u), seen(&look.at))
             }
             MasterSurface::Line { .. } => {
-                let moved = |own: &[usize]| [0, 1].map(|k| u[own[k]] - look.at[own[k]]);
-                let way = moved(dofs);
-                let facing = kinematics.dofs[2..kinematics.width].as_chunks::<2>().0;
-                facing.iter().map(|own| distance(way, moved(own))).fold(0.0, f64::max)
+                let own = dofs.as_slice();
+                let moved = |own: &[usize]| {
+                    let mut way = [0.0; 3];
+                    way.iter_mut().zip(own).for_each(|(w, &dof)| *w = u[dof] - look.at[dof]);
+                    way
+                };
+                let way = moved(own);
+                let facing = kinematics.rows.unknowns[own.len()..].chunks_exact(own.len());
+                facing.map(|own| distance(way, moved(own))).fold(0.0, f64::max)
             }
         };
-        let own = kinematics.dofs[..kinematics.width].iter().zip(&kinematics.gradient);
+        let own = kinematics.rows.unknowns.iter().zip(kinematics.rows.normal());
         let closing: f64 = own.map(|(&dof, g)| g * (u[dof] - look.at[dof])).sum();
         let begins = self.laws[point.pair].normal.contact_begins();
         begins - (kinematics.overclosure + closing) > ROOM * way
     }
 }
 
-fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
-    (a[0] - b[0]).hypot(a[1] - b[1])
+fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1]).hypot(a[2] - b[2])
 }

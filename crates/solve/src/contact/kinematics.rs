@@ -1,117 +1,192 @@
-//! A slave point against its master in one configuration, in dofs.
+//! Slave points against their masters in one configuration, in dofs.
 //!
 //! ```text
 //!   kernel variables (point, control points, rotation)
 //!        |  attachments: how each follows dofs
-//!   dofs of the state vector: h, sigma, direction and their gradients
+//!   dofs of the state vector: h, sigma, directions and their gradients
 //! ```
 
+use super::master::Facing;
+use super::operator::{ContactOperator, OperatorRows, OperatorRowsMut};
 use super::positions::MasterPositions;
 use super::shear::{Shear, TURNS};
-use crate::linearised::MOST_DOFS;
 use slideline_mech::contact::pair::{AnyGap, StencilAttachments};
+use slideline_mech::contact::points::slopes::MOST_SLOPE_DOFS;
+use slideline_mech::contact::tangential::Tangential;
 use slideline_mech::rigid::{Attachment, push_gradients};
+use std::ops::Deref;
 
-/// A slave point against its master in one configuration.
-#[derive(Clone, Copy, Debug)]
+/// All slave points against their masters in one configuration.
+#[derive(Clone, Debug, Default)]
 pub struct ContactKinematics {
+    points: Vec<PointKinematics>,
+    operator: ContactOperator,
+}
+
+/// A slave point against its master.
+#[derive(Clone, Copy, Debug)]
+pub struct PointKinematics {
     /// Whether it faces its master at all.
     pub faces: bool,
     /// Overclosure [L]; minus infinity where it faces nothing.
     pub overclosure: f64,
-    /// Coordinate along the master [L].
-    pub along: f64,
+    /// Coordinates along the master [L].
+    pub along: Tangential,
     /// Outward normal of the master [1].
-    pub normal: [f64; 2],
+    pub normal: [f64; 3],
     /// Position of the point [L].
-    pub position: [f64; 2],
+    pub position: [f64; 3],
     /// Area it stands for [L2].
     pub area: f64,
-    /// Where a integration_point stands on its element, 0 to 1.
+    /// Where an integration point stands on its element, 0 to 1.
     pub xi: f64,
-    /// Number of dofs it couples.
-    pub width: usize,
-    /// Those dofs.
-    pub dofs: [usize; MOST_DOFS],
-    /// dh/du of each dof [1].
-    pub gradient: [f64; MOST_DOFS],
-    /// d sigma/du of each dof [1].
-    pub slip_gradient: [f64; MOST_DOFS],
-    /// Direction of the tangential force on each dof [1].
-    pub direction: [f64; MOST_DOFS],
+    /// What it faces.
+    pub(super) facing: Option<Facing>,
 }
 
-/// The dofs that a point and what it faces depend on.
-pub struct Stencil<'a> {
-    /// Position of the point [L].
-    pub position: [f64; 2],
-    /// Number of dofs.
-    pub width: usize,
-    /// The dofs.
-    pub dofs: [usize; MOST_DOFS],
-    /// Their values; in place of a segment's rotations the turns of its line.
-    pub values: [f64; MOST_DOFS],
-    /// How the variables of the gap follow them.
-    pub attachments: Option<StencilAttachments>,
-    /// The shear that turns the line of a segment beyond its rotations.
-    pub shear: Option<&'a Shear>,
+/// A point with its rows over dofs.
+#[derive(Clone, Copy, Debug)]
+pub struct PointRows<'a> {
+    point: &'a PointKinematics,
+    /// Its rows.
+    pub rows: OperatorRows<'a>,
 }
 
-/// The most dofs that a gap follows directly, those of shear left out.
-pub const MOST_DIRECT: usize = 16;
+impl Deref for PointRows<'_> {
+    type Target = PointKinematics;
+
+    fn deref(&self) -> &PointKinematics {
+        self.point
+    }
+}
+
+/// A point with its rows, to be written.
+pub(super) struct PointRowsMut<'a> {
+    pub point: &'a mut PointKinematics,
+    pub rows: OperatorRowsMut<'a>,
+}
 
 impl ContactKinematics {
+    /// Points that face nothing, each with room for so many dofs.
+    pub fn nowhere(points: usize, room: usize, directions: usize) -> Self {
+        let operator = ContactOperator::with_room(points, room, directions);
+        Self { points: vec![PointKinematics::NOWHERE; points], operator }
+    }
+
+    /// A point with its rows.
+    pub fn at(&self, place: usize) -> PointRows<'_> {
+        PointRows { point: &self.points[place], rows: self.operator.rows(place) }
+    }
+
+    pub(super) fn at_mut(&mut self, place: usize) -> PointRowsMut<'_> {
+        PointRowsMut { point: &mut self.points[place], rows: self.operator.rows_mut(place) }
+    }
+
+    /// The points, without their rows.
+    pub fn points(&self) -> &[PointKinematics] {
+        &self.points
+    }
+
+    /// The same, to be written.
+    pub fn points_mut(&mut self) -> &mut [PointKinematics] {
+        &mut self.points
+    }
+
+    /// All points with their rows.
+    pub fn iter(&self) -> impl Iterator<Item = PointRows<'_>> {
+        (0..self.points.len()).map(|place| self.at(place))
+    }
+
+    /// Takes over another configuration.
+    pub fn copy_from(&mut self, other: &Self) {
+        self.points.clone_from(&other.points);
+        self.operator.copy_from(&other.operator);
+    }
+}
+
+impl PointKinematics {
     /// A point that faces nothing.
     pub const NOWHERE: Self = Self {
         faces: false,
         overclosure: f64::NEG_INFINITY,
-        along: 0.0,
-        normal: [0.0; 2],
-        position: [0.0; 2],
+        along: Tangential::ZERO,
+        normal: [0.0; 3],
+        position: [0.0; 3],
         area: 0.0,
         xi: 0.0,
-        width: 0,
-        dofs: [0; MOST_DOFS],
-        gradient: [0.0; MOST_DOFS],
-        slip_gradient: [0.0; MOST_DOFS],
-        direction: [0.0; MOST_DOFS],
+        facing: None,
     };
 }
 
-impl ContactKinematics {
-    /// The point faces nothing and stands for nothing.
-    pub fn turn_away(&mut self) {
-        self.faces = false;
-        self.overclosure = f64::NEG_INFINITY;
-        self.width = 0;
-        self.area = 0.0;
-    }
-
-    /// The point faces nothing, and stands for what it stood for.
-    pub fn turn_away_in_place(&mut self) {
-        let area = self.area;
-        self.turn_away();
-        self.area = area;
-    }
-
-    /// Takes a gap in and pushes its gradients from kernel variables to dofs.
-    pub fn take(&mut self, gap: &AnyGap, stencil: &Stencil<'_>, u: &[f64]) {
+impl PointKinematics {
+    /// Takes a gap in.
+    pub(super) fn take(&mut self, gap: &AnyGap, facing: Facing) {
         self.faces = true;
         self.overclosure = gap.overclosure();
         self.along = gap.along();
         self.normal = gap.normal();
-        let m = stencil.width;
-        self.width = m;
-        self.dofs[..m].copy_from_slice(&stencil.dofs[..m]);
-        self.gradient[..m].fill(0.0);
-        self.slip_gradient[..m].fill(0.0);
-        self.direction[..m].fill(0.0);
-        let from = gap.derivatives();
+        self.facing = Some(facing);
+    }
+}
+
+impl PointRows<'_> {
+    /// Adds the force of a pressure and a traction on the point to a vector of all dofs [F].
+    pub fn press(&self, pressure: f64, traction: Tangential, into: &mut [f64]) {
+        let (normal, tangential) = (self.area * pressure, self.area * traction);
+        self.push(normal, tangential, into);
+    }
+
+    /// Adds the forces of a normal and a tangential force on the point [F].
+    pub fn push(&self, normal: f64, tangential: Tangential, into: &mut [f64]) {
+        let rows = &self.rows;
+        match rows.directions() {
+            1 => {
+                let forces = rows.normal().iter().zip(rows.force(0));
+                for (&dof, (n, t)) in rows.unknowns.iter().zip(forces) {
+                    into[dof] += normal * n + tangential[0] * t;
+                }
+            }
+            _ => {
+                for (k, &dof) in rows.unknowns.iter().enumerate() {
+                    into[dof] += normal * rows.normal()[k]
+                        + tangential[0] * rows.force(0)[k]
+                        + tangential[1] * rows.force(1)[k];
+                }
+            }
+        }
+    }
+}
+
+impl PointRowsMut<'_> {
+    /// The point faces nothing and stands for nothing.
+    pub fn turn_away(&mut self) {
+        self.turn_away_in_place();
+        self.point.area = 0.0;
+    }
+
+    /// The point faces nothing, and stands for what it stood for.
+    pub fn turn_away_in_place(&mut self) {
+        self.point.faces = false;
+        self.point.facing = None;
+        self.point.overclosure = f64::NEG_INFINITY;
+        self.rows.clear();
+    }
+
+    /// Pushes the gradients of a gap from kernel variables to dofs.
+    pub fn take(&mut self, gap: &AnyGap, stencil: &Stencil<'_>, u: &[f64]) {
+        let further = stencil.shear.map_or(&[][..], |shear| &shear.further);
+        let (direct, from) = (stencil.dofs(), gap.derivatives());
+        let count = direct.len() + further.len();
+        let rows = match further.is_empty() {
+            true => self.rows.start(direct),
+            false => self.rows.start(&stencil.with_further()[..count]),
+        };
+        let gradients = [from.gradient, from.slip_gradient, from.direction];
         push_gradients(
             stencil.attachments(),
-            &stencil.values[..m],
-            [from.gradient, from.slip_gradient, from.direction],
-            [&mut self.gradient[..m], &mut self.slip_gradient[..m], &mut self.direction[..m]],
+            stencil.values(),
+            (&gradients, from.gradient.len()),
+            (rows, count.max(1)),
         );
         if let Some(shear) = stencil.shear {
             self.follow_shear(shear, u);
@@ -121,12 +196,9 @@ impl ContactKinematics {
     /// Derivatives by the turns of a segment's ends become derivatives by all
     /// dofs that shear follows.
     fn follow_shear(&mut self, shear: &Shear, u: &[f64]) {
-        let direct = self.width;
-        self.width += shear.further.len();
-        self.dofs[direct..self.width].copy_from_slice(&shear.further);
-        let by_end = shear.gradients(&self.dofs[..self.width], u);
-        for derivative in [&mut self.gradient, &mut self.slip_gradient, &mut self.direction] {
-            derivative[direct..self.width].fill(0.0);
+        let by_end = shear.gradients(self.rows.unknowns(), u);
+        let count = self.rows.unknowns().len();
+        for derivative in self.rows.values().chunks_exact_mut(count) {
             let by_turn = TURNS.map(|turn| derivative[turn]);
             for (factor, gradient) in by_turn.into_iter().zip(&by_end) {
                 derivative.iter_mut().zip(gradient).for_each(|(sum, g)| *sum += factor * g);
@@ -135,17 +207,59 @@ impl ContactKinematics {
     }
 }
 
+/// The most dofs that a gap in the plane follows directly, those of shear left out.
+pub const MOST_DIRECT: usize = 16;
+
+/// The dofs that a point and what it faces depend on.
+pub struct Stencil<'a> {
+    /// Position of the point [L].
+    pub position: [f64; 3],
+    width: usize,
+    dofs: [usize; MOST_DIRECT],
+    /// In place of a segment's rotations the turns of its line.
+    values: [f64; MOST_DIRECT],
+    /// How the variables of the gap follow them.
+    pub attachments: Option<StencilAttachments>,
+    /// The shear that turns the line of a segment beyond its rotations.
+    pub shear: Option<&'a Shear>,
+}
+
 impl<'a> Stencil<'a> {
     /// The stencil of a slave point at `position`.
-    pub fn new(position: [f64; 2]) -> Self {
+    pub fn new(position: [f64; 3]) -> Self {
         Self {
             position,
             width: 0,
-            dofs: [0; MOST_DOFS],
-            values: [0.0; MOST_DOFS],
+            dofs: [0; MOST_DIRECT],
+            values: [0.0; MOST_DIRECT],
             attachments: None,
             shear: None,
         }
+    }
+
+    /// Number of dofs.
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
+    /// The dofs.
+    pub fn dofs(&self) -> &[usize] {
+        &self.dofs[..self.width]
+    }
+
+    /// Their values.
+    pub fn values(&self) -> &[f64] {
+        &self.values[..self.width]
+    }
+
+    /// The dofs, and behind them those that shear alone follows.
+    fn with_further(&self) -> [usize; MOST_SLOPE_DOFS] {
+        let mut all = [0; MOST_SLOPE_DOFS];
+        all[..self.width].copy_from_slice(self.dofs());
+        if let Some(shear) = self.shear {
+            all[self.width..][..shear.further.len()].copy_from_slice(&shear.further);
+        }
+        all
     }
 
     /// Adds dofs with their values.
@@ -167,18 +281,13 @@ impl<'a> Stencil<'a> {
     }
 }
 
-/// Scratch of [`Contact::geometric_tangent`].
-#[derive(Clone, Debug)]
+/// Scratch of [`Contact::geometric_tangent`](super::Contact::geometric_tangent).
+#[derive(Clone, Debug, Default)]
 pub struct GeometryScratch {
     /// The tangent, row-major.
-    pub tangent: [f64; MOST_DOFS * MOST_DOFS],
+    pub tangent: Vec<f64>,
+    /// The same by the dofs that the gap follows directly, those of shear left out.
+    pub(super) direct: Vec<f64>,
+    pub(super) force: Vec<f64>,
     pub(super) positions: MasterPositions,
-}
-
-impl GeometryScratch {
-    /// Room for a tangent.
-    pub fn new() -> Self {
-        let positions = MasterPositions::default();
-        Self { tangent: [0.0; MOST_DOFS * MOST_DOFS], positions }
-    }
 }

@@ -82,7 +82,7 @@ pub(super) fn spacing(model: &Model, pair: &ContactPair, master: &MasterSurface)
     }
     let beams = model.blocks.iter().filter_map(|block| block.beams());
     let lengths = beams.flat_map(|block| block.elements).map(|element| {
-        let [a, b] = element.ends().map(|node| model.nodes.plane(node));
+        let [a, b] = element.ends().map(|node| model.nodes.get(node).position);
         (b[0] - a[0]).hypot(b[1] - a[1])
     });
     let (sum, count) = lengths.fold((0.0, 0.0), |(sum, count), l| (sum + l, count + 1.0));

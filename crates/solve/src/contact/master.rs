@@ -2,12 +2,12 @@
 
 use super::kinematics::Stencil;
 use super::positions::MasterPositions;
-use super::{rigid_dofs, translations};
-use crate::dofs::DofMap;
+use super::rigid_dofs;
+use crate::dofs::{DofMap, Translations};
 use slideline_mech::contact::pair::{AnyGap, Body, RigidSurface, chain_attachments, chain_gap};
-use slideline_mech::contact::search::chain::Chain;
+use slideline_mech::contact::search::chain::{Chain, ChainTree, Piece};
+use slideline_mech::contact::search::rigid;
 use slideline_mech::contact::search::rigid::RigidSegment;
-use slideline_mech::contact::search::tree::BoxTree;
 use slideline_mech::rigid::{Attachment, PointMap};
 use slideline_model::{Model, SlideLine, SurfaceSegment};
 
@@ -19,7 +19,7 @@ pub enum MasterSurface {
         /// Dofs of the body's dofs.
         dofs: [usize; 3],
         /// Undeformed position of its node [L].
-        reference: [f64; 2],
+        reference: [f64; 3],
         /// The surface, undeformed.
         surface: RigidSurface,
     },
@@ -28,7 +28,7 @@ pub enum MasterSurface {
         /// Its reference geometry.
         chain: Chain,
         /// Undeformed positions of its nodes [L], and their dofs.
-        nodes: Vec<([f64; 2], [usize; 2])>,
+        nodes: Vec<([f64; 3], Translations)>,
         /// Place of its first position in the scratch.
         offset: usize,
     },
@@ -36,12 +36,21 @@ pub enum MasterSurface {
     Nothing,
 }
 
+/// What a point faces of its master.
+#[derive(Clone, Copy, Debug)]
+pub enum Facing {
+    /// A part of a rigid surface.
+    Surface(rigid::Facing),
+    /// A piece of a chain.
+    Piece(Piece),
+}
+
 impl MasterSurface {
     /// The master of a chain of nodes.
     pub fn chain(model: &Model, dofs: &DofMap, line: &SlideLine, offset: usize) -> MasterSurface {
-        let reference: Vec<_> = line.nodes.iter().map(|&node| model.nodes.plane(node)).collect();
-        let nodes =
-            line.nodes.iter().map(|&node| (model.nodes.plane(node), translations(dofs, node)));
+        let at = |&node: &_| model.nodes.get(node).position;
+        let reference: Vec<_> = line.nodes.iter().map(at).collect();
+        let nodes = line.nodes.iter().map(|node| (at(node), dofs.translations(*node)));
         match Chain::new(&reference, line.smooth, line.extension) {
             Some(chain) => MasterSurface::Line { chain, nodes: nodes.collect(), offset },
             None => MasterSurface::Nothing,
@@ -57,70 +66,104 @@ impl MasterSurface {
         let Some(placed) = placed(surface) else { return MasterSurface::Nothing };
         MasterSurface::Body {
             dofs: rigid_dofs(dofs, surface.reference),
-            reference: model.nodes.plane(surface.reference),
+            reference: model.nodes.get(surface.reference).position,
             surface: placed,
         }
     }
 
-    /// What the point of a stencil faces; the master's part is added to it.
-    /// `slave` tells how the point follows its own dofs, `positions` are
-    /// those of all chains.
-    pub fn face(
-        &self,
-        slave: Attachment,
-        u: &[f64],
-        (positions, tree): (&[[f64; 2]], Option<&BoxTree<2>>),
-        stencil: &mut Stencil<'_>,
-    ) -> Option<AnyGap> {
+    /// The most dofs of the master that a point follows at a time.
+    pub fn most_dofs(&self) -> usize {
         match self {
-            MasterSurface::Nothing => None,
-            MasterSurface::Body { dofs, reference, surface } => {
-                let body = Body { reference: *reference, dofs: dofs.map(|dof| u[dof]) };
-                let facing = surface.closest(&body, stencil.position)?;
-                let gap = surface.gap(&body, &facing, stencil.position)?;
-                let first = stencil.width;
-                stencil.attachments = surface.attachments(&body, &facing, slave, first);
-                stencil.add_from(dofs, u);
-                Some(gap)
-            }
-            MasterSurface::Line { chain, nodes, offset } => {
-                let positions = positions.get(*offset..offset + nodes.len())?;
-                let piece = chain.closest(positions, tree, stencil.position)?;
-                let gap = chain_gap(chain, &piece, positions, stencil.position)?;
-                let mut control = [slave; 3];
-                let facing = &nodes[piece.nodes()];
-                for (attachment, (_, dofs)) in control.iter_mut().zip(facing) {
-                    let first = stencil.width;
-                    *attachment = Attachment::Point { map: PointMap::Free, first };
-                    stencil.add_from(dofs, u);
-                }
-                stencil.attachments = Some(chain_attachments(slave, &control[..facing.len()]));
-                Some(gap)
+            Self::Nothing => 0,
+            Self::Body { dofs, .. } => dofs.len(),
+            Self::Line { nodes, .. } => {
+                3 * nodes.iter().map(|(_, dofs)| dofs.as_slice().len()).max().unwrap_or(0)
             }
         }
     }
 
+    /// The body of a rigid master at displacements `u`.
+    pub fn placed_body(&self, u: &[f64]) -> Body {
+        match self {
+            Self::Body { dofs, reference, .. } => {
+                Body { reference: *reference, dofs: dofs.map(|dof| u[dof]) }
+            }
+            _ => Body::STILL,
+        }
+    }
+
+    /// What a point faces; `positions` are those of all chains.
+    pub fn search(
+        &self,
+        u: &[f64],
+        (positions, tree): (&[[f64; 3]], Option<&ChainTree>),
+        point: [f64; 3],
+    ) -> Option<Facing> {
+        match self {
+            Self::Nothing => None,
+            Self::Body { surface, .. } => {
+                surface.closest(&self.placed_body(u), point).map(Facing::Surface)
+            }
+            Self::Line { chain, nodes, offset } => {
+                let positions = positions.get(*offset..offset + nodes.len())?;
+                chain.closest(positions, tree, point).map(Facing::Piece)
+            }
+        }
+    }
+
+    /// The gap of the point of a stencil to what it faces; the master's part is
+    /// added to the stencil. `slave` tells how the point follows its own dofs.
+    pub fn gap(
+        &self,
+        facing: &Facing,
+        slave: Attachment,
+        (u, positions): (&[f64], &[[f64; 3]]),
+        stencil: &mut Stencil<'_>,
+    ) -> Option<AnyGap> {
+        match (self, facing) {
+            (Self::Body { dofs, surface, .. }, Facing::Surface(facing)) => {
+                let body = self.placed_body(u);
+                let gap = surface.gap(&body, facing, stencil.position)?;
+                let first = stencil.width();
+                stencil.attachments = surface.attachments(&body, facing, slave, first);
+                stencil.add_from(dofs, u);
+                Some(gap)
+            }
+            (Self::Line { chain, nodes, offset }, Facing::Piece(piece)) => {
+                let positions = positions.get(*offset..offset + nodes.len())?;
+                let gap = chain_gap(chain, piece, positions, stencil.position)?;
+                let mut control = [slave; 3];
+                let facing = &nodes[piece.nodes()];
+                for (attachment, (_, dofs)) in control.iter_mut().zip(facing) {
+                    let first = stencil.width();
+                    *attachment = Attachment::Point { map: PointMap::Free, first };
+                    stencil.add_from(dofs.as_slice(), u);
+                }
+                stencil.attachments = Some(chain_attachments(slave, &control[..facing.len()]));
+                Some(gap)
+            }
+            _ => None,
+        }
+    }
+
     /// Places whose box holds the master at displacements of both ends of a
-    /// way and, straight, between them.
-    pub fn swept(&self, u: &[Vec<f64>; 2], chains: &[MasterPositions; 2]) -> [[f64; 2]; 2] {
-        let mut low = [f64::INFINITY; 2];
-        let mut high = [f64::NEG_INFINITY; 2];
-        let mut take = |at: [f64; 2], room: f64| {
+    /// way and, straight, between them; a master of the plane has all depth there is.
+    pub fn swept(&self, u: &[Vec<f64>; 2], chains: &[MasterPositions; 2]) -> [[f64; 3]; 2] {
+        let mut low = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY];
+        let mut high = low.map(|x: f64| -x);
+        let mut take = |at: [f64; 3], room: f64| {
             for axis in 0..2 {
                 low[axis] = low[axis].min(at[axis] - room);
                 high[axis] = high[axis].max(at[axis] + room);
             }
         };
         match self {
-            MasterSurface::Nothing => {}
-            MasterSurface::Body { dofs, reference, surface } => {
+            Self::Nothing => {}
+            Self::Body { surface, .. } => {
                 let (centre, radius) = surface.bounds();
-                for u in u {
-                    let body = Body { reference: *reference, dofs: dofs.map(|dof| u[dof]) };
-                    take(body.to_space(centre), radius);
-                }
+                u.iter().for_each(|u| take(self.placed_body(u).to_space(centre), radius));
             }
-            MasterSurface::Line { nodes, offset, .. } => {
+            Self::Line { nodes, offset, .. } => {
                 let range = *offset..offset + nodes.len();
                 chains.iter().flat_map(|c| &c.nodes[range.clone()]).for_each(|&at| take(at, 0.0));
             }
@@ -130,13 +173,10 @@ impl MasterSurface {
 
     /// Overclosure [L] that `point` would have were the end prolonged beyond
     /// which it lies; `None` where it lies beyond none.
-    pub fn beyond_end(&self, point: [f64; 2], u: &[f64], positions: &[[f64; 2]]) -> Option<f64> {
+    pub fn beyond_end(&self, point: [f64; 3], u: &[f64], positions: &[[f64; 3]]) -> Option<f64> {
         match self {
             Self::Nothing => None,
-            Self::Body { dofs, reference, surface } => {
-                let body = Body { reference: *reference, dofs: dofs.map(|dof| u[dof]) };
-                surface.beyond_end(&body, point)
-            }
+            Self::Body { surface, .. } => surface.beyond_end(&self.placed_body(u), point),
             Self::Line { chain, nodes, offset } => {
                 chain.beyond_end(positions.get(*offset..offset + nodes.len())?, point)
             }

@@ -5,9 +5,9 @@
 //!         trees of the long ones, fitted: a search looks at what is near
 //! ```
 
+use super::Contact;
 use super::master::MasterSurface;
-use super::{Contact, moved};
-use slideline_mech::contact::search::tree::BoxTree;
+use slideline_mech::contact::search::chain::ChainTree;
 
 /// Segments from which on a tree pays.
 const LONG: usize = 48;
@@ -16,14 +16,14 @@ const LONG: usize = 48;
 #[derive(Clone, Debug, Default)]
 pub struct MasterPositions {
     /// Positions, chain after chain [L].
-    pub nodes: Vec<[f64; 2]>,
+    pub nodes: Vec<[f64; 3]>,
     /// A tree a pair, where its master is long.
-    trees: Vec<Option<BoxTree<2>>>,
+    trees: Vec<Option<ChainTree>>,
 }
 
 impl MasterPositions {
     /// The tree over the master of a pair, where there is one.
-    pub fn tree(&self, pair: usize) -> Option<&BoxTree<2>> {
+    pub fn tree(&self, pair: usize) -> Option<&ChainTree> {
         self.trees.get(pair).and_then(Option::as_ref)
     }
 }
@@ -35,12 +35,7 @@ impl Contact {
             let (MasterSurface::Line { chain, offset, .. }, Some(tree)) = (master, tree) else {
                 continue;
             };
-            let ends = [&into.nodes[*offset..], &to.nodes[*offset..]];
-            tree.fit(|part| {
-                let [a, b] = ends.map(|own| chain.bounds(own, part));
-                let low = [0, 1].map(|axis| a.0[axis].min(b.0[axis]));
-                (low, [0, 1].map(|axis| a.1[axis].max(b.1[axis])))
-            });
+            chain.fit_ways(tree, &into.nodes[*offset..], &to.nodes[*offset..]);
         }
     }
 
@@ -50,15 +45,14 @@ impl Contact {
         into.trees.resize(self.masters.len(), None);
         for (master, tree) in self.masters.iter().zip(&mut into.trees) {
             let MasterSurface::Line { chain, nodes, offset } = master else { continue };
-            into.nodes.extend(nodes.iter().map(|(at, dofs)| moved(at, dofs, u)));
+            into.nodes.extend(nodes.iter().map(|(at, dofs)| dofs.displace(*at, u)));
             if chain.segments() < LONG {
                 continue;
             }
             let own = &into.nodes[*offset..];
-            let bounds = |part| chain.bounds(own, part);
             match tree {
-                Some(tree) => tree.fit(bounds),
-                None => *tree = Some(BoxTree::new(chain.segments(), bounds)),
+                Some(tree) => chain.fit(tree, own),
+                None => *tree = Some(chain.tree(own)),
             }
         }
     }

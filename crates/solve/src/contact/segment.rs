@@ -13,7 +13,6 @@ use super::positions::MasterPositions;
 use super::shear::{Shear, TURNS, sheared_beams};
 use super::{Carrier, Contact, rigid_dofs};
 use crate::dofs::DofMap;
-use slideline_mech::contact::pair::Body;
 use slideline_mech::contact::points::integration_points::{
     GAUSS, HermiteLine, POINTS, closed_part_between,
 };
@@ -64,20 +63,8 @@ impl SlaveSegment {
     }
 
     /// Corners of boxes about its line at displacements of both ends of a way.
-    pub fn hull(&self, u: &[Vec<f64>; 2]) -> [[f64; 2]; 8] {
-        // a cubic Hermite line leaves the box of its nodes by 4/27 of its tangents at most
-        let room = self.line.tangents.map(|t| 0.15 * t[0].hypot(t[1]));
-        let mut corners = [[0.0; 2]; 8];
-        for (end, u) in u.iter().enumerate() {
-            for node in 0..2 {
-                let [x, y] = self.line.nodes[node];
-                let at = [x + u[self.dofs[3 * node]], y + u[self.dofs[3 * node + 1]]];
-                let room = room[0] + room[1];
-                corners[4 * end + 2 * node] = at.map(|x| x - room);
-                corners[4 * end + 2 * node + 1] = at.map(|x| x + room);
-            }
-        }
-        corners
+    pub fn hull(&self, u: &[Vec<f64>; 2]) -> [[[f64; 3]; 4]; 2] {
+        [0, 1].map(|end| self.line.corners(&self.dofs.map(|dof| u[end][dof])))
     }
 
     /// The stencil of its integration_point at `xi`, its ends known.
@@ -137,7 +124,7 @@ impl Contact {
         let rows: HashMap<_, _> =
             self.slave_nodes[place].iter().enumerate().map(|(row, &node)| (node, row)).collect();
         for element in &pair.elements {
-            let nodes = element.nodes.map(|node| model.nodes.plane(node));
+            let nodes = element.nodes.map(|node| model.nodes.get(node).position);
             let length = (nodes[1][0] - nodes[0][0]).hypot(nodes[1][1] - nodes[0][1]);
             let tangents = element.nodes.map(|node| tangents[&node].map(|t| t * length));
             let [a, b] = element.nodes.map(|node| rigid_dofs(dofs, node));
@@ -159,7 +146,7 @@ impl Contact {
             self.segments.push(SlaveSegment {
                 pair: place,
                 rows: element.nodes.map(|node| rows[&node]),
-                line: HermiteLine { nodes, tangents },
+                line: HermiteLine::new(nodes, tangents),
                 dofs: [a[0], a[1], a[2], b[0], b[1], b[2]],
                 shear: Shear::new(model, dofs, element.nodes, &beams),
                 width,
@@ -174,14 +161,14 @@ impl Contact {
         &self,
         segment: &SlaveSegment,
         u: &[f64],
-        into: &mut [ContactKinematics],
+        into: &mut ContactKinematics,
     ) {
-        into.iter_mut().for_each(ContactKinematics::turn_away);
+        let own = segment.first..segment.first + SEGMENT_POINTS;
+        own.for_each(|place| into.at_mut(place).turn_away());
         let begins = self.laws[segment.pair].normal.contact_begins();
-        let MasterSurface::Body { dofs, reference, surface } = &self.masters[segment.pair] else {
-            return;
-        };
-        let body = Body { reference: *reference, dofs: dofs.map(|dof| u[dof]) };
+        let master = &self.masters[segment.pair];
+        let MasterSurface::Body { surface, .. } = master else { return };
+        let body = master.placed_body(u);
         let ends = segment.ends(u);
         let bent = segment.line.bent(&ends);
         let beyond = |xi: f64| {
@@ -190,10 +177,11 @@ impl Contact {
         };
         let none = MasterPositions::default();
         segment.place_integration_points(beyond, |integration_point, xi, area| {
-            let kinematics = &mut into[integration_point];
-            (kinematics.xi, kinematics.area) = (xi, area);
-            let point = &self.points[segment.first + integration_point];
-            self.meet_stencil(point, segment.stencil(&ends, xi), (u, &none), kinematics);
+            let place = segment.first + integration_point;
+            let mut into = into.at_mut(place);
+            (into.point.xi, into.point.area) = (xi, area);
+            let (point, stencil) = (&self.points[place], segment.stencil(&ends, xi));
+            self.meet_stencil(point, stencil, (u, &none), &mut into);
         });
     }
 }
@@ -215,19 +203,20 @@ fn top_of_parabola([left, middle, right]: [f64; 3]) -> f64 {
 
 /// Unit tangents of a slave surface at its nodes: the mean direction of the
 /// elements that meet there, so that the surface has no corners.
-fn node_tangents(model: &Model, pair: &ContactPair) -> HashMap<NodeIndex, [f64; 2]> {
-    let mut tangents: HashMap<NodeIndex, [f64; 2]> = HashMap::new();
+fn node_tangents(model: &Model, pair: &ContactPair) -> HashMap<NodeIndex, [f64; 3]> {
+    let size = |d: [f64; 3]| d[0].hypot(d[1]).hypot(d[2]);
+    let mut tangents: HashMap<NodeIndex, [f64; 3]> = HashMap::new();
     for element in &pair.elements {
-        let [a, b] = element.nodes.map(|node| model.nodes.plane(node));
-        let d = [b[0] - a[0], b[1] - a[1]];
-        let length = d[0].hypot(d[1]);
+        let [a, b] = element.nodes.map(|node| model.nodes.get(node).position);
+        let d: [f64; 3] = std::array::from_fn(|c| b[c] - a[c]);
+        let length = size(d);
         for node in element.nodes {
             let sum = tangents.entry(node).or_default();
-            *sum = [sum[0] + d[0] / length, sum[1] + d[1] / length];
+            sum.iter_mut().zip(d).for_each(|(sum, d)| *sum += d / length);
         }
     }
     for tangent in tangents.values_mut() {
-        let size = tangent[0].hypot(tangent[1]);
+        let size = size(*tangent);
         if size > 0.0 {
             *tangent = tangent.map(|t| t / size);
         }

@@ -2,7 +2,6 @@
 
 use super::rigid_dofs;
 use crate::dofs::DofMap;
-use crate::linearised::MOST_DOFS;
 use slideline_mech::contact::points::slopes::{MOST_SLOPE_DOFS, ShearSlopes, ShearedBeam};
 use slideline_model::{Element, Kinematics, Model, NodeIndex};
 use std::collections::HashMap;
@@ -92,7 +91,7 @@ impl Shear {
     pub fn push_tangent(
         &self,
         (dofs, u): (&[usize], &[f64]),
-        force: &[f64; MOST_DOFS],
+        force: &[f64],
         (direct, n): (&[f64], usize),
         tangent: &mut [f64],
     ) {
@@ -134,7 +133,7 @@ struct Places<'a> {
 
 impl Places<'_> {
     fn sheared(&mut self, model: &Model, beam: Element<'_>) -> ShearedBeam {
-        let [a, b] = beam.ends().map(|node| model.nodes.plane(node));
+        let [a, b] = beam.ends().map(|node| model.nodes.get(node).position);
         let ends = beam.ends().map(|node| self.node(node));
         let rotations = match *beam.nodes {
             // Simpson's rule, as exact as the element's own two points.

@@ -157,13 +157,14 @@ impl Case<'_> {
             self.nodes(&places[..1]),
             point.changes(),
             iteration_history.window(),
-            stands(point.overclosure[1]),
-            stands(point.overclosure[0]),
+            stands(point.overclosure.1),
+            stands(point.overclosure.0),
         );
         let said = Diagnostic::error(Code("SL0513"), message);
-        if point.overclosure.contains(&f64::NEG_INFINITY) {
+        if point.overclosure.0.min(point.overclosure.1) == f64::NEG_INFINITY {
             // It goes to and fro over an end of its master.
-            let end = master_end(self.plan, pair, self.work.evaluation.kinematics[worst].along);
+            let along = self.work.evaluation.kinematics.points()[worst].along;
+            let end = master_end(self.plan, pair, along[0]);
             let said = said.at(end.origin).help(end.remedy);
             return Some(match end.card {
                 Some((place, card)) => said.card(place, card),
@@ -196,8 +197,8 @@ impl Case<'_> {
             self.nodes(&places[..1]),
             point.flips(),
             iteration_history.window(),
-            point.dragged[0],
-            point.dragged[1],
+            point.dragged.0,
+            point.dragged.1,
         );
         let origin = pair.interaction.friction_origin;
         let said = Diagnostic::error(Code("SL0515"), message).at(origin);
@@ -273,8 +274,8 @@ pub fn slid_off(plan: &Plan<'_>, committed: &State, now: &State) -> Vec<Diagnost
         }
         last = Some((point.pair, point.node));
         let pair = &plan.model.contact_pairs[point.pair];
-        let label = plan.model.nodes.label(point.node);
-        let end = master_end(plan, pair, before.along.unwrap_or(0.0));
+        let label = plan.model.nodes.name(point.node);
+        let end = master_end(plan, pair, before.along.unwrap_or_default()[0]);
         let message = format!(
             "node {label} has slid off the end of {} between total time {:.6} and {:.6}",
             end.what, committed.total_time, now.total_time
@@ -307,7 +308,7 @@ fn master_end(plan: &Plan<'_>, pair: &ContactPair, along: f64) -> End {
 /// The beam's own nodes beyond the end prolong a slide line; where there are
 /// none, its longest extension zone does.
 fn line_end(model: &Model, line: &SlideLine, pair: &ContactPair, along: f64) -> End {
-    let at = |node| model.nodes.plane(node);
+    let at = |node: NodeIndex| model.nodes.get(node).position;
     let sides = line.nodes.windows(2).map(|w| {
         let (a, b) = (at(w[0]), at(w[1]));
         (b[0] - a[0]).hypot(b[1] - a[1])
@@ -328,7 +329,7 @@ fn line_end(model: &Model, line: &SlideLine, pair: &ContactPair, along: f64) -> 
     let card = (!known && pair.vocabulary == Vocabulary::Elements).then(|| {
         let head = format!("*SLIDE LINE, TYPE=LINEAR, ELSET={}", pair.name);
         let mut text = format!("{head}, SMOOTH={}, EXTENSION ZONE={extension}\n", line.smooth);
-        let labels: Vec<String> = nodes.iter().map(|&n| model.nodes.label(n).to_string()).collect();
+        let labels: Vec<String> = nodes.iter().map(|&n| model.nodes.name(n).to_string()).collect();
         for row in labels.chunks(16) {
             text.push_str(&row.join(", "));
             text.push('\n');

@@ -3,7 +3,9 @@
 
 use super::Case;
 use slideline_diag::{Code, Diagnostic, Place};
+use slideline_mech::contact::enforcement::TangentialComplementarity;
 use slideline_mech::contact::pair::UserState;
+use slideline_mech::contact::tangential::Tangential;
 use slideline_model::Friction;
 
 /// A disagreement beyond this fraction of the larger slope is a fault.
@@ -39,7 +41,7 @@ impl Case<'_> {
             slope.told,
             slope.found,
         );
-        let mu = now.traction.abs() / now.pressure;
+        let mu = now.traction.size() / now.pressure;
         let help = format!(
             "the results up to that time are kept; correct the derivatives in the program that \
              registers the law, or use Coulomb's law with the coefficient it reached: *FRICTION \
@@ -57,7 +59,7 @@ impl Case<'_> {
     /// allow.
     fn wrong_slope(&self, place: usize) -> Option<Slope> {
         let now = &self.work.evaluation.points[place];
-        let kinematics = &self.work.evaluation.kinematics[place];
+        let kinematics = &self.work.evaluation.kinematics.points()[place];
         let before = &self.committed.points[place];
         if !now.closed || now.pressure <= 0.0 {
             return None;
@@ -68,16 +70,22 @@ impl Case<'_> {
             kinematics,
             &self.committed.displacement,
         );
-        let answer = |slip: f64, pressure: f64| self.ask(place, slip, pressure);
-        let (told, by_slip, by_pressure) = answer(slip, now.pressure);
-        let steps = [
-            ("slip", by_slip, 1e-6 * (slip.abs() + before.elastic_slip.abs()), 0.0),
-            ("p", by_pressure, 0.0, 1e-6 * now.pressure),
-        ];
-        steps.into_iter().find_map(|(by, claim, ds, dp)| {
-            let h = ds + dp;
-            let up = (answer(slip + ds, now.pressure + dp).0 - told) / h;
-            let down = (told - answer(slip - ds, now.pressure - dp).0) / h;
+        let answer = |slip: Tangential, pressure: f64| self.ask(place, slip, pressure);
+        let told = answer(slip, now.pressure);
+        let step = 1e-6 * (slip.size() + before.elastic_slip.size());
+        let directions = 0..self.plan.contact.directions;
+        let mut steps = vec![("p", Tangential::ZERO, 1e-6 * now.pressure, told.by_pressure)];
+        for direction in directions.clone() {
+            let mut unit = Tangential::ZERO;
+            unit.0[direction] = 1.0;
+            steps.push(("slip", step * unit, 0.0, told.by_value.apply(unit)));
+        }
+        // by the slip first
+        let each = steps.iter().rev().flat_map(|step| directions.clone().map(move |k| (step, k)));
+        each.into_iter().find_map(|(&(by, ds, dp, claim), k)| {
+            let (h, claim) = (ds.size() + dp, claim[k]);
+            let up = (answer(slip + ds, now.pressure + dp).value - told.value)[k] / h;
+            let down = (told.value - answer(slip - ds, now.pressure - dp).value)[k] / h;
             let off = (up.min(down) - claim).max(claim - up.max(down));
             let size = claim.abs().max(up.abs()).max(down.abs());
             let found = if (up - claim).abs() < (down - claim).abs() { up } else { down };
@@ -86,12 +94,12 @@ impl Case<'_> {
     }
 
     /// Traction and its derivatives by slip and pressure.
-    fn ask(&self, place: usize, slip: f64, pressure: f64) -> (f64, f64, f64) {
+    fn ask(&self, place: usize, slip: Tangential, pressure: f64) -> TangentialComplementarity {
         let point = &self.plan.contact.points[place];
         let laws = &self.plan.contact.laws[point.pair];
         let state_variables = point.state_variables..point.state_variables + point.state_size;
-        let complementarity = laws.complementarity_of_traction(
-            [0.0, slip, pressure],
+        laws.complementarity_of_traction(
+            (Tangential::ZERO, slip, pressure),
             self.committed.points[place].elastic_slip,
             (f64::INFINITY, self.dt),
             &mut UserState {
@@ -100,7 +108,6 @@ impl Case<'_> {
                 state: &mut vec![0.0; point.state_size],
                 fault: &mut None,
             },
-        );
-        (complementarity.value, complementarity.by_value, complementarity.by_pressure)
+        )
     }
 }

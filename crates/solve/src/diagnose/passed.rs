@@ -63,7 +63,7 @@ impl Case<'_> {
     fn between_nodes(&self, missed: &Missed) -> Diagnostic {
         let pair = &self.plan.model.contact_pairs[missed.pair];
         let points = missed.points.map(|place| &self.plan.contact.points[place]);
-        let [a, b] = points.map(|point| self.plan.model.nodes.plane(point.node));
+        let [a, b] = points.map(|point| self.plan.model.nodes.position(point.node));
         let [first, second] = points.map(|point| self.label(point.node));
         let distance = (b[0] - a[0]).hypot(b[1] - a[1]);
         let message = format!(

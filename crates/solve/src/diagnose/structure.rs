@@ -9,14 +9,17 @@ use slideline_diag::{Code, Diagnostic, Place};
 use slideline_linalg::SolveError;
 use slideline_model::{Dof, NodeIndex};
 
+const TRANSLATIONS: [Dof; 3] = [Dof::U1, Dof::U2, Dof::U3];
+const ROTATIONS: [Dof; 3] = [Dof::UR1, Dof::UR2, Dof::UR3];
+
 /// A motion that meets no resistance, as a rigid one.
 struct Motion {
     /// The node that moves most.
     node: NodeIndex,
     /// Its motion [1].
-    way: [f64; 2],
-    /// Its turn, per size of the motion [1/L].
-    turn: f64,
+    way: [f64; 3],
+    /// Its turn about the axes, per size of the motion [1/L].
+    turn: [f64; 3],
 }
 
 impl Case<'_> {
@@ -27,7 +30,8 @@ impl Case<'_> {
             _ => return None,
         };
         let (node, _) = self.plan.dofs.name(*self.plan.constraints.dof_of_equation.get(equation)?);
-        let motion = self.motion(equation).unwrap_or(Motion { node, way: [0.0; 2], turn: 1.0 });
+        let motion =
+            self.motion(equation).unwrap_or(Motion { node, way: [0.0; 3], turn: [0.0, 0.0, 1.0] });
         if Restraint::of(self.plan.model, self.plan.step).holds(motion.node) {
             return None; // what supports hold does not move: a limit of the structure
         }
@@ -58,14 +62,30 @@ impl Case<'_> {
     }
 
     fn way(&self, motion: &Motion) -> String {
-        let ([u, v], w) = (motion.way, motion.turn);
-        if !motion.turns(self.plan.reach) {
-            return format!("move along ({u:.3}, {v:.3})");
+        let (plan, way, turn) = (self.plan, motion.way, motion.turn);
+        let in_space = plan.dofs.kinds().contains(&Dof::U3);
+        if !motion.turns(plan.reach) {
+            let [u, v, w] = way;
+            return match in_space {
+                true => format!("move along ({u:.3}, {v:.3}, {w:.3})"),
+                false => format!("move along ({u:.3}, {v:.3})"),
+            };
         }
-        let [x, y] = self.plan.model.nodes.plane(motion.node);
-        let dof = |dof| self.plan.dofs.find(motion.node, dof).map_or(0.0, |s| self.work.u[s]);
-        let (x, y) = (x + dof(Dof::U1) - v / w, y + dof(Dof::U2) + u / w);
-        format!("turn about ({x:.4e}, {y:.4e})")
+        // the place that stays: x + omega x u / omega^2
+        let square: f64 = turn.iter().map(|w| w * w).sum();
+        let from = plan.model.nodes.position(motion.node);
+        let moved = plan.dofs.translation(&self.work.u, motion.node);
+        let [x, y, z] = std::array::from_fn(|axis| {
+            let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
+            from[axis] + moved[axis] + (turn[next] * way[last] - turn[last] * way[next]) / square
+        });
+        match in_space {
+            true => {
+                let [a, b, c] = turn.map(|w| w / square.sqrt());
+                format!("turn about ({x:.4e}, {y:.4e}, {z:.4e}) along ({a:.3}, {b:.3}, {c:.3})")
+            }
+            false => format!("turn about ({x:.4e}, {y:.4e})"),
+        }
     }
 
     /// How far the contact is that the motion would close or open.
@@ -98,12 +118,16 @@ impl Case<'_> {
         };
         // a turn counts where nothing moves with it
         let size = |node: NodeIndex| {
-            at(node, Dof::U1).hypot(at(node, Dof::U2)) + 1e-6 * at(node, Dof::UR3).abs() * reach
+            let length = |dofs: [Dof; 3]| {
+                dofs.map(|dof| at(node, dof)).iter().fold(0.0, |a: f64, b| a.hypot(*b))
+            };
+            length(TRANSLATIONS) + 1e-6 * length(ROTATIONS) * reach
         };
         let node = (0..self.plan.model.nodes.len()).max_by(|&a, &b| size(a).total_cmp(&size(b)))?;
         let largest = size(node);
-        let [u, v, w] = [Dof::U1, Dof::U2, Dof::UR3].map(|dof| at(node, dof) / largest);
-        Some(Motion { node, way: [u, v], turn: w }).filter(|_| largest > 0.0)
+        let [way, turn] =
+            [TRANSLATIONS, ROTATIONS].map(|dofs| dofs.map(|dof| at(node, dof) / largest));
+        Some(Motion { node, way, turn }).filter(|_| largest > 0.0)
     }
 
     /// A structure that gives way under a load: its stiffness is no longer
@@ -145,17 +169,18 @@ impl Case<'_> {
 
 impl Motion {
     fn turns(&self, reach: f64) -> bool {
-        self.turn.abs() * reach > 1e-6
+        self.turn.iter().any(|turn| turn.abs() * reach > 1e-6)
     }
 
     /// Number of the degree of freedom that would stop it.
     fn dof(&self, reach: f64) -> usize {
-        let [u, v] = self.way;
-        match self.turns(reach) {
-            true => 6,
-            false if u.abs() > v.abs() => 1,
-            false => 2,
-        }
+        let turns = self.turns(reach);
+        let (parts, dofs) = match turns {
+            true => (self.turn, ROTATIONS),
+            false => (self.way, TRANSLATIONS),
+        };
+        let largest = (0..3).max_by(|&a, &b| parts[a].abs().total_cmp(&parts[b].abs()));
+        dofs[largest.unwrap_or(0)].number()
     }
 }
 

@@ -8,8 +8,13 @@
 //!
 //! docs/theory.md eq. (8.4).
 
-use super::{LinearPoint, Sliding};
+use super::{Augmentation, LawContext, LinearPoint, LinearPoints, LinearRows};
 use slideline_linalg::{FactorReport, Pattern, SolveError, Solver};
+use slideline_mech::contact::tangential::Tangential;
+
+/// The most and the least augmentation, in stiffnesses that the point feels [1].
+const MOST: f64 = 1e6;
+const LEAST: f64 = 1e-3;
 
 /// K_0 of an iteration and the factors of K_s.
 pub struct Stiffness<'a> {
@@ -29,10 +34,10 @@ impl Stiffness<'_> {
     /// Factors K_s with the augmentation that the points have.
     ///
     /// Errors: the solver's.
-    pub fn factor(&mut self, points: &[LinearPoint]) -> Result<FactorReport, SolveError> {
+    pub fn factor(&mut self, points: &LinearPoints) -> Result<FactorReport, SolveError> {
         self.augmented.copy_from_slice(self.values);
-        for point in points {
-            self.augment(point);
+        for point in points.with_rows() {
+            self.augment(&point);
         }
         if self.symmetrised {
             symmetrise(self.pattern, self.augmented);
@@ -40,41 +45,45 @@ impl Stiffness<'_> {
         self.solver.refactor(self.pattern, self.augmented)
     }
 
-    fn augment(&mut self, point: &LinearPoint) {
-        let tangential = point.sliding.map_or(0.0, |sliding| sliding.stiffness);
-        if point.stiffness == 0.0 && tangential == 0.0 {
+    fn augment(&mut self, point: &LinearRows<'_>) {
+        let lent = point.augmentation();
+        if lent == Augmentation::default() {
             return;
         }
-        for i in 0..point.width {
-            for j in 0..point.width {
-                let at = self.pattern.position(point.equations[i], point.equations[j]);
-                if let Some(at) = at {
-                    self.augmented[at] += point.area
-                        * (point.stiffness * point.normal[i] * point.normal[j]
-                            + tangential * point.direction[i] * point.tangential[j]);
-                }
+        let (rows, directions) = (point.rows, 0..point.rows.directions());
+        for (i, &row) in rows.unknowns.iter().enumerate() {
+            for (j, &column) in rows.unknowns.iter().enumerate() {
+                let Some(at) = self.pattern.position(row, column) else { continue };
+                let normal = lent.normal * rows.normal()[i] * rows.normal()[j];
+                let drag = |k: usize| lent.tangential * rows.force(k)[i] * rows.slip(k)[j];
+                self.augmented[at] +=
+                    point.area * directions.clone().map(drag).fold(normal, |sum, own| sum + own);
             }
         }
     }
 
     /// Stiffness per area that a point feels of its own equations alone, along
-    /// its normal and along its tangent [F/L3]: of both sides in series, a side
+    /// its normal and along its tangents [F/L3]: of both sides in series, a side
     /// that cannot move being infinitely stiff.
-    pub fn local(&self, point: &LinearPoint) -> [f64; 2] {
-        let mut compliance = [0.0; 2];
-        for k in 0..point.width {
-            let own = point.equations[k];
+    pub(super) fn local(&self, point: &LinearRows<'_>) -> Augmentation {
+        let rows = point.rows;
+        let (mut normal, mut tangential) = (0.0, 0.0);
+        for (k, &own) in rows.unknowns.iter().enumerate() {
             let diagonal = self.pattern.position(own, own).map_or(0.0, |at| self.values[at]);
-            let squares = [
-                point.normal[k] * point.normal[k],
-                (point.direction[k] * point.tangential[k]).abs(),
-            ];
-            for (sum, square) in compliance.iter_mut().zip(squares).filter(|(_, s)| *s > 0.0) {
+            let yields = |square: f64| match diagonal > 0.0 {
+                _ if square <= 0.0 => 0.0,
+                true => point.area * square / diagonal,
                 // what nothing but contact holds yields without end
-                *sum += if diagonal > 0.0 { point.area * square / diagonal } else { f64::INFINITY };
-            }
+                false => f64::INFINITY,
+            };
+            normal += yields(rows.normal()[k] * rows.normal()[k]);
+            let squares =
+                (0..rows.directions()).map(|d| (rows.force(d)[k] * rows.slip(d)[k]).abs());
+            tangential += squares.map(yields).sum::<f64>();
         }
-        compliance.map(|c| if c > 0.0 { (1.0 / c).max(point.least) } else { 0.0 })
+        tangential /= rows.directions().max(1) as f64;
+        let stiffness = |c: f64| if c > 0.0 { (1.0 / c).max(point.least) } else { 0.0 };
+        Augmentation { normal: stiffness(normal), tangential: stiffness(tangential) }
     }
 }
 
@@ -91,12 +100,69 @@ fn symmetrise(pattern: &Pattern, values: &mut [f64]) {
     }
 }
 
-impl LinearPoint {
-    /// Sets the augmentation along the normal and along the tangent [F/L3].
-    pub(super) fn set_augmentation(&mut self, [normal, tangential]: [f64; 2]) {
-        self.stiffness = normal;
-        if let Some(sliding) = &mut self.sliding {
-            *sliding = Sliding { stiffness: tangential, ..*sliding };
+/// A slope of a law as an augmentation: none steeper than what the point feels
+/// allows, and an infinite one as what it feels [F/L3].
+pub(super) fn within(slope: f64, local: f64, least: f64) -> f64 {
+    match slope.is_finite() {
+        true => slope.clamp(least * local, MOST * local),
+        false => local,
+    }
+}
+
+impl LawContext<'_> {
+    /// Augments points that touch by their laws at the first estimate.
+    pub fn augment(&self, points: &mut LinearPoints, stiffness: &Stiffness<'_>) {
+        for place in 0..points.len() {
+            if points[place].stiffness <= 0.0 {
+                continue;
+            }
+            let wanted = self.augmentation(&points.at(place), stiffness);
+            if wanted.normal > 0.0 {
+                points[place].set_augmentation(wanted);
+            }
         }
+    }
+
+    /// Pressure and traction at the point of linearisation, of laws linearised
+    /// about the estimates with the augmentation as their slope [F/L2]:
+    /// docs/theory.md eq. (8.29).
+    pub(super) fn linearised(&self, point: &LinearPoint) -> (f64, Tangential) {
+        let laws = &self.laws[point.pair];
+        let carries = match laws.normal.overclosure(point.pressure) {
+            Some((overclosure, _)) => overclosure,
+            None => point.overclosure.min(laws.normal.contact_begins()),
+        };
+        let pressure = point.pressure + point.stiffness * (point.overclosure - carries);
+        let traction = point.sliding.map_or(Tangential::ZERO, |sliding| {
+            let exact = laws.friction.needs_multiplier() || sliding.stiffness == 0.0;
+            let from = match exact {
+                true => Tangential::ZERO,
+                false => sliding.traction / sliding.stiffness - sliding.elastic_slip,
+            };
+            sliding.traction + sliding.stiffness * (sliding.slip - from)
+        });
+        (pressure, traction)
+    }
+
+    /// Slopes of the laws of a point at its estimates, no steeper and no softer than what it
+    /// feels allows [F/L3].
+    fn augmentation(&self, point: &LinearRows<'_>, stiffness: &Stiffness<'_>) -> Augmentation {
+        let laws = &self.laws[point.pair];
+        let (local, pressure) = (stiffness.local(point), point.pressure);
+        let normal = match laws.normal.overclosure(pressure) {
+            // a hard law has no slope: the point's own stiffness stands for it
+            Some((_, 0.0)) => local.normal,
+            Some((_, by_pressure)) => within(1.0 / by_pressure, local.normal, LEAST),
+            None => LEAST * local.normal,
+        };
+        let tangential = match &point.sliding {
+            Some(sliding) if pressure > 0.0 => {
+                let at = (sliding.traction, sliding.slip);
+                let stick = laws.stick_stiffness(pressure, at, self.dt);
+                stick.map_or(0.0, |slope| within(slope, local.tangential, 0.0))
+            }
+            _ => 0.0,
+        };
+        Augmentation { normal, tangential }
     }
 }

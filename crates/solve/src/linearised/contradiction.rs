@@ -10,7 +10,9 @@
 //! some points that press depend on one another. (derived)
 
 use super::pivoting::pivoting;
-use super::{Kind, LawContext, LinearPoint, LinearisedContact, System};
+use super::points::Kind;
+use super::system::IntegrationPoints;
+use super::{LawContext, LinearPoint, LinearPoints, LinearisedContact, System};
 
 /// Hard points that cannot all close.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,7 +28,7 @@ impl LinearisedContact {
     /// by the system that was solved last.
     pub fn contradiction(
         &self,
-        points: &[LinearPoint],
+        points: &LinearPoints,
         context: &LawContext<'_>,
         tolerance: f64,
     ) -> Option<Contradiction> {
@@ -39,8 +41,11 @@ impl LinearisedContact {
         if hard.is_empty() || self.compliance.len() < self.rows.len() * self.rows.len() {
             return None;
         }
-        let system =
-            System { rows: &self.rows, compliance: &self.compliance, integration_points: &[] };
+        let system = System {
+            rows: &self.rows,
+            compliance: &self.compliance,
+            integration_points: IntegrationPoints::NONE,
+        };
         let mut unknown = self.unknown.clone();
         pivoting(&system, &hard, &mut unknown);
         let at = |i: usize| system.multiplier_and_value(i, &unknown);

@@ -15,10 +15,12 @@
 //! are taken as they are again. docs/theory.md eq. (8.25). (derived)
 
 use super::iterate::eliminate_in_units;
-use super::system::{Row, System, Unknown};
-use super::{Kind, LawContext, LinearPoint, LinearisedContact};
+use super::points::Kind;
+use super::system::{Row, RowSlopes, System, Unknown};
+use super::{LawContext, LinearPoint, LinearPoints, LinearisedContact};
 use slideline_linalg::DenseLu;
-use slideline_mech::contact::enforcement::Complementarity;
+use slideline_mech::contact::enforcement::{Complementarity, TangentialComplementarity};
+use slideline_mech::contact::tangential::{Tangential, TangentialMap};
 
 /// Rounds in which the limits of friction follow the pressures.
 const ROUNDS: usize = 8;
@@ -31,15 +33,16 @@ const HALVINGS: usize = 40;
 const STIFF: f64 = 1e5;
 /// Change of all pressures, relative to the largest, that ends the rounds [1].
 const STEADY: f64 = 1e-6;
+/// Equations of a point that room is kept for.
+const ROWS: usize = 18;
 
 impl LinearisedContact {
     /// Moves the unknowns to where the energy is least, rounds of fixed limits
     /// after one another.
-    pub(super) fn minimise(&mut self, points: &[LinearPoint], context: &LawContext<'_>) {
+    pub(super) fn minimise(&mut self, points: &LinearPoints, context: &LawContext<'_>) {
         let mut work = std::mem::take(&mut self.descent);
         let mut held = std::mem::take(&mut work.held);
-        held.clear();
-        held.extend_from_slice(points);
+        held.copy_from(points);
         let fixed = LawContext { symmetrised: true, ..*context };
         for _ in 0..ROUNDS {
             self.descend(&held, &fixed, &mut work);
@@ -52,7 +55,7 @@ impl LinearisedContact {
     }
 
     /// Newton with steps that end where the energy is least.
-    fn descend(&mut self, points: &[LinearPoint], fixed: &LawContext<'_>, work: &mut Descent) {
+    fn descend(&mut self, points: &LinearPoints, fixed: &LawContext<'_>, work: &mut Descent) {
         work.make_room(self.rows.len());
         let mut unknown = std::mem::take(&mut self.unknown);
         let system = System {
@@ -107,7 +110,7 @@ impl LinearisedContact {
     /// they are what they were.
     fn follow_pressures(
         &mut self,
-        points: &mut [LinearPoint],
+        points: &mut LinearPoints,
         fixed: &LawContext<'_>,
         values: &mut Vec<f64>,
     ) -> bool {
@@ -127,15 +130,14 @@ impl LinearisedContact {
         };
         for (i, row) in self.rows.iter().enumerate() {
             if let Some((place, Kind::Normal)) = row.point() {
-                let pressure = fixed.inserted(row, Kind::Normal, &points[place], values[i]).value;
+                let pressure = fixed.inserted_pressure(row, &points[place], values[i]).value;
                 follow(&mut points[place], pressure);
             }
         }
-        for integration_point in &self.integration_points {
-            let pressure = fixed
-                .integration_point(integration_point, &points[integration_point.point], values)
-                .pressure;
-            follow(&mut points[integration_point.point], pressure);
+        for integration_point in self.integration_points.iter() {
+            let place = integration_point.point;
+            let answer = fixed.integration_point(integration_point, &points.at(place), values);
+            follow(&mut points[place], answer.pressure);
         }
         change <= STEADY * largest
     }
@@ -145,7 +147,7 @@ impl LinearisedContact {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Descent {
     /// Points with the pressures that limit friction.
-    held: Vec<LinearPoint>,
+    held: LinearPoints,
     /// Unknowns at the beginning of a step.
     from: Vec<f64>,
     step: Vec<f64>,
@@ -164,7 +166,7 @@ impl Descent {
     /// Room for `m` rows and so many points, so that later steps allocate nothing.
     pub fn reserve(&mut self, m: usize, points: usize) {
         self.make_room(m);
-        self.held.reserve(points);
+        self.held.reserve(points, ROWS);
         // factored once, so that what it needs is there
         self.factors.matrix_mut(m);
         self.factors.factor();
@@ -183,7 +185,7 @@ impl Descent {
         &mut self,
         system: &System<'_>,
         unknown: &[f64],
-        points: &[LinearPoint],
+        points: &LinearPoints,
         fixed: &LawContext<'_>,
     ) -> f64 {
         for (i, value) in self.values.iter_mut().enumerate() {
@@ -194,16 +196,11 @@ impl Descent {
             let slope = (&mut self.jacobian[..], &mut self.stiffness[..]);
             system.interface(known, fixed, &mut self.residual, slope);
         }
-        for (i, row) in system.rows.iter().enumerate() {
-            let Unknown::Multiplier { point, kind, pressure_row } = row.unknown else { continue };
-            let (multiplier, value) = system.multiplier_and_value(i, unknown);
-            let mut complementarity = fixed.inserted(row, kind, &points[point], value);
-            if self.steepest && kind == Kind::Tangential {
-                complementarity.by_value =
-                    fixed.inserted(row, kind, &points[point], fixed.rest(&points[point])).by_value;
-            }
-            self.residual[i] = multiplier - complementarity.value;
-            system.differentiate(i, pressure_row, &complementarity, &mut self.jacobian);
+        for i in 0..system.rows.len() {
+            fixed.insert(system.rows, i, points, (&self.values, self.steepest), |i, slopes| {
+                self.residual[i] = system.multiplier_and_value(i, unknown).0 - slopes.value;
+                system.differentiate(i, &slopes, &mut self.jacobian);
+            });
         }
         let squares = self.residual.iter().zip(system.rows).map(|(f, row)| f * f * row.weight);
         squares.sum()
@@ -231,36 +228,78 @@ impl Descent {
 }
 
 impl LawContext<'_> {
-    /// The slip at which a point carries no traction [L].
-    fn rest(&self, point: &LinearPoint) -> f64 {
-        point.sliding.map_or(0.0, |sliding| -sliding.elastic_slip)
-    }
-
-    /// The law of a row at an overclosure or slip, at the limit of the pressure
-    /// that the point has; a hard law and exact stick as a stiff spring.
-    fn inserted(&self, row: &Row, kind: Kind, point: &LinearPoint, value: f64) -> Complementarity {
-        let laws = &self.laws[point.pair];
-        let stiff = STIFF * row.felt;
-        match (kind, &point.sliding) {
-            (Kind::Tangential, Some(sliding)) if laws.friction.needs_multiplier() => {
-                let limit = laws.friction.limit_traction(point.pressure, sliding.slip, self.dt);
-                let tau = stiff * value;
-                match tau.abs() <= limit {
-                    true => Complementarity::inserted(tau, stiff),
-                    false => Complementarity::inserted(limit * tau.signum(), 0.0),
+    /// What the laws say at the `values` of all rows, at the limit of the pressure that the
+    /// point has: of the pressure in row `i`, or of all tractions that begin there; `steepest`:
+    /// with the slopes of stick, sliding or not.
+    fn insert(
+        &self,
+        rows: &[Row],
+        i: usize,
+        points: &LinearPoints,
+        (values, steepest): (&[f64], bool),
+        mut slopes: impl FnMut(usize, RowSlopes),
+    ) {
+        let Some((place, kind)) = rows[i].point() else { return };
+        let (row, point) = (&rows[i], &points[place]);
+        match kind {
+            Kind::Normal => {
+                let answer = self.inserted_pressure(row, point, values[i]);
+                slopes(i, RowSlopes::of_pressure(i, &answer));
+            }
+            Kind::Tangential(0) => {
+                let mut slip = Tangential::ZERO;
+                let directions = points.directions();
+                slip.0[..directions].copy_from_slice(&values[i..i + directions]);
+                let mut answer = self.inserted_traction(row, point, slip);
+                if steepest {
+                    let rest = point.sliding.map_or(slip, |sliding| -sliding.elastic_slip);
+                    answer.by_value = self.inserted_traction(row, point, rest).by_value;
+                }
+                for direction in 0..directions {
+                    let own = RowSlopes::of_traction((i, directions), direction, &answer);
+                    slopes(i + direction, own);
                 }
             }
-            (Kind::Tangential, Some(sliding)) => {
-                let values = [sliding.traction, value, point.pressure];
-                let complementarity =
-                    self.complementarity_of_traction(laws, values, sliding, f64::INFINITY);
-                Complementarity { by_pressure: 0.0, ..complementarity }
-            }
-            _ if laws.normal.pressure(0.0).is_none() => match value > 0.0 {
-                true => Complementarity::inserted(stiff * value, stiff),
-                false => Complementarity::inserted(0.0, 0.0),
-            },
-            _ => laws.complementarity_of_pressure(0.0, value, f64::INFINITY),
+            Kind::Tangential(_) => {}
         }
+    }
+
+    /// The pressure at an overclosure; a hard law as a stiff spring.
+    fn inserted_pressure(&self, row: &Row, point: &LinearPoint, value: f64) -> Complementarity {
+        let laws = &self.laws[point.pair];
+        let stiff = STIFF * row.felt;
+        match laws.normal.pressure(0.0) {
+            None if value > 0.0 => Complementarity::inserted(stiff * value, stiff),
+            None => Complementarity::inserted(0.0, 0.0),
+            Some(_) => laws.complementarity_of_pressure(0.0, value, f64::INFINITY),
+        }
+    }
+
+    /// The traction at a slip and the limit of the pressure that the point has; exact stick as a
+    /// stiff spring.
+    fn inserted_traction(
+        &self,
+        row: &Row,
+        point: &LinearPoint,
+        slip: Tangential,
+    ) -> TangentialComplementarity {
+        let laws = &self.laws[point.pair];
+        let Some(sliding) = &point.sliding else { return TangentialComplementarity::default() };
+        if !laws.friction.needs_multiplier() {
+            let values = (sliding.traction, slip, point.pressure);
+            let answer = self.complementarity_of_traction(laws, values, sliding, f64::INFINITY);
+            return TangentialComplementarity { by_pressure: Tangential::ZERO, ..answer };
+        }
+        let stiff = STIFF * row.felt;
+        let limit = laws.friction.limit_traction(point.pressure, sliding.slip, self.dt);
+        let tau = stiff * slip;
+        let (value, by_value) = match tau.size() <= limit {
+            true => (tau, TangentialMap::isotropic(stiff)),
+            false => {
+                let way = tau.direction();
+                (limit * way, TangentialMap::across(way, stiff * limit / tau.size()))
+            }
+        };
+        TangentialComplementarity { value, by_value, ..TangentialComplementarity::default() }
     }
 }

@@ -1,8 +1,10 @@
 //! The semismooth Newton method of the small system.
 
 use super::pivoting::pivoting;
+use super::points::Kind;
+use super::system::IntegrationPoints;
 use super::system::{Row, System};
-use super::{Kind, LawContext, LinearPoint, LinearisedContact};
+use super::{LawContext, LinearPoints, LinearisedContact};
 use slideline_linalg::DenseLu;
 
 /// The most iterations of the small system.
@@ -46,7 +48,7 @@ impl LinearisedContact {
     /// friction from the least energy for fixed limits, or among the
     /// active sets of a hard law from the set that a pivoting method finds.
     /// Says whether the laws of all rows are met.
-    pub(super) fn iterate(&mut self, points: &[LinearPoint], context: &LawContext<'_>) -> bool {
+    pub(super) fn iterate(&mut self, points: &LinearPoints, context: &LawContext<'_>) -> bool {
         if self.newton(points, context) {
             return true;
         }
@@ -75,7 +77,7 @@ impl LinearisedContact {
     }
 
     /// Semismooth Newton with backtracking; says whether it converged.
-    fn newton(&mut self, points: &[LinearPoint], context: &LawContext<'_>) -> bool {
+    fn newton(&mut self, points: &LinearPoints, context: &LawContext<'_>) -> bool {
         let m = self.rows.len();
         for vector in [&mut self.residual, &mut self.step, &mut self.trial] {
             vector.clear();
@@ -133,7 +135,7 @@ impl LinearisedContact {
     /// pivoting method that ends for any compliance: Lawson and Hanson's
     /// non-negative least squares, written for h = b - C p <= 0, p >= 0,
     /// p h = 0. Soft points keep their pressures. False: nothing to pivoting.
-    fn pivot_pressures(&mut self, points: &[LinearPoint], context: &LawContext<'_>) -> bool {
+    fn pivot_pressures(&mut self, points: &LinearPoints, context: &LawContext<'_>) -> bool {
         let hard = |row: &Row| {
             let Some((point, kind)) = row.point() else { return false };
             let law = &context.laws[points[point].pair].normal;
@@ -144,8 +146,11 @@ impl LinearisedContact {
         if candidates.is_empty() {
             return false;
         }
-        let system =
-            System { rows: &self.rows, compliance: &self.compliance, integration_points: &[] };
+        let system = System {
+            rows: &self.rows,
+            compliance: &self.compliance,
+            integration_points: IntegrationPoints::NONE,
+        };
         pivoting(&system, &candidates, &mut self.unknown);
         true
     }

@@ -11,35 +11,42 @@
 //! pressure closes it by more than the pressure opens it: no pressure holds
 //! the balance, and the contact jams. On a slope this is mu tan a >= 1. (derived)
 
-use super::{Kind, LawContext, LinearPoint, LinearisedContact};
+use super::points::Kind;
+use super::{LawContext, LinearPoints, LinearisedContact};
+use slideline_mech::contact::tangential::Tangential;
 
 impl LinearisedContact {
     /// Whether the point at `place` jams when it slides in the direction of
-    /// the sign of `way`, by the system that was solved last, at `pressure`
-    /// [F/L2]. Stations of integrated contact are not asked.
+    /// `way`, by the system that was solved last, at `pressure` [F/L2].
+    /// Integration points of integrated contact are not asked.
     pub fn jams(
         &self,
-        points: &[LinearPoint],
+        points: &LinearPoints,
         place: usize,
-        (way, pressure): (f64, f64),
+        (way, pressure): (Tangential, f64),
         context: &LawContext<'_>,
     ) -> bool {
         let m = self.rows.len();
         let row = |kind| self.rows.iter().position(|row| row.point() == Some((place, kind)));
-        let (Some(n), Some(t)) = (row(Kind::Normal), row(Kind::Tangential)) else { return false };
-        if way == 0.0 || pressure <= 0.0 || self.compliance.len() < m * m {
+        let Some(n) = row(Kind::Normal) else { return false };
+        let Some(first) = row(Kind::Tangential(0)) else { return false };
+        if way == Tangential::ZERO || pressure <= 0.0 || self.compliance.len() < m * m {
             return false;
         }
-        let c = |i: usize, j: usize| self.compliance[i * m + j];
         let law = &context.laws[points[place].pair].friction;
-        let limit = |pressure| law.limit_traction(pressure, 0.0, context.dt);
+        let limit = |pressure| law.limit_traction(pressure, Tangential::ZERO, context.dt);
         let mu = (limit(pressure * (1.0 + 1e-6)) - limit(pressure)) / (1e-6 * pressure);
         if !mu.is_finite() {
             return false;
         }
+        let (d, directions) = (way.direction(), 0..points.directions());
+        let c = |i: usize, j: usize| self.compliance[i * m + j];
+        let along = |row: usize| directions.clone().map(move |k| d[k] * c(row, first + k)).sum();
+        let (nn, nt): (f64, f64) = (c(n, n), along(n));
+        let tt: f64 = directions.clone().map(|k| d[k] * along(first + k)).sum();
         // what the augmentation stiffness of the point itself takes off its compliance
-        let augmentation = self.rows[t].augmentation * (c(n, n) * c(t, t) - c(n, t) * c(t, n));
-        let opens = c(n, n) + mu * way.signum() * c(n, t) - augmentation;
-        opens <= 1e-9 * c(n, n).abs()
+        let tn: f64 = directions.clone().map(|k| d[k] * c(first + k, n)).sum();
+        let augmentation = self.rows[first].augmentation * (nn * tt - nt * tn);
+        nn + mu * nt - augmentation <= 1e-9 * nn.abs()
     }
 }

@@ -1,53 +1,70 @@
-//! What the laws of contact ask of a row or a integration_point.
+//! What the laws of contact ask of a row or an integration point.
 
-use super::system::{IntegrationPoint, Row};
-use super::{Kind, LawContext, LinearPoint, MOST_DOFS, Sliding};
-use slideline_mech::contact::enforcement::Complementarity;
+use super::points::{Kind, LinearRows, Sliding};
+use super::system::{IntegrationPoint, Row, RowSlopes};
+use super::{LawContext, LinearPoints};
+use slideline_mech::contact::enforcement::TangentialComplementarity;
 use slideline_mech::contact::pair::{Laws, UserState};
+use slideline_mech::contact::tangential::{Tangential, TangentialMap};
 
-/// A integration_point at the displacements of the small system.
-#[derive(Clone, Debug, Default)]
+/// An integration point at the displacements of the small system.
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct PointAnswer {
     pub pressure: f64,
-    pub traction: f64,
+    pub traction: Tangential,
     /// Pressure and traction less what the augmentation stiffness carries [F/L2].
-    pub force: [f64; 2],
-    /// Their derivatives by overclosure and slip [F/L3].
-    pub slope: [[f64; 2]; 2],
+    pub normal: f64,
+    pub tangential: Tangential,
+    /// Slope of the normal part by overclosure [F/L3].
+    pub slope: f64,
+    /// Slopes of the tangential part by overclosure and by slip [F/L3].
+    pub drag: Tangential,
+    pub drag_by_slip: TangentialMap,
 }
 
 impl PointAnswer {
     /// Whether it neither presses nor would with a little more closing.
     pub(super) fn is_idle(&self) -> bool {
-        self.force == [0.0; 2] && self.slope == [[0.0; 2]; 2]
+        let idle = self.normal == 0.0 && self.tangential == Tangential::ZERO;
+        idle && self.slope == 0.0 && !self.drags()
+    }
+
+    /// Whether its tangential part follows anything.
+    fn drags(&self) -> bool {
+        self.drag != Tangential::ZERO || self.drag_by_slip != TangentialMap::ZERO
+    }
+
+    /// Change of the normal and the tangential part by one of overclosure and slip.
+    pub(super) fn change(&self, normal: f64, slip: Tangential) -> (f64, Tangential) {
+        (self.slope * normal, normal * self.drag + self.drag_by_slip.apply(slip))
     }
 
     /// Adds the derivative of its force by the displacements of its rows,
     /// A (a dp/du + d dtau/du), to a matrix of `m` columns.
     pub(super) fn add_slope(
         &self,
-        point: &LinearPoint,
+        point: &LinearRows<'_>,
         rows: &[usize],
         m: usize,
         stiffness: &mut [f64],
     ) {
-        let [[nn, nt], [tn, tt]] = self.slope;
-        let (mut pressure, mut traction) = ([0.0; MOST_DOFS], [0.0; MOST_DOFS]);
-        for b in 0..rows.len() {
-            let (g, s) = (point.area * point.normal[b], point.area * point.tangential[b]);
-            pressure[b] = nn * g + nt * s;
-            traction[b] = tn * g + tt * s;
-        }
-        let drags = [tn, tt] != [0.0; 2];
-        for (a, &i) in rows.iter().enumerate() {
-            let row = &mut stiffness[i * m..][..m];
-            let (n, t) = (point.normal[a], point.direction[a]);
-            for (&k, by) in rows.iter().zip(&pressure) {
-                row[k] += n * by;
+        let (drags, directions) = (self.drags(), point.rows.directions());
+        for (b, &k) in rows.iter().enumerate() {
+            let g = point.area * point.rows.normal()[b];
+            let pressure = self.slope * g;
+            let drag = |direction: usize| {
+                let by_slip = (0..directions).map(|slip| {
+                    self.drag_by_slip.at(direction, slip) * (point.area * point.rows.slip(slip)[b])
+                });
+                by_slip.fold(self.drag[direction] * g, |sum, by| sum + by)
+            };
+            for (a, &i) in rows.iter().enumerate() {
+                stiffness[i * m + k] += point.rows.normal()[a] * pressure;
             }
-            if drags {
-                for (&k, by) in rows.iter().zip(&traction) {
-                    row[k] += t * by;
+            for direction in (0..directions).filter(|_| drags) {
+                let (by, force) = (drag(direction), point.rows.force(direction));
+                for (a, &i) in rows.iter().enumerate() {
+                    stiffness[i * m + k] += force[a] * by;
                 }
             }
         }
@@ -55,81 +72,90 @@ impl PointAnswer {
 }
 
 impl LawContext<'_> {
-    /// What the law of a row complementarities of its multiplier.
-    pub(super) fn complementarity(
+    /// What the laws ask of the row `i`: of a pressure, or of all the tractions of a point
+    /// that begin there. `asked` tells multiplier and value of a row; `slopes` takes row,
+    /// multiplier and answer.
+    pub(super) fn ask(
         &self,
-        row: &Row,
-        kind: Kind,
-        point: &LinearPoint,
-        [multiplier, value, pressure]: [f64; 3],
-    ) -> Complementarity {
+        rows: &[Row],
+        i: usize,
+        points: &LinearPoints,
+        asked: impl Fn(usize) -> (f64, f64),
+        mut slopes: impl FnMut(usize, f64, RowSlopes),
+    ) {
+        let Some((place, kind)) = rows[i].point() else { return };
+        let (row, point) = (&rows[i], &points[place]);
         let laws = &self.laws[point.pair];
-        match (kind, &point.sliding) {
-            (Kind::Tangential, Some(sliding)) => {
-                let pressure = if self.symmetrised { point.pressure } else { pressure };
-                let values = [multiplier, value, pressure];
-                let complementarity =
-                    self.complementarity_of_traction(laws, values, sliding, row.kappa);
-                if self.symmetrised {
-                    Complementarity { by_pressure: 0.0, ..complementarity }
-                } else {
-                    complementarity
-                }
+        let sliding = match (kind, &point.sliding) {
+            (Kind::Normal, _) | (_, None) => {
+                let (multiplier, value) = asked(i);
+                let answer = laws.complementarity_of_pressure(multiplier, value, row.kappa);
+                slopes(i, multiplier, RowSlopes::of_pressure(i, &answer));
+                return;
             }
-            _ => laws.complementarity_of_pressure(multiplier, value, row.kappa),
+            (Kind::Tangential(0), Some(sliding)) => sliding,
+            _ => return,
+        };
+        let (mut traction, mut slip) = (Tangential::ZERO, Tangential::ZERO);
+        for direction in 0..points.directions() {
+            (traction.0[direction], slip.0[direction]) = asked(i + direction);
+        }
+        let pressure = match self.symmetrised {
+            true => point.pressure,
+            false => asked(i - 1).0,
+        };
+        let mut answer =
+            self.complementarity_of_traction(laws, (traction, slip, pressure), sliding, row.kappa);
+        if self.symmetrised {
+            answer.by_pressure = Tangential::ZERO;
+        }
+        for direction in 0..points.directions() {
+            let own = RowSlopes::of_traction((i, points.directions()), direction, &answer);
+            slopes(i + direction, traction[direction], own);
         }
     }
 
-    /// A slip that is prescribed leaves exact stick no choice: there is no
-    /// row that would carry it to the limit.
-    pub(super) fn slide_as_prescribed(&self, point: &mut LinearPoint) {
-        if point.integrated || point.moves(Kind::Tangential) {
-            return;
+    /// The traction of a slip that is prescribed, which leaves exact stick no choice: there
+    /// is no row that would carry it to the limit. `None`: the point has its rows.
+    pub(super) fn prescribed_sliding(&self, point: &LinearRows<'_>) -> Option<Tangential> {
+        let friction = &self.laws[point.pair].friction;
+        let sliding = point.sliding.as_ref()?;
+        let slides = !point.integrated && !point.slides() && friction.needs_multiplier();
+        if !slides || sliding.slip.size() <= self.rounding {
+            return None;
         }
-        let (friction, pressure) = (&self.laws[point.pair].friction, point.pressure);
-        if let Some(sliding) = &mut point.sliding
-            && friction.needs_multiplier()
-            && sliding.slip.abs() > self.rounding
-        {
-            let limit = friction.limit_traction(pressure, sliding.slip, self.dt);
-            if limit.is_finite() {
-                sliding.traction = limit * sliding.slip.signum();
-            }
-        }
+        let limit = friction.limit_traction(point.pressure, sliding.slip, self.dt);
+        limit.is_finite().then(|| limit * sliding.slip.direction())
     }
 
-    /// A integration_point with its laws inserted: among many integration_points of one element
-    /// none has a multiplier of its own.
+    /// An integration point with its laws inserted: among many integration points of one
+    /// element none has a multiplier of its own.
     pub(super) fn integration_point(
         &self,
-        integration_point: &IntegrationPoint,
-        point: &LinearPoint,
+        integration_point: IntegrationPoint<'_>,
+        point: &LinearRows<'_>,
         values: &[f64],
     ) -> PointAnswer {
-        let (mut normal, mut tangential) = (0.0, 0.0);
-        for a in 0..point.width {
-            let d = values[integration_point.rows[a]];
-            normal += point.normal[a] * d;
-            tangential += point.tangential[a] * d;
-        }
+        let (normal, slip) = point.values(|k| values[integration_point.rows[k]]);
         let laws = &self.laws[point.pair];
-        let complementarity =
+        let asked =
             laws.complementarity_of_pressure(0.0, point.overclosure + normal, f64::INFINITY);
         let mut answer = PointAnswer {
-            pressure: complementarity.value,
-            traction: 0.0,
-            force: [complementarity.value - point.stiffness * normal, 0.0],
-            slope: [[complementarity.by_value - point.stiffness, 0.0], [0.0, 0.0]],
+            pressure: asked.value,
+            normal: asked.value - point.stiffness * normal,
+            slope: asked.by_value - point.stiffness,
+            ..PointAnswer::default()
         };
         if let Some(sliding) = &point.sliding {
-            let limit = if self.symmetrised { point.pressure } else { complementarity.value };
-            let values = [sliding.traction, sliding.slip + tangential, limit];
-            let direction = self.complementarity_of_traction(laws, values, sliding, f64::INFINITY);
-            let by_pressure = if self.symmetrised { 0.0 } else { direction.by_pressure };
-            answer.traction = direction.value;
-            answer.force[1] = direction.value - sliding.stiffness * tangential;
-            answer.slope[1] =
-                [by_pressure * complementarity.by_value, direction.by_value - sliding.stiffness];
+            let limit = if self.symmetrised { point.pressure } else { asked.value };
+            let values = (sliding.traction, sliding.slip + slip, limit);
+            let drag = self.complementarity_of_traction(laws, values, sliding, f64::INFINITY);
+            let by_pressure = if self.symmetrised { Tangential::ZERO } else { drag.by_pressure };
+            let lent = TangentialMap::isotropic(-sliding.stiffness);
+            answer.traction = drag.value;
+            answer.tangential = drag.value - sliding.stiffness * slip;
+            answer.drag = asked.by_value * by_pressure;
+            answer.drag_by_slip = drag.by_value + lent;
         }
         answer
     }
@@ -137,13 +163,13 @@ impl LawContext<'_> {
     pub(super) fn complementarity_of_traction(
         &self,
         laws: &Laws,
-        values: [f64; 3],
+        values: (Tangential, Tangential, f64),
         sliding: &Sliding,
         kappa: f64,
-    ) -> Complementarity {
+    ) -> TangentialComplementarity {
         let (begin, size) = sliding.state_variables;
         let committed = self.committed.get(begin..begin + size).unwrap_or(&[]);
-        // Only a user law has a state_variables, and only then does this allocate.
+        // Only a user law has state variables, and only then does this allocate.
         let mut state = committed.to_vec();
         let mut state_variables =
             UserState { time: self.time, committed, state: &mut state, fault: &mut None };

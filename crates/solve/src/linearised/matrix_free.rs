@@ -14,13 +14,14 @@
 //! from the laws at the present estimate. docs/theory.md eqs (8.26) to (8.29).
 //! [derived]
 
-use super::augmentation::Stiffness;
+use super::augmentation::{Stiffness, within};
 use super::laws::PointAnswer;
-use super::system::{IntegrationPoint, Row, Unknown};
-use super::{Kind, LawContext, LinearPoint, LinearisedContact, MOST_DOFS};
+use super::points::{Augmentation, Kind};
+use super::slopes::Slopes;
+use super::system::{Row, RowSlopes, Unknown, share_among_directions};
+use super::{LawContext, LinearPoints, LinearRows, LinearisedContact};
 use slideline_linalg::SolveError;
 use slideline_linalg::krylov::{self, Stop, gmres};
-use slideline_mech::contact::enforcement::Complementarity;
 
 /// The most Newton steps.
 const STEPS: usize = 60;
@@ -32,9 +33,6 @@ const SOLVED: f64 = 1e-11;
 const ROUNDED: f64 = 1e-8;
 /// Shortest fraction of a step that is tried.
 const SHORTEST: f64 = 1e-3;
-/// The most and the least augmentation, in stiffnesses that the point feels [1].
-const MOST: f64 = 1e6;
-const LEAST: f64 = 1e-3;
 /// Change of an augmentation that is worth a factorisation [1].
 const WORTHWHILE: f64 = 1.5;
 /// Products that are always allowed before the augmentation is taken anew.
@@ -57,7 +55,7 @@ pub(super) struct MatrixFree {
     yielded: Vec<f64>,
     trial: [Vec<f64>; 2],
     scaled: Vec<f64>,
-    complementarities: Vec<Complementarity>,
+    slopes: Vec<RowSlopes>,
     answers: Vec<PointAnswer>,
     krylov: krylov::Workspace,
     /// Solutions with the factored stiffness in this iteration.
@@ -67,7 +65,7 @@ pub(super) struct MatrixFree {
 /// Products with C of a set of rows.
 struct Compliance<'a> {
     rows: &'a [Row],
-    points: &'a [LinearPoint],
+    points: &'a LinearPoints,
     full: &'a mut Vec<f64>,
     solves: &'a mut usize,
     fault: Option<SolveError>,
@@ -80,10 +78,7 @@ impl Compliance<'_> {
         for (row, &q) in self.rows.iter().zip(q).filter(|(_, q)| **q != 0.0) {
             match row.unknown {
                 Unknown::Multiplier { point, kind, .. } => {
-                    let point = &self.points[point];
-                    for (&equation, f) in point.equations.iter().zip(point.force(kind)) {
-                        self.full[equation] += point.area * q * f;
-                    }
+                    self.points.at(point).push(kind, q, self.full);
                 }
                 Unknown::Interface { equation } => self.full[equation] += q,
             }
@@ -99,7 +94,9 @@ impl Compliance<'_> {
         }
         for (value, row) in into.iter_mut().zip(self.rows) {
             *value = match row.unknown {
-                Unknown::Multiplier { point, kind, .. } => self.points[point].dot(kind, self.full),
+                Unknown::Multiplier { point, kind, .. } => {
+                    self.points.at(point).dot(kind, self.full)
+                }
                 Unknown::Interface { equation } => self.full[equation],
             };
         }
@@ -110,7 +107,7 @@ impl LinearisedContact {
     /// As [`LinearisedContact::solve`], without forming C.
     pub(super) fn solve_matrix_free(
         &mut self,
-        points: &mut [LinearPoint],
+        points: &mut LinearPoints,
         context: &LawContext<'_>,
         stiffness: &mut Stiffness<'_>,
         correction: &mut [f64],
@@ -131,7 +128,7 @@ impl LinearisedContact {
 
     fn rounds_matrix_free(
         &mut self,
-        points: &mut [LinearPoint],
+        points: &mut LinearPoints,
         context: &LawContext<'_>,
         stiffness: &mut Stiffness<'_>,
         work: &mut MatrixFree,
@@ -158,24 +155,26 @@ impl LinearisedContact {
     /// present estimate; says whether any joined.
     fn activate_matrix_free(
         &mut self,
-        points: &[LinearPoint],
+        points: &LinearPoints,
         context: &LawContext<'_>,
         touching: bool,
     ) -> bool {
         let mut joined = false;
-        for (place, point) in points.iter().enumerate() {
-            if self.in_rows[place] || !self.joins(point, context, touching) {
+        for (place, point) in points.with_rows().enumerate() {
+            if self.in_rows[place] || !self.joins(&point, context, touching) {
                 continue;
             }
             self.in_rows[place] = true;
             joined = true;
             if point.integrated {
-                self.activate_integration_point((point, place), context);
+                self.activate_integration_point((&point, place), context);
                 continue;
             }
-            self.push_row(point, place, Kind::Normal);
-            if point.sliding.is_some() && point.moves(Kind::Tangential) {
-                self.push_row(point, place, Kind::Tangential);
+            self.push_row(&point, place, Kind::Normal);
+            if point.sliding.is_some() && point.slides() {
+                for direction in 0..points.directions() {
+                    self.push_row(&point, place, Kind::Tangential(direction));
+                }
             }
         }
         joined
@@ -183,41 +182,41 @@ impl LinearisedContact {
 
     fn activate_integration_point(
         &mut self,
-        (point, place): (&LinearPoint, usize),
+        (point, place): (&LinearRows<'_>, usize),
         context: &LawContext<'_>,
     ) {
-        let mut integration_point = IntegrationPoint { point: place, rows: [0; MOST_DOFS] };
-        for (row, &equation) in
-            integration_point.rows.iter_mut().zip(&point.equations[..point.width])
-        {
-            *row = match self.interface.get(&equation) {
+        for &equation in point.rows.unknowns {
+            let row = match self.interface.get(&equation) {
                 Some(&known) => known,
                 None => {
                     let unit = context.units.get(equation).copied().unwrap_or(1.0);
                     self.push_interface(equation, unit)
                 }
             };
+            self.integration_points.push_row(row);
         }
-        self.integration_points.push(integration_point);
+        self.integration_points.finish(place);
     }
 
     /// The first guess of all rows: laws linearised about the estimates.
-    fn guess(&mut self, points: &[LinearPoint], context: &LawContext<'_>) {
+    fn guess(&mut self, points: &LinearPoints, context: &LawContext<'_>) {
         for (row, q) in self.rows.iter().zip(&mut self.unknown) {
             *q = match row.unknown {
                 Unknown::Multiplier { point, kind, .. } => {
-                    let [pressure, traction] = context.linearised(&points[point]);
-                    if kind == Kind::Normal { pressure } else { traction }
+                    let (pressure, traction) = context.linearised(&points[point]);
+                    match kind {
+                        Kind::Normal => pressure,
+                        Kind::Tangential(direction) => traction[direction],
+                    }
                 }
                 Unknown::Interface { .. } => 0.0,
             };
         }
-        for integration_point in &self.integration_points {
-            let point = &points[integration_point.point];
-            let [pressure, traction] = context.linearised(point);
-            for (a, &i) in integration_point.rows[..point.width].iter().enumerate() {
-                let force = pressure * point.normal[a] + traction * point.direction[a];
-                self.unknown[i] += point.area * force;
+        for integration_point in self.integration_points.iter() {
+            let point = points.at(integration_point.point);
+            let (pressure, traction) = context.linearised(&point);
+            for (a, &i) in integration_point.rows.iter().enumerate() {
+                self.unknown[i] += point.area * point.force_at(a, pressure, traction);
             }
         }
     }
@@ -226,7 +225,7 @@ impl LinearisedContact {
     /// laws are met.
     fn iterate_matrix_free(
         &mut self,
-        points: &mut [LinearPoint],
+        points: &mut LinearPoints,
         context: &LawContext<'_>,
         stiffness: &mut Stiffness<'_>,
         work: &mut MatrixFree,
@@ -240,15 +239,15 @@ impl LinearisedContact {
     }
 
     /// What does not depend on the estimate: starts, local stiffnesses, weights.
-    fn place_rows(&mut self, points: &[LinearPoint], stiffness: &Stiffness<'_>, work: &MatrixFree) {
+    fn place_rows(&mut self, points: &LinearPoints, stiffness: &Stiffness<'_>, work: &MatrixFree) {
         for row in &mut self.rows {
             match row.unknown {
                 Unknown::Multiplier { point, kind, .. } => {
-                    let point = &points[point];
-                    let [normal, tangential] = stiffness.local(point);
-                    let (own, augmentation) = match (kind, &point.sliding) {
-                        (Kind::Tangential, Some(sliding)) => (tangential, sliding.stiffness),
-                        _ => (normal, point.stiffness),
+                    let point = points.at(point);
+                    let (local, lent) = (stiffness.local(&point), point.augmentation());
+                    let (own, augmentation) = match kind {
+                        Kind::Tangential(_) => (local.tangential, lent.tangential),
+                        Kind::Normal => (local.normal, lent.normal),
                     };
                     row.free = row.start + point.dot(kind, &work.base);
                     (row.own, row.augmentation, row.kappa, row.felt) =
@@ -265,12 +264,13 @@ impl LinearisedContact {
                 }
             }
         }
+        share_among_directions(&mut self.rows);
     }
 
     /// Semismooth Newton in the multipliers `q`.
     fn newton_matrix_free(
         &mut self,
-        points: &mut [LinearPoint],
+        points: &mut LinearPoints,
         context: &LawContext<'_>,
         stiffness: &mut Stiffness<'_>,
         work: &mut MatrixFree,
@@ -306,7 +306,7 @@ impl LinearisedContact {
     /// e = free - C q.
     fn displace(
         &mut self,
-        points: &[LinearPoint],
+        points: &LinearPoints,
         stiffness: &mut Stiffness<'_>,
         work: &mut MatrixFree,
         q: &[f64],
@@ -327,33 +327,32 @@ impl LinearisedContact {
     /// its weighted square.
     fn measure(
         &self,
-        points: &[LinearPoint],
+        points: &LinearPoints,
         context: &LawContext<'_>,
         work: &mut MatrixFree,
         q: &[f64],
     ) -> f64 {
-        let MatrixFree { values, residual, complementarities, answers, .. } = work;
+        let MatrixFree { values, residual, slopes, answers, .. } = work;
         residual.copy_from_slice(q);
         for (integration_point, answer) in self.integration_points.iter().zip(answers.iter_mut()) {
-            let point = &points[integration_point.point];
-            *answer = context.integration_point(integration_point, point, values);
+            let point = points.at(integration_point.point);
+            *answer = context.integration_point(integration_point, &point, values);
             if !answer.is_idle() {
-                for (a, &i) in integration_point.rows[..point.width].iter().enumerate() {
-                    let force =
-                        point.normal[a] * answer.force[0] + point.direction[a] * answer.force[1];
-                    residual[i] -= point.area * force;
+                for (a, &i) in integration_point.rows.iter().enumerate() {
+                    residual[i] -= point.area * point.force_at(a, answer.normal, answer.tangential);
                 }
             }
         }
-        let multiplier =
-            |i: usize| q[i] + self.rows[i].augmentation * (values[i] - self.rows[i].start);
-        for (i, row) in self.rows.iter().enumerate() {
-            let Unknown::Multiplier { point, kind, pressure_row } = row.unknown else { continue };
-            let asked = [multiplier(i), values[i], multiplier(pressure_row)];
-            complementarities[i] = context.complementarity(row, kind, &points[point], asked);
-            residual[i] = asked[0] - complementarities[i].value;
+        let rows = &self.rows;
+        let asked =
+            |i: usize| (q[i] + rows[i].augmentation * (values[i] - rows[i].start), values[i]);
+        for i in 0..rows.len() {
+            context.ask(rows, i, points, asked, |i, multiplier, answer| {
+                residual[i] = multiplier - answer.value;
+                slopes[i] = answer;
+            });
         }
-        residual.iter().zip(&self.rows).map(|(f, row)| f * f * row.weight).sum()
+        residual.iter().zip(rows).map(|(f, row)| f * f * row.weight).sum()
     }
 
     /// Largest multiplier in the squared norm of the residual.
@@ -368,32 +367,18 @@ impl LinearisedContact {
     /// Solves J step = F by GMRES and fills C step; the number of products.
     fn find_step(
         &self,
-        points: &[LinearPoint],
+        points: &LinearPoints,
         stiffness: &mut Stiffness<'_>,
         work: &mut MatrixFree,
         tolerance: f64,
     ) -> Result<usize, SolveError> {
-        let MatrixFree {
-            full,
-            residual,
-            step,
-            yielded,
-            scaled,
-            complementarities,
-            answers,
-            solves,
-            ..
-        } = work;
+        let MatrixFree { full, residual, step, yielded, scaled, slopes, answers, solves, .. } =
+            work;
         let [v, w] = &mut work.trial;
         let rows = &self.rows;
         let mut c = Compliance { rows, points, full, solves, fault: None };
-        let slopes = Slopes {
-            rows,
-            integration_points: &self.integration_points,
-            points,
-            complementarities,
-            answers,
-        };
+        let slopes =
+            Slopes { rows, integration_points: &self.integration_points, points, slopes, answers };
         // in the norm of the energy: sqrt(weight) v
         for ((scaled, f), row) in scaled.iter_mut().zip(&*residual).zip(rows) {
             *scaled = f * row.weight.sqrt();
@@ -423,7 +408,7 @@ impl LinearisedContact {
     /// `None` where nothing does.
     fn advance(
         &mut self,
-        points: &[LinearPoint],
+        points: &LinearPoints,
         context: &LawContext<'_>,
         work: &mut MatrixFree,
         q: &mut [f64],
@@ -457,7 +442,7 @@ impl LinearisedContact {
     /// anew; the multipliers and displacements stay. False: nothing to gain.
     fn augment_anew(
         &mut self,
-        points: &mut [LinearPoint],
+        points: &mut LinearPoints,
         context: &LawContext<'_>,
         stiffness: &mut Stiffness<'_>,
         work: &mut MatrixFree,
@@ -468,12 +453,9 @@ impl LinearisedContact {
             let (low, high) = (now.min(then), now.max(then));
             high > 0.0 && high > WORTHWHILE * low
         };
-        let old = |point: &LinearPoint| {
-            [point.stiffness, point.sliding.map_or(0.0, |sliding| sliding.stiffness)]
-        };
         let any = wanted.iter().any(|&(place, new)| {
-            let old = old(&points[place]);
-            changes(old[0], new[0]) || changes(old[1], new[1])
+            let old = points[place].augmentation();
+            changes(old.normal, new.normal) || changes(old.tangential, new.tangential)
         });
         if !any {
             return Ok(false);
@@ -490,18 +472,14 @@ impl LinearisedContact {
                 q[i] = multipliers[i] - row.augmentation * (work.values[i] - row.start);
             }
         }
-        for integration_point in &self.integration_points {
-            for &i in &integration_point.rows[..points[integration_point.point].width] {
-                q[i] = 0.0;
-            }
+        for integration_point in self.integration_points.iter() {
+            integration_point.rows.iter().for_each(|&i| q[i] = 0.0);
         }
-        for integration_point in &self.integration_points {
-            let point = &points[integration_point.point];
-            let answer = context.integration_point(integration_point, point, &work.values);
-            for (a, &i) in integration_point.rows[..point.width].iter().enumerate() {
-                let force =
-                    point.normal[a] * answer.force[0] + point.direction[a] * answer.force[1];
-                q[i] += point.area * force;
+        for integration_point in self.integration_points.iter() {
+            let point = points.at(integration_point.point);
+            let answer = context.integration_point(integration_point, &point, &work.values);
+            for (a, &i) in integration_point.rows.iter().enumerate() {
+                q[i] += point.area * point.force_at(a, answer.normal, answer.tangential);
             }
         }
         self.displace(points, stiffness, work, q)?;
@@ -512,34 +490,37 @@ impl LinearisedContact {
     /// diagonal at the present estimate: docs/theory.md eq. (8.28).
     fn wanted(
         &self,
-        points: &[LinearPoint],
+        points: &LinearPoints,
         stiffness: &Stiffness<'_>,
         work: &MatrixFree,
-    ) -> Vec<(usize, [f64; 2])> {
-        let slope = |complementarity: &Complementarity| {
-            complementarity.by_value / (1.0 - complementarity.by_multiplier).max(0.0)
-        };
+    ) -> Vec<(usize, Augmentation)> {
+        let slope =
+            |of: &RowSlopes, own: usize| of.by_value[own] / (1.0 - of.by_multiplier[own]).max(0.0);
         let mut wanted = Vec::with_capacity(self.rows.len());
         for (i, row) in self.rows.iter().enumerate() {
             let Some((place, Kind::Normal)) = row.point() else { continue };
-            let local = stiffness.local(&points[place]);
+            let local = stiffness.local(&points.at(place));
             let next = self.rows.get(i + 1).and_then(Row::point);
-            let tangential = match next == Some((place, Kind::Tangential)) {
-                true => within(slope(&work.complementarities[i + 1]), local[1], 0.0),
+            // where it slides in space, nothing stiffens it along its way
+            let along = |direction: usize| slope(&work.slopes[i + 1 + direction], direction);
+            let sticks = |direction: usize| work.slopes[i + 1 + direction].by_multiplier[direction];
+            let tangential = match next == Some((place, Kind::Tangential(0))) {
+                true => (0..points.directions())
+                    .min_by(|&a, &b| sticks(a).total_cmp(&sticks(b)))
+                    .map_or(0.0, |least| within(along(least), local.tangential, 0.0)),
                 false => 0.0,
             };
-            wanted.push((
-                place,
-                [within(slope(&work.complementarities[i]), local[0], 0.0), tangential],
-            ));
+            let normal = within(slope(&work.slopes[i], 0), local.normal, 0.0);
+            wanted.push((place, Augmentation { normal, tangential }));
         }
         for (integration_point, answer) in self.integration_points.iter().zip(&work.answers) {
-            let point = &points[integration_point.point];
-            let local = stiffness.local(point);
-            let augmentation = point.sliding.map_or(0.0, |sliding| sliding.stiffness);
-            let slopes = [answer.slope[0][0] + point.stiffness, answer.slope[1][1] + augmentation];
-            let normal = within(slopes[0], local[0], 0.0);
-            wanted.push((integration_point.point, [normal, within(slopes[1], local[1], 0.0)]));
+            let point = points.at(integration_point.point);
+            let (local, lent) = (stiffness.local(&point), point.augmentation());
+            let by_slip = |direction| answer.drag_by_slip.at(direction, direction);
+            let least = (0..points.directions()).map(by_slip).fold(f64::INFINITY, f64::min);
+            let normal = within(answer.slope + lent.normal, local.normal, 0.0);
+            let tangential = within(least + lent.tangential, local.tangential, 0.0);
+            wanted.push((integration_point.point, Augmentation { normal, tangential }));
         }
         wanted
     }
@@ -547,7 +528,7 @@ impl LinearisedContact {
     /// Pressures and tractions of the points from the solution.
     fn back_substitute_matrix_free(
         &mut self,
-        points: &mut [LinearPoint],
+        points: &mut LinearPoints,
         context: &LawContext<'_>,
         work: &MatrixFree,
     ) {
@@ -582,7 +563,7 @@ impl MatrixFree {
         for vector in vectors {
             vector.resize(rows, 0.0);
         }
-        self.complementarities.resize(rows, Complementarity::default());
+        self.slopes.resize(rows, RowSlopes::default());
         self.answers.resize(integration_points, PointAnswer::default());
     }
 
@@ -594,148 +575,8 @@ impl MatrixFree {
     }
 }
 
-/// A slope of a law as an augmentation: none steeper than what the point feels
-/// allows, and an infinite one as what it feels [F/L3].
-fn within(slope: f64, local: f64, least: f64) -> f64 {
-    match slope.is_finite() {
-        true => slope.clamp(least * local, MOST * local),
-        false => local,
-    }
-}
-
 /// How many solutions a factorisation costs.
 fn factorisation_in_solves(stiffness: &Stiffness<'_>) -> f64 {
     let description = stiffness.solver.description();
     description.predicted_operations / (2.0 * description.predicted_entries.max(1.0))
-}
-
-/// The slopes of the laws about an estimate.
-struct Slopes<'a> {
-    rows: &'a [Row],
-    integration_points: &'a [IntegrationPoint],
-    points: &'a [LinearPoint],
-    complementarities: &'a [Complementarity],
-    answers: &'a [PointAnswer],
-}
-
-impl Slopes<'_> {
-    /// J v, with w = C v known: docs/theory.md eq. (8.27).
-    fn product(&self, v: &[f64], w: &[f64], into: &mut [f64]) {
-        let multiplier = |i: usize| v[i] - self.rows[i].augmentation * w[i];
-        for (i, (row, complementarity)) in self.rows.iter().zip(self.complementarities).enumerate()
-        {
-            into[i] = match row.unknown {
-                Unknown::Multiplier { pressure_row, .. } => {
-                    multiplier(i) * (1.0 - complementarity.by_multiplier)
-                        + complementarity.by_value * w[i]
-                        - complementarity.by_pressure * multiplier(pressure_row)
-                }
-                Unknown::Interface { .. } => v[i],
-            };
-        }
-        for (integration_point, answer) in self.integration_points.iter().zip(self.answers) {
-            if answer.is_idle() {
-                continue;
-            }
-            let point = &self.points[integration_point.point];
-            let rows = &integration_point.rows[..point.width];
-            let (mut normal, mut tangential) = (0.0, 0.0);
-            for (a, &i) in rows.iter().enumerate() {
-                normal += point.normal[a] * w[i];
-                tangential += point.tangential[a] * w[i];
-            }
-            let [[nn, nt], [tn, tt]] = answer.slope;
-            let force = [nn * normal + nt * tangential, tn * normal + tt * tangential]
-                .map(|f| f * point.area);
-            for (a, &i) in rows.iter().enumerate() {
-                into[i] += point.normal[a] * force[0] + point.direction[a] * force[1];
-            }
-        }
-    }
-
-    /// The inverse of J with C taken as its diagonal would be of the point's own
-    /// equations; in the norm of the energy.
-    fn precondition(&self, x: &[f64], into: &mut [f64]) {
-        for (i, (row, complementarity)) in self.rows.iter().zip(self.complementarities).enumerate()
-        {
-            let Unknown::Multiplier { pressure_row, .. } = row.unknown else {
-                into[i] = x[i];
-                continue;
-            };
-            let own = |row: &Row, complementarity: &Complementarity| {
-                let compliance =
-                    if row.felt > 0.0 { 1.0 / (row.felt + row.augmentation) } else { 0.0 };
-                let multiplier = 1.0 - row.augmentation * compliance;
-                let by = multiplier * (1.0 - complementarity.by_multiplier)
-                    + complementarity.by_value * compliance;
-                (if by.abs() > f64::EPSILON { by } else { 1.0 }, multiplier)
-            };
-            let mut right = x[i];
-            if pressure_row != i && complementarity.by_pressure != 0.0 {
-                let pressure = &self.rows[pressure_row];
-                let (_, multiplier) = own(pressure, &self.complementarities[pressure_row]);
-                let scale = (row.weight / pressure.weight).sqrt();
-                right += complementarity.by_pressure * multiplier * into[pressure_row] * scale;
-            }
-            into[i] = right / own(row, complementarity).0;
-        }
-    }
-}
-
-impl LawContext<'_> {
-    /// Augments points that touch by their laws at the first estimate.
-    pub fn augment(&self, points: &mut [LinearPoint], stiffness: &Stiffness<'_>) {
-        for point in points.iter_mut().filter(|point| point.stiffness > 0.0) {
-            let sliding = point.sliding.map(|sliding| (sliding.traction, sliding.slip));
-            let wanted = self.augmentation(point, stiffness, (point.pressure, sliding));
-            if wanted[0] > 0.0 {
-                point.set_augmentation(wanted);
-            }
-        }
-    }
-
-    /// Pressure and traction at the point of linearisation, of laws linearised
-    /// about the estimates with the augmentation as their slope [F/L2]:
-    /// docs/theory.md eq. (8.29).
-    fn linearised(&self, point: &LinearPoint) -> [f64; 2] {
-        let laws = &self.laws[point.pair];
-        let carries = match laws.normal.overclosure(point.pressure) {
-            Some((overclosure, _)) => overclosure,
-            None => point.overclosure.min(laws.normal.contact_begins()),
-        };
-        let pressure = point.pressure + point.stiffness * (point.overclosure - carries);
-        let traction = point.sliding.map_or(0.0, |sliding| {
-            let exact = laws.friction.needs_multiplier() || sliding.stiffness == 0.0;
-            let elastic = if exact { 0.0 } else { sliding.traction / sliding.stiffness };
-            let from = if exact { 0.0 } else { elastic - sliding.elastic_slip };
-            sliding.traction + sliding.stiffness * (sliding.slip - from)
-        });
-        [pressure, traction]
-    }
-
-    /// Slopes of the laws of a point, no steeper and no softer than what it
-    /// feels allows [F/L3]; the state: pressure, traction with slip.
-    pub(super) fn augmentation(
-        &self,
-        point: &LinearPoint,
-        stiffness: &Stiffness<'_>,
-        (pressure, sliding): (f64, Option<(f64, f64)>),
-    ) -> [f64; 2] {
-        let laws = &self.laws[point.pair];
-        let local = stiffness.local(point);
-        let normal = match laws.normal.overclosure(pressure) {
-            // a hard law has no slope: the point's own stiffness stands for it
-            Some((_, 0.0)) => local[0],
-            Some((_, by_pressure)) => within(1.0 / by_pressure, local[0], LEAST),
-            None => LEAST * local[0],
-        };
-        let tangential = match sliding {
-            Some((traction, slip)) if pressure > 0.0 => {
-                let stick = laws.stick_stiffness(pressure, (traction, slip), self.dt);
-                stick.map_or(0.0, |slope| within(slope, local[1], 0.0))
-            }
-            _ => 0.0,
-        };
-        [normal, tangential]
-    }
 }

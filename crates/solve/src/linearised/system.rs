@@ -1,7 +1,9 @@
 //! The small system of one Newton iteration: its rows, residual and slope.
 
-use super::{Kind, LawContext, LinearPoint, MOST_DOFS};
-use slideline_mech::contact::enforcement::Complementarity;
+use super::points::Kind;
+use super::{LawContext, LinearPoints};
+use slideline_mech::contact::enforcement::{Complementarity, TangentialComplementarity};
+use slideline_mech::contact::tangential::MOST_DIRECTIONS;
 
 /// What a row of the small system stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,6 +58,14 @@ impl Row {
         }
     }
 
+    /// Row of the pressure at the point of a pressure or traction.
+    pub(super) fn pressure_row(&self) -> Option<usize> {
+        match self.unknown {
+            Unknown::Multiplier { pressure_row, .. } => Some(pressure_row),
+            Unknown::Interface { .. } => None,
+        }
+    }
+
     /// The point of a pressure or traction.
     pub(super) fn point(&self) -> Option<(usize, Kind)> {
         match self.unknown {
@@ -65,11 +75,126 @@ impl Row {
     }
 }
 
-/// A integration_point that takes part, with the rows of its equations.
+/// What the laws ask of the multiplier of a row, with derivatives: by multipliers and values of
+/// all rows of its kind at its point, and by the pressure there.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct RowSlopes {
+    /// The value [F/L2].
+    pub value: f64,
+    /// First row of the kind, and how many they are.
+    pub first: usize,
+    pub count: usize,
+    pub by_multiplier: [f64; MOST_DIRECTIONS],
+    pub by_value: [f64; MOST_DIRECTIONS],
+    pub by_pressure: f64,
+}
+
+impl RowSlopes {
+    /// Of the pressure in row `i`.
+    pub(super) fn of_pressure(i: usize, answer: &Complementarity) -> Self {
+        let mut slopes = Self { value: answer.value, first: i, count: 1, ..Self::default() };
+        (slopes.by_multiplier[0], slopes.by_value[0]) = (answer.by_multiplier, answer.by_value);
+        slopes
+    }
+
+    /// Of the traction along a direction, those of the point beginning with row `first`.
+    pub(super) fn of_traction(
+        (first, count): (usize, usize),
+        direction: usize,
+        answer: &TangentialComplementarity,
+    ) -> Self {
+        Self {
+            value: answer.value[direction],
+            first,
+            count,
+            by_multiplier: answer.by_multiplier.0[direction],
+            by_value: answer.by_value.0[direction],
+            by_pressure: answer.by_pressure[direction],
+        }
+    }
+
+    /// The rows of its kind with their derivatives by multiplier and value.
+    pub(super) fn each(&self) -> impl Iterator<Item = (usize, f64, f64)> {
+        let slopes = self.by_multiplier.into_iter().zip(self.by_value).take(self.count);
+        (self.first..).zip(slopes).map(|(row, (multiplier, value))| (row, multiplier, value))
+    }
+}
+
+/// Gives the rows of all directions of a point one stiffness, that of their mean compliance: only
+/// then does a traction that slides oppose its slip.
+pub(super) fn share_among_directions(rows: &mut [Row]) {
+    let mut begin = 0;
+    while begin < rows.len() {
+        let tangential =
+            |row: &&Row| matches!(row.point(), Some((_, Kind::Tangential(k))) if k > 0);
+        let count = 1 + rows[begin + 1..].iter().take_while(tangential).count();
+        if count > 1 {
+            share(&mut rows[begin..begin + count]);
+        }
+        begin += count;
+    }
+}
+
+fn share(rows: &mut [Row]) {
+    let count = rows.len() as f64;
+    let compliance = rows.iter().map(|row| if row.kappa > 0.0 { 1.0 / row.kappa } else { 0.0 });
+    let compliance = compliance.sum::<f64>() / count;
+    let weight = rows.iter().map(|row| row.weight).sum::<f64>() / count;
+    for row in rows {
+        row.kappa = if compliance > 0.0 { 1.0 / compliance } else { f64::INFINITY };
+        row.own = row.kappa - row.augmentation;
+        row.felt = if compliance > 0.0 { 1.0 / compliance } else { 0.0 };
+        row.weight = weight;
+    }
+}
+
+/// An integration point that takes part, with the rows of its equations.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct IntegrationPoint {
+pub(super) struct IntegrationPoint<'a> {
     pub point: usize,
-    pub rows: [usize; MOST_DOFS],
+    pub rows: &'a [usize],
+}
+
+/// All integration points that take part.
+#[derive(Clone, Debug, Default)]
+pub(super) struct IntegrationPoints {
+    /// Each with where its rows end.
+    points: Vec<(usize, usize)>,
+    rows: Vec<usize>,
+}
+
+impl IntegrationPoints {
+    /// None.
+    pub(super) const NONE: &'static Self = &Self { points: Vec::new(), rows: Vec::new() };
+
+    pub(super) fn clear(&mut self) {
+        self.points.clear();
+        self.rows.clear();
+    }
+
+    /// Adds the row of an equation of the point that is finished next.
+    pub(super) fn push_row(&mut self, row: usize) {
+        self.rows.push(row);
+    }
+
+    /// Adds the point whose rows have been added.
+    pub(super) fn finish(&mut self, point: usize) {
+        self.points.push((point, self.rows.len()));
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.points.len()
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.points.is_empty()
+    }
+
+    pub(super) fn iter(&self) -> impl Iterator<Item = IntegrationPoint<'_>> {
+        let begins = std::iter::once(0).chain(self.points.iter().map(|&(_, end)| end));
+        let each = begins.zip(&self.points);
+        each.map(|(begin, &(point, end))| IntegrationPoint { point, rows: &self.rows[begin..end] })
+    }
 }
 
 /// The small system: e = free - C q, lambda = q + s (e - start).
@@ -77,7 +202,7 @@ pub(super) struct IntegrationPoint {
 pub(super) struct System<'a> {
     pub rows: &'a [Row],
     pub compliance: &'a [f64],
-    pub integration_points: &'a [IntegrationPoint],
+    pub integration_points: &'a IntegrationPoints,
 }
 
 impl System<'_> {
@@ -103,7 +228,7 @@ impl System<'_> {
     /// F = lambda - law, its squared norm, and dF/dq.
     pub(super) fn residual(
         &self,
-        (unknown, points): (&[f64], &[LinearPoint]),
+        (unknown, points): (&[f64], &LinearPoints),
         context: &LawContext<'_>,
         residual: &mut [f64],
         (jacobian, stiffness, values): (&mut [f64], &mut [f64], &mut [f64]),
@@ -115,38 +240,35 @@ impl System<'_> {
             let known = (unknown, &*values, points);
             self.interface(known, context, residual, (jacobian, stiffness));
         }
-        for (i, row) in self.rows.iter().enumerate() {
-            let Unknown::Multiplier { point, kind, pressure_row } = row.unknown else { continue };
-            let (multiplier, value) = self.multiplier_and_value(i, unknown);
-            let pressure = self.multiplier_and_value(pressure_row, unknown).0;
-            let values = [multiplier, value, pressure];
-            let complementarity = context.complementarity(row, kind, &points[point], values);
-            residual[i] = multiplier - complementarity.value;
-            self.differentiate(i, pressure_row, &complementarity, jacobian);
+        let asked = |i: usize| self.multiplier_and_value(i, unknown);
+        for i in 0..self.rows.len() {
+            context.ask(self.rows, i, points, asked, |i, multiplier, slopes| {
+                residual[i] = multiplier - slopes.value;
+                self.differentiate(i, &slopes, jacobian);
+            });
         }
         residual.iter().zip(self.rows).map(|(f, row)| f * f * row.weight).sum()
     }
 
     /// dF/dq of a pressure or traction.
-    pub(super) fn differentiate(
-        &self,
-        i: usize,
-        k: usize,
-        complementarity: &Complementarity,
-        jacobian: &mut [f64],
-    ) {
+    pub(super) fn differentiate(&self, i: usize, slopes: &RowSlopes, jacobian: &mut [f64]) {
         let m = self.rows.len();
+        let k = self.rows[i].pressure_row().unwrap_or(i);
         for j in 0..m {
             // d value/dq_j = -C_ij, d lambda_i/dq_j = delta_ij - s C_ij
-            let by_value = -self.compliance[i * m + j];
-            let own = if i == j { 1.0 } else { 0.0 };
-            let by_multiplier = own + self.rows[i].augmentation * by_value;
-            let of_pressure = if j == k { 1.0 } else { 0.0 }
-                - self.rows[k].augmentation * self.compliance[k * m + j];
-            jacobian[i * m + j] = by_multiplier
-                - complementarity.by_multiplier * by_multiplier
-                - complementarity.by_value * by_value
-                - complementarity.by_pressure * of_pressure;
+            let by_value = |i: usize| -self.compliance[i * m + j];
+            let by_multiplier = |i: usize| {
+                let own = if i == j { 1.0 } else { 0.0 };
+                own + self.rows[i].augmentation * by_value(i)
+            };
+            let mut entry = by_multiplier(i);
+            for (row, multiplier, value) in slopes.each() {
+                entry = entry - multiplier * by_multiplier(row) - value * by_value(row);
+            }
+            if slopes.by_pressure != 0.0 {
+                entry -= slopes.by_pressure * by_multiplier(k);
+            }
+            jacobian[i * m + j] = entry;
         }
     }
 
@@ -154,7 +276,7 @@ impl System<'_> {
     /// force of all integration_points at the displacements d = free - C q.
     pub(super) fn interface(
         &self,
-        (unknown, values, points): (&[f64], &[f64], &[LinearPoint]),
+        (unknown, values, points): (&[f64], &[f64], &LinearPoints),
         context: &LawContext<'_>,
         residual: &mut [f64],
         (jacobian, stiffness): (&mut [f64], &mut [f64]),
@@ -165,18 +287,16 @@ impl System<'_> {
         for i in (0..m).filter(is_interface) {
             residual[i] = unknown[i];
         }
-        for integration_point in self.integration_points {
-            let point = &points[integration_point.point];
-            let answer = context.integration_point(integration_point, point, values);
+        for integration_point in self.integration_points.iter() {
+            let point = points.at(integration_point.point);
+            let answer = context.integration_point(integration_point, &point, values);
             if answer.is_idle() {
                 continue;
             }
-            let rows = &integration_point.rows[..point.width];
-            for (a, &i) in rows.iter().enumerate() {
-                residual[i] -= point.area
-                    * (point.normal[a] * answer.force[0] + point.direction[a] * answer.force[1]);
+            for (a, &i) in integration_point.rows.iter().enumerate() {
+                residual[i] -= point.area * point.force_at(a, answer.normal, answer.tangential);
             }
-            answer.add_slope(point, rows, m, stiffness);
+            answer.add_slope(&point, integration_point.rows, m, stiffness);
         }
         for i in (0..m).filter(is_interface) {
             let row = &mut jacobian[i * m..(i + 1) * m];

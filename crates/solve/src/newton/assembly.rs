@@ -1,13 +1,14 @@
 //! The tangent of an iteration: elements, geometry of contact, augmentation stiffness.
 
 use super::Workspace;
-use crate::contact::{ContactKinematics, SEGMENT_POINTS, SlavePoint};
+use crate::contact::{SEGMENT_POINTS, SlavePoint};
 use crate::evaluate::Evaluation;
-use crate::linearised::{LawContext, LinearPoint, MOST_DOFS, Sliding, Stiffness};
+use crate::linearised::{LawContext, LinearPoint, LinearRows, Sliding, Stiffness};
 use crate::plan::Plan;
 use crate::state::State;
 use slideline_linalg::SolveError;
 use slideline_mech::contact::enforcement::Enforcement;
+use slideline_mech::contact::tangential::Tangential;
 
 /// How far apart, in sizes of the model, points still count as touching.
 pub const TOUCH: f64 = 1e-9;
@@ -28,8 +29,8 @@ impl Workspace {
     pub(super) fn factor(&mut self, plan: &Plan<'_>, committed: &State) -> Result<(), SolveError> {
         loop {
             self.linearise_points(plan, committed);
-            let counts = |point: &&LinearPoint| point.stiffness > 0.0 || point.pressure > 0.0;
-            self.outside = !self.points.iter().filter(counts).all(|point| plan.holds(point));
+            let counts = |point: &LinearRows<'_>| point.stiffness > 0.0 || point.pressure > 0.0;
+            self.outside = !self.points.with_rows().filter(counts).all(|point| plan.holds(point));
             if self.outside {
                 return Ok(());
             }
@@ -56,15 +57,15 @@ impl Workspace {
 
     /// Contact points as the condensed problem wants them.
     pub(super) fn linearise_points(&mut self, plan: &Plan<'_>, committed: &State) {
-        self.points.clear();
+        self.points.clear(plan.contact.directions);
         for (place, point) in plan.contact.points.iter().enumerate() {
             if self.evaluation.look.idle[place] {
                 continue;
             }
-            let kinematics = &self.evaluation.kinematics[place];
+            let kinematics = &self.evaluation.kinematics.at(place);
             if point.is_integration_point() && !kinematics.faces {
                 self.pressures[place] = 0.0;
-                self.tractions[place] = 0.0;
+                self.tractions[place] = Tangential::ZERO;
                 continue;
             }
             let before = &committed.points[place];
@@ -75,41 +76,27 @@ impl Workspace {
                     || kinematics.overclosure > laws.normal.contact_begins() - TOUCH * plan.reach);
             let augmentation = if touching { augmentation_stiffness(plan, point) } else { 0.0 };
             let called = laws.has_friction() && laws.onset.called(before.closed, true);
+            let (history, from) = (before.history(), &committed.displacement);
             let sliding = (called && kinematics.faces).then(|| Sliding {
-                slip: plan.contact.slip(
-                    place,
-                    &before.history(),
-                    kinematics,
-                    &committed.displacement,
-                ),
+                slip: plan.contact.slip(place, &history, kinematics, from),
                 elastic_slip: before.elastic_slip,
                 traction: self.tractions[place],
                 stiffness: augmentation,
                 state_variables: (point.state_variables, point.state_size),
             });
-            let mut linear = LinearPoint {
+            let linear = LinearPoint {
                 place,
                 pair: point.pair,
                 area: kinematics.area,
                 integrated: point.is_integration_point(),
-                width: 0,
-                equations: [0; MOST_DOFS],
-                normal: [0.0; MOST_DOFS],
-                tangential: [0.0; MOST_DOFS],
-                direction: [0.0; MOST_DOFS],
                 overclosure: kinematics.overclosure,
                 pressure: if kinematics.faces { self.pressures[place] } else { 0.0 },
                 stiffness: augmentation,
                 least: NOTHING * augmentation_stiffness(plan, point),
                 sliding,
             };
-            for k in 0..kinematics.width {
-                let own =
-                    [kinematics.gradient[k], kinematics.slip_gradient[k], kinematics.direction[k]];
-                let add = &mut |equation, a: f64| linear.add(equation, own.map(|g| a * g));
-                plan.constraints.for_each_equation(&self.evaluation.rows, kinematics.dofs[k], add);
-            }
-            self.points.push(linear);
+            let following = (&plan.constraints, &self.evaluation.rows);
+            self.points.push(linear, kinematics.rows, following);
         }
     }
 
@@ -120,9 +107,7 @@ impl Workspace {
         let Evaluation { contributions, rows, .. } = &self.evaluation;
         plan.gather_tangent(contributions, rows, &mut self.values);
         self.stiffen(plan);
-        for dashpot in &self.dashpots {
-            dashpot.stiffen(plan, &self.evaluation.rows, &mut self.values);
-        }
+        self.dashpots.stiffen(plan, &self.evaluation.rows, &mut self.values);
         self.turn(plan);
         plan.contact.fill_scratch(&self.u, &mut self.geometry);
         for k in 0..self.points.len() {
@@ -137,7 +122,8 @@ impl Workspace {
     fn choose_enforcement(&mut self, plan: &Plan<'_>, committed: &State) {
         let rows = |point: &LinearPoint| match point.stiffness > 0.0 {
             true if point.integrated => INTEGRATED_ROWS,
-            true => 1.0 + f64::from(u8::from(point.sliding.is_some())),
+            true if point.sliding.is_some() => 1.0 + plan.contact.directions as f64,
+            true => 1.0,
             false => 0.0,
         };
         let rows: f64 = self.points.iter().map(rows).sum();
@@ -156,14 +142,14 @@ impl Workspace {
     }
 
     pub(super) fn add_geometry(&mut self, plan: &Plan<'_>, place: usize) {
-        let kinematics: &ContactKinematics = &self.evaluation.kinematics[place];
-        let width = kinematics.width;
+        let kinematics = &self.evaluation.kinematics.at(place);
+        let width = kinematics.rows.width();
         let forces =
             (kinematics.area * self.pressures[place], kinematics.area * self.tractions[place]);
         let geometry = &mut self.geometry;
         plan.contact.geometric_tangent(place, &self.u, kinematics, forces, geometry);
         let at = |i: usize, j: usize| geometry.tangent[width * i + j];
-        plan.scatter(&self.evaluation.rows, &kinematics.dofs[..width], at, &mut self.values);
+        plan.scatter(&self.evaluation.rows, kinematics.rows.unknowns, at, &mut self.values);
     }
 
     /// Adds what the turning of rigid links makes of the forces that the
@@ -176,13 +162,9 @@ impl Workspace {
         turning.iter_mut().zip(&self.load).for_each(|(force, load)| *force = -load);
         let stresses = Some(&self.stresses[..]);
         plan.structure.turning_forces(&self.u, stresses, &evaluation.contributions, turning);
-        for linear in &self.points {
-            let kinematics = &evaluation.kinematics[linear.place];
-            let [p, tau] = [self.pressures[linear.place], self.tractions[linear.place]];
-            for k in 0..kinematics.width {
-                turning[kinematics.dofs[k]] +=
-                    kinematics.area * (p * kinematics.gradient[k] + tau * kinematics.direction[k]);
-            }
+        for linear in self.points.iter() {
+            let (p, tau) = (self.pressures[linear.place], self.tractions[linear.place]);
+            evaluation.kinematics.at(linear.place).press(p, tau, turning);
         }
         plan.stiffen_by_turning(&self.u, turning, &mut self.values);
     }

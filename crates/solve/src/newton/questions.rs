@@ -7,6 +7,7 @@ use crate::linearised::Contradiction;
 use crate::plan::Plan;
 use crate::state::State;
 use slideline_linalg::SolveError;
+use slideline_mech::contact::tangential::Tangential;
 use slideline_model::NodeIndex;
 
 /// Rounds of inverse iteration for the null motion: each gains the ratio of
@@ -22,8 +23,8 @@ impl Workspace {
         let around = context(plan, committed, 1.0);
         let locked = |&place: &usize| {
             let before = &committed.points[place];
-            let trial = self.points[place].sliding.map_or(0.0, |sliding| sliding.slip);
-            let way = if trial.abs() > around.rounding { trial } else { before.traction };
+            let trial = self.points[place].sliding.map_or(Tangential::ZERO, |own| own.slip);
+            let way = if trial.size() > around.rounding { trial } else { before.traction };
             self.contact.jams(&self.points, place, (way, before.pressure), &around)
         };
         (0..self.points.len().min(committed.points.len())).filter(locked).collect()
@@ -69,7 +70,7 @@ impl Workspace {
         let tolerance = self.contact_tolerance(plan, 0.0);
         let (mut places, mut left) = (Vec::new(), 0.0_f64);
         for (place, point) in plan.contact.points.iter().enumerate() {
-            let kinematics = &self.evaluation.kinematics[place];
+            let kinematics = &self.evaluation.kinematics.at(place);
             let law = &plan.contact.laws[point.pair].normal;
             let yields = plan.contact_yields(kinematics, &self.evaluation.rows);
             let deep = kinematics.faces && kinematics.overclosure > tolerance;

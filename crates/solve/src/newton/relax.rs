@@ -14,6 +14,7 @@
 //! are measured. What is judged is the residual without D: the state that is
 //! found is an equilibrium of the model as it is. docs/theory.md eq. (9.4). [kelley1998]
 
+use super::search::Estimates;
 use super::{Outcome, Progress, Target, Workspace};
 use crate::contact::Sweep;
 use crate::increments::Verdict;
@@ -64,7 +65,7 @@ pub(super) struct Relaxation {
     /// State at the beginning of the step, a dof each.
     pub anchor: Vec<f64>,
     /// Estimates of pressures, tractions and stresses there.
-    estimates: [Vec<f64>; 3],
+    estimates: Estimates,
 }
 
 impl Workspace {
@@ -131,21 +132,14 @@ impl Workspace {
     }
 
     fn note_anchor(&mut self) {
-        let relaxation = &mut self.relaxation;
-        relaxation.anchor.clone_from(&self.u);
-        let estimates = [&self.pressures, &self.tractions, &self.stresses];
-        for (kept, estimate) in relaxation.estimates.iter_mut().zip(estimates) {
-            kept.clone_from(estimate);
-        }
+        self.relaxation.estimates = self.estimates();
+        self.relaxation.anchor.clone_from(&self.u);
     }
 
     fn return_to_anchor(&mut self, plan: &Plan<'_>, committed: &State, dt: f64) {
-        let relaxation = &self.relaxation;
-        self.u.copy_from_slice(&relaxation.anchor);
-        let [pressures, tractions, stresses] = &relaxation.estimates;
-        self.pressures.copy_from_slice(pressures);
-        self.tractions.copy_from_slice(tractions);
-        self.stresses.copy_from_slice(stresses);
+        let relaxation = std::mem::take(&mut self.relaxation);
+        self.go_back(&relaxation.anchor, &relaxation.estimates);
+        self.relaxation = relaxation;
         self.evaluate(plan, committed, dt);
     }
 

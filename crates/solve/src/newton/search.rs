@@ -13,6 +13,7 @@
 use super::Workspace;
 use crate::plan::Plan;
 use crate::state::State;
+use slideline_mech::contact::tangential::Tangential;
 use slideline_model::TimeIncrementation;
 
 /// Fractions that are tried.
@@ -30,17 +31,25 @@ pub fn limits(of: &TimeIncrementation) -> TimeIncrementation {
     TimeIncrementation { i_0: u32::MAX, i_r: u32::MAX, i_c, i_s, ..*of }
 }
 
+/// What an iteration estimates beside the displacements.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Estimates {
+    pressures: Vec<f64>,
+    tractions: Vec<Tangential>,
+    stresses: Vec<f64>,
+}
+
 impl Workspace {
     /// Moves by the fraction, of at most `longest`, that lessens the residual
     /// enough, or else by the one that leaves least of it.
     pub(super) fn search(&mut self, plan: &Plan<'_>, committed: &State, (dt, longest): (f64, f64)) {
-        let from = [&self.u, &self.pressures, &self.tractions, &self.stresses].map(Vec::clone);
+        let (from, estimates) = (self.u.clone(), self.estimates());
         let before = self.merit(plan);
         let mut best = (f64::INFINITY, longest);
         let mut taken = 0.0;
         for fraction in FRACTIONS {
             taken = fraction * longest;
-            self.go_back(&from);
+            self.go_back(&from, &estimates);
             self.advance(plan, taken);
             self.evaluate(plan, committed, dt);
             let now = self.merit(plan);
@@ -52,17 +61,27 @@ impl Workspace {
             }
         }
         if best.1 != taken {
-            self.go_back(&from);
+            self.go_back(&from, &estimates);
             self.advance(plan, best.1);
             self.evaluate(plan, committed, dt);
         }
     }
 
-    fn go_back(&mut self, [u, pressures, tractions, stresses]: &[Vec<f64>; 4]) {
+    /// Goes back to displacements with their estimates.
+    pub(super) fn go_back(&mut self, u: &[f64], estimates: &Estimates) {
         self.u.copy_from_slice(u);
-        self.pressures.copy_from_slice(pressures);
-        self.tractions.copy_from_slice(tractions);
-        self.stresses.copy_from_slice(stresses);
+        self.pressures.copy_from_slice(&estimates.pressures);
+        self.tractions.copy_from_slice(&estimates.tractions);
+        self.stresses.copy_from_slice(&estimates.stresses);
+    }
+
+    /// The estimates that belong to the trial.
+    pub(super) fn estimates(&self) -> Estimates {
+        Estimates {
+            pressures: self.pressures.clone(),
+            tractions: self.tractions.clone(),
+            stresses: self.stresses.clone(),
+        }
     }
 
     /// Size of what is not balanced: forces, moments over the length of the

@@ -18,7 +18,7 @@ impl Workspace {
     /// displacements, so that history needs none of its own.
     pub(super) fn first_stresses(&mut self, plan: &Plan<'_>, committed: &State, dt: f64) {
         let still = &mut self.correction_dofs;
-        let last = committed.increment_time[0];
+        let last = committed.increment_time.0;
         if last == 0.0 {
             // What is prescribed was spread linearly: this is where that arrives.
             for (dof, change) in still.iter_mut().enumerate() {

@@ -207,7 +207,7 @@ impl Part {
         let end = limit.step_time;
         let back = Target { step_time: end, dt: end - self.end, ..*target };
         // Not guessed from the increment that jumped: that would lead back.
-        let from = State { increment_time: [0.0; 2], ..self.to.clone() };
+        let from = State { increment_time: (0.0, 0.0), ..self.to.clone() };
         let back = Self::walk(plan, &from, &back, Rest::default(), work)?;
         let beyond = Rest::default().with(&back);
         rest.work -= beyond.work;
@@ -380,7 +380,7 @@ impl Jump {
             target.increment, target.step, self.time
         );
         if let Some((node, moved)) = self.node {
-            let label = plan.model.nodes.label(node);
+            let label = plan.model.nodes.name(node);
             message.push_str(&format!(": node {label} springs by {moved:.4e}"));
         }
         for &pair in &self.lost {

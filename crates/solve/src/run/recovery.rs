@@ -52,7 +52,7 @@ impl Analysis<'_> {
             "the body of node {} is supported only by contact that is still open: contact is \
              stabilised from total time {:.6} on, by tractions that fade to zero at the end of \
              the step",
-            plan.model.nodes.label(node),
+            plan.model.nodes.name(node),
             self.committed.total_time
         );
         let said = Diagnostic::warning(Code("SL0517"), message)

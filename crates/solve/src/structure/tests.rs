@@ -62,7 +62,7 @@ fn model(count: usize) -> Model {
         spring.with([(1, [n[1], rider])]),
         beams(&types::B21, row.collect()),
     ];
-    model.rigid_links = vec![RigidLink { dependent: rider, master: body, origin: AT }];
+    model.rigid_links = vec![RigidLink::welded(rider, body, AT)];
     model
 }
 
@@ -89,7 +89,7 @@ impl Built {
         let onto = (&self.constraints, &rows, &self.pattern);
         self.structure.gather_tangent(&room, onto, &mut values);
         self.structure.turning_forces(u, stresses, &room, &mut force);
-        self.constraints.turning(u, &mut force, |dof, stiffness| {
+        self.constraints.turning(u, &mut force, |dof, _, stiffness| {
             let own = self.constraints.equation(dof).unwrap();
             values[self.pattern.position(own, own).unwrap()] += stiffness;
         });

@@ -5,10 +5,12 @@
 //!   multiplier:  lambda is an unknown; lambda = P(h + lambda/kappa)             (mixed, Lagrange)
 //! ```
 //!
-//! Either way a law complementarities a value of the multiplier: [`Complementarity`]. The equation lambda - complementarity = 0
-//! is what the contact step solves; with P the Moreau-Yosida form of the law it is single-valued and
+//! Either way a law asks for a value of the multiplier: [`Complementarity`]. The equation lambda less
+//! that value = 0 is what the contact step solves; with P the Moreau-Yosida form of the law it is single-valued and
 //! piecewise smooth for soft and hard laws alike, and kappa changes the path, not the solution.
 //! [semantics: enforcement remark; derived]
+
+use super::tangential::{Tangential, TangentialMap};
 
 /// How the contact problem of a Newton iteration is solved, laws kept in all of them.
 ///
@@ -32,21 +34,32 @@ impl Enforcement {
     }
 }
 
-/// What a law says a multiplier should be, with derivatives.
+/// What a normal law says a pressure should be, with derivatives.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Complementarity {
     /// The value [F/L2].
     pub value: f64,
     /// Its derivative by the multiplier itself [1].
     pub by_multiplier: f64,
-    /// By the overclosure or slip [F/L3].
+    /// By the overclosure [F/L3].
     pub by_value: f64,
-    /// By the pressure of the same point, for a traction [1].
-    pub by_pressure: f64,
+}
+
+/// What a friction law says a traction should be, with derivatives.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct TangentialComplementarity {
+    /// The value [F/L2].
+    pub value: Tangential,
+    /// Its derivative by the multiplier itself [1].
+    pub by_multiplier: TangentialMap,
+    /// By the slip [F/L3].
+    pub by_value: TangentialMap,
+    /// By the pressure of the same point [1].
+    pub by_pressure: Tangential,
 }
 
 impl Complementarity {
-    /// A law inserted: `value` and `slope` at the overclosure or slip.
+    /// A law inserted: `value` and `slope` at the overclosure.
     pub fn inserted(value: f64, slope: f64) -> Self {
         Self { value, by_value: slope, ..Self::default() }
     }
@@ -54,13 +67,7 @@ impl Complementarity {
     /// A law asked through its Moreau-Yosida form at z = e + lambda/kappa, where it gives `value` with
     /// the slope `slope` = dP/dz.
     pub fn multiplier(value: f64, slope: f64, kappa: f64) -> Self {
-        Self { value, by_multiplier: slope / kappa, by_value: slope, by_pressure: 0.0 }
-    }
-
-    /// Adds the dependence on the pressure.
-    #[must_use]
-    pub fn with_pressure(self, by_pressure: f64) -> Self {
-        Self { by_pressure, ..self }
+        Self { value, by_multiplier: slope / kappa, by_value: slope }
     }
 }
 

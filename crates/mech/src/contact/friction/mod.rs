@@ -7,9 +7,13 @@
 //!       |   _____/
 //! ```
 //!
-//! Tractions have the sign of the slip; the residual receives + A tau d sigma, which dissipates.
+//! Tractions have the sense of the slip; the residual receives + A tau d sigma, which dissipates.
+//! Slips and tractions are vectors in the tangent plane ([`Tangential`]): in the plane the limit is
+//! an interval, in space a circle, and one formula serves both.
 
 mod user;
+
+pub use super::tangential::{Tangential, TangentialMap};
 
 pub use user::{FrictionBatch, FrictionPoint, Registered, UserFriction, UserFrictionError};
 
@@ -91,14 +95,14 @@ pub enum Status {
 /// Answer of a friction law at one point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Traction {
-    /// tau [F/L2], of the sign of the slip.
-    pub tau: f64,
+    /// tau [F/L2], of the sense of the slip.
+    pub tau: Tangential,
     /// d tau/d slip [F/L3].
-    pub d_tau_d_slip: f64,
+    pub d_tau_d_slip: TangentialMap,
     /// d tau/dp [1].
-    pub d_tau_d_pressure: f64,
+    pub d_tau_d_pressure: Tangential,
     /// Elastic slip to be committed [L].
-    pub elastic_slip: f64,
+    pub elastic_slip: Tangential,
     /// Dissipated slip of the increment [L], >= 0; times |tau| A the dissipation.
     pub dissipated_slip: f64,
     /// Stick or slip.
@@ -108,10 +112,10 @@ pub struct Traction {
 impl Traction {
     /// No traction, no elastic slip: open, or friction not called.
     pub const ZERO: Self = Self {
-        tau: 0.0,
-        d_tau_d_slip: 0.0,
-        d_tau_d_pressure: 0.0,
-        elastic_slip: 0.0,
+        tau: Tangential::ZERO,
+        d_tau_d_slip: TangentialMap::ZERO,
+        d_tau_d_pressure: Tangential::ZERO,
+        elastic_slip: Tangential::ZERO,
         dissipated_slip: 0.0,
         status: Status::Slip,
     };
@@ -122,7 +126,14 @@ impl Traction {
 struct Limit {
     tau: f64,
     by_pressure: f64,
-    by_slip: f64,
+    by_slip: Tangential,
+}
+
+impl Limit {
+    /// A limit that depends on the pressure alone.
+    fn of_pressure(tau: f64, by_pressure: f64) -> Self {
+        Self { tau, by_pressure, by_slip: Tangential::ZERO }
+    }
 }
 
 /// tau_crit = min(mu p, tau_max), mu from the mean slip rate of the increment.
@@ -131,26 +142,25 @@ fn limit(
     largest: Option<f64>,
     decay: Option<Decay>,
     pressure: f64,
-    (slip, dt): (f64, f64),
+    (slip, dt): (Tangential, f64),
 ) -> Limit {
     let (mu, mu_by_slip) = match decay {
         Some(decay) if dt > 0.0 => {
-            let fading = (coefficient - decay.kinetic) * (-decay.rate * slip.abs() / dt).exp();
-            let sign = if slip < 0.0 { -1.0 } else { 1.0 };
-            (decay.kinetic + fading, -decay.rate / dt * sign * fading)
+            let fading = (coefficient - decay.kinetic) * (-decay.rate * slip.size() / dt).exp();
+            (decay.kinetic + fading, (-decay.rate / dt * fading) * slip.direction())
         }
-        _ => (coefficient, 0.0),
+        _ => (coefficient, Tangential::ZERO),
     };
     match largest {
-        Some(top) if mu * pressure >= top => Limit { tau: top, by_pressure: 0.0, by_slip: 0.0 },
-        _ => Limit { tau: mu * pressure, by_pressure: mu, by_slip: mu_by_slip * pressure },
+        Some(top) if mu * pressure >= top => Limit::of_pressure(top, 0.0),
+        _ => Limit { tau: mu * pressure, by_pressure: mu, by_slip: pressure * mu_by_slip },
     }
 }
 
 impl FrictionLaw {
     /// The traction min(mu p, tau_max) at which sliding begins [F/L2], with mu at the mean rate of
     /// the increment; infinite for a rough surface under pressure, zero for a user law.
-    pub fn limit_traction(&self, pressure: f64, slip: f64, dt: f64) -> f64 {
+    pub fn limit_traction(&self, pressure: f64, slip: Tangential, dt: f64) -> f64 {
         match self {
             _ if pressure.is_nan() || pressure <= 0.0 => 0.0,
             Self::Coulomb { coefficient, limit: top, decay, .. } => {
@@ -171,11 +181,17 @@ impl FrictionLaw {
 
     /// Traction by backward Euler for elastic stick: `pressure` p [F/L2], `slip` of the increment
     /// [L], committed `elastic_slip` [L], increment `dt` [T]. With g = elastic_slip + slip: stick
-    /// (|g| <= gamma_crit) tau = tau_crit g/gamma_crit; slip tau = tau_crit sgn g.
+    /// (|g| <= gamma_crit) tau = tau_crit g/gamma_crit; slip tau = tau_crit g/|g|.
     ///
     /// Zero for p <= 0, for no friction, for a user law, and for Lagrange stick (use
     /// [`FrictionLaw::project`]). [semantics: friction, update]
-    pub fn update(&self, pressure: f64, slip: f64, elastic_slip: f64, dt: f64) -> Traction {
+    pub fn update(
+        &self,
+        pressure: f64,
+        slip: Tangential,
+        elastic_slip: Tangential,
+        dt: f64,
+    ) -> Traction {
         if pressure.is_nan() || pressure <= 0.0 {
             return Traction::ZERO;
         }
@@ -188,14 +204,14 @@ impl FrictionLaw {
                 stick: Stick::Elastic { slip: critical },
             } => {
                 let limit = limit(*coefficient, *top, *decay, pressure, (slip, dt));
-                if trial.abs() <= *critical && *critical > 0.0 {
+                if trial.size() <= *critical && *critical > 0.0 {
                     sticking(&limit, trial, *critical)
                 } else {
                     sliding(&limit, trial, *critical)
                 }
             }
             Self::Rough { stick: Stick::Elastic { slip: critical } } if *critical > 0.0 => {
-                let limit = Limit { tau: pressure, by_pressure: 1.0, by_slip: 0.0 };
+                let limit = Limit::of_pressure(pressure, 1.0);
                 sticking(&limit, trial, *critical)
             }
             _ => Traction::ZERO,
@@ -204,9 +220,9 @@ impl FrictionLaw {
 
     /// Lagrange stick: projects the trial traction z = tau + kappa slip [F/L2] on the limit.
     ///
-    /// Stick |z| <= tau_crit: tau = z; slip: tau = tau_crit sgn z. `slip` and `dt` only serve the
+    /// Stick |z| <= tau_crit: tau = z; slip: tau = tau_crit z/|z|. `slip` and `dt` only serve the
     /// decay. Zero for a law without multiplier and for p <= 0.
-    pub fn project(&self, pressure: f64, z: f64, slip: f64, dt: f64) -> Projection {
+    pub fn project(&self, pressure: f64, z: Tangential, slip: Tangential, dt: f64) -> Projection {
         if pressure.is_nan() || pressure <= 0.0 {
             return Projection::ZERO;
         }
@@ -214,15 +230,14 @@ impl FrictionLaw {
             Self::Coulomb { coefficient, limit: top, decay, stick: Stick::Lagrange } => {
                 limit(*coefficient, *top, *decay, pressure, (slip, dt))
             }
-            Self::Rough { stick: Stick::Lagrange } => {
-                Limit { tau: f64::INFINITY, by_pressure: 0.0, by_slip: 0.0 }
-            }
+            Self::Rough { stick: Stick::Lagrange } => Limit::of_pressure(f64::INFINITY, 0.0),
             _ => return Projection::ZERO,
         };
-        if z.abs() < limit.tau {
-            return Projection { tau: z, by_z: 1.0, status: Status::Stick, ..Projection::ZERO };
+        if z.size() < limit.tau {
+            let by_z = TangentialMap::isotropic(1.0);
+            return Projection { tau: z, by_z, status: Status::Stick, ..Projection::ZERO };
         }
-        Projection::at_limit(&limit, z)
+        Projection::at_limit(&limit, z, 1.0)
     }
 
     /// Elastic stick felt through the structure's stiffness `kappa` [F/L3]: the traction for which
@@ -234,9 +249,9 @@ impl FrictionLaw {
     pub fn resolve(
         &self,
         pressure: f64,
-        (z, kappa): (f64, f64),
-        elastic_slip: f64,
-        (slip, dt): (f64, f64),
+        (z, kappa): (Tangential, f64),
+        elastic_slip: Tangential,
+        (slip, dt): (Tangential, f64),
     ) -> Projection {
         if pressure.is_nan() || pressure <= 0.0 {
             return Projection::ZERO;
@@ -249,26 +264,29 @@ impl FrictionLaw {
                 stick: Stick::Elastic { slip: critical },
             } => (limit(*coefficient, *top, *decay, pressure, (slip, dt)), *critical, true),
             Self::Rough { stick: Stick::Elastic { slip: critical } } => {
-                (Limit { tau: pressure, by_pressure: 1.0, by_slip: 0.0 }, *critical, false)
+                (Limit::of_pressure(pressure, 1.0), *critical, false)
             }
             _ => return Projection::ZERO,
         };
         let way = elastic_slip + z / kappa;
         if critical <= 0.0 {
-            return if slides { Projection::at_limit(&limit, way) } else { Projection::ZERO };
+            return match slides {
+                true => Projection::at_limit(&limit, way, 1.0 / kappa),
+                false => Projection::ZERO,
+            };
         }
         let stiffness = limit.tau / critical;
         let share = kappa / (kappa + stiffness);
-        let tau = share * stiffness * way;
-        if slides && tau.abs() > limit.tau {
-            return Projection::at_limit(&limit, way);
+        let tau = (share * stiffness) * way;
+        if slides && tau.size() > limit.tau {
+            return Projection::at_limit(&limit, way, 1.0 / kappa);
         }
-        let by_stiffness = share * share * way / critical;
+        let by_stiffness = (share * share) * way / critical;
         Projection {
             tau,
-            by_z: share * stiffness / kappa,
-            by_pressure: by_stiffness * limit.by_pressure,
-            by_slip: by_stiffness * limit.by_slip,
+            by_z: TangentialMap::isotropic(share * stiffness / kappa),
+            by_pressure: limit.by_pressure * by_stiffness,
+            by_slip: by_stiffness.outer(limit.by_slip),
             status: Status::Stick,
         }
     }
@@ -278,40 +296,56 @@ impl FrictionLaw {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Projection {
     /// tau [F/L2].
-    pub tau: f64,
+    pub tau: Tangential,
     /// d tau/dz at fixed pressure [1].
-    pub by_z: f64,
+    pub by_z: TangentialMap,
     /// d tau/dp at fixed z [1].
-    pub by_pressure: f64,
+    pub by_pressure: Tangential,
     /// d tau/d slip at fixed z and p (decay only) [F/L3].
-    pub by_slip: f64,
+    pub by_slip: TangentialMap,
     /// Stick or slip.
     pub status: Status,
 }
 
 impl Projection {
     /// No traction.
-    pub const ZERO: Self =
-        Self { tau: 0.0, by_z: 0.0, by_pressure: 0.0, by_slip: 0.0, status: Status::Slip };
+    pub const ZERO: Self = Self {
+        tau: Tangential::ZERO,
+        by_z: TangentialMap::ZERO,
+        by_pressure: Tangential::ZERO,
+        by_slip: TangentialMap::ZERO,
+        status: Status::Slip,
+    };
 
-    /// Sliding at the limit in the direction of `way`.
-    fn at_limit(limit: &Limit, way: f64) -> Self {
-        let sign = if way < 0.0 { -1.0 } else { 1.0 };
+    /// Sliding at the limit in the direction of `way`, which follows z by the factor `by_z`. In
+    /// space the traction turns with the way.
+    fn at_limit(limit: &Limit, way: Tangential, by_z: f64) -> Self {
+        let direction = way.direction();
         Self {
-            tau: sign * limit.tau,
-            by_z: 0.0,
-            by_pressure: sign * limit.by_pressure,
-            by_slip: sign * limit.by_slip,
+            tau: limit.tau * direction,
+            by_z: turning(limit, way, by_z),
+            by_pressure: limit.by_pressure * direction,
+            by_slip: direction.outer(limit.by_slip),
             status: Status::Slip,
         }
     }
 }
 
-fn sticking(limit: &Limit, trial: f64, critical: f64) -> Traction {
+/// How a traction at its limit turns with the way that it opposes, times `factor`: zero in the plane.
+fn turning(limit: &Limit, way: Tangential, factor: f64) -> TangentialMap {
+    match way.size() {
+        size if size > 0.0 && limit.tau.is_finite() => {
+            TangentialMap::across(way.direction(), factor * limit.tau / size)
+        }
+        _ => TangentialMap::ZERO,
+    }
+}
+
+fn sticking(limit: &Limit, trial: Tangential, critical: f64) -> Traction {
     let share = trial / critical;
     Traction {
         tau: limit.tau * share,
-        d_tau_d_slip: limit.tau / critical + limit.by_slip * share,
+        d_tau_d_slip: TangentialMap::isotropic(limit.tau / critical) + share.outer(limit.by_slip),
         d_tau_d_pressure: limit.by_pressure * share,
         elastic_slip: trial,
         dissipated_slip: 0.0,
@@ -319,20 +353,14 @@ fn sticking(limit: &Limit, trial: f64, critical: f64) -> Traction {
     }
 }
 
-fn sliding(limit: &Limit, trial: f64, critical: f64) -> Traction {
-    let sign = if trial > 0.0 {
-        1.0
-    } else if trial < 0.0 {
-        -1.0
-    } else {
-        0.0
-    };
+fn sliding(limit: &Limit, trial: Tangential, critical: f64) -> Traction {
+    let direction = trial.direction();
     Traction {
-        tau: sign * limit.tau,
-        d_tau_d_slip: sign * limit.by_slip,
-        d_tau_d_pressure: sign * limit.by_pressure,
-        elastic_slip: sign * critical,
-        dissipated_slip: trial.abs() - critical,
+        tau: limit.tau * direction,
+        d_tau_d_slip: turning(limit, trial, 1.0) + direction.outer(limit.by_slip),
+        d_tau_d_pressure: limit.by_pressure * direction,
+        elastic_slip: critical * direction,
+        dissipated_slip: trial.size() - critical,
         status: Status::Slip,
     }
 }

@@ -1,5 +1,6 @@
 //! A friction law of the embedding program, called in batches.
 
+use super::super::tangential::Tangential;
 use super::Traction;
 use std::fmt;
 use std::sync::Arc;
@@ -10,9 +11,9 @@ pub struct FrictionPoint {
     /// Pressure p > 0 [F/L2].
     pub pressure: f64,
     /// Slip of the increment [L].
-    pub slip: f64,
+    pub slip: Tangential,
     /// Committed elastic slip [L].
-    pub elastic_slip: f64,
+    pub elastic_slip: Tangential,
 }
 
 /// One call: all closed points of one interaction.

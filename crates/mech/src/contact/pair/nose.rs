@@ -61,8 +61,8 @@ impl Nose {
 
     /// How it reaches through the line between two points of space; `None` where it points
     /// elsewhere.
-    pub fn reach(&self, body: &Body, edge: [[f64; 2]; 2]) -> Option<Reach> {
-        let [a, b] = edge.map(|point| body.to_body(point));
+    pub fn reach(&self, body: &Body, edge: [[f64; 3]; 2]) -> Option<Reach> {
+        let [a, b] = edge.map(|point| body.in_frame(point));
         let along = [b[0] - a[0], b[1] - a[1]];
         let length = along[0].hypot(along[1]);
         let across = [-along[1] / length, along[0] / length];
@@ -205,7 +205,7 @@ mod tests {
     use super::*;
 
     fn body() -> Body {
-        Body { reference: [0.0; 2], dofs: [0.0; 3] }
+        Body::STILL
     }
 
     fn circle(radius: f64) -> Vec<RigidSegment> {
@@ -221,7 +221,7 @@ mod tests {
     fn a_circle_between_two_points() {
         for (radius, allowed) in [(1.0, 0.2), (4.0, 3.0)] {
             let noses = Nose::of(&circle(radius), true);
-            let edge = [[-3.0, radius - 0.1], [3.0, radius - 0.1]];
+            let edge = [[-3.0, radius - 0.1, 0.0], [3.0, radius - 0.1, 0.0]];
             let reaches: Vec<_> = noses.iter().filter_map(|n| n.reach(&body(), edge)).collect();
             let top = reaches.iter().find(|reach| reach.depth.abs() < radius).unwrap();
             assert!((top.depth - 0.1).abs() < 1e-14 && (top.beside - 0.5).abs() < 1e-14);
@@ -242,7 +242,7 @@ mod tests {
         ];
         let noses = Nose::of(&segments, false);
         assert_eq!(noses.len(), 1, "{noses:?}");
-        let reach = noses[0].reach(&body(), [[-1.0, 0.05], [1.0, 0.05]]).unwrap();
+        let reach = noses[0].reach(&body(), [[-1.0, 0.05, 0.0], [1.0, 0.05, 0.0]]).unwrap();
         assert!((reach.depth - 0.05).abs() < 1e-14 && (reach.allowed - 1.0).abs() < 1e-12);
     }
 }

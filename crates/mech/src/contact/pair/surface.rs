@@ -3,9 +3,10 @@
 use super::super::gap::Gap;
 use super::super::gap::circle::{Circle, Side};
 use super::super::gap::curve::{Along, Weights, point_to_curve};
-use super::super::search::chain::{Chain, Piece, PieceKind};
+use super::super::search::chain::{Chain, Piece, PieceKind, flat, raised};
 use super::super::search::rigid::{self, Facing, Part, RigidSegment};
 use super::super::search::sweep::{Crossing, cross_rigid};
+use super::super::tangential::Tangential;
 use super::nose::{Nose, bounds};
 use crate::rigid::{Attachment, PointMap};
 
@@ -38,24 +39,24 @@ impl AnyGap {
         each!(self, gap => gap.overclosure)
     }
 
-    /// Master coordinate sigma [L].
-    pub fn along(&self) -> f64 {
-        each!(self, gap => gap.along)
+    /// Master coordinates sigma [L].
+    pub fn along(&self) -> Tangential {
+        Tangential::along(each!(self, gap => gap.along))
     }
 
     /// Outward normal of the master.
-    pub fn normal(&self) -> [f64; 2] {
-        each!(self, gap => gap.normal)
+    pub fn normal(&self) -> [f64; 3] {
+        raised(each!(self, gap => gap.normal))
     }
 
-    /// Tangent of the master, in the direction of travel.
-    pub fn tangent(&self) -> [f64; 2] {
-        each!(self, gap => gap.tangent)
+    /// First tangent of the master, in the direction of travel.
+    pub fn tangent(&self) -> [f64; 3] {
+        raised(each!(self, gap => gap.tangent))
     }
 
     /// Facing position on the master [L].
-    pub fn position(&self) -> [f64; 2] {
-        each!(self, gap => gap.position)
+    pub fn position(&self) -> [f64; 3] {
+        raised(each!(self, gap => gap.position))
     }
 
     /// Number of variables.
@@ -75,18 +76,18 @@ impl AnyGap {
     }
 }
 
-/// Derivatives of a gap of n variables.
+/// Derivatives of a gap of n variables; those of sigma direction after direction.
 #[derive(Debug, Clone, Copy)]
 pub struct Derivatives<'a> {
     /// dh/dq, n [1].
     pub gradient: &'a [f64],
-    /// d sigma/dq, n [1].
+    /// d sigma/dq, n each [1].
     pub slip_gradient: &'a [f64],
     /// d2h/dq2, n x n row-major [1/L].
     pub hessian: &'a [f64],
-    /// Direction of the tangential force, n [1].
+    /// Directions of the tangential force, n each [1].
     pub direction: &'a [f64],
-    /// Its derivative, n x n row-major, not symmetric [1/L].
+    /// Their derivatives, n x n row-major each, not symmetric [1/L].
     pub direction_derivative: &'a [f64],
 }
 
@@ -120,20 +121,21 @@ impl StencilAttachments {
 pub fn chain_gap(
     chain: &Chain,
     piece: &Piece,
-    positions: &[[f64; 2]],
-    point: [f64; 2],
+    positions: &[[f64; 3]],
+    point: [f64; 3],
 ) -> Option<AnyGap> {
-    let (k, xi) = (piece.index, piece.parameter);
+    let (k, xi, point) = (piece.index, piece.parameter, flat(point));
+    let at = |node: usize| positions.get(node).copied().map(flat);
     match piece.kind {
         PieceKind::Straight => {
-            let control = [*positions.get(k)?, *positions.get(k + 1)?];
+            let control = [at(k)?, at(k + 1)?];
             let along = Along::straight(chain.arc_coordinate(k), chain.reference_length(k), xi);
             point_to_curve(point, &control, &Weights::straight(xi), &along, xi)
                 .map(AnyGap::Straight)
         }
         PieceKind::Corner => {
             let before = k.checked_sub(1)?;
-            let control = [*positions.get(before)?, *positions.get(k)?, *positions.get(k + 1)?];
+            let control = [at(before)?, at(k)?, at(k + 1)?];
             let f = chain.smoothing;
             let (a1, a2) = (f * chain.reference_length(before), f * chain.reference_length(k));
             let along = Along::corner(chain.arc_coordinate(k), a1, a2, xi);
@@ -156,30 +158,52 @@ pub fn chain_attachments(slave: Attachment, nodes: &[Attachment]) -> StencilAtta
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Body {
     /// Undeformed position of the reference node X_ref [L].
-    pub reference: [f64; 2],
+    pub reference: [f64; 3],
     /// Its dofs (ux, uy, phi).
     pub dofs: [f64; 3],
 }
 
 impl Body {
+    /// A body whose frame is space.
+    pub const STILL: Self = Self { reference: [0.0; 3], dofs: [0.0; 3] };
+
     /// How an undeformed position rides on the body.
-    pub fn map(&self, position: [f64; 2]) -> PointMap {
+    pub fn map(&self, position: [f64; 3]) -> PointMap {
+        self.ride(flat(position))
+    }
+
+    fn ride(&self, position: [f64; 2]) -> PointMap {
         let arm = [position[0] - self.reference[0], position[1] - self.reference[1]];
         PointMap::Arm { arm }
     }
 
     /// Current position of an undeformed one [L].
-    pub fn to_space(&self, position: [f64; 2]) -> [f64; 2] {
-        let u = self.map(position).displacement(&self.dofs);
+    pub fn to_space(&self, position: [f64; 3]) -> [f64; 3] {
+        raised(self.carry(flat(position)))
+    }
+
+    pub(super) fn carry(&self, position: [f64; 2]) -> [f64; 2] {
+        let u = self.ride(position).displacement(&self.dofs);
         [position[0] + u[0], position[1] + u[1]]
     }
 
     /// The undeformed position that is now at `point` [L].
-    pub fn to_body(&self, point: [f64; 2]) -> [f64; 2] {
-        let [x, y] = self.reference;
+    pub fn to_body(&self, point: [f64; 3]) -> [f64; 3] {
+        raised(self.in_frame(point))
+    }
+
+    pub(super) fn in_frame(&self, point: [f64; 3]) -> [f64; 2] {
+        let [x, y, _] = self.reference;
         let d = [point[0] - x - self.dofs[0], point[1] - y - self.dofs[1]];
         let (s, c) = self.dofs[2].sin_cos();
         [x + c * d[0] + s * d[1], y - s * d[0] + c * d[1]]
+    }
+
+    /// A direction in space as the body sees it.
+    pub fn turn_back(&self, direction: [f64; 3]) -> [f64; 3] {
+        let (sin, cos) = self.dofs[2].sin_cos();
+        let [x, y, z] = direction;
+        [cos * x + sin * y, cos * y - sin * x, z]
     }
 }
 
@@ -214,8 +238,8 @@ impl RigidSurface {
     }
 
     /// A circle that holds the surface, in the frame of the body: centre and radius [L].
-    pub fn bounds(&self) -> ([f64; 2], f64) {
-        self.bounds
+    pub fn bounds(&self) -> ([f64; 3], f64) {
+        (raised(self.bounds.0), self.bounds.1)
     }
 
     /// Corners and arcs that the surface turns outward, and that may pass between points.
@@ -228,20 +252,27 @@ impl RigidSurface {
         &self.segments
     }
 
+    /// Undeformed places along it, so many parts a segment [L].
+    pub fn outline(&self, parts: usize) -> impl Iterator<Item = [f64; 3]> {
+        let place =
+            move |segment: &RigidSegment, k: usize| raised(segment.place(k as f64 / parts as f64));
+        self.segments.iter().flat_map(move |segment| (0..=parts).map(move |k| place(segment, k)))
+    }
+
     /// Perimeter of a closed surface [L], after which sigma repeats.
     pub fn period(&self) -> Option<f64> {
         self.period
     }
 
     /// What faces `point` (in space) on the body; see [`rigid::closest`].
-    pub fn closest(&self, body: &Body, point: [f64; 2]) -> Option<Facing> {
-        rigid::closest_on(&self.segments, self.period.is_some(), body.to_body(point))
+    pub fn closest(&self, body: &Body, point: [f64; 3]) -> Option<Facing> {
+        rigid::closest_on(&self.segments, self.period.is_some(), body.in_frame(point))
     }
 
     /// Where the straight path between two places in the frame of the body crosses the surface, with
     /// the coordinate sigma of each crossing [L].
-    pub fn crossings(&self, path: ([f64; 2], [f64; 2]), mut each: impl FnMut(Crossing, f64)) {
-        cross_rigid(&self.segments, path, |crossing| {
+    pub fn crossings(&self, path: ([f64; 3], [f64; 3]), mut each: impl FnMut(Crossing, f64)) {
+        cross_rigid(&self.segments, (flat(path.0), flat(path.1)), |crossing| {
             let segment = &self.segments[crossing.segment];
             let own = segment.arc_length(crossing.parameter.clamp(0.0, 1.0));
             each(crossing, self.starts[crossing.segment] + own);
@@ -249,14 +280,14 @@ impl RigidSurface {
     }
 
     /// Overclosure of a place in the frame of the body [L]; `None` where it faces nothing.
-    pub fn depth(&self, place: [f64; 2]) -> Option<f64> {
-        self.overclosure(&Body { reference: [0.0; 2], dofs: [0.0; 3] }, place)
+    pub fn depth(&self, place: [f64; 3]) -> Option<f64> {
+        self.overclosure(&Body::STILL, place)
     }
 
     /// Overclosure of `point` (in space) alone [L], without derivatives; `None` where it faces
     /// nothing.
-    pub fn overclosure(&self, body: &Body, point: [f64; 2]) -> Option<f64> {
-        let local = body.to_body(point);
+    pub fn overclosure(&self, body: &Body, point: [f64; 3]) -> Option<f64> {
+        let local = body.in_frame(point);
         let (facing, distance) = rigid::nearest_on(&self.segments, self.period.is_some(), local)?;
         let segment = self.segments.get(facing.segment)?;
         match (facing.part, *segment) {
@@ -276,10 +307,10 @@ impl RigidSurface {
 
     /// Overclosure [L] that `point` (in space) would have were the end prolonged beyond which it
     /// lies; `None` where it lies beyond none.
-    pub fn beyond_end(&self, body: &Body, point: [f64; 2]) -> Option<f64> {
+    pub fn beyond_end(&self, body: &Body, point: [f64; 3]) -> Option<f64> {
         match self.period {
             None => {
-                let end = rigid::beyond_end(&self.segments, body.to_body(point));
+                let end = rigid::beyond_end(&self.segments, body.in_frame(point));
                 end.map(|end| end.depth)
             }
             Some(_) => None,
@@ -287,7 +318,8 @@ impl RigidSurface {
     }
 
     /// Gap of `point` (in space) against what it faces.
-    pub fn gap(&self, body: &Body, facing: &Facing, point: [f64; 2]) -> Option<AnyGap> {
+    pub fn gap(&self, body: &Body, facing: &Facing, point: [f64; 3]) -> Option<AnyGap> {
+        let point = flat(point);
         let segment = self.segments.get(facing.segment)?;
         let start = *self.starts.get(facing.segment)?;
         if let Part::Vertex { convex } = facing.part {
@@ -297,7 +329,7 @@ impl RigidSurface {
         let xi = facing.parameter;
         match *segment {
             RigidSegment::Line { a, b } => {
-                let control = [body.to_space(a), body.to_space(b)];
+                let control = [body.carry(a), body.carry(b)];
                 let along = Along::straight(start, segment.length(), xi);
                 point_to_curve(point, &control, &Weights::straight(xi), &along, xi)
                     .map(AnyGap::Straight)
@@ -310,7 +342,7 @@ impl RigidSurface {
             }
             RigidSegment::Parabola { start: from, mid, end } => {
                 let rest = RigidSegment::parabola_control(from, mid, end);
-                let control = rest.map(|p| body.to_space(p));
+                let control = rest.map(|p| body.carry(p));
                 let weights = Weights::quadratic(xi);
                 let along = parabola_along(&rest, &weights, start + segment.arc_length(xi));
                 point_to_curve(point, &control, &weights, &along, xi).map(AnyGap::Quadratic)
@@ -330,7 +362,7 @@ impl RigidSurface {
         let mut attachments = StencilAttachments::new(slave);
         let segment = self.segments.get(facing.segment)?;
         let mut ride =
-            |p: [f64; 2]| attachments.push(Attachment::Point { map: body.map(p), first });
+            |p: [f64; 2]| attachments.push(Attachment::Point { map: body.ride(p), first });
         let turns = match (facing.part, *segment) {
             (Part::Vertex { .. }, _) => {
                 ride(segment.end());
@@ -366,7 +398,7 @@ fn circle_gap(
     (shift, reference): (f64, f64),
 ) -> Option<AnyGap> {
     let circle = Circle { radius, side: if convex { Side::Convex } else { Side::Concave } };
-    let mut gap = circle.gap(point, body.to_space(centre), body.dofs[2], reference)?;
+    let mut gap = circle.gap(point, body.carry(centre), body.dofs[2], reference)?;
     gap.along += shift;
     Some(AnyGap::Circle(gap))
 }

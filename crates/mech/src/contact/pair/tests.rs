@@ -14,7 +14,8 @@ fn laws(friction: FrictionLaw) -> Laws {
 }
 
 fn trial(overclosure: f64, slip: f64) -> PointTrial {
-    PointTrial { overclosure, slip, pressure: 0.0, traction: 0.0, stiffness: 1e12, dt: 0.05 }
+    let (slip, traction) = (Tangential::along(slip), Tangential::ZERO);
+    PointTrial { overclosure, slip, pressure: 0.0, traction, stiffness: 1e12, dt: 0.05 }
 }
 
 /// No law of a user, no state_variables.
@@ -33,26 +34,23 @@ fn demands_by_differences() {
     for friction in [elastic, decaying] {
         let laws = laws(friction);
         for (tau, slip, p) in [(1e5, 1e-6, 2e6), (9e5, 5e-6, 2e6), (-9e5, -5e-6, 1e6)] {
-            let at = |x: [f64; 3]| {
+            let at = |[tau, slip, p]: [f64; 3]| {
                 laws.complementarity_of_traction(
-                    x,
-                    5e-7,
+                    (Tangential::along(tau), Tangential::along(slip), p),
+                    Tangential::along(5e-7),
                     (kappa, 0.05),
                     &mut state_variables(&mut None),
                 )
             };
-            let complementarity = at([tau, slip, p]);
-            let stated = [
-                complementarity.by_multiplier,
-                complementarity.by_value,
-                complementarity.by_pressure,
-            ];
+            let asked = at([tau, slip, p]);
+            let stated =
+                [asked.by_multiplier.at(0, 0), asked.by_value.at(0, 0), asked.by_pressure[0]];
             for (k, size) in [1e5, 1e-6, 1e6].into_iter().enumerate() {
                 let step = 1e-6 * size;
                 let (mut up, mut down) = ([tau, slip, p], [tau, slip, p]);
                 up[k] += step;
                 down[k] -= step;
-                let difference = (at(up).value - at(down).value) / (2.0 * step);
+                let difference = (at(up).value - at(down).value)[0] / (2.0 * step);
                 let scale = stated[k].abs().max(1e5 / size * 1e-2);
                 assert!(
                     (difference - stated[k]).abs() < 1e-5 * scale,
@@ -98,10 +96,14 @@ fn friction_dissipates() {
     for stick in [Stick::Elastic { slip: 4e-6 }, Stick::Lagrange] {
         let laws = laws(coulomb(stick, None));
         for slip in [-1e-3, -5e-6, 5e-6, 1e-3] {
-            let history = History { closed: true, along: Some(0.0), elastic_slip: 0.0 };
+            let history = History {
+                closed: true,
+                along: Some(Tangential::ZERO),
+                elastic_slip: Tangential::ZERO,
+            };
             let response =
                 laws.respond(&history, &trial(-2e-6, slip), &mut state_variables(&mut None));
-            assert!(response.traction.tau * slip > 0.0);
+            assert!(response.traction.tau[0] * slip > 0.0);
             assert!(response.traction.dissipated_slip >= 0.0);
         }
     }
@@ -126,8 +128,9 @@ fn nothing_faces_nothing() {
 /// Requirement: on a closed surface the slip is the short way round.
 #[test]
 fn slip_wraps_at_the_period() {
-    let history = History { closed: true, along: Some(9.5), elastic_slip: 0.0 };
-    assert!((slip(&history, 0.5, Some(10.0)) - 1.0).abs() < 1e-14);
-    assert_eq!(slip(&history, 0.5, None), -9.0);
-    assert_eq!(slip(&History::default(), 0.5, None), 0.0);
+    let (from, to) = (Tangential([9.5, 0.3]), Tangential([0.5, 0.7]));
+    let history = History { closed: true, along: Some(from), elastic_slip: Tangential::ZERO };
+    assert!((slip(&history, to, Some(10.0)) - Tangential([1.0, 0.4])).size() < 1e-14);
+    assert_eq!(slip(&history, to, None), to - from);
+    assert_eq!(slip(&History::default(), to, None), Tangential::ZERO);
 }

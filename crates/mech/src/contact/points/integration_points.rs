@@ -34,6 +34,26 @@ pub struct HermiteLine {
 }
 
 impl HermiteLine {
+    /// The line between two nodes with these tangents at them [L], in the plane.
+    pub fn new(nodes: [[f64; 3]; 2], tangents: [[f64; 3]; 2]) -> Self {
+        let flat = |[x, y, _]: [f64; 3]| [x, y];
+        Self { nodes: nodes.map(flat), tangents: tangents.map(flat) }
+    }
+
+    /// Corners of boxes about it for the dofs (x, y, phi) of both nodes, however they turn.
+    pub fn corners(&self, dofs: &[f64; 6]) -> [[f64; 3]; 4] {
+        // a cubic Hermite line leaves the box of its nodes by 4/27 of its tangents at most
+        let [first, second] = self.tangents.map(|t| 0.15 * t[0].hypot(t[1]));
+        let room = first + second;
+        let mut corners = [[0.0; 3]; 4];
+        for (k, [x, y]) in self.nodes.into_iter().enumerate() {
+            let at = [x + dofs[3 * k], y + dofs[3 * k + 1]];
+            corners[2 * k] = [at[0] - room, at[1] - room, 0.0];
+            corners[2 * k + 1] = [at[0] + room, at[1] + room, 0.0];
+        }
+        corners
+    }
+
     /// How the integration_point at `xi` in [0, 1] follows the nodes: Hermite polynomials on positions, and
     /// on the tangents as arms that turn.
     pub fn blend(&self, xi: f64) -> Blend {
@@ -82,14 +102,14 @@ pub struct BentLine {
 }
 
 impl BentLine {
-    /// Position of the integration_point at `xi` [L].
-    pub fn position(&self, xi: f64) -> [f64; 2] {
+    /// Position of the integration point at `xi` [L].
+    pub fn position(&self, xi: f64) -> [f64; 3] {
         let rest = 1.0 - xi;
         let (h1, h2) = (xi * rest * rest, -xi * xi * rest);
         let first = rest * rest * (1.0 + 2.0 * xi);
         let ([a, b], [s, t]) = (self.nodes, self.tangents);
         let at = |c: usize| a[c] + (1.0 - first) * (b[c] - a[c]) + h1 * s[c] + h2 * t[c];
-        [at(0), at(1)]
+        [at(0), at(1), 0.0]
     }
 }
 

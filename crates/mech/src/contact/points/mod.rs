@@ -19,7 +19,7 @@ pub mod slopes;
 pub fn tributary_areas(
     elements: &[[usize; 2]],
     shares: &[[f64; 2]],
-    coordinates: &[[f64; 2]],
+    coordinates: &[[f64; 3]],
     width: f64,
 ) -> Vec<f64> {
     let mut areas = vec![0.0; coordinates.len()];
@@ -37,28 +37,28 @@ pub fn tributary_areas(
 
 /// Average length of the contact elements [L], for the slip tolerance; zero without elements.
 /// [semantics: friction, `SLIP TOLERANCE`]
-pub fn average_length(elements: &[[usize; 2]], coordinates: &[[f64; 2]]) -> f64 {
+pub fn average_length(elements: &[[usize; 2]], coordinates: &[[f64; 3]]) -> f64 {
     let lengths = elements.iter().filter_map(|&[a, b]| chord(coordinates, a, b));
     let (sum, count) = lengths.fold((0.0, 0.0), |(sum, count), length| (sum + length, count + 1.0));
     if count > 0.0 { sum / count } else { 0.0 }
 }
 
-fn chord(coordinates: &[[f64; 2]], first: usize, second: usize) -> Option<f64> {
+fn chord(coordinates: &[[f64; 3]], first: usize, second: usize) -> Option<f64> {
     let (a, b) = (coordinates.get(first)?, coordinates.get(second)?);
-    Some((b[0] - a[0]).hypot(b[1] - a[1]))
+    Some((b[0] - a[0]).hypot(b[1] - a[1]).hypot(b[2] - a[2]))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn circle_of_the_1995_deck() -> (Vec<[usize; 2]>, Vec<[f64; 2]>) {
+    fn circle_of_the_1995_deck() -> (Vec<[usize; 2]>, Vec<[f64; 3]>) {
         let r = 9e-3;
         let coordinates = (0..=20)
             .map(|i: i32| {
                 let degrees = if i <= 10 { 6 * i } else { 60 + 4 * (i - 10) };
                 let (s, c) = f64::from(degrees).to_radians().sin_cos();
-                [r * s, -r * c]
+                [r * s, -r * c, 0.0]
             })
             .collect();
         ((0..20).map(|i| [i, i + 1]).collect(), coordinates)
@@ -85,7 +85,7 @@ mod tests {
     #[test]
     fn nothing_gives_nothing() {
         assert_eq!(average_length(&[], &[]), 0.0);
-        assert_eq!(tributary_areas(&[[0, 7]], &[[0.5; 2]], &[[0.0, 0.0]], 1.0), vec![0.0]);
+        assert_eq!(tributary_areas(&[[0, 7]], &[[0.5; 2]], &[[0.0; 3]], 1.0), vec![0.0]);
     }
 
     /// Requirement: a uniform pressure on a line of quadratic shape loads its three nodes with
@@ -94,11 +94,11 @@ mod tests {
     #[test]
     fn a_uniform_pressure_on_a_parabola_does_its_work() {
         let (length, width, pressure) = (3.0, 0.5, 7.0);
-        let coordinates = [[0.0, 0.0], [0.5 * length, 0.0], [length, 0.0]];
+        let coordinates = [0.0, 0.5, 1.0].map(|x| [x * length, 0.0, 0.0]);
         let shares = [[1.0 / 3.0, 2.0 / 3.0], [2.0 / 3.0, 1.0 / 3.0]];
         let areas = tributary_areas(&[[0, 1], [1, 2]], &shares, &coordinates, width);
         let work: f64 =
-            areas.iter().zip(coordinates).map(|(a, [x, _])| pressure * a * x * (length - x)).sum();
+            areas.iter().zip(coordinates).map(|(a, [x, ..])| pressure * a * x * (length - x)).sum();
         let exact = pressure * width * length.powi(3) / 6.0;
         assert!((work - exact).abs() < 1e-14 * exact, "{work} {exact}");
         assert!((areas.iter().sum::<f64>() - width * length).abs() < 1e-15);

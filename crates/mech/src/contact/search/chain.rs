@@ -14,6 +14,24 @@
 use super::tree::{Bounds, BoxTree};
 use super::{INSIDE, Point, TIE, cross, dot, project_line, project_quadratic, sub};
 
+/// A tree over the segments of a chain.
+pub type ChainTree = BoxTree<2>;
+
+/// The place of a point in the plane of the chain.
+pub fn flat([x, y, _]: [f64; 3]) -> Point {
+    [x, y]
+}
+
+/// A place in the plane of the chain as one in space.
+pub fn raised([x, y]: Point) -> [f64; 3] {
+    [x, y, 0.0]
+}
+
+/// A box that holds two boxes.
+fn joined(a: Bounds<2>, b: Bounds<2>) -> Bounds<2> {
+    ([0, 1].map(|axis| a.0[axis].min(b.0[axis])), [0, 1].map(|axis| a.1[axis].max(b.1[axis])))
+}
+
 /// Kind of a piece of the chain.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PieceKind {
@@ -66,7 +84,7 @@ struct Candidate {
 impl Chain {
     /// The chain through the undeformed positions of its nodes, in order. `None` for fewer than two
     /// nodes, a segment of zero length, or a fraction outside its range.
-    pub fn new(reference: &[Point], smoothing: f64, extension: f64) -> Option<Self> {
+    pub fn new(reference: &[[f64; 3]], smoothing: f64, extension: f64) -> Option<Self> {
         if reference.len() < 2 || !(0.0..0.5).contains(&smoothing) || extension.is_nan() {
             return None;
         }
@@ -74,7 +92,7 @@ impl Chain {
         let mut lengths = Vec::with_capacity(reference.len() - 1);
         let mut total = 0.0;
         for pair in reference.windows(2) {
-            let d = sub(pair[1], pair[0]);
+            let d = sub(flat(pair[1]), flat(pair[0]));
             let length = d[0].hypot(d[1]);
             if !(length > 0.0 && length.is_finite()) {
                 return None;
@@ -87,9 +105,9 @@ impl Chain {
     }
 
     /// The line of these nodes with its end segments prolonged by their extension.
-    pub fn prolonged(&self, mut nodes: Vec<Point>) -> Vec<Point> {
-        let beyond = |end: Point, before: Point| {
-            [0, 1].map(|c| end[c] + self.extension * (end[c] - before[c]))
+    pub fn prolonged(&self, mut nodes: Vec<[f64; 3]>) -> Vec<[f64; 3]> {
+        let beyond = |end: [f64; 3], before: [f64; 3]| {
+            [0, 1, 2].map(|c| end[c] + self.extension * (end[c] - before[c]))
         };
         let last = nodes.len() - 1;
         if last > 0 {
@@ -120,10 +138,11 @@ impl Chain {
     /// are looked at; the answer is the same. [semantics: search]
     pub fn closest(
         &self,
-        positions: &[Point],
-        tree: Option<&BoxTree<2>>,
-        point: Point,
+        positions: &[[f64; 3]],
+        tree: Option<&ChainTree>,
+        point: [f64; 3],
     ) -> Option<Piece> {
+        let point = flat(point);
         if positions.len() != self.node_count() {
             return None;
         }
@@ -166,9 +185,44 @@ impl Chain {
 
     /// Boxes of the parts for a tree: the circle about the first node of a segment that holds the
     /// segments before and after it, prolonged.
-    pub fn bounds(&self, positions: &[Point], index: usize) -> Bounds<2> {
-        let reach = self.reach(positions, index);
-        (positions[index].map(|x| x - reach), positions[index].map(|x| x + reach))
+    pub fn bounds(&self, positions: &[[f64; 3]], index: usize) -> Bounds<2> {
+        let (node, reach) = (flat(positions[index]), self.reach(positions, index));
+        (node.map(|x| x - reach), node.map(|x| x + reach))
+    }
+
+    /// A tree of the parts.
+    pub fn tree(&self, positions: &[[f64; 3]]) -> ChainTree {
+        BoxTree::new(self.segments(), |part| self.bounds(positions, part))
+    }
+
+    /// Fits a tree to the positions.
+    pub fn fit(&self, tree: &mut ChainTree, positions: &[[f64; 3]]) {
+        tree.fit(|part| self.bounds(positions, part));
+    }
+
+    /// Fits a tree to the ways from positions to others.
+    pub fn fit_ways(&self, tree: &mut ChainTree, from: &[[f64; 3]], to: &[[f64; 3]]) {
+        tree.fit(|part| joined(self.bounds(from, part), self.bounds(to, part)));
+    }
+
+    /// Segments that a point may meet on the way `from` -> `to`, ascending, by a tree fitted to
+    /// their ways; all of them without one.
+    pub fn near_way(
+        &self,
+        tree: Option<&ChainTree>,
+        (from, to): ([f64; 3], [f64; 3]),
+        near: &mut Vec<usize>,
+    ) {
+        near.clear();
+        match tree {
+            Some(tree) => {
+                tree.overlapping(joined((flat(from), flat(from)), (flat(to), flat(to))), |part| {
+                    near.push(part);
+                });
+                near.sort_unstable();
+            }
+            None => near.extend(0..self.segments()),
+        }
     }
 
     /// Number of segments, the parts of a tree.
@@ -178,12 +232,12 @@ impl Chain {
 
     fn nearest_by_tree(
         &self,
-        positions: &[Point],
-        tree: &BoxTree<2>,
+        positions: &[[f64; 3]],
+        tree: &ChainTree,
         point: Point,
     ) -> Option<usize> {
         let square = |node: usize| {
-            let apart = sub(point, positions[node]);
+            let apart = sub(point, flat(positions[node]));
             dot(apart, apart)
         };
         let (part, _) = tree.nearest(point, |part| square(part).min(square(part + 1)))?;
@@ -193,7 +247,7 @@ impl Chain {
     /// Compares the straight part `index` and the corner at its first node with the best so far.
     fn consider(
         &self,
-        positions: &[Point],
+        positions: &[[f64; 3]],
         point: Point,
         index: usize,
         best: &mut Option<Candidate>,
@@ -212,21 +266,21 @@ impl Chain {
     /// before and after it, prolonged.
     fn may_be_nearer(
         &self,
-        positions: &[Point],
+        positions: &[[f64; 3]],
         point: Point,
         index: usize,
         best: Option<&Candidate>,
     ) -> bool {
-        let apart = sub(point, positions[index]);
+        let apart = sub(point, flat(positions[index]));
         let limit = self.reach(positions, index) + best_limit(best);
         dot(apart, apart) <= limit * limit
     }
 
     /// Radius of the circle about the first node of segment `index` that holds it, its extension and
     /// the segment before [L].
-    fn reach(&self, positions: &[Point], index: usize) -> f64 {
-        let node = positions[index];
-        let square = |p: Point| dot(sub(p, node), sub(p, node));
+    fn reach(&self, positions: &[[f64; 3]], index: usize) -> f64 {
+        let node = flat(positions[index]);
+        let square = |p: [f64; 3]| dot(sub(flat(p), node), sub(flat(p), node));
         let mut reach = square(positions[index + 1]);
         if let Some(before) = index.checked_sub(1) {
             reach = reach.max(square(positions[before]));
@@ -236,10 +290,11 @@ impl Chain {
 
     /// Overclosure [L] that a point beyond an end would have against the straight line that prolongs
     /// the nearer end; `None` where no end lies behind it.
-    pub fn beyond_end(&self, positions: &[Point], point: Point) -> Option<f64> {
+    pub fn beyond_end(&self, positions: &[[f64; 3]], point: [f64; 3]) -> Option<f64> {
+        let point = flat(point);
         let last = self.lengths.len().checked_sub(1)?;
         let ends = [(0, 0.0), (last, 1.0)].into_iter().filter_map(|(index, end)| {
-            let (a, b) = (*positions.get(index)?, *positions.get(index + 1)?);
+            let (a, b) = (flat(*positions.get(index)?), flat(*positions.get(index + 1)?));
             let xi = project_line(a, b, point)?;
             let beyond = if end == 0.0 { xi < 0.0 } else { xi > 1.0 };
             let apart = sub(point, if end == 0.0 { a } else { b });
@@ -257,8 +312,8 @@ impl Chain {
         (low, high)
     }
 
-    fn straight(&self, positions: &[Point], point: Point, index: usize) -> Option<Candidate> {
-        let (a, b) = (positions[index], positions[index + 1]);
+    fn straight(&self, positions: &[[f64; 3]], point: Point, index: usize) -> Option<Candidate> {
+        let (a, b) = (flat(positions[index]), flat(positions[index + 1]));
         let parameter = project_line(a, b, point)?;
         let along = sub(b, a);
         let length = dot(along, along).sqrt();
@@ -278,7 +333,7 @@ impl Chain {
     /// side of the bisector. Only without smoothing.
     fn in_wedge(
         &self,
-        positions: &[Point],
+        positions: &[[f64; 3]],
         point: Point,
         index: usize,
         (before, outside): (bool, f64),
@@ -288,7 +343,7 @@ impl Chain {
         }
         let neighbour = if before { index.checked_sub(1) } else { Some(index + 1) };
         let Some(neighbour) = neighbour.filter(|&n| n < self.lengths.len()) else { return false };
-        let (a, b) = (positions[neighbour], positions[neighbour + 1]);
+        let (a, b) = (flat(positions[neighbour]), flat(positions[neighbour + 1]));
         let Some(parameter) = project_line(a, b, point) else { return false };
         let length = dot(sub(b, a), sub(b, a)).sqrt();
         let over = (if before { parameter - 1.0 } else { -parameter }) * length;
@@ -296,18 +351,15 @@ impl Chain {
     }
 
     /// Control points P0, X, P2 of the corner at node `index`.
-    fn corner_control(&self, positions: &[Point], index: usize) -> Option<[Point; 3]> {
-        let (a, x, b) = (
-            *positions.get(index.checked_sub(1)?)?,
-            *positions.get(index)?,
-            *positions.get(index + 1)?,
-        );
+    fn corner_control(&self, positions: &[[f64; 3]], index: usize) -> Option<[Point; 3]> {
+        let at = |node: usize| positions.get(node).copied().map(flat);
+        let (a, x, b) = (at(index.checked_sub(1)?)?, at(index)?, at(index + 1)?);
         let f = self.smoothing;
         let toward = |p: Point| [x[0] + f * (p[0] - x[0]), x[1] + f * (p[1] - x[1])];
         Some([toward(a), x, toward(b)])
     }
 
-    fn corner(&self, positions: &[Point], point: Point, index: usize) -> Option<Candidate> {
+    fn corner(&self, positions: &[[f64; 3]], point: Point, index: usize) -> Option<Candidate> {
         if self.smoothing <= 0.0 || index == 0 {
             return None;
         }
@@ -324,11 +376,11 @@ impl Chain {
 }
 
 /// The node nearest to a point, where the search begins.
-fn nearest_node(positions: &[Point], point: Point) -> Option<usize> {
+fn nearest_node(positions: &[[f64; 3]], point: Point) -> Option<usize> {
     let mut nearest = None;
     let mut least = f64::INFINITY;
     for (index, &node) in positions.iter().enumerate() {
-        let apart = sub(point, node);
+        let apart = sub(point, flat(node));
         let square = dot(apart, apart);
         if square < least {
             (nearest, least) = (Some(index), square);

@@ -10,6 +10,7 @@
 //!
 //! A search that looks at the end of an increment alone does not see what lies between its ends.
 
+use super::chain::{flat, raised};
 use super::segment::RigidSegment;
 use super::{INSIDE, Point, cross, dot, sub};
 
@@ -23,7 +24,7 @@ pub struct Crossing {
     /// Where on the path, 0 at its start, 1 at its end.
     pub fraction: f64,
     /// Outward normal of the master there [1].
-    pub normal: Point,
+    pub normal: [f64; 3],
     /// Whether the point goes from the front of the master to behind it.
     pub inward: bool,
 }
@@ -49,8 +50,8 @@ pub fn cross_rigid(
 /// Crossings of a point on its way `point.0` -> `point.1` with a chain whose nodes go from `before`
 /// to `after`, all on straight paths; its corners are taken as they are, without smoothing.
 pub fn cross_chain(
-    (before, after): (&[Point], &[Point]),
-    point: (Point, Point),
+    (before, after): (&[[f64; 3]], &[[f64; 3]]),
+    point: ([f64; 3], [f64; 3]),
     each: impl FnMut(Crossing),
 ) {
     cross_parts((before, after), 0..before.len().saturating_sub(1), point, each);
@@ -58,14 +59,15 @@ pub fn cross_chain(
 
 /// The same with the segments given, as a tree has found them.
 pub fn cross_parts(
-    (before, after): (&[Point], &[Point]),
+    (before, after): (&[[f64; 3]], &[[f64; 3]]),
     parts: impl Iterator<Item = usize>,
-    point: (Point, Point),
+    point: ([f64; 3], [f64; 3]),
     mut each: impl FnMut(Crossing),
 ) {
+    let point = (flat(point.0), flat(point.1));
     for index in parts {
-        let [start, end] = [before, after].map(|line| [line[index], line[index + 1]]);
-        if apart(&[start[0], start[1], end[0], end[1]], &[point.0, point.1]) {
+        let [start, end] = [before, after].map(|line| [flat(line[index]), flat(line[index + 1])]);
+        if apart_in(&[start[0], start[1], end[0], end[1]], &[point.0, point.1]) {
             continue;
         }
         // cross(b - a, p - a) along the way, a quadratic in the fraction
@@ -81,16 +83,26 @@ pub fn cross_parts(
             if inside(fraction) && inside(parameter) {
                 let normal = [-along[1] / length, along[0] / length];
                 let inward = c1 + 2.0 * fraction * c2 < 0.0;
-                each(Crossing { segment: index, parameter, fraction, normal, inward });
+                each(Crossing {
+                    segment: index,
+                    parameter,
+                    fraction,
+                    normal: raised(normal),
+                    inward,
+                });
             }
         }
     }
 }
 
 /// Whether the boxes about two sets of points have nothing in common.
-pub fn apart(one: &[Point], other: &[Point]) -> bool {
-    (0..2).any(|axis| {
-        let range = |points: &[Point]| {
+pub fn apart(one: &[[f64; 3]], other: &[[f64; 3]]) -> bool {
+    apart_in(one, other)
+}
+
+fn apart_in<const D: usize>(one: &[[f64; D]], other: &[[f64; D]]) -> bool {
+    (0..D).any(|axis| {
+        let range = |points: &[[f64; D]]| {
             points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| {
                 (low.min(p[axis]), high.max(p[axis]))
             })
@@ -133,7 +145,7 @@ fn cross_line(
         let length = along[0].hypot(along[1]);
         let normal = [-along[1] / length, along[0] / length];
         let inward = dot(way, normal) < 0.0;
-        each(Crossing { segment: index, parameter, fraction, normal, inward });
+        each(Crossing { segment: index, parameter, fraction, normal: raised(normal), inward });
     }
 }
 
@@ -155,7 +167,7 @@ fn cross_arc(
             let outward = if convex { 1.0 } else { -1.0 };
             let normal = at.map(|x| outward * x / radius);
             let inward = dot(way, normal) < 0.0;
-            each(Crossing { segment: index, parameter, fraction, normal, inward });
+            each(Crossing { segment: index, parameter, fraction, normal: raised(normal), inward });
         }
     }
 }
@@ -184,7 +196,13 @@ fn cross_parabola(
             let length = tangent[0].hypot(tangent[1]);
             let normal = [-tangent[1] / length, tangent[0] / length];
             let inward = dot(way, normal) < 0.0;
-            each(Crossing { segment: index, parameter: s, fraction, normal, inward });
+            each(Crossing {
+                segment: index,
+                parameter: s,
+                fraction,
+                normal: raised(normal),
+                inward,
+            });
         }
     }
 }
@@ -233,14 +251,16 @@ mod tests {
     /// are taken to; a point that stays in front is not.
     #[test]
     fn a_chain_that_moves() {
-        let before = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]];
-        let after = [[0.0, 1.0], [1.0, 1.0], [2.0, 3.0]];
+        let before = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]].map(raised);
+        let after = [[0.0, 1.0], [1.0, 1.0], [2.0, 3.0]].map(raised);
         let mut found = Vec::new();
-        cross_chain((&before, &after), ([0.5, 0.25], [0.5, 0.75]), |crossing| found.push(crossing));
+        let way = ([0.5, 0.25, 0.0], [0.5, 0.75, 0.0]);
+        cross_chain((&before, &after), way, |crossing| found.push(crossing));
         assert_eq!(found.len(), 1);
         assert!(found[0].inward && (found[0].fraction - 0.5).abs() < 1e-15);
         found.clear();
-        cross_chain((&before, &after), ([0.5, 0.25], [0.5, 1.25]), |crossing| found.push(crossing));
+        let way = ([0.5, 0.25, 0.0], [0.5, 1.25, 0.0]);
+        cross_chain((&before, &after), way, |crossing| found.push(crossing));
         assert!(found.is_empty());
     }
 }

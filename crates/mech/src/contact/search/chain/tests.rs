@@ -1,15 +1,14 @@
-use super::super::tree::BoxTree;
-use super::{Chain, PieceKind};
+use super::{Chain, PieceKind, raised};
 
-fn zigzag() -> Vec<[f64; 2]> {
-    vec![[0.0, 0.0], [1.0, 0.0], [2.0, 0.5], [3.5, 0.0]]
+fn zigzag() -> Vec<[f64; 3]> {
+    [[0.0, 0.0], [1.0, 0.0], [2.0, 0.5], [3.5, 0.0]].map(raised).to_vec()
 }
 
 /// Requirement: corners join straight parts with continuous arc coordinate; pieces tile the chain.
 #[test]
 fn kinds_along_the_chain() {
     let chain = Chain::new(&zigzag(), 0.25, 0.1).unwrap();
-    let at = |x: f64, y: f64| chain.closest(&zigzag(), None, [x, y]).unwrap();
+    let at = |x: f64, y: f64| chain.closest(&zigzag(), None, [x, y, 0.0]).unwrap();
     assert_eq!((at(0.5, 0.1).index, at(0.5, 0.1).kind), (0, PieceKind::Straight));
     assert_eq!((at(1.0, 0.1).index, at(1.0, 0.1).kind), (1, PieceKind::Corner));
     assert_eq!(at(1.0, 0.1).nodes(), 0..3);
@@ -23,11 +22,11 @@ fn kinds_along_the_chain() {
 fn sliding_off_the_end() {
     let chain = Chain::new(&zigzag(), 0.25, 0.1).unwrap();
     let x = zigzag();
-    assert!(chain.closest(&x, None, [-0.11, 0.02]).is_none());
-    assert!((chain.beyond_end(&x, [-0.11, 0.02]).unwrap() + 0.02).abs() < 1e-15);
-    assert!(chain.beyond_end(&x, [3.9, -0.1]).is_some());
-    assert!(chain.beyond_end(&x, [-7.0, 0.0]).is_some());
-    assert_eq!(chain.beyond_end(&x, [0.5, 0.0]), None);
+    assert!(chain.closest(&x, None, [-0.11, 0.02, 0.0]).is_none());
+    assert!((chain.beyond_end(&x, [-0.11, 0.02, 0.0]).unwrap() + 0.02).abs() < 1e-15);
+    assert!(chain.beyond_end(&x, [3.9, -0.1, 0.0]).is_some());
+    assert!(chain.beyond_end(&x, [-7.0, 0.0, 0.0]).is_some());
+    assert_eq!(chain.beyond_end(&x, [0.5, 0.0, 0.0]), None);
 }
 
 /// Requirement: no hole within 0.1 of the chain on either side, smoothed or not, and the distance
@@ -42,7 +41,7 @@ fn no_hole() {
             for i in 0..=2000 {
                 let s = f64::from(i) / 2000.0;
                 for offset in [-0.1, -0.01, 0.0, 0.01, 0.1] {
-                    let p = [a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1]) + offset];
+                    let p = [a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1]) + offset, 0.0];
                     let piece = chain.closest(&x, None, p);
                     assert!(piece.is_some_and(|q| q.parameter.is_finite()), "{smoothing} {p:?}");
                 }
@@ -55,19 +54,23 @@ fn no_hole() {
 /// that face nothing, on a line that folds back on itself.
 #[test]
 fn the_tree_changes_no_answer() {
-    let x: Vec<[f64; 2]> = (0..200)
+    let x: Vec<[f64; 3]> = (0..200)
         .map(|k| {
             let t = f64::from(k) * 0.05;
-            [t.sin() * (4.0 + (3.1 * t).cos()), (1.7 * t).cos() * 3.0 + 0.02 * f64::from(k % 3)]
+            [
+                t.sin() * (4.0 + (3.1 * t).cos()),
+                (1.7 * t).cos() * 3.0 + 0.02 * f64::from(k % 3),
+                0.0,
+            ]
         })
         .collect();
     let (mut facing, mut none) = (0, 0);
     for (smoothing, extension) in [(0.0, 0.1), (0.25, 0.0), (0.49, 2.0)] {
         let chain = Chain::new(&x, smoothing, extension).unwrap();
-        let tree = BoxTree::new(chain.segments(), |part| chain.bounds(&x, part));
+        let tree = chain.tree(&x);
         for k in 0..4000 {
             let (a, b) = (f64::from(k) * 0.37, f64::from(k) * 0.61);
-            let p = [6.0 * a.sin(), 5.0 * b.cos()];
+            let p = [6.0 * a.sin(), 5.0 * b.cos(), 0.0];
             let (slow, quick) = (chain.closest(&x, None, p), chain.closest(&x, Some(&tree), p));
             assert_eq!(slow, quick, "{p:?}");
             facing += i32::from(slow.is_some());
@@ -77,11 +80,11 @@ fn the_tree_changes_no_answer() {
             assert_eq!(chain.closest(&x, None, *node), chain.closest(&x, Some(&tree), *node));
         }
     }
-    let x: Vec<[f64; 2]> = (0..70).map(|k| [f64::from(k), 0.1 * f64::from(k % 2)]).collect();
+    let x: Vec<[f64; 3]> = (0..70).map(|k| [f64::from(k), 0.1 * f64::from(k % 2), 0.0]).collect();
     let chain = Chain::new(&x, 0.2, 0.1).unwrap();
-    let tree = BoxTree::new(chain.segments(), |part| chain.bounds(&x, part));
+    let tree = chain.tree(&x);
     for k in 0..400 {
-        let p = [-10.0 + 0.25 * f64::from(k), 3.0 * f64::from(k).sin()];
+        let p = [-10.0 + 0.25 * f64::from(k), 3.0 * f64::from(k).sin(), 0.0];
         let (slow, quick) = (chain.closest(&x, None, p), chain.closest(&x, Some(&tree), p));
         assert_eq!(slow, quick, "{p:?}");
         none += i32::from(slow.is_none());
@@ -102,7 +105,7 @@ fn pieces_tile_the_chain() {
             let (segment, s) = ((k / 4000).min(2), f64::from(k) / 4000.0);
             let s = s - f64::from(segment);
             let (a, b) = (x[segment as usize], x[segment as usize + 1]);
-            let p = [a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])];
+            let p = [a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1]), 0.0];
             let piece = chain.closest(&x, None, p).unwrap();
             let (index, t) = (piece.index, piece.parameter);
             let along = match piece.kind {
@@ -129,11 +132,11 @@ fn pieces_tile_the_chain() {
 /// Requirement: degenerate input gives no chain or no piece, never NaN.
 #[test]
 fn degenerate_input() {
-    assert!(Chain::new(&[[0.0, 0.0]], 0.0, 0.1).is_none());
-    assert!(Chain::new(&[[0.0, 0.0], [0.0, 0.0]], 0.0, 0.1).is_none());
+    assert!(Chain::new(&[[0.0; 3]], 0.0, 0.1).is_none());
+    assert!(Chain::new(&[[0.0; 3]; 2], 0.0, 0.1).is_none());
     assert!(Chain::new(&zigzag(), 0.5, 0.1).is_none());
     let chain = Chain::new(&zigzag(), 0.2, 0.1).unwrap();
-    assert!(chain.closest(&[[1.0, 1.0]; 4], None, [1.0, 1.0]).is_none());
-    assert!(chain.closest(&zigzag()[..2], None, [1.0, 1.0]).is_none());
-    assert!(chain.closest(&zigzag(), None, [f64::NAN, 1.0]).is_none());
+    assert!(chain.closest(&[[1.0, 1.0, 0.0]; 4], None, [1.0, 1.0, 0.0]).is_none());
+    assert!(chain.closest(&zigzag()[..2], None, [1.0, 1.0, 0.0]).is_none());
+    assert!(chain.closest(&zigzag(), None, [f64::NAN, 1.0, 0.0]).is_none());
 }

@@ -1,0 +1,210 @@
+//! A copy of a part at its place in the assembly.
+
+use slideline_diag::{Code, Diagnostic, Span};
+use slideline_model::{Node, SurfaceSegment};
+
+use crate::draft::{Contents, Draft, Element, Interface, Link, Section, Shape, Spring, Surface};
+use crate::instances::{Placement, Target};
+use crate::motion::Motion;
+use crate::sets::{Item, NamedSet, Sets};
+use crate::surfaces::{Extent, Named, NamedSurface, Pairing, RigidBody};
+
+/// Something with numbers or names of a part.
+pub(crate) trait Place {
+    /// The same with those of the instance.
+    #[must_use]
+    fn placed(self, by: &Placement) -> Self;
+}
+
+impl Place for Target {
+    fn placed(self, by: &Placement) -> Self {
+        match self {
+            Self::Label(label) => Self::Label(by.label(label)),
+            Self::Set(set) => Self::Set(by.name(&set)),
+        }
+    }
+}
+
+impl Place for Item {
+    fn placed(self, by: &Placement) -> Self {
+        match self {
+            Self::One(label) => Self::One(by.label(label)),
+            Self::Range(first, last, step) => Self::Range(by.label(first), by.label(last), step),
+            Self::Set(set) => Self::Set(by.name(&set)),
+        }
+    }
+}
+
+impl Place for Named {
+    fn placed(self, by: &Placement) -> Self {
+        Self { name: by.name(&self.name), ..self }
+    }
+}
+
+impl<T: Place> Place for Option<T> {
+    fn placed(self, by: &Placement) -> Self {
+        self.map(|own| own.placed(by))
+    }
+}
+
+impl Place for Element {
+    fn placed(mut self, by: &Placement) -> Self {
+        let count = self.kind.node_count();
+        self.label = by.label(self.label);
+        self.nodes[..count].iter_mut().for_each(|node| *node = by.label(*node));
+        self
+    }
+}
+
+impl Place for Section {
+    fn placed(self, by: &Placement) -> Self {
+        Self { set: by.name(&self.set), ..self }
+    }
+}
+
+impl Place for Spring {
+    fn placed(self, by: &Placement) -> Self {
+        Self { set: by.name(&self.set), ..self }
+    }
+}
+
+impl Place for Surface {
+    fn placed(mut self, by: &Placement) -> Self {
+        self.set = by.name(&self.set);
+        if let Shape::Line { nodes, .. } = &mut self.shape {
+            nodes.iter_mut().for_each(|(label, _)| *label = by.label(*label));
+        }
+        self
+    }
+}
+
+impl Place for Interface {
+    fn placed(self, by: &Placement) -> Self {
+        Self { set: by.name(&self.set), ..self }
+    }
+}
+
+impl Place for NamedSurface {
+    fn placed(mut self, by: &Placement) -> Self {
+        self.named = self.named.placed(by);
+        match &mut self.extent {
+            Extent::Elements(stretches) => {
+                for stretch in stretches {
+                    stretch.elements = stretch.elements.clone().placed(by);
+                }
+            }
+            Extent::Nodes(targets) => {
+                targets.iter_mut().for_each(|(target, _)| *target = target.clone().placed(by));
+            }
+            Extent::Rigid { .. } => {}
+        }
+        self
+    }
+}
+
+impl Place for Pairing {
+    fn placed(mut self, by: &Placement) -> Self {
+        (self.slave, self.master) = (self.slave.placed(by), self.master.placed(by));
+        self
+    }
+}
+
+impl Place for RigidBody {
+    fn placed(mut self, by: &Placement) -> Self {
+        self.reference = self.reference.placed(by);
+        self.tied = self.tied.placed(by);
+        self.elements = self.elements.placed(by);
+        self.surface = self.surface.placed(by);
+        self
+    }
+}
+
+impl Place for Link {
+    fn placed(mut self, by: &Placement) -> Self {
+        (self.dependent, self.master) = (self.dependent.placed(by), self.master.placed(by));
+        self
+    }
+}
+
+fn extend<T: Place>(all: &mut Vec<T>, new: Vec<T>, by: &Placement) {
+    all.extend(new.into_iter().map(|own| own.placed(by)));
+}
+
+fn join(all: &mut Sets, new: &Sets, by: &Placement) {
+    for NamedSet { name, items, origin } in new.iter() {
+        let set = all.open(&by.name(name), *origin);
+        set.items.extend(items.iter().map(|(item, span)| (item.clone().placed(by), *span)));
+    }
+}
+
+impl Draft {
+    /// Adds an instance to the assembly.
+    pub(super) fn place(&mut self, own: Contents, by: &Placement, motion: &Motion, origin: Span) {
+        let count = (own.nodes.len() + own.elements.len()) as u128;
+        if !self.reserve(count, "nodes and elements of this instance", origin) {
+            self.mark_all_incomplete();
+            return;
+        }
+        for node in own.nodes.iter() {
+            let (label, position) = (by.label(node.label), motion.point(node.position));
+            self.model.nodes.insert(Node { label, position, origin: node.origin });
+        }
+        for element in own.elements {
+            let element = element.placed(by);
+            self.element_by_label.insert(element.label, self.elements.len());
+            self.elements.push(element);
+        }
+        join(&mut self.node_sets, &own.node_sets, by);
+        join(&mut self.element_sets, &own.element_sets, by);
+        let pairs = own.node_sets_of_elements.into_iter();
+        self.node_sets_of_elements
+            .extend(pairs.map(|(nodes, elements)| (by.name(&nodes), elements.placed(by))));
+        let mut shapes = own.surfaces;
+        let mut surfaces = own.named_surfaces;
+        let rigid = shapes.iter_mut().filter_map(|surface| match &mut surface.shape {
+            Shape::Rigid { start, segments } => Some((start, segments, surface.origin)),
+            Shape::Line { .. } => None,
+        });
+        let named = surfaces.iter_mut().filter_map(|surface| match &mut surface.extent {
+            Extent::Rigid { start, segments } => Some((start, segments, surface.origin)),
+            _ => None,
+        });
+        for (start, segments, origin) in rigid.chain(named) {
+            if turn(start, segments, motion).is_none() {
+                let message = format!(
+                    "the instance {} turns its analytical surface out of the plane",
+                    by.prefix.trim_end_matches('.')
+                );
+                let error = Diagnostic::error(Code("SL0258"), message).at(origin);
+                self.log.push(error.help("turn it about an axis along z"));
+            }
+        }
+        extend(&mut self.sections, own.sections, by);
+        extend(&mut self.springs, own.springs, by);
+        extend(&mut self.surfaces, shapes, by);
+        extend(&mut self.interfaces, own.interfaces, by);
+        extend(&mut self.named_surfaces, surfaces, by);
+        extend(&mut self.pairings, own.pairings, by);
+        extend(&mut self.bodies, own.bodies, by);
+        extend(&mut self.links, own.links, by);
+    }
+}
+
+/// Moves an analytical surface with its instance.
+fn turn(start: &mut [f64; 2], segments: &mut [SurfaceSegment], motion: &Motion) -> Option<()> {
+    *start = motion.plane_point(*start)?;
+    for segment in segments {
+        *segment = match *segment {
+            SurfaceSegment::Line { end } => SurfaceSegment::Line { end: motion.plane_point(end)? },
+            SurfaceSegment::Circle { end, centre } => SurfaceSegment::Circle {
+                end: motion.plane_point(end)?,
+                centre: motion.plane_point(centre)?,
+            },
+            SurfaceSegment::Parabola { middle, end } => SurfaceSegment::Parabola {
+                middle: motion.plane_point(middle)?,
+                end: motion.plane_point(end)?,
+            },
+        };
+    }
+    Some(())
+}

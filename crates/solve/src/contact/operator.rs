@@ -1,0 +1,172 @@
+//! The contact operator: how overclosure, slip and forces of points follow unknowns.
+//!
+//! ```text
+//!             unknowns of point i
+//!           +---------------------+
+//!   normal  | dh/du               |   1 row
+//!   slip    | d sigma_k/du        |   a row a tangential direction
+//!   force   | direction of tau_k  |   a row a tangential direction
+//!           +---------------------+
+//! ```
+//!
+//! Sparse rows over any number of unknowns, all in one list: a point takes room when the
+//! operator is made or when it is added, and none in an iteration. In the plane there is one
+//! tangential direction, in space there are two.
+
+/// Rows of many points over dofs, or over equations.
+#[derive(Clone, Debug, Default)]
+pub struct ContactOperator {
+    directions: usize,
+    /// Where the unknowns of every point begin, and how many they are.
+    slots: Vec<(usize, usize)>,
+    unknowns: Vec<usize>,
+    /// The rows, point by point and row by row.
+    values: Vec<f64>,
+}
+
+/// The rows of one point.
+#[derive(Clone, Copy, Debug)]
+pub struct OperatorRows<'a> {
+    directions: usize,
+    /// Unknowns that the point follows.
+    pub unknowns: &'a [usize],
+    values: &'a [f64],
+}
+
+/// The rows of one point, to be written.
+#[derive(Debug)]
+pub struct OperatorRowsMut<'a> {
+    width: &'a mut usize,
+    unknowns: &'a mut [usize],
+    values: &'a mut [f64],
+}
+
+impl ContactOperator {
+    /// An operator of points that follow at most `room` unknowns each, and none yet.
+    pub fn with_room(points: usize, room: usize, directions: usize) -> Self {
+        Self {
+            directions,
+            slots: (0..points).map(|place| (place * room, 0)).collect(),
+            unknowns: vec![0; points * room],
+            values: vec![0.0; points * room * rows(directions)],
+        }
+    }
+
+    /// Tangential directions of a point.
+    pub fn directions(&self) -> usize {
+        self.directions
+    }
+
+    /// Forgets all points, and how many directions they have.
+    pub fn clear(&mut self, directions: usize) {
+        self.directions = directions;
+        self.slots.clear();
+        self.unknowns.clear();
+        self.values.clear();
+    }
+
+    /// Room for so many points of so many unknowns each.
+    pub fn reserve(&mut self, points: usize, unknowns: usize) {
+        self.slots.reserve(points);
+        self.unknowns.reserve(points * unknowns);
+        self.values.reserve(points * unknowns * rows(self.directions.max(1)));
+    }
+
+    /// Adds a point with zero rows over these unknowns.
+    pub fn push(&mut self, unknowns: &[usize]) {
+        self.slots.push((self.unknowns.len(), unknowns.len()));
+        self.unknowns.extend_from_slice(unknowns);
+        self.values.resize(self.unknowns.len() * rows(self.directions), 0.0);
+    }
+
+    /// The rows of a point.
+    pub fn rows(&self, place: usize) -> OperatorRows<'_> {
+        let (begin, width) = self.slots[place];
+        OperatorRows {
+            directions: self.directions,
+            unknowns: &self.unknowns[begin..][..width],
+            values: &self.values[begin * rows(self.directions)..][..width * rows(self.directions)],
+        }
+    }
+
+    /// The rows of a point, to be written.
+    pub fn rows_mut(&mut self, place: usize) -> OperatorRowsMut<'_> {
+        let (begin, _) = self.slots[place];
+        let end = self.slots.get(place + 1).map_or(self.unknowns.len(), |(next, _)| *next);
+        let count = rows(self.directions);
+        OperatorRowsMut {
+            width: &mut self.slots[place].1,
+            unknowns: &mut self.unknowns[begin..end],
+            values: &mut self.values[begin * count..end * count],
+        }
+    }
+
+    /// Takes over another operator, room kept.
+    pub fn copy_from(&mut self, other: &Self) {
+        self.directions = other.directions;
+        self.slots.clone_from(&other.slots);
+        self.unknowns.clone_from(&other.unknowns);
+        self.values.clone_from(&other.values);
+    }
+}
+
+/// Rows of a point with so many tangential directions.
+const fn rows(directions: usize) -> usize {
+    1 + 2 * directions
+}
+
+impl<'a> OperatorRows<'a> {
+    /// Number of unknowns.
+    pub fn width(&self) -> usize {
+        self.unknowns.len()
+    }
+
+    /// Number of tangential directions.
+    pub fn directions(&self) -> usize {
+        self.directions
+    }
+
+    /// dh/du of each unknown [1].
+    pub fn normal(&self) -> &'a [f64] {
+        &self.values[..self.width()]
+    }
+
+    /// d sigma/du of each unknown, along a tangential direction [1].
+    pub fn slip(&self, direction: usize) -> &'a [f64] {
+        &self.values[(1 + direction) * self.width()..][..self.width()]
+    }
+
+    /// Direction of the force of a traction on each unknown [1].
+    pub fn force(&self, direction: usize) -> &'a [f64] {
+        &self.values[(1 + self.directions + direction) * self.width()..][..self.width()]
+    }
+}
+
+impl<'a> OperatorRowsMut<'a> {
+    /// The point follows nothing.
+    pub fn clear(&mut self) {
+        *self.width = 0;
+    }
+
+    /// The rows over these unknowns, all zero: normal, slip and force.
+    pub fn start(&mut self, unknowns: &[usize]) -> &mut [f64] {
+        let width = unknowns.len();
+        *self.width = width;
+        self.unknowns[..width].copy_from_slice(unknowns);
+        let count = self.values.len() / self.unknowns.len().max(1);
+        let values = &mut self.values[..count * width];
+        values.fill(0.0);
+        values
+    }
+
+    /// The unknowns.
+    pub fn unknowns(&self) -> &[usize] {
+        &self.unknowns[..*self.width]
+    }
+
+    /// The rows, to be written.
+    pub fn values(&mut self) -> &mut [f64] {
+        let count = self.values.len() / self.unknowns.len().max(1);
+        &mut self.values[..count * *self.width]
+    }
+}

@@ -1,0 +1,272 @@
+//! The contact points of an iteration, linearised, with their rows over the equations.
+
+use crate::constraints::{Constraints, Rows};
+use crate::contact::{ContactOperator, OperatorRows};
+use slideline_mech::contact::tangential::Tangential;
+use std::ops::{Deref, Index, IndexMut};
+
+/// Friction at a point whose friction is called.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sliding {
+    /// Change of the slip coordinates since the last commit [L].
+    pub slip: Tangential,
+    /// Committed elastic slip [L].
+    pub elastic_slip: Tangential,
+    /// Shear traction: estimate in, solution out [F/L2].
+    pub traction: Tangential,
+    /// Stiffness augmentation to K, the same in all directions [F/L3].
+    pub stiffness: f64,
+    /// Where the point's state values of a user law begin, and how many.
+    pub state_variables: (usize, usize),
+}
+
+/// A contact point, linearised.
+#[derive(Clone, Copy, Debug)]
+pub struct LinearPoint {
+    /// Place of the point in the plan.
+    pub place: usize,
+    /// Place of its pair among the laws.
+    pub pair: usize,
+    /// Area [L2].
+    pub area: f64,
+    /// Whether it is one of the many integration points of integrated contact.
+    pub integrated: bool,
+    /// Overclosure [L].
+    pub overclosure: f64,
+    /// Pressure: estimate in, solution out [F/L2].
+    pub pressure: f64,
+    /// Stiffness augmentation to K [F/L3].
+    pub stiffness: f64,
+    /// Stiffness of the structure below which the point's own counts as none
+    /// [F/L3].
+    pub least: f64,
+    /// Friction, where it would be called for a closed point.
+    pub sliding: Option<Sliding>,
+}
+
+impl LinearPoint {
+    /// Traction estimated or found; zero without friction [F/L2].
+    pub fn traction(&self) -> Tangential {
+        self.sliding.map_or(Tangential::ZERO, |sliding| sliding.traction)
+    }
+
+    /// Sets the traction, where there is friction [F/L2].
+    pub(super) fn set_traction(&mut self, traction: Tangential) {
+        if let Some(sliding) = &mut self.sliding {
+            sliding.traction = traction;
+        }
+    }
+
+    /// Sets the augmentation along the normal and along the tangents [F/L3].
+    pub(super) fn set_augmentation(&mut self, augmentation: Augmentation) {
+        self.stiffness = augmentation.normal;
+        if let Some(sliding) = &mut self.sliding {
+            sliding.stiffness = augmentation.tangential;
+        }
+    }
+
+    /// The augmentation it has.
+    pub(super) fn augmentation(&self) -> Augmentation {
+        let tangential = self.sliding.map_or(0.0, |sliding| sliding.stiffness);
+        Augmentation { normal: self.stiffness, tangential }
+    }
+}
+
+/// Stiffness per area of a point [F/L3].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Augmentation {
+    /// Along its normal.
+    pub normal: f64,
+    /// Along its tangents.
+    pub tangential: f64,
+}
+
+/// Which multiplier of a point: its pressure, or its traction along a direction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    Normal,
+    Tangential(usize),
+}
+
+/// The points of an iteration.
+#[derive(Clone, Debug, Default)]
+pub struct LinearPoints {
+    points: Vec<LinearPoint>,
+    operator: ContactOperator,
+    /// Unknowns of the point that is being added, and its rows, unknown by unknown.
+    unknowns: Vec<usize>,
+    columns: Vec<f64>,
+}
+
+/// A point with its rows over the equations.
+#[derive(Clone, Copy, Debug)]
+pub struct LinearRows<'a> {
+    point: &'a LinearPoint,
+    /// Its rows.
+    pub rows: OperatorRows<'a>,
+}
+
+impl Deref for LinearRows<'_> {
+    type Target = LinearPoint;
+
+    fn deref(&self) -> &LinearPoint {
+        self.point
+    }
+}
+
+impl LinearPoints {
+    /// Forgets all points.
+    pub fn clear(&mut self, directions: usize) {
+        self.points.clear();
+        self.operator.clear(directions);
+    }
+
+    /// Room for so many points of so many equations each.
+    pub fn reserve(&mut self, points: usize, equations: usize) {
+        self.points.reserve(points);
+        self.operator.reserve(points, equations);
+    }
+
+    /// Adds a point whose rows over dofs are `rows`, and hands those to the equations that the
+    /// dofs follow.
+    pub fn push(
+        &mut self,
+        point: LinearPoint,
+        rows: OperatorRows<'_>,
+        (constraints, following): (&Constraints, &Rows),
+    ) {
+        let directions = self.operator.directions();
+        let count = 1 + 2 * directions;
+        self.unknowns.clear();
+        self.columns.clear();
+        let Self { unknowns, columns, .. } = self;
+        for (k, &dof) in rows.unknowns.iter().enumerate() {
+            constraints.for_each_equation(following, dof, &mut |equation, factor: f64| {
+                let known = unknowns.iter().position(|&own| own == equation);
+                let at = known.unwrap_or_else(|| {
+                    unknowns.push(equation);
+                    columns.resize(unknowns.len() * count, 0.0);
+                    unknowns.len() - 1
+                });
+                let column = &mut columns[at * count..][..count];
+                column[0] += factor * rows.normal()[k];
+                for direction in 0..directions {
+                    column[1 + direction] += factor * rows.slip(direction)[k];
+                    column[1 + directions + direction] += factor * rows.force(direction)[k];
+                }
+            });
+        }
+        let width = self.unknowns.len();
+        self.points.push(point);
+        self.operator.push(&self.unknowns);
+        let mut into = self.operator.rows_mut(self.points.len() - 1);
+        for (row, into) in into.values().chunks_exact_mut(width.max(1)).enumerate() {
+            for (value, column) in into.iter_mut().zip(self.columns.chunks_exact(count)) {
+                *value = column[row];
+            }
+        }
+    }
+
+    /// A point with its rows.
+    pub fn at(&self, index: usize) -> LinearRows<'_> {
+        LinearRows { point: &self.points[index], rows: self.operator.rows(index) }
+    }
+
+    /// Tangential directions of a point.
+    pub fn directions(&self) -> usize {
+        self.operator.directions()
+    }
+
+    /// Number of points.
+    pub fn len(&self) -> usize {
+        self.points.len()
+    }
+
+    /// The points, without their rows.
+    pub fn iter(&self) -> std::slice::Iter<'_, LinearPoint> {
+        self.points.iter()
+    }
+
+    /// All points with their rows.
+    pub fn with_rows(&self) -> impl Iterator<Item = LinearRows<'_>> {
+        (0..self.points.len()).map(|index| self.at(index))
+    }
+
+    /// Takes over other points, room kept.
+    pub(super) fn copy_from(&mut self, other: &Self) {
+        self.points.clone_from(&other.points);
+        self.operator.copy_from(&other.operator);
+    }
+}
+
+impl Index<usize> for LinearPoints {
+    type Output = LinearPoint;
+
+    fn index(&self, index: usize) -> &LinearPoint {
+        &self.points[index]
+    }
+}
+
+impl IndexMut<usize> for LinearPoints {
+    fn index_mut(&mut self, index: usize) -> &mut LinearPoint {
+        &mut self.points[index]
+    }
+}
+
+impl LinearRows<'_> {
+    /// How a value of the point follows a vector of all equations.
+    pub(super) fn dot(&self, of: Kind, vector: &[f64]) -> f64 {
+        self.rows.unknowns.iter().zip(self.gradient(of)).map(|(&e, g)| g * vector[e]).sum()
+    }
+
+    /// Derivatives of overclosure or slip.
+    pub(super) fn gradient(&self, of: Kind) -> &[f64] {
+        match of {
+            Kind::Normal => self.rows.normal(),
+            Kind::Tangential(direction) => self.rows.slip(direction),
+        }
+    }
+
+    /// Direction of the force of a multiplier.
+    pub(super) fn force(&self, of: Kind) -> &[f64] {
+        match of {
+            Kind::Normal => self.rows.normal(),
+            Kind::Tangential(direction) => self.rows.force(direction),
+        }
+    }
+
+    /// Adds the forces of a multiplier to a vector of all equations [F].
+    pub(super) fn push(&self, of: Kind, multiplier: f64, into: &mut [f64]) {
+        for (&equation, f) in self.rows.unknowns.iter().zip(self.force(of)) {
+            into[equation] += self.area * multiplier * f;
+        }
+    }
+
+    pub(super) fn moves(&self, of: Kind) -> bool {
+        self.gradient(of).iter().any(|&g| g != 0.0)
+    }
+
+    /// Whether anything moves it along its master.
+    pub(super) fn slides(&self) -> bool {
+        (0..self.rows.directions()).any(|direction| self.moves(Kind::Tangential(direction)))
+    }
+
+    /// Normal and tangential forces per area at its equation `k`, put together [F/L2].
+    pub(super) fn force_at(&self, k: usize, normal: f64, tangential: Tangential) -> f64 {
+        let drag = |direction: usize| tangential[direction] * self.rows.force(direction)[k];
+        (0..self.rows.directions()).map(drag).fold(normal * self.rows.normal()[k], |a, b| a + b)
+    }
+
+    /// Overclosure and slip by the values of its equations.
+    pub(super) fn values(&self, of_equation: impl Fn(usize) -> f64) -> (f64, Tangential) {
+        let (mut normal, mut tangential) = (0.0, Tangential::ZERO);
+        for k in 0..self.rows.width() {
+            let d = of_equation(k);
+            normal += self.rows.normal()[k] * d;
+            for direction in 0..self.rows.directions() {
+                tangential.0[direction] += self.rows.slip(direction)[k] * d;
+            }
+        }
+        (normal, tangential)
+    }
+}
