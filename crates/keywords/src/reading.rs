@@ -175,6 +175,15 @@ impl<'a> Reading<'a> {
         self.card.span
     }
 
+    /// All numbers of the data lines, one after the other; blank ones are zero.
+    pub fn numbers(&self, log: &mut Log) -> Option<Vec<f64>> {
+        let fields =
+            self.data().iter().flat_map(|line| (0..line.fields.len()).map(move |k| (line, k)));
+        let read: Vec<Option<f64>> =
+            fields.map(|(line, at)| log.number_or(line, at, 0.0)).collect();
+        read.into_iter().collect()
+    }
+
     /// The only data line of the card; complains where there is none or more.
     pub fn only_line(&self, what: &str, log: &mut Log) -> Option<&'a DataLine> {
         log.at_most_lines(self.data(), 1, self.keyword.name);

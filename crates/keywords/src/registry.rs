@@ -6,11 +6,11 @@ use crate::cards::{
     allowable, amplitude, assembly, beam_section, boundary, cload, contact_controls, contact_file,
     contact_output, contact_pair, contact_print, controls, coupling, density, distributing, dload,
     dsload, el_file, el_print, elastic, element, element_output, elgen, elset, end_assembly,
-    end_instance, end_part, end_step, equation, friction, heading, instance, interface, kinematic,
-    kinematic_coupling, material, mpc, ngen, nmap, node, node_file, node_output, node_print, nset,
-    output, part, print, restart, rigid_body, rigid_surface, slide_line, solid_section, spring,
-    static_, step, surface, surface_behavior, surface_contact, surface_interaction,
-    transverse_shear,
+    end_instance, end_part, end_step, equation, friction, heading, hyperelastic, instance,
+    interface, kinematic, kinematic_coupling, material, mpc, ngen, nmap, node, node_file,
+    node_output, node_print, nset, output, part, plastic, print, restart, rigid_body,
+    rigid_surface, slide_line, solid_section, spring, static_, step, surface, surface_behavior,
+    surface_contact, surface_interaction, transverse_shear,
 };
 use crate::keyword::Keyword;
 use crate::reading::{Match, resolve};
@@ -40,6 +40,8 @@ pub(crate) const REGISTRY: &[&'static dyn Keyword] = &[
     &material::Material,
     &elastic::Elastic,
     &density::Density,
+    &hyperelastic::Hyperelastic,
+    &plastic::Plastic,
     &allowable::Allowable,
     &rigid_surface::RigidSurface,
     &slide_line::SlideLine,

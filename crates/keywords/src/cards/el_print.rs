@@ -70,7 +70,7 @@ fn section_point(text: &str) -> Option<usize> {
 
 impl Variable for ElementVariable {
     const KIND: &'static str = "variable of elements";
-    const KNOWN: &'static str = "SF, SM, SE, SK, S, MISES of beams, S, E, MISES of solids; numbers from 1 to 5 are section points";
+    const KNOWN: &'static str = "SF, SM, SE, SK, S, MISES of beams, S, E, PEEQ, MISES of solids; numbers from 1 to 5 are section points";
     const SET: &'static str = "ELSET";
     const PRESELECTED: &'static [Self] = &[Self::SF, Self::SM, Self::S];
 
@@ -82,7 +82,8 @@ impl Variable for ElementVariable {
             "SE" => Some(Self::SE),
             "SK" => Some(Self::SK),
             "S" => Some(Self::S),
-            "E" => Some(Self::E),
+            "E" | "LE" => Some(Self::E),
+            "PEEQ" => Some(Self::PEEQ),
             "MISES" => Some(Self::MISES),
             _ => None,
         }

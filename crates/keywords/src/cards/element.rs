@@ -1,5 +1,7 @@
 //! `*ELEMENT`: elements and contact elements.
 
+use std::borrow::Cow;
+
 use slideline_deck::DataLine;
 use slideline_diag::{Code, Diagnostic};
 
@@ -41,7 +43,8 @@ impl Keyword for Element {
         if let Some(set) = &set {
             draft.element_sets.open(set, card.span());
         }
-        for line in card.data() {
+        draft.note_spatial(kind);
+        for line in whole_lines(card.data(), kind.node_count()).as_ref() {
             let Some(element) = element(line, kind, draft) else { continue };
             if let Some(set) = &set {
                 draft.element_sets.join(set, Item::One(element.label), line.span);
@@ -64,6 +67,30 @@ fn kind(card: &Reading<'_>, draft: &mut Draft) -> Option<ElementKind> {
         draft.log.push(error.help(format!("supported: {}", known.join(", "))));
     }
     found
+}
+
+/// Most nodes on the first line of an element.
+const ON_ONE_LINE: usize = 15;
+
+/// Data lines with those that go on behind a comma, or behind fifteen nodes, joined to one.
+fn whole_lines(data: &[DataLine], nodes: usize) -> Cow<'_, [DataLine]> {
+    let goes_on = |line: &DataLine| {
+        line.fields.len() <= nodes && (line.text.ends_with(',') || line.fields.len() > ON_ONE_LINE)
+    };
+    if !data.iter().any(goes_on) {
+        return Cow::Borrowed(data);
+    }
+    let mut whole: Vec<DataLine> = Vec::with_capacity(data.len());
+    for line in data {
+        match whole.last_mut() {
+            Some(last) if goes_on(last) => {
+                last.fields.extend(line.fields.iter().cloned());
+                last.text = format!("{} {}", last.text, line.text);
+            }
+            _ => whole.push(line.clone()),
+        }
+    }
+    Cow::Owned(whole)
 }
 
 fn element(line: &DataLine, kind: ElementKind, draft: &mut Draft) -> Option<draft::Element> {

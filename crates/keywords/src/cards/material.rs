@@ -44,6 +44,14 @@ impl Keyword for Material {
         }
         draft.owner = Owner::Material(draft.materials.len());
         let origin = card.span();
-        draft.materials.push(draft::Material { name, elastic: None, has_card: false, origin });
+        draft.materials.push(draft::Material {
+            name,
+            elastic: None,
+            anisotropic: None,
+            rubber: None,
+            hardening: None,
+            has_card: false,
+            origin,
+        });
     }
 }

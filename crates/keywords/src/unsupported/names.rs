@@ -182,7 +182,7 @@ pub(super) const GROUPS: &[Group] = &[
     ),
     (
         Unsupported,
-        "materials are *ELASTIC",
+        "materials are *ELASTIC, *PLASTIC and *HYPERELASTIC",
         &[
             "ACOUSTIC MEDIUM",
             "ANISOTROPIC HYPERELASTIC",
@@ -211,7 +211,6 @@ pub(super) const GROUPS: &[Group] = &[
             "FAIL STRESS",
             "FLUID CONSTANTS",
             "FOAM HARDENING",
-            "HYPERELASTIC",
             "HYPERFOAM",
             "HYPOELASTIC",
             "HYSTERESIS",
@@ -223,7 +222,6 @@ pub(super) const GROUPS: &[Group] = &[
             "NO TENSION",
             "PERMEABILITY",
             "PLANAR TEST DATA",
-            "PLASTIC",
             "POROUS ELASTIC",
             "POTENTIAL",
             "RATE DEPENDENT",
