@@ -43,7 +43,7 @@ fn what_the_page_names_is_refused() {
         ("plasticity", MODEL, "*PLASTIC\n*STEP"),
         ("creep", MODEL, "*CREEP\n*STEP"),
         ("rubber", MODEL, "*HYPERELASTIC\n*STEP"),
-        ("temperature", HISTORY, "*TEMPERATURE\n*END STEP"),
+        ("temperature", HISTORY, "*TEMPERATURE\n1\n*END STEP"),
         ("masses", "TYPE=B21", "TYPE=MASS"),
         ("dampers", MODEL, "*DASHPOT\n*STEP"),
         ("gap elements", MODEL, "*GAP\n*STEP"),
