@@ -10,7 +10,7 @@ use crate::cards::{
     interface, kinematic, kinematic_coupling, material, mpc, ngen, nmap, node, node_file,
     node_output, node_print, nset, output, part, print, restart, rigid_body, rigid_surface,
     slide_line, solid_section, spring, static_, step, surface, surface_behavior, surface_contact,
-    surface_interaction, temperature, transverse_shear,
+    surface_interaction, temperature, tie, transverse_shear,
 };
 use crate::keyword::Keyword;
 use crate::reading::{Match, resolve};
@@ -53,6 +53,7 @@ pub(crate) const REGISTRY: &[&'static dyn Keyword] = &[
     &contact_pair::ContactPair,
     &contact_controls::ContactControls,
     &mpc::Mpc,
+    &tie::Tie,
     &equation::Equation,
     &coupling::Coupling,
     &kinematic::Kinematic,

@@ -47,7 +47,6 @@ fn what_the_page_names_is_refused() {
         ("masses", "TYPE=B21", "TYPE=MASS"),
         ("dampers", MODEL, "*DASHPOT\n*STEP"),
         ("gap elements", MODEL, "*GAP\n*STEP"),
-        ("ties of surfaces", MODEL, "*TIE\n*STEP"),
         ("initial stresses", MODEL, "*INITIAL CONDITIONS, TYPE=STRESS\n*STEP"),
         ("`*PARAMETER`", MODEL, "*PARAMETER\nw = 1.\n*STEP"),
         ("dynamics", HISTORY, "*DYNAMIC\n*END STEP"),

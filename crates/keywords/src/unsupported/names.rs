@@ -122,7 +122,6 @@ pub(super) const GROUPS: &[Group] = &[
         Unsupported,
         "use one node on both sides, or *MPC of type BEAM",
         &[
-            "TIE",
             "TIED CONTACT",
             "EMBEDDED ELEMENT",
             "FASTENER",
