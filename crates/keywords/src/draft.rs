@@ -11,7 +11,7 @@ use slideline_model::{
     ProfilePoint, SavedStates, ShearRule, SolidSection, Static, SurfaceSegment, TYPES,
 };
 
-use crate::constraints::{Coupling, Equation, Link};
+use crate::constraints::{Coupling, Equation, Link, Tie};
 use crate::distributed::Distributed;
 use crate::log::{Log, Target};
 use crate::rule::Subject;
@@ -60,6 +60,7 @@ pub(crate) struct Draft {
     pub links: Vec<Link>,
     pub equations: Vec<Equation>,
     pub couplings: Vec<Coupling>,
+    pub ties: Vec<Tie>,
     /// Dofs that follow others, and where it was said; known when links are resolved.
     pub dependents: HashMap<(NodeIndex, Dof), Span>,
     pub parts: Parts<Contents>,
@@ -96,6 +97,7 @@ pub(crate) struct Contents {
     pub links: Vec<Link>,
     pub equations: Vec<Equation>,
     pub couplings: Vec<Coupling>,
+    pub ties: Vec<Tie>,
 }
 
 /// The card that a suboption belongs to.

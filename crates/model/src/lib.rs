@@ -25,7 +25,7 @@ mod stabilisation;
 mod step;
 mod vocabulary;
 
-pub use amplitude::Amplitude;
+pub use amplitude::{Amplitude, Curve};
 pub use contact::{
     ContactElement, ContactPair, Decay, Formulation, Friction, Interaction, Lumping, Master,
     ProfilePoint, RigidSurface, SlideLine, StickRule, SurfaceSegment,

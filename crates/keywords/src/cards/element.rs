@@ -1,8 +1,6 @@
 //! `*ELEMENT`: elements and contact elements.
 
-use std::borrow::Cow;
-
-use slideline_deck::DataLine;
+use slideline_deck::{DataLine, Field};
 use slideline_diag::{Code, Diagnostic};
 
 use crate::draft;
@@ -44,14 +42,30 @@ impl Keyword for Element {
             draft.element_sets.open(set, card.span());
         }
         draft.note_spatial(kind);
-        for line in whole_lines(card.data(), kind.node_count()).as_ref() {
-            let Some(element) = element(line, kind, draft) else { continue };
+        let mut lines = card.data().iter();
+        while let Some(line) = lines.next() {
+            let mut fields: Vec<&Field> = line.fields.iter().collect();
+            let mut last = line;
+            while continues(last, &fields, kind) {
+                let Some(next) = lines.next() else { break };
+                fields.extend(&next.fields);
+                last = next;
+            }
+            let Some(element) = element(line, &fields, kind, draft) else { continue };
             if let Some(set) = &set {
                 draft.element_sets.join(set, Item::One(element.label), line.span);
             }
             draft.add_element(element);
         }
     }
+}
+
+/// Whether the nodes of an element go on in the next line: they are too few, and the line ends
+/// with a comma or could not hold them all.
+fn continues(line: &DataLine, fields: &[&Field], kind: ElementKind) -> bool {
+    let given = fields.iter().filter(|field| !field.text.is_empty()).count();
+    given < kind.node_count() + 1
+        && (line.text.ends_with(',') || kind.node_count() >= slideline_deck::MAX_VALUES_PER_LINE)
 }
 
 fn kind(card: &Reading<'_>, draft: &mut Draft) -> Option<ElementKind> {
@@ -69,43 +83,26 @@ fn kind(card: &Reading<'_>, draft: &mut Draft) -> Option<ElementKind> {
     found
 }
 
-/// Most nodes on the first line of an element.
-const ON_ONE_LINE: usize = 15;
-
-/// Data lines with those that go on behind a comma, or behind fifteen nodes, joined to one.
-fn whole_lines(data: &[DataLine], nodes: usize) -> Cow<'_, [DataLine]> {
-    let goes_on = |line: &DataLine| {
-        line.fields.len() <= nodes && (line.text.ends_with(',') || line.fields.len() > ON_ONE_LINE)
-    };
-    if !data.iter().any(goes_on) {
-        return Cow::Borrowed(data);
-    }
-    let mut whole: Vec<DataLine> = Vec::with_capacity(data.len());
-    for line in data {
-        match whole.last_mut() {
-            Some(last) if goes_on(last) => {
-                last.fields.extend(line.fields.iter().cloned());
-                last.text = format!("{} {}", last.text, line.text);
-            }
-            _ => whole.push(line.clone()),
-        }
-    }
-    Cow::Owned(whole)
-}
-
-fn element(line: &DataLine, kind: ElementKind, draft: &mut Draft) -> Option<draft::Element> {
+fn element(
+    line: &DataLine,
+    fields: &[&Field],
+    kind: ElementKind,
+    draft: &mut Draft,
+) -> Option<draft::Element> {
     let label = draft.log.label(line, 0, "the element number")?;
     let count = kind.node_count();
-    let given = line.fields.iter().skip(1).filter(|field| !field.text.is_empty()).count();
-    if given != count {
+    let given = fields.iter().skip(1).filter(|field| !field.text.is_empty());
+    let given: Vec<&&Field> = given.collect();
+    if given.len() != count {
         let nodes = if count == 1 { "node" } else { "nodes" };
-        let message = format!("a {} element has {count} {nodes}, here are {given}", kind.name());
+        let here = given.len();
+        let message = format!("a {} element has {count} {nodes}, here are {here}", kind.name());
         draft.log.error("SL0231", message, line.span);
         return None;
     }
     let mut nodes = [0; draft::MOST_NODES];
-    for (at, node) in nodes.iter_mut().take(count).enumerate() {
-        *node = draft.log.label(line, at + 1, "a node number")?;
+    for (node, field) in nodes.iter_mut().zip(given) {
+        *node = draft.log.label_in(field)?;
     }
     Some(draft::Element { label, kind, nodes, origin: line.span })
 }

@@ -21,6 +21,10 @@ impl Keyword for Material {
         RULES
     }
 
+    fn without_effect(&self) -> &'static [&'static str] {
+        &["DESCRIPTION", "RTOL", "SRATE FACTOR", "STRAIN RATE REGULARIZATION"]
+    }
+
     fn level(&self) -> Level {
         Level::Model
     }
