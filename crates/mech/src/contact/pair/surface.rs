@@ -249,15 +249,36 @@ pub struct RigidSurface {
 impl RigidSurface {
     /// The surface of the segments in order of travel.
     pub fn new(segments: Vec<RigidSegment>) -> Self {
+        let (starts, noses) = (Vec::with_capacity(segments.len()), Vec::new());
+        let mut new = Self { segments, starts, period: None, bounds: ([0.0; 2], 0.0), noses };
+        new.measure();
+        new
+    }
+
+    /// Becomes the surface of other segments, in the room it has. False where one of them is none:
+    /// then only those before it are there.
+    pub fn take(&mut self, segments: impl Iterator<Item = Option<RigidSegment>>) -> bool {
+        self.segments.clear();
+        let mut whole = true;
+        self.segments.extend(segments.map_while(|segment| {
+            whole &= segment.is_some();
+            segment
+        }));
+        self.measure();
+        whole
+    }
+
+    /// Arc coordinates, bounds and noses of the segments.
+    fn measure(&mut self) {
         let mut total = 0.0;
-        let mut starts = Vec::with_capacity(segments.len());
-        for segment in &segments {
-            starts.push(total);
+        self.starts.clear();
+        for segment in &self.segments {
+            self.starts.push(total);
             total += segment.length();
         }
-        let period = rigid::is_closed(&segments).then_some(total);
-        let (bounds, noses) = (bounds(&segments), Nose::of(&segments, period.is_some()));
-        Self { segments, starts, period, bounds, noses }
+        self.period = rigid::is_closed(&self.segments).then_some(total);
+        self.bounds = bounds(&self.segments);
+        Nose::find(&self.segments, self.period.is_some(), &mut self.noses);
     }
 
     /// Length along the surface [L].
