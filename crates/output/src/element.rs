@@ -28,7 +28,7 @@ impl Rows for Elements {
         let due: Vec<&ElementPrint> = step.output.element_prints.iter().filter(due).collect();
         for (row, _, section) in beams(frame) {
             if due.iter().any(|print| print.elements.binary_search(&row.label).is_ok()) {
-                let stresses = axial_stresses(row, section);
+                let stresses = axial_stresses([row.axial_force, row.bending_moment], section);
                 sheet.row().cell(row.label);
                 sheet.numbers([row.axial_force, row.shear_force, row.bending_moment]);
                 sheet.numbers(row.strains).numbers(stresses);

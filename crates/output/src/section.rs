@@ -15,12 +15,14 @@ use std::collections::BTreeMap;
 /// Axial stress at the section points [F/L2]: N/A - y M/I. A positive moment
 /// turns the beam counter-clockwise along its way, which shortens the fibres
 /// on the side of the normal. Derived: rectangle, plane sections.
-pub(crate) fn axial_stresses(row: &BeamRow, section: &BeamSection) -> [f64; SECTION_POINTS] {
+pub(crate) fn axial_stresses(
+    [force, moment]: [f64; 2],
+    section: &BeamSection,
+) -> [f64; SECTION_POINTS] {
     let area = section.width * section.height;
     let second_moment = area * section.height * section.height / 12.0;
-    [-0.5, -0.25, 0.0, 0.25, 0.5].map(|place| {
-        row.axial_force / area - place * section.height * row.bending_moment / second_moment
-    })
+    [-0.5, -0.25, 0.0, 0.25, 0.5]
+        .map(|place| force / area - place * section.height * moment / second_moment)
 }
 
 /// Mises stress of the outer fibres [F/L2], where the shear stress of a
@@ -78,7 +80,7 @@ pub(crate) fn nodal_sections(frame: &Frame<'_>) -> BTreeMap<NodeIndex, NodalSect
     let mut found: BTreeMap<NodeIndex, NodalSection> = BTreeMap::new();
     for (row, element, section) in beams(frame) {
         let [from, to] = row.nodes.map(place);
-        let stresses = axial_stresses(row, section);
+        let stresses = axial_stresses([row.axial_force, row.bending_moment], section);
         let forces = [row.axial_force, row.shear_force, row.bending_moment];
         for &node in element.nodes {
             let sums = found.entry(node).or_default();
@@ -123,8 +125,7 @@ mod tests {
             material: slideline_mech::material::Elastic { modulus: 1.0, poisson: 0.0 },
             shear: ShearRule::default(),
         };
-        let row = BeamRow { axial_force: 5.0, bending_moment: -7.0, ..BeamRow::default() };
-        let s = axial_stresses(&row, &section);
+        let s = axial_stresses([5.0, -7.0], &section);
         let normal = 2.0 * 3.0 / 6.0 * (s[0] + 4.0 * s[2] + s[4]);
         let moment = -2.0 * 3.0 / 6.0 * (-1.5 * s[0] + 1.5 * s[4]);
         assert!((normal - 5.0).abs() < 1e-13 && (moment + 7.0).abs() < 1e-13);

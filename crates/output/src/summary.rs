@@ -238,12 +238,10 @@ impl<'a> Summary<'a> {
             let names = columns.iter().map(|column| column.name().to_owned()).collect();
             let driven = self.understood.as_ref().map(driven).unwrap_or_default();
             let nodes = driven.iter().map(|driven| driven.node).collect::<BTreeSet<u64>>();
-            let values = vec![Vec::new(); columns.len()];
-            let nodes = nodes.into_iter().map(|node| NodeHistory { node, values: values.clone() });
+            let nodes = nodes.into_iter().map(|node| NodeHistory::new(node, columns.len()));
             self.history.1 = History { columns: names, nodes: nodes.collect() };
-            let names = self.energies.0.iter().map(|(name, _)| (*name).to_owned()).collect();
-            let values = vec![Vec::new(); self.energies.0.len()];
-            self.energies.1 = Energies { columns: names, values, ..Energies::default() };
+            let names = self.energies.0.iter().map(|(name, _)| (*name).to_owned());
+            self.energies.1 = Energies::of(names.collect());
         }
         self.history.0 = columns;
     }

@@ -9,14 +9,14 @@
 //!           AT            9999            9999
 //! ```
 
-use crate::section::{axial_stresses, beams, outer_mises};
+use crate::section::{axial_stresses, outer_mises};
 use slideline_model::{
-    BeamSection, ContactPrint, ContactVariable, ElementPrint, ElementType, ElementVariable, Model,
-    NodeIndex, NodePrint, Request,
+    ContactPrint, ContactVariable, ElementBlock, ElementPrint, ElementType, ElementVariable,
+    Location, Model, NodeIndex, NodePrint, Request, Section, types,
 };
 use slideline_results::element as solid;
 use slideline_results::{CONTACT_FIELDS, ContactComponent, NodeComponent, NodeField};
-use slideline_solve::observe::{BeamRow, ContactRow, Frame};
+use slideline_solve::observe::{ContactRow, Frame};
 use std::fmt::Write as _;
 
 /// A table on its way to the file.
@@ -25,6 +25,7 @@ struct Table {
     head: String,
     names: Vec<&'static str>,
     rows: Vec<Row>,
+    of_beams: bool,
 }
 
 struct Row {
@@ -110,142 +111,127 @@ pub(crate) fn push_nodes(text: &mut String, frame: &Frame<'_>, print: &NodePrint
         head: format!("{:>10}", "NODE"),
         names: columns.iter().map(|column| column.name()).collect(),
         rows: print.nodes.iter().map(row).collect(),
+        of_beams: false,
     };
     let what = if print.request.set.is_empty() { "NODES all nodes" } else { "NODES" };
     table.push(text, frame, (what, &print.request));
 }
 
-/// The tables that `*EL PRINT` asks for: of beams and of solids.
+/// The tables that `*EL PRINT` asks for: of solids, a row an integration point, and of
+/// beams, a row a beam or, where stresses are asked for, a section point. Elements
+/// whose columns are not the same have tables of their own.
 pub(crate) fn push_elements(text: &mut String, frame: &Frame<'_>, print: &ElementPrint) {
-    let for_solids = |variable: &ElementVariable| {
-        solid_field(*variable).is_some() || *variable == ElementVariable::MISES
-    };
-    let of_solids = print.variables.iter().any(for_solids);
-    let solids = of_solids && push_solids(text, frame, print);
-    if !solids || frame.model.blocks.iter().any(|block| block.beams().is_some()) {
-        push_beams(text, frame, print);
+    let model = frame.model;
+    let mut tables = element_tables(frame, print, false);
+    if tables.is_empty() || model.blocks.iter().any(|block| block.beams().is_some()) {
+        tables.extend(element_tables(frame, print, true));
     }
-}
-
-/// A row an integration point of a solid; false where there is none.
-fn push_solids(text: &mut String, frame: &Frame<'_>, print: &ElementPrint) -> bool {
-    let mut rows = Vec::new();
-    let mut widest: Option<&ElementType> = None;
-    for (kind, results) in solid::blocks(frame) {
-        for (element, values) in results.elements(frame.model) {
-            let label = element.label;
-            if print.elements.binary_search(&label).is_err() {
-                continue;
-            }
-            widest = widest.filter(|old| old.dofs.len() >= kind.dofs.len()).or(Some(kind));
-            for point in 0..solid::stresses(kind, values).len() {
-                let of = |&variable| solid_values(variable, kind, values, point);
-                let head = format!("{label:>10} {:>5}", point + 1);
-                rows.push(Row {
-                    head,
-                    label,
-                    values: print.variables.iter().flat_map(of).collect(),
-                });
-            }
-        }
-    }
-    let found = !rows.is_empty();
-    if let Some(kind) = widest.filter(|_| found) {
-        let names = print.variables.iter().flat_map(|&variable| solid_columns(variable, kind));
-        let head = format!("{:>10} {:>5}", "ELEMENT", "POINT");
-        let table = Table { head, names: names.copied().collect(), rows };
-        let what = if print.request.set.is_empty() { "ELEMENTS all solids" } else { "ELEMENTS" };
+    for table in tables {
+        let what = match (print.request.set.is_empty(), table.of_beams) {
+            (false, _) => "ELEMENTS",
+            (true, false) => "ELEMENTS all solids",
+            (true, true) => "ELEMENTS all beams",
+        };
         table.push(text, frame, (what, &print.request));
     }
-    found
 }
 
-/// The field of a solid that holds a variable.
-fn solid_field(variable: ElementVariable) -> Option<&'static str> {
-    match variable {
-        ElementVariable::S => Some("S"),
-        ElementVariable::E => Some("E"),
-        ElementVariable::PEEQ => Some("PEEQ"),
-        _ => None,
-    }
-}
-
-/// Names of a variable's components in elements of a type.
-fn solid_columns(variable: ElementVariable, kind: &ElementType) -> &'static [&'static str] {
-    match solid_field(variable) {
-        Some(name) => kind.field(name).map_or(&[], |(field, _)| field.components),
-        None if variable == ElementVariable::MISES => &["MISES"],
-        None => &[],
-    }
-}
-
-fn solid_values(
-    variable: ElementVariable,
-    kind: &ElementType,
-    values: &[f64],
-    point: usize,
-) -> Vec<f64> {
-    if variable == ElementVariable::MISES {
-        return vec![solid::mises(solid::stresses(kind, values)[point])];
-    }
-    let Some((field, first)) = solid_field(variable).and_then(|name| kind.field(name)) else {
-        return Vec::new();
-    };
-    let width = field.components.len();
-    values[first + width * point..first + width * (point + 1)].to_vec()
-}
-
-/// A row a beam and, where stresses are asked for, one a section point.
-fn push_beams(text: &mut String, frame: &Frame<'_>, print: &ElementPrint) {
-    let stressed = print.variables.contains(&ElementVariable::S);
-    let place = |element: &str, point: &str| match stressed {
+/// The tables of beams, of which there is one at least, or of other elements.
+fn element_tables(frame: &Frame<'_>, print: &ElementPrint, of_beams: bool) -> Vec<Table> {
+    let pointed = !of_beams || print.variables.contains(&ElementVariable::S);
+    let head = |element: &str, point: &str| match pointed {
         true => format!("{element:>10} {point:>5}"),
         false => format!("{element:>10}"),
     };
-    let points: &[usize] = if stressed { &print.section_points } else { &[1] };
-    let own = |label: &u64| print.elements.binary_search(label).is_ok();
-    let mut rows = Vec::new();
-    for (beam, _, section) in beams(frame).filter(|(beam, ..)| own(&beam.label)) {
-        for &point in points {
-            let values = print.variables.iter();
-            let values = values.flat_map(|&v| element_values(v, beam, section, point)).collect();
-            let head = place(&beam.label.to_string(), &point.to_string());
-            rows.push(Row { head, label: beam.label, values });
+    let columns = |kind| -> Vec<&'static str> {
+        print.variables.iter().flat_map(|&variable| columns(variable, kind)).copied().collect()
+    };
+    let empty = |names| Table { head: head("ELEMENT", "POINT"), names, rows: Vec::new(), of_beams };
+    let mut tables: Vec<Table> =
+        of_beams.then(|| empty(columns(&types::B21))).into_iter().collect();
+    for results in frame.elements {
+        let block = &frame.model.blocks[results.block];
+        let names = columns(block.kind);
+        if block.kind.is_beam() != of_beams || names.is_empty() {
+            continue;
+        }
+        for (element, values) in results.elements(frame.model) {
+            if print.elements.binary_search(&element.label).is_err() {
+                continue;
+            }
+            let own = Own { block, values, stresses: solid::stresses(block.kind, values) };
+            let points: Vec<usize> = match of_beams {
+                true if pointed => print.section_points.clone(),
+                true => vec![1],
+                false => (1..=own.stresses.len()).collect(),
+            };
+            let known = tables.iter().position(|table| table.names == names);
+            let known = match known {
+                None if points.is_empty() => continue,
+                None => {
+                    tables.push(empty(names.clone()));
+                    tables.len() - 1
+                }
+                Some(known) => known,
+            };
+            tables[known].rows.extend(points.into_iter().map(|point| Row {
+                head: head(&element.label.to_string(), &point.to_string()),
+                label: element.label,
+                values: print.variables.iter().flat_map(|&v| own.at(v, point)).collect(),
+            }));
         }
     }
-    let names = print.variables.iter().flat_map(|&variable| element_columns(variable));
-    let table = Table { head: place("ELEMENT", "POINT"), names: names.copied().collect(), rows };
-    let what = if print.request.set.is_empty() { "ELEMENTS all beams" } else { "ELEMENTS" };
-    table.push(text, frame, (what, &print.request));
+    tables
 }
 
-fn element_columns(variable: ElementVariable) -> &'static [&'static str] {
+/// Columns of a variable for elements of a type; none where they lack it.
+fn columns(variable: ElementVariable, kind: &ElementType) -> &'static [&'static str] {
     match variable {
-        ElementVariable::SF => &["SF1", "SF2"],
-        ElementVariable::SM => &["SM1"],
-        ElementVariable::SE => &["SE1", "SE2"],
-        ElementVariable::SK => &["SK1"],
-        ElementVariable::S => &["S11"],
         ElementVariable::MISES => &["MISES"],
-        ElementVariable::E | ElementVariable::PEEQ => &[],
+        ElementVariable::S if kind.is_beam() => &["S11"],
+        other => kind.field(field(other)).map_or(&[], |(field, _)| field.components),
     }
 }
 
-fn element_values(
-    variable: ElementVariable,
-    row: &BeamRow,
-    section: &BeamSection,
-    point: usize,
-) -> Vec<f64> {
-    let stresses = axial_stresses(row, section);
+/// The field that a variable stands for.
+fn field(variable: ElementVariable) -> &'static str {
     match variable {
-        ElementVariable::SF => vec![row.axial_force, row.shear_force],
-        ElementVariable::SM => vec![row.bending_moment],
-        ElementVariable::SE => row.strains[..2].to_vec(),
-        ElementVariable::SK => vec![row.strains[2]],
-        ElementVariable::S => vec![stresses[point - 1]],
-        ElementVariable::MISES => vec![outer_mises(&stresses)],
-        ElementVariable::E | ElementVariable::PEEQ => Vec::new(),
+        ElementVariable::SF => "SF",
+        ElementVariable::SM => "SM",
+        ElementVariable::SE => "SE",
+        ElementVariable::SK => "SK",
+        ElementVariable::S | ElementVariable::MISES => "S",
+        ElementVariable::E => "E",
+        ElementVariable::PEEQ => "PEEQ",
+    }
+}
+
+/// The results of an element.
+struct Own<'a> {
+    block: &'a ElementBlock,
+    values: &'a [f64],
+    /// Of a solid at its integration points.
+    stresses: Vec<[f64; 6]>,
+}
+
+impl Own<'_> {
+    /// What stands in the columns of a variable at a section or integration point.
+    fn at(&self, variable: ElementVariable, point: usize) -> Vec<f64> {
+        let kind = self.block.kind;
+        match (variable, &self.block.section) {
+            (ElementVariable::S | ElementVariable::MISES, Section::Beam(section)) => {
+                let stresses = axial_stresses([self.values[0], self.values[2]], section);
+                let is_mises = variable == ElementVariable::MISES;
+                vec![if is_mises { outer_mises(&stresses) } else { stresses[point - 1] }]
+            }
+            (ElementVariable::MISES, _) => vec![solid::mises(self.stresses[point - 1])],
+            _ => {
+                let Some((field, first)) = kind.field(field(variable)) else { return Vec::new() };
+                let width = field.components.len();
+                let before = if field.location == Location::Points { point - 1 } else { 0 };
+                self.values[first + width * before..][..width].to_vec()
+            }
+        }
     }
 }
 
@@ -263,6 +249,7 @@ pub(crate) fn push_contact(text: &mut String, frame: &Frame<'_>, print: &Contact
         head: format!("{:<16} {:>10} {:<6}", "PAIR", "NODE", "STATUS"),
         names: columns().map(|column| column.name).collect(),
         rows: own.map(row).collect(),
+        of_beams: false,
     };
     let what = if print.request.set.is_empty() { "CONTACT all slave nodes" } else { "CONTACT" };
     table.push(text, frame, (what, &print.request));

@@ -31,6 +31,13 @@ pub(crate) struct History {
     pub nodes: Vec<NodeHistory>,
 }
 
+impl NodeHistory {
+    /// One with so many columns, all empty.
+    pub fn new(node: u64, columns: usize) -> Self {
+        Self { node, values: vec![Vec::new(); columns] }
+    }
+}
+
 impl History {
     /// Reads the nodes that `keep` wants; it is asked once for each.
     pub fn read(path: &Path, mut keep: impl FnMut(u64) -> bool) -> Result<Self, Problem> {
@@ -42,8 +49,7 @@ impl History {
             let label = table.number(3)?;
             let place = *places.entry(label).or_insert_with(|| {
                 keep(label).then(|| {
-                    let values = vec![Vec::new(); history.columns.len()];
-                    history.nodes.push(NodeHistory { node: label, values });
+                    history.nodes.push(NodeHistory::new(label, history.columns.len()));
                     history.nodes.len() - 1
                 })
             });
@@ -91,12 +97,15 @@ pub(crate) struct Energies {
 }
 
 impl Energies {
+    /// Those of these names, none yet.
+    pub fn of(columns: Vec<String>) -> Self {
+        Self { values: vec![Vec::new(); columns.len()], columns, ..Self::default() }
+    }
+
     /// Reads them all.
     pub fn read(path: &Path) -> Result<Self, Problem> {
         let mut table = Table::open(path, &[TIME[0], TIME[1], TIME[2], "external_work"])?;
-        let columns: Vec<String> = table.columns[3..].to_vec();
-        let mut found =
-            Self { values: vec![Vec::new(); columns.len()], columns, ..Self::default() };
+        let mut found = Self::of(table.columns[3..].to_vec());
         while table.row()?.is_some() {
             let numbers = table.numbers(0)?;
             found.numbers.push([numbers[0] as usize, numbers[1] as usize]);

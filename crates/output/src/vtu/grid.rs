@@ -120,7 +120,7 @@ impl Grid {
         let mut places = self.cells_of.iter();
         for (beam, _, section) in beams(frame) {
             let Some(cells) = find(&mut places, beam.label) else { continue };
-            let stresses = axial_stresses(beam, section);
+            let stresses = axial_stresses([beam.axial_force, beam.bending_moment], section);
             let values = [
                 beam.axial_force,
                 beam.shear_force,
