@@ -12,6 +12,7 @@ use slideline_model::{
 };
 
 use crate::constraints::{Coupling, Equation, Link};
+use crate::distributed::Distributed;
 use crate::log::{Log, Target};
 use crate::rule::Subject;
 use crate::scopes::Parts;
@@ -45,6 +46,10 @@ pub(crate) struct Draft {
     pub sections: Vec<Section>,
     pub materials: Vec<Material>,
     pub allowables: Vec<Allowable>,
+    /// Densities of materials [M/L3].
+    pub densities: HashMap<String, f64>,
+    /// Section of each element by its label, when it is first asked for.
+    pub section_of: HashMap<u64, usize>,
     pub springs: Vec<Spring>,
     pub surfaces: Vec<Surface>,
     pub interfaces: Vec<Interface>,
@@ -315,6 +320,8 @@ pub(crate) struct StepDraft {
     pub procedure: Option<Static>,
     pub new_boundary: bool,
     pub new_loads: bool,
+    pub new_distributed: bool,
+    pub distributed: Vec<Distributed>,
     pub boundary: Vec<Boundary>,
     pub loads: Vec<Boundary>,
     pub controls: Option<Controls>,

@@ -13,6 +13,7 @@
 
 mod cards;
 mod constraints;
+mod distributed;
 mod draft;
 mod earlier;
 mod fillet;

@@ -4,12 +4,13 @@ use slideline_deck::normalise;
 
 use crate::cards::{
     allowable, amplitude, assembly, beam_section, boundary, cload, contact_controls, contact_file,
-    contact_output, contact_pair, contact_print, controls, coupling, distributing, el_file,
-    el_print, elastic, element, element_output, elgen, elset, end_assembly, end_instance, end_part,
-    end_step, equation, friction, heading, instance, interface, kinematic, kinematic_coupling,
-    material, mpc, ngen, nmap, node, node_file, node_output, node_print, nset, output, part, print,
-    restart, rigid_body, rigid_surface, slide_line, solid_section, spring, static_, step, surface,
-    surface_behavior, surface_contact, surface_interaction, transverse_shear,
+    contact_output, contact_pair, contact_print, controls, coupling, density, distributing, dload,
+    dsload, el_file, el_print, elastic, element, element_output, elgen, elset, end_assembly,
+    end_instance, end_part, end_step, equation, friction, heading, instance, interface, kinematic,
+    kinematic_coupling, material, mpc, ngen, nmap, node, node_file, node_output, node_print, nset,
+    output, part, print, restart, rigid_body, rigid_surface, slide_line, solid_section, spring,
+    static_, step, surface, surface_behavior, surface_contact, surface_interaction,
+    transverse_shear,
 };
 use crate::keyword::Keyword;
 use crate::reading::{Match, resolve};
@@ -38,6 +39,7 @@ pub(crate) const REGISTRY: &[&'static dyn Keyword] = &[
     &spring::Spring,
     &material::Material,
     &elastic::Elastic,
+    &density::Density,
     &allowable::Allowable,
     &rigid_surface::RigidSurface,
     &slide_line::SlideLine,
@@ -61,6 +63,8 @@ pub(crate) const REGISTRY: &[&'static dyn Keyword] = &[
     &static_::Static,
     &boundary::Boundary,
     &cload::Cload,
+    &dload::Dload,
+    &dsload::Dsload,
     &controls::Controls,
     &print::Print,
     &output::Output,

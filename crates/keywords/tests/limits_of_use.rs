@@ -54,7 +54,7 @@ fn what_the_page_names_is_refused() {
         ("frequencies", HISTORY, "*FREQUENCY\n*END STEP"),
         ("linear buckling", HISTORY, "*BUCKLE\n*END STEP"),
         ("(Riks)", "*STATIC", "*STATIC, RIKS"),
-        ("distributed loads", HISTORY, "*DLOAD\n*END STEP"),
+        ("distributed loads on beams", HISTORY, "*DLOAD\nBEAM, P1, 1.0\n*END STEP"),
         ("`*CONTACT`", MODEL, "*CONTACT\n*STEP"),
         ("`ADJUST`", PAIR, "TYPE=SURFACE TO SURFACE, NO THICKNESS, ADJUST=0.1"),
         ("`SMALL SLIDING`", PAIR, "TYPE=SURFACE TO SURFACE, NO THICKNESS, SMALL SLIDING"),

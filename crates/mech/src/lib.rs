@@ -18,6 +18,8 @@ pub mod contact;
 pub mod differentiate;
 pub mod element;
 pub mod material;
+pub mod pressure;
 pub mod rigid;
 pub mod rotation;
 pub mod section;
+pub mod volume;

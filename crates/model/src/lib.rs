@@ -16,6 +16,7 @@ mod amplitude;
 mod contact;
 mod controls;
 mod element;
+mod load;
 mod node;
 mod numbering;
 mod output;
@@ -35,6 +36,7 @@ pub use element::{
     Location, MOST_NODES, Section, ShearRule, SolidSection, SpringSection, Springs, TYPES,
     Undeformed, element_type, mean_at_nodes, types,
 };
+pub use load::{Distributed, Pressure};
 pub use node::{Dof, LinearConstraint, Node, NodeIndex, Nodes, RigidLink};
 pub use numbering::{Name, Numbering};
 pub use output::{

@@ -1,6 +1,6 @@
 //! Steps: what is prescribed, and how the way there is walked.
 
-use crate::{Controls, Dof, NodeIndex, OutputRequests, Stabilisation};
+use crate::{Controls, Distributed, Dof, NodeIndex, OutputRequests, Stabilisation};
 use slideline_diag::Span;
 
 /// One step of the history. Boundary conditions and loads are listed whole:
@@ -25,6 +25,8 @@ pub struct Step {
     pub prescribed: Vec<Prescribed>,
     /// Concentrated loads at the end of the step.
     pub loads: Vec<Load>,
+    /// Loads on faces and volumes at the end of the step.
+    pub distributed: Distributed,
     /// Tolerances and limits.
     pub controls: Controls,
     /// Stabilisation of contact, where the deck asks for it.

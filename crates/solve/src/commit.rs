@@ -31,6 +31,7 @@ pub fn commit(
     trial.increment_before.copy_from_slice(&committed.increment);
     trial.increment_time = (target.dt, committed.increment_time.0);
     trial.load.copy_from_slice(&work.load);
+    trial.load.iter_mut().zip(&evaluation.pressed).for_each(|(load, own)| *load += own);
     for (dof, role) in plan.constraints.roles.iter().enumerate() {
         trial.reaction[dof] = match role {
             Role::Prescribed(_) => evaluation.unbalanced(dof),

@@ -24,6 +24,8 @@ pub struct Trial<'a> {
     pub u: &'a [f64],
     /// Applied loads, a dof each [F or F L].
     pub load: &'a [f64],
+    /// Pressures on faces [F/L2].
+    pub faces: &'a [f64],
     /// Stresses of every element as the iteration estimates them [F, F, F L].
     pub stresses: &'a [f64],
     /// Pressure of every contact point as the iteration estimates it [F/L2].
@@ -50,6 +52,8 @@ pub struct Evaluation {
     /// Internal forces of the elements less the loads, a dof each, those on
     /// dependent dofs handed to the ones that they follow [F or F L].
     pub structure: Vec<f64>,
+    /// Forces of pressures on faces, a dof each [F]; empty where there are none.
+    pub pressed: Vec<f64>,
     /// Contact forces likewise, with pressures of the law, and those of
     /// stabilisation [F or F L].
     pub contact: Vec<f64>,
@@ -89,6 +93,7 @@ impl Evaluation {
         for forces in [&mut self.structure, &mut self.contact, &mut self.damping] {
             zero(forces, dofs);
         }
+        zero(&mut self.pressed, if plan.faces.is_empty() { 0 } else { dofs });
         plan.contact.forget(&mut self.kinematics);
         self.points.clear();
         self.points.resize(points, PointState::default());
@@ -123,6 +128,11 @@ pub fn evaluate(plan: &Problem<'_>, committed: &State, trial: &Trial<'_>, into: 
     into.strain_energy = plan.structure.gather_force(&into.contributions, &mut into.structure);
     into.flux = plan.structure.flux(&into.contributions);
     into.structure.iter_mut().zip(trial.load).for_each(|(force, load)| *force -= load);
+    if !plan.faces.is_empty() {
+        into.pressed.fill(0.0);
+        plan.faces.press(trial.faces, trial.u, &mut into.pressed);
+        into.structure.iter_mut().zip(&into.pressed).for_each(|(force, load)| *force -= load);
+    }
     plan.constraints.carry(&into.rows, &mut into.structure);
     let Evaluation { kinematics, positions, look, .. } = into;
     plan.contact.find_idle(kinematics, (trial.u, trial.pressures), look);

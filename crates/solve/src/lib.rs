@@ -24,6 +24,7 @@ mod increments;
 mod iteration_history;
 mod linear_systems;
 mod linearised;
+mod loads;
 mod memory;
 mod newton;
 pub mod observe;

@@ -127,6 +127,8 @@ pub struct Scratch {
     residual: Vec<f64>,
     /// Forces on dependent dofs with which the tangent turns, a dof each.
     turning: Vec<f64>,
+    /// Pressures on faces [F/L2].
+    faces: Vec<f64>,
     increment: Vec<f64>,
     /// Stresses of the elements as the linear solutions arrive at them.
     stresses: Vec<f64>,
@@ -406,6 +408,8 @@ impl Scratch {
         predict::extrapolate(plan, committed, target.dt, &mut self.u);
         plan.prescribe(target.step_time, &mut self.u);
         plan.load(target.step_time, &mut self.load);
+        self.faces.clear();
+        self.faces.extend(plan.pressures(target.step_time));
         plan.constraints.enforce(&mut self.u);
         for (place, point) in committed.points.iter().enumerate() {
             self.pressures[place] = point.pressure;
@@ -460,6 +464,7 @@ impl Scratch {
         Trial {
             u: &self.u,
             load: &self.load,
+            faces: &self.faces,
             stresses: &self.stresses,
             pressures: &self.pressures,
             tractions: &self.tractions,
@@ -476,6 +481,7 @@ impl Scratch {
         let trial = Trial {
             u: &self.u,
             load: &self.load,
+            faces: &self.faces,
             stresses: &self.stresses,
             pressures: &self.pressures,
             tractions: &self.tractions,
@@ -581,6 +587,7 @@ impl Scratch {
         let trial = Trial {
             u: &self.u,
             load: &self.load,
+            faces: &self.faces,
             stresses: &self.stresses,
             pressures: &self.pressures,
             tractions: &self.tractions,

@@ -280,6 +280,11 @@ impl Unconverged<'_> {
     pub fn residual(&self, node: NodeIndex, dof: Dof) -> f64 {
         self.frame.nodal.read(self.residual, node, dof)
     }
+
+    /// The state with what is missing to equilibrium in place of its reactions.
+    pub fn missing(&self) -> Frame<'_> {
+        Frame { nodal: Nodal { reaction: self.residual, ..self.frame.nodal }, ..self.frame }
+    }
 }
 
 /// Nodal vectors of a frame; dofs that a model does not have read zero.
@@ -310,6 +315,14 @@ impl Nodal<'_> {
     /// Applied load [F or F L].
     pub fn load(&self, node: NodeIndex, dof: Dof) -> f64 {
         self.read(self.load, node, dof)
+    }
+
+    /// Node, direction, displacement, reaction and load of every dof there is.
+    pub fn all(&self) -> impl Iterator<Item = (NodeIndex, Dof, [f64; 3])> {
+        let values = self.displacement.iter().zip(self.reaction).zip(self.load);
+        let values =
+            values.map(|((&displacement, &reaction), &load)| [displacement, reaction, load]);
+        self.dofs.names().iter().zip(values).map(|(&(node, dof), values)| (node, dof, values))
     }
 
     /// The dofs that nodes of this model have.

@@ -10,6 +10,7 @@ use crate::constraints::{Constraints, Role, Rows};
 use crate::contact::{Contact, PointRows};
 use crate::dofs::DofMap;
 use crate::linear_systems::LinearSystems;
+use crate::loads::FaceLoads;
 use crate::plan::{Coupling, Numbering};
 use crate::start::Start;
 use crate::structure::{Gather, Structure};
@@ -53,6 +54,8 @@ pub struct Problem<'a> {
     pub enforcement: Option<Enforcement>,
     /// Largest load of the step [F or F L].
     pub largest_load: f64,
+    /// Faces that are pressed.
+    pub faces: &'a FaceLoads,
     /// What the step begins from.
     pub start: &'a Start<'a>,
     /// How it is solved.
@@ -106,6 +109,7 @@ impl<'a> Problem<'a> {
             is_lenient: false,
             enforcement: None,
             largest_load: step.loads.iter().fold(0.0, |most, load| load.value.abs().max(most)),
+            faces: &values.faces[index],
             start,
             means,
         }
@@ -199,10 +203,24 @@ impl<'a> Problem<'a> {
             let amplitude = entry.amplitude.map(|a| &self.model.amplitudes[a]);
             load[dof] = self.at(step_time, self.start.load[dof], entry.value, amplitude);
         }
+        for entry in &self.step.distributed.forces {
+            let Some(dof) = self.dofs.find(entry.node, entry.dof) else { continue };
+            let amplitude = entry.amplitude.map(|a| &self.model.amplitudes[a]);
+            load[dof] += self.at(step_time, 0.0, entry.value, amplitude);
+        }
         // A support that is released lets go over the step (manual).
         for (value, &reaction) in load.iter_mut().zip(&*self.start.released) {
             *value += self.at(step_time, reaction, 0.0, None);
         }
+    }
+
+    /// The pressures on faces at a time of the step [F/L2]. Those of the step before are among
+    /// the loads that fade out.
+    pub fn pressures(&self, step_time: f64) -> impl Iterator<Item = f64> + '_ {
+        self.step.distributed.pressures.iter().map(move |entry| {
+            let amplitude = entry.amplitude.map(|a| &self.model.amplitudes[a]);
+            self.at(step_time, 0.0, entry.value, amplitude)
+        })
     }
 
     /// A value between the start of the step and its end.
@@ -216,9 +234,14 @@ impl<'a> Problem<'a> {
     }
 }
 
-/// The symmetry of the tangent of a step: none where there is friction, unless the deck says
-/// otherwise.
+/// The symmetry of the tangent of a step: none where there is friction or a pressure that follows
+/// its face, unless the deck says otherwise.
 pub fn kind(step: &Step, contact: &Contact) -> Kind {
     let rubs = || contact.laws.iter().any(Laws::has_friction);
-    if step.unsymmetric.unwrap_or_else(rubs) { Kind::Unsymmetric } else { Kind::Symmetric }
+    let follows = step.nlgeom && !step.distributed.pressures.is_empty();
+    if step.unsymmetric.unwrap_or_else(|| follows || rubs()) {
+        Kind::Unsymmetric
+    } else {
+        Kind::Symmetric
+    }
 }

@@ -186,8 +186,11 @@ pub fn assembled(place: &Place<'_>) -> Vec<f64> {
     let gather = plan.gather(rows, &mut values);
     plan.structure.evaluate(&at, &mut contributions, gather, plan.means.pool);
     trial.dashpots.stiffen(plan, rows, &mut values);
+    plan.faces.stiffen(plan, rows, (trial.faces, trial.u), &mut values);
     // Every force on a dependent dof turns with those that it follows.
-    let mut force: Vec<f64> = trial.load.iter().map(|load| -load).collect();
+    let mut force = vec![0.0; trial.load.len()];
+    plan.faces.press(trial.faces, trial.u, &mut force);
+    force.iter_mut().zip(trial.load).for_each(|(force, load)| *force = -(*force + load));
     plan.structure.gather_force(&contributions, &mut force);
     place.add_contact_force(&place.evaluation.kinematics, trial.u, &mut force);
     plan.stiffen_by_turning(trial.u, &mut force, &mut values);
@@ -362,7 +365,10 @@ impl<'a> Differences<'a> {
         let Place { plan, trial, evaluation, committed } = self.place;
         let at = Configuration { u: &self.u, stresses: None, state: &committed.elements };
         plan.structure.evaluate_forces(&at, &mut self.contributions, plan.means.pool);
-        self.force.iter_mut().zip(trial.load).for_each(|(force, load)| *force = -load);
+        self.force.fill(0.0);
+        plan.faces.press(trial.faces, &self.u, &mut self.force);
+        let loads = self.force.iter_mut().zip(trial.load);
+        loads.for_each(|(force, load)| *force = -(*force + load));
         let _energy = plan.structure.gather_force(&self.contributions, &mut self.force);
         self.kinematics.copy_from(&evaluation.kinematics);
         plan.contact.meet_in_place(&self.u, &mut self.positions, &mut self.kinematics);
@@ -519,6 +525,7 @@ mod tests {
             loads: vec![],
             controls: Controls::default(),
             stabilisation: None,
+            distributed: Default::default(),
             output: OutputRequests::default(),
             origin: AT,
         });
@@ -562,6 +569,7 @@ mod tests {
             let stresses = vec![0.0; plan.structure.stress_room()];
             let load = vec![0.0; dofs];
             let trial = Trial {
+                faces: &[],
                 stresses: &stresses,
                 u: &u,
                 load: &load,
@@ -610,6 +618,7 @@ mod tests {
                 u[body.start + 1] = down;
                 plan.constraints.enforce(&mut u);
                 let trial = Trial {
+                    faces: &[],
                     stresses: &stresses,
                     u: &u,
                     load: &load,

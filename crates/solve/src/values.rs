@@ -10,6 +10,7 @@
 
 use crate::constraints::Motion;
 use crate::contact::Contact;
+use crate::loads::FaceLoads;
 use crate::plan::{Numbering, Part, PlanMismatch};
 use crate::structure::Kernels;
 use crate::users::UserFrictions;
@@ -24,6 +25,8 @@ pub struct Values {
     pub motion: Motion,
     /// Contact: laws, masters and areas, with the dofs that they act on.
     pub contact: Contact,
+    /// Faces that are pressed, of every step of the model.
+    pub faces: Vec<FaceLoads>,
     /// Largest coordinate of the model [L].
     pub reach: f64,
     /// Length of the stiffest element, or else of the model [L].
@@ -49,6 +52,8 @@ impl Values {
             self.motion.take(&step.constraints, model);
         }
         self.contact.take(model, &plan.dofs, users).map_err(Part::Master).map_err(mismatch)?;
+        self.faces.clear();
+        self.faces.extend(model.steps.iter().map(|step| FaceLoads::new(model, step, &plan.dofs)));
         let positions = model.nodes.iter().flat_map(|node| node.position);
         let all = positions.chain(surface_points(model));
         self.reach = all.fold(0.0, |largest: f64, x| largest.max(x.abs()));

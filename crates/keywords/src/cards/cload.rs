@@ -1,7 +1,6 @@
 //! `*CLOAD`: concentrated forces and moments.
 
 use slideline_deck::DataLine;
-use slideline_diag::{Code, Diagnostic};
 
 use crate::draft::Boundary;
 use crate::draft::Draft;
@@ -61,12 +60,6 @@ fn load(line: &DataLine, draft: &mut Draft) -> Option<Boundary> {
     let number = draft.log.integer_or(line, 1, 1)?;
     let value = draft.log.number(line, 2, "the size of the load")?;
     let dof = draft.dof(number, line, 1)?;
-    if !dof.is_plane() && !draft.is_spatial() {
-        let message = format!("a load on dof {number} has no effect in a plane model");
-        let error = Diagnostic::error(Code("SL0251"), message).at(line.fields[1].span);
-        draft.log.push(error.help("the plane has the dofs 1, 2 and 6"));
-        return None;
-    }
     let target_span = line.fields[0].span;
     let (dofs, amplitude) = (vec![dof], None);
     Some(Boundary { target, target_span, dofs, value, amplitude, origin: line.span })

@@ -72,6 +72,8 @@ impl Keyword for Step {
             procedure: None,
             new_boundary: false,
             new_loads: false,
+            new_distributed: false,
+            distributed: Vec::new(),
             boundary: Vec::new(),
             loads: Vec::new(),
             controls: None,

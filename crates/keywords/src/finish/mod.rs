@@ -3,6 +3,7 @@
 
 mod chain;
 mod contact;
+mod distributed;
 mod distributing;
 mod equations;
 mod faces;

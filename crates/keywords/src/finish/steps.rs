@@ -9,6 +9,7 @@ use slideline_model::{
     Prescribed, PrintTarget, Request, SavedStates, Static, Step,
 };
 
+use super::distributed;
 use crate::draft::{Boundary, Draft, StepDraft};
 use crate::rule::Subject;
 
@@ -42,6 +43,7 @@ impl<T> InForce<T> {
 struct Carried {
     prescribed: InForce<Prescribed>,
     loads: InForce<Load>,
+    distributed: distributed::InForce,
     controls: Controls,
     restart: Option<SavedStates>,
     prints: Vec<NodePrint>,
@@ -58,7 +60,7 @@ impl Carried {
         let elements = self.element_prints.iter().map(|print| print.elements.len());
         let points = self.contact_prints.iter().map(|print| print.nodes.len());
         let printed: usize = nodes.chain(elements).chain(points).sum();
-        self.prescribed.list.len() + self.loads.list.len() + printed
+        self.prescribed.list.len() + self.loads.list.len() + self.distributed.size() + printed
     }
 }
 
@@ -115,6 +117,13 @@ fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
     for line in &step.loads {
         load(line, &mut carried.loads, draft);
     }
+    if step.new_distributed {
+        carried.distributed = distributed::InForce::default();
+    }
+    for line in &step.distributed {
+        let amplitude = line.amplitude.as_ref().and_then(|name| amplitude(name, draft));
+        carried.distributed.take(line, amplitude, draft);
+    }
     carried.controls = step.controls.unwrap_or(carried.controls);
     carried.restart = step.restart.or(carried.restart);
     carried.contact_changes |= step.contact_changes;
@@ -133,6 +142,7 @@ fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
         prescribed: carried.prescribed.list.clone(),
         loads: carried.loads.list.clone(),
         controls: carried.controls,
+        distributed: carried.distributed.loads(),
         stabilisation: step.stabilisation,
         output: OutputRequests {
             restart: carried.restart,
@@ -159,10 +169,10 @@ fn settle(carried: &mut Carried, step: &Step, draft: &Draft) {
     for load in &mut carried.loads.list {
         load.value *= factor(&mut load.amplitude);
     }
+    carried.distributed.settle(factor);
 }
 
-fn amplitude(line: &Boundary, draft: &mut Draft) -> Option<usize> {
-    let (name, span) = line.amplitude.as_ref()?;
+fn amplitude((name, span): &(String, Span), draft: &mut Draft) -> Option<usize> {
     let list = &draft.model.amplitudes;
     let found = list.iter().position(|amplitude| amplitude.name == *name);
     if found.is_none() {
@@ -179,7 +189,7 @@ fn amplitude(line: &Boundary, draft: &mut Draft) -> Option<usize> {
 
 /// Dofs that the model does not have are passed over: `1, 1, 6` is common.
 fn prescribe(line: &Boundary, into: &mut InForce<Prescribed>, draft: &mut Draft) {
-    let amplitude = amplitude(line, draft);
+    let amplitude = line.amplitude.as_ref().and_then(|name| amplitude(name, draft));
     for node in draft.nodes_of(&line.target, line.target_span) {
         for &dof in &line.dofs {
             if !draft.has_motion(node, dof) {
@@ -223,9 +233,17 @@ pub(super) fn prescribed(draft: &mut Draft) -> HashSet<(NodeIndex, Dof)> {
 }
 
 fn load(line: &Boundary, into: &mut InForce<Load>, draft: &mut Draft) {
-    let amplitude = amplitude(line, draft);
+    let amplitude = line.amplitude.as_ref().and_then(|name| amplitude(name, draft));
     for node in draft.nodes_of(&line.target, line.target_span) {
         for &dof in &line.dofs {
+            if !draft.has_motion(node, dof) {
+                let number = dof.number();
+                let message = format!("a load on dof {number} has no effect in a plane model");
+                let error = Diagnostic::error(Code("SL0251"), message).at(line.target_span);
+                let help = "the plane has the dofs 1, 2 and 6";
+                draft.consequence(Subject::Elements, error.help(help));
+                continue;
+            }
             let (value, origin) = (line.value, line.origin);
             into.set(node, dof, Load { node, dof, value, amplitude, origin });
         }

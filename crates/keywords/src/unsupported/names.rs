@@ -24,8 +24,8 @@ pub(super) const GROUPS: &[Group] = &[
     ),
     (
         Ignored,
-        "a static step has no inertia and no body forces",
-        &["DENSITY", "DAMPING", "MASS", "ROTARY INERTIA", "NONSTRUCTURAL MASS", "MASS ADJUST"],
+        "a static step has no inertia",
+        &["DAMPING", "MASS", "ROTARY INERTIA", "NONSTRUCTURAL MASS", "MASS ADJUST"],
     ),
     (
         Ignored,
@@ -139,7 +139,7 @@ pub(super) const GROUPS: &[Group] = &[
     (
         Unsupported,
         "use *CLOAD on the nodes",
-        &["DLOAD", "DSLOAD", "INERTIA RELIEF", "LOAD CASE", "END LOAD CASE", "RELEASE"],
+        &["INERTIA RELIEF", "LOAD CASE", "END LOAD CASE", "RELEASE"],
     ),
     (
         Unsupported,

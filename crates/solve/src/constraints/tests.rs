@@ -80,6 +80,7 @@ fn step() -> Step {
         loads: vec![],
         controls: Controls::default(),
         stabilisation: None,
+        distributed: Default::default(),
         output: OutputRequests::default(),
         origin: AT,
     }

@@ -109,6 +109,7 @@ impl Scratch {
         self.values.copy_from_slice(&self.evaluation.tangent);
         self.stiffen(plan);
         self.dashpots.stiffen(plan, &self.evaluation.rows, &mut self.values);
+        plan.faces.stiffen(plan, &self.evaluation.rows, (&self.faces, &self.u), &mut self.values);
         self.turn(plan);
         plan.contact.fill_scratch(&self.u, &mut self.geometry);
         for k in 0..self.points.len() {
@@ -162,6 +163,7 @@ impl Scratch {
         }
         let (evaluation, turning) = (&self.evaluation, &mut self.turning);
         turning.iter_mut().zip(&self.load).for_each(|(force, load)| *force = -load);
+        turning.iter_mut().zip(&evaluation.pressed).for_each(|(force, load)| *force -= load);
         let stresses = Some(&self.stresses[..]);
         plan.structure.turning_forces(&self.u, stresses, &evaluation.contributions, turning);
         for linear in self.points.iter() {

@@ -2,7 +2,7 @@
 
 use super::super::gap::Gap;
 use super::super::gap::circle::{Circle, Side};
-use super::super::gap::curve::{Along, Weights, point_to_curve};
+use super::super::gap::curve::{Along, Weights, overclosure, point_to_curve};
 use super::super::search::chain::{Chain, Piece, PieceKind, flat, raised};
 use super::super::search::rigid::{self, Facing, Part, RigidSegment};
 use super::super::search::sweep::{Crossing, cross_rigid};
@@ -143,6 +143,35 @@ pub fn chain_gap(
                 .map(AnyGap::Quadratic)
         }
     }
+}
+
+/// Overclosure and coordinate along the master of that gap [L], without its derivatives.
+pub fn chain_overclosure(
+    chain: &Chain,
+    piece: &Piece,
+    positions: &[[f64; 3]],
+    point: [f64; 3],
+) -> Option<[f64; 2]> {
+    let (xi, point, control) = (piece.parameter, flat(point), positions.get(piece.nodes())?);
+    let length = |index| chain.reference_length(index);
+    let (over, along) = match *control {
+        [a, b] => (
+            overclosure(point, &[a, b].map(flat), &Weights::straight(xi)),
+            Along::straight(chain.arc_coordinate(piece.index), length(piece.index), xi),
+        ),
+        [a, b, c] => {
+            let f = chain.smoothing;
+            let (before, behind) = (f * length(piece.index - 1), f * length(piece.index));
+            let node = chain.arc_coordinate(piece.index);
+            let weights = Weights::corner(xi, f);
+            (
+                overclosure(point, &[a, b, c].map(flat), &weights),
+                Along::corner(node, before, behind, xi),
+            )
+        }
+        _ => return None,
+    };
+    Some([over?, along.value])
 }
 
 /// Attachments of a chain stencil: the slave, then the piece's nodes, given in order.

@@ -1,0 +1,244 @@
+//! Pressure on a face that moves: the load follows the face.
+//!
+//! ```text
+//!    1 <---- 2   edge of an area, material on the left:   f_i = -p w int N_i n ds
+//!      p | |                                              n ds = (dy, -dx)
+//!    face of a volume, corners counter-clockwise from outside:
+//!                                                         n dA = x,xi x x,eta dxi deta
+//! ```
+//! docs/theory.md eqs (4.8), (4.9).
+
+use crate::element::cell::{Cell, QUAD4, QUAD8, TRI3, TRI6, line3_shapes, line3_slopes};
+use crate::element::quadrature::{GAUSS_2, GAUSS_3, QUAD_4, QUAD_9, Quadrature, TRI_3};
+
+/// The most nodes of a face.
+pub const MOST_NODES: usize = 8;
+
+/// What a face is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Face {
+    /// An edge of an area, with the thickness behind it [L].
+    Edge {
+        /// Two or three, in the order along it.
+        nodes: usize,
+        /// Thickness out of the plane [L].
+        thickness: f64,
+    },
+    /// A face of a volume.
+    Area(&'static Cell, &'static Quadrature),
+}
+
+/// Shape functions and slopes at a point, with its weight.
+struct At {
+    weight: f64,
+    shapes: [f64; MOST_NODES],
+    slopes: [[f64; 2]; MOST_NODES],
+}
+
+impl Face {
+    /// The face of an area (dimension 2) or a volume (3) with so many nodes.
+    pub fn of(dimension: usize, nodes: usize, thickness: f64) -> Option<Self> {
+        match (dimension, nodes) {
+            (2, 2 | 3) => Some(Self::Edge { nodes, thickness }),
+            (3, 3) => Some(Self::Area(&TRI3, &TRI_3)),
+            (3, 4) => Some(Self::Area(&QUAD4, &QUAD_4)),
+            (3, 6) => Some(Self::Area(&TRI6, &TRI_3)),
+            (3, 8) => Some(Self::Area(&QUAD8, &QUAD_9)),
+            _ => None,
+        }
+    }
+
+    /// Displacements of a node that it uses: two or three.
+    pub fn axes(&self) -> usize {
+        match self {
+            Self::Edge { .. } => 2,
+            Self::Area(..) => 3,
+        }
+    }
+
+    fn points(&self) -> Vec<At> {
+        match self {
+            Self::Edge { nodes, thickness } => edge(*nodes, *thickness),
+            Self::Area(cell, rule) => rule
+                .points
+                .iter()
+                .zip(rule.weights)
+                .map(|(place, &weight)| {
+                    let (mut shapes, mut slopes) = ([0.0; MOST_NODES], [[0.0; 3]; MOST_NODES]);
+                    (cell.shapes)(place, &mut shapes[..cell.nodes]);
+                    (cell.slopes)(place, &mut slopes[..cell.nodes]);
+                    At { weight, shapes, slopes: slopes.map(|[a, b, _]| [a, b]) }
+                })
+                .collect(),
+        }
+    }
+
+    /// Forces of a unit pressure on the nodes at `x` [L]: adds pressure times them to `force`, three
+    /// for each node [F].
+    pub fn press(&self, pressure: f64, x: &[[f64; 3]], force: &mut [[f64; 3]]) {
+        for at in self.points() {
+            let normal = self.normal(&at, x);
+            for (own, shape) in force.iter_mut().zip(at.shapes) {
+                let factor = -pressure * at.weight * shape;
+                own.iter_mut().zip(normal).for_each(|(f, n)| *f += factor * n);
+            }
+        }
+    }
+
+    /// Forces of a uniform traction [F/L2] on a face that stays at `x` [L].
+    pub fn pull(&self, traction: [f64; 3], x: &[[f64; 3]], force: &mut [[f64; 3]]) {
+        for at in self.points() {
+            let normal = self.normal(&at, x);
+            let area = normal.iter().map(|n| n * n).sum::<f64>().sqrt();
+            for (own, shape) in force.iter_mut().zip(at.shapes) {
+                let factor = at.weight * shape * area;
+                own.iter_mut().zip(traction).for_each(|(f, t)| *f += factor * t);
+            }
+        }
+    }
+
+    /// Outward normal times the area of a point of the reference cell.
+    fn normal(&self, at: &At, x: &[[f64; 3]]) -> [f64; 3] {
+        let [a, b] = tangents(at, x);
+        match self {
+            Self::Edge { .. } => [a[1], -a[0], 0.0],
+            Self::Area(..) => cross(a, b),
+        }
+    }
+
+    /// Derivative of the forces by the positions: adds to `tangent`, a row for each force and a
+    /// column for each position, three of each a node [F/L].
+    pub fn stiffness(&self, pressure: f64, x: &[[f64; 3]], tangent: &mut [f64]) {
+        let width = 3 * x.len();
+        for at in self.points() {
+            let [a, b] = tangents(&at, x);
+            for (j, slope) in at.slopes.iter().enumerate().take(x.len()) {
+                for axis in 0..3 {
+                    let mut unit = [0.0; 3];
+                    unit[axis] = 1.0;
+                    let change = match self {
+                        Self::Edge { .. } => [slope[0] * unit[1], -slope[0] * unit[0], 0.0],
+                        Self::Area(..) => {
+                            let (first, second) = (cross(unit, b), cross(a, unit));
+                            std::array::from_fn(|k| slope[0] * first[k] + slope[1] * second[k])
+                        }
+                    };
+                    for (i, shape) in at.shapes.iter().enumerate().take(x.len()) {
+                        let factor = -pressure * at.weight * shape;
+                        for (k, part) in change.iter().enumerate() {
+                            tangent[(3 * i + k) * width + 3 * j + axis] += factor * part;
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Slopes of the position by the coordinates of the face.
+fn tangents(at: &At, x: &[[f64; 3]]) -> [[f64; 3]; 2] {
+    let mut tangents = [[0.0; 3]; 2];
+    for (x, slope) in x.iter().zip(at.slopes) {
+        for (tangent, slope) in tangents.iter_mut().zip(slope) {
+            tangent.iter_mut().zip(x).for_each(|(t, x)| *t += slope * x);
+        }
+    }
+    tangents
+}
+
+fn edge(nodes: usize, thickness: f64) -> Vec<At> {
+    let gauss: &[(f64, f64)] = match nodes {
+        2 => &[(-GAUSS_2, 1.0), (GAUSS_2, 1.0)],
+        _ => &[(-GAUSS_3, 5.0 / 9.0), (0.0, 8.0 / 9.0), (GAUSS_3, 5.0 / 9.0)],
+    };
+    let at = |&(xi, weight): &(f64, f64)| {
+        let (mut shapes, mut slopes) = ([0.0; MOST_NODES], [[0.0; 2]; MOST_NODES]);
+        let (own, along) = match nodes {
+            2 => ([0.5 * (1.0 - xi), 0.5 * (1.0 + xi), 0.0], [-0.5, 0.5, 0.0]),
+            _ => (line3_shapes(xi), line3_slopes(xi)),
+        };
+        for k in 0..nodes {
+            (shapes[k], slopes[k][0]) = (own[k], along[k]);
+        }
+        At { weight: weight * thickness, shapes, slopes }
+    };
+    gauss.iter().map(at).collect()
+}
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn face(dimension: usize, nodes: usize) -> (Face, Vec<[f64; 3]>) {
+        let face = Face::of(dimension, nodes, 0.7).unwrap_or(Face::Area(&TRI3, &TRI_3));
+        let bent = |k: usize, [a, b, _]: [f64; 3]| {
+            let bump = 0.1 * (1.3 * k as f64).sin();
+            match dimension {
+                2 => [a + bump, 0.4 * a * a - bump, 0.0],
+                _ => [a + bump, b - 0.3 * bump, 0.2 * a * b + bump],
+            }
+        };
+        let x = match face {
+            Face::Edge { nodes: 2, .. } => vec![[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0]],
+            Face::Edge { .. } => vec![[-1.0, 0.0, 0.0], [0.0; 3], [1.0, 0.0, 0.0]],
+            Face::Area(cell, _) => cell.places.to_vec(),
+        };
+        (face, x.into_iter().enumerate().map(|(k, x)| bent(k, x)).collect())
+    }
+
+    /// Requirement: a pressure presses against the outward normal with its area, and the stiffness
+    /// is the derivative of the forces. Central differences of step 1e-6; 1e-9.
+    #[test]
+    fn forces_and_their_derivatives() {
+        for (dimension, nodes) in [(2, 2), (2, 3), (3, 3), (3, 4), (3, 6), (3, 8)] {
+            let (face, x) = face(dimension, nodes);
+            let force = |x: &[[f64; 3]]| {
+                let mut force = vec![[0.0; 3]; nodes];
+                face.press(2.5, x, &mut force);
+                force
+            };
+            let mut tangent = vec![0.0; 9 * nodes * nodes];
+            face.stiffness(2.5, &x, &mut tangent);
+            for column in 0..3 * nodes {
+                if dimension == 2 && column % 3 == 2 {
+                    continue;
+                }
+                let moved = |by: f64| {
+                    let mut x = x.clone();
+                    x[column / 3][column % 3] += by;
+                    force(&x)
+                };
+                let (up, down) = (moved(1e-6), moved(-1e-6));
+                for row in 0..3 * nodes {
+                    let (a, b) = (up[row / 3][row % 3], down[row / 3][row % 3]);
+                    let own = tangent[row * 3 * nodes + column];
+                    assert!((own - (a - b) / 2e-6).abs() < 1e-9, "{nodes} {row} {column}");
+                }
+            }
+        }
+    }
+
+    /// Requirement: on flat faces the sum is pressure times area, inwards.
+    #[test]
+    fn sums_are_pressure_times_area() {
+        let edge = Face::of(2, 3, 0.5).unwrap_or(Face::Area(&TRI3, &TRI_3));
+        let mut force = [[0.0; 3]; 3];
+        edge.press(3.0, &[[0.0; 3], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]], &mut force);
+        let sum: f64 = force.iter().map(|f| f[1]).sum();
+        assert!((sum - 3.0).abs() < 1e-15, "material above the edge: the pressure acts upwards");
+        let quad = Face::Area(&QUAD8, &QUAD_9);
+        let mut force = [[0.0; 3]; 8];
+        let x = QUAD8.places.iter().map(|&[a, b, _]| [a, b, 0.0]).collect::<Vec<_>>();
+        quad.press(3.0, &x, &mut force);
+        let sum: f64 = force.iter().map(|f| f[2]).sum();
+        assert!((sum + 12.0).abs() < 1e-13);
+        let mut pulled = [[0.0; 3]; 8];
+        quad.pull([1.0, 0.0, -2.0], &x, &mut pulled);
+        let sums = [0, 2].map(|k| pulled.iter().map(|f| f[k]).sum::<f64>());
+        assert!((sums[0] - 4.0).abs() < 1e-13 && (sums[1] + 8.0).abs() < 1e-13);
+    }
+}

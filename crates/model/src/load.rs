@@ -1,0 +1,30 @@
+//! Distributed loads of a step.
+
+use crate::{Load, NodeIndex};
+use slideline_diag::Span;
+use slideline_mech::pressure::Face;
+
+/// What is spread over faces and volumes.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct Distributed {
+    /// Pressures, which follow their faces where the kinematics are nonlinear.
+    pub pressures: Vec<Pressure>,
+    /// Forces of fixed direction, already on the nodes; several may act on a node.
+    pub forces: Vec<Load>,
+}
+
+/// A pressure on a face.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pressure {
+    /// What the face is.
+    pub face: Face,
+    /// Its nodes.
+    pub nodes: Vec<NodeIndex>,
+    /// Value at the end of the step [F/L2], positive towards the face; with an amplitude, its
+    /// factor.
+    pub value: f64,
+    /// Amplitude by place in the model's list.
+    pub amplitude: Option<usize>,
+    /// Where it was said.
+    pub origin: Span,
+}

@@ -1,0 +1,113 @@
+//! Pressures and forces per volume through decks: closed forms.
+
+#![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
+
+use slideline::model::Dof;
+use slideline::observe::{Ending, Totals};
+use slideline::{Event, Job, Observer, ReadOptions, SolveOptions, Stop, solve};
+use std::collections::HashMap;
+use std::ops::ControlFlow;
+
+#[derive(Default)]
+struct End {
+    motion: HashMap<u64, [f64; 2]>,
+    reaction: HashMap<u64, [f64; 2]>,
+    totals: Option<Totals>,
+}
+
+impl Observer for End {
+    fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
+        if let Event::Committed(frame) = event {
+            for node in 0..frame.model.nodes.len() {
+                let label = frame.model.nodes.label(node);
+                let of = |dof| frame.nodal.displacement(node, dof);
+                self.motion.insert(label, [Dof::U1, Dof::U2].map(of));
+                let of = |dof| frame.nodal.reaction(node, dof);
+                self.reaction.insert(label, [Dof::U1, Dof::U2].map(of));
+            }
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+/// A block of 2 by 1 in four elements, thickness 3, E = 1000, nu = 0.25, density 0.002, held along
+/// its left and lower sides.
+fn run(step: &str, history: &str) -> End {
+    let mut nodes = String::new();
+    for j in 0..3 {
+        for i in 0..3 {
+            nodes += &format!("{}, {:?}, {:?}\n", 1 + i + 3 * j, f64::from(i), 0.5 * f64::from(j));
+        }
+    }
+    let deck = format!(
+        "*NODE\n{nodes}*ELEMENT, TYPE=CPE4, ELSET=B\n1, 1, 2, 5, 4\n2, 2, 3, 6, 5\n3, 4, 5, 8, 7\n\
+         4, 5, 6, 9, 8\n*ELSET, ELSET=R\n2, 4\n*ELSET, ELSET=T\n3, 4\n*SOLID SECTION, ELSET=B, \
+         MATERIAL=M\n3.\n*MATERIAL, NAME=M\n*ELASTIC\n1000., 0.25\n*DENSITY\n0.002\n\
+         *SURFACE, NAME=RIGHT\nR, S2\n*SURFACE, NAME=OUTSIDE\nB,\n*STEP{step}\n*STATIC\n1., 1.\n\
+         *BOUNDARY\n1, 1, 2\n4, 1\n7, 1\n2, 2\n3, 2\n{history}*END STEP\n"
+    );
+    let read = Job::read_text("loads", &deck, &ReadOptions::default());
+    let mut model = read.model.unwrap_or_else(|| panic!("{deck}\n{:#?}", read.diagnostics));
+    for step in &mut model.steps {
+        step.controls.field.r_n = 1e-11;
+    }
+    let mut end = End::default();
+    match solve(&model, &SolveOptions::default(), &mut end) {
+        Ending::Completed(totals) => end.totals = Some(totals),
+        other => panic!("{deck}\n{other:?}"),
+    }
+    end
+}
+
+/// Requirement: a uniform pressure q on the right side, nu' = nu/(1 - nu), E' = E/(1 - nu^2): u1 =
+/// -q L/E', u2 = nu' q H/E' everywhere (patch test), by faces, by surface and as a traction; the
+/// reactions take q A. Small displacements; 1e-10.
+#[test]
+fn pressure_on_a_side() {
+    let (modulus, poisson) = (1000.0 / (1.0 - 0.0625), 0.25 / 0.75);
+    for load in [
+        "*DLOAD\nR, P2, 5.\n",
+        "*DSLOAD\nRIGHT, P, 5.\n",
+        "*DSLOAD\nRIGHT, TRVEC, 5., -1., 0., 0.\n",
+    ] {
+        let end = run("", load);
+        for (label, x, y) in [(9, 2.0, 1.0), (5, 1.0, 0.5)] {
+            let [u, v] = end.motion[&label];
+            assert!((u + 5.0 * x / modulus).abs() < 1e-10 * 5.0 / modulus * 100.0, "{u}");
+            assert!((v - 5.0 * poisson * y / modulus).abs() < 1e-10, "{v}");
+        }
+        let sum: f64 = [1, 4, 7].map(|node| end.reaction[&node][0]).iter().sum();
+        assert!((sum - 5.0 * 3.0).abs() < 1e-9, "{sum}");
+    }
+}
+
+/// Requirement: pressure that follows its faces converges quadratically at large strain, and on all
+/// free sides of a body it leaves no resultant: reactions along a side are q times its current
+/// length.
+#[test]
+fn pressure_follows_its_faces() {
+    let end = run(", NLGEOM", "*DSLOAD\nOUTSIDE, P, 200.\n");
+    let [_, v] = end.motion[&9];
+    let sum: f64 = [1, 4, 7].map(|node| end.reaction[&node][0]).iter().sum();
+    // the supports along x = 0 carry what the other sides press beyond their own face
+    let own = end.motion[&7][1];
+    assert!(v.abs() > 0.05, "far from small: {v}");
+    assert!(sum.abs() < 1e-7 * 200.0, "faces on both sides balance: {sum} {own}");
+    let iterations = end.totals.unwrap().iterations;
+    assert!(iterations <= 7, "{iterations}");
+}
+
+/// Requirement: gravity and centrifugal forces have the resultants rho V g and rho V omega^2 times
+/// the distance of the centre from the axis; a force per volume f V.
+#[test]
+fn forces_per_volume() {
+    let volume = 2.0 * 1.0 * 3.0;
+    let across = |end: &End| [1, 2, 3].map(|node| end.reaction[&node][1]).iter().sum::<f64>();
+    let along = |end: &End| [1, 4, 7].map(|node| end.reaction[&node][0]).iter().sum::<f64>();
+    let gravity = run("", "*DLOAD\n, GRAV, 9.81, 0., -2., 0.\n");
+    assert!((across(&gravity) - 0.002 * volume * 9.81).abs() < 1e-12);
+    let body = run("", "*DLOAD\nB, BX, 0.3\n");
+    assert!((along(&body) + 0.3 * volume).abs() < 1e-12);
+    let turning = run("", "*DLOAD\nB, CENTRIF, 7., -1., 0., 0., 0., 1., 0.\n");
+    assert!((along(&turning) + 0.002 * volume * 7.0 * 2.0).abs() < 1e-12);
+}

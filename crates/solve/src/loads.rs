@@ -1,0 +1,113 @@
+//! Pressures that follow their faces.
+//!
+//! ```text
+//!     p |||        o---o   forces at the current shape, their derivative in the tangent
+//!    o-----o  ->  /  p /
+//! ```
+
+use crate::constraints::Rows;
+use crate::dofs::DofMap;
+use crate::problem::Problem;
+use slideline_linalg::Kind;
+use slideline_mech::pressure::{Face, MOST_NODES};
+use slideline_model::{Dof, Model, Step};
+
+/// A face with its dofs.
+#[derive(Clone, Debug)]
+struct Pressed {
+    face: Face,
+    /// Undeformed positions [L].
+    reference: Vec<[f64; 3]>,
+    /// Displacements, node by node; `None` where a node lacks one.
+    dofs: Vec<[Option<usize>; 3]>,
+}
+
+/// The faces that a step presses.
+#[derive(Clone, Debug, Default)]
+pub struct FaceLoads {
+    faces: Vec<Pressed>,
+    nonlinear: bool,
+}
+
+impl FaceLoads {
+    /// Those of a step.
+    pub fn new(model: &Model, step: &Step, dofs: &DofMap) -> Self {
+        let faces = step.distributed.pressures.iter().map(|load| Pressed {
+            face: load.face,
+            reference: load.nodes.iter().map(|&node| model.nodes.get(node).position).collect(),
+            dofs: load
+                .nodes
+                .iter()
+                .map(|&node| [Dof::U1, Dof::U2, Dof::U3].map(|dof| dofs.find(node, dof)))
+                .collect(),
+        });
+        Self { faces: faces.collect(), nonlinear: step.nlgeom }
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.faces.is_empty()
+    }
+
+    fn places(&self, pressed: &Pressed, u: &[f64]) -> [[f64; 3]; MOST_NODES] {
+        let mut x = [[0.0; 3]; MOST_NODES];
+        for ((x, reference), dofs) in x.iter_mut().zip(&pressed.reference).zip(&pressed.dofs) {
+            for ((x, reference), dof) in x.iter_mut().zip(reference).zip(dofs) {
+                let moved = dof.filter(|_| self.nonlinear).map_or(0.0, |dof| u[dof]);
+                *x = reference + moved;
+            }
+        }
+        x
+    }
+
+    /// Forces of these pressures [F/L2] on the dofs [F]: adds to `force`.
+    pub fn press(&self, pressures: &[f64], u: &[f64], force: &mut [f64]) {
+        for (pressed, &pressure) in self.faces.iter().zip(pressures) {
+            let count = pressed.reference.len();
+            let mut own = [[0.0; 3]; MOST_NODES];
+            let x = self.places(pressed, u);
+            pressed.face.press(pressure, &x[..count], &mut own[..count]);
+            for (dofs, own) in pressed.dofs.iter().zip(own) {
+                for (dof, own) in dofs.iter().zip(own) {
+                    if let Some(dof) = *dof {
+                        force[dof] += own;
+                    }
+                }
+            }
+        }
+    }
+
+    /// Takes the derivative of the forces from the tangent; half of it and of its transpose where
+    /// the matrix is `symmetric`.
+    pub fn stiffen(
+        &self,
+        plan: &Problem<'_>,
+        rows: &Rows,
+        (pressures, u): (&[f64], &[f64]),
+        values: &mut [f64],
+    ) {
+        if !self.nonlinear {
+            return;
+        }
+        let symmetric = plan.kind() == Kind::Symmetric;
+        for (pressed, &pressure) in self.faces.iter().zip(pressures) {
+            if pressure == 0.0 {
+                continue;
+            }
+            let count = pressed.reference.len();
+            let width = 3 * count;
+            let x = self.places(pressed, u);
+            let mut tangent = vec![0.0; width * width];
+            pressed.face.stiffness(pressure, &x[..count], &mut tangent);
+            let all = pressed.dofs.iter().flatten().enumerate();
+            let (own, dofs): (Vec<usize>, Vec<usize>) =
+                all.filter_map(|(place, dof)| Some((place, (*dof)?))).unzip();
+            let entry = |i: usize, j: usize| -> f64 {
+                let (i, j) = (own[i], own[j]);
+                let value = tangent[i * width + j];
+                if symmetric { -0.5 * (value + tangent[j * width + i]) } else { -value }
+            };
+            plan.scatter(rows, &dofs, entry, values);
+        }
+    }
+}
