@@ -117,7 +117,10 @@ pub(crate) fn push_nodes(text: &mut String, frame: &Frame<'_>, print: &NodePrint
 
 /// The tables that `*EL PRINT` asks for: of beams and of solids.
 pub(crate) fn push_elements(text: &mut String, frame: &Frame<'_>, print: &ElementPrint) {
-    let of_solids = print.variables.iter().any(|&variable| !solid_columns(variable).is_empty());
+    let for_solids = |variable: &ElementVariable| {
+        solid_field(*variable).is_some() || *variable == ElementVariable::MISES
+    };
+    let of_solids = print.variables.iter().any(for_solids);
     let solids = of_solids && push_solids(text, frame, print);
     if !solids || frame.model.blocks.iter().any(|block| block.beams().is_some()) {
         push_beams(text, frame, print);
@@ -127,12 +130,14 @@ pub(crate) fn push_elements(text: &mut String, frame: &Frame<'_>, print: &Elemen
 /// A row an integration point of a solid; false where there is none.
 fn push_solids(text: &mut String, frame: &Frame<'_>, print: &ElementPrint) -> bool {
     let mut rows = Vec::new();
+    let mut widest: Option<&ElementType> = None;
     for (kind, results) in solid::blocks(frame) {
         for (element, values) in results.elements(frame.model) {
             let label = element.label;
             if print.elements.binary_search(&label).is_err() {
                 continue;
             }
+            widest = widest.filter(|old| old.dofs.len() >= kind.dofs.len()).or(Some(kind));
             for point in 0..solid::stresses(kind, values).len() {
                 let of = |&variable| solid_values(variable, kind, values, point);
                 let head = format!("{label:>10} {:>5}", point + 1);
@@ -145,8 +150,8 @@ fn push_solids(text: &mut String, frame: &Frame<'_>, print: &ElementPrint) -> bo
         }
     }
     let found = !rows.is_empty();
-    if found {
-        let names = print.variables.iter().flat_map(|&variable| solid_columns(variable));
+    if let Some(kind) = widest.filter(|_| found) {
+        let names = print.variables.iter().flat_map(|&variable| solid_columns(variable, kind));
         let head = format!("{:>10} {:>5}", "ELEMENT", "POINT");
         let table = Table { head, names: names.copied().collect(), rows };
         let what = if print.request.set.is_empty() { "ELEMENTS all solids" } else { "ELEMENTS" };
@@ -155,12 +160,22 @@ fn push_solids(text: &mut String, frame: &Frame<'_>, print: &ElementPrint) -> bo
     found
 }
 
-fn solid_columns(variable: ElementVariable) -> &'static [&'static str] {
+/// The field of a solid that holds a variable.
+fn solid_field(variable: ElementVariable) -> Option<&'static str> {
     match variable {
-        ElementVariable::S => &["S11", "S22", "S33", "S12"],
-        ElementVariable::E => &["E11", "E22", "E33", "E12"],
-        ElementVariable::MISES => &["MISES"],
-        _ => &[],
+        ElementVariable::S => Some("S"),
+        ElementVariable::E => Some("E"),
+        ElementVariable::PEEQ => Some("PEEQ"),
+        _ => None,
+    }
+}
+
+/// Names of a variable's components in elements of a type.
+fn solid_columns(variable: ElementVariable, kind: &ElementType) -> &'static [&'static str] {
+    match solid_field(variable) {
+        Some(name) => kind.field(name).map_or(&[], |(field, _)| field.components),
+        None if variable == ElementVariable::MISES => &["MISES"],
+        None => &[],
     }
 }
 
@@ -170,15 +185,14 @@ fn solid_values(
     values: &[f64],
     point: usize,
 ) -> Vec<f64> {
-    let field = match variable {
-        ElementVariable::S => "S",
-        ElementVariable::E => "E",
-        ElementVariable::MISES => return vec![solid::mises(solid::stresses(kind, values)[point])],
-        _ => return Vec::new(),
+    if variable == ElementVariable::MISES {
+        return vec![solid::mises(solid::stresses(kind, values)[point])];
+    }
+    let Some((field, first)) = solid_field(variable).and_then(|name| kind.field(name)) else {
+        return Vec::new();
     };
-    let width = solid_columns(variable).len();
-    let first = kind.field(field).map_or(0, |(_, first)| first) + width * point;
-    values[first..first + width].to_vec()
+    let width = field.components.len();
+    values[first + width * point..first + width * (point + 1)].to_vec()
 }
 
 /// A row a beam and, where stresses are asked for, one a section point.
@@ -213,7 +227,7 @@ fn element_columns(variable: ElementVariable) -> &'static [&'static str] {
         ElementVariable::SK => &["SK1"],
         ElementVariable::S => &["S11"],
         ElementVariable::MISES => &["MISES"],
-        ElementVariable::E => &[],
+        ElementVariable::E | ElementVariable::PEEQ => &[],
     }
 }
 
@@ -231,7 +245,7 @@ fn element_values(
         ElementVariable::SK => vec![row.strains[2]],
         ElementVariable::S => vec![stresses[point - 1]],
         ElementVariable::MISES => vec![outer_mises(&stresses)],
-        ElementVariable::E => Vec::new(),
+        ElementVariable::E | ElementVariable::PEEQ => Vec::new(),
     }
 }
 
