@@ -3,7 +3,7 @@
 //! ```text
 //!   X  --translated-->  X + t  --turned about the axis a b-->  a + R (X + t - a)
 //! ```
-//! docs/theory.md eq. (4.5).
+//! docs/theory.md eq. (4.6).
 
 /// A translation, then a rotation about an axis.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -6,7 +6,7 @@
 //!        | /  o a
 //!        |/_-'
 //! ```
-//! docs/theory.md eq. (4.6).
+//! docs/theory.md eq. (4.5).
 
 use crate::differentiate::{Real, Second, taylor};
 

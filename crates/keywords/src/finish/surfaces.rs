@@ -9,7 +9,7 @@ use slideline_model::{
 };
 
 use super::chain::Facet;
-use super::faces::of_stretch;
+use super::faces::{elements_of, of_stretch};
 use crate::draft::{Draft, Element, ElementKind};
 use crate::log::Target;
 use crate::rule::Subject;
@@ -142,21 +142,6 @@ fn no_surface(surface: &NamedSurface, index: usize, span: Span, draft: &mut Draf
     let help = "contact is between beams, faces of solids in plane strain or plane stress, and \
                 analytical surfaces";
     draft.consequence(Subject::Elements, error.help(help));
-}
-
-pub(super) fn elements_of(stretch: &Stretch, draft: &mut Draft) -> Vec<usize> {
-    match &stretch.elements {
-        Target::Set(set) => draft.elements_of(set, stretch.span).unwrap_or_default(),
-        Target::Label(label) => {
-            let found = draft.element_by_label.get(label).copied();
-            if found.is_none() {
-                let message = format!("element {label} is not defined");
-                let error = Diagnostic::error(Code("SL0308"), message).at(stretch.span);
-                draft.consequence(Subject::Elements, error);
-            }
-            found.into_iter().collect()
-        }
-    }
 }
 
 fn nodes(

@@ -38,7 +38,7 @@ impl Elastic {
         moduli
     }
 
-    /// Stress of small strains: sigma = 2 G eps + L tr eps, docs/theory.md eq. (3.35).
+    /// Stress of small strains: sigma = 2 G eps + L tr eps, docs/theory.md eq. (3.34).
     pub fn stress(&self, strain: &Symmetric) -> Symmetric {
         let even = self.lame() * trace(strain);
         let twice = 2.0 * self.shear_modulus();
@@ -52,7 +52,7 @@ impl Elastic {
         Answer { stress, moduli: self.moduli(), energy, dissipation: 0.0 }
     }
 
-    /// W = G sum eps_a^2 + L/2 (sum eps_a)^2 in logarithmic strains: docs/theory.md eq. (3.36).
+    /// W = G sum eps_a^2 + L/2 (sum eps_a)^2 in logarithmic strains: docs/theory.md eq. (3.35).
     pub fn hencky(&self, gradient: &Matrix) -> Answer {
         let axes = Axes::of(&left(gradient));
         let (stresses, slopes, energy) = self.principal(&axes.logs);
@@ -70,7 +70,7 @@ impl Elastic {
         (stresses, slopes, energy)
     }
 
-    /// W = L/2 (tr E)^2 + G E:E in Green's strain: docs/theory.md eq. (3.37).
+    /// W = L/2 (tr E)^2 + G E:E in Green's strain: docs/theory.md eq. (3.36).
     pub fn green(&self, gradient: &Matrix) -> Answer {
         let strain = right(gradient).map(|entry| 0.5 * entry);
         let (lame, shear) = (self.lame(), self.shear_modulus());

@@ -8,7 +8,7 @@
 //! ```
 //!
 //! The energy is differentiated by its three invariants in forward arithmetic, tensors are made by
-//! hand: docs/theory.md eqs. (3.46) and (3.47).
+//! hand: docs/theory.md eqs. (3.42) and (3.43).
 
 use super::Answer;
 use super::elastic::add_turned;
@@ -119,7 +119,7 @@ impl Rubber {
         }
     }
 
-    /// docs/theory.md eq. (3.46).
+    /// docs/theory.md eq. (3.42).
     fn by_invariants(&self, small: &Symmetric, j: f64) -> Answer {
         let q = (-2.0 / 3.0 * j.ln_1p()).exp();
         let t = trace(small);
@@ -175,7 +175,7 @@ fn of_volume<R: Real>(volume: &Volume, j: R) -> R {
     sum
 }
 
-/// docs/theory.md eq. (3.47).
+/// docs/theory.md eq. (3.43).
 fn ogden(terms: &[[f64; 2]], volume: &Volume, small: &Symmetric, j: f64) -> Answer {
     let axes = Axes::of(small);
     let even = j.ln_1p() / 3.0;

@@ -13,7 +13,7 @@
 //! All in three dimensions; plane stress and plane strain are the element's. Tensors are made by
 //! hand; where a law is differentiated it is by three invariants or stretches at most. Moduli at
 //! large strain: with C' = (1 + l)'(1 + l) the energy grows by tau:eps + eps:c:eps/2, eps = (C' -
-//! 1)/2, docs/theory.md eq. (3.43).
+//! 1)/2, docs/theory.md eq. (3.39).
 
 mod elastic;
 mod hyperelastic;

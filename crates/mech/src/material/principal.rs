@@ -8,7 +8,7 @@
 //! ```
 //!
 //! n_a: principal directions in the deformed body, d: difference of two strains, delta: that of
-//! their stresses. docs/theory.md eqs. (3.44) and (3.45).
+//! their stresses. docs/theory.md eqs. (3.40) and (3.41).
 
 use super::Answer;
 use super::tensor::{Matrix, Moduli, PAIRS, Symmetric, add_dyad, eigen};
@@ -66,7 +66,7 @@ impl Axes {
 /// Difference of logarithmic strains below which the stresses' difference is taken from slopes [1].
 const NEAR: f64 = 1e-5;
 
-/// The modulus of a pair of axes: docs/theory.md eq. (3.45).
+/// The modulus of a pair of axes: docs/theory.md eq. (3.41).
 fn across(logs: &[f64; 3], stresses: &[f64; 3], slopes: &Matrix, [a, b]: [usize; 2]) -> f64 {
     let d = logs[a] - logs[b];
     let mean = 0.5 * (stresses[a] + stresses[b]);

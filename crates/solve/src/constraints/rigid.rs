@@ -165,7 +165,7 @@ impl RigidLink {
     }
 
     /// Pairs of rotations of the body with f . d2x/dphi2, f the force on the
-    /// dependent node [F L]; docs/theory.md eqs (4.4), (4.6).
+    /// dependent node [F L]; docs/theory.md eqs (4.4), (4.5).
     pub fn turning(
         &self,
         arm: [f64; 3],

@@ -6,7 +6,7 @@
 //!
 //! For a pair of axes (i, k) the products with g_b of all points are made first; then every row is
 //! a sum over points and axes of rows as long as the element has nodes, which compilers turn into
-//! vector instructions. docs/theory.md eqs. (3.41) and (3.42).
+//! vector instructions. docs/theory.md eqs. (3.37) and (3.38).
 
 use super::Point;
 use crate::material::tensor::INDEX;

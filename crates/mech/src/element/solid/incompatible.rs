@@ -9,8 +9,8 @@
 //!
 //! The parameters alpha are the element's own: they are found where their force vanishes, and
 //! eliminated. Usual modes carry xi_b in the place of xi_a and lose stability in compression: J.
-//! Korelc and P. Wriggers (1996), S. Glaser and F. Armero (1997). docs/theory.md eqs. (3.55) to
-//! (3.57).
+//! Korelc and P. Wriggers (1996), S. Glaser and F. Armero (1997). docs/theory.md eqs. (3.51) to
+//! (3.53).
 
 use super::place::{Place, invert};
 use super::{Point, Solids, energy, gather};
@@ -274,7 +274,7 @@ fn turn<const D: usize, const N: usize>(
 }
 
 impl<const D: usize, const N: usize> Sums<D, N> {
-    /// Adds a point: docs/theory.md eq. (3.57).
+    /// Adds a point: docs/theory.md eq. (3.53).
     fn add(&mut self, point: &Point<D, N>, modes: &[Mode<D, N>; MOST]) {
         let w = point.weight;
         // w (c_ijkl + 1_ik tau_jl) l_kl of every mode

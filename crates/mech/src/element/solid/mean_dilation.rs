@@ -9,7 +9,7 @@
 //! ```
 //!
 //! The material sees F' = ((1 + m)/(1 + j))^(1/3) F with m = sum w j / V: docs/theory.md eqs.
-//! (3.33) and (3.52) to (3.54). One pressure an element does not lock where the material is next to
+//! (3.33) and (3.48) to (3.50). One pressure an element does not lock where the material is next to
 //! incompressible.
 
 use super::{Place, Point, Solids};
@@ -69,7 +69,7 @@ fn with_dilation(h: &Matrix, [own, mean]: [f64; 2], large: bool) -> Matrix {
     })
 }
 
-/// Makes stresses and moduli those of the gradients of displacements: docs/theory.md eq. (3.53).
+/// Makes stresses and moduli those of the gradients of displacements: docs/theory.md eq. (3.49).
 fn couple<const D: usize, const N: usize>(
     points: &mut [Point<D, N>],
     [pressure, volume]: [f64; 2],
@@ -120,7 +120,7 @@ impl<const D: usize, const N: usize> Point<D, N> {
 }
 
 impl<const D: usize, const N: usize> Coupling<D, N> {
-    /// Adds e r' + r e' + square e e' to the tangent: docs/theory.md eq. (3.54).
+    /// Adds e r' + r e' + square e e' to the tangent: docs/theory.md eq. (3.50).
     pub fn add_tangent(&self, tangent: &mut [f64]) {
         let mut rows = tangent.chunks_exact_mut(D * N);
         for a in 0..N {

@@ -8,7 +8,7 @@
 //! ```
 //!
 //! D. P. Flanagan and T. Belytschko (1981); k is that of elastic bending of a block of the element's
-//! size, docs/theory.md eq. (3.58).
+//! size, docs/theory.md eq. (3.54).
 
 use super::{Formulation, Place, Solids};
 use crate::element::cell::Cell;
@@ -67,7 +67,7 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
         energy
     }
 
-    /// E V (N / D) sum (dN/dX)^2 / 3: docs/theory.md eq. (3.58).
+    /// E V (N / D) sum (dN/dX)^2 / 3: docs/theory.md eq. (3.54).
     fn hourglass_stiffness(&self, place: &Place<D, N>) -> f64 {
         let material = &self.recipe.material;
         let modulus = material.elastic().map_or(2.6 * material.shear_modulus(), |e| e.modulus);
