@@ -22,10 +22,10 @@ pub struct Row {
     pub equilibrium: usize,
     /// Severe discontinuity iterations.
     pub severe: usize,
-    /// Displacements U1, U2 [L] and rotation UR3 [1] of every node, in model order.
-    pub displacement: Vec<[f64; 3]>,
-    /// Reactions RF1, RF2 [F] and RM3 [F L] of every node, in model order.
-    pub reaction: Vec<[f64; 3]>,
+    /// Displacements [L] and rotations [1] of every node, U1 to UR3, in model order.
+    pub displacement: Vec<[f64; 6]>,
+    /// Reactions [F] and their moments [F L] of every node, RF1 to RM3, in model order.
+    pub reaction: Vec<[f64; 6]>,
     /// Contact points.
     pub contact: Vec<ContactRow>,
     /// Beams.
@@ -50,12 +50,12 @@ pub struct Curve {
 }
 
 impl Curve {
-    /// U1, U2 or UR3 (`dof` 1, 2 or 6) of the node `label` [L or 1]; empty if there is none.
+    /// U1 to UR3 (`dof` 1 to 6) of the node `label` [L or 1]; empty if there is none.
     pub fn displacement(&self, label: u64, dof: usize) -> Vec<f64> {
         self.column(label, dof, |row| &row.displacement)
     }
 
-    /// RF1, RF2 or RM3 (`dof` 1, 2 or 6) of the node `label` [F or F L]; empty if there is none.
+    /// RF1 to RM3 (`dof` 1 to 6) of the node `label` [F or F L]; empty if there is none.
     pub fn reaction(&self, label: u64, dof: usize) -> Vec<f64> {
         self.column(label, dof, |row| &row.reaction)
     }
@@ -80,8 +80,8 @@ impl Curve {
         row.beams.iter().map(energy).sum()
     }
 
-    fn column(&self, label: u64, dof: usize, of: impl Fn(&Row) -> &Vec<[f64; 3]>) -> Vec<f64> {
-        let place = if dof == 6 { 2 } else { dof - 1 };
+    fn column(&self, label: u64, dof: usize, of: impl Fn(&Row) -> &Vec<[f64; 6]>) -> Vec<f64> {
+        let place = dof - 1;
         match self.model.nodes.find(label) {
             Some(node) => self.rows.iter().map(|row| of(row)[node][place]).collect(),
             None => Vec::new(),
@@ -156,7 +156,7 @@ impl Observer for Watch {
 fn row(frame: &Frame<'_>) -> Row {
     let nodes = 0..frame.model.nodes.len();
     let read = |value: fn(&Nodal<'_>, usize, Dof) -> f64| {
-        nodes.clone().map(|node| Dof::PLANE.map(|dof| value(&frame.nodal, node, dof))).collect()
+        nodes.clone().map(|node| Dof::ALL.map(|dof| value(&frame.nodal, node, dof))).collect()
     };
     Row {
         step: frame.step,

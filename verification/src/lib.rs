@@ -20,6 +20,7 @@ mod push;
 pub mod random;
 mod record;
 mod report;
+mod solids;
 pub mod strokes;
 
 pub use cam::Cam;
@@ -31,6 +32,7 @@ pub use metrics::{
 pub use push::{Beam, Method, Placement, Push, Slaves, Units};
 pub use record::{Chart, Limit, Measured, Record, Study, series};
 pub use report::{write_record, write_report};
+pub use solids::{Meshed, Solid};
 
 /// The decks of the 1995 paper as shipped in the corpus.
 pub mod paper {

@@ -32,7 +32,7 @@ fn sums(curve: &Curve, labels: &[u64]) -> [Vec<f64>; 3] {
         let node = curve.model.nodes.find(label).unwrap();
         let start = curve.model.nodes.position(node);
         for (k, row) in curve.rows.iter().enumerate() {
-            let ([fx, fy, m], u) = (row.reaction[node], row.displacement[node]);
+            let ([fx, fy, .., m], u) = (row.reaction[node], row.displacement[node]);
             sums[0][k] += fx;
             sums[1][k] += fy;
             sums[2][k] += m + (start[0] + u[0]) * fy - (start[1] + u[1]) * fx;

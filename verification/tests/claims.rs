@@ -46,6 +46,9 @@ mod push_and_pull;
 mod references;
 mod return_stroke;
 mod rigid_link;
+mod solids_beams;
+mod solids_patch;
+mod solids_tubes;
 mod stick_slip;
 mod sticking;
 mod strokes;
@@ -106,6 +109,10 @@ const CHAPTERS: &[Chapter] = &[
     Chapter {
         title: "The solver",
         groups: &[newton::GROUP, unsymmetric_storage::GROUP, no_allocation::GROUP, again::GROUP],
+    },
+    Chapter {
+        title: "Solids",
+        groups: &[solids_patch::GROUP, solids_beams::GROUP, solids_tubes::GROUP],
     },
     Chapter { title: "Bad input", groups: &[literal_deck::GROUP, bad_friction::GROUP] },
 ];

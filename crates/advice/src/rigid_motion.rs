@@ -29,6 +29,7 @@ pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
         let mut holds = Holds::new(start);
         holds.supports(step);
         holds.springs();
+        holds.rings();
         // what touches at the end of the step before is not known here
         holds.contact(number == 0);
         let free = holds.motions();
@@ -111,6 +112,16 @@ impl<'a> Holds<'a> {
             _ => {}
         }
         self.rows.push(row);
+    }
+
+    /// Rings are held along their radius and against turns by their own hoop strain.
+    fn rings(&mut self) {
+        let mut held = std::collections::BTreeSet::new();
+        for (node, dof) in self.start.model.rings() {
+            if held.insert((self.start.bodies.of_node(node), dof)) {
+                self.hold(node, dof);
+            }
+        }
     }
 
     fn springs(&mut self) {

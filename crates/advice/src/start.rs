@@ -100,11 +100,7 @@ impl<'a> Start<'a> {
     /// The value of largest magnitude that a prescribed motion takes.
     fn largest(&self, prescribed: &Prescribed) -> f64 {
         let factors = prescribed.amplitude.and_then(|place| self.model.amplitudes.get(place));
-        let factor = factors.map_or(1.0, |amplitude| {
-            let all = amplitude.points.iter().map(|&(_, factor)| factor);
-            all.max_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(1.0)
-        });
-        prescribed.value * factor
+        prescribed.value * factors.map_or(1.0, slideline_model::Amplitude::largest)
     }
 
     /// Rotation of the body of `node` in a step [1].

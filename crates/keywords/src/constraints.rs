@@ -55,6 +55,18 @@ pub(crate) struct Coupling {
     pub origin: Span,
 }
 
+/// `*TIE`, a line of it.
+#[derive(Clone, Debug)]
+pub(crate) struct Tie {
+    pub slave: Named,
+    pub master: Named,
+    /// Largest distance that is tied [L], where the card gives one.
+    pub tolerance: Option<f64>,
+    /// Whether slave nodes are moved onto the master.
+    pub adjust: bool,
+    pub origin: Span,
+}
+
 /// Points that are coupled.
 #[derive(Clone, Debug)]
 pub(crate) enum Points {

@@ -4,14 +4,14 @@ use std::collections::HashMap;
 
 use slideline_deck::DataLine;
 use slideline_diag::{Code, Diagnostic, Span};
-use slideline_mech::material::{Elastic, LargeStrain};
+use slideline_mech::material::{Anisotropic, Elastic, Hardening, LargeStrain, Plastic, Rubber};
 use slideline_model::{
     self as model, BeamSection, ContactPrint, Controls, Dialect, Dof, ElementPrint, ElementType,
     Extrapolation, Interaction, Model, Node, NodeIndex, NodePrint, Nodes, PrintTarget,
     ProfilePoint, SavedStates, ShearRule, SolidSection, Static, SurfaceSegment, TYPES,
 };
 
-use crate::constraints::{Coupling, Equation, Link};
+use crate::constraints::{Coupling, Equation, Link, Tie};
 use crate::distributed::Distributed;
 use crate::log::{Log, Target};
 use crate::rule::Subject;
@@ -60,6 +60,7 @@ pub(crate) struct Draft {
     pub links: Vec<Link>,
     pub equations: Vec<Equation>,
     pub couplings: Vec<Coupling>,
+    pub ties: Vec<Tie>,
     /// Dofs that follow others, and where it was said; known when links are resolved.
     pub dependents: HashMap<(NodeIndex, Dof), Span>,
     pub parts: Parts<Contents>,
@@ -96,6 +97,7 @@ pub(crate) struct Contents {
     pub links: Vec<Link>,
     pub equations: Vec<Equation>,
     pub couplings: Vec<Coupling>,
+    pub ties: Vec<Tie>,
 }
 
 /// The card that a suboption belongs to.
@@ -230,21 +232,18 @@ impl Body {
         }
     }
 
-    /// The same with an elastic material.
-    pub fn of(self, material: Elastic, dialect: Dialect) -> model::Section {
-        match self {
+    /// The same with a material; `None` where a beam is given another than an isotropic elastic one.
+    pub fn of(self, material: &Material, dialect: Dialect) -> Option<model::Section> {
+        Some(match self {
             Self::Beam { width, height, poisson, shear } => {
+                let material = material.elastic?;
                 model::Section::Beam(BeamSection { width, height, poisson, material, shear })
             }
             Self::Solid { thickness } => {
-                let large = match dialect {
-                    Dialect::Abaqus => LargeStrain::Logarithmic,
-                    Dialect::Calculix => LargeStrain::Green,
-                };
-                let material = model::Material::Elastic(material, large);
+                let material = material.solid(dialect)?;
                 model::Section::Solid(SolidSection { thickness, material })
             }
-        }
+        })
     }
 }
 
@@ -252,9 +251,37 @@ impl Body {
 pub(crate) struct Material {
     pub name: String,
     pub elastic: Option<Elastic>,
-    /// An `*ELASTIC` card was there, readable or not.
+    /// Elasticity without isotropy.
+    pub anisotropic: Option<Anisotropic>,
+    pub rubber: Option<Rubber>,
+    /// Yield stress and plastic strain, line by line.
+    pub hardening: Option<Hardening>,
+    /// An `*ELASTIC` or `*HYPERELASTIC` card was there, readable or not.
     pub has_card: bool,
     pub origin: Span,
+}
+
+impl Material {
+    /// As solids take it.
+    pub fn solid(&self, dialect: Dialect) -> Option<model::Material> {
+        let large = match dialect {
+            Dialect::Abaqus => LargeStrain::Logarithmic,
+            Dialect::Calculix => LargeStrain::Green,
+        };
+        if let Some(rubber) = &self.rubber {
+            return Some(model::Material::Rubber(rubber.clone()));
+        }
+        if let Some(anisotropic) = self.anisotropic {
+            return Some(model::Material::Anisotropic(Box::new(anisotropic)));
+        }
+        let elastic = self.elastic?;
+        Some(match &self.hardening {
+            Some(table) => {
+                model::Material::Plastic(Plastic { elastic, table: table.clone(), kinematic: 0.0 })
+            }
+            None => model::Material::Elastic(elastic, large),
+        })
+    }
 }
 
 /// What a material may be strained to: one of both.
@@ -438,8 +465,12 @@ impl Draft {
             return;
         }
         self.element_by_label.insert(element.label, self.elements.len());
-        self.spatial |= element.kind.is_spatial();
         self.elements.push(element);
+    }
+
+    /// Notes that the deck has elements of a kind, sound or not.
+    pub fn note_spatial(&mut self, kind: ElementKind) {
+        self.spatial |= kind.is_spatial();
     }
 
     /// Whether an element moves in space, not in a plane alone.

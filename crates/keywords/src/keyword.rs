@@ -15,9 +15,15 @@ pub(crate) trait Keyword: Sync {
         &[]
     }
 
+    /// Parameters that change no result of a static step: accepted with a note.
+    fn without_effect(&self) -> &'static [&'static str] {
+        &[]
+    }
+
     /// What its cards are held against.
     fn form(&self) -> Form {
-        Form { name: self.name(), parameters: self.parameters() }
+        let (name, parameters) = (self.name(), self.parameters());
+        Form { name, parameters, without_effect: self.without_effect() }
     }
 
     /// Where it may stand.

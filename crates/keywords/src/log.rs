@@ -130,6 +130,11 @@ impl Log {
     /// A node or element number.
     pub fn label(&mut self, line: &DataLine, at: usize, what: &str) -> Option<u64> {
         let field = self.present(line, at, what)?;
+        self.label_in(field)
+    }
+
+    /// A value as a node or element number.
+    pub fn label_in(&mut self, field: &Field) -> Option<u64> {
         let value = self.integer_in(field)?;
         self.in_range(value, field)
     }

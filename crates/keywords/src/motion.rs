@@ -37,11 +37,9 @@ impl Motion {
         std::array::from_fn(|k| a[k] + turned[k])
     }
 
-    /// The same in the plane; `None` where the instance is turned out of it or moved off it.
-    pub fn plane_point(&self, [x, y]: [f64; 2]) -> Option<[f64; 2]> {
-        let flat = self.rotation.is_none_or(|(_, r)| r[2][2] == 1.0);
-        let [x, y, _] = self.point([x, y, 0.0]);
-        flat.then_some([x, y])
+    /// Whether the plane of x and y stays one of constant z.
+    pub fn keeps_the_plane(&self) -> bool {
+        self.rotation.is_none_or(|(_, r)| r[2][2] == 1.0)
     }
 }
 
@@ -81,7 +79,7 @@ mod tests {
         let rotation = Motion::rotation([1.0, 0.0, 0.0], [1.0, 0.0, 5.0], 90.0);
         let motion = Motion { translation: [1.0, 0.0, 2.0], rotation };
         assert_eq!(motion.point([1.0, 0.0, 0.0]), [1.0, 1.0, 2.0]);
-        assert_eq!(motion.plane_point([1.0, 0.0]), Some([1.0, 1.0]));
+        assert!(motion.keeps_the_plane());
         let rotation = Motion::rotation([0.0; 3], [1.0, 2.0, -0.5], 37.0);
         let motion = Motion { translation: [0.0; 3], rotation };
         let [x, y, z] = motion.point([0.3, -0.7, 2.0]);
@@ -89,7 +87,7 @@ mod tests {
         assert!((length - (0.09_f64 + 0.49 + 4.0).sqrt()).abs() < 1e-15);
         let axis = motion.point([2.0, 4.0, -1.0]);
         assert!(axis.iter().zip([2.0, 4.0, -1.0]).all(|(a, b)| (a - b).abs() < 1e-15));
-        assert_eq!(motion.plane_point([1.0, 0.0]), None);
+        assert!(!motion.keeps_the_plane());
         assert_eq!(Motion::rotation([1.0; 3], [1.0; 3], 30.0), None);
     }
 }

@@ -41,6 +41,7 @@ impl Draft {
             links: take(&mut self.links),
             equations: take(&mut self.equations),
             couplings: take(&mut self.couplings),
+            ties: take(&mut self.ties),
         }
     }
 
@@ -62,6 +63,7 @@ impl Draft {
         self.links = contents.links;
         self.equations = contents.equations;
         self.couplings = contents.couplings;
+        self.ties = contents.ties;
     }
 
     /// `*PART`.

@@ -162,7 +162,8 @@ impl<'a> Reading<'a> {
         if self.word(name).is_none() {
             return Some(true);
         }
-        self.choice(name, &["YES", "NO"], log).map(|word| word == "YES")
+        self.choice(name, &["YES", "NO", "ON", "OFF", "ONLY"], log)
+            .map(|word| !["NO", "OFF"].contains(&word))
     }
 
     /// The data lines.
@@ -173,6 +174,15 @@ impl<'a> Reading<'a> {
     /// The keyword line.
     pub fn span(&self) -> Span {
         self.card.span
+    }
+
+    /// All numbers of the data lines, one after the other; blank ones are zero.
+    pub fn numbers(&self, log: &mut Log) -> Option<Vec<f64>> {
+        let fields =
+            self.data().iter().flat_map(|line| (0..line.fields.len()).map(move |k| (line, k)));
+        let read: Vec<Option<f64>> =
+            fields.map(|(line, at)| log.number_or(line, at, 0.0)).collect();
+        read.into_iter().collect()
     }
 
     /// The only data line of the card; complains where there is none or more.
@@ -192,6 +202,12 @@ impl<'a> Reading<'a> {
     }
 }
 
+/// Whether a parameter is one that changes no result.
+fn is_without_effect(word: &Word, keyword: Form) -> bool {
+    let name = normalise(&word.raw);
+    keyword.without_effect.iter().any(|known| normalise(known) == name)
+}
+
 /// The rule a parameter follows: exact, a unique beginning, or the nearest
 /// spelling (which is an error, but read on with).
 fn find_rule(parameter: &Parameter, keyword: Form, log: &mut Log) -> Option<&'static Rule> {
@@ -208,6 +224,14 @@ fn find_rule(parameter: &Parameter, keyword: Form, log: &mut Log) -> Option<&'st
             let names: Vec<&str> = found.iter().map(|rule| rule.name).collect();
             let message = format!("`{}` may be {}", word.raw, names.join(" or "));
             log.error("SL0203", message, word.span);
+            None
+        }
+        Match::Unknown if is_without_effect(word, keyword) => {
+            let name = keyword.name;
+            if log.first_time(&format!("{name} {}", word.name)) {
+                let message = format!("{} of *{name} has no effect here and is ignored", word.raw);
+                log.note("SL0257", message, word.span);
+            }
             None
         }
         Match::Unknown => {

@@ -15,6 +15,42 @@ use slideline_model::{PrintTarget, Request};
 use crate::draft::Draft;
 use crate::reading::Reading;
 
+/// Parameters of output cards that change no result.
+pub(crate) const WITHOUT_EFFECT: &[&str] = &[
+    "OUTPUT",
+    "GLOBAL",
+    "TIME POINTS",
+    "POSITION",
+    "LAST ITERATIONS",
+    "CONTACT ELEMENTS",
+    "CONTACT ELEMENT",
+    "FREQUENCYF",
+    "NUMBER INTERVAL",
+    "TIME INTERVAL",
+    "TIME MARKS",
+    "NAME",
+    "OP",
+    "MODE",
+    "LAST MODE",
+    "DIRECTIONS",
+    "SECTION POINTS",
+    "REBAR",
+    "EXTERIOR",
+    "TRACER SET",
+    "SENSOR",
+    "FILTER",
+    "MASTER",
+    "SLAVE",
+    "SURFACE",
+    "ELSET",
+    "NSET",
+    "SECTION FORCES",
+    "TOTALS",
+    "SUMMARY",
+    "INTERACTION PROPERTIES",
+    "CPSET",
+];
+
 /// A result that cards list by its name.
 pub(crate) trait Variable: Copy + PartialEq + 'static {
     /// What such a name is called.
@@ -56,11 +92,11 @@ pub(crate) fn read<V: Variable>(
     draft: &mut Draft,
 ) -> Option<Asked<V>> {
     let (target, frequency) = file(card, kind, draft);
-    let variables = variables(card, target, other, draft);
+    let variables = variables(card, other, draft);
     if variables.is_empty() {
         if card.data().is_empty() {
-            let message = format!("no variables are listed: {}", V::KNOWN);
-            draft.log.error("SL0208", message, card.span());
+            let message = "no variables are listed: nothing is asked for";
+            draft.log.note("SL0257", message, card.span());
         }
         return None;
     }
@@ -107,7 +143,6 @@ pub(crate) fn ask_for_states(frequency: usize, draft: &mut Draft) {
 /// The variables of the data lines, each once.
 fn variables<V: Variable>(
     card: &Reading<'_>,
-    target: PrintTarget,
     other: &mut dyn FnMut(&str) -> bool,
     draft: &mut Draft,
 ) -> Vec<V> {
@@ -118,7 +153,7 @@ fn variables<V: Variable>(
             Some(variable) if !found.contains(&variable) => found.push(variable),
             Some(_) => {}
             None if other(&field.text) => {}
-            None => unknown::<V>(field, target, draft),
+            None => unknown::<V>(field, draft),
         }
     }
     if card.has("VARIABLE") && found.is_empty() {
@@ -127,13 +162,12 @@ fn variables<V: Variable>(
     found
 }
 
-/// A table would lack a column: an error. The result files hold all there is
-/// whatever is asked for: a warning.
-fn unknown<V: Variable>(field: &Field, target: PrintTarget, draft: &mut Draft) {
-    let message = format!("`{}` is not a {}", field.text, V::KIND);
-    let said = match target {
-        PrintTarget::Table => Diagnostic::error(Code("SL0252"), message),
-        _ => Diagnostic::warning(Code("SL0252"), format!("{message}: it is not written")),
-    };
+/// No result changes: a warning, once for each name.
+fn unknown<V: Variable>(field: &Field, draft: &mut Draft) {
+    if !draft.log.first_time(&format!("{} {}", V::KIND, field.text)) {
+        return;
+    }
+    let message = format!("`{}` is not a {}: it is not written", field.text, V::KIND);
+    let said = Diagnostic::warning(Code("SL0252"), message);
     draft.log.push(said.at(field.span).help(format!("known: {}", V::KNOWN)));
 }

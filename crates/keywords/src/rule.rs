@@ -76,4 +76,6 @@ pub(crate) struct Form {
     pub name: &'static str,
     /// The parameters it knows.
     pub parameters: &'static [Rule],
+    /// Parameters that change no result: accepted with a note.
+    pub without_effect: &'static [&'static str],
 }

@@ -257,8 +257,8 @@ fn keywords_are_found_as_people_write_them() {
 /// Keywords of other programs are not taken for slips of ours.
 #[test]
 fn a_foreign_keyword_is_not_a_misspelt_one() {
-    let plastic = BEAM.replace("*STEP", "*PLASTIC\n2.E8, 0.\n*STEP");
-    assert_eq!(codes(&plastic, "*STEP", "*STEP"), ["SL0221"]);
+    let creep = BEAM.replace("*STEP", "*CREEP\n1.E-8, 2., 0.\n*STEP");
+    assert_eq!(codes(&creep, "*STEP", "*STEP"), ["SL0221"]);
     assert_eq!(codes(BEAM, "*CLOAD\n5, 1, 1.0", "*DLOAD\nBEAM, P1, 1.0"), ["SL0256"]);
     assert_eq!(codes(BEAM, "*BEAM SECTION", "*SHELL SECTION"), ["SL0221"]);
     for name in ["PRE-TENSION SECTION", "TIED CONTACT", "SYSTEM", "SUBMODEL"] {
@@ -305,8 +305,8 @@ fn one_cause_gives_one_message() {
     let deck = BEAM.replace("*BEAM SECTION", parameters).replace("210.0E9, 0.3", "<w>, 0.3");
     assert_eq!(codes(&deck, "5, 1, 1.0", "5, 1, <w>"), ["SL0221"]);
     let mut solids = String::from(
-        "*ELEMENT, TYPE=C3D8, ELSET=X\n1, 1, 2, 3, 4, 5, 6, 7, 8\n\
-         *ELEMENT, TYPE=C3D8, ELSET=X\n2, 1, 2, 3, 4, 5, 6, 7, 8\n*SURFACE, NAME=S\n",
+        "*ELEMENT, TYPE=S8R5, ELSET=X\n1, 1, 2, 3, 4, 5, 6, 7, 8\n\
+         *ELEMENT, TYPE=S8R5, ELSET=X\n2, 1, 2, 3, 4, 5, 6, 7, 8\n*SURFACE, NAME=S\n",
     );
     (1..2000).for_each(|k| solids += &format!("{k}, S3\n"));
     assert_eq!(codes(BEAM, "*STEP", &format!("{solids}*STEP")), ["SL0220"]);
@@ -342,4 +342,28 @@ fn what_stabilisation_cannot_be() {
     let early = BEAM.replacen("*STEP", "*CONTACT CONTROLS, STABILIZE\n*STEP", 1);
     let read = interpret(&early, Dialect::Abaqus);
     assert!(read.diagnostics.iter().any(|d| d.code.0 == "SL0214"));
+}
+
+/// Requirement: nodes of an element go on in the next line, behind a comma or where a line cannot
+/// hold them all; curves over the total time, the friction and the boundary of CalculiX, and
+/// parameters of output cards are read.
+#[test]
+fn small_forms_are_read() {
+    let mut nodes = String::from("*NODE\n");
+    (1..=20)
+        .for_each(|k| nodes += &format!("{}, {k}., {}., {}.\n", 100 + k, k * k % 7, k * k * k % 5));
+    let list: Vec<String> = (101..=120).map(|k: u32| k.to_string()).collect();
+    let (first, rest) = (list[..10].join(", "), list[10..].join(", "));
+    let solid = format!("{nodes}*ELEMENT, TYPE=C3D20\n7, {first}\n{rest}\n*STEP");
+    assert_eq!(codes(BEAM, "*STEP", &solid), ["SL0307"], "read whole, but without a section");
+    let broken = BEAM.replace("1, 1, 2\n", "1, 1,\n2\n");
+    assert_ne!(broken, BEAM);
+    assert_eq!(codes(&broken, "*STEP", "*STEP"), [""; 0]);
+    let over = "*AMPLITUDE, NAME=A, TIME=TOTAL TIME\n0., 0., 2., 1.\n*STEP";
+    let later = "*END STEP\n*STEP\n*STATIC\n1., 1.\n*CLOAD, AMPLITUDE=A\n5, 1, 1.\n*END STEP\n";
+    let model = model(&BEAM.replace("*END STEP\n", later), "*STEP", over);
+    let place = model.steps[1].loads[0].amplitude.unwrap();
+    assert_eq!([0.0, 1.0].map(|t| model.amplitudes[place].at(t)), [0.5, 1.0]);
+    let output = "*NODE FILE, OUTPUT=3D, GLOBAL=YES\nU, NT\n*STATIC, SOLVER=PARDISO";
+    assert_eq!(codes(BEAM, "*STATIC", output), ["SL0257", "SL0257", "SL0252", "SL0257"]);
 }

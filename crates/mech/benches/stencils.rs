@@ -1,4 +1,5 @@
-//! Cost of one stencil: beams by hand and from their energy, a gap against a corner and a circle.
+//! Cost of one stencil: beams by hand and from their energy, a gap against a corner and a circle,
+//! force and tangent of solids at large displacement.
 #![allow(missing_docs, clippy::unwrap_used)] // generated entry points; fixed sound data
 
 use std::hint::black_box;
@@ -8,7 +9,11 @@ use slideline_mech::contact::gap::Gap;
 use slideline_mech::contact::gap::circle::{Circle, Side};
 use slideline_mech::contact::gap::curve::{Along, Weights, point_to_curve};
 use slideline_mech::differentiate::Second;
-use slideline_mech::element::{Beam21, Beam22, Beam23};
+use slideline_mech::element::cell::{Cell, HEX8, HEX20, QUAD4, TET10};
+use slideline_mech::element::quadrature::{HEX_8, HEX_27, QUAD_4, Quadrature, TET_4};
+use slideline_mech::element::solid::{Formulation, Kinematics, Recipe, Solids, Told, states};
+use slideline_mech::element::{Beam21, Beam22, Beam23, Kernel, Response, Strains};
+use slideline_mech::material::{Elastic, LargeStrain, Material, Plastic};
 use slideline_mech::section::BeamStiffness;
 
 fn beam(criterion: &mut Criterion) {
@@ -58,5 +63,49 @@ fn gaps(criterion: &mut Criterion) {
     });
 }
 
-criterion_group!(benches, beam, finer_beams, gaps);
+/// One element on its reference cell, bent and stretched a little.
+fn solid<const D: usize, const N: usize, const P: usize>(
+    criterion: &mut Criterion,
+    (name, cell, rule): (&str, &'static Cell, &'static Quadrature),
+    formulation: Formulation,
+    material: Material,
+) {
+    let kinematics = if D == 2 { Kinematics::PlaneStrain } else { Kinematics::Space };
+    let count = states((cell, rule), (kinematics, formulation), &material);
+    let (thickness, told) = (1.0, Told::Logarithmic);
+    let recipe = Recipe { cell, rule, kinematics, formulation, material, thickness, told };
+    let nodes: [[f64; D]; N] =
+        std::array::from_fn(|a| std::array::from_fn(|axis| cell.places[a][axis]));
+    let element = Solids::<D, N, P>::new(recipe, [nodes].into_iter()).unwrap();
+    let q: Vec<f64> = (0..D * N).map(|k| 0.02 * ((k * k) as f64).sin()).collect();
+    let (mut force, mut tangent) = (vec![0.0; D * N], vec![0.0; D * N * D * N]);
+    let (committed, mut state) = (vec![0.0; count], vec![0.0; count]);
+    criterion.bench_function(name, |bench| {
+        bench.iter(|| {
+            let into =
+                Response { force: &mut force, tangent: Some(&mut tangent), state: &mut state };
+            element.respond(0, black_box(&q), &committed, Strains::Exact, into)
+        });
+    });
+}
+
+fn solids(criterion: &mut Criterion) {
+    use Formulation::{Incompatible, MeanDilation, Plain};
+    let steel = Elastic { modulus: 7.0, poisson: 0.3 };
+    let hencky = || Material::Elastic(steel, LargeStrain::Logarithmic);
+    let green = Material::Elastic(steel, LargeStrain::Green);
+    let table = vec![[0.05, 0.0], [0.1, 1.0]];
+    let metal = Material::Plastic(Plastic { elastic: steel, table, kinematic: 0.0 });
+    let hex = |name| (name, &HEX8, &HEX_8);
+    solid::<2, 4, 4>(criterion, ("CPE4", &QUAD4, &QUAD_4), MeanDilation, hencky());
+    solid::<3, 8, 8>(criterion, hex("C3D8"), MeanDilation, hencky());
+    solid::<3, 8, 8>(criterion, hex("C3D8 Green"), MeanDilation, green);
+    solid::<3, 8, 8>(criterion, hex("C3D8 plastic"), MeanDilation, metal);
+    solid::<3, 8, 8>(criterion, hex("C3D8I"), Incompatible, hencky());
+    solid::<3, 10, 4>(criterion, ("C3D10", &TET10, &TET_4), Plain, hencky());
+    solid::<3, 20, 8>(criterion, ("C3D20R", &HEX20, &HEX_8), Plain, hencky());
+    solid::<3, 20, 27>(criterion, ("C3D20", &HEX20, &HEX_27), Plain, hencky());
+}
+
+criterion_group!(benches, beam, finer_beams, gaps, solids);
 criterion_main!(benches);

@@ -63,12 +63,7 @@ impl Face {
                 .points
                 .iter()
                 .zip(rule.weights)
-                .map(|(place, &weight)| {
-                    let (mut shapes, mut slopes) = ([0.0; MOST_NODES], [[0.0; 3]; MOST_NODES]);
-                    (cell.shapes)(place, &mut shapes[..cell.nodes]);
-                    (cell.slopes)(place, &mut slopes[..cell.nodes]);
-                    At { weight, shapes, slopes: slopes.map(|[a, b, _]| [a, b]) }
-                })
+                .map(|(place, &weight)| area_at(cell, place, weight))
                 .collect(),
         }
     }
@@ -135,6 +130,105 @@ impl Face {
     }
 }
 
+/// The place of a face that is nearest to a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Nearest {
+    /// Shape functions there [1].
+    pub shapes: [f64; MOST_NODES],
+    /// Where it is [L].
+    pub place: [f64; 3],
+    /// Distance from the point [L].
+    pub distance: f64,
+}
+
+impl Face {
+    /// The place nearest to a point, on a face with nodes at `x` [L]: Gauss-Newton steps, each kept
+    /// on the face.
+    pub fn nearest(&self, x: &[[f64; 3]], point: [f64; 3]) -> Nearest {
+        let mut at = match self {
+            Self::Area(cell, _) if matches!(cell.nodes, 3 | 6) => [1.0 / 3.0; 2],
+            _ => [0.0; 2],
+        };
+        for _ in 0..30 {
+            let here = self.at(at);
+            let [a, b] = tangents(&here, x);
+            let away: [f64; 3] = std::array::from_fn(|k| point[k] - position(&here, x)[k]);
+            let dot = |u: [f64; 3], v: [f64; 3]| u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+            let (aa, ab, bb) = (dot(a, a), dot(a, b), dot(b, b));
+            let (ra, rb) = (dot(a, away), dot(b, away));
+            let step = match self {
+                Self::Edge { .. } => [ra / aa, 0.0],
+                Self::Area(..) => {
+                    let determinant = aa * bb - ab * ab;
+                    [(bb * ra - ab * rb) / determinant, (aa * rb - ab * ra) / determinant]
+                }
+            };
+            let next = self.kept([at[0] + step[0], at[1] + step[1]]);
+            let moved = (next[0] - at[0]).abs() + (next[1] - at[1]).abs();
+            if !moved.is_finite() {
+                break;
+            }
+            at = next;
+            if moved < 1e-14 {
+                break;
+            }
+        }
+        let here = self.at(at);
+        let place = position(&here, x);
+        let distance = (0..3).map(|k| (point[k] - place[k]).powi(2)).sum::<f64>().sqrt();
+        Nearest { shapes: here.shapes, place, distance }
+    }
+
+    /// Shape functions and slopes at coordinates of the face.
+    fn at(&self, [a, b]: [f64; 2]) -> At {
+        match self {
+            Self::Edge { nodes, .. } => edge_at(*nodes, a, 1.0),
+            Self::Area(cell, _) => area_at(cell, &[a, b, 0.0], 1.0),
+        }
+    }
+
+    /// The nearest coordinates that belong to the face.
+    fn kept(&self, [a, b]: [f64; 2]) -> [f64; 2] {
+        match self {
+            Self::Area(cell, _) if matches!(cell.nodes, 3 | 6) => {
+                if a + b <= 1.0 {
+                    return [a.clamp(0.0, 1.0), b.clamp(0.0, 1.0)];
+                }
+                let along = (0.5 * (a - b + 1.0)).clamp(0.0, 1.0);
+                [along, 1.0 - along]
+            }
+            _ => [a.clamp(-1.0, 1.0), b.clamp(-1.0, 1.0)],
+        }
+    }
+}
+
+fn position(at: &At, x: &[[f64; 3]]) -> [f64; 3] {
+    let mut place = [0.0; 3];
+    for (x, shape) in x.iter().zip(at.shapes) {
+        place.iter_mut().zip(x).for_each(|(place, x)| *place += shape * x);
+    }
+    place
+}
+
+fn area_at(cell: &Cell, place: &[f64; 3], weight: f64) -> At {
+    let (mut shapes, mut slopes) = ([0.0; MOST_NODES], [[0.0; 3]; MOST_NODES]);
+    (cell.shapes)(place, &mut shapes[..cell.nodes]);
+    (cell.slopes)(place, &mut slopes[..cell.nodes]);
+    At { weight, shapes, slopes: slopes.map(|[a, b, _]| [a, b]) }
+}
+
+fn edge_at(nodes: usize, xi: f64, weight: f64) -> At {
+    let (mut shapes, mut slopes) = ([0.0; MOST_NODES], [[0.0; 2]; MOST_NODES]);
+    let (own, along) = match nodes {
+        2 => ([0.5 * (1.0 - xi), 0.5 * (1.0 + xi), 0.0], [-0.5, 0.5, 0.0]),
+        _ => (line3_shapes(xi), line3_slopes(xi)),
+    };
+    for k in 0..nodes {
+        (shapes[k], slopes[k][0]) = (own[k], along[k]);
+    }
+    At { weight, shapes, slopes }
+}
+
 /// Slopes of the position by the coordinates of the face.
 fn tangents(at: &At, x: &[[f64; 3]]) -> [[f64; 3]; 2] {
     let mut tangents = [[0.0; 3]; 2];
@@ -151,18 +245,7 @@ fn edge(nodes: usize, thickness: f64) -> Vec<At> {
         2 => &[(-GAUSS_2, 1.0), (GAUSS_2, 1.0)],
         _ => &[(-GAUSS_3, 5.0 / 9.0), (0.0, 8.0 / 9.0), (GAUSS_3, 5.0 / 9.0)],
     };
-    let at = |&(xi, weight): &(f64, f64)| {
-        let (mut shapes, mut slopes) = ([0.0; MOST_NODES], [[0.0; 2]; MOST_NODES]);
-        let (own, along) = match nodes {
-            2 => ([0.5 * (1.0 - xi), 0.5 * (1.0 + xi), 0.0], [-0.5, 0.5, 0.0]),
-            _ => (line3_shapes(xi), line3_slopes(xi)),
-        };
-        for k in 0..nodes {
-            (shapes[k], slopes[k][0]) = (own[k], along[k]);
-        }
-        At { weight: weight * thickness, shapes, slopes }
-    };
-    gauss.iter().map(at).collect()
+    gauss.iter().map(|&(xi, weight)| edge_at(nodes, xi, weight * thickness)).collect()
 }
 
 fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
@@ -220,6 +303,30 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// Requirement: of a point beside a face the nearest place is its foot, of one beyond the border
+    /// a place on the border; shape functions give the place.
+    #[test]
+    fn the_nearest_place() {
+        for nodes in [3, 4, 6, 8] {
+            let face = Face::of(3, nodes, 1.0).unwrap_or(Face::Area(&TRI3, &TRI_3));
+            let Face::Area(cell, _) = face else { continue };
+            let x: Vec<[f64; 3]> =
+                cell.places.iter().map(|&[a, b, _]| [2.0 * a + 0.3 * b, b, 0.2 * a]).collect();
+            let on = |a: f64, b: f64| [2.0 * a + 0.3 * b, b, 0.2 * a];
+            let foot = on(0.3, 0.4);
+            // the normal of the plane z = 0.1 x - 0.03 y
+            let point = [foot[0] - 0.05, foot[1] + 0.015, foot[2] + 0.5];
+            let near = face.nearest(&x, point);
+            assert!((0..3).all(|k| (near.place[k] - foot[k]).abs() < 1e-12), "{nodes} {near:?}");
+            assert!((near.shapes.iter().sum::<f64>() - 1.0).abs() < 1e-13);
+            let near = face.nearest(&x, on(3.0, 0.25));
+            assert!(near.distance > 1.0 && near.shapes.iter().all(|n| n.is_finite()));
+        }
+        let edge = Face::Edge { nodes: 2, thickness: 1.0 };
+        let near = edge.nearest(&[[0.0; 3], [2.0, 0.0, 0.0]], [0.5, 0.3, 0.0]);
+        assert!((near.distance - 0.3).abs() < 1e-15 && (near.shapes[1] - 0.25).abs() < 1e-15);
     }
 
     /// Requirement: on flat faces the sum is pressure times area, inwards.

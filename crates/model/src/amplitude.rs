@@ -1,29 +1,100 @@
 //! Curves over time.
+//!
+//! ```text
+//!   tabular        smooth step      periodic
+//!      /\__             __           _   _
+//!   __/             __/            / \_/ \
+//! ```
 
 use slideline_diag::Span;
 
-/// `*AMPLITUDE`: factor against time, linear between its points and constant
-/// outside them.
+/// `*AMPLITUDE`: factor against time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Amplitude {
     /// Name, upper case.
     pub name: String,
-    /// (time in the step [T], factor [1]), times ascending; at least one.
-    pub points: Vec<(f64, f64)>,
+    /// The curve.
+    pub curve: Curve,
+    /// What is added to the time of the step [T]: where the step begins, for a curve over the
+    /// total time.
+    pub begins: f64,
+    /// Whether it runs over the total time.
+    pub total: bool,
     /// The card.
     pub origin: Span,
 }
 
+/// How the factor depends on time.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Curve {
+    /// (time [T], factor [1]), times ascending, at least one: linear between them and constant
+    /// outside.
+    Tabular(Vec<(f64, f64)>),
+    /// The same points; between them x^3 (10 - 15 x + 6 x^2), which starts and ends at rest.
+    SmoothStep(Vec<(f64, f64)>),
+    /// A0 + sum A_n cos n w (t - t0) + B_n sin n w (t - t0) from t0 on, A0 before.
+    Periodic {
+        /// Angular frequency w [1/T].
+        frequency: f64,
+        /// Start t0 [T].
+        start: f64,
+        /// A0 [1].
+        mean: f64,
+        /// (A_n, B_n) [1].
+        terms: Vec<(f64, f64)>,
+    },
+}
+
 impl Amplitude {
+    /// A table over the time of a step.
+    pub fn tabular(name: &str, points: Vec<(f64, f64)>, origin: Span) -> Self {
+        let (name, curve) = (name.to_owned(), Curve::Tabular(points));
+        Self { name, curve, begins: 0.0, total: false, origin }
+    }
+
+    /// The factor of largest magnitude that it may reach [1].
+    pub fn largest(&self) -> f64 {
+        let larger = |a: f64, b: f64| if b.abs() > a.abs() { b } else { a };
+        match &self.curve {
+            Curve::Tabular(points) | Curve::SmoothStep(points) => {
+                let all = points.iter().map(|&(_, factor)| factor);
+                all.reduce(larger).unwrap_or(1.0)
+            }
+            Curve::Periodic { mean, terms, .. } => {
+                let swing: f64 = terms.iter().map(|(a, b)| a.hypot(*b)).sum();
+                larger(mean + swing, mean - swing)
+            }
+        }
+    }
+
     /// Factor at a time of the step.
     pub fn at(&self, time: f64) -> f64 {
-        let after = self.points.partition_point(|&(t, _)| t <= time);
-        match (after.checked_sub(1).map(|k| self.points[k]), self.points.get(after)) {
-            (None, Some(&(_, first))) => first,
-            (Some((_, last)), None) => last,
-            (Some((t0, a0)), Some(&(t1, a1))) => a0 + (a1 - a0) * (time - t0) / (t1 - t0),
-            (None, None) => 0.0,
+        let time = time + self.begins;
+        match &self.curve {
+            Curve::Tabular(points) => between(points, time, |x| x),
+            Curve::SmoothStep(points) => {
+                between(points, time, |x| x * x * x * (10.0 + x * (6.0 * x - 15.0)))
+            }
+            Curve::Periodic { frequency, start, mean, terms } => {
+                let angle = frequency * (time - start).max(0.0);
+                let sum = terms.iter().zip(1_u32..).map(|((a, b), n)| {
+                    let (sin, cos) = (f64::from(n) * angle).sin_cos();
+                    a * cos + b * sin
+                });
+                if time < *start { *mean } else { mean + sum.sum::<f64>() }
+            }
         }
+    }
+}
+
+/// The factor between the points around a time, by the part of the way between them.
+fn between(points: &[(f64, f64)], time: f64, way: fn(f64) -> f64) -> f64 {
+    let after = points.partition_point(|&(t, _)| t <= time);
+    match (after.checked_sub(1).map(|k| points[k]), points.get(after)) {
+        (None, Some(&(_, first))) => first,
+        (Some((_, last)), None) => last,
+        (Some((t0, a0)), Some(&(t1, a1))) => a0 + (a1 - a0) * way((time - t0) / (t1 - t0)),
+        (None, None) => 0.0,
     }
 }
 
@@ -33,11 +104,27 @@ mod tests {
 
     #[test]
     fn linear_between_and_constant_outside() {
-        let ramp = Amplitude {
-            name: "A".into(),
-            points: vec![(1.0, 2.0), (3.0, 6.0)],
-            origin: Span::default(),
-        };
+        let ramp = Amplitude::tabular("A", vec![(1.0, 2.0), (3.0, 6.0)], Span::default());
         assert_eq!([0.0, 1.0, 2.0, 3.0, 9.0].map(|t| ramp.at(t)), [2.0, 2.0, 4.0, 6.0, 6.0]);
+        let total = Amplitude { begins: 1.0, ..ramp };
+        assert_eq!([0.0, 1.0, 2.0].map(|t| total.at(t)), [2.0, 4.0, 6.0]);
+    }
+
+    /// Requirement: the smooth step is at rest at its points and half way in the middle; the
+    /// periodic curve is its series. Source: Abaqus manual, `*AMPLITUDE`.
+    #[test]
+    fn smooth_and_periodic_curves() {
+        let ramp = Amplitude::tabular("A", vec![], Span::default());
+        let smooth =
+            Amplitude { curve: Curve::SmoothStep(vec![(1.0, 2.0), (3.0, 6.0)]), ..ramp.clone() };
+        assert_eq!([0.0, 1.0, 2.0, 3.0, 4.0].map(|t| smooth.at(t)), [2.0, 2.0, 4.0, 6.0, 6.0]);
+        assert!((smooth.at(1.001) - 2.0).abs() < 1e-7);
+        let terms = vec![(0.5, 1.0), (0.0, 2.0)];
+        let curve = Curve::Periodic { frequency: 2.0, start: 1.0, mean: 0.25, terms };
+        let wave = Amplitude { curve, ..ramp };
+        assert_eq!([0.5, 1.0].map(|t| wave.at(t)), [0.25, 0.75]);
+        let (s, c) = f64::sin_cos(0.6);
+        let expected = 0.25 + 0.5 * c + s + 2.0 * f64::sin(1.2);
+        assert!((wave.at(1.3) - expected).abs() < 1e-15);
     }
 }

@@ -25,7 +25,7 @@ mod stabilisation;
 mod step;
 mod vocabulary;
 
-pub use amplitude::Amplitude;
+pub use amplitude::{Amplitude, Curve};
 pub use contact::{
     ContactElement, ContactPair, Decay, Formulation, Friction, Interaction, Lumping, Master,
     ProfilePoint, RigidSurface, SlideLine, StickRule, SurfaceSegment,
@@ -154,7 +154,14 @@ impl Model {
 
     /// The directions in which a rigid body of the model moves.
     pub fn directions(&self) -> &'static [Dof] {
-        if self.is_in_space() { &Dof::ALL } else { &Dof::PLANE }
+        Dof::of_rigid_body(self.is_in_space())
+    }
+
+    /// What their hoop strain holds of rings: a node and a direction of every element's rigid motions.
+    pub fn rings(&self) -> impl Iterator<Item = (NodeIndex, Dof)> {
+        let rings = self.blocks.iter().filter(|block| block.kind.is_ring());
+        let first = rings.flat_map(|block| &block.elements).map(|element| element.nodes[0]);
+        first.flat_map(|node| [(node, Dof::U1), (node, Dof::UR3)])
     }
 
     /// Number of state variables of all elements.

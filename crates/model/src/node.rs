@@ -30,6 +30,11 @@ impl Dof {
     /// Those that a plane model uses.
     pub const PLANE: [Self; 3] = [Self::U1, Self::U2, Self::UR3];
 
+    /// The motions of a rigid body, in space or in the plane.
+    pub fn of_rigid_body(in_space: bool) -> &'static [Self] {
+        if in_space { &Self::ALL } else { &Self::PLANE }
+    }
+
     /// From the deck's number 1 to 6.
     pub fn from_number(number: i64) -> Option<Self> {
         usize::try_from(number - 1).ok().and_then(|index| Self::ALL.get(index).copied())

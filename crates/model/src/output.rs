@@ -158,6 +158,8 @@ pub enum ElementVariable {
     S,
     /// Strain of solids.
     E,
+    /// Equivalent plastic strain of solids.
+    PEEQ,
     /// Mises stress at section points 1 and 5, where there is no shear stress.
     MISES,
 }

@@ -4,8 +4,9 @@ use crate::ledger::onset_word;
 use crate::number::general;
 use slideline_mech::element::solid;
 use slideline_model::{
-    BeamSection, ContactPair, ElementBlock, ElementType, Formulation, Friction, Kinematics, Master,
-    Material, Model, NodeIndex, NormalLaw, Section, SolidSection, SpringSection, Step, StickRule,
+    BeamSection, ContactPair, Dialect, ElementBlock, ElementType, Formulation, Friction,
+    Kinematics, Master, Material, Model, NodeIndex, NormalLaw, Section, SolidSection,
+    SpringSection, Step, StickRule,
 };
 use slideline_solve::observe::{ContactRow, Frame};
 use std::fmt::Write as _;
@@ -21,7 +22,7 @@ pub fn model_echo(model: &Model, start: &Frame<'_>) -> String {
         match &block.section {
             Section::Beam(section) => beams(&mut text, model, block, section),
             Section::Spring(section) => springs(&mut text, block, section),
-            Section::Solid(section) => solids(&mut text, block, section),
+            Section::Solid(section) => solids(&mut text, block, section, model.dialect),
             Section::Properties(_) => elements(&mut text, block),
         }
     }
@@ -151,7 +152,7 @@ fn range(low: f64, high: f64) -> String {
 }
 
 /// Solids of one section.
-fn solids(text: &mut String, block: &ElementBlock, section: &SolidSection) {
+fn solids(text: &mut String, block: &ElementBlock, section: &SolidSection, dialect: Dialect) {
     let (word, count) = (block.word(), block.elements.len());
     line!(text, "\nSOLIDS {}  {count} elements {word}", block.name);
     let material = match (&section.material, section.material.elastic()) {
@@ -177,10 +178,15 @@ fn solids(text: &mut String, block: &ElementBlock, section: &SolidSection) {
     } else {
         line!(text, "  thickness {}; {material}", general(section.thickness, 9));
     }
-    if let Kinematics::Solid { formulation, .. } = block.kind.kinematics
-        && formulation.contains(&solid::Formulation::Hourglass)
-    {
-        line!(text, "  hourglass control: stiffness of elastic bending");
+    let Kinematics::Solid { formulation, .. } = block.kind.kinematics else { return };
+    match formulation[usize::from(dialect == Dialect::Calculix)] {
+        solid::Formulation::Hourglass => {
+            line!(text, "  hourglass control: stiffness of elastic bending");
+        }
+        solid::Formulation::SoftHourglass => {
+            line!(text, "  hourglass control: .032 E V sum (dN/dX)^2, as CalculiX");
+        }
+        _ => {}
     }
 }
 

@@ -202,6 +202,7 @@ fn field(variable: ElementVariable) -> &'static str {
         ElementVariable::SK => "SK",
         ElementVariable::S | ElementVariable::MISES => "S",
         ElementVariable::E => "E",
+        ElementVariable::PEEQ => "PEEQ",
     }
 }
 

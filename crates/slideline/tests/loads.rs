@@ -111,3 +111,32 @@ fn forces_per_volume() {
     let turning = run("", "*DLOAD\nB, CENTRIF, 7., -1., 0., 0., 0., 1., 0.\n");
     assert!((along(&turning) + 0.002 * volume * 7.0 * 2.0).abs() < 1e-12);
 }
+
+/// Requirement: nodes of a tie follow the master face that they lie on, and forces go through it in
+/// balance of force and moment.
+#[test]
+fn a_tie_carries_forces() {
+    let deck = include_str!("../../../corpus/keywords/TIE.inp");
+    let read = Job::read_text("tie", deck, &ReadOptions::default());
+    let model = read.model.unwrap_or_else(|| panic!("{:#?}", read.diagnostics));
+    let mut end = End::default();
+    let ending = solve(&model, &SolveOptions::default(), &mut end);
+    assert!(matches!(ending, Ending::Completed(_)), "{ending:?}");
+    for (node, share) in [(2, 0.25), (3, 0.75)] {
+        for k in 0..2 {
+            let (lower, upper) = (end.motion[&11][k], end.motion[&14][k]);
+            let expected = (1.0 - share) * lower + share * upper;
+            assert!((end.motion[&node][k] - expected).abs() < 1e-14);
+        }
+    }
+    let sum = [0, 1].map(|k| [12, 13].map(|node| end.reaction[&node][k]).iter().sum::<f64>());
+    assert!((sum[0] - 0.2).abs() < 1e-6 && sum[1].abs() < 1e-6, "{sum:?}");
+    let moment = |node: u64, at: [f64; 2], force: [f64; 2]| {
+        let [u, v] = end.motion[&node];
+        (at[0] + u) * force[1] - (at[1] + v) * force[0]
+    };
+    let supports =
+        moment(12, [2.0, -0.5], end.reaction[&12]) + moment(13, [2.0, 1.5], end.reaction[&13]);
+    let loads = moment(1, [0.0, 0.0], [-0.1, 0.0]) + moment(4, [0.0, 1.0], [-0.1, 0.0]);
+    assert!((supports + loads).abs() < 1e-6, "{supports} {loads}");
+}

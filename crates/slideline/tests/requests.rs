@@ -257,21 +257,21 @@ fn a_report_of_thinned_states_says_so() {
 #[test]
 fn unknown_variables_are_told() {
     for (card, severity) in [
-        ("*NODE PRINT\nU, PEEQ\n", Severity::Error),
-        ("*CONTACT PRINT\nCSTRESS, PEEQ\n", Severity::Error),
-        ("*EL PRINT\nS, PEEQ\n", Severity::Error),
-        ("*NODE FILE\nU, PEEQ\n", Severity::Warning),
-        ("*EL FILE\nS, PEEQ\n", Severity::Warning),
-        ("*CONTACT FILE\nCSTRESS, PEEQ\n", Severity::Warning),
-        ("*OUTPUT, FIELD\n*NODE OUTPUT\nU, PEEQ\n", Severity::Warning),
-        ("*OUTPUT, FIELD\n*ELEMENT OUTPUT\nS, PEEQ\n", Severity::Warning),
-        ("*OUTPUT, HISTORY\n*CONTACT OUTPUT\nCSTRESS, PEEQ\n", Severity::Warning),
+        ("*NODE PRINT\nU, CEEQ\n", Severity::Error),
+        ("*CONTACT PRINT\nCSTRESS, CEEQ\n", Severity::Error),
+        ("*EL PRINT\nS, CEEQ\n", Severity::Error),
+        ("*NODE FILE\nU, CEEQ\n", Severity::Warning),
+        ("*EL FILE\nS, CEEQ\n", Severity::Warning),
+        ("*CONTACT FILE\nCSTRESS, CEEQ\n", Severity::Warning),
+        ("*OUTPUT, FIELD\n*NODE OUTPUT\nU, CEEQ\n", Severity::Warning),
+        ("*OUTPUT, FIELD\n*ELEMENT OUTPUT\nS, CEEQ\n", Severity::Warning),
+        ("*OUTPUT, HISTORY\n*CONTACT OUTPUT\nCSTRESS, CEEQ\n", Severity::Warning),
     ] {
         let read = Job::read_text("cam", &deck(card, ""), &ReadOptions::default());
         let said: Vec<_> = read.diagnostics.iter().filter(|said| said.code.0 == "SL0252").collect();
         let [only] = said.as_slice() else { panic!("{card}: {said:?}") };
         assert_eq!(only.severity, severity, "{card}");
-        assert!(only.message.contains("`PEEQ`"), "{card}: {}", only.message);
+        assert!(only.message.contains("`CEEQ`"), "{card}: {}", only.message);
         assert!(only.help.iter().any(|help| help.contains("known: ")), "{card}");
         assert_eq!(read.model.is_some(), severity == Severity::Warning, "{card}");
     }

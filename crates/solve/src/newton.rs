@@ -157,7 +157,8 @@ pub struct Scratch {
     relaxation: Relaxation,
     /// The list of changes of the last report, to be used again.
     changes: Vec<ContactChange>,
-    /// States that are no longer needed.
+    /// Lists of changes, and states, that are no longer needed.
+    spare_changes: Vec<Vec<ContactChange>>,
     spare: Vec<State>,
 }
 
@@ -247,7 +248,6 @@ impl Scratch {
         self.was_closed.clear();
         self.was_closed.resize(points, false);
         self.iteration_history.fit(points);
-        self.changes.reserve(points);
         self.dashpots.forget(plan.contact);
         (self.outside, self.only_dense, self.augment_all) = (false, false, false);
         (self.line_search, self.negative_pivots) = (false, 0);
@@ -270,11 +270,7 @@ impl Scratch {
 
     /// Takes the room of an attempt back, that the next one allocates nothing.
     pub fn take_back(&mut self, outcome: Outcome) {
-        if let Some(last) = outcome.last
-            && last.contact_changes.capacity() > self.changes.capacity()
-        {
-            self.changes = last.contact_changes;
-        }
+        self.spare_changes.extend(outcome.last.map(|last| last.contact_changes));
     }
 }
 
@@ -399,7 +395,10 @@ impl Scratch {
     fn begin(&mut self, plan: &Problem<'_>, committed: &State, target: &Target) {
         self.augment_all = false;
         self.only_dense = false;
-        // the last attempt's list went with its outcome
+        if self.changes.capacity() == 0 {
+            // the last attempt's list went with its outcome
+            self.changes = self.spare_changes.pop().unwrap_or_default();
+        }
         self.changes.reserve(plan.contact.points.len());
         self.dt = target.dt;
         self.negative_pivots = 0;

@@ -41,7 +41,8 @@ impl Restraint {
             let dof = springs.section.dof?;
             Some(springs.elements.iter().map(move |spring| (spring.nodes[0], dof)))
         });
-        let held: Vec<(NodeIndex, Dof)> = held.chain(springs.flatten()).collect();
+        let held = held.chain(springs.flatten()).chain(model.rings());
+        let held: Vec<(NodeIndex, Dof)> = held.collect();
         let mut rows: HashMap<NodeIndex, Vec<Motion>> = HashMap::new();
         for (node, dof) in held {
             let root = bodies.root(node);

@@ -349,8 +349,7 @@ impl<'a> Analysis<'a> {
         mut control: Control,
         work: &mut Scratch,
     ) -> Result<Option<Control>, Left> {
-        let step = plan.step;
-        let limits = step.controls.effective_time();
+        let (step, limits) = (plan.step, plan.step.controls.effective_time());
         loop {
             let mut target = Target {
                 step: number,

@@ -1,6 +1,7 @@
 //! `*AMPLITUDE`: a curve over time.
 
 use slideline_diag::{Code, Diagnostic};
+use slideline_model::{self as model, Curve};
 
 use crate::draft::Draft;
 use crate::keyword::{Keyword, Level, Rule, Subject};
@@ -20,6 +21,8 @@ impl Keyword for Amplitude {
             Rule::value("DEFINITION"),
             Rule::value("TIME"),
             Rule::value("VALUE"),
+            Rule::value("SHIFTX"),
+            Rule::value("SHIFTY"),
         ];
         RULES
     }
@@ -37,8 +40,9 @@ impl Keyword for Amplitude {
     }
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
-        card.choice("DEFINITION", &["TABULAR"], &mut draft.log);
-        card.choice("TIME", &["STEP TIME"], &mut draft.log);
+        let kinds = &["TABULAR", "SMOOTH STEP", "PERIODIC"];
+        let kind = card.choice("DEFINITION", kinds, &mut draft.log);
+        let time = card.choice("TIME", &["STEP TIME", "TOTAL TIME"], &mut draft.log);
         card.choice("VALUE", &["RELATIVE", "ABSOLUTE"], &mut draft.log);
         let Some(name) = card.name("NAME") else { return };
         if let Some(old) = draft.model.amplitude(&name) {
@@ -51,12 +55,60 @@ impl Keyword for Amplitude {
         if card.first_line("time, factor, ...", &mut draft.log).is_none() {
             return;
         }
-        let points = points(card, draft);
-        if !points.is_empty() {
-            let origin = card.span();
-            draft.model.amplitudes.push(slideline_model::Amplitude { name, points, origin });
+        if card.has("DEFINITION") && kind.is_none() {
+            return;
+        }
+        let curve = match kind {
+            Some("PERIODIC") => periodic(card, draft),
+            _ => {
+                shifted(card, draft).filter(|points| !points.is_empty()).map(|points| match kind {
+                    Some(_) if kind == Some("SMOOTH STEP") => Curve::SmoothStep(points),
+                    _ => Curve::Tabular(points),
+                })
+            }
+        };
+        if let Some(curve) = curve {
+            let (total, origin) = (time == Some("TOTAL TIME"), card.span());
+            draft.model.amplitudes.push(model::Amplitude {
+                name,
+                curve,
+                begins: 0.0,
+                total,
+                origin,
+            });
         }
     }
+}
+
+/// The points of a table, moved by `SHIFTX` and `SHIFTY`.
+fn shifted(card: &Reading<'_>, draft: &mut Draft) -> Option<Vec<(f64, f64)>> {
+    let x = card.number("SHIFTX", &mut draft.log)?.unwrap_or(0.0);
+    let y = card.number("SHIFTY", &mut draft.log)?.unwrap_or(0.0);
+    Some(points(card, draft).into_iter().map(|(time, factor)| (time + x, factor + y)).collect())
+}
+
+/// `N, w, t0, A0`, then N pairs A_n, B_n.
+fn periodic(card: &Reading<'_>, draft: &mut Draft) -> Option<Curve> {
+    let line = card.first_line("N, frequency, start, A0", &mut draft.log)?;
+    draft.log.at_most(line, 4);
+    let count = draft.log.integer_or(line, 0, 0)?;
+    let frequency = draft.log.number(line, 1, "the angular frequency")?;
+    let start = draft.log.number_or(line, 2, 0.0)?;
+    let mean = draft.log.number_or(line, 3, 0.0)?;
+    let mut terms = Vec::new();
+    for line in &card.data()[1..] {
+        for at in (0..line.fields.len()).step_by(2) {
+            let (a, b) =
+                (draft.log.number_or(line, at, 0.0)?, draft.log.number_or(line, at + 1, 0.0)?);
+            terms.push((a, b));
+        }
+    }
+    if usize::try_from(count).ok() != Some(terms.len()) {
+        let message = format!("{count} terms are announced, here are {}", terms.len());
+        draft.log.error("SL0210", message, line.span);
+        return None;
+    }
+    Some(Curve::Periodic { frequency, start, mean, terms })
 }
 
 /// Pairs of time and factor, up to four on a line, times ascending.

@@ -23,6 +23,10 @@ impl Keyword for Boundary {
         RULES
     }
 
+    fn without_effect(&self) -> &'static [&'static str] {
+        &["LOAD CASE", "REGION TYPE", "USER LOAD CASE"]
+    }
+
     fn level(&self) -> Level {
         Level::Both
     }
@@ -69,7 +73,7 @@ impl Keyword for Boundary {
 /// Before the first step only zeros can be prescribed.
 fn initial(lines: Vec<draft::Boundary>, draft: &mut Draft) {
     for line in &lines {
-        if line.value != 0.0 {
+        if line.value != 0.0 && draft.dialect == slideline_model::Dialect::Abaqus {
             let message = "before the first step only zero can be prescribed";
             let error = Diagnostic::error(Code("SL0214"), message).at(line.origin);
             draft.log.push(error.help("move this line into the step of the motion"));

@@ -20,6 +20,10 @@ impl Keyword for Cload {
         RULES
     }
 
+    fn without_effect(&self) -> &'static [&'static str] {
+        &["LOAD CASE", "REGION TYPE", "CYCLIC MODE"]
+    }
+
     fn level(&self) -> Level {
         Level::History
     }

@@ -25,6 +25,10 @@ impl Keyword for Controls {
         RULES
     }
 
+    fn without_effect(&self) -> &'static [&'static str] {
+        &["TYPE"]
+    }
+
     fn level(&self) -> Level {
         Level::History
     }
@@ -39,7 +43,7 @@ impl Keyword for Controls {
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
         let analysis = card.choice("ANALYSIS", &["DISCONTINUOUS"], &mut draft.log);
-        let known = &["FIELD", "TIME INCREMENTATION", "CONSTRAINTS"];
+        let known = &["FIELD", "TIME INCREMENTATION", "CONSTRAINTS", "LINE SEARCH", "CONTACT"];
         let parameters = card.choice("PARAMETERS", known, &mut draft.log);
         card.choice("FIELD", &["DISPLACEMENT", "ROTATION", "GLOBAL"], &mut draft.log);
         let before = draft.step().and_then(|step| step.controls);
@@ -52,11 +56,19 @@ impl Keyword for Controls {
         match parameters {
             Some("FIELD") => field(card.data(), &mut controls.field, draft),
             Some("TIME INCREMENTATION") => time(card.data(), &mut controls.time, draft),
-            Some(_) => {
+            Some("CONSTRAINTS") => {
                 let message = "PARAMETERS=CONSTRAINTS is read, but changes nothing here: \
                                contact is imposed to the accuracy of the residual";
                 draft.log.note("SL0253", message, card.span_of("PARAMETERS"));
             }
+            Some(other) => {
+                let message = format!(
+                    "PARAMETERS={other} is read, but changes nothing here: the way to \
+                     equilibrium has settings of its own"
+                );
+                draft.log.note("SL0253", message, card.span_of("PARAMETERS"));
+            }
+            None if card.has("RESET") => {}
             None => draft.log.at_most_lines(card.data(), 0, self.name()),
         }
         if let Some(step) = draft.step() {

@@ -12,6 +12,10 @@ impl Keyword for Density {
         "DENSITY"
     }
 
+    fn without_effect(&self) -> &'static [&'static str] {
+        &["DEPENDENCIES"]
+    }
+
     fn level(&self) -> Level {
         Level::Model
     }

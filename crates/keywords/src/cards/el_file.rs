@@ -20,6 +20,10 @@ impl Keyword for ElFile {
         RULES
     }
 
+    fn without_effect(&self) -> &'static [&'static str] {
+        crate::requests::WITHOUT_EFFECT
+    }
+
     fn level(&self) -> Level {
         Level::History
     }

@@ -26,6 +26,10 @@ impl Keyword for ElPrint {
         RULES
     }
 
+    fn without_effect(&self) -> &'static [&'static str] {
+        crate::requests::WITHOUT_EFFECT
+    }
+
     fn level(&self) -> Level {
         Level::History
     }
@@ -70,7 +74,7 @@ fn section_point(text: &str) -> Option<usize> {
 
 impl Variable for ElementVariable {
     const KIND: &'static str = "variable of elements";
-    const KNOWN: &'static str = "SF, SM, SE, SK, S, MISES of beams, S, E, MISES of solids; numbers from 1 to 5 are section points";
+    const KNOWN: &'static str = "SF, SM, SE, SK, S, MISES of beams, S, E, PEEQ, MISES of solids; numbers from 1 to 5 are section points";
     const SET: &'static str = "ELSET";
     const PRESELECTED: &'static [Self] = &[Self::SF, Self::SM, Self::S];
 
@@ -82,7 +86,8 @@ impl Variable for ElementVariable {
             "SE" => Some(Self::SE),
             "SK" => Some(Self::SK),
             "S" => Some(Self::S),
-            "E" => Some(Self::E),
+            "E" | "LE" => Some(Self::E),
+            "PEEQ" => Some(Self::PEEQ),
             "MISES" => Some(Self::MISES),
             _ => None,
         }

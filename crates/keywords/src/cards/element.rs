@@ -1,6 +1,6 @@
 //! `*ELEMENT`: elements and contact elements.
 
-use slideline_deck::DataLine;
+use slideline_deck::{DataLine, Field};
 use slideline_diag::{Code, Diagnostic};
 
 use crate::draft;
@@ -41,14 +41,31 @@ impl Keyword for Element {
         if let Some(set) = &set {
             draft.element_sets.open(set, card.span());
         }
-        for line in card.data() {
-            let Some(element) = element(line, kind, draft) else { continue };
+        draft.note_spatial(kind);
+        let mut lines = card.data().iter();
+        while let Some(line) = lines.next() {
+            let mut fields: Vec<&Field> = line.fields.iter().collect();
+            let mut last = line;
+            while continues(last, &fields, kind) {
+                let Some(next) = lines.next() else { break };
+                fields.extend(&next.fields);
+                last = next;
+            }
+            let Some(element) = element(line, &fields, kind, draft) else { continue };
             if let Some(set) = &set {
                 draft.element_sets.join(set, Item::One(element.label), line.span);
             }
             draft.add_element(element);
         }
     }
+}
+
+/// Whether the nodes of an element go on in the next line: they are too few, and the line ends
+/// with a comma or could not hold them all.
+fn continues(line: &DataLine, fields: &[&Field], kind: ElementKind) -> bool {
+    let given = fields.iter().filter(|field| !field.text.is_empty()).count();
+    given < kind.node_count() + 1
+        && (line.text.ends_with(',') || kind.node_count() >= slideline_deck::MAX_VALUES_PER_LINE)
 }
 
 fn kind(card: &Reading<'_>, draft: &mut Draft) -> Option<ElementKind> {
@@ -66,19 +83,26 @@ fn kind(card: &Reading<'_>, draft: &mut Draft) -> Option<ElementKind> {
     found
 }
 
-fn element(line: &DataLine, kind: ElementKind, draft: &mut Draft) -> Option<draft::Element> {
+fn element(
+    line: &DataLine,
+    fields: &[&Field],
+    kind: ElementKind,
+    draft: &mut Draft,
+) -> Option<draft::Element> {
     let label = draft.log.label(line, 0, "the element number")?;
     let count = kind.node_count();
-    let given = line.fields.iter().skip(1).filter(|field| !field.text.is_empty()).count();
-    if given != count {
+    let given = fields.iter().skip(1).filter(|field| !field.text.is_empty());
+    let given: Vec<&&Field> = given.collect();
+    if given.len() != count {
         let nodes = if count == 1 { "node" } else { "nodes" };
-        let message = format!("a {} element has {count} {nodes}, here are {given}", kind.name());
+        let here = given.len();
+        let message = format!("a {} element has {count} {nodes}, here are {here}", kind.name());
         draft.log.error("SL0231", message, line.span);
         return None;
     }
     let mut nodes = [0; draft::MOST_NODES];
-    for (at, node) in nodes.iter_mut().take(count).enumerate() {
-        *node = draft.log.label(line, at + 1, "a node number")?;
+    for (node, field) in nodes.iter_mut().zip(given) {
+        *node = draft.log.label_in(field)?;
     }
     Some(draft::Element { label, kind, nodes, origin: line.span })
 }

@@ -24,6 +24,10 @@ impl Keyword for Elset {
         RULES
     }
 
+    fn without_effect(&self) -> &'static [&'static str] {
+        &["SORTED"]
+    }
+
     fn level(&self) -> Level {
         Level::Both
     }

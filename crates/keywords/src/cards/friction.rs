@@ -121,7 +121,13 @@ fn coulomb(card: &Reading<'_>, draft: &mut Draft) -> Option<model::Friction> {
         draft.log.at_most(line, 3);
         Some(decay(line, coefficient, draft)?)
     } else {
-        draft.log.at_most(line, 1);
+        let stick_slope = draft.dialect == slideline_model::Dialect::Calculix;
+        draft.log.at_most(line, if stick_slope { 2 } else { 1 });
+        if let Some(field) = line.field(1).filter(|_| stick_slope) {
+            let message = "the stick slope is not used: sticking gives way by the elastic slip \
+                           of *FRICTION, SLIP TOLERANCE";
+            draft.log.note("SL0253", message, field.span);
+        }
         None
     };
     let coefficient = coefficient?;

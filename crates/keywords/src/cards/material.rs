@@ -21,6 +21,10 @@ impl Keyword for Material {
         RULES
     }
 
+    fn without_effect(&self) -> &'static [&'static str] {
+        &["DESCRIPTION", "RTOL", "SRATE FACTOR", "STRAIN RATE REGULARIZATION"]
+    }
+
     fn level(&self) -> Level {
         Level::Model
     }
@@ -44,6 +48,14 @@ impl Keyword for Material {
         }
         draft.owner = Owner::Material(draft.materials.len());
         let origin = card.span();
-        draft.materials.push(draft::Material { name, elastic: None, has_card: false, origin });
+        draft.materials.push(draft::Material {
+            name,
+            elastic: None,
+            anisotropic: None,
+            rubber: None,
+            hardening: None,
+            has_card: false,
+            origin,
+        });
     }
 }

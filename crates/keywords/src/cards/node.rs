@@ -36,7 +36,7 @@ impl Keyword for Node {
             draft.node_sets.open(set, card.span());
         }
         for line in card.data() {
-            draft.log.at_most(line, 4);
+            draft.log.at_most(line, 7); // behind the coordinates may stand a normal
             let Some(label) = draft.log.label(line, 0, "the node number") else { continue };
             let [x, y, z] = [1, 2, 3].map(|at| draft.log.number_or(line, at, 0.0).unwrap_or(0.0));
             if let Some(set) = &set {

@@ -19,6 +19,10 @@ impl Keyword for NodeFile {
         RULES
     }
 
+    fn without_effect(&self) -> &'static [&'static str] {
+        crate::requests::WITHOUT_EFFECT
+    }
+
     fn level(&self) -> Level {
         Level::History
     }

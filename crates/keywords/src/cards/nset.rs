@@ -32,6 +32,10 @@ impl Keyword for Nset {
         RULES
     }
 
+    fn without_effect(&self) -> &'static [&'static str] {
+        &["SORTED"]
+    }
+
     fn level(&self) -> Level {
         Level::Both
     }

@@ -25,6 +25,10 @@ impl Keyword for Output {
         RULES
     }
 
+    fn without_effect(&self) -> &'static [&'static str] {
+        crate::requests::WITHOUT_EFFECT
+    }
+
     fn level(&self) -> Level {
         Level::History
     }

@@ -22,6 +22,10 @@ impl Keyword for Print {
         RULES
     }
 
+    fn without_effect(&self) -> &'static [&'static str] {
+        crate::requests::WITHOUT_EFFECT
+    }
+
     fn level(&self) -> Level {
         Level::History
     }

@@ -28,6 +28,10 @@ impl Keyword for Restart {
         RULES
     }
 
+    fn without_effect(&self) -> &'static [&'static str] {
+        &["NUMBER INTERVAL", "TIME MARKS", "NAME"]
+    }
+
     fn level(&self) -> Level {
         Level::Both
     }

@@ -21,6 +21,10 @@ impl Keyword for Static {
         RULES
     }
 
+    fn without_effect(&self) -> &'static [&'static str] {
+        &["SOLVER", "TOTAL TIME AT START", "TIME RESET", "ALLSDTOL", "LONG TERM", "FULLY PLASTIC"]
+    }
+
     fn level(&self) -> Level {
         Level::History
     }

@@ -24,8 +24,13 @@ impl Keyword for Step {
             Rule::value("EXTRAPOLATION"),
             Rule::value("AMPLITUDE"),
             Rule::value("NAME"),
+            Rule::flag("PERTURBATION"),
         ];
         RULES
+    }
+
+    fn without_effect(&self) -> &'static [&'static str] {
+        &["INCF", "CONVERT SDI", "SOLVER", "SUBSTRUCTURE", "THERMAL TYPE"]
     }
 
     fn level(&self) -> Level {
@@ -46,6 +51,9 @@ impl Keyword for Step {
             let error = Diagnostic::error(Code("SL0302"), message).at(card.span());
             let before = draft.steps.last().map_or(card.span(), |step| step.origin);
             draft.log.push(error.label(before, "this step is still open"));
+        }
+        if card.has("PERTURBATION") {
+            perturbation(card, draft);
         }
         let lines: Vec<&str> = card.data().iter().map(|line| line.text.as_str()).collect();
         let nlgeom = card.yes("NLGEOM", &mut draft.log).unwrap_or(false);
@@ -88,6 +96,20 @@ impl Keyword for Step {
             origin: card.span(),
         });
     }
+}
+
+/// The first step of a job without NLGEOM is the same with and without it; any other would be
+/// linear about a loaded state.
+fn perturbation(card: &Reading<'_>, draft: &mut Draft) {
+    let span = card.span_of("PERTURBATION");
+    if draft.steps.is_empty() && !card.has("NLGEOM") {
+        let message = "PERTURBATION has no effect in a first step with linear kinematics";
+        draft.log.note("SL0257", message, span);
+        return;
+    }
+    let message = "PERTURBATION about a loaded state is not supported";
+    let error = Diagnostic::error(Code("SL0221"), message).at(span);
+    draft.log.push(error.help("make it a step of its own kind: leave PERTURBATION out"));
 }
 
 /// Most increments of a step; only a ceiling, for decks set it high to be

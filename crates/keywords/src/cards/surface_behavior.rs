@@ -50,7 +50,10 @@ impl Keyword for SurfaceBehavior {
                 None
             }
             _ => {
-                draft.log.at_most_lines(card.data(), 0, "SURFACE BEHAVIOR with hard contact");
+                if let Some(line) = card.data().first() {
+                    let message = "data of hard contact have no effect: it is imposed exactly";
+                    draft.log.note("SL0257", message, line.span);
+                }
                 Some(NormalLaw::Hard)
             }
         };

@@ -32,6 +32,7 @@ pub(super) fn links(draft: &mut Draft) {
     for coupling in others {
         couple(&coupling, draft);
     }
+    super::ties::ties(draft);
     equations::circles(draft);
 }
 

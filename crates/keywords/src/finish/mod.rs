@@ -14,6 +14,7 @@ mod sections;
 mod steps;
 mod surface_pairs;
 mod surfaces;
+mod ties;
 mod unknown;
 
 use slideline_diag::{Code, Diagnostic, Span};

@@ -3,13 +3,12 @@
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::element::b22::axis_runs_forward;
 use slideline_mech::element::solid::smallest_jacobian;
-use slideline_mech::material::Elastic;
 use slideline_model::{
     Allowable, ElementBlock, ElementType, Elements, Kinematics, NodeIndex, SpringSection, TYPES,
     types,
 };
 
-use crate::draft::{Draft, Element, ElementKind, Section, Spring};
+use crate::draft::{Body, Draft, Element, ElementKind, Section, Spring};
 use crate::rule::Subject;
 
 /// Section cards with their elements and their material.
@@ -30,8 +29,8 @@ pub(super) fn sections(draft: &mut Draft) {
                 elements.push(element.label, &nodes, element.origin);
             }
         }
-        if let Some(material) = material(&section, draft) {
-            blocks(&section, &section.body.of(material, draft.dialect), claimed, draft);
+        if let Some(made) = material(&section, draft) {
+            blocks(&section, &made, claimed, draft);
         }
     }
     allowables(draft);
@@ -212,18 +211,32 @@ fn middle_is_sound(
     sound
 }
 
-fn material(section: &Section, draft: &mut Draft) -> Option<Elastic> {
+/// The section with its material.
+fn material(section: &Section, draft: &mut Draft) -> Option<slideline_model::Section> {
     let found = draft.materials.iter().find(|material| material.name == section.material).cloned();
     let Some(material) = found else {
         no_material(&section.material, section.material_span, draft);
         return None;
     };
+    let of_beam = matches!(section.body, Body::Beam { .. });
     if !material.has_card {
-        let message = format!("the material {} has no *ELASTIC", material.name);
+        let card = if material.hardening.is_some() { "*PLASTIC but no" } else { "no" };
+        let message = format!("the material {} has {card} *ELASTIC", material.name);
         let error = Diagnostic::error(Code("SL0309"), message).at(material.origin);
         draft.consequence(Subject::Sections, error.help("put *ELASTIC behind *MATERIAL: E, nu"));
+    } else if of_beam && (material.hardening.is_some() || material.elastic.is_none()) {
+        let what = match (&material.hardening, &material.rubber) {
+            (Some(_), _) => "yields",
+            (_, Some(_)) => "is rubber",
+            _ => "is not isotropic",
+        };
+        let message = format!("the material {} {what}; beams are elastic", material.name);
+        let error = Diagnostic::error(Code("SL0309"), message).at(section.material_span);
+        draft
+            .consequence(Subject::Sections, error.help("give beams a material of *ELASTIC: E, nu"));
+        return None;
     }
-    material.elastic
+    section.body.of(&material, draft.dialect)
 }
 
 fn no_material(name: &str, span: Span, draft: &mut Draft) {

@@ -71,6 +71,8 @@ pub(super) fn steps(draft: &mut Draft, doubted: bool) {
         prescribe(&line, &mut carried.prescribed, draft);
     }
     for step in std::mem::take(&mut draft.steps) {
+        let before: f64 = draft.model.steps.iter().map(|step| step.procedure.period).sum();
+        over_total_time(before, draft);
         if !draft.expand(carried.size(), step.origin) {
             break;
         }
@@ -172,9 +174,20 @@ fn settle(carried: &mut Carried, step: &Step, draft: &Draft) {
     carried.distributed.settle(factor);
 }
 
+/// Curves over the total time, as the next step sees them.
+fn over_total_time(before: f64, draft: &mut Draft) {
+    let first = draft.model.amplitudes.iter().take_while(|own| own.begins == 0.0).count();
+    let own: Vec<_> =
+        draft.model.amplitudes[..first].iter().filter(|own| own.total).cloned().collect();
+    if before > 0.0 {
+        let moved = own.into_iter().map(|own| slideline_model::Amplitude { begins: before, ..own });
+        draft.model.amplitudes.extend(moved);
+    }
+}
+
 fn amplitude((name, span): &(String, Span), draft: &mut Draft) -> Option<usize> {
     let list = &draft.model.amplitudes;
-    let found = list.iter().position(|amplitude| amplitude.name == *name);
+    let found = list.iter().rposition(|amplitude| amplitude.name == *name);
     if found.is_none() {
         let mut error =
             Diagnostic::error(Code("SL0321"), format!("there is no amplitude {name}")).at(*span);

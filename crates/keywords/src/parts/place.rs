@@ -3,7 +3,7 @@
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{Node, SurfaceSegment};
 
-use crate::constraints::{Coupling, Equation, Link, Points};
+use crate::constraints::{Coupling, Equation, Link, Points, Tie};
 use crate::draft::{Contents, Draft, Element, Interface, Section, Shape, Spring, Surface};
 use crate::instances::{Placement, Target};
 use crate::motion::Motion;
@@ -147,6 +147,13 @@ impl Place for Points {
     }
 }
 
+impl Place for Tie {
+    fn placed(mut self, by: &Placement) -> Self {
+        (self.slave, self.master) = (self.slave.placed(by), self.master.placed(by));
+        self
+    }
+}
+
 impl Place for Coupling {
     fn placed(mut self, by: &Placement) -> Self {
         self.reference = self.reference.placed(by);
@@ -218,24 +225,39 @@ impl Draft {
         extend(&mut self.links, own.links, by);
         extend(&mut self.equations, own.equations, by);
         extend(&mut self.couplings, own.couplings, by);
+        extend(&mut self.ties, own.ties, by);
     }
 }
 
-/// Moves an analytical surface with its instance.
-fn turn(start: &mut [f64; 2], segments: &mut [SurfaceSegment], motion: &Motion) -> Option<()> {
-    *start = motion.plane_point(*start)?;
+/// Moves an analytical surface with its instance; `None` where it would leave the plane.
+fn turn<const D: usize>(
+    start: &mut [f64; D],
+    segments: &mut [SurfaceSegment],
+    motion: &Motion,
+) -> Option<()> {
+    if !motion.keeps_the_plane() {
+        return None;
+    }
+    *start = moved(start, motion);
     for segment in segments {
         *segment = match *segment {
-            SurfaceSegment::Line { end } => SurfaceSegment::Line { end: motion.plane_point(end)? },
-            SurfaceSegment::Circle { end, centre } => SurfaceSegment::Circle {
-                end: motion.plane_point(end)?,
-                centre: motion.plane_point(centre)?,
-            },
+            SurfaceSegment::Line { end } => SurfaceSegment::Line { end: moved(&end, motion) },
+            SurfaceSegment::Circle { end, centre } => {
+                SurfaceSegment::Circle { end: moved(&end, motion), centre: moved(&centre, motion) }
+            }
             SurfaceSegment::Parabola { middle, end } => SurfaceSegment::Parabola {
-                middle: motion.plane_point(middle)?,
-                end: motion.plane_point(end)?,
+                middle: moved(&middle, motion),
+                end: moved(&end, motion),
             },
         };
     }
     Some(())
+}
+
+/// Where a point of the part stands, by its first coordinates.
+fn moved<const D: usize>(point: &[f64; D], motion: &Motion) -> [f64; D] {
+    let mut place = [0.0; 3];
+    place.iter_mut().zip(point).for_each(|(own, x)| *own = *x);
+    let place = motion.point(place);
+    std::array::from_fn(|k| place[k])
 }

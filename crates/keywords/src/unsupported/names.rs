@@ -44,7 +44,7 @@ pub(super) const GROUPS: &[Group] = &[
     (
         Ignored,
         "it changes printed or progress output only; JOB.sta and JOB.history.csv grow line by line",
-        &["PREPRINT", "MONITOR", "DIAGNOSTICS", "USER OUTPUT VARIABLES"],
+        &["PREPRINT", "MONITOR", "DIAGNOSTICS", "USER OUTPUT VARIABLES", "TIME POINTS"],
     ),
     (
         Ignored,
@@ -122,7 +122,6 @@ pub(super) const GROUPS: &[Group] = &[
         Unsupported,
         "use one node on both sides, or *MPC of type BEAM",
         &[
-            "TIE",
             "TIED CONTACT",
             "EMBEDDED ELEMENT",
             "FASTENER",
@@ -182,7 +181,7 @@ pub(super) const GROUPS: &[Group] = &[
     ),
     (
         Unsupported,
-        "materials are *ELASTIC",
+        "materials are *ELASTIC, *PLASTIC and *HYPERELASTIC",
         &[
             "ACOUSTIC MEDIUM",
             "ANISOTROPIC HYPERELASTIC",
@@ -211,7 +210,6 @@ pub(super) const GROUPS: &[Group] = &[
             "FAIL STRESS",
             "FLUID CONSTANTS",
             "FOAM HARDENING",
-            "HYPERELASTIC",
             "HYPERFOAM",
             "HYPOELASTIC",
             "HYSTERESIS",
@@ -223,7 +221,6 @@ pub(super) const GROUPS: &[Group] = &[
             "NO TENSION",
             "PERMEABILITY",
             "PLANAR TEST DATA",
-            "PLASTIC",
             "POROUS ELASTIC",
             "POTENTIAL",
             "RATE DEPENDENT",
@@ -301,13 +298,12 @@ pub(super) const GROUPS: &[Group] = &[
     (
         Unsupported,
         "give the imperfect shape with *NODE",
-        &["IMPERFECTION", "INITIAL CONDITIONS", "MAP SOLUTION", "PRESTRESS HOLD"],
+        &["IMPERFECTION", "MAP SOLUTION", "PRESTRESS HOLD"],
     ),
     (
         Unsupported,
         "leave it out knowingly: there are no temperatures or other fields here",
         &[
-            "TEMPERATURE",
             "FIELD",
             "FILM",
             "FILM PROPERTY",
@@ -394,7 +390,6 @@ pub(super) const GROUPS: &[Group] = &[
             "SYMMETRIC RESULTS TRANSFER",
             "TORQUE",
             "TRACER PARTICLE",
-            "TIME POINTS",
             "UNDEX CHARGE PROPERTY",
             "VARIABLE MASS SCALING",
             "EXTERNAL FIELD",

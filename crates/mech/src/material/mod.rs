@@ -25,7 +25,7 @@ mod tests;
 
 pub use elastic::{Anisotropic, LargeStrain};
 pub use hyperelastic::{MOST_TERMS, Rubber, Volume};
-pub use plastic::Plastic;
+pub use plastic::{Hardening, Plastic};
 pub use principal::Axes;
 
 use std::fmt::Debug;

@@ -26,6 +26,9 @@ pub const PEEQ: usize = 6;
 const WORK: usize = 7;
 const BACK: usize = 8;
 
+/// Yield stress [F/L2] and plastic strain [1], line by line.
+pub type Hardening = Vec<[f64; 2]>;
+
 /// An elastic material that yields.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plastic {
@@ -33,7 +36,7 @@ pub struct Plastic {
     pub elastic: Elastic,
     /// Yield stress [F/L2] and plastic strain [1], strains ascending from zero; constant behind the
     /// last one.
-    pub table: Vec<[f64; 2]>,
+    pub table: Hardening,
     /// Modulus with which the yield surface moves, stress to plastic strain in tension [F/L2].
     pub kinematic: f64,
 }

@@ -142,6 +142,12 @@ impl ElementType {
         !matches!(self.kinematics, Kinematics::Spring)
     }
 
+    /// Whether it goes all round an axis.
+    pub fn is_ring(&self) -> bool {
+        let ring = solid::Kinematics::Axisymmetric;
+        matches!(self.kinematics, Kinematics::Solid { strains, .. } if strains == ring)
+    }
+
     /// Whether it moves in space, not in a plane alone.
     pub fn is_spatial(&self) -> bool {
         self.dofs.contains(&Dof::U3)

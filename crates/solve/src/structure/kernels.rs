@@ -36,8 +36,8 @@ impl Kernels {
             let room = known.then(|| self.blocks.remove(0));
             let made = (kind.kernel)(&undeformed, room);
             let shape = (numbered.members.len(), numbered.variables);
-            let fits = |kernel: &Box<dyn Kernel>| (kernel.count(), kernel.variables()) == shape;
-            let Some(kernel) = made.filter(fits) else {
+            let fitting = made.filter(|kernel| (kernel.count(), kernel.variables()) == shape);
+            let Some(kernel) = fitting else {
                 self.blocks.clear();
                 return Err(numbered.block);
             };

@@ -11,6 +11,7 @@ pub mod snap_fit;
 pub mod stick_slip;
 pub mod timoshenko;
 pub mod toggle;
+pub mod tube;
 
 use crate::TheoryError;
 

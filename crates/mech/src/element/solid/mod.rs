@@ -57,6 +57,15 @@ pub enum Formulation {
     Incompatible,
     /// One point, held against its hourglass modes with the stiffness of elastic bending.
     Hourglass,
+    /// The same with the small stiffness that CalculiX has, .032 E V sum (dN/dX)^2.
+    SoftHourglass,
+}
+
+impl Formulation {
+    /// Whether one point is held against hourglass modes.
+    pub fn is_one_point(self) -> bool {
+        matches!(self, Self::Hourglass | Self::SoftHourglass)
+    }
 }
 
 /// What the elements of a block have in common.
@@ -127,7 +136,7 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
         let fits =
             recipe.cell.nodes == N && recipe.cell.dimension == D && recipe.rule.points.len() == P;
         // the gradient at the centre of a quadrilateral is the mean one; of a hexahedron it is not
-        let one = recipe.formulation == Formulation::Hourglass && D == 3;
+        let one = recipe.formulation.is_one_point() && D == 3;
         let tables = Box::new(Tables::new(recipe.cell, recipe.rule, one.then_some(&HEX_8)));
         fits.then(|| Self { recipe, tables, elements: elements.collect() })
     }
@@ -273,7 +282,7 @@ impl<const D: usize, const N: usize, const P: usize> Kernel for Solids<D, N, P> 
             }
         }
         let mut held = 0.0;
-        if self.recipe.formulation == Formulation::Hourglass {
+        if self.recipe.formulation.is_one_point() {
             held = self.hold_modes((element, &places[0]), q, (into.force, tangent));
         }
         energy(&points, large) + held

@@ -1,0 +1,186 @@
+//! `*HYPERELASTIC`: rubber from coefficients.
+
+use slideline_mech::material::{MOST_TERMS, Rubber};
+
+use crate::draft::Draft;
+use crate::draft::Owner;
+use crate::keyword::{Keyword, Level, Rule, Subject};
+use crate::reading::Reading;
+
+/// `*HYPERELASTIC`.
+pub(crate) struct Hyperelastic;
+
+/// The forms, each a parameter without value.
+const FORMS: [&str; 7] = [
+    "NEO HOOKE",
+    "MOONEY-RIVLIN",
+    "YEOH",
+    "POLYNOMIAL",
+    "REDUCED POLYNOMIAL",
+    "OGDEN",
+    "ARRUDA-BOYCE",
+];
+
+/// Ratio of bulk to shear modulus of a rubber that the deck calls incompressible [1].
+const INCOMPRESSIBLE: f64 = 1e4;
+
+impl Keyword for Hyperelastic {
+    fn name(&self) -> &'static str {
+        "HYPERELASTIC"
+    }
+
+    fn parameters(&self) -> &'static [Rule] {
+        const RULES: &[Rule] = &[
+            Rule::flag("NEO HOOKE"),
+            Rule::flag("MOONEY-RIVLIN"),
+            Rule::flag("YEOH"),
+            Rule::flag("POLYNOMIAL"),
+            Rule::flag("REDUCED POLYNOMIAL"),
+            Rule::flag("OGDEN"),
+            Rule::flag("ARRUDA-BOYCE"),
+            Rule::value("N"),
+        ];
+        RULES
+    }
+
+    fn level(&self) -> Level {
+        Level::Model
+    }
+
+    fn subject(&self) -> Subject {
+        Subject::Sections
+    }
+
+    fn is_suboption(&self) -> bool {
+        true
+    }
+
+    fn page(&self) -> &'static str {
+        page!("HYPERELASTIC")
+    }
+
+    fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
+        let Owner::Material(index) = draft.owner else {
+            draft.orphan(self.name(), "MATERIAL", card.span());
+            return;
+        };
+        draft.materials[index].has_card = true;
+        let given: Vec<&str> = FORMS.into_iter().filter(|form| card.has(form)).collect();
+        let form = match *given {
+            [] => "POLYNOMIAL",
+            [form] => form,
+            _ => {
+                let message = format!("a rubber has one form, here are {}", given.join(", "));
+                draft.log.error("SL0234", message, card.span());
+                return;
+            }
+        };
+        let order = card.at_least(1, "N", 1, &mut draft.log);
+        if order > MOST_TERMS {
+            let message = format!("at most {MOST_TERMS} terms are read, here are {order}");
+            draft.log.error("SL0234", message, card.span_of("N"));
+            return;
+        }
+        if card.first_line("the coefficients", &mut draft.log).is_none() {
+            return;
+        }
+        let Some(values) = card.numbers(&mut draft.log) else { return };
+        draft.materials[index].rubber = rubber((form, order), &values, card, draft);
+    }
+}
+
+/// The rubber of a form; complains where it has no stiffness at small strain.
+fn rubber(
+    (form, order): (&str, usize),
+    values: &[f64],
+    card: &Reading<'_>,
+    draft: &mut Draft,
+) -> Option<Rubber> {
+    let powers = powers(form, order);
+    let shapes = match form {
+        "OGDEN" => 2 * order,
+        "ARRUDA-BOYCE" => 2,
+        _ => powers.len(),
+    };
+    let volumes = if matches!(form, "OGDEN" | "YEOH" | "POLYNOMIAL" | "REDUCED POLYNOMIAL") {
+        if form == "YEOH" { 3 } else { order }
+    } else {
+        1
+    };
+    // a temperature may follow; one set holds for all
+    if values.len() > shapes + volumes + 1 || values.len() < shapes {
+        let message = format!("{} numbers are needed, here are {}", shapes + volumes, values.len());
+        draft.log.error("SL0208", message, card.span());
+        return None;
+    }
+    let of = |k: usize| values.get(k).copied().unwrap_or(0.0);
+    let mut volume = [0.0; MOST_TERMS];
+    for (k, inverse) in volume.iter_mut().enumerate().take(volumes) {
+        let d = of(shapes + k);
+        *inverse = if d == 0.0 { 0.0 } else { 1.0 / d };
+    }
+    let made = match form {
+        "OGDEN" => Rubber::Ogden {
+            terms: (0..order).map(|k| [of(2 * k), of(2 * k + 1)]).collect(),
+            volume,
+        },
+        "ARRUDA-BOYCE" => Rubber::ArrudaBoyce { shear: of(0), locking: of(1), volume: volume[0] },
+        _ => {
+            let terms = powers.iter().enumerate().map(|(k, &(i, j))| (i, j, of(k))).collect();
+            Rubber::Polynomial { terms, volume }
+        }
+    };
+    sound(made, card, draft)
+}
+
+/// Powers of I1 - 3 and I2 - 3 in the order of the deck.
+fn powers(form: &str, order: usize) -> Vec<(u8, u8)> {
+    let most = u8::try_from(order).unwrap_or(u8::MAX);
+    match form {
+        "NEO HOOKE" => vec![(1, 0)],
+        "MOONEY-RIVLIN" => vec![(1, 0), (0, 1)],
+        "YEOH" => vec![(1, 0), (2, 0), (3, 0)],
+        "REDUCED POLYNOMIAL" => (1..=most).map(|i| (i, 0)).collect(),
+        "POLYNOMIAL" => (1..=most).flat_map(|n| (0..=n).map(move |j| (n - j, j))).collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// The rubber with a bulk modulus; `None` where it has no positive shear modulus.
+fn sound(made: Rubber, card: &Reading<'_>, draft: &mut Draft) -> Option<Rubber> {
+    let line = card.data().first()?.span;
+    let finite = !matches!(&made, Rubber::Ogden { terms, .. } if terms.iter().any(|t| t[1] == 0.0))
+        && !matches!(&made, Rubber::ArrudaBoyce { locking, .. } if *locking <= 0.0);
+    let shear = if finite { made.shear_modulus() } else { 0.0 };
+    if !(shear > 0.0 && shear.is_finite()) {
+        let message = "these coefficients give no positive shear modulus at small strain";
+        draft.log.error("SL0234", message, line);
+        return None;
+    }
+    let bulk = made.bulk_modulus();
+    if bulk < 0.0 {
+        draft.log.error("SL0234", "D1 must not be negative", line);
+        return None;
+    }
+    if bulk > 0.0 {
+        return Some(made);
+    }
+    let message = "an incompressible rubber is taken as next to incompressible";
+    let help = "its bulk modulus is 10000 times its shear modulus; give D1 = 2/K for another one";
+    let note = slideline_diag::Diagnostic::note(slideline_diag::Code("SL0272"), message);
+    draft.log.push(note.at(line).help(help));
+    let inverse = 0.5 * INCOMPRESSIBLE * shear;
+    Some(match made {
+        Rubber::Polynomial { terms, mut volume } => {
+            volume[0] = inverse;
+            Rubber::Polynomial { terms, volume }
+        }
+        Rubber::Ogden { terms, mut volume } => {
+            volume[0] = inverse;
+            Rubber::Ogden { terms, volume }
+        }
+        Rubber::ArrudaBoyce { shear, locking, .. } => {
+            Rubber::ArrudaBoyce { shear, locking, volume: inverse }
+        }
+    })
+}

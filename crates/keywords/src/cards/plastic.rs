@@ -1,0 +1,82 @@
+//! `*PLASTIC`: yield stress and hardening of a metal.
+
+use slideline_mech::material::Hardening;
+
+use crate::draft::Draft;
+use crate::draft::Owner;
+use crate::keyword::{Keyword, Level, Rule, Subject};
+use crate::reading::Reading;
+
+/// `*PLASTIC`.
+pub(crate) struct Plastic;
+
+impl Keyword for Plastic {
+    fn name(&self) -> &'static str {
+        "PLASTIC"
+    }
+
+    fn parameters(&self) -> &'static [Rule] {
+        const RULES: &[Rule] = &[Rule::value("HARDENING")];
+        RULES
+    }
+
+    fn level(&self) -> Level {
+        Level::Model
+    }
+
+    fn subject(&self) -> Subject {
+        Subject::Sections
+    }
+
+    fn is_suboption(&self) -> bool {
+        true
+    }
+
+    fn page(&self) -> &'static str {
+        page!("PLASTIC")
+    }
+
+    fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
+        let Owner::Material(index) = draft.owner else {
+            draft.orphan(self.name(), "MATERIAL", card.span());
+            return;
+        };
+        card.choice("HARDENING", &["ISOTROPIC"], &mut draft.log);
+        if card.first_line("yield stress, plastic strain", &mut draft.log).is_none() {
+            return;
+        }
+        draft.materials[index].hardening = table(card, draft);
+    }
+}
+
+/// Yield stresses over plastic strains that start at zero and ascend.
+fn table(card: &Reading<'_>, draft: &mut Draft) -> Option<Hardening> {
+    let mut table = Hardening::new();
+    for line in card.data() {
+        // a temperature may follow; one table holds for all
+        draft.log.at_most(line, 3);
+        let stress = draft.log.number(line, 0, "the yield stress")?;
+        let strain = draft.log.number_or(line, 1, 0.0)?;
+        let at = |field: usize| line.fields.get(field).map_or(line.span, |field| field.span);
+        if stress <= 0.0 {
+            draft.log.error("SL0234", "the yield stress must be positive", at(0));
+            return None;
+        }
+        let sound = table.last().map_or(strain == 0.0, |last| strain > last[1]);
+        if !sound {
+            let message = match table.is_empty() {
+                true => "the first plastic strain must be zero".to_owned(),
+                false => format!("the plastic strain {strain} does not ascend"),
+            };
+            draft.log.error("SL0234", message, at(1));
+            return None;
+        }
+        if table.last().is_some_and(|last| stress < last[0]) {
+            let message = "the yield stress falls: such a material has no unique answer";
+            draft.log.error("SL0234", message, at(0));
+            return None;
+        }
+        table.push([stress, strain]);
+    }
+    Some(table)
+}

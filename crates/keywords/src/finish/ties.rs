@@ -1,0 +1,168 @@
+//! `*TIE`: nodes of the slave surface follow the faces of the master.
+//!
+//! ```text
+//!        s  slave node              u_s = sum N_i(xi) u_i
+//!   o----x-------o  master face     at the place x nearest to it
+//! ```
+
+use std::collections::{HashMap, HashSet};
+
+use slideline_diag::{Code, Diagnostic};
+use slideline_mech::pressure::{Face, Nearest};
+use slideline_model::{Dof, NodeIndex};
+
+use super::equations::add;
+use super::faces::{faces, nodes_of_surface};
+use crate::constraints::Tie;
+use crate::draft::Draft;
+use crate::rule::Subject;
+
+/// Fraction of the size of a master face within which slave nodes are tied, where the card gives no
+/// tolerance. [Abaqus manual, `*TIE`]
+const TOLERANCE: f64 = 0.05;
+
+pub(super) fn ties(draft: &mut Draft) {
+    let ties = std::mem::take(&mut draft.ties);
+    if ties.is_empty() {
+        return;
+    }
+    let prescribed = super::steps::prescribed(draft);
+    // a node that two ties name follows the first
+    let mut tied = HashMap::new();
+    for tie in &ties {
+        one(tie, &prescribed, &mut tied, draft);
+    }
+}
+
+/// A face of the master with its nodes and the box around it [L].
+struct Master {
+    face: Face,
+    nodes: Vec<NodeIndex>,
+    x: Vec<[f64; 3]>,
+    low: [f64; 3],
+    high: [f64; 3],
+    /// Diagonal of the box [L].
+    size: f64,
+}
+
+impl Master {
+    fn new(face: Face, nodes: Vec<NodeIndex>, draft: &Draft) -> Self {
+        let x: Vec<[f64; 3]> =
+            nodes.iter().map(|&node| draft.model.nodes.get(node).position).collect();
+        let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        for k in 0..3 {
+            low[k] = x.iter().fold(low[k], |low, x| low.min(x[k]));
+            high[k] = x.iter().fold(high[k], |high, x| high.max(x[k]));
+        }
+        let size = (0..3).map(|k| (high[k] - low[k]).powi(2)).sum::<f64>().sqrt();
+        Self { face, nodes, x, low, high, size }
+    }
+
+    /// Distance of a point from the box [L]: no place of a straight face is nearer.
+    fn at_least(&self, point: [f64; 3]) -> f64 {
+        let beyond = |k: usize| (self.low[k] - point[k]).max(point[k] - self.high[k]).max(0.0);
+        (0..3).map(|k| beyond(k).powi(2)).sum::<f64>().sqrt()
+    }
+}
+
+fn masters(tie: &Tie, draft: &mut Draft) -> Vec<Master> {
+    let Some(surface) = draft.surface(&tie.master) else { return Vec::new() };
+    let dimension = if draft.model.is_in_space() { 3 } else { 2 };
+    let found = faces(&surface, draft);
+    let made = found.into_iter().filter_map(|face| {
+        let kind = Face::of(dimension, face.nodes.len(), 1.0)?;
+        Some(Master::new(kind, face.nodes, draft))
+    });
+    let masters: Vec<Master> = made.collect();
+    if masters.is_empty() {
+        let message = format!("the master surface {} has no faces", tie.master.name);
+        let error = Diagnostic::error(Code("SL0332"), message).at(tie.master.span);
+        draft.consequence(Subject::Elements, error.help("a master is made of element faces"));
+    }
+    masters
+}
+
+fn one(
+    tie: &Tie,
+    prescribed: &HashSet<(NodeIndex, Dof)>,
+    tied: &mut HashMap<NodeIndex, ()>,
+    draft: &mut Draft,
+) {
+    let masters = masters(tie, draft);
+    let Some(slave) = draft.surface(&tie.slave) else { return };
+    if masters.is_empty() {
+        return;
+    }
+    let own: HashSet<NodeIndex> = masters.iter().flat_map(|master| master.nodes.clone()).collect();
+    let mut left = Vec::new();
+    for node in nodes_of_surface(&slave, draft) {
+        if own.contains(&node) || tied.contains_key(&node) {
+            continue;
+        }
+        let point = draft.model.nodes.get(node).position;
+        let Some((place, near)) = nearest(&masters, point) else { continue };
+        if near.distance > tie.tolerance.unwrap_or(TOLERANCE * masters[place].size) {
+            left.push(node);
+            continue;
+        }
+        tied.insert(node, ());
+        if tie.adjust {
+            draft.model.nodes.place(node, near.place);
+        }
+        follow(tie, node, (&masters[place], &near), prescribed, draft);
+    }
+    if let Some(&first) = left.first() {
+        let label = draft.model.nodes.label(first);
+        let (slave, master) = (&tie.slave.name, &tie.master.name);
+        let message = match left.len() {
+            1 => format!("node {label} of {slave} lies too far from {master} and is not tied"),
+            count => format!(
+                "{count} nodes of {slave}, such as {label}, lie too far from {master} and are not tied"
+            ),
+        };
+        let warning = Diagnostic::warning(Code("SL0348"), message).at(tie.origin);
+        draft.consequence(
+            Subject::Links,
+            warning.help("POSITION TOLERANCE= ties from further away"),
+        );
+    }
+}
+
+/// The master face that comes nearest to a point.
+fn nearest(masters: &[Master], point: [f64; 3]) -> Option<(usize, Nearest)> {
+    let mut best: Option<(usize, Nearest)> = None;
+    for (place, master) in masters.iter().enumerate() {
+        // a curved face may leave its box by a little
+        let bulge = 0.25 * master.size;
+        let beaten = |(_, near): &(usize, Nearest)| near.distance < master.at_least(point) - bulge;
+        if best.as_ref().is_some_and(beaten) {
+            continue;
+        }
+        let near = master.face.nearest(&master.x, point);
+        if best.as_ref().is_none_or(|(_, own)| near.distance < own.distance) {
+            best = Some((place, near));
+        }
+    }
+    best
+}
+
+/// Makes the displacements of a node follow the face. A dof that is prescribed on both sides of the
+/// tie is left to its support.
+fn follow(
+    tie: &Tie,
+    node: NodeIndex,
+    (master, near): (&Master, &Nearest),
+    prescribed: &HashSet<(NodeIndex, Dof)>,
+    draft: &mut Draft,
+) {
+    let directions = draft.model.directions().iter().copied();
+    for dof in directions.filter(|dof| !dof.is_rotation()) {
+        let shares = master.nodes.iter().zip(near.shapes).filter(|(_, share)| share.abs() > 1e-12);
+        let terms: Vec<_> = shares.map(|(&own, share)| (own, dof, share)).collect();
+        let held = |&(own, dof, _): &(NodeIndex, Dof, f64)| prescribed.contains(&(own, dof));
+        if prescribed.contains(&(node, dof)) && terms.iter().all(held) {
+            continue;
+        }
+        add(draft, (node, dof), terms, tie.origin);
+    }
+}
