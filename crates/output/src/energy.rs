@@ -19,7 +19,7 @@ pub(crate) fn columns(report: &StepReport<'_>) -> Vec<Column> {
         ("stabilisation", |energy| energy.stabilisation),
         ("released_energy", |energy| energy.released_energy),
     ];
-    columns.retain(|(name, _)| report.may_stabilise() || *name != "stabilisation");
+    columns.retain(|(name, _)| *name != "stabilisation" || report.may_stabilise());
     columns
 }
 
