@@ -49,7 +49,7 @@ impl Measured {
     pub fn found(&self) -> String {
         match self.limit {
             Limit::True => if self.value == 1.0 { "true" } else { "false" }.to_owned(),
-            _ => general(self.value, 4),
+            _ => general(self.value, 4).to_string(),
         }
     }
 
@@ -60,7 +60,7 @@ impl Measured {
             Limit::AtMost(limit) => format!("at most {}", words(limit)),
             Limit::AtLeast(limit) => format!("at least {}", words(limit)),
             Limit::Within(low, high) => format!("{} to {}", words(low), words(high)),
-            Limit::Equal(limit) => words(limit),
+            Limit::Equal(limit) => words(limit).to_string(),
             Limit::True => "true".to_owned(),
             Limit::Told => String::new(),
         }

@@ -12,6 +12,7 @@ use slideline_verification::{Chapter, Claim, Outcome, write_record, write_report
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
+mod again;
 mod amplitudes_and_springs;
 mod bad_friction;
 mod balance;
@@ -104,7 +105,7 @@ const CHAPTERS: &[Chapter] = &[
     },
     Chapter {
         title: "The solver",
-        groups: &[newton::GROUP, unsymmetric_storage::GROUP, no_allocation::GROUP],
+        groups: &[newton::GROUP, unsymmetric_storage::GROUP, no_allocation::GROUP, again::GROUP],
     },
     Chapter { title: "Bad input", groups: &[literal_deck::GROUP, bad_friction::GROUP] },
 ];
@@ -122,6 +123,7 @@ fn main() {
     if !arguments.list {
         // counts what the whole process allocates: before there are other threads
         no_allocation::count();
+        again::count();
     }
     let measured = Measured::default();
     let groups = CHAPTERS.iter().flat_map(|chapter| {

@@ -29,6 +29,12 @@ static COUNTER: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
 /// Of a deck: later iterations, and allocations in them.
 static COUNTS: OnceLock<Vec<(&str, usize, usize)>> = OnceLock::new();
 
+/// Allocations of the process so far.
+pub fn allocations() -> usize {
+    let stats = COUNTER.stats();
+    stats.allocations + stats.reallocations
+}
+
 /// (iteration, allocations since the report before).
 struct Count {
     between: Vec<(usize, usize)>,
@@ -38,8 +44,7 @@ struct Count {
 impl Observer for Count {
     fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
         if let Event::Iteration(report) = event {
-            let stats = COUNTER.stats();
-            let now = stats.allocations + stats.reallocations;
+            let now = allocations();
             self.between.push((report.iteration, now - self.before));
             self.before = now;
         }

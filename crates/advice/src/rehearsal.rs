@@ -9,7 +9,7 @@
 use crate::moments::{Carrier, Moment, Rehearsal};
 use crate::motion::motion;
 use crate::start::{Start, length, less};
-use slideline_mech::contact::pair::{Body, RigidSurface, chain_gap};
+use slideline_mech::contact::pair::{Body, RigidSurface, chain_overclosure};
 use slideline_mech::contact::search::chain::{Chain, flat};
 use slideline_mech::contact::search::rigid::{RigidSegment, beyond_end};
 use slideline_model::{ContactPair, Formulation, Master, NodeIndex, Step};
@@ -138,7 +138,16 @@ fn walk(
     let chain: Vec<[f64; 3]> = match facade {
         Facade::Body(..) => Vec::new(),
         Facade::Line(_, nodes) => {
-            let at = |&node| moved(node).map(|body| place(node, &body));
+            let mut last = None; // neighbours belong to one body, mostly
+            let at = |&node: &NodeIndex| {
+                let own = start.bodies.of_node(node);
+                let body = match last {
+                    Some((of, body)) if of == own => body,
+                    _ => moved(node)?,
+                };
+                last = Some((own, body));
+                Some(place(node, &body))
+            };
             nodes.iter().map(at).collect::<Option<_>>()?
         }
     };
@@ -207,8 +216,8 @@ fn meet(facade: &Facade, chain: &[[f64; 3]], master: &Body, point: [f64; 3]) -> 
         }
         Facade::Line(line, _) => {
             let piece = line.closest(chain, None, point);
-            if let Some(gap) = piece.and_then(|piece| chain_gap(line, &piece, chain, point)) {
-                let (overclosure, along) = (gap.overclosure(), gap.along()[0]);
+            let gap = piece.and_then(|piece| chain_overclosure(line, &piece, chain, point));
+            if let Some([overclosure, along]) = gap {
                 return Met::Facing { overclosure, along, trusted: true };
             }
             match line.beyond_end(chain, point) {

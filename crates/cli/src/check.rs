@@ -185,7 +185,8 @@ fn push_pair(text: &mut String, read: &Read, pair: &ContactPair, points: &[Conta
     let _ = writeln!(text, "  {:>10} {:>20} {:>16} {over:>10}", "node", "gap", "area");
     for row in points.iter().take(CLOSEST) {
         let state = if row.opening < -begins { "  in contact" } else { "" };
-        let over = overclosure_over_c0(pair, row).map_or(String::new(), |h| general(h, 4));
+        let over =
+            overclosure_over_c0(pair, row).map_or(String::new(), |h| general(h, 4).to_string());
         let _ = writeln!(
             text,
             "  {:>10} {:>20} {:>16} {over:>10}{state}",

@@ -49,12 +49,12 @@ impl Row {
         let numbers = [
             self.step.to_string(),
             self.increment.to_string(),
-            general(self.time, digits),
+            general(self.time, digits).to_string(),
             self.iterations.to_string(),
             self.closed.to_string(),
-            general(self.residual, 3),
+            general(self.residual, 3).to_string(),
         ];
-        let driven = self.driven.map(|driven| driven.map(|value| general(value, 7)));
+        let driven = self.driven.map(|driven| driven.map(|value| general(value, 7).to_string()));
         laid_out(width, &numbers, driven.as_ref())
     }
 }

@@ -182,11 +182,15 @@ fn misplaced(
 fn find_keyword(card: &Card, draft: &mut Draft) -> Option<&'static dyn Keyword> {
     let word = &card.keyword;
     let name = normalise(&word.raw);
+    let found = resolve(&name, REGISTRY, |keyword| keyword.name());
+    if let Match::Exact(keyword) = found {
+        return Some(keyword);
+    }
     if let Some(other) = unsupported::find(&name) {
         not_read(&other, word.span, draft);
         return None;
     }
-    match resolve(&name, REGISTRY, |keyword| keyword.name()) {
+    match found {
         Match::Exact(keyword) => Some(keyword),
         Match::Abbreviation(keyword) => {
             let full = format!("*{}", keyword.name());

@@ -69,6 +69,8 @@ impl Side {
 pub(crate) struct NamedInteraction {
     pub named: Named,
     pub interaction: Interaction,
+    /// Thickness out of the plane [L], where the card gives it.
+    pub thickness: Option<f64>,
 }
 
 /// A data line of `*CONTACT PAIR`.

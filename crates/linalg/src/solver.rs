@@ -99,15 +99,26 @@ impl Solver {
     /// which all entries have one dimension: neither a pivot nor an accuracy then depends on how
     /// forces and lengths are measured. Units of another number than the equations are left aside.
     pub fn with_units(mut self, unit: Vec<f64>) -> Self {
-        let usable = unit.len() == self.rhs.len() && unit.iter().all(|&u| u > 0.0 && u.is_finite());
-        if usable && unit.iter().any(|&u| u != 1.0) {
-            self.entry_unit = (0..unit.len())
-                .flat_map(|row| self.pattern.row(row).iter().map(move |&column| (row, column)))
-                .map(|(row, column)| unit[row] * unit[column])
-                .collect();
-            self.unit = unit;
-        }
+        self.set_units(&unit);
         self
+    }
+
+    /// The same for a solver that may have had others; a factorisation is lost where they differ.
+    pub fn set_units(&mut self, unit: &[f64]) {
+        let usable = unit.len() == self.rhs.len() && unit.iter().all(|&u| u > 0.0 && u.is_finite());
+        let wanted = if usable && unit.iter().any(|&u| u != 1.0) { unit } else { &[] };
+        if self.unit == wanted {
+            return;
+        }
+        self.report = None;
+        self.unit.clear();
+        self.unit.extend_from_slice(wanted);
+        self.entry_unit.clear();
+        let rows = (0..wanted.len()).map(|row| (wanted[row], self.pattern.row(row)));
+        self.entry_unit.reserve(if wanted.is_empty() { 0 } else { self.values.len() });
+        for (own, columns) in rows {
+            self.entry_unit.extend(columns.iter().map(|&column| own * wanted[column]));
+        }
     }
 
     /// U A U of the values given.

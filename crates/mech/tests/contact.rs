@@ -6,7 +6,7 @@ use slideline_mech::contact::friction::{FrictionLaw, Stick};
 use slideline_mech::contact::normal::NormalLaw;
 use slideline_mech::contact::onset::Onset;
 use slideline_mech::contact::pair::{
-    AnyGap, Body, History, Laws, PointTrial, RigidSurface, UserState, chain_gap,
+    AnyGap, Body, History, Laws, PointTrial, RigidSurface, UserState, chain_gap, chain_overclosure,
 };
 use slideline_mech::contact::search::chain::Chain;
 use slideline_mech::contact::search::chain::{flat, raised};
@@ -80,6 +80,8 @@ fn smoothed_chain_is_continuous() {
         let point = [x, 0.3, 0.0];
         let piece = chain.closest(&nodes, None, point).unwrap();
         let gap = chain_gap(&chain, &piece, &nodes, point).unwrap();
+        let values = chain_overclosure(&chain, &piece, &nodes, point).unwrap();
+        assert_eq!(values, [gap.overclosure(), gap.along()[0]]);
         if let Some(before) = last {
             assert!((gap.overclosure() - before.overclosure()).abs() < 2e-4, "{x}");
             let step = (gap.along() - before.along()).size();

@@ -4,6 +4,7 @@ use crate::file::{WriteError, at, read_text, replace};
 use crate::job::JobFiles;
 use crate::json::{self, Map, Value, joined, json};
 use crate::number::push_shortest;
+use crate::reading::history::{Energies, History};
 use crate::reading::problem::Problem;
 use crate::reading::summary::raw;
 use crate::record::record;
@@ -50,7 +51,9 @@ fn change(job: &JobFiles, how: impl FnOnce(&mut Value)) -> Result<(), WriteError
         other => at(&path)(std::io::Error::other(other.to_string())),
     })?;
     how(&mut summary);
-    let summary = verdict::attached(job, summary);
+    let energies = Energies::read(&job.path(".energy.csv")).unwrap_or_default();
+    let history = History::read(&job.path(".history.csv"), |_| true).unwrap_or_default();
+    let summary = verdict::attached(summary, &energies, &history);
     replace(&path, (json::text(&summary) + "\n").as_bytes())
 }
 

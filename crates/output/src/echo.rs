@@ -38,30 +38,24 @@ pub fn model_echo(model: &Model, start: &Frame<'_>) -> String {
     text
 }
 
-/// Appends a line; a String takes any text.
-fn line(text: &mut String, content: std::fmt::Arguments<'_>) {
-    let _ = text.write_fmt(content);
-    text.push('\n');
-}
-
 fn heading(text: &mut String, model: &Model) {
     for heading in model.heading.lines() {
-        line(text, format_args!("{heading}"));
+        line!(text, "{heading}");
     }
-    line(text, format_args!("dialect          {}", model.dialect.word()));
-    line(text, format_args!("friction onset   {}", onset_word(model.friction_onset)));
+    line!(text, "dialect          {}", model.dialect.word());
+    line!(text, "friction onset   {}", onset_word(model.friction_onset));
 }
 
 fn nodes(text: &mut String, model: &Model) {
     let linked = model.rigid_links.len();
-    line(text, format_args!("\nNODES  {}, {linked} of them on rigid links", model.nodes.len()));
+    line!(text, "\nNODES  {}, {linked} of them on rigid links", model.nodes.len());
     for axis in 0..3 {
         let values = model.nodes.iter().map(|node| node.position[axis]);
         let (low, high) =
             values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
         if high > low {
             let name = ["x", "y", "z"][axis];
-            line(text, format_args!("  {name} from {} to {}", general(low, 9), general(high, 9)));
+            line!(text, "  {name} from {} to {}", general(low, 9), general(high, 9));
         }
     }
 }
@@ -73,52 +67,46 @@ fn instances(text: &mut String, model: &Model) {
         return;
     }
     if numbering.stride() == 0 {
-        line(text, format_args!("\nINSTANCES  all numbers are those of the deck"));
+        line!(text, "\nINSTANCES  all numbers are those of the deck");
         return;
     }
-    line(text, format_args!("\nINSTANCES  numbers in files of nodes and elements"));
+    line!(text, "\nINSTANCES  numbers in files of nodes and elements");
     for (name, k) in numbering.instances().iter().zip(1_u64..) {
         let offset = k * numbering.stride();
-        line(text, format_args!("  {name}.n is {offset} + n"));
+        line!(text, "  {name}.n is {offset} + n");
     }
 }
 
 fn beams(text: &mut String, model: &Model, block: &ElementBlock, section: &BeamSection) {
     let word = block.word();
-    line(text, format_args!("\nBEAMS {}  {} elements {word}", block.name, block.elements.len()));
-    line(
+    line!(text, "\nBEAMS {}  {} elements {word}", block.name, block.elements.len());
+    line!(
         text,
-        format_args!(
-            "  section RECT: width {}, height {}; E = {}, nu = {}, G = {}",
-            general(section.width, 9),
-            general(section.height, 9),
-            general(section.material.modulus, 9),
-            general(section.material.poisson, 9),
-            general(section.material.shear_modulus(), 9),
-        ),
+        "  section RECT: width {}, height {}; E = {}, nu = {}, G = {}",
+        general(section.width, 9),
+        general(section.height, 9),
+        general(section.material.modulus, 9),
+        general(section.material.poisson, 9),
+        general(section.material.shear_modulus(), 9)
     );
     let stiffness = |length: f64| section.stiffness(length, block.kind.cell.nodes == 3);
     let lengths: Vec<f64> =
         block.elements.iter().map(|element| distance(model, element.ends())).collect();
     let Some((short, long)) = extremes(&lengths) else { return };
     let (of_short, of_long) = (stiffness(short), stiffness(long));
-    line(
+    line!(
         text,
-        format_args!(
-            "  EA = {}, EI = {}, element length {}",
-            general(of_short.axial, 9),
-            general(of_short.bending, 9),
-            range(short, long),
-        ),
+        "  EA = {}, EI = {}, element length {}",
+        general(of_short.axial, 9),
+        general(of_short.bending, 9),
+        range(short, long)
     );
     transverse_shear(text, block.kind, section, [of_short.shear, of_long.shear]);
     if section.poisson != 0.0 {
-        line(
+        line!(
             text,
-            format_args!(
-                "  POISSON = {} is read; the section stays constant all the same",
-                general(section.poisson, 9)
-            ),
+            "  POISSON = {} is read; the section stays constant all the same",
+            general(section.poisson, 9)
         );
     }
 }
@@ -130,21 +118,19 @@ fn transverse_shear(
     range_of: [f64; 2],
 ) {
     if kind.kinematics == (Kinematics::Beam { sheared: false }) {
-        line(text, format_args!("  rigid in transverse shear"));
+        line!(text, "  rigid in transverse shear");
         return;
     }
     let shear = match section.shear.stiffness {
         Some(given) => format!("K23 = {} as given", general(given, 9)),
         None => "k G A with k = 0.85".to_owned(),
     };
-    line(
+    line!(
         text,
-        format_args!(
-            "  transverse shear stiffness K = {}: f_p times {shear}, SCF = {}{}",
-            range(range_of[0], range_of[1]),
-            general(section.shear.slenderness_compensation, 9),
-            if kind.cell.nodes == 3 { " times 1e-4 (second order)" } else { "" },
-        ),
+        "  transverse shear stiffness K = {}: f_p times {shear}, SCF = {}{}",
+        range(range_of[0], range_of[1]),
+        general(section.shear.slenderness_compensation, 9),
+        if kind.cell.nodes == 3 { " times 1e-4 (second order)" } else { "" }
     );
 }
 
@@ -161,13 +147,13 @@ fn extremes(values: &[f64]) -> Option<(f64, f64)> {
 /// `a`, or `a to b` where they differ by more than rounding.
 fn range(low: f64, high: f64) -> String {
     let (low, high) = (general(low, 9), general(high, 9));
-    if low == high { low } else { format!("{low} to {high}") }
+    if low == high { low.to_string() } else { format!("{low} to {high}") }
 }
 
 /// Solids of one section.
 fn solids(text: &mut String, block: &ElementBlock, section: &SolidSection) {
     let (word, count) = (block.word(), block.elements.len());
-    line(text, format_args!("\nSOLIDS {}  {count} elements {word}", block.name));
+    line!(text, "\nSOLIDS {}  {count} elements {word}", block.name);
     let material = match (&section.material, section.material.elastic()) {
         (Material::Elastic(elastic, _), _) => {
             format!("E = {}, nu = {}", general(elastic.modulus, 9), general(elastic.poisson, 9))
@@ -187,21 +173,21 @@ fn solids(text: &mut String, block: &ElementBlock, section: &SolidSection) {
         _ => "a material of the embedding program".to_owned(),
     };
     if block.kind.is_spatial() {
-        line(text, format_args!("  {material}"));
+        line!(text, "  {material}");
     } else {
-        line(text, format_args!("  thickness {}; {material}", general(section.thickness, 9)));
+        line!(text, "  thickness {}; {material}", general(section.thickness, 9));
     }
     if let Kinematics::Solid { formulation, .. } = block.kind.kinematics
         && formulation.contains(&solid::Formulation::Hourglass)
     {
-        line(text, format_args!("  hourglass control: stiffness of elastic bending"));
+        line!(text, "  hourglass control: stiffness of elastic bending");
     }
 }
 
 /// Elements of a type that somebody else has defined.
 fn elements(text: &mut String, block: &ElementBlock) {
     let (word, count) = (block.word(), block.elements.len());
-    line(text, format_args!("\nELEMENTS {}  {count} elements {word}", block.name));
+    line!(text, "\nELEMENTS {}  {count} elements {word}", block.name);
 }
 
 fn springs(text: &mut String, block: &ElementBlock, section: &SpringSection) {
@@ -209,14 +195,12 @@ fn springs(text: &mut String, block: &ElementBlock, section: &SpringSection) {
         Some(dof) => format!("to the ground, dof {}", dof.number()),
         None => "along the line between two nodes".to_owned(),
     };
-    line(
+    line!(
         text,
-        format_args!(
-            "\nSPRINGS {}  {} elements {kind}, stiffness {}",
-            block.name,
-            block.elements.len(),
-            general(section.stiffness, 9)
-        ),
+        "\nSPRINGS {}  {} elements {kind}, stiffness {}",
+        block.name,
+        block.elements.len(),
+        general(section.stiffness, 9)
     );
 }
 
@@ -224,18 +208,18 @@ fn springs(text: &mut String, block: &ElementBlock, section: &SpringSection) {
 pub fn pair_echo(model: &Model, pair: &ContactPair) -> String {
     let mut text = String::new();
     let slaves = pair.slave_nodes();
-    line(&mut text, format_args!("CONTACT PAIR {}", pair.name));
+    line!(text, "CONTACT PAIR {}", pair.name);
     let sampled = match pair.formulation {
         Formulation::NodeToSurface => "sampled at the nodes",
         Formulation::SurfaceToSurface => "integrated along their elements",
     };
     let nodes = labels(model, &slaves);
-    line(&mut text, format_args!("  slave    {} nodes ({nodes}), {sampled}", slaves.len()));
-    line(&mut text, format_args!("  master   {}", master(model, &pair.master)));
+    line!(text, "  slave    {} nodes ({nodes}), {sampled}", slaves.len());
+    line!(text, "  master   {}", master(model, &pair.master));
     let interaction = &pair.interaction;
-    line(&mut text, format_args!("  width    {}", general(interaction.width, 9)));
-    line(&mut text, format_args!("  normal   {}", normal_law(&interaction.normal)));
-    line(&mut text, format_args!("  friction {}", friction_law(&interaction.friction)));
+    line!(text, "  width    {}", general(interaction.width, 9));
+    line!(text, "  normal   {}", normal_law(&interaction.normal));
+    line!(text, "  friction {}", friction_law(&interaction.friction));
     text
 }
 
@@ -340,23 +324,21 @@ pub fn friction_law(friction: &Friction) -> String {
 }
 
 fn points(text: &mut String, model: &Model, rows: &[&ContactRow]) {
-    line(text, format_args!("  {:>10} {:>16} {:>20}", "slave node", "area", "initial gap"));
+    line!(text, "  {:>10} {:>16} {:>20}", "slave node", "area", "initial gap");
     for row in rows {
-        line(
+        line!(
             text,
-            format_args!(
-                "  {:>10} {:>16} {:>20}",
-                model.nodes.label(row.node),
-                general(row.area, 7),
-                gap(row.opening)
-            ),
+            "  {:>10} {:>16} {:>20}",
+            model.nodes.label(row.node),
+            general(row.area, 7),
+            gap(row.opening)
         );
     }
 }
 
 /// A gap in words where the point faces no master.
 pub fn gap(opening: f64) -> String {
-    if opening.is_finite() { general(opening, 7) } else { "faces no master".to_owned() }
+    if opening.is_finite() { general(opening, 7).to_string() } else { "faces no master".to_owned() }
 }
 
 /// An initial overclosure holds energy before anything moves.
@@ -369,13 +351,11 @@ fn initial_contact_energy(text: &mut String, model: &Model, start: &Frame<'_>) {
         .map(|row| row.area * model.contact_pairs[row.pair].interaction.normal.energy(-row.opening))
         .sum();
     if !model.contact_pairs.is_empty() {
-        line(
+        line!(
             text,
-            format_args!(
-                "\nThe contact laws hold an energy of {} in the undeformed positions; the energy \
+            "\nThe contact laws hold an energy of {} in the undeformed positions; the energy \
                  balance counts from the first converged state.",
-                general(energy, 7)
-            ),
+            general(energy, 7)
         );
     }
 }
@@ -389,51 +369,45 @@ fn states_echo(text: &mut String, every: &[usize]) {
     };
     if !every.is_empty() {
         let words: Vec<String> = every.iter().map(words).collect();
-        line(text, format_args!("  states {}", words.join(", ")));
+        line!(text, "  states {}", words.join(", "));
     }
 }
 
 fn step_echo(text: &mut String, model: &Model, number: usize, step: &Step) {
-    line(text, format_args!("\nSTEP {number}  {}", step.title.replace('\n', " / ")));
+    line!(text, "\nSTEP {number}  {}", step.title.replace('\n', " / "));
     let time = &step.procedure;
-    line(
+    line!(
         text,
-        format_args!(
-            "  {}static, period {}, increments {} (first), {} to {}{}, at most {}",
-            if step.nlgeom { "geometrically nonlinear, " } else { "linear kinematics, " },
-            general(time.period, 9),
-            general(time.initial, 9),
-            general(time.minimum, 9),
-            general(time.maximum, 9),
-            if time.direct { ", fixed" } else { "" },
-            step.max_increments
-        ),
+        "  {}static, period {}, increments {} (first), {} to {}{}, at most {}",
+        if step.nlgeom { "geometrically nonlinear, " } else { "linear kinematics, " },
+        general(time.period, 9),
+        general(time.initial, 9),
+        general(time.minimum, 9),
+        general(time.maximum, 9),
+        if time.direct { ", fixed" } else { "" },
+        step.max_increments
     );
     states_echo(text, &step.output.states_every);
     let fixed = step.prescribed.iter().filter(|motion| !motion.moves()).count();
-    line(text, format_args!("  {fixed} dofs held"));
+    line!(text, "  {fixed} dofs held");
     for motion in step.prescribed.iter().filter(|motion| motion.moves()) {
-        line(
+        line!(
             text,
-            format_args!(
-                "  node {} {} goes to {}{}",
-                model.nodes.label(motion.node),
-                motion.dof.name(),
-                general(motion.value, 9),
-                amplitude(model, motion.amplitude)
-            ),
+            "  node {} {} goes to {}{}",
+            model.nodes.label(motion.node),
+            motion.dof.name(),
+            general(motion.value, 9),
+            amplitude(model, motion.amplitude)
         );
     }
     for load in &step.loads {
-        line(
+        line!(
             text,
-            format_args!(
-                "  node {} load along {} goes to {}{}",
-                model.nodes.label(load.node),
-                load.dof.name(),
-                general(load.value, 9),
-                amplitude(model, load.amplitude)
-            ),
+            "  node {} load along {} goes to {}{}",
+            model.nodes.label(load.node),
+            load.dof.name(),
+            general(load.value, 9),
+            amplitude(model, load.amplitude)
         );
     }
 }

@@ -1,39 +1,41 @@
 //! `JOB.energy.csv`: where the work went, a row per converged increment.
 
 use crate::rows::{Rows, Sheet};
-use slideline_solve::observe::{Frame, StepReport};
+use slideline_solve::observe::{Energies, Frame, StepReport};
+
+/// A column and what stands in it [F L].
+pub(crate) type Column = (&'static str, fn(&Energies) -> f64);
+
+/// The columns of a run: contact stabilisation has one where it may act.
+pub(crate) fn columns(report: &StepReport<'_>) -> Vec<Column> {
+    let mut columns: Vec<Column> = vec![
+        ("external_work", |energy| energy.external_work),
+        ("strain_energy", |energy| energy.strain_energy),
+        ("contact_energy", |energy| energy.contact_energy),
+        ("friction_dissipation", |energy| energy.friction_dissipation),
+        ("friction_elastic", |energy| energy.friction_elastic),
+        ("dropped_friction", |energy| energy.dropped_friction),
+        ("balance", |energy| energy.balance),
+        ("stabilisation", |energy| energy.stabilisation),
+        ("released_energy", |energy| energy.released_energy),
+    ];
+    columns.retain(|(name, _)| report.may_stabilise() || *name != "stabilisation");
+    columns
+}
 
 /// `JOB.energy.csv`.
 #[derive(Default)]
-pub(crate) struct Energy {
-    /// Whether contact may be stabilised: one more column.
-    stabilised: bool,
-}
+pub(crate) struct Energy(Vec<Column>);
 
 impl Rows for Energy {
     const ENDING: &'static str = ".energy.csv";
 
     fn columns(&mut self, report: &StepReport<'_>) -> Option<String> {
-        self.stabilised = report.may_stabilise;
-        let more = if self.stabilised { ",stabilisation" } else { "" };
-        Some(format!(
-            "external_work,strain_energy,contact_energy,friction_dissipation,friction_elastic,\
-             dropped_friction,balance{more},released_energy"
-        ))
+        self.0 = columns(report);
+        Some(self.0.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(","))
     }
 
     fn rows(&self, sheet: &mut Sheet<'_>, frame: &Frame<'_>) {
-        let energy = &frame.energy;
-        sheet.row().numbers([
-            energy.external_work,
-            energy.strain_energy,
-            energy.contact_energy,
-            energy.friction_dissipation,
-            energy.friction_elastic,
-            energy.dropped_friction,
-            energy.balance,
-        ]);
-        sheet.numbers(self.stabilised.then_some(energy.stabilisation));
-        sheet.numbers([energy.released_energy]).end();
+        sheet.row().numbers(self.0.iter().map(|(_, value)| value(&frame.energy))).end();
     }
 }

@@ -13,12 +13,12 @@
 use crate::file::{Growing, WriteError, beside};
 use crate::job::JobFiles;
 use crate::kept::Kept;
-use crate::outline::{Outline, outlines};
+use crate::outline::{Drawing, Piece, SPACE};
 use crate::section::nodal_sections;
 use crate::writer::Writer;
-use slideline_model::{Dof, Kinematics, Model, NodeIndex, ProfilePoint};
+use slideline_model::{Model, NodeIndex};
 use slideline_results::element::nodal_stresses;
-use slideline_results::{NodeComponent, NodeField, contact_component};
+use slideline_results::{NodeField, contact_component};
 use slideline_solve::observe::{ContactRow, Event, Frame};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -27,14 +27,14 @@ use std::fmt::Write as _;
 pub(crate) struct Frd {
     job: JobFiles,
     file: Option<Growing>,
-    mesh: Mesh,
+    drawing: Drawing,
     /// Converged increments of all steps, which number the results.
     increments: usize,
 }
 
 impl Frd {
     pub fn new(job: &JobFiles) -> Self {
-        Self { job: job.clone(), file: None, mesh: Mesh::default(), increments: 0 }
+        Self { job: job.clone(), file: None, drawing: Drawing::default(), increments: 0 }
     }
 
     fn begin(&mut self, model: &Model) -> Result<(), WriteError> {
@@ -42,7 +42,7 @@ impl Frd {
         if !asked || self.file.is_some() {
             return Ok(());
         }
-        self.mesh = Mesh::of(model);
+        self.drawing = Drawing::of(model);
         let waiting = beside(&self.job.path(".frd"));
         if let Some(kept) = self.job.kept() {
             self.increments = kept.increments;
@@ -52,7 +52,7 @@ impl Frd {
             return Ok(());
         }
         let mut file = Growing::create(waiting)?;
-        self.mesh.push(&mut file.text, model, &self.job.name());
+        push_mesh(&mut file.text, &self.drawing, model, &self.job.name());
         file.flush()?;
         self.file = Some(file);
         Ok(())
@@ -66,7 +66,7 @@ impl Frd {
             return Ok(());
         }
         let mut results = Results { text: &mut file.text, frame, number: self.increments };
-        results.push_motion(&self.mesh);
+        results.push_motion(&self.drawing);
         results.push_sections();
         results.push_contact();
         file.flush()
@@ -79,91 +79,32 @@ impl Frd {
     }
 }
 
-/// Group, type and nodes of an element of the file: beams 0, springs 1, slave
-/// surfaces 2, rigid surfaces 3, solids 4.
-type Piece<N> = (u32, u8, Vec<N>);
-
 /// Most nodes of an element on one line.
 const NODES_A_LINE: usize = 10;
-/// The type of a line between two nodes.
-const LINE: u8 = 11;
 
-/// What does not change: elements, outlines of rigid surfaces.
-#[derive(Default)]
-struct Mesh {
-    /// Numbered in turn: a beam of three nodes is two lines.
-    pieces: Vec<Piece<u64>>,
-    outlines: Vec<Outline>,
-    /// Number of the first point of an outline.
-    first: u64,
-}
-
-impl Mesh {
-    fn of(model: &Model) -> Self {
-        let mut pieces: Vec<Piece<NodeIndex>> = Vec::new();
-        for block in &model.blocks {
-            let group = match block.kind.kinematics {
-                Kinematics::Beam { .. } => 0,
-                Kinematics::Spring => 1,
-                Kinematics::Solid { .. } | Kinematics::Other => 4,
-            };
-            for element in &block.elements {
-                pieces.extend(block.kind.cell.pieces.iter().map(|piece| {
-                    let nodes = piece.frd_nodes.iter().map(|&place| element.nodes[place]);
-                    (group, piece.frd, nodes.collect())
-                }));
+/// Title, nodes and elements, which are numbered in turn: a beam of three nodes
+/// is two lines. A String takes any text.
+fn push_mesh(text: &mut String, drawing: &Drawing, model: &Model, job: &str) {
+    let job: String = job.chars().filter(char::is_ascii).collect();
+    let _ = writeln!(text, "    1C{job:<66}");
+    let _ = writeln!(text, "    2C{:18}{:>12}{:37}1", "", drawing.labels.len(), "");
+    for (&label, position) in drawing.labels.iter().zip(drawing.still(model)) {
+        push_node(text, label, &position);
+    }
+    text.push_str(" -3\n");
+    let _ = writeln!(text, "    3C{:18}{:>12}{:37}1", "", drawing.pieces.len(), "");
+    for (place, Piece { kind, frd: (shape, points), .. }) in drawing.pieces.iter().enumerate() {
+        let (number, group) = (place + 1, *kind as u32);
+        let _ = writeln!(text, " -1{number:>10}{shape:>5}{group:>5}{:>5}", 1);
+        for line in points.chunks(NODES_A_LINE) {
+            text.push_str(" -2");
+            for &point in line {
+                let _ = write!(text, "{:>10}", drawing.labels[point]);
             }
+            text.push('\n');
         }
-        let pairs = model.contact_pairs.iter();
-        let surfaces = pairs.flat_map(|pair| &pair.elements);
-        pieces.extend(surfaces.map(|element| (2, LINE, element.nodes.to_vec())));
-        let label = |node| model.nodes.label(node);
-        let labels = |nodes: Vec<NodeIndex>| nodes.into_iter().map(label).collect();
-        let mut pieces: Vec<Piece<u64>> =
-            pieces.into_iter().map(|(group, kind, nodes)| (group, kind, labels(nodes))).collect();
-        let outlines = outlines(model);
-        let first = model.nodes.iter().map(|node| node.label).max().unwrap_or(0) + 1;
-        let mut from = first;
-        for outline in &outlines {
-            let to = from + outline.points.len() as u64;
-            pieces.extend((from + 1..to).map(|point| (3, LINE, vec![point - 1, point])));
-            from = to;
-        }
-        Self { pieces, outlines, first }
     }
-
-    /// Number, carrier and undeformed place of the points of outlines.
-    fn points(&self) -> impl Iterator<Item = (u64, &Outline, ProfilePoint)> {
-        let points = self.outlines.iter().flat_map(|o| o.points.iter().map(move |&p| (o, p)));
-        (self.first..).zip(points).map(|(label, (outline, point))| (label, outline, point))
-    }
-
-    /// Title, nodes and elements. A String takes any text.
-    fn push(&self, text: &mut String, model: &Model, job: &str) {
-        let job: String = job.chars().filter(char::is_ascii).collect();
-        let _ = writeln!(text, "    1C{job:<66}");
-        let count = model.nodes.len() + self.points().count();
-        let _ = writeln!(text, "    2C{:18}{count:>12}{:37}1", "", "");
-        for node in model.nodes.iter() {
-            push_node(text, node.label, &node.position);
-        }
-        for (label, _, [x, y]) in self.points() {
-            push_node(text, label, &[x, y, 0.0]);
-        }
-        text.push_str(" -3\n");
-        let _ = writeln!(text, "    3C{:18}{:>12}{:37}1", "", self.pieces.len(), "");
-        for (place, (group, kind, nodes)) in self.pieces.iter().enumerate() {
-            let _ = writeln!(text, " -1{:>10}{kind:>5}{group:>5}{:>5}", place + 1, 1);
-            for line in nodes.chunks(NODES_A_LINE) {
-                text.push_str(" -2");
-                for node in line {
-                    let _ = write!(text, "{node:>10}");
-                }
-                text.push('\n');
-            }
-        }
-        text.push_str(" -3\n");
-    }
+    text.push_str(" -3\n");
 }
 
 /// How a viewer combines components.
@@ -185,24 +126,14 @@ struct Results<'a> {
 
 impl Results<'_> {
     /// DISP and FORC of every node.
-    fn push_motion(&mut self, mesh: &Mesh) {
-        let frame = self.frame;
-        let nodes = || frame.model.nodes.iter().map(|node| node.label).enumerate();
-        let along = |field: NodeField| {
-            let parts: Vec<NodeComponent> = field.components(&Dof::ALL[..3]).collect();
-            let row =
-                move |node| -> [f64; 3] { std::array::from_fn(|k| parts[k].value(frame, node)) };
-            nodes().map(move |(node, label)| (label, row(node)))
+    fn push_motion(&mut self, drawing: &Drawing) {
+        let [_, motion] = drawing.moved(self.frame);
+        let forces = drawing.values(self.frame, NodeField::Reaction, SPACE);
+        let rows = |values: &[f64]| {
+            drawing.labels.iter().copied().zip(values.as_chunks().0.iter().copied()).collect()
         };
-        let motion = along(NodeField::Motion);
-        let carried = mesh.points().map(|(label, outline, point)| {
-            let moved = outline.carried(frame, point);
-            (label, [moved[0] - point[0], moved[1] - point[1], 0.0])
-        });
-        self.push("DISP", Shape::Vector, &["D1", "D2", "D3"], motion.chain(carried).collect());
-        let forces = along(NodeField::Reaction);
-        let none = mesh.points().map(|(label, ..)| (label, [0.0; 3]));
-        self.push("FORC", Shape::Vector, &["F1", "F2", "F3"], forces.chain(none).collect());
+        self.push("DISP", Shape::Vector, &["D1", "D2", "D3"], rows(&motion));
+        self.push("FORC", Shape::Vector, &["F1", "F2", "F3"], rows(&forces));
     }
 
     /// Stresses at the nodes of solids and beams, section forces of beams.

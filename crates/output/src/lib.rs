@@ -14,6 +14,13 @@
 //! grow by whole lines at every commit and are valid whenever the program
 //! ends.
 
+/// Appends a line; a String takes any text.
+macro_rules! line {
+    ($text:expr, $($content:tt)*) => {{
+        let _ = writeln!($text, $($content)*);
+    }};
+}
+
 mod bars;
 mod contact;
 mod dat;

@@ -15,13 +15,6 @@ use slideline_solve::observe::{
 };
 use std::fmt::Write as _;
 
-/// Appends a line; a String takes any text.
-macro_rules! line {
-    ($text:expr, $($content:tt)*) => {{
-        let _ = writeln!($text, $($content)*);
-    }};
-}
-
 /// Writes `JOB.msg`.
 pub(crate) struct Msg<'a> {
     job: JobFiles,

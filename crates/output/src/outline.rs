@@ -1,25 +1,131 @@
-//! Rigid surfaces as chains of points that move with their bodies.
+//! What viewers draw of a model: pieces of elements, slave surfaces, and rigid
+//! surfaces as chains of points that move with their bodies.
 //!
 //! ```text
+//!   o---o---o---o    pieces between nodes
 //!      .---.
-//!     (  x  )   chords; x: the node that carries them
+//!     (  x  )        chords; x: the node that carries them
 //! ```
 
-use slideline_model::{Dof, Master, Model, NodeIndex, ProfilePoint, RigidSurface, SurfaceSegment};
+use slideline_model::{
+    Dof, Kinematics, Master, Model, NodeIndex, ProfilePoint, RigidSurface, SurfaceSegment,
+};
+use slideline_results::NodeField;
 use slideline_solve::observe::Frame;
 
 /// Chords of an arc or parabola per segment; at most 7.5 degrees of arc.
 const CHORDS: u32 = 24;
+/// The axes of space.
+pub(crate) const SPACE: [Dof; 3] = [Dof::U1, Dof::U2, Dof::U3];
+
+/// What a piece stands for, as files number it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Beam = 0,
+    Spring = 1,
+    SlaveSurface = 2,
+    RigidSurface = 3,
+    Solid = 4,
+}
+
+/// A piece between points.
+pub(crate) struct Piece {
+    pub kind: Kind,
+    /// Number of its element; 0 for a rigid surface.
+    pub label: u64,
+    /// Its type and its places among the points, as VTK numbers them.
+    pub vtk: (u8, Vec<usize>),
+    /// The same as CalculiX numbers them.
+    pub frd: (u8, Vec<usize>),
+}
+
+impl Piece {
+    /// All curves are lines (some readers know no poly-lines).
+    fn line(kind: Kind, label: u64, points: [usize; 2]) -> Self {
+        Self { kind, label, vtk: (3, points.to_vec()), frd: (11, points.to_vec()) }
+    }
+}
 
 /// A rigid surface as a chain of points, undeformed.
-pub(crate) struct Outline {
+struct Outline {
     /// The node that carries it.
-    pub reference: NodeIndex,
-    pub points: Vec<ProfilePoint>,
+    reference: NodeIndex,
+    points: Vec<ProfilePoint>,
+}
+
+/// What viewers draw. Points are the nodes of the model, then those of rigid
+/// surfaces.
+#[derive(Default)]
+pub(crate) struct Drawing {
+    pub pieces: Vec<Piece>,
+    /// Numbers of the points: those of the nodes, larger ones behind them.
+    pub labels: Vec<u64>,
+    outlines: Vec<Outline>,
+}
+
+impl Drawing {
+    /// That of a model: its blocks, then slave and rigid surfaces pair by pair.
+    pub fn of(model: &Model) -> Self {
+        let mut pieces = Vec::new();
+        for block in &model.blocks {
+            let kind = match block.kind.kinematics {
+                Kinematics::Beam { .. } => Kind::Beam,
+                Kinematics::Spring => Kind::Spring,
+                Kinematics::Solid { .. } | Kinematics::Other => Kind::Solid,
+            };
+            for element in &block.elements {
+                pieces.extend(block.kind.cell.pieces.iter().map(|piece| {
+                    let of = |places: &[usize]| places.iter().map(|&p| element.nodes[p]).collect();
+                    let vtk = (piece.vtk, of(piece.nodes));
+                    Piece { kind, label: element.label, vtk, frd: (piece.frd, of(piece.frd_nodes)) }
+                }));
+            }
+        }
+        let slaves = model.contact_pairs.iter().flat_map(|pair| &pair.elements);
+        pieces.extend(slaves.map(|e| Piece::line(Kind::SlaveSurface, e.label, e.nodes)));
+        let outlines = outlines(model);
+        let mut labels: Vec<u64> = model.nodes.iter().map(|node| node.label).collect();
+        let mut next = labels.iter().max().unwrap_or(&0) + 1;
+        for outline in &outlines {
+            let (begin, end) = (labels.len(), next + outline.points.len() as u64);
+            labels.extend(next..end);
+            next = end;
+            let chords = (begin + 1..labels.len()).map(|end| [end - 1, end]);
+            pieces.extend(chords.map(|ends| Piece::line(Kind::RigidSurface, 0, ends)));
+        }
+        Self { pieces, labels, outlines }
+    }
+
+    /// Undeformed positions of all points [L].
+    pub fn still(&self, model: &Model) -> impl Iterator<Item = [f64; 3]> {
+        let chains = self.outlines.iter().flat_map(|outline| &outline.points);
+        model.nodes.iter().map(|node| node.position).chain(chains.map(|&[x, y]| [x, y, 0.0]))
+    }
+
+    /// Current positions and displacements of all points, x, y, z of each [L].
+    pub fn moved(&self, frame: &Frame<'_>) -> [Vec<f64>; 2] {
+        let [mut points, mut displacement] =
+            [NodeField::Coordinate, NodeField::Motion].map(|field| field.table(frame, &SPACE));
+        for outline in &self.outlines {
+            for &point in &outline.points {
+                let moved = outline.carried(frame, point);
+                points.extend([moved[0], moved[1], 0.0]);
+                displacement.extend([moved[0] - point[0], moved[1] - point[1], 0.0]);
+            }
+        }
+        [points, displacement]
+    }
+
+    /// Values of a field along three dofs at all points; zero on rigid surfaces.
+    pub fn values(&self, frame: &Frame<'_>, field: NodeField, dofs: [Dof; 3]) -> Vec<f64> {
+        let mut values = field.table(frame, &dofs);
+        values.resize(3 * self.labels.len(), 0.0);
+        values
+    }
 }
 
 /// The outlines of a model, in the order of its contact pairs.
-pub(crate) fn outlines(model: &Model) -> Vec<Outline> {
+fn outlines(model: &Model) -> Vec<Outline> {
     let masters = model.contact_pairs.iter().filter_map(|pair| match &pair.master {
         Master::RigidSurface(surface) => Some(surface),
         Master::SlideLine(_) => None,
@@ -27,10 +133,15 @@ pub(crate) fn outlines(model: &Model) -> Vec<Outline> {
     masters.map(outline).collect()
 }
 
+/// Undeformed points of every rigid surface [L].
+pub(crate) fn chains(model: &Model) -> impl Iterator<Item = Vec<ProfilePoint>> {
+    outlines(model).into_iter().map(|outline| outline.points)
+}
+
 impl Outline {
     /// Where one of its points is: x = x_ref + R(phi) (X - X_ref).
     /// [semantics: segments of a rigid surface]
-    pub fn carried(&self, frame: &Frame<'_>, point: ProfilePoint) -> ProfilePoint {
+    fn carried(&self, frame: &Frame<'_>, point: ProfilePoint) -> ProfilePoint {
         let reference = self.reference;
         let origin = frame.model.nodes.position(reference);
         let moved = |dof| frame.nodal.displacement(reference, dof);

@@ -8,9 +8,11 @@
 //! ```
 
 use crate::number::general;
-use crate::outline::outlines;
+use crate::outline;
 use crate::report::STYLE;
-use slideline_figures::{Anchor, CURVES, Colour, Dash, INK, Pen, Scene, Text, Unit, escaped, grey};
+use slideline_figures::{
+    Anchor, CURVES, Colour, Dash, INK, Pen, Rectangle, Scene, Text, Unit, View, escaped, grey,
+};
 use slideline_model::{Dof, Master, Model, NodeIndex};
 use slideline_solve::observe::ContactRow;
 
@@ -62,54 +64,46 @@ fn master_lines(model: &Model) -> Vec<Vec<[f64; 3]>> {
         Master::RigidSurface(_) => None,
     });
     let chains = chains.map(|nodes| nodes.iter().map(|&node| model.nodes.position(node)).collect());
-    let profiles = outlines(model).into_iter();
-    let profiles =
-        profiles.map(|outline| outline.points.iter().map(|&[x, y]| [x, y, 0.0]).collect());
+    let profiles = outline::chains(model);
+    let profiles = profiles.map(|line| line.iter().map(|&[x, y]| [x, y, 0.0]).collect());
     profiles.chain(chains).collect()
 }
 
 struct Drawing {
     scene: Scene,
-    /// Middle of the model [L].
-    middle: [f64; 2],
-    /// Pixels a length.
-    scale: f64,
+    view: View,
 }
 
 impl Drawing {
     fn of(model: &Model) -> Self {
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-        let nodes = (0..model.nodes.iter().count()).map(|node| model.nodes.position(node));
+        let nodes = (0..model.nodes.len()).map(|node| model.nodes.position(node));
         for point in nodes.chain(master_lines(model).into_iter().flatten()) {
             for axis in 0..2 {
                 low[axis] = low[axis].min(point[axis]);
                 high[axis] = high[axis].max(point[axis]);
             }
         }
+        let finite = |value: f64, otherwise: f64| if value.is_finite() { value } else { otherwise };
         let size = [0, 1].map(|axis| (high[axis] - low[axis]).max(0.0));
         let inside = WIDTH - 2.0 * MARGIN;
-        let height = (inside * size[1] / size[0]).clamp(160.0, 640.0);
-        let height = if height.is_finite() { height } else { 320.0 };
-        let scale = (inside / size[0]).min(height / size[1]);
-        let scale = if scale.is_finite() { scale } else { 1.0 };
-        let middle = [0, 1].map(|axis| 0.5 * (low[axis] + high[axis]));
-        let middle = if middle.iter().all(|m| m.is_finite()) { middle } else { [0.0; 2] };
-        let size = [WIDTH, height + 2.0 * MARGIN];
-        let scene = Scene::new(Unit::Pixel, size, "The undeformed model");
-        Self { scene, middle, scale }
+        let height = finite((inside * size[1] / size[0]).clamp(160.0, 640.0), 320.0);
+        let scale = finite((inside / size[0]).min(height / size[1]), 1.0);
+        let middle = [0, 1].map(|axis| finite(0.5 * (low[axis] + high[axis]), 0.0));
+        let height = height + 2.0 * MARGIN;
+        let scene = Scene::new(Unit::Pixel, [WIDTH, height], "The undeformed model");
+        let window = Rectangle { left: 0.0, top: 0.0, width: WIDTH, height };
+        Self { scene, view: View { window, middle, scale } }
     }
 
-    fn at(&self, point: [f64; 3]) -> [f64; 2] {
-        [
-            0.5 * self.scene.width + self.scale * (point[0] - self.middle[0]),
-            0.5 * self.scene.height - self.scale * (point[1] - self.middle[1]),
-        ]
+    fn at(&self, [x, y, _]: [f64; 3]) -> [f64; 2] {
+        self.view.at([x, y])
     }
 
     /// Beams as thick as they are, two pixels at least.
     fn beams(&mut self, model: &Model) {
         for block in model.blocks.iter().filter_map(|block| block.beams()) {
-            let half = (0.5 * block.section.height * self.scale).max(1.0);
+            let half = (0.5 * block.section.height * self.view.scale).max(1.0);
             for element in block.elements {
                 for ends in element.nodes.windows(2) {
                     let [a, b] = [0, 1].map(|end| self.at(model.nodes.position(ends[end])));

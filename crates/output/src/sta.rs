@@ -11,7 +11,7 @@ use crate::job::JobFiles;
 use crate::kept::Kept;
 use crate::number::general;
 use crate::writer::Writer;
-use slideline_solve::observe::{AttemptReport, Event, Frame};
+use slideline_solve::observe::Event;
 use std::fmt::Write as _;
 
 /// Writes `JOB.sta`.
@@ -32,18 +32,22 @@ impl Sta {
         Ok(())
     }
 
-    fn line(&mut self, line: &Line) -> Result<(), WriteError> {
+    /// A line of an attempt: step, increment and its number; severe and equilibrium
+    /// iterations; total time, step time, increment.
+    fn line(
+        &mut self,
+        [step, increment, attempt]: [usize; 3],
+        mark: &str,
+        [severe, equilibrium]: [usize; 2],
+        times: [f64; 3],
+    ) -> Result<(), WriteError> {
         let Some(file) = &mut self.file else { return Ok(()) };
-        let attempt = format!("{}{}", line.attempt, if line.failed { "U" } else { "" });
-        let [severe, equilibrium] = line.iterations;
-        let [total_time, step_time, increment_time] = line.times.map(|time| general(time, 6));
-        // A String takes any text.
-        let _ = writeln!(
+        let (attempt, all) = (format!("{attempt}{mark}"), severe + equilibrium);
+        let [total_time, step_time, increment_time] = times.map(|time| general(time, 6));
+        line!(
             file.text,
-            "{:>5} {:>5} {attempt:>5} {severe:>19} {equilibrium:>11} {:>11} {total_time:>13} {step_time:>13} {increment_time:>13}",
-            line.step,
-            line.increment,
-            severe + equilibrium,
+            "{step:>5} {increment:>5} {attempt:>5} {severe:>19} {equilibrium:>11} {all:>11} \
+             {total_time:>13} {step_time:>13} {increment_time:>13}"
         );
         file.flush()
     }
@@ -54,47 +58,22 @@ const HEADER: &str = concat!(
     "    TOTAL-TIME     STEP-TIME      INC-TIME\n",
 );
 
-struct Line {
-    step: usize,
-    increment: usize,
-    attempt: usize,
-    failed: bool,
-    iterations: [usize; 2],
-    times: [f64; 3],
-}
-
-impl From<&Frame<'_>> for Line {
-    fn from(frame: &Frame<'_>) -> Self {
-        Self {
-            step: frame.step,
-            increment: frame.increment,
-            attempt: frame.attempt,
-            failed: false,
-            iterations: [frame.severe_iterations, frame.equilibrium_iterations],
-            times: [frame.total_time, frame.step_time, frame.time_increment],
-        }
-    }
-}
-
-impl From<&AttemptReport> for Line {
-    fn from(attempt: &AttemptReport) -> Self {
-        Self {
-            step: attempt.step,
-            increment: attempt.increment,
-            attempt: attempt.attempt,
-            failed: true,
-            iterations: [attempt.severe_iterations, attempt.equilibrium_iterations],
-            times: [attempt.total_time, attempt.step_time, attempt.time_increment],
-        }
-    }
-}
-
 impl Writer for Sta {
     fn event(&mut self, event: &Event<'_>) -> Result<(), WriteError> {
         match event {
             Event::StepBegin(_) => self.begin(),
-            Event::Committed(frame) => self.line(&Line::from(*frame)),
-            Event::AttemptFailed(attempt) => self.line(&Line::from(*attempt)),
+            Event::Committed(own) => self.line(
+                [own.step, own.increment, own.attempt],
+                "",
+                [own.severe_iterations, own.equilibrium_iterations],
+                [own.total_time, own.step_time, own.time_increment],
+            ),
+            Event::AttemptFailed(own) => self.line(
+                [own.step, own.increment, own.attempt],
+                "U",
+                [own.severe_iterations, own.equilibrium_iterations],
+                [own.total_time, own.step_time, own.time_increment],
+            ),
             _ => Ok(()),
         }
     }

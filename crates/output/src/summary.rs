@@ -2,15 +2,16 @@
 
 use crate::facts::{Earlier, Facts, Status};
 use crate::file::{WriteError, replace};
-use crate::history::columns;
 use crate::job::JobFiles;
 use crate::json::{Map, Value, joined, json, text};
 use crate::ledger::onset_word;
-use crate::reading::summary::SCHEMA;
+use crate::reading::history::{Energies, History, NodeHistory};
+use crate::reading::summary::{SCHEMA, driven};
 use crate::record::record;
 use crate::understood::understood;
 use crate::verdict;
 use crate::vtu::state_is_due;
+use crate::{energy, history};
 use serde::{Deserialize, Serialize};
 use slideline_diag::{Diagnostic, Severity, Sources};
 use slideline_measures::NoiseSummary;
@@ -18,7 +19,7 @@ use slideline_model::{Dialect, NodeIndex};
 use slideline_results::NodeComponent;
 use slideline_solve::Checkpoint;
 use slideline_solve::observe::{Ending, Event, Frame, StepReport, Totals};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::time::{Duration, Instant};
 
 /// Smallest and largest value of a curve, each with its time.
@@ -64,6 +65,10 @@ pub(crate) struct Summary<'a> {
     /// Warnings, advice and notes.
     said: [Vec<Value>; 3],
     curves: Vec<(String, NodeIndex, NodeComponent)>,
+    /// Columns of the curves, and what the driven nodes did so far.
+    history: (Vec<NodeComponent>, History),
+    /// Columns of the energies, and all of them so far.
+    energies: (Vec<energy::Column>, Energies),
     dropped_work: f64,
     totals: Totals,
     understood: Option<Value>,
@@ -95,6 +100,8 @@ impl<'a> Summary<'a> {
             memory: Memory::default(),
             said,
             curves: Vec::new(),
+            history: Default::default(),
+            energies: Default::default(),
             dropped_work: 0.0,
             totals: Totals::default(),
             understood: None,
@@ -118,6 +125,12 @@ impl<'a> Summary<'a> {
         summary.memory = memory;
         summary.totals = from.totals;
         summary.dropped_work = from.energy().dropped_friction;
+        let length = from.totals.increments;
+        let history = History::read(&job.path(".history.csv"), |_| true);
+        summary.history.1 = history.unwrap_or_default();
+        summary.history.1.shorten(length);
+        summary.energies.1 = Energies::read(&job.path(".energy.csv")).unwrap_or_default();
+        summary.energies.1.shorten(length);
         summary.states = job.kept().map_or(0, |kept| kept.states.len());
         summary.write(Status::Running, None)?;
         Ok(summary)
@@ -209,17 +222,30 @@ impl<'a> Summary<'a> {
             let elements = block.into_iter().flat_map(|block| &block.elements);
             self.allowable.extend(elements.map(|own| (own.label, allowable.strain)));
         }
-        let columns = columns(step.start.nodal.dofs());
+        let columns = history::columns(step.start.nodal.dofs());
         for node in step.model.history_nodes() {
             let label = step.model.nodes.label(node);
             self.curves.extend(
                 columns.iter().map(|&column| (format!("{label}.{}", column.name()), node, column)),
             );
         }
+        self.energies.0 = energy::columns(step);
         // else they were recalled
         if self.memory.peaks.len() != self.curves.len() {
             self.memory.peaks = vec![None; self.curves.len()];
         }
+        if self.energies.1.columns.is_empty() {
+            let names = columns.iter().map(|column| column.name().to_owned()).collect();
+            let driven = self.understood.as_ref().map(driven).unwrap_or_default();
+            let nodes = driven.iter().map(|driven| driven.node).collect::<BTreeSet<u64>>();
+            let values = vec![Vec::new(); columns.len()];
+            let nodes = nodes.into_iter().map(|node| NodeHistory { node, values: values.clone() });
+            self.history.1 = History { columns: names, nodes: nodes.collect() };
+            let names = self.energies.0.iter().map(|(name, _)| (*name).to_owned()).collect();
+            let values = vec![Vec::new(); self.energies.0.len()];
+            self.energies.1 = Energies { columns: names, values, ..Energies::default() };
+        }
+        self.history.0 = columns;
     }
 
     fn follow(&mut self, frame: &Frame<'_>) {
@@ -238,6 +264,15 @@ impl<'a> Summary<'a> {
             let force = own.fold(0.0, |sum, row| sum + row.pressure * row.area);
             keep_larger(&mut memory.normal, (force, pair as u64, time));
         }
+        for (list, (_, value)) in self.energies.1.values.iter_mut().zip(&self.energies.0) {
+            list.push(value(&frame.energy));
+        }
+        for own in &mut self.history.1.nodes {
+            let Some(node) = frame.model.nodes.find(own.node) else { continue };
+            for (list, column) in own.values.iter_mut().zip(&self.history.0) {
+                list.push(column.value(frame, node));
+            }
+        }
         for ((_, node, column), peak) in self.curves.iter().zip(&mut memory.peaks) {
             let now = (column.value(frame, *node), time);
             let peak = peak.get_or_insert(Peak { least: now, most: now });
@@ -253,7 +288,7 @@ impl<'a> Summary<'a> {
     fn write(&self, status: Status, diagnosis: Option<&Diagnostic>) -> Result<(), WriteError> {
         let mut object = self.object(status, diagnosis);
         if status != Status::Running {
-            object = verdict::attached(&self.job, object);
+            object = verdict::attached(object, &self.energies.1, &self.history.1);
         }
         replace(&self.job.path(".json"), (text(&object) + "\n").as_bytes())
     }

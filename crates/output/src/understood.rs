@@ -185,7 +185,7 @@ fn friction(list: &mut Settings, card: &str, friction: &Friction, given: bool) {
             StickRule::Lagrange => ("LAGRANGE".to_owned(), false),
         };
         list.say(card, "stick", &word, default);
-        let limit = limit.map_or_else(|| "none".to_owned(), |limit| general(limit, 9));
+        let limit = limit.map_or_else(|| "none".to_owned(), |limit| general(limit, 9).to_string());
         list.say(card, "TAUMAX", &limit, limit == "none");
     }
 }

@@ -120,12 +120,8 @@ fn out_of_balance(energies: &Energies) -> Option<f64> {
 
 /// What `JOB.json` says, with forces and verdict behind everything else; those
 /// that were there are replaced.
-pub(crate) fn attached(job: &JobFiles, mut summary: Value) -> Value {
-    let names = driven(&summary);
-    let energies = Energies::read(&job.path(".energy.csv")).ok();
-    let kept = |node| names.iter().any(|driven| driven.node == node);
-    let history = History::read(&job.path(".history.csv"), kept).unwrap_or_default();
-    let judged = judge(&summary, energies.as_ref(), |driven| {
+pub(crate) fn attached(mut summary: Value, energies: &Energies, history: &History) -> Value {
+    let judged = judge(&summary, Some(energies), |driven| {
         let column = |name: &str| history.with_start(driven.node, name);
         Some([column(&driven.motion)?, column(&driven.reaction)?])
     });
@@ -243,18 +239,18 @@ mod tests {
     /// written twice, when the file gets another warning.
     #[test]
     fn the_tail_is_replaced() {
-        let job = JobFiles::new("nowhere", "job");
+        let attached = |summary| attached(summary, &Energies::default(), &History::default());
         let text = "{\"status\":\"completed\",\"title\":\",\\\"forces\\\":\",\"warnings\":[]}";
-        let once = attached(&job, serde_json::from_str(text).unwrap());
+        let once = attached(serde_json::from_str(text).unwrap());
         assert!(
             crate::json::text(&once)
                 .ends_with(",\"forces\":[],\"verdict\":{\"colour\":\"green\",\"reasons\":[]}}")
         );
-        assert_eq!(attached(&job, once.clone()), once);
+        assert_eq!(attached(once.clone()), once);
         let mut warned = once;
         warned["warnings"] = json!([{"code": "SL0602"}]);
         warned["late"] = json!(1);
-        let again = crate::json::text(&attached(&job, warned));
+        let again = crate::json::text(&attached(warned));
         assert!(again.contains("amber") && again.contains("\"late\":1,\"forces\""), "{again}");
     }
 }

@@ -14,6 +14,10 @@ use slideline_measures::NoiseSummary;
 use slideline_solve::Checkpoint;
 use slideline_solve::observe::{Event, Observer, Stop};
 use std::ops::ControlFlow;
+use std::time::{Duration, Instant};
+
+/// What was computed in less is sooner computed again than waited for.
+const WORTH: Duration = Duration::from_secs(1);
 
 type Make = for<'a> fn(&JobFiles, &Facts<'a>) -> Box<dyn Writer + 'a>;
 
@@ -56,6 +60,8 @@ pub struct Writers<'a> {
     ended: bool,
     /// How many steps the run has.
     steps: usize,
+    /// When the files were forced to the disk; at first when the run began.
+    forced: Instant,
 }
 
 impl<'a> Writers<'a> {
@@ -70,7 +76,7 @@ impl<'a> Writers<'a> {
         let writers = REGISTRY.iter().map(|kind| (kind.make)(&job, &facts)).collect();
         let restart = restart::Writer::new(facts.clone(), None);
         let summary = Summary::begin(&job, facts)?;
-        Ok(Self { job, writers, summary, failure: None, restart, lock, ended: false, steps: 0 })
+        Ok(Self::with(job, writers, summary, restart, lock))
     }
 
     /// Cuts the files of a job back to a saved state and goes on with them.
@@ -85,7 +91,18 @@ impl<'a> Writers<'a> {
         let writers = REGISTRY.iter().map(|kind| (kind.make)(&job, &facts)).collect();
         let restart = restart::Writer::new(facts.clone(), Some(place));
         let summary = Summary::resume(&job, facts, memory, &checkpoint)?;
-        Ok(Self { job, writers, summary, failure: None, restart, lock, ended: false, steps: 0 })
+        Ok(Self::with(job, writers, summary, restart, lock))
+    }
+
+    fn with(
+        job: JobFiles,
+        writers: Vec<Box<dyn Writer + 'a>>,
+        summary: Summary<'a>,
+        restart: restart::Writer<'a>,
+        lock: Option<Lock>,
+    ) -> Self {
+        let (failure, ended, steps, forced) = (None, false, 0, Instant::now());
+        Self { job, writers, summary, failure, restart, lock, ended, steps, forced }
     }
 
     /// Where the files are.
@@ -111,9 +128,17 @@ impl<'a> Writers<'a> {
 
     /// Waits for the disk at the end of a step, not in every increment: a
     /// machine that loses its power loses one step at most.
-    fn step_is_safe(&self, checkpoint: &Checkpoint<'_>) -> Result<(), WriteError> {
+    fn step_is_safe(&mut self, checkpoint: &Checkpoint<'_>) -> Result<(), WriteError> {
         let at_the_end = checkpoint.step >= self.steps; // which waits itself
-        if checkpoint.last_of_step() && !at_the_end { self.job.synchronise() } else { Ok(()) }
+        if checkpoint.last_of_step() && !at_the_end { self.force() } else { Ok(()) }
+    }
+
+    fn force(&mut self) -> Result<(), WriteError> {
+        if self.forced.elapsed() < WORTH {
+            return Ok(());
+        }
+        self.forced = Instant::now();
+        self.job.synchronise()
     }
 
     /// Takes note of an event. Every writer is asked even when one fails:
@@ -151,7 +176,7 @@ impl<'a> Writers<'a> {
                 };
                 let written = self.summary.end(status, ending);
                 self.lock = None;
-                written.and_then(|()| self.job.synchronise())
+                written.and_then(|()| self.force())
             }
             _ => {
                 self.summary.watch(event);

@@ -1,7 +1,7 @@
 //! Fields on nodes.
 
 use slideline_model::{Dof, NodeIndex, NodeVariable};
-use slideline_solve::observe::{Frame, Unconverged};
+use slideline_solve::observe::Frame;
 
 /// A field on nodes, as decks ask for it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,6 +39,28 @@ impl NodeField {
             Self::Load => "CF",
             Self::Coordinate => "COORD",
         }
+    }
+
+    /// Its values along some dofs at all nodes, node by node.
+    pub fn table(self, frame: &Frame<'_>, dofs: &[Dof]) -> Vec<f64> {
+        let nodes = &frame.model.nodes;
+        let mut table = vec![0.0; dofs.len() * nodes.len()];
+        for (node, dof, [displacement, reaction, load]) in frame.nodal.all() {
+            if let Some(column) = dofs.iter().position(|own| *own == dof) {
+                table[dofs.len() * node + column] = match self {
+                    Self::Motion | Self::Coordinate => displacement,
+                    Self::Reaction => reaction,
+                    Self::Load => load,
+                };
+            }
+        }
+        if self == Self::Coordinate {
+            for (row, node) in table.chunks_exact_mut(dofs.len()).zip(nodes.iter()) {
+                let still = dofs.iter().map(|dof| node.position[dof.number() - 1]);
+                row.iter_mut().zip(still).for_each(|(moved, still)| *moved += still);
+            }
+        }
+        table
     }
 
     /// Its components along some dofs; a coordinate has none along a rotation.
@@ -91,11 +113,6 @@ impl NodeComponent {
                 still[dof.number() - 1] + nodal.displacement(node, dof)
             }
         }
-    }
-
-    /// What is missing to equilibrium along its dof [F or F L].
-    pub fn residual(self, state: &Unconverged<'_>, node: NodeIndex) -> f64 {
-        state.residual(node, self.dof)
     }
 }
 

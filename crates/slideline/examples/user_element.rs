@@ -16,7 +16,6 @@ use slideline::model::{
 use slideline::observe::Ending;
 use slideline::{Event, Job, Model, Observer, ReadOptions, SolveOptions, Stop, solve};
 use std::ops::ControlFlow;
-use std::sync::Arc;
 
 /// The row of the bar. Its section has three properties: E [F/L2], yield stress [F/L2], area [L2].
 pub static YIELDING_BAR: ElementType = ElementType {
@@ -34,14 +33,14 @@ pub static YIELDING_BAR: ElementType = ElementType {
     kernel: bars,
 };
 
-fn bars(block: &Undeformed<'_>) -> Option<Arc<dyn Kernel>> {
+fn bars(block: &Undeformed<'_>, _room: Option<Box<dyn Kernel>>) -> Option<Box<dyn Kernel>> {
     let Section::Properties(properties) = block.section else { return None };
     let [modulus, limit, area] = *properties.as_slice() else { return None };
     let bars = block.plane::<2>().map(|[a, b]| {
         let length = (b[0] - a[0]).hypot(b[1] - a[1]);
         ([(b[0] - a[0]) / length, (b[1] - a[1]) / length], length)
     });
-    Some(Arc::new(Bars { modulus, limit, area, bars: bars.collect() }))
+    Some(Box::new(Bars { modulus, limit, area, bars: bars.collect() }))
 }
 
 /// Bars of one section: direction and length of each.

@@ -49,6 +49,7 @@ pub use slideline_output as output;
 pub use slideline_solve::{Checkpoint, resume, run as solve, run_from};
 pub use slideline_solve::{Enforcement, Options as SolveOptions, TangentCheck, observe};
 pub use slideline_solve::{LinearSystems, linalg};
+pub use slideline_solve::{Part, Plan, PlanMismatch, Workspace};
 pub use slideline_solve::{UserFrictions, friction};
 
 pub use slideline_diag::{Diagnostic, Severity};

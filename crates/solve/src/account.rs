@@ -10,9 +10,9 @@
 //!
 //! docs/theory.md section 10.
 
-use crate::newton::{Target, Workspace};
+use crate::newton::{Scratch, Target};
 use crate::observe::Energies;
-use crate::plan::Plan;
+use crate::problem::Problem;
 use crate::state::State;
 use serde::{Deserialize, Serialize};
 use slideline_mech::contact::tangential::Tangential;
@@ -65,7 +65,7 @@ impl Books {
 /// Energies after the increment: work by the trapezoidal rule, dissipation
 /// as the mean of the traction forces at both ends times the slip, eqs (10.1)
 /// to (10.3).
-pub fn account(plan: &Plan<'_>, committed: &State, work: &Workspace, trial: &mut State) {
+pub fn account(plan: &Problem<'_>, committed: &State, work: &Scratch, trial: &mut State) {
     let before = &committed.energy;
     let mut energy = Energies {
         strain_energy: work.evaluation.strain_energy,
@@ -104,7 +104,7 @@ pub fn account(plan: &Plan<'_>, committed: &State, work: &Workspace, trial: &mut
 
 /// What the first increment of a run left over: a model that begins
 /// overclosed holds energy that it may give up before anything moves.
-fn from_the_start(plan: &Plan<'_>, start: &State, left: f64) -> f64 {
+fn from_the_start(plan: &Problem<'_>, start: &State, left: f64) -> f64 {
     let mut held = 0.0;
     for (point, now) in plan.contact.points.iter().zip(&start.points) {
         let law = &plan.contact.laws[point.pair].normal;
@@ -146,7 +146,7 @@ struct Friction {
 }
 
 impl Friction {
-    fn of(plan: &Plan<'_>, committed: &State, work: &Workspace, trial: &State) -> Self {
+    fn of(plan: &Problem<'_>, committed: &State, work: &Scratch, trial: &State) -> Self {
         let mut sum = Self::default();
         for place in 0..plan.contact.points.len() {
             let (old, new) = (&committed.points[place], &trial.points[place]);

@@ -6,9 +6,9 @@
 //! ```
 
 use crate::contact::PointRows;
-use crate::newton::Workspace;
+use crate::newton::Scratch;
 use crate::observe::{ContactRow, PairRow, Status};
-use crate::plan::Plan;
+use crate::problem::Problem;
 use crate::state::{PointState, State};
 use slideline_mech::contact::tangential::Tangential;
 use slideline_model::Dof;
@@ -16,9 +16,9 @@ use slideline_model::Dof;
 /// Fills a row for every pair of a state that was just committed; `closed`
 /// says which contact rows were closed before; `sums` is scratch.
 pub fn pair_rows(
-    plan: &Plan<'_>,
+    plan: &Problem<'_>,
     state: &State,
-    work: &Workspace,
+    work: &Scratch,
     (contact, closed): (&[ContactRow], &[bool]),
     (rows, sums): (&mut Vec<PairRow>, &mut Vec<Sum>),
 ) {
@@ -98,7 +98,7 @@ impl Sum {
     /// Takes in all dofs that a closed point acts on.
     fn add(
         &mut self,
-        plan: &Plan<'_>,
+        plan: &Problem<'_>,
         state: &State,
         now: &PointState,
         kinematics: &PointRows<'_>,

@@ -15,7 +15,7 @@ use crate::contact::{point_count, state_size};
 use crate::dofs::DofMap;
 use crate::increments::Control;
 use crate::observe::{Energies, Totals};
-use crate::plan::Start;
+use crate::start::Start;
 use crate::state::State;
 use serde::{Deserialize, Serialize};
 use slideline_model::{ContactPair, Model};

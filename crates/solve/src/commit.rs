@@ -2,11 +2,11 @@
 
 use crate::account::account;
 use crate::constraints::Role;
-use crate::contact::{ContactKinematics, MasterPositions};
+use crate::contact::{Contact, ContactKinematics, MasterPositions};
 use crate::dofs::DofMap;
-use crate::newton::{Target, Workspace};
+use crate::newton::{Scratch, Target};
 use crate::observe::ContactRow;
-use crate::plan::{Plan, Start};
+use crate::problem::Problem;
 use crate::rows::contact_rows;
 use crate::state::State;
 use crate::users::UserFrictions;
@@ -14,10 +14,10 @@ use slideline_model::Model;
 
 /// Writes the state after an increment into `trial` (every field).
 pub fn commit(
-    plan: &Plan<'_>,
+    plan: &Problem<'_>,
     committed: &State,
     target: &Target,
-    work: &Workspace,
+    work: &Scratch,
     trial: &mut State,
 ) {
     let evaluation = &work.evaluation;
@@ -58,7 +58,7 @@ pub fn commit(
 /// What is free and returns to rest is at rest once its displacement is far
 /// below the rounding of any position: it must not decay on through the
 /// smallest numbers that there are.
-fn come_to_rest(plan: &Plan<'_>, trial: &mut State) {
+fn come_to_rest(plan: &Problem<'_>, trial: &mut State) {
     let nothing = f64::EPSILON.powi(4);
     for &dof in &plan.constraints.dof_of_equation {
         let size = if plan.dofs.name(dof).1.is_rotation() { 1.0 } else { plan.reach };
@@ -69,7 +69,7 @@ fn come_to_rest(plan: &Plan<'_>, trial: &mut State) {
 }
 
 /// Slip of closed points without friction, which no law has asked for.
-fn count_slip(plan: &Plan<'_>, committed: &State, work: &Workspace, trial: &mut State) {
+fn count_slip(plan: &Problem<'_>, committed: &State, work: &Scratch, trial: &mut State) {
     for (place, point) in plan.contact.points.iter().enumerate() {
         let (now, before) = (&mut trial.points[place], &committed.points[place]);
         if now.closed && !plan.contact.laws[point.pair].has_friction() {
@@ -83,10 +83,14 @@ fn count_slip(plan: &Plan<'_>, committed: &State, work: &Workspace, trial: &mut 
 
 /// Fills in where the contact points of a committed state stand, without
 /// touching their history: the gaps of the start, and the origin of slip for
-/// points that close in the first increment.
-pub fn locate_points(plan: &Plan<'_>, committed: &mut State, kinematics: &mut ContactKinematics) {
-    let mut positions = MasterPositions::default();
-    plan.contact.meet(&committed.displacement, &[], &mut positions, kinematics);
+/// points that close in the first increment. `positions` is scratch.
+pub fn locate_points(
+    contact: &Contact,
+    committed: &mut State,
+    positions: &mut MasterPositions,
+    kinematics: &mut ContactKinematics,
+) {
+    contact.meet(&committed.displacement, &[], positions, kinematics);
     for (point, kinematics) in committed.points.iter_mut().zip(kinematics.points()) {
         point.opening = -kinematics.overclosure;
         point.along = kinematics.faces.then_some(kinematics.along);
@@ -101,19 +105,22 @@ pub fn locate_points(plan: &Plan<'_>, committed: &mut State, kinematics: &mut Co
 /// gaps, facing places and areas.
 pub fn initial_contact(model: &Model) -> Vec<ContactRow> {
     let mut rows = Vec::new();
-    let Some(step) = model.steps.first() else { return rows };
-    let undeformed = Start::undeformed(DofMap::new(model).len());
-    let plan = Plan::without_pattern(model, step, undeformed, &UserFrictions::default(), None);
-    let points = plan.contact.points.len();
-    let mut state = State::undeformed(plan.dofs.len(), points, (plan.contact.state_size, 0));
-    locate_points(&plan, &mut state, &mut plan.contact.nowhere());
-    contact_rows(&plan, &state, &mut rows);
+    if model.steps.is_empty() {
+        return rows;
+    }
+    let dofs = DofMap::new(model);
+    let contact = Contact::new(model, &dofs, &UserFrictions::default());
+    let points = contact.points.len();
+    let mut state = State::undeformed(dofs.len(), points, (contact.state_size, 0));
+    let mut kinematics = contact.nowhere();
+    locate_points(&contact, &mut state, &mut MasterPositions::default(), &mut kinematics);
+    contact_rows((model, &dofs), &contact, &state, (&mut rows, &mut Vec::new()));
     rows
 }
 
 /// The places of a committed state as the evaluation that led to it left
 /// them, so that points without a master keep what was last said of them.
-pub fn recall_points(committed: &State, work: &mut Workspace) {
+pub fn recall_points(committed: &State, work: &mut Scratch) {
     let kinematics = work.evaluation.kinematics.points_mut();
     for (point, kinematics) in committed.points.iter().zip(kinematics) {
         kinematics.position = point.position;

@@ -15,17 +15,20 @@
 //! eqs (4.1) to (4.4).
 
 mod linear;
+mod motion;
 mod rigid;
 mod rows;
 #[cfg(test)]
 mod tests;
 
+pub use motion::Motion;
 pub use rows::Rows;
 
 use crate::dofs::DofMap;
 use linear::LinearConstraint;
 use rigid::RigidLink;
 use slideline_model::{Model, NodeIndex, Step};
+use std::ops::Deref;
 
 /// What a dof is in a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,9 +43,27 @@ pub enum Role {
     Dependent(usize),
 }
 
-/// The constraints of a step: roles of all dofs, equations of the unknowns.
-#[derive(Clone, Debug)]
-pub struct Constraints {
+/// The constraints of a step at work: what follows what, and how far.
+#[derive(Clone, Copy, Debug)]
+pub struct Constraints<'a> {
+    /// Roles and equations, of the plan.
+    pub numbering: &'a ConstraintNumbering,
+    /// Arms and coefficients, of the values.
+    pub motion: &'a Motion,
+}
+
+impl Deref for Constraints<'_> {
+    type Target = ConstraintNumbering;
+
+    fn deref(&self) -> &ConstraintNumbering {
+        self.numbering
+    }
+}
+
+/// Roles of all dofs, equations of the unknowns, and which dofs the others follow:
+/// what a plan holds of the constraints of a step.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ConstraintNumbering {
     /// Role of every dof.
     pub roles: Vec<Role>,
     /// Dof of every equation.
@@ -59,8 +80,8 @@ pub struct Constraints {
     carrier: Vec<NodeIndex>,
 }
 
-impl Constraints {
-    /// Those of a step of a model.
+impl ConstraintNumbering {
+    /// That of a step of a model.
     pub fn new(model: &Model, step: &Step, dofs: &DofMap) -> Self {
         let (rigid, carrier) = rigid::resolve(model, dofs);
         let mut new = Self {
@@ -160,10 +181,21 @@ impl Constraints {
         }
     }
 
+    /// Whether T turns with the unknowns.
+    pub fn turns(&self) -> bool {
+        !self.rigid.is_empty()
+    }
+}
+
+impl Constraints<'_> {
     /// Moves dependent dofs to where the others take them.
     pub fn enforce(&self, u: &mut [f64]) {
-        self.rigid.iter().for_each(|link| link.enforce(u));
-        self.linear.iter().for_each(|constraint| constraint.enforce(u));
+        let links = self.rigid.iter().zip(&self.motion.arms);
+        links.for_each(|(link, &arm)| link.enforce(arm, u));
+        for (row, constraint) in self.linear.iter().enumerate() {
+            let (coefficients, constant) = self.motion.linear(row);
+            constraint.enforce(coefficients, constant, u);
+        }
     }
 
     /// Stiffness by the turning of T, f . d2u/dq2, for forces `f` on all dofs
@@ -171,12 +203,11 @@ impl Constraints {
     /// with pairs of rotations and their stiffness.
     pub fn turning(&self, u: &[f64], f: &mut [f64], mut call: impl FnMut(usize, usize, f64)) {
         // what follows a body linearly presses on it too
-        self.linear.iter().rev().for_each(|constraint| constraint.carry(f));
-        self.rigid.iter().for_each(|link| link.turning(u, f, &mut call));
-    }
-
-    /// Whether T turns with the unknowns.
-    pub fn turns(&self) -> bool {
-        !self.rigid.is_empty()
+        for (row, constraint) in self.linear.iter().enumerate().rev() {
+            constraint.carry(self.motion.linear(row).0, f);
+        }
+        for (link, &arm) in self.rigid.iter().zip(&self.motion.arms) {
+            link.turning(arm, u, f, &mut call);
+        }
     }
 }

@@ -20,8 +20,9 @@ mod operator;
 mod positions;
 mod segment;
 mod shear;
+mod values;
 
-pub use candidates::coupled_parts;
+pub use candidates::{Candidates, coupled_parts};
 pub use cliques::Cliques;
 pub use crossing::{Missed, Sweep, SweepScratch};
 pub use idle::Look;
@@ -76,8 +77,8 @@ enum Carrier {
     IntegrationPoint { segment: usize },
 }
 
-/// All contact pairs of a step.
-#[derive(Clone, Debug)]
+/// All contact pairs of a model.
+#[derive(Clone, Debug, Default)]
 pub struct Contact {
     /// Slave points of all pairs, pair by pair.
     pub points: Vec<SlavePoint>,
@@ -99,6 +100,8 @@ pub struct Contact {
     /// Pairs with rigid masters that share slave nodes.
     opposed: Vec<[usize; 2]>,
     chain_nodes: usize,
+    /// Tangents of a slave surface at its nodes, as scratch [1].
+    tangents: Vec<[f64; 3]>,
 }
 
 impl Contact {
@@ -116,6 +119,7 @@ impl Contact {
             edges: Vec::new(),
             opposed: Vec::new(),
             chain_nodes: 0,
+            tangents: Vec::new(),
         };
         for (place, pair) in model.contact_pairs.iter().enumerate() {
             contact.edges.push(Vec::new());
@@ -123,7 +127,8 @@ impl Contact {
                 Formulation::NodeToSurface => contact.add_nodes(model, dofs, place, pair),
                 Formulation::SurfaceToSurface => contact.add_segments(model, dofs, place, pair),
             }
-            contact.laws.push(laws::laws(model, pair, users));
+            let length = laws::average(model, pair);
+            contact.laws.push(laws::laws(model, pair, length, users));
             let master = match &pair.master {
                 Master::RigidSurface(surface) => MasterSurface::body(model, dofs, surface),
                 Master::SlideLine(line) => {
@@ -133,7 +138,7 @@ impl Contact {
             if let MasterSurface::Line { nodes, .. } = &master {
                 contact.chain_nodes += nodes.len();
             }
-            contact.spacing.push(laws::spacing(model, pair, &master));
+            contact.spacing.push(laws::spacing(model, length, &master));
             contact.masters.push(master);
         }
         contact.opposed = contact.opposed_pairs();
@@ -185,6 +190,13 @@ impl Contact {
 
     /// All points, facing nothing yet, each with room for the dofs it may follow.
     pub fn nowhere(&self) -> ContactKinematics {
+        let mut kinematics = ContactKinematics::default();
+        self.forget(&mut kinematics);
+        kinematics
+    }
+
+    /// Lets points face nothing, in the room they have.
+    pub fn forget(&self, kinematics: &mut ContactKinematics) {
         let room = |point: &SlavePoint| {
             let own = match &point.carrier {
                 Carrier::Node { dofs, .. } => dofs.as_slice().len(),
@@ -193,7 +205,7 @@ impl Contact {
             own + self.masters[point.pair].most_dofs()
         };
         let room = self.points.iter().map(room).max().unwrap_or(0);
-        ContactKinematics::nowhere(self.points.len(), room, self.directions)
+        kinematics.forget(self.points.len(), room, self.directions);
     }
 
     /// Where every point stands at displacements `u`. `positions` is scratch.

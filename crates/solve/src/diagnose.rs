@@ -17,8 +17,8 @@ pub use contact::slid_off;
 pub use structure::step_too_large;
 
 use crate::increments::{StopReason, Verdict};
-use crate::newton::{Outcome, Workspace};
-use crate::plan::Plan;
+use crate::newton::{Outcome, Scratch};
+use crate::problem::Problem;
 use crate::state::State;
 use slideline_diag::{Code, Diagnostic, Place};
 use slideline_model::{Extrapolation, Friction, Name, NodeIndex, Step};
@@ -26,11 +26,11 @@ use slideline_model::{Extrapolation, Friction, Name, NodeIndex, Step};
 /// An attempt that failed, with all that its iterations left.
 pub struct Case<'a> {
     /// The step.
-    pub plan: &'a Plan<'a>,
+    pub plan: &'a Problem<'a>,
     /// The state that it began from.
     pub committed: &'a State,
     /// Its last iteration.
-    pub work: &'a Workspace,
+    pub work: &'a Scratch,
     /// How it ended.
     pub outcome: &'a Outcome,
     /// Why no shorter increment is tried.

@@ -85,6 +85,11 @@ impl DofMap {
         Some(own.start + place)
     }
 
+    /// Node and direction of every dof.
+    pub fn names(&self) -> &[(NodeIndex, Dof)] {
+        &self.names
+    }
+
     /// Node and direction of a dof.
     pub fn name(&self, dof: usize) -> (NodeIndex, Dof) {
         self.names[dof]

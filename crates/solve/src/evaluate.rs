@@ -9,7 +9,7 @@
 use crate::constraints::Rows;
 use crate::contact::{ContactKinematics, Look, MasterPositions, PointKinematics};
 use crate::observe::{FrictionCall, Status};
-use crate::plan::Plan;
+use crate::problem::Problem;
 use crate::stabilise::Dashpots;
 use crate::state::{PointState, State};
 use crate::structure::{Configuration, Contributions, Flux};
@@ -41,10 +41,12 @@ pub struct Trial<'a> {
 }
 
 /// What an evaluation yields; every field is written, none is read.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Evaluation {
-    /// Elements, each for itself.
+    /// Forces of the elements, each for itself.
     pub contributions: Contributions,
+    /// Their tangents, summed: matrix values [F/L and the like].
+    pub tangent: Vec<f64>,
     /// How dependent dofs follow the others here.
     pub rows: Rows,
     /// Internal forces of the elements less the loads, a dof each, those on
@@ -83,29 +85,21 @@ pub struct Evaluation {
 }
 
 impl Evaluation {
-    /// Room for a plan.
-    pub fn new(plan: &Plan<'_>) -> Self {
+    /// Room for a problem, as if nothing had been evaluated before.
+    pub fn fit(&mut self, plan: &Problem<'_>) {
         let (dofs, points) = (plan.dofs.len(), plan.contact.points.len());
-        Self {
-            contributions: plan.structure.room(),
-            rows: Rows::default(),
-            structure: vec![0.0; dofs],
-            pressed: vec![0.0; if plan.faces.is_empty() { 0 } else { dofs }],
-            contact: vec![0.0; dofs],
-            damping: vec![0.0; dofs],
-            kinematics: plan.contact.nowhere(),
-            points: vec![PointState::default(); points],
-            strain_energy: 0.0,
-            contact_energy: 0.0,
-            elastic_slip_energy: 0.0,
-            flux: Flux::default(),
-            penetration: 0.0,
-            stick_slip: 0.0,
-            state_variables: vec![0.0; plan.contact.state_size],
-            fault: None,
-            look: Look::default(),
-            positions: MasterPositions::default(),
+        self.contributions.fit(plan.structure.numbering);
+        zero(&mut self.tangent, plan.pattern.entries());
+        for forces in [&mut self.structure, &mut self.contact, &mut self.damping] {
+            zero(forces, dofs);
         }
+        zero(&mut self.pressed, if plan.faces.is_empty() { 0 } else { dofs });
+        plan.contact.forget(&mut self.kinematics);
+        self.points.clear();
+        self.points.resize(points, PointState::default());
+        zero(&mut self.state_variables, plan.contact.state_size);
+        self.fault = None;
+        self.look.forget();
     }
 
     /// What nothing balances at a dof: forces of elements and of contact less
@@ -117,12 +111,19 @@ impl Evaluation {
     }
 }
 
+/// So many zeros.
+pub fn zero(list: &mut Vec<f64>, count: usize) {
+    list.clear();
+    list.resize(count, 0.0);
+}
+
 /// Evaluates a trial state against the committed one.
-pub fn evaluate(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into: &mut Evaluation) {
+pub fn evaluate(plan: &Problem<'_>, committed: &State, trial: &Trial<'_>, into: &mut Evaluation) {
     let stresses = Some(trial.stresses);
     let at = Configuration { u: trial.u, stresses, state: &committed.elements };
-    plan.structure.evaluate(&at, &mut into.contributions, plan.pool);
     plan.constraints.linearise(trial.u, &mut into.rows);
+    let gather = plan.gather(&into.rows, &mut into.tangent);
+    plan.structure.evaluate(&at, &mut into.contributions, gather, plan.means.pool);
     into.structure.fill(0.0);
     into.strain_energy = plan.structure.gather_force(&into.contributions, &mut into.structure);
     into.flux = plan.structure.flux(&into.contributions);
@@ -155,7 +156,7 @@ pub fn evaluate(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into: &mu
 /// Looks at all points of a committed state, where they were last looked at
 /// elsewhere: what an attempt leaves alone depends on that state only, however it
 /// was reached.
-pub fn look_at(plan: &Plan<'_>, committed: &State, into: &mut Evaluation) {
+pub fn look_at(plan: &Problem<'_>, committed: &State, into: &mut Evaluation) {
     let u = &committed.displacement[..];
     if into.look.is_at(u) {
         return;
@@ -170,7 +171,7 @@ pub fn look_at(plan: &Plan<'_>, committed: &State, into: &mut Evaluation) {
 /// whether none of them touches after all. If one does, all points are looked at
 /// next.
 pub fn complete(
-    plan: &Plan<'_>,
+    plan: &Problem<'_>,
     committed: &State,
     trial: &Trial<'_>,
     into: &mut Evaluation,
@@ -202,7 +203,7 @@ pub fn complete(
 
 /// What a point does in a trial; writes its state variables of a user law.
 fn evaluate_point(
-    plan: &Plan<'_>,
+    plan: &Problem<'_>,
     (committed, trial): (&State, &Trial<'_>),
     place: usize,
     into: &mut Evaluation,
@@ -231,7 +232,12 @@ fn evaluate_point(
     now
 }
 
-fn evaluate_contact(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into: &mut Evaluation) {
+fn evaluate_contact(
+    plan: &Problem<'_>,
+    committed: &State,
+    trial: &Trial<'_>,
+    into: &mut Evaluation,
+) {
     into.contact.fill(0.0);
     into.contact_energy = 0.0;
     into.elastic_slip_energy = 0.0;
@@ -272,7 +278,7 @@ fn evaluate_contact(plan: &Plan<'_>, committed: &State, trial: &Trial<'_>, into:
 
 /// A point between its committed and its trial state.
 struct Encounter<'a> {
-    plan: &'a Plan<'a>,
+    plan: &'a Problem<'a>,
     laws: &'a Laws,
     before: &'a PointState,
     kinematics: &'a PointKinematics,

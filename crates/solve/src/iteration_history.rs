@@ -73,7 +73,16 @@ pub struct IterationHistory {
 impl IterationHistory {
     /// Room for `points` points.
     pub fn new(points: usize) -> Self {
-        Self { points: vec![PointEvidence::default(); points], iterations: 0 }
+        let mut new = Self::default();
+        new.fit(points);
+        new
+    }
+
+    /// Forgets all, with room for `points` points.
+    pub fn fit(&mut self, points: usize) {
+        self.points.clear();
+        self.points.resize(points, PointEvidence::default());
+        self.iterations = 0;
     }
 
     /// Begins an attempt at its first guess.

@@ -1,9 +1,9 @@
 //! Model to committed states.
 //!
 //! ```text
-//!   Model --> Plan (once a step) --> attempt (Newton) --> commit --> observers
-//!                                      ^      |
-//!                                      +------+ cutback: a value is dropped
+//!   Model --> Plan --> Workspace --> attempt (Newton) --> commit --> observers
+//!                      (takes the      ^      |
+//!                       values)        +------+ cutback: a value is dropped
 //! ```
 //!
 //! A pure evaluation of a trial state gives forces and tangents; Newton
@@ -30,14 +30,18 @@ mod newton;
 pub mod observe;
 mod plan;
 mod predict;
+mod problem;
 mod restraint;
 mod rows;
 mod run;
 mod stabilise;
+mod start;
 mod state;
 mod structure;
 mod tangent;
 mod users;
+mod values;
+mod workspace;
 
 pub use checkpoint::Checkpoint;
 pub use commit::initial_contact;
@@ -45,9 +49,11 @@ pub use contact::placed as rigid_surface;
 pub use increments::{Control, Decision, StopReason, Verdict};
 pub use linear_systems::LinearSystems;
 pub use memory::objection as memory_objection;
+pub use plan::{Part, Plan, PlanMismatch};
 pub use run::{Options, TangentCheck, resume, run, run_from};
 pub use slideline_linalg as linalg;
 pub use slideline_mech::contact::enforcement::Enforcement;
 pub use slideline_mech::contact::friction;
 pub use stabilise::may_stabilise;
 pub use users::UserFrictions;
+pub use workspace::Workspace;

@@ -108,6 +108,9 @@ impl LinearisedContact {
     /// later iterations allocate nothing.
     pub fn reserve(&mut self, points: usize, equations: usize) {
         let rows = (2 * points).min(32);
+        if self.rows.capacity() >= rows.max(1) && self.moved.capacity() >= equations {
+            return;
+        }
         self.rows.reserve(rows);
         self.response.reserve(rows * equations);
         self.compliance.reserve(rows * rows);

@@ -7,7 +7,8 @@
 
 use crate::constraints::Rows;
 use crate::dofs::DofMap;
-use crate::plan::Plan;
+use crate::problem::Problem;
+use slideline_linalg::Kind;
 use slideline_mech::pressure::{Face, MOST_NODES};
 use slideline_model::{Dof, Model, Step};
 
@@ -48,11 +49,6 @@ impl FaceLoads {
         self.faces.is_empty()
     }
 
-    /// Whether their directions change with the displacements.
-    pub fn follow(&self) -> bool {
-        self.nonlinear && !self.faces.is_empty()
-    }
-
     fn places(&self, pressed: &Pressed, u: &[f64]) -> [[f64; 3]; MOST_NODES] {
         let mut x = [[0.0; 3]; MOST_NODES];
         for ((x, reference), dofs) in x.iter_mut().zip(&pressed.reference).zip(&pressed.dofs) {
@@ -85,7 +81,7 @@ impl FaceLoads {
     /// the matrix is `symmetric`.
     pub fn stiffen(
         &self,
-        plan: &Plan<'_>,
+        plan: &Problem<'_>,
         rows: &Rows,
         (pressures, u): (&[f64], &[f64]),
         values: &mut [f64],
@@ -93,7 +89,7 @@ impl FaceLoads {
         if !self.nonlinear {
             return;
         }
-        let symmetric = !plan.unsymmetric();
+        let symmetric = plan.kind() == Kind::Symmetric;
         for (pressed, &pressure) in self.faces.iter().zip(pressures) {
             if pressure == 0.0 {
                 continue;

@@ -17,23 +17,29 @@ mod search;
 mod stresses;
 mod turns;
 
-use crate::contact::{GeometryScratch, Missed, Sweep, SweepScratch};
+use crate::contact::{
+    Candidates, ContactKinematics, GeometryScratch, MasterPositions, Missed, Sweep, SweepScratch,
+};
 use crate::convergence::{Field, FieldHistory, Measures, judge};
-use crate::evaluate::{Evaluation, Trial, complete, evaluate, look_at};
+use crate::evaluate::{Evaluation, Trial, complete, evaluate, look_at, zero};
 use crate::increments::Verdict;
 use crate::iteration_history::IterationHistory;
+use crate::linear_systems::LinearSystems;
 use crate::linearised::{LinearPoints, LinearisedContact, Stiffness};
 use crate::observe::{ContactChange, IterationReport};
-use crate::plan::Plan;
+use crate::plan::{Coupling, Numbering};
 use crate::predict;
+use crate::problem::Problem;
 use crate::stabilise::{self, Dashpots};
 use crate::state::State;
-use crate::structure::Configuration;
+use crate::structure::{Configuration, Gather, Product};
+use crate::values::Values;
 pub use assembly::TOUCH;
 use assembly::context;
 use relax::Relaxation;
 pub use relax::relax;
-use slideline_linalg::{SolveError, Solver};
+use slideline_diag::Diagnostic;
+use slideline_linalg::{Kind, SolveError, Solver};
 use slideline_mech::contact::enforcement::Enforcement;
 use slideline_mech::contact::tangential::Tangential;
 
@@ -76,16 +82,35 @@ pub struct Outcome {
     pub missed: Option<Missed>,
 }
 
+/// A linear system with the part of a plan that it is of.
+struct System {
+    /// Index of the step's numbering.
+    step: usize,
+    kind: Kind,
+    coupling: Coupling,
+    solver: Solver,
+    /// Why it is too large, if it is.
+    objection: Option<Diagnostic>,
+}
+
+/// Linear systems that are kept: contact that comes back finds its own again.
+const MOST_SYSTEMS: usize = 16;
+
 /// Scratch of a step's iterations.
-pub struct Workspace {
+#[derive(Default)]
+pub struct Scratch {
     /// Trial displacements.
     pub u: Vec<f64>,
     /// Trial loads.
     pub load: Vec<f64>,
     /// The evaluation of the trial state.
     pub evaluation: Evaluation,
-    /// The factored tangent.
-    pub solver: Solver,
+    /// Linear systems that were analysed; the one at hand is the last.
+    systems: Vec<System>,
+    /// Parts of their masters that points may touch.
+    near: Vec<Candidates>,
+    /// Positions of deforming masters.
+    positions: MasterPositions,
     /// The tangent without augmentation, and with it.
     values: Vec<f64>,
     augmented: Vec<f64>,
@@ -107,7 +132,6 @@ pub struct Workspace {
     increment: Vec<f64>,
     /// Stresses of the elements as the linear solutions arrive at them.
     stresses: Vec<f64>,
-    /// No motion, a dof each.
     still: Vec<f64>,
     arrived: Vec<f64>,
     pressures: Vec<f64>,
@@ -133,63 +157,140 @@ pub struct Workspace {
     relaxation: Relaxation,
     /// The list of changes of the last report, to be used again.
     changes: Vec<ContactChange>,
+    /// States that are no longer needed.
+    spare: Vec<State>,
 }
 
-impl Workspace {
-    /// Room for a plan; the symbolic factorisation happens here.
-    pub fn new(plan: &Plan<'_>) -> Self {
+impl Scratch {
+    /// Finds the linear system of a step of the plan, with the contact that is near in these
+    /// states, or analyses it. Gives the coupling of its unknowns.
+    pub fn couple<'s>(
+        &mut self,
+        (plan, own): (&Numbering, usize),
+        (values, kind): (&Values, Kind),
+        states: impl Iterator<Item = &'s [f64]>,
+        linear_systems: &LinearSystems,
+    ) -> Coupling {
+        values.contact.candidates(states, &mut self.positions, &mut self.near);
+        let (systems, near) = (&mut self.systems, &self.near[..]);
+        let fits = |system: &System| {
+            (system.step, system.kind) == (own, kind) && *system.coupling.near == *near
+        };
+        match systems.iter().position(fits) {
+            // the one at hand is the last
+            Some(known) => systems[known..].rotate_left(1),
+            None => {
+                let step = &plan.steps[own];
+                let constraints = &step.constraints;
+                let coupling = step.coupling.clone().unwrap_or_else(|| {
+                    let contact = (&values.contact, near);
+                    Coupling::new(&plan.elements, &step.dependent, constraints, contact)
+                });
+                let solver = Solver::analyse(&coupling.pattern, kind, linear_systems.factory());
+                if systems.len() == MOST_SYSTEMS {
+                    systems.remove(0);
+                }
+                let objection = crate::memory::factors_objection(&solver.description());
+                systems.push(System { step: own, kind, coupling, solver, objection });
+            }
+        }
+        let last = systems.len() - 1;
+        let system = &mut systems[last];
+        system.solver.set_units(&values.units[own]);
+        system.coupling.clone()
+    }
+
+    /// The linear system of the problem at hand.
+    pub fn solver(&mut self) -> &mut Solver {
+        solver(&mut self.systems)
+    }
+
+    /// Why that system is too large, if it is.
+    pub fn objection(&self) -> Option<Diagnostic> {
+        self.systems.last().and_then(|system| system.objection.clone())
+    }
+
+    /// Positions of deforming masters, as scratch, and where contact points stand.
+    pub fn places(&mut self) -> (&mut MasterPositions, &mut ContactKinematics) {
+        (&mut self.positions, &mut self.evaluation.kinematics)
+    }
+
+    /// Makes room for a problem, as if nothing had been solved before; the coupling must be
+    /// that of [`Scratch::couple`].
+    pub fn fit(&mut self, plan: &Problem<'_>) {
         let (dofs, equations) = (plan.dofs.len(), plan.constraints.equations());
-        let points = plan.contact.points.len();
-        let mut contact = LinearisedContact::default();
-        contact.reserve(points, equations);
-        let mut linear = LinearPoints::default();
-        linear.reserve(points, ROWS);
-        Self {
-            u: vec![0.0; dofs],
-            load: vec![0.0; dofs],
-            evaluation: Evaluation::new(plan),
-            solver: plan.analyse(),
-            values: vec![0.0; plan.pattern.entries()],
-            augmented: vec![0.0; plan.pattern.entries()],
-            outside: false,
-            enforcement: Enforcement::default(),
-            only_dense: false,
-            dt: 0.0,
-            correction: vec![0.0; equations],
-            correction_dofs: vec![0.0; dofs],
-            residual: vec![0.0; dofs],
-            turning: vec![0.0; dofs],
-            faces: Vec::new(),
-            increment: vec![0.0; dofs],
-            stresses: plan.structure.stress_room(),
-            still: vec![0.0; dofs],
-            arrived: plan.structure.stress_room(),
-            pressures: vec![0.0; points],
-            tractions: vec![Tangential::ZERO; points],
-            points: linear,
-            contact,
-            geometry: GeometryScratch::default(),
-            sweep: SweepScratch::default(),
-            dashpots: Dashpots::default(),
-            was_closed: vec![false; points],
-            negative_pivots: 0,
-            iteration_history: IterationHistory::new(points),
-            line_search: false,
-            step_length: 1.0,
-            augment_all: false,
-            relaxation: Relaxation::default(),
-            changes: Vec::with_capacity(points),
+        let (points, entries) = (plan.contact.points.len(), plan.pattern.entries());
+        self.evaluation.fit(plan);
+        let by_dof = [
+            &mut self.u,
+            &mut self.load,
+            &mut self.correction_dofs,
+            &mut self.residual,
+            &mut self.turning,
+            &mut self.increment,
+            &mut self.still,
+        ];
+        by_dof.into_iter().for_each(|list| zero(list, dofs));
+        for list in [&mut self.values, &mut self.augmented] {
+            zero(list, entries);
+        }
+        for list in [&mut self.stresses, &mut self.arrived] {
+            zero(list, plan.structure.stress_room());
+        }
+        zero(&mut self.pressures, points);
+        self.tractions.clear();
+        self.tractions.resize(points, Tangential::ZERO);
+        zero(&mut self.correction, equations);
+        self.points.clear(plan.contact.directions);
+        self.points.reserve(points, ROWS);
+        self.contact.reserve(points, equations);
+        self.was_closed.clear();
+        self.was_closed.resize(points, false);
+        self.iteration_history.fit(points);
+        self.changes.reserve(points);
+        self.dashpots.forget(plan.contact);
+        (self.outside, self.only_dense, self.augment_all) = (false, false, false);
+        (self.line_search, self.negative_pivots) = (false, 0);
+        (self.step_length, self.dt) = (1.0, 0.0);
+        self.enforcement = Enforcement::default();
+        self.relaxation.stiffness = 0.0;
+    }
+
+    /// A copy of a state, in the room of one that is no longer needed.
+    pub fn copy(&mut self, state: &State) -> State {
+        let mut copy = self.spare.pop().unwrap_or_default();
+        copy.copy_from(state);
+        copy
+    }
+
+    /// Keeps the room of a state that is no longer needed.
+    pub fn spare(&mut self, state: State) {
+        self.spare.push(state);
+    }
+
+    /// Takes the room of an attempt back, that the next one allocates nothing.
+    pub fn take_back(&mut self, outcome: Outcome) {
+        if let Some(last) = outcome.last
+            && last.contact_changes.capacity() > self.changes.capacity()
+        {
+            self.changes = last.contact_changes;
         }
     }
+}
+
+/// The linear system that was found last.
+fn solver(systems: &mut [System]) -> &mut Solver {
+    let last = systems.len() - 1;
+    &mut systems[last].solver
 }
 
 /// Walks one increment. `watch` sees every iteration; on success the
 /// workspace holds the converged trial.
 pub fn attempt(
-    plan: &Plan<'_>,
+    plan: &Problem<'_>,
     committed: &State,
     target: &Target,
-    work: &mut Workspace,
+    work: &mut Scratch,
     watch: &mut dyn FnMut(&IterationReport),
 ) -> Outcome {
     work.begin(plan, committed, target);
@@ -293,9 +394,9 @@ impl Progress {
     }
 }
 
-impl Workspace {
+impl Scratch {
     /// The first guess, evaluated.
-    fn begin(&mut self, plan: &Plan<'_>, committed: &State, target: &Target) {
+    fn begin(&mut self, plan: &Problem<'_>, committed: &State, target: &Target) {
         self.augment_all = false;
         self.only_dense = false;
         // the last attempt's list went with its outcome
@@ -327,17 +428,20 @@ impl Workspace {
 
     /// Without a last increment to repeat, what is prescribed on the
     /// structure is spread over it linearly, lest one element takes it all.
-    fn spread_prescribed(&mut self, plan: &Plan<'_>, committed: &State, target: &Target) {
+    fn spread_prescribed(&mut self, plan: &Problem<'_>, committed: &State, target: &Target) {
         let change = &mut self.correction_dofs;
         for (dof, value) in change.iter_mut().enumerate() {
             *value = self.u[dof] - committed.displacement[dof];
         }
         let from = &committed.displacement;
         let at = Configuration { u: from, stresses: None, state: &committed.elements };
-        plan.structure.evaluate(&at, &mut self.evaluation.contributions, plan.pool);
         plan.constraints.linearise(from, &mut self.evaluation.rows);
         self.residual.fill(0.0);
-        plan.structure.multiply(&self.evaluation.contributions, change, &mut self.residual);
+        let product = Product { vector: change, into: &mut self.residual };
+        let gather = plan.gather(&self.evaluation.rows, &mut self.values);
+        let gather = Gather { product: Some(product), ..gather };
+        let contributions = &mut self.evaluation.contributions;
+        plan.structure.evaluate(&at, contributions, gather, plan.means.pool);
         plan.constraints.carry(&self.evaluation.rows, &mut self.residual);
         for (equation, &dof) in plan.constraints.dof_of_equation.iter().enumerate() {
             self.correction[equation] = -self.residual[dof];
@@ -345,11 +449,9 @@ impl Workspace {
         if self.correction.iter().all(|&value| value == 0.0) {
             return;
         }
-        self.values.fill(0.0);
-        let Evaluation { contributions, rows, .. } = &self.evaluation;
-        plan.gather_tangent(contributions, rows, &mut self.values);
-        let factored = self.solver.refactor(&plan.pattern, &self.values);
-        if factored.is_ok() && self.solver.solve(&mut self.correction).is_ok() {
+        let solver = solver(&mut self.systems);
+        let factored = solver.refactor(plan.pattern, &self.values);
+        if factored.is_ok() && solver.solve(&mut self.correction).is_ok() {
             for (equation, &dof) in plan.constraints.dof_of_equation.iter().enumerate() {
                 self.u[dof] += self.correction[equation];
             }
@@ -373,7 +475,7 @@ impl Workspace {
         }
     }
 
-    fn evaluate(&mut self, plan: &Plan<'_>, committed: &State, dt: f64) {
+    fn evaluate(&mut self, plan: &Problem<'_>, committed: &State, dt: f64) {
         if self.line_search {
             self.follow_law(plan);
         }
@@ -395,7 +497,7 @@ impl Workspace {
     /// answer the residual with.
     fn contact_step(
         &mut self,
-        plan: &Plan<'_>,
+        plan: &Problem<'_>,
         committed: &State,
         dt: f64,
     ) -> Result<(), SolveError> {
@@ -409,8 +511,9 @@ impl Workspace {
         }
         self.hold_back(plan);
         let context = context(plan, committed, dt);
-        let Self { contact, enforcement, values, augmented, solver, points, correction, .. } = self;
-        let (pattern, symmetrised) = (&plan.pattern, plan.symmetrised());
+        let Self { contact, enforcement, values, augmented, systems, points, correction, .. } =
+            self;
+        let (pattern, symmetrised, solver) = (plan.pattern, plan.symmetrised(), solver(systems));
         let mut stiffness = Stiffness { pattern, values, augmented, solver, symmetrised };
         contact.solve(points, &context, (*enforcement, &mut stiffness), correction)
     }
@@ -420,7 +523,7 @@ impl Workspace {
     /// pivot, as long as its cost allows.
     fn linear_step(
         &mut self,
-        plan: &Plan<'_>,
+        plan: &Problem<'_>,
         committed: &State,
         dt: f64,
     ) -> Result<(), SolveError> {
@@ -439,7 +542,12 @@ impl Workspace {
     }
 
     /// One Newton iteration: assemble, factor, solve, move, evaluate.
-    fn iterate(&mut self, plan: &Plan<'_>, committed: &State, dt: f64) -> Result<(), SolveError> {
+    fn iterate(
+        &mut self,
+        plan: &Problem<'_>,
+        committed: &State,
+        dt: f64,
+    ) -> Result<(), SolveError> {
         self.linear_step(plan, committed, dt)?;
         if !self.outside && !self.leaves_idle(plan) {
             // what was left alone may touch within this step
@@ -461,7 +569,7 @@ impl Workspace {
     }
 
     /// Whether the whole correction leaves idle points open.
-    fn leaves_idle(&mut self, plan: &Plan<'_>) -> bool {
+    fn leaves_idle(&mut self, plan: &Problem<'_>) -> bool {
         if !self.evaluation.look.idle.contains(&true) {
             return true;
         }
@@ -476,7 +584,7 @@ impl Workspace {
 
     /// Looks at the points that iterations have left alone; says whether none of
     /// them touches.
-    fn complete(&mut self, plan: &Plan<'_>, committed: &State) -> bool {
+    fn complete(&mut self, plan: &Problem<'_>, committed: &State) -> bool {
         let trial = Trial {
             u: &self.u,
             load: &self.load,
@@ -492,9 +600,9 @@ impl Workspace {
     }
 
     /// Contact that the way from the last commit to the trial passes through.
-    fn missed(&mut self, plan: &Plan<'_>, committed: &State) -> Option<Missed> {
+    fn missed(&mut self, plan: &Problem<'_>, committed: &State) -> Option<Missed> {
         let sweep = Sweep {
-            constraints: &plan.constraints,
+            constraints: plan.constraints,
             rotations: plan.dofs.rotations(),
             from: &committed.displacement,
             to: &self.u,
@@ -506,7 +614,7 @@ impl Workspace {
     }
 
     /// Moves by a fraction of the correction.
-    fn advance(&mut self, plan: &Plan<'_>, length: f64) {
+    fn advance(&mut self, plan: &Problem<'_>, length: f64) {
         self.step_length = length;
         self.correction_dofs.fill(0.0);
         for (equation, &dof) in plan.constraints.dof_of_equation.iter().enumerate() {
@@ -531,7 +639,7 @@ impl Workspace {
     /// Measures the trial state and judges it.
     fn judge(
         &mut self,
-        plan: &Plan<'_>,
+        plan: &Problem<'_>,
         committed: &State,
         target: &Target,
         progress: &mut Progress,

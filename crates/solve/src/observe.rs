@@ -11,8 +11,10 @@
 
 use crate::checkpoint::Checkpoint;
 use crate::dofs::DofMap;
+use crate::stabilise::may_stabilise;
 use serde::{Deserialize, Serialize};
 use slideline_diag::Diagnostic;
+use slideline_linalg::Description;
 use slideline_mech::contact::enforcement::Enforcement;
 use slideline_model::{BeamSection, Dof, Element, Model, NodeIndex};
 use std::ops::ControlFlow;
@@ -68,10 +70,8 @@ pub struct StepReport<'a> {
     pub equations: usize,
     /// Entries of the sparsity pattern.
     pub entries: usize,
-    /// How the linear equations are solved, in words.
-    pub linear_solver: String,
-    /// Whether contact may be stabilised in any step of the model.
-    pub may_stabilise: bool,
+    /// How the linear equations are solved; it says so in words.
+    pub linear_solver: Description,
     /// Whether the tangent is treated as unsymmetric.
     pub unsymmetric: bool,
     /// Total time at the beginning [T].
@@ -82,6 +82,13 @@ pub struct StepReport<'a> {
     /// Whether the run goes on in the step from a saved state: then `start`
     /// is that state, with its increment.
     pub resumed: bool,
+}
+
+impl StepReport<'_> {
+    /// Whether contact may be stabilised in any step of the model.
+    pub fn may_stabilise(&self) -> bool {
+        may_stabilise(self.model)
+    }
 }
 
 /// One Newton iteration.
@@ -273,6 +280,11 @@ impl Unconverged<'_> {
     pub fn residual(&self, node: NodeIndex, dof: Dof) -> f64 {
         self.frame.nodal.read(self.residual, node, dof)
     }
+
+    /// The state with what is missing to equilibrium in place of its reactions.
+    pub fn missing(&self) -> Frame<'_> {
+        Frame { nodal: Nodal { reaction: self.residual, ..self.frame.nodal }, ..self.frame }
+    }
 }
 
 /// Nodal vectors of a frame; dofs that a model does not have read zero.
@@ -303,6 +315,14 @@ impl Nodal<'_> {
     /// Applied load [F or F L].
     pub fn load(&self, node: NodeIndex, dof: Dof) -> f64 {
         self.read(self.load, node, dof)
+    }
+
+    /// Node, direction, displacement, reaction and load of every dof there is.
+    pub fn all(&self) -> impl Iterator<Item = (NodeIndex, Dof, [f64; 3])> {
+        let values = self.displacement.iter().zip(self.reaction).zip(self.load);
+        let values =
+            values.map(|((&displacement, &reaction), &load)| [displacement, reaction, load]);
+        self.dofs.names().iter().zip(values).map(|(&(node, dof), values)| (node, dof, values))
     }
 
     /// The dofs that nodes of this model have.

@@ -1,341 +1,113 @@
-//! A step, prepared once: numbering, pattern, symbolic factorisation.
+//! What a model needs before any number of it is known: numbering, pattern, orders.
+//!
+//! ```text
+//!   model --of--> Plan: dofs, equations of every step, elements, pattern
+//!                   |
+//!                   '--> Workspace (values of a model, scratch) --> run, again and again
+//! ```
+//!
+//! A plan borrows nothing and holds no value: sections, materials, laws, friction,
+//! positions, motions and amplitudes are values that a [`Workspace`](crate::Workspace)
+//! takes from a model of the same outline.
 
-use crate::constraints::{Constraints, Role, Rows};
-use crate::contact::{Cliques, Contact, PointRows};
+mod coupling;
+mod outline;
+
+pub use coupling::Coupling;
+pub use outline::{Part, PlanMismatch};
+
+use crate::constraints::ConstraintNumbering;
+use crate::contact::{Contact, point_count, state_size};
 use crate::dofs::DofMap;
-use crate::linear_systems::LinearSystems;
-use crate::loads::FaceLoads;
-use crate::structure::{Contributions, Structure};
+use crate::structure::ElementNumbering;
 use crate::users::UserFrictions;
-use rayon::ThreadPool;
-use serde::{Deserialize, Serialize};
-use slideline_linalg::{Kind, Pattern, Solver};
-use slideline_mech::contact::enforcement::Enforcement;
-use slideline_mech::contact::pair::Laws;
-use slideline_model::{Amplitude, Master, Model, Step, SurfaceSegment};
-use std::borrow::Cow;
+use outline::Outline;
+use slideline_model::Model;
+use std::ops::Deref;
+use std::sync::Arc;
 
-/// Everything about a step that does not change from increment to increment.
-pub struct Plan<'a> {
-    /// The model.
-    pub model: &'a Model,
-    /// The step.
-    pub step: &'a Step,
+/// Numbering, pattern and orders of an analysis. A copy shares the memory of the original.
+#[derive(Clone, Debug)]
+pub struct Plan(Arc<Numbering>);
+
+/// What a plan holds.
+#[derive(Debug)]
+pub struct Numbering {
+    outline: Outline,
     /// Dofs of all nodes.
     pub dofs: DofMap,
-    /// Which of them are unknown, and how the others follow.
-    pub constraints: Constraints,
     /// Elements.
-    pub structure: Structure,
-    /// Contact.
-    pub contact: Contact,
-    /// Sparsity of the tangent.
-    pub pattern: Pattern,
+    pub elements: ElementNumbering,
     /// Dofs that belong to elements.
     pub elastic: Vec<bool>,
-    /// Largest coordinate of the model [L].
-    pub reach: f64,
-    /// Length of the stiffest element, or else of the model [L].
-    pub lever: f64,
-    /// Natural unit of each unknown: 1 for displacements, 1/l for rotations,
-    /// with l the length of the stiffest element (or of the model), so that
-    /// all entries of the tangent are stiffnesses F/L.
-    pub units: Vec<f64>,
-    /// Whether couplings of contact may be missing from the pattern.
-    pub is_lenient: bool,
-    /// How contact is solved, where not by its size.
-    pub enforcement: Option<Enforcement>,
-    /// Largest load of the step [F or F L].
-    pub largest_load: f64,
-    /// Faces that are pressed.
-    pub faces: FaceLoads,
-    /// Threads for element loops; none: this one.
-    pub pool: Option<&'a ThreadPool>,
-    start: Start<'static>,
-    linear_systems: LinearSystems,
+    /// Number of contact points, of state values of user friction laws, and of state
+    /// variables of elements.
+    pub sizes: [usize; 3],
+    /// Steps that differ in their unknowns.
+    pub steps: Vec<StepNumbering>,
+    /// Which of them every step of the model is.
+    pub of_step: Vec<usize>,
 }
 
-/// What a step begins from, a dof each.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Start<'a> {
-    /// Displacements and rotations [L or 1].
-    pub displacement: Cow<'a, [f64]>,
-    /// Applied loads [F or F L].
-    pub load: Cow<'a, [f64]>,
-    /// Reactions of supports that the step releases; they ramp off over it
-    /// [F or F L].
-    pub released: Cow<'a, [f64]>,
+/// What steps with the same unknowns share.
+#[derive(Debug)]
+pub struct StepNumbering {
+    /// Which dofs are unknown, and which ones the others follow.
+    pub constraints: ConstraintNumbering,
+    /// Elements with dofs that follow others.
+    pub dependent: Vec<usize>,
+    /// The pattern, where contact couples the same unknowns wherever it is.
+    pub coupling: Option<Coupling>,
 }
 
-impl Start<'_> {
-    /// Of an undeformed model without loads.
-    pub fn undeformed(dofs: usize) -> Start<'static> {
-        let zero = || Cow::Owned(vec![0.0; dofs]);
-        Start { displacement: zero(), load: zero(), released: zero() }
-    }
-
-    /// The same, to be kept.
-    pub fn owned(&self) -> Start<'static> {
-        Start {
-            displacement: Cow::Owned(self.displacement.clone().into_owned()),
-            load: Cow::Owned(self.load.clone().into_owned()),
-            released: Cow::Owned(self.released.clone().into_owned()),
-        }
-    }
-
-    /// The same, borrowed.
-    pub fn borrowed(&self) -> Start<'_> {
-        Start {
-            displacement: Cow::Borrowed(&self.displacement),
-            load: Cow::Borrowed(&self.load),
-            released: Cow::Borrowed(&self.released),
-        }
-    }
-}
-
-impl<'a> Plan<'a> {
-    /// Prepares a step that begins from the state given. Of the reactions that
-    /// `start` names as released, those of dofs that the step leaves free
-    /// become loads that ramp off.
-    pub fn new(
-        model: &'a Model,
-        step: &'a Step,
-        start: Start<'static>,
-        users: &UserFrictions,
-        pool: Option<&'a ThreadPool>,
-    ) -> Self {
-        let displacement = start.displacement.clone();
-        let mut plan = Self::without_pattern(model, step, start, users, pool);
-        plan.take_in(&[&*displacement]);
-        plan
-    }
-
-    /// The same with an empty pattern: enough to look at contact.
-    pub fn without_pattern(
-        model: &'a Model,
-        step: &'a Step,
-        mut start: Start<'static>,
-        users: &UserFrictions,
-        pool: Option<&'a ThreadPool>,
-    ) -> Self {
+impl Plan {
+    /// That of a model, and of all that differ from it in values only.
+    pub fn of(model: &Model) -> Self {
         let dofs = DofMap::new(model);
-        let constraints = Constraints::new(model, step, &dofs);
-        let structure = Structure::new(model, (&dofs, &constraints), step.nlgeom);
-        let contact = Contact::new(model, &dofs, users);
-        let faces = FaceLoads::new(model, step, &dofs);
-        let pattern = Pattern::from_pairs(0, std::iter::empty());
-        let elastic = structure.touched(dofs.len());
-        let reach = model
-            .nodes
-            .iter()
-            .flat_map(|node| node.position)
-            .chain(surface_points(model))
-            .fold(0.0, |largest: f64, x| largest.max(x.abs()));
-        for (dof, force) in start.released.to_mut().iter_mut().enumerate() {
-            if constraints.equation(dof).is_none() {
-                *force = 0.0;
+        let (mut constraints, mut of_step) = (Vec::new(), Vec::with_capacity(model.steps.len()));
+        for step in &model.steps {
+            let own = ConstraintNumbering::new(model, step, &dofs);
+            let known = constraints.iter().position(|known| *known == own);
+            of_step.push(known.unwrap_or(constraints.len()));
+            if known.is_none() {
+                constraints.push(own);
             }
         }
-        let lever = match structure.stiffest_length > 0.0 {
-            true => structure.stiffest_length,
-            false => reach,
+        let elements = constraints.first().map(|own| ElementNumbering::new(model, &dofs, own));
+        let elements = elements.unwrap_or_default();
+        // which unknowns contact couples does not depend on its laws
+        let contact = Contact::new(model, &dofs, &UserFrictions::default());
+        let number = |constraints: ConstraintNumbering| {
+            let dependent = elements.dependent(&constraints);
+            let coupling = (!contact.roams())
+                .then(|| Coupling::new(&elements, &dependent, &constraints, (&contact, &[])));
+            StepNumbering { constraints, dependent, coupling }
         };
-        let unit = |dof: &usize| match dofs.is_rotation(*dof) {
-            true if lever > 0.0 => 1.0 / lever,
-            _ => 1.0,
-        };
-        let units = constraints.dof_of_equation.iter().map(unit).collect();
-        Self {
-            model,
-            step,
+        let steps = constraints.into_iter().map(number).collect();
+        let points = model.contact_pairs.iter().map(point_count).sum();
+        let state_variables =
+            model.contact_pairs.iter().map(|pair| point_count(pair) * state_size(pair)).sum();
+        Self(Arc::new(Numbering {
+            outline: Outline::of(model),
+            elastic: elements.touched(dofs.len()),
             dofs,
-            constraints,
-            structure,
-            contact,
-            pattern,
-            elastic,
-            reach,
-            lever,
-            units,
-            is_lenient: false,
-            faces,
-            largest_load: step.loads.iter().fold(0.0, |most, load| load.value.abs().max(most)),
-            enforcement: None,
-            pool,
-            start,
-            linear_systems: LinearSystems::default(),
-        }
+            elements,
+            sizes: [points, state_variables, model.element_states()],
+            steps,
+            of_step,
+        }))
     }
 
-    /// Makes the pattern anew, with the contact that is near in these states.
-    pub fn take_in(&mut self, states: &[&[f64]]) {
-        self.pattern = coupled(&self.structure, &self.contact, &self.constraints, states);
-        self.structure.find_entries(&self.constraints, &self.pattern);
-    }
-
-    /// The same with linear systems made elsewhere.
-    pub fn with_linear_systems(mut self, systems: &LinearSystems) -> Self {
-        self.linear_systems = systems.clone();
-        self
-    }
-
-    /// What the step begins from.
-    pub fn start(&self) -> &Start<'static> {
-        &self.start
-    }
-
-    /// Symbolic factorisation: unsymmetric where there is friction, unless
-    /// the deck says `UNSYMM=NO`.
-    pub fn analyse(&self) -> Solver {
-        let kind = if self.unsymmetric() { Kind::Unsymmetric } else { Kind::Symmetric };
-        let factory = self.linear_systems.factory();
-        Solver::analyse(&self.pattern, kind, factory).with_units(self.units.clone())
-    }
-
-    /// Whether the tangent is factored as an unsymmetric matrix.
-    pub fn unsymmetric(&self) -> bool {
-        match self.step.unsymmetric {
-            Some(said) => said,
-            None => self.contact.laws.iter().any(Laws::has_friction) || self.faces.follow(),
-        }
-    }
-
-    /// Whether friction is there and the deck wants a symmetric tangent.
-    pub fn symmetrised(&self) -> bool {
-        self.step.unsymmetric == Some(false) && self.contact.laws.iter().any(Laws::has_friction)
-    }
-
-    /// Whether some unknown moves a point towards or from its master.
-    pub fn contact_yields(&self, kinematics: &PointRows<'_>, rows: &Rows) -> bool {
-        let mut yields = false;
-        for (&dof, &g) in kinematics.rows.unknowns.iter().zip(kinematics.rows.normal()) {
-            let note = &mut |_: usize, a: f64| yields |= a * g != 0.0;
-            self.constraints.for_each_equation(rows, dof, note);
-        }
-        yields
-    }
-
-    /// Average length of the contact elements of a pair [L].
-    pub fn contact_length(&self, pair: &slideline_model::ContactPair) -> f64 {
-        crate::contact::average_element(self.model, pair)
-    }
-
-    /// Sums the tangents of the elements into matrix values.
-    pub fn gather_tangent(&self, from: &Contributions, rows: &Rows, values: &mut [f64]) {
-        self.structure.gather_tangent(from, (&self.constraints, rows, &self.pattern), values);
-    }
-
-    /// Adds what the turning of constraints makes of forces `f` on all dofs; uses
-    /// them up.
-    pub fn stiffen_by_turning(&self, u: &[f64], f: &mut [f64], values: &mut [f64]) {
-        self.constraints.turning(u, f, |row, column, stiffness| {
-            let equations = [row, column].map(|dof| self.constraints.equation(dof));
-            let [Some(row), Some(column)] = equations else { return };
-            if let Some(at) = self.pattern.position(row, column) {
-                values[at] += stiffness;
-            }
-        });
-    }
-
-    /// Adds T' K T of a stencil to matrix values: `dofs` are its own, `tangent`
-    /// by row and column.
-    pub fn scatter(
-        &self,
-        rows: &Rows,
-        dofs: &[usize],
-        tangent: impl Fn(usize, usize) -> f64,
-        values: &mut [f64],
-    ) {
-        self.constraints.scatter((rows, &self.pattern), dofs, tangent, values);
-    }
-
-    /// Puts the prescribed values of a time of the step into `u`.
-    pub fn prescribe(&self, step_time: f64, u: &mut [f64]) {
-        for (dof, role) in self.constraints.roles.iter().enumerate() {
-            if let Role::Prescribed(place) = *role {
-                let prescribed = &self.step.prescribed[place];
-                let amplitude = prescribed.amplitude.map(|a| &self.model.amplitudes[a]);
-                u[dof] =
-                    self.at(step_time, self.start.displacement[dof], prescribed.value, amplitude);
-            }
-        }
-    }
-
-    /// Puts the loads of a time of the step into `load`.
-    pub fn load(&self, step_time: f64, load: &mut [f64]) {
-        load.fill(0.0);
-        for (dof, value) in load.iter_mut().enumerate() {
-            // What the step before applied and this one does not fades out.
-            *value = self.at(step_time, self.start.load[dof], 0.0, None);
-        }
-        for entry in &self.step.loads {
-            let Some(dof) = self.dofs.find(entry.node, entry.dof) else { continue };
-            let amplitude = entry.amplitude.map(|a| &self.model.amplitudes[a]);
-            load[dof] = self.at(step_time, self.start.load[dof], entry.value, amplitude);
-        }
-        for entry in &self.step.distributed.forces {
-            let Some(dof) = self.dofs.find(entry.node, entry.dof) else { continue };
-            let amplitude = entry.amplitude.map(|a| &self.model.amplitudes[a]);
-            load[dof] += self.at(step_time, 0.0, entry.value, amplitude);
-        }
-        // A support that is released lets go over the step (manual).
-        for (value, &reaction) in load.iter_mut().zip(&*self.start.released) {
-            *value += self.at(step_time, reaction, 0.0, None);
-        }
-    }
-
-    /// The pressures on faces at a time of the step [F/L2]. Those of the step before are among
-    /// the loads that fade out.
-    pub fn pressures(&self, step_time: f64) -> impl Iterator<Item = f64> + '_ {
-        self.step.distributed.pressures.iter().map(move |entry| {
-            let amplitude = entry.amplitude.map(|a| &self.model.amplitudes[a]);
-            self.at(step_time, 0.0, entry.value, amplitude)
-        })
-    }
-
-    /// A value between the start of the step and its end.
-    fn at(&self, step_time: f64, start: f64, end: f64, amplitude: Option<&Amplitude>) -> f64 {
-        let period = self.step.procedure.period;
-        match amplitude {
-            Some(amplitude) => end * amplitude.at(step_time),
-            None if self.step.at_once || step_time >= period => end,
-            None => start + (end - start) * (step_time / period),
-        }
+    /// Why the plan is not one of a model, if it is not.
+    pub fn mismatch(&self, model: &Model) -> Option<PlanMismatch> {
+        self.0.outline.mismatch(model)
     }
 }
 
-/// The pattern of elements and of the contact that is near in some states.
-fn coupled(
-    structure: &Structure,
-    contact: &Contact,
-    constraints: &Constraints,
-    states: &[&[f64]],
-) -> Pattern {
-    // many points with prescribed dofs couple the same unknowns of their master
-    let near = contact.cliques(states, constraints);
-    let coupling = || near.iter().filter(|own| own.len() > 1);
-    let mut several: Vec<&[usize]> = Vec::with_capacity(coupling().count());
-    several.extend(coupling());
-    several.sort_unstable();
-    several.dedup();
-    let (elements, dofs) = structure.size_of_cliques();
-    let mut own = Cliques::with_room(elements, dofs);
-    structure.cliques().for_each(|dofs| own.add(constraints, dofs));
-    Pattern::from_cliques(constraints.equations(), own.iter().chain(several))
-}
+impl Deref for Plan {
+    type Target = Numbering;
 
-/// Coordinates of the points of all rigid surfaces.
-fn surface_points(model: &Model) -> impl Iterator<Item = f64> {
-    let surfaces = model.contact_pairs.iter().filter_map(|pair| match &pair.master {
-        Master::RigidSurface(surface) => Some(surface),
-        Master::SlideLine(_) => None,
-    });
-    surfaces.flat_map(|surface| {
-        let ends = surface.segments.iter().flat_map(|segment| match *segment {
-            SurfaceSegment::Line { end } => [end, end],
-            SurfaceSegment::Circle { end, centre } => [end, centre],
-            SurfaceSegment::Parabola { middle, end } => [middle, end],
-        });
-        std::iter::once(surface.start).chain(ends).flatten()
-    })
+    fn deref(&self) -> &Numbering {
+        &self.0
+    }
 }

@@ -1,12 +1,12 @@
 //! The first guess of an increment.
 
-use crate::plan::Plan;
+use crate::problem::Problem;
 use crate::state::State;
 use slideline_model::Extrapolation;
 
 /// Adds to `u` what the unknowns did in the last increments, scaled with
 /// time: nothing, a line, or a parabola through the last three states.
-pub fn extrapolate(plan: &Plan<'_>, committed: &State, dt: f64, u: &mut [f64]) {
+pub fn extrapolate(plan: &Problem<'_>, committed: &State, dt: f64, u: &mut [f64]) {
     let (last, before) = committed.increment_time;
     if last <= 0.0 || plan.step.extrapolation == Extrapolation::None {
         return;

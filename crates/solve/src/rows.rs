@@ -6,27 +6,38 @@
 //!                        weighted by its linear shape function
 //! ```
 
-use crate::contact::{SEGMENT_POINTS, SlaveSegment};
+use crate::contact::{Contact, SEGMENT_POINTS, SlaveSegment};
+use crate::dofs::DofMap;
 use crate::observe::{ContactRow, FrictionCall, Status};
-use crate::plan::Plan;
 use crate::state::{PointState, State};
-use slideline_model::{Formulation, NodeIndex};
+use slideline_model::{Formulation, Model, NodeIndex};
 
-/// Fills the rows of a committed state, pair by pair.
-pub fn contact_rows(plan: &Plan<'_>, state: &State, rows: &mut Vec<ContactRow>) {
+/// Fills the rows of a committed state, pair by pair; sums of nodes are scratch.
+pub fn contact_rows(
+    numbered: Numbered<'_>,
+    contact: &Contact,
+    state: &State,
+    (rows, gathered): (&mut Vec<ContactRow>, &mut Vec<Gathered>),
+) {
     rows.clear();
-    for (place, pair) in plan.model.contact_pairs.iter().enumerate() {
+    for (place, pair) in numbered.0.contact_pairs.iter().enumerate() {
         match pair.formulation {
-            Formulation::NodeToSurface => node_rows(plan, state, place, rows),
-            Formulation::SurfaceToSurface => segment_rows(plan, state, place, rows),
+            Formulation::NodeToSurface => node_rows(contact, state, place, rows),
+            Formulation::SurfaceToSurface => {
+                gather_rows(numbered, contact, (state, place), gathered);
+                rows.extend(gathered.drain(..).map(Gathered::finish));
+            }
         }
     }
 }
 
-fn node_rows(plan: &Plan<'_>, state: &State, pair: usize, rows: &mut Vec<ContactRow>) {
+/// A model with its dofs.
+type Numbered<'a> = (&'a Model, &'a DofMap);
+
+fn node_rows(contact: &Contact, state: &State, pair: usize, rows: &mut Vec<ContactRow>) {
     let of_pair = |(point, _): &(&crate::contact::SlavePoint, _)| point.pair == pair;
-    rows.extend(plan.contact.points.iter().zip(&state.points).filter(of_pair).map(
-        |(point, state)| ContactRow {
+    rows.extend(contact.points.iter().zip(&state.points).filter(of_pair).map(|(point, state)| {
+        ContactRow {
             pair,
             node: point.node,
             status: state.status,
@@ -41,36 +52,41 @@ fn node_rows(plan: &Plan<'_>, state: &State, pair: usize, rows: &mut Vec<Contact
             normal: state.normal,
             along: state.along.unwrap_or_default()[0],
             dropped_work: state.dropped_work,
-        },
-    ));
+        }
+    }));
 }
 
 /// Sums of a slave node of integrated contact.
 #[derive(Clone, Copy, Default)]
-struct Gathered {
+pub struct Gathered {
     row: ContactRow,
     /// Normal force, for the weights of slip and place [F].
     force: f64,
 }
 
-fn segment_rows(plan: &Plan<'_>, state: &State, pair: usize, rows: &mut Vec<ContactRow>) {
-    let nodes = &plan.contact.slave_nodes[pair];
-    let mut gathered = vec![Gathered::default(); nodes.len()];
+fn gather_rows(
+    numbered: Numbered<'_>,
+    contact: &Contact,
+    (state, pair): (&State, usize),
+    gathered: &mut Vec<Gathered>,
+) {
+    let nodes = &contact.slave_nodes[pair];
+    gathered.clear();
+    gathered.resize(nodes.len(), Gathered::default());
     for (sum, &node) in gathered.iter_mut().zip(nodes) {
         sum.row.pair = pair;
         sum.row.node = node;
         sum.row.opening = f64::INFINITY;
-        sum.row.position = current(plan, state, node);
+        sum.row.position = current(numbered, state, node);
     }
-    for segment in plan.contact.segments.iter().filter(|segment| segment.pair == pair) {
-        gather(plan, state, segment, &mut gathered);
+    for segment in contact.segments.iter().filter(|segment| segment.pair == pair) {
+        gather(contact, state, segment, gathered);
     }
-    rows.extend(gathered.into_iter().map(Gathered::finish));
 }
 
-fn gather(plan: &Plan<'_>, state: &State, segment: &SlaveSegment, gathered: &mut [Gathered]) {
+fn gather(contact: &Contact, state: &State, segment: &SlaveSegment, gathered: &mut [Gathered]) {
     for k in segment.first..segment.first + SEGMENT_POINTS {
-        let (integration_point, whole) = (&state.points[k], plan.contact.points[k].area);
+        let (integration_point, whole) = (&state.points[k], contact.points[k].area);
         for (row, share) in
             segment.rows.into_iter().zip([1.0 - integration_point.xi, integration_point.xi])
         {
@@ -119,8 +135,8 @@ impl Gathered {
     }
 }
 
-fn current(plan: &Plan<'_>, state: &State, node: NodeIndex) -> [f64; 3] {
-    let from = plan.model.nodes.get(node).position;
-    let moved = plan.dofs.translation(&state.displacement, node);
+fn current((model, dofs): Numbered<'_>, state: &State, node: NodeIndex) -> [f64; 3] {
+    let from = model.nodes.get(node).position;
+    let moved = dofs.translation(&state.displacement, node);
     std::array::from_fn(|axis| from[axis] + moved[axis])
 }

@@ -7,25 +7,28 @@ mod shown;
 use crate::balance::pair_rows;
 use crate::checkpoint::Checkpoint;
 use crate::commit::commit;
-use crate::contact::{point_count, state_size};
 use crate::convergence::FluxAverage;
 use crate::diagnose;
-use crate::dofs::DofMap;
 use crate::increments::{Control, Decision, Verdict};
 use crate::linear_systems::LinearSystems;
-use crate::newton::{Outcome, Target, Workspace, attempt};
+use crate::newton::{Outcome, Scratch, Target, attempt};
 use crate::observe::{
     AttemptReport, Ending, Event, FrictionCall, IterationReport, Observer, Status, StepReport,
     Stop, Totals,
 };
-use crate::plan::{Plan, Start};
+use crate::plan::{Numbering, Plan, PlanMismatch};
+use crate::problem::{self, Means, Problem};
+use crate::start::Start;
 use crate::state::State;
 use crate::tangent;
 use crate::users::UserFrictions;
+use crate::values::Values;
+use crate::workspace::Workspace;
 use shown::{Numbers, Rows, frame};
-use slideline_diag::Diagnostic;
+use slideline_diag::{Code, Diagnostic};
+use slideline_linalg::Kind;
 use slideline_mech::contact::enforcement::Enforcement;
-use slideline_model::{Model, Static, Step};
+use slideline_model::{Model, Static};
 use std::borrow::Cow;
 use std::ops::ControlFlow;
 
@@ -80,10 +83,8 @@ impl Default for Options {
 
 /// Runs every step of a model and tells the observer.
 pub fn run(model: &Model, options: &Options, observer: &mut dyn Observer) -> Ending {
-    let pool = thread_pool(options.threads);
-    let ending = Analysis::new(model, options, pool.as_ref(), observer).steps();
-    let _ = observer.event(Event::End(&ending));
-    ending
+    let run = Workspace::new(&Plan::of(model), options).run(model, observer);
+    run.unwrap_or_else(|mismatch| impossible(&mismatch))
 }
 
 /// Goes on from a checkpoint of the same model and tells the observer; the
@@ -112,31 +113,26 @@ pub fn run_from(
     go_on(model, options, from, observer, (totals, false))
 }
 
-/// The increments behind a checkpoint; `resumes`: the observer has seen what
-/// came before.
+/// The increments behind a checkpoint; `counts`: the totals so far, and whether the observer
+/// has seen what came before.
 fn go_on(
     model: &Model,
     options: &Options,
     from: &Checkpoint<'_>,
     observer: &mut dyn Observer,
-    (totals, resumes): (Totals, bool),
+    counts: (Totals, bool),
 ) -> Option<Ending> {
     if !from.fits(model) {
         return None;
     }
-    let pool = thread_pool(options.threads);
-    let mut walk = Analysis::new(model, options, pool.as_ref(), observer);
-    (walk.totals, walk.resumes) = (totals, resumes);
-    let ending = walk.go_on(from);
-    let _ = observer.event(Event::End(&ending));
-    Some(ending)
+    let run = Workspace::new(&Plan::of(model), options).go_on(model, from, observer, counts);
+    Some(run.unwrap_or_else(|mismatch| impossible(&mismatch)))
 }
 
-fn thread_pool(threads: usize) -> Option<rayon::ThreadPool> {
-    if threads <= 1 {
-        return None;
-    }
-    rayon::ThreadPoolBuilder::new().num_threads(threads).build().ok()
+/// A model that is not of its own plan: a fault of this program.
+fn impossible(mismatch: &PlanMismatch) -> Ending {
+    let said = Diagnostic::error(Code("SL0901"), mismatch.to_string());
+    Ending::NotConverged(Totals::default(), said)
 }
 
 /// After an increment that only a last resort has found, the next begins as a
@@ -156,25 +152,49 @@ fn begin_again(decision: Decision, procedure: &Static) -> Decision {
 /// without couplings of contact that roams.
 const MOST_REACHED: usize = 12;
 
-/// A run under way.
-struct Analysis<'a> {
-    model: &'a Model,
-    users: &'a UserFrictions,
-    linear_systems: &'a LinearSystems,
-    observer: &'a mut dyn Observer,
-    pool: Option<&'a rayon::ThreadPool>,
+/// Where the states and rows of a run stand, to be used again.
+#[derive(Default)]
+pub struct Room {
     committed: State,
     trial: State,
-    totals: Totals,
+    rows: Rows,
+    start: Start<'static>,
+    /// States of an increment that the pattern follows.
+    reached: Vec<Vec<f64>>,
+}
+
+impl Room {
+    /// The undeformed model of a plan.
+    pub fn begin(&mut self, plan: &Numbering) {
+        let [points, state_variables, elements] = plan.sizes;
+        let states = (state_variables, elements);
+        self.committed.begin(plan.dofs.len(), points, states);
+        self.trial.begin(plan.dofs.len(), points, states);
+    }
+}
+
+/// A run under way.
+pub struct Analysis<'a> {
+    model: &'a Model,
+    plan: &'a Numbering,
+    values: &'a Values,
+    means: Means<'a>,
+    observer: &'a mut dyn Observer,
+    committed: &'a mut State,
+    trial: &'a mut State,
+    start: &'a mut Start<'static>,
+    reached: &'a mut Vec<Vec<f64>>,
+    /// Counts of the run so far.
+    pub totals: Totals,
     /// Whether the observer has seen what came before.
-    resumes: bool,
+    pub resumes: bool,
     check_tangent: TangentCheck,
     enforcement: Option<Enforcement>,
     /// One fault of the tangent is enough to be told.
     tangent_is_wrong: bool,
     /// Whether it was said that masters leave no room.
     room_is_judged: bool,
-    rows: Rows,
+    rows: &'a mut Rows,
 }
 
 /// Why a step was left before its end.
@@ -184,59 +204,55 @@ enum Left {
 }
 
 impl<'a> Analysis<'a> {
-    fn new(
+    /// A run from the undeformed model on.
+    pub fn new(
         model: &'a Model,
-        options: &'a Options,
-        pool: Option<&'a rayon::ThreadPool>,
-        observer: &'a mut dyn Observer,
+        (plan, values): (&'a Numbering, &'a Values),
+        (options, means): (&Options, Means<'a>),
+        (room, observer): (&'a mut Room, &'a mut dyn Observer),
     ) -> Self {
-        let dofs = DofMap::new(model).len();
-        let (mut points, mut state_variables) = (0, 0);
-        for pair in &model.contact_pairs {
-            let count = point_count(pair);
-            points += count;
-            state_variables += count * state_size(pair);
-        }
-        let committed = State::undeformed(dofs, points, (state_variables, model.element_states()));
+        let Room { committed, trial, rows, start, reached } = room;
         Self {
             model,
-            users: &options.user_frictions,
-            linear_systems: &options.linear_systems,
+            plan,
+            values,
+            means,
             observer,
-            pool,
-            trial: committed.clone(),
             committed,
+            trial,
+            start,
+            reached,
             totals: Totals::default(),
             resumes: false,
             check_tangent: options.check_tangent,
             enforcement: options.enforcement,
             tangent_is_wrong: false,
             room_is_judged: false,
-            rows: Rows::default(),
+            rows,
         }
     }
 
-    fn steps(mut self) -> Ending {
-        self.ending(1)
+    /// All steps.
+    pub fn steps(&mut self, work: &mut Scratch) -> Ending {
+        self.ending(1, work)
     }
 
     /// The rest of the step of a checkpoint, then the others.
-    fn go_on(mut self, from: &Checkpoint<'_>) -> Ending {
+    pub fn go_on(&mut self, from: &Checkpoint<'_>, work: &mut Scratch) -> Ending {
         self.committed.clone_from(from.state.as_ref());
         if from.last_of_step() && !self.resumes {
-            return self.ending(from.step + 1);
+            return self.ending(from.step + 1, work);
         }
-        match self.rest_of_step(from) {
-            Ok(()) => self.ending(from.step + 1),
+        match self.rest_of_step(from, work) {
+            Ok(()) => self.ending(from.step + 1, work),
             Err(left) => self.left(left),
         }
     }
 
     /// All steps from that number on.
-    fn ending(&mut self, from: usize) -> Ending {
-        let model = self.model;
-        for (place, step) in model.steps.iter().enumerate().skip(from - 1) {
-            if let Err(left) = self.step(place + 1, step) {
+    fn ending(&mut self, from: usize, work: &mut Scratch) -> Ending {
+        for number in from..=self.model.steps.len() {
+            if let Err(left) = self.step(number, work) {
                 return self.left(left);
             }
         }
@@ -251,70 +267,76 @@ impl<'a> Analysis<'a> {
     }
 
     /// One step: increments until its end, or until none can be found.
-    fn step(&mut self, number: usize, step: &'a Step) -> Result<(), Left> {
+    fn step(&mut self, number: usize, work: &mut Scratch) -> Result<(), Left> {
         self.committed.step_time = 0.0;
         self.committed.increment_time = (0.0, 0.0);
         self.committed.flux.iter_mut().for_each(FluxAverage::begin_step);
         self.committed.damping.clear();
         self.committed.stabilised = false;
-        let start = Start {
-            displacement: Cow::Borrowed(&self.committed.displacement[..]),
-            load: Cow::Borrowed(&self.committed.load),
-            released: Cow::Borrowed(&self.committed.reaction),
-        };
-        let mut plan = self.plan(step, start.owned());
-        let mut work = Workspace::new(&plan);
-        let kinematics = &mut work.evaluation.kinematics;
-        crate::commit::locate_points(&plan, &mut self.committed, kinematics);
-        self.begin(&plan, number, None, &work)?;
-        self.all_increments(&mut plan, number, Control::begin(&step.procedure), &mut work)
-    }
-
-    /// Increments until the end of the step; where contact couples what the
-    /// pattern does not hold, it is made anew.
-    fn all_increments(
-        &mut self,
-        plan: &mut Plan<'a>,
-        number: usize,
-        mut control: Control,
-        work: &mut Workspace,
-    ) -> Result<(), Left> {
-        // within an increment what it has touched on its way stays
-        let mut reached: Vec<Vec<f64>> = Vec::new();
-        while let Some(outside) = self.increments(plan, number, control, work)? {
-            if outside.committed != control.committed {
-                reached.clear();
-            }
-            reached.push(std::mem::take(&mut work.u));
-            let mut states = vec![&self.committed.displacement[..]];
-            states.extend(reached.iter().map(Vec::as_slice));
-            plan.take_in(&states);
-            plan.is_lenient = reached.len() > MOST_REACHED;
-            *work = Workspace::new(plan);
-            crate::commit::recall_points(&self.committed, work);
-            control = outside;
-        }
-        Ok(())
-    }
-
-    fn plan(&self, step: &'a Step, start: Start<'static>) -> Plan<'a> {
-        let plan = Plan::new(self.model, step, start, self.users, self.pool);
-        let mut plan = plan.with_linear_systems(self.linear_systems);
-        plan.enforcement = self.enforcement;
-        plan
+        let mut start = std::mem::take(self.start);
+        let own = self.plan.of_step[number - 1];
+        start.take(self.committed, &self.plan.steps[own].constraints);
+        let walked = self.all_increments(number, (&start, None), work);
+        *self.start = start;
+        walked
     }
 
     /// What is left of a step.
-    fn rest_of_step(&mut self, from: &Checkpoint<'_>) -> Result<(), Left> {
-        let Some(step) = self.model.steps.get(from.step - 1) else { return Ok(()) };
-        let mut plan = self.plan(step, from.start.owned());
-        plan.take_in(&[&self.committed.displacement]);
-        let mut work = Workspace::new(&plan);
-        crate::commit::recall_points(&self.committed, &mut work);
-        self.begin(&plan, from.step, Some(from), &work)?;
-        match from.control {
-            Some(control) => self.all_increments(&mut plan, from.step, control, &mut work),
-            None => Ok(()),
+    fn rest_of_step(&mut self, from: &Checkpoint<'_>, work: &mut Scratch) -> Result<(), Left> {
+        self.all_increments(from.step, (&from.start, Some(from)), work)
+    }
+
+    /// Increments until the end of the step, from its beginning or from a checkpoint; where
+    /// contact couples what the pattern does not hold, it is made anew.
+    fn all_increments(
+        &mut self,
+        number: usize,
+        (start, from): (&Start<'_>, Option<&Checkpoint<'_>>),
+        work: &mut Scratch,
+    ) -> Result<(), Left> {
+        let (model, plan, values) = (self.model, self.plan, self.values);
+        let step = &model.steps[number - 1];
+        let kind = problem::kind(step, &values.contact);
+        let at_once = Control::begin(&step.procedure);
+        let mut control = from.map_or(Some(at_once), |from| from.control);
+        // within an increment what it has touched on its way stays
+        let mut count = 0;
+        let mut begun = false;
+        loop {
+            let here = std::iter::once(&self.committed.displacement[..]);
+            let states = here.chain(self.reached[..count].iter().map(Vec::as_slice));
+            let own = (plan, plan.of_step[number - 1]);
+            let coupling = work.couple(own, (values, kind), states, self.means.linear_systems);
+            let means = self.means;
+            let at = (model, number - 1);
+            let problem = Problem::new(at, (plan, values), &coupling, start, means);
+            let is_lenient = count > MOST_REACHED;
+            let problem = Problem { is_lenient, enforcement: self.enforcement, ..problem };
+            work.fit(&problem);
+            if begun || from.is_some() {
+                crate::commit::recall_points(self.committed, work);
+            } else {
+                let (positions, kinematics) = work.places();
+                let contact = &values.contact;
+                crate::commit::locate_points(contact, self.committed, positions, kinematics);
+            }
+            if !begun {
+                self.begin(&problem, number, from, work)?;
+                begun = true;
+            }
+            let Some(from_here) = control else { return Ok(()) };
+            let Some(outside) = self.increments(&problem, number, from_here, work)? else {
+                return Ok(());
+            };
+            if outside.committed != from_here.committed {
+                count = 0;
+            }
+            match self.reached.get_mut(count) {
+                Some(room) => room.clone_from(&work.u),
+                None => self.reached.push(work.u.clone()),
+            }
+            count += 1;
+            control = Some(outside);
         }
     }
 
@@ -322,10 +344,10 @@ impl<'a> Analysis<'a> {
     /// contact couples what the pattern does not hold: then, where it stands.
     fn increments(
         &mut self,
-        plan: &Plan<'_>,
+        plan: &Problem<'_>,
         number: usize,
         mut control: Control,
-        work: &mut Workspace,
+        work: &mut Scratch,
     ) -> Result<Option<Control>, Left> {
         let step = plan.step;
         let limits = step.controls.effective_time();
@@ -341,6 +363,7 @@ impl<'a> Analysis<'a> {
                 |verdict| control.after(verdict, &step.procedure, &limits, step.max_increments);
             let mut outcome = self.attempt(plan, &target, work)?;
             if work.outside {
+                work.take_back(outcome);
                 return Ok(Some(control));
             }
             if self.stabilise(plan, &outcome, work)? {
@@ -363,7 +386,10 @@ impl<'a> Analysis<'a> {
                 self.commit(plan, &target, &outcome, &decision, work)?;
             }
             match decision {
-                Decision::StepDone => return Ok(None),
+                Decision::StepDone => {
+                    work.take_back(outcome);
+                    return Ok(None);
+                }
                 Decision::Continue(next) => control = next,
                 Decision::Cut(next) => {
                     self.fail(&target, &outcome, Some(next.dt))?;
@@ -382,14 +408,15 @@ impl<'a> Analysis<'a> {
                     return Err(Left::Failed(diagnosis));
                 }
             }
+            work.take_back(outcome);
         }
     }
 
     fn attempt(
         &mut self,
-        plan: &Plan<'_>,
+        plan: &Problem<'_>,
         target: &Target,
-        work: &mut Workspace,
+        work: &mut Scratch,
     ) -> Result<Outcome, Left> {
         self.watched(|committed, watch| attempt(plan, committed, target, work, watch))
     }
@@ -407,7 +434,7 @@ impl<'a> Analysis<'a> {
                 stop = Some(reason);
             }
         };
-        let outcome = iterate(&self.committed, &mut watch);
+        let outcome = iterate(self.committed, &mut watch);
         match stop {
             Some(stop) => Err(Left::Stopped(stop)),
             None => Ok(outcome),
@@ -441,28 +468,27 @@ impl<'a> Analysis<'a> {
     /// Announces a step with the state it begins from, or goes on from.
     fn begin(
         &mut self,
-        plan: &Plan<'_>,
+        plan: &Problem<'_>,
         number: usize,
         from: Option<&Checkpoint<'_>>,
-        work: &Workspace,
+        work: &mut Scratch,
     ) -> Result<(), Left> {
-        if let Some(said) = crate::memory::factors_objection(&work.solver.description()) {
+        if let Some(said) = work.objection() {
             self.tell(Event::Diagnosed(&said))?;
             return Err(Left::Failed(Box::new(said)));
         }
-        self.rows.fill(plan, &self.committed);
+        self.rows.fill(plan, self.committed);
         self.rows.pairs.clear();
         let increment = from.map_or(0, |from| from.increment);
         let numbers = Numbers { step: number, increment, ..Numbers::default() };
-        let frame = frame(plan, &self.committed, &numbers, &self.rows);
+        let frame = frame(plan, self.committed, &numbers, self.rows);
         let report = StepReport {
             model: self.model,
             step: number,
             equations: plan.constraints.equations(),
             entries: plan.pattern.entries(),
-            linear_solver: work.solver.description().to_string(),
-            may_stabilise: crate::stabilise::may_stabilise(self.model),
-            unsymmetric: plan.unsymmetric(),
+            linear_solver: work.solver().description(),
+            unsymmetric: plan.kind() == Kind::Unsymmetric,
             total_time: self.committed.total_time,
             start: frame,
             resumed: from.is_some() && self.resumes,
@@ -476,31 +502,31 @@ impl<'a> Analysis<'a> {
     /// Makes the trial the committed state and shows it.
     fn commit(
         &mut self,
-        plan: &Plan<'_>,
+        plan: &Problem<'_>,
         target: &Target,
         outcome: &Outcome,
         decision: &Decision,
-        work: &mut Workspace,
+        work: &mut Scratch,
     ) -> Result<(), Left> {
         if self.check_tangent.is_due(target.increment) {
             self.check(plan, target, work)?;
         }
-        commit(plan, &self.committed, target, work, &mut self.trial);
-        let left = diagnose::slid_off(plan, &self.committed, &self.trial);
-        std::mem::swap(&mut self.committed, &mut self.trial);
+        commit(plan, self.committed, target, work, self.trial);
+        let left = diagnose::slid_off(plan, self.committed, self.trial);
+        std::mem::swap(self.committed, self.trial);
         self.totals.increments += 1;
-        let Rows { contact, closed, .. } = &mut self.rows;
+        let Rows { contact, closed, .. } = &mut *self.rows;
         closed.clear();
         closed.extend(contact.iter().map(|row| row.status != Status::Open));
         let dropped = |point: &&crate::state::PointState| point.friction == FrictionCall::Dropped;
         self.totals.dropped_points += self.committed.points.iter().filter(dropped).count();
-        self.rows.fill(plan, &self.committed);
+        self.rows.fill(plan, self.committed);
         let last = *decision == Decision::StepDone;
         let numbers = Numbers { last, ..Numbers::of(target, outcome) };
-        let Rows { contact, closed, pairs, sums, .. } = &mut self.rows;
-        pair_rows(plan, &self.committed, work, (contact, closed), (pairs, sums));
+        let Rows { contact, closed, pairs, sums, .. } = &mut *self.rows;
+        pair_rows(plan, self.committed, work, (contact, closed), (pairs, sums));
         let jumped = self.balance_books(plan, target, work);
-        let frame = frame(plan, &self.committed, &numbers, &self.rows);
+        let frame = frame(plan, self.committed, &numbers, self.rows);
         // A wish to stop does not keep back what belongs to the increment.
         let mut told = match self.observer.event(Event::Committed(&frame)) {
             ControlFlow::Continue(()) => Ok(()),
@@ -518,14 +544,10 @@ impl<'a> Analysis<'a> {
     }
 
     /// Holds the tangent of the converged trial against differences.
-    fn check(&mut self, plan: &Plan<'_>, target: &Target, work: &Workspace) -> Result<(), Left> {
-        let trial = work.trial(&self.committed, target.dt);
-        let place = tangent::Place {
-            plan,
-            committed: &self.committed,
-            trial,
-            evaluation: &work.evaluation,
-        };
+    fn check(&mut self, plan: &Problem<'_>, target: &Target, work: &Scratch) -> Result<(), Left> {
+        let trial = work.trial(self.committed, target.dt);
+        let place =
+            tangent::Place { plan, committed: self.committed, trial, evaluation: &work.evaluation };
         let report = tangent::check(&place, (target.step, target.increment));
         let fault = tangent::fault(plan, &report).filter(|_| !self.tangent_is_wrong);
         self.tell(Event::Tangent(&report))?;
@@ -536,7 +558,7 @@ impl<'a> Analysis<'a> {
     /// Shows the state that the run could go on from, if it goes on.
     fn keep(
         &mut self,
-        plan: &Plan<'_>,
+        plan: &Problem<'_>,
         target: &Target,
         decision: &Decision,
         stopping: bool,
@@ -551,8 +573,8 @@ impl<'a> Analysis<'a> {
             increment: target.increment,
             stopping,
             totals: self.totals,
-            state: Cow::Borrowed(&self.committed),
-            start: plan.start().borrowed(),
+            state: Cow::Borrowed(&*self.committed),
+            start: plan.start.borrowed(),
             control,
         };
         match self.observer.event(Event::Checkpoint(&checkpoint)) {

@@ -13,8 +13,8 @@
 //! tangent is exact, symmetric and never negative.
 
 use crate::constraints::Rows;
-use crate::contact::{ContactKinematics, MasterPositions, PointRows};
-use crate::plan::Plan;
+use crate::contact::{Contact, ContactKinematics, MasterPositions, PointRows};
+use crate::problem::Problem;
 use crate::restraint::Restraint;
 use crate::state::State;
 use slideline_mech::contact::tangential::Tangential;
@@ -45,6 +45,14 @@ struct Dashpot {
 }
 
 impl Dashpots {
+    /// Forgets all, in the room they have.
+    pub fn forget(&mut self, contact: &Contact) {
+        self.each.clear();
+        if !self.kinematics.points().is_empty() {
+            contact.forget(&mut self.kinematics);
+        }
+    }
+
     /// Whether there are none.
     pub fn is_empty(&self) -> bool {
         self.each.is_empty()
@@ -82,7 +90,7 @@ impl Dashpots {
     }
 
     /// Adds their stiffness to the values of the pattern.
-    pub fn stiffen(&self, plan: &Plan<'_>, rows: &Rows, values: &mut [f64]) {
+    pub fn stiffen(&self, plan: &Problem<'_>, rows: &Rows, values: &mut [f64]) {
         for dashpot in &self.each {
             let own = self.kinematics.at(dashpot.place).rows;
             let at = |i: usize, j: usize| {
@@ -97,13 +105,18 @@ impl Dashpots {
 
 /// What stabilises contact in a step: the deck's word, or the program's own
 /// where it had to be switched on.
-pub fn settings(plan: &Plan<'_>, committed: &State) -> Option<Stabilisation> {
+pub fn settings(plan: &Problem<'_>, committed: &State) -> Option<Stabilisation> {
     let own = committed.stabilised.then(|| Stabilisation::automatic(plan.step.origin));
     plan.step.stabilisation.or(own)
 }
 
 /// The dashpots of an increment of length `dt` that ends at `step_time`.
-pub fn fill(plan: &Plan<'_>, committed: &State, (step_time, dt): (f64, f64), into: &mut Dashpots) {
+pub fn fill(
+    plan: &Problem<'_>,
+    committed: &State,
+    (step_time, dt): (f64, f64),
+    into: &mut Dashpots,
+) {
     into.each.clear();
     let Some(settings) = settings(plan, committed) else { return };
     let fading = 1.0 - step_time / plan.step.procedure.period;
@@ -138,7 +151,7 @@ fn nearness(settings: &Stabilisation, gap: f64) -> f64 {
 /// c of a pair [F T/L3]: soft against the stiffest element, yet stiff enough
 /// that the loads of the step move a body that nothing else holds by no more
 /// than the size of the model. (choice)
-fn automatic(plan: &Plan<'_>, place: usize, factor: f64) -> f64 {
+fn automatic(plan: &Problem<'_>, place: usize, factor: f64) -> f64 {
     let pair = plan.contact.points[place].pair;
     let own = plan.contact.points.iter().filter(|point| point.pair == pair);
     let area: f64 = own.map(|point| point.area).sum();
@@ -150,7 +163,7 @@ fn automatic(plan: &Plan<'_>, place: usize, factor: f64) -> f64 {
 
 /// Whether contact that is open, and was so at the last commit, would oppose
 /// a motion if its points had dashpots; and no contact that was closed.
-pub fn would_hold(plan: &Plan<'_>, committed: &State, mode: &[f64]) -> bool {
+pub fn would_hold(plan: &Problem<'_>, committed: &State, mode: &[f64]) -> bool {
     let u = &committed.displacement;
     let mut kinematics = plan.contact.nowhere();
     plan.contact.stand(u, &mut MasterPositions::default(), &mut kinematics);

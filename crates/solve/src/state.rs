@@ -108,19 +108,77 @@ impl PointState {
 }
 
 impl State {
-    /// The undeformed model: everything zero, every point open. `states` counts the state
-    /// values of user friction laws and those of elements.
-    pub fn undeformed(dofs: usize, points: usize, states: (usize, usize)) -> Self {
-        Self {
-            displacement: vec![0.0; dofs],
-            increment: vec![0.0; dofs],
-            increment_before: vec![0.0; dofs],
-            reaction: vec![0.0; dofs],
-            load: vec![0.0; dofs],
-            points: vec![PointState::default(); points],
-            state_variables: vec![0.0; states.0],
-            elements: vec![0.0; states.1],
+    /// Becomes a copy of another state, in the room it has.
+    pub fn copy_from(&mut self, from: &Self) {
+        let Self { total_time, step_time, increment_time, .. } = *from;
+        let Self { flux, stabilised, energy, balance_origin, books, .. } = *from;
+        let Self { displacement, increment, increment_before, reaction, load, .. } = from;
+        let Self { points, state_variables, elements, damping, .. } = from;
+        let lists = [
+            (&mut self.displacement, displacement),
+            (&mut self.increment, increment),
+            (&mut self.increment_before, increment_before),
+            (&mut self.reaction, reaction),
+            (&mut self.load, load),
+            (&mut self.state_variables, state_variables),
+            (&mut self.elements, elements),
+            (&mut self.damping, damping),
+        ];
+        lists.into_iter().for_each(|(own, from)| own.clone_from(from));
+        self.points.clone_from(points);
+        *self = Self {
+            total_time,
+            step_time,
+            displacement: std::mem::take(&mut self.displacement),
+            increment: std::mem::take(&mut self.increment),
+            increment_before: std::mem::take(&mut self.increment_before),
+            increment_time,
+            reaction: std::mem::take(&mut self.reaction),
+            load: std::mem::take(&mut self.load),
+            points: std::mem::take(&mut self.points),
+            state_variables: std::mem::take(&mut self.state_variables),
+            elements: std::mem::take(&mut self.elements),
+            flux,
+            damping: std::mem::take(&mut self.damping),
+            stabilised,
+            energy,
+            balance_origin,
+            books,
+        };
+    }
+
+    /// Becomes the undeformed model: everything zero, every point open. `states` counts the
+    /// state values of user friction laws and those of elements.
+    pub fn begin(&mut self, dofs: usize, points: usize, states: (usize, usize)) {
+        let mut own = Self {
+            points: std::mem::take(&mut self.points),
+            damping: std::mem::take(&mut self.damping),
             ..Self::default()
+        };
+        let lists = [
+            (&mut self.displacement, &mut own.displacement, dofs),
+            (&mut self.increment, &mut own.increment, dofs),
+            (&mut self.increment_before, &mut own.increment_before, dofs),
+            (&mut self.reaction, &mut own.reaction, dofs),
+            (&mut self.load, &mut own.load, dofs),
+            (&mut self.state_variables, &mut own.state_variables, states.0),
+            (&mut self.elements, &mut own.elements, states.1),
+        ];
+        for (room, list, count) in lists {
+            *list = std::mem::take(room);
+            list.clear();
+            list.resize(count, 0.0);
         }
+        own.damping.clear();
+        own.points.clear();
+        own.points.resize(points, PointState::default());
+        *self = own;
+    }
+
+    /// The undeformed model.
+    pub fn undeformed(dofs: usize, points: usize, states: (usize, usize)) -> Self {
+        let mut state = Self::default();
+        state.begin(dofs, points, states);
+        state
     }
 }

@@ -1,4 +1,4 @@
-//! The elements of a step, each with its own dof for force and tangent.
+//! The elements of a step: numbered by the plan, made of their kernels, gathered.
 //!
 //! ```text
 //!   u --> element 1 --> [force | tangent]  \
@@ -6,48 +6,43 @@
 //!   u --> element 3 --> [force | tangent]  /
 //! ```
 //!
-//! Elements write dofs of their own and a gather in fixed order sums them,
-//! so that the sum has the same bits on any number of threads. The dofs of all
-//! elements lie behind one another: an element takes as much as it needs. What an
-//! element is, only its block's kernel knows.
+//! Elements write forces of their own and a gather in fixed order sums them, so that
+//! the sum has the same bits on any number of threads. Tangents are gathered a few
+//! elements at a time, and never all stored. The dofs of all elements lie behind one
+//! another: an element takes as much as it needs. What an element is, only its block's
+//! kernel knows.
 
 mod block;
+mod evaluate;
 mod flux;
-mod place;
+mod kernels;
+mod numbering;
 #[cfg(test)]
 mod tests;
 
+pub use evaluate::{Gather, Product};
 pub use flux::Flux;
+pub use kernels::Kernels;
+pub use numbering::ElementNumbering;
 
-use crate::constraints::{Constraints, Rows};
 use crate::observe::BlockResults;
 use block::Block;
-use rayon::ThreadPool;
-use slideline_linalg::Pattern;
-use slideline_mech::element::{MOST_VARIABLES, Response, Strains};
-use std::ops::Range;
+use slideline_mech::element::{Kernel, MOST_VARIABLES, Strains};
 
-/// From this number of elements on, threads pay.
-const PARALLEL: usize = 2000;
-/// Elements that one thread takes at a time.
-const SHARE: usize = 256;
-
-/// All elements of a step.
-#[derive(Clone, Debug, Default)]
-pub struct Structure {
-    blocks: Vec<Block>,
-    /// Number of elements.
-    count: usize,
-    /// Dofs of the elements' own variables, element by element.
-    own: Vec<usize>,
-    /// Index of each tangent entry among the matrix values, row by row;
-    /// `usize::MAX`: none.
-    entries: Vec<usize>,
+/// All elements of a step at work: numbering of the plan, kernels of the values.
+#[derive(Clone, Copy, Debug)]
+pub struct Structure<'a> {
+    /// Where elements stand and which dofs they have.
+    pub numbering: &'a ElementNumbering,
+    /// What they are.
+    pub kernels: &'a Kernels,
     /// Elements with dofs that follow others.
-    dependent: Vec<usize>,
-    nlgeom: bool,
-    /// How many stresses the elements have.
-    stresses: usize,
+    pub dependent: &'a [usize],
+    /// Index of each tangent entry among the matrix values, element by element and row
+    /// by row; `u32::MAX`: none.
+    pub entries: &'a [u32],
+    /// Whether displacements may be large.
+    pub nlgeom: bool,
     /// Largest EA/l [F/L], for the rounding floor of the residual.
     pub stiffest: f64,
     /// Length of the element that has it [L].
@@ -67,93 +62,60 @@ pub struct Configuration<'a> {
 }
 
 /// What every element contributes, in dofs of its own.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Contributions {
-    /// Laid out as [`Structure::own`].
+    /// Forces of all elements, one after the other [F or F L].
     force: Vec<f64>,
-    /// Laid out as [`Structure::entries`].
-    tangent: Vec<f64>,
     /// Strain energy of each element [F L].
     energy: Vec<f64>,
     /// State variables of the elements, one after the other, were this state
     /// committed.
     state: Vec<f64>,
+    /// Tangents of the elements that are gathered at a time.
+    few: Vec<f64>,
+    /// Tangents of those with dofs that follow others, which are gathered last.
+    last: Vec<f64>,
 }
 
-impl Structure {
+impl Contributions {
+    /// Makes room for the elements of a numbering.
+    pub fn fit(&mut self, numbering: &ElementNumbering) {
+        let states = numbering.blocks.iter().map(|block| block.states * block.elements.len());
+        self.force.resize(numbering.own.len(), 0.0);
+        self.energy.resize(numbering.count, 0.0);
+        self.state.resize(states.sum(), 0.0);
+    }
+}
+
+impl Structure<'_> {
     /// Room for what the elements contribute, empty.
     pub fn room(&self) -> Contributions {
-        let states = self.blocks.iter().map(|block| block.states * block.elements.len());
-        Contributions {
-            force: vec![0.0; self.own.len()],
-            tangent: vec![0.0; self.entries.len()],
-            energy: vec![0.0; self.count],
-            state: vec![0.0; states.sum()],
-        }
+        let mut room = Contributions::default();
+        room.fit(self.numbering);
+        room
     }
 
-    /// All elements, each with its block.
-    fn elements(&self) -> impl Iterator<Item = (&Block, usize)> {
-        self.blocks.iter().flat_map(|block| block.elements.clone().map(move |e| (block, e)))
+    /// All elements, each with its block and kernel.
+    fn elements(&self) -> impl Iterator<Item = (&Block, &dyn Kernel, usize)> {
+        let blocks = self.numbering.blocks.iter().zip(self.kernels.iter());
+        blocks.flat_map(|(block, kernel)| block.elements.clone().map(move |e| (block, kernel, e)))
     }
 
-    /// An element with its block.
-    fn element(&self, element: usize) -> (&Block, usize) {
-        let at = self.blocks.partition_point(|block| block.elements.end <= element);
-        (&self.blocks[at], element)
+    /// The block of an element, and its kernel.
+    fn element(&self, element: usize) -> (&Block, &dyn Kernel) {
+        let at = self.numbering.blocks.partition_point(|block| block.elements.end <= element);
+        (&self.numbering.blocks[at], self.kernels.of(at))
     }
 
-    /// The elements with dofs that follow others.
-    fn dependent(&self) -> impl Iterator<Item = (&Block, usize)> {
-        self.dependent.iter().map(|&element| self.element(element))
-    }
-
-    /// Sets of dofs that couple.
-    pub fn cliques(&self) -> impl Iterator<Item = &[usize]> {
-        self.elements().map(|(block, element)| &self.own[block.own(element)])
-    }
-
-    /// How many sets [`Self::cliques`] gives, and their members in all.
-    pub fn size_of_cliques(&self) -> (usize, usize) {
-        (self.count, self.own.len())
-    }
-
-    /// Finds every tangent entry's place in the matrix.
-    pub fn find_entries(&mut self, constraints: &Constraints, pattern: &Pattern) {
-        let Self { blocks, own, entries, dependent, .. } = self;
-        let elements =
-            blocks.iter().flat_map(|block| block.elements.clone().map(move |e| (block, e)));
-        for (block, element) in elements {
-            if dependent.binary_search(&element).is_ok() {
-                continue;
-            }
-            let own = &own[block.own(element)];
-            let entries = &mut entries[block.entries(element)];
-            let pairs = own.iter().flat_map(|&i| own.iter().map(move |&j| (i, j)));
-            for (entry, (i, j)) in entries.iter_mut().zip(pairs) {
-                *entry = match (constraints.equation(i), constraints.equation(j)) {
-                    (Some(row), Some(column)) => {
-                        pattern.position(row, column).unwrap_or(usize::MAX)
-                    }
-                    _ => usize::MAX,
-                };
-            }
-        }
-    }
-
-    /// Whether each dof belongs to an element (rounding grows with those).
-    pub fn touched(&self, dofs: usize) -> Vec<bool> {
-        let mut touched = vec![false; dofs];
-        for &dof in &self.own {
-            touched[dof] = true;
-        }
-        touched
+    /// The dofs of an element.
+    fn own(&self, block: &Block, element: usize) -> &[usize] {
+        &self.numbering.own[block.own(element)]
     }
 
     /// Room for the stresses of every element; none where strains are linear,
     /// for then there is no geometric stiffness.
-    pub fn stress_room(&self) -> Vec<f64> {
-        vec![0.0; if self.nlgeom { self.stresses } else { 0 }]
+    pub fn stress_room(&self) -> usize {
+        if self.nlgeom { self.numbering.stresses } else { 0 }
     }
 
     /// The stresses that a linear solution with the `change` of all dofs
@@ -163,14 +125,14 @@ impl Structure {
             return;
         }
         let (mut q, mut moved) = ([0.0; MOST_VARIABLES], [0.0; MOST_VARIABLES]);
-        for (block, element) in self.elements() {
-            let own = &self.own[block.own(element)];
+        for (block, kernel, element) in self.elements() {
+            let own = self.own(block, element);
             let (q, moved) = (&mut q[..own.len()], &mut moved[..own.len()]);
             for ((q, moved), &dof) in q.iter_mut().zip(&mut *moved).zip(own) {
                 (*q, *moved) = (u[dof], change[dof]);
             }
             let into = &mut into[block.stresses(element)];
-            block.kernel.stresses_after(block.number(element), q, moved, into);
+            kernel.stresses_after(block.number(element), q, moved, into);
         }
     }
 
@@ -180,122 +142,20 @@ impl Structure {
         if stresses.is_empty() {
             return;
         }
-        for (block, element) in self.elements() {
+        for (block, kernel, element) in self.elements() {
             let own = &mut stresses[block.stresses(element)];
-            block.kernel.tighten(block.number(element), reach, own);
+            kernel.tighten(block.number(element), reach, own);
         }
     }
 
     /// The largest turn of an element's nodes against each other [1], of the
     /// changes `of` the dofs.
     pub fn largest_bend(&self, of: impl Fn(usize) -> f64) -> f64 {
-        let bend =
-            |(block, element): (&Block, usize)| block.bend(&self.own[block.own(element)], &of);
-        let turning = self.blocks.iter().filter(|block| block.translations < block.dofs.len());
+        let blocks = self.numbering.blocks.iter();
+        let turning = blocks.filter(|block| block.translations < block.dofs.len());
         let elements = turning.flat_map(|block| block.elements.clone().map(move |e| (block, e)));
+        let bend = |(block, element): (&Block, usize)| block.bend(self.own(block, element), &of);
         elements.map(bend).fold(0.0, f64::max)
-    }
-
-    /// Evaluates every element, each into its own place; with estimates of the
-    /// stresses these make the geometric stiffness.
-    pub fn evaluate(
-        &self,
-        at: &Configuration<'_>,
-        into: &mut Contributions,
-        pool: Option<&ThreadPool>,
-    ) {
-        let at = Configuration { stresses: at.stresses.filter(|_| self.nlgeom), ..*at };
-        let part = Part {
-            elements: 0..self.count,
-            force: &mut into.force,
-            tangent: Some(&mut into.tangent),
-            energy: &mut into.energy,
-            state: &mut into.state,
-        };
-        self.evaluate_all(&at, part, pool);
-    }
-
-    /// Evaluates forces, energies and states alone: tangents stay as they are. The
-    /// bits are those of [`Structure::evaluate`].
-    pub fn evaluate_forces(
-        &self,
-        at: &Configuration<'_>,
-        into: &mut Contributions,
-        pool: Option<&ThreadPool>,
-    ) {
-        let at = Configuration { stresses: None, ..*at };
-        let part = Part {
-            elements: 0..self.count,
-            force: &mut into.force,
-            tangent: None,
-            energy: &mut into.energy,
-            state: &mut into.state,
-        };
-        self.evaluate_all(&at, part, pool);
-    }
-
-    fn evaluate_all(&self, at: &Configuration<'_>, part: Part<'_>, pool: Option<&ThreadPool>) {
-        match pool.filter(|_| self.count >= PARALLEL) {
-            Some(pool) => pool.install(|| self.evaluate_shared(at, part)),
-            None => self.evaluate_part(at, part),
-        }
-    }
-
-    /// Halves a part until one thread can take it.
-    fn evaluate_shared(&self, at: &Configuration<'_>, part: Part<'_>) {
-        if part.elements.len() <= SHARE {
-            return self.evaluate_part(at, part);
-        }
-        let (first, second) = self.halve(part);
-        rayon::join(|| self.evaluate_shared(at, first), || self.evaluate_shared(at, second));
-    }
-
-    fn halve<'a>(&self, part: Part<'a>) -> (Part<'a>, Part<'a>) {
-        let Range { start, end } = part.elements;
-        let middle = start + (end - start) / 2;
-        let [mut width, mut square, mut states] = [0; 3];
-        for block in &self.blocks {
-            let own = block.elements.start.max(start)..block.elements.end.min(middle);
-            width += own.len() * block.variables;
-            square += own.len() * block.variables * block.variables;
-            states += own.len() * block.states;
-        }
-        let (force, other_force) = part.force.split_at_mut(width);
-        let (tangent, other_tangent) = part.tangent.map(|all| all.split_at_mut(square)).unzip();
-        let (energy, other_energy) = part.energy.split_at_mut(middle - start);
-        let (state, other_state) = part.state.split_at_mut(states);
-        (
-            Part { elements: start..middle, force, tangent, energy, state },
-            Part {
-                elements: middle..end,
-                force: other_force,
-                tangent: other_tangent,
-                energy: other_energy,
-                state: other_state,
-            },
-        )
-    }
-
-    fn evaluate_part(&self, at: &Configuration<'_>, mut part: Part<'_>) {
-        let mut variables = [0.0; MOST_VARIABLES];
-        let first = self.blocks.partition_point(|block| block.elements.end <= part.elements.start);
-        for block in &self.blocks[first..] {
-            let elements = block.elements.start.max(part.elements.start)
-                ..block.elements.end.min(part.elements.end);
-            let (kernel, width) = (&*block.kernel, block.variables);
-            let q = &mut variables[..width];
-            for element in elements {
-                let own = &self.own[block.own(element)];
-                q.iter_mut().zip(own).for_each(|(q, &dof)| *q = at.u[dof]);
-                let strains = match at.stresses {
-                    Some(stresses) => Strains::Mixed(&stresses[block.stresses(element)]),
-                    None => self.strains(),
-                };
-                let Some((energy, into)) = part.take(width, block.states) else { return };
-                let committed = &at.state[block.state(element)];
-                *energy = kernel.respond(block.number(element), q, committed, strains, into);
-            }
-        }
     }
 
     /// How strains follow displacements in this step.
@@ -306,7 +166,7 @@ impl Structure {
     /// Copies the trial state of the elements to where a commit keeps it.
     pub fn gather_state(&self, from: &Contributions, into: &mut [f64]) {
         let mut rest: &[f64] = &from.state;
-        for (block, element) in self.elements().filter(|(block, _)| block.states > 0) {
+        for (block, _, element) in self.elements().filter(|(block, ..)| block.states > 0) {
             let (own, behind) = rest.split_at(block.states);
             into[block.state(element)].copy_from_slice(own);
             rest = behind;
@@ -315,30 +175,10 @@ impl Structure {
 
     /// Sums forces into the full vector; returns the strain energy [F L].
     pub fn gather_force(&self, from: &Contributions, force: &mut [f64]) -> f64 {
-        for (&dof, value) in self.own.iter().zip(&from.force) {
+        for (&dof, value) in self.numbering.own.iter().zip(&from.force) {
             force[dof] += value;
         }
         from.energy.iter().fold(0.0, |sum, energy| sum + energy)
-    }
-
-    /// Sums tangents into the matrix values of a pattern.
-    pub fn gather_tangent(
-        &self,
-        from: &Contributions,
-        (constraints, rows, pattern): (&Constraints, &Rows, &Pattern),
-        values: &mut [f64],
-    ) {
-        for (&entry, value) in self.entries.iter().zip(&from.tangent) {
-            if let Some(sum) = values.get_mut(entry) {
-                *sum += value;
-            }
-        }
-        for (block, element) in self.dependent() {
-            let own = &self.own[block.own(element)];
-            let tangent = &from.tangent[block.entries(element)];
-            let at = |i: usize, j: usize| tangent[i * own.len() + j];
-            constraints.scatter((rows, pattern), own, at, values);
-        }
     }
 
     /// Adds the forces on dependent dofs with which a tangent turns: those of
@@ -351,13 +191,14 @@ impl Structure {
         into: &mut [f64],
     ) {
         let (mut q, mut own_force) = ([0.0; MOST_VARIABLES], [0.0; MOST_VARIABLES]);
-        for (block, element) in self.dependent() {
-            let own = &self.own[block.own(element)];
+        for &element in self.dependent {
+            let (block, kernel) = self.element(element);
+            let own = self.own(block, element);
             let (q, force) = (&mut q[..own.len()], &mut own_force[..own.len()]);
             q.iter_mut().zip(own).for_each(|(q, &dof)| *q = u[dof]);
             let estimated = stresses.filter(|_| self.nlgeom).is_some_and(|stresses| {
                 let stresses = &stresses[block.stresses(element)];
-                block.kernel.force_of_stresses(block.number(element), q, stresses, force)
+                kernel.force_of_stresses(block.number(element), q, stresses, force)
             });
             if !estimated {
                 force.copy_from_slice(&from.force[block.own(element)]);
@@ -366,24 +207,11 @@ impl Structure {
         }
     }
 
-    /// Sums K v for a full vector v of dofs into `product` (a first guess of
-    /// what a prescribed motion does).
-    pub fn multiply(&self, from: &Contributions, v: &[f64], product: &mut [f64]) {
-        for (block, element) in self.elements() {
-            let own = &self.own[block.own(element)];
-            let rows = from.tangent[block.entries(element)].chunks_exact(block.variables);
-            for (&target, row) in own.iter().zip(rows) {
-                let sum: f64 = row.iter().zip(own).map(|(k, &dof)| k * v[dof]).sum();
-                product[target] += sum;
-            }
-        }
-    }
-
     /// Mean magnitude of the nodal forces and of the nodal moments of all
     /// elements, with the number of nodal vectors counted: the flux q.
     pub fn flux(&self, from: &Contributions) -> Flux {
         let mut flux = Flux::default();
-        for (block, element) in self.elements() {
+        for (block, _, element) in self.elements() {
             block.count(&from.force[block.own(element)], &mut flux);
         }
         flux
@@ -391,43 +219,21 @@ impl Structure {
 
     /// Results of all elements, block by block; room that `into` has is used again.
     pub fn results(&self, u: &[f64], state: &[f64], into: &mut Vec<BlockResults>) {
-        into.resize_with(self.blocks.len(), BlockResults::default);
+        into.resize_with(self.numbering.blocks.len(), BlockResults::default);
         let mut variables = [0.0; MOST_VARIABLES];
-        for (block, into) in self.blocks.iter().zip(into) {
+        let blocks = self.numbering.blocks.iter().zip(self.kernels.iter());
+        for ((block, kernel), into) in blocks.zip(into) {
             into.block = block.block;
             into.members.clone_from(&block.members);
             into.values.resize(block.results * block.elements.len(), 0.0);
             let q = &mut variables[..block.variables];
             let values = into.values.chunks_exact_mut(block.results.max(1));
             for (element, values) in block.elements.clone().zip(values) {
-                let own = &self.own[block.own(element)];
+                let own = self.own(block, element);
                 q.iter_mut().zip(own).for_each(|(q, &dof)| *q = u[dof]);
                 let (number, state) = (block.number(element), &state[block.state(element)]);
-                block.kernel.results(number, q, state, self.strains(), values);
+                kernel.results(number, q, state, self.strains(), values);
             }
         }
-    }
-}
-
-/// Elements that lie together, with their dofs.
-struct Part<'a> {
-    elements: Range<usize>,
-    force: &'a mut [f64],
-    /// `None`: forces only.
-    tangent: Option<&'a mut [f64]>,
-    energy: &'a mut [f64],
-    state: &'a mut [f64],
-}
-
-impl<'a> Part<'a> {
-    /// The dofs of the next element.
-    fn take(&mut self, width: usize, states: usize) -> Option<(&'a mut f64, Response<'a>)> {
-        let force = self.force.split_off_mut(..width)?;
-        let tangent = match &mut self.tangent {
-            Some(rest) => Some(rest.split_off_mut(..width * width)?),
-            None => None,
-        };
-        let state = self.state.split_off_mut(..states)?;
-        Some((self.energy.split_off_first_mut()?, Response { force, tangent, state }))
     }
 }

@@ -19,7 +19,7 @@ use crate::contact::{
 };
 use crate::evaluate::{Evaluation, Trial};
 use crate::observe::{FrictionCall, Status, TangentReport};
-use crate::plan::Plan;
+use crate::problem::Problem;
 use crate::state::State;
 use crate::structure::{Configuration, Contributions};
 use slideline_diag::{Code, Diagnostic};
@@ -40,7 +40,7 @@ pub const TOLERANCE: f64 = 1e-5;
 #[derive(Clone, Copy)]
 pub struct Place<'a> {
     /// The step.
-    pub plan: &'a Plan<'a>,
+    pub plan: &'a Problem<'a>,
     /// The state before the increment.
     pub committed: &'a State,
     /// The converged trial.
@@ -94,7 +94,7 @@ struct Worst {
 }
 
 /// What is said of a tangent that is wrong; `None` where it is right.
-pub fn fault(plan: &Plan<'_>, report: &TangentReport) -> Option<Diagnostic> {
+pub fn fault(plan: &Problem<'_>, report: &TangentReport) -> Option<Diagnostic> {
     if report.off <= TOLERANCE {
         return None;
     }
@@ -182,12 +182,15 @@ pub fn assembled(place: &Place<'_>) -> Vec<f64> {
     // The geometric stiffness of the iteration is that of estimated stresses.
     let mut contributions = plan.structure.room();
     let at = Configuration { u: trial.u, stresses: None, state: &place.committed.elements };
-    plan.structure.evaluate(&at, &mut contributions, plan.pool);
     let rows = &place.evaluation.rows;
-    plan.gather_tangent(&contributions, rows, &mut values);
+    let gather = plan.gather(rows, &mut values);
+    plan.structure.evaluate(&at, &mut contributions, gather, plan.means.pool);
     trial.dashpots.stiffen(plan, rows, &mut values);
+    plan.faces.stiffen(plan, rows, (trial.faces, trial.u), &mut values);
     // Every force on a dependent dof turns with those that it follows.
-    let mut force: Vec<f64> = trial.load.iter().map(|load| -load).collect();
+    let mut force = vec![0.0; trial.load.len()];
+    plan.faces.press(trial.faces, trial.u, &mut force);
+    force.iter_mut().zip(trial.load).for_each(|(force, load)| *force = -(*force + load));
     plan.structure.gather_force(&contributions, &mut force);
     place.add_contact_force(&place.evaluation.kinematics, trial.u, &mut force);
     plan.stiffen_by_turning(trial.u, &mut force, &mut values);
@@ -361,8 +364,11 @@ impl<'a> Differences<'a> {
     fn residual(&mut self) -> Vec<f64> {
         let Place { plan, trial, evaluation, committed } = self.place;
         let at = Configuration { u: &self.u, stresses: None, state: &committed.elements };
-        plan.structure.evaluate_forces(&at, &mut self.contributions, plan.pool);
-        self.force.iter_mut().zip(trial.load).for_each(|(force, load)| *force = -load);
+        plan.structure.evaluate_forces(&at, &mut self.contributions, plan.means.pool);
+        self.force.fill(0.0);
+        plan.faces.press(trial.faces, &self.u, &mut self.force);
+        let loads = self.force.iter_mut().zip(trial.load);
+        loads.for_each(|(force, load)| *force = -(*force + load));
         let _energy = plan.structure.gather_force(&self.contributions, &mut self.force);
         self.kinematics.copy_from(&evaluation.kinematics);
         plan.contact.meet_in_place(&self.u, &mut self.positions, &mut self.kinematics);
@@ -378,7 +384,12 @@ mod tests {
     use super::*;
     use crate::dofs::DofMap;
     use crate::evaluate::evaluate;
+    use crate::linear_systems::LinearSystems;
+    use crate::plan::{Coupling, Plan};
+    use crate::problem::Means;
     use crate::stabilise::Dashpots;
+    use crate::start::Start;
+    use crate::values::Values;
     use slideline_diag::Span;
     use slideline_mech::contact::tangential::Tangential;
     use slideline_mech::material::Elastic;
@@ -388,6 +399,33 @@ mod tests {
 
     fn prescribed(node: NodeIndex, dof: Dof) -> Prescribed {
         Prescribed { node, dof, value: 0.0, amplitude: None, origin: AT }
+    }
+
+    /// The first step of a model, prepared.
+    struct Prepared {
+        plan: Plan,
+        values: Values,
+        coupling: Coupling,
+        start: Start<'static>,
+        linear_systems: LinearSystems,
+    }
+
+    impl Prepared {
+        fn new(model: &Model) -> Self {
+            let (plan, mut values) = (Plan::of(model), Values::default());
+            values.take(&plan, model, &crate::users::UserFrictions::default()).unwrap();
+            let coupling = plan.steps[0].coupling.clone().unwrap();
+            let (mut start, linear_systems) = (Start::default(), LinearSystems::default());
+            let state = State::undeformed(plan.dofs.len(), 0, (0, 0));
+            start.take(&state, &plan.steps[0].constraints);
+            Self { plan, values, coupling, start, linear_systems }
+        }
+
+        fn problem<'a>(&'a self, model: &'a Model) -> Problem<'a> {
+            let means = Means { pool: None, linear_systems: &self.linear_systems };
+            let taken = (&*self.plan, &self.values);
+            Problem::new((model, 0), taken, &self.coupling, &self.start, means)
+        }
     }
 
     /// A curved chain of six beams along x, and a free rigid body above it
@@ -506,12 +544,14 @@ mod tests {
             let model = model(line);
             let (dofs, points) =
                 (DofMap::new(&model).len(), model.contact_pairs[0].slave_nodes().len());
-            let start = crate::plan::Start::undeformed(dofs);
-            let users = crate::users::UserFrictions::default();
-            let plan = Plan::new(&model, &model.steps[0], start, &users, None);
             let mut committed = State::undeformed(dofs, points, (0, 0));
-            let mut work = crate::newton::Workspace::new(&plan);
-            crate::commit::locate_points(&plan, &mut committed, &mut work.evaluation.kinematics);
+            let prepared = Prepared::new(&model);
+            let plan = prepared.problem(&model);
+            let mut evaluation = Evaluation::default();
+            evaluation.fit(&plan);
+            let (positions, kinematics) =
+                (&mut MasterPositions::default(), &mut evaluation.kinematics);
+            crate::commit::locate_points(plan.contact, &mut committed, positions, kinematics);
             let body = model.nodes.find(100).unwrap();
             let mut u: Vec<f64> =
                 (0..dofs).map(|k| 0.02 * ((k * 7919 % 13) as f64 / 6.0 - 1.0)).collect();
@@ -526,7 +566,7 @@ mod tests {
             // as stiff as the contact itself, lest the differences miss it
             dashpots.scale_to(1.0);
             let (none, untouched) = (vec![0.0; points], vec![Tangential::ZERO; points]);
-            let stresses = plan.structure.stress_room();
+            let stresses = vec![0.0; plan.structure.stress_room()];
             let load = vec![0.0; dofs];
             let trial = Trial {
                 faces: &[],
@@ -539,7 +579,6 @@ mod tests {
                 time: 1.0,
                 dt: 1.0,
             };
-            let mut evaluation = Evaluation::new(&plan);
             evaluate(&plan, &committed, &trial, &mut evaluation);
             assert!(
                 evaluation.points.iter().any(|point| point.closed && point.traction.size() != 0.0)
@@ -563,17 +602,18 @@ mod tests {
             model.contact_pairs[0].interaction.normal = law;
             let (dofs, points) =
                 (DofMap::new(&model).len(), model.contact_pairs[0].slave_nodes().len());
-            let start = crate::plan::Start::undeformed(dofs);
-            let users = crate::users::UserFrictions::default();
-            let plan = Plan::new(&model, &model.steps[0], start, &users, None);
             let mut committed = State::undeformed(dofs, points, (0, 0));
-            let mut work = crate::newton::Workspace::new(&plan);
-            crate::commit::locate_points(&plan, &mut committed, &mut work.evaluation.kinematics);
+            let prepared = Prepared::new(&model);
+            let plan = prepared.problem(&model);
+            let mut evaluation = Evaluation::default();
+            evaluation.fit(&plan);
+            let (positions, kinematics) =
+                (&mut MasterPositions::default(), &mut evaluation.kinematics);
+            crate::commit::locate_points(plan.contact, &mut committed, positions, kinematics);
             let (none, untouched) = (vec![0.0; points], vec![Tangential::ZERO; points]);
-            let stresses = plan.structure.stress_room();
+            let stresses = vec![0.0; plan.structure.stress_room()];
             let (mut u, load) = (vec![0.0; dofs], vec![0.0; dofs]);
             let body = plan.dofs.of_node(model.nodes.find(100).unwrap());
-            let mut evaluation = Evaluation::new(&plan);
             let mut touches = |down: f64| {
                 u[body.start + 1] = down;
                 plan.constraints.enforce(&mut u);

@@ -41,8 +41,9 @@ impl Keyword for SurfaceInteraction {
             let error = Diagnostic::error(Code("SL0250"), message).at(named.span);
             draft.log.push(error.label(old.interaction.origin, "defined here first"));
         }
+        let thickness = thickness(card, draft);
         let interaction = Interaction {
-            width: thickness(card, draft),
+            width: thickness.unwrap_or(1.0),
             normal: NormalLaw::Hard,
             friction: Friction::Frictionless,
             origin: card.span(),
@@ -51,24 +52,19 @@ impl Keyword for SurfaceInteraction {
         };
         // The laws that follow are read in any case: one error for one slip.
         draft.owner = Owner::Interaction(draft.interactions.len());
-        draft.interactions.push(NamedInteraction { named, interaction });
+        draft.interactions.push(NamedInteraction { named, interaction, thickness });
     }
 }
 
-/// Out-of-plane thickness [L]; 1.0 where the line is absent, and that is said.
-fn thickness(card: &Reading<'_>, draft: &mut Draft) -> f64 {
+/// Out-of-plane thickness [L]; `None` where the line is absent.
+fn thickness(card: &Reading<'_>, draft: &mut Draft) -> Option<f64> {
     draft.log.at_most_lines(card.data(), 1, "SURFACE INTERACTION");
-    let line = card.data().first();
-    let Some((line, field)) = line.and_then(|line| Some((line, line.field(0)?))) else {
-        let message = "the contact is 1.0 thick out of the plane: no thickness is given";
-        let note = Diagnostic::note(Code("SL0255"), message).at(card.span());
-        draft.log.push(note.help("the data line is the thickness, as the width of *INTERFACE"));
-        return 1.0;
-    };
+    let line = card.data().first()?;
+    let field = line.field(0)?;
     draft.log.at_most(line, 1);
-    let Some(value) = draft.log.number(line, 0, "the thickness") else { return 1.0 };
+    let value = draft.log.number(line, 0, "the thickness")?;
     if value <= 0.0 {
         draft.log.error("SL0210", "the thickness of a contact must be positive", field.span);
     }
-    value
+    Some(value)
 }

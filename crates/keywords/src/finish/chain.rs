@@ -23,6 +23,8 @@ pub(super) struct Facet {
     /// The element's data line.
     pub origin: Span,
     pub side: Option<Side>,
+    /// Number of the face of a solid, from 0; `None`: a beam.
+    pub face: Option<usize>,
 }
 
 impl Facet {
@@ -165,7 +167,7 @@ mod tests {
     use slideline_model::Node;
 
     fn facet(a: NodeIndex, b: NodeIndex, side: Option<Side>) -> Facet {
-        Facet { label: 1, nodes: [a, b], middle: None, origin: Span::default(), side }
+        Facet { label: 1, nodes: [a, b], middle: None, origin: Span::default(), side, face: None }
     }
 
     fn nodes(facets: &[(NodeIndex, NodeIndex)]) -> Result<Vec<NodeIndex>, Broken> {

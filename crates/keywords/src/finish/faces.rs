@@ -34,10 +34,17 @@ pub(super) fn faces(surface: &NamedSurface, draft: &mut Draft) -> Vec<SolidFace>
     let mut faces = Vec::new();
     for stretch in stretches {
         let found = super::surfaces::elements_of(stretch, draft);
-        match stretch.face {
-            Some(face) => named(&found, face, stretch, draft, &mut faces),
-            None => free(&found, stretch.span, draft, &mut faces),
-        }
+        faces.extend(of_stretch(&found, stretch, draft));
+    }
+    faces
+}
+
+/// The faces that a line of a surface names of elements, or their free ones.
+pub(super) fn of_stretch(found: &[usize], stretch: &Stretch, draft: &mut Draft) -> Vec<SolidFace> {
+    let mut faces = Vec::new();
+    match stretch.face {
+        Some(face) => named(found, face, stretch, draft, &mut faces),
+        None => free(found, stretch.span, draft, &mut faces),
     }
     faces
 }

@@ -57,11 +57,11 @@ pub(super) fn slide_line(
 
 /// A master turns one face to its slaves.
 fn one_face_each(pairing: &Pairing, facets: &[Facet], draft: &mut Draft) -> Option<Vec<Facet>> {
-    let mut once: std::collections::HashMap<u64, usize> = std::collections::HashMap::new();
+    let mut once = std::collections::HashMap::new();
     let mut kept: Vec<Facet> = Vec::with_capacity(facets.len());
     for facet in facets {
-        let Some(&place) = once.get(&facet.label) else {
-            once.insert(facet.label, kept.len());
+        let Some(&place) = once.get(&(facet.label, facet.face)) else {
+            once.insert((facet.label, facet.face), kept.len());
             kept.push(*facet);
             continue;
         };

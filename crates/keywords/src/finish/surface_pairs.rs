@@ -4,6 +4,7 @@
 //!                    master: rigid surface    master: beams
 //!   NODE TO SURFACE
 //!     slave: beams    points at its nodes      points at its nodes, slide line
+//!     or faces of plane solids, on either side
 //!     slave: nodes    the same                 the same
 //!     slave: rigid    -                        -
 //!   SURFACE TO SURFACE
@@ -14,7 +15,7 @@
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{
-    ContactElement, ContactPair, Formulation, Interaction, Master, NormalLaw, Vocabulary,
+    ContactElement, ContactPair, Formulation, Interaction, Master, NormalLaw, Section, Vocabulary,
 };
 
 use super::chain::{Chain, Facet};
@@ -122,11 +123,13 @@ fn pair(pairing: &Pairing, draft: &mut Draft) {
     let second = found(&master, pairing.master.span, draft);
     let (Some(first), Some(second)) = (first, second) else { return };
     let sides = Sides { slave, master };
+    let thickness = thickness_of(&first, draft);
     let parts = match pairing.formulation {
         Formulation::NodeToSurface => at_nodes(pairing, &sides, (first, second), draft),
         Formulation::SurfaceToSurface => along(pairing, &sides, (first, second), draft),
     };
     let Some((elements, master)) = parts else { return };
+    let interaction = Interaction { width: width(pairing, thickness, draft), ..interaction };
     remarks(pairing, &master, &interaction, draft);
     let pair = ContactPair {
         name: format!("{}/{}", pairing.slave.name, pairing.master.name),
@@ -141,6 +144,35 @@ fn pair(pairing: &Pairing, draft: &mut Draft) {
     draft.model.contact_pairs.push(pair);
 }
 
+/// Thickness of the solids whose faces are slaves [L]; `None` for others.
+fn thickness_of(slave: &Found, draft: &Draft) -> Option<f64> {
+    let Found::Facets(facets) = slave else { return None };
+    let label = facets.iter().find(|facet| facet.face.is_some())?.label;
+    draft.model.blocks.iter().find_map(|block| match &block.section {
+        Section::Solid(section) => {
+            let owns = block.elements.iter().any(|element| element.label == label);
+            owns.then_some(section.thickness)
+        }
+        _ => None,
+    })
+}
+
+/// Thickness of a contact out of the plane [L]: that of its interaction, of the solids whose faces
+/// are slaves, or 1.0, which is said.
+fn width(pairing: &Pairing, of_solids: Option<f64>, draft: &mut Draft) -> f64 {
+    let named = &pairing.interaction.name;
+    let entry = draft.interactions.iter().find(|entry| entry.named.name == *named);
+    let (given, origin) =
+        entry.map_or((None, pairing.origin), |own| (own.thickness, own.interaction.origin));
+    given.or(of_solids).unwrap_or_else(|| {
+        let message = "the contact is 1.0 thick out of the plane: no thickness is given";
+        let note = Diagnostic::note(Code("SL0255"), message).at(origin);
+        let help = "the data line is the thickness, as the width of *INTERFACE";
+        draft.consequence(Subject::Contact, note.help(help));
+        1.0
+    })
+}
+
 type Parts = Option<(Vec<ContactElement>, Master)>;
 
 /// Contact sampled at the slave's nodes.
@@ -152,7 +184,7 @@ fn at_nodes(
 ) -> Parts {
     let (slave_name, master_name) = (&pairing.slave.name, &pairing.master.name);
     let elements = match slave {
-        Found::Beams(facets) => between_nodes(&facets),
+        Found::Facets(facets) => between_nodes(&facets),
         Found::Nodes(nodes) if nodes.len() < 2 => {
             let message = format!("the slave surface {slave_name} has one node, which has no area");
             let help = "name its neighbours too: areas come from the distances between them";
@@ -170,7 +202,7 @@ fn at_nodes(
     };
     let master = match master {
         Found::Rigid(surface) => Master::RigidSurface(surface),
-        Found::Beams(facets) => {
+        Found::Facets(facets) => {
             Master::SlideLine(slide_line(pairing, &sides.master, (&facets, &elements), draft)?)
         }
         Found::Nodes(_) => {
@@ -189,9 +221,20 @@ fn along(
     (slave, master): (Found, Found),
     draft: &mut Draft,
 ) -> Parts {
+    let of_solids = |side: &Found| match side {
+        Found::Facets(facets) => facets.iter().any(|facet| facet.face.is_some()),
+        _ => false,
+    };
+    if of_solids(&slave) || of_solids(&master) {
+        let message = "SURFACE TO SURFACE on faces of solids is not supported";
+        let error = Diagnostic::error(Code("SL0221"), message).at(pairing.origin);
+        let help = "give TYPE=NODE TO SURFACE; contact is then sampled at the nodes of the slave";
+        draft.consequence(Subject::Contact, error.help(help));
+        return None;
+    }
     let (beams, surface) = match (slave, master) {
-        (Found::Beams(beams), Found::Rigid(surface)) => (beams, surface),
-        (Found::Rigid(surface), Found::Beams(beams)) => {
+        (Found::Facets(beams), Found::Rigid(surface)) => (beams, surface),
+        (Found::Rigid(surface), Found::Facets(beams)) => {
             let name = &pairing.master.name;
             let message = format!("contact is integrated along {name}, named slave or master");
             let note = Diagnostic::note(Code("SL0335"), message).at(pairing.origin);
@@ -207,7 +250,7 @@ fn along(
                 draft,
             );
         }
-        (Found::Beams(_), Found::Beams(_)) => {
+        (Found::Facets(_), Found::Facets(_)) => {
             let message = "SURFACE TO SURFACE between two surfaces of beams is not supported";
             let error = Diagnostic::error(Code("SL0221"), message).at(pairing.origin);
             let help = "give TYPE=NODE TO SURFACE; or, if one of them is rigid, give its shape as \
@@ -245,6 +288,7 @@ fn in_order(elements: Vec<ContactElement>) -> Vec<ContactElement> {
         middle: None,
         origin,
         side: None,
+        face: None,
     };
     let facets: Vec<Facet> = elements.iter().map(facet).collect();
     match Chain::find(&facets) {

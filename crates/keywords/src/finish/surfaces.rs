@@ -3,19 +3,21 @@
 use std::collections::HashSet;
 
 use slideline_diag::{Code, Diagnostic, Span};
+use slideline_mech::element::solid::Kinematics as Strains;
 use slideline_model::{
-    ContactElement, Lumping, NodeIndex, ProfilePoint, RigidSurface, SurfaceSegment,
+    ContactElement, Kinematics, Lumping, NodeIndex, ProfilePoint, RigidSurface, SurfaceSegment,
 };
 
 use super::chain::Facet;
-use crate::draft::{Draft, Element};
+use super::faces::of_stretch;
+use crate::draft::{Draft, Element, ElementKind};
 use crate::log::Target;
 use crate::rule::Subject;
-use crate::surfaces::{Extent, Named, NamedSurface, Stretch};
+use crate::surfaces::{Extent, Named, NamedSurface, Side, Stretch};
 
 /// A surface whose references are resolved.
 pub(super) enum Found {
-    Beams(Vec<Facet>),
+    Facets(Vec<Facet>),
     Nodes(Vec<NodeIndex>),
     Rigid(RigidSurface),
 }
@@ -65,7 +67,7 @@ impl Draft {
 /// Resolves a surface; `user` is where a pair names it.
 pub(super) fn found(surface: &NamedSurface, user: Span, draft: &mut Draft) -> Option<Found> {
     match &surface.extent {
-        Extent::Elements(stretches) => facets(surface, stretches, draft).map(Found::Beams),
+        Extent::Elements(stretches) => facets(surface, stretches, draft).map(Found::Facets),
         Extent::Nodes(targets) => nodes(surface, targets, draft).map(Found::Nodes),
         Extent::Rigid { start, segments } => {
             rigid(surface, *start, segments, user, draft).map(Found::Rigid)
@@ -73,32 +75,44 @@ pub(super) fn found(surface: &NamedSurface, user: Span, draft: &mut Draft) -> Op
     }
 }
 
-/// The beams of a surface, each once unless it is named with two faces.
+/// The beams and the faces of plane solids of a surface, each once; a beam twice if it is named with
+/// both faces.
 fn facets(surface: &NamedSurface, stretches: &[Stretch], draft: &mut Draft) -> Option<Vec<Facet>> {
     let mut facets: Vec<Facet> = Vec::new();
     let mut seen = HashSet::new();
     for stretch in stretches {
-        for index in elements_of(stretch, draft) {
+        let (beams, others): (Vec<usize>, Vec<usize>) = elements_of(stretch, draft)
+            .into_iter()
+            .partition(|&index| draft.elements[index].kind.is_beam());
+        let without = |&&index: &&usize| !has_edges(draft.elements[index].kind);
+        if let Some(&index) = others.iter().find(without) {
+            no_surface(surface, index, stretch.span, draft);
+            return None;
+        }
+        for index in beams {
             let element = draft.elements[index];
-            if !element.kind.is_beam() {
-                let message = format!(
-                    "element {} of the surface {} is of type {}, which has no surface",
-                    element.label,
-                    surface.named.name,
-                    element.kind.name()
-                );
-                let error = Diagnostic::error(Code("SL0332"), message).at(stretch.span);
-                draft.consequence(
-                    Subject::Elements,
-                    error.help("contact is between beams and analytical surfaces"),
-                );
-                return None;
-            }
             let Some((nodes, middle)) = draft.beam_nodes(&element) else { continue };
             let side = stretch.side;
-            if !draft.has_no_length(&element, nodes) && seen.insert((index, side)) {
+            if !draft.has_no_length(&element, nodes) && seen.insert((index, None, side)) {
                 let (label, origin) = (element.label, element.origin);
-                facets.push(Facet { label, nodes, middle, origin, side });
+                facets.push(Facet { label, nodes, middle, origin, side, face: None });
+            }
+        }
+        for edge in of_stretch(&others, stretch, draft) {
+            let element = draft.elements[edge.element];
+            let (Some(&first), Some(&last)) = (edge.nodes.first(), edge.nodes.last()) else {
+                continue;
+            };
+            if seen.insert((edge.element, edge.face, None)) {
+                facets.push(Facet {
+                    label: element.label,
+                    nodes: [first, last],
+                    middle: (edge.nodes.len() == 3).then(|| edge.nodes[1]),
+                    origin: element.origin,
+                    // the material is on the left of its direction, the outside on the right
+                    side: Some(Side::Negative),
+                    face: edge.face,
+                });
             }
         }
     }
@@ -107,6 +121,27 @@ fn facets(surface: &NamedSurface, stretches: &[Stretch], draft: &mut Draft) -> O
         return None;
     }
     Some(facets)
+}
+
+/// Whether elements of the kind are plane solids, whose faces are edges.
+fn has_edges(kind: ElementKind) -> bool {
+    let ElementKind::Structural(row) = kind else { return false };
+    let plane = |strains| matches!(strains, Strains::PlaneStrain | Strains::PlaneStress);
+    matches!(row.kinematics, Kinematics::Solid { strains, .. } if plane(strains))
+}
+
+fn no_surface(surface: &NamedSurface, index: usize, span: Span, draft: &mut Draft) {
+    let element = draft.elements[index];
+    let message = format!(
+        "element {} of the surface {} is of type {}, whose contact is not supported",
+        element.label,
+        surface.named.name,
+        element.kind.name()
+    );
+    let error = Diagnostic::error(Code("SL0332"), message).at(span);
+    let help = "contact is between beams, faces of solids in plane strain or plane stress, and \
+                analytical surfaces";
+    draft.consequence(Subject::Elements, error.help(help));
 }
 
 pub(super) fn elements_of(stretch: &Stretch, draft: &mut Draft) -> Vec<usize> {
@@ -198,7 +233,14 @@ pub(super) fn stretches(
             let middle = middle.filter(|node| members.contains(node));
             reached.extend(nodes.into_iter().chain(middle));
             let (label, origin) = (element.label, element.origin);
-            beams.extend(stretches_of(&Facet { label, nodes, middle, origin, side: None }));
+            beams.extend(stretches_of(&Facet {
+                label,
+                nodes,
+                middle,
+                origin,
+                side: None,
+                face: None,
+            }));
         }
     }
     let origin = surface.origin;
@@ -240,7 +282,7 @@ pub(super) fn between_nodes(facets: &[Facet]) -> Vec<ContactElement> {
 
 fn once(facets: &[Facet]) -> impl Iterator<Item = &Facet> {
     let mut seen = HashSet::new();
-    facets.iter().filter(move |facet| seen.insert(facet.label))
+    facets.iter().filter(move |facet| seen.insert((facet.label, facet.face)))
 }
 
 fn whole(facet: &Facet) -> ContactElement {

@@ -23,6 +23,7 @@ mod surface;
 pub use nose::{Nose, Reach};
 pub use surface::{
     AnyGap, Body, Derivatives, RigidSurface, StencilAttachments, chain_attachments, chain_gap,
+    chain_overclosure,
 };
 
 /// What the points of a pair obey.

@@ -1,6 +1,7 @@
 //! A block of elements of fixed size as a [`Kernel`].
 
 use super::kernel::{Element, Kernel, Response, Scale, Strains};
+use std::any::Any;
 
 /// Elements of one type with `N` variables each; `NN` is `N` squared.
 #[derive(Clone, Debug)]
@@ -14,12 +15,27 @@ impl<E, const N: usize, const NN: usize> FromIterator<E> for Instances<E, N, NN>
     }
 }
 
+impl<E: Element<N, NN> + 'static, const N: usize, const NN: usize> Instances<E, N, NN> {
+    /// A block of elements in the room of a kernel that is no longer needed, where that one is of
+    /// the same type: then nothing is allocated.
+    pub fn in_room(
+        room: Option<Box<dyn Kernel>>,
+        elements: impl Iterator<Item = E>,
+    ) -> Box<dyn Kernel> {
+        let room = room.and_then(|room| (room as Box<dyn Any>).downcast::<Self>().ok());
+        let mut block = room.unwrap_or_else(|| Box::new(Self { elements: Vec::new() }));
+        block.elements.clear();
+        block.elements.extend(elements);
+        block
+    }
+}
+
 /// `list` as an array; only a list of another length gives zeros.
 fn array<const N: usize>(list: &[f64]) -> [f64; N] {
     list.try_into().unwrap_or([0.0; N])
 }
 
-impl<E: Element<N, NN>, const N: usize, const NN: usize> Kernel for Instances<E, N, NN> {
+impl<E: Element<N, NN> + 'static, const N: usize, const NN: usize> Kernel for Instances<E, N, NN> {
     fn count(&self) -> usize {
         self.elements.len()
     }

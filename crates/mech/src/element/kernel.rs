@@ -15,6 +15,7 @@
 //! block. Whoever has a formulation of his own implements [`Kernel`], or [`Element`] for one element
 //! of fixed size, and lets [`Instances`](super::Instances) do the rest.
 
+use std::any::Any;
 use std::fmt::Debug;
 
 /// How strains follow displacements.
@@ -52,7 +53,7 @@ pub struct Scale {
 pub const MOST_VARIABLES: usize = 81;
 
 /// The elements of a block.
-pub trait Kernel: Debug + Send + Sync {
+pub trait Kernel: Any + Debug + Send + Sync {
     /// Number of elements.
     fn count(&self) -> usize;
 

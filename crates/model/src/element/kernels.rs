@@ -7,63 +7,64 @@ use slideline_mech::element::{
     AxialSpring, Beam21, Beam22, Beam23, GroundSpring, Instances, Kernel,
 };
 use slideline_mech::section::{BeamStiffness, Rectangle, TransverseShear, rectangle_stiffness};
-use std::sync::Arc;
 
-type Made = Option<Arc<dyn Kernel>>;
+/// The kernel that was made; the one before it, whose room may be used again.
+type Kept = Option<Box<dyn Kernel>>;
 
-pub(super) fn b21(block: &Undeformed<'_>) -> Made {
+pub(super) fn b21(block: &Undeformed<'_>, room: Kept) -> Kept {
     let Section::Beam(section) = block.section else { return None };
     let elements = block.plane::<2>().map(|ends| {
         let stiffness = section.stiffness(distance(ends[0], ends[1]), false);
         Beam21::new(ends, stiffness)
     });
-    Some(Arc::new(elements.collect::<Instances<_, 6, 36>>()))
+    Some(Instances::<_, 6, 36>::in_room(room, elements))
 }
 
-pub(super) fn b22(block: &Undeformed<'_>) -> Made {
+pub(super) fn b22(block: &Undeformed<'_>, room: Kept) -> Kept {
     let Section::Beam(section) = block.section else { return None };
     let elements = block.plane::<3>().map(|nodes| {
         let length = distance(nodes[0], nodes[1]) + distance(nodes[1], nodes[2]);
         Beam22::new(nodes, section.stiffness(length, true))
     });
-    Some(Arc::new(elements.collect::<Instances<_, 9, 81>>()))
+    Some(Instances::<_, 9, 81>::in_room(room, elements))
 }
 
-pub(super) fn b23(block: &Undeformed<'_>) -> Made {
+pub(super) fn b23(block: &Undeformed<'_>, room: Kept) -> Kept {
     let Section::Beam(section) = block.section else { return None };
     let elements = block.plane::<2>().map(|ends| {
         let stiffness = section.stiffness(distance(ends[0], ends[1]), false);
         Beam23::new(ends, stiffness)
     });
-    Some(Arc::new(elements.collect::<Instances<_, 6, 36>>()))
+    Some(Instances::<_, 6, 36>::in_room(room, elements))
 }
 
-pub(super) fn spring1(block: &Undeformed<'_>) -> Made {
+pub(super) fn spring1(block: &Undeformed<'_>, room: Kept) -> Kept {
     let Section::Spring(section) = block.section else { return None };
     let dof = section.dof?;
     let component = usize::from(dof == Dof::U2);
     let springs =
         block.nodes.iter().map(|_| GroundSpring { stiffness: section.stiffness, component });
     Some(match dof.is_rotation() {
-        true => Arc::new(springs.collect::<Instances<_, 1, 1>>()),
-        false => Arc::new(springs.collect::<Instances<_, 2, 4>>()),
+        true => Instances::<_, 1, 1>::in_room(room, springs),
+        false => Instances::<_, 2, 4>::in_room(room, springs),
     })
 }
 
-pub(super) fn springa(block: &Undeformed<'_>) -> Made {
+pub(super) fn springa(block: &Undeformed<'_>, room: Kept) -> Kept {
     let Section::Spring(section) = block.section else { return None };
     if section.dof.is_some() {
         return None;
     }
     let stiffness = section.stiffness;
     let springs = block.plane::<2>().map(|reference| AxialSpring { reference, stiffness });
-    Some(Arc::new(springs.collect::<Instances<_, 4, 16>>()))
+    Some(Instances::<_, 4, 16>::in_room(room, springs))
 }
 
 /// Solids of a row; what they do about locking is a matter of the dialect.
 pub(super) fn solid<const D: usize, const N: usize, const P: usize>(
     block: &Undeformed<'_>,
-) -> Made {
+    _room: Kept,
+) -> Kept {
     let Section::Solid(section) = block.section else { return None };
     let Kinematics::Solid { strains, formulation, rule } = block.kind.kinematics else {
         return None;
@@ -82,7 +83,7 @@ pub(super) fn solid<const D: usize, const N: usize, const P: usize>(
         told,
     };
     let solids = Solids::<D, N, P>::new(recipe, block.positions::<D, N>())?;
-    Some(Arc::new(solids))
+    Some(Box::new(solids))
 }
 
 impl BeamSection {

@@ -10,7 +10,6 @@ use slideline_mech::element::Kernel;
 use slideline_mech::element::cell::{Cell, LINE2, LINE3, POINT};
 use slideline_mech::element::quadrature::Quadrature;
 use slideline_mech::element::solid;
-use std::sync::Arc;
 
 /// An element type.
 #[derive(Clone, Copy, Debug)]
@@ -31,8 +30,9 @@ pub struct ElementType {
     pub fields: &'static [Field],
     /// Values at the nodes from those at the integration points, one component.
     pub at_nodes: fn(points: &[f64], nodes: &mut [f64]),
-    /// Makes the kernel of a block; `None` for a section that is not its own.
-    pub kernel: fn(&Undeformed<'_>) -> Option<Arc<dyn Kernel>>,
+    /// Makes the kernel of a block; `None` for a section that is not its own. One that was
+    /// made before may be taken apart for its room, and need not be.
+    pub kernel: fn(&Undeformed<'_>, Option<Box<dyn Kernel>>) -> Option<Box<dyn Kernel>>,
 }
 
 /// What an element is in mechanics.
@@ -303,11 +303,12 @@ mod tests {
                 nodes = row.cell.places.iter().map(|[x, y, z]| [x + 3.0, *y, *z]).collect();
             }
             let nodes = &nodes[..row.cell.nodes];
-            let made: Vec<(&Section, Arc<dyn Kernel>)> = sections
+            let made: Vec<(&Section, Box<dyn Kernel>)> = sections
                 .iter()
                 .filter_map(|section| {
                     let dialect = Dialect::Abaqus;
-                    let kernel = (row.kernel)(&Undeformed { kind: row, section, dialect, nodes });
+                    let kernel =
+                        (row.kernel)(&Undeformed { kind: row, section, dialect, nodes }, None);
                     Some((section, kernel?))
                 })
                 .collect();

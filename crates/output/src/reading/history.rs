@@ -108,6 +108,11 @@ impl Energies {
         Ok(found)
     }
 
+    /// Cuts what a job that was killed wrote beyond its last whole increment.
+    pub fn shorten(&mut self, length: usize) {
+        self.values.iter_mut().for_each(|column| column.truncate(length));
+    }
+
     /// The values of an energy.
     pub fn column(&self, name: &str) -> Option<&[f64]> {
         let place = self.columns.iter().position(|column| column == name)?;

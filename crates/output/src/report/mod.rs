@@ -22,7 +22,7 @@ mod results;
 mod verdict;
 
 pub use options::Options;
-pub use page::STYLE;
+pub use page::{STYLE, filled};
 pub use slideline_figures::escaped;
 
 pub use crate::reading::problem::Problem;

@@ -51,22 +51,25 @@ pub(crate) fn page(
     let mut text = String::with_capacity(data.len() + (1 << 17));
     text.push_str(head.strip_suffix("</html>").unwrap_or(&head));
     text.push_str("\n<body>\n");
-    // names come last, so that no name is taken for a place to fill
     let places = [
-        ("{{remarks}}", html! { @for said in remarks { (note(said)) } }),
-        ("{{verdict}}", verdict::banner(results, &judged)),
-        ("{{facts}}", facts(results)),
-        ("{{states}}", states(results)),
-        ("{{ledger}}", ledger(results)),
-        ("{{noise}}", noise(results)),
-        ("{{warnings}}", warnings(results, options)),
-        ("{{notes}}", notes(results)),
-        ("{{title}}", html! { (title(job, results)) }),
-        ("{{settings}}", settings(results)),
-        ("{{echo}}", html! { pre.echo { (results.echo) } }),
-        ("{{job}}", html! { (job) }),
+        ("remarks", html! { @for said in remarks { (note(said)) } }),
+        ("verdict", verdict::banner(results, &judged)),
+        ("facts", facts(results)),
+        ("states", states(results)),
+        ("ledger", ledger(results)),
+        ("noise", noise(results)),
+        ("warnings", warnings(results, options)),
+        ("notes", notes(results)),
+        ("title", html! { (title(job, results)) }),
+        ("settings", settings(results)),
+        ("echo", html! { pre.echo { (results.echo) } }),
+        ("job", html! { (job) }),
     ];
-    text.push_str(&filled(BODY, &places));
+    let place = |name: &str| {
+        let (_, content) = places.iter().find(|(own, _)| *own == name)?;
+        Some(content.0.clone())
+    };
+    text.push_str(&filled(BODY, place));
     text.push_str(&format!("<script type=\"application/json\" id=\"data\">{data}</script>\n"));
     text.push_str("<script>\n\"use strict\";\n(function () {\n");
     SCRIPTS.iter().for_each(|script| text.push_str(script));
@@ -74,22 +77,27 @@ pub(crate) fn page(
     text
 }
 
-/// Fills the places of a template in one pass, so that what is filled in is
-/// never searched for places.
-fn filled(template: &str, places: &[(&str, Markup)]) -> String {
+/// Fills the places `{{name}}` of a template in one pass, so that what is filled in
+/// is never searched for places. A place that nothing is known of stays.
+pub fn filled(template: &str, content: impl Fn(&str) -> Option<String>) -> String {
     let mut text = String::new();
     let mut rest = template;
-    while let Some(start) = rest.find("{{") {
-        text.push_str(&rest[..start]);
-        rest = &rest[start..];
-        let place = places.iter().find(|(name, _)| rest.starts_with(name));
-        let (name, content) =
-            place.map_or(("{{", "{{"), |(name, content)| (*name, content.0.as_str()));
-        text.push_str(content);
-        rest = &rest[name.len()..];
+    while let Some((before, name, behind)) = next_place(rest) {
+        text.push_str(before);
+        match content(name) {
+            Some(content) => text.push_str(&content),
+            None => text.extend(["{{", name, "}}"]),
+        }
+        rest = behind;
     }
     text.push_str(rest);
     text
+}
+
+fn next_place(template: &str) -> Option<(&str, &str, &str)> {
+    let (before, rest) = template.split_once("{{")?;
+    let (name, behind) = rest.split_once("}}")?;
+    Some((before, name, behind))
 }
 
 /// What the deck calls itself, its first line; the job's name where it has no
@@ -108,7 +116,8 @@ fn note(said: &str) -> Markup {
 fn facts(results: &Results) -> Markup {
     let summary = &results.summary;
     let text = |key: &str| summary.text(key).unwrap_or("-").to_owned();
-    let seconds = summary.number("wall_seconds").map_or("-".to_owned(), |s| general(s, 3));
+    let seconds =
+        summary.number("wall_seconds").map_or("-".to_owned(), |s| general(s, 3).to_string());
     let facts = [
         ("program", format!("slideline {}", text("program_version"))),
         ("deck (SHA-256)", text("deck_hash")),
@@ -164,8 +173,11 @@ fn ledger(results: &Results) -> Markup {
     let share = if lost + done > 0.0 { 100.0 * lost / (lost + done) } else { 0.0 };
     let number = |value: f64| general(value, 6);
     let rows = [
-        vec!["friction dissipated".to_owned(), number(done)],
-        vec!["stored in elastic slip at the end".to_owned(), number(energy("friction_elastic"))],
+        vec!["friction dissipated".to_owned(), number(done).to_string()],
+        vec![
+            "stored in elastic slip at the end".to_owned(),
+            number(energy("friction_elastic")).to_string(),
+        ],
         vec!["point-increments with friction called".to_owned(), count('c').to_string()],
         vec!["point-increments with friction dropped".to_owned(), points.to_string()],
         vec![
@@ -185,7 +197,8 @@ fn noise(results: &Results) -> Markup {
     let Some(noise) = results.summary.get("noise") else {
         return html! { p { "The summary holds no measures of noise." } };
     };
-    let cell = |value: Option<f64>| value.map_or("-".to_owned(), |value| general(value, 3));
+    let cell =
+        |value: Option<f64>| value.map_or("-".to_owned(), |value| general(value, 3).to_string());
     let percent = |value: Option<f64>| cell(value.map(|value| 100.0 * value));
     let reactions: Vec<Vec<String>> = results
         .driven
@@ -321,7 +334,11 @@ mod tests {
     /// a place of the template is only a name.
     #[test]
     fn what_is_filled_in_is_not_filled_again() {
-        let places = [("{{a}}", html! { "{{b}}" }), ("{{b}}", html! { "x" })];
-        assert_eq!(filled("<{{a}}{{b}}{{c}}>", &places), "<{{b}}x{{c}}>");
+        let place = |name: &str| match name {
+            "a" => Some("{{b}}".to_owned()),
+            "b" => Some("x".to_owned()),
+            _ => None,
+        };
+        assert_eq!(filled("<{{a}}{{b}}{{c}}>", place), "<{{b}}x{{c}}>");
     }
 }

@@ -74,7 +74,7 @@ fn ending(results: &Results) -> String {
 }
 
 fn number(value: f64) -> String {
-    general(value, 4)
+    general(value, 4).to_string()
 }
 
 fn of_stroke(results: &Results, driven: &Driven, stroke: &Stroke) -> Vec<String> {
@@ -226,7 +226,11 @@ fn tiles(results: &Results, judged: &Judged) -> Markup {
             list.push([format!("pull-out {kind}"), value, note]);
         }
         if let Some(ratio) = stroke.ratio() {
-            list.push(["out / in".into(), general(ratio, 3), "pull-out over push-in".into()]);
+            list.push([
+                "out / in".into(),
+                general(ratio, 3).to_string(),
+                "pull-out over push-in".into(),
+            ]);
         }
         let out = match stroke.way_out {
             WayOut::None => String::new(),

@@ -12,6 +12,7 @@
 //! Points stand where they are in that state; `displacement` leads there
 //! from the undeformed position.
 
+mod array;
 mod grid;
 
 use crate::file::{WriteError, at, read_text, replace};
@@ -20,6 +21,7 @@ use crate::kept::Kept;
 use crate::number::push_shortest;
 use crate::state_numbers::StateNumbers;
 use crate::writer::Writer;
+use array::Text;
 use grid::Grid;
 use slideline_solve::observe::{Event, Frame, StepReport, Unconverged};
 use std::fmt::Write as _;
@@ -34,7 +36,7 @@ pub(crate) struct States {
     job: JobFiles,
     grid: Option<Grid>,
     /// The text of a state, written anew for each.
-    text: String,
+    text: Text,
     list: String,
     numbers: StateNumbers,
     /// Converged increments of all steps.
@@ -104,7 +106,7 @@ impl States {
         let grid = self.grid.get_or_insert_with(|| Grid::new(frame.model));
         let name = self.job.state_name(self.increments);
         grid.file(&mut self.text, frame, None);
-        replace(&self.job.folder().join(&name), self.text.as_bytes())?;
+        replace(&self.job.folder().join(&name), &self.text.letters)?;
         let mut time = String::new();
         push_shortest(&mut time, frame.total_time);
         self.list(self.increments, &time);
@@ -118,7 +120,7 @@ impl States {
     fn unconverged(&mut self, state: &Unconverged<'_>) -> Result<(), WriteError> {
         let grid = self.grid.get_or_insert_with(|| Grid::new(state.frame.model));
         grid.file(&mut self.text, &state.frame, Some(state));
-        replace(&self.job.path(FAILED), self.text.as_bytes())
+        replace(&self.job.path(FAILED), &self.text.letters)
     }
 
     fn write_list(&mut self) -> Result<(), WriteError> {

@@ -13,21 +13,21 @@ use slideline_model::Model;
 pub(super) struct LinearConstraint {
     /// The dof that follows.
     pub dependent: usize,
-    /// Dofs that it follows, with their coefficients [1, L or 1/L].
-    pub terms: Vec<(usize, f64)>,
-    /// What is added [L or 1].
-    pub constant: f64,
+    /// Dofs that it follows, each with the index of its term in the model.
+    pub terms: Vec<(usize, usize)>,
+    /// Index of the constraint in the model.
+    pub index: usize,
 }
 
 /// The linear constraints of a model, each behind those that it follows; one
 /// that follows itself by way of others is left out.
 pub(super) fn resolve(model: &Model, dofs: &DofMap) -> Vec<LinearConstraint> {
     let mut open: Vec<LinearConstraint> = Vec::new();
-    for said in &model.linear_constraints {
+    for (index, said) in model.linear_constraints.iter().enumerate() {
         let Some(dependent) = dofs.find(said.dependent.0, said.dependent.1) else { continue };
-        let term = |&(node, dof, a)| Some((dofs.find(node, dof)?, a));
-        let terms = said.terms.iter().filter_map(term).collect();
-        open.push(LinearConstraint { dependent, terms, constant: said.constant });
+        let terms = said.terms.iter().enumerate();
+        let terms = terms.filter_map(|(term, &(node, dof, _))| Some((dofs.find(node, dof)?, term)));
+        open.push(LinearConstraint { dependent, terms: terms.collect(), index });
     }
     let mut ordered = Vec::with_capacity(open.len());
     loop {
@@ -46,15 +46,17 @@ pub(super) fn resolve(model: &Model, dofs: &DofMap) -> Vec<LinearConstraint> {
 }
 
 impl LinearConstraint {
-    /// Moves the dependent dof to where the others take it.
-    pub fn enforce(&self, u: &mut [f64]) {
-        let sum: f64 = self.terms.iter().map(|&(dof, a)| a * u[dof]).sum();
-        u[self.dependent] = self.constant + sum;
+    /// Moves the dependent dof to where the others take it: u = c + sum a u_k.
+    pub fn enforce(&self, coefficients: &[f64], constant: f64, u: &mut [f64]) {
+        let terms = self.terms.iter().zip(coefficients);
+        let sum: f64 = terms.map(|(&(dof, _), a)| a * u[dof]).sum();
+        u[self.dependent] = constant + sum;
     }
 
     /// Hands a force on the dependent dof to those that it follows.
-    pub fn carry(&self, force: &mut [f64]) {
+    pub fn carry(&self, coefficients: &[f64], force: &mut [f64]) {
         let own = std::mem::take(&mut force[self.dependent]);
-        self.terms.iter().for_each(|&(dof, a)| force[dof] += a * own);
+        let terms = self.terms.iter().zip(coefficients);
+        terms.for_each(|(&(dof, _), a)| force[dof] += a * own);
     }
 }

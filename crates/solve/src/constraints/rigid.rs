@@ -12,19 +12,21 @@ use slideline_model::{Dof, Model, NodeIndex};
 /// A node that follows another as part of a rigid body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct RigidLink {
+    /// The node with the dofs, and the dependent one.
+    nodes: [NodeIndex; 2],
     /// Displacements and rotations of the dependent node, those that follow.
     dependent: [Option<usize>; 6],
     /// How the body moves.
     body: Body,
 }
 
-/// A body with the arm from the node that carries it to the dependent node, undeformed [L].
+/// The dofs of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Body {
     /// In the plane: two displacements and a rotation.
-    Plane { pose: [usize; 3], arm: PointMap },
+    Plane { pose: [usize; 3] },
     /// In space: three displacements and a rotation vector.
-    Space { shift: [usize; 3], turn: [usize; 3], arm: [f64; 3] },
+    Space { shift: [usize; 3], turn: [usize; 3] },
 }
 
 /// The most dofs that one follows.
@@ -57,14 +59,15 @@ pub(super) fn resolve(model: &Model, dofs: &DofMap) -> (Vec<RigidLink>, Vec<Node
             carrier[link.dependent] = master;
         }
         let body = match in_space {
-            true => Body::in_space(model, dofs, (master, turns[master], link.dependent)),
-            false => Body::in_plane(model, dofs, (master, turns[master], link.dependent)),
+            true => Body::in_space(dofs, (master, turns[master])),
+            false => Body::in_plane(dofs, (master, turns[master])),
         };
         let Some(body) = body else {
             continue; // a master that the numbering does not know: none is made
         };
         let own = |dof: Dof| dofs.find(link.dependent, dof).filter(|_| link.follows[dof as usize]);
-        links.push(RigidLink { dependent: Dof::ALL.map(own), body });
+        let nodes = [master, link.dependent];
+        links.push(RigidLink { nodes, dependent: Dof::ALL.map(own), body });
     }
     (links, carrier)
 }
@@ -78,32 +81,30 @@ fn turning(dofs: &DofMap, master: NodeIndex, turn: Option<NodeIndex>, dof: Dof) 
 }
 
 impl Body {
-    fn in_plane(
-        model: &Model,
-        dofs: &DofMap,
-        (master, turn, dependent): (NodeIndex, Option<NodeIndex>, NodeIndex),
-    ) -> Option<Self> {
-        let (from, to) = (model.nodes.position(master), model.nodes.position(dependent));
+    fn in_plane(dofs: &DofMap, (master, turn): (NodeIndex, Option<NodeIndex>)) -> Option<Self> {
         let [x, y] = [Dof::U1, Dof::U2].map(|dof| dofs.find(master, dof));
-        let pose = [x?, y?, turning(dofs, master, turn, Dof::UR3)?];
-        let arm = PointMap::Arm { arm: [to[0] - from[0], to[1] - from[1]] };
-        Some(Self::Plane { pose, arm })
+        Some(Self::Plane { pose: [x?, y?, turning(dofs, master, turn, Dof::UR3)?] })
     }
 
-    fn in_space(
-        model: &Model,
-        dofs: &DofMap,
-        (master, turn, dependent): (NodeIndex, Option<NodeIndex>, NodeIndex),
-    ) -> Option<Self> {
-        let (from, to) = (model.nodes.get(master).position, model.nodes.get(dependent).position);
+    fn in_space(dofs: &DofMap, (master, turn): (NodeIndex, Option<NodeIndex>)) -> Option<Self> {
         let [x, y, z] = [Dof::U1, Dof::U2, Dof::U3].map(|dof| dofs.find(master, dof));
         let [a, b, c] = [Dof::UR1, Dof::UR2, Dof::UR3].map(|dof| turning(dofs, master, turn, dof));
-        let arm = std::array::from_fn(|k| to[k] - from[k]);
-        Some(Self::Space { shift: [x?, y?, z?], turn: [a?, b?, c?], arm })
+        Some(Self::Space { shift: [x?, y?, z?], turn: [a?, b?, c?] })
     }
 }
 
+/// An arm in the plane.
+fn in_plane([x, y, _]: [f64; 3]) -> PointMap {
+    PointMap::Arm { arm: [x, y] }
+}
+
 impl RigidLink {
+    /// The undeformed vector from the master to the dependent node [L].
+    pub fn arm(&self, model: &Model) -> [f64; 3] {
+        let [from, to] = self.nodes.map(|node| model.nodes.get(node).position);
+        std::array::from_fn(|k| to[k] - from[k])
+    }
+
     /// Dependent dofs with their components.
     pub fn dependent_dofs(&self) -> impl Iterator<Item = (usize, usize)> + use<> {
         let own = self.dependent;
@@ -127,14 +128,14 @@ impl RigidLink {
     }
 
     /// Their coefficients at displacements `u`, in the same order.
-    pub fn coefficients(&self, component: usize, u: &[f64]) -> [f64; MOST] {
+    pub fn coefficients(&self, arm: [f64; 3], component: usize, u: &[f64]) -> [f64; MOST] {
         match self.body {
             _ if component >= 3 => [1.0, 0.0, 0.0, 0.0],
-            Body::Plane { pose, arm } => {
-                let [x, y] = arm.current_arm(&[0.0, 0.0, u[pose[2]]]);
+            Body::Plane { pose } => {
+                let [x, y] = in_plane(arm).current_arm(&[0.0, 0.0, u[pose[2]]]);
                 [1.0, if component == 0 { -y } else { x }, 0.0, 0.0]
             }
-            Body::Space { turn, arm, .. } => {
+            Body::Space { turn, .. } => {
                 let [a, b, c] = rotation::slopes(turn.map(|dof| u[dof]), arm)[component];
                 [1.0, a, b, c]
             }
@@ -142,14 +143,14 @@ impl RigidLink {
     }
 
     /// Moves the dependent node to where its master takes it.
-    pub fn enforce(&self, u: &mut [f64]) {
+    pub fn enforce(&self, arm: [f64; 3], u: &mut [f64]) {
         let values = match self.body {
-            Body::Plane { pose, arm } => {
+            Body::Plane { pose } => {
                 let pose = pose.map(|dof| u[dof]);
-                let [x, y] = arm.displacement(&pose);
+                let [x, y] = in_plane(arm).displacement(&pose);
                 [x, y, 0.0, 0.0, 0.0, pose[2]]
             }
-            Body::Space { shift, turn, arm } => {
+            Body::Space { shift, turn } => {
                 let phi = turn.map(|dof| u[dof]);
                 let [x, y, z] = rotation::displacement(&phi, arm);
                 let [a, b, c] = shift.map(|dof| u[dof]);
@@ -165,18 +166,24 @@ impl RigidLink {
 
     /// Pairs of rotations of the body with f . d2x/dphi2, f the force on the
     /// dependent node [F L]; docs/theory.md eqs (4.4), (4.6).
-    pub fn turning(&self, u: &[f64], f: &[f64], mut call: impl FnMut(usize, usize, f64)) {
+    pub fn turning(
+        &self,
+        arm: [f64; 3],
+        u: &[f64],
+        f: &[f64],
+        mut call: impl FnMut(usize, usize, f64),
+    ) {
         let [own @ .., _, _, _] = self.dependent;
         let force = own.map(|dof| dof.map_or(0.0, |dof| f[dof]));
         if force == [0.0; 3] {
             return;
         }
         match self.body {
-            Body::Plane { pose: [.., turn], arm } => {
-                let [x, y] = arm.current_arm(&[0.0, 0.0, u[turn]]);
+            Body::Plane { pose: [.., turn] } => {
+                let [x, y] = in_plane(arm).current_arm(&[0.0, 0.0, u[turn]]);
                 call(turn, turn, -(x * force[0] + y * force[1]));
             }
-            Body::Space { turn, arm, .. } => {
+            Body::Space { turn, .. } => {
                 let curvature = rotation::curvature(turn.map(|dof| u[dof]), arm, force);
                 for (i, row) in curvature.iter().enumerate() {
                     row.iter().zip(turn).for_each(|(&value, dof)| call(turn[i], dof, value));

@@ -1,6 +1,6 @@
 //! T at a configuration: how dependent dofs follow the others.
 
-use super::{Constraints, Role};
+use super::{ConstraintNumbering, Constraints, Role};
 use slideline_linalg::Pattern;
 
 /// Coefficients of T at a configuration, in the order of the rows.
@@ -9,23 +9,25 @@ pub struct Rows {
     coefficients: Vec<f64>,
 }
 
-impl Constraints {
+impl Constraints<'_> {
     /// T at displacements `u`: writes `into`.
     pub fn linearise(&self, u: &[f64], into: &mut Rows) {
         let list = &mut into.coefficients;
         list.clear();
         list.reserve_exact(self.row_dofs.len());
-        for link in &self.rigid {
+        for (link, &arm) in self.rigid.iter().zip(&self.motion.arms) {
             for (component, _) in link.dependent_dofs() {
                 let count = link.followed(component).into_iter().flatten().count();
-                list.extend(&link.coefficients(component, u)[..count]);
+                list.extend(&link.coefficients(arm, component, u)[..count]);
             }
         }
-        for constraint in &self.linear {
-            list.extend(constraint.terms.iter().map(|(_, a)| a));
+        for row in 0..self.linear.len() {
+            list.extend(self.motion.linear(row).0);
         }
     }
+}
 
+impl ConstraintNumbering {
     /// What a dependent dof follows, with coefficients.
     fn row<'a>(&'a self, row: usize, rows: &'a Rows) -> impl Iterator<Item = (usize, f64)> + 'a {
         let range = self.row_start[row]..self.row_start[row + 1];

@@ -88,20 +88,30 @@ fn step() -> Step {
 
 struct Built {
     dofs: DofMap,
-    constraints: Constraints,
+    numbering: ConstraintNumbering,
+    motion: Motion,
     u: Vec<f64>,
     rows: Rows,
+}
+
+impl Built {
+    fn constraints(&self) -> Constraints<'_> {
+        Constraints { numbering: &self.numbering, motion: &self.motion }
+    }
 }
 
 fn build() -> Built {
     let model = model();
     let dofs = DofMap::new(&model);
-    let constraints = Constraints::new(&model, &model.steps[0], &dofs);
+    let numbering = ConstraintNumbering::new(&model, &model.steps[0], &dofs);
+    let mut motion = Motion::default();
+    motion.take(&numbering, &model);
+    let constraints = Constraints { numbering: &numbering, motion: &motion };
     let mut u: Vec<f64> = (0..dofs.len()).map(|k| 0.3 * (1.0 + k as f64).sin()).collect();
     constraints.enforce(&mut u);
     let mut rows = Rows::default();
     constraints.linearise(&u, &mut rows);
-    Built { dofs, constraints, u, rows }
+    Built { dofs, numbering, motion, u, rows }
 }
 
 /// Requirement: du = T dq is the derivative of the motion, through rigid links,
@@ -109,7 +119,8 @@ fn build() -> Built {
 /// 1e-6; tolerance 1e-9.
 #[test]
 fn changes_by_differences() {
-    let Built { constraints, u, rows, .. } = build();
+    let built = build();
+    let (constraints, Built { u, rows, .. }) = (built.constraints(), &built);
     assert_eq!(constraints.equations(), 3 + 2 + 1, "body, U1 of 3 and 5, U2 of 4");
     for &dof in &constraints.dof_of_equation {
         let moved = |by: f64| {
@@ -121,7 +132,7 @@ fn changes_by_differences() {
         let (up, down) = (moved(1e-6), moved(-1e-6));
         let mut change = vec![0.0; u.len()];
         change[dof] = 1.0;
-        constraints.expand(&rows, &mut change);
+        constraints.expand(rows, &mut change);
         for k in 0..u.len() {
             let difference = (up[k] - down[k]) / 2e-6;
             assert!((change[k] - difference).abs() < 1e-9, "{k} by {dof}: {}", change[k]);
@@ -133,20 +144,21 @@ fn changes_by_differences() {
 /// rows by equation are the same T.
 #[test]
 fn forces_are_the_transpose() {
-    let Built { constraints, u, rows, .. } = build();
+    let built = build();
+    let (constraints, Built { u, rows, .. }) = (built.constraints(), &built);
     let force: Vec<f64> = (0..u.len()).map(|k| (0.7 * k as f64).cos()).collect();
     let mut carried = force.clone();
-    constraints.carry(&rows, &mut carried);
+    constraints.carry(rows, &mut carried);
     for (equation, &dof) in constraints.dof_of_equation.iter().enumerate() {
         let mut change = vec![0.0; u.len()];
         change[dof] = 1.0;
-        constraints.expand(&rows, &mut change);
+        constraints.expand(rows, &mut change);
         let work: f64 = force.iter().zip(&change).map(|(f, du)| f * du).sum();
         assert!((carried[dof] - work).abs() < 1e-13, "{dof}");
         let mut by_rows = 0.0;
         for (k, f) in force.iter().enumerate() {
             let add = &mut |e: usize, a: f64| by_rows += if e == equation { a * f } else { 0.0 };
-            constraints.for_each_equation(&rows, k, add);
+            constraints.for_each_equation(rows, k, add);
         }
         assert!((carried[dof] - by_rows).abs() < 1e-13, "{dof}");
     }
@@ -158,7 +170,8 @@ fn forces_are_the_transpose() {
 /// differences of step 1e-6; tolerance 1e-8.
 #[test]
 fn turning_by_differences() {
-    let Built { dofs, constraints, u, .. } = build();
+    let built = build();
+    let (constraints, Built { dofs, u, .. }) = (built.constraints(), &built);
     let force: Vec<f64> = (0..u.len()).map(|k| (0.7 * k as f64).cos()).collect();
     let carried = |by: f64, dof: usize| {
         let (mut moved, mut carried, mut rows) = (u.clone(), force.clone(), Rows::default());
@@ -170,7 +183,7 @@ fn turning_by_differences() {
     };
     let turn = dofs.find(0, Dof::UR3).unwrap();
     let mut stiffness = 0.0;
-    constraints.turning(&u, &mut force.clone(), |_, _, k| stiffness += k);
+    constraints.turning(u, &mut force.clone(), |_, _, k| stiffness += k);
     for &dof in &constraints.dof_of_equation {
         let (up, down) = (carried(1e-6, dof), carried(-1e-6, dof));
         for &row in &constraints.dof_of_equation {
@@ -191,7 +204,7 @@ static POINT_IN_SPACE: slideline_model::ElementType = slideline_model::ElementTy
     states: |_| 0,
     fields: &[],
     at_nodes: slideline_model::mean_at_nodes,
-    kernel: |_| None,
+    kernel: |_, _| None,
 };
 
 /// A body in space whose rotation is the displacement of node 3; node 1 is welded to it, node 2
@@ -232,7 +245,10 @@ fn in_space() -> Model {
 fn bodies_in_space_by_differences() {
     let model = in_space();
     let dofs = DofMap::new(&model);
-    let constraints = Constraints::new(&model, &model.steps[0], &dofs);
+    let numbering = ConstraintNumbering::new(&model, &model.steps[0], &dofs);
+    let mut motion = Motion::default();
+    motion.take(&numbering, &model);
+    let constraints = Constraints { numbering: &numbering, motion: &motion };
     // the body 3, the rotation node 6 (its own rotations stay free), pinned 3, others 6 - 1
     assert_eq!(constraints.equations(), 6 + 6 + 3 + 5);
     let mut u: Vec<f64> = (0..dofs.len()).map(|k| 0.3 * (1.0 + k as f64).sin()).collect();

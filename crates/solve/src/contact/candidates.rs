@@ -15,7 +15,7 @@ use super::master::MasterSurface;
 use super::positions::MasterPositions;
 use super::{Carrier, Contact};
 use crate::linearised::LinearRows;
-use crate::plan::Plan;
+use crate::problem::Problem;
 use std::ops::Range;
 
 /// Couplings of a pair from which on only those near are taken in.
@@ -35,7 +35,7 @@ pub fn coupled_parts(points: f64, nodes: f64) -> f64 {
 }
 
 /// Nodes of the master that a point may touch; `None`: any of them.
-pub(super) type Candidates = Option<Range<usize>>;
+pub type Candidates = Option<Range<usize>>;
 
 impl Contact {
     /// Whether a pair has so many couplings that only those near are taken in.
@@ -47,19 +47,29 @@ impl Contact {
         }
     }
 
+    /// Whether some pair has so many couplings: then where contact is decides on the pattern.
+    pub fn roams(&self) -> bool {
+        (0..self.masters.len()).any(|pair| self.is_selective(pair))
+    }
+
     /// Candidates of all points that have not all nodes of their master, near in
-    /// one of the `states`.
-    pub(super) fn candidates(&self, states: &[&[f64]]) -> Vec<Candidates> {
-        if (0..self.masters.len()).all(|pair| !self.is_selective(pair)) {
-            return Vec::new();
+    /// one of the `states`; none where every point has all. `positions` is scratch.
+    pub fn candidates<'s>(
+        &self,
+        states: impl Iterator<Item = &'s [f64]>,
+        positions: &mut MasterPositions,
+        all: &mut Vec<Candidates>,
+    ) {
+        all.clear();
+        if !self.roams() {
+            return;
         }
-        let mut all: Vec<Candidates> =
-            self.points.iter().map(|point| self.is_selective(point.pair).then_some(0..0)).collect();
-        let mut positions = MasterPositions::default();
+        let points = self.points.iter();
+        all.extend(points.map(|point| self.is_selective(point.pair).then_some(0..0)));
         for u in states {
-            self.place_chains(u, &mut positions);
+            self.place_chains(u, positions);
             for (place, own) in all.iter_mut().enumerate() {
-                if let (Some(range), Some(near)) = (own, self.near(place, u, &positions)) {
+                if let (Some(range), Some(near)) = (own, self.near(place, u, positions)) {
                     *range = match Range::is_empty(range) {
                         true => near,
                         false => range.start.min(near.start)..range.end.max(near.end),
@@ -67,7 +77,6 @@ impl Contact {
                 }
             }
         }
-        all
     }
 
     /// Nodes about the part that a point faces, where it is near.
@@ -98,7 +107,7 @@ fn apart(a: [f64; 3], b: [f64; 3]) -> f64 {
     (b[0] - a[0]).hypot(b[1] - a[1]).hypot(b[2] - a[2])
 }
 
-impl Plan<'_> {
+impl Problem<'_> {
     /// Whether the pattern holds all couplings of a point.
     pub fn holds(&self, point: LinearRows<'_>) -> bool {
         if self.is_lenient || !self.contact.is_selective(point.pair) {

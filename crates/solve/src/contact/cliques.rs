@@ -1,8 +1,8 @@
 //! Which unknowns contact may couple.
 
 use super::master::MasterSurface;
-use super::{Carrier, Contact};
-use crate::constraints::Constraints;
+use super::{Candidates, Carrier, Contact};
+use crate::constraints::ConstraintNumbering;
 
 /// Sets of unknowns, one behind the other in one list.
 #[derive(Clone, Debug, Default)]
@@ -21,7 +21,7 @@ impl Cliques {
     /// Adds the unknowns that a set of dofs depends on.
     pub fn add<'a>(
         &mut self,
-        constraints: &Constraints,
+        constraints: &ConstraintNumbering,
         dofs: impl IntoIterator<Item = &'a usize>,
     ) {
         dofs.into_iter().for_each(|&dof| constraints.equations_of(dof, &mut self.members));
@@ -37,10 +37,9 @@ impl Cliques {
 
 impl Contact {
     /// Sets of unknowns that may couple: of deforming masters with many parts,
-    /// only what is near in one of the `states`.
-    pub fn cliques(&self, states: &[&[f64]], constraints: &Constraints) -> Cliques {
+    /// only what is `near`.
+    pub fn cliques(&self, near: &[Candidates], constraints: &ConstraintNumbering) -> Cliques {
         let mut cliques = Cliques::default();
-        let near = self.candidates(states);
         for segment in &self.segments {
             if let MasterSurface::Body { dofs, .. } = &self.masters[segment.pair] {
                 cliques.add(constraints, segment.all_dofs().chain(dofs));

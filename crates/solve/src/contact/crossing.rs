@@ -40,7 +40,7 @@ pub struct Missed {
 #[derive(Clone, Copy)]
 pub struct Sweep<'a> {
     /// How dependent dofs follow the others on the way.
-    pub constraints: &'a Constraints,
+    pub constraints: Constraints<'a>,
     /// Dofs that are rotations.
     pub rotations: &'a [usize],
     /// Displacements at its beginning, a dof each.

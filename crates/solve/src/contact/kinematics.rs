@@ -69,8 +69,16 @@ pub(super) struct PointRowsMut<'a> {
 impl ContactKinematics {
     /// Points that face nothing, each with room for so many dofs.
     pub fn nowhere(points: usize, room: usize, directions: usize) -> Self {
-        let operator = ContactOperator::with_room(points, room, directions);
-        Self { points: vec![PointKinematics::NOWHERE; points], operator }
+        let mut new = Self::default();
+        new.forget(points, room, directions);
+        new
+    }
+
+    /// Becomes such ones, in the room they have.
+    pub fn forget(&mut self, points: usize, room: usize, directions: usize) {
+        self.points.clear();
+        self.points.resize(points, PointKinematics::NOWHERE);
+        self.operator.fit(points, room, directions);
     }
 
     /// A point with its rows.

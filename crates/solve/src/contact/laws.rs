@@ -8,6 +8,7 @@ use slideline_mech::contact::normal::NormalLaw;
 use slideline_mech::contact::pair::Laws;
 use slideline_mech::contact::points::average_length;
 use slideline_model::{ContactPair, ElementBlock, Formulation, Friction, Model, StickRule};
+use std::borrow::Cow;
 
 /// State values a point of the pair keeps for a user friction law.
 pub fn state_size(pair: &ContactPair) -> usize {
@@ -17,11 +18,21 @@ pub fn state_size(pair: &ContactPair) -> usize {
     }
 }
 
-/// The laws of a pair with lengths filled in.
-pub fn laws(model: &Model, pair: &ContactPair, users: &UserFrictions) -> Laws {
+/// The laws of a pair whose contact elements have that mean `length` [L].
+pub fn laws(model: &Model, pair: &ContactPair, length: f64, users: &UserFrictions) -> Laws {
+    let user = match &pair.interaction.friction {
+        Friction::User { name, .. } => users.find(name),
+        _ => None,
+    };
+    let normal = normal(model, pair, length).into_owned();
+    Laws { normal, friction: friction(pair, length), onset: model.friction_onset, user }
+}
+
+/// The friction law likewise.
+pub(super) fn friction(pair: &ContactPair, length: f64) -> FrictionLaw {
     let integrated = pair.formulation == Formulation::SurfaceToSurface;
-    let elastic = |fraction: f64| Stick::Elastic { slip: fraction * average(model, pair) };
-    let friction = match &pair.interaction.friction {
+    let elastic = |fraction: f64| Stick::Elastic { slip: fraction * length };
+    match &pair.interaction.friction {
         Friction::Frictionless => FrictionLaw::None,
         friction if !friction.acts() => FrictionLaw::None,
         Friction::Coulomb { coefficient, limit, decay, stick } => FrictionLaw::Coulomb {
@@ -43,19 +54,18 @@ pub fn laws(model: &Model, pair: &ContactPair, users: &UserFrictions) -> Laws {
             properties: properties.clone(),
             state_size: *state_size,
         },
-    };
-    let onset = model.friction_onset;
-    let user = match &pair.interaction.friction {
-        Friction::User { name, .. } => users.find(name),
-        _ => None,
-    };
-    let normal = match &pair.interaction.normal {
-        NormalLaw::Hard if integrated => {
-            NormalLaw::Linear { stiffness: PENALTY * stiffest_face(model, pair) }
+    }
+}
+
+/// The normal law likewise.
+pub(super) fn normal<'a>(model: &Model, pair: &'a ContactPair, length: f64) -> Cow<'a, NormalLaw> {
+    match &pair.interaction.normal {
+        NormalLaw::Hard if pair.formulation == Formulation::SurfaceToSurface => {
+            let stiffness = PENALTY * stiffest_face(model, pair, length);
+            Cow::Owned(NormalLaw::Linear { stiffness })
         }
-        other => other.clone(),
-    };
-    Laws { normal, friction, onset, user }
+        other => Cow::Borrowed(other),
+    }
 }
 
 /// Stiffness of an integrated hard contact, in multiples of the stiffest
@@ -63,8 +73,7 @@ pub fn laws(model: &Model, pair: &ContactPair, users: &UserFrictions) -> Laws {
 const PENALTY: f64 = 10.0;
 
 /// Largest EA/l of the beams, per area of a contact element [F/L3].
-fn stiffest_face(model: &Model, pair: &ContactPair) -> f64 {
-    let length = average(model, pair);
+fn stiffest_face(model: &Model, pair: &ContactPair, length: f64) -> f64 {
     let axial = |block: &ElementBlock| match block.beams() {
         Some(beams) => beams.section.material.modulus * beams.section.width * beams.section.height,
         None => 0.0,
@@ -73,12 +82,11 @@ fn stiffest_face(model: &Model, pair: &ContactPair) -> f64 {
     largest / (length * length * pair.interaction.width)
 }
 
-/// Distance of neighbouring slave points [L]: the mean length of the contact
+/// Distance of neighbouring slave points [L]: the mean `length` of the contact
 /// elements, or else of the beams, or else a tenth of a rigid master.
-pub(super) fn spacing(model: &Model, pair: &ContactPair, master: &MasterSurface) -> f64 {
-    let own = average(model, pair);
-    if own > 0.0 {
-        return own;
+pub(super) fn spacing(model: &Model, length: f64, master: &MasterSurface) -> f64 {
+    if length > 0.0 {
+        return length;
     }
     let beams = model.blocks.iter().filter_map(|block| block.beams());
     let lengths = beams.flat_map(|block| block.elements).map(|element| {

@@ -187,9 +187,19 @@ impl MasterSurface {
 /// A model's rigid surface with its arc coordinates, undeformed. `None`: an
 /// arc without end or with ends at different distances of its centre.
 pub fn placed(surface: &slideline_model::RigidSurface) -> Option<RigidSurface> {
-    let mut from = surface.start;
     let mut segments = Vec::with_capacity(surface.segments.len());
-    for segment in &surface.segments {
+    for segment in placed_segments(surface) {
+        segments.push(segment?);
+    }
+    Some(RigidSurface::new(segments))
+}
+
+/// Its segments one after the other; `None` in place of an impossible arc.
+pub(super) fn placed_segments(
+    surface: &slideline_model::RigidSurface,
+) -> impl Iterator<Item = Option<RigidSegment>> {
+    let mut from = surface.start;
+    surface.segments.iter().map(move |segment| {
         let placed = match *segment {
             SurfaceSegment::Line { end } => RigidSegment::Line { a: from, b: end },
             SurfaceSegment::Circle { end, centre } => RigidSegment::arc(from, end, centre)?,
@@ -198,7 +208,6 @@ pub fn placed(surface: &slideline_model::RigidSurface) -> Option<RigidSurface> {
             }
         };
         from = placed.end();
-        segments.push(placed);
-    }
-    Some(RigidSurface::new(segments))
+        Some(placed)
+    })
 }

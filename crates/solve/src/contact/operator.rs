@@ -42,14 +42,12 @@ pub struct OperatorRowsMut<'a> {
 }
 
 impl ContactOperator {
-    /// An operator of points that follow at most `room` unknowns each, and none yet.
-    pub fn with_room(points: usize, room: usize, directions: usize) -> Self {
-        Self {
-            directions,
-            slots: (0..points).map(|place| (place * room, 0)).collect(),
-            unknowns: vec![0; points * room],
-            values: vec![0.0; points * room * rows(directions)],
-        }
+    /// Becomes an operator of points that follow at most `room` unknowns each, and none yet.
+    pub fn fit(&mut self, points: usize, room: usize, directions: usize) {
+        self.clear(directions);
+        self.slots.extend((0..points).map(|place| (place * room, 0)));
+        self.unknowns.resize(points * room, 0);
+        self.values.resize(points * room * rows(directions), 0.0);
     }
 
     /// Tangential directions of a point.

@@ -50,6 +50,13 @@ impl SlaveSegment {
         ((integration_point / POINTS) as f64 + GAUSS[integration_point % POINTS].0) / CELLS as f64
     }
 
+    /// Areas of its points, with its cells wholly closed [L2].
+    pub fn areas(&self) -> impl Iterator<Item = f64> {
+        let whole = self.width * self.line.length();
+        let cells = (0..CELLS).flat_map(|_| GAUSS);
+        cells.map(move |(_, weight)| whole * weight / CELLS as f64)
+    }
+
     /// Displacements and turns of both ends of its line.
     pub fn ends(&self, u: &[f64]) -> [f64; 6] {
         let mut ends = self.dofs.map(|dof| u[dof]);

@@ -18,6 +18,8 @@ pub struct Shear {
     /// The turning, by local numbers: 0 to 5 the segment's dofs, from 9 on the
     /// further ones.
     slopes: ShearSlopes,
+    /// Ends of its beams.
+    ends: [Option<[NodeIndex; 2]>; 3],
     /// Dofs beyond those of the segment and of the body that it faces.
     pub further: Vec<usize>,
 }
@@ -58,8 +60,20 @@ impl Shear {
         };
         let mut places = Places { dofs, nodes, further: Vec::new() };
         let [left, right] = nodes.map(next);
-        let beams = [left, Some(own), right].map(|beam| Some(places.sheared(model, beam?)));
-        Some(Self { slopes: ShearSlopes { beams }, further: places.further })
+        let about = [left, Some(own), right];
+        let ends = about.map(|beam| Some(beam?.ends()));
+        let beams = about.map(|beam| Some(places.sheared(model, beam?)));
+        Some(Self { slopes: ShearSlopes { beams }, ends, further: places.further })
+    }
+
+    /// Takes the positions of a model with the same beams.
+    pub fn take(&mut self, model: &Model) {
+        for (beam, ends) in self.slopes.beams.iter_mut().zip(self.ends) {
+            if let (Some(beam), Some(ends)) = (beam, ends) {
+                let [a, b] = ends.map(|node| model.nodes.get(node).position);
+                beam.chord = [b[0] - a[0], b[1] - a[1]];
+            }
+        }
     }
 
     fn values(&self, dofs: &[usize], u: &[f64]) -> [f64; MOST_SLOPE_DOFS] {

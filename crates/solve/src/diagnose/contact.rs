@@ -4,7 +4,7 @@ use super::{Case, step_card};
 use crate::constraints::Role;
 use crate::linearised::Contradiction;
 use crate::newton::TOUCH;
-use crate::plan::Plan;
+use crate::problem::Problem;
 use crate::state::State;
 use slideline_diag::{Code, Diagnostic, Place, Severity};
 use slideline_model::{
@@ -258,7 +258,7 @@ fn stands(overclosure: f64) -> String {
 
 /// Points that carried pressure at the last commit, now face no master, and
 /// would touch it were its end prolonged: they have slid off. A word a node.
-pub fn slid_off(plan: &Plan<'_>, committed: &State, now: &State) -> Vec<Diagnostic> {
+pub fn slid_off(plan: &Problem<'_>, committed: &State, now: &State) -> Vec<Diagnostic> {
     // Hard contact touches with a gap of nothing but rounding.
     let slack = TOUCH * plan.reach;
     let mut left = Vec::new();
@@ -298,7 +298,7 @@ struct End {
 }
 
 /// The end of the master of a pair that is nearer to a place on it.
-fn master_end(plan: &Plan<'_>, pair: &ContactPair, along: f64) -> End {
+fn master_end(plan: &Problem<'_>, pair: &ContactPair, along: f64) -> End {
     match &pair.master {
         Master::SlideLine(line) => line_end(plan.model, line, pair, along),
         Master::RigidSurface(surface) => surface_end(surface, pair, along),

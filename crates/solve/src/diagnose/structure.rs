@@ -2,7 +2,7 @@
 //! its strength, steps too long for a first guess.
 
 use super::{Case, reason};
-use crate::plan::Plan;
+use crate::problem::Problem;
 use crate::restraint::Restraint;
 use crate::state::State;
 use slideline_diag::{Code, Diagnostic, Place};
@@ -187,7 +187,7 @@ impl Motion {
 /// One fixed increment that is too large, as walking it in shorter ones has
 /// shown: `needed` is the shortest of them [T].
 pub fn step_too_large(
-    plan: &Plan<'_>,
+    plan: &Problem<'_>,
     committed: &State,
     why: &crate::newton::Outcome,
     needed: f64,

@@ -1,10 +1,9 @@
 //! The tangent of an iteration: elements, geometry of contact, augmentation stiffness.
 
-use super::Workspace;
+use super::{Scratch, solver};
 use crate::contact::{SEGMENT_POINTS, SlavePoint};
-use crate::evaluate::Evaluation;
 use crate::linearised::{LawContext, LinearPoint, LinearRows, Sliding, Stiffness};
-use crate::plan::Plan;
+use crate::problem::Problem;
 use crate::state::State;
 use slideline_linalg::SolveError;
 use slideline_mech::contact::enforcement::Enforcement;
@@ -22,11 +21,15 @@ const INTEGRATED_ROWS: f64 = 6.0 / SEGMENT_POINTS as f64;
 /// Augmentation stiffness of a closed point, as a fraction of the stiffest element.
 pub(super) const AUGMENTATION: f64 = 0.1;
 
-impl Workspace {
+impl Scratch {
     /// Assembles and factors. Where nothing but contact that is still open
     /// would hold the model, every point that faces its master is augmented,
     /// and the contact step closes the gap.
-    pub(super) fn factor(&mut self, plan: &Plan<'_>, committed: &State) -> Result<(), SolveError> {
+    pub(super) fn factor(
+        &mut self,
+        plan: &Problem<'_>,
+        committed: &State,
+    ) -> Result<(), SolveError> {
         loop {
             self.linearise_points(plan, committed);
             let counts = |point: &LinearRows<'_>| point.stiffness > 0.0 || point.pressure > 0.0;
@@ -36,9 +39,9 @@ impl Workspace {
             }
             self.assemble(plan);
             self.choose_enforcement(plan, committed);
-            let Self { values, augmented, solver, points, .. } = self;
-            let symmetrised = plan.symmetrised();
-            let pattern = &plan.pattern;
+            let Self { values, augmented, systems, points, .. } = self;
+            let (symmetrised, solver) = (plan.symmetrised(), solver(systems));
+            let pattern = plan.pattern;
             match (Stiffness { pattern, values, augmented, solver, symmetrised }).factor(points) {
                 Ok(report) => {
                     let negative = report.negative_pivots.unwrap_or(0);
@@ -56,7 +59,7 @@ impl Workspace {
     }
 
     /// Contact points as the condensed problem wants them.
-    pub(super) fn linearise_points(&mut self, plan: &Plan<'_>, committed: &State) {
+    pub(super) fn linearise_points(&mut self, plan: &Problem<'_>, committed: &State) {
         self.points.clear(plan.contact.directions);
         for (place, point) in plan.contact.points.iter().enumerate() {
             if self.evaluation.look.idle[place] {
@@ -102,10 +105,8 @@ impl Workspace {
 
     /// Elements and geometry of contact: the tangent without the stiffness that
     /// closed points are augmented with.
-    pub(super) fn assemble(&mut self, plan: &Plan<'_>) {
-        self.values.fill(0.0);
-        let Evaluation { contributions, rows, .. } = &self.evaluation;
-        plan.gather_tangent(contributions, rows, &mut self.values);
+    pub(super) fn assemble(&mut self, plan: &Problem<'_>) {
+        self.values.copy_from_slice(&self.evaluation.tangent);
         self.stiffen(plan);
         self.dashpots.stiffen(plan, &self.evaluation.rows, &mut self.values);
         plan.faces.stiffen(plan, &self.evaluation.rows, (&self.faces, &self.u), &mut self.values);
@@ -120,7 +121,7 @@ impl Workspace {
     }
 
     /// Many rows are solved without their matrix, and augmented by their laws.
-    fn choose_enforcement(&mut self, plan: &Plan<'_>, committed: &State) {
+    fn choose_enforcement(&mut self, plan: &Problem<'_>, committed: &State) {
         let rows = |point: &LinearPoint| match point.stiffness > 0.0 {
             true if point.integrated => INTEGRATED_ROWS,
             true if point.sliding.is_some() => 1.0 + plan.contact.directions as f64,
@@ -135,14 +136,15 @@ impl Workspace {
         self.enforcement = plan.enforcement.unwrap_or(by_size);
         if self.enforcement == Enforcement::MatrixFree {
             let context = context(plan, committed, self.dt);
-            let Self { values, augmented, solver, points, .. } = self;
-            let (pattern, symmetrised) = (&plan.pattern, plan.symmetrised());
+            let Self { values, augmented, systems, points, .. } = self;
+            let (pattern, symmetrised, solver) =
+                (plan.pattern, plan.symmetrised(), solver(systems));
             let stiffness = Stiffness { pattern, values, augmented, solver, symmetrised };
             context.augment(points, &stiffness);
         }
     }
 
-    pub(super) fn add_geometry(&mut self, plan: &Plan<'_>, place: usize) {
+    pub(super) fn add_geometry(&mut self, plan: &Problem<'_>, place: usize) {
         let kinematics = &self.evaluation.kinematics.at(place);
         let width = kinematics.rows.width();
         let forces =
@@ -155,7 +157,7 @@ impl Workspace {
 
     /// Adds what the turning of rigid links makes of the forces that the
     /// tangent is taken at: of estimated stresses, pressures and tractions.
-    fn turn(&mut self, plan: &Plan<'_>) {
+    fn turn(&mut self, plan: &Problem<'_>) {
         if !plan.constraints.turns() {
             return;
         }
@@ -172,7 +174,7 @@ impl Workspace {
     }
 }
 
-pub(super) fn context<'a>(plan: &'a Plan<'_>, committed: &'a State, dt: f64) -> LawContext<'a> {
+pub(super) fn context<'a>(plan: &Problem<'a>, committed: &'a State, dt: f64) -> LawContext<'a> {
     LawContext {
         laws: &plan.contact.laws,
         time: committed.total_time + dt,
@@ -180,14 +182,14 @@ pub(super) fn context<'a>(plan: &'a Plan<'_>, committed: &'a State, dt: f64) -> 
         committed: &committed.state_variables,
         symmetrised: plan.symmetrised(),
         rounding: 8.0 * f64::EPSILON * plan.reach,
-        units: &plan.units,
+        units: plan.units,
     }
 }
 
 /// Augmentation stiffness per area of a point [F/L3]: a part of that of the stiffest
 /// element. Without elements, of one that the largest load would shorten by the
 /// size of the model; where nothing has a size, any.
-pub(super) fn augmentation_stiffness(plan: &Plan<'_>, point: &SlavePoint) -> f64 {
+pub(super) fn augmentation_stiffness(plan: &Problem<'_>, point: &SlavePoint) -> f64 {
     let load = plan.largest_load;
     let scale = match plan.structure.stiffest > 0.0 {
         true => AUGMENTATION * plan.structure.stiffest,

@@ -1,16 +1,16 @@
 //! What an iteration leaves: residuals, corrections, changes of contact, and
 //! what rounding and the laws of contact allow of them.
 
-use super::{Progress, Workspace};
+use super::{Progress, Scratch};
 use crate::convergence::{Field, largest_nodal};
 use crate::observe::{ContactChange, IterationReport};
-use crate::plan::Plan;
+use crate::problem::Problem;
 use crate::state::State;
 
 /// Roundings of the size of a force that a residual is allowed [1].
 const ROUNDINGS: f64 = 50.0;
 
-impl Workspace {
+impl Scratch {
     /// The list of the report before, emptied: iterations allocate nothing.
     pub(super) fn empty_changes(&mut self, progress: &mut Progress) -> Vec<ContactChange> {
         if let Some(last) = progress.last.take() {
@@ -22,11 +22,11 @@ impl Workspace {
 
     pub(super) fn measure(
         &mut self,
-        plan: &Plan<'_>,
+        plan: &Problem<'_>,
         committed: &State,
         field: Field,
     ) -> crate::observe::FieldReport {
-        let dofs = &plan.dofs;
+        let dofs = plan.dofs;
         for dof in 0..dofs.len() {
             self.residual[dof] = self.evaluation.unbalanced(dof);
             self.increment[dof] = self.u[dof] - committed.displacement[dof];
@@ -51,10 +51,10 @@ impl Workspace {
     /// start of the step, and no floor lies below 50 eps of the largest flux of
     /// the analysis: where all forces vanish, as after a springback, nothing
     /// that acts now tells how large a force is small.
-    pub(super) fn floors(&self, plan: &Plan<'_>, committed: &State) -> [f64; 2] {
+    pub(super) fn floors(&self, plan: &Problem<'_>, committed: &State) -> [f64; 2] {
         let mut moved = 0.0_f64;
         let mut reach = plan.reach;
-        let start = &plan.start().displacement;
+        let start = &plan.start.displacement;
         for (dof, u) in
             self.u.iter().zip(start.iter()).map(|(u, s)| u.abs().max(s.abs())).enumerate()
         {
@@ -77,7 +77,7 @@ impl Workspace {
 
     /// Largest contact force, and largest change of one when positions
     /// change by the size of the model [F].
-    pub(super) fn contact_size(&self, plan: &Plan<'_>, reach: f64) -> f64 {
+    pub(super) fn contact_size(&self, plan: &Problem<'_>, reach: f64) -> f64 {
         let mut largest = 0.0_f64;
         for (place, point) in self.evaluation.points.iter().enumerate() {
             if point.closed {
@@ -93,7 +93,7 @@ impl Workspace {
     /// than the residual tolerance: below it a change is no discontinuity.
     pub(super) fn note_changes(
         &mut self,
-        plan: &Plan<'_>,
+        plan: &Problem<'_>,
         negligible: f64,
         report: &mut IterationReport,
     ) {
@@ -116,14 +116,14 @@ impl Workspace {
 
     /// Hard contact and exact stick have no stiffness that would turn a
     /// defect into a residual: it is held against the structure's own.
-    pub(super) fn contact_settled(&self, plan: &Plan<'_>, allowed: f64) -> bool {
+    pub(super) fn contact_settled(&self, plan: &Problem<'_>, allowed: f64) -> bool {
         let tolerance = self.contact_tolerance(plan, allowed);
         self.evaluation.penetration <= tolerance && self.evaluation.stick_slip <= tolerance
     }
 
     /// Overclosure that the structure would answer with the residual allowed,
     /// or that rounding leaves [L].
-    pub(super) fn contact_tolerance(&self, plan: &Plan<'_>, allowed: f64) -> f64 {
+    pub(super) fn contact_tolerance(&self, plan: &Problem<'_>, allowed: f64) -> f64 {
         let moved = self.u.iter().fold(0.0_f64, |largest, u| largest.max(u.abs()));
         let rounding = 8.0 * f64::EPSILON * (plan.reach + moved);
         let stiffest = plan.structure.stiffest;

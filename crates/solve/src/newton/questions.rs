@@ -1,10 +1,10 @@
 //! What a diagnosis asks of an attempt that has failed.
 
 use super::assembly::context;
-use super::{Target, Workspace};
+use super::{Scratch, Target};
 use crate::iteration_history::IterationHistory;
 use crate::linearised::Contradiction;
-use crate::plan::Plan;
+use crate::problem::Problem;
 use crate::state::State;
 use slideline_linalg::SolveError;
 use slideline_mech::contact::tangential::Tangential;
@@ -16,10 +16,10 @@ const ROUNDS: usize = 3;
 /// Shift of the diagonal that makes a singular matrix regular [1].
 const SHIFT: f64 = 1e-9;
 
-impl Workspace {
+impl Scratch {
     /// Points, closed at the last commit, whose friction locks them: by the
     /// equations of the last iteration and the way they went until then.
-    pub fn jammed(&self, plan: &Plan<'_>, committed: &State) -> Vec<usize> {
+    pub fn jammed(&self, plan: &Problem<'_>, committed: &State) -> Vec<usize> {
         let around = context(plan, committed, 1.0);
         let locked = |&place: &usize| {
             let before = &committed.points[place];
@@ -35,7 +35,7 @@ impl Workspace {
     /// left as it is.
     pub fn jammed_at_first(
         &mut self,
-        plan: &Plan<'_>,
+        plan: &Problem<'_>,
         committed: &State,
         target: &Target,
     ) -> Vec<usize> {
@@ -56,7 +56,7 @@ impl Workspace {
 
     fn solve_first(
         &mut self,
-        plan: &Plan<'_>,
+        plan: &Problem<'_>,
         committed: &State,
         dt: f64,
     ) -> Result<(), SolveError> {
@@ -66,7 +66,7 @@ impl Workspace {
 
     /// Hard points whose place is prescribed, as that of their master is, and
     /// that stand too deep in it.
-    pub fn told_apart(&self, plan: &Plan<'_>) -> Option<Contradiction> {
+    pub fn told_apart(&self, plan: &Problem<'_>) -> Option<Contradiction> {
         let tolerance = self.contact_tolerance(plan, 0.0);
         let (mut places, mut left) = (Vec::new(), 0.0_f64);
         for (place, point) in plan.contact.points.iter().enumerate() {
@@ -85,7 +85,7 @@ impl Workspace {
     /// Hard points that contradict one another in the last iteration.
     pub fn contradiction(
         &self,
-        plan: &Plan<'_>,
+        plan: &Problem<'_>,
         committed: &State,
         dt: f64,
     ) -> Option<Contradiction> {
@@ -99,7 +99,7 @@ impl Workspace {
     /// What moves without resistance under the tangent that was assembled
     /// last: its null vector, by inverse iteration from an equation without
     /// pivot.
-    pub fn null_mode(&self, plan: &Plan<'_>, equation: usize) -> Option<Vec<f64>> {
+    pub fn null_mode(&self, plan: &Problem<'_>, equation: usize) -> Option<Vec<f64>> {
         let mut values = self.augmented.clone();
         let unit = |e: usize| plan.units[e];
         let diagonal = || {
@@ -114,7 +114,7 @@ impl Workspace {
             values[at] += shift / (unit(e) * unit(e));
         }
         let mut solver = plan.analyse();
-        solver.refactor(&plan.pattern, &values).ok()?;
+        solver.refactor(plan.pattern, &values).ok()?;
         let mut mode = vec![0.0; plan.constraints.equations()];
         *mode.get_mut(equation)? = 1.0;
         for _ in 0..ROUNDS {
@@ -126,7 +126,7 @@ impl Workspace {
     }
 
     /// The node that a mode moves most, of those with equations.
-    pub fn moves_most(&self, plan: &Plan<'_>, mode: &[f64]) -> Option<NodeIndex> {
+    pub fn moves_most(&self, plan: &Problem<'_>, mode: &[f64]) -> Option<NodeIndex> {
         let size = |equation: usize| (mode[equation] / plan.units[equation]).abs();
         let largest = (0..mode.len()).max_by(|&a, &b| size(a).total_cmp(&size(b)))?;
         Some(plan.dofs.name(plan.constraints.dof_of_equation[largest]).0)
@@ -134,7 +134,7 @@ impl Workspace {
 
     /// Forces that nothing balances in the trial state, a dof each; zero
     /// where supports balance them [F or F L].
-    pub fn residuals(&self, plan: &Plan<'_>) -> Vec<f64> {
+    pub fn residuals(&self, plan: &Problem<'_>) -> Vec<f64> {
         let force = |dof: usize| match plan.constraints.equation(dof) {
             Some(_) => self.evaluation.unbalanced(dof),
             None => 0.0,

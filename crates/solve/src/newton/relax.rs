@@ -15,11 +15,11 @@
 //! found is an equilibrium of the model as it is. docs/theory.md eq. (9.4). [kelley1998]
 
 use super::search::Estimates;
-use super::{Outcome, Progress, Target, Workspace};
+use super::{Outcome, Progress, Scratch, Target};
 use crate::contact::Sweep;
 use crate::increments::Verdict;
 use crate::observe::IterationReport;
-use crate::plan::Plan;
+use crate::problem::Problem;
 use crate::state::State;
 
 /// Stiffness of relaxation at first, in those of the stiffest element [1].
@@ -43,10 +43,10 @@ const ITERATIONS: usize = 4;
 /// Walks one increment downhill. `watch` sees every iteration; on success the
 /// workspace holds the converged trial.
 pub fn relax(
-    plan: &Plan<'_>,
+    plan: &Problem<'_>,
     committed: &State,
     target: &Target,
-    work: &mut Workspace,
+    work: &mut Scratch,
     watch: &mut dyn FnMut(&IterationReport),
 ) -> Outcome {
     work.begin(plan, committed, target);
@@ -68,10 +68,10 @@ pub(super) struct Relaxation {
     estimates: Estimates,
 }
 
-impl Workspace {
+impl Scratch {
     fn relax(
         &mut self,
-        plan: &Plan<'_>,
+        plan: &Problem<'_>,
         committed: &State,
         (target, progress): (&Target, &mut Progress),
         watch: &mut dyn FnMut(&IterationReport),
@@ -99,7 +99,7 @@ impl Workspace {
                 }
             }
             let sweep = Sweep {
-                constraints: &plan.constraints,
+                constraints: plan.constraints,
                 rotations: plan.dofs.rotations(),
                 from: &self.relaxation.anchor,
                 to: &self.u,
@@ -136,7 +136,7 @@ impl Workspace {
         self.relaxation.anchor.clone_from(&self.u);
     }
 
-    fn return_to_anchor(&mut self, plan: &Plan<'_>, committed: &State, dt: f64) {
+    fn return_to_anchor(&mut self, plan: &Problem<'_>, committed: &State, dt: f64) {
         let relaxation = std::mem::take(&mut self.relaxation);
         self.go_back(&relaxation.anchor, &relaxation.estimates);
         self.relaxation = relaxation;
@@ -145,7 +145,7 @@ impl Workspace {
 
     /// Largest way since the beginning of the step in lengths of the stiffest
     /// element, or turn [1].
-    fn way(&self, plan: &Plan<'_>) -> f64 {
+    fn way(&self, plan: &Problem<'_>) -> f64 {
         let moved = |(equation, &dof): (usize, &usize)| {
             let way = (self.u[dof] - self.relaxation.anchor[dof]).abs();
             way * if plan.units[equation] == 1.0 { 1.0 / plan.lever } else { 1.0 }
@@ -155,13 +155,13 @@ impl Workspace {
     }
 
     /// Stiffness that relaxation gives an unknown [F/L or F L].
-    pub(super) fn held_by(&self, plan: &Plan<'_>, equation: usize) -> f64 {
+    pub(super) fn held_by(&self, plan: &Problem<'_>, equation: usize) -> f64 {
         let unit = plan.units[equation];
         self.relaxation.stiffness * plan.structure.stiffest / (unit * unit)
     }
 
     /// Takes the forces of relaxation off a right-hand side.
-    pub(super) fn hold_back(&mut self, plan: &Plan<'_>) {
+    pub(super) fn hold_back(&mut self, plan: &Problem<'_>) {
         if self.relaxation.stiffness == 0.0 {
             return;
         }
@@ -172,7 +172,7 @@ impl Workspace {
     }
 
     /// Adds its stiffness to the tangent.
-    pub(super) fn stiffen(&mut self, plan: &Plan<'_>) {
+    pub(super) fn stiffen(&mut self, plan: &Problem<'_>) {
         if self.relaxation.stiffness == 0.0 {
             return;
         }

@@ -10,8 +10,8 @@
 //! Only the last attempt at an increment searches, when shorter increments are
 //! used up: a full step is the better one wherever Newton converges at all.
 
-use super::Workspace;
-use crate::plan::Plan;
+use super::Scratch;
+use crate::problem::Problem;
 use crate::state::State;
 use slideline_mech::contact::tangential::Tangential;
 use slideline_model::TimeIncrementation;
@@ -39,10 +39,15 @@ pub(super) struct Estimates {
     stresses: Vec<f64>,
 }
 
-impl Workspace {
+impl Scratch {
     /// Moves by the fraction, of at most `longest`, that lessens the residual
     /// enough, or else by the one that leaves least of it.
-    pub(super) fn search(&mut self, plan: &Plan<'_>, committed: &State, (dt, longest): (f64, f64)) {
+    pub(super) fn search(
+        &mut self,
+        plan: &Problem<'_>,
+        committed: &State,
+        (dt, longest): (f64, f64),
+    ) {
         let (from, estimates) = (self.u.clone(), self.estimates());
         let before = self.merit(plan);
         let mut best = (f64::INFINITY, longest);
@@ -87,7 +92,7 @@ impl Workspace {
     /// Size of what is not balanced: forces, moments over the length of the
     /// stiffest element, and what hard contact and exact stick miss, times the
     /// stiffness augmentation to them [F].
-    fn merit(&self, plan: &Plan<'_>) -> f64 {
+    fn merit(&self, plan: &Problem<'_>) -> f64 {
         let length = plan.structure.stiffest_length;
         let lever = if length > 0.0 { length } else { plan.reach.max(f64::MIN_POSITIVE) };
         let mut sum = 0.0;

@@ -8,15 +8,15 @@
 //! They make the geometric stiffness of the tangent, docs/theory.md section 3.3, and nothing else:
 //! what is judged are forces of the law at the strains.
 
-use super::Workspace;
-use crate::plan::Plan;
+use super::Scratch;
+use crate::problem::Problem;
 use crate::state::State;
 use slideline_model::Extrapolation;
 
-impl Workspace {
+impl Scratch {
     /// The first guess of an increment: docs/theory.md eq. (3.29). Stresses are functions of the
     /// displacements, so that history needs none of its own.
-    pub(super) fn first_stresses(&mut self, plan: &Plan<'_>, committed: &State, dt: f64) {
+    pub(super) fn first_stresses(&mut self, plan: &Problem<'_>, committed: &State, dt: f64) {
         let still = &mut self.correction_dofs;
         let last = committed.increment_time.0;
         if last == 0.0 {
@@ -44,13 +44,13 @@ impl Workspace {
 
     /// Takes the stresses of the law at the strains: what a line search needs,
     /// whose residuals are those of the law too.
-    pub(super) fn follow_law(&mut self, plan: &Plan<'_>) {
+    pub(super) fn follow_law(&mut self, plan: &Problem<'_>) {
         plan.structure.stresses_after(&self.u, &self.still, &mut self.stresses);
     }
 
     /// Moves the estimates by a fraction of the way to where the linear solution arrives; before
     /// the displacements move.
-    pub(super) fn move_stresses(&mut self, plan: &Plan<'_>, length: f64) {
+    pub(super) fn move_stresses(&mut self, plan: &Problem<'_>, length: f64) {
         plan.structure.stresses_after(&self.u, &self.correction_dofs, &mut self.arrived);
         for (stress, arrived) in self.stresses.iter_mut().zip(&self.arrived) {
             *stress += length * (arrived - *stress);

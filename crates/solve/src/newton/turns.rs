@@ -5,16 +5,16 @@
 //!   as long as each bends but a little          looked at where it never stands
 //! ```
 
-use super::Workspace;
-use crate::plan::Plan;
+use super::Scratch;
+use crate::problem::Problem;
 
 /// The largest turn that one iteration may add: of the ends of an element against each other, and
 /// of any node where there is contact [1].
 const LARGEST_ROTATION: f64 = 0.5;
 
-impl Workspace {
+impl Scratch {
     /// Fraction of the correction at which nothing turns too far.
-    pub(super) fn limit_turns(&self, plan: &Plan<'_>) -> f64 {
+    pub(super) fn limit_turns(&self, plan: &Problem<'_>) -> f64 {
         let of = |dof: usize| plan.constraints.equation(dof).map_or(0.0, |e| self.correction[e]);
         let turn = if plan.contact.points.is_empty() {
             plan.structure.largest_bend(of)

@@ -14,9 +14,9 @@ use super::{Analysis, Left};
 use crate::commit::{commit, recall_points};
 use crate::constraints::Role;
 use crate::increments::Verdict;
-use crate::newton::{Target, Workspace, attempt};
+use crate::newton::{Scratch, Target, attempt};
 use crate::observe::Event;
-use crate::plan::Plan;
+use crate::problem::Problem;
 use crate::stabilise;
 use crate::state::State;
 use slideline_diag::{Code, Diagnostic, Place};
@@ -49,38 +49,42 @@ impl Analysis<'_> {
     /// apart, and said.
     pub(super) fn balance_books(
         &mut self,
-        plan: &Plan<'_>,
+        plan: &Problem<'_>,
         target: &Target,
-        work: &mut Workspace,
+        work: &mut Scratch,
     ) -> Option<Diagnostic> {
         // The dashpots of stabilisation hold what would fall: no equilibrium
         // path that energies could be held against.
-        let stabilised = stabilise::settings(plan, &self.committed).is_some();
+        let stabilised = stabilise::settings(plan, self.committed).is_some();
         let books = self.committed.books;
-        if stabilised || books.left.abs() <= rounding(plan, &self.committed) {
+        if stabilised || books.left.abs() <= rounding(plan, self.committed) {
             self.committed.books.left = 0.0;
         }
         let own = books.turned_over - self.trial.books.turned_over;
         // a jump releases energy: what gains some is none
         let left = self.committed.books.left;
         let looked_for = left > NOTABLE * books.turned_over && left > SHARP * own;
-        let jump = looked_for.then(|| find(plan, (&self.trial, &self.committed), target, work));
+        let jump = looked_for.then(|| find(plan, (self.trial, self.committed), target, work));
         if looked_for {
-            recall_points(&self.committed, work);
+            recall_points(self.committed, work);
         }
         let said = jump.flatten().map(|jump| {
-            jump.enter(&self.trial, &mut self.committed);
-            jump.told(plan, target, &self.committed)
+            jump.enter(self.trial, self.committed);
+            jump.told(plan, target, self.committed)
         });
         self.committed.books.enter(target);
         said
     }
 
     /// Says so where the increments of the run left much energy unbalanced.
-    pub(super) fn judge_balance(&mut self, plan: &Plan<'_>, target: &Target) -> Result<(), Left> {
+    pub(super) fn judge_balance(
+        &mut self,
+        plan: &Problem<'_>,
+        target: &Target,
+    ) -> Result<(), Left> {
         let books = self.committed.books;
         let unbalanced = books.unbalanced();
-        let much = MUCH * books.turned_over + rounding(plan, &self.committed);
+        let much = MUCH * books.turned_over + rounding(plan, self.committed);
         let [step, increment] = books.worst_at;
         let Some(worst_step) = step.checked_sub(1).and_then(|step| plan.model.steps.get(step))
         else {
@@ -119,7 +123,7 @@ impl Analysis<'_> {
 }
 
 /// Energy that rounding alone may leave over [F L].
-fn rounding(plan: &Plan<'_>, state: &State) -> f64 {
+fn rounding(plan: &Problem<'_>, state: &State) -> f64 {
     let moved = state.displacement.iter().fold(0.0, |largest: f64, u| largest.max(u.abs()));
     ROUNDING * plan.structure.stiffest * plan.reach * moved.min(plan.reach)
 }
@@ -165,27 +169,34 @@ impl Part {
 
     /// A part from a state on; `None` where it has no end.
     fn walk(
-        plan: &Plan<'_>,
+        plan: &Problem<'_>,
         from: &State,
         aim: &Target,
         rest: Rest,
-        work: &mut Workspace,
+        work: &mut Scratch,
     ) -> Option<Self> {
         let outcome = attempt(plan, from, aim, work, &mut |_| {});
-        matches!(outcome.verdict, Verdict::Converged { .. }).then(|| {
-            let mut to = from.clone();
+        let found = matches!(outcome.verdict, Verdict::Converged { .. }).then(|| {
+            let mut to = work.copy(from);
             commit(plan, from, aim, work, &mut to);
-            Self { from: from.clone(), to, end: aim.step_time, dt: aim.dt, rest }
-        })
+            Self { from: work.copy(from), to, end: aim.step_time, dt: aim.dt, rest }
+        });
+        work.take_back(outcome);
+        found
+    }
+
+    /// Its states are no longer needed.
+    fn spare(self, work: &mut Scratch) {
+        [self.from, self.to].into_iter().for_each(|state| work.spare(state));
     }
 
     /// The jump of a part whose halves have no end: the path is walked up to
     /// its limit, and from the end back to the loads and supports of there.
     fn over_the_limit(
         &self,
-        plan: &Plan<'_>,
+        plan: &Problem<'_>,
         target: &Target,
-        work: &mut Workspace,
+        work: &mut Scratch,
         enough: f64,
     ) -> Option<Self> {
         let (mut limit, mut rest) = (self.from.clone(), self.rest);
@@ -232,26 +243,30 @@ impl Part {
     /// half has no end.
     fn sharper_half(
         &self,
-        plan: &Plan<'_>,
+        plan: &Problem<'_>,
         target: &Target,
-        work: &mut Workspace,
+        work: &mut Scratch,
     ) -> Option<(Self, f64)> {
         let dt = 0.5 * self.dt;
         let aim = |step_time: f64| Target { step_time, dt, ..*target };
-        let mut first = Self::walk(plan, &self.from, &aim(self.end - dt), self.rest, work)?;
-        let mut second = Self::walk(plan, &first.to, &aim(self.end), self.rest, work)?;
+        let first = Self::walk(plan, &self.from, &aim(self.end - dt), self.rest, work)?;
+        let Some(second) = Self::walk(plan, &first.to, &aim(self.end), self.rest, work) else {
+            first.spare(work);
+            return None;
+        };
         let both = first.left() + second.left();
-        if first.left().abs() >= second.left().abs() {
-            first.rest = self.rest.with(&second);
-            return Some((first, both));
-        }
-        second.rest = self.rest.with(&first);
-        Some((second, both))
+        let (mut sharper, other) = match first.left().abs() >= second.left().abs() {
+            true => (first, second),
+            false => (second, first),
+        };
+        sharper.rest = self.rest.with(&other);
+        other.spare(work);
+        Some((sharper, both))
     }
 
     /// Whether something that is prescribed or applied makes most of its own
     /// change in this part of `whole`: not the structure jumps then.
-    fn is_driven(&self, plan: &Plan<'_>, whole: &Self) -> bool {
+    fn is_driven(&self, plan: &Problem<'_>, whole: &Self) -> bool {
         let change = |part: &Self, dof: usize| match plan.constraints.roles[dof] {
             Role::Prescribed(_) => part.to.displacement[dof] - part.from.displacement[dof],
             _ => {
@@ -266,19 +281,33 @@ impl Part {
 
 /// Looks for a jump between two states that an increment joins.
 fn find(
-    plan: &Plan<'_>,
+    plan: &Problem<'_>,
     (from, to): (&State, &State),
     target: &Target,
-    work: &mut Workspace,
+    work: &mut Scratch,
 ) -> Option<Jump> {
-    let enough = NOTABLE * to.books.turned_over;
     let (end, dt) = (target.step_time, target.dt);
-    let whole = Part { from: from.clone(), to: to.clone(), end, dt, rest: Rest::default() };
-    let mut left = vec![whole.left()];
-    let mut part = None::<Part>;
-    let mut steady = 0;
-    while left.len() <= HALVINGS && (steady < 2 || left.len() <= FEWEST) {
-        let longer = part.as_ref().unwrap_or(&whole);
+    let (from, to) = (work.copy(from), work.copy(to));
+    let whole = Part { from, to, end, dt, rest: Rest::default() };
+    let mut part = None;
+    let found = narrow(plan, (&whole, &mut part), target, work);
+    part.into_iter().chain([whole]).for_each(|part| part.spare(work));
+    found
+}
+
+/// Halves the whole, and of its halves the one that leaves more over, again and again: `part` is
+/// the last of them. The jump, where what is left over stays.
+fn narrow(
+    plan: &Problem<'_>,
+    (whole, part): (&Part, &mut Option<Part>),
+    target: &Target,
+    work: &mut Scratch,
+) -> Option<Jump> {
+    let enough = NOTABLE * whole.to.books.turned_over;
+    let mut left = [whole.left(); HALVINGS + 1];
+    let (mut count, mut steady) = (1, 0);
+    while count <= HALVINGS && (steady < 2 || count <= FEWEST) {
+        let longer = part.as_ref().unwrap_or(whole);
         let before = longer.left();
         let Some((half, both)) = longer.sharper_half(plan, target, work) else {
             // Where not even halves are found the structure itself must say
@@ -292,24 +321,26 @@ fn find(
             break;
         };
         let now = half.left();
+        let last = part.replace(half);
+        last.into_iter().for_each(|part| part.spare(work));
         // what the rule misses falls by four with every halving
         if now.abs() <= enough || both.abs() <= FALLS * before.abs() {
             return None;
         }
         steady = if (now - before).abs() <= 0.1 * before.abs() { steady + 1 } else { 0 };
-        left.push(now);
-        part = Some(half);
+        left[count] = now;
+        count += 1;
     }
     // What is no jump falls by half at least with every halving.
-    let fades = match left[..] {
+    let fades = match left[..count] {
         [.., two_before, _, last] => last <= 0.5 * two_before,
         [.., before, last] => last <= 0.75 * before,
         _ => false,
     };
-    let driven = part.as_ref().is_some_and(|part| part.is_driven(plan, &whole));
-    let part = part.unwrap_or(whole);
+    let driven = part.as_ref().is_some_and(|part| part.is_driven(plan, whole));
+    let part = part.as_ref().unwrap_or(whole);
     // A jump releases energy; what gains some is none.
-    (!fades && !driven && part.left() > enough).then(|| Jump::of(plan, &part))
+    (!fades && !driven && part.left() > enough).then(|| Jump::of(plan, part))
 }
 
 /// A jump from one equilibrium to another.
@@ -331,7 +362,7 @@ struct Jump {
 }
 
 impl Jump {
-    fn of(plan: &Plan<'_>, part: &Part) -> Self {
+    fn of(plan: &Problem<'_>, part: &Part) -> Self {
         let (from, to) = (&part.from, &part.to);
         // What is driven does not spring.
         let moved = |node: usize| {
@@ -373,7 +404,7 @@ impl Jump {
         state.books.left = self.left;
     }
 
-    fn told(&self, plan: &Plan<'_>, target: &Target, state: &State) -> Diagnostic {
+    fn told(&self, plan: &Problem<'_>, target: &Target, state: &State) -> Diagnostic {
         let mut message = format!(
             "the structure jumps to another equilibrium in increment {} of step {}, at total time \
              {:.6}",

@@ -12,9 +12,9 @@ use super::{Analysis, Left};
 use crate::commit::commit;
 use crate::diagnose::{self, Case};
 use crate::increments::{StopReason, Verdict};
-use crate::newton::{Outcome, Target, Workspace, attempt, relax};
+use crate::newton::{Outcome, Scratch, Target, attempt, relax};
 use crate::observe::{Event, Unconverged};
-use crate::plan::Plan;
+use crate::problem::Problem;
 use crate::restraint::Restraint;
 use crate::stabilise;
 use crate::state::State;
@@ -29,17 +29,17 @@ impl Analysis<'_> {
     /// made the tangent singular; says whether it did.
     pub(super) fn stabilise(
         &mut self,
-        plan: &Plan<'_>,
+        plan: &Problem<'_>,
         outcome: &Outcome,
-        work: &Workspace,
+        work: &Scratch,
     ) -> Result<bool, Left> {
         let Some(SolveError::Singular { equation, .. }) = outcome.fault else { return Ok(false) };
-        if stabilise::settings(plan, &self.committed).is_some() {
+        if stabilise::settings(plan, self.committed).is_some() {
             return Ok(false);
         }
         let mode = work.null_mode(plan, equation);
         let Some(mode) = mode else { return Ok(false) };
-        if !stabilise::would_hold(plan, &self.committed, &mode) {
+        if !stabilise::would_hold(plan, self.committed, &mode) {
             return Ok(false);
         }
         let (node, _) = plan.dofs.name(plan.constraints.dof_of_equation[equation]);
@@ -66,7 +66,7 @@ impl Analysis<'_> {
     }
 
     /// Says so where stabilisation took much of the energy until now.
-    pub(super) fn judge_stabilisation(&mut self, plan: &Plan<'_>) -> Result<(), Left> {
+    pub(super) fn judge_stabilisation(&mut self, plan: &Problem<'_>) -> Result<(), Left> {
         let energy = &self.committed.energy;
         let stored = energy.strain_energy + energy.contact_energy + energy.friction_dissipation;
         let all = energy.external_work.abs().max(stored);
@@ -79,7 +79,7 @@ impl Analysis<'_> {
             energy.stabilisation,
             100.0 * energy.stabilisation / all
         );
-        let origin = stabilise::settings(plan, &self.committed).map(|settings| settings.origin);
+        let origin = stabilise::settings(plan, self.committed).map(|settings| settings.origin);
         let said = Diagnostic::warning(Code("SL0618"), message)
             .at(origin)
             .help("if the path matters, lower it: *CONTACT CONTROLS, STABILIZE=0.1");
@@ -87,11 +87,11 @@ impl Analysis<'_> {
     }
 
     /// Says so once where two rigid masters of the same slaves overlap.
-    pub(super) fn judge_room(&mut self, plan: &Plan<'_>) -> Result<(), Left> {
+    pub(super) fn judge_room(&mut self, plan: &Problem<'_>) -> Result<(), Left> {
         if self.room_is_judged {
             return Ok(());
         }
-        let committed = &self.committed;
+        let committed = &*self.committed;
         let found = plan.contact.without_room(&committed.displacement, &committed.points);
         let Some(([first, second], overlap)) = found else { return Ok(()) };
         self.room_is_judged = true;
@@ -113,9 +113,9 @@ impl Analysis<'_> {
     /// another equilibrium.
     pub(super) fn last_resorts(
         &mut self,
-        plan: &Plan<'_>,
+        plan: &Problem<'_>,
         (target, cause): (&mut Target, &Diagnostic),
-        work: &mut Workspace,
+        work: &mut Scratch,
     ) -> Result<Outcome, Left> {
         work.line_search = true;
         let searched = self.attempt(plan, target, work);
@@ -140,16 +140,16 @@ impl Analysis<'_> {
     /// The state in which the last attempt was given up.
     pub(super) fn show_unconverged(
         &mut self,
-        plan: &Plan<'_>,
+        plan: &Problem<'_>,
         target: &Target,
         outcome: &Outcome,
-        work: &Workspace,
+        work: &Scratch,
     ) -> Result<(), Left> {
-        commit(plan, &self.committed, target, work, &mut self.trial);
-        self.rows.fill(plan, &self.trial);
+        commit(plan, self.committed, target, work, self.trial);
+        self.rows.fill(plan, self.trial);
         let residual = work.residuals(plan);
         let numbers = Numbers::of(target, outcome);
-        let frame = frame(plan, &self.trial, &numbers, &self.rows);
+        let frame = frame(plan, self.trial, &numbers, self.rows);
         match self.observer.event(Event::Unconverged(&Unconverged { frame, residual: &residual })) {
             std::ops::ControlFlow::Continue(()) => Ok(()),
             std::ops::ControlFlow::Break(stop) => Err(Left::Stopped(stop)),
@@ -161,13 +161,13 @@ impl Analysis<'_> {
     /// they do not they come closer to it.
     pub(super) fn diagnosis(
         &self,
-        plan: &Plan<'_>,
+        plan: &Problem<'_>,
         target: &Target,
         outcome: &Outcome,
         stop: StopReason,
-        work: &mut Workspace,
+        work: &mut Scratch,
     ) -> Diagnostic {
-        let (committed, dt) = (&self.committed, target.dt);
+        let (committed, dt) = (&*self.committed, target.dt);
         let mut shown = diagnose::failure(&Case { plan, committed, work, outcome, stop, dt });
         if diagnose::may_be_a_jam(&shown) {
             let jammed = work.jammed_at_first(plan, committed, target);
@@ -201,10 +201,10 @@ const SHORTEST: f64 = 1.0 / 256.0;
 
 /// Walks an increment that failed in shorter ones, unseen.
 fn walk_shorter(
-    plan: &Plan<'_>,
+    plan: &Problem<'_>,
     committed: &State,
     target: &Target,
-    work: &mut Workspace,
+    work: &mut Scratch,
 ) -> Shorter {
     let mut from = Box::new(committed.clone());
     let mut to = from.clone();

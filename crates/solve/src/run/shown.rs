@@ -3,8 +3,8 @@
 use crate::balance::Sum;
 use crate::newton::{Outcome, Target};
 use crate::observe::{BeamRow, BlockResults, ContactRow, Frame, Nodal, PairRow};
-use crate::plan::Plan;
-use crate::rows::contact_rows;
+use crate::problem::Problem;
+use crate::rows::{Gathered, contact_rows};
 use crate::state::State;
 
 /// What observers are shown of the committed state.
@@ -12,6 +12,8 @@ use crate::state::State;
 pub(super) struct Rows {
     /// A row a slave node.
     pub contact: Vec<ContactRow>,
+    /// Scratch of the rows of integrated contact.
+    gathered: Vec<Gathered>,
     /// Which contact rows were closed before the increment.
     pub closed: Vec<bool>,
     /// A row a pair.
@@ -26,8 +28,9 @@ pub(super) struct Rows {
 
 impl Rows {
     /// Those of a state; pairs are left as they are.
-    pub fn fill(&mut self, plan: &Plan<'_>, state: &State) {
-        contact_rows(plan, state, &mut self.contact);
+    pub fn fill(&mut self, plan: &Problem<'_>, state: &State) {
+        let rows = (&mut self.contact, &mut self.gathered);
+        contact_rows((plan.model, plan.dofs), plan.contact, state, rows);
         plan.structure.results(&state.displacement, &state.elements, &mut self.elements);
         self.beams.clear();
         for results in &self.elements {
@@ -67,7 +70,7 @@ impl Numbers {
 
 /// A state with its rows and counts.
 pub(super) fn frame<'a>(
-    plan: &'a Plan<'_>,
+    plan: &'a Problem<'_>,
     state: &'a State,
     numbers: &Numbers,
     rows: &'a Rows,
@@ -84,7 +87,7 @@ pub(super) fn frame<'a>(
         time_increment: numbers.dt,
         last_of_step: numbers.last,
         nodal: Nodal {
-            dofs: &plan.dofs,
+            dofs: plan.dofs,
             displacement: &state.displacement,
             reaction: &state.reaction,
             load: &state.load,

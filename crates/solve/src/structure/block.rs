@@ -1,17 +1,13 @@
-//! The elements of a block: their kernel, and where they stand among all others.
+//! The elements of a block: where they stand among all others.
 
 use super::Flux;
-use slideline_mech::element::Kernel;
 use slideline_model::Dof;
 use std::ops::Range;
-use std::sync::Arc;
 
 /// Elements of one type and section. All have the same numbers of everything, so
 /// that the first index of each list leads to all.
 #[derive(Clone, Debug)]
-pub(super) struct Block {
-    /// Their physics.
-    pub kernel: Arc<dyn Kernel>,
+pub struct Block {
     /// Indices among the structure's elements.
     pub elements: Range<usize>,
     /// Dofs of every node, translations first.

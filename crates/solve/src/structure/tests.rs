@@ -1,9 +1,10 @@
 //! Every type of element together, through the lists of dofs.
 
 use super::*;
-use crate::constraints::{Constraints, Rows};
+use crate::constraints::{ConstraintNumbering, Constraints, Motion, Rows};
 use crate::dofs::DofMap;
 use slideline_diag::{FileId, Span};
+use slideline_linalg::Pattern;
 use slideline_mech::material::Elastic;
 use slideline_model::*;
 
@@ -73,24 +74,62 @@ fn at<'a>(u: &'a [f64], stresses: Option<&'a [f64]>) -> Configuration<'a> {
 
 struct Built {
     dofs: DofMap,
-    constraints: Constraints,
-    structure: Structure,
+    constraints: ConstraintNumbering,
+    motion: Motion,
+    elements: ElementNumbering,
+    kernels: Kernels,
+    dependent: Vec<usize>,
+    entries: Vec<u32>,
     pattern: Pattern,
+    nlgeom: bool,
 }
 
 impl Built {
+    fn constraints(&self) -> Constraints<'_> {
+        Constraints { numbering: &self.constraints, motion: &self.motion }
+    }
+
+    fn structure(&self) -> Structure<'_> {
+        Structure {
+            numbering: &self.elements,
+            kernels: &self.kernels,
+            dependent: &self.dependent,
+            entries: &self.entries,
+            nlgeom: self.nlgeom,
+            stiffest: self.kernels.stiffest,
+            stiffest_length: self.kernels.stiffest_length,
+        }
+    }
+
+    /// Matrix values of the elements at `u`, and what they do with `vector`.
+    fn gathered(
+        &self,
+        (u, stresses): (&[f64], Option<&[f64]>),
+        vector: &[f64],
+        pool: Option<&rayon::ThreadPool>,
+    ) -> (Vec<f64>, Contributions, Vec<f64>) {
+        let (structure, constraints) = (self.structure(), self.constraints());
+        let (mut room, mut rows) = (structure.room(), Rows::default());
+        let (mut values, mut into) = (vec![0.0; self.pattern.entries()], vec![0.0; u.len()]);
+        constraints.linearise(u, &mut rows);
+        let gather = Gather {
+            constraints,
+            rows: &rows,
+            pattern: &self.pattern,
+            values: &mut values,
+            product: Some(Product { vector, into: &mut into }),
+        };
+        structure.evaluate(&at(u, stresses), &mut room, gather, pool);
+        (values, room, into)
+    }
+
     /// Matrix values at `u`, with what the turning of the arm makes of the
     /// forces of the stresses.
     fn tangent(&self, u: &[f64], stresses: Option<&[f64]>) -> (Vec<f64>, Contributions) {
-        let mut room = self.structure.room();
-        self.structure.evaluate(&at(u, stresses), &mut room, None);
-        let (mut values, mut force) = (vec![0.0; self.pattern.entries()], vec![0.0; u.len()]);
-        let mut rows = Rows::default();
-        self.constraints.linearise(u, &mut rows);
-        let onto = (&self.constraints, &rows, &self.pattern);
-        self.structure.gather_tangent(&room, onto, &mut values);
-        self.structure.turning_forces(u, stresses, &room, &mut force);
-        self.constraints.turning(u, &mut force, |dof, _, stiffness| {
+        let (mut values, room, _) = self.gathered((u, stresses), u, None);
+        let mut force = vec![0.0; u.len()];
+        self.structure().turning_forces(u, stresses, &room, &mut force);
+        self.constraints().turning(u, &mut force, |dof, _, stiffness| {
             let own = self.constraints.equation(dof).unwrap();
             values[self.pattern.position(own, own).unwrap()] += stiffness;
         });
@@ -99,35 +138,38 @@ impl Built {
 
     /// Energy and carried force.
     fn force(&self, u: &[f64]) -> (f64, Vec<f64>) {
-        let (mut room, mut force) = (self.structure.room(), vec![0.0; u.len()]);
-        self.structure.evaluate(&at(u, None), &mut room, None);
-        let energy = self.structure.gather_force(&room, &mut force);
+        let (mut room, mut force) = (self.structure().room(), vec![0.0; u.len()]);
+        self.structure().evaluate_forces(&at(u, None), &mut room, None);
+        let energy = self.structure().gather_force(&room, &mut force);
         let mut rows = Rows::default();
-        self.constraints.linearise(u, &mut rows);
-        self.constraints.carry(&rows, &mut force);
+        self.constraints().linearise(u, &mut rows);
+        self.constraints().carry(&rows, &mut force);
         (energy, force)
     }
 }
 
 fn build(model: &Model, nlgeom: bool) -> Built {
     let dofs = DofMap::new(model);
-    let constraints = Constraints::new(model, &step(), &dofs);
-    let mut structure = Structure::new(model, (&dofs, &constraints), nlgeom);
+    let constraints = ConstraintNumbering::new(model, &step(), &dofs);
+    let elements = ElementNumbering::new(model, &dofs, &constraints);
+    let dependent = elements.dependent(&constraints);
     let equations = |own: &[usize]| -> Vec<usize> {
         let mut into = Vec::new();
         own.iter().for_each(|&dof| constraints.equations_of(dof, &mut into));
         into
     };
-    let pattern =
-        Pattern::from_cliques(constraints.equations(), structure.cliques().map(equations));
-    structure.find_entries(&constraints, &pattern);
-    Built { dofs, constraints, structure, pattern }
+    let pattern = Pattern::from_cliques(constraints.equations(), elements.cliques().map(equations));
+    let entries = elements.entries(&dependent, &constraints, &pattern);
+    let (mut motion, mut kernels) = (Motion::default(), Kernels::default());
+    motion.take(&constraints, model);
+    kernels.take(&elements, model).unwrap();
+    Built { dofs, constraints, motion, elements, kernels, dependent, entries, pattern, nlgeom }
 }
 
 fn motion(built: &Built) -> Vec<f64> {
     let count = built.dofs.len();
     let mut u: Vec<f64> = (0..count).map(|k| 0.03 * ((k * 7919 % 13) as f64 / 6.0 - 1.0)).collect();
-    built.constraints.enforce(&mut u);
+    built.constraints().enforce(&mut u);
     u
 }
 
@@ -139,16 +181,15 @@ fn motion(built: &Built) -> Vec<f64> {
 fn gathered_tangent_by_differences() {
     let model = model(4);
     let built = build(&model, true);
-    let Built { constraints, structure, pattern, .. } = &built;
+    let (constraints, pattern) = (built.constraints(), &built.pattern);
     let u = motion(&built);
-    let (values, room) = built.tangent(&u, None);
+    let (values, _) = built.tangent(&u, None);
     let largest = values.iter().fold(0.0_f64, |most, k| most.max(k.abs()));
     let here = built.force(&u).1;
     let mut rows = Rows::default();
     constraints.linearise(&u, &mut rows);
     // without the turning of the arm: the product of K of the elements alone
-    let mut flat = vec![0.0; pattern.entries()];
-    structure.gather_tangent(&room, (constraints, &rows, pattern), &mut flat);
+    let (flat, ..) = built.gathered((&u, None), &u, None);
     for column in 0..constraints.equations() {
         let dof = constraints.dof_of_equation[column];
         let moved = |sign: f64| {
@@ -165,10 +206,10 @@ fn gathered_tangent_by_differences() {
             let entry = pattern.position(row, column).map_or(0.0, |place| values[place]);
             assert!((difference - entry).abs() < 1e-6 * largest, "{row} {column}");
         }
-        let (mut unit, mut product) = (vec![0.0; u.len()], vec![0.0; u.len()]);
+        let mut unit = vec![0.0; u.len()];
         unit[dof] = 1.0;
         constraints.expand(&rows, &mut unit);
-        structure.multiply(&room, &unit, &mut product);
+        let (.., mut product) = built.gathered((&u, None), &unit, None);
         constraints.carry(&rows, &mut product);
         for row in 0..constraints.equations() {
             let entry = pattern.position(row, column).map_or(0.0, |place| flat[place]);
@@ -183,15 +224,13 @@ fn gathered_tangent_by_differences() {
 fn linear_kinematics() {
     let model = model(4);
     let built = build(&model, false);
-    let Built { constraints, structure, .. } = &built;
+    let (constraints, structure) = (built.constraints(), built.structure());
     let mut u = motion(&built);
     u[3 * 5..].fill(0.0); // a rigid arm turns by a finite angle all the same
     constraints.enforce(&mut u);
-    let mut room = structure.room();
-    structure.evaluate(&at(&u, None), &mut room, None);
-    let (mut force, mut product) = (vec![0.0; u.len()], vec![0.0; u.len()]);
+    let (_, room, product) = built.gathered((&u, None), &u, None);
+    let mut force = vec![0.0; u.len()];
     let energy = structure.gather_force(&room, &mut force);
-    structure.multiply(&room, &u, &mut product);
     let work: f64 = force.iter().zip(&u).map(|(f, u)| f * u).sum();
     assert!((work - 2.0 * energy).abs() < 1e-12 * energy, "{work} {energy}");
     let free = constraints.dof_of_equation.iter().filter(|&&dof| dof < 12);
@@ -210,16 +249,15 @@ fn linear_kinematics() {
 /// Requirement: the same bits on one thread and on several.
 #[test]
 fn threads_change_nothing() {
-    let model = model(PARALLEL + 300);
+    let model = model(evaluate::PARALLEL + 300);
     let built = build(&model, true);
-    let structure = &built.structure;
     let u = motion(&built);
-    let (mut one, mut many) = (structure.room(), structure.room());
     let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().unwrap();
-    let stresses: Vec<f64> = structure.stress_room().iter().map(|_| 0.3).collect();
-    structure.evaluate(&at(&u, Some(&stresses)), &mut one, None);
-    structure.evaluate(&at(&u, Some(&stresses)), &mut many, Some(&pool));
-    assert!(one.force == many.force && one.tangent == many.tangent && one.energy == many.energy);
+    let stresses = vec![0.3; built.structure().stress_room()];
+    let (values, one, product) = built.gathered((&u, Some(&stresses)), &u, None);
+    let (others, many, other) = built.gathered((&u, Some(&stresses)), &u, Some(&pool));
+    assert!(one.force == many.force && one.energy == many.energy);
+    assert!(values == others && product == other);
     assert!(one.force.iter().any(|&f| f != 0.0));
 }
 
@@ -231,12 +269,12 @@ fn threads_change_nothing() {
 fn mixed_tangent_with_own_stresses() {
     let model = model(4);
     let built = build(&model, true);
-    let structure = &built.structure;
+    let structure = built.structure();
     let u = motion(&built);
     let tangent = |stresses: Option<&[f64]>| built.tangent(&u, stresses);
     let (exact, room) = tangent(None);
     let largest = exact.iter().fold(0.0_f64, |most, k| most.max(k.abs()));
-    let mut own = structure.stress_room();
+    let mut own = vec![0.0; structure.stress_room()];
     assert!(own.len() > 12);
     structure.stresses_after(&u, &vec![0.0; u.len()], &mut own);
     let (mixed, _) = tangent(Some(&own));
@@ -261,7 +299,7 @@ fn mixed_tangent_with_own_stresses() {
 fn stresses_after_by_differences() {
     let model = model(4);
     let built = build(&model, true);
-    let Built { constraints, structure, .. } = &built;
+    let (constraints, structure) = (built.constraints(), built.structure());
     let u = motion(&built);
     let mut change = vec![0.0; u.len()];
     for (k, &dof) in constraints.dof_of_equation.iter().enumerate() {
@@ -274,12 +312,12 @@ fn stresses_after_by_differences() {
     let at = |t: f64| {
         let mut moved: Vec<f64> = u.iter().zip(&change).map(|(u, du)| u + t * du).collect();
         constraints.enforce(&mut moved);
-        let mut stresses = structure.stress_room();
+        let mut stresses = vec![0.0; structure.stress_room()];
         structure.stresses_after(&moved, &still, &mut stresses);
         stresses
     };
     let (here, up, down) = (at(0.0), at(1e-6), at(-1e-6));
-    let mut arrived = structure.stress_room();
+    let mut arrived = vec![0.0; structure.stress_room()];
     structure.stresses_after(&u, &change, &mut arrived);
     let largest = arrived.iter().fold(0.0_f64, |most, s| most.max(s.abs()));
     for k in 0..here.len() {

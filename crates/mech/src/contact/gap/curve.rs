@@ -203,6 +203,20 @@ pub fn point_to_curve<const K: usize, const N: usize>(
     gap.checked()
 }
 
+/// Overclosure of a point against the curve at the parameter of its projection [L], without
+/// derivatives. `None` for a degenerate curve.
+pub fn overclosure<const K: usize>(
+    point: [f64; 2],
+    control: &[[f64; 2]; K],
+    weights: &Weights<K>,
+) -> Option<f64> {
+    let curve = local(control, weights);
+    let size = dot(curve.first, curve.first).sqrt();
+    let normal = [-curve.first[1] / size, curve.first[0] / size];
+    let apart = [point[0] - curve.position[0], point[1] - curve.position[1]];
+    (size > 0.0 && size.is_finite()).then(|| -dot(normal, apart))
+}
+
 fn fill_derivatives<const K: usize, const N: usize>(
     gap: &mut Gap<N>,
     weights: &Weights<K>,

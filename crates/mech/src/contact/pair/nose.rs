@@ -41,9 +41,9 @@ const NARROW: f64 = 0.1;
 const WIDE: f64 = 0.5;
 
 impl Nose {
-    /// Those of a surface.
-    pub fn of(segments: &[RigidSegment], closed: bool) -> Vec<Self> {
-        let mut noses = Vec::new();
+    /// Writes those of a surface.
+    pub fn find(segments: &[RigidSegment], closed: bool, noses: &mut Vec<Self>) {
+        noses.clear();
         for (index, segment) in segments.iter().enumerate() {
             if let RigidSegment::Arc { centre, radius, convex: true, .. } = *segment {
                 let beyond = [false, true].map(|ahead| arcs_beyond(segments, closed, index, ahead));
@@ -56,7 +56,6 @@ impl Nose {
                 noses.push(Self::Corner { at: segment.end(), tangents });
             }
         }
-        noses
     }
 
     /// How it reaches through the line between two points of space; `None` where it points
@@ -204,6 +203,12 @@ fn turns_outward([before, after]: [[f64; 2]; 2]) -> bool {
 mod tests {
     use super::*;
 
+    fn found(segments: &[RigidSegment], closed: bool) -> Vec<Nose> {
+        let mut noses = Vec::new();
+        Nose::find(segments, closed, &mut noses);
+        noses
+    }
+
     fn body() -> Body {
         Body::STILL
     }
@@ -220,7 +225,7 @@ mod tests {
     #[test]
     fn a_circle_between_two_points() {
         for (radius, allowed) in [(1.0, 0.2), (4.0, 3.0)] {
-            let noses = Nose::of(&circle(radius), true);
+            let noses = found(&circle(radius), true);
             let edge = [[-3.0, radius - 0.1, 0.0], [3.0, radius - 0.1, 0.0]];
             let reaches: Vec<_> = noses.iter().filter_map(|n| n.reach(&body(), edge)).collect();
             let top = reaches.iter().find(|reach| reach.depth.abs() < radius).unwrap();
@@ -240,7 +245,7 @@ mod tests {
             RigidSegment::arc(left, right, [0.0; 2]).unwrap(),
             RigidSegment::Line { a: right, b: [right[0] + 5.0 * cos, right[1] - 5.0 * sin] },
         ];
-        let noses = Nose::of(&segments, false);
+        let noses = found(&segments, false);
         assert_eq!(noses.len(), 1, "{noses:?}");
         let reach = noses[0].reach(&body(), [[-1.0, 0.05, 0.0], [1.0, 0.05, 0.0]]).unwrap();
         assert!((reach.depth - 0.05).abs() < 1e-14 && (reach.allowed - 1.0).abs() < 1e-12);

@@ -2,7 +2,7 @@
 
 use super::super::gap::Gap;
 use super::super::gap::circle::{Circle, Side};
-use super::super::gap::curve::{Along, Weights, point_to_curve};
+use super::super::gap::curve::{Along, Weights, overclosure, point_to_curve};
 use super::super::search::chain::{Chain, Piece, PieceKind, flat, raised};
 use super::super::search::rigid::{self, Facing, Part, RigidSegment};
 use super::super::search::sweep::{Crossing, cross_rigid};
@@ -145,6 +145,35 @@ pub fn chain_gap(
     }
 }
 
+/// Overclosure and coordinate along the master of that gap [L], without its derivatives.
+pub fn chain_overclosure(
+    chain: &Chain,
+    piece: &Piece,
+    positions: &[[f64; 3]],
+    point: [f64; 3],
+) -> Option<[f64; 2]> {
+    let (xi, point, control) = (piece.parameter, flat(point), positions.get(piece.nodes())?);
+    let length = |index| chain.reference_length(index);
+    let (over, along) = match *control {
+        [a, b] => (
+            overclosure(point, &[a, b].map(flat), &Weights::straight(xi)),
+            Along::straight(chain.arc_coordinate(piece.index), length(piece.index), xi),
+        ),
+        [a, b, c] => {
+            let f = chain.smoothing;
+            let (before, behind) = (f * length(piece.index - 1), f * length(piece.index));
+            let node = chain.arc_coordinate(piece.index);
+            let weights = Weights::corner(xi, f);
+            (
+                overclosure(point, &[a, b, c].map(flat), &weights),
+                Along::corner(node, before, behind, xi),
+            )
+        }
+        _ => return None,
+    };
+    Some([over?, along.value])
+}
+
 /// Attachments of a chain stencil: the slave, then the piece's nodes, given in order.
 pub fn chain_attachments(slave: Attachment, nodes: &[Attachment]) -> StencilAttachments {
     let mut attachments = StencilAttachments::new(slave);
@@ -220,15 +249,36 @@ pub struct RigidSurface {
 impl RigidSurface {
     /// The surface of the segments in order of travel.
     pub fn new(segments: Vec<RigidSegment>) -> Self {
+        let (starts, noses) = (Vec::with_capacity(segments.len()), Vec::new());
+        let mut new = Self { segments, starts, period: None, bounds: ([0.0; 2], 0.0), noses };
+        new.measure();
+        new
+    }
+
+    /// Becomes the surface of other segments, in the room it has. False where one of them is none:
+    /// then only those before it are there.
+    pub fn take(&mut self, segments: impl Iterator<Item = Option<RigidSegment>>) -> bool {
+        self.segments.clear();
+        let mut whole = true;
+        self.segments.extend(segments.map_while(|segment| {
+            whole &= segment.is_some();
+            segment
+        }));
+        self.measure();
+        whole
+    }
+
+    /// Arc coordinates, bounds and noses of the segments.
+    fn measure(&mut self) {
         let mut total = 0.0;
-        let mut starts = Vec::with_capacity(segments.len());
-        for segment in &segments {
-            starts.push(total);
+        self.starts.clear();
+        for segment in &self.segments {
+            self.starts.push(total);
             total += segment.length();
         }
-        let period = rigid::is_closed(&segments).then_some(total);
-        let (bounds, noses) = (bounds(&segments), Nose::of(&segments, period.is_some()));
-        Self { segments, starts, period, bounds, noses }
+        self.period = rigid::is_closed(&self.segments).then_some(total);
+        self.bounds = bounds(&self.segments);
+        Nose::find(&self.segments, self.period.is_some(), &mut self.noses);
     }
 
     /// Length along the surface [L].

@@ -85,23 +85,40 @@ impl Chain {
     /// The chain through the undeformed positions of its nodes, in order. `None` for fewer than two
     /// nodes, a segment of zero length, or a fraction outside its range.
     pub fn new(reference: &[[f64; 3]], smoothing: f64, extension: f64) -> Option<Self> {
-        if reference.len() < 2 || !(0.0..0.5).contains(&smoothing) || extension.is_nan() {
-            return None;
-        }
-        let mut arc = vec![0.0];
-        let mut lengths = Vec::with_capacity(reference.len() - 1);
-        let mut total = 0.0;
-        for pair in reference.windows(2) {
+        let segments = reference.len().checked_sub(1).filter(|&segments| segments > 0)?;
+        let mut chain = Self {
+            smoothing,
+            extension,
+            lengths: Vec::with_capacity(segments),
+            arc: Vec::with_capacity(segments + 1),
+        };
+        let lengths = reference.windows(2).map(|pair| {
             let d = sub(flat(pair[1]), flat(pair[0]));
-            let length = d[0].hypot(d[1]);
-            if !(length > 0.0 && length.is_finite()) {
-                return None;
-            }
+            d[0].hypot(d[1])
+        });
+        chain.take(lengths, smoothing, extension).then_some(chain)
+    }
+
+    /// Becomes the chain of segments of these undeformed lengths [L], in the room it has. False for
+    /// a segment of zero length or a fraction outside its range: then it is the chain of nothing.
+    pub fn take(
+        &mut self,
+        lengths: impl Iterator<Item = f64>,
+        smoothing: f64,
+        extension: f64,
+    ) -> bool {
+        (self.smoothing, self.extension) = (smoothing, extension.max(0.0));
+        self.lengths.clear();
+        self.lengths.extend(lengths);
+        self.arc.clear();
+        let mut total = 0.0;
+        self.arc.push(total);
+        for length in &self.lengths {
             total += length;
-            lengths.push(length);
-            arc.push(total);
+            self.arc.push(total);
         }
-        Some(Self { smoothing, extension: extension.max(0.0), lengths, arc })
+        let sound = self.lengths.iter().all(|&length| length > 0.0 && length.is_finite());
+        sound && (0.0..0.5).contains(&smoothing) && !extension.is_nan()
     }
 
     /// The line of these nodes with its end segments prolonged by their extension.

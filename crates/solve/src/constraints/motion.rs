@@ -1,0 +1,47 @@
+//! The numbers of constraints: arms of rigid bodies, coefficients of equations.
+//!
+//! ```text
+//!   master o====arm====o      u_d = c + a_1 u_1 + a_2 u_2
+//! ```
+//!
+//! Which dofs follow which is the numbering's; these are values that the same plan
+//! takes anew.
+
+use super::ConstraintNumbering;
+use slideline_model::Model;
+
+/// Arms and coefficients of the constraints of a model.
+#[derive(Clone, Debug, Default)]
+pub struct Motion {
+    /// Undeformed vectors from the masters of rigid links to their dependent nodes [L].
+    pub(super) arms: Vec<[f64; 3]>,
+    /// Coefficients of linear constraints, one constraint after the other [1, L or 1/L].
+    coefficients: Vec<f64>,
+    /// Where the coefficients of each end.
+    ends: Vec<usize>,
+    /// What each adds [L or 1].
+    constants: Vec<f64>,
+}
+
+impl Motion {
+    /// Takes the numbers of a model that the numbering is of.
+    pub fn take(&mut self, numbering: &ConstraintNumbering, model: &Model) {
+        self.arms.clear();
+        self.arms.extend(numbering.rigid.iter().map(|link| link.arm(model)));
+        self.coefficients.clear();
+        self.ends.clear();
+        self.constants.clear();
+        for constraint in &numbering.linear {
+            let said = &model.linear_constraints[constraint.index];
+            self.constants.push(said.constant);
+            self.coefficients.extend(constraint.terms.iter().map(|&(_, term)| said.terms[term].2));
+            self.ends.push(self.coefficients.len());
+        }
+    }
+
+    /// Coefficients and constant of a linear constraint.
+    pub(super) fn linear(&self, row: usize) -> (&[f64], f64) {
+        let begin = row.checked_sub(1).map_or(0, |before| self.ends[before]);
+        (&self.coefficients[begin..self.ends[row]], self.constants[row])
+    }
+}

@@ -1,0 +1,158 @@
+//! The numbers of contact taken anew: areas, masters, laws.
+//!
+//! ```text
+//!   o--o--o   other positions, other areas        _____
+//!   ~~~~~~~   another master, another law        /     \   in the room of those before
+//! ```
+//!
+//! Which points there are, and which dofs they follow, stays.
+
+use super::master::{MasterSurface, placed_segments};
+use super::{Carrier, Contact, SEGMENT_POINTS, laws};
+use crate::dofs::DofMap;
+use crate::users::UserFrictions;
+use slideline_mech::contact::points::integration_points::HermiteLine;
+use slideline_model::{ContactPair, Formulation, Master, Model, NodeIndex};
+
+impl Contact {
+    /// Takes the numbers of a model with the pairs that were prepared, or prepares them.
+    ///
+    /// Errors: the index of a pair whose master has lost or gained its extent.
+    pub fn take(
+        &mut self,
+        model: &Model,
+        dofs: &DofMap,
+        users: &UserFrictions,
+    ) -> Result<(), usize> {
+        if self.laws.is_empty() {
+            *self = Self::new(model, dofs, users);
+            return Ok(());
+        }
+        self.take_points(model);
+        self.take_segments(model);
+        for (index, pair) in model.contact_pairs.iter().enumerate() {
+            if !self.take_master(model, dofs, index) {
+                return Err(index);
+            }
+            let length = mean_length(model, pair);
+            self.spacing[index] = laws::spacing(model, length, &self.masters[index]);
+            self.take_laws((model, pair), (index, length), users);
+        }
+        Ok(())
+    }
+
+    /// Positions and areas of the slave nodes.
+    fn take_points(&mut self, model: &Model) {
+        for point in &mut self.points {
+            point.area = 0.0;
+            if let Carrier::Node { position, .. } = &mut point.carrier {
+                *position = model.nodes.get(point.node).position;
+            }
+        }
+        for (pair, edges) in model.contact_pairs.iter().zip(&self.edges) {
+            for (element, &edge) in pair.elements.iter().zip(edges) {
+                let length = distance(model, edge.map(|point| self.points[point].node));
+                for (point, share) in edge.into_iter().zip(element.lumping.shares()) {
+                    self.points[point].area += share * pair.interaction.width * length;
+                }
+            }
+        }
+    }
+
+    /// Lines and areas along which contact is integrated.
+    fn take_segments(&mut self, model: &Model) {
+        let Self { segments, points, slave_nodes, tangents, .. } = self;
+        let mut rest = &mut segments[..];
+        let integrated = |pair: &ContactPair| pair.formulation == Formulation::SurfaceToSurface;
+        for (index, pair) in model.contact_pairs.iter().enumerate().filter(|p| integrated(p.1)) {
+            let Some(own) = rest.split_off_mut(..pair.elements.len()) else { return };
+            tangents.clear();
+            tangents.resize(slave_nodes[index].len(), [0.0; 3]);
+            for (element, segment) in pair.elements.iter().zip(&*own) {
+                let [a, b] = element.nodes.map(|node| model.nodes.get(node).position);
+                let d: [f64; 3] = std::array::from_fn(|c| b[c] - a[c]);
+                let length = distance(model, element.nodes);
+                for row in segment.rows {
+                    tangents[row].iter_mut().zip(d).for_each(|(sum, d)| *sum += d / length);
+                }
+            }
+            for tangent in tangents.iter_mut() {
+                let size = tangent[0].hypot(tangent[1]).hypot(tangent[2]);
+                if size > 0.0 {
+                    *tangent = tangent.map(|t| t / size);
+                }
+            }
+            for (element, segment) in pair.elements.iter().zip(own) {
+                let length = distance(model, element.nodes);
+                let nodes = element.nodes.map(|node| model.nodes.get(node).position);
+                let tangents = segment.rows.map(|row| tangents[row].map(|t| t * length));
+                segment.line = HermiteLine::new(nodes, tangents);
+                segment.width = pair.interaction.width;
+                segment.shear.iter_mut().for_each(|shear| shear.take(model));
+                let areas = segment.areas();
+                let own = &mut points[segment.first..][..SEGMENT_POINTS];
+                own.iter_mut().zip(areas).for_each(|(point, area)| point.area = area);
+            }
+        }
+    }
+
+    /// The master of a pair; false where there is none any more, or one that was not.
+    fn take_master(&mut self, model: &Model, dofs: &DofMap, index: usize) -> bool {
+        match (&mut self.masters[index], &model.contact_pairs[index].master) {
+            (MasterSurface::Body { reference, surface, .. }, Master::RigidSurface(said)) => {
+                *reference = model.nodes.get(said.reference).position;
+                surface.take(placed_segments(said))
+            }
+            (MasterSurface::Line { chain, nodes, .. }, Master::SlideLine(line)) => {
+                for ((position, _), &node) in nodes.iter_mut().zip(&line.nodes) {
+                    *position = model.nodes.get(node).position;
+                }
+                let ends = line.nodes.windows(2);
+                let lengths = ends.map(|ends| distance(model, [ends[0], ends[1]]));
+                chain.take(lengths, line.smooth, line.extension)
+            }
+            (MasterSurface::Nothing, Master::RigidSurface(said)) => {
+                matches!(MasterSurface::body(model, dofs, said), MasterSurface::Nothing)
+            }
+            (MasterSurface::Nothing, Master::SlideLine(line)) => {
+                let made = MasterSurface::chain(model, dofs, line, 0);
+                matches!(made, MasterSurface::Nothing)
+            }
+            _ => false,
+        }
+    }
+
+    fn take_laws(
+        &mut self,
+        (model, pair): (&Model, &ContactPair),
+        (index, length): (usize, f64),
+        users: &UserFrictions,
+    ) {
+        let own = &mut self.laws[index];
+        if own.user.is_some() {
+            *own = laws::laws(model, pair, length, users);
+            return;
+        }
+        let normal = laws::normal(model, pair, length);
+        if own.normal != *normal {
+            own.normal = normal.into_owned();
+        }
+        own.friction = laws::friction(pair, length);
+        own.onset = model.friction_onset;
+        if matches!(pair.interaction.friction, slideline_model::Friction::User { .. }) {
+            *own = laws::laws(model, pair, length, users);
+        }
+    }
+}
+
+/// Mean length of the contact elements of a pair [L]; zero without.
+fn mean_length(model: &Model, pair: &ContactPair) -> f64 {
+    let lengths = pair.elements.iter().map(|element| distance(model, element.nodes));
+    let (sum, count) = lengths.fold((0.0, 0.0), |(sum, count), l| (sum + l, count + 1.0));
+    if count > 0.0 { sum / count } else { 0.0 }
+}
+
+fn distance(model: &Model, nodes: [NodeIndex; 2]) -> f64 {
+    let [a, b] = nodes.map(|node| model.nodes.get(node).position);
+    (b[0] - a[0]).hypot(b[1] - a[1]).hypot(b[2] - a[2])
+}

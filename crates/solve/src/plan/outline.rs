@@ -1,0 +1,166 @@
+//! What of a model decides its numbering, as a row of numbers.
+
+use slideline_model::{
+    ContactPair, ElementBlock, Formulation, Friction, Master, Model, Section, Step,
+};
+use std::fmt;
+
+/// A part of a model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// The number of its nodes.
+    Nodes,
+    /// Type, dofs or connectivity of an element block, by its index.
+    Elements(usize),
+    /// The section of an element block, which is not one of its type.
+    Section(usize),
+    /// Which nodes belong to rigid bodies.
+    RigidLinks,
+    /// Which dofs follow others linearly.
+    LinearConstraints,
+    /// Nodes, kind of master or state variables of a contact pair, by its index.
+    Contact(usize),
+    /// A master that has no extent, of a contact pair by its index.
+    Master(usize),
+    /// The number of steps.
+    Steps,
+    /// Prescribed dofs or kinematics of a step, by its number from 1.
+    Step(usize),
+}
+
+/// A model is not of the outline that a plan was made for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PlanMismatch {
+    /// The first part in which it differs.
+    pub part: Part,
+}
+
+impl fmt::Display for PlanMismatch {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the model does not fit the plan: it differs in ")?;
+        match self.part {
+            Part::Nodes => f.write_str("the number of nodes"),
+            Part::Elements(index) => {
+                write!(f, "the type or the nodes of the elements of block {}", index + 1)
+            }
+            Part::Section(index) => write!(f, "the kind of section of block {}", index + 1),
+            Part::RigidLinks => f.write_str("the nodes of rigid bodies"),
+            Part::LinearConstraints => f.write_str("the dofs of equations and ties"),
+            Part::Contact(index) => {
+                write!(f, "the nodes or the kind of master of contact pair {}", index + 1)
+            }
+            Part::Master(index) => {
+                write!(f, "contact pair {}, whose master has no extent", index + 1)
+            }
+            Part::Steps => f.write_str("the number of steps"),
+            Part::Step(number) => write!(f, "the prescribed dofs or NLGEOM of step {number}"),
+        }?;
+        f.write_str("; make a plan of this model")
+    }
+}
+
+impl std::error::Error for PlanMismatch {}
+
+/// The outline of a model.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Outline(Vec<usize>);
+
+impl Outline {
+    pub fn of(model: &Model) -> Self {
+        let mut count = 0;
+        draw(model, &mut |_, _| count += 1);
+        let mut numbers = Vec::with_capacity(count);
+        draw(model, &mut |_, number| numbers.push(number));
+        Self(numbers)
+    }
+
+    /// The first part in which a model has another outline.
+    pub fn mismatch(&self, model: &Model) -> Option<PlanMismatch> {
+        let mut known = self.0.iter();
+        let mut first = None;
+        draw(model, &mut |part, number| {
+            if first.is_none() && known.next() != Some(&number) {
+                first = Some(PlanMismatch { part });
+            }
+        });
+        first
+    }
+}
+
+/// Calls back with every number of the outline and the part that it belongs to. Each list
+/// follows its length, so that no two outlines are the same row.
+fn draw(model: &Model, note: &mut impl FnMut(Part, usize)) {
+    note(Part::Nodes, model.nodes.len());
+    note(Part::Elements(0), model.blocks.len());
+    for (index, block) in model.blocks.iter().enumerate() {
+        draw_block(block, &mut |number| note(Part::Elements(index), number));
+    }
+    note(Part::RigidLinks, model.rigid_links.len());
+    for link in &model.rigid_links {
+        let turn = link.turn.map_or(0, |node| node + 1);
+        let own = [link.dependent, link.master, turn].into_iter();
+        let follows = link.follows.iter().map(|&follows| usize::from(follows));
+        own.chain(follows).for_each(|number| note(Part::RigidLinks, number));
+    }
+    note(Part::LinearConstraints, model.linear_constraints.len());
+    for constraint in &model.linear_constraints {
+        note(Part::LinearConstraints, constraint.terms.len());
+        let terms = constraint.terms.iter().map(|&(node, dof, _)| (node, dof));
+        for (node, dof) in std::iter::once(constraint.dependent).chain(terms) {
+            [node, dof as usize]
+                .into_iter()
+                .for_each(|number| note(Part::LinearConstraints, number));
+        }
+    }
+    note(Part::Contact(0), model.contact_pairs.len());
+    for (index, pair) in model.contact_pairs.iter().enumerate() {
+        draw_pair(pair, &mut |number| note(Part::Contact(index), number));
+    }
+    note(Part::Steps, model.steps.len());
+    for (index, step) in model.steps.iter().enumerate() {
+        draw_step(step, &mut |number| note(Part::Step(index + 1), number));
+    }
+}
+
+fn draw_block(block: &ElementBlock, note: &mut impl FnMut(usize)) {
+    let kind = block.kind;
+    kind.name().bytes().for_each(|byte| note(byte.into()));
+    let section = match &block.section {
+        Section::Beam(_) => 0,
+        Section::Spring(_) => 1,
+        Section::Solid(_) => 2,
+        Section::Properties(_) => 3,
+    };
+    [section, kind.cell.nodes, block.states(), kind.all_values()].into_iter().for_each(&mut *note);
+    for dofs in [block.dofs(), block.stiffened_dofs()] {
+        note(dofs.len());
+        dofs.iter().for_each(|&dof| note(dof as usize));
+    }
+    note(block.elements.len());
+    block.elements.iter().flat_map(|element| element.nodes).for_each(|&node| note(node));
+}
+
+fn draw_pair(pair: &ContactPair, note: &mut impl FnMut(usize)) {
+    note(usize::from(pair.formulation == Formulation::SurfaceToSurface));
+    note(match &pair.interaction.friction {
+        Friction::User { state_size, .. } => *state_size,
+        _ => 0,
+    });
+    note(pair.elements.len());
+    pair.elements.iter().flat_map(|element| element.nodes).for_each(&mut *note);
+    match &pair.master {
+        Master::RigidSurface(surface) => [0, surface.reference].into_iter().for_each(note),
+        Master::SlideLine(line) => {
+            [1, line.nodes.len()].into_iter().for_each(&mut *note);
+            line.nodes.iter().for_each(|&node| note(node));
+        }
+    }
+}
+
+fn draw_step(step: &Step, note: &mut impl FnMut(usize)) {
+    note(usize::from(step.nlgeom));
+    note(step.prescribed.len());
+    for prescribed in &step.prescribed {
+        [prescribed.node, prescribed.dof as usize].into_iter().for_each(&mut *note);
+    }
+}

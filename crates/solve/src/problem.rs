@@ -1,0 +1,247 @@
+//! A step to be solved: model and plan, with the values that were taken.
+//!
+//! ```text
+//!   Model (what)  Plan (numbering)  Values (numbers)
+//!        \_____________|_______________/
+//!                   Problem --> evaluate(problem, committed, trial)
+//! ```
+
+use crate::constraints::{Constraints, Role, Rows};
+use crate::contact::{Contact, PointRows};
+use crate::dofs::DofMap;
+use crate::linear_systems::LinearSystems;
+use crate::loads::FaceLoads;
+use crate::plan::{Coupling, Numbering};
+use crate::start::Start;
+use crate::structure::{Gather, Structure};
+use crate::values::Values;
+use rayon::ThreadPool;
+use slideline_linalg::{Kind, Pattern, Solver};
+use slideline_mech::contact::enforcement::Enforcement;
+use slideline_mech::contact::pair::Laws;
+use slideline_model::{Amplitude, Model, Step};
+
+/// Everything about a step that does not change from increment to increment.
+#[derive(Clone, Copy)]
+pub struct Problem<'a> {
+    /// The model.
+    pub model: &'a Model,
+    /// The step.
+    pub step: &'a Step,
+    /// Dofs of all nodes.
+    pub dofs: &'a DofMap,
+    /// Which of them are unknown, and how the others follow.
+    pub constraints: Constraints<'a>,
+    /// Elements.
+    pub structure: Structure<'a>,
+    /// Contact.
+    pub contact: &'a Contact,
+    /// Sparsity of the tangent.
+    pub pattern: &'a Pattern,
+    /// Dofs that belong to elements.
+    pub elastic: &'a [bool],
+    /// Largest coordinate of the model [L].
+    pub reach: f64,
+    /// Length of the stiffest element, or else of the model [L].
+    pub lever: f64,
+    /// Natural unit of each unknown: 1 for displacements, 1/l for rotations,
+    /// with l the length of the stiffest element (or of the model), so that
+    /// all entries of the tangent are stiffnesses F/L.
+    pub units: &'a [f64],
+    /// Whether couplings of contact may be missing from the pattern.
+    pub is_lenient: bool,
+    /// How contact is solved, where not by its size.
+    pub enforcement: Option<Enforcement>,
+    /// Largest load of the step [F or F L].
+    pub largest_load: f64,
+    /// Faces that are pressed.
+    pub faces: &'a FaceLoads,
+    /// What the step begins from.
+    pub start: &'a Start<'a>,
+    /// How it is solved.
+    pub means: Means<'a>,
+}
+
+/// With what a step is solved.
+#[derive(Clone, Copy)]
+pub struct Means<'a> {
+    /// Threads for element loops; none: this one.
+    pub pool: Option<&'a ThreadPool>,
+    /// What makes the linear systems.
+    pub linear_systems: &'a LinearSystems,
+}
+
+impl<'a> Problem<'a> {
+    /// A step of a model, by its index, that begins from `start`: with the values that were
+    /// taken from the model, and a coupling of the plan.
+    pub fn new(
+        (model, index): (&'a Model, usize),
+        (plan, values): (&'a Numbering, &'a Values),
+        coupling: &'a Coupling,
+        start: &'a Start<'a>,
+        means: Means<'a>,
+    ) -> Self {
+        let step = &model.steps[index];
+        let own = plan.of_step[index];
+        let numbering = &plan.steps[own];
+        let constraints = Constraints { numbering: &numbering.constraints, motion: &values.motion };
+        let structure = Structure {
+            numbering: &plan.elements,
+            kernels: &values.kernels,
+            dependent: &numbering.dependent,
+            entries: &coupling.entries,
+            nlgeom: step.nlgeom,
+            stiffest: values.kernels.stiffest,
+            stiffest_length: values.kernels.stiffest_length,
+        };
+        Self {
+            model,
+            step,
+            dofs: &plan.dofs,
+            constraints,
+            structure,
+            contact: &values.contact,
+            pattern: &coupling.pattern,
+            elastic: &plan.elastic,
+            reach: values.reach,
+            lever: values.lever,
+            units: &values.units[own],
+            is_lenient: false,
+            enforcement: None,
+            largest_load: step.loads.iter().fold(0.0, |most, load| load.value.abs().max(most)),
+            faces: &values.faces[index],
+            start,
+            means,
+        }
+    }
+
+    /// Symbolic factorisation: unsymmetric where there is friction, unless
+    /// the deck says `UNSYMM=NO`.
+    pub fn analyse(&self) -> Solver {
+        let mut solver =
+            Solver::analyse(self.pattern, self.kind(), self.means.linear_systems.factory());
+        solver.set_units(self.units);
+        solver
+    }
+
+    /// The symmetry of the tangent as it is factored.
+    pub fn kind(&self) -> Kind {
+        kind(self.step, self.contact)
+    }
+
+    /// Whether friction is there and the deck wants a symmetric tangent.
+    pub fn symmetrised(&self) -> bool {
+        self.step.unsymmetric == Some(false) && self.contact.laws.iter().any(Laws::has_friction)
+    }
+
+    /// Whether some unknown moves a point towards or from its master.
+    pub fn contact_yields(&self, kinematics: &PointRows<'_>, rows: &Rows) -> bool {
+        let mut yields = false;
+        for (&dof, &g) in kinematics.rows.unknowns.iter().zip(kinematics.rows.normal()) {
+            let note = &mut |_: usize, a: f64| yields |= a * g != 0.0;
+            self.constraints.for_each_equation(rows, dof, note);
+        }
+        yields
+    }
+
+    /// Average length of the contact elements of a pair [L].
+    pub fn contact_length(&self, pair: &slideline_model::ContactPair) -> f64 {
+        crate::contact::average_element(self.model, pair)
+    }
+
+    /// Where tangents of elements are summed, at a configuration with these rows.
+    pub fn gather<'b>(&'b self, rows: &'b Rows, values: &'b mut [f64]) -> Gather<'b> {
+        let (constraints, pattern) = (self.constraints, self.pattern);
+        Gather { constraints, rows, pattern, values, product: None }
+    }
+
+    /// Adds what the turning of constraints makes of forces `f` on all dofs; uses
+    /// them up.
+    pub fn stiffen_by_turning(&self, u: &[f64], f: &mut [f64], values: &mut [f64]) {
+        self.constraints.turning(u, f, |row, column, stiffness| {
+            let equations = [row, column].map(|dof| self.constraints.equation(dof));
+            let [Some(row), Some(column)] = equations else { return };
+            if let Some(at) = self.pattern.position(row, column) {
+                values[at] += stiffness;
+            }
+        });
+    }
+
+    /// Adds T' K T of a stencil to matrix values: `dofs` are its own, `tangent`
+    /// by row and column.
+    pub fn scatter(
+        &self,
+        rows: &Rows,
+        dofs: &[usize],
+        tangent: impl Fn(usize, usize) -> f64,
+        values: &mut [f64],
+    ) {
+        self.constraints.scatter((rows, self.pattern), dofs, tangent, values);
+    }
+
+    /// Puts the prescribed values of a time of the step into `u`.
+    pub fn prescribe(&self, step_time: f64, u: &mut [f64]) {
+        for (dof, role) in self.constraints.roles.iter().enumerate() {
+            if let Role::Prescribed(place) = *role {
+                let prescribed = &self.step.prescribed[place];
+                let amplitude = prescribed.amplitude.map(|a| &self.model.amplitudes[a]);
+                u[dof] =
+                    self.at(step_time, self.start.displacement[dof], prescribed.value, amplitude);
+            }
+        }
+    }
+
+    /// Puts the loads of a time of the step into `load`.
+    pub fn load(&self, step_time: f64, load: &mut [f64]) {
+        load.fill(0.0);
+        for (dof, value) in load.iter_mut().enumerate() {
+            // What the step before applied and this one does not fades out.
+            *value = self.at(step_time, self.start.load[dof], 0.0, None);
+        }
+        for entry in &self.step.loads {
+            let Some(dof) = self.dofs.find(entry.node, entry.dof) else { continue };
+            let amplitude = entry.amplitude.map(|a| &self.model.amplitudes[a]);
+            load[dof] = self.at(step_time, self.start.load[dof], entry.value, amplitude);
+        }
+        for entry in &self.step.distributed.forces {
+            let Some(dof) = self.dofs.find(entry.node, entry.dof) else { continue };
+            let amplitude = entry.amplitude.map(|a| &self.model.amplitudes[a]);
+            load[dof] += self.at(step_time, 0.0, entry.value, amplitude);
+        }
+        // A support that is released lets go over the step (manual).
+        for (value, &reaction) in load.iter_mut().zip(&*self.start.released) {
+            *value += self.at(step_time, reaction, 0.0, None);
+        }
+    }
+
+    /// The pressures on faces at a time of the step [F/L2]. Those of the step before are among
+    /// the loads that fade out.
+    pub fn pressures(&self, step_time: f64) -> impl Iterator<Item = f64> + '_ {
+        self.step.distributed.pressures.iter().map(move |entry| {
+            let amplitude = entry.amplitude.map(|a| &self.model.amplitudes[a]);
+            self.at(step_time, 0.0, entry.value, amplitude)
+        })
+    }
+
+    /// A value between the start of the step and its end.
+    fn at(&self, step_time: f64, start: f64, end: f64, amplitude: Option<&Amplitude>) -> f64 {
+        let period = self.step.procedure.period;
+        match amplitude {
+            Some(amplitude) => end * amplitude.at(step_time),
+            None if self.step.at_once || step_time >= period => end,
+            None => start + (end - start) * (step_time / period),
+        }
+    }
+}
+
+/// The symmetry of the tangent of a step: none where there is friction or a pressure that follows
+/// its face, unless the deck says otherwise.
+pub fn kind(step: &Step, contact: &Contact) -> Kind {
+    let rubs = || contact.laws.iter().any(Laws::has_friction);
+    let follows = step.nlgeom && !step.distributed.pressures.is_empty();
+    if step.unsymmetric.unwrap_or_else(|| follows || rubs()) {
+        Kind::Unsymmetric
+    } else {
+        Kind::Symmetric
+    }
+}

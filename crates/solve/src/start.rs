@@ -1,0 +1,63 @@
+//! What a step begins from: the end of the one before.
+//!
+//! ```text
+//!   load |    step 1     step 2
+//!        |      ____               what step 1 applied and step 2 does not name
+//!        |     /    \              fades out over step 2; so do reactions of
+//!        |____/      \____         supports that it releases
+//! ```
+
+use crate::constraints::ConstraintNumbering;
+use crate::state::State;
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
+
+/// What a step begins from, a dof each.
+#[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
+pub struct Start<'a> {
+    /// Displacements and rotations [L or 1].
+    pub displacement: Cow<'a, [f64]>,
+    /// Applied loads [F or F L].
+    pub load: Cow<'a, [f64]>,
+    /// Reactions of supports that the step releases; they ramp off over it
+    /// [F or F L].
+    pub released: Cow<'a, [f64]>,
+}
+
+impl Start<'_> {
+    /// Takes what a step begins from out of the state before it. Of the reactions, those of
+    /// dofs that the step leaves free become loads that ramp off.
+    pub fn take(&mut self, state: &State, constraints: &ConstraintNumbering) {
+        let into = |list: &mut Cow<'_, [f64]>, from: &[f64]| {
+            let list = list.to_mut();
+            list.clear();
+            list.extend_from_slice(from);
+        };
+        into(&mut self.displacement, &state.displacement);
+        into(&mut self.load, &state.load);
+        into(&mut self.released, &state.reaction);
+        for (dof, force) in self.released.to_mut().iter_mut().enumerate() {
+            if constraints.equation(dof).is_none() {
+                *force = 0.0;
+            }
+        }
+    }
+
+    /// The same, to be kept.
+    pub fn owned(&self) -> Start<'static> {
+        Start {
+            displacement: Cow::Owned(self.displacement.clone().into_owned()),
+            load: Cow::Owned(self.load.clone().into_owned()),
+            released: Cow::Owned(self.released.clone().into_owned()),
+        }
+    }
+
+    /// The same, borrowed.
+    pub fn borrowed(&self) -> Start<'_> {
+        Start {
+            displacement: Cow::Borrowed(&self.displacement),
+            load: Cow::Borrowed(&self.load),
+            released: Cow::Borrowed(&self.released),
+        }
+    }
+}

@@ -1,0 +1,69 @@
+//! The kernels of all blocks: positions, sections and materials of the elements.
+
+use super::numbering::ElementNumbering;
+use slideline_mech::element::Kernel;
+use slideline_model::{Model, Undeformed};
+
+/// The elements of a model in their undeformed state, block by block as numbered.
+#[derive(Debug, Default)]
+pub struct Kernels {
+    blocks: Vec<Box<dyn Kernel>>,
+    /// Positions of the nodes of a block, element by element [L].
+    nodes: Vec<[f64; 3]>,
+    /// Largest EA/l [F/L].
+    pub stiffest: f64,
+    /// Length of the element that has it [L].
+    pub stiffest_length: f64,
+}
+
+impl Kernels {
+    /// Takes the elements of a model that the numbering is of, in the room of those
+    /// before.
+    ///
+    /// Errors: the index in the model of a block whose section is not one of its type.
+    pub fn take(&mut self, numbering: &ElementNumbering, model: &Model) -> Result<(), usize> {
+        let known = self.blocks.len() == numbering.blocks.len();
+        (self.stiffest, self.stiffest_length) = (0.0, 0.0);
+        for numbered in &numbering.blocks {
+            let block = &model.blocks[numbered.block];
+            self.nodes.clear();
+            let elements = numbered.members.iter().map(|&at| block.elements.get(at));
+            let corners = elements.flat_map(|element| element.nodes);
+            self.nodes.extend(corners.map(|&node| model.nodes.get(node).position));
+            let (section, nodes) = (&block.section, &self.nodes[..]);
+            let (kind, dialect) = (block.kind, model.dialect);
+            let undeformed = Undeformed { kind, section, dialect, nodes };
+            let room = known.then(|| self.blocks.remove(0));
+            let made = (kind.kernel)(&undeformed, room);
+            let shape = (numbered.members.len(), numbered.variables);
+            let fits = |kernel: &Box<dyn Kernel>| (kernel.count(), kernel.variables()) == shape;
+            let Some(kernel) = made.filter(fits) else {
+                self.blocks.clear();
+                return Err(numbered.block);
+            };
+            self.note(&*kernel);
+            self.blocks.push(kernel);
+        }
+        Ok(())
+    }
+
+    /// What the elements of a block add to the scales.
+    fn note(&mut self, kernel: &dyn Kernel) {
+        for scale in (0..kernel.count()).map(|element| kernel.scale(element)) {
+            if scale.stiffness > self.stiffest {
+                self.stiffest = scale.stiffness;
+                self.stiffest_length = scale.length.unwrap_or(self.stiffest_length);
+            }
+        }
+    }
+
+    /// The kernels of all blocks, in order.
+    pub(super) fn iter(&self) -> impl Iterator<Item = &dyn Kernel> {
+        self.blocks.iter().map(|kernel| &**kernel)
+    }
+
+    /// The kernel of a block.
+    pub(super) fn of(&self, block: usize) -> &dyn Kernel {
+        &*self.blocks[block]
+    }
+}

@@ -1,0 +1,98 @@
+//! A plan at work: values of a model, linear systems, scratch.
+//!
+//! ```text
+//!   Plan --new--> Workspace --run(model)--> ending
+//!                     ^  |
+//!                     '--'  run(another model of the same outline): nothing is parsed,
+//!                           numbered, ordered or allocated again
+//! ```
+
+use crate::checkpoint::Checkpoint;
+use crate::linear_systems::LinearSystems;
+use crate::newton::Scratch;
+use crate::observe::{Ending, Event, Observer, Totals};
+use crate::plan::{Plan, PlanMismatch};
+use crate::problem::Means;
+use crate::run::{Analysis, Options, Room};
+use crate::values::Values;
+use slideline_model::Model;
+
+/// Everything that the runs of a plan use again: one for each thread that runs.
+pub struct Workspace {
+    plan: Plan,
+    options: Options,
+    pool: Option<rayon::ThreadPool>,
+    values: Values,
+    scratch: Scratch,
+    room: Room,
+}
+
+impl Workspace {
+    /// One for a plan, empty.
+    pub fn new(plan: &Plan, options: &Options) -> Self {
+        Self {
+            plan: plan.clone(),
+            options: options.clone(),
+            pool: thread_pool(options.threads),
+            values: Values::default(),
+            scratch: Scratch::default(),
+            room: Room::default(),
+        }
+    }
+
+    /// Runs every step of a model and tells the observer. The results are those of
+    /// [`run`](crate::run()), bit for bit, whatever was run before; with the room of a run
+    /// before, nothing is allocated.
+    ///
+    /// Errors: a model that is not of the outline of the plan; nothing was told.
+    pub fn run(
+        &mut self,
+        model: &Model,
+        observer: &mut dyn Observer,
+    ) -> Result<Ending, PlanMismatch> {
+        self.walk(model, observer, |mut analysis, scratch| analysis.steps(scratch))
+    }
+
+    /// Goes on from a checkpoint of the model; see [`resume`](crate::resume) and
+    /// [`run_from`](crate::run_from).
+    pub(crate) fn go_on(
+        &mut self,
+        model: &Model,
+        from: &Checkpoint<'_>,
+        observer: &mut dyn Observer,
+        (totals, resumes): (Totals, bool),
+    ) -> Result<Ending, PlanMismatch> {
+        self.walk(model, observer, |mut analysis, scratch| {
+            (analysis.totals, analysis.resumes) = (totals, resumes);
+            analysis.go_on(from, scratch)
+        })
+    }
+
+    fn walk(
+        &mut self,
+        model: &Model,
+        observer: &mut dyn Observer,
+        steps: impl FnOnce(Analysis<'_>, &mut Scratch) -> Ending,
+    ) -> Result<Ending, PlanMismatch> {
+        if let Some(mismatch) = self.plan.mismatch(model) {
+            return Err(mismatch);
+        }
+        let Self { plan, options, pool, values, scratch, room } = self;
+        values.take(plan, model, &options.user_frictions)?;
+        let linear_systems: &LinearSystems = &options.linear_systems;
+        let means = Means { pool: pool.as_ref(), linear_systems };
+        room.begin(plan);
+        let analysis =
+            Analysis::new(model, (&**plan, &*values), (&*options, means), (room, &mut *observer));
+        let ending = steps(analysis, scratch);
+        let _ = observer.event(Event::End(&ending)); // the run is over: there is nothing to stop
+        Ok(ending)
+    }
+}
+
+fn thread_pool(threads: usize) -> Option<rayon::ThreadPool> {
+    if threads <= 1 {
+        return None;
+    }
+    rayon::ThreadPoolBuilder::new().num_threads(threads).build().ok()
+}
