@@ -305,9 +305,9 @@ impl<const D: usize, const N: usize> Sums<D, N> {
             for (i, row) in self.joint[m].iter_mut().enumerate() {
                 for j in 0..D {
                     let turned: f64 = w * point.turning[INDEX[i][j]];
-                    for a in 0..N {
-                        row[a] +=
-                            product[i][j] * point.slopes[j][a] + turned * modes[m].turning[j][a];
+                    let pairs = point.slopes[j].iter().zip(&modes[m].turning[j]);
+                    for (sum, (slope, turning)) in row.iter_mut().zip(pairs) {
+                        *sum += product[i][j] * slope + turned * turning;
                     }
                 }
             }
