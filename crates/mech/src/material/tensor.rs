@@ -160,7 +160,7 @@ pub fn eigen(a: &Symmetric) -> ([f64; 3], Matrix) {
     let deviator = deviator(a);
     let unit = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let largest = deviator.iter().fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
-    if !(largest > f64::MIN_POSITIVE) {
+    if largest <= f64::MIN_POSITIVE || largest.is_nan() {
         return ([a[0], a[1], a[2]], unit);
     }
     let scaled = deviator.map(|entry| entry / largest);

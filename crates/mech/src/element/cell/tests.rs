@@ -77,9 +77,9 @@ fn face(cell: &Cell, nodes: &[usize]) -> ([f64; 3], f64) {
     for k in 0..corners {
         let a: [f64; 3] = std::array::from_fn(|axis| at(k)[axis] - middle[axis]);
         let b: [f64; 3] = std::array::from_fn(|axis| at(k + 1)[axis] - middle[axis]);
-        for axis in 0..3 {
+        for (axis, area) in area.iter_mut().enumerate() {
             let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
-            area[axis] += 0.5 * (a[i] * b[j] - a[j] * b[i]);
+            *area += 0.5 * (a[i] * b[j] - a[j] * b[i]);
         }
     }
     (area, (0..3).map(|axis| middle[axis] * area[axis]).sum())

@@ -73,8 +73,8 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
         place.follow(q);
         let mut deformation = unit();
         if large {
-            for i in 0..D {
-                (0..D).for_each(|j| deformation[i][j] += place.gradient[i][j]);
+            for (row, own) in deformation.iter_mut().zip(&place.gradient) {
+                row.iter_mut().zip(own).for_each(|(f, h)| *f += h);
             }
         }
         let (inverse, slopes) = (place.inverse, place.slopes);
@@ -115,8 +115,8 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
             }
         }
         let added = product(&centre.deformation, &sum);
-        for i in 0..D {
-            (0..D).for_each(|j| with.gradient[i][j] += added[i][j]);
+        for (row, own) in with.gradient.iter_mut().zip(&added) {
+            row.iter_mut().zip(own).for_each(|(h, m)| *h += m);
         }
         if large {
             carry_back(&mut with.slopes, &sum, &centre.slopes);
@@ -305,9 +305,9 @@ impl<const D: usize, const N: usize> Sums<D, N> {
             for (i, row) in self.joint[m].iter_mut().enumerate() {
                 for j in 0..D {
                     let turned: f64 = w * point.turning[INDEX[i][j]];
-                    for a in 0..N {
-                        row[a] +=
-                            product[i][j] * point.slopes[j][a] + turned * modes[m].turning[j][a];
+                    let pairs = point.slopes[j].iter().zip(&modes[m].turning[j]);
+                    for (sum, (slope, turning)) in row.iter_mut().zip(pairs) {
+                        *sum += product[i][j] * slope + turned * turning;
                     }
                 }
             }
@@ -332,7 +332,7 @@ fn solve<const S: usize>(
         a.swap(k, pivot);
         x.swap(k, pivot);
         let (row, side, head) = (a[k], x[k], a[k][k]);
-        if !(head.abs() > 0.0) {
+        if head == 0.0 || head.is_nan() {
             return None;
         }
         for i in k + 1..size {

@@ -243,7 +243,8 @@ impl<const D: usize, const N: usize> Point<D, N> {
 
 /// Energy of all points; no number where one is turned inside out.
 fn energy<const D: usize, const N: usize>(points: &[Point<D, N>], large: bool) -> f64 {
-    let inside_out = large && points.iter().any(|point| !(1.0 + point.dilation > 0.0));
+    let folded = |j: f64| j <= -1.0 || j.is_nan();
+    let inside_out = large && points.iter().any(|point| folded(point.dilation));
     if inside_out {
         return f64::NAN;
     }
