@@ -1,4 +1,4 @@
-//! Which nodes move together: bodies joined by elements and rigid links.
+//! Which nodes move together: bodies joined by elements, rigid links and equations.
 
 use slideline_model::{Master, Model, NodeIndex};
 
@@ -38,6 +38,12 @@ impl Bodies {
             bodies.dependent[link.dependent] = Some(link.master);
             bodies.active[link.dependent] = true;
             bodies.active[link.master] = true;
+        }
+        // what an equation or a tie joins is taken as one body: it may hold
+        for constraint in &model.linear_constraints {
+            for &(node, ..) in &constraint.terms {
+                bodies.join(constraint.dependent.0, node);
+            }
         }
         for pair in &model.contact_pairs {
             if let Master::RigidSurface(surface) = &pair.master {

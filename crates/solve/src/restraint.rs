@@ -102,6 +102,12 @@ impl Bodies {
                 turning.extend(element.nodes);
             }
         }
+        // what an equation or a tie joins is taken as one body: it may hold
+        for constraint in &model.linear_constraints {
+            for &(node, ..) in &constraint.terms {
+                new.join(node, constraint.dependent.0);
+            }
+        }
         for link in &model.rigid_links {
             new.join(link.master, link.dependent);
             turning.push(link.master);

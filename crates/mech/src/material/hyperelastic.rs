@@ -53,7 +53,7 @@ pub enum Rubber {
     },
 }
 
-/// Coefficients of the five terms of Arruda and Boyce (1993).
+/// Coefficients of the five terms of the law of [arruda1993].
 const CHAIN: [f64; 5] = [0.5, 1.0 / 20.0, 11.0 / 1050.0, 19.0 / 7000.0, 519.0 / 673_750.0];
 
 impl Rubber {

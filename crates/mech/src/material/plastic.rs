@@ -8,9 +8,8 @@
 //!          |/_________
 //! ```
 //!
-//! Return along the radius, exact on every straight piece of the table: J. C. Simo and T. J. R.
-//! Hughes, Computational Inelasticity (1998), section 3.3; at large strain in principal logarithmic
-//! strains, where the same algorithm holds: J. C. Simo (1992). docs/theory.md eqs. (3.44) to (3.47).
+//! Return along the radius, exact on every straight piece of the table [simo1998], section 3.3; at
+//! large strain in principal logarithmic strains, where the same algorithm holds [simo1992b]. docs/theory.md eqs. (3.44) to (3.47).
 //!
 //! State variables: Cp^-1 - 1 (six), equivalent plastic strain, plastic work per volume, back
 //! stress (six; only where hardening moves the yield surface).

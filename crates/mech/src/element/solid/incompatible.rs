@@ -8,9 +8,8 @@
 //! ```
 //!
 //! The parameters alpha are the element's own: they are found where their force vanishes, and
-//! eliminated. Usual modes carry xi_b in the place of xi_a and lose stability in compression: J.
-//! Korelc and P. Wriggers (1996), S. Glaser and F. Armero (1997). docs/theory.md eqs. (3.51) to
-//! (3.53).
+//! eliminated. Usual modes carry xi_b in the place of xi_a and lose stability in
+//! compression [korelc1996], [glaser1997]. docs/theory.md eqs. (3.51) to (3.53).
 
 use super::place::{Place, invert};
 use super::{Point, Solids, energy, gather};

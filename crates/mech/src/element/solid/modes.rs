@@ -7,7 +7,7 @@
 //!                  no turn, at whatever displacement
 //! ```
 //!
-//! D. P. Flanagan and T. Belytschko (1981); k is that of elastic bending of a block of the element's
+//! The modes are those of [flanagan1981]; k is that of elastic bending of a block of the element's
 //! size, docs/theory.md eq. (3.54).
 
 use super::{Formulation, Place, Solids};
