@@ -134,7 +134,7 @@ impl Solid<'_> {
             let _ = writeln!(text, "{label}, {x:?}, {y:?}, {z:?}");
         }
         let _ = write!(text, "*ELEMENT, TYPE={}, ELSET=ALL\n{elements}", self.element);
-        let _ = write!(text, "*SOLID SECTION, ELSET=ALL, MATERIAL=M\n");
+        text.push_str("*SOLID SECTION, ELSET=ALL, MATERIAL=M\n");
         if !self.is_spatial() {
             text.push_str("1.0\n");
         }

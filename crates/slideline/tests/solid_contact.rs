@@ -21,7 +21,7 @@ struct Last {
 impl Observer for Last {
     fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
         if let Event::Committed(frame) = event {
-            self.take(&frame);
+            self.take(frame);
         }
         ControlFlow::Continue(())
     }

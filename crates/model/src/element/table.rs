@@ -11,6 +11,10 @@ use slideline_mech::element::cell::{Cell, LINE2, LINE3, POINT};
 use slideline_mech::element::quadrature::Quadrature;
 use slideline_mech::element::solid;
 
+/// Makes the kernel of a block, in the room of one that is no longer needed; `None` for a section
+/// that is not its own.
+pub type MakeKernel = fn(&Undeformed<'_>, Option<Box<dyn Kernel>>) -> Option<Box<dyn Kernel>>;
+
 /// An element type.
 #[derive(Clone, Copy, Debug)]
 pub struct ElementType {
@@ -32,7 +36,7 @@ pub struct ElementType {
     pub at_nodes: fn(points: &[f64], nodes: &mut [f64]),
     /// Makes the kernel of a block; `None` for a section that is not its own. One that was
     /// made before may be taken apart for its room, and need not be.
-    pub kernel: fn(&Undeformed<'_>, Option<Box<dyn Kernel>>) -> Option<Box<dyn Kernel>>,
+    pub kernel: MakeKernel,
 }
 
 /// What an element is in mechanics.

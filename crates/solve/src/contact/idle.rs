@@ -64,9 +64,9 @@ impl Contact {
             look.idle.fill(false);
             return;
         }
-        for place in 0..self.points.len() {
+        for (place, &pressure) in pressures.iter().enumerate() {
             look.idle[place] = (look.is_fresh || look.idle[place])
-                && pressures[place] == 0.0
+                && pressure == 0.0
                 && self.stays_open(place, &kinematics.at(place), u, look);
         }
         look.is_fresh = false;
