@@ -24,6 +24,11 @@ pub enum Face {
         /// Thickness out of the plane [L].
         thickness: f64,
     },
+    /// An edge that runs about the second axis: it is as wide as its circle, 2 pi r [L].
+    Ring {
+        /// Two or three, in the order along it.
+        nodes: usize,
+    },
     /// A face of a volume.
     Area(&'static Cell, &'static Quadrature),
 }
@@ -48,10 +53,15 @@ impl Face {
         }
     }
 
+    /// The face of a ring with so many nodes.
+    pub fn of_ring(nodes: usize) -> Option<Self> {
+        matches!(nodes, 2 | 3).then_some(Self::Ring { nodes })
+    }
+
     /// Displacements of a node that it uses: two or three.
     pub fn axes(&self) -> usize {
         match self {
-            Self::Edge { .. } => 2,
+            Self::Edge { .. } | Self::Ring { .. } => 2,
             Self::Area(..) => 3,
         }
     }
@@ -59,6 +69,7 @@ impl Face {
     fn points(&self) -> Vec<At> {
         match self {
             Self::Edge { nodes, thickness } => edge(*nodes, *thickness),
+            Self::Ring { nodes } => edge(*nodes, 2.0 * std::f64::consts::PI),
             Self::Area(cell, rule) => rule
                 .points
                 .iter()
@@ -97,6 +108,10 @@ impl Face {
         let [a, b] = tangents(at, x);
         match self {
             Self::Edge { .. } => [a[1], -a[0], 0.0],
+            Self::Ring { .. } => {
+                let radius = radius(at, x);
+                [radius * a[1], -radius * a[0], 0.0]
+            }
             Self::Area(..) => cross(a, b),
         }
     }
@@ -113,6 +128,11 @@ impl Face {
                     unit[axis] = 1.0;
                     let change = match self {
                         Self::Edge { .. } => [slope[0] * unit[1], -slope[0] * unit[0], 0.0],
+                        Self::Ring { .. } => {
+                            let (radius, grown) = (radius(&at, x), at.shapes[j] * unit[0]);
+                            let [u, v] = [radius * slope[0], grown];
+                            [u * unit[1] + v * a[1], -u * unit[0] - v * a[0], 0.0]
+                        }
                         Self::Area(..) => {
                             let (first, second) = (cross(unit, b), cross(a, unit));
                             std::array::from_fn(|k| slope[0] * first[k] + slope[1] * second[k])
@@ -128,6 +148,11 @@ impl Face {
             }
         }
     }
+}
+
+/// Distance of a point of a ring from the second axis [L].
+fn radius(at: &At, x: &[[f64; 3]]) -> f64 {
+    at.shapes.iter().zip(x).map(|(shape, x)| shape * x[0]).sum()
 }
 
 /// The place of a face that is nearest to a point.
@@ -157,7 +182,7 @@ impl Face {
             let (aa, ab, bb) = (dot(a, a), dot(a, b), dot(b, b));
             let (ra, rb) = (dot(a, away), dot(b, away));
             let step = match self {
-                Self::Edge { .. } => [ra / aa, 0.0],
+                Self::Edge { .. } | Self::Ring { .. } => [ra / aa, 0.0],
                 Self::Area(..) => {
                     let determinant = aa * bb - ab * ab;
                     [(bb * ra - ab * rb) / determinant, (aa * rb - ab * ra) / determinant]
@@ -182,7 +207,7 @@ impl Face {
     /// Shape functions and slopes at coordinates of the face.
     fn at(&self, [a, b]: [f64; 2]) -> At {
         match self {
-            Self::Edge { nodes, .. } => edge_at(*nodes, a, 1.0),
+            Self::Edge { nodes, .. } | Self::Ring { nodes } => edge_at(*nodes, a, 1.0),
             Self::Area(cell, _) => area_at(cell, &[a, b, 0.0], 1.0),
         }
     }
@@ -266,19 +291,28 @@ mod tests {
             }
         };
         let x = match face {
-            Face::Edge { nodes: 2, .. } => vec![[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0]],
-            Face::Edge { .. } => vec![[-1.0, 0.0, 0.0], [0.0; 3], [1.0, 0.0, 0.0]],
+            Face::Edge { nodes: 2, .. } | Face::Ring { nodes: 2 } => {
+                vec![[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0]]
+            }
+            Face::Edge { .. } | Face::Ring { .. } => {
+                vec![[-1.0, 0.0, 0.0], [0.0; 3], [1.0, 0.0, 0.0]]
+            }
             Face::Area(cell, _) => cell.places.to_vec(),
         };
         (face, x.into_iter().enumerate().map(|(k, x)| bent(k, x)).collect())
     }
 
     /// Requirement: a pressure presses against the outward normal with its area, and the stiffness
-    /// is the derivative of the forces. Central differences of step 1e-6; 1e-9.
+    /// is the derivative of the forces. Central differences of step 1e-6; 1e-8.
     #[test]
     fn forces_and_their_derivatives() {
-        for (dimension, nodes) in [(2, 2), (2, 3), (3, 3), (3, 4), (3, 6), (3, 8)] {
-            let (face, x) = face(dimension, nodes);
+        let rings = [2, 3].map(|nodes| {
+            let x = face(2, nodes).1.into_iter().map(|[r, z, _]| [r + 2.0, z, 0.0]).collect();
+            (2, nodes, (Face::Ring { nodes }, x))
+        });
+        let others = [(2, 2), (2, 3), (3, 3), (3, 4), (3, 6), (3, 8)];
+        let others = others.map(|(dimension, nodes)| (dimension, nodes, face(dimension, nodes)));
+        for (dimension, nodes, (face, x)) in others.into_iter().chain(rings) {
             let force = |x: &[[f64; 3]]| {
                 let mut force = vec![[0.0; 3]; nodes];
                 face.press(2.5, x, &mut force);
@@ -299,7 +333,11 @@ mod tests {
                 for row in 0..3 * nodes {
                     let (a, b) = (up[row / 3][row % 3], down[row / 3][row % 3]);
                     let own = tangent[row * 3 * nodes + column];
-                    assert!((own - (a - b) / 2e-6).abs() < 1e-9, "{nodes} {row} {column}");
+                    let apart = own - (a - b) / 2e-6;
+                    assert!(
+                        apart.abs() < 1e-8 * (1.0 + own.abs()),
+                        "{nodes} {row} {column} {apart}"
+                    );
                 }
             }
         }
@@ -327,6 +365,28 @@ mod tests {
         let edge = Face::Edge { nodes: 2, thickness: 1.0 };
         let near = edge.nearest(&[[0.0; 3], [2.0, 0.0, 0.0]], [0.5, 0.3, 0.0]);
         assert!((near.distance - 0.3).abs() < 1e-15 && (near.shapes[1] - 0.25).abs() < 1e-15);
+    }
+
+    /// Requirement: on an edge that runs round, the axial sum is the pressure times the area of the
+    /// ring, pi (b^2 - a^2), and of a traction the traction times the area of the cone.
+    #[test]
+    fn a_ring_bears_on_its_circle() {
+        let pi = std::f64::consts::PI;
+        for nodes in [2_usize, 3] {
+            let ring = Face::Ring { nodes };
+            let end = (nodes - 1) as f64;
+            let along = |a: f64, b: f64, k: usize| a + (b - a) * k as f64 / end;
+            let x: Vec<_> =
+                (0..nodes).map(|k| [along(1.0, 3.0, k), along(0.0, 1.5, k), 0.0]).collect();
+            let mut force = vec![[0.0; 3]; nodes];
+            ring.press(3.0, &x, &mut force);
+            let sum: f64 = force.iter().map(|f| f[1]).sum();
+            assert!((sum - 3.0 * pi * 8.0).abs() < 1e-12, "{nodes} {sum}");
+            let mut pulled = vec![[0.0; 3]; nodes];
+            ring.pull([0.0, 2.0, 0.0], &x, &mut pulled);
+            let sum: f64 = pulled.iter().map(|f| f[1]).sum();
+            assert!((sum - 2.0 * pi * 4.0 * 2.5).abs() < 1e-12, "{nodes} {sum}");
+        }
     }
 
     /// Requirement: on flat faces the sum is pressure times area, inwards.

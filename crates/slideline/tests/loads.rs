@@ -30,6 +30,33 @@ impl Observer for End {
     }
 }
 
+/// A ring of radii 1 and 2 and height 1/2, eight elements CAX8 over the wall, E = 1000, nu = 0.25,
+/// density 0.002, held along the axis; nodes 1 to 17 below, 21 to 29 in the middle, 31 to 47 above.
+fn ring(history: &str) -> End {
+    let mut deck = String::from("*NODE, NSET=ALL\n");
+    for i in 0..17 {
+        let r = 1.0 + f64::from(i) / 16.0;
+        deck += &format!("{}, {r:?}, 0.0\n{}, {r:?}, 0.5\n", 1 + i, 31 + i);
+        if i % 2 == 0 {
+            deck += &format!("{}, {r:?}, 0.25\n", 21 + i / 2);
+        }
+    }
+    deck += "*ELEMENT, TYPE=CAX8, ELSET=B\n";
+    for e in 0..8 {
+        let (first, middle) = (1 + 2 * e, 21 + e);
+        let corners = [first, first + 2, first + 32, first + 30];
+        let sides = [first + 1, middle + 1, first + 31, middle];
+        let row: Vec<_> = corners.iter().chain(&sides).map(|node: &i32| node.to_string()).collect();
+        deck += &format!("{}, {}\n", 1 + e, row.join(", "));
+    }
+    deck += &format!(
+        "*ELSET, ELSET=INNER\n1,\n*SOLID SECTION, ELSET=B, MATERIAL=M\n*MATERIAL, NAME=M\n\
+         *ELASTIC\n1000., 0.25\n*DENSITY\n0.002\n*STEP\n*STATIC\n1., 1.\n*BOUNDARY\n\
+         ALL, 2\n{history}*END STEP\n"
+    );
+    solved(&deck)
+}
+
 /// A block of 2 by 1 in four elements, thickness 3, E = 1000, nu = 0.25, density 0.002, held along
 /// its left and lower sides.
 fn run(step: &str, history: &str) -> End {
@@ -46,7 +73,11 @@ fn run(step: &str, history: &str) -> End {
          *SURFACE, NAME=RIGHT\nR, S2\n*SURFACE, NAME=OUTSIDE\nB,\n*STEP{step}\n*STATIC\n1., 1.\n\
          *BOUNDARY\n1, 1, 2\n4, 1\n7, 1\n2, 2\n3, 2\n{history}*END STEP\n"
     );
-    let read = Job::read_text("loads", &deck, &ReadOptions::default());
+    solved(&deck)
+}
+
+fn solved(deck: &str) -> End {
+    let read = Job::read_text("loads", deck, &ReadOptions::default());
     let mut model = read.model.unwrap_or_else(|| panic!("{deck}\n{:#?}", read.diagnostics));
     for step in &mut model.steps {
         step.controls.field.r_n = 1e-11;
@@ -110,6 +141,30 @@ fn forces_per_volume() {
     assert!((along(&body) + 0.3 * volume).abs() < 1e-12);
     let turning = run("", "*DLOAD\nB, CENTRIF, 7., -1., 0., 0., 0., 1., 0.\n");
     assert!((along(&turning) + 0.002 * volume * 7.0 * 2.0).abs() < 1e-12);
+}
+
+/// Requirement: loads on a ring act all round. Pressure inside: Lame's tube in plane strain, u = p
+/// a^2 (1 + nu) ((1 - 2 nu) r + b^2/r) / (E (b^2 - a^2)), 1e-5 with eight quadratic elements over the
+/// wall; the resultants of rotation, of weight and of a force per volume are rho omega^2 2 pi h
+/// (b^3 - a^3)/3, rho g V and f V.
+#[test]
+fn loads_act_all_round_a_ring() {
+    let pi = std::f64::consts::PI;
+    let pressed = ring("*DLOAD\nINNER, P4, 6.\n");
+    for (label, r) in [(1, 1.0), (9, 1.5), (17, 2.0)] {
+        let exact = 6.0 * 1.25 * (0.5 * r + 4.0 / r) / (1000.0 * 3.0);
+        let [u, _] = pressed.motion[&label];
+        assert!((u - exact).abs() < 1e-5 * exact, "{label} {u} {exact}");
+    }
+    let volume = 3.0 * pi * 0.5;
+    let sum = |end: &End, axis: usize| end.reaction.values().map(|r| r[axis]).sum::<f64>();
+    let turning = ring("ALL, 1\n*DLOAD\nB, CENTRIF, 9., 0., 0., 0., 0., 1., 0.\n");
+    let exact = 0.002 * 9.0 * 2.0 * pi * 0.5 * 7.0 / 3.0;
+    assert!((sum(&turning, 0) + exact).abs() < 1e-10, "{} {exact}", sum(&turning, 0));
+    let weight = ring("*DLOAD\nB, GRAV, 9.81, 0., -1., 0.\n");
+    assert!((sum(&weight, 1) - 0.002 * 9.81 * volume).abs() < 1e-10);
+    let body = ring("ALL, 1\n*DLOAD\nB, BX, 0.3\n");
+    assert!((sum(&body, 0) + 0.3 * volume).abs() < 1e-10);
 }
 
 /// Requirement: nodes of a tie follow the master face that they lie on, and forces go through it in

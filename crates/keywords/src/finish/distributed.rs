@@ -140,7 +140,10 @@ fn on_face(
     let element = draft.elements[own.element];
     let ElementKind::Structural(row) = element.kind else { return None };
     let thickness = section(own.element, draft).map_or(1.0, |(thickness, _)| thickness);
-    let face = own.face.and_then(|_| Face::of(row.cell.dimension, own.nodes.len(), thickness));
+    let face = own.face.and_then(|_| match row.is_ring() {
+        true => Face::of_ring(own.nodes.len()),
+        false => Face::of(row.cell.dimension, own.nodes.len(), thickness),
+    });
     let Some(face) = face else {
         let message = format!("a {} element takes no pressure on a face", element.kind.name());
         let error = Diagnostic::error(Code("SL0221"), message).at(line.origin);
@@ -208,7 +211,11 @@ fn on_volume(
             _ => [0.0; 3],
         }
     };
-    let Some(forces) = volume::spread(row.cell, thickness, &x, body) else {
+    // a ring is as thick as its circle
+    let ring = row.is_ring();
+    let thickness = if ring { 2.0 * std::f64::consts::PI } else { thickness };
+    let weighted = |at: [f64; 3]| body(at).map(|force| if ring { at[0] * force } else { force });
+    let Some(forces) = volume::spread(row.cell, thickness, &x, weighted) else {
         if !everything && row.joins() {
             let message = format!("a {} element takes no load per volume", element.kind.name());
             let error = Diagnostic::error(Code("SL0221"), message).at(line.origin);
