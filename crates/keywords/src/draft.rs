@@ -1,14 +1,15 @@
 //! The model while it is read: objects by name, references not yet resolved.
 
+mod elements;
+mod sections;
+
 use std::collections::HashMap;
 
 use slideline_deck::DataLine;
 use slideline_diag::{Code, Diagnostic, Span};
-use slideline_mech::material::{Anisotropic, Elastic, Hardening, LargeStrain, Plastic, Rubber};
 use slideline_model::{
-    self as model, BeamSection, ContactPrint, Controls, Dialect, Dof, ElementPrint, ElementType,
-    Extrapolation, Interaction, Model, Node, NodeIndex, NodePrint, Nodes, PrintTarget,
-    ProfilePoint, SavedStates, ShearRule, SolidSection, Static, SurfaceSegment, TYPES,
+    ContactPrint, Controls, Dialect, Dof, ElementPrint, Extrapolation, Interaction, Model, Node,
+    NodeIndex, NodePrint, Nodes, PrintTarget, ProfilePoint, SavedStates, Static, SurfaceSegment,
 };
 
 use crate::constraints::{Coupling, Equation, Link, Tie};
@@ -18,6 +19,8 @@ use crate::rule::Subject;
 use crate::scopes::Parts;
 use crate::sets::Sets;
 use crate::surfaces::{Named, NamedInteraction, NamedSurface, Pairing, RigidBody};
+pub(crate) use elements::{Element, ElementKind, MOST_NODES};
+pub(crate) use sections::{Allowable, Body, Material, Section};
 
 /// Most nodes, elements and set members that a deck may generate. A slip in
 /// an `*NGEN` line must not fill the memory.
@@ -122,176 +125,6 @@ impl Owner {
             _ => None,
         }
     }
-}
-
-/// What `*ELEMENT` may define.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum ElementKind {
-    /// A row of the element table.
-    Structural(&'static ElementType),
-    Isl21,
-    Irs21,
-}
-
-impl ElementKind {
-    /// All there are.
-    pub fn all() -> impl Iterator<Item = Self> {
-        TYPES.into_iter().map(Self::Structural).chain([Self::Isl21, Self::Irs21])
-    }
-
-    pub fn node_count(self) -> usize {
-        match self {
-            Self::Structural(row) => row.cell.nodes,
-            Self::Isl21 => 2,
-            Self::Irs21 => 3,
-        }
-    }
-
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Structural(row) => row.name(),
-            Self::Isl21 => "ISL21",
-            Self::Irs21 => "IRS21",
-        }
-    }
-
-    /// Whether a deck may call it so.
-    pub fn is_called(self, name: &str) -> bool {
-        match self {
-            Self::Structural(row) => row.names.contains(&name),
-            _ => self.name() == name,
-        }
-    }
-
-    /// The card that gives it a section.
-    pub fn card(self) -> Option<&'static str> {
-        match self {
-            Self::Structural(row) => row.kinematics.card(),
-            _ => None,
-        }
-    }
-
-    pub fn is_beam(self) -> bool {
-        matches!(self, Self::Structural(row) if row.is_beam())
-    }
-
-    /// Whether it moves in space.
-    pub fn is_spatial(self) -> bool {
-        matches!(self, Self::Structural(row) if row.is_spatial())
-    }
-
-    pub fn is_contact(self) -> bool {
-        matches!(self, Self::Isl21 | Self::Irs21)
-    }
-}
-
-/// The most nodes that an element has.
-pub(crate) const MOST_NODES: usize =
-    if slideline_model::MOST_NODES > 3 { slideline_model::MOST_NODES } else { 3 };
-
-/// An element.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Element {
-    pub label: u64,
-    pub kind: ElementKind,
-    /// Its nodes first, then zeros.
-    pub nodes: [u64; MOST_NODES],
-    pub origin: Span,
-}
-
-impl Element {
-    /// Labels of its nodes.
-    pub fn nodes(&self) -> &[u64] {
-        &self.nodes[..self.kind.node_count()]
-    }
-}
-
-#[derive(Clone, Debug)]
-pub(crate) struct Section {
-    pub set: String,
-    pub material: String,
-    pub material_span: Span,
-    pub set_span: Span,
-    pub body: Body,
-    pub origin: Span,
-}
-
-/// What a section says of the body around its nodes.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Body {
-    Beam { width: f64, height: f64, poisson: f64, shear: ShearRule },
-    Solid { thickness: f64 },
-}
-
-impl Body {
-    /// The card that gives it.
-    pub fn card(self) -> &'static str {
-        match self {
-            Self::Beam { .. } => "*BEAM SECTION",
-            Self::Solid { .. } => "*SOLID SECTION",
-        }
-    }
-
-    /// The same with a material; `None` where a beam is given another than an isotropic elastic one.
-    pub fn of(self, material: &Material, dialect: Dialect) -> Option<model::Section> {
-        Some(match self {
-            Self::Beam { width, height, poisson, shear } => {
-                let material = material.elastic?;
-                model::Section::Beam(BeamSection { width, height, poisson, material, shear })
-            }
-            Self::Solid { thickness } => {
-                let material = material.solid(dialect)?;
-                model::Section::Solid(SolidSection { thickness, material })
-            }
-        })
-    }
-}
-
-#[derive(Clone, Debug)]
-pub(crate) struct Material {
-    pub name: String,
-    pub elastic: Option<Elastic>,
-    /// Elasticity without isotropy.
-    pub anisotropic: Option<Anisotropic>,
-    pub rubber: Option<Rubber>,
-    /// Yield stress and plastic strain, line by line.
-    pub hardening: Option<Hardening>,
-    /// An `*ELASTIC` or `*HYPERELASTIC` card was there, readable or not.
-    pub has_card: bool,
-    pub origin: Span,
-}
-
-impl Material {
-    /// As solids take it.
-    pub fn solid(&self, dialect: Dialect) -> Option<model::Material> {
-        let large = match dialect {
-            Dialect::Abaqus => LargeStrain::Logarithmic,
-            Dialect::Calculix => LargeStrain::Green,
-        };
-        if let Some(rubber) = &self.rubber {
-            return Some(model::Material::Rubber(rubber.clone()));
-        }
-        if let Some(anisotropic) = self.anisotropic {
-            return Some(model::Material::Anisotropic(Box::new(anisotropic)));
-        }
-        let elastic = self.elastic?;
-        Some(match &self.hardening {
-            Some(table) => {
-                model::Material::Plastic(Plastic { elastic, table: table.clone(), kinematic: 0.0 })
-            }
-            None => model::Material::Elastic(elastic, large),
-        })
-    }
-}
-
-/// What a material may be strained to: one of both.
-#[derive(Clone, Debug)]
-pub(crate) struct Allowable {
-    pub material: String,
-    pub material_span: Span,
-    pub strain: Option<f64>,
-    pub stress: Option<f64>,
-    pub origin: Span,
 }
 
 #[derive(Clone, Debug)]

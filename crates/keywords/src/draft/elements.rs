@@ -1,0 +1,86 @@
+//! Elements as `*ELEMENT` gives them.
+
+use slideline_diag::Span;
+use slideline_model::{ElementType, TYPES};
+
+/// What `*ELEMENT` may define.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum ElementKind {
+    /// A row of the element table.
+    Structural(&'static ElementType),
+    Isl21,
+    Irs21,
+}
+
+impl ElementKind {
+    /// All there are.
+    pub fn all() -> impl Iterator<Item = Self> {
+        TYPES.into_iter().map(Self::Structural).chain([Self::Isl21, Self::Irs21])
+    }
+
+    pub fn node_count(self) -> usize {
+        match self {
+            Self::Structural(row) => row.cell.nodes,
+            Self::Isl21 => 2,
+            Self::Irs21 => 3,
+        }
+    }
+
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Structural(row) => row.name(),
+            Self::Isl21 => "ISL21",
+            Self::Irs21 => "IRS21",
+        }
+    }
+
+    /// Whether a deck may call it so.
+    pub fn is_called(self, name: &str) -> bool {
+        match self {
+            Self::Structural(row) => row.names.contains(&name),
+            _ => self.name() == name,
+        }
+    }
+
+    /// The card that gives it a section.
+    pub fn card(self) -> Option<&'static str> {
+        match self {
+            Self::Structural(row) => row.kinematics.card(),
+            _ => None,
+        }
+    }
+
+    pub fn is_beam(self) -> bool {
+        matches!(self, Self::Structural(row) if row.is_beam())
+    }
+
+    /// Whether it moves in space.
+    pub fn is_spatial(self) -> bool {
+        matches!(self, Self::Structural(row) if row.is_spatial())
+    }
+
+    pub fn is_contact(self) -> bool {
+        matches!(self, Self::Isl21 | Self::Irs21)
+    }
+}
+
+/// The most nodes that an element has.
+pub(crate) const MOST_NODES: usize =
+    if slideline_model::MOST_NODES > 3 { slideline_model::MOST_NODES } else { 3 };
+
+/// An element.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Element {
+    pub label: u64,
+    pub kind: ElementKind,
+    /// Its nodes first, then zeros.
+    pub nodes: [u64; MOST_NODES],
+    pub origin: Span,
+}
+
+impl Element {
+    /// Labels of its nodes.
+    pub fn nodes(&self) -> &[u64] {
+        &self.nodes[..self.kind.node_count()]
+    }
+}

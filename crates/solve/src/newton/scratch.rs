@@ -1,0 +1,222 @@
+//! The room of a step's iterations, and the linear systems that are kept.
+
+use super::Outcome;
+use super::relax::Relaxation;
+use crate::contact::{
+    Candidates, ContactKinematics, GeometryScratch, MasterPositions, SweepScratch,
+};
+use crate::evaluate::{Evaluation, zero};
+use crate::iteration_history::IterationHistory;
+use crate::linear_systems::LinearSystems;
+use crate::linearised::{LinearPoints, LinearisedContact};
+use crate::observe::ContactChange;
+use crate::plan::{Coupling, Numbering};
+use crate::problem::Problem;
+use crate::stabilise::Dashpots;
+use crate::state::State;
+use crate::values::Values;
+use slideline_diag::Diagnostic;
+use slideline_linalg::{Kind, Solver};
+use slideline_mech::contact::enforcement::Enforcement;
+use slideline_mech::contact::tangential::Tangential;
+
+/// Equations of a contact point that room is kept for.
+const ROWS: usize = 18;
+
+/// A linear system with the part of a plan that it is of.
+pub(super) struct System {
+    /// Index of the step's numbering.
+    pub(super) step: usize,
+    pub(super) kind: Kind,
+    pub(super) coupling: Coupling,
+    pub(super) solver: Solver,
+    /// Why it is too large, if it is.
+    pub(super) objection: Option<Diagnostic>,
+}
+
+/// Linear systems that are kept: contact that comes back finds its own again.
+const MOST_SYSTEMS: usize = 16;
+
+/// Scratch of a step's iterations.
+#[derive(Default)]
+pub struct Scratch {
+    /// Trial displacements.
+    pub u: Vec<f64>,
+    /// Trial loads.
+    pub load: Vec<f64>,
+    /// The evaluation of the trial state.
+    pub evaluation: Evaluation,
+    /// Linear systems that were analysed; the one at hand is the last.
+    pub(super) systems: Vec<System>,
+    /// Parts of their masters that points may touch.
+    pub(super) near: Vec<Candidates>,
+    /// Positions of deforming masters.
+    pub(super) positions: MasterPositions,
+    /// The tangent without augmentation, and with it.
+    pub(super) values: Vec<f64>,
+    pub(super) augmented: Vec<f64>,
+    /// Whether contact couples what the pattern does not hold.
+    pub outside: bool,
+    /// How the condensed contact problem of the iteration is solved.
+    pub(super) enforcement: Enforcement,
+    /// Whether the rest of the attempt goes the dense way.
+    pub(super) only_dense: bool,
+    /// The increment [T].
+    pub(super) dt: f64,
+    pub(super) correction: Vec<f64>,
+    pub(super) correction_dofs: Vec<f64>,
+    pub(super) residual: Vec<f64>,
+    /// Forces on dependent dofs with which the tangent turns, a dof each.
+    pub(super) turning: Vec<f64>,
+    /// Pressures on faces [F/L2].
+    pub(super) faces: Vec<f64>,
+    pub(super) increment: Vec<f64>,
+    /// Stresses of the elements as the linear solutions arrive at them.
+    pub(super) stresses: Vec<f64>,
+    pub(super) still: Vec<f64>,
+    pub(super) arrived: Vec<f64>,
+    pub(super) pressures: Vec<f64>,
+    pub(super) tractions: Vec<Tangential>,
+    pub(super) points: LinearPoints,
+    pub(super) contact: LinearisedContact,
+    pub(super) geometry: GeometryScratch,
+    pub(super) sweep: SweepScratch,
+    pub(super) dashpots: Dashpots,
+    pub(super) was_closed: Vec<bool>,
+    /// Most negative pivots of a symmetric factorisation in this attempt:
+    /// directions in which the structure gives way.
+    pub negative_pivots: usize,
+    /// What the iterations of this attempt showed of every contact point.
+    pub iteration_history: IterationHistory,
+    /// Whether corrections are shortened until they lessen the residual.
+    pub line_search: bool,
+    /// Fraction of the last correction that was taken [1].
+    pub(super) step_length: f64,
+    /// Whether every facing point augments its stiffness in this attempt.
+    pub(super) augment_all: bool,
+    /// What holds the state back on its way downhill.
+    pub(super) relaxation: Relaxation,
+    /// The list of changes of the last report, to be used again.
+    pub(super) changes: Vec<ContactChange>,
+    /// Lists of changes, and states, that are no longer needed.
+    pub(super) spare_changes: Vec<Vec<ContactChange>>,
+    pub(super) spare: Vec<State>,
+}
+
+impl Scratch {
+    /// Finds the linear system of a step of the plan, with the contact that is near in these
+    /// states, or analyses it. Gives the coupling of its unknowns.
+    pub fn couple<'s>(
+        &mut self,
+        (plan, own): (&Numbering, usize),
+        (values, kind): (&Values, Kind),
+        states: impl Iterator<Item = &'s [f64]>,
+        linear_systems: &LinearSystems,
+    ) -> Coupling {
+        values.contact.candidates(states, &mut self.positions, &mut self.near);
+        let (systems, near) = (&mut self.systems, &self.near[..]);
+        let fits = |system: &System| {
+            (system.step, system.kind) == (own, kind) && *system.coupling.near == *near
+        };
+        match systems.iter().position(fits) {
+            // the one at hand is the last
+            Some(known) => systems[known..].rotate_left(1),
+            None => {
+                let step = &plan.steps[own];
+                let constraints = &step.constraints;
+                let coupling = step.coupling.clone().unwrap_or_else(|| {
+                    let contact = (&values.contact, near);
+                    Coupling::new(&plan.elements, &step.dependent, constraints, contact)
+                });
+                let solver = Solver::analyse(&coupling.pattern, kind, linear_systems.factory());
+                if systems.len() == MOST_SYSTEMS {
+                    systems.remove(0);
+                }
+                let objection = crate::memory::factors_objection(&solver.description());
+                systems.push(System { step: own, kind, coupling, solver, objection });
+            }
+        }
+        let last = systems.len() - 1;
+        let system = &mut systems[last];
+        system.solver.set_units(&values.units[own]);
+        system.coupling.clone()
+    }
+
+    /// The linear system of the problem at hand.
+    pub fn solver(&mut self) -> &mut Solver {
+        solver(&mut self.systems)
+    }
+
+    /// Why that system is too large, if it is.
+    pub fn objection(&self) -> Option<Diagnostic> {
+        self.systems.last().and_then(|system| system.objection.clone())
+    }
+
+    /// Positions of deforming masters, as scratch, and where contact points stand.
+    pub fn places(&mut self) -> (&mut MasterPositions, &mut ContactKinematics) {
+        (&mut self.positions, &mut self.evaluation.kinematics)
+    }
+
+    /// Makes room for a problem, as if nothing had been solved before; the coupling must be
+    /// that of [`Scratch::couple`].
+    pub fn fit(&mut self, plan: &Problem<'_>) {
+        let (dofs, equations) = (plan.dofs.len(), plan.constraints.equations());
+        let (points, entries) = (plan.contact.points.len(), plan.pattern.entries());
+        self.evaluation.fit(plan);
+        let by_dof = [
+            &mut self.u,
+            &mut self.load,
+            &mut self.correction_dofs,
+            &mut self.residual,
+            &mut self.turning,
+            &mut self.increment,
+            &mut self.still,
+        ];
+        by_dof.into_iter().for_each(|list| zero(list, dofs));
+        for list in [&mut self.values, &mut self.augmented] {
+            zero(list, entries);
+        }
+        for list in [&mut self.stresses, &mut self.arrived] {
+            zero(list, plan.structure.stress_room());
+        }
+        zero(&mut self.pressures, points);
+        self.tractions.clear();
+        self.tractions.resize(points, Tangential::ZERO);
+        zero(&mut self.correction, equations);
+        self.points.clear(plan.contact.directions);
+        self.points.reserve(points, ROWS);
+        self.contact.reserve(points, equations);
+        self.was_closed.clear();
+        self.was_closed.resize(points, false);
+        self.iteration_history.fit(points);
+        self.dashpots.forget(plan.contact);
+        (self.outside, self.only_dense, self.augment_all) = (false, false, false);
+        (self.line_search, self.negative_pivots) = (false, 0);
+        (self.step_length, self.dt) = (1.0, 0.0);
+        self.enforcement = Enforcement::default();
+        self.relaxation.stiffness = 0.0;
+    }
+
+    /// A copy of a state, in the room of one that is no longer needed.
+    pub fn copy(&mut self, state: &State) -> State {
+        let mut copy = self.spare.pop().unwrap_or_default();
+        copy.copy_from(state);
+        copy
+    }
+
+    /// Keeps the room of a state that is no longer needed.
+    pub fn spare(&mut self, state: State) {
+        self.spare.push(state);
+    }
+
+    /// Takes the room of an attempt back, that the next one allocates nothing.
+    pub fn take_back(&mut self, outcome: Outcome) {
+        self.spare_changes.extend(outcome.last.map(|last| last.contact_changes));
+    }
+}
+
+/// The linear system that was found last.
+pub(super) fn solver(systems: &mut [System]) -> &mut Solver {
+    let last = systems.len() - 1;
+    &mut systems[last].solver
+}

@@ -1,0 +1,205 @@
+//! Results of a committed state: points, pairs, elements and energies.
+
+use serde::{Deserialize, Serialize};
+use slideline_model::{BeamSection, Element, Model, NodeIndex};
+
+/// Contact status of a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub enum Status {
+    /// No pressure.
+    #[default]
+    Open,
+    /// Pressure, no sliding.
+    Stick,
+    /// Pressure, sliding (also a closed point without friction).
+    Slip,
+}
+
+impl Status {
+    /// The word used in files.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Open => "open",
+            Self::Stick => "stick",
+            Self::Slip => "slip",
+        }
+    }
+}
+
+/// Whether friction acted at a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub enum FrictionCall {
+    /// Open, or frictionless.
+    #[default]
+    None,
+    /// Called.
+    Called,
+    /// Closed with friction, but the onset did not call it.
+    Dropped,
+}
+
+impl FrictionCall {
+    /// The word used in files.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Called => "called",
+            Self::Dropped => "dropped",
+        }
+    }
+}
+
+/// A contact point in a committed state.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct ContactRow {
+    /// Place of the pair in the model.
+    pub pair: usize,
+    /// The slave node.
+    pub node: NodeIndex,
+    /// Open, stick or slip.
+    pub status: Status,
+    /// Whether it is or ever was closed.
+    pub ever_closed: bool,
+    /// Gap, open positive [L]; infinite where the point faces no master.
+    pub opening: f64,
+    /// Contact pressure [F/L2].
+    pub pressure: f64,
+    /// Shear traction along the master's direction of travel [F/L2].
+    pub shear: f64,
+    /// Accumulated slip along it while closed [L].
+    pub slip: f64,
+    /// Tributary area [L2].
+    pub area: f64,
+    /// Whether friction was called.
+    pub friction: FrictionCall,
+    /// Current position of the point [L].
+    pub position: [f64; 3],
+    /// Outward normal of the master there [1].
+    pub normal: [f64; 3],
+    /// Place on the master along its direction of travel [L].
+    pub along: f64,
+    /// Friction work that this increment dropped [F L]; see the ledger.
+    pub dropped_work: f64,
+}
+
+/// A contact pair in a committed state.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct PairRow {
+    /// Rows of its points that are closed.
+    pub closed: usize,
+    /// Rows that opened or closed in the increment.
+    pub changes: usize,
+    /// Deepest overclosure of a closed point [L]; zero without.
+    pub penetration: f64,
+    /// Its node.
+    pub deepest: Option<NodeIndex>,
+    /// Sum of the forces on the slaves [F].
+    pub force: [f64; 3],
+    /// Their moment about the origin [F L].
+    pub moment: [f64; 3],
+    /// What is left of all forces on slaves, masters and reference nodes
+    /// together, relative to the sum of their magnitudes [1]: rounding.
+    pub force_imbalance: f64,
+    /// The same of moments [1].
+    pub moment_imbalance: f64,
+}
+
+/// Section results of a beam element at its middle.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct BeamRow {
+    /// Element label.
+    pub label: u64,
+    /// Its nodes.
+    pub nodes: [NodeIndex; 2],
+    /// Axial force N [F].
+    pub axial_force: f64,
+    /// Shear force V [F].
+    pub shear_force: f64,
+    /// Bending moment M [F L].
+    pub bending_moment: f64,
+    /// Axial strain, shear strain [1], curvature [1/L].
+    pub strains: [f64; 3],
+    /// Largest fibre strain, |axial| + |curvature| height / 2 [1].
+    pub fibre_strain: f64,
+}
+
+impl BeamRow {
+    /// That of a beam of a section with its results, in the order of its fields.
+    pub(crate) fn of(beam: Element<'_>, section: &BeamSection, values: &[f64]) -> Self {
+        let at = |place: usize| values.get(place).copied().unwrap_or_default();
+        let strains = [at(3), at(4), at(5)];
+        Self {
+            label: beam.label,
+            nodes: beam.ends(),
+            axial_force: at(0),
+            shear_force: at(1),
+            bending_moment: at(2),
+            strains,
+            fibre_strain: strains[0].abs() + strains[2].abs() * (0.5 * section.height),
+        }
+    }
+}
+
+/// Results of the elements of a block. Elements that belong to one rigid body have
+/// none.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct BlockResults {
+    /// Index of the block in the model.
+    pub block: usize,
+    /// Index in the block of each element that has results.
+    pub members: Vec<usize>,
+    /// Values, element by element, each in the order of the fields of its type.
+    pub values: Vec<f64>,
+}
+
+impl BlockResults {
+    /// The elements with all their values.
+    pub fn elements<'a>(
+        &'a self,
+        model: &'a Model,
+    ) -> impl Iterator<Item = (Element<'a>, &'a [f64])> {
+        let block = model.blocks.get(self.block);
+        let width = block.map_or(1, |block| block.kind.all_values().max(1));
+        let values = self.values.chunks_exact(width);
+        block.into_iter().flat_map(move |block| {
+            let members = self.members.iter().map(|&member| block.elements.get(member));
+            members.zip(values.clone())
+        })
+    }
+}
+
+/// Energies since time 0 [F L].
+#[derive(Clone, Copy, Debug, PartialEq, Default, Serialize, Deserialize)]
+pub struct Energies {
+    /// Work of supports and loads, trapezoidal rule over each increment.
+    pub external_work: f64,
+    /// Strain energy of the elements.
+    pub strain_energy: f64,
+    /// Energy of the contact laws.
+    pub contact_energy: f64,
+    /// Dissipated by sliding.
+    pub friction_dissipation: f64,
+    /// Stored in elastic slip.
+    pub friction_elastic: f64,
+    /// Friction work that the onset dropped (the ledger).
+    pub dropped_friction: f64,
+    /// Dissipated by contact stabilisation.
+    pub stabilisation: f64,
+    /// Released where the structure jumped to another equilibrium.
+    pub released_energy: f64,
+    /// External work minus the change of everything else since the first
+    /// converged state.
+    pub balance: f64,
+}
+
+impl Energies {
+    /// What is stored, dissipated or released: where the work went.
+    pub fn taken(&self) -> f64 {
+        self.strain_energy
+            + self.contact_energy
+            + self.friction_elastic
+            + self.friction_dissipation
+            + self.stabilisation
+            + self.released_energy
+    }
+}
