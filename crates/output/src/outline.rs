@@ -46,6 +46,61 @@ impl Piece {
     }
 }
 
+/// The edges of a cell by its type, each from corner to corner through its middle if it has one.
+/// [VTK file formats: cell types, numbering of nodes]
+pub(crate) fn edges(vtk: u8) -> &'static [&'static [usize]] {
+    match vtk {
+        3 => &[&[0, 1]],
+        5 => &[&[0, 1], &[1, 2], &[2, 0]],
+        9 => &[&[0, 1], &[1, 2], &[2, 3], &[3, 0]],
+        10 => &[&[0, 1], &[1, 2], &[2, 0], &[0, 3], &[1, 3], &[2, 3]],
+        12 => &[
+            &[0, 1],
+            &[1, 2],
+            &[2, 3],
+            &[3, 0],
+            &[4, 5],
+            &[5, 6],
+            &[6, 7],
+            &[7, 4],
+            &[0, 4],
+            &[1, 5],
+            &[2, 6],
+            &[3, 7],
+        ],
+        13 => &[&[0, 1], &[1, 2], &[2, 0], &[3, 4], &[4, 5], &[5, 3], &[0, 3], &[1, 4], &[2, 5]],
+        22 => &[&[0, 3, 1], &[1, 4, 2], &[2, 5, 0]],
+        23 => &[&[0, 4, 1], &[1, 5, 2], &[2, 6, 3], &[3, 7, 0]],
+        24 => &[&[0, 4, 1], &[1, 5, 2], &[2, 6, 0], &[0, 7, 3], &[1, 8, 3], &[2, 9, 3]],
+        25 => &[
+            &[0, 8, 1],
+            &[1, 9, 2],
+            &[2, 10, 3],
+            &[3, 11, 0],
+            &[4, 12, 5],
+            &[5, 13, 6],
+            &[6, 14, 7],
+            &[7, 15, 4],
+            &[0, 16, 4],
+            &[1, 17, 5],
+            &[2, 18, 6],
+            &[3, 19, 7],
+        ],
+        26 => &[
+            &[0, 6, 1],
+            &[1, 7, 2],
+            &[2, 8, 0],
+            &[3, 9, 4],
+            &[4, 10, 5],
+            &[5, 11, 3],
+            &[0, 12, 3],
+            &[1, 13, 4],
+            &[2, 14, 5],
+        ],
+        _ => &[],
+    }
+}
+
 /// A rigid surface as a chain of points, undeformed.
 struct Outline {
     /// The node that carries it.
@@ -206,4 +261,38 @@ fn push_parabola(points: &mut Vec<ProfilePoint>, [from, middle, end]: [ProfilePo
         }));
     }
     points.push(end);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use slideline_model::TYPES;
+
+    /// Requirement: of every cell that elements are drawn with, edges join its corners, each edge
+    /// that has a middle node goes through it, and that node is half way.
+    #[test]
+    fn edges_are_those_of_the_cells() {
+        for row in TYPES.into_iter().filter(|row| !row.cell.places.is_empty()) {
+            for piece in row.cell.pieces {
+                let place = |point: usize| row.cell.places[piece.nodes[point]];
+                let edges = edges(piece.vtk);
+                let mut drawn = vec![false; piece.nodes.len()];
+                edges.iter().flat_map(|edge| edge.iter()).for_each(|&point| drawn[point] = true);
+                assert!(drawn.iter().all(|drawn| *drawn), "{}: a node is on no edge", row.name());
+                for edge in edges {
+                    let (first, last) = (place(edge[0]), place(edge[edge.len() - 1]));
+                    for &middle in &edge[1..edge.len() - 1] {
+                        for axis in 0..3 {
+                            let half = 0.5 * (first[axis] + last[axis]);
+                            assert!((place(middle)[axis] - half).abs() < 1e-15, "{}", row.name());
+                        }
+                    }
+                    // of cells with faces every edge is one of a face
+                    let ends = [edge[0], edge[edge.len() - 1]].map(|end| piece.nodes[end]);
+                    let on = |face: &&[usize]| ends.iter().all(|end| face.contains(end));
+                    assert!(row.cell.faces.iter().any(on), "{}", row.name());
+                }
+            }
+        }
+    }
 }

@@ -47,6 +47,7 @@ pub fn picture_page(scene: &Scene, title: &str, words: &str) -> String {
 /// Draws a model with the contact points of its start.
 pub fn picture(model: &Model, points: &[ContactRow]) -> Scene {
     let mut drawing = Drawing::of(model);
+    drawing.solids(model);
     drawing.beams(model);
     drawing.masters(model);
     drawing.slaves(model);
@@ -98,6 +99,21 @@ impl Drawing {
 
     fn at(&self, [x, y, _]: [f64; 3]) -> [f64; 2] {
         self.view.at([x, y])
+    }
+
+    /// The edges of solids.
+    fn solids(&mut self, model: &Model) {
+        for piece in outline::Drawing::of(model).pieces {
+            let (kind, points) = &piece.vtk;
+            if piece.kind != outline::Kind::Solid {
+                continue;
+            }
+            for edge in outline::edges(*kind) {
+                let at = |end: &usize| self.at(model.nodes.position(points[*end]));
+                let line: Vec<[f64; 2]> = edge.iter().map(at).collect();
+                self.scene.line(line, Pen::solid(1.0).colour(INK));
+            }
+        }
     }
 
     /// Beams as thick as they are, two pixels at least.

@@ -47,6 +47,11 @@ impl StateFile {
         self.array(name, "Int32", i32::from_le_bytes)
     }
 
+    /// Whole numbers of one byte of an array.
+    pub fn tiny(&self, name: &str) -> Result<Vec<u8>, Problem> {
+        self.array(name, "UInt8", u8::from_le_bytes)
+    }
+
     fn array<T, const N: usize>(
         &self,
         name: &str,

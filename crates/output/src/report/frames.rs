@@ -1,6 +1,7 @@
 //! Deformed states for the animation, thinned where there are many.
 
 use crate::job::JobFiles;
+use crate::outline;
 use crate::reading::problem::{self, Problem, unreadable};
 use crate::reading::state::StateFile;
 
@@ -72,10 +73,12 @@ impl Frames {
         self.labels = file.long("node")?;
         let (connectivity, ends) = (file.long("connectivity")?, file.long("offsets")?);
         let (kinds, elements) = (file.short("kind")?, file.long("element")?);
+        let types = file.tiny("types")?;
         let points = self.reference.len() / 2;
         let inside = |point: &i64| usize::try_from(*point).is_ok_and(|point| point < points);
         let fits = self.labels.len() == points
             && ends.len() == kinds.len()
+            && types.len() == kinds.len()
             && elements.len() == kinds.len()
             && connectivity.iter().all(inside);
         let mut begin = 0;
@@ -83,7 +86,9 @@ impl Frames {
             ends.iter().zip(kinds.iter().zip(&elements)).enumerate()
         {
             let end = usize::try_from(*end).unwrap_or(0);
-            self.join(connectivity.get(begin..end).unwrap_or_default(), (cell, kind, element));
+            let points = connectivity.get(begin..end).unwrap_or_default();
+            let edges = types.get(cell).map_or(&[][..], |kind| outline::edges(*kind));
+            self.join((points, edges), (cell, kind, element));
             begin = end;
         }
         let path = job.folder().join(job.state_name(state));
@@ -91,11 +96,17 @@ impl Frames {
         if whole { Ok(()) } else { Err(unreadable(&path, "its arrays do not fit one another")) }
     }
 
-    /// Takes in a line, or the edges around an area.
-    fn join(&mut self, points: &[i64], (cell, kind, element): (usize, i32, i64)) {
-        let around = if points.len() > 2 { points.len() } else { points.len().saturating_sub(1) };
-        for k in 0..around {
-            self.cells.extend([points[k], points[(k + 1) % points.len()]]);
+    /// Takes in the edges of a cell.
+    fn join(
+        &mut self,
+        (points, edges): (&[i64], &[&[usize]]),
+        (cell, kind, element): (usize, i32, i64),
+    ) {
+        for ends in edges.iter().flat_map(|edge| edge.windows(2)) {
+            let [Some(from), Some(to)] = [ends[0], ends[1]].map(|end| points.get(end)) else {
+                continue;
+            };
+            self.cells.extend([from, to]);
             self.kinds.push(kind);
             self.elements.push(element);
             self.of_cell.push(cell);
