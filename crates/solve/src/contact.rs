@@ -27,7 +27,7 @@ pub use cliques::Cliques;
 pub use crossing::{Missed, Sweep, SweepScratch};
 pub use idle::Look;
 pub use kinematics::{ContactKinematics, GeometryScratch, PointKinematics, PointRows};
-pub use laws::{average as average_element, state_size};
+pub use laws::{mean_length, state_size};
 pub use master::placed;
 pub use operator::{ContactOperator, OperatorRows};
 pub use positions::MasterPositions;
@@ -39,7 +39,6 @@ use crate::users::UserFrictions;
 use kinematics::{PointRowsMut, Stencil};
 use master::{Facing, MasterSurface};
 use slideline_mech::contact::pair::{self, AnyGap, History, Laws};
-use slideline_mech::contact::points::tributary_areas;
 use slideline_mech::contact::tangential::Tangential;
 use slideline_mech::rigid::{Attachment, PointMap, push_forward};
 use slideline_model::{ContactPair, Dof, Formulation, Master, Model, NodeIndex};
@@ -50,9 +49,9 @@ use std::collections::{HashMap, HashSet};
 pub struct SlavePoint {
     /// Place of its pair in the model.
     pub pair: usize,
-    /// Its node; of a integration_point the nearer one.
+    /// Its node; of an integration point the nearer one.
     pub node: NodeIndex,
-    /// Tributary area [L2]; of a integration_point, with its whole cell closed.
+    /// Tributary area [L2]; of an integration point, with its whole cell closed.
     pub area: f64,
     /// Where its state values of a user friction law begin.
     pub state_variables: usize,
@@ -63,7 +62,7 @@ pub struct SlavePoint {
 }
 
 impl SlavePoint {
-    /// Whether it is a integration_point of integrated contact.
+    /// Whether it is an integration point of integrated contact.
     pub fn is_integration_point(&self) -> bool {
         matches!(self.carrier, Carrier::IntegrationPoint { .. })
     }
@@ -124,10 +123,10 @@ impl Contact {
         for (place, pair) in model.contact_pairs.iter().enumerate() {
             contact.edges.push(Vec::new());
             match pair.formulation {
-                Formulation::NodeToSurface => contact.add_nodes(model, dofs, place, pair),
+                Formulation::NodeToSurface => contact.add_nodes(dofs, place, pair),
                 Formulation::SurfaceToSurface => contact.add_segments(model, dofs, place, pair),
             }
-            let length = laws::average(model, pair);
+            let length = mean_length(model, pair);
             contact.laws.push(laws::laws(model, pair, length, users));
             let master = match &pair.master {
                 Master::RigidSurface(surface) => MasterSurface::body(model, dofs, surface),
@@ -142,6 +141,8 @@ impl Contact {
             contact.masters.push(master);
         }
         contact.opposed = contact.opposed_pairs();
+        contact.take_points(model);
+        contact.take_segments(model);
         contact
     }
 
@@ -159,32 +160,32 @@ impl Contact {
         opposed
     }
 
-    fn add_nodes(&mut self, model: &Model, dofs: &DofMap, place: usize, pair: &ContactPair) {
+    fn add_nodes(&mut self, dofs: &DofMap, place: usize, pair: &ContactPair) {
         let nodes = self.slave_nodes[place].clone();
-        let (elements, coordinates) = local_elements(model, pair, &nodes);
         let first = self.points.len();
-        self.edges[place] = elements.iter().map(|own| own.map(|node| first + node)).collect();
-        let width = pair.interaction.width;
-        let shares: Vec<_> = pair.elements.iter().map(|e| e.lumping.shares()).collect();
-        let areas = tributary_areas(&elements, &shares, &coordinates, width);
+        let points = nodes.iter().enumerate().map(|(k, &node)| (node, first + k));
+        let points: HashMap<_, _> = points.collect();
+        let elements = pair.elements.iter();
+        self.edges[place] = elements.map(|own| own.nodes.map(|node| points[&node])).collect();
         self.points.reserve(nodes.len());
-        for (&node, area) in nodes.iter().zip(areas) {
-            let (position, dofs) = (model.nodes.get(node).position, dofs.translations(node));
-            self.add_point(place, pair, (node, area), Carrier::Node { position, dofs });
+        for node in nodes {
+            let (position, dofs) = ([0.0; 3], dofs.translations(node));
+            self.add_point(place, pair, node, Carrier::Node { position, dofs });
         }
     }
 
+    /// Adds a point without its numbers.
     fn add_point(
         &mut self,
         pair_place: usize,
         pair: &ContactPair,
-        (node, area): (NodeIndex, f64),
+        node: NodeIndex,
         carrier: Carrier,
     ) {
         let (state_variables, state_size) = (self.state_size, state_size(pair));
         self.state_size += state_size;
-        let point =
-            SlavePoint { pair: pair_place, node, area, state_variables, state_size, carrier };
+        let (pair, area) = (pair_place, 0.0);
+        let point = SlavePoint { pair, node, area, state_variables, state_size, carrier };
         self.points.push(point);
     }
 
@@ -490,18 +491,6 @@ pub fn point_count(pair: &ContactPair) -> usize {
         Formulation::NodeToSurface => pair.slave_nodes().len(),
         Formulation::SurfaceToSurface => pair.elements.len() * SEGMENT_POINTS,
     }
-}
-
-/// Contact elements by places among the slave nodes, with their coordinates.
-fn local_elements(
-    model: &Model,
-    pair: &ContactPair,
-    nodes: &[NodeIndex],
-) -> (Vec<[usize; 2]>, Vec<[f64; 3]>) {
-    let place: HashMap<_, _> =
-        nodes.iter().enumerate().map(|(place, &node)| (node, place)).collect();
-    let elements = pair.elements.iter().map(|element| element.nodes.map(|node| place[&node]));
-    (elements.collect(), nodes.iter().map(|&node| model.nodes.get(node).position).collect())
 }
 
 /// The dofs of a node that turns in the plane: displacements and rotation.

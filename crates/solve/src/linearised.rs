@@ -145,6 +145,9 @@ impl LinearisedContact {
         self.in_rows.resize(points.len(), false);
         self.integration_points.clear();
         self.interface.clear();
+        // of the solution before nothing is left: neither its end nor its matrix
+        self.compliance.clear();
+        self.solved = true;
         if enforcement == Enforcement::MatrixFree {
             return self.solve_matrix_free(points, context, stiffness, correction);
         }
@@ -153,7 +156,6 @@ impl LinearisedContact {
         // First those that touch already: without their pressures the
         // structure would spring back and seem to touch everywhere.
         let mut touching = true;
-        self.solved = true;
         for _ in 0..ROUNDS {
             let joined = self.activate(points, context, touching, solver, correction)?;
             if joined {

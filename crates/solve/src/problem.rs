@@ -146,7 +146,7 @@ impl<'a> Problem<'a> {
 
     /// Average length of the contact elements of a pair [L].
     pub fn contact_length(&self, pair: &slideline_model::ContactPair) -> f64 {
-        crate::contact::average_element(self.model, pair)
+        crate::contact::mean_length(self.model, pair)
     }
 
     /// Where tangents of elements are summed, at a configuration with these rows.

@@ -94,7 +94,7 @@ impl PointState {
         self.opening == f64::INFINITY && self.area == 0.0 && !self.ever_closed
     }
 
-    /// A integration_point that faces nothing: open, what it has done before kept.
+    /// An integration point that faces nothing: open, what it has done before kept.
     pub fn open_from(&mut self, before: &Self) {
         let (ever_closed, slip) = (before.ever_closed, before.slip);
         let opening = f64::INFINITY;

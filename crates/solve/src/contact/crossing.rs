@@ -196,7 +196,7 @@ impl Contact {
         }
     }
 
-    /// Where a integration_point stands on its element while its cell is closed.
+    /// Where an integration point stands on its element while its cell is closed.
     pub(super) fn resting_place(&self, place: usize) -> f64 {
         match self.points[place].carrier {
             Carrier::Node { .. } => 0.0,

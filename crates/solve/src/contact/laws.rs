@@ -1,12 +1,11 @@
 //! The laws of a pair, with the lengths of its mesh filled in.
 
-use super::local_elements;
 use super::master::MasterSurface;
 use crate::users::UserFrictions;
 use slideline_mech::contact::friction::{Decay, FrictionLaw, Stick};
 use slideline_mech::contact::normal::NormalLaw;
 use slideline_mech::contact::pair::Laws;
-use slideline_mech::contact::points::average_length;
+use slideline_mech::contact::points::{average_length, chord};
 use slideline_model::{ContactPair, ElementBlock, Formulation, Friction, Model, StickRule};
 use std::borrow::Cow;
 
@@ -40,7 +39,7 @@ pub(super) fn friction(pair: &ContactPair, length: f64) -> FrictionLaw {
             limit: *limit,
             decay: decay.map(|decay| Decay { kinetic: decay.kinetic, rate: decay.rate }),
             stick: match stick {
-                // Exact stick at every integration_point would fix more than the nodes can follow.
+                // Exact stick at every integration point would fix more than the nodes can follow.
                 StickRule::Lagrange if integrated => elastic(0.005),
                 StickRule::Lagrange => Stick::Lagrange,
                 StickRule::ElasticSlip(slip) => Stick::Elastic { slip: *slip },
@@ -89,10 +88,9 @@ pub(super) fn spacing(model: &Model, length: f64, master: &MasterSurface) -> f64
         return length;
     }
     let beams = model.blocks.iter().filter_map(|block| block.beams());
-    let lengths = beams.flat_map(|block| block.elements).map(|element| {
-        let [a, b] = element.ends().map(|node| model.nodes.get(node).position);
-        (b[0] - a[0]).hypot(b[1] - a[1])
-    });
+    let lengths = beams
+        .flat_map(|block| block.elements)
+        .map(|element| chord(element.ends().map(|node| model.nodes.get(node).position)));
     let (sum, count) = lengths.fold((0.0, 0.0), |(sum, count), l| (sum + l, count + 1.0));
     match master {
         _ if count > 0.0 => sum / count,
@@ -101,9 +99,8 @@ pub(super) fn spacing(model: &Model, length: f64, master: &MasterSurface) -> f64
     }
 }
 
-/// Mean length of the contact elements of a pair, undeformed [L].
-pub fn average(model: &Model, pair: &ContactPair) -> f64 {
-    let nodes = pair.slave_nodes();
-    let (elements, coordinates) = local_elements(model, pair, &nodes);
-    average_length(&elements, &coordinates)
+/// Mean length of the contact elements of a pair, undeformed [L]; zero without.
+pub fn mean_length(model: &Model, pair: &ContactPair) -> f64 {
+    let position = |node| model.nodes.get(node).position;
+    average_length(pair.elements.iter().map(|element| element.nodes.map(position)))
 }

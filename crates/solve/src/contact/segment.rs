@@ -1,8 +1,8 @@
-//! Integrated contact: slave elements as segments of integration_points.
+//! Integrated contact: slave elements as segments of integration points.
 //!
 //! ```text
 //!   o==:==:==:==:==:==:==:==o   a segment: smooth line over a slave element, in cells
-//!              [x x x]          integration_points follow the closed part of their cell
+//!              [x x x]          integration points follow the closed part of their cell
 //!            ___________
 //!           /  master   \
 //! ```
@@ -16,7 +16,7 @@ use crate::dofs::DofMap;
 use slideline_mech::contact::points::integration_points::{
     GAUSS, HermiteLine, POINTS, closed_part_between,
 };
-use slideline_model::{ContactPair, Model, NodeIndex};
+use slideline_model::{ContactPair, Model};
 use std::collections::HashMap;
 
 /// Cells of a slave element along which contact is integrated.
@@ -45,7 +45,7 @@ pub struct SlaveSegment {
 pub const SEGMENT_POINTS: usize = CELLS * POINTS;
 
 impl SlaveSegment {
-    /// Place on the element of one of its integration_points while its cell is closed.
+    /// Place on the element of one of its integration points while its cell is closed.
     pub fn resting_place(integration_point: usize) -> f64 {
         ((integration_point / POINTS) as f64 + GAUSS[integration_point % POINTS].0) / CELLS as f64
     }
@@ -74,7 +74,7 @@ impl SlaveSegment {
         [0, 1].map(|end| self.line.corners(&self.dofs.map(|dof| u[end][dof])))
     }
 
-    /// The stencil of its integration_point at `xi`, its ends known.
+    /// The stencil of its integration point at `xi`, its ends known.
     pub fn stencil(&self, ends: &[f64; 6], xi: f64) -> Stencil<'_> {
         let mut stencil = Stencil::new(self.line.bent(ends).position(xi));
         stencil.add(&self.dofs, *ends);
@@ -88,9 +88,9 @@ impl SlaveSegment {
         self.dofs.iter().chain(further)
     }
 
-    /// Places the integration_points of the segment where `beyond`, the overclosure
+    /// Places the integration points of the segment where `beyond`, the overclosure
     /// beyond the point where contact begins at a place on it, lets them
-    /// follow the closed part of their cells, and says which integration_points contact
+    /// follow the closed part of their cells, and says which integration points contact
     /// may reach in an iteration: `place(integration_point, xi, area)`.
     fn place_integration_points(
         &self,
@@ -118,7 +118,7 @@ impl SlaveSegment {
 }
 
 impl Contact {
-    /// Adds the elements of a pair as segments of integration_points.
+    /// Adds the elements of a pair as segments of integration points, without their numbers.
     pub(super) fn add_segments(
         &mut self,
         model: &Model,
@@ -126,43 +126,29 @@ impl Contact {
         place: usize,
         pair: &ContactPair,
     ) {
-        let tangents = node_tangents(model, pair);
         let beams = sheared_beams(model);
         let rows: HashMap<_, _> =
             self.slave_nodes[place].iter().enumerate().map(|(row, &node)| (node, row)).collect();
         for element in &pair.elements {
-            let nodes = element.nodes.map(|node| model.nodes.get(node).position);
-            let length = (nodes[1][0] - nodes[0][0]).hypot(nodes[1][1] - nodes[0][1]);
-            let tangents = element.nodes.map(|node| tangents[&node].map(|t| t * length));
             let [a, b] = element.nodes.map(|node| rigid_dofs(dofs, node));
-            let segment = self.segments.len();
-            let first = self.points.len();
-            let width = pair.interaction.width;
-            for cell in 0..CELLS {
-                for (_, weight) in GAUSS {
-                    let area = width * length * weight / CELLS as f64;
-                    let node = element.nodes[usize::from(2 * cell >= CELLS)];
-                    self.add_point(
-                        place,
-                        pair,
-                        (node, area),
-                        Carrier::IntegrationPoint { segment },
-                    );
-                }
+            let (segment, first) = (self.segments.len(), self.points.len());
+            for point in 0..SEGMENT_POINTS {
+                let node = element.nodes[usize::from(2 * (point / POINTS) >= CELLS)];
+                self.add_point(place, pair, node, Carrier::IntegrationPoint { segment });
             }
             self.segments.push(SlaveSegment {
                 pair: place,
                 rows: element.nodes.map(|node| rows[&node]),
-                line: HermiteLine::new(nodes, tangents),
+                line: HermiteLine::new([[0.0; 3]; 2], [[0.0; 3]; 2]),
                 dofs: [a[0], a[1], a[2], b[0], b[1], b[2]],
                 shear: Shear::new(model, dofs, element.nodes, &beams),
-                width,
+                width: pair.interaction.width,
                 first,
             });
         }
     }
 
-    /// Stations follow the closed part of their cells; those of cells that
+    /// Integration points follow the closed part of their cells; those of cells that
     /// contact cannot reach in an iteration face nothing.
     pub(super) fn meet_segment(
         &self,
@@ -206,27 +192,4 @@ fn top_of_parabola([left, middle, right]: [f64; 3]) -> f64 {
         return largest;
     }
     middle - slope * slope / (8.0 * bend)
-}
-
-/// Unit tangents of a slave surface at its nodes: the mean direction of the
-/// elements that meet there, so that the surface has no corners.
-fn node_tangents(model: &Model, pair: &ContactPair) -> HashMap<NodeIndex, [f64; 3]> {
-    let size = |d: [f64; 3]| d[0].hypot(d[1]).hypot(d[2]);
-    let mut tangents: HashMap<NodeIndex, [f64; 3]> = HashMap::new();
-    for element in &pair.elements {
-        let [a, b] = element.nodes.map(|node| model.nodes.get(node).position);
-        let d: [f64; 3] = std::array::from_fn(|c| b[c] - a[c]);
-        let length = size(d);
-        for node in element.nodes {
-            let sum = tangents.entry(node).or_default();
-            sum.iter_mut().zip(d).for_each(|(sum, d)| *sum += d / length);
-        }
-    }
-    for tangent in tangents.values_mut() {
-        let size = size(*tangent);
-        if size > 0.0 {
-            *tangent = tangent.map(|t| t / size);
-        }
-    }
-    tangents
 }

@@ -8,10 +8,10 @@
 //! Which points there are, and which dofs they follow, stays.
 
 use super::master::{MasterSurface, placed_segments};
-use super::{Carrier, Contact, SEGMENT_POINTS, laws};
+use super::{Carrier, Contact, SEGMENT_POINTS, laws, mean_length};
 use crate::dofs::DofMap;
 use crate::users::UserFrictions;
-use slideline_mech::contact::points::integration_points::HermiteLine;
+use slideline_mech::contact::points::{chord, integration_points::HermiteLine, tributary_areas};
 use slideline_model::{ContactPair, Formulation, Master, Model, NodeIndex};
 
 impl Contact {
@@ -42,25 +42,27 @@ impl Contact {
     }
 
     /// Positions and areas of the slave nodes.
-    fn take_points(&mut self, model: &Model) {
+    pub(super) fn take_points(&mut self, model: &Model) {
         for point in &mut self.points {
             point.area = 0.0;
             if let Carrier::Node { position, .. } = &mut point.carrier {
                 *position = model.nodes.get(point.node).position;
             }
         }
-        for (pair, edges) in model.contact_pairs.iter().zip(&self.edges) {
-            for (element, &edge) in pair.elements.iter().zip(edges) {
-                let length = distance(model, edge.map(|point| self.points[point].node));
-                for (point, share) in edge.into_iter().zip(element.lumping.shares()) {
-                    self.points[point].area += share * pair.interaction.width * length;
-                }
-            }
+        let position = |node: NodeIndex| model.nodes.get(node).position;
+        let Self { points, edges, .. } = self;
+        for (pair, edges) in model.contact_pairs.iter().zip(&*edges) {
+            let elements = pair.elements.iter().zip(edges);
+            let elements = elements.map(|(element, &edge)| {
+                (edge, element.lumping.shares(), element.nodes.map(position))
+            });
+            let width = pair.interaction.width;
+            tributary_areas(elements, width, |point, area| points[point].area += area);
         }
     }
 
     /// Lines and areas along which contact is integrated.
-    fn take_segments(&mut self, model: &Model) {
+    pub(super) fn take_segments(&mut self, model: &Model) {
         let Self { segments, points, slave_nodes, tangents, .. } = self;
         let mut rest = &mut segments[..];
         let integrated = |pair: &ContactPair| pair.formulation == Formulation::SurfaceToSurface;
@@ -145,14 +147,6 @@ impl Contact {
     }
 }
 
-/// Mean length of the contact elements of a pair [L]; zero without.
-fn mean_length(model: &Model, pair: &ContactPair) -> f64 {
-    let lengths = pair.elements.iter().map(|element| distance(model, element.nodes));
-    let (sum, count) = lengths.fold((0.0, 0.0), |(sum, count), l| (sum + l, count + 1.0));
-    if count > 0.0 { sum / count } else { 0.0 }
-}
-
 fn distance(model: &Model, nodes: [NodeIndex; 2]) -> f64 {
-    let [a, b] = nodes.map(|node| model.nodes.get(node).position);
-    (b[0] - a[0]).hypot(b[1] - a[1]).hypot(b[2] - a[2])
+    chord(nodes.map(|node| model.nodes.get(node).position))
 }

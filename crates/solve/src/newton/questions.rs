@@ -21,13 +21,16 @@ impl Scratch {
     /// equations of the last iteration and the way they went until then.
     pub fn jammed(&self, plan: &Problem<'_>, committed: &State) -> Vec<usize> {
         let around = context(plan, committed, 1.0);
-        let locked = |&place: &usize| {
-            let before = &committed.points[place];
-            let trial = self.points[place].sliding.map_or(Tangential::ZERO, |own| own.slip);
+        let locked = |&own: &usize| {
+            // the points of an iteration are some of those of the model
+            let point = &self.points[own];
+            let Some(before) = committed.points.get(point.place) else { return false };
+            let trial = point.sliding.map_or(Tangential::ZERO, |sliding| sliding.slip);
             let way = if trial.size() > around.rounding { trial } else { before.traction };
-            self.contact.jams(&self.points, place, (way, before.pressure), &around)
+            self.contact.jams(&self.points, own, (way, before.pressure), &around)
         };
-        (0..self.points.len().min(committed.points.len())).filter(locked).collect()
+        let jammed = (0..self.points.len()).filter(locked);
+        jammed.map(|own| self.points[own].place).collect()
     }
 
     /// The same by the equations with which the attempt began: a trial that

@@ -10,47 +10,60 @@
 pub mod integration_points;
 pub mod slopes;
 
-/// Tributary area of each slave node [L2]: A_i = width (sum over the elements meeting at node i of
-/// its share times their length), chords of the undeformed mesh. With shares of one half an end
-/// node gets half an element.
+/// Tributary areas of slave nodes [L2]: A_i = width (sum over the elements meeting at node i of its
+/// share times their length), chords of the undeformed mesh. With shares of one half an end node gets
+/// half an element.
 ///
-/// `elements` number the nodes of `coordinates`; an element that names a node outside is left out.
-/// `shares` are those of the two nodes of each element. [semantics: areas]
+/// Of each element: its nodes, their shares, their positions [L]; `add` takes a node and its part.
+/// [semantics: areas]
 pub fn tributary_areas(
-    elements: &[[usize; 2]],
-    shares: &[[f64; 2]],
-    coordinates: &[[f64; 3]],
+    elements: impl Iterator<Item = ([usize; 2], [f64; 2], [[f64; 3]; 2])>,
     width: f64,
-) -> Vec<f64> {
-    let mut areas = vec![0.0; coordinates.len()];
-    for (&nodes, shares) in elements.iter().zip(shares) {
-        if let Some(length) = chord(coordinates, nodes[0], nodes[1]) {
-            for (node, share) in nodes.into_iter().zip(shares) {
-                if let Some(area) = areas.get_mut(node) {
-                    *area += share * width * length;
-                }
-            }
+    mut add: impl FnMut(usize, f64),
+) {
+    for (nodes, shares, ends) in elements {
+        let length = chord(ends);
+        for (node, share) in nodes.into_iter().zip(shares) {
+            add(node, share * width * length);
         }
     }
-    areas
 }
 
-/// Average length of the contact elements [L], for the slip tolerance; zero without elements.
-/// [semantics: friction, `SLIP TOLERANCE`]
-pub fn average_length(elements: &[[usize; 2]], coordinates: &[[f64; 3]]) -> f64 {
-    let lengths = elements.iter().filter_map(|&[a, b]| chord(coordinates, a, b));
-    let (sum, count) = lengths.fold((0.0, 0.0), |(sum, count), length| (sum + length, count + 1.0));
+/// Average length of contact elements by the positions of their nodes [L], for the slip tolerance;
+/// zero without elements. [semantics: friction, `SLIP TOLERANCE`]
+pub fn average_length(elements: impl Iterator<Item = [[f64; 3]; 2]>) -> f64 {
+    let (sum, count) =
+        elements.map(chord).fold((0.0, 0.0), |(sum, count), length| (sum + length, count + 1.0));
     if count > 0.0 { sum / count } else { 0.0 }
 }
 
-fn chord(coordinates: &[[f64; 3]], first: usize, second: usize) -> Option<f64> {
-    let (a, b) = (coordinates.get(first)?, coordinates.get(second)?);
-    Some((b[0] - a[0]).hypot(b[1] - a[1]).hypot(b[2] - a[2]))
+/// Length of an element [L].
+pub fn chord([a, b]: [[f64; 3]; 2]) -> f64 {
+    (b[0] - a[0]).hypot(b[1] - a[1]).hypot(b[2] - a[2])
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn areas_of(
+        elements: &[[usize; 2]],
+        shares: &[[f64; 2]],
+        coordinates: &[[f64; 3]],
+        width: f64,
+    ) -> Vec<f64> {
+        let mut areas = vec![0.0; coordinates.len()];
+        let there = |nodes: &[usize; 2]| nodes.iter().all(|&node| node < coordinates.len());
+        let elements = elements.iter().zip(shares).filter(|(nodes, _)| there(nodes));
+        let ends = |node: usize| coordinates[node];
+        let elements = elements.map(|(&nodes, &shares)| (nodes, shares, nodes.map(ends)));
+        tributary_areas(elements, width, |node, area| areas[node] += area);
+        areas
+    }
+
+    fn average(elements: &[[usize; 2]], coordinates: &[[f64; 3]]) -> f64 {
+        average_length(elements.iter().map(|nodes| nodes.map(|node| coordinates[node])))
+    }
 
     fn circle_of_the_1995_deck() -> (Vec<[usize; 2]>, Vec<[f64; 3]>) {
         let r = 9e-3;
@@ -69,7 +82,7 @@ mod tests {
     #[test]
     fn areas_of_the_1995_slide_line_deck() {
         let (elements, coordinates) = circle_of_the_1995_deck();
-        let areas = tributary_areas(&elements, &[[0.5; 2]; 20], &coordinates, 25e-3);
+        let areas = areas_of(&elements, &[[0.5; 2]; 20], &coordinates, 25e-3);
         for (node, area) in [
             (0, 1.177559e-5),
             (5, 2.355118e-5),
@@ -79,13 +92,13 @@ mod tests {
         ] {
             assert!((areas[node] - area).abs() < 1e-6 * area, "{node}: {}", areas[node]);
         }
-        assert!((0.005 * average_length(&elements, &coordinates) - 3.9256e-6).abs() < 1e-10);
+        assert!((0.005 * average(&elements, &coordinates) - 3.9256e-6).abs() < 1e-10);
     }
 
     #[test]
     fn nothing_gives_nothing() {
-        assert_eq!(average_length(&[], &[]), 0.0);
-        assert_eq!(tributary_areas(&[[0, 7]], &[[0.5; 2]], &[[0.0; 3]], 1.0), vec![0.0]);
+        assert_eq!(average(&[], &[]), 0.0);
+        assert_eq!(areas_of(&[[0, 7]], &[[0.5; 2]], &[[0.0; 3]], 1.0), vec![0.0]);
     }
 
     /// Requirement: a uniform pressure on a line of quadratic shape loads its three nodes with
@@ -96,7 +109,7 @@ mod tests {
         let (length, width, pressure) = (3.0, 0.5, 7.0);
         let coordinates = [0.0, 0.5, 1.0].map(|x| [x * length, 0.0, 0.0]);
         let shares = [[1.0 / 3.0, 2.0 / 3.0], [2.0 / 3.0, 1.0 / 3.0]];
-        let areas = tributary_areas(&[[0, 1], [1, 2]], &shares, &coordinates, width);
+        let areas = areas_of(&[[0, 1], [1, 2]], &shares, &coordinates, width);
         let work: f64 =
             areas.iter().zip(coordinates).map(|(a, [x, ..])| pressure * a * x * (length - x)).sum();
         let exact = pressure * width * length.powi(3) / 6.0;
