@@ -84,7 +84,7 @@ fn solid<const D: usize, const N: usize, const P: usize>(
         bench.iter(|| {
             let into =
                 Response { force: &mut force, tangent: Some(&mut tangent), state: &mut state };
-            element.respond(0, black_box(&q), &committed, Strains::Exact, into)
+            element.respond(0, black_box(&q), &committed, &Strains::Exact.into(), into)
         });
     });
 }

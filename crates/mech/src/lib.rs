@@ -9,7 +9,8 @@
 //! An element is its strain energy, a gap its formula, a law its expression. Where speed asks for
 //! it closed-form derivatives stand beside the formula and are tested against it.
 //!
-//! Dimension tags in brackets: F force, L length, T time, 1 dimensionless.
+//! Dimension tags in brackets: F force, L length, T time, theta temperature, 1
+//! dimensionless.
 
 // Dimension tags such as [L] are no links.
 #![allow(rustdoc::broken_intra_doc_links)]

@@ -145,10 +145,10 @@ fn respond(kernel: &dyn Kernel, q: &[f64], committed: &[f64], strains: Strains<'
     let (mut force, mut tangent) = (vec![0.0; width], vec![0.0; width * width]);
     let mut state = vec![0.0; committed.len()];
     let into = Response { force: &mut force, tangent: Some(&mut tangent), state: &mut state };
-    let energy = kernel.respond(0, q, committed, strains, into);
+    let energy = kernel.respond(0, q, committed, &strains.into(), into);
     let mut alone = vec![0.0; width];
     let into = Response { force: &mut alone, tangent: None, state: &mut state };
-    assert_eq!(kernel.respond(0, q, committed, strains, into), energy);
+    assert_eq!(kernel.respond(0, q, committed, &strains.into(), into), energy);
     assert_eq!(alone, force, "the force alone has the same bits");
     Answer { force, tangent, state, energy }
 }
@@ -284,7 +284,7 @@ fn homogeneous_deformations() {
             let points = kind.1.points.len();
             let width = if d == 2 { 4 } else { 6 };
             let mut results = vec![0.0; points * (2 * width + 1)];
-            own.results(0, &q, &at.state, strains, &mut results);
+            own.results(0, &q, &at.state, &strains.into(), &mut results);
             for k in 0..points * width {
                 let error = (results[k] - results[k % width]).abs();
                 assert!(error < 1e-12, "{} {results:?}", name(kind));
@@ -447,7 +447,7 @@ fn across_the_plane() {
             let zero = vec![0.0; state_count(&kind, &material)];
             let state = respond(&*own, &q, &zero, strains).state;
             let mut results = [0.0; 36];
-            own.results(0, &q, &state, strains, &mut results);
+            own.results(0, &q, &state, &strains.into(), &mut results);
             for k in 0..4 {
                 let across = results[if plane == PlaneStress { 4 * k + 2 } else { 16 + 4 * k + 2 }];
                 assert!(across.abs() < 1e-13, "{what} {plane:?} {across}");
@@ -473,7 +473,7 @@ fn inside_out() {
             let mut force = vec![0.0; width];
             let mut state = zero.clone();
             let into = Response { force: &mut force, tangent: None, state: &mut state };
-            let energy = own.respond(0, &q, &zero, Strains::Exact, into);
+            let energy = own.respond(0, &q, &zero, &Strains::Exact.into(), into);
             assert!(energy.is_nan(), "{} {what} {energy}", name(kind));
         }
         let mut nodes = nodes(kind.0, 0.1);

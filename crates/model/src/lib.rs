@@ -46,9 +46,10 @@ pub use output::{
 pub use refine::refine;
 pub use slideline_mech::contact::normal::NormalLaw;
 pub use slideline_mech::contact::onset::Onset;
+pub use slideline_mech::element::Temperature;
 pub use slideline_mech::material::Material;
 pub use stabilisation::Stabilisation;
-pub use step::{Extrapolation, Load, Prescribed, Static, Step};
+pub use step::{Extrapolation, Load, NodalTemperature, Passage, Prescribed, Static, Step};
 pub use vocabulary::Vocabulary;
 
 use slideline_diag::Span;
@@ -96,6 +97,8 @@ pub struct Model {
     pub contact_pairs: Vec<ContactPair>,
     /// When friction is called after a change of contact.
     pub friction_onset: Onset,
+    /// Temperatures before the first step, a node each; empty: all are zero.
+    pub initial_temperatures: Vec<Temperature>,
     /// Named amplitudes.
     pub amplitudes: Vec<Amplitude>,
     /// Steps, in order.
@@ -144,6 +147,17 @@ impl Model {
         let steps = self.steps.iter_mut().flat_map(|step| &mut step.output.element_prints);
         steps.flat_map(|print| &mut print.elements).for_each(new);
         self.nodes.restride(stride);
+    }
+
+    /// Whether the deck speaks of temperatures.
+    pub fn has_temperatures(&self) -> bool {
+        !self.initial_temperatures.is_empty()
+            || self.steps.iter().any(|step| !step.temperatures.is_empty())
+    }
+
+    /// The temperature of a node before the first step.
+    pub fn initial_temperature(&self, node: NodeIndex) -> Temperature {
+        self.initial_temperatures.get(node).copied().unwrap_or_default()
     }
 
     /// Whether an element moves out of the plane.

@@ -2,6 +2,7 @@
 
 use crate::{Controls, Distributed, Dof, NodeIndex, OutputRequests, Stabilisation};
 use slideline_diag::Span;
+use slideline_mech::element::Temperature;
 
 /// One step of the history. Boundary conditions and loads are listed whole:
 /// what `OP=MOD` kept from the step before stands here again.
@@ -27,6 +28,8 @@ pub struct Step {
     pub loads: Vec<Load>,
     /// Loads on faces and volumes at the end of the step.
     pub distributed: Distributed,
+    /// Temperatures at the end of the step; other nodes have those before the first step then.
+    pub temperatures: Vec<NodalTemperature>,
     /// Tolerances and limits.
     pub controls: Controls,
     /// Stabilisation of contact, where the deck asks for it.
@@ -62,8 +65,33 @@ pub struct Static {
     pub maximum: f64,
     /// `DIRECT`: increments of fixed size.
     pub direct: bool,
+    /// What time means to the materials.
+    pub passage: Passage,
     /// The card, where there is one.
     pub origin: Option<Span>,
+}
+
+/// What the time of a step means to materials that creep or relax.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Passage {
+    /// Nothing: they answer instantaneously.
+    #[default]
+    Still,
+    /// It passes.
+    Passing,
+    /// All time there is: what relaxes has relaxed.
+    LongTerm,
+}
+
+impl Passage {
+    /// Time that passes for the materials in an increment [T].
+    pub fn of(self, dt: f64) -> f64 {
+        match self {
+            Self::Still => 0.0,
+            Self::Passing => dt,
+            Self::LongTerm => f64::INFINITY,
+        }
+    }
 }
 
 /// A prescribed motion.
@@ -87,6 +115,20 @@ impl Prescribed {
     pub fn moves(&self) -> bool {
         self.value != 0.0
     }
+}
+
+/// A temperature of a node.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NodalTemperature {
+    /// Node.
+    pub node: NodeIndex,
+    /// Value at the end of the step; with an amplitude, its factor.
+    pub temperature: Temperature,
+    /// Amplitude by place in the model's list; without one the value is
+    /// approached linearly from the step before.
+    pub amplitude: Option<usize>,
+    /// Where it was said.
+    pub origin: Span,
 }
 
 /// A concentrated load.

@@ -9,7 +9,7 @@
 //! restart saves and the files take it like one of their own.
 
 use slideline::mech::element::cell::LINE2;
-use slideline::mech::element::{Kernel, Response, Scale, Strains};
+use slideline::mech::element::{Kernel, Response, Scale, Surroundings};
 use slideline::model::{
     Dof, ElementBlock, ElementType, Field, Kinematics, Location, Section, Undeformed, mean_at_nodes,
 };
@@ -83,7 +83,7 @@ impl Kernel for Bars {
         element: usize,
         q: &[f64],
         committed: &[f64],
-        _strains: Strains<'_>,
+        _under: &Surroundings<'_>,
         into: Response<'_>,
     ) -> f64 {
         let ([x, y], length) = self.bars[element];
@@ -111,7 +111,7 @@ impl Kernel for Bars {
         element: usize,
         q: &[f64],
         state: &[f64],
-        _strains: Strains<'_>,
+        _under: &Surroundings<'_>,
         into: &mut [f64],
     ) {
         // of a committed state the law gives that state back

@@ -18,6 +18,7 @@ use crate::observe::{Energies, Totals};
 use crate::start::Start;
 use crate::state::State;
 use serde::{Deserialize, Serialize};
+use slideline_mech::element::Temperature;
 use slideline_model::{ContactPair, Model};
 use std::borrow::Cow;
 
@@ -55,11 +56,7 @@ impl Checkpoint<'_> {
 
     /// The same, its vectors borrowed.
     pub fn borrowed(&self) -> Checkpoint<'_> {
-        let Start { displacement, load, released } = &self.start;
-        let [displacement, load, released] =
-            [displacement, load, released].map(|vector| Cow::Borrowed(&**vector));
-        let start = Start { displacement, load, released };
-        Checkpoint { state: Cow::Borrowed(&self.state), start, ..*self }
+        Checkpoint { state: Cow::Borrowed(&self.state), start: self.start.borrowed(), ..*self }
     }
 
     /// Whether the step ends here.
@@ -117,6 +114,11 @@ impl Checkpoint<'_> {
         let Some(step) = self.step.checked_sub(1).and_then(|place| model.steps.get(place)) else {
             return false;
         };
+        let nodes = model.nodes.len();
+        let fit = |list: &[Temperature]| {
+            [0, nodes].contains(&list.len())
+                && list.iter().all(|at| at.value.is_finite() && at.slope.is_finite())
+        };
         let ahead = self.control.is_none_or(|control| {
             let within = control.time >= 0.0 && control.time < step.procedure.period;
             within && control.dt.is_finite() && control.dt > 0.0
@@ -129,6 +131,7 @@ impl Checkpoint<'_> {
             && (state.points.len(), state.state_variables.len()) == (points, state_variables)
             && state.elements.len() == model.element_states()
             && state.elements.iter().all(|value| value.is_finite())
+            && [&state.temperatures[..], &self.start.temperatures].into_iter().all(|list| fit(list))
             && [0, dofs].contains(&state.damping.len())
             && state.damping.iter().all(|value| value.is_finite())
     }
@@ -167,6 +170,7 @@ mod tests {
                 displacement: Cow::Owned(vec![0.5; 6]),
                 load: Cow::Owned(vec![0.25; 6]),
                 released: Cow::Owned(vec![0.125; 6]),
+                temperatures: Cow::Owned(vec![Temperature { value: 20.0, slope: 0.5 }; 2]),
             },
             control: Some(Control { time: 0.3, dt: 0.1, committed: 7, attempts: 2, quick: 1 }),
         }

@@ -38,6 +38,7 @@ pub fn commit(
             _ => 0.0,
         };
     }
+    trial.temperatures.clone_from(&work.temperatures);
     trial.points.copy_from_slice(&evaluation.points);
     trial.stabilised = committed.stabilised;
     trial.damping.clear();

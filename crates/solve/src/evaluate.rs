@@ -12,7 +12,7 @@ use crate::observe::{FrictionCall, Status};
 use crate::problem::Problem;
 use crate::stabilise::Dashpots;
 use crate::state::{PointState, State};
-use crate::structure::{Configuration, Contributions, Flux};
+use crate::structure::{Ambient, Configuration, Contributions, Flux};
 use slideline_mech::contact::friction::{self, UserFrictionError};
 use slideline_mech::contact::pair::{Laws, PointTrial, UserState};
 use slideline_mech::contact::tangential::Tangential;
@@ -34,6 +34,8 @@ pub struct Trial<'a> {
     pub tractions: &'a [Tangential],
     /// Dashpots of the increment, where contact is stabilised.
     pub dashpots: &'a Dashpots,
+    /// Temperatures, and time of the materials.
+    pub ambient: Ambient<'a>,
     /// Total time at the end of the increment [T].
     pub time: f64,
     /// Increment [T].
@@ -120,7 +122,8 @@ pub fn zero(list: &mut Vec<f64>, count: usize) {
 /// Evaluates a trial state against the committed one.
 pub fn evaluate(plan: &Problem<'_>, committed: &State, trial: &Trial<'_>, into: &mut Evaluation) {
     let stresses = Some(trial.stresses);
-    let at = Configuration { u: trial.u, stresses, state: &committed.elements };
+    let (state, ambient) = (&committed.elements[..], trial.ambient);
+    let at = Configuration { u: trial.u, stresses, state, ambient };
     plan.constraints.linearise(trial.u, &mut into.rows);
     let gather = plan.gather(&into.rows, &mut into.tangent);
     plan.structure.evaluate(&at, &mut into.contributions, gather, plan.means.pool);

@@ -191,6 +191,7 @@ fn even_end(dt: f64, left: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use slideline_model::Passage;
 
     fn seed() -> Static {
         Static {
@@ -199,6 +200,7 @@ mod tests {
             minimum: 1e-6,
             maximum: 0.05,
             direct: false,
+            passage: Passage::default(),
             origin: None,
         }
     }

@@ -28,7 +28,7 @@ use crate::predict;
 use crate::problem::Problem;
 use crate::stabilise;
 use crate::state::State;
-use crate::structure::{Configuration, Gather, Product};
+use crate::structure::{Ambient, Configuration, Gather, Product};
 pub use assembly::TOUCH;
 use assembly::context;
 pub use relax::relax;
@@ -203,6 +203,8 @@ impl Scratch {
         plan.load(target.step_time, &mut self.load);
         self.faces.clear();
         self.faces.extend(plan.pressures(target.step_time));
+        plan.temperatures(target.step_time, &mut self.temperatures);
+        self.material_dt = plan.step.procedure.passage.of(target.dt);
         plan.constraints.enforce(&mut self.u);
         for (place, point) in committed.points.iter().enumerate() {
             self.pressures[place] = point.pressure;
@@ -226,7 +228,9 @@ impl Scratch {
             *value = self.u[dof] - committed.displacement[dof];
         }
         let from = &committed.displacement;
-        let at = Configuration { u: from, stresses: None, state: &committed.elements };
+        let ambient = Ambient { temperatures: &self.temperatures, dt: self.material_dt };
+        let state = &committed.elements;
+        let at = Configuration { u: from, stresses: None, state, ambient };
         plan.constraints.linearise(from, &mut self.evaluation.rows);
         self.residual.fill(0.0);
         let product = Product { vector: change, into: &mut self.residual };
@@ -262,6 +266,7 @@ impl Scratch {
             pressures: &self.pressures,
             tractions: &self.tractions,
             dashpots: &self.dashpots,
+            ambient: Ambient { temperatures: &self.temperatures, dt: self.material_dt },
             time: committed.total_time + dt,
             dt,
         }
@@ -279,6 +284,7 @@ impl Scratch {
             pressures: &self.pressures,
             tractions: &self.tractions,
             dashpots: &self.dashpots,
+            ambient: Ambient { temperatures: &self.temperatures, dt: self.material_dt },
             time: committed.total_time + dt,
             dt,
         };
@@ -385,6 +391,7 @@ impl Scratch {
             pressures: &self.pressures,
             tractions: &self.tractions,
             dashpots: &self.dashpots,
+            ambient: Ambient { temperatures: &self.temperatures, dt: self.material_dt },
             time: committed.total_time + self.dt,
             dt: self.dt,
         };

@@ -19,6 +19,7 @@ use rayon::ThreadPool;
 use slideline_linalg::{Kind, Pattern, Solver};
 use slideline_mech::contact::enforcement::Enforcement;
 use slideline_mech::contact::pair::Laws;
+use slideline_mech::element::Temperature;
 use slideline_model::{Amplitude, Model, Step};
 
 /// Everything about a step that does not change from increment to increment.
@@ -90,6 +91,7 @@ impl<'a> Problem<'a> {
             kernels: &values.kernels,
             dependent: &numbering.dependent,
             entries: &coupling.entries,
+            initial: &model.initial_temperatures,
             nlgeom: step.nlgeom,
             stiffest: values.kernels.stiffest,
             stiffest_length: values.kernels.stiffest_length,
@@ -221,6 +223,29 @@ impl<'a> Problem<'a> {
             let amplitude = entry.amplitude.map(|a| &self.model.amplitudes[a]);
             self.at(step_time, 0.0, entry.value, amplitude)
         })
+    }
+
+    /// Puts the temperatures of a time of the step into `all`, a node each; none where the model
+    /// knows of none.
+    pub fn temperatures(&self, step_time: f64, all: &mut Vec<Temperature>) {
+        all.clear();
+        if !self.model.has_temperatures() {
+            return;
+        }
+        let initial = |node| self.model.initial_temperature(node);
+        let start = |node| self.start.temperatures.get(node).copied().unwrap_or(initial(node));
+        let between = |node, end: Temperature, amplitude: Option<usize>| {
+            let amplitude = amplitude.map(|a| &self.model.amplitudes[a]);
+            let start = start(node);
+            let at = |start, end| self.at(step_time, start, end, amplitude);
+            let (value, slope) = (at(start.value, end.value), at(start.slope, end.slope));
+            Temperature { value, slope }
+        };
+        // What the step before heated and this one does not name goes back to where it began.
+        all.extend((0..self.model.nodes.len()).map(|node| between(node, initial(node), None)));
+        for entry in &self.step.temperatures {
+            all[entry.node] = between(entry.node, entry.temperature, entry.amplitude);
+        }
     }
 
     /// A value between the start of the step and its end.

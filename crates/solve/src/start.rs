@@ -10,6 +10,7 @@
 use crate::constraints::ConstraintNumbering;
 use crate::state::State;
 use serde::{Deserialize, Serialize};
+use slideline_mech::element::Temperature;
 use std::borrow::Cow;
 
 /// What a step begins from, a dof each.
@@ -22,6 +23,8 @@ pub struct Start<'a> {
     /// Reactions of supports that the step releases; they ramp off over it
     /// [F or F L].
     pub released: Cow<'a, [f64]>,
+    /// Temperatures, a node each; empty: those before the first step [theta].
+    pub temperatures: Cow<'a, [Temperature]>,
 }
 
 impl Start<'_> {
@@ -36,6 +39,7 @@ impl Start<'_> {
         into(&mut self.displacement, &state.displacement);
         into(&mut self.load, &state.load);
         into(&mut self.released, &state.reaction);
+        self.temperatures.to_mut().clone_from(&state.temperatures);
         for (dof, force) in self.released.to_mut().iter_mut().enumerate() {
             if constraints.equation(dof).is_none() {
                 *force = 0.0;
@@ -49,6 +53,7 @@ impl Start<'_> {
             displacement: Cow::Owned(self.displacement.clone().into_owned()),
             load: Cow::Owned(self.load.clone().into_owned()),
             released: Cow::Owned(self.released.clone().into_owned()),
+            temperatures: Cow::Owned(self.temperatures.clone().into_owned()),
         }
     }
 
@@ -58,6 +63,7 @@ impl Start<'_> {
             displacement: Cow::Borrowed(&self.displacement),
             load: Cow::Borrowed(&self.load),
             released: Cow::Borrowed(&self.released),
+            temperatures: Cow::Borrowed(&self.temperatures),
         }
     }
 }

@@ -6,6 +6,7 @@ use crate::observe::{Energies, FrictionCall, Status};
 use serde::{Deserialize, Serialize};
 use slideline_mech::contact::pair::History;
 use slideline_mech::contact::tangential::Tangential;
+use slideline_mech::element::Temperature;
 
 /// A committed (or trial) state of the whole model.
 #[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
@@ -32,6 +33,8 @@ pub struct State {
     pub state_variables: Vec<f64>,
     /// State variables of the elements and their materials, block by block.
     pub elements: Vec<f64>,
+    /// Temperatures, a node each; empty: those before the first step [theta].
+    pub temperatures: Vec<Temperature>,
     /// Average flux of forces and moments over the step.
     pub flux: [Flow; 2],
     /// Nodal forces of contact stabilisation, a dof each; empty without it.
@@ -113,7 +116,7 @@ impl State {
         let Self { total_time, step_time, increment_time, .. } = *from;
         let Self { flux, stabilised, energy, balance_origin, books, .. } = *from;
         let Self { displacement, increment, increment_before, reaction, load, .. } = from;
-        let Self { points, state_variables, elements, damping, .. } = from;
+        let Self { points, state_variables, elements, damping, temperatures, .. } = from;
         let lists = [
             (&mut self.displacement, displacement),
             (&mut self.increment, increment),
@@ -126,6 +129,7 @@ impl State {
         ];
         lists.into_iter().for_each(|(own, from)| own.clone_from(from));
         self.points.clone_from(points);
+        self.temperatures.clone_from(temperatures);
         *self = Self {
             total_time,
             step_time,
@@ -138,6 +142,7 @@ impl State {
             points: std::mem::take(&mut self.points),
             state_variables: std::mem::take(&mut self.state_variables),
             elements: std::mem::take(&mut self.elements),
+            temperatures: std::mem::take(&mut self.temperatures),
             flux,
             damping: std::mem::take(&mut self.damping),
             stabilised,
@@ -153,6 +158,7 @@ impl State {
         let mut own = Self {
             points: std::mem::take(&mut self.points),
             damping: std::mem::take(&mut self.damping),
+            temperatures: std::mem::take(&mut self.temperatures),
             ..Self::default()
         };
         let lists = [
@@ -170,6 +176,7 @@ impl State {
             list.resize(count, 0.0);
         }
         own.damping.clear();
+        own.temperatures.clear();
         own.points.clear();
         own.points.resize(points, PointState::default());
         *self = own;

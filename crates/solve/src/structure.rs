@@ -27,7 +27,9 @@ pub use numbering::ElementNumbering;
 
 use crate::observe::BlockResults;
 use block::Block;
-use slideline_mech::element::{Kernel, MOST_VARIABLES, Strains};
+use slideline_mech::element::{
+    Kernel, MOST_NODES, MOST_VARIABLES, Strains, Surroundings, Temperature,
+};
 
 /// All elements of a step at work: numbering of the plan, kernels of the values.
 #[derive(Clone, Copy, Debug)]
@@ -41,12 +43,24 @@ pub struct Structure<'a> {
     /// Index of each tangent entry among the matrix values, element by element and row
     /// by row; `u32::MAX`: none.
     pub entries: &'a [u32],
+    /// Temperatures of all nodes before the first step; empty: all are zero.
+    pub initial: &'a [Temperature],
     /// Whether displacements may be large.
     pub nlgeom: bool,
     /// Largest EA/l [F/L], for the rounding floor of the residual.
     pub stiffest: f64,
     /// Length of the element that has it [L].
     pub stiffest_length: f64,
+}
+
+/// What is around the elements.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Ambient<'a> {
+    /// Temperatures, a node each; empty: all are zero and were.
+    pub temperatures: &'a [Temperature],
+    /// Time that passes for the materials on the way from the committed state [T]: zero where
+    /// they answer instantaneously, infinite where in the long term.
+    pub dt: f64,
 }
 
 /// What elements respond to.
@@ -59,6 +73,8 @@ pub struct Configuration<'a> {
     pub stresses: Option<&'a [f64]>,
     /// Committed state variables of all elements.
     pub state: &'a [f64],
+    /// Temperatures and time.
+    pub ambient: Ambient<'a>,
 }
 
 /// What every element contributes, in dofs of its own.
@@ -84,6 +100,28 @@ impl Contributions {
         self.force.resize(numbering.own.len(), 0.0);
         self.energy.resize(numbering.count, 0.0);
         self.state.resize(states.sum(), 0.0);
+    }
+}
+
+/// Temperatures at the nodes of an element, now and before the first step.
+struct NodalTemperatures {
+    now: [Temperature; MOST_NODES],
+    initial: [Temperature; MOST_NODES],
+    count: usize,
+}
+
+impl Default for NodalTemperatures {
+    fn default() -> Self {
+        let none = [Temperature::default(); MOST_NODES];
+        Self { now: none, initial: none, count: 0 }
+    }
+}
+
+impl NodalTemperatures {
+    /// What an element responds under.
+    fn under<'a>(&'a self, strains: Strains<'a>, dt: f64) -> Surroundings<'a> {
+        let (temperatures, initial) = (&self.now[..self.count], &self.initial[..self.count]);
+        Surroundings { strains, temperatures, initial, dt }
     }
 }
 
@@ -120,10 +158,17 @@ impl Structure<'_> {
 
     /// The stresses that a linear solution with the `change` of all dofs
     /// arrives at from displacements `u`: docs/theory.md eq. (3.27).
-    pub fn stresses_after(&self, u: &[f64], change: &[f64], into: &mut [f64]) {
+    pub fn stresses_after(
+        &self,
+        u: &[f64],
+        change: &[f64],
+        ambient: &Ambient<'_>,
+        into: &mut [f64],
+    ) {
         if into.is_empty() {
             return;
         }
+        let mut nodes = NodalTemperatures::default();
         let (mut q, mut moved) = ([0.0; MOST_VARIABLES], [0.0; MOST_VARIABLES]);
         for (block, kernel, element) in self.elements() {
             let own = self.own(block, element);
@@ -132,7 +177,9 @@ impl Structure<'_> {
                 (*q, *moved) = (u[dof], change[dof]);
             }
             let into = &mut into[block.stresses(element)];
-            kernel.stresses_after(block.number(element), q, moved, into);
+            let nodal = self.nodal_temperatures(block, element, ambient, &mut nodes);
+            let under = nodal.under(self.strains(), ambient.dt);
+            kernel.stresses_after(block.number(element), q, moved, &under, into);
         }
     }
 
@@ -156,6 +203,26 @@ impl Structure<'_> {
         let elements = turning.flat_map(|block| block.elements.clone().map(move |e| (block, e)));
         let bend = |(block, element): (&Block, usize)| block.bend(self.own(block, element), &of);
         elements.map(bend).fold(0.0, f64::max)
+    }
+
+    /// Temperatures at the nodes of an element.
+    fn nodal_temperatures<'n>(
+        &self,
+        block: &Block,
+        element: usize,
+        ambient: &Ambient<'_>,
+        into: &'n mut NodalTemperatures,
+    ) -> &'n NodalTemperatures {
+        into.count = 0;
+        if !ambient.temperatures.is_empty() {
+            let of = |list: &[Temperature], node: usize| list.get(node).copied();
+            for &node in &self.numbering.nodes[block.nodes(element)] {
+                into.now[into.count] = of(ambient.temperatures, node).unwrap_or_default();
+                into.initial[into.count] = of(self.initial, node).unwrap_or_default();
+                into.count += 1;
+            }
+        }
+        into
     }
 
     /// How strains follow displacements in this step.
@@ -218,7 +285,14 @@ impl Structure<'_> {
     }
 
     /// Results of all elements, block by block; room that `into` has is used again.
-    pub fn results(&self, u: &[f64], state: &[f64], into: &mut Vec<BlockResults>) {
+    pub fn results(
+        &self,
+        u: &[f64],
+        (state, temperatures): (&[f64], &[Temperature]),
+        into: &mut Vec<BlockResults>,
+    ) {
+        let mut nodes = NodalTemperatures::default();
+        let ambient = Ambient { temperatures, dt: 0.0 };
         into.resize_with(self.numbering.blocks.len(), BlockResults::default);
         let mut variables = [0.0; MOST_VARIABLES];
         let blocks = self.numbering.blocks.iter().zip(self.kernels.iter());
@@ -232,7 +306,9 @@ impl Structure<'_> {
                 let own = self.own(block, element);
                 q.iter_mut().zip(own).for_each(|(q, &dof)| *q = u[dof]);
                 let (number, state) = (block.number(element), &state[block.state(element)]);
-                kernel.results(number, q, state, self.strains(), values);
+                let nodal = self.nodal_temperatures(block, element, &ambient, &mut nodes);
+                let under = nodal.under(self.strains(), ambient.dt);
+                kernel.results(number, q, state, &under, values);
             }
         }
     }

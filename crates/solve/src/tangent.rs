@@ -181,7 +181,8 @@ pub fn assembled(place: &Place<'_>) -> Vec<f64> {
     let mut values = vec![0.0; plan.pattern.entries()];
     // The geometric stiffness of the iteration is that of estimated stresses.
     let mut contributions = plan.structure.room();
-    let at = Configuration { u: trial.u, stresses: None, state: &place.committed.elements };
+    let (state, ambient) = (&place.committed.elements[..], trial.ambient);
+    let at = Configuration { u: trial.u, stresses: None, state, ambient };
     let rows = &place.evaluation.rows;
     let gather = plan.gather(rows, &mut values);
     plan.structure.evaluate(&at, &mut contributions, gather, plan.means.pool);
@@ -363,7 +364,8 @@ impl<'a> Differences<'a> {
 
     fn residual(&mut self) -> Vec<f64> {
         let Place { plan, trial, evaluation, committed } = self.place;
-        let at = Configuration { u: &self.u, stresses: None, state: &committed.elements };
+        let (state, ambient) = (&committed.elements[..], trial.ambient);
+        let at = Configuration { u: &self.u, stresses: None, state, ambient };
         plan.structure.evaluate_forces(&at, &mut self.contributions, plan.means.pool);
         self.force.fill(0.0);
         plan.faces.press(trial.faces, &self.u, &mut self.force);
@@ -389,6 +391,7 @@ mod tests {
     use crate::problem::Means;
     use crate::stabilise::Dashpots;
     use crate::start::Start;
+    use crate::structure::Ambient;
     use crate::values::Values;
     use slideline_diag::Span;
     use slideline_mech::contact::tangential::Tangential;
@@ -519,10 +522,12 @@ mod tests {
                 minimum: 1.0,
                 maximum: 1.0,
                 direct: true,
+                passage: Passage::default(),
                 origin: None,
             },
             prescribed: fixed.iter().map(|&dof| prescribed(beam[0], dof)).collect(),
             loads: vec![],
+            temperatures: vec![],
             controls: Controls::default(),
             stabilisation: None,
             distributed: Default::default(),
@@ -576,6 +581,7 @@ mod tests {
                 pressures: &none,
                 tractions: &untouched,
                 dashpots: &dashpots,
+                ambient: Ambient::default(),
                 time: 1.0,
                 dt: 1.0,
             };
@@ -625,6 +631,7 @@ mod tests {
                     pressures: &none,
                     tractions: &untouched,
                     dashpots: &Dashpots::default(),
+                    ambient: Ambient::default(),
                     time: 1.0,
                     dt: 1.0,
                 };

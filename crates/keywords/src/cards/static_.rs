@@ -54,6 +54,7 @@ impl Keyword for Static {
             minimum,
             maximum,
             direct,
+            passage: model::Passage::default(),
             origin: Some(origin),
         });
         if let Some(first) = before.and_then(|before| before.origin) {

@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{
-    ContactPrint, Controls, Dof, ElementPrint, Load, NodeIndex, NodePrint, OutputRequests,
+    ContactPrint, Controls, Dof, ElementPrint, Load, NodeIndex, NodePrint, OutputRequests, Passage,
     Prescribed, PrintTarget, Request, SavedStates, Static, Step,
 };
 
@@ -130,9 +130,15 @@ fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
     carried.restart = step.restart.or(carried.restart);
     carried.contact_changes |= step.contact_changes;
     carry_requests(carried, &step, draft);
-    let origin = None;
-    let default =
-        Static { initial: 1.0, period: 1.0, minimum: 1e-5, maximum: 1.0, direct: false, origin };
+    let default = Static {
+        initial: 1.0,
+        period: 1.0,
+        minimum: 1e-5,
+        maximum: 1.0,
+        direct: false,
+        passage: Passage::default(),
+        origin: None,
+    };
     Step {
         title: step.title,
         nlgeom: step.nlgeom,
@@ -143,6 +149,7 @@ fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
         procedure: step.procedure.unwrap_or(default),
         prescribed: carried.prescribed.list.clone(),
         loads: carried.loads.list.clone(),
+        temperatures: Vec::new(),
         controls: carried.controls,
         distributed: carried.distributed.loads(),
         stabilisation: step.stabilisation,

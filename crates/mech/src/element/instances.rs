@@ -1,6 +1,6 @@
 //! A block of elements of fixed size as a [`Kernel`].
 
-use super::kernel::{Element, Kernel, Response, Scale, Strains};
+use super::kernel::{Element, Kernel, Response, Scale, Strains, Surroundings};
 use std::any::Any;
 
 /// Elements of one type with `N` variables each; `NN` is `N` squared.
@@ -53,13 +53,13 @@ impl<E: Element<N, NN> + 'static, const N: usize, const NN: usize> Kernel for In
         element: usize,
         q: &[f64],
         _committed: &[f64],
-        strains: Strains<'_>,
+        under: &Surroundings<'_>,
         into: Response<'_>,
     ) -> f64 {
         let (Ok(q), Ok(force)) = (q.try_into(), into.force.try_into()) else { return 0.0 };
         let element = &self.elements[element];
         let tangent = into.tangent.and_then(|tangent| <&mut [f64; NN]>::try_from(tangent).ok());
-        match (strains, tangent) {
+        match (under.strains, tangent) {
             (Strains::Linear, Some(tangent)) => element.linear(q, force, tangent),
             (Strains::Linear, None) => element.linear(q, force, &mut [0.0; NN]),
             (Strains::Mixed(stresses), Some(tangent)) => element.mixed(q, stresses, force, tangent),
@@ -79,7 +79,14 @@ impl<E: Element<N, NN> + 'static, const N: usize, const NN: usize> Kernel for In
         self.elements[element].force_of_stresses(&array(q), stresses, force)
     }
 
-    fn stresses_after(&self, element: usize, q: &[f64], change: &[f64], into: &mut [f64]) {
+    fn stresses_after(
+        &self,
+        element: usize,
+        q: &[f64],
+        change: &[f64],
+        _under: &Surroundings<'_>,
+        into: &mut [f64],
+    ) {
         self.elements[element].stresses_after(&array(q), &array(change), into);
     }
 
@@ -96,10 +103,10 @@ impl<E: Element<N, NN> + 'static, const N: usize, const NN: usize> Kernel for In
         element: usize,
         q: &[f64],
         _state: &[f64],
-        strains: Strains<'_>,
+        under: &Surroundings<'_>,
         into: &mut [f64],
     ) {
-        let linear = strains == Strains::Linear;
+        let linear = under.strains == Strains::Linear;
         self.elements[element].results(&array(q), linear, into);
     }
 }

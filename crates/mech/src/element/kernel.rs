@@ -2,7 +2,7 @@
 //! everything that numbers, gathers, commits and writes.
 //!
 //! ```text
-//!   displacements q, committed state, strains
+//!   displacements q, committed state, surroundings (kinematics, temperatures, time)
 //!        |
 //!        v         +--> force  dW/dq
 //!     respond -----+--> tangent d2W/dq2     (not in the force-only mode)
@@ -15,6 +15,7 @@
 //! block. Whoever has a formulation of his own implements [`Kernel`], or [`Element`] for one element
 //! of fixed size, and lets [`Instances`](super::Instances) do the rest.
 
+use serde::{Deserialize, Serialize};
 use std::any::Any;
 use std::fmt::Debug;
 
@@ -27,6 +28,36 @@ pub enum Strains<'a> {
     Exact,
     /// Any displacement; the geometric stiffness is that of these estimated stresses.
     Mixed(&'a [f64]),
+}
+
+/// Temperature at a node [theta].
+#[derive(Clone, Copy, Debug, PartialEq, Default, Serialize, Deserialize)]
+pub struct Temperature {
+    /// Of a solid, or of a beam's axis.
+    pub value: f64,
+    /// Growth along a plane beam's normal, its tangent turned left by a right angle [theta/L].
+    pub slope: f64,
+}
+
+/// What an element responds under.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Surroundings<'a> {
+    /// How strains follow displacements.
+    pub strains: Strains<'a>,
+    /// Temperatures of its nodes; empty: all are zero and were.
+    pub temperatures: &'a [Temperature],
+    /// Those before the first step, at which it is free of stress; as many.
+    pub initial: &'a [Temperature],
+    /// Time that passes on the way from the committed state [T]: zero for instantaneous, infinite
+    /// for long-term behaviour.
+    pub dt: f64,
+}
+
+impl<'a> From<Strains<'a>> for Surroundings<'a> {
+    /// No temperatures, and no time.
+    fn from(strains: Strains<'a>) -> Self {
+        Self { strains, temperatures: &[], initial: &[], dt: 0.0 }
+    }
 }
 
 /// Where a response is written.
@@ -52,6 +83,9 @@ pub struct Scale {
 /// The most variables an element may have: 27 nodes in space.
 pub const MOST_VARIABLES: usize = 81;
 
+/// The most nodes an element may have.
+pub const MOST_NODES: usize = 27;
+
 /// The elements of a block.
 pub trait Kernel: Any + Debug + Send + Sync {
     /// Number of elements.
@@ -73,7 +107,7 @@ pub trait Kernel: Any + Debug + Send + Sync {
         element: usize,
         q: &[f64],
         committed: &[f64],
-        strains: Strains<'_>,
+        under: &Surroundings<'_>,
         into: Response<'_>,
     ) -> f64;
 
@@ -89,7 +123,15 @@ pub trait Kernel: Any + Debug + Send + Sync {
     }
 
     /// Writes the stresses that a linear solution with the change `change` of `q` arrives at.
-    fn stresses_after(&self, _element: usize, _q: &[f64], _change: &[f64], _into: &mut [f64]) {}
+    fn stresses_after(
+        &self,
+        _element: usize,
+        _q: &[f64],
+        _change: &[f64],
+        _under: &Surroundings<'_>,
+        _into: &mut [f64],
+    ) {
+    }
 
     /// Raises estimated stresses that are next to none, in a model of size `reach` [L], to a slight
     /// tension: docs/theory.md eq. (3.30).
@@ -105,7 +147,7 @@ pub trait Kernel: Any + Debug + Send + Sync {
         element: usize,
         q: &[f64],
         state: &[f64],
-        strains: Strains<'_>,
+        under: &Surroundings<'_>,
         into: &mut [f64],
     );
 }

@@ -23,7 +23,10 @@ pub use b21::{Beam21, BeamSectionForces, BeamStrains};
 pub use b22::Beam22;
 pub use b23::Beam23;
 pub use instances::Instances;
-pub use kernel::{Element, Kernel, MOST_VARIABLES, Response, Scale, Strains};
+pub use kernel::{
+    Element, Kernel, MOST_NODES, MOST_VARIABLES, Response, Scale, Strains, Surroundings,
+    Temperature,
+};
 pub use mixed::Mixed;
 pub use solid::Solids;
 pub use spring::{AxialSpring, GroundSpring};

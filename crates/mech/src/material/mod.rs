@@ -1,7 +1,7 @@
 //! Materials: pure functions of a strain and a committed state.
 //!
 //! ```text
-//!   displacement gradient H, committed state
+//!   displacement gradient H, committed state, conditions (kinematics, temperatures, time)
 //!        |
 //!        v      +--> stress      Cauchy's where strains are small, Kirchhoff's where large
 //!     respond --+--> moduli      consistent with the trial state
@@ -53,6 +53,20 @@ impl Elastic {
     }
 }
 
+/// What a material answers under.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Conditions {
+    /// Whether strains are not linearised.
+    pub large: bool,
+    /// Temperature [theta].
+    pub temperature: f64,
+    /// Temperature before the first step, at which it is free of stress [theta].
+    pub initial: f64,
+    /// Time that passes on the way from the committed state [T]: zero for instantaneous, infinite
+    /// for long-term behaviour.
+    pub dt: f64,
+}
+
 /// What a material answers.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Answer {
@@ -71,11 +85,11 @@ pub trait Law: Debug + Send + Sync {
     /// Number of state variables of a point.
     fn states(&self) -> usize;
 
-    /// Answers the displacement gradient H; `large`: not linearised.
+    /// Answers the displacement gradient H.
     fn respond(
         &self,
         gradient: &Matrix,
-        large: bool,
+        under: &Conditions,
         committed: &[f64],
         state: &mut [f64],
     ) -> Answer;
@@ -129,11 +143,11 @@ impl Material {
     pub fn respond(
         &self,
         gradient: &Matrix,
-        large: bool,
+        under: &Conditions,
         committed: &[f64],
         state: &mut [f64],
     ) -> Answer {
-        match (self, large) {
+        match (self, under.large) {
             (Self::Elastic(elastic, _), false) => elastic.small(&symmetric(gradient)),
             (Self::Elastic(elastic, LargeStrain::Logarithmic), true) => elastic.hencky(gradient),
             (Self::Elastic(elastic, LargeStrain::Green), true) => elastic.green(gradient),
@@ -145,7 +159,7 @@ impl Material {
                 plastic.small(&symmetric(gradient), committed, state)
             }
             (Self::Plastic(plastic), true) => plastic.large(gradient, committed, state),
-            (Self::User(law), _) => law.respond(gradient, large, committed, state),
+            (Self::User(law), _) => law.respond(gradient, under, committed, state),
         }
     }
 

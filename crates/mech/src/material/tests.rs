@@ -42,7 +42,8 @@ fn all() -> Vec<(&'static str, Material)> {
 
 fn respond(material: &Material, h: &Matrix, large: bool, from: &[f64]) -> (Answer, Vec<f64>) {
     let mut state = vec![0.0; material.states()];
-    let answer = material.respond(h, large, from, &mut state);
+    let under = Conditions { large, ..Conditions::default() };
+    let answer = material.respond(h, &under, from, &mut state);
     (answer, state)
 }
 

@@ -328,7 +328,7 @@ mod tests {
             let state = vec![0.0; (row.states)(section)];
             let mut results = vec![f64::NAN; row.all_values()];
             let q = vec![0.01; kernel.variables()];
-            kernel.results(0, &q, &state, Strains::Linear, &mut results);
+            kernel.results(0, &q, &state, &Strains::Linear.into(), &mut results);
             assert!(results.iter().all(|value| value.is_finite()), "{}", row.name());
             assert!(TYPES.into_iter().filter(|other| *other == row).count() == 1);
             assert_eq!(element_type(row.name()), Some(row));

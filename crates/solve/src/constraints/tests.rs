@@ -4,7 +4,8 @@ use super::*;
 use slideline_diag::{FileId, Span};
 use slideline_model::{
     ContactElement, ContactPair, Controls, Dof, Extrapolation, Formulation, Friction, Interaction,
-    Lumping, Master, Node, NormalLaw, OutputRequests, Prescribed, RigidSurface, Static, Vocabulary,
+    Lumping, Master, Node, NormalLaw, OutputRequests, Passage, Prescribed, RigidSurface, Static,
+    Vocabulary,
 };
 
 const AT: Span = Span { file: FileId(0), start: 0, end: 0 };
@@ -74,10 +75,12 @@ fn step() -> Step {
             minimum: 1.0,
             maximum: 1.0,
             direct: true,
+            passage: Passage::default(),
             origin: None,
         },
         prescribed: vec![prescribed(4, Dof::U1)],
         loads: vec![],
+        temperatures: vec![],
         controls: Controls::default(),
         stabilisation: None,
         distributed: Default::default(),

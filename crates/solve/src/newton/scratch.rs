@@ -19,6 +19,7 @@ use slideline_diag::Diagnostic;
 use slideline_linalg::{Kind, Solver};
 use slideline_mech::contact::enforcement::Enforcement;
 use slideline_mech::contact::tangential::Tangential;
+use slideline_mech::element::Temperature;
 
 /// Equations of a contact point that room is kept for.
 const ROWS: usize = 18;
@@ -68,6 +69,10 @@ pub struct Scratch {
     pub(super) residual: Vec<f64>,
     /// Forces on dependent dofs with which the tangent turns, a dof each.
     pub(super) turning: Vec<f64>,
+    /// Temperatures, a node each; empty: there are none.
+    pub temperatures: Vec<Temperature>,
+    /// Time that passes for the materials [T].
+    pub(super) material_dt: f64,
     /// Pressures on faces [F/L2].
     pub(super) faces: Vec<f64>,
     pub(super) increment: Vec<f64>,
@@ -192,7 +197,7 @@ impl Scratch {
         self.dashpots.forget(plan.contact);
         (self.outside, self.only_dense, self.augment_all) = (false, false, false);
         (self.line_search, self.negative_pivots) = (false, 0);
-        (self.step_length, self.dt) = (1.0, 0.0);
+        (self.step_length, self.dt, self.material_dt) = (1.0, 0.0, 0.0);
         self.enforcement = Enforcement::default();
         self.relaxation.stiffness = 0.0;
     }

@@ -31,7 +31,8 @@ impl Rows {
     pub fn fill(&mut self, plan: &Problem<'_>, state: &State) {
         let rows = (&mut self.contact, &mut self.gathered);
         contact_rows((plan.model, plan.dofs), plan.contact, state, rows);
-        plan.structure.results(&state.displacement, &state.elements, &mut self.elements);
+        let inside = (&state.elements[..], &state.temperatures[..]);
+        plan.structure.results(&state.displacement, inside, &mut self.elements);
         self.beams.clear();
         for results in &self.elements {
             let Some(beams) = plan.model.blocks[results.block].beams() else { continue };

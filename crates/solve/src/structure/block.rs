@@ -17,6 +17,9 @@ pub struct Block {
     /// Number of an element's variables, and of its stresses that may be estimated.
     pub variables: usize,
     pub estimates: usize,
+    /// Where the nodes of the first element begin, and how many an element has.
+    pub first_node: usize,
+    pub width: usize,
     /// Where the dofs, tangent entries and stresses of the first element begin.
     pub first_own: usize,
     pub first_entry: usize,
@@ -36,6 +39,11 @@ impl Block {
     pub fn own(&self, element: usize) -> Range<usize> {
         let first = self.first_own + self.variables * (element - self.elements.start);
         first..first + self.variables
+    }
+
+    pub fn nodes(&self, element: usize) -> Range<usize> {
+        let first = self.first_node + self.width * (element - self.elements.start);
+        first..first + self.width
     }
 
     pub fn entries(&self, element: usize) -> Range<usize> {

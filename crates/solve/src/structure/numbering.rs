@@ -4,7 +4,7 @@ use super::block::Block;
 use crate::constraints::ConstraintNumbering;
 use crate::dofs::DofMap;
 use slideline_linalg::Pattern;
-use slideline_model::{Element, ElementBlock, Model, Undeformed};
+use slideline_model::{Element, ElementBlock, Model, NodeIndex, Undeformed};
 
 /// Where the elements of a model stand and which dofs they have: what a plan holds of
 /// them.
@@ -15,6 +15,8 @@ pub struct ElementNumbering {
     pub(super) count: usize,
     /// Dofs of the elements' own variables, element by element.
     pub(super) own: Vec<usize>,
+    /// Nodes of the elements, element by element.
+    pub(super) nodes: Vec<NodeIndex>,
     /// Number of tangent entries of all elements.
     entries: usize,
     /// How many stresses the elements have.
@@ -62,6 +64,8 @@ impl ElementNumbering {
             translations: kinds.iter().filter(|dof| !dof.is_rotation()).count(),
             variables,
             estimates: kernel.estimate_size(),
+            first_node: self.nodes.len(),
+            width: block.kind.cell.nodes,
             first_own: self.own.len(),
             first_entry: self.entries,
             first_stress: self.stresses,
@@ -73,6 +77,7 @@ impl ElementNumbering {
         };
         self.own.reserve_exact(variables * count);
         for (member, element) in elements() {
+            self.nodes.extend_from_slice(element.nodes);
             for &node in element.nodes {
                 self.own.extend(kinds.iter().filter_map(|&kind| dofs.find(node, kind)));
             }

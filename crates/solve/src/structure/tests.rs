@@ -32,10 +32,12 @@ fn step() -> Step {
             minimum: 1.0,
             maximum: 1.0,
             direct: true,
+            passage: Passage::default(),
             origin: None,
         },
         prescribed: vec![],
         loads: vec![],
+        temperatures: vec![],
         controls: Controls::default(),
         stabilisation: None,
         distributed: Default::default(),
@@ -69,7 +71,7 @@ fn model(count: usize) -> Model {
 }
 
 fn at<'a>(u: &'a [f64], stresses: Option<&'a [f64]>) -> Configuration<'a> {
-    Configuration { u, stresses, state: &[] }
+    Configuration { u, stresses, state: &[], ambient: Ambient::default() }
 }
 
 struct Built {
@@ -91,6 +93,7 @@ impl Built {
 
     fn structure(&self) -> Structure<'_> {
         Structure {
+            initial: &[],
             numbering: &self.elements,
             kernels: &self.kernels,
             dependent: &self.dependent,
@@ -238,7 +241,7 @@ fn linear_kinematics() {
         assert!((force[dof] - product[dof]).abs() < 1e-10, "{dof}");
     }
     let mut results = Vec::new();
-    structure.results(&u, &[], &mut results);
+    structure.results(&u, (&[], &[]), &mut results);
     let of = |block: &BlockResults| block.elements(&model).count();
     assert_eq!(results.iter().map(of).collect::<Vec<_>>(), [2, 2, 0, 3], "springs have no results");
     // SF1, SF2, SM1, SE1, SE2, SK1
@@ -276,7 +279,7 @@ fn mixed_tangent_with_own_stresses() {
     let largest = exact.iter().fold(0.0_f64, |most, k| most.max(k.abs()));
     let mut own = vec![0.0; structure.stress_room()];
     assert!(own.len() > 12);
-    structure.stresses_after(&u, &vec![0.0; u.len()], &mut own);
+    structure.stresses_after(&u, &vec![0.0; u.len()], &Ambient::default(), &mut own);
     let (mixed, _) = tangent(Some(&own));
     let off = |a: f64, b: f64| assert!((a - b).abs() < 1e-12 * largest, "{a} {b}");
     mixed.iter().zip(&exact).for_each(|(&a, &b)| off(a, b));
@@ -313,12 +316,12 @@ fn stresses_after_by_differences() {
         let mut moved: Vec<f64> = u.iter().zip(&change).map(|(u, du)| u + t * du).collect();
         constraints.enforce(&mut moved);
         let mut stresses = vec![0.0; structure.stress_room()];
-        structure.stresses_after(&moved, &still, &mut stresses);
+        structure.stresses_after(&moved, &still, &Ambient::default(), &mut stresses);
         stresses
     };
     let (here, up, down) = (at(0.0), at(1e-6), at(-1e-6));
     let mut arrived = vec![0.0; structure.stress_room()];
-    structure.stresses_after(&u, &change, &mut arrived);
+    structure.stresses_after(&u, &change, &Ambient::default(), &mut arrived);
     let largest = arrived.iter().fold(0.0_f64, |most, s| most.max(s.abs()));
     for k in 0..here.len() {
         let line = here[k] + (up[k] - down[k]) / 2e-6;

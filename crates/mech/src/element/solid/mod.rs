@@ -26,10 +26,10 @@ pub use place::{Reference, smallest_jacobian};
 pub use results::Told;
 
 use super::cell::Cell;
-use super::kernel::{Kernel, Response, Scale, Strains};
+use super::kernel::{Kernel, Response, Scale, Strains, Surroundings};
 use super::quadrature::{HEX_8, Quadrature};
 use crate::material::tensor::{Matrix, Moduli, Symmetric, dilation};
-use crate::material::{Answer, Material};
+use crate::material::{Answer, Conditions, Material};
 use place::{Place, Tables};
 
 /// How strains follow displacements.
@@ -152,12 +152,14 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
     }
 
     /// The undeformed element with the displacement gradients of `q`.
-    fn places(&self, element: usize, q: &[f64]) -> [Place<D, N>; P] {
+    fn places(&self, element: usize, q: &[f64], under: &Surroundings<'_>) -> [Place<D, N>; P] {
         let nodes = &self.elements[element];
+        let large = under.strains != Strains::Linear;
         std::array::from_fn(|point| {
             let mut place = Place::mean(nodes, &self.tables.fine, &self.recipe)
                 .unwrap_or_else(|| Place::new(nodes, &self.tables.points[point], &self.recipe));
             place.follow(q);
+            place.conditions = Conditions { large, dt: under.dt, ..Conditions::default() };
             place
         })
     }
@@ -166,15 +168,15 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
     fn ask(
         &self,
         gradient: &mut Matrix,
-        large: bool,
+        under: &Conditions,
         committed: &[f64],
         state: &mut [f64],
     ) -> Answer {
         let material = &self.recipe.material;
         if self.recipe.kinematics == Kinematics::PlaneStress {
-            plane_stress::ask(material, gradient, large, (committed, state))
+            plane_stress::ask(material, gradient, under, (committed, state))
         } else {
-            material.respond(gradient, large, committed, state)
+            material.respond(gradient, under, committed, state)
         }
     }
 
@@ -195,7 +197,8 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
         std::array::from_fn(|k| {
             let mut gradient = places[k].gradient;
             let own = state.get_mut(width * k..width * (k + 1)).unwrap_or_default();
-            let answer = self.ask(&mut gradient, large, self.of_point(committed, k), own);
+            let answer =
+                self.ask(&mut gradient, &places[k].conditions, self.of_point(committed, k), own);
             Point::new(&places[k], &gradient, large, &answer)
         })
     }
@@ -265,11 +268,11 @@ impl<const D: usize, const N: usize, const P: usize> Kernel for Solids<D, N, P> 
         element: usize,
         q: &[f64],
         committed: &[f64],
-        strains: Strains<'_>,
+        under: &Surroundings<'_>,
         into: Response<'_>,
     ) -> f64 {
-        let large = strains != Strains::Linear;
-        let places = self.places(element, q);
+        let large = under.strains != Strains::Linear;
+        let places = self.places(element, q, under);
         if self.recipe.formulation == Formulation::Incompatible {
             return self.with_modes((element, &places), q, (committed, large), into);
         }
@@ -290,7 +293,7 @@ impl<const D: usize, const N: usize, const P: usize> Kernel for Solids<D, N, P> 
     }
 
     fn scale(&self, element: usize) -> Scale {
-        let places = self.places(element, &[]);
+        let places = self.places(element, &[], &Strains::Linear.into());
         let volume: f64 = places.iter().map(|place| place.weight).sum();
         let content: f64 = places.iter().map(|place| place.content).sum();
         let length = content.powf(1.0 / D as f64);
@@ -303,9 +306,9 @@ impl<const D: usize, const N: usize, const P: usize> Kernel for Solids<D, N, P> 
         element: usize,
         q: &[f64],
         state: &[f64],
-        strains: Strains<'_>,
+        under: &Surroundings<'_>,
         into: &mut [f64],
     ) {
-        self.write_results(element, (q, state), strains != Strains::Linear, into);
+        self.write_results(element, (q, state), under, into);
     }
 }

@@ -3,6 +3,7 @@
 use super::{Kinematics, Recipe};
 use crate::element::cell::Cell;
 use crate::element::quadrature::Quadrature;
+use crate::material::Conditions;
 use crate::material::tensor::Matrix;
 
 /// Shape functions of a point of the reference cell.
@@ -70,6 +71,8 @@ pub(super) struct Place<const D: usize, const N: usize> {
     pub inverse: [[f64; D]; D],
     /// H = du/dX.
     pub gradient: Matrix,
+    /// What the material answers under.
+    pub conditions: Conditions,
 }
 
 impl<const D: usize, const N: usize> Place<D, N> {
@@ -106,7 +109,9 @@ impl<const D: usize, const N: usize> Place<D, N> {
             }
         };
         let gradient = [[0.0; 3]; 3];
-        Self { weight: content * across, content, slopes, over_radius, inverse, gradient }
+        let weight = content * across;
+        let conditions = Conditions::default();
+        Self { weight, content, slopes, over_radius, inverse, gradient, conditions }
     }
 
     /// The mean of an element: its volume, and gradients averaged over it, so that homogeneous

@@ -6,7 +6,7 @@
 //! ```
 
 use crate::material::tensor::Matrix;
-use crate::material::{Answer, Material};
+use crate::material::{Answer, Conditions, Material};
 
 /// Most corrections of the strain across.
 const MOST: usize = 40;
@@ -18,7 +18,7 @@ const ROUNDINGS: f64 = 16.0;
 pub(super) fn ask(
     material: &Material,
     gradient: &mut Matrix,
-    large: bool,
+    under: &Conditions,
     (committed, state): (&[f64], &mut [f64]),
 ) -> Answer {
     let own = material.states();
@@ -26,9 +26,9 @@ pub(super) fn ask(
     let Some((after, [across])) = after else { return Answer::default() };
     gradient[2][2] = committed.get(own).copied().unwrap_or(0.0);
     for _ in 0..MOST {
-        let answer = material.respond(gradient, large, before, after);
+        let answer = material.respond(gradient, under, before, after);
         let stress = answer.stress[2];
-        let modulus = answer.moduli[2][2] + if large { stress } else { 0.0 };
+        let modulus = answer.moduli[2][2] + if under.large { stress } else { 0.0 };
         let step = -stress / modulus;
         let size = answer.stress.iter().fold(0.0_f64, |size, s| size.max(s.abs()));
         let largest = gradient.as_flattened().iter().fold(0.0_f64, |most, h| most.max(h.abs()));
@@ -40,7 +40,7 @@ pub(super) fn ask(
         if !step.is_finite() {
             break;
         }
-        if large {
+        if under.large {
             // a step that would turn the thickness round is cut
             gradient[2][2] += step.max(-0.5) * (1.0 + gradient[2][2]);
         } else {

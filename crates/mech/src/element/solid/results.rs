@@ -1,6 +1,7 @@
 //! Results of a solid: stresses, strains and plastic strains at its points.
 
 use super::{Formulation, Solids};
+use crate::element::kernel::{Strains, Surroundings};
 use crate::material::Axes;
 use crate::material::tensor::{Matrix, Symmetric, left, right, symmetric};
 
@@ -38,10 +39,11 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
         &self,
         element: usize,
         (q, state): (&[f64], &[f64]),
-        large: bool,
+        under: &Surroundings<'_>,
         into: &mut [f64],
     ) {
-        let mut places = self.places(element, q);
+        let large = under.strains != Strains::Linear;
+        let mut places = self.places(element, q, under);
         if self.recipe.formulation == Formulation::Incompatible {
             self.enhanced_gradients((element, &mut places), q, (state, large));
         }
