@@ -146,8 +146,9 @@ impl Noise {
     fn follow(&mut self, frame: &Frame<'_>) {
         self.increments += 1;
         for curve in &mut self.curves {
-            curve.motion.push(frame.nodal.displacement(curve.node, curve.dof));
-            curve.reaction.push(frame.nodal.reaction(curve.node, curve.dof));
+            let [moved, reaction, _] = frame.nodal.named(curve.node, curve.dof);
+            curve.motion.push(moved);
+            curve.reaction.push(reaction);
         }
         let carriers = carriers(frame, self.pairs.len());
         for ((pair, row), carrier) in self.pairs.iter_mut().zip(frame.pairs).zip(carriers) {

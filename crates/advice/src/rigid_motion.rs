@@ -101,7 +101,12 @@ impl<'a> Holds<'a> {
     fn hold(&mut self, node: NodeIndex, dof: Dof) {
         let mut row = vec![0.0; self.width()];
         let at = self.start.model.nodes.position(node);
+        let axes = self.start.model.axes_of(node).filter(|_| !dof.is_rotation());
         match dof {
+            _ if axes.is_some() => {
+                let way = axes.map_or([0.0; 3], |axes| axes[dof as usize]);
+                self.add(&mut row, node, at, way, 1.0);
+            }
             Dof::U1 => self.add(&mut row, node, at, [1.0, 0.0, 0.0], 1.0),
             Dof::U2 => self.add(&mut row, node, at, [0.0, 1.0, 0.0], 1.0),
             Dof::UR3 => {

@@ -111,7 +111,8 @@ impl<'a> Progress<'a> {
     /// A row of the table of a terminal.
     fn increment_live(&mut self, frame: &Frame<'_>, closed: usize) {
         let driven = self.driven.first().map(|&(node, dof)| {
-            [frame.nodal.displacement(node, dof), frame.nodal.reaction(node, dof)]
+            let [moved, reaction, _] = frame.nodal.named(node, dof);
+            [moved, reaction]
         });
         let row = Row {
             step: frame.step,
@@ -149,8 +150,7 @@ impl<'a> Progress<'a> {
             general(frame.total_time, 7),
         ); // a String takes any text
         for &(node, dof) in self.driven.iter().take(2) {
-            let moved = frame.nodal.displacement(node, dof);
-            let force = frame.nodal.reaction(node, dof);
+            let [moved, force, _] = frame.nodal.named(node, dof);
             let _ = write!(self.waiting, " {:>14} {:>14}", general(moved, 7), general(force, 7));
         }
         self.waiting.push('\n');
@@ -337,9 +337,10 @@ fn iteration_object(report: &IterationReport, labels: &[u64]) -> Value {
 fn increment_object(frame: &Frame<'_>, driven: &[(NodeIndex, Dof)]) -> Value {
     let values = driven.iter().flat_map(|&(node, dof)| {
         let label = frame.model.nodes.label(node);
+        let [moved, reaction, _] = frame.nodal.named(node, dof);
         [
-            (format!("{label}.{}", dof.name()), frame.nodal.displacement(node, dof).into()),
-            (format!("{label}.{}", dof.reaction_name()), frame.nodal.reaction(node, dof).into()),
+            (format!("{label}.{}", dof.name()), moved.into()),
+            (format!("{label}.{}", dof.reaction_name()), reaction.into()),
         ]
     });
     let closed = frame.contact.iter().filter(|row| row.status != Status::Open);

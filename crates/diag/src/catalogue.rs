@@ -149,6 +149,7 @@ catalogue! {
     "SL0346" "corners that make no element"
     "SL0347" "an equation that cannot be used"
     "SL0348" "nodes of a tie that are not tied"
+    "SL0349" "a node with two systems of axes"
     "SL0400" "a contact pair as it was understood"
     "SL0401" "hard contact that is integrated"
     "SL0402" "an initial overclosure"

@@ -12,6 +12,7 @@ use slideline_model::{
     NodeIndex, NodePrint, Nodes, PrintTarget, ProfilePoint, SavedStates, Static, SurfaceSegment,
 };
 
+use crate::axes::Transform;
 use crate::constraints::{Coupling, Equation, Link, Tie};
 use crate::distributed::Distributed;
 use crate::log::{Log, Target};
@@ -64,6 +65,9 @@ pub(crate) struct Draft {
     pub equations: Vec<Equation>,
     pub couplings: Vec<Coupling>,
     pub ties: Vec<Tie>,
+    pub transforms: Vec<Transform>,
+    /// Axes of the nodes that have their own, when all cards are read.
+    pub axes: HashMap<NodeIndex, slideline_model::Axes>,
     /// Dofs that follow others, and where it was said; known when links are resolved.
     pub dependents: HashMap<(NodeIndex, Dof), Span>,
     pub parts: Parts<Contents>,
@@ -101,6 +105,7 @@ pub(crate) struct Contents {
     pub equations: Vec<Equation>,
     pub couplings: Vec<Coupling>,
     pub ties: Vec<Tie>,
+    pub transforms: Vec<Transform>,
 }
 
 /// The card that a suboption belongs to.

@@ -11,6 +11,7 @@
 //! errors of a deck are reported in one pass, and an error is not followed by
 //! complaints about what it caused.
 
+mod axes;
 mod cards;
 mod constraints;
 mod distributed;

@@ -37,6 +37,11 @@ impl Motion {
         std::array::from_fn(|k| a[k] + turned[k])
     }
 
+    /// Where a direction of the part points in the assembly.
+    pub fn direction(&self, part: [f64; 3]) -> [f64; 3] {
+        self.rotation.map_or(part, |(_, rotation)| times(&rotation, part))
+    }
+
     /// Whether the plane of x and y stays one of constant z.
     pub fn keeps_the_plane(&self) -> bool {
         self.rotation.is_none_or(|(_, r)| r[2][2] == 1.0)

@@ -42,6 +42,7 @@ impl Draft {
             equations: take(&mut self.equations),
             couplings: take(&mut self.couplings),
             ties: take(&mut self.ties),
+            transforms: take(&mut self.transforms),
         }
     }
 
@@ -64,6 +65,7 @@ impl Draft {
         self.equations = contents.equations;
         self.couplings = contents.couplings;
         self.ties = contents.ties;
+        self.transforms = contents.transforms;
     }
 
     /// `*PART`.

@@ -10,7 +10,8 @@ use crate::cards::{
     initial_conditions, instance, interface, kinematic, kinematic_coupling, material, mpc, ngen,
     nmap, node, node_file, node_output, node_print, nset, output, part, plastic, print, restart,
     rigid_body, rigid_surface, slide_line, solid_section, spring, static_, step, surface,
-    surface_behavior, surface_contact, surface_interaction, temperature, tie, transverse_shear,
+    surface_behavior, surface_contact, surface_interaction, temperature, tie, transform,
+    transverse_shear,
 };
 use crate::keyword::Keyword;
 use crate::reading::{Match, resolve};
@@ -30,6 +31,7 @@ pub(crate) const REGISTRY: &[&'static dyn Keyword] = &[
     &ngen::Ngen,
     &nmap::Nmap,
     &nset::Nset,
+    &transform::Transform,
     &elset::Elset,
     &element::Element,
     &elgen::Elgen,

@@ -15,6 +15,7 @@
 // Dimension tags such as [L] are no links.
 #![allow(rustdoc::broken_intra_doc_links)]
 
+pub mod axes;
 pub mod contact;
 pub mod differentiate;
 pub mod element;

@@ -23,6 +23,7 @@ mod output;
 mod refine;
 mod stabilisation;
 mod step;
+mod transform;
 mod vocabulary;
 
 pub use amplitude::{Amplitude, Curve};
@@ -44,12 +45,14 @@ pub use output::{
     OutputRequests, PrintTarget, Request, SECTION_POINTS, SavedStates,
 };
 pub use refine::refine;
+pub use slideline_mech::axes::{Axes, System};
 pub use slideline_mech::contact::normal::NormalLaw;
 pub use slideline_mech::contact::onset::Onset;
 pub use slideline_mech::element::Temperature;
 pub use slideline_mech::material::Material;
 pub use stabilisation::Stabilisation;
 pub use step::{Extrapolation, Load, NodalTemperature, Passage, Prescribed, Static, Step};
+pub use transform::Transform;
 pub use vocabulary::Vocabulary;
 
 use slideline_diag::Span;
@@ -85,6 +88,8 @@ pub struct Model {
     pub nodes: Nodes,
     /// Named node sets, members in order.
     pub node_sets: Vec<NodeSet>,
+    /// Axes of nodes that are not those of the model.
+    pub transforms: Vec<Transform>,
     /// Elements in blocks of one type and one section.
     pub blocks: Vec<ElementBlock>,
     /// What beams may be strained to, where the deck says so.

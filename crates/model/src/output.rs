@@ -110,6 +110,8 @@ pub struct NodePrint {
     pub nodes: Vec<NodeIndex>,
     /// Columns.
     pub variables: Vec<NodeVariable>,
+    /// `GLOBAL=NO`: nodes with axes of their own are printed along these.
+    pub own_axes: bool,
 }
 
 /// A nodal quantity.

@@ -34,6 +34,8 @@ struct Row {
     /// Number of the node or element.
     label: u64,
     values: Vec<f64>,
+    /// What of them is summed, where not the values themselves.
+    summed: Option<Vec<f64>>,
 }
 
 impl Table {
@@ -53,7 +55,8 @@ impl Table {
         }
         let columns = 0..self.names.len();
         if request.totals {
-            let sum = |column| self.rows.iter().map(|row| row.values[column]).sum();
+            let own = |row: &Row, column: usize| row.summed.as_ref().unwrap_or(&row.values)[column];
+            let sum = |column| self.rows.iter().map(|row| own(row, column)).sum();
             let sums: Vec<f64> = columns.clone().map(sum).collect();
             push_values(text, &self.below("TOTAL"), &sums);
         }
@@ -104,8 +107,13 @@ pub(crate) fn push_nodes(text: &mut String, frame: &Frame<'_>, print: &NodePrint
     let columns: Vec<NodeComponent> = fields.flat_map(|field| field.components(dofs)).collect();
     let row = |&node: &NodeIndex| {
         let label = frame.model.nodes.label(node);
-        let values = columns.iter().map(|column| column.value(frame, node)).collect();
-        Row { head: format!("{label:>10}"), label, values }
+        let plain: Vec<f64> = columns.iter().map(|column| column.value(frame, node)).collect();
+        let (values, summed) = match print.own_axes && frame.model.has_own_axes() {
+            // sums along axes that differ would mean nothing
+            true => (columns.iter().map(|own| own.named_value(frame, node)).collect(), Some(plain)),
+            false => (plain, None),
+        };
+        Row { head: format!("{label:>10}"), label, values, summed }
     };
     let table = Table {
         head: format!("{:>10}", "NODE"),
@@ -178,6 +186,7 @@ fn element_tables(frame: &Frame<'_>, print: &ElementPrint, of_beams: bool) -> Ve
                 head: head(&element.label.to_string(), &point.to_string()),
                 label: element.label,
                 values: print.variables.iter().flat_map(|&v| own.at(v, point)).collect(),
+                summed: None,
             }));
         }
     }

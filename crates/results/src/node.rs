@@ -101,7 +101,19 @@ impl NodeComponent {
         }
     }
 
-    /// Its value at a node.
+    /// Its value at a node along the axis in which the deck names the dof, that of the node where
+    /// it has axes of its own; coordinates are those of the model.
+    pub fn named_value(self, frame: &Frame<'_>, node: NodeIndex) -> f64 {
+        let [displacement, reaction, load] = frame.nodal.named(node, self.dof);
+        match self.field {
+            NodeField::Motion => displacement,
+            NodeField::Reaction => reaction,
+            NodeField::Load => load,
+            NodeField::Coordinate => self.value(frame, node),
+        }
+    }
+
+    /// Its value at a node along an axis of the model.
     pub fn value(self, frame: &Frame<'_>, node: NodeIndex) -> f64 {
         let (nodal, dof) = (&frame.nodal, self.dof);
         match self.field {

@@ -7,6 +7,7 @@
 //!   | prescribed ---> u = u0(t)                     empty
 //!   o==o rigid -----> x = x_m + R(phi_m) arm        1 and the turning of the arm
 //!   o--o equation --> u = c + sum a_k u_k           the coefficients a_k
+//!   o own axes -----> u = sum q_i e_i               the axes e_i
 //! ```
 //!
 //! Elements, contact and loads speak of the dofs of their own nodes alone. A
@@ -27,7 +28,7 @@ pub use rows::Rows;
 use crate::dofs::DofMap;
 use linear::LinearConstraint;
 use rigid::RigidLink;
-use slideline_model::{Model, NodeIndex, Step};
+use slideline_model::{Axes, Model, NodeIndex, Step};
 use std::ops::Deref;
 
 /// What a dof is in a step.
@@ -70,6 +71,10 @@ pub struct ConstraintNumbering {
     pub dof_of_equation: Vec<usize>,
     rigid: Vec<RigidLink>,
     linear: Vec<LinearConstraint>,
+    /// How many linear constraints come before the rigid bodies.
+    leading: usize,
+    /// Nodes with axes of their own, each with its transform.
+    turned: Vec<(NodeIndex, usize)>,
     /// Dependent dof of every row.
     dependent_dofs: Vec<usize>,
     /// Where the row of each dependent dof begins; behind the last, the end.
@@ -84,11 +89,14 @@ impl ConstraintNumbering {
     /// That of a step of a model.
     pub fn new(model: &Model, step: &Step, dofs: &DofMap) -> Self {
         let (rigid, carrier) = rigid::resolve(model, dofs);
+        let (linear, leading) = linear::resolve(model, dofs, &rigid);
         let mut new = Self {
             roles: vec![Role::Inactive; dofs.len()],
             dof_of_equation: Vec::new(),
             rigid,
-            linear: linear::resolve(model, dofs),
+            linear,
+            leading,
+            turned: dofs.turned().to_vec(),
             dependent_dofs: Vec::new(),
             row_start: vec![0],
             row_dofs: Vec::new(),
@@ -101,7 +109,7 @@ impl ConstraintNumbering {
             .for_each(|(_, role)| *role = Role::Free(0));
         new.add_rows();
         for (place, prescribed) in step.prescribed.iter().enumerate() {
-            if let Some(dof) = dofs.find(prescribed.node, prescribed.dof) {
+            if let Some(dof) = dofs.named(prescribed.node, prescribed.dof) {
                 new.roles[dof] = Role::Prescribed(place);
             }
         }
@@ -111,7 +119,7 @@ impl ConstraintNumbering {
 
     /// Gives every dependent dof its role and a row of the dofs it follows.
     fn add_rows(&mut self) {
-        let Self { roles, rigid, linear, dependent_dofs, row_start, row_dofs, .. } = self;
+        let Self { roles, rigid, linear, leading, dependent_dofs, row_start, row_dofs, .. } = self;
         let of_links = rigid.iter().map(|link| link.dependent_dofs().count()).sum::<usize>();
         let dependents = of_links + linear.len();
         dependent_dofs.reserve_exact(dependents);
@@ -124,6 +132,10 @@ impl ConstraintNumbering {
             row_dofs.extend(followed);
             row_start.push(row_dofs.len());
         };
+        let (leading, linear) = linear.split_at(*leading);
+        for constraint in leading {
+            add(constraint.dependent, &mut constraint.terms.iter().map(|&(dof, _)| dof));
+        }
         for link in rigid {
             for (component, dependent) in link.dependent_dofs() {
                 add(dependent, &mut link.followed(component).into_iter().flatten());
@@ -190,12 +202,20 @@ impl ConstraintNumbering {
 impl Constraints<'_> {
     /// Moves dependent dofs to where the others take them.
     pub fn enforce(&self, u: &mut [f64]) {
-        let links = self.rigid.iter().zip(&self.motion.arms);
-        links.for_each(|(link, &arm)| link.enforce(arm, u));
-        for (row, constraint) in self.linear.iter().enumerate() {
+        let mut linear = self.linear.iter().enumerate();
+        let follow = |(row, constraint): (usize, &LinearConstraint), u: &mut [f64]| {
             let (coefficients, constant) = self.motion.linear(row);
             constraint.enforce(coefficients, constant, u);
-        }
+        };
+        linear.by_ref().take(self.leading).for_each(|own| follow(own, u));
+        let links = self.rigid.iter().zip(&self.motion.arms);
+        links.for_each(|(link, &arm)| link.enforce((arm, self.axes_of(link)), u));
+        linear.for_each(|own| follow(own, u));
+    }
+
+    /// The own axes of the dependent node of a link, where it has some.
+    fn axes_of(&self, link: &RigidLink) -> Option<&Axes> {
+        self.motion.axes.get(link.place_of_turned()?)
     }
 
     /// Stiffness by the turning of T, f . d2u/dq2, for forces `f` on all dofs
@@ -203,11 +223,11 @@ impl Constraints<'_> {
     /// with pairs of rotations and their stiffness.
     pub fn turning(&self, u: &[f64], f: &mut [f64], mut call: impl FnMut(usize, usize, f64)) {
         // what follows a body linearly presses on it too
-        for (row, constraint) in self.linear.iter().enumerate().rev() {
+        for (row, constraint) in self.linear.iter().enumerate().skip(self.leading).rev() {
             constraint.carry(self.motion.linear(row).0, f);
         }
         for (link, &arm) in self.rigid.iter().zip(&self.motion.arms) {
-            link.turning(arm, u, f, &mut call);
+            link.turning((arm, self.axes_of(link)), u, f, &mut call);
         }
     }
 }

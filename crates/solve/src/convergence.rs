@@ -163,7 +163,7 @@ pub fn largest_nodal(
     for node in 0..dofs.nodes() {
         let mut square = 0.0;
         let mut component = (0.0, None);
-        for dof in dofs.of_node(node) {
+        for dof in dofs.named_of_node(node) {
             if dofs.is_rotation(dof) != (field == Field::Moment) || !counts(dof) {
                 continue;
             }

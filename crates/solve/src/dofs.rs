@@ -9,8 +9,12 @@
 //! A node has the dofs of its elements and of the rigid body or contact that it
 //! belongs to; one without elements has all, to move as it is told. The numbering
 //! knows no step: it holds for a whole run and for those that go on from it.
+//!
+//! A node with axes of its own has its dofs a second time, along these, behind those of all
+//! nodes: what is prescribed, loaded or linked there names them, and the others follow.
 
 use slideline_model::{Dof, Master, Model, NodeIndex};
+use std::collections::HashMap;
 use std::ops::Range;
 
 /// The dofs of a model's nodes, numbered node by node.
@@ -18,6 +22,12 @@ use std::ops::Range;
 pub struct DofMap {
     /// First dof of every node, and behind the last one their number.
     first: Vec<usize>,
+    /// Nodes with axes of their own, ascending, each with its transform.
+    turned: Vec<(NodeIndex, usize)>,
+    /// First dof along the own axes of each of those, and behind the last one the number of all.
+    first_turned: Vec<usize>,
+    /// Place in `turned` of those.
+    place: HashMap<NodeIndex, usize>,
     /// Node and direction of every dof.
     names: Vec<(NodeIndex, Dof)>,
     /// Whether an element, a rigid body or contact uses it.
@@ -40,8 +50,16 @@ impl DofMap {
         let free =
             (0..alone.len()).filter(|&node| alone[node]).flat_map(|node| rigid_body(model, node));
         free.for_each(|(node, dof)| has[node][dof as usize] = Some(false));
-        of_elements(model, |node, dof| has[node][dof as usize] = Some(true));
-        of_bodies(model, |(node, dof)| has[node][dof as usize] = Some(true));
+        let turned = turned(model);
+        let place = turned.iter().enumerate().map(|(place, &(node, _))| (node, place)).collect();
+        let mut along = vec![[false; Dof::ALL.len()]; turned.len()];
+        let mut note = |plain: bool, (node, dof): (NodeIndex, Dof)| {
+            has[node][dof as usize] = Some(true);
+            note_turned(&place, &mut along, plain, (node, dof));
+        };
+        of_elements(model, &mut note);
+        of_bodies(model, &mut note);
+        complete(&turned, &along, &mut has);
         let count = has.iter().flatten().flatten().count();
         let mut map = Self {
             first: Vec::with_capacity(model.nodes.len() + 1),
@@ -59,6 +77,8 @@ impl DofMap {
             }
             map.first.push(map.names.len());
         }
+        map.add_turned(turned, place, &along);
+        let count = map.names.len();
         let turning = |dof: &usize| map.is_rotation(*dof);
         let mut rotations = Vec::with_capacity((0..count).filter(turning).count());
         rotations.extend((0..count).filter(turning));
@@ -68,9 +88,33 @@ impl DofMap {
         map
     }
 
+    /// Adds the dofs along own axes behind all others.
+    fn add_turned(
+        &mut self,
+        turned: Vec<(NodeIndex, usize)>,
+        place: HashMap<NodeIndex, usize>,
+        along: &[[bool; 6]],
+    ) {
+        self.first_turned.push(self.names.len());
+        for (&(node, _), along) in turned.iter().zip(along) {
+            for dof in self.of_node(node) {
+                let name = self.names[dof];
+                self.names.push(name);
+                self.active.push(along[name.1 as usize]);
+            }
+            self.first_turned.push(self.names.len());
+        }
+        (self.turned, self.place) = (turned, place);
+    }
+
     /// How many.
     pub fn len(&self) -> usize {
         self.names.len()
+    }
+
+    /// How many there are along the axes of the model.
+    pub fn plain(&self) -> usize {
+        self.first.last().copied().unwrap_or_default()
     }
 
     /// The dofs of a node.
@@ -78,14 +122,38 @@ impl DofMap {
         self.first[node]..self.first[node + 1]
     }
 
-    /// The dof of a node in a direction, where it has it.
+    /// The dofs of a node along the axes in which they are named: its own, or those of the model.
+    pub fn named_of_node(&self, node: NodeIndex) -> Range<usize> {
+        match self.place.get(&node) {
+            Some(&place) => self.first_turned[place]..self.first_turned[place + 1],
+            None => self.of_node(node),
+        }
+    }
+
+    /// Nodes with axes of their own, each with its transform in the model.
+    pub fn turned(&self) -> &[(NodeIndex, usize)] {
+        &self.turned
+    }
+
+    /// The place of a node among those with axes of their own.
+    pub fn place_of_turned(&self, node: NodeIndex) -> Option<usize> {
+        self.place.get(&node).copied()
+    }
+
+    /// The dof that a deck names: along the own axes of the node where it has some.
+    pub fn named(&self, node: NodeIndex, dof: Dof) -> Option<usize> {
+        let plain = self.find(node, dof)?;
+        Some(plain - self.first[node] + self.named_of_node(node).start)
+    }
+
+    /// The dof of a node along an axis of the model, where it has it.
     pub fn find(&self, node: NodeIndex, dof: Dof) -> Option<usize> {
         let own = self.of_node(node);
         let place = self.names[own.clone()].iter().position(|&(_, kind)| kind == dof)?;
         Some(own.start + place)
     }
 
-    /// Node and direction of every dof.
+    /// Node and direction of every dof, those along own axes behind all others.
     pub fn names(&self) -> &[(NodeIndex, Dof)] {
         &self.names
     }
@@ -161,34 +229,83 @@ impl Translations {
     }
 }
 
-/// Calls back with the dofs that elements give stiffness to.
-fn of_elements(model: &Model, mut note: impl FnMut(NodeIndex, Dof)) {
-    for block in &model.blocks {
-        let stiffened = block.stiffened_dofs();
-        for &node in block.elements.iter().flat_map(|element| element.nodes) {
-            stiffened.iter().for_each(|&dof| note(node, dof));
+/// Nodes with axes of their own, ascending, each with its transform.
+fn turned(model: &Model) -> Vec<(NodeIndex, usize)> {
+    let transforms = model.transforms.iter().enumerate();
+    let named = transforms.flat_map(|(own, list)| list.nodes.iter().map(move |&node| (node, own)));
+    let mut turned: Vec<(NodeIndex, usize)> = named.collect();
+    turned.sort_unstable();
+    turned.dedup_by_key(|(node, _)| *node);
+    turned
+}
+
+/// Displacements, and rotations.
+const VECTORS: [Range<usize>; 2] = [0..3, 3..6];
+
+/// Notes that a dof of a node with own axes is used: one along the axes of the model uses all of
+/// its vector.
+fn note_turned(
+    place: &HashMap<NodeIndex, usize>,
+    along: &mut [[bool; 6]],
+    plain: bool,
+    (node, dof): (NodeIndex, Dof),
+) {
+    let Some(&place) = place.get(&node) else { return };
+    if !plain {
+        along[place][dof as usize] = true;
+        return;
+    }
+    let [shift, turn] = VECTORS;
+    along[place][if dof.is_rotation() { turn } else { shift }].fill(true);
+}
+
+/// Where a node with own axes has one component of a vector, it has those that its axes mix.
+fn complete(turned: &[(NodeIndex, usize)], along: &[[bool; 6]], has: &mut [[Option<bool>; 6]]) {
+    let kinds: [bool; 6] = std::array::from_fn(|dof| has.iter().any(|own| own[dof].is_some()));
+    for (&(node, _), along) in turned.iter().zip(along) {
+        for vector in VECTORS {
+            let used = vector.clone().any(|dof| has[node][dof].is_some());
+            for dof in vector.filter(|&dof| used && kinds[dof]) {
+                let active = has[node][dof].unwrap_or(false) || along[dof];
+                has[node][dof] = Some(active);
+            }
         }
     }
 }
 
-/// Calls back with the dofs that rigid bodies and contact use.
-fn of_bodies(model: &Model, mut note: impl FnMut((NodeIndex, Dof))) {
+/// Calls back with the dofs that elements give stiffness to, and whether these are along the
+/// axes of the model.
+fn of_elements(model: &Model, note: &mut impl FnMut(bool, (NodeIndex, Dof))) {
+    for block in &model.blocks {
+        let (stiffened, plain) = (block.stiffened_dofs(), !block.acts_along_own_axes());
+        for &node in block.elements.iter().flat_map(|element| element.nodes) {
+            stiffened.iter().for_each(|&dof| note(plain, (node, dof)));
+        }
+    }
+}
+
+/// Calls back with the dofs that rigid bodies and contact use, and whether these are along the
+/// axes of the model.
+fn of_bodies(model: &Model, mut call: impl FnMut(bool, (NodeIndex, Dof))) {
     for link in &model.rigid_links {
         for (node, dof) in rigid_body(model, link.dependent) {
             if link.follows[dof as usize] {
-                note((node, dof));
+                call(false, (node, dof));
             }
         }
+    }
+    for constraint in &model.linear_constraints {
+        call(false, constraint.dependent);
+        constraint.terms.iter().for_each(|&(node, dof, _)| call(false, (node, dof)));
+    }
+    let mut note = |own| call(true, own);
+    for link in &model.rigid_links {
         for (node, dof) in rigid_body(model, link.master) {
             match link.turn.filter(|_| dof.is_rotation()) {
                 Some(turn) => note((turn, Dof::ALL[dof as usize - 3])),
                 None => note((node, dof)),
             }
         }
-    }
-    for constraint in &model.linear_constraints {
-        note(constraint.dependent);
-        constraint.terms.iter().for_each(|&(node, dof, _)| note((node, dof)));
     }
     for pair in &model.contact_pairs {
         // A contact node needs no element: its translations matter all the same.

@@ -18,6 +18,7 @@ pub use results::{BeamRow, BlockResults, ContactRow, Energies, FrictionCall, Pai
 use serde::{Deserialize, Serialize};
 use slideline_diag::Diagnostic;
 use slideline_linalg::Description;
+use slideline_mech::axes::{self, Axes};
 use slideline_mech::contact::enforcement::Enforcement;
 use slideline_model::{Dof, Model, NodeIndex};
 use std::ops::ControlFlow;
@@ -281,7 +282,7 @@ pub struct Unconverged<'a> {
 impl Unconverged<'_> {
     /// Force or moment at a node that nothing balances [F or F L].
     pub fn residual(&self, node: NodeIndex, dof: Dof) -> f64 {
-        self.frame.nodal.read(self.residual, node, dof)
+        self.frame.nodal.force(self.residual, node, dof)
     }
 
     /// The state with what is missing to equilibrium in place of its reactions.
@@ -294,38 +295,80 @@ impl Unconverged<'_> {
 #[derive(Clone, Copy, Debug)]
 pub struct Nodal<'a> {
     pub(crate) dofs: &'a DofMap,
+    /// Axes of the nodes that have their own.
+    pub(crate) axes: &'a [Axes],
     pub(crate) displacement: &'a [f64],
     pub(crate) reaction: &'a [f64],
     pub(crate) load: &'a [f64],
 }
 
 impl Nodal<'_> {
-    fn read(&self, vector: &[f64], node: NodeIndex, dof: Dof) -> f64 {
-        self.dofs.read(vector, node, dof)
+    /// A force at a node along an axis of the model: what acts there and what acts along the own
+    /// axes of the node.
+    fn force(&self, vector: &[f64], node: NodeIndex, dof: Dof) -> f64 {
+        let plain = self.dofs.read(vector, node, dof);
+        let Some((axes, own)) = self.own(vector, node, dof) else { return plain };
+        let component = dof as usize % 3;
+        plain + own.iter().zip(axes).map(|(own, axis)| own * axis[component]).sum::<f64>()
     }
 
-    /// Displacement or rotation [L or 1].
+    /// The same along an axis in which the dofs of the node are named.
+    fn named_force(&self, vector: &[f64], node: NodeIndex, dof: Dof) -> f64 {
+        let Some((axes, own)) = self.own(vector, node, dof) else {
+            return self.dofs.read(vector, node, dof);
+        };
+        let first = dof as usize - dof as usize % 3;
+        let plain = std::array::from_fn(|k| self.dofs.read(vector, node, Dof::ALL[first + k]));
+        own[dof as usize % 3] + axes::along(axes, plain)[dof as usize % 3]
+    }
+
+    /// Own axes of a node and the components along them of the vector that a dof belongs to.
+    fn own(&self, vector: &[f64], node: NodeIndex, dof: Dof) -> Option<(&Axes, [f64; 3])> {
+        let axes = self.axes.get(self.dofs.place_of_turned(node)?)?;
+        let first = dof as usize - dof as usize % 3;
+        let read = |k: usize| {
+            let own = self.dofs.named(node, Dof::ALL[first + k]);
+            own.map_or(0.0, |own| vector[own])
+        };
+        Some((axes, std::array::from_fn(read)))
+    }
+
+    /// Displacement or rotation along an axis of the model [L or 1].
     pub fn displacement(&self, node: NodeIndex, dof: Dof) -> f64 {
-        self.read(self.displacement, node, dof)
+        self.dofs.read(self.displacement, node, dof)
     }
 
-    /// Force or moment of the support on the model [F or F L]; zero where
-    /// nothing is prescribed.
+    /// Force or moment of the support on the model, along an axis of the model [F or F L]; zero
+    /// where nothing is prescribed.
     pub fn reaction(&self, node: NodeIndex, dof: Dof) -> f64 {
-        self.read(self.reaction, node, dof)
+        self.force(self.reaction, node, dof)
     }
 
-    /// Applied load [F or F L].
+    /// Applied load along an axis of the model [F or F L].
     pub fn load(&self, node: NodeIndex, dof: Dof) -> f64 {
-        self.read(self.load, node, dof)
+        self.force(self.load, node, dof)
     }
 
-    /// Node, direction, displacement, reaction and load of every dof there is.
+    /// Displacement, reaction and load along the axis in which the deck names the dof: that of
+    /// the node where it has axes of its own.
+    pub fn named(&self, node: NodeIndex, dof: Dof) -> [f64; 3] {
+        let moved = self.dofs.named(node, dof).map_or(0.0, |own| self.displacement[own]);
+        let [reaction, load] =
+            [self.reaction, self.load].map(|list| self.named_force(list, node, dof));
+        [moved, reaction, load]
+    }
+
+    /// Node, direction, displacement, reaction and load of every dof there is, along the axes of
+    /// the model.
     pub fn all(&self) -> impl Iterator<Item = (NodeIndex, Dof, [f64; 3])> {
-        let values = self.displacement.iter().zip(self.reaction).zip(self.load);
-        let values =
-            values.map(|((&displacement, &reaction), &load)| [displacement, reaction, load]);
-        self.dofs.names().iter().zip(values).map(|(&(node, dof), values)| (node, dof, values))
+        let names = self.dofs.names().iter().take(self.dofs.plain()).enumerate();
+        names.map(|(place, &(node, dof))| {
+            let forces = match self.dofs.place_of_turned(node) {
+                Some(_) => [self.reaction(node, dof), self.load(node, dof)],
+                None => [self.reaction[place], self.load[place]],
+            };
+            (node, dof, [self.displacement[place], forces[0], forces[1]])
+        })
     }
 
     /// The dofs that nodes of this model have.

@@ -159,13 +159,21 @@ impl<'a> Problem<'a> {
 
     /// Adds what the turning of constraints makes of forces `f` on all dofs; uses
     /// them up.
-    pub fn stiffen_by_turning(&self, u: &[f64], f: &mut [f64], values: &mut [f64]) {
-        self.constraints.turning(u, f, |row, column, stiffness| {
-            let equations = [row, column].map(|dof| self.constraints.equation(dof));
-            let [Some(row), Some(column)] = equations else { return };
-            if let Some(at) = self.pattern.position(row, column) {
-                values[at] += stiffness;
-            }
+    pub fn stiffen_by_turning(
+        &self,
+        rows: &Rows,
+        (u, f): (&[f64], &mut [f64]),
+        values: &mut [f64],
+    ) {
+        let (constraints, pattern) = (self.constraints, self.pattern);
+        constraints.turning(u, f, |row, column, stiffness| {
+            constraints.for_each_equation(rows, row, &mut |row, a| {
+                constraints.for_each_equation(rows, column, &mut |column, b| {
+                    if let Some(at) = pattern.position(row, column) {
+                        values[at] += a * b * stiffness;
+                    }
+                });
+            });
         });
     }
 
@@ -201,7 +209,7 @@ impl<'a> Problem<'a> {
             *value = self.at(step_time, self.start.load[dof], 0.0, None);
         }
         for entry in &self.step.loads {
-            let Some(dof) = self.dofs.find(entry.node, entry.dof) else { continue };
+            let Some(dof) = self.dofs.named(entry.node, entry.dof) else { continue };
             let amplitude = entry.amplitude.map(|a| &self.model.amplitudes[a]);
             load[dof] = self.at(step_time, self.start.load[dof], entry.value, amplitude);
         }

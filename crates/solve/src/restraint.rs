@@ -51,7 +51,7 @@ impl Restraint {
                 true => (at[axis] - origin[axis]) / size,
                 false => 0.0,
             });
-            rows.entry(root).or_default().push(rigid_motion(dof, arm));
+            rows.entry(root).or_default().push(named_motion(model, node, dof, arm));
         }
         let in_space = model.is_in_space();
         Self { bodies, rows, in_space }
@@ -153,6 +153,18 @@ fn rigid_motion(dof: Dof, arm: [f64; 3]) -> Motion {
         let axis = dof as usize;
         let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
         (row[3 + next], row[3 + last]) = (arm[last], -arm[next]);
+    }
+    row
+}
+
+/// The same of a dof as the deck names it: along the own axes of its node where it has some.
+fn named_motion(model: &Model, node: NodeIndex, dof: Dof, arm: [f64; 3]) -> Motion {
+    let Some(axes) = model.axes_of(node) else { return rigid_motion(dof, arm) };
+    let first = dof as usize - dof as usize % 3;
+    let mut row = [0.0; 6];
+    for (k, cosine) in axes[dof as usize % 3].into_iter().enumerate() {
+        let plain = rigid_motion(Dof::ALL[first + k], arm);
+        row.iter_mut().zip(plain).for_each(|(sum, part)| *sum += cosine * part);
     }
     row
 }

@@ -194,7 +194,7 @@ pub fn assembled(place: &Place<'_>) -> Vec<f64> {
     force.iter_mut().zip(trial.load).for_each(|(force, load)| *force = -(*force + load));
     plan.structure.gather_force(&contributions, &mut force);
     place.add_contact_force(&place.evaluation.kinematics, trial.u, &mut force);
-    plan.stiffen_by_turning(trial.u, &mut force, &mut values);
+    plan.stiffen_by_turning(rows, (trial.u, &mut force), &mut values);
     let mut scratch = GeometryScratch::default();
     plan.contact.fill_scratch(trial.u, &mut scratch);
     for point in 0..plan.contact.points.len() {

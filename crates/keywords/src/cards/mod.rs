@@ -71,4 +71,5 @@ pub(crate) mod surface_contact;
 pub(crate) mod surface_interaction;
 pub(crate) mod temperature;
 pub(crate) mod tie;
+pub(crate) mod transform;
 pub(crate) mod transverse_shear;

@@ -20,6 +20,7 @@ impl Keyword for NodePrint {
         const RULES: &[Rule] = &[
             Rule::value("NSET"),
             Rule::value("FREQUENCY"),
+            Rule::value("GLOBAL"),
             Rule::maybe("TOTALS"),
             Rule::maybe("SUMMARY"),
         ];
@@ -50,9 +51,10 @@ impl Keyword for NodePrint {
 /// Takes in a request for nodal values.
 pub(crate) fn request(card: &Reading<'_>, kind: Kind, draft: &mut Draft) {
     let asked = requests::read(card, kind, &mut |_| false, draft);
+    let own_axes = card.yes("GLOBAL", &mut draft.log) != Some(true);
     if let (Some(asked), Some(step)) = (asked, draft.step()) {
         let (request, variables) = (asked.request, asked.variables);
-        let print = model::NodePrint { request, nodes: Vec::new(), variables };
+        let print = model::NodePrint { request, nodes: Vec::new(), variables, own_axes };
         step.prints.push((print, asked.set));
     }
 }

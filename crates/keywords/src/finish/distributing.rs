@@ -75,18 +75,15 @@ fn rows(
     for (place, &dof) in wanted.iter().enumerate() {
         let mut row = vec![0.0; wanted.len()];
         row[place] = -1.0;
+        let seen = draft.direction(reference, dof);
         for &(node, weight) in cloud {
-            for axis in 0..axes {
+            for &axis in &Dof::ALL[..axes] {
                 // rotation of the cloud by a unit displacement of this node along the axis
-                let mut unit = [0.0; 3];
-                unit[axis] = weight;
-                let turn = times(&inverse, cross(arm(node), unit));
+                let moved = draft.direction(node, axis).map(|part| weight * part);
+                let turn = times(&inverse, cross(arm(node), moved));
                 row.push(match dof.is_rotation() {
-                    true => turn[dof as usize - 3],
-                    false => {
-                        let own = if dof as usize == axis { weight / total } else { 0.0 };
-                        own + cross(turn, lever)[dof as usize]
-                    }
+                    true => dot(seen, turn),
+                    false => dot(seen, moved) / total + dot(seen, cross(turn, lever)),
                 });
             }
         }
@@ -118,6 +115,10 @@ fn inertia(arms: impl Iterator<Item = ([f64; 3], f64)>, axes: usize) -> Option<[
     let sound = determinant > 1e-12 * scale * scale * scale;
     let entry = |i: usize, j: usize| columns[j][i] / determinant;
     sound.then(|| std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j))))
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {

@@ -113,7 +113,8 @@ fn equal(link: &Link, dependent: NodeIndex, master: NodeIndex, draft: &mut Draft
         if turn && (link.kind == LinkKind::Pin || !turns([dependent, master], dof, draft)) {
             continue;
         }
-        equations::add(draft, (dependent, dof), vec![(master, dof, 1.0)], link.origin);
+        let terms = draft.followed((dependent, dof), |dof| vec![(master, dof, 1.0)]);
+        equations::add(draft, (dependent, dof), terms, link.origin);
     }
 }
 

@@ -1,6 +1,7 @@
 //! What can be said only when the whole deck is known: references by name,
 //! and whether the parts make a model.
 
+mod axes;
 mod chain;
 mod contact;
 mod distributed;
@@ -35,6 +36,7 @@ pub(crate) fn finish(draft: &mut Draft, steps_doubted: bool) -> Model {
     sections::sections(draft);
     sections::springs(draft);
     faces::check(draft);
+    axes::transforms(draft);
     contact::pairs(draft);
     surface_pairs::pairs(draft);
     links::links(draft);

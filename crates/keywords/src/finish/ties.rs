@@ -156,9 +156,12 @@ fn follow(
     draft: &mut Draft,
 ) {
     let directions = draft.model.directions().iter().copied();
-    for dof in directions.filter(|dof| !dof.is_rotation()) {
+    let terms = |dof: Dof| -> Vec<_> {
         let shares = master.nodes.iter().zip(near.shapes).filter(|(_, share)| share.abs() > 1e-12);
-        let terms: Vec<_> = shares.map(|(&own, share)| (own, dof, share)).collect();
+        shares.map(|(&own, share)| (own, dof, share)).collect()
+    };
+    for dof in directions.filter(|dof| !dof.is_rotation()) {
+        let terms = draft.followed((node, dof), terms);
         let held = |&(own, dof, _): &(NodeIndex, Dof, f64)| prescribed.contains(&(own, dof));
         if prescribed.contains(&(node, dof)) && terms.iter().all(held) {
             continue;

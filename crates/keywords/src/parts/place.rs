@@ -3,6 +3,7 @@
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{Node, SurfaceSegment};
 
+use crate::axes::Transform;
 use crate::constraints::{Coupling, Equation, Link, Points, Tie};
 use crate::draft::{Contents, Draft, Element, Interface, Section, Shape, Spring, Surface};
 use crate::instances::{Placement, Target};
@@ -154,6 +155,12 @@ impl Place for Tie {
     }
 }
 
+impl Place for Transform {
+    fn placed(self, by: &Placement) -> Self {
+        Self { set: by.name(&self.set), ..self }
+    }
+}
+
 impl Place for Coupling {
     fn placed(mut self, by: &Placement) -> Self {
         self.reference = self.reference.placed(by);
@@ -226,6 +233,11 @@ impl Draft {
         extend(&mut self.equations, own.equations, by);
         extend(&mut self.couplings, own.couplings, by);
         extend(&mut self.ties, own.ties, by);
+        let moved = own.transforms.into_iter().map(|transform| Transform {
+            system: transform.system.moved(|x| motion.point(x), |way| motion.direction(way)),
+            ..transform
+        });
+        extend(&mut self.transforms, moved.collect(), by);
     }
 }
 

@@ -80,6 +80,11 @@ impl ElementBlock {
         }
     }
 
+    /// Whether its dofs are those along the own axes of its nodes: springs on one dof.
+    pub fn acts_along_own_axes(&self) -> bool {
+        matches!(&self.section, Section::Spring(SpringSection { dof: Some(_), .. }))
+    }
+
     /// The beams, of whatever type; `None`: other elements.
     pub fn beams(&self) -> Option<Beams<'_>> {
         match &self.section {

@@ -3,46 +3,112 @@
 //! ```text
 //!   o a      o b        of an *EQUATION: as it says
 //!    \____o___/         of a tie: the shape functions of the face
+//!
+//!     own 2 ^  ^ y  own 1      of a node with axes of its own: their cosines
+//!            \ | /
+//!             \|/--> x
 //! ```
 
+use super::rigid::RigidLink;
 use crate::dofs::DofMap;
-use slideline_model::Model;
+use slideline_model::{Axes, Model};
+use std::collections::HashSet;
 
 /// A dof that follows others.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct LinearConstraint {
     /// The dof that follows.
     pub dependent: usize,
-    /// Dofs that it follows, each with the index of its term in the model.
+    /// Dofs that it follows, each with the index of its term.
     pub terms: Vec<(usize, usize)>,
-    /// Index of the constraint in the model.
-    pub index: usize,
+    /// Where the coefficients come from.
+    pub source: Source,
+}
+
+/// Where the coefficients of a constraint come from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Source {
+    /// A constraint of the model, by its index.
+    Said(usize),
+    /// The own axes of a node, by its place among those that have some: the component along an
+    /// axis of the model.
+    Axes { place: usize, component: usize },
+}
+
+impl Source {
+    /// The coefficient of a term.
+    pub fn coefficient(self, model: &Model, axes: &[Axes], term: usize) -> f64 {
+        match self {
+            Self::Said(index) => model.linear_constraints[index].terms[term].2,
+            Self::Axes { place, component } => axes[place][term][component],
+        }
+    }
+
+    /// What is added [L or 1].
+    pub fn constant(self, model: &Model) -> f64 {
+        match self {
+            Self::Said(index) => model.linear_constraints[index].constant,
+            Self::Axes { .. } => 0.0,
+        }
+    }
 }
 
 /// The linear constraints of a model, each behind those that it follows; one
-/// that follows itself by way of others is left out.
-pub(super) fn resolve(model: &Model, dofs: &DofMap) -> Vec<LinearConstraint> {
+/// that follows itself by way of others is left out. So many of the first are of nodes that
+/// follow nothing but their own axes: rigid bodies may hang on these.
+pub(super) fn resolve(
+    model: &Model,
+    dofs: &DofMap,
+    rigid: &[RigidLink],
+) -> (Vec<LinearConstraint>, usize) {
     let mut open: Vec<LinearConstraint> = Vec::new();
     for (index, said) in model.linear_constraints.iter().enumerate() {
-        let Some(dependent) = dofs.find(said.dependent.0, said.dependent.1) else { continue };
+        let Some(dependent) = dofs.named(said.dependent.0, said.dependent.1) else { continue };
         let terms = said.terms.iter().enumerate();
-        let terms = terms.filter_map(|(term, &(node, dof, _))| Some((dofs.find(node, dof)?, term)));
-        open.push(LinearConstraint { dependent, terms: terms.collect(), index });
+        let terms =
+            terms.filter_map(|(term, &(node, dof, _))| Some((dofs.named(node, dof)?, term)));
+        open.push(LinearConstraint {
+            dependent,
+            terms: terms.collect(),
+            source: Source::Said(index),
+        });
     }
+    let linked = rigid.iter().flat_map(|link| link.dependent_dofs().map(|(_, dof)| dof));
+    let follows: HashSet<usize> = open.iter().map(|own| own.dependent).chain(linked).collect();
     let mut ordered = Vec::with_capacity(open.len());
+    for (place, &(node, _)) in dofs.turned().iter().enumerate() {
+        let leads = dofs.named_of_node(node).all(|own| !follows.contains(&own));
+        let into = if leads { &mut ordered } else { &mut open };
+        into.extend(of_axes(dofs, place));
+    }
+    let leading = ordered.len();
     loop {
-        let waiting: std::collections::HashSet<usize> =
-            open.iter().map(|constraint| constraint.dependent).collect();
+        let waiting: HashSet<usize> = open.iter().map(|constraint| constraint.dependent).collect();
         let follows = |constraint: &LinearConstraint| {
             constraint.terms.iter().any(|(dof, _)| waiting.contains(dof))
         };
         let (later, now): (Vec<_>, Vec<_>) = open.into_iter().partition(follows);
         if now.is_empty() {
-            return ordered;
+            return (ordered, leading);
         }
         ordered.extend(now);
         open = later;
     }
+}
+
+/// The components of a node along the axes of the model follow those along its own.
+fn of_axes(dofs: &DofMap, place: usize) -> impl Iterator<Item = LinearConstraint> + '_ {
+    let (node, _) = dofs.turned()[place];
+    dofs.of_node(node).map(move |dependent| {
+        let (_, kind) = dofs.name(dependent);
+        let alike = dofs.named_of_node(node).filter(move |&own| {
+            let (_, other) = dofs.name(own);
+            other.is_rotation() == kind.is_rotation()
+        });
+        let terms = alike.map(|own| (own, dofs.name(own).1 as usize % 3)).collect();
+        let source = Source::Axes { place, component: kind as usize % 3 };
+        LinearConstraint { dependent, terms, source }
+    })
 }
 
 impl LinearConstraint {

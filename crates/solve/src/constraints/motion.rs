@@ -8,13 +8,15 @@
 //! takes anew.
 
 use super::ConstraintNumbering;
-use slideline_model::Model;
+use slideline_model::{Axes, Model};
 
 /// Arms and coefficients of the constraints of a model.
 #[derive(Clone, Debug, Default)]
 pub struct Motion {
     /// Undeformed vectors from the masters of rigid links to their dependent nodes [L].
     pub(super) arms: Vec<[f64; 3]>,
+    /// Own axes of the nodes that have some.
+    pub(super) axes: Vec<Axes>,
     /// Coefficients of linear constraints, one constraint after the other [1, L or 1/L].
     coefficients: Vec<f64>,
     /// Where the coefficients of each end.
@@ -28,15 +30,26 @@ impl Motion {
     pub fn take(&mut self, numbering: &ConstraintNumbering, model: &Model) {
         self.arms.clear();
         self.arms.extend(numbering.rigid.iter().map(|link| link.arm(model)));
+        self.axes.clear();
+        self.axes.extend(numbering.turned.iter().map(|&(node, transform)| {
+            model.transforms[transform].system.at(model.nodes.position(node))
+        }));
         self.coefficients.clear();
         self.ends.clear();
         self.constants.clear();
         for constraint in &numbering.linear {
-            let said = &model.linear_constraints[constraint.index];
-            self.constants.push(said.constant);
-            self.coefficients.extend(constraint.terms.iter().map(|&(_, term)| said.terms[term].2));
+            let source = constraint.source;
+            self.constants.push(source.constant(model));
+            let terms = constraint.terms.iter();
+            let of = |&(_, term): &(usize, usize)| source.coefficient(model, &self.axes, term);
+            self.coefficients.extend(terms.map(of));
             self.ends.push(self.coefficients.len());
         }
+    }
+
+    /// Own axes of the nodes that have some, in the order of the dofs.
+    pub fn axes(&self) -> &[Axes] {
+        &self.axes
     }
 
     /// Coefficients and constant of a linear constraint.

@@ -5,6 +5,7 @@
 //! ```
 
 use crate::dofs::DofMap;
+use slideline_mech::axes::{self, Axes};
 use slideline_mech::rigid::PointMap;
 use slideline_mech::rotation;
 use slideline_model::{Dof, Model, NodeIndex};
@@ -14,8 +15,11 @@ use slideline_model::{Dof, Model, NodeIndex};
 pub(super) struct RigidLink {
     /// The node with the dofs, and the dependent one.
     nodes: [NodeIndex; 2],
-    /// Displacements and rotations of the dependent node, those that follow.
+    /// Displacements and rotations of the dependent node, those that follow: along its own
+    /// axes where it has some.
     dependent: [Option<usize>; 6],
+    /// Its place among the nodes with axes of their own.
+    turned: Option<usize>,
     /// How the body moves.
     body: Body,
 }
@@ -30,7 +34,7 @@ enum Body {
 }
 
 /// The most dofs that one follows.
-const MOST: usize = 4;
+const MOST: usize = 6;
 
 /// The links of a model, chains of them ended at the first node that is not
 /// dependent itself, and the carrier of every node.
@@ -65,9 +69,10 @@ pub(super) fn resolve(model: &Model, dofs: &DofMap) -> (Vec<RigidLink>, Vec<Node
         let Some(body) = body else {
             continue; // a master that the numbering does not know: none is made
         };
-        let own = |dof: Dof| dofs.find(link.dependent, dof).filter(|_| link.follows[dof as usize]);
+        let own = |dof: Dof| dofs.named(link.dependent, dof).filter(|_| link.follows[dof as usize]);
         let nodes = [master, link.dependent];
-        links.push(RigidLink { nodes, dependent: Dof::ALL.map(own), body });
+        let turned = dofs.place_of_turned(link.dependent);
+        links.push(RigidLink { nodes, dependent: Dof::ALL.map(own), turned, body });
     }
     (links, carrier)
 }
@@ -93,6 +98,9 @@ impl Body {
     }
 }
 
+/// The undeformed vector from a master to its dependent node [L].
+type Arm = [f64; 3];
+
 /// An arm in the plane.
 fn in_plane([x, y, _]: [f64; 3]) -> PointMap {
     PointMap::Arm { arm: [x, y] }
@@ -111,40 +119,86 @@ impl RigidLink {
         (0..6).filter_map(move |component| Some((component, own[component]?)))
     }
 
+    /// The place of the dependent node among those with axes of their own.
+    pub fn place_of_turned(&self) -> Option<usize> {
+        self.turned
+    }
+
     /// Dofs that a component follows.
     pub fn followed(&self, component: usize) -> [Option<usize>; MOST] {
+        let mut followed = [None; MOST];
+        let mut at = 0;
+        let mut add = |dof: usize| {
+            followed[at] = Some(dof);
+            at += 1;
+        };
+        let all = self.turned.is_some();
+        let shifted = |k: usize| component < 3 && (all || k == component);
         match self.body {
-            Body::Plane { pose: [.., turn], .. } if component >= 3 => {
-                [Some(turn), None, None, None]
+            Body::Plane { pose: [x, y, turn] } => {
+                [x, y]
+                    .into_iter()
+                    .enumerate()
+                    .filter(|&(k, _)| shifted(k))
+                    .for_each(|own| add(own.1));
+                add(turn);
             }
-            Body::Plane { pose, .. } => [Some(pose[component.min(1)]), Some(pose[2]), None, None],
-            Body::Space { turn, .. } if component >= 3 => {
-                [Some(turn[component - 3]), None, None, None]
+            Body::Space { shift, turn } => {
+                shift
+                    .into_iter()
+                    .enumerate()
+                    .filter(|&(k, _)| shifted(k))
+                    .for_each(|own| add(own.1));
+                let turns = |k: usize| all || component < 3 || k == component - 3;
+                turn.into_iter().enumerate().filter(|&(k, _)| turns(k)).for_each(|own| add(own.1));
             }
-            Body::Space { shift, turn: [a, b, c], .. } => {
-                [Some(shift[component]), Some(a), Some(b), Some(c)]
+        }
+        followed
+    }
+
+    /// Their coefficients at displacements `u`, in the same order; the dependent node has an arm
+    /// and perhaps axes of its own.
+    pub fn coefficients(
+        &self,
+        (arm, axes): (Arm, Option<&Axes>),
+        component: usize,
+        u: &[f64],
+    ) -> [f64; MOST] {
+        let Some(axes) = axes else { return self.plain_coefficients(arm, component, u) };
+        let axis = axes[component % 3];
+        match self.body {
+            Body::Plane { .. } if component >= 3 => [axis[2], 0.0, 0.0, 0.0, 0.0, 0.0],
+            Body::Plane { pose } => {
+                let [x, y] = in_plane(arm).current_arm(&[0.0, 0.0, u[pose[2]]]);
+                [axis[0], axis[1], axis[1] * x - axis[0] * y, 0.0, 0.0, 0.0]
+            }
+            Body::Space { .. } if component >= 3 => [axis[0], axis[1], axis[2], 0.0, 0.0, 0.0],
+            Body::Space { turn, .. } => {
+                let slopes = rotation::slopes(turn.map(|dof| u[dof]), arm);
+                let by = |k: usize| (0..3).map(|j| axis[j] * slopes[j][k]).sum();
+                [axis[0], axis[1], axis[2], by(0), by(1), by(2)]
             }
         }
     }
 
-    /// Their coefficients at displacements `u`, in the same order.
-    pub fn coefficients(&self, arm: [f64; 3], component: usize, u: &[f64]) -> [f64; MOST] {
+    /// The same along the axes of the model.
+    fn plain_coefficients(&self, arm: Arm, component: usize, u: &[f64]) -> [f64; MOST] {
         match self.body {
-            _ if component >= 3 => [1.0, 0.0, 0.0, 0.0],
+            _ if component >= 3 => [1.0, 0.0, 0.0, 0.0, 0.0, 0.0],
             Body::Plane { pose } => {
                 let [x, y] = in_plane(arm).current_arm(&[0.0, 0.0, u[pose[2]]]);
-                [1.0, if component == 0 { -y } else { x }, 0.0, 0.0]
+                [1.0, if component == 0 { -y } else { x }, 0.0, 0.0, 0.0, 0.0]
             }
             Body::Space { turn, .. } => {
                 let [a, b, c] = rotation::slopes(turn.map(|dof| u[dof]), arm)[component];
-                [1.0, a, b, c]
+                [1.0, a, b, c, 0.0, 0.0]
             }
         }
     }
 
     /// Moves the dependent node to where its master takes it.
-    pub fn enforce(&self, arm: [f64; 3], u: &mut [f64]) {
-        let values = match self.body {
+    pub fn enforce(&self, (arm, axes): (Arm, Option<&Axes>), u: &mut [f64]) {
+        let mut values = match self.body {
             Body::Plane { pose } => {
                 let pose = pose.map(|dof| u[dof]);
                 let [x, y] = in_plane(arm).displacement(&pose);
@@ -157,6 +211,12 @@ impl RigidLink {
                 [a + x, b + y, c + z, phi[0], phi[1], phi[2]]
             }
         };
+        if let Some(axes) = axes {
+            let [x, y, z, a, b, c] = values;
+            let ([x, y, z], [a, b, c]) =
+                (axes::along(axes, [x, y, z]), axes::along(axes, [a, b, c]));
+            values = [x, y, z, a, b, c];
+        }
         for (own, value) in self.dependent.into_iter().zip(values) {
             if let Some(own) = own {
                 u[own] = value;
@@ -168,7 +228,7 @@ impl RigidLink {
     /// dependent node [F L]; docs/theory.md eqs (4.4), (4.5).
     pub fn turning(
         &self,
-        arm: [f64; 3],
+        (arm, axes): (Arm, Option<&Axes>),
         u: &[f64],
         f: &[f64],
         mut call: impl FnMut(usize, usize, f64),
@@ -178,6 +238,7 @@ impl RigidLink {
         if force == [0.0; 3] {
             return;
         }
+        let force = axes.map_or(force, |axes| axes::vector(axes, force));
         match self.body {
             Body::Plane { pose: [.., turn] } => {
                 let [x, y] = in_plane(arm).current_arm(&[0.0, 0.0, u[turn]]);

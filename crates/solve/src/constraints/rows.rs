@@ -15,13 +15,18 @@ impl Constraints<'_> {
         let list = &mut into.coefficients;
         list.clear();
         list.reserve_exact(self.row_dofs.len());
+        let mut linear = 0..self.linear.len();
+        for row in linear.by_ref().take(self.leading) {
+            list.extend(self.motion.linear(row).0);
+        }
         for (link, &arm) in self.rigid.iter().zip(&self.motion.arms) {
+            let axes = self.axes_of(link);
             for (component, _) in link.dependent_dofs() {
                 let count = link.followed(component).into_iter().flatten().count();
-                list.extend(&link.coefficients(arm, component, u)[..count]);
+                list.extend(&link.coefficients((arm, axes), component, u)[..count]);
             }
         }
-        for row in 0..self.linear.len() {
+        for row in linear {
             list.extend(self.motion.linear(row).0);
         }
     }

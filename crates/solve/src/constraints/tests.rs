@@ -103,12 +103,32 @@ impl Built {
     }
 }
 
+/// Gives nodes of a model axes of their own.
+fn turn(model: &mut Model, nodes: &[NodeIndex], way: [f64; 3]) {
+    let system = slideline_model::System::rectangular(way, [-way[1], way[0], 0.3 * way[2]]);
+    let transform =
+        slideline_model::Transform { nodes: nodes.to_vec(), system: system.unwrap(), origin: AT };
+    model.transforms.push(transform);
+}
+
 fn build() -> Built {
-    let model = model();
-    let dofs = DofMap::new(&model);
-    let numbering = ConstraintNumbering::new(&model, &model.steps[0], &dofs);
+    let mut model = model();
+    built(&mut model)
+}
+
+/// The same where a master, nodes of the body, and nodes of equations have axes of their own.
+fn build_turned() -> Built {
+    let mut model = model();
+    turn(&mut model, &[0, 1, 5], [0.8, 0.6, 0.0]);
+    turn(&mut model, &[2, 3], [-0.3, 0.7, 0.0]);
+    built(&mut model)
+}
+
+fn built(model: &mut Model) -> Built {
+    let dofs = DofMap::new(model);
+    let numbering = ConstraintNumbering::new(model, &model.steps[0], &dofs);
     let mut motion = Motion::default();
-    motion.take(&numbering, &model);
+    motion.take(&numbering, model);
     let constraints = Constraints { numbering: &numbering, motion: &motion };
     let mut u: Vec<f64> = (0..dofs.len()).map(|k| 0.3 * (1.0 + k as f64).sin()).collect();
     constraints.enforce(&mut u);
@@ -122,8 +142,11 @@ fn build() -> Built {
 /// 1e-6; tolerance 1e-9.
 #[test]
 fn changes_by_differences() {
-    let built = build();
-    let (constraints, Built { u, rows, .. }) = (built.constraints(), &built);
+    [build(), build_turned()].iter().for_each(check_changes_by_differences);
+}
+
+fn check_changes_by_differences(built: &Built) {
+    let (constraints, Built { u, rows, .. }) = (built.constraints(), built);
     assert_eq!(constraints.equations(), 3 + 2 + 1, "body, U1 of 3 and 5, U2 of 4");
     for &dof in &constraints.dof_of_equation {
         let moved = |by: f64| {
@@ -147,8 +170,11 @@ fn changes_by_differences() {
 /// rows by equation are the same T.
 #[test]
 fn forces_are_the_transpose() {
-    let built = build();
-    let (constraints, Built { u, rows, .. }) = (built.constraints(), &built);
+    [build(), build_turned()].iter().for_each(check_forces_are_the_transpose);
+}
+
+fn check_forces_are_the_transpose(built: &Built) {
+    let (constraints, Built { u, rows, .. }) = (built.constraints(), built);
     let force: Vec<f64> = (0..u.len()).map(|k| (0.7 * k as f64).cos()).collect();
     let mut carried = force.clone();
     constraints.carry(rows, &mut carried);
@@ -173,8 +199,11 @@ fn forces_are_the_transpose() {
 /// differences of step 1e-6; tolerance 1e-8.
 #[test]
 fn turning_by_differences() {
-    let built = build();
-    let (constraints, Built { dofs, u, .. }) = (built.constraints(), &built);
+    [build(), build_turned()].iter().for_each(check_turning_by_differences);
+}
+
+fn check_turning_by_differences(built: &Built) {
+    let (constraints, Built { dofs, u, .. }) = (built.constraints(), built);
     let force: Vec<f64> = (0..u.len()).map(|k| (0.7 * k as f64).cos()).collect();
     let carried = |by: f64, dof: usize| {
         let (mut moved, mut carried, mut rows) = (u.clone(), force.clone(), Rows::default());
@@ -184,7 +213,7 @@ fn turning_by_differences() {
         constraints.carry(&rows, &mut carried);
         carried
     };
-    let turn = dofs.find(0, Dof::UR3).unwrap();
+    let turn = dofs.named(0, Dof::UR3).unwrap();
     let mut stiffness = 0.0;
     constraints.turning(u, &mut force.clone(), |_, _, k| stiffness += k);
     for &dof in &constraints.dof_of_equation {
@@ -246,14 +275,25 @@ fn in_space() -> Model {
 /// Central differences of step 1e-6; tolerance 1e-8.
 #[test]
 fn bodies_in_space_by_differences() {
-    let model = in_space();
-    let dofs = DofMap::new(&model);
-    let numbering = ConstraintNumbering::new(&model, &model.steps[0], &dofs);
+    check_bodies_in_space(&in_space());
+    let mut turned = in_space();
+    turn(&mut turned, &[0, 4], [0.8, 0.6, -0.3]);
+    turn(&mut turned, &[1, 3], [0.2, -0.5, 0.4]);
+    turn(&mut turned, &[2], [0.1, 0.9, 0.7]);
+    // of the pinned node one component of its own axes follows
+    turned.rigid_links[1].follows = [false, true, false, false, false, false];
+    check_bodies_in_space(&turned);
+}
+
+fn check_bodies_in_space(model: &Model) {
+    let dofs = DofMap::new(model);
+    let numbering = ConstraintNumbering::new(model, &model.steps[0], &dofs);
     let mut motion = Motion::default();
-    motion.take(&numbering, &model);
+    motion.take(&numbering, model);
     let constraints = Constraints { numbering: &numbering, motion: &motion };
-    // the body 3, the rotation node 6 (its own rotations stay free), pinned 3, others 6 - 1
-    assert_eq!(constraints.equations(), 6 + 6 + 3 + 5);
+    // the body 3, the rotation node 6 (its own rotations stay free), pinned 3 or 5, others 6 - 1
+    let pinned = if model.transforms.is_empty() { 3 } else { 5 };
+    assert_eq!(constraints.equations(), 6 + 6 + pinned + 5);
     let mut u: Vec<f64> = (0..dofs.len()).map(|k| 0.3 * (1.0 + k as f64).sin()).collect();
     constraints.enforce(&mut u);
     let force: Vec<f64> = (0..u.len()).map(|k| (0.7 * k as f64).cos()).collect();
@@ -269,7 +309,14 @@ fn bodies_in_space_by_differences() {
     constraints.linearise(&u, &mut rows);
     let mut stiffness = vec![0.0; u.len() * u.len()];
     let count = u.len();
-    constraints.turning(&u, &mut force.clone(), |i, j, k| stiffness[i * count + j] += k);
+    constraints.turning(&u, &mut force.clone(), |i, j, k| {
+        constraints.for_each_equation(&rows, i, &mut |i, a| {
+            constraints.for_each_equation(&rows, j, &mut |j, b| {
+                let [i, j] = [i, j].map(|equation| constraints.dof_of_equation[equation]);
+                stiffness[i * count + j] += a * b * k;
+            });
+        });
+    });
     for &dof in &constraints.dof_of_equation {
         let ((up, force_up), (down, force_down)) = (at(1e-6, dof), at(-1e-6, dof));
         let mut change = vec![0.0; count];

@@ -112,9 +112,14 @@ impl Case<'_> {
         let mode = self.work.null_mode(self.plan, equation)?;
         let reach = self.plan.reach.max(f64::MIN_POSITIVE);
         let at = |node: NodeIndex, dof: Dof| {
-            let plan = self.plan;
-            let equation = plan.dofs.find(node, dof).and_then(|dof| plan.constraints.equation(dof));
-            equation.map_or(0.0, |equation| mode[equation])
+            let (plan, mut moved) = (self.plan, 0.0);
+            let Some(dof) = plan.dofs.find(node, dof) else { return 0.0 };
+            let turned = plan.dofs.place_of_turned(node).is_some();
+            if turned || plan.constraints.equation(dof).is_some() {
+                let add = &mut |equation: usize, a: f64| moved += a * mode[equation];
+                plan.constraints.for_each_equation(&self.work.evaluation.rows, dof, add);
+            }
+            moved
         };
         // a turn counts where nothing moves with it
         let size = |node: NodeIndex| {
@@ -139,7 +144,8 @@ impl Case<'_> {
             return None;
         }
         let (label, dof) = (self.label(load.node), load.dof);
-        let moved = plan.dofs.read(&self.committed.displacement, load.node, dof);
+        let own = plan.dofs.named(load.node, dof);
+        let moved = own.map_or(0.0, |own| self.committed.displacement[own]);
         let message = format!(
             "the structure snaps through {}: under the load at node {label}, {} it is unstable in \
              {} direction{}, after a displacement of {moved:.4e}",

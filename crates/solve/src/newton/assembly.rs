@@ -170,7 +170,7 @@ impl Scratch {
             let (p, tau) = (self.pressures[linear.place], self.tractions[linear.place]);
             evaluation.kinematics.at(linear.place).press(p, tau, turning);
         }
-        plan.stiffen_by_turning(&self.u, turning, &mut self.values);
+        plan.stiffen_by_turning(&evaluation.rows, (&self.u, turning), &mut self.values);
     }
 }
 

@@ -14,6 +14,8 @@ pub enum Part {
     Elements(usize),
     /// The section of an element block, which is not one of its type.
     Section(usize),
+    /// Which nodes have axes of their own.
+    Transforms,
     /// Which nodes belong to rigid bodies.
     RigidLinks,
     /// Which dofs follow others linearly.
@@ -44,6 +46,7 @@ impl fmt::Display for PlanMismatch {
                 write!(f, "the type or the nodes of the elements of block {}", index + 1)
             }
             Part::Section(index) => write!(f, "the kind of section of block {}", index + 1),
+            Part::Transforms => f.write_str("the nodes with axes of their own"),
             Part::RigidLinks => f.write_str("the nodes of rigid bodies"),
             Part::LinearConstraints => f.write_str("the dofs of equations and ties"),
             Part::Contact(index) => {
@@ -91,6 +94,11 @@ impl Outline {
 /// follows its length, so that no two outlines are the same row.
 fn draw(model: &Model, note: &mut impl FnMut(Part, usize)) {
     note(Part::Nodes, model.nodes.len());
+    note(Part::Transforms, model.transforms.len());
+    for transform in &model.transforms {
+        note(Part::Transforms, transform.nodes.len());
+        transform.nodes.iter().for_each(|&node| note(Part::Transforms, node));
+    }
     note(Part::Elements(0), model.blocks.len());
     for (index, block) in model.blocks.iter().enumerate() {
         draw_block(block, &mut |number| note(Part::Elements(index), number));

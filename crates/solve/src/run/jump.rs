@@ -366,7 +366,7 @@ impl Jump {
         let (from, to) = (&part.from, &part.to);
         // What is driven does not spring.
         let moved = |node: usize| {
-            let own = plan.dofs.of_node(node).filter(|&dof| !plan.dofs.is_rotation(dof));
+            let own = plan.dofs.named_of_node(node).filter(|&dof| !plan.dofs.is_rotation(dof));
             let way = own.map(|dof| match plan.constraints.roles[dof] {
                 Role::Prescribed(_) => 0.0,
                 _ => to.displacement[dof] - from.displacement[dof],

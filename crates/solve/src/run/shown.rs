@@ -89,6 +89,7 @@ pub(super) fn frame<'a>(
         last_of_step: numbers.last,
         nodal: Nodal {
             dofs: plan.dofs,
+            axes: plan.constraints.motion.axes(),
             displacement: &state.displacement,
             reaction: &state.reaction,
             load: &state.load,

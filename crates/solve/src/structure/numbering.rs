@@ -76,10 +76,14 @@ impl ElementNumbering {
             results: block.kind.all_values(),
         };
         self.own.reserve_exact(variables * count);
+        let find = |node, kind| match block.acts_along_own_axes() {
+            true => dofs.named(node, kind),
+            false => dofs.find(node, kind),
+        };
         for (member, element) in elements() {
             self.nodes.extend_from_slice(element.nodes);
             for &node in element.nodes {
-                self.own.extend(kinds.iter().filter_map(|&kind| dofs.find(node, kind)));
+                self.own.extend(kinds.iter().filter_map(|&kind| find(node, kind)));
             }
             placed.members.push(member);
         }
