@@ -1,10 +1,7 @@
-//! Axes of nodes while the deck is read.
+//! Axes of nodes and of materials while the deck is read.
 
-use slideline_deck::DataLine;
 use slideline_diag::Span;
 use slideline_model::System;
-
-use crate::draft::Draft;
 
 /// `*TRANSFORM`.
 #[derive(Clone, Debug)]
@@ -15,14 +12,35 @@ pub(crate) struct Transform {
     pub origin: Span,
 }
 
-/// The points of a line, three numbers each; blank ones are zero.
-pub(crate) fn read_points<const N: usize>(
-    line: &DataLine,
-    draft: &mut Draft,
-) -> Option<[[f64; 3]; N]> {
-    let mut points = [[0.0; 3]; N];
-    for (at, value) in points.as_flattened_mut().iter_mut().enumerate() {
-        *value = draft.log.number_or(line, at, 0.0)?;
+/// `*ORIENTATION`.
+#[derive(Clone, Debug)]
+pub(crate) struct Orientation {
+    pub name: String,
+    pub given: Given,
+    /// The axis, 0 to 2, and the angle about it [1].
+    pub turn: Option<(usize, f64)>,
+    /// Where the points stand.
+    pub line: Span,
+}
+
+/// What its axes are given by.
+#[derive(Clone, Debug)]
+pub(crate) enum Given {
+    /// Points.
+    System(System),
+    /// The name of the system, and nodes by their labels.
+    Nodes(&'static str, [Option<u64>; 3]),
+    /// Nodes of the element, from 0.
+    Own([usize; 3]),
+}
+
+/// The system through points: of a cylinder and a sphere, a and b are those of the axis.
+pub(crate) fn system_of(system: &str, [a, b, c]: [[f64; 3]; 3]) -> Option<System> {
+    let from = |x: [f64; 3]| std::array::from_fn(|k| x[k] - c[k]);
+    match system {
+        "CYLINDRICAL" => System::cylindrical(a, b),
+        "SPHERICAL" => System::spherical(a, b),
+        "Z RECTANGULAR" => System::z_rectangular(from(a), from(b)),
+        _ => System::rectangular(from(a), from(b)),
     }
-    Some(points)
 }

@@ -12,7 +12,7 @@ use slideline_model::{
     NodeIndex, NodePrint, Nodes, PrintTarget, ProfilePoint, SavedStates, Static, SurfaceSegment,
 };
 
-use crate::axes::Transform;
+use crate::axes::{Orientation, Transform};
 use crate::constraints::{Coupling, Equation, Link, Tie};
 use crate::distributed::Distributed;
 use crate::log::{Log, Target};
@@ -66,6 +66,7 @@ pub(crate) struct Draft {
     pub couplings: Vec<Coupling>,
     pub ties: Vec<Tie>,
     pub transforms: Vec<Transform>,
+    pub orientations: Vec<Orientation>,
     /// Axes of the nodes that have their own, when all cards are read.
     pub axes: HashMap<NodeIndex, slideline_model::Axes>,
     /// Dofs that follow others, and where it was said; known when links are resolved.
@@ -106,6 +107,7 @@ pub(crate) struct Contents {
     pub couplings: Vec<Coupling>,
     pub ties: Vec<Tie>,
     pub transforms: Vec<Transform>,
+    pub orientations: Vec<Orientation>,
 }
 
 /// The card that a suboption belongs to.

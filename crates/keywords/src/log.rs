@@ -133,6 +133,15 @@ impl Log {
         self.label_in(field)
     }
 
+    /// The points of a line, three numbers each; blank ones are zero.
+    pub fn points<const N: usize>(&mut self, line: &DataLine) -> Option<[[f64; 3]; N]> {
+        let mut points = [[0.0; 3]; N];
+        for (at, value) in points.as_flattened_mut().iter_mut().enumerate() {
+            *value = self.number_or(line, at, 0.0)?;
+        }
+        Some(points)
+    }
+
     /// A value as a node or element number.
     pub fn label_in(&mut self, field: &Field) -> Option<u64> {
         let value = self.integer_in(field)?;

@@ -43,6 +43,7 @@ impl Draft {
             couplings: take(&mut self.couplings),
             ties: take(&mut self.ties),
             transforms: take(&mut self.transforms),
+            orientations: take(&mut self.orientations),
         }
     }
 
@@ -66,6 +67,7 @@ impl Draft {
         self.couplings = contents.couplings;
         self.ties = contents.ties;
         self.transforms = contents.transforms;
+        self.orientations = contents.orientations;
     }
 
     /// `*PART`.

@@ -8,9 +8,9 @@ use crate::cards::{
     dsload, el_file, el_print, elastic, element, element_output, elgen, elset, end_assembly,
     end_instance, end_part, end_step, equation, friction, heading, hyperelastic,
     initial_conditions, instance, interface, kinematic, kinematic_coupling, material, mpc, ngen,
-    nmap, node, node_file, node_output, node_print, nset, output, part, plastic, print, restart,
-    rigid_body, rigid_surface, slide_line, solid_section, spring, static_, step, surface,
-    surface_behavior, surface_contact, surface_interaction, temperature, tie, transform,
+    nmap, node, node_file, node_output, node_print, nset, orientation, output, part, plastic,
+    print, restart, rigid_body, rigid_surface, slide_line, solid_section, spring, static_, step,
+    surface, surface_behavior, surface_contact, surface_interaction, temperature, tie, transform,
     transverse_shear,
 };
 use crate::keyword::Keyword;
@@ -37,6 +37,7 @@ pub(crate) const REGISTRY: &[&'static dyn Keyword] = &[
     &elgen::Elgen,
     &beam_section::BeamSection,
     &transverse_shear::TransverseShearStiffness,
+    &orientation::Orientation,
     &solid_section::SolidSection,
     &spring::Spring,
     &material::Material,

@@ -73,7 +73,9 @@ fn solid<const D: usize, const N: usize, const P: usize>(
     let kinematics = if D == 2 { Kinematics::PlaneStrain } else { Kinematics::Space };
     let count = states((cell, rule), (kinematics, formulation), &material);
     let (thickness, told) = (1.0, Told::Logarithmic);
-    let recipe = Recipe { cell, rule, kinematics, formulation, material, thickness, told };
+    let orientation = None;
+    let recipe =
+        Recipe { cell, rule, kinematics, formulation, material, thickness, told, orientation };
     let nodes: [[f64; D]; N] =
         std::array::from_fn(|a| std::array::from_fn(|axis| cell.places[a][axis]));
     let element = Solids::<D, N, P>::new(recipe, [nodes].into_iter()).unwrap();

@@ -20,6 +20,7 @@ pub mod contact;
 pub mod differentiate;
 pub mod element;
 pub mod material;
+pub mod orientation;
 pub mod pressure;
 pub mod rigid;
 pub mod rotation;

@@ -109,7 +109,9 @@ fn kernel(kind: &Kind, material: &Material, nodes: &[[f64; 3]]) -> Box<dyn Kerne
     let (cell, rule, kinematics, formulation, _) = *kind;
     let material = material.clone();
     let told = Told::Logarithmic;
-    let recipe = Recipe { cell, rule, kinematics, formulation, material, thickness: 0.5, told };
+    let (thickness, orientation) = (0.5, None);
+    let recipe =
+        Recipe { cell, rule, kinematics, formulation, material, thickness, told, orientation };
     match (cell.dimension, cell.nodes, rule.points.len()) {
         (2, 3, 1) => made::<2, 3, 1>(recipe, nodes),
         (2, 6, 3) => made::<2, 6, 3>(recipe, nodes),

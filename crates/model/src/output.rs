@@ -138,6 +138,8 @@ pub struct ElementPrint {
     pub variables: Vec<ElementVariable>,
     /// Section points of the stresses, from 1 to [`SECTION_POINTS`].
     pub section_points: Vec<usize>,
+    /// `GLOBAL=NO`: along the axes of the material.
+    pub own_axes: bool,
 }
 
 /// Section points over the height of a beam: 1 on the side against the normal

@@ -10,9 +10,10 @@
 //! ```
 
 use crate::section::{axial_stresses, outer_mises};
+use slideline_mech::orientation;
 use slideline_model::{
-    ContactPrint, ContactVariable, ElementBlock, ElementPrint, ElementType, ElementVariable,
-    Location, Model, NodeIndex, NodePrint, Request, Section, types,
+    Axes, ContactPrint, ContactVariable, Dialect, Element, ElementBlock, ElementPrint, ElementType,
+    ElementVariable, Location, Model, NodeIndex, NodePrint, Request, Section, types,
 };
 use slideline_results::element as solid;
 use slideline_results::{CONTACT_FIELDS, ContactComponent, NodeComponent, NodeField};
@@ -167,7 +168,9 @@ fn element_tables(frame: &Frame<'_>, print: &ElementPrint, of_beams: bool) -> Ve
             if print.elements.binary_search(&element.label).is_err() {
                 continue;
             }
-            let own = Own { block, values, stresses: solid::stresses(block.kind, values) };
+            let stresses = solid::stresses(block.kind, values);
+            let own =
+                Own { block, values, stresses, axes: axes(frame.model, print, (block, element)) };
             let points: Vec<usize> = match of_beams {
                 true if pointed => print.section_points.clone(),
                 true => vec![1],
@@ -215,12 +218,27 @@ fn field(variable: ElementVariable) -> &'static str {
     }
 }
 
+/// Axes along which CalculiX prints the tensors of an element: those of its material.
+fn axes(
+    model: &Model,
+    print: &ElementPrint,
+    (block, element): (&ElementBlock, Element<'_>),
+) -> Vec<Axes> {
+    if !print.own_axes || model.dialect != Dialect::Calculix {
+        return Vec::new();
+    }
+    let nodes = element.nodes.iter().map(|&node| model.nodes.position(node));
+    block.axes_at_points(&nodes.collect::<Vec<_>>())
+}
+
 /// The results of an element.
 struct Own<'a> {
     block: &'a ElementBlock,
     values: &'a [f64],
     /// Of a solid at its integration points.
     stresses: Vec<[f64; 6]>,
+    /// Axes along which tensors are printed, point by point; none: as they are.
+    axes: Vec<Axes>,
 }
 
 impl Own<'_> {
@@ -238,7 +256,15 @@ impl Own<'_> {
                 let Some((field, first)) = kind.field(field(variable)) else { return Vec::new() };
                 let width = field.components.len();
                 let before = if field.location == Location::Points { point - 1 } else { 0 };
-                self.values[first + width * before..][..width].to_vec()
+                let own = &self.values[first + width * before..][..width];
+                match (self.axes.get(before), width) {
+                    (Some(axes), 4 | 6) => {
+                        let mut tensor = [0.0; 6];
+                        tensor[..width].copy_from_slice(own);
+                        orientation::along(axes, &tensor)[..width].to_vec()
+                    }
+                    _ => own.to_vec(),
+                }
             }
         }
     }
@@ -251,7 +277,7 @@ pub(crate) fn push_contact(text: &mut String, frame: &Frame<'_>, print: &Contact
         let (pair, label) = (pair_name(frame.model, row), frame.model.nodes.label(row.node));
         let values = columns().map(|column| (column.value)(row)).collect();
         let head = format!("{pair:<16} {label:>10} {:<6}", row.status.word());
-        Row { head, label, values }
+        Row { head, label, values, summed: None }
     };
     let own = frame.contact.iter().filter(|row| print.nodes.contains(&row.node));
     let table = Table {

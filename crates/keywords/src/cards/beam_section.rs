@@ -59,6 +59,7 @@ impl Keyword for BeamSection {
             material_span: card.span_of("MATERIAL"),
             set_span: card.span_of("ELSET"),
             body: Body::Beam { width, height, poisson, shear: ShearRule::default() },
+            orientation: None,
             origin: card.span(),
         });
     }

@@ -20,6 +20,7 @@ impl Keyword for ElPrint {
         const RULES: &[Rule] = &[
             Rule::value("ELSET"),
             Rule::value("FREQUENCY"),
+            Rule::value("GLOBAL"),
             Rule::maybe("TOTALS"),
             Rule::maybe("SUMMARY"),
         ];
@@ -56,6 +57,7 @@ pub(crate) fn request(card: &Reading<'_>, kind: Kind, draft: &mut Draft) {
         section_points.extend(point.filter(|point| !section_points.contains(point)));
         point.is_some()
     };
+    let own_axes = card.yes("GLOBAL", &mut draft.log) != Some(true);
     let Some(asked) = requests::read(card, kind, &mut point, draft) else { return };
     if section_points.is_empty() {
         section_points = vec![1, SECTION_POINTS];
@@ -63,7 +65,7 @@ pub(crate) fn request(card: &Reading<'_>, kind: Kind, draft: &mut Draft) {
     if let Some(step) = draft.step() {
         let (request, variables) = (asked.request, asked.variables);
         let elements = Vec::new();
-        let print = model::ElementPrint { request, elements, variables, section_points };
+        let print = model::ElementPrint { request, elements, variables, section_points, own_axes };
         step.element_prints.push((print, asked.set));
     }
 }

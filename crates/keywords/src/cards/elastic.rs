@@ -1,6 +1,6 @@
 //! `*ELASTIC`: linear elasticity of a material.
 
-use slideline_mech::material;
+use slideline_mech::material::{self, Unsound};
 
 use crate::draft::Draft;
 use crate::draft::Owner;
@@ -41,20 +41,31 @@ impl Keyword for Elastic {
             return;
         };
         draft.materials[index].has_card = true;
-        const TYPES: &[&str] = &["ISOTROPIC", "ENGINEERING CONSTANTS", "ORTHOTROPIC"];
         let given = card.word("TYPE").is_some();
-        match card.choice("TYPE", TYPES, &mut draft.log) {
-            None if given => {}
-            None | Some("ISOTROPIC") => {
-                draft.materials[index].elastic = isotropic(card, draft);
-            }
-            Some(kind) => {
-                draft.materials[index].anisotropic =
-                    anisotropic(card, kind == "ENGINEERING CONSTANTS", draft);
-            }
+        let kind = match card.choice("TYPE", TYPES, &mut draft.log) {
+            None if given => return,
+            kind => kind.unwrap_or(TYPES[0]),
+        };
+        if kind == "ISOTROPIC" {
+            draft.materials[index].elastic = isotropic(card, draft);
+        } else {
+            let made = anisotropic(card, kind, draft);
+            let material = &mut draft.materials[index];
+            (material.anisotropic, material.plane_stress_only) = (made, kind == "LAMINA");
         }
     }
 }
+
+/// What the constants are; CalculiX has the short names.
+const TYPES: &[&str] = &[
+    "ISOTROPIC",
+    "ENGINEERING CONSTANTS",
+    "ORTHO",
+    "ORTHOTROPIC",
+    "ANISO",
+    "ANISOTROPIC",
+    "LAMINA",
+];
 
 fn isotropic(card: &Reading<'_>, draft: &mut Draft) -> Option<material::Elastic> {
     let line = card.only_line("E, nu", &mut draft.log)?;
@@ -75,32 +86,75 @@ fn isotropic(card: &Reading<'_>, draft: &mut Draft) -> Option<material::Elastic>
     Some(material::Elastic { modulus, poisson })
 }
 
-/// Nine constants: of engineering, or D1111, D1122, D2222, D1133, D2233, D3333, D1212, D1313, D2323.
-fn anisotropic(
-    card: &Reading<'_>,
-    engineering: bool,
-    draft: &mut Draft,
-) -> Option<material::Anisotropic> {
-    let what =
-        if engineering { "E1, E2, E3, nu12, nu13, nu23, G12, G13, G23" } else { "D1111 ..." };
+/// The constants of a type; a temperature may follow, one set holds for all.
+fn anisotropic(card: &Reading<'_>, kind: &str, draft: &mut Draft) -> Option<material::Anisotropic> {
+    let (count, what) = match kind {
+        "ENGINEERING CONSTANTS" => (9, "E1, E2, E3, nu12, nu13, nu23, G12, G13, G23"),
+        "LAMINA" => (6, "E1, E2, nu12, G12, G13, G23"),
+        "ANISO" | "ANISOTROPIC" => (21, "D1111, D1122, D2222, ... D2323"),
+        _ => (9, "D1111, D1122, D2222, D1133, D2233, D3333, D1212, D1313, D2323"),
+    };
     card.first_line(what, &mut draft.log)?;
-    let values = card.numbers(&mut draft.log)?;
-    // a temperature may follow; one set holds for all
-    let Some(constants) = values.first_chunk::<9>().filter(|_| values.len() <= 10) else {
-        let message = format!("nine constants are needed, here are {}", values.len());
+    let mut values = card.numbers(&mut draft.log)?;
+    // CalculiX' line of 21 may end with blank fields
+    let blank = |values: &[f64]| values.len() > count + 1 && values.last() == Some(&0.0);
+    while blank(&values) {
+        values.pop();
+    }
+    if values.len() < count || values.len() > count + 1 {
+        let message = format!("{count} constants are needed, here are {}: {what}", values.len());
         draft.log.error("SL0208", message, card.span());
         return None;
-    };
-    let made = if engineering {
-        material::Anisotropic::engineering(constants)
-    } else {
-        let [d11, d12, d22, d13, d23, d33, shear @ ..] = *constants;
-        let block = [[d11, d12, d13], [d12, d22, d23], [d13, d23, d33]];
-        material::Anisotropic::orthotropic(&block, &shear)
-    };
-    if made.is_none() {
-        let message = "these constants let the material release energy under some load";
-        draft.log.error("SL0234", message, card.data()[0].span);
     }
-    made
+    match made(kind, &values) {
+        Ok(made) => Some(made),
+        Err(unsound) => {
+            draft.log.error("SL0234", said(unsound), card.data()[0].span);
+            None
+        }
+    }
+}
+
+fn made(kind: &str, values: &[f64]) -> Result<material::Anisotropic, Unsound> {
+    let at = |k: usize| values.get(k).copied().unwrap_or_default();
+    match kind {
+        "ENGINEERING CONSTANTS" => material::Anisotropic::engineering(&std::array::from_fn(at)),
+        "LAMINA" => material::Anisotropic::lamina(&std::array::from_fn(at)),
+        "ANISO" | "ANISOTROPIC" => {
+            // column by column, each down to the diagonal
+            let entry = |row: usize, column: usize| {
+                let (low, high) = (row.min(column), row.max(column));
+                at(high * (high + 1) / 2 + low)
+            };
+            material::Anisotropic::general(&std::array::from_fn(|row| {
+                std::array::from_fn(|column| entry(row, column))
+            }))
+        }
+        _ => {
+            let [d11, d12, d22, d13, d23, d33] = std::array::from_fn(at);
+            let block = [[d11, d12, d13], [d12, d22, d23], [d13, d23, d33]];
+            material::Anisotropic::orthotropic(&block, &[at(6), at(7), at(8)])
+        }
+    }
+}
+
+/// The bound that constants break, in words.
+fn said(unsound: Unsound) -> String {
+    const NAMES: [&str; 6] = ["11", "22", "33", "12", "13", "23"];
+    match unsound {
+        Unsound::NotPositive(name) => format!("{name} must be positive"),
+        Unsound::Ratio { name, most } => {
+            let [i, j] = [&name[2..3], &name[3..4]];
+            format!("{name} must be below sqrt(E{i}/E{j}) = {most:.6} in size")
+        }
+        Unsound::Determinant(left) => format!(
+            "1 - nu12 nu21 - nu23 nu32 - nu31 nu13 - 2 nu21 nu32 nu13 = {left:.3e} must be \
+             positive, with nu_ji = nu_ij Ej/Ei"
+        ),
+        Unsound::Energy(count) => format!(
+            "the energy of the material is not positive: its moduli of the components {} are not \
+             positive definite",
+            NAMES[..count.min(NAMES.len())].join(", ")
+        ),
+    }
 }

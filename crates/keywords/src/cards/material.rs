@@ -52,6 +52,7 @@ impl Keyword for Material {
             name,
             elastic: None,
             anisotropic: None,
+            plane_stress_only: false,
             rubber: None,
             hardening: None,
             has_card: false,

@@ -53,6 +53,7 @@ pub(crate) mod node_file;
 pub(crate) mod node_output;
 pub(crate) mod node_print;
 pub(crate) mod nset;
+pub(crate) mod orientation;
 pub(crate) mod output;
 pub(crate) mod part;
 pub(crate) mod plastic;

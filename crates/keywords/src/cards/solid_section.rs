@@ -13,7 +13,8 @@ impl Keyword for SolidSection {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] = &[Rule::required("ELSET"), Rule::required("MATERIAL")];
+        const RULES: &[Rule] =
+            &[Rule::required("ELSET"), Rule::required("MATERIAL"), Rule::value("ORIENTATION")];
         RULES
     }
 
@@ -40,6 +41,7 @@ impl Keyword for SolidSection {
             material_span: card.span_of("MATERIAL"),
             set_span: card.span_of("ELSET"),
             body: Body::Solid { thickness },
+            orientation: card.name("ORIENTATION").map(|name| (name, card.span_of("ORIENTATION"))),
             origin: card.span(),
         });
     }

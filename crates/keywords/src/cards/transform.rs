@@ -5,7 +5,7 @@
 //!   TYPE=S  a the centre, b on the polar axis
 //! ```
 
-use crate::axes::{Transform as Axes, read_points};
+use crate::axes::Transform as Axes;
 use crate::draft::Draft;
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
@@ -43,7 +43,7 @@ impl Keyword for Transform {
         }
         let Some(line) = card.only_line("the points a and b", &mut draft.log) else { return };
         draft.log.at_most(line, 6);
-        let Some([a, b]) = read_points(line, draft) else { return };
+        let Some([a, b]) = draft.log.points(line) else { return };
         let (system, fault) = match kind {
             Some("C") => (System::cylindrical(a, b), "the points a and b of the axis coincide"),
             Some("S") => (System::spherical(a, b), "the points a and b of the polar axis coincide"),

@@ -2,6 +2,7 @@
 
 use slideline_diag::Span;
 use slideline_mech::material::{Anisotropic, Elastic, Hardening, LargeStrain, Plastic, Rubber};
+use slideline_mech::orientation::Orientation;
 use slideline_model::{self as model, BeamSection, Dialect, ShearRule, SolidSection};
 
 #[derive(Clone, Debug)]
@@ -11,6 +12,8 @@ pub(crate) struct Section {
     pub material_span: Span,
     pub set_span: Span,
     pub body: Body,
+    /// The axes of its material by name.
+    pub orientation: Option<(String, Span)>,
     pub origin: Span,
 }
 
@@ -31,7 +34,12 @@ impl Body {
     }
 
     /// The same with a material; `None` where a beam is given another than an isotropic elastic one.
-    pub fn of(self, material: &Material, dialect: Dialect) -> Option<model::Section> {
+    pub fn of(
+        self,
+        material: &Material,
+        orientation: Option<Orientation>,
+        dialect: Dialect,
+    ) -> Option<model::Section> {
         Some(match self {
             Self::Beam { width, height, poisson, shear } => {
                 let material = material.elastic?;
@@ -39,7 +47,7 @@ impl Body {
             }
             Self::Solid { thickness } => {
                 let material = material.solid(dialect)?;
-                model::Section::Solid(SolidSection { thickness, material })
+                model::Section::Solid(SolidSection { thickness, material, orientation })
             }
         })
     }
@@ -51,6 +59,8 @@ pub(crate) struct Material {
     pub elastic: Option<Elastic>,
     /// Elasticity without isotropy.
     pub anisotropic: Option<Anisotropic>,
+    /// It is known in plane stress alone: `TYPE=LAMINA`.
+    pub plane_stress_only: bool,
     pub rubber: Option<Rubber>,
     /// Yield stress and plastic strain, line by line.
     pub hardening: Option<Hardening>,

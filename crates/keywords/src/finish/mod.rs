@@ -11,6 +11,7 @@ mod faces;
 mod links;
 mod master_chain;
 mod nodes;
+mod orientations;
 mod sections;
 mod steps;
 mod surface_pairs;

@@ -2,7 +2,8 @@
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::element::b22::axis_runs_forward;
-use slideline_mech::element::solid::smallest_jacobian;
+use slideline_mech::element::solid::{self, smallest_jacobian};
+use slideline_mech::orientation::Orientation;
 use slideline_model::{
     Allowable, ElementBlock, ElementType, Elements, Kinematics, NodeIndex, SpringSection, TYPES,
     types,
@@ -16,6 +17,7 @@ pub(super) fn sections(draft: &mut Draft) {
     let mut owner = vec![None; draft.elements.len()];
     for section in draft.sections.clone() {
         let Some(found) = draft.elements_of(&section.set, section.set_span) else { continue };
+        let orientation = super::orientations::of_section(section.orientation.as_ref(), draft);
         let mut claimed: Vec<(&'static ElementType, Elements)> = Vec::new();
         for index in found {
             let element = draft.elements[index];
@@ -24,12 +26,18 @@ pub(super) fn sections(draft: &mut Draft) {
                 claimed.push((row, Elements::new(row.cell.nodes)));
             }
             if let Some(nodes) = nodes(&element, row, draft)
+                && orientation.flatten().is_none_or(|own| {
+                    let at = (&nodes[..], section.set_span);
+                    super::orientations::suits(&own, (&element, row), at, draft)
+                })
                 && let Some((_, elements)) = claimed.iter_mut().find(|(kind, _)| *kind == row)
             {
                 elements.push(element.label, &nodes, element.origin);
             }
         }
-        if let Some(made) = material(&section, draft) {
+        let Some(orientation) = orientation else { continue };
+        in_plane_stress(&section, &claimed, draft);
+        if let Some(made) = material(&section, orientation, draft) {
             blocks(&section, &made, claimed, draft);
         }
     }
@@ -211,8 +219,37 @@ fn middle_is_sound(
     sound
 }
 
+/// Complains about elements of a ply that are not in plane stress.
+fn in_plane_stress(
+    section: &Section,
+    claimed: &[(&'static ElementType, Elements)],
+    draft: &mut Draft,
+) {
+    let ply = |own: &&crate::draft::Material| own.name == section.material && own.plane_stress_only;
+    if !draft.materials.iter().any(|own| ply(&own)) {
+        return;
+    }
+    let plane = |row: &ElementType| matches!(row.kinematics, Kinematics::Solid { strains, .. } if strains == solid::Kinematics::PlaneStress);
+    if let Some((row, _)) =
+        claimed.iter().find(|(row, elements)| !plane(row) && !elements.is_empty())
+    {
+        let message = format!(
+            "the material {} is TYPE=LAMINA, for plane stress; elements of type {} are not in it",
+            section.material,
+            row.name()
+        );
+        let error = Diagnostic::error(Code("SL0309"), message).at(section.material_span);
+        let help = "give all nine constants: *ELASTIC, TYPE=ENGINEERING CONSTANTS";
+        draft.consequence(Subject::Sections, error.help(help));
+    }
+}
+
 /// The section with its material.
-fn material(section: &Section, draft: &mut Draft) -> Option<slideline_model::Section> {
+fn material(
+    section: &Section,
+    orientation: Option<Orientation>,
+    draft: &mut Draft,
+) -> Option<slideline_model::Section> {
     let found = draft.materials.iter().find(|material| material.name == section.material).cloned();
     let Some(material) = found else {
         no_material(&section.material, section.material_span, draft);
@@ -236,7 +273,7 @@ fn material(section: &Section, draft: &mut Draft) -> Option<slideline_model::Sec
             .consequence(Subject::Sections, error.help("give beams a material of *ELASTIC: E, nu"));
         return None;
     }
-    section.body.of(&material, draft.dialect)
+    section.body.of(&material, orientation, draft.dialect)
 }
 
 fn no_material(name: &str, span: Span, draft: &mut Draft) {

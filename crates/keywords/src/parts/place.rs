@@ -3,7 +3,7 @@
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{Node, SurfaceSegment};
 
-use crate::axes::Transform;
+use crate::axes::{Given, Orientation, Transform};
 use crate::constraints::{Coupling, Equation, Link, Points, Tie};
 use crate::draft::{Contents, Draft, Element, Interface, Section, Shape, Spring, Surface};
 use crate::instances::{Placement, Target};
@@ -60,7 +60,8 @@ impl Place for Element {
 
 impl Place for Section {
     fn placed(self, by: &Placement) -> Self {
-        Self { set: by.name(&self.set), ..self }
+        let orientation = self.orientation.map(|(name, span)| (by.name(&name), span));
+        Self { set: by.name(&self.set), orientation, ..self }
     }
 }
 
@@ -161,6 +162,16 @@ impl Place for Transform {
     }
 }
 
+impl Place for Orientation {
+    fn placed(mut self, by: &Placement) -> Self {
+        self.name = by.name(&self.name);
+        if let Given::Nodes(_, labels) = &mut self.given {
+            labels.iter_mut().flatten().for_each(|label| *label = by.label(*label));
+        }
+        self
+    }
+}
+
 impl Place for Coupling {
     fn placed(mut self, by: &Placement) -> Self {
         self.reference = self.reference.placed(by);
@@ -238,6 +249,14 @@ impl Draft {
             ..transform
         });
         extend(&mut self.transforms, moved.collect(), by);
+        let turned = own.orientations.into_iter().map(|mut orientation| {
+            if let Given::System(system) = orientation.given {
+                let moved = system.moved(|x| motion.point(x), |way| motion.direction(way));
+                orientation.given = Given::System(moved);
+            }
+            orientation
+        });
+        extend(&mut self.orientations, turned.collect(), by);
     }
 }
 

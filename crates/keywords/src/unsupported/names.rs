@@ -293,7 +293,7 @@ pub(super) const GROUPS: &[Group] = &[
     (
         Unsupported,
         "generate nodes with *NGEN, move them with *NMAP",
-        &["NCOPY", "NFILL", "SYSTEM", "ELCOPY", "ORIENTATION"],
+        &["NCOPY", "NFILL", "SYSTEM", "ELCOPY"],
     ),
     (
         Unsupported,

@@ -9,8 +9,8 @@
 
 use super::principal::Axes;
 use super::tensor::{
-    Matrix, Moduli, PAIRS, Symmetric, add, add_dyad, add_unit, contract, deformation, left, right,
-    square, trace,
+    Matrix, Moduli, PAIRS, Symmetric, add, add_dyad, add_unit, contract, deformation, left, pushed,
+    right, square, trace,
 };
 use super::{Answer, Elastic};
 
@@ -99,7 +99,45 @@ pub(super) fn add_turned(moduli: &mut Moduli, factor: f64, b: &Symmetric) {
     }
 }
 
-/// Elastic moduli without isotropy, in the axes of the model.
+/// Why constants are not those of an elastic material: it would release energy under some load.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Unsound {
+    /// A modulus is not positive.
+    NotPositive(&'static str),
+    /// A Poisson's ratio is not below sqrt(Ei/Ej) in size [1].
+    Ratio {
+        /// Its name.
+        name: &'static str,
+        /// What its size must stay below [1].
+        most: f64,
+    },
+    /// 1 - nu12 nu21 - nu23 nu32 - nu31 nu13 - 2 nu21 nu32 nu13 is not positive [1].
+    Determinant(f64),
+    /// The energy is not positive; so many of the leading components, 11, 22, 33, 12, 13, 23,
+    /// suffice to show it.
+    Energy(usize),
+}
+
+/// Size of the first leading block that is not positive definite, by elimination; what is left of
+/// an entry by rounding alone counts as none.
+fn first_soft(moduli: &Moduli) -> Option<usize> {
+    let mut left = *moduli;
+    for k in 0..6 {
+        let pivot = left[k][k];
+        let sound = pivot > 16.0 * f64::EPSILON * moduli[k][k].abs();
+        if !sound || !pivot.is_finite() {
+            return Some(k + 1);
+        }
+        for i in k + 1..6 {
+            let factor = left[i][k] / pivot;
+            let row = left[k];
+            left[i].iter_mut().zip(row).for_each(|(entry, own)| *entry -= factor * own);
+        }
+    }
+    None
+}
+
+/// Elastic moduli without isotropy, along the axes of the material.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Anisotropic {
     /// Stress of a strain, components 11, 22, 33, 12, 13, 23 both [F/L2].
@@ -107,35 +145,62 @@ pub struct Anisotropic {
 }
 
 impl Anisotropic {
-    /// From engineering constants: E1, E2, E3, nu12, nu13, nu23, G12, G13, G23; `None` where they
-    /// make no positive energy.
-    pub fn engineering(constants: &[f64; 9]) -> Option<Self> {
+    /// From engineering constants: E1, E2, E3, nu12, nu13, nu23, G12, G13, G23; `Err`: the bound
+    /// that they break.
+    pub fn engineering(constants: &[f64; 9]) -> Result<Self, Unsound> {
         let [e1, e2, e3, nu12, nu13, nu23, g12, g13, g23] = *constants;
+        let names = ["E1", "E2", "E3", "G12", "G13", "G23"];
+        for (value, name) in [e1, e2, e3, g12, g13, g23].into_iter().zip(names) {
+            if value <= 0.0 || !value.is_finite() {
+                return Err(Unsound::NotPositive(name));
+            }
+        }
+        let pairs = [("nu12", nu12, e1 / e2), ("nu13", nu13, e1 / e3), ("nu23", nu23, e2 / e3)];
+        for (name, nu, ratio) in pairs {
+            // NaN breaks the bound too
+            if nu * nu < ratio {
+                continue;
+            }
+            return Err(Unsound::Ratio { name, most: ratio.sqrt() });
+        }
+        let [nu21, nu31, nu32] = [nu12 * e2 / e1, nu13 * e3 / e1, nu23 * e3 / e2];
+        let left = 1.0 - nu12 * nu21 - nu23 * nu32 - nu31 * nu13 - 2.0 * nu21 * nu32 * nu13;
+        if left <= f64::EPSILON {
+            return Err(Unsound::Determinant(left));
+        }
         let compliance = [
             [1.0 / e1, -nu12 / e1, -nu13 / e1],
             [-nu12 / e1, 1.0 / e2, -nu23 / e2],
             [-nu13 / e1, -nu23 / e2, 1.0 / e3],
         ];
         let (block, _) = super::tensor::inverse(&compliance);
-        let [shear12, shear13, shear23] = [g12, g13, g23];
-        Self::orthotropic(&block, &[shear12, shear13, shear23])
+        Self::orthotropic(&block, &[g12, g13, g23])
     }
 
-    /// From the moduli along the axes and the shear moduli of 12, 13, 23; `None` where they make
-    /// no positive energy.
-    pub fn orthotropic(block: &Matrix, shear: &[f64; 3]) -> Option<Self> {
+    /// From E1, E2, nu12, G12, G13, G23 of a ply in plane stress: nothing across couples with
+    /// what is in the plane.
+    pub fn lamina(constants: &[f64; 6]) -> Result<Self, Unsound> {
+        let [e1, e2, nu12, g12, g13, g23] = *constants;
+        Self::engineering(&[e1, e2, e2, nu12, 0.0, 0.0, g12, g13, g23])
+    }
+
+    /// From the moduli along the axes and the shear moduli of 12, 13, 23.
+    pub fn orthotropic(block: &Matrix, shear: &[f64; 3]) -> Result<Self, Unsound> {
         let mut moduli = [[0.0; 6]; 6];
         for i in 0..3 {
             moduli[i][..3].copy_from_slice(&block[i]);
             // a component of the strain is half the angle
             moduli[3 + i][3 + i] = shear[i];
         }
-        let minor = block[0][0] * block[1][1] - block[0][1] * block[1][0];
-        let positive = block[0][0] > 0.0
-            && minor > 0.0
-            && super::tensor::determinant(block) > 0.0
-            && shear.iter().all(|shear| *shear > 0.0);
-        positive.then_some(Self { moduli })
+        Self::general(&moduli)
+    }
+
+    /// From all moduli, a symmetric matrix of 11, 22, 33, 12, 13, 23.
+    pub fn general(moduli: &Moduli) -> Result<Self, Unsound> {
+        match first_soft(moduli) {
+            Some(leading) => Err(Unsound::Energy(leading)),
+            None => Ok(Self { moduli: *moduli }),
+        }
     }
 
     fn stress(&self, strain: &Symmetric) -> Symmetric {
@@ -164,20 +229,4 @@ impl Anisotropic {
     pub fn stiffest(&self) -> f64 {
         (0..3).map(|k| self.moduli[k][k]).fold(0.0, f64::max)
     }
-}
-
-/// F F F F C.
-fn pushed(f: &Matrix, moduli: &Moduli) -> Moduli {
-    // T[ij][IJ]: a symmetric tensor's component IJ goes to ij
-    let carry: Moduli =
-        PAIRS.map(|[i, j]| {
-            PAIRS.map(|[a, b]| {
-                if a == b { f[i][a] * f[j][a] } else { f[i][a] * f[j][b] + f[i][b] * f[j][a] }
-            })
-        });
-    let half: Moduli = carry
-        .map(|row| std::array::from_fn(|k| (0..6).map(|m| row[m] * moduli[m][k]).sum::<f64>()));
-    std::array::from_fn(|i| {
-        std::array::from_fn(|j| (0..6).map(|m| half[i][m] * carry[j][m]).sum::<f64>())
-    })
 }

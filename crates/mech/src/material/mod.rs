@@ -23,7 +23,7 @@ pub mod tensor;
 #[cfg(test)]
 mod tests;
 
-pub use elastic::{Anisotropic, LargeStrain};
+pub use elastic::{Anisotropic, LargeStrain, Unsound};
 pub use hyperelastic::{MOST_TERMS, Rubber, Volume};
 pub use plastic::{Hardening, Plastic};
 pub use principal::Axes;

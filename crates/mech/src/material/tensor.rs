@@ -91,6 +91,22 @@ pub fn carried(f: &Matrix, a: &Symmetric) -> Symmetric {
     from_fn(|i, j| half[i][0] * f[j][0] + half[i][1] * f[j][1] + half[i][2] * f[j][2])
 }
 
+/// F F F F C.
+pub fn pushed(f: &Matrix, moduli: &Moduli) -> Moduli {
+    // T[ij][IJ]: a symmetric tensor's component IJ goes to ij
+    let carry: Moduli =
+        PAIRS.map(|[i, j]| {
+            PAIRS.map(|[a, b]| {
+                if a == b { f[i][a] * f[j][a] } else { f[i][a] * f[j][b] + f[i][b] * f[j][a] }
+            })
+        });
+    let half: Moduli = carry
+        .map(|row| std::array::from_fn(|k| (0..6).map(|m| row[m] * moduli[m][k]).sum::<f64>()));
+    std::array::from_fn(|i| {
+        std::array::from_fn(|j| (0..6).map(|m| half[i][m] * carry[j][m]).sum::<f64>())
+    })
+}
+
 /// All nine components.
 pub fn full(a: &Symmetric) -> Matrix {
     std::array::from_fn(|i| std::array::from_fn(|j| a[INDEX[i][j]]))

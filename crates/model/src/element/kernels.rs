@@ -81,6 +81,7 @@ pub(super) fn solid<const D: usize, const N: usize, const P: usize>(
         material: section.material.clone(),
         thickness: section.thickness,
         told,
+        orientation: section.orientation,
     };
     let solids = Solids::<D, N, P>::new(recipe, block.positions::<D, N>())?;
     Some(Box::new(solids))

@@ -15,7 +15,7 @@ pub use table::{
     mean_at_nodes, types,
 };
 
-use crate::{Dof, NodeIndex};
+use crate::{Axes, Dof, NodeIndex};
 use slideline_diag::Span;
 
 /// Elements that share type and section: the solver dispatches once a block.
@@ -78,6 +78,26 @@ impl ElementBlock {
             Section::Spring(SpringSection { dof: Some(dof), .. }) => dof.alone(),
             _ => self.kind.dofs,
         }
+    }
+
+    /// Axes of the material at the integration points of an element on the undeformed positions
+    /// of its nodes [L]; none where they are those of the model.
+    pub fn axes_at_points(&self, nodes: &[[f64; 3]]) -> Vec<Axes> {
+        let (Section::Solid(section), Kinematics::Solid { rule, .. }) =
+            (&self.section, self.kind.kinematics)
+        else {
+            return Vec::new();
+        };
+        let Some(orientation) = section.orientation else { return Vec::new() };
+        let mut shapes = vec![0.0; nodes.len()];
+        let mut at = |place: &[f64; 3]| {
+            (self.kind.cell.shapes)(place, &mut shapes);
+            let point = std::array::from_fn(|k| {
+                nodes.iter().zip(&shapes).map(|(node, shape)| shape * node[k]).sum()
+            });
+            orientation.at(nodes, point)
+        };
+        rule.points.iter().map(&mut at).collect()
     }
 
     /// Whether its dofs are those along the own axes of its nodes: springs on one dof.

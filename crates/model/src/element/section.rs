@@ -2,6 +2,7 @@
 
 use crate::Dof;
 use slideline_mech::material::{Elastic, Material};
+use slideline_mech::orientation::Orientation;
 
 /// Section and material of a block.
 #[derive(Clone, Debug, PartialEq)]
@@ -75,4 +76,6 @@ pub struct SolidSection {
     pub thickness: f64,
     /// Material.
     pub material: Material,
+    /// Axes of the material; `None`: those of the model.
+    pub orientation: Option<Orientation>,
 }

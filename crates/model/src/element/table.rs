@@ -305,7 +305,7 @@ mod tests {
             Section::Beam(beam),
             Section::Spring(SpringSection { stiffness: 1.0, dof: Some(Dof::U2) }),
             Section::Spring(SpringSection { stiffness: 1.0, dof: None }),
-            Section::Solid(SolidSection { thickness: 1.0, material }),
+            Section::Solid(SolidSection { thickness: 1.0, material, orientation: None }),
         ];
         for row in TYPES {
             let mut nodes = vec![[0.0; 3], [1.0, 0.0, 0.0], [1.5, 1.0, 0.0]];

@@ -28,6 +28,7 @@ fn block<const N: usize>(
         false => Section::Solid(SolidSection {
             thickness: 1.0,
             material: Material::Elastic(material, LargeStrain::Logarithmic),
+            orientation: None,
         }),
     };
     let elements = elements.iter().copied();

@@ -45,12 +45,8 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
         let mut points = std::array::from_fn(|k| {
             let mut gradient = with_dilation(&places[k].gradient, [own[k], mean], large);
             let own_state = state.get_mut(width * k..width * (k + 1)).unwrap_or_default();
-            let answer = self.ask(
-                &mut gradient,
-                &places[k].conditions,
-                self.of_point(committed, k),
-                own_state,
-            );
+            let answer =
+                self.ask(&mut gradient, &places[k], self.of_point(committed, k), own_state);
             Point::new(&places[k], &places[k].gradient, large, &answer)
         });
         let grown = if large { 1.0 + mean } else { 1.0 };

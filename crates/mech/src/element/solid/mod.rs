@@ -28,8 +28,10 @@ pub use results::Told;
 use super::cell::Cell;
 use super::kernel::{Kernel, Response, Scale, Strains, Surroundings};
 use super::quadrature::{HEX_8, Quadrature};
+use crate::axes::Axes;
 use crate::material::tensor::{Matrix, Moduli, Symmetric, dilation};
 use crate::material::{Answer, Conditions, Material};
+use crate::orientation::{Orientation, Oriented};
 use place::{Place, Tables};
 
 /// How strains follow displacements.
@@ -85,6 +87,8 @@ pub struct Recipe {
     pub thickness: f64,
     /// Strains as results tell them.
     pub told: Told,
+    /// Axes of the material; `None`: those of the model.
+    pub orientation: Option<Orientation>,
 }
 
 /// Number of state variables of an element with that many points.
@@ -159,22 +163,33 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
             let mut place = Place::mean(nodes, &self.tables.fine, &self.recipe)
                 .unwrap_or_else(|| Place::new(nodes, &self.tables.points[point], &self.recipe));
             place.follow(q);
+            place.axes = self.axes(nodes, &self.tables.points[point].shapes);
             place.conditions = Conditions { large, dt: under.dt, ..Conditions::default() };
             place
         })
+    }
+
+    /// Axes of the material at a point with those shape functions.
+    fn axes(&self, nodes: &[[f64; D]; N], shapes: &[f64; N]) -> Option<Axes> {
+        let orientation = self.recipe.orientation?;
+        let point = std::array::from_fn(|k| {
+            nodes.iter().zip(shapes).map(|(node, shape)| shape * node[k]).sum()
+        });
+        Some(orientation.at(nodes, point))
     }
 
     /// Asks the material, or solves for the strain across the plane first.
     fn ask(
         &self,
         gradient: &mut Matrix,
-        under: &Conditions,
+        place: &Place<D, N>,
         committed: &[f64],
         state: &mut [f64],
     ) -> Answer {
-        let material = &self.recipe.material;
+        let (under, axes) = (&place.conditions, place.axes);
+        let material = Oriented { material: &self.recipe.material, axes };
         if self.recipe.kinematics == Kinematics::PlaneStress {
-            plane_stress::ask(material, gradient, under, (committed, state))
+            plane_stress::ask(&material, gradient, under, (committed, state))
         } else {
             material.respond(gradient, under, committed, state)
         }
@@ -197,8 +212,7 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
         std::array::from_fn(|k| {
             let mut gradient = places[k].gradient;
             let own = state.get_mut(width * k..width * (k + 1)).unwrap_or_default();
-            let answer =
-                self.ask(&mut gradient, &places[k].conditions, self.of_point(committed, k), own);
+            let answer = self.ask(&mut gradient, &places[k], self.of_point(committed, k), own);
             Point::new(&places[k], &gradient, large, &answer)
         })
     }

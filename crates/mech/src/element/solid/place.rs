@@ -1,6 +1,7 @@
 //! A point of the undeformed element, and how it deforms.
 
 use super::{Kinematics, Recipe};
+use crate::axes::Axes;
 use crate::element::cell::Cell;
 use crate::element::quadrature::Quadrature;
 use crate::material::Conditions;
@@ -73,6 +74,8 @@ pub(super) struct Place<const D: usize, const N: usize> {
     pub gradient: Matrix,
     /// What the material answers under.
     pub conditions: Conditions,
+    /// Its axes; `None`: those of the model.
+    pub axes: Option<Axes>,
 }
 
 impl<const D: usize, const N: usize> Place<D, N> {
@@ -111,7 +114,7 @@ impl<const D: usize, const N: usize> Place<D, N> {
         let gradient = [[0.0; 3]; 3];
         let weight = content * across;
         let conditions = Conditions::default();
-        Self { weight, content, slopes, over_radius, inverse, gradient, conditions }
+        Self { weight, content, slopes, over_radius, inverse, gradient, conditions, axes: None }
     }
 
     /// The mean of an element: its volume, and gradients averaged over it, so that homogeneous

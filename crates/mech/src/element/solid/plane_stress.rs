@@ -6,7 +6,8 @@
 //! ```
 
 use crate::material::tensor::Matrix;
-use crate::material::{Answer, Conditions, Material};
+use crate::material::{Answer, Conditions};
+use crate::orientation::Oriented;
 
 /// Most corrections of the strain across.
 const MOST: usize = 40;
@@ -16,12 +17,12 @@ const ROUNDINGS: f64 = 16.0;
 /// Answers with H33 such that nothing pulls across; writes it into the gradient. The stress across
 /// that is left is that of rounding; where there is no such H33 the energy is no number.
 pub(super) fn ask(
-    material: &Material,
+    material: &Oriented<'_>,
     gradient: &mut Matrix,
     under: &Conditions,
     (committed, state): (&[f64], &mut [f64]),
 ) -> Answer {
-    let own = material.states();
+    let own = material.material.states();
     let (before, after) = (&committed[..own.min(committed.len())], state.split_at_mut_checked(own));
     let Some((after, [across])) = after else { return Answer::default() };
     gradient[2][2] = committed.get(own).copied().unwrap_or(0.0);

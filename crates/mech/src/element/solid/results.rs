@@ -1,9 +1,13 @@
 //! Results of a solid: stresses, strains and plastic strains at its points.
 
 use super::{Formulation, Solids};
+use crate::axes;
 use crate::element::kernel::{Strains, Surroundings};
 use crate::material::Axes;
-use crate::material::tensor::{Matrix, Symmetric, left, right, symmetric};
+use crate::material::tensor::{
+    Matrix, Symmetric, carried, deformation, full, left, product, right, symmetric,
+};
+use crate::orientation;
 
 /// Strains as results tell them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -33,6 +37,24 @@ impl Told {
     }
 }
 
+/// Components along axes of a strain whose shear components are angles.
+fn angles_along(axes: &axes::Axes, strain: &Symmetric) -> Symmetric {
+    let halved = |factor: f64| {
+        move |tensor: Symmetric| -> Symmetric {
+            std::array::from_fn(|k| if k < 3 { tensor[k] } else { factor * tensor[k] })
+        }
+    };
+    halved(2.0)(carried(axes, &halved(0.5)(*strain)))
+}
+
+/// Axes that turn with the material: R of the polar decomposition F = V R takes them along.
+fn taken_along(axes: &axes::Axes, gradient: &Matrix) -> axes::Axes {
+    let principal = Axes::of(&left(gradient));
+    let shrink = full(&principal.tensor(&principal.logs.map(|log| (-log).exp())));
+    let turn = product(&shrink, &deformation(gradient));
+    axes.map(|axis| std::array::from_fn(|i| (0..3).map(|j| turn[i][j] * axis[j]).sum()))
+}
+
 impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
     /// Cauchy stress [F/L2] of every point, then strain [1] and the equivalent plastic strain [1]; 11, 22, 33, 12 in the plane, 13 and 23 behind them in space.
     pub(super) fn write_results(
@@ -56,9 +78,14 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
         let plastic = rest;
         for (k, point) in points.iter().enumerate() {
             let volume = if large { 1.0 + point.dilation } else { 1.0 };
-            let stress = point.stress.map(|stress| stress / volume);
+            let mut stress = point.stress.map(|stress| stress / volume);
+            let mut strain = self.recipe.told.strain(&point.gradient, large);
+            if let Some(axes) = places[k].axes.filter(|_| self.recipe.told == Told::Logarithmic) {
+                let turned = if large { taken_along(&axes, &point.gradient) } else { axes };
+                stress = orientation::along(&turned, &stress);
+                strain = angles_along(&turned, &strain);
+            }
             stresses[width * k..width * (k + 1)].copy_from_slice(&stress[..width]);
-            let strain = self.recipe.told.strain(&point.gradient, large);
             strains[width * k..width * (k + 1)].copy_from_slice(&strain[..width]);
             let own = self.of_point(state, k);
             if let Some(entry) = plastic.get_mut(k) {

@@ -1,0 +1,89 @@
+//! Axes of materials: from names and nodes to systems.
+
+use slideline_diag::{Code, Diagnostic, Span};
+use slideline_mech::element::solid::Kinematics as Strains;
+use slideline_mech::orientation::{Basis, Orientation, of_nodes};
+use slideline_model::{ElementType, Kinematics, NodeIndex};
+
+use crate::axes::{Given, system_of};
+use crate::draft::{Draft, Element};
+use crate::rule::Subject;
+
+/// The axes that a section names: `Some(None)` without, `None` after an error.
+pub(super) fn of_section(
+    named: Option<&(String, Span)>,
+    draft: &mut Draft,
+) -> Option<Option<Orientation>> {
+    let Some((name, span)) = named else { return Some(None) };
+    // a part may use axes that stand outside of it
+    let plain = name.rsplit('.').next().unwrap_or(name);
+    let find = |name: &str| draft.orientations.iter().find(|own| own.name == name).cloned();
+    let Some(found) = find(name).or_else(|| find(plain)) else {
+        let message = format!("there is no orientation {name}");
+        let mut error = Diagnostic::error(Code("SL0308"), message).at(*span);
+        let names = draft.orientations.iter().map(|own| own.name.as_str());
+        if let Some(near) = slideline_deck::nearest(name, names) {
+            error = error.help(format!("did you mean {near}?"));
+        }
+        draft.consequence(Subject::Sections, error);
+        return None;
+    };
+    let basis = match found.given {
+        Given::System(system) => Basis::System(system),
+        Given::Own(nodes) => Basis::Nodes(nodes),
+        Given::Nodes(system, labels) => {
+            let mut points = [[0.0; 3]; 3];
+            for (point, label) in points.iter_mut().zip(labels) {
+                let Some(label) = label else { continue };
+                let Some(node) = draft.model.nodes.find(label) else {
+                    let message = format!("node {label} is not defined");
+                    let error = Diagnostic::error(Code("SL0304"), message).at(found.line);
+                    draft.consequence(Subject::Nodes, error);
+                    return None;
+                };
+                *point = draft.model.nodes.position(node);
+            }
+            let Some(system) = system_of(system, points) else {
+                let message = "these nodes give no direction, or the same one";
+                let error = Diagnostic::error(Code("SL0232"), message).at(found.line);
+                draft.consequence(Subject::Nodes, error);
+                return None;
+            };
+            Basis::System(system)
+        }
+    };
+    Some(Some(Orientation { basis, turn: found.turn }))
+}
+
+/// Complains about axes that an element cannot have: nodes that give none, or axes out of its
+/// plane; false if so.
+pub(super) fn suits(
+    orientation: &Orientation,
+    (element, row): (&Element, &ElementType),
+    (nodes, span): (&[NodeIndex], Span),
+    draft: &mut Draft,
+) -> bool {
+    let at: Vec<[f64; 3]> = nodes.iter().map(|&node| draft.model.nodes.position(node)).collect();
+    let fault = match orientation.basis {
+        Basis::Nodes(own) if of_nodes(&at, own).is_none() => {
+            "the nodes of its orientation are on one line, or it has not so many"
+        }
+        _ if is_tilted(orientation, row, &at) => {
+            "axis 3 of its orientation is not along z: the element is plane"
+        }
+        _ => return true,
+    };
+    let message = format!("element {}: {fault}", element.label);
+    let error = Diagnostic::error(Code("SL0232"), message).at(span);
+    draft.consequence(
+        Subject::Sections,
+        error.help("give a and b so that 1 and 2 are in its plane"),
+    );
+    false
+}
+
+fn is_tilted(orientation: &Orientation, row: &ElementType, nodes: &[[f64; 3]]) -> bool {
+    let plane =
+        matches!(row.kinematics, Kinematics::Solid { strains, .. } if strains != Strains::Space);
+    plane && nodes.iter().any(|&node| orientation.at(nodes, node)[2][2].abs() < 1.0 - 1e-12)
+}
