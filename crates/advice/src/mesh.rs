@@ -49,9 +49,10 @@ fn stand_apart(start: &Start<'_>, a: NodeIndex, b: NodeIndex) -> bool {
         springs.elements.iter().any(|e| e.nodes.contains(&a) && e.nodes.contains(&b))
     });
     let touching = model.contact_pairs.iter().any(|pair| {
-        let slave = |node| pair.elements.iter().any(|element| element.nodes.contains(&node));
+        let slave = |node| pair.slave_places().any(|own| own == node);
         let master = |node| match &pair.master {
             Master::SlideLine(line) => line.nodes.contains(&node),
+            Master::Faces(faces) => faces.faces.iter().any(|face| face.nodes.contains(&node)),
             Master::RigidSurface(_) => false,
         };
         slave(a) && master(b) || slave(b) && master(a)

@@ -170,6 +170,7 @@ fn pairs(start: &Start<'_>, findings: &mut Vec<Finding>) {
                 one.start == other.start && one.segments == other.segments
             }
             (Master::SlideLine(one), Master::SlideLine(other)) => one.nodes == other.nodes,
+            (Master::Faces(one), Master::Faces(other)) => one.nodes() == other.nodes(),
             _ => false,
         };
         let twin = all[..place].iter().find(|a| same_shape(a) && sorted(a) == sorted(b));

@@ -100,6 +100,8 @@ fn fill_gaps(start: &mut Start<'_>) {
 
 fn facade(start: &Start<'_>, pair: &ContactPair) -> Option<Facade> {
     match &pair.master {
+        // parts of solids bend: nothing is led along
+        Master::Faces(_) => None,
         Master::RigidSurface(surface) => {
             Some(Facade::Body(slideline_solve::rigid_surface(surface)?, surface.reference))
         }

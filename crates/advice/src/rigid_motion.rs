@@ -295,5 +295,6 @@ fn master_node(pair: &ContactPair) -> NodeIndex {
     match &pair.master {
         Master::RigidSurface(surface) => surface.reference,
         Master::SlideLine(line) => line.nodes.first().copied().unwrap_or_default(),
+        Master::Faces(faces) => faces.first_node().unwrap_or_default(),
     }
 }

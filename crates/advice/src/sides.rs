@@ -38,6 +38,13 @@ fn opens(start: &Start<'_>, place: usize, pair: &ContactPair) -> bool {
 
 fn say(start: &Start<'_>, pair: &ContactPair, behind: usize, facing: usize) -> Finding {
     let (origin, help) = match &pair.master {
+        Master::Faces(faces) => {
+            let said = wrong_side(start, pair, behind, facing).at(faces.origin);
+            return Finding::said(said.help(
+                "faces of solids look outward: do the parts overlap at the start, or does *SURFACE \
+                 name faces on the far side?",
+            ));
+        }
         Master::SlideLine(line) => (line.origin, pair.vocabulary.turn_chain().to_owned()),
         Master::RigidSurface(surface) => (
             surface.origin,
@@ -48,25 +55,31 @@ fn say(start: &Start<'_>, pair: &ContactPair, behind: usize, facing: usize) -> F
         "{help}: the outward normal is 90 degrees counter-clockwise from the \
                         direction of travel"
     );
+    let said = wrong_side(start, pair, behind, facing).at(origin).help(help);
+    let text = match &pair.master {
+        Master::SlideLine(line) => reversed(start, pair, line),
+        Master::RigidSurface(surface) => SurfacePoints::of(surface).backwards().lines(),
+        Master::Faces(_) => String::new(),
+    };
+    match &pair.master {
+        // of a modern pair another card names the line
+        Master::SlideLine(_) if pair.vocabulary == Vocabulary::Surfaces => Finding::said(said),
+        Master::Faces(_) => Finding::said(said),
+        Master::SlideLine(_) => Finding::with(said, Place::Instead(origin), text),
+        Master::RigidSurface(_) => Finding::with(said, Place::Data(origin), text),
+    }
+}
+
+fn wrong_side(start: &Start<'_>, pair: &ContactPair, behind: usize, facing: usize) -> Diagnostic {
     let place = start.model.contact_pairs.iter().position(|own| own == pair);
     let nearest = place.into_iter().flat_map(|place| start.facing(place));
     let deepest = nearest.map(|row| -row.opening).fold(0.0, f64::max);
     let message = format!(
         "the master of {} seems to face the wrong way: {behind} of {facing} slave points lie \
-         behind it at the start, the deepest by {:.3e}",
-        pair.name, deepest
+         behind it at the start, the deepest by {deepest:.3e}",
+        pair.name
     );
-    let said = Diagnostic::warning(Code("SL0407"), message).at(origin).help(help);
-    let text = match &pair.master {
-        Master::SlideLine(line) => reversed(start, pair, line),
-        Master::RigidSurface(surface) => SurfacePoints::of(surface).backwards().lines(),
-    };
-    match &pair.master {
-        // of a modern pair another card names the line
-        Master::SlideLine(_) if pair.vocabulary == Vocabulary::Surfaces => Finding::said(said),
-        Master::SlideLine(_) => Finding::with(said, Place::Instead(origin), text),
-        Master::RigidSurface(_) => Finding::with(said, Place::Data(origin), text),
-    }
+    Diagnostic::warning(Code("SL0407"), message)
 }
 
 /// The points of a rigid surface, to be written as data lines.

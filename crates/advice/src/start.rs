@@ -126,6 +126,7 @@ impl<'a> Start<'a> {
         let master = match &pair.master {
             Master::RigidSurface(surface) => surface.reference,
             Master::SlideLine(line) => line.nodes.first().copied().unwrap_or(row.node),
+            Master::Faces(faces) => faces.first_node().unwrap_or(row.node),
         };
         let centre = arc_of(self.model, pair, row.node).map_or(row.position, |(centre, _)| centre);
         let slave = self.carried(step, before, row.node, centre);

@@ -231,6 +231,10 @@ fn why(read: &Read, pair: &ContactPair) -> &'static str {
             "nodes of the first surface of *CONTACT PAIR are slaves, the beams of the second \
              one are the master"
         }
+        (Master::Faces(_), ..) => {
+            "nodes of the first surface of *CONTACT PAIR are slaves, the faces of the second one \
+             are the master"
+        }
         (Master::RigidSurface(_), false, _) => {
             "nodes of IRS elements are slaves, their rigid surface is the master"
         }
@@ -296,6 +300,7 @@ fn pair_object(model: &Model, pair: &ContactPair, points: &[ContactRow]) -> Valu
             json!({"kind": "rigid_surface", "reference_node": label(surface.reference)})
         }
         Master::SlideLine(chain) => json!({"kind": "slide_line", "nodes": labels(&chain.nodes)}),
+        Master::Faces(faces) => json!({"kind": "faces", "nodes": labels(&faces.nodes())}),
     };
     let gaps = points.iter().map(|row| {
         let mut gap = json!({"node": label(row.node), "gap": row.opening, "area": row.area});

@@ -76,6 +76,7 @@ fn bare(pair: &ContactPair) -> ContactPair {
     match &mut pair.master {
         Master::RigidSurface(surface) => surface.origin = here,
         Master::SlideLine(line) => line.origin = here,
+        Master::Faces(faces) => faces.origin = here,
     }
     let interaction = &mut pair.interaction;
     interaction.origin = here;

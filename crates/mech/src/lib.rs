@@ -25,4 +25,6 @@ pub mod pressure;
 pub mod rigid;
 pub mod rotation;
 pub mod section;
+pub mod surface;
+pub mod vector;
 pub mod volume;

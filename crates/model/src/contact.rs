@@ -2,6 +2,7 @@
 
 use crate::{NodeIndex, NormalLaw, Vocabulary};
 use slideline_diag::Span;
+use slideline_mech::element::cell::{Cell, QUAD4, QUAD8, TRI3, TRI6};
 
 /// Points, a master, and what happens between them.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,6 +16,9 @@ pub struct ContactPair {
     /// Contact elements; their nodes are the slave nodes and their undeformed
     /// lengths the tributary areas.
     pub elements: Vec<ContactElement>,
+    /// In space, the faces that the slave nodes belong to; their shares are the
+    /// tributary areas.
+    pub faces: Vec<ContactFace>,
     /// The surface that is slid upon.
     pub master: Master,
     /// Laws and width.
@@ -26,12 +30,18 @@ pub struct ContactPair {
 impl ContactPair {
     /// Slave nodes in order of first appearance, each once.
     pub fn slave_nodes(&self) -> Vec<NodeIndex> {
-        let most = 2 * self.elements.len();
+        let most =
+            2 * self.elements.len() + self.faces.iter().map(|f| f.nodes.len()).sum::<usize>();
         let mut seen = std::collections::HashSet::with_capacity(most);
         let mut nodes = Vec::with_capacity(most);
-        let ends = self.elements.iter().flat_map(|element| element.nodes);
-        nodes.extend(ends.filter(|&node| seen.insert(node)));
+        nodes.extend(self.slave_places().filter(|&node| seen.insert(node)));
         nodes
+    }
+
+    /// Nodes of the contact elements and faces, as often as these name them.
+    pub fn slave_places(&self) -> impl Iterator<Item = NodeIndex> + '_ {
+        let ends = self.elements.iter().flat_map(|element| element.nodes);
+        ends.chain(self.faces.iter().flat_map(|face| face.nodes.iter().copied()))
     }
 }
 
@@ -59,6 +69,30 @@ pub struct ContactElement {
     pub lumping: Lumping,
     /// Where it was defined.
     pub origin: Span,
+}
+
+/// A face of a surface in space.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ContactFace {
+    /// Label of the element that it belongs to.
+    pub label: u64,
+    /// Its nodes, corners first, counter-clockwise as seen from outside.
+    pub nodes: Vec<NodeIndex>,
+    /// Where it was named.
+    pub origin: Span,
+}
+
+impl ContactFace {
+    /// The reference cell of the face; `None` for a number of nodes that no face has.
+    pub fn cell(&self) -> Option<&'static Cell> {
+        match self.nodes.len() {
+            3 => Some(&TRI3),
+            4 => Some(&QUAD4),
+            6 => Some(&TRI6),
+            8 => Some(&QUAD8),
+            _ => None,
+        }
+    }
 }
 
 /// How the length of a contact element falls to its two nodes.
@@ -107,6 +141,8 @@ pub enum Master {
     RigidSurface(RigidSurface),
     /// Chain of nodes (`*SLIDE LINE`).
     SlideLine(SlideLine),
+    /// Faces of solids or of rigid meshes in space (`*SURFACE`).
+    Faces(MasterFaces),
 }
 
 /// A point of a profile, in the plane of the profile [L].
@@ -172,6 +208,34 @@ pub struct SlideLine {
     pub extension: f64,
     /// The card.
     pub origin: Span,
+}
+
+/// Faces that points slide on, in space.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MasterFaces {
+    /// The faces.
+    pub faces: Vec<ContactFace>,
+    /// Whether faces that meet at less than 45 degrees are smoothed by the normals at their
+    /// nodes.
+    pub smooth: bool,
+    /// Prolongation of the open ends of the surface, as a fraction of their faces [1].
+    pub extension: f64,
+    /// The card.
+    pub origin: Span,
+}
+
+impl MasterFaces {
+    /// The first node of its first face.
+    pub fn first_node(&self) -> Option<NodeIndex> {
+        self.faces.first()?.nodes.first().copied()
+    }
+
+    /// Its nodes in order of first appearance, each once.
+    pub fn nodes(&self) -> Vec<NodeIndex> {
+        let mut seen = std::collections::HashSet::new();
+        let all = self.faces.iter().flat_map(|face| face.nodes.iter().copied());
+        all.filter(|&node| seen.insert(node)).collect()
+    }
 }
 
 /// `*INTERFACE` with its laws.

@@ -28,8 +28,8 @@ mod vocabulary;
 
 pub use amplitude::{Amplitude, Curve};
 pub use contact::{
-    ContactElement, ContactPair, Decay, Formulation, Friction, Interaction, Lumping, Master,
-    ProfilePoint, RigidSurface, SlideLine, StickRule, SurfaceSegment,
+    ContactElement, ContactFace, ContactPair, Decay, Formulation, Friction, Interaction, Lumping,
+    Master, MasterFaces, ProfilePoint, RigidSurface, SlideLine, StickRule, SurfaceSegment,
 };
 pub use controls::{Controls, FieldControls, TimeIncrementation};
 pub use element::{

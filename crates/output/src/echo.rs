@@ -255,6 +255,14 @@ fn master(model: &Model, master: &Master) -> String {
             if surface.segments.len() == 1 { "" } else { "s" },
             model.nodes.label(surface.reference)
         ),
+        Master::Faces(faces) => format!(
+            "{} faces of {} nodes ({}), {}, EXTENSION ZONE = {}",
+            faces.faces.len(),
+            faces.nodes().len(),
+            labels(model, &faces.nodes()),
+            if faces.smooth { "smoothed" } else { "not smoothed" },
+            general(faces.extension, 9)
+        ),
         Master::SlideLine(chain) => format!(
             "slide line of {} nodes ({}), SMOOTH = {}, EXTENSION ZONE = {}",
             chain.nodes.len(),

@@ -183,7 +183,7 @@ impl Drawing {
 fn outlines(model: &Model) -> Vec<Outline> {
     let masters = model.contact_pairs.iter().filter_map(|pair| match &pair.master {
         Master::RigidSurface(surface) => Some(surface),
-        Master::SlideLine(_) => None,
+        Master::SlideLine(_) | Master::Faces(_) => None,
     });
     masters.map(outline).collect()
 }

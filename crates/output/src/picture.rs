@@ -62,7 +62,7 @@ pub fn picture(model: &Model, points: &[ContactRow]) -> Scene {
 fn master_lines(model: &Model) -> Vec<Vec<[f64; 3]>> {
     let chains = model.contact_pairs.iter().filter_map(|pair| match &pair.master {
         Master::SlideLine(chain) => Some(&chain.nodes),
-        Master::RigidSurface(_) => None,
+        Master::RigidSurface(_) | Master::Faces(_) => None,
     });
     let chains = chains.map(|nodes| nodes.iter().map(|&node| model.nodes.position(node)).collect());
     let profiles = outline::chains(model);

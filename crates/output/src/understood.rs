@@ -107,6 +107,7 @@ fn pairs(model: &Model) -> Value {
         let (master, nodes) = match &pair.master {
             Master::RigidSurface(surface) => ("rigid surface", labels(&[surface.reference])),
             Master::SlideLine(chain) => ("slide line", labels(&chain.nodes)),
+            Master::Faces(faces) => ("faces", labels(&faces.nodes())),
         };
         json!({
             "name": pair.name,

@@ -91,7 +91,7 @@ pub fn locate_points(
     positions: &mut MasterPositions,
     kinematics: &mut ContactKinematics,
 ) {
-    contact.meet(&committed.displacement, &[], positions, kinematics);
+    contact.meet((&committed.displacement, &committed.points), &[], positions, kinematics);
     for (point, kinematics) in committed.points.iter_mut().zip(kinematics.points()) {
         point.opening = -kinematics.overclosure;
         point.along = kinematics.faces.then_some(kinematics.along);
@@ -99,6 +99,7 @@ pub fn locate_points(
         point.normal = kinematics.normal;
         point.area = kinematics.area;
         point.xi = kinematics.xi;
+        point.footing = kinematics.footing;
     }
 }
 

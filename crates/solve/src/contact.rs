@@ -12,6 +12,7 @@
 mod candidates;
 mod cliques;
 mod crossing;
+mod faces;
 mod idle;
 mod kinematics;
 mod laws;
@@ -112,7 +113,7 @@ impl Contact {
             laws: Vec::new(),
             segments: Vec::new(),
             state_size: 0,
-            directions: 1,
+            directions: if model.is_in_space() { 2 } else { 1 },
             masters: Vec::new(),
             spacing: Vec::new(),
             edges: Vec::new(),
@@ -133,10 +134,11 @@ impl Contact {
                 Master::SlideLine(line) => {
                     MasterSurface::chain(model, dofs, line, contact.chain_nodes)
                 }
+                Master::Faces(faces) => {
+                    MasterSurface::faces(model, dofs, faces, contact.chain_nodes)
+                }
             };
-            if let MasterSurface::Line { nodes, .. } = &master {
-                contact.chain_nodes += nodes.len();
-            }
+            contact.chain_nodes += master.nodes().len();
             contact.spacing.push(laws::spacing(model, length, &master));
             contact.masters.push(master);
         }
@@ -209,22 +211,22 @@ impl Contact {
         kinematics.forget(self.points.len(), room, self.directions);
     }
 
-    /// Where every point stands at displacements `u`. `positions` is scratch.
-    /// Points that `idle` names are left as they are.
+    /// Where every point stands at displacements `u`, with slips since the states `before`, of
+    /// which there may be none. `positions` is scratch. Points that `idle` names are left as they
+    /// are.
     pub fn meet(
         &self,
-        u: &[f64],
+        (u, before): (&[f64], &[PointState]),
         idle: &[bool],
         positions: &mut MasterPositions,
         into: &mut ContactKinematics,
     ) {
-        self.place_chains(u, positions);
+        self.place_masters(u, positions);
         for (place, point) in self.points.iter().enumerate() {
             let is_idle = idle.get(place).is_some_and(|&idle| idle);
             if !is_idle && !point.is_integration_point() {
-                let mut into = into.at_mut(place);
-                into.point.area = point.area;
-                self.meet_one(point, u, positions, &mut into);
+                into.at_mut(place).point.area = point.area;
+                self.meet_one(place, (u, before), positions, into);
             }
         }
         for segment in &self.segments {
@@ -236,48 +238,45 @@ impl Contact {
     /// elements.
     pub fn meet_in_place(
         &self,
-        u: &[f64],
+        at: (&[f64], &[PointState]),
         positions: &mut MasterPositions,
         into: &mut ContactKinematics,
     ) {
-        self.place_chains(u, positions);
+        self.place_masters(at.0, positions);
         for (place, point) in self.points.iter().enumerate() {
-            let mut into = into.at_mut(place);
-            if into.point.faces || !point.is_integration_point() {
-                self.meet_one(point, u, positions, &mut into);
+            if into.points()[place].faces || !point.is_integration_point() {
+                self.meet_one(place, at, positions, into);
             }
         }
     }
 
     /// Where the points that `idle` names stand at displacements `u`, for which
-    /// the chains are placed already.
+    /// the masters are placed already.
     pub fn meet_idle(
         &self,
-        u: &[f64],
+        at: (&[f64], &[PointState]),
         idle: &[bool],
         positions: &MasterPositions,
         into: &mut ContactKinematics,
     ) {
-        for (place, point) in self.points.iter().enumerate() {
-            if idle[place] {
-                self.meet_one(point, u, positions, &mut into.at_mut(place));
-            }
+        for place in (0..self.points.len()).filter(|&place| idle[place]) {
+            self.meet_one(place, at, positions, into);
         }
     }
 
     /// Where all points stand at displacements `u`, however far from their masters;
     /// integration points where their cells, wholly closed, have them.
     pub fn stand(&self, u: &[f64], positions: &mut MasterPositions, into: &mut ContactKinematics) {
-        self.place_chains(u, positions);
+        self.place_masters(u, positions);
         for (place, point) in self.points.iter().enumerate() {
-            let mut into = into.at_mut(place);
-            into.point.area = point.area;
-            into.point.xi = self.resting_place(place);
-            self.meet_one(point, u, positions, &mut into);
+            let own = into.at_mut(place);
+            own.point.area = point.area;
+            own.point.xi = self.resting_place(place);
+            self.meet_one(place, (u, &[]), positions, into);
         }
     }
 
-    /// Where one of them stands, without its rows; the chains are placed already.
+    /// Where one of them stands, without its rows; the masters are placed already.
     fn stands(&self, place: usize, u: &[f64], positions: &MasterPositions) -> PointKinematics {
         let point = &self.points[place];
         let xi = self.resting_place(place);
@@ -295,25 +294,36 @@ impl Contact {
     /// of its element.
     pub fn has_slid_off(&self, place: usize, (xi, slack): (f64, f64), u: &[f64]) -> bool {
         let mut positions = MasterPositions::default();
-        self.place_chains(u, &mut positions);
+        self.place_masters(u, &mut positions);
         let point = &self.points[place];
         let mut stencil = self.slave(point, xi, u);
+        let begins = self.laws[point.pair].normal.contact_begins();
+        if let MasterSurface::Faces { .. } = &self.masters[point.pair] {
+            let beyond = self.beyond_faces(point.pair, stencil.position, &positions);
+            return beyond.is_some_and(|overclosure| overclosure > begins - slack);
+        }
         if self.face(point, xi, u, &positions, &mut stencil).is_some() {
             return false;
         }
-        let begins = self.laws[point.pair].normal.contact_begins();
         let beyond = self.masters[point.pair].beyond_end(stencil.position, u, &positions.nodes);
         beyond.is_some_and(|overclosure| overclosure > begins - slack)
     }
 
     fn meet_one(
         &self,
-        point: &SlavePoint,
-        u: &[f64],
+        place: usize,
+        (u, before): (&[f64], &[PointState]),
         positions: &MasterPositions,
-        into: &mut PointRowsMut<'_>,
+        into: &mut ContactKinematics,
     ) {
-        self.meet_stencil(point, self.slave(point, into.point.xi, u), (u, positions), into);
+        let point = &self.points[place];
+        if let MasterSurface::Faces { .. } = &self.masters[point.pair] {
+            self.meet_face(place, (u, before.get(place)), positions, into);
+            return;
+        }
+        let mut into = into.at_mut(place);
+        let stencil = self.slave(point, into.point.xi, u);
+        self.meet_stencil(point, stencil, (u, positions), &mut into);
     }
 
     fn meet_stencil(
@@ -380,15 +390,20 @@ impl Contact {
     pub fn geometric_tangent(
         &self,
         place: usize,
-        u: &[f64],
+        (u, before): (&[f64], &PointState),
         kinematics: &PointRows<'_>,
         (normal, tangential): (f64, Tangential),
         scratch: &mut GeometryScratch,
     ) {
         let point = &self.points[place];
+        if let Some(Facing::Face(facing)) = kinematics.facing {
+            let forces = (normal, tangential);
+            self.tangent_of_face((point.pair, facing), (kinematics, before), forces, scratch);
+            return;
+        }
         let mut stencil = self.slave(point, kinematics.xi, u);
         let m = kinematics.rows.width();
-        let GeometryScratch { tangent, direct, force, positions } = scratch;
+        let GeometryScratch { tangent, direct, force, positions, .. } = scratch;
         tangent.clear();
         tangent.resize(m * m, 0.0);
         let Some(facing) = &kinematics.facing else { return };
@@ -420,9 +435,9 @@ impl Contact {
         }
     }
 
-    /// Positions of all chains at displacements `u`.
+    /// Positions of all deforming masters at displacements `u`.
     pub fn fill_scratch(&self, u: &[f64], scratch: &mut GeometryScratch) {
-        self.place_chains(u, &mut scratch.positions);
+        self.place_masters(u, &mut scratch.positions);
     }
 
     /// Change of the slip coordinates of a point since its commit [L]; zero

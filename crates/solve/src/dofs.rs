@@ -309,14 +309,17 @@ fn of_bodies(model: &Model, mut call: impl FnMut(bool, (NodeIndex, Dof))) {
     }
     for pair in &model.contact_pairs {
         // A contact node needs no element: its translations matter all the same.
-        let slaves = pair.elements.iter().flat_map(|element| element.nodes);
-        slaves.flat_map(|node| point(model, node)).for_each(&mut note);
+        pair.slave_places().flat_map(|node| point(model, node)).for_each(&mut note);
         match &pair.master {
             Master::RigidSurface(surface) => {
                 rigid_body(model, surface.reference).for_each(&mut note)
             }
             Master::SlideLine(line) => {
                 line.nodes.iter().flat_map(|&node| point(model, node)).for_each(&mut note);
+            }
+            Master::Faces(faces) => {
+                let nodes = faces.faces.iter().flat_map(|face| face.nodes.iter().copied());
+                nodes.flat_map(|node| point(model, node)).for_each(&mut note);
             }
         }
     }

@@ -139,7 +139,7 @@ pub fn evaluate(plan: &Problem<'_>, committed: &State, trial: &Trial<'_>, into: 
     plan.constraints.carry(&into.rows, &mut into.structure);
     let Evaluation { kinematics, positions, look, .. } = into;
     plan.contact.find_idle(kinematics, (trial.u, trial.pressures), look);
-    plan.contact.meet(trial.u, &look.idle, positions, kinematics);
+    plan.contact.meet((trial.u, &committed.points), &look.idle, positions, kinematics);
     let start = (&committed.displacement[..], &committed.points[..]);
     plan.contact.turn_away_from_behind(start, trial.u, kinematics);
     if !look.idle.contains(&true) {
@@ -165,7 +165,7 @@ pub fn look_at(plan: &Problem<'_>, committed: &State, into: &mut Evaluation) {
         return;
     }
     let Evaluation { kinematics, positions, look, .. } = into;
-    plan.contact.meet(u, &[], positions, kinematics);
+    plan.contact.meet((u, &committed.points), &[], positions, kinematics);
     plan.contact.turn_away_from_behind((u, &committed.points), u, kinematics);
     look.note(u);
 }
@@ -183,7 +183,7 @@ pub fn complete(
         return true;
     }
     let Evaluation { kinematics, positions, look, .. } = into;
-    plan.contact.meet_idle(trial.u, &look.idle, positions, kinematics);
+    plan.contact.meet_idle((trial.u, &committed.points), &look.idle, positions, kinematics);
     let start = (&committed.displacement[..], &committed.points[..]);
     plan.contact.turn_away_from_behind(start, trial.u, kinematics);
     let mut open = true;
@@ -333,6 +333,7 @@ impl Encounter<'_> {
             normal: kinematics.normal,
             area: kinematics.area,
             xi: kinematics.xi,
+            footing: kinematics.footing,
         };
         if friction == FrictionCall::Dropped {
             let limit = self.laws.friction.limit_traction(response.pressure, slip, self.dt);

@@ -61,6 +61,9 @@ pub fn factors_objection(factors: &Description) -> Option<Diagnostic> {
     Some(said.help(format!("use fewer nodes: the step has {} equations", factors.equations)))
 }
 
+/// Nodes of a face, those behind its edges and their neighbours.
+const FACE_NODES: f64 = 32.0;
+
 /// Bytes for what may touch in a pair.
 fn couplings(pair: &ContactPair) -> (f64, &ContactPair) {
     let points = crate::contact::point_count(pair) as f64;
@@ -70,6 +73,7 @@ fn couplings(pair: &ContactPair) -> (f64, &ContactPair) {
             let parts = crate::contact::coupled_parts(points, line.nodes.len() as f64);
             (POINT + COUPLING * parts) * points
         }
+        Master::Faces(_) => (POINT + COUPLING * FACE_NODES) * points,
     };
     (bytes, pair)
 }
@@ -127,6 +131,7 @@ mod tests {
             name: "P".to_owned(),
             formulation: slideline_model::Formulation::SurfaceToSurface,
             vocabulary: slideline_model::Vocabulary::Elements,
+            faces: Vec::new(),
             elements: vec![element; 2_500_000],
             master: Master::RigidSurface(surface),
             interaction,

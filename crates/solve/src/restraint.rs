@@ -117,6 +117,7 @@ impl Bodies {
             match &pair.master {
                 slideline_model::Master::RigidSurface(surface) => turning.push(surface.reference),
                 slideline_model::Master::SlideLine(line) => new.used.extend(&line.nodes),
+                slideline_model::Master::Faces(faces) => new.used.extend(faces.nodes()),
             }
         }
         for &node in &turning {

@@ -306,6 +306,7 @@ impl<'a> Analysis<'a> {
             let here = std::iter::once(&self.committed.displacement[..]);
             let states = here.chain(self.reached[..count].iter().map(Vec::as_slice));
             let own = (plan, plan.of_step[number - 1]);
+            let states = (states, &self.committed.points[..]);
             let coupling = work.couple(own, (values, kind), states, self.means.linear_systems);
             let means = self.means;
             let at = (model, number - 1);

@@ -4,7 +4,7 @@ use crate::account::Books;
 use crate::convergence::FluxAverage;
 use crate::observe::{Energies, FrictionCall, Status};
 use serde::{Deserialize, Serialize};
-use slideline_mech::contact::pair::History;
+use slideline_mech::contact::pair::{Footing, History};
 use slideline_mech::contact::tangential::Tangential;
 use slideline_mech::element::Temperature;
 
@@ -88,6 +88,8 @@ pub struct PointState {
     pub area: f64,
     /// Where an integration point stands on its element, 0 to 1.
     pub xi: f64,
+    /// Where it stands on faces in space.
+    pub footing: Option<Footing>,
 }
 
 impl PointState {

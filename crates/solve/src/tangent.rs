@@ -205,14 +205,15 @@ pub fn assembled(place: &Place<'_>) -> Vec<f64> {
 
 impl Place<'_> {
     fn add_point(&self, place: usize, scratch: &mut GeometryScratch, values: &mut [f64]) {
-        let Place { plan, trial, evaluation, .. } = self;
+        let Place { plan, trial, evaluation, committed } = self;
+        let before = &committed.points[place];
         let (kinematics, now) = (evaluation.kinematics.at(place), &evaluation.points[place]);
         if !now.closed {
             return;
         }
         let ((pressure, traction), slope) = self.law(place, &kinematics);
         let forces = (now.area * pressure, now.area * traction.tau);
-        plan.contact.geometric_tangent(place, trial.u, &kinematics, forces, scratch);
+        plan.contact.geometric_tangent(place, (trial.u, before), &kinematics, forces, scratch);
         let (geometry, rows) = (&scratch.tangent, kinematics.rows);
         let a = rows.normal();
         let drag = |i: usize, j: usize, k: usize| {
@@ -373,7 +374,8 @@ impl<'a> Differences<'a> {
         loads.for_each(|(force, load)| *force = -(*force + load));
         let _energy = plan.structure.gather_force(&self.contributions, &mut self.force);
         self.kinematics.copy_from(&evaluation.kinematics);
-        plan.contact.meet_in_place(&self.u, &mut self.positions, &mut self.kinematics);
+        let at = (&self.u[..], &committed.points[..]);
+        plan.contact.meet_in_place(at, &mut self.positions, &mut self.kinematics);
         self.place.add_contact_force(&self.kinematics, &self.u, &mut self.force);
         plan.constraints.linearise(&self.u, &mut self.rows);
         plan.constraints.carry(&self.rows, &mut self.force);
@@ -502,6 +504,7 @@ mod tests {
             name,
             formulation,
             vocabulary: slideline_model::Vocabulary::Elements,
+            faces: Vec::new(),
             elements,
             master,
             interaction,

@@ -125,6 +125,7 @@ fn pair(surface: &Surface, strayed: bool, in_pair: &mut HashMap<usize, Span>, dr
             name,
             formulation,
             vocabulary: Vocabulary::Elements,
+            faces: Vec::new(),
             elements,
             master,
             interaction,
@@ -231,6 +232,10 @@ pub(super) fn both_sides(pair: &ContactPair, span: Span, draft: &mut Draft) {
         Master::RigidSurface(rigid) => slaves.contains(&rigid.reference).then_some(rigid.reference),
         Master::SlideLine(line) => {
             let masters: std::collections::HashSet<_> = line.nodes.iter().collect();
+            slaves.iter().find(|node| masters.contains(node)).copied()
+        }
+        Master::Faces(faces) => {
+            let masters: std::collections::HashSet<_> = faces.nodes().into_iter().collect();
             slaves.iter().find(|node| masters.contains(node)).copied()
         }
     };

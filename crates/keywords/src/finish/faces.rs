@@ -157,6 +157,13 @@ pub(super) fn face_nodes(
     }
 }
 
+/// The faces that only one element of the list has.
+pub(super) fn free_faces(found: &[usize], span: Span, draft: &Draft) -> Vec<SolidFace> {
+    let mut faces = Vec::new();
+    free(found, span, draft, &mut faces);
+    faces
+}
+
 /// The faces that only one element of the list has; lines are surfaces themselves.
 fn free(found: &[usize], span: Span, draft: &Draft, into: &mut Vec<SolidFace>) {
     let mut owners: HashMap<Vec<NodeIndex>, usize> = HashMap::new();

@@ -13,15 +13,18 @@
 //!     slave: rigid    -                        along the beams
 //! ```
 
+use std::collections::HashSet;
+
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{
-    ContactElement, ContactPair, Formulation, Interaction, Master, NormalLaw, Section, Vocabulary,
+    ContactElement, ContactFace, ContactPair, Formulation, Interaction, Master, MasterFaces,
+    NodeIndex, NormalLaw, Section, Vocabulary,
 };
 
 use super::chain::{Chain, Facet};
 use super::contact::both_sides;
 use super::master_chain::slide_line;
-use super::surfaces::{Found, between_nodes, contact_elements, found, stretches};
+use super::surfaces::{Found, between_nodes, contact_elements, faces_between, found, stretches};
 use crate::draft::Draft;
 use crate::rule::Subject;
 use crate::surfaces::{NamedSurface, Pairing};
@@ -128,14 +131,19 @@ fn pair(pairing: &Pairing, draft: &mut Draft) {
         Formulation::NodeToSurface => at_nodes(pairing, &sides, (first, second), draft),
         Formulation::SurfaceToSurface => along(pairing, &sides, (first, second), draft),
     };
-    let Some((elements, master)) = parts else { return };
-    let interaction = Interaction { width: width(pairing, thickness, draft), ..interaction };
+    let Some((slaves, master)) = parts else { return };
+    let width = match slaves.faces.is_empty() {
+        true => width(pairing, thickness, draft),
+        false => 1.0,
+    };
+    let interaction = Interaction { width, ..interaction };
     remarks(pairing, &master, &interaction, draft);
     let pair = ContactPair {
         name: format!("{}/{}", pairing.slave.name, pairing.master.name),
         formulation: pairing.formulation,
         vocabulary: Vocabulary::Surfaces,
-        elements,
+        elements: slaves.elements,
+        faces: slaves.faces,
         master,
         interaction,
         origin: pairing.origin,
@@ -173,7 +181,14 @@ fn width(pairing: &Pairing, of_solids: Option<f64>, draft: &mut Draft) -> f64 {
     })
 }
 
-type Parts = Option<(Vec<ContactElement>, Master)>;
+/// What carries the points of a pair.
+#[derive(Default)]
+struct Slaves {
+    elements: Vec<ContactElement>,
+    faces: Vec<ContactFace>,
+}
+
+type Parts = Option<(Slaves, Master)>;
 
 /// Contact sampled at the slave's nodes.
 fn at_nodes(
@@ -183,7 +198,16 @@ fn at_nodes(
     draft: &mut Draft,
 ) -> Parts {
     let (slave_name, master_name) = (&pairing.slave.name, &pairing.master.name);
+    if let Found::Faces(faces) = master {
+        return at_nodes_in_space(pairing, sides, (slave, faces), draft);
+    }
     let elements = match slave {
+        Found::Faces(_) => {
+            let message = format!("{slave_name} is made of faces in space, {master_name} is not");
+            let help = "contact in space is between faces of solids: give the master as elements \
+                        with their faces";
+            return refuse(pairing.master.span, message, help, draft);
+        }
         Found::Facets(facets) => between_nodes(&facets),
         Found::Nodes(nodes) if nodes.len() < 2 => {
             let message = format!("the slave surface {slave_name} has one node, which has no area");
@@ -205,13 +229,51 @@ fn at_nodes(
         Found::Facets(facets) => {
             Master::SlideLine(slide_line(pairing, &sides.master, (&facets, &elements), draft)?)
         }
-        Found::Nodes(_) => {
+        Found::Faces(_) | Found::Nodes(_) => {
             let message = format!("the node surface {master_name} has no segments to slide on");
             let help = "name it first, as the slave, or give the master as elements";
             return refuse(pairing.master.span, message, help, draft);
         }
     };
-    Some((elements, master))
+    Some((Slaves { elements, ..Slaves::default() }, master))
+}
+
+/// Contact of nodes with faces in space.
+fn at_nodes_in_space(
+    pairing: &Pairing,
+    sides: &Sides,
+    (slave, master): (Found, Vec<ContactFace>),
+    draft: &mut Draft,
+) -> Parts {
+    let name = &pairing.slave.name;
+    let help = "contact in space is between faces of solids: give the slave as elements with their \
+                faces, or as nodes of such faces";
+    let faces = match slave {
+        Found::Faces(faces) => faces,
+        Found::Nodes(nodes) => {
+            let faces = faces_between(&nodes, pairing.slave.span, draft);
+            let covered: HashSet<NodeIndex> =
+                faces.iter().flat_map(|face| face.nodes.iter().copied()).collect();
+            if let Some(&node) = nodes.iter().find(|node| !covered.contains(node)) {
+                let node = draft.model.nodes.label(node);
+                let message = format!(
+                    "node {node} of {name} has no area: no face of a solid has all its nodes in \
+                     the surface"
+                );
+                return refuse(pairing.slave.span, message, help, draft);
+            }
+            faces
+        }
+        Found::Facets(_) | Found::Rigid(_) => {
+            let message =
+                format!("{name} is not made of faces in space, {} is", pairing.master.name);
+            return refuse(pairing.slave.span, message, help, draft);
+        }
+    };
+    let (smooth, extension) = (pairing.smooth > 0.0, pairing.extension);
+    let origin = sides.master.origin;
+    let master = Master::Faces(MasterFaces { faces: master, smooth, extension, origin });
+    Some((Slaves { faces, ..Slaves::default() }, master))
 }
 
 /// Contact integrated along beams that meet an analytical surface.
@@ -223,6 +285,7 @@ fn along(
 ) -> Parts {
     let of_solids = |side: &Found| match side {
         Found::Facets(facets) => facets.iter().any(|facet| facet.face.is_some()),
+        Found::Faces(_) => true,
         _ => false,
     };
     if of_solids(&slave) || of_solids(&master) {
@@ -270,7 +333,8 @@ fn along(
             return None;
         }
     };
-    Some((in_order(contact_elements(&beams)), Master::RigidSurface(surface)))
+    let elements = in_order(contact_elements(&beams));
+    Some((Slaves { elements, ..Slaves::default() }, Master::RigidSurface(surface)))
 }
 
 fn refuse(span: Span, message: impl Into<String>, help: &str, draft: &mut Draft) -> Parts {

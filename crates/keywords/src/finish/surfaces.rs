@@ -5,11 +5,12 @@ use std::collections::HashSet;
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::element::solid::Kinematics as Strains;
 use slideline_model::{
-    ContactElement, Kinematics, Lumping, NodeIndex, ProfilePoint, RigidSurface, SurfaceSegment,
+    ContactElement, ContactFace, Kinematics, Lumping, NodeIndex, ProfilePoint, RigidSurface,
+    SurfaceSegment,
 };
 
 use super::chain::Facet;
-use super::faces::{elements_of, of_stretch};
+use super::faces::{elements_of, free_faces, of_stretch};
 use crate::draft::{Draft, Element, ElementKind};
 use crate::log::Target;
 use crate::rule::Subject;
@@ -18,6 +19,8 @@ use crate::surfaces::{Extent, Named, NamedSurface, Side, Stretch};
 /// A surface whose references are resolved.
 pub(super) enum Found {
     Facets(Vec<Facet>),
+    /// Faces of solids in space.
+    Faces(Vec<ContactFace>),
     Nodes(Vec<NodeIndex>),
     Rigid(RigidSurface),
 }
@@ -67,12 +70,66 @@ impl Draft {
 /// Resolves a surface; `user` is where a pair names it.
 pub(super) fn found(surface: &NamedSurface, user: Span, draft: &mut Draft) -> Option<Found> {
     match &surface.extent {
+        Extent::Elements(stretches) if is_in_space(stretches, draft) => {
+            spatial_faces(surface, draft).map(Found::Faces)
+        }
         Extent::Elements(stretches) => facets(surface, stretches, draft).map(Found::Facets),
         Extent::Nodes(targets) => nodes(surface, targets, draft).map(Found::Nodes),
         Extent::Rigid { start, segments } => {
             rigid(surface, *start, segments, user, draft).map(Found::Rigid)
         }
     }
+}
+
+/// Whether a surface names volumes.
+fn is_in_space(stretches: &[Stretch], draft: &mut Draft) -> bool {
+    let volume = |&index: &usize, draft: &Draft| match draft.elements[index].kind {
+        ElementKind::Structural(row) => row.cell.dimension == 3,
+        _ => false,
+    };
+    stretches.iter().any(|stretch| {
+        elements_of(stretch, draft).first().is_some_and(|index| volume(index, draft))
+    })
+}
+
+/// The faces of volumes of a surface, each once.
+fn spatial_faces(surface: &NamedSurface, draft: &mut Draft) -> Option<Vec<ContactFace>> {
+    let Extent::Elements(stretches) = &surface.extent else { return None };
+    let (mut found, mut seen) = (Vec::new(), HashSet::new());
+    for stretch in stretches {
+        let elements = elements_of(stretch, draft);
+        for face in of_stretch(&elements, stretch, draft) {
+            let element = draft.elements[face.element];
+            if face.nodes.len() < 3 {
+                no_surface(surface, face.element, stretch.span, draft);
+                return None;
+            }
+            if seen.insert((face.element, face.face)) {
+                let (label, origin) = (element.label, element.origin);
+                found.push(ContactFace { label, nodes: face.nodes, origin });
+            }
+        }
+    }
+    if found.is_empty() {
+        empty(surface, "elements", draft);
+        return None;
+    }
+    Some(found)
+}
+
+/// The free faces of volumes all of whose nodes are `nodes`: what the nodes of a surface stand for.
+pub(super) fn faces_between(nodes: &[NodeIndex], span: Span, draft: &Draft) -> Vec<ContactFace> {
+    let members: HashSet<NodeIndex> = nodes.iter().copied().collect();
+    let all: Vec<usize> = (0..draft.elements.len()).collect();
+    let free = free_faces(&all, span, draft).into_iter();
+    let whole =
+        free.filter(|face| face.nodes.len() > 2 && face.nodes.iter().all(|n| members.contains(n)));
+    whole
+        .map(|face| {
+            let element = draft.elements[face.element];
+            ContactFace { label: element.label, nodes: face.nodes, origin: element.origin }
+        })
+        .collect()
 }
 
 /// The beams and the faces of plane solids of a surface, each once; a beam twice if it is named with
@@ -139,8 +196,8 @@ fn no_surface(surface: &NamedSurface, index: usize, span: Span, draft: &mut Draf
         element.kind.name()
     );
     let error = Diagnostic::error(Code("SL0332"), message).at(span);
-    let help = "contact is between beams, faces of solids in plane strain or plane stress, and \
-                analytical surfaces";
+    let help = "contact is between beams, faces of solids in plane strain or plane stress, faces \
+                of solids in space, and, in the plane, analytical surfaces";
     draft.consequence(Subject::Elements, error.help(help));
 }
 

@@ -17,9 +17,11 @@ use super::normal::NormalLaw;
 use super::onset::Onset;
 use super::tangential::{Tangential, TangentialMap};
 
+mod faces;
 mod nose;
 mod surface;
 
+pub use faces::{FacePoint, FaceRoom, Footing};
 pub use nose::{Nose, Reach};
 pub use surface::{
     AnyGap, Body, Derivatives, RigidSurface, StencilAttachments, chain_attachments, chain_gap,

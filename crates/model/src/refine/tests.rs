@@ -47,6 +47,7 @@ fn pair(nodes: &[NodeIndex], master: Master) -> ContactPair {
         formulation: Formulation::NodeToSurface,
         vocabulary: crate::Vocabulary::Elements,
         elements: elements.collect(),
+        faces: Vec::new(),
         master,
         interaction: Interaction {
             width: 1.0,

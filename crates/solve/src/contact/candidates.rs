@@ -16,6 +16,7 @@ use super::positions::MasterPositions;
 use super::{Carrier, Contact};
 use crate::linearised::LinearRows;
 use crate::problem::Problem;
+use crate::state::PointState;
 use std::ops::Range;
 
 /// Couplings of a pair from which on only those near are taken in.
@@ -34,8 +35,16 @@ pub fn coupled_parts(points: f64, nodes: f64) -> f64 {
     }
 }
 
-/// Nodes of the master that a point may touch; `None`: any of them.
-pub type Candidates = Option<Range<usize>>;
+/// What of its master a point may touch.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Candidates {
+    /// Any part.
+    All,
+    /// Nodes of a chain.
+    Nodes(Range<usize>),
+    /// Faces.
+    Faces(Vec<usize>),
+}
 
 impl Contact {
     /// Whether a pair has so many couplings that only those near are taken in.
@@ -43,6 +52,7 @@ impl Contact {
         let points = self.slave_nodes[pair].len();
         match &self.masters[pair] {
             MasterSurface::Line { nodes, .. } => points * nodes.len() > MANY,
+            MasterSurface::Faces { .. } => true,
             _ => false,
         }
     }
@@ -53,10 +63,10 @@ impl Contact {
     }
 
     /// Candidates of all points that have not all nodes of their master, near in
-    /// one of the `states`; none where every point has all. `positions` is scratch.
+    /// one of the `states`, or where they stood `before`; none where every point has all. `positions` is scratch.
     pub fn candidates<'s>(
         &self,
-        states: impl Iterator<Item = &'s [f64]>,
+        (states, before): (impl Iterator<Item = &'s [f64]>, &[PointState]),
         positions: &mut MasterPositions,
         all: &mut Vec<Candidates>,
     ) {
@@ -65,15 +75,27 @@ impl Contact {
             return;
         }
         let points = self.points.iter();
-        all.extend(points.map(|point| self.is_selective(point.pair).then_some(0..0)));
+        all.extend(points.map(|point| match &self.masters[point.pair] {
+            MasterSurface::Faces { .. } => Candidates::Faces(Vec::new()),
+            _ if self.is_selective(point.pair) => Candidates::Nodes(0..0),
+            _ => Candidates::All,
+        }));
         for u in states {
-            self.place_chains(u, positions);
+            self.place_masters(u, positions);
             for (place, own) in all.iter_mut().enumerate() {
-                if let (Some(range), Some(near)) = (own, self.near(place, u, positions)) {
-                    *range = match Range::is_empty(range) {
-                        true => near,
-                        false => range.start.min(near.start)..range.end.max(near.end),
-                    };
+                match own {
+                    Candidates::All => {}
+                    Candidates::Faces(faces) => {
+                        let before = before.get(place).and_then(|point| point.footing.as_ref());
+                        self.near_faces(place, (u, NEAR, before), positions, faces);
+                    }
+                    Candidates::Nodes(range) => {
+                        let Some(near) = self.near(place, u, positions) else { continue };
+                        *range = match Range::is_empty(range) {
+                            true => near,
+                            false => range.start.min(near.start)..range.end.max(near.end),
+                        };
+                    }
                 }
             }
         }
@@ -103,7 +125,7 @@ fn apart_nodes(nodes: &[[f64; 3]]) -> f64 {
 }
 
 /// Distance of two places [L].
-fn apart(a: [f64; 3], b: [f64; 3]) -> f64 {
+pub(super) fn apart(a: [f64; 3], b: [f64; 3]) -> f64 {
     (b[0] - a[0]).hypot(b[1] - a[1]).hypot(b[2] - a[2])
 }
 

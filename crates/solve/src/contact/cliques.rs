@@ -49,12 +49,26 @@ impl Contact {
             let Carrier::Node { dofs: own, .. } = &point.carrier else { continue };
             match &self.masters[point.pair] {
                 MasterSurface::Nothing => {}
+                MasterSurface::Faces { mesh, nodes, .. } => {
+                    let Some(Candidates::Faces(faces)) = near.get(place) else { continue };
+                    let mut all: Vec<usize> =
+                        faces.iter().flat_map(|&face| mesh.stencil(face)).copied().collect();
+                    all.sort_unstable();
+                    all.dedup();
+                    if !all.is_empty() {
+                        let facing = all.iter().flat_map(|&node| nodes[node].1.as_slice());
+                        cliques.add(constraints, own.as_slice().iter().chain(facing));
+                    }
+                }
                 MasterSurface::Body { dofs, .. } => {
                     cliques.add(constraints, own.as_slice().iter().chain(dofs));
                 }
                 MasterSurface::Line { nodes, .. } => {
                     let all = 0..nodes.len();
-                    let range = near.get(place).cloned().flatten().unwrap_or(all);
+                    let range = match near.get(place) {
+                        Some(Candidates::Nodes(range)) => range.clone(),
+                        _ => all,
+                    };
                     let window = range.len().min(3);
                     for window in nodes[range].windows(window.max(1)) {
                         let facing = window.iter().flat_map(|(_, dofs)| dofs.as_slice());

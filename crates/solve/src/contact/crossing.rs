@@ -136,7 +136,7 @@ impl Contact {
                 scratch.parts[end].clear();
                 scratch.parts[end].extend(values);
                 sweep.constraints.enforce(&mut scratch.parts[end]);
-                self.place_chains(&scratch.parts[end], &mut scratch.chains[end]);
+                self.place_masters(&scratch.parts[end], &mut scratch.chains[end]);
             }
             let [from, to] = &mut scratch.chains;
             self.fit_ways(from, to);
@@ -164,7 +164,7 @@ impl Contact {
                 continue;
             }
             match &self.masters[pair] {
-                MasterSurface::Nothing => {}
+                MasterSurface::Nothing | MasterSurface::Faces { .. } => {}
                 MasterSurface::Body { surface, .. } => {
                     let body = |end: usize| self.masters[pair].placed_body(&u[end]);
                     let local = [0, 1].map(|end| body(end).to_body(way[end]));
@@ -407,7 +407,7 @@ impl Contact {
         let mut inward = false;
         let master = &self.masters[pair];
         match master {
-            MasterSurface::Nothing => {}
+            MasterSurface::Nothing | MasterSurface::Faces { .. } => {}
             MasterSurface::Body { surface, .. } => {
                 let local = |at: [f64; 3], u: &[f64]| master.placed_body(u).to_body(at);
                 let way = (local(start, from), local(end, to));

@@ -96,7 +96,7 @@ impl Contact {
                 let seen = |u: &[f64]| master.placed_body(u).to_body(dofs.displace(*position, u));
                 distance(seen(u), seen(&look.at))
             }
-            MasterSurface::Line { .. } => {
+            MasterSurface::Line { .. } | MasterSurface::Faces { .. } => {
                 let own = dofs.as_slice();
                 let moved = |own: &[usize]| {
                     let mut way = [0.0; 3];

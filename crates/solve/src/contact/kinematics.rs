@@ -10,7 +10,7 @@ use super::master::Facing;
 use super::operator::{ContactOperator, OperatorRows, OperatorRowsMut};
 use super::positions::MasterPositions;
 use super::shear::{Shear, TURNS};
-use slideline_mech::contact::pair::{AnyGap, StencilAttachments};
+use slideline_mech::contact::pair::{AnyGap, FaceRoom, Footing, StencilAttachments};
 use slideline_mech::contact::points::slopes::MOST_SLOPE_DOFS;
 use slideline_mech::contact::tangential::Tangential;
 use slideline_mech::rigid::{Attachment, push_gradients};
@@ -21,6 +21,8 @@ use std::ops::Deref;
 pub struct ContactKinematics {
     points: Vec<PointKinematics>,
     operator: ContactOperator,
+    pub(super) room: FaceRoom,
+    pub(super) unknowns: Vec<usize>,
 }
 
 /// A slave point against its master.
@@ -42,6 +44,8 @@ pub struct PointKinematics {
     pub xi: f64,
     /// What it faces.
     pub(super) facing: Option<Facing>,
+    /// Where it would stand on faces, were this state committed.
+    pub footing: Option<Footing>,
 }
 
 /// A point with its rows over dofs.
@@ -123,6 +127,7 @@ impl PointKinematics {
         area: 0.0,
         xi: 0.0,
         facing: None,
+        footing: None,
     };
 }
 
@@ -176,6 +181,7 @@ impl PointRowsMut<'_> {
     pub fn turn_away_in_place(&mut self) {
         self.point.faces = false;
         self.point.facing = None;
+        self.point.footing = None;
         self.point.overclosure = f64::NEG_INFINITY;
         self.rows.clear();
     }
@@ -298,4 +304,6 @@ pub struct GeometryScratch {
     pub(super) direct: Vec<f64>,
     pub(super) force: Vec<f64>,
     pub(super) positions: MasterPositions,
+    pub(super) room: FaceRoom,
+    pub(super) kernel: Vec<f64>,
 }

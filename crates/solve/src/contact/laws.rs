@@ -102,5 +102,11 @@ pub(super) fn spacing(model: &Model, length: f64, master: &MasterSurface) -> f64
 /// Mean length of the contact elements of a pair, undeformed [L]; zero without.
 pub fn mean_length(model: &Model, pair: &ContactPair) -> f64 {
     let position = |node| model.nodes.get(node).position;
-    average_length(pair.elements.iter().map(|element| element.nodes.map(position)))
+    let edges = pair.faces.iter().filter_map(|face| {
+        let corners = face.cell()?.faces.len();
+        let ends = move |k: usize| [face.nodes[k], face.nodes[(k + 1) % corners]];
+        Some((0..corners).map(ends))
+    });
+    let elements = pair.elements.iter().map(|element| element.nodes);
+    average_length(elements.chain(edges.flatten()).map(|ends| ends.map(position)))
 }

@@ -6,10 +6,13 @@ use super::rigid_dofs;
 use crate::dofs::{DofMap, Translations};
 use slideline_mech::contact::pair::{AnyGap, Body, RigidSurface, chain_attachments, chain_gap};
 use slideline_mech::contact::search::chain::{Chain, ChainTree, Piece};
+use slideline_mech::contact::search::faces::FacePlace;
 use slideline_mech::contact::search::rigid;
 use slideline_mech::contact::search::rigid::RigidSegment;
 use slideline_mech::rigid::{Attachment, PointMap};
-use slideline_model::{Model, SlideLine, SurfaceSegment};
+use slideline_mech::surface::mesh::{FaceMesh, MeshFace};
+use slideline_model::{MasterFaces, Model, NodeIndex, SlideLine, SurfaceSegment};
+use std::collections::HashMap;
 
 /// A master, ready to be searched.
 #[derive(Clone, Debug)]
@@ -32,6 +35,17 @@ pub enum MasterSurface {
         /// Place of its first position in the scratch.
         offset: usize,
     },
+    /// Faces in space, and where the positions of their nodes begin in the scratch.
+    Faces {
+        /// How they are joined.
+        mesh: FaceMesh,
+        /// Undeformed positions of its nodes [L], and their dofs.
+        nodes: Vec<([f64; 3], Translations)>,
+        /// Place of its first position in the scratch.
+        offset: usize,
+        /// Part of a face by which an open end is prolonged [1].
+        extension: f64,
+    },
     /// Nothing to slide on (a master that reading has refused).
     Nothing,
 }
@@ -43,6 +57,8 @@ pub enum Facing {
     Surface(rigid::Facing),
     /// A piece of a chain.
     Piece(Piece),
+    /// A place of a face.
+    Face(FacePlace),
 }
 
 impl MasterSurface {
@@ -71,6 +87,34 @@ impl MasterSurface {
         }
     }
 
+    /// The master of faces in space.
+    pub fn faces(
+        model: &Model,
+        dofs: &DofMap,
+        faces: &MasterFaces,
+        offset: usize,
+    ) -> MasterSurface {
+        let labels = faces.nodes();
+        let place: HashMap<_, _> = labels.iter().enumerate().map(|(k, &node)| (node, k)).collect();
+        let at = |&node: &NodeIndex| model.nodes.get(node).position;
+        let reference: Vec<_> = labels.iter().map(at).collect();
+        let of_mesh = faces.faces.iter().filter_map(|face| {
+            let nodes = face.nodes.iter().map(|node| place[node]).collect();
+            Some(MeshFace { cell: face.cell()?, nodes })
+        });
+        let mesh = FaceMesh::new(of_mesh.collect(), &reference, faces.smooth);
+        let nodes = labels.iter().map(|node| (at(node), dofs.translations(*node))).collect();
+        MasterSurface::Faces { mesh, nodes, offset, extension: faces.extension }
+    }
+
+    /// Nodes of a deforming master.
+    pub fn nodes(&self) -> &[([f64; 3], Translations)] {
+        match self {
+            Self::Line { nodes, .. } | Self::Faces { nodes, .. } => nodes,
+            Self::Body { .. } | Self::Nothing => &[],
+        }
+    }
+
     /// The most dofs of the master that a point follows at a time.
     pub fn most_dofs(&self) -> usize {
         match self {
@@ -79,6 +123,8 @@ impl MasterSurface {
             Self::Line { nodes, .. } => {
                 3 * nodes.iter().map(|(_, dofs)| dofs.as_slice().len()).max().unwrap_or(0)
             }
+            // of the face, and of the one at the last commit
+            Self::Faces { mesh, .. } => 2 * 3 * mesh.longest_stencil(),
         }
     }
 
@@ -100,7 +146,7 @@ impl MasterSurface {
         point: [f64; 3],
     ) -> Option<Facing> {
         match self {
-            Self::Nothing => None,
+            Self::Nothing | Self::Faces { .. } => None,
             Self::Body { surface, .. } => {
                 surface.closest(&self.placed_body(u), point).map(Facing::Surface)
             }
@@ -159,6 +205,11 @@ impl MasterSurface {
         };
         match self {
             Self::Nothing => {}
+            Self::Faces { nodes, offset, .. } => {
+                let range = *offset..offset + nodes.len();
+                let all = chains.iter().flat_map(|c| &c.nodes[range.clone()]);
+                return bounds_of(all.copied());
+            }
             Self::Body { surface, .. } => {
                 let (centre, radius) = surface.bounds();
                 u.iter().for_each(|u| take(self.placed_body(u).to_space(centre), radius));
@@ -175,13 +226,22 @@ impl MasterSurface {
     /// which it lies; `None` where it lies beyond none.
     pub fn beyond_end(&self, point: [f64; 3], u: &[f64], positions: &[[f64; 3]]) -> Option<f64> {
         match self {
-            Self::Nothing => None,
+            Self::Nothing | Self::Faces { .. } => None,
             Self::Body { surface, .. } => surface.beyond_end(&self.placed_body(u), point),
             Self::Line { chain, nodes, offset } => {
                 chain.beyond_end(positions.get(*offset..offset + nodes.len())?, point)
             }
         }
     }
+}
+
+/// The box about places.
+fn bounds_of(places: impl Iterator<Item = [f64; 3]>) -> [[f64; 3]; 2] {
+    let nothing = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+    places.fold(nothing, |[low, high], at| {
+        let join = |k: usize| (low[k].min(at[k]), high[k].max(at[k]));
+        [std::array::from_fn(|k| join(k).0), std::array::from_fn(|k| join(k).1)]
+    })
 }
 
 /// A model's rigid surface with its arc coordinates, undeformed. `None`: an

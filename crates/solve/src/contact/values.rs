@@ -11,8 +11,10 @@ use super::master::{MasterSurface, placed_segments};
 use super::{Carrier, Contact, SEGMENT_POINTS, laws, mean_length};
 use crate::dofs::DofMap;
 use crate::users::UserFrictions;
+use slideline_mech::contact::points::faces::tributary_areas as face_areas;
 use slideline_mech::contact::points::{chord, integration_points::HermiteLine, tributary_areas};
 use slideline_model::{ContactPair, Formulation, Master, Model, NodeIndex};
+use std::collections::HashMap;
 
 impl Contact {
     /// Takes the numbers of a model with the pairs that were prepared, or prepares them.
@@ -58,6 +60,25 @@ impl Contact {
             });
             let width = pair.interaction.width;
             tributary_areas(elements, width, |point, area| points[point].area += area);
+        }
+        for (place, pair) in
+            model.contact_pairs.iter().enumerate().filter(|p| !p.1.faces.is_empty())
+        {
+            self.take_face_areas(model, place, pair);
+        }
+    }
+
+    /// Areas of the slave nodes of a pair in space.
+    fn take_face_areas(&mut self, model: &Model, place: usize, pair: &ContactPair) {
+        let Some(first) = self.points.iter().position(|point| point.pair == place) else { return };
+        let nodes = &self.slave_nodes[place];
+        let of_node: HashMap<_, _> =
+            nodes.iter().enumerate().map(|(k, &n)| (n, first + k)).collect();
+        for face in &pair.faces {
+            let Some(cell) = face.cell() else { continue };
+            let at: Vec<_> = face.nodes.iter().map(|&n| model.nodes.get(n).position).collect();
+            let points = &mut self.points;
+            face_areas(cell, &at, |node, area| points[of_node[&face.nodes[node]]].area += area);
         }
     }
 
@@ -112,6 +133,13 @@ impl Contact {
                 let ends = line.nodes.windows(2);
                 let lengths = ends.map(|ends| distance(model, [ends[0], ends[1]]));
                 chain.take(lengths, line.smooth, line.extension)
+            }
+            (MasterSurface::Faces { nodes, extension, .. }, Master::Faces(faces)) => {
+                *extension = faces.extension;
+                for ((position, _), node) in nodes.iter_mut().zip(faces.nodes()) {
+                    *position = model.nodes.get(node).position;
+                }
+                true
             }
             (MasterSurface::Nothing, Master::RigidSurface(said)) => {
                 matches!(MasterSurface::body(model, dofs, said), MasterSurface::Nothing)

@@ -302,6 +302,14 @@ fn master_end(plan: &Problem<'_>, pair: &ContactPair, along: f64) -> End {
     match &pair.master {
         Master::SlideLine(line) => line_end(plan.model, line, pair, along),
         Master::RigidSurface(surface) => surface_end(surface, pair, along),
+        Master::Faces(faces) => End {
+            what: "the surface",
+            remedy: "name the faces beyond its edge in *SURFACE too, or prolong it with EXTENSION \
+                     ZONE"
+                .to_owned(),
+            origin: faces.origin,
+            card: None,
+        },
     }
 }
 

@@ -4,7 +4,7 @@ use super::{Scratch, solver};
 use crate::contact::{SEGMENT_POINTS, SlavePoint};
 use crate::linearised::{LawContext, LinearPoint, LinearRows, Sliding, Stiffness};
 use crate::problem::Problem;
-use crate::state::State;
+use crate::state::{PointState, State};
 use slideline_linalg::SolveError;
 use slideline_mech::contact::enforcement::Enforcement;
 use slideline_mech::contact::tangential::Tangential;
@@ -37,7 +37,7 @@ impl Scratch {
             if self.outside {
                 return Ok(());
             }
-            self.assemble(plan);
+            self.assemble(plan, committed);
             self.choose_enforcement(plan, committed);
             let Self { values, augmented, systems, points, .. } = self;
             let (symmetrised, solver) = (plan.symmetrised(), solver(systems));
@@ -105,7 +105,7 @@ impl Scratch {
 
     /// Elements and geometry of contact: the tangent without the stiffness that
     /// closed points are augmented with.
-    pub(super) fn assemble(&mut self, plan: &Problem<'_>) {
+    pub(super) fn assemble(&mut self, plan: &Problem<'_>, committed: &State) {
         self.values.copy_from_slice(&self.evaluation.tangent);
         self.stiffen(plan);
         self.dashpots.stiffen(plan, &self.evaluation.rows, &mut self.values);
@@ -116,7 +116,8 @@ impl Scratch {
             if self.points[k].pressure == 0.0 && self.points[k].stiffness == 0.0 {
                 continue;
             }
-            self.add_geometry(plan, self.points[k].place);
+            let place = self.points[k].place;
+            self.add_geometry(plan, &committed.points[place], place);
         }
     }
 
@@ -144,13 +145,13 @@ impl Scratch {
         }
     }
 
-    pub(super) fn add_geometry(&mut self, plan: &Problem<'_>, place: usize) {
+    pub(super) fn add_geometry(&mut self, plan: &Problem<'_>, before: &PointState, place: usize) {
         let kinematics = &self.evaluation.kinematics.at(place);
         let width = kinematics.rows.width();
         let forces =
             (kinematics.area * self.pressures[place], kinematics.area * self.tractions[place]);
         let geometry = &mut self.geometry;
-        plan.contact.geometric_tangent(place, &self.u, kinematics, forces, geometry);
+        plan.contact.geometric_tangent(place, (&self.u, before), kinematics, forces, geometry);
         let at = |i: usize, j: usize| geometry.tangent[width * i + j];
         plan.scatter(&self.evaluation.rows, kinematics.rows.unknowns, at, &mut self.values);
     }

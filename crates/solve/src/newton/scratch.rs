@@ -13,7 +13,7 @@ use crate::observe::ContactChange;
 use crate::plan::{Coupling, Numbering};
 use crate::problem::Problem;
 use crate::stabilise::Dashpots;
-use crate::state::State;
+use crate::state::{PointState, State};
 use crate::values::Values;
 use slideline_diag::Diagnostic;
 use slideline_linalg::{Kind, Solver};
@@ -115,7 +115,7 @@ impl Scratch {
         &mut self,
         (plan, own): (&Numbering, usize),
         (values, kind): (&Values, Kind),
-        states: impl Iterator<Item = &'s [f64]>,
+        states: (impl Iterator<Item = &'s [f64]>, &[PointState]),
         linear_systems: &LinearSystems,
     ) -> Coupling {
         values.contact.candidates(states, &mut self.positions, &mut self.near);

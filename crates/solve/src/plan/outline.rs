@@ -1,7 +1,7 @@
 //! What of a model decides its numbering, as a row of numbers.
 
 use slideline_model::{
-    ContactPair, ElementBlock, Formulation, Friction, Master, Model, Section, Step,
+    ContactFace, ContactPair, ElementBlock, Formulation, Friction, Master, Model, Section, Step,
 };
 use std::fmt;
 
@@ -156,12 +156,25 @@ fn draw_pair(pair: &ContactPair, note: &mut impl FnMut(usize)) {
     });
     note(pair.elements.len());
     pair.elements.iter().flat_map(|element| element.nodes).for_each(&mut *note);
+    note(pair.faces.len());
+    draw_faces(&pair.faces, note);
     match &pair.master {
         Master::RigidSurface(surface) => [0, surface.reference].into_iter().for_each(note),
         Master::SlideLine(line) => {
             [1, line.nodes.len()].into_iter().for_each(&mut *note);
             line.nodes.iter().for_each(|&node| note(node));
         }
+        Master::Faces(faces) => {
+            [2, faces.faces.len(), usize::from(faces.smooth)].into_iter().for_each(&mut *note);
+            draw_faces(&faces.faces, note);
+        }
+    }
+}
+
+fn draw_faces(faces: &[ContactFace], note: &mut impl FnMut(usize)) {
+    for face in faces {
+        note(face.nodes.len());
+        face.nodes.iter().for_each(|&node| note(node));
     }
 }
 

@@ -12,6 +12,7 @@
 
 pub mod circle;
 pub mod curve;
+pub mod face;
 
 /// Overclosure and master coordinate of one point with their derivatives by the `N` variables of the
 /// kernel (slave position first, then the master's).

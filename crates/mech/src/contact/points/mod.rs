@@ -7,6 +7,7 @@
 //!      o----m----o                   a three-node beam: 1/6, 4/6, 1/6 of it
 //! ```
 
+pub mod faces;
 pub mod integration_points;
 pub mod slopes;
 

@@ -7,6 +7,7 @@
 //! ```
 
 pub mod chain;
+pub mod faces;
 pub mod rigid;
 pub mod segment;
 pub mod sweep;

@@ -1,0 +1,237 @@
+//! Faces that meet at common nodes.
+//!
+//! ```text
+//!    o-----o-----o
+//!    |  f  |  g  |     across an edge: the neighbour
+//!    o-----*-----o     round a node: the star, whose mean normal smooths both faces
+//!    |     |     |     an edge sharper than CREASE stays one: stars end there
+//!    o-----o-----o
+//! ```
+//!
+//! Nodes are numbered within the mesh.
+
+use super::patch::{MOST_CORNERS, MOST_NODES, Patch};
+use super::star::{Corner, Star, StarNormal};
+use crate::element::cell::Cell;
+use crate::vector::{Vector, cross, dot, scale, size, sub};
+use std::collections::HashMap;
+
+/// Cosine of the angle between two faces from which on their common edge stays sharp: 45 degrees.
+const CREASE: f64 = std::f64::consts::FRAC_1_SQRT_2;
+
+/// A face by its cell and its nodes, counter-clockwise as seen from outside.
+#[derive(Debug, Clone)]
+pub struct MeshFace {
+    /// Its reference cell.
+    pub cell: &'static Cell,
+    /// Its nodes, corners first.
+    pub nodes: Vec<usize>,
+}
+
+/// What follows from the way in which faces are joined.
+#[derive(Debug, Clone)]
+struct Joined {
+    /// The face behind each edge, where there is one.
+    neighbours: [Option<usize>; MOST_CORNERS],
+    /// Faces that share a corner with it.
+    around: Vec<usize>,
+    /// Nodes that the face follows: its own ones, then those of its stars.
+    stencil: Vec<usize>,
+    /// Corners of the star at each corner, by places in the stencil; none where it is flat.
+    stars: Vec<Vec<Corner>>,
+}
+
+/// Faces with their neighbours.
+#[derive(Debug, Clone)]
+pub struct FaceMesh {
+    faces: Vec<MeshFace>,
+    joined: Vec<Joined>,
+}
+
+/// A smoothed face in its place, with the normals that smooth it.
+#[derive(Debug, Clone)]
+pub struct PlacedFace {
+    /// Positions of its stencil [L].
+    pub positions: Vec<Vector>,
+    /// The normals at its corners; none where it is flat.
+    pub normals: Vec<StarNormal>,
+}
+
+impl FaceMesh {
+    /// The faces with their neighbours; `reference` are the undeformed positions of the nodes [L].
+    /// Faces of linear cells are smoothed where that is asked for.
+    pub fn new(faces: Vec<MeshFace>, reference: &[Vector], smooth: bool) -> Self {
+        let neighbours = neighbours(&faces);
+        let around = faces_around(&faces);
+        let normals: Vec<_> = faces.iter().map(|face| normal(face, reference)).collect();
+        let joins = |a: usize, b: usize| dot(normals[a], normals[b]) > CREASE;
+        let joined = (0..faces.len())
+            .map(|own| {
+                let smoothed = smooth && faces[own].nodes.len() == faces[own].cell.faces.len();
+                let stars = match smoothed {
+                    true => stars(&faces, own, &around, &neighbours, joins),
+                    false => Vec::new(),
+                };
+                let mut stencil = faces[own].nodes.clone();
+                let stars = stars.into_iter().map(|star| {
+                    let mut local = |node: usize| {
+                        stencil.iter().position(|&own| own == node).unwrap_or_else(|| {
+                            stencil.push(node);
+                            stencil.len() - 1
+                        })
+                    };
+                    star.into_iter().map(|corner| corner.map(&mut local)).collect()
+                });
+                let stars = stars.collect();
+                let corners = &faces[own].nodes[..faces[own].cell.faces.len()];
+                let beside = corners.iter().flat_map(|node| &around[node]).map(|&(face, _)| face);
+                let mut beside: Vec<usize> = beside.filter(|&face| face != own).collect();
+                beside.sort_unstable();
+                beside.dedup();
+                Joined { neighbours: neighbours[own], around: beside, stencil, stars }
+            })
+            .collect();
+        Self { faces, joined }
+    }
+
+    /// The faces.
+    pub fn faces(&self) -> &[MeshFace] {
+        &self.faces
+    }
+
+    /// The face behind an edge of a face.
+    pub fn neighbour(&self, face: usize, edge: usize) -> Option<usize> {
+        self.joined[face].neighbours[edge]
+    }
+
+    /// Faces that share a corner with a face.
+    pub fn around(&self, face: usize) -> &[usize] {
+        &self.joined[face].around
+    }
+
+    /// Nodes that a face follows, its own ones first.
+    pub fn stencil(&self, face: usize) -> &[usize] {
+        &self.joined[face].stencil
+    }
+
+    /// The longest stencil.
+    pub fn longest_stencil(&self) -> usize {
+        self.joined.iter().map(|joined| joined.stencil.len()).max().unwrap_or(0)
+    }
+
+    /// The star at a corner of a face, over its stencil.
+    pub fn star(&self, face: usize, corner: usize) -> Star<'_> {
+        Star { node: corner, corners: &self.joined[face].stars[corner] }
+    }
+
+    /// A face where the nodes stand now; `None` where a normal of it vanishes.
+    pub fn place(&self, face: usize, positions: &[Vector], into: &mut PlacedFace) -> Option<Patch> {
+        let joined = &self.joined[face];
+        into.positions.clear();
+        into.positions.extend(joined.stencil.iter().map(|&node| positions[node]));
+        into.normals.clear();
+        let mut normals = [[0.0; 3]; MOST_CORNERS];
+        for (corner, normal) in (0..joined.stars.len()).zip(&mut normals) {
+            let own = self.star(face, corner).normal(&into.positions)?;
+            *normal = own.normal;
+            into.normals.push(own);
+        }
+        let own = &self.faces[face];
+        let nodes = &into.positions[..own.nodes.len().min(MOST_NODES)];
+        let smooth = !joined.stars.is_empty();
+        Some(Patch::new(own.cell, nodes, smooth.then_some(&normals[..own.cell.faces.len()])))
+    }
+}
+
+impl PlacedFace {
+    /// Room for a face.
+    pub const EMPTY: Self = Self { positions: Vec::new(), normals: Vec::new() };
+}
+
+/// The corner nodes of a face's edge.
+fn edge(face: &MeshFace, edge: usize) -> [usize; 2] {
+    let corners = face.cell.faces.len();
+    [face.nodes[edge], face.nodes[(edge + 1) % corners]]
+}
+
+/// The face behind each edge: where exactly two faces share it, in opposite directions.
+fn neighbours(faces: &[MeshFace]) -> Vec<[Option<usize>; MOST_CORNERS]> {
+    let mut sharing: HashMap<[usize; 2], Vec<(usize, usize)>> = HashMap::new();
+    for (place, face) in faces.iter().enumerate() {
+        for k in 0..face.cell.faces.len() {
+            let [a, b] = edge(face, k);
+            sharing.entry([a.min(b), a.max(b)]).or_default().push((place, k));
+        }
+    }
+    let mut all = vec![[None; MOST_CORNERS]; faces.len()];
+    for pair in sharing.values() {
+        if let [(f, k), (g, l)] = pair[..]
+            && edge(&faces[f], k)[0] == edge(&faces[g], l)[1]
+        {
+            all[f][k] = Some(g);
+            all[g][l] = Some(f);
+        }
+    }
+    all
+}
+
+/// Faces at every node, with the corner that they have there.
+fn faces_around(faces: &[MeshFace]) -> HashMap<usize, Vec<(usize, usize)>> {
+    let mut around: HashMap<usize, Vec<(usize, usize)>> = HashMap::new();
+    for (place, face) in faces.iter().enumerate() {
+        for corner in 0..face.cell.faces.len() {
+            around.entry(face.nodes[corner]).or_default().push((place, corner));
+        }
+    }
+    around
+}
+
+/// Unit normal in the middle of a face; zero of one without area.
+fn normal(face: &MeshFace, reference: &[Vector]) -> Vector {
+    let at = |k: usize| reference[face.nodes[k]];
+    let sides = match face.cell.faces.len() {
+        3 => [sub(at(1), at(0)), sub(at(2), at(0))],
+        _ => [sub(at(2), at(0)), sub(at(3), at(1))],
+    };
+    let area = cross(sides[0], sides[1]);
+    match size(area) {
+        whole if whole > 0.0 => scale(area, 1.0 / whole),
+        _ => [0.0; 3],
+    }
+}
+
+/// The stars at the corners of a face, as (next, previous) nodes of the faces that it is joined
+/// with round each corner without crossing a crease.
+fn stars(
+    faces: &[MeshFace],
+    own: usize,
+    around: &HashMap<usize, Vec<(usize, usize)>>,
+    neighbours: &[[Option<usize>; MOST_CORNERS]],
+    joins: impl Fn(usize, usize) -> bool,
+) -> Vec<Vec<[usize; 2]>> {
+    let corners = faces[own].cell.faces.len();
+    let star = |corner: usize| {
+        let at = &around[&faces[own].nodes[corner]];
+        let mut group = vec![own];
+        let mut open = vec![own];
+        while let Some(face) = open.pop() {
+            for next in neighbours[face].iter().flatten() {
+                let here = at.iter().any(|(other, _)| other == next);
+                if here && !group.contains(next) && joins(face, *next) {
+                    group.push(*next);
+                    open.push(*next);
+                }
+            }
+        }
+        // in the order of the faces: both sides of an edge sum alike
+        at.iter()
+            .filter(|(face, _)| group.contains(face))
+            .map(|&(face, corner)| {
+                let nodes = &faces[face].nodes;
+                let count = faces[face].cell.faces.len();
+                [nodes[(corner + 1) % count], nodes[(corner + count - 1) % count]]
+            })
+            .collect()
+    };
+    (0..corners).map(star).collect()
+}

@@ -1,0 +1,11 @@
+//! Surfaces of space as faces: their places, tangents and normals.
+//!
+//! ```text
+//!     o-------o-------o      a face is a patch over its nodes;
+//!     | patch |       |      normals at the nodes, means of the faces that
+//!     o-------o-------o      meet there, may smooth it
+//! ```
+
+pub mod mesh;
+pub mod patch;
+pub mod star;

@@ -1,0 +1,211 @@
+//! Slave nodes against faces in space.
+//!
+//! ```text
+//!            x  slave node                 rows over its dofs, those of the nodes that
+//!       o----|----o----o                   the face follows, and those of the face on
+//!      /     |   /    /                    which the node stood at the last commit
+//!     o-----(+)-o----o
+//! ```
+
+use super::candidates::apart;
+use super::kinematics::{ContactKinematics, GeometryScratch, PointRows};
+use super::master::{Facing, MasterSurface};
+use super::positions::MasterPositions;
+use super::{Carrier, Contact};
+use crate::dofs::Translations;
+use crate::state::PointState;
+use slideline_mech::contact::pair::{FacePoint, FaceRoom, Footing};
+use slideline_mech::contact::search::faces::{FacePlace, closest};
+use slideline_mech::contact::tangential::Tangential;
+use slideline_mech::surface::mesh::FaceMesh;
+
+/// Faces by which an open end is prolonged to tell what has slid off [1].
+const OFF: f64 = 1.0;
+
+/// A master of faces where it stands.
+struct PlacedFaces<'a> {
+    mesh: &'a FaceMesh,
+    nodes: &'a [([f64; 3], Translations)],
+    positions: &'a [[f64; 3]],
+    extension: f64,
+}
+
+impl Contact {
+    fn placed_faces<'a>(
+        &'a self,
+        pair: usize,
+        positions: &'a MasterPositions,
+    ) -> Option<PlacedFaces<'a>> {
+        let MasterSurface::Faces { mesh, nodes, offset, extension } = &self.masters[pair] else {
+            return None;
+        };
+        let positions = positions.nodes.get(*offset..offset + nodes.len())?;
+        Some(PlacedFaces { mesh, nodes, positions, extension: *extension })
+    }
+
+    /// The place of faces that faces a point in space, where open ends are prolonged by
+    /// `extension` of their faces, or as the pair says.
+    pub(super) fn face_at(
+        &self,
+        pair: usize,
+        (point, extension, before): ([f64; 3], Option<f64>, Option<&Footing>),
+        positions: &MasterPositions,
+        room: &mut FaceRoom,
+    ) -> Option<FacePlace> {
+        let placed = self.placed_faces(pair, positions)?;
+        let tree = positions.face_tree(pair)?;
+        let reach = extension.unwrap_or(placed.extension);
+        let before = before.map(|footing| footing.place.face);
+        closest(placed.mesh, placed.positions, tree, (point, reach, before), room.face())
+    }
+
+    /// Overclosure of a point that faces nothing, were open ends prolonged [L].
+    pub(super) fn beyond_faces(
+        &self,
+        pair: usize,
+        point: [f64; 3],
+        positions: &MasterPositions,
+    ) -> Option<f64> {
+        let mut room = FaceRoom::default();
+        if self.face_at(pair, (point, None, None), positions, &mut room).is_some() {
+            return None;
+        }
+        let place = self.face_at(pair, (point, Some(OFF), None), positions, &mut room)?;
+        let placed = self.placed_faces(pair, positions)?;
+        let own = FacePoint::new(placed.mesh, placed.positions, (place, point), None, &mut room)?;
+        Some(-own.gap().gap)
+    }
+
+    /// Where a slave node stands against the faces of its master.
+    pub(super) fn meet_face(
+        &self,
+        place: usize,
+        (u, before): (&[f64], Option<&PointState>),
+        positions: &MasterPositions,
+        into: &mut ContactKinematics,
+    ) {
+        let mut room = std::mem::take(&mut into.room);
+        let mut unknowns = std::mem::take(&mut into.unknowns);
+        self.meet_face_in(place, (u, before), positions, (&mut room, &mut unknowns), into);
+        (into.room, into.unknowns) = (room, unknowns);
+    }
+
+    fn meet_face_in(
+        &self,
+        place: usize,
+        (u, before): (&[f64], Option<&PointState>),
+        positions: &MasterPositions,
+        (room, unknowns): (&mut FaceRoom, &mut Vec<usize>),
+        into: &mut ContactKinematics,
+    ) {
+        let point = &self.points[place];
+        let mut into = into.at_mut(place);
+        let Carrier::Node { position, dofs } = &point.carrier else { return };
+        let at = dofs.displace(*position, u);
+        into.point.position = at;
+        let footing = before.and_then(|before| before.footing.as_ref());
+        let facing = self.face_at(point.pair, (at, None, footing), positions, room);
+        let found = facing.and_then(|facing| {
+            let placed = self.placed_faces(point.pair, positions)?;
+            let faces = (placed.mesh, placed.positions);
+            let own = FacePoint::new(faces.0, faces.1, (facing, at), footing, room)?;
+            Some((placed, facing, own))
+        });
+        let Some((placed, facing, own)) = found else {
+            into.turn_away_in_place();
+            return;
+        };
+        let origin = before.and_then(|before| before.along).unwrap_or(Tangential::ZERO);
+        into.point.faces = true;
+        into.point.overclosure = -own.gap().gap;
+        into.point.along = origin + own.slip;
+        into.point.normal = own.gap().normal;
+        into.point.facing = Some(Facing::Face(facing));
+        into.point.footing = Some(own.footing());
+        let mesh = placed.mesh;
+        let (stencil, count) = (mesh.stencil(facing.face), dofs.as_slice().len());
+        let other = own.other_face().map_or(&[][..], |face| mesh.stencil(face));
+        let further = || other.iter().filter(|node| !stencil.contains(node));
+        unknowns.clear();
+        unknowns.extend_from_slice(dofs.as_slice());
+        for &node in stencil.iter().chain(further()) {
+            unknowns.extend_from_slice(placed.nodes[node].1.as_slice());
+        }
+        let width = unknowns.len();
+        let rows = into.rows.start(unknowns);
+        own.rows(mesh, room, |row, side, node, value| {
+            let node = match side {
+                2 => {
+                    let own = other[node];
+                    let of_stencil = stencil.iter().position(|&node| node == own);
+                    of_stencil.unwrap_or_else(|| {
+                        let place = further().position(|&node| node == own).unwrap_or(0);
+                        stencil.len() + place
+                    })
+                }
+                _ => node,
+            };
+            let first = if side == 0 { 0 } else { count + 3 * node };
+            let row = &mut rows[row * width..][first..first + 3];
+            row.iter_mut().zip(value).for_each(|(into, value)| *into += value);
+        });
+    }
+
+    /// The tangent of the geometry of a point on a face, as [`Contact::geometric_tangent`].
+    pub(super) fn tangent_of_face(
+        &self,
+        (pair, facing): (usize, FacePlace),
+        (kinematics, before): (&PointRows<'_>, &PointState),
+        forces: (f64, Tangential),
+        scratch: &mut GeometryScratch,
+    ) {
+        let m = kinematics.rows.width();
+        let GeometryScratch { tangent, positions, room, kernel, .. } = scratch;
+        tangent.clear();
+        tangent.resize(m * m, 0.0);
+        let Some(placed) = self.placed_faces(pair, positions) else { return };
+        let at = (facing, kinematics.position);
+        let (mesh, footing) = (placed.mesh, before.footing.as_ref());
+        let Some(own) = FacePoint::new(mesh, placed.positions, at, footing, room) else { return };
+        own.derivative(mesh, forces, room, kernel);
+        let wide = 3 * (1 + mesh.stencil(facing.face).len());
+        for (row, from) in tangent.chunks_exact_mut(m).zip(kernel.chunks_exact(wide)) {
+            row[..wide].copy_from_slice(from);
+        }
+    }
+
+    /// The face that faces a slave node, those about it and the one `before` on which it stood,
+    /// where it is near: within `reach` distances of neighbouring slave points or lengths of the
+    /// face.
+    pub(super) fn near_faces(
+        &self,
+        place: usize,
+        (u, reach, before): (&[f64], f64, Option<&Footing>),
+        positions: &MasterPositions,
+        into: &mut Vec<usize>,
+    ) {
+        let point = &self.points[place];
+        let Carrier::Node { position, dofs } = &point.carrier else { return };
+        let at = dofs.displace(*position, u);
+        let mut room = FaceRoom::default();
+        let Some(facing) = self.face_at(point.pair, (at, None, None), positions, &mut room) else {
+            return;
+        };
+        let Some(placed) = self.placed_faces(point.pair, positions) else { return };
+        let nodes = &placed.mesh.faces()[facing.face].nodes;
+        let distances = nodes.iter().map(|&node| apart(at, placed.positions[node]));
+        let corner = |k: usize| placed.positions[nodes[k]];
+        let size = apart(corner(0), corner(1)).max(apart(corner(1), corner(2)));
+        let nearest = distances.fold(f64::INFINITY, f64::min);
+        if nearest > reach * self.spacing[point.pair].max(size) {
+            return;
+        }
+        let about = placed.mesh.around(facing.face).iter().copied();
+        let before = before.map(|footing| footing.place.face);
+        for face in before.into_iter().chain([facing.face]).chain(about) {
+            if !into.contains(&face) {
+                into.push(face);
+            }
+        }
+    }
+}
