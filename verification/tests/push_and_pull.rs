@@ -190,14 +190,14 @@ fn short_way_back(deck: &str) -> Curve {
 /// Traction of the most loaded point.
 fn loaded(curve: &Curve, row: usize) -> f64 {
     let points = curve.rows[row].contact.iter();
-    points.max_by(|a, b| a.pressure.total_cmp(&b.pressure)).unwrap().shear
+    points.max_by(|a, b| a.pressure.total_cmp(&b.pressure)).unwrap().shear[0]
 }
 
 fn transition(record: &mut Record, deck: &str, (node, dof): (u64, usize)) {
     let curve = short_way_back(deck);
     let closed = curve.rows[N..].iter().flat_map(|row| &row.contact);
     let closed: Vec<_> = closed.filter(|point| point.status != Status::Open).collect();
-    let share = closed.iter().map(|point| point.shear.abs() / (0.3 * point.pressure));
+    let share = closed.iter().map(|point| point.shear.size() / (0.3 * point.pressure));
     let share = worst(share);
     record.at_most("traction over its limit, largest", share, 1.0 + 1e-9);
     let stuck = closed.iter().filter(|point| point.status == Status::Stick).count();

@@ -48,7 +48,7 @@ fn block(stick: &str) -> String {
 fn stuck(curve: &Curve) -> (f64, usize) {
     let held = |before: &ContactRow, now: &ContactRow| {
         (before.status != Status::Open && now.status == Status::Stick)
-            .then(|| (now.slip - before.slip).abs())
+            .then(|| (now.slip - before.slip).size())
     };
     let slips: Vec<f64> = curve
         .rows
@@ -99,7 +99,7 @@ fn penalty_slips_elastically(record: &mut Record) {
         let sticking: Vec<&ContactRow> =
             points.filter(|point| point.status == Status::Stick).collect();
         // elastic slip over gamma_crit, from the law itself
-        let elastic = worst(sticking.iter().map(|p| p.shear.abs() / (0.3 * p.pressure)));
+        let elastic = worst(sticking.iter().map(|p| p.shear.size() / (0.3 * p.pressure)));
         let (slip, _) = stuck(&curve);
         record.at_least(format!("{name}: sticking points"), sticking.len() as f64, 1.0);
         let what = format!("{name}: elastic slip, largest (of gamma_crit)");

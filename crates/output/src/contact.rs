@@ -7,6 +7,9 @@ use slideline_solve::observe::{Frame, StepReport};
 /// Columns of numbers before the word on friction, and behind it.
 const BEFORE: [&str; 4] = ["COPEN", "CPRESS", "CSHEAR1", "CSLIP1"];
 const BEHIND: [&str; 5] = ["x", "y", "normal_x", "normal_y", "area"];
+/// Further columns before that word in space, and all those behind it.
+const IN_SPACE: [&str; 8] = ["CSHEAR2", "CSLIP2", "t1_x", "t1_y", "t1_z", "t2_x", "t2_y", "t2_z"];
+const BEHIND_IN_SPACE: [&str; 7] = ["x", "y", "z", "normal_x", "normal_y", "normal_z", "area"];
 
 /// `JOB.contact.csv`.
 #[derive(Default)]
@@ -18,9 +21,14 @@ pub(crate) struct Contact {
 impl Rows for Contact {
     const ENDING: &'static str = ".contact.csv";
 
-    fn columns(&mut self, _: &StepReport<'_>) -> Option<String> {
-        self.before = BEFORE.iter().filter_map(|name| contact_component(name)).collect();
-        self.behind = BEHIND.iter().filter_map(|name| contact_component(name)).collect();
+    fn columns(&mut self, step: &StepReport<'_>) -> Option<String> {
+        let (further, behind): (&[_], &[_]) = match step.model.is_in_space() {
+            true => (&IN_SPACE, &BEHIND_IN_SPACE),
+            false => (&[], &BEHIND),
+        };
+        let before = BEFORE.iter().chain(further);
+        self.before = before.filter_map(|name| contact_component(name)).collect();
+        self.behind = behind.iter().filter_map(|name| contact_component(name)).collect();
         let names = |list: &[&'static ContactComponent]| {
             list.iter().map(|column| column.name).collect::<Vec<_>>().join(",")
         };

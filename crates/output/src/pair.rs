@@ -2,20 +2,19 @@
 //! row per pair and converged increment.
 
 use crate::rows::{Rows, Sheet};
+use slideline_model::Model;
 use slideline_solve::observe::{Frame, StepReport};
 
-/// Columns behind step, increment, time and pair.
-pub(crate) const COLUMNS: [&str; 9] = [
-    "closed",
-    "changes",
-    "penetration",
-    "deepest_node",
-    "force_x",
-    "force_y",
-    "moment",
-    "force_imbalance",
-    "moment_imbalance",
-];
+/// Columns behind step, increment, time and pair, of a model in the plane or in space.
+pub(crate) fn columns(model: &Model) -> Vec<&'static str> {
+    let forces: &[_] = match model.is_in_space() {
+        true => &["force_x", "force_y", "force_z", "moment_x", "moment_y", "moment_z"],
+        false => &["force_x", "force_y", "moment"],
+    };
+    let first = ["closed", "changes", "penetration", "deepest_node"];
+    let last = ["force_imbalance", "moment_imbalance", "area"];
+    first.into_iter().chain(forces.iter().copied()).chain(last).collect()
+}
 
 /// `JOB.pair.csv`.
 #[derive(Default)]
@@ -24,8 +23,8 @@ pub(crate) struct Pairs;
 impl Rows for Pairs {
     const ENDING: &'static str = ".pair.csv";
 
-    fn columns(&mut self, _: &StepReport<'_>) -> Option<String> {
-        Some(format!("pair,{}", COLUMNS.join(",")))
+    fn columns(&mut self, step: &StepReport<'_>) -> Option<String> {
+        Some(format!("pair,{}", columns(step.model).join(",")))
     }
 
     fn rows(&self, sheet: &mut Sheet<'_>, frame: &Frame<'_>) {
@@ -36,9 +35,11 @@ impl Rows for Pairs {
                 Some(node) => sheet.cell(frame.model.nodes.label(node)),
                 None => sheet.cell(""),
             };
-            let imbalance = [row.force_imbalance, row.moment_imbalance];
-            let [x, y, _] = row.force;
-            sheet.numbers([x, y, row.moment[2]]).numbers(imbalance).end();
+            match frame.model.is_in_space() {
+                true => sheet.numbers(row.force).numbers(row.moment),
+                false => sheet.numbers([row.force[0], row.force[1], row.moment[2]]),
+            };
+            sheet.numbers([row.force_imbalance, row.moment_imbalance, row.area]).end();
         }
     }
 }

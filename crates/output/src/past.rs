@@ -2,7 +2,7 @@
 //! from its files, digit by digit what was written.
 
 use crate::job::JobFiles;
-use crate::pair::COLUMNS;
+use crate::pair::columns;
 use crate::reading::history::History;
 use crate::reading::problem::Problem;
 use crate::reading::table::Table;
@@ -49,7 +49,7 @@ fn pairs(
 ) -> Result<(Vec<Vec<PairRow>>, Vec<Number>), Problem> {
     let count = model.contact_pairs.len();
     let expected: Vec<&str> =
-        ["step", "increment", "time", "pair"].into_iter().chain(COLUMNS).collect();
+        ["step", "increment", "time", "pair"].into_iter().chain(columns(model)).collect();
     let mut table = Table::open(&job.path(".pair.csv"), &expected)?;
     let (mut all, mut numbers) = (Vec::new(), Vec::new());
     while all.len() < increments && count > 0 {
@@ -62,7 +62,7 @@ fn pairs(
                 numbers.push([0, 1].map(|index| table.cell(index).to_owned()));
             }
             let deepest = table.cell(7).parse().ok().and_then(|label| model.nodes.find(label));
-            rows.push(row(&table, deepest)?);
+            rows.push(row(&table, model.is_in_space(), deepest)?);
         }
         all.push(rows);
     }
@@ -105,16 +105,23 @@ fn carriers(
     Ok(found)
 }
 
-fn row(table: &Table, deepest: Option<NodeIndex>) -> Result<PairRow, Problem> {
+fn row(table: &Table, in_space: bool, deepest: Option<NodeIndex>) -> Result<PairRow, Problem> {
     let number = |index| table.number(index);
+    let (force, moment, next) = match in_space {
+        true => {
+            ([number(8)?, number(9)?, number(10)?], [number(11)?, number(12)?, number(13)?], 14)
+        }
+        false => ([number(8)?, number(9)?, 0.0], [0.0, 0.0, number(10)?], 11),
+    };
     Ok(PairRow {
         closed: table.number(4)?,
         changes: table.number(5)?,
         penetration: number(6)?,
         deepest,
-        force: [number(8)?, number(9)?, 0.0],
-        moment: [0.0, 0.0, number(10)?],
-        force_imbalance: number(11)?,
-        moment_imbalance: number(12)?,
+        force,
+        moment,
+        force_imbalance: number(next)?,
+        moment_imbalance: number(next + 1)?,
+        area: number(next + 2)?,
     })
 }

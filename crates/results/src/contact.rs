@@ -41,7 +41,8 @@ pub const CONTACT_FIELDS: [ContactField; 4] = [
         variable: Some(ContactVariable::CSTRESS),
         components: &[
             component("CPRESS", "[F/L2]", |row| row.pressure),
-            component("CSHEAR1", "[F/L2]", |row| row.shear),
+            component("CSHEAR1", "[F/L2]", |row| row.shear[0]),
+            component("CSHEAR2", "[F/L2]", |row| row.shear[1]),
         ],
     },
     ContactField {
@@ -49,7 +50,8 @@ pub const CONTACT_FIELDS: [ContactField; 4] = [
         variable: Some(ContactVariable::CDISP),
         components: &[
             component("COPEN", "[L]", |row| row.opening),
-            component("CSLIP1", "[L]", |row| row.slip),
+            component("CSLIP1", "[L]", |row| row.slip[0]),
+            component("CSLIP2", "[L]", |row| row.slip[1]),
         ],
     },
     ContactField {
@@ -57,7 +59,7 @@ pub const CONTACT_FIELDS: [ContactField; 4] = [
         variable: Some(ContactVariable::CFORCE),
         components: &[
             component("CNORMF", "[F]", |row| row.pressure * row.area),
-            component("CSHEARF", "[F]", |row| row.shear * row.area),
+            component("CSHEARF", "[F]", |row| row.shear[0] * row.area),
         ],
     },
     ContactField {
@@ -66,8 +68,16 @@ pub const CONTACT_FIELDS: [ContactField; 4] = [
         components: &[
             component("x", "[L]", |row| row.position[0]),
             component("y", "[L]", |row| row.position[1]),
+            component("z", "[L]", |row| row.position[2]),
             component("normal_x", "[1]", |row| row.normal[0]),
             component("normal_y", "[1]", |row| row.normal[1]),
+            component("normal_z", "[1]", |row| row.normal[2]),
+            component("t1_x", "[1]", |row| row.directions[0][0]),
+            component("t1_y", "[1]", |row| row.directions[0][1]),
+            component("t1_z", "[1]", |row| row.directions[0][2]),
+            component("t2_x", "[1]", |row| row.directions[1][0]),
+            component("t2_y", "[1]", |row| row.directions[1][1]),
+            component("t2_z", "[1]", |row| row.directions[1][2]),
             component("area", "[L2]", |row| row.area),
         ],
     },

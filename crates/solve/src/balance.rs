@@ -10,7 +10,6 @@ use crate::newton::Scratch;
 use crate::observe::{ContactRow, PairRow, Status};
 use crate::problem::Problem;
 use crate::state::{PointState, State};
-use slideline_mech::contact::tangential::Tangential;
 use slideline_model::Dof;
 
 /// Fills a row for every pair of a state that was just committed; `closed`
@@ -51,19 +50,16 @@ impl PairRow {
     /// master's normal, friction against the slip. [semantics: forces]
     fn press(&mut self, point: &PointState) {
         let (p, tau) = (point.area * point.pressure, point.area * point.traction);
-        let force = PairRow::on_slave(point.normal, p, tau);
+        let [first, second] = point.directions();
+        let on_slave = |k: usize| p * point.normal[k] - tau[0] * first[k] - tau[1] * second[k];
+        let force: [f64; 3] = std::array::from_fn(on_slave);
+        self.area += point.area;
         for (sum, own) in self.force.iter_mut().zip(force) {
             *sum += own;
         }
         for (sum, own) in self.moment.iter_mut().zip(cross(point.position, force)) {
             *sum += own;
         }
-    }
-
-    /// Force of a pressure and of friction on a slave: the first tangent of a master in the plane
-    /// is its normal turned clockwise.
-    fn on_slave([nx, ny, nz]: [f64; 3], p: f64, tau: Tangential) -> [f64; 3] {
-        [p * nx - tau[0] * ny, p * ny + tau[0] * nx, p * nz]
     }
 }
 

@@ -44,8 +44,9 @@ fn node_rows(contact: &Contact, state: &State, pair: usize, rows: &mut Vec<Conta
             ever_closed: state.ever_closed,
             opening: state.opening,
             pressure: state.pressure,
-            shear: state.traction[0],
-            slip: state.slip[0],
+            shear: state.traction,
+            slip: state.slip,
+            directions: state.directions(),
             area: point.area,
             friction: state.friction,
             position: state.position,
@@ -101,14 +102,15 @@ impl Gathered {
         let force = share * integration_point.area * integration_point.pressure;
         row.area += share * whole;
         row.pressure += force;
-        row.shear += share * integration_point.area * integration_point.traction[0];
-        row.slip += force * integration_point.slip[0];
+        row.shear += share * integration_point.area * integration_point.traction;
+        row.slip += force * integration_point.slip;
         row.dropped_work += share * integration_point.dropped_work;
         row.ever_closed |= integration_point.ever_closed;
         self.force += force;
         if integration_point.opening.is_finite() && integration_point.opening < row.opening {
             row.opening = integration_point.opening;
             row.normal = integration_point.normal;
+            row.directions = integration_point.directions();
             row.along = integration_point.along.unwrap_or_default()[0];
         }
         if integration_point.closed && share > 0.0 {
@@ -126,10 +128,10 @@ impl Gathered {
     fn finish(mut self) -> ContactRow {
         if self.row.area > 0.0 {
             self.row.pressure /= self.row.area;
-            self.row.shear /= self.row.area;
+            self.row.shear = self.row.shear / self.row.area;
         }
         if self.force != 0.0 {
-            self.row.slip /= self.force;
+            self.row.slip = self.row.slip / self.force;
         }
         self.row
     }

@@ -106,6 +106,16 @@ impl PointState {
         *self = Self { ever_closed, slip, opening, ..Self::default() };
     }
 
+    /// Directions in the tangent plane of the master [1]; in the plane the first one is its
+    /// direction of travel, the second one stands across the plane.
+    pub fn directions(&self) -> [[f64; 3]; 2] {
+        let [x, y, _] = self.normal;
+        match &self.footing {
+            Some(footing) => footing.directions(),
+            None => [[y, -x, 0.0], [0.0, 0.0, 1.0]],
+        }
+    }
+
     /// What the contact laws want to know of it.
     pub fn history(&self) -> History {
         History { closed: self.closed, along: self.along, elastic_slip: self.elastic_slip }

@@ -161,7 +161,7 @@ impl Watch {
             (force / (most + rounding)).max(sum[2].abs() / (most_moment + reach * rounding));
         let body = self.body.map_or([0.0, 0.0], |body| body_balance(frame, body));
         self.nan |= !(size.is_finite() && body[0].is_finite() && frame.energy.balance.is_finite());
-        self.nan |= frame.contact.iter().any(|row| !(row.pressure + row.shear).is_finite());
+        self.nan |= frame.contact.iter().any(|row| !(row.pressure + row.shear.size()).is_finite());
         self.states.push(State { force: [force, size], of_allowed, body });
     }
 }
@@ -196,7 +196,7 @@ fn body_balance(frame: &Frame<'_>, body: usize) -> [f64; 2] {
         .any(|pair| matches!(pair.master, slideline::model::Master::SlideLine(_)));
     for row in frame.contact.iter().filter(|row| row.pressure != 0.0) {
         let [nx, ny, _] = row.normal;
-        let [p, tau] = [row.pressure * row.area, row.shear * row.area];
+        let [p, tau] = [row.pressure * row.area, row.shear[0] * row.area];
         // the travel is 90 degrees clockwise of the normal
         let force = [p * nx - tau * ny, p * ny + tau * nx];
         let sign = if slave { 1.0 } else { -1.0 };

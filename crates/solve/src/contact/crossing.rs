@@ -20,6 +20,8 @@ use super::positions::MasterPositions;
 use super::{Carrier, Contact};
 use crate::constraints::Constraints;
 use crate::state::PointState;
+use slideline_mech::contact::search::faces::near_way;
+use slideline_mech::contact::search::pass::cross_faces;
 use slideline_mech::contact::search::sweep::{apart, cross_chain, cross_parts};
 
 /// A master that was passed through.
@@ -164,7 +166,20 @@ impl Contact {
                 continue;
             }
             match &self.masters[pair] {
-                MasterSurface::Nothing | MasterSurface::Faces { .. } => {}
+                MasterSurface::Nothing => {}
+                MasterSurface::Faces { mesh, nodes, offset, .. } => {
+                    let range = *offset..offset + nodes.len();
+                    let positions = (&chains[0].nodes[range.clone()], &chains[1].nodes[range]);
+                    let Some(tree) = chains[0].face_tree(pair) else { continue };
+                    near_way(tree, (way[0], way[1]), near);
+                    let faces = near.iter().copied();
+                    cross_faces(mesh, positions, faces, (way[0], way[1]), |crossing| {
+                        let (normal, inward) = (crossing.normal, crossing.inward);
+                        let fraction = share(crossing.fraction);
+                        let event = Event { fraction, along: 0.0, normal, at: way[0], inward };
+                        events.push((place, event));
+                    });
+                }
                 MasterSurface::Body { surface, .. } => {
                     let body = |end: usize| self.masters[pair].placed_body(&u[end]);
                     let local = [0, 1].map(|end| body(end).to_body(way[end]));
@@ -310,6 +325,9 @@ impl Contact {
     /// more than a corner.
     fn is_through(&self, place: usize, from: &Event, to: &Event) -> bool {
         let pair = self.points[place].pair;
+        if let MasterSurface::Faces { .. } = &self.masters[pair] {
+            return dot(from.normal, to.normal) < 0.0;
+        }
         let MasterSurface::Body { surface, .. } = &self.masters[pair] else { return false };
         if dot(from.normal, to.normal) >= 0.0 {
             return false;
@@ -407,7 +425,17 @@ impl Contact {
         let mut inward = false;
         let master = &self.masters[pair];
         match master {
-            MasterSurface::Nothing | MasterSurface::Faces { .. } => {}
+            MasterSurface::Nothing => {}
+            MasterSurface::Faces { mesh, nodes, .. } => {
+                let positions = |u: &[f64]| -> Vec<_> {
+                    nodes.iter().map(|(at, dofs)| dofs.displace(*at, u)).collect()
+                };
+                let (before, after) = (positions(from), positions(to));
+                let all = 0..mesh.faces().len();
+                cross_faces(mesh, (&before, &after), all, (start, end), |crossing| {
+                    inward |= crossing.inward;
+                });
+            }
             MasterSurface::Body { surface, .. } => {
                 let local = |at: [f64; 3], u: &[f64]| master.placed_body(u).to_body(at);
                 let way = (local(start, from), local(end, to));

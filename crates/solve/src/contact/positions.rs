@@ -39,6 +39,13 @@ impl MasterPositions {
 impl Contact {
     /// Fits the trees of `into` to the ways from its own positions to others.
     pub(super) fn fit_ways(&self, into: &mut MasterPositions, to: &MasterPositions) {
+        for (master, tree) in self.masters.iter().zip(&mut into.face_trees) {
+            let (MasterSurface::Faces { mesh, offset, .. }, Some(tree)) = (master, tree) else {
+                continue;
+            };
+            let (from, to) = (&into.nodes[*offset..], &to.nodes[*offset..]);
+            tree.fit(|face| faces::way_bounds(mesh, (from, to), face));
+        }
         for (master, tree) in self.masters.iter().zip(&mut into.trees) {
             let (MasterSurface::Line { chain, offset, .. }, Some(tree)) = (master, tree) else {
                 continue;

@@ -1,6 +1,7 @@
 //! Results of a committed state: points, pairs, elements and energies.
 
 use serde::{Deserialize, Serialize};
+use slideline_mech::contact::tangential::Tangential;
 use slideline_model::{BeamSection, Element, Model, NodeIndex};
 
 /// Contact status of a point.
@@ -64,10 +65,12 @@ pub struct ContactRow {
     pub opening: f64,
     /// Contact pressure [F/L2].
     pub pressure: f64,
-    /// Shear traction along the master's direction of travel [F/L2].
-    pub shear: f64,
-    /// Accumulated slip along it while closed [L].
-    pub slip: f64,
+    /// Shear traction along the master's directions [F/L2].
+    pub shear: Tangential,
+    /// Accumulated slip along them while closed [L].
+    pub slip: Tangential,
+    /// These directions [1].
+    pub directions: [[f64; 3]; 2],
     /// Tributary area [L2].
     pub area: f64,
     /// Whether friction was called.
@@ -97,6 +100,8 @@ pub struct PairRow {
     pub force: [f64; 3],
     /// Their moment about the origin [F L].
     pub moment: [f64; 3],
+    /// Area of its closed points [L2].
+    pub area: f64,
     /// What is left of all forces on slaves, masters and reference nodes
     /// together, relative to the sum of their magnitudes [1]: rounding.
     pub force_imbalance: f64,

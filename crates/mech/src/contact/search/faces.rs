@@ -47,6 +47,21 @@ pub fn bounds(mesh: &FaceMesh, positions: &[Vector], face: usize) -> Bounds<3> {
     bounds
 }
 
+/// The box of a face on its way between two configurations.
+pub fn way_bounds(mesh: &FaceMesh, (from, to): (&[Vector], &[Vector]), face: usize) -> Bounds<3> {
+    let (a, b) = (bounds(mesh, from, face), bounds(mesh, to, face));
+    (std::array::from_fn(|k| a.0[k].min(b.0[k])), std::array::from_fn(|k| a.1[k].max(b.1[k])))
+}
+
+/// Faces that a point may meet on its way, by a tree fitted to their ways.
+pub fn near_way(tree: &FaceTree, (from, to): (Vector, Vector), near: &mut Vec<usize>) {
+    near.clear();
+    let low = std::array::from_fn(|k| from[k].min(to[k]));
+    let high = std::array::from_fn(|k| from[k].max(to[k]));
+    tree.overlapping((low, high), |face| near.push(face));
+    near.sort_unstable();
+}
+
 /// The tree over the faces at these positions.
 pub fn tree(mesh: &FaceMesh, positions: &[Vector]) -> FaceTree {
     BoxTree::new(mesh.faces().len(), |face| bounds(mesh, positions, face))

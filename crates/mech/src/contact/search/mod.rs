@@ -8,6 +8,7 @@
 
 pub mod chain;
 pub mod faces;
+pub mod pass;
 pub mod rigid;
 pub mod segment;
 pub mod sweep;

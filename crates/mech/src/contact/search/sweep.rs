@@ -117,7 +117,7 @@ fn inside(parameter: f64) -> bool {
 }
 
 /// Real roots of c0 + c1 x + c2 x^2.
-fn roots(c0: f64, c1: f64, c2: f64) -> [Option<f64>; 2] {
+pub(super) fn roots(c0: f64, c1: f64, c2: f64) -> [Option<f64>; 2] {
     let square = c1 * c1 - 4.0 * c0 * c2;
     if square.is_nan() || square < 0.0 {
         return [None; 2];
