@@ -272,7 +272,11 @@ impl Own<'_> {
 
 /// A table that `*CONTACT PRINT` asks for: a row a slave node of every pair.
 pub(crate) fn push_contact(text: &mut String, frame: &Frame<'_>, print: &ContactPrint) {
-    let columns = || print.variables.iter().flat_map(|&variable| contact_field(variable));
+    let in_space = frame.model.is_in_space();
+    let columns = || {
+        let all = print.variables.iter().flat_map(|&variable| contact_field(variable));
+        all.filter(move |column| in_space || !column.in_space)
+    };
     let row = |row: &ContactRow| {
         let (pair, label) = (pair_name(frame.model, row), frame.model.nodes.label(row.node));
         let values = columns().map(|column| (column.value)(row)).collect();

@@ -11,6 +11,8 @@ pub struct ContactComponent {
     pub name: &'static str,
     /// Unit tag.
     pub unit: &'static str,
+    /// Whether it is along the second direction of the master, which only space has.
+    pub in_space: bool,
     /// Its value at a point.
     pub value: fn(&ContactRow) -> f64,
 }
@@ -31,7 +33,15 @@ const fn component(
     unit: &'static str,
     value: fn(&ContactRow) -> f64,
 ) -> ContactComponent {
-    ContactComponent { name, unit, value }
+    ContactComponent { name, unit, in_space: false, value }
+}
+
+const fn across(
+    name: &'static str,
+    unit: &'static str,
+    value: fn(&ContactRow) -> f64,
+) -> ContactComponent {
+    ContactComponent { name, unit, in_space: true, value }
 }
 
 /// All fields.
@@ -42,7 +52,7 @@ pub const CONTACT_FIELDS: [ContactField; 4] = [
         components: &[
             component("CPRESS", "[F/L2]", |row| row.pressure),
             component("CSHEAR1", "[F/L2]", |row| row.shear[0]),
-            component("CSHEAR2", "[F/L2]", |row| row.shear[1]),
+            across("CSHEAR2", "[F/L2]", |row| row.shear[1]),
         ],
     },
     ContactField {
@@ -51,7 +61,7 @@ pub const CONTACT_FIELDS: [ContactField; 4] = [
         components: &[
             component("COPEN", "[L]", |row| row.opening),
             component("CSLIP1", "[L]", |row| row.slip[0]),
-            component("CSLIP2", "[L]", |row| row.slip[1]),
+            across("CSLIP2", "[L]", |row| row.slip[1]),
         ],
     },
     ContactField {
