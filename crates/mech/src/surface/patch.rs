@@ -7,8 +7,7 @@
 //!    P_1/_______/P_2        to their normals; the inside is blended between the edges
 //! ```
 //!
-//! [docs/theory.md, section 5.9; the edges are those of `vlachos2001`, the inside of a
-//! quadrilateral is the surface of `coons1967`]
+//! [docs/theory.md, eq. (5.15)] [vlachos2001] [coons1967]
 
 use crate::element::cell::Cell;
 use crate::vector::{Vector, add, cross, dot, scale, size, sub};

@@ -68,6 +68,7 @@ impl Star<'_> {
     }
 
     /// Adds the second derivative of y . N by the positions: `add_at(i, j, block)`.
+    /// [docs/theory.md, eq. (5.18)]
     pub fn pull_twice(
         &self,
         positions: &[Vector],

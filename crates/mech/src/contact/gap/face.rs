@@ -185,7 +185,7 @@ impl FaceGap {
     }
 
     /// Direction of the force of a traction along `t`, a tangent: the slip of the point over the
-    /// face that moves with it, so that force and moment balance at any gap. (5.19)
+    /// face that moves with it, so that force and moment balance at any gap. [docs/theory.md, eq. (5.19)]
     pub fn drag(&self, t: Vector) -> Parts {
         let mut parts = self.difference(t);
         for k in 0..2 {
@@ -200,7 +200,7 @@ impl FaceGap {
     }
 
     /// Derivative of `normal` dh + `tangential`_k drag_k, row-major, with the directions of
-    /// `turned`; written into the first `width` squared numbers of `into`. (5.18), (5.20)
+    /// `turned`; written into the first `width` squared numbers of `into`. [docs/theory.md, eqs (5.17) and (5.19)]
     pub fn derivative(
         &self,
         normal: f64,
