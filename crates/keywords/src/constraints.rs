@@ -49,6 +49,8 @@ pub(crate) struct Term {
 #[derive(Clone, Debug)]
 pub(crate) struct Coupling {
     pub reference: Target,
+    /// The target is not a node but a set with one element on it.
+    pub of_element: bool,
     pub reference_span: Span,
     pub points: Vec<Points>,
     pub kind: CouplingKind,
@@ -67,10 +69,30 @@ pub(crate) struct Tie {
     pub origin: Span,
 }
 
+/// `*PRE-TENSION SECTION`.
+#[derive(Clone, Debug)]
+pub(crate) struct PreTension {
+    pub cut: Cut,
+    pub reference: Target,
+    pub reference_span: Span,
+    /// Unit normal, where the card gives one.
+    pub normal: Option<[f64; 3]>,
+    pub origin: Span,
+}
+
+/// Where a bolt is cut.
+#[derive(Clone, Debug)]
+pub(crate) enum Cut {
+    /// Along faces of elements.
+    Surface(Named),
+    /// At the last node of an element.
+    Element(u64, Span),
+}
+
 /// Points that are coupled.
 #[derive(Clone, Debug)]
 pub(crate) enum Points {
-    /// A node or a set, with the dofs that follow and a weight.
+    /// A node or a set, and what each of its nodes counts.
     Nodes { target: Target, span: Span, weight: f64 },
     /// The nodes of a surface.
     Surface(Named),

@@ -44,6 +44,8 @@ impl Draft {
             ties: take(&mut self.ties),
             transforms: take(&mut self.transforms),
             orientations: take(&mut self.orientations),
+            pre_tensions: take(&mut self.pre_tensions),
+            initial: take(&mut self.initial),
         }
     }
 
@@ -68,6 +70,8 @@ impl Draft {
         self.ties = contents.ties;
         self.transforms = contents.transforms;
         self.orientations = contents.orientations;
+        self.pre_tensions = contents.pre_tensions;
+        self.initial = contents.initial;
     }
 
     /// `*PART`.

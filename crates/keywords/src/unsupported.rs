@@ -4,7 +4,7 @@
 //!
 //! ```text
 //!   *PREPRINT, ECHO=NO     changes no result of a static step: passed over, one note
-//!   *DLOAD                 changes the model: an error under its own name
+//!   *SUBMODEL              changes the model: an error under its own name
 //! ```
 
 use std::collections::HashMap;
@@ -78,7 +78,7 @@ mod tests {
 
     #[test]
     fn keywords_that_public_decks_use_are_known() {
-        for name in ["PRE-TENSION SECTION", "tied contact", "section print"] {
+        for name in ["MODEL CHANGE", "tied contact", "section print"] {
             assert!(not_read(name).is_some(), "{name}");
         }
     }
