@@ -102,7 +102,7 @@ catalogue! {
     "SL0253" "read, but without effect"
     "SL0254" "the areas of a node surface"
     "SL0255" "an out-of-plane thickness by default"
-    "SL0256" "a face that a beam does not have"
+    "SL0256" "a face that an element does not have"
     "SL0257" "a card without effect is ignored"
     "SL0258" "parts and instances out of order"
     "SL0259" "a fillet that does not fit"

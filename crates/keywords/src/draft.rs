@@ -15,7 +15,8 @@ use slideline_model::{
 use crate::axes::{Orientation, Transform};
 use crate::constraints::{Coupling, Equation, Link, PreTension, Tie};
 use crate::distributed::Distributed;
-use crate::log::{Log, Target};
+use crate::log::{Log, MAX_LABEL, Target};
+use crate::motion::Frame;
 use crate::rule::Subject;
 use crate::scopes::Parts;
 use crate::sets::Sets;
@@ -71,6 +72,8 @@ pub(crate) struct Draft {
     /// Dofs that follow others, and where it was said; known when links are resolved.
     pub dependents: HashMap<(NodeIndex, Dof), Span>,
     pub parts: Parts<Contents>,
+    /// `*SYSTEM`: the axes in which coordinates of nodes are given.
+    pub node_frame: Option<Frame>,
     /// Instances that leave the plane of x and y, and their cards.
     pub tilted: Vec<(String, Span)>,
     pub restart: Option<SavedStates>,
@@ -393,6 +396,18 @@ impl Draft {
         let error = Diagnostic::error(Code("SL0236"), message).at(span);
         self.log.push(error.help(format!("put it directly behind its *{owner} card")));
         self.owner = Owner::Broken;
+    }
+
+    /// A number so many steps further; complains where no node or element may have it.
+    pub fn further(&mut self, label: u64, step: u64, times: u64, span: Span) -> Option<u64> {
+        let most = MAX_LABEL.unsigned_abs();
+        let moved = step.checked_mul(times).and_then(|by| label.checked_add(by));
+        let found = moved.filter(|&label| label <= most);
+        if found.is_none() && self.log.first_time(&format!("further {}", span.start)) {
+            let message = format!("numbers run beyond the largest one, {most}");
+            self.log.error("SL0224", message, span);
+        }
+        found
     }
 
     /// The dofs from the one at a place of a line to the one behind it, which defaults to the first.

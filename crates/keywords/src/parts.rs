@@ -25,6 +25,7 @@ impl Draft {
     fn take_contents(&mut self) -> Contents {
         use std::mem::take;
         self.element_by_label.clear();
+        self.node_frame = None; // those of one part are not those of another
         Contents {
             nodes: take(&mut self.model.nodes),
             node_sets: take(&mut self.node_sets),

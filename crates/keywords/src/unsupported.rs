@@ -13,8 +13,10 @@ use std::sync::LazyLock;
 use slideline_deck::normalise;
 
 mod names;
+mod parameters;
 
 pub(crate) use names::Treatment;
+pub(crate) use parameters::parameter;
 
 /// A keyword of another program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

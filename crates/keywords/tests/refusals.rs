@@ -442,3 +442,69 @@ fn fixed_supports() {
         ["SL0214"]
     );
 }
+
+/// Requirement: what a parameter of another program asks for is called not supported, a slip of
+/// the pen a slip.
+#[test]
+fn parameters_of_other_programs_are_named() {
+    let linear = |of: &str| deck(&step("*CLOAD\n6, 1, 1.0").replace("*STATIC", of), &[]);
+    assert_eq!(codes(&linear("*STATIC, RIKS"), A), ["SL0221"]);
+    assert_eq!(codes(&linear("*STATIC, RICKS"), A), ["SL0202"]);
+    let cyclic = deck(&step("*CLOAD, FOLLOWER\n6, 1, 1.0"), &[]);
+    assert_eq!(codes(&cyclic, A), ["SL0221"]);
+}
+
+/// Requirement: nodes and elements that are filled in, copied and given in other axes stand where
+/// the cards say. Source: Abaqus manual, `*NFILL`, `*NCOPY`, `*ELCOPY`, `*SYSTEM`, `*NODE`.
+#[test]
+fn mesh_cards() {
+    let arm = |cards: &str| {
+        let deck = format!(
+            "{cards}*ELEMENT, TYPE=B21, ELSET=E\n1, 1, 2\n*BEAM SECTION, SECTION=RECT, ELSET=E, \
+             MATERIAL=M\n1.0, 0.1\n*MATERIAL, NAME=M\n*ELASTIC\n200.0\n{}",
+            step("*BOUNDARY\n1, 1, 6")
+        );
+        let read = interpret(&deck, A);
+        (codes(&deck, A), read.model)
+    };
+    let places = |cards: &str| {
+        let (codes, model) = arm(cards);
+        assert_eq!(codes, [""; 0], "{cards}");
+        let mut all: Vec<(u64, [f64; 3])> =
+            model.nodes.iter().map(|node| (node.label, node.position)).collect();
+        all.sort_by_key(|node| node.0);
+        all
+    };
+    let ends =
+        "*NODE, NSET=A\n1, 0.0, 0.0\n11, 0.0, 1.0\n*NODE, NSET=B\n5, 4.0, 0.0\n15, 8.0, 1.0\n";
+    let filled = places(&format!("{ends}*NFILL, NSET=ALL\nA, B, 4, 1\n"));
+    assert_eq!(filled.len(), 10);
+    assert_eq!([filled[1], filled[7]], [(2, [1.0, 0.0, 0.0]), (13, [4.0, 1.0, 0.0])]);
+    let row = "*NODE, NSET=A\n1, 1.0, 0.0\n";
+    let shift = "*NCOPY, OLD SET=A, CHANGE NUMBER=1, SHIFT, MULTIPLE=3, NEW SET=C\n2.0, 0.0\n";
+    let copied = places(&format!("{row}{shift}"));
+    assert_eq!(copied.iter().map(|node| node.1[0]).collect::<Vec<_>>(), [1.0, 3.0, 5.0, 7.0]);
+    let turned = places(&format!(
+        "{row}*NCOPY, OLD SET=A, CHANGE NUMBER=1, SHIFT\n1.0, 0.0\n0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 90.0\n"
+    ));
+    assert_eq!(turned[1], (2, [0.0, 2.0, 0.0]));
+    let axes = places(
+        "*SYSTEM\n1.0, 2.0, 0.0, 1.0, 3.0, 0.0\n*NODE\n1, 5.0, 0.0\n2, 0.0, 5.0\n*SYSTEM\n*NODE\n3, 5.0, 0.0\n",
+    );
+    assert_eq!(
+        axes.iter().map(|node| node.1).collect::<Vec<_>>(),
+        [[1.0, 7.0, 0.0], [-4.0, 2.0, 0.0], [5.0, 0.0, 0.0]]
+    );
+    let round = places("*NODE, SYSTEM=C\n1, 2.0, 0.0\n2, 2.0, 90.0\n");
+    assert!((round[1].1[0].abs() < 1e-15) && (round[1].1[1] - 2.0).abs() < 1e-15);
+    let far = format!("{row}*NCOPY, OLD SET=A, CHANGE NUMBER=999999999, SHIFT\n2.0, 0.0\n");
+    assert_eq!(arm(&far).0[0], "SL0224");
+    assert_eq!(arm(&format!("{ends}*NFILL\nA, D, 4, 1\n")).0[0], "SL0304");
+    let twins = "*NODE\n1, 0.0, 0.0\n2, 1.0, 0.0\n11, 0.0, 1.0\n12, 1.0, 1.0\n*ELEMENT, TYPE=B21, ELSET=E\n\
+        21, 1, 2\n*ELCOPY, OLD SET=E, ELEMENT SHIFT=10, SHIFT NODES=10, NEW SET=F\n*ELSET, ELSET=E\nF\n";
+    let (found, model) = arm(twins);
+    assert_eq!(found, [""; 0]);
+    let copy = model.blocks.iter().flat_map(|block| &block.elements).find(|e| e.label == 31);
+    let nodes = copy.expect("a copy").nodes;
+    assert_eq!([nodes[0], nodes[1]].map(|node| model.nodes.label(node)), [11, 12]);
+}

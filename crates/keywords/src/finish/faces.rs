@@ -159,7 +159,8 @@ pub(super) fn no_face(index: usize, face: usize, span: Span, draft: &mut Draft) 
     let message = format!("a {} element has no face {}", element.kind.name(), face + 1);
     let error = Diagnostic::error(Code("SL0256"), message).at(span);
     let help = match count {
-        0 => "it has no faces; a beam has SPOS and SNEG".to_owned(),
+        0 if element.kind.is_beam() => "the sides of a beam are SPOS and SNEG".to_owned(),
+        0 => "it has no faces".to_owned(),
         _ => format!("its faces are 1 to {count}"),
     };
     draft.consequence(Subject::Elements, error.help(help));

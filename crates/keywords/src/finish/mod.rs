@@ -23,7 +23,7 @@ mod unknown;
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{Model, NodeIndex};
-use unknown::unknown_set;
+pub(crate) use unknown::unknown_set;
 
 use crate::draft::{Draft, Element};
 use crate::log::Target;

@@ -310,11 +310,6 @@ pub(super) const GROUPS: &[Group] = &[
     ),
     (
         Unsupported,
-        "generate nodes with *NGEN, move them with *NMAP",
-        &["NCOPY", "NFILL", "SYSTEM", "ELCOPY"],
-    ),
-    (
-        Unsupported,
         "give the imperfect shape with *NODE",
         &["IMPERFECTION", "MAP SOLUTION", "PRESTRESS HOLD"],
     ),
