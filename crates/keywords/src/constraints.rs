@@ -17,6 +17,51 @@ pub(crate) struct Link {
     pub origin: Span,
 }
 
+/// A line of `*MPC` that keeps a shape.
+#[derive(Clone, Debug)]
+pub(crate) struct ShapeMpc {
+    pub shape: Shape,
+    pub nodes: Vec<(Target, Span)>,
+    pub origin: Span,
+}
+
+/// What an `*MPC` keeps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Shape {
+    /// Nodes stay on the line of the first two.
+    Straight,
+    /// Nodes stay in the plane of the first three.
+    Plane,
+    /// The mean rotation is a dof of the last one.
+    MeanRotation,
+    /// The first stays where it is between the two others.
+    Linear,
+}
+
+impl Shape {
+    /// Its word on the card.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Straight => "STRAIGHT",
+            Self::Plane => "PLANE",
+            Self::MeanRotation => "MEANROT",
+            Self::Linear => "LINEAR",
+        }
+    }
+
+    /// What its nodes must be.
+    pub fn needs(self) -> &'static str {
+        match self {
+            Self::Straight => "two nodes apart from one another, then others on their line",
+            Self::Plane => "three nodes of a plane in space, then others in that plane",
+            Self::MeanRotation => {
+                "nodes off the axis through their centre, then a node whose coordinates are the axis"
+            }
+            Self::Linear => "a node, then two apart from one another",
+        }
+    }
+}
+
 /// The type of an `*MPC`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum LinkKind {

@@ -13,7 +13,7 @@ use slideline_model::{
 };
 
 use crate::axes::{Orientation, Transform};
-use crate::constraints::{Coupling, Equation, Link, PreTension, Tie};
+use crate::constraints::{Coupling, Equation, Link, PreTension, ShapeMpc, Tie};
 use crate::distributed::Distributed;
 use crate::log::{Log, MAX_LABEL, Target};
 use crate::motion::Frame;
@@ -69,6 +69,7 @@ pub(crate) struct Draft {
     /// Axes of the nodes that have their own, when all cards are read.
     pub axes: HashMap<NodeIndex, slideline_model::Axes>,
     pub pre_tensions: Vec<PreTension>,
+    pub shape_mpcs: Vec<ShapeMpc>,
     /// Dofs that follow others, and where it was said; known when links are resolved.
     pub dependents: HashMap<(NodeIndex, Dof), Span>,
     pub parts: Parts<Contents>,
@@ -113,6 +114,7 @@ pub(crate) struct Contents {
     pub transforms: Vec<Transform>,
     pub orientations: Vec<Orientation>,
     pub pre_tensions: Vec<PreTension>,
+    pub shape_mpcs: Vec<ShapeMpc>,
     /// Boundary conditions before the first step.
     pub initial: Vec<Boundary>,
 }

@@ -46,6 +46,7 @@ impl Draft {
             transforms: take(&mut self.transforms),
             orientations: take(&mut self.orientations),
             pre_tensions: take(&mut self.pre_tensions),
+            shape_mpcs: take(&mut self.shape_mpcs),
             initial: take(&mut self.initial),
         }
     }
@@ -72,6 +73,7 @@ impl Draft {
         self.transforms = contents.transforms;
         self.orientations = contents.orientations;
         self.pre_tensions = contents.pre_tensions;
+        self.shape_mpcs = contents.shape_mpcs;
         self.initial = contents.initial;
     }
 

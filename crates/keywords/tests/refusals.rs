@@ -508,3 +508,47 @@ fn mesh_cards() {
     let nodes = copy.expect("a copy").nodes;
     assert_eq!([nodes[0], nodes[1]].map(|node| model.nodes.label(node)), [11, 12]);
 }
+
+/// Requirement: shapes are kept by equations that every rigid motion fulfils, and a node that leaves
+/// the shape does not; with NLGEOM they are refused. Source: docs/theory.md eqs (4.12), (4.13).
+#[test]
+fn shapes_are_kept() {
+    let bricks = "*NODE\n1, 0.0, 0.0, 0.0\n2, 2.0, 0.0, 0.0\n3, 2.0, 1.0, 0.0\n4, 0.0, 1.0, 0.0\n\
+        5, 0.0, 0.0, 1.0\n6, 2.0, 0.0, 1.0\n7, 2.0, 1.0, 1.0\n8, 0.0, 1.0, 1.0\n9, 0.5, 0.0, 0.0\n\
+        10, 0.5, 0.25, 0.0\n20, 0.0, 0.0, 3.0\n*ELEMENT, TYPE=C3D8, ELSET=E\n1, 1, 2, 3, 4, 5, 6, 7, 8\n\
+        *SOLID SECTION, ELSET=E, MATERIAL=M\n*MATERIAL, NAME=M\n*ELASTIC\n1.0\n";
+    let of =
+        |mpc: &str| format!("{bricks}*MPC\n{mpc}*STEP\n*STATIC\n*CLOAD\n6, 1, 1.0\n*END STEP\n");
+    let cases = [
+        ("STRAIGHT, 1, 2, 9\n", 2),
+        ("PLANE, 1, 2, 3, 10, 9\n", 2),
+        ("PLANE, 1, 2, 3\n, 10, 9\n", 2),
+        ("MEANROT, 1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4, 20\n", 1),
+        ("LINEAR, 9, 1, 2\n", 3),
+    ];
+    // a displacement and a small turn w: u = c + w x X; the mean rotation about z is w_z
+    let (c, w) = ([0.3, -0.2, 0.7], [0.5, -1.1, 0.4]);
+    for (mpc, count) in cases {
+        let model = model(&of(mpc), A);
+        assert_eq!(model.linear_constraints.len(), count, "{mpc}");
+        let u = |(node, dof): (usize, Dof)| {
+            let [x, y, z] = model.nodes.position(node);
+            let turn = [w[1] * z - w[2] * y, w[2] * x - w[0] * z, w[0] * y - w[1] * x];
+            match model.nodes.label(node) {
+                20 => w[2],
+                _ => c[dof as usize] + turn[dof as usize],
+            }
+        };
+        for own in &model.linear_constraints {
+            let sum: f64 = own.terms.iter().map(|&(node, dof, a)| a * u((node, dof))).sum();
+            assert!((sum - u(own.dependent)).abs() < 1e-12, "{mpc} {own:?}");
+        }
+    }
+    for broken in
+        ["STRAIGHT, 1, 2, 10\n", "PLANE, 1, 2, 9, 10\n", "PLANE, 1, 2, 3, 5\n", "LINEAR, 9, 1\n"]
+    {
+        assert_eq!(codes(&of(broken), A), ["SL0347"], "{broken}");
+    }
+    let large = of("STRAIGHT, 1, 2, 9\n").replace("*STEP", "*STEP, NLGEOM");
+    assert_eq!(codes(&large, A), ["SL0221"]);
+}

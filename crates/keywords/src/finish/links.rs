@@ -38,6 +38,7 @@ pub(super) fn links(draft: &mut Draft) {
     for coupling in others {
         couple(&coupling, draft);
     }
+    super::shape_mpc::shapes(draft);
     super::ties::ties(draft);
     equations::circles(draft);
 }

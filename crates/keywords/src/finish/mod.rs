@@ -14,6 +14,7 @@ mod nodes;
 mod orientations;
 mod pre_tension;
 mod sections;
+mod shape_mpc;
 mod standing;
 mod steps;
 mod surface_pairs;

@@ -4,7 +4,7 @@ use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{Node, SurfaceSegment};
 
 use crate::axes::{Given, Orientation, Transform};
-use crate::constraints::{Coupling, Cut, Equation, Link, Points, PreTension, Tie};
+use crate::constraints::{Coupling, Cut, Equation, Link, Points, PreTension, ShapeMpc, Tie};
 use crate::draft::{
     Boundary, Contents, Draft, Element, Interface, Section, Shape, Spring, Surface,
 };
@@ -161,6 +161,13 @@ impl Place for PreTension {
     }
 }
 
+impl Place for ShapeMpc {
+    fn placed(mut self, by: &Placement) -> Self {
+        self.nodes.iter_mut().for_each(|(target, _)| *target = target.clone().placed(by));
+        self
+    }
+}
+
 impl Place for Boundary {
     fn placed(self, by: &Placement) -> Self {
         Self { target: self.target.placed(by), ..self }
@@ -277,6 +284,7 @@ impl Draft {
         });
         extend(&mut self.orientations, turned.collect(), by);
         extend(&mut self.pre_tensions, own.pre_tensions, by);
+        extend(&mut self.shape_mpcs, own.shape_mpcs, by);
         extend(&mut self.initial, own.initial, by);
     }
 
