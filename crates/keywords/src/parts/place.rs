@@ -241,24 +241,7 @@ impl Draft {
             .extend(pairs.map(|(nodes, elements)| (by.name(&nodes), elements.placed(by))));
         let mut shapes = own.surfaces;
         let mut surfaces = own.named_surfaces;
-        let rigid = shapes.iter_mut().filter_map(|surface| match &mut surface.shape {
-            Shape::Rigid { start, segments } => Some((start, segments, surface.origin)),
-            Shape::Line { .. } => None,
-        });
-        let named = surfaces.iter_mut().filter_map(|surface| match &mut surface.extent {
-            Extent::Rigid { start, segments } => Some((start, segments, surface.origin)),
-            _ => None,
-        });
-        for (start, segments, origin) in rigid.chain(named) {
-            if turn(start, segments, motion).is_none() {
-                let message = format!(
-                    "the instance {} turns its analytical surface out of the plane",
-                    by.prefix.trim_end_matches('.')
-                );
-                let error = Diagnostic::error(Code("SL0258"), message).at(origin);
-                self.log.push(error.help("turn it about an axis along z"));
-            }
-        }
+        self.turn_surfaces(&mut shapes, &mut surfaces, by, motion);
         extend(&mut self.sections, own.sections, by);
         extend(&mut self.springs, own.springs, by);
         extend(&mut self.surfaces, shapes, by);
@@ -286,6 +269,34 @@ impl Draft {
         extend(&mut self.pre_tensions, own.pre_tensions, by);
         extend(&mut self.shape_mpcs, own.shape_mpcs, by);
         extend(&mut self.initial, own.initial, by);
+    }
+
+    /// Moves analytical surfaces with their instance; complains about those that leave the plane.
+    fn turn_surfaces(
+        &mut self,
+        shapes: &mut [Surface],
+        surfaces: &mut [NamedSurface],
+        by: &Placement,
+        motion: &Motion,
+    ) {
+        let rigid = shapes.iter_mut().filter_map(|surface| match &mut surface.shape {
+            Shape::Rigid { start, segments } => Some((start, segments, surface.origin)),
+            Shape::Line { .. } => None,
+        });
+        let named = surfaces.iter_mut().filter_map(|surface| match &mut surface.extent {
+            Extent::Rigid { start, segments } => Some((start, segments, surface.origin)),
+            _ => None,
+        });
+        for (start, segments, origin) in rigid.chain(named) {
+            if turn(start, segments, motion).is_none() {
+                let message = format!(
+                    "the instance {} turns its analytical surface out of the plane",
+                    by.prefix.trim_end_matches('.')
+                );
+                let error = Diagnostic::error(Code("SL0258"), message).at(origin);
+                self.log.push(error.help("turn it about an axis along z"));
+            }
+        }
     }
 
     /// Remembers an instance that leaves the plane, and complains about one that turns what its

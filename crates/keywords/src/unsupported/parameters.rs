@@ -87,8 +87,8 @@ const GROUPS: &[Group] = &[
 /// What to do instead of a parameter of a keyword; `None` where no program knows it.
 pub(crate) fn parameter(keyword: &str, normalised: &str) -> Option<&'static str> {
     let own = GROUPS.iter().filter(|group| group.0 == keyword);
-    let is_it = |name: &&str| slideline_deck::normalise(name) == normalised;
-    own.into_iter().find(|group| group.2.iter().any(|name| is_it(&name))).map(|group| group.1)
+    let is_it = |name: &&'static str| slideline_deck::normalise(name) == normalised;
+    own.into_iter().find(|group| group.2.iter().any(is_it)).map(|group| group.1)
 }
 
 #[cfg(test)]
