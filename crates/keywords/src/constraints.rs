@@ -17,6 +17,51 @@ pub(crate) struct Link {
     pub origin: Span,
 }
 
+/// A line of `*MPC` that keeps a shape.
+#[derive(Clone, Debug)]
+pub(crate) struct ShapeMpc {
+    pub shape: Shape,
+    pub nodes: Vec<(Target, Span)>,
+    pub origin: Span,
+}
+
+/// What an `*MPC` keeps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Shape {
+    /// Nodes stay on the line of the first two.
+    Straight,
+    /// Nodes stay in the plane of the first three.
+    Plane,
+    /// The mean rotation is a dof of the last one.
+    MeanRotation,
+    /// The first stays where it is between the two others.
+    Linear,
+}
+
+impl Shape {
+    /// Its word on the card.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Straight => "STRAIGHT",
+            Self::Plane => "PLANE",
+            Self::MeanRotation => "MEANROT",
+            Self::Linear => "LINEAR",
+        }
+    }
+
+    /// What its nodes must be.
+    pub fn needs(self) -> &'static str {
+        match self {
+            Self::Straight => "two nodes apart from one another, then others on their line",
+            Self::Plane => "three nodes of a plane in space, then others in that plane",
+            Self::MeanRotation => {
+                "nodes off the axis through their centre, then a node whose coordinates are the axis"
+            }
+            Self::Linear => "a node, then two apart from one another",
+        }
+    }
+}
+
 /// The type of an `*MPC`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum LinkKind {
@@ -49,6 +94,8 @@ pub(crate) struct Term {
 #[derive(Clone, Debug)]
 pub(crate) struct Coupling {
     pub reference: Target,
+    /// The target is not a node but a set with one element on it.
+    pub of_element: bool,
     pub reference_span: Span,
     pub points: Vec<Points>,
     pub kind: CouplingKind,
@@ -67,10 +114,30 @@ pub(crate) struct Tie {
     pub origin: Span,
 }
 
+/// `*PRE-TENSION SECTION`.
+#[derive(Clone, Debug)]
+pub(crate) struct PreTension {
+    pub cut: Cut,
+    pub reference: Target,
+    pub reference_span: Span,
+    /// Unit normal, where the card gives one.
+    pub normal: Option<[f64; 3]>,
+    pub origin: Span,
+}
+
+/// Where a bolt is cut.
+#[derive(Clone, Debug)]
+pub(crate) enum Cut {
+    /// Along faces of elements.
+    Surface(Named),
+    /// At the last node of an element.
+    Element(u64, Span),
+}
+
 /// Points that are coupled.
 #[derive(Clone, Debug)]
 pub(crate) enum Points {
-    /// A node or a set, with the dofs that follow and a weight.
+    /// A node or a set, and what each of its nodes counts.
     Nodes { target: Target, span: Span, weight: f64 },
     /// The nodes of a surface.
     Surface(Named),

@@ -1,6 +1,7 @@
 //! Distributed loads as cards give them.
 
 use slideline_diag::Span;
+use slideline_model::Dialect;
 
 use crate::instances::Target;
 use crate::surfaces::Named;
@@ -31,23 +32,55 @@ pub(crate) enum Kind {
     Pressure(Option<usize>),
     /// Traction of this direction.
     Traction([f64; 3]),
-    /// Force per volume along an axis.
-    Body(usize),
+    /// Force per volume.
+    Body(Along),
     /// Acceleration of this direction.
     Gravity([f64; 3]),
     /// Turning about an axis: a point of it and its unit direction; the value is omega squared.
     Centrifugal([f64; 3], [f64; 3]),
 }
 
-impl Kind {
-    /// Loads of one kind replace one another: its number, and the face.
-    pub fn key(self) -> (u8, usize) {
-        match self {
-            Self::Pressure(face) => (0, face.map_or(0, |face| face + 1)),
-            Self::Traction(_) => (1, 0),
-            Self::Body(axis) => (2, axis),
-            Self::Gravity(_) => (3, 0),
-            Self::Centrifugal(..) => (4, 0),
-        }
+/// The direction of a force per volume: BX, BY, BZ, BR.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Along {
+    X,
+    Y,
+    Z,
+    Radius,
+}
+
+/// What tells one load of an element from another: those of one key replace one another from step
+/// to step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) struct Key {
+    /// Given to a surface, which CalculiX does not tell from the faces of its elements.
+    pub of_surface: bool,
+    what: What,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum What {
+    Pressure(usize),
+    Traction(usize),
+    Body(Along),
+    Gravity([u64; 3]),
+    Centrifugal([u64; 3], [u64; 3]),
+}
+
+impl Distributed {
+    /// Its key on an element, with the number of the face. CalculiX tells gravities and turnings
+    /// apart by their directions, Abaqus by their labels alone.
+    pub fn key(&self, face: usize, dialect: Dialect) -> Key {
+        let directed = dialect == Dialect::Calculix;
+        let bits =
+            |vector: [f64; 3]| vector.map(|x| if directed { (x + 0.0).to_bits() } else { 0 });
+        let what = match self.kind {
+            Kind::Pressure(_) => What::Pressure(face),
+            Kind::Traction(_) => What::Traction(face),
+            Kind::Body(along) => What::Body(along),
+            Kind::Gravity(direction) => What::Gravity(bits(direction)),
+            Kind::Centrifugal(point, axis) => What::Centrifugal(bits(point), bits(axis)),
+        };
+        Key { of_surface: !directed && matches!(self.on, On::Surface(_)), what }
     }
 }

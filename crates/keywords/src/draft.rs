@@ -13,15 +13,16 @@ use slideline_model::{
 };
 
 use crate::axes::{Orientation, Transform};
-use crate::constraints::{Coupling, Equation, Link, Tie};
+use crate::constraints::{Coupling, Equation, Link, PreTension, ShapeMpc, Tie};
 use crate::distributed::Distributed;
-use crate::log::{Log, Target};
+use crate::log::{Log, MAX_LABEL, Target};
+use crate::motion::Frame;
 use crate::rule::Subject;
 use crate::scopes::Parts;
 use crate::sets::Sets;
 use crate::surfaces::{Named, NamedInteraction, NamedSurface, Pairing, RigidBody};
 pub(crate) use elements::{Element, ElementKind, MOST_NODES};
-pub(crate) use sections::{Allowable, Body, Material, Section};
+pub(crate) use sections::{Allowable, Body, Card, Elasticity, Material, Section};
 
 /// Most nodes, elements and set members that a deck may generate. A slip in
 /// an `*NGEN` line must not fill the memory.
@@ -50,8 +51,6 @@ pub(crate) struct Draft {
     pub sections: Vec<Section>,
     pub materials: Vec<Material>,
     pub allowables: Vec<Allowable>,
-    /// Densities of materials [M/L3].
-    pub densities: HashMap<String, f64>,
     /// Section of each element by its label, when it is first asked for.
     pub section_of: HashMap<u64, usize>,
     pub springs: Vec<Spring>,
@@ -69,9 +68,15 @@ pub(crate) struct Draft {
     pub orientations: Vec<Orientation>,
     /// Axes of the nodes that have their own, when all cards are read.
     pub axes: HashMap<NodeIndex, slideline_model::Axes>,
+    pub pre_tensions: Vec<PreTension>,
+    pub shape_mpcs: Vec<ShapeMpc>,
     /// Dofs that follow others, and where it was said; known when links are resolved.
     pub dependents: HashMap<(NodeIndex, Dof), Span>,
     pub parts: Parts<Contents>,
+    /// `*SYSTEM`: the axes in which coordinates of nodes are given.
+    pub node_frame: Option<Frame>,
+    /// Instances that leave the plane of x and y, and their cards.
+    pub tilted: Vec<(String, Span)>,
     pub restart: Option<SavedStates>,
     /// Whether the cards are those of a deck that goes on from an earlier job.
     pub goes_on: bool,
@@ -108,6 +113,10 @@ pub(crate) struct Contents {
     pub ties: Vec<Tie>,
     pub transforms: Vec<Transform>,
     pub orientations: Vec<Orientation>,
+    pub pre_tensions: Vec<PreTension>,
+    pub shape_mpcs: Vec<ShapeMpc>,
+    /// Boundary conditions before the first step.
+    pub initial: Vec<Boundary>,
 }
 
 /// The card that a suboption belongs to.
@@ -173,6 +182,8 @@ pub(crate) struct Boundary {
     pub dofs: Vec<Dof>,
     pub value: f64,
     pub amplitude: Option<(String, Span)>,
+    /// `FIXED`: it stays where the step before left it.
+    pub fixed: bool,
     pub origin: Span,
 }
 
@@ -187,7 +198,8 @@ pub(crate) struct StepDraft {
     pub procedure: Option<Static>,
     pub new_boundary: bool,
     pub new_loads: bool,
-    pub new_distributed: bool,
+    /// `OP=NEW` of `*DLOAD` and of `*DSLOAD`.
+    pub new_distributed: [bool; 2],
     pub distributed: Vec<Distributed>,
     pub boundary: Vec<Boundary>,
     pub loads: Vec<Boundary>,
@@ -346,6 +358,37 @@ impl Draft {
         None
     }
 
+    /// The material that a card belongs to; complains once where there is none.
+    pub fn owning_material(&mut self, keyword: &str, span: Span) -> Option<&mut Material> {
+        let Owner::Material(index) = self.owner else {
+            self.orphan(keyword, "MATERIAL", span);
+            return None;
+        };
+        self.materials.get_mut(index)
+    }
+
+    /// Gives the open material a property, which it must not have yet.
+    pub fn give_material<T>(
+        &mut self,
+        (keyword, span): Card,
+        property: fn(&mut Material) -> &mut Option<(T, Card)>,
+        value: T,
+    ) {
+        let Some(material) = self.owning_material(keyword, span) else { return };
+        let place = property(material);
+        let Some((first, at)) = place.as_ref().map(|own| own.1) else {
+            *place = Some((value, (keyword, span)));
+            return;
+        };
+        let message = match first == keyword {
+            true => format!("a second *{keyword} of the material {}", material.name),
+            false => format!("*{keyword} and *{first} of the material {}", material.name),
+        };
+        let error = Diagnostic::error(Code("SL0242"), message).at(span);
+        let error = error.label(at, "the first one");
+        self.log.push(error.help("a material has one of them: leave the other out"));
+    }
+
     /// Complains that a suboption stands alone.
     pub fn orphan(&mut self, keyword: &str, owner: &str, span: Span) {
         if self.owner == Owner::Broken {
@@ -355,6 +398,41 @@ impl Draft {
         let error = Diagnostic::error(Code("SL0236"), message).at(span);
         self.log.push(error.help(format!("put it directly behind its *{owner} card")));
         self.owner = Owner::Broken;
+    }
+
+    /// A number so many steps further; complains where no node or element may have it.
+    pub fn further(&mut self, label: u64, step: u64, times: u64, span: Span) -> Option<u64> {
+        let most = MAX_LABEL.unsigned_abs();
+        let moved = step.checked_mul(times).and_then(|by| label.checked_add(by));
+        let found = moved.filter(|&label| label <= most);
+        if found.is_none() && self.log.first_time(&format!("further {}", span.start)) {
+            let message = format!("numbers run beyond the largest one, {most}");
+            self.log.error("SL0224", message, span);
+        }
+        found
+    }
+
+    /// The dofs from the one at a place of a line to the one behind it, which defaults to the first.
+    pub fn dof_range(
+        &mut self,
+        line: &DataLine,
+        at: usize,
+    ) -> Option<std::ops::RangeInclusive<Dof>> {
+        if line.field(at).is_none() {
+            let span = line.fields.get(at).map_or(line.end(), |field| field.span);
+            self.log.error("SL0119", "the degree of freedom is missing", span);
+            return None;
+        }
+        let first = self.log.integer_or(line, at, 1)?;
+        let last = self.log.integer_or(line, at + 1, first)?;
+        let dofs = self.dof(first, line, at)?..=self.dof(last, line, at + 1)?;
+        if dofs.is_empty() {
+            let message = format!("the first dof, {first}, comes after the last, {last}");
+            let span = line.fields[at].span.to(line.fields[at + 1].span);
+            self.log.error("SL0248", message, span);
+            return None;
+        }
+        Some(dofs)
     }
 
     /// A degree of freedom given by its number.

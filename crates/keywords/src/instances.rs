@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!   the deck says   ARM-2.12      ARM-2.TIP
-//!   the draft       2e9 + 12      set ARM-2.TIP
+//!   the draft       4e18 + 2e9 + 12   set ARM-2.TIP
 //! ```
 
 use slideline_model::Numbering;
@@ -14,6 +14,10 @@ pub(crate) const MAX_LABEL: i64 = 999_999_999;
 /// Distance between the numbers of two instances while a deck is read: more than any number
 /// that a deck may give.
 const APART: u64 = MAX_LABEL as u64 + 1;
+
+/// Strides left free before the first instance: no count, label or value of a deck is as large as
+/// the numbers behind them, so that they are known wherever a message says them.
+const BEFORE: u64 = 4_000_000_000;
 
 /// A node or element number, or the name of a set.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -54,7 +58,7 @@ pub(crate) struct Instances {
 impl Instances {
     /// How numbers are made while the deck is read.
     pub fn numbering(&self) -> Numbering {
-        Numbering::new(APART, self.names.clone())
+        Numbering::new(APART, self.names.clone()).behind(BEFORE)
     }
 
     /// Takes an instance in; false where the name is taken.
@@ -69,7 +73,7 @@ impl Instances {
     /// The placement of the instance of that name.
     pub fn placement(&self, instance: &str) -> Option<Placement> {
         let place = self.places.get(instance)?;
-        Some(Placement { offset: place * APART, prefix: format!("{instance}.") })
+        Some(Placement { offset: (BEFORE + place) * APART, prefix: format!("{instance}.") })
     }
 
     /// The node or element that a name such as `ARM-1.12` means; other names are sets.
@@ -96,7 +100,7 @@ impl Instances {
         for piece in pieces {
             let digits = piece.trim_end_matches(|c: char| !c.is_ascii_digit());
             match digits.parse::<u64>() {
-                Ok(number) if number >= APART => {
+                Ok(number) if number / APART > BEFORE => {
                     said.push_str(&numbering.name(number).to_string());
                     said.push_str(&piece[digits.len()..]);
                 }

@@ -48,6 +48,40 @@ impl Motion {
     }
 }
 
+/// Frame through a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Frame {
+    origin: [f64; 3],
+    /// Unit vectors of the axes.
+    along: [[f64; 3]; 3],
+}
+
+impl Frame {
+    /// With their origin, a point on the first axis and one in the plane of the first two; `None`
+    /// where the three lie on a line.
+    pub fn through(origin: [f64; 3], first: [f64; 3], second: [f64; 3]) -> Option<Self> {
+        let less = |a: [f64; 3]| -> [f64; 3] { std::array::from_fn(|k| a[k] - origin[k]) };
+        let (a, b) = (less(first), less(second));
+        let normal =
+            [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+        let unit = |v: [f64; 3], of: f64| -> Option<[f64; 3]> {
+            let length = v.iter().map(|x| x * x).sum::<f64>().sqrt();
+            (length > 1e-12 * of).then(|| v.map(|x| x / length))
+        };
+        let size = |v: [f64; 3]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let [x, z] = [unit(a, 0.0)?, unit(normal, size(a) * size(b))?];
+        let y = [z[1] * x[2] - z[2] * x[1], z[2] * x[0] - z[0] * x[2], z[0] * x[1] - z[1] * x[0]];
+        Some(Self { origin, along: [x, y, z] })
+    }
+
+    /// Where a point with these coordinates stands [L].
+    pub fn point(&self, own: [f64; 3]) -> [f64; 3] {
+        std::array::from_fn(|k| {
+            self.origin[k] + (0..3).map(|axis| own[axis] * self.along[axis][k]).sum::<f64>()
+        })
+    }
+}
+
 /// Rotation about a unit axis: R = c 1 + (1 - c) n n' + s [n]x. Quarter turns are exact.
 fn turn(axis: [f64; 3], degrees: f64) -> [[f64; 3]; 3] {
     let (sin, cos) = match degrees.rem_euclid(360.0) {

@@ -25,6 +25,7 @@ impl Draft {
     fn take_contents(&mut self) -> Contents {
         use std::mem::take;
         self.element_by_label.clear();
+        self.node_frame = None; // those of one part are not those of another
         Contents {
             nodes: take(&mut self.model.nodes),
             node_sets: take(&mut self.node_sets),
@@ -44,6 +45,9 @@ impl Draft {
             ties: take(&mut self.ties),
             transforms: take(&mut self.transforms),
             orientations: take(&mut self.orientations),
+            pre_tensions: take(&mut self.pre_tensions),
+            shape_mpcs: take(&mut self.shape_mpcs),
+            initial: take(&mut self.initial),
         }
     }
 
@@ -68,6 +72,9 @@ impl Draft {
         self.ties = contents.ties;
         self.transforms = contents.transforms;
         self.orientations = contents.orientations;
+        self.pre_tensions = contents.pre_tensions;
+        self.shape_mpcs = contents.shape_mpcs;
+        self.initial = contents.initial;
     }
 
     /// `*PART`.

@@ -214,7 +214,17 @@ fn find_rule(parameter: &Parameter, keyword: Form, log: &mut Log) -> Option<&'st
     let rules = keyword.parameters;
     let refs: Vec<&'static Rule> = rules.iter().collect();
     let word = &parameter.name;
-    match resolve(&normalise(&word.raw), &refs, |rule| rule.name) {
+    let name = normalise(&word.raw);
+    let found = resolve(&name, &refs, |rule| rule.name);
+    if let (Match::Unknown | Match::Abbreviation(_) | Match::Ambiguous(_), Some(help)) =
+        (&found, crate::unsupported::parameter(keyword.name, &name))
+    {
+        let message = format!("{} of *{} is not supported", word.raw, keyword.name);
+        let error = Diagnostic::error(Code("SL0221"), message).at(word.span);
+        log.push(error.help(help));
+        return None;
+    }
+    match found {
         Match::Exact(rule) => Some(rule),
         Match::Abbreviation(rule) => {
             note_abbreviation(log, &word.raw, rule.name, word.span);

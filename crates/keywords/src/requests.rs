@@ -18,6 +18,13 @@ use crate::reading::Reading;
 /// Parameters of output cards that change no result.
 pub(crate) const WITHOUT_EFFECT: &[&str] = &[
     "OUTPUT",
+    "OUTPUT ALL",
+    "SECOND SURFACE",
+    "GENERAL CONTACT",
+    "MICROSCALE",
+    "DIAGNOSTIC",
+    "MODE LIST",
+    "ALL NODES",
     "GLOBAL",
     "TIME POINTS",
     "POSITION",

@@ -4,7 +4,7 @@
 //!
 //! ```text
 //!   *PREPRINT, ECHO=NO     changes no result of a static step: passed over, one note
-//!   *DLOAD                 changes the model: an error under its own name
+//!   *SUBMODEL              changes the model: an error under its own name
 //! ```
 
 use std::collections::HashMap;
@@ -13,8 +13,10 @@ use std::sync::LazyLock;
 use slideline_deck::normalise;
 
 mod names;
+mod parameters;
 
 pub(crate) use names::Treatment;
+pub(crate) use parameters::parameter;
 
 /// A keyword of another program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -78,7 +80,7 @@ mod tests {
 
     #[test]
     fn keywords_that_public_decks_use_are_known() {
-        for name in ["PRE-TENSION SECTION", "tied contact", "section print"] {
+        for name in ["MODEL CHANGE", "tied contact", "section print"] {
             assert!(not_read(name).is_some(), "{name}");
         }
     }

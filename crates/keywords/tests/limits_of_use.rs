@@ -44,7 +44,6 @@ fn what_the_page_names_is_refused() {
         ("test data", MODEL, "*HYPERELASTIC, TEST DATA INPUT\n*STEP"),
         ("temperature", HISTORY, "*TEMPERATURE\n1\n*END STEP"),
         ("masses", "TYPE=B21", "TYPE=MASS"),
-        ("dampers", MODEL, "*DASHPOT\n*STEP"),
         ("gap elements", MODEL, "*GAP\n*STEP"),
         ("initial stresses", MODEL, "*INITIAL CONDITIONS, TYPE=STRESS\n*STEP"),
         ("`*PARAMETER`", MODEL, "*PARAMETER\nw = 1.\n*STEP"),

@@ -43,6 +43,28 @@ pub enum Curve {
         /// (A_n, B_n) [1].
         terms: Vec<(f64, f64)>,
     },
+    /// A0 + A sin w1 (t - t0) sin w2 (t - t0) from t0 on, A0 before.
+    Modulated {
+        /// A0 [1].
+        mean: f64,
+        /// A [1].
+        swing: f64,
+        /// Start t0 [T].
+        start: f64,
+        /// Angular frequencies w1, w2 [1/T].
+        frequencies: [f64; 2],
+    },
+    /// A0 + A exp(-(t - t0)/td) from t0 on, A0 before.
+    Decay {
+        /// A0 [1].
+        mean: f64,
+        /// A [1].
+        swing: f64,
+        /// Start t0 [T].
+        start: f64,
+        /// Decay time td [T].
+        time: f64,
+    },
 }
 
 impl Amplitude {
@@ -64,6 +86,8 @@ impl Amplitude {
                 let swing: f64 = terms.iter().map(|(a, b)| a.hypot(*b)).sum();
                 larger(mean + swing, mean - swing)
             }
+            Curve::Modulated { mean, swing, .. } => larger(mean + swing, mean - swing),
+            Curve::Decay { mean, swing, .. } => larger(mean + swing, *mean),
         }
     }
 
@@ -82,6 +106,14 @@ impl Amplitude {
                     a * cos + b * sin
                 });
                 if time < *start { *mean } else { mean + sum.sum::<f64>() }
+            }
+            Curve::Modulated { mean, swing, start, frequencies: [first, second] } => {
+                let since = (time - start).max(0.0);
+                mean + swing * (first * since).sin() * (second * since).sin()
+            }
+            Curve::Decay { mean, swing, start, time: decay } => {
+                let part = if time < *start { 0.0 } else { (-(time - start) / decay).exp() };
+                mean + swing * part
             }
         }
     }
@@ -126,5 +158,14 @@ mod tests {
         let (s, c) = f64::sin_cos(0.6);
         let expected = 0.25 + 0.5 * c + s + 2.0 * f64::sin(1.2);
         assert!((wave.at(1.3) - expected).abs() < 1e-15);
+        let curve = Curve::Decay { mean: 1.0, swing: 2.0, start: 0.5, time: 4.0 };
+        let fading = Amplitude { curve, ..wave.clone() };
+        assert_eq!([0.4, 0.5].map(|t| fading.at(t)), [1.0, 3.0]);
+        assert!((fading.at(4.5) - 1.0 - 2.0 / std::f64::consts::E).abs() < 1e-15);
+        let curve = Curve::Modulated { mean: 1.0, swing: 2.0, start: 0.5, frequencies: [3.0, 5.0] };
+        let beat = Amplitude { curve, ..wave };
+        assert_eq!([0.4, 0.5].map(|t| beat.at(t)), [1.0, 1.0]);
+        assert!((beat.at(0.7) - 1.0 - 2.0 * f64::sin(0.6) * f64::sin(1.0)).abs() < 1e-15);
+        assert_eq!([fading.largest(), beat.largest()], [3.0, 3.0]);
     }
 }

@@ -15,6 +15,8 @@ use std::fmt;
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
 pub struct Numbering {
     stride: u64,
+    /// How many strides lie before those of the first instance.
+    before: u64,
     instances: Vec<String>,
 }
 
@@ -22,7 +24,19 @@ impl Numbering {
     /// The `k`-th instance (from 1) has the numbers of its part plus `k` times the stride;
     /// with a stride of zero they are those of the part.
     pub fn new(stride: u64, instances: Vec<String>) -> Self {
-        Self { stride, instances }
+        Self { stride, before: 0, instances }
+    }
+
+    /// The same with so many strides left free before the first instance: its numbers are then
+    /// larger than any that a deck may give.
+    #[must_use]
+    pub fn behind(self, before: u64) -> Self {
+        Self { before, ..self }
+    }
+
+    /// What is added to the numbers of the `k`-th instance (from 1).
+    pub fn offset(&self, instance: u64) -> u64 {
+        (self.before + instance) * self.stride
     }
 
     /// What is added to the numbers of the first instance, twice for the second and so on.
@@ -38,7 +52,7 @@ impl Numbering {
     /// The name of a number: `ARM-1.12`, or the number itself where there are no
     /// instances to tell apart.
     pub fn name(&self, number: u64) -> Name<'_> {
-        let instance = number.checked_div(self.stride).unwrap_or(0);
+        let instance = number.checked_div(self.stride).unwrap_or(0).saturating_sub(self.before);
         let place = usize::try_from(instance).ok().and_then(|k| k.checked_sub(1));
         match place.and_then(|k| self.instances.get(k)) {
             Some(instance) => Name { instance: Some(instance), number: number % self.stride },
@@ -49,7 +63,7 @@ impl Numbering {
     /// The number with another stride.
     pub fn restride(&self, number: u64, stride: u64) -> u64 {
         match number.checked_div(self.stride) {
-            Some(instance) => number % self.stride + instance * stride,
+            Some(place) => number % self.stride + place.saturating_sub(self.before) * stride,
             None => number,
         }
     }
@@ -95,5 +109,9 @@ mod tests {
         assert_eq!(numbering.restride(2012, 100), 212);
         assert_eq!(numbering.restride(2012, 0), 12);
         assert_eq!(Numbering::default().name(2012).to_string(), "2012");
+        let far = Numbering::new(1000, vec!["ARM-1".into()]).behind(5);
+        let names = [12, 1012, far.offset(1) + 12].map(|number| far.name(number).to_string());
+        assert_eq!(names, ["12", "1012", "ARM-1.12"]);
+        assert_eq!(far.restride(far.offset(1) + 12, 100), 112);
     }
 }

@@ -106,6 +106,8 @@ pub struct Prescribed {
     /// Amplitude by place in the model's list; without one the value is
     /// approached linearly from the step before.
     pub amplitude: Option<usize>,
+    /// `FIXED`: it stays where the step before left it, and the value counts for nothing.
+    pub fixed: bool,
     /// Where it was said.
     pub origin: Span,
 }
@@ -113,7 +115,7 @@ pub struct Prescribed {
 impl Prescribed {
     /// Whether it asks for any motion.
     pub fn moves(&self) -> bool {
-        self.value != 0.0
+        self.value != 0.0 && !self.fixed
     }
 }
 

@@ -147,3 +147,50 @@ fn bodies_balance() {
         }
     }
 }
+
+/// A bolt of two halves along x, of length 20 and stiffness EA = 6000, held at both ends; its
+/// section is cut in the middle, with the reference node 100.
+fn bolt(parts: &str, held: &str, cut: &str, steps: &str) -> End {
+    let deck = format!(
+        "*NODE\n1, 0., 0.\n2, 10., 0.\n3, 20., 0.\n11, 0., 2.\n12, 10., 2.\n13, 20., 2.\n\
+         100, 5., 5.\n{parts}*MATERIAL, NAME=M\n*ELASTIC\n1000., 0.\n*PRE-TENSION SECTION, \
+         NODE=100, {cut}\n*BOUNDARY\n{held}{steps}"
+    );
+    let read = Job::read_text("bolt", &deck, &ReadOptions::default());
+    let model = read.model.unwrap_or_else(|| panic!("{deck}\n{:#?}", read.diagnostics));
+    let mut end = End::default();
+    let ending = solve(&model, &SolveOptions::default(), &mut end);
+    assert!(matches!(ending, Ending::Completed(_)), "{deck}\n{ending:?}");
+    end
+}
+
+/// Requirement: a load on the reference node is the tension of the bolt and shortens it by
+/// F l/(EA); a length that is taken out pulls with EA/l times it; a length that is held adds what
+/// the ends are moved by. By a surface of solids and at the end of a beam; closed form, 1e-9.
+/// Source: docs/theory.md eq. (4.11).
+#[test]
+fn a_bolt_is_drawn_together() {
+    let solids = "*ELEMENT, TYPE=CPS4, ELSET=E\n1, 1, 2, 12, 11\n2, 2, 3, 13, 12\n\
+        *SOLID SECTION, ELSET=E, MATERIAL=M\n3.\n*SURFACE, NAME=CUT\n1, S2\n";
+    let beams = "*ELEMENT, TYPE=B21, ELSET=E\n1, 1, 2\n2, 2, 3\n\
+        *BEAM SECTION, SECTION=RECT, ELSET=E, MATERIAL=M\n3., 2.\n";
+    let of_solids = (solids, "1, 1, 2\n11, 1\n3, 1\n13, 1\n", "SURFACE=CUT");
+    let of_beams = (beams, "1, 1, 6\n3, 1\n", "ELEMENT=1");
+    let step = |cards: &str| format!("*STEP\n*STATIC\n1., 1.\n{cards}*END STEP\n");
+    let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-9 * b.abs(), "{a} {b}");
+    for (parts, held, cut) in [of_solids, of_beams] {
+        let pull = |end: &End| end.reaction(3)[0] + end.0.get(&13).map_or(0.0, |own| own[2][0]);
+        let loaded = bolt(parts, held, cut, &step("*CLOAD\n100, 1, 12.\n"));
+        near(pull(&loaded), 12.0);
+        near(loaded.motion(100)[0], 12.0 * 20.0 / 6000.0);
+        let shortened = bolt(parts, held, cut, &step("*BOUNDARY\n100, 1, 1, 0.01\n"));
+        near(pull(&shortened), 3.0);
+        near(shortened.reaction(100)[0], 3.0);
+        let moved =
+            "*BOUNDARY, FIXED\n100, 1\n*CLOAD, OP=NEW\n*BOUNDARY\n3, 1, 1, 0.02\n13, 1, 1, 0.02\n";
+        let both = step("*CLOAD\n100, 1, 12.\n") + &step(moved);
+        let kept = bolt(parts, held, cut, &both);
+        near(pull(&kept), 12.0 + 6.0);
+        near(kept.motion(100)[0], 12.0 * 20.0 / 6000.0);
+    }
+}

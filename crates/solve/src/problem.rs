@@ -195,8 +195,11 @@ impl<'a> Problem<'a> {
             if let Role::Prescribed(place) = *role {
                 let prescribed = &self.step.prescribed[place];
                 let amplitude = prescribed.amplitude.map(|a| &self.model.amplitudes[a]);
-                u[dof] =
-                    self.at(step_time, self.start.displacement[dof], prescribed.value, amplitude);
+                let start = self.start.displacement[dof];
+                u[dof] = match prescribed.fixed {
+                    true => start,
+                    false => self.at(step_time, start, prescribed.value, amplitude),
+                };
             }
         }
     }
@@ -209,9 +212,15 @@ impl<'a> Problem<'a> {
             *value = self.at(step_time, self.start.load[dof], 0.0, None);
         }
         for entry in &self.step.loads {
+            if let Some(dof) = self.dofs.named(entry.node, entry.dof) {
+                load[dof] = 0.0;
+            }
+        }
+        // several may act on a dof, of them at most one without an amplitude
+        for entry in &self.step.loads {
             let Some(dof) = self.dofs.named(entry.node, entry.dof) else { continue };
             let amplitude = entry.amplitude.map(|a| &self.model.amplitudes[a]);
-            load[dof] = self.at(step_time, self.start.load[dof], entry.value, amplitude);
+            load[dof] += self.at(step_time, self.start.load[dof], entry.value, amplitude);
         }
         for entry in &self.step.distributed.forces {
             let Some(dof) = self.dofs.find(entry.node, entry.dof) else { continue };

@@ -403,7 +403,7 @@ mod tests {
     const AT: Span = Span { file: slideline_diag::FileId(0), start: 0, end: 0 };
 
     fn prescribed(node: NodeIndex, dof: Dof) -> Prescribed {
-        Prescribed { node, dof, value: 0.0, amplitude: None, origin: AT }
+        Prescribed { node, dof, value: 0.0, amplitude: None, fixed: false, origin: AT }
     }
 
     /// The first step of a model, prepared.

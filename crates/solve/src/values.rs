@@ -39,7 +39,8 @@ pub struct Values {
 impl Values {
     /// Takes those of a model that the plan is of.
     ///
-    /// Errors: a section that is none of its elements, a master without extent.
+    /// Errors: a section that is none of its elements, a master without extent, a node out of the
+    /// plane of a plane model.
     pub fn take(
         &mut self,
         plan: &Numbering,
@@ -47,6 +48,10 @@ impl Values {
         users: &UserFrictions,
     ) -> Result<(), PlanMismatch> {
         let mismatch = |part| PlanMismatch { part };
+        let outside = model.nodes.iter().find(|node| node.position[2] != 0.0);
+        if let Some(node) = outside.filter(|_| !model.is_in_space()) {
+            return Err(mismatch(Part::OutOfPlane(node.label)));
+        }
         self.kernels.take(&plan.elements, model).map_err(Part::Section).map_err(mismatch)?;
         if let Some(step) = plan.steps.first() {
             self.motion.take(&step.constraints, model);

@@ -23,8 +23,14 @@ impl Keyword for Amplitude {
             Rule::value("VALUE"),
             Rule::value("SHIFTX"),
             Rule::value("SHIFTY"),
+            Rule::value("FIXED INTERVAL"),
+            Rule::value("BEGIN"),
         ];
         RULES
+    }
+
+    fn without_effect(&self) -> &'static [&'static str] {
+        &["SMOOTH"]
     }
 
     fn level(&self) -> Level {
@@ -40,7 +46,7 @@ impl Keyword for Amplitude {
     }
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
-        let kinds = &["TABULAR", "SMOOTH STEP", "PERIODIC"];
+        let kinds = &["TABULAR", "EQUALLY SPACED", "SMOOTH STEP", "PERIODIC", "MODULATED", "DECAY"];
         let kind = card.choice("DEFINITION", kinds, &mut draft.log);
         let time = card.choice("TIME", &["STEP TIME", "TOTAL TIME"], &mut draft.log);
         card.choice("VALUE", &["RELATIVE", "ABSOLUTE"], &mut draft.log);
@@ -60,9 +66,22 @@ impl Keyword for Amplitude {
         }
         let curve = match kind {
             Some("PERIODIC") => periodic(card, draft),
+            Some("MODULATED") => {
+                let numbers = numbers(card, "A0, A, start, two frequencies", draft);
+                numbers.map(|[mean, swing, start, first, second]| Curve::Modulated {
+                    mean,
+                    swing,
+                    start,
+                    frequencies: [first, second],
+                })
+            }
+            Some("DECAY") => decay(card, draft),
+            Some("EQUALLY SPACED") => {
+                evenly(card, draft).filter(|points| !points.is_empty()).map(Curve::Tabular)
+            }
             _ => {
                 shifted(card, draft).filter(|points| !points.is_empty()).map(|points| match kind {
-                    Some(_) if kind == Some("SMOOTH STEP") => Curve::SmoothStep(points),
+                    Some("SMOOTH STEP") => Curve::SmoothStep(points),
                     _ => Curve::Tabular(points),
                 })
             }
@@ -80,11 +99,60 @@ impl Keyword for Amplitude {
     }
 }
 
-/// The points of a table, moved by `SHIFTX` and `SHIFTY`.
-fn shifted(card: &Reading<'_>, draft: &mut Draft) -> Option<Vec<(f64, f64)>> {
+/// `SHIFTX` and `SHIFTY`: what is added to times and to factors.
+fn shift(card: &Reading<'_>, draft: &mut Draft) -> Option<(f64, f64)> {
     let x = card.number("SHIFTX", &mut draft.log)?.unwrap_or(0.0);
     let y = card.number("SHIFTY", &mut draft.log)?.unwrap_or(0.0);
+    Some((x, y))
+}
+
+/// The points of a table, shifted.
+fn shifted(card: &Reading<'_>, draft: &mut Draft) -> Option<Vec<(f64, f64)>> {
+    let (x, y) = shift(card, draft)?;
     Some(points(card, draft).into_iter().map(|(time, factor)| (time + x, factor + y)).collect())
+}
+
+/// So many numbers on one line, of which the first is shifted like a factor and the third like a
+/// time.
+fn numbers<const N: usize>(card: &Reading<'_>, what: &str, draft: &mut Draft) -> Option<[f64; N]> {
+    let line = card.only_line(what, &mut draft.log)?;
+    draft.log.at_most(line, N);
+    let (later, higher) = shift(card, draft)?;
+    let mut numbers = [0.0; N];
+    for (at, number) in numbers.iter_mut().enumerate() {
+        *number = draft.log.number_or(line, at, 0.0)?;
+    }
+    numbers[0] += higher;
+    numbers[2] += later;
+    Some(numbers)
+}
+
+/// `A0, A, t0, td`.
+fn decay(card: &Reading<'_>, draft: &mut Draft) -> Option<Curve> {
+    let [mean, swing, start, time] = numbers(card, "A0, A, start, decay time", draft)?;
+    if time <= 0.0 {
+        let message = "the decay time, the fourth number, must be positive";
+        draft.log.error("SL0210", message, card.data()[0].span);
+        return None;
+    }
+    Some(Curve::Decay { mean, swing, start, time })
+}
+
+/// Factors at equal distances of time, from `BEGIN` on.
+fn evenly(card: &Reading<'_>, draft: &mut Draft) -> Option<Vec<(f64, f64)>> {
+    let interval = card.number("FIXED INTERVAL", &mut draft.log)?;
+    let Some(interval) = interval.filter(|&interval| interval > 0.0) else {
+        let message = "EQUALLY SPACED needs a positive FIXED INTERVAL=";
+        draft.log.error("SL0205", message, card.span_of("FIXED INTERVAL"));
+        return None;
+    };
+    let begin = card.number("BEGIN", &mut draft.log)?.unwrap_or(0.0);
+    let (later, higher) = shift(card, draft)?;
+    let factors = card.numbers(&mut draft.log)?;
+    let points = factors.into_iter().enumerate();
+    #[allow(clippy::cast_precision_loss)] // far below 2^53
+    let at = |k: usize| begin + later + interval * k as f64;
+    Some(points.map(|(k, factor)| (at(k), factor + higher)).collect())
 }
 
 /// `N, w, t0, A0`, then N pairs A_n, B_n.
@@ -93,8 +161,9 @@ fn periodic(card: &Reading<'_>, draft: &mut Draft) -> Option<Curve> {
     draft.log.at_most(line, 4);
     let count = draft.log.integer_or(line, 0, 0)?;
     let frequency = draft.log.number(line, 1, "the angular frequency")?;
-    let start = draft.log.number_or(line, 2, 0.0)?;
-    let mean = draft.log.number_or(line, 3, 0.0)?;
+    let (later, higher) = shift(card, draft)?;
+    let start = draft.log.number_or(line, 2, 0.0)? + later;
+    let mean = draft.log.number_or(line, 3, 0.0)? + higher;
     let mut terms = Vec::new();
     for line in &card.data()[1..] {
         for at in (0..line.fields.len()).step_by(2) {

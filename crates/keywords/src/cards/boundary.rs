@@ -18,8 +18,13 @@ impl Keyword for Boundary {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] =
-            &[Rule::value("OP"), Rule::value("OPT"), Rule::value("TYPE"), Rule::value("AMPLITUDE")];
+        const RULES: &[Rule] = &[
+            Rule::value("OP"),
+            Rule::value("OPT"),
+            Rule::value("TYPE"),
+            Rule::value("AMPLITUDE"),
+            Rule::flag("FIXED"),
+        ];
         RULES
     }
 
@@ -57,6 +62,7 @@ impl Keyword for Boundary {
         for line in card.data() {
             if let Some(mut line) = condition(line, draft) {
                 line.amplitude.clone_from(&amplitude);
+                line.fixed = card.has("FIXED");
                 lines.push(line);
             }
         }
@@ -73,6 +79,11 @@ impl Keyword for Boundary {
 /// Before the first step only zeros can be prescribed.
 fn initial(lines: Vec<draft::Boundary>, draft: &mut Draft) {
     for line in &lines {
+        if line.fixed {
+            let message = "FIXED holds what a step before has moved: there is none";
+            let error = Diagnostic::error(Code("SL0214"), message).at(line.origin);
+            draft.log.push(error.help("leave FIXED out, or move the card into a later step"));
+        }
         if line.value != 0.0 && draft.dialect == slideline_model::Dialect::Abaqus {
             let message = "before the first step only zero can be prescribed";
             let error = Diagnostic::error(Code("SL0214"), message).at(line.origin);
@@ -100,10 +111,11 @@ fn condition(line: &DataLine, draft: &mut Draft) -> Option<draft::Boundary> {
     let target_span = line.fields[0].span;
     let (dofs, value) = match named(line, draft) {
         Some(dofs) => (dofs?, 0.0),
-        None => (range(line, draft)?, draft.log.number_or(line, 3, 0.0)?),
+        None => (dofs(line, draft)?, draft.log.number_or(line, 3, 0.0)?),
     };
     let amplitude = None;
-    Some(draft::Boundary { target, target_span, dofs, value, amplitude, origin: line.span })
+    let (fixed, origin) = (false, line.span);
+    Some(draft::Boundary { target, target_span, dofs, value, amplitude, fixed, origin })
 }
 
 /// A named support: `Some(None)` where the word is unknown.
@@ -120,21 +132,7 @@ fn named(line: &DataLine, draft: &mut Draft) -> Option<Option<Vec<Dof>>> {
     Some(None)
 }
 
-/// Dofs `first` to `last`; `last` defaults to `first`.
-fn range(line: &DataLine, draft: &mut Draft) -> Option<Vec<Dof>> {
-    if line.field(1).is_none() {
-        let span = line.fields.get(1).map_or(line.end(), |field| field.span);
-        draft.log.error("SL0119", "the degree of freedom is missing", span);
-        return None;
-    }
-    let first = draft.log.integer_or(line, 1, 1)?;
-    let last = draft.log.integer_or(line, 2, first)?;
-    draft.dof(first, line, 1)?;
-    draft.dof(last, line, 2)?;
-    if first > last {
-        let message = format!("the first dof, {first}, comes after the last, {last}");
-        draft.log.error("SL0248", message, line.fields[1].span.to(line.fields[2].span));
-        return None;
-    }
-    Some((first..=last).filter_map(Dof::from_number).collect())
+fn dofs(line: &DataLine, draft: &mut Draft) -> Option<Vec<Dof>> {
+    let range = draft.dof_range(line, 1)?;
+    Some(Dof::ALL.into_iter().filter(|dof| range.contains(dof)).collect())
 }

@@ -66,5 +66,6 @@ fn load(line: &DataLine, draft: &mut Draft) -> Option<Boundary> {
     let dof = draft.dof(number, line, 1)?;
     let target_span = line.fields[0].span;
     let (dofs, amplitude) = (vec![dof], None);
-    Some(Boundary { target, target_span, dofs, value, amplitude, origin: line.span })
+    let (fixed, origin) = (false, line.span);
+    Some(Boundary { target, target_span, dofs, value, amplitude, fixed, origin })
 }

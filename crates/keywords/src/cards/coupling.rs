@@ -51,6 +51,7 @@ impl Keyword for Coupling {
         draft.owner = Owner::Coupling(draft.couplings.len());
         draft.couplings.push(Draught {
             reference,
+            of_element: false,
             reference_span: card.span_of("REF NODE"),
             points: vec![Points::Surface(Named { name, span: card.span_of("SURFACE") })],
             kind: CouplingKind::Open,

@@ -1,6 +1,6 @@
 //! `*DENSITY`: mass per volume, for gravity and centrifugal loads.
 
-use crate::draft::{Draft, Owner};
+use crate::draft::Draft;
 use crate::keyword::{Keyword, Level, Subject};
 use crate::reading::Reading;
 
@@ -33,16 +33,17 @@ impl Keyword for Density {
     }
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
-        let Some(line) = card.first_line("the density", &mut draft.log) else { return };
-        let Some(density) = draft.log.number(line, 0, "the density") else { return };
-        match draft.owner {
-            Owner::Material(index) => {
-                if let Some(material) = draft.materials.get(index) {
-                    let name = material.name.clone();
-                    draft.densities.insert(name, density);
-                }
+        let line = card.first_line("the density", &mut draft.log);
+        let density = line.and_then(|line| draft.log.number(line, 0, "the density"));
+        let density = density.filter(|&density| {
+            let sound = density >= 0.0;
+            if !sound {
+                let span = card.data().first().map_or(card.span(), |line| line.span);
+                draft.log.error("SL0234", "the density must not be negative", span);
             }
-            _ => draft.orphan(self.name(), "MATERIAL", card.span()),
-        }
+            sound
+        });
+        let own = (self.name(), card.span());
+        draft.give_material(own, |material| &mut material.density, density);
     }
 }

@@ -3,7 +3,7 @@
 use slideline_deck::{DataLine, normalise};
 use slideline_diag::{Code, Diagnostic};
 
-use crate::distributed::{Distributed, Kind, On};
+use crate::distributed::{Along, Distributed, Kind, On};
 use crate::draft::Draft;
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
@@ -54,7 +54,7 @@ pub(super) fn take(
         }
     }
     if let Some(step) = draft.step() {
-        step.new_distributed |= new;
+        step.new_distributed[usize::from(card.keyword.name == "DSLOAD")] |= new;
         step.distributed.extend(lines);
     }
 }
@@ -69,9 +69,14 @@ fn line_of(line: &DataLine, draft: &mut Draft) -> Option<Distributed> {
     let span = line.fields.first().map_or(line.span, |field| field.span);
     let value = draft.log.number(line, 2, "the size of the load")?;
     let kind = match label.as_str() {
-        "BX" | "BY" | "BZ" => {
+        "BX" | "BY" | "BZ" | "BR" => {
             draft.log.at_most(line, 3);
-            Kind::Body(["BX", "BY", "BZ"].iter().position(|own| *own == label)?)
+            Kind::Body(match label.as_str() {
+                "BX" => Along::X,
+                "BY" => Along::Y,
+                "BZ" => Along::Z,
+                _ => Along::Radius,
+            })
         }
         "GRAV" => Kind::Gravity(direction(line, 3, draft)?),
         "CENTRIF" => {
@@ -84,7 +89,7 @@ fn line_of(line: &DataLine, draft: &mut Draft) -> Option<Distributed> {
                 Kind::Pressure(Some(face - 1))
             }
             _ => {
-                unknown(line, "P1 to P6, BX, BY, BZ, GRAV, CENTRIF", draft);
+                unknown(line, "P1 to P6, BX, BY, BZ, BR, GRAV, CENTRIF", draft);
                 return None;
             }
         },

@@ -2,8 +2,7 @@
 
 use slideline_mech::material::{self, Unsound};
 
-use crate::draft::Draft;
-use crate::draft::Owner;
+use crate::draft::{Draft, Elasticity};
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
 
@@ -36,23 +35,21 @@ impl Keyword for Elastic {
     }
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
-        let Owner::Material(index) = draft.owner else {
-            draft.orphan(self.name(), "MATERIAL", card.span());
+        if draft.owning_material(self.name(), card.span()).is_none() {
             return;
-        };
-        draft.materials[index].has_card = true;
-        let given = card.word("TYPE").is_some();
-        let kind = match card.choice("TYPE", TYPES, &mut draft.log) {
-            None if given => return,
-            kind => kind.unwrap_or(TYPES[0]),
-        };
-        if kind == "ISOTROPIC" {
-            draft.materials[index].elastic = isotropic(card, draft);
-        } else {
-            let made = anisotropic(card, kind, draft);
-            let material = &mut draft.materials[index];
-            (material.anisotropic, material.plane_stress_only) = (made, kind == "LAMINA");
         }
+        let given = card.word("TYPE").is_some();
+        let elasticity = match card.choice("TYPE", TYPES, &mut draft.log) {
+            None if given => None,
+            None | Some("ISOTROPIC") => isotropic(card, draft).map(Elasticity::Isotropic),
+            Some(kind) => anisotropic(card, kind, draft).map(|own| match kind {
+                "LAMINA" => Elasticity::Ply(Box::new(own)),
+                _ => Elasticity::Anisotropic(Box::new(own)),
+            }),
+        };
+        let elasticity = elasticity.unwrap_or(Elasticity::Unread);
+        let own = (self.name(), card.span());
+        draft.give_material(own, |material| &mut material.elasticity, elasticity);
     }
 }
 

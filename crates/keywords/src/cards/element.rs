@@ -42,6 +42,10 @@ impl Keyword for Element {
             draft.element_sets.open(set, card.span());
         }
         draft.note_spatial(kind);
+        if kind.is_dynamic() && draft.log.first_time(&format!("inert {}", kind.name())) {
+            let message = format!("{} elements have no effect in a static step", kind.name());
+            draft.log.note("SL0257", message, card.span_of("TYPE"));
+        }
         let mut lines = card.data().iter();
         while let Some(line) = lines.next() {
             let mut fields: Vec<&Field> = line.fields.iter().collect();

@@ -2,8 +2,7 @@
 
 use slideline_mech::material::{MOST_TERMS, Rubber};
 
-use crate::draft::Draft;
-use crate::draft::Owner;
+use crate::draft::{Draft, Elasticity};
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
 
@@ -60,33 +59,35 @@ impl Keyword for Hyperelastic {
     }
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
-        let Owner::Material(index) = draft.owner else {
-            draft.orphan(self.name(), "MATERIAL", card.span());
-            return;
-        };
-        draft.materials[index].has_card = true;
-        let given: Vec<&str> = FORMS.into_iter().filter(|form| card.has(form)).collect();
-        let form = match *given {
-            [] => "POLYNOMIAL",
-            [form] => form,
-            _ => {
-                let message = format!("a rubber has one form, here are {}", given.join(", "));
-                draft.log.error("SL0234", message, card.span());
-                return;
-            }
-        };
-        let order = card.at_least(1, "N", 1, &mut draft.log);
-        if order > MOST_TERMS {
-            let message = format!("at most {MOST_TERMS} terms are read, here are {order}");
-            draft.log.error("SL0234", message, card.span_of("N"));
+        if draft.owning_material(self.name(), card.span()).is_none() {
             return;
         }
-        if card.first_line("the coefficients", &mut draft.log).is_none() {
-            return;
-        }
-        let Some(values) = card.numbers(&mut draft.log) else { return };
-        draft.materials[index].rubber = rubber((form, order), &values, card, draft);
+        let elasticity = read(card, draft).map_or(Elasticity::Unread, Elasticity::Rubber);
+        let own = (self.name(), card.span());
+        draft.give_material(own, |material| &mut material.elasticity, elasticity);
     }
+}
+
+fn read(card: &Reading<'_>, draft: &mut Draft) -> Option<Rubber> {
+    let given: Vec<&str> = FORMS.into_iter().filter(|form| card.has(form)).collect();
+    let form = match *given {
+        [] => "POLYNOMIAL",
+        [form] => form,
+        _ => {
+            let message = format!("a rubber has one form, here are {}", given.join(", "));
+            draft.log.error("SL0234", message, card.span());
+            return None;
+        }
+    };
+    let order = card.at_least(1, "N", 1, &mut draft.log);
+    if order > MOST_TERMS {
+        let message = format!("at most {MOST_TERMS} terms are read, here are {order}");
+        draft.log.error("SL0234", message, card.span_of("N"));
+        return None;
+    }
+    card.first_line("the coefficients", &mut draft.log)?;
+    let values = card.numbers(&mut draft.log)?;
+    rubber((form, order), &values, card, draft)
 }
 
 /// The rubber of a form; complains where it has no stiffness at small strain.

@@ -43,7 +43,7 @@ impl Keyword for Instance {
 
 /// The translation of the first line and the rotation of the second; nothing moves where
 /// they are missing, or broken, which is said.
-fn motion(card: &Reading<'_>, draft: &mut Draft) -> Motion {
+pub(super) fn motion(card: &Reading<'_>, draft: &mut Draft) -> Motion {
     let mut motion = Motion { translation: [0.0; 3], rotation: None };
     if let Some(line) = card.data().first() {
         draft.log.at_most(line, 3);

@@ -1,5 +1,7 @@
 //! `*KINEMATIC`: the nodes of a coupling follow its reference node rigidly.
 
+use slideline_model::Dof;
+
 use crate::constraints::CouplingKind;
 use crate::draft::{Draft, Owner};
 use crate::keyword::{Keyword, Level, Subject};
@@ -50,11 +52,11 @@ pub(super) fn dofs(card: &Reading<'_>, draft: &mut Draft) -> [bool; 6] {
     let mut dofs = [false; 6];
     for line in card.data() {
         draft.log.at_most(line, 2);
-        let Some(first) = draft.log.integer_or(line, 0, 1) else { continue };
-        let Some(last) = draft.log.integer_or(line, 1, first) else { continue };
-        let ends = draft.dof(first, line, 0).zip(draft.dof(last, line, 1));
-        let Some((first, last)) = ends else { continue };
-        (first as usize..=last as usize).for_each(|dof| dofs[dof] = true);
+        let Some(range) = draft.dof_range(line, 0) else { continue };
+        Dof::ALL
+            .iter()
+            .filter(|dof| range.contains(dof))
+            .for_each(|dof| dofs[*dof as usize] = true);
     }
     dofs
 }

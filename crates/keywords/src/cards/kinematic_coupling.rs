@@ -1,6 +1,7 @@
 //! `*KINEMATIC COUPLING`: nodes that follow a reference node rigidly.
 
 use slideline_deck::DataLine;
+use slideline_model::Dof;
 
 use crate::constraints::{Coupling, CouplingKind, Points};
 use crate::draft::Draft;
@@ -41,6 +42,7 @@ impl Keyword for KinematicCoupling {
             let Some((points, dofs)) = line_of(line, draft) else { continue };
             draft.couplings.push(Coupling {
                 reference: reference.clone(),
+                of_element: false,
                 reference_span: card.span_of("REF NODE"),
                 points: vec![points],
                 kind: CouplingKind::Kinematic(dofs),
@@ -58,9 +60,6 @@ fn line_of(line: &DataLine, draft: &mut Draft) -> Option<(Points, [bool; 6])> {
     if line.field(1).is_none() {
         return Some((points, [true; 6]));
     }
-    let first = draft.log.integer_or(line, 1, 1)?;
-    let last = draft.log.integer_or(line, 2, first)?;
-    let (first, last) = draft.dof(first, line, 1).zip(draft.dof(last, line, 2))?;
-    let within = |dof| (first as usize..=last as usize).contains(&dof);
-    Some((points, std::array::from_fn(within)))
+    let range = draft.dof_range(line, 1)?;
+    Some((points, Dof::ALL.map(|dof| range.contains(&dof))))
 }

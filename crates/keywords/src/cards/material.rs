@@ -48,15 +48,6 @@ impl Keyword for Material {
         }
         draft.owner = Owner::Material(draft.materials.len());
         let origin = card.span();
-        draft.materials.push(draft::Material {
-            name,
-            elastic: None,
-            anisotropic: None,
-            plane_stress_only: false,
-            rubber: None,
-            hardening: None,
-            has_card: false,
-            origin,
-        });
+        draft.materials.push(draft::Material::new(name, origin));
     }
 }

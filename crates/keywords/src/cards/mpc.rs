@@ -1,9 +1,11 @@
 //! `*MPC`: rigid links.
 
 use slideline_deck::{DataLine, normalise};
+use slideline_diag::{Code, Diagnostic, Span};
 
-use crate::constraints::{Link, LinkKind};
+use crate::constraints::{Link, LinkKind, Shape, ShapeMpc};
 use crate::draft::Draft;
+use crate::log::Target;
 
 use crate::keyword::{Keyword, Level, Subject};
 use crate::reading::Reading;
@@ -33,11 +35,44 @@ impl Keyword for Mpc {
             return;
         }
         for line in card.data() {
-            if let Some(link) = link(line, draft) {
-                draft.links.push(link);
+            let word = normalise(line.field(0).map_or("", |field| &field.text));
+            match (SHAPES.iter().find(|(own, _)| *own == word), draft.shape_mpcs.last()) {
+                (Some(&(_, shape)), _) => {
+                    let nodes = nodes(line, draft);
+                    draft.shape_mpcs.push(ShapeMpc { shape, nodes, origin: line.span });
+                }
+                // a line without a type goes on with the nodes of the one before
+                (None, Some(_)) if word.is_empty() || word == "0" => {
+                    let more = nodes(line, draft);
+                    if let Some(own) = draft.shape_mpcs.last_mut() {
+                        own.nodes.extend(more);
+                    }
+                }
+                _ => {
+                    let link = link(line, draft);
+                    draft.links.extend(link);
+                }
             }
         }
     }
+}
+
+const SHAPES: [(&str, Shape); 4] = [
+    ("STRAIGHT", Shape::Straight),
+    ("PLANE", Shape::Plane),
+    ("MEANROT", Shape::MeanRotation),
+    ("LINEAR", Shape::Linear),
+];
+
+/// The nodes and sets behind the type.
+fn nodes(line: &DataLine, draft: &mut Draft) -> Vec<(Target, Span)> {
+    let given = (1..line.fields.len()).filter(|&at| line.field(at).is_some());
+    let given: Vec<usize> = given.collect();
+    let read = given.into_iter().filter_map(|at| {
+        let target = draft.log.target(line, at, "a node or set")?;
+        Some((target, line.fields[at].span))
+    });
+    read.collect()
 }
 
 fn link(line: &DataLine, draft: &mut Draft) -> Option<Link> {
@@ -48,8 +83,10 @@ fn link(line: &DataLine, draft: &mut Draft) -> Option<Link> {
         "PIN" => LinkKind::Pin,
         _ => {
             let span = line.fields.first().map_or(line.span, |field| field.span);
-            let message = format!("*MPC of type `{word}` is not supported: BEAM, TIE or PIN");
-            draft.log.error("SL0221", message, span);
+            let message = format!("*MPC of type `{word}` is not supported");
+            let error = Diagnostic::error(Code("SL0221"), message).at(span);
+            let help = "BEAM, TIE, PIN, LINEAR; without NLGEOM also STRAIGHT, PLANE, MEANROT";
+            draft.log.push(error.help(help));
             return None;
         }
     };

@@ -56,6 +56,12 @@ impl Keyword for Nset {
         }
         if let Some(elements) = card.name("ELSET") {
             let elements = Named { name: elements, span: card.span_of("ELSET") };
+            let placement =
+                card.name("INSTANCE").and_then(|name| draft.log.instances.placement(&name));
+            let elements = match placement {
+                Some(by) => elements.placed(&by),
+                None => elements,
+            };
             draft.node_sets_of_elements.push((name, elements));
         }
     }

@@ -3,7 +3,6 @@
 use slideline_mech::material::Hardening;
 
 use crate::draft::Draft;
-use crate::draft::Owner;
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
 
@@ -37,15 +36,15 @@ impl Keyword for Plastic {
     }
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
-        let Owner::Material(index) = draft.owner else {
-            draft.orphan(self.name(), "MATERIAL", card.span());
-            return;
-        };
-        card.choice("HARDENING", &["ISOTROPIC"], &mut draft.log);
-        if card.first_line("yield stress, plastic strain", &mut draft.log).is_none() {
+        if draft.owning_material(self.name(), card.span()).is_none() {
             return;
         }
-        draft.materials[index].hardening = table(card, draft);
+        let given = card.word("HARDENING").is_some();
+        let known = card.choice("HARDENING", &["ISOTROPIC"], &mut draft.log).is_some() || !given;
+        let line = card.first_line("yield stress, plastic strain", &mut draft.log);
+        let table = line.filter(|_| known).and_then(|_| table(card, draft));
+        let own = (self.name(), card.span());
+        draft.give_material(own, |material| &mut material.hardening, table);
     }
 }
 

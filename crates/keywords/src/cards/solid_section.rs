@@ -18,6 +18,11 @@ impl Keyword for SolidSection {
         RULES
     }
 
+    fn without_effect(&self) -> &'static [&'static str] {
+        // hourglass control, layers of a stack, the offset of an area in its own plane
+        &["CONTROLS", "STACK DIRECTION", "SYMMETRIC", "LAYUP", "ORDER", "OFFSET"]
+    }
+
     fn level(&self) -> Level {
         Level::Model
     }

@@ -80,7 +80,7 @@ impl Keyword for Step {
             procedure: None,
             new_boundary: false,
             new_loads: false,
-            new_distributed: false,
+            new_distributed: [false; 2],
             distributed: Vec::new(),
             boundary: Vec::new(),
             loads: Vec::new(),

@@ -46,6 +46,11 @@ impl Keyword for Tie {
         let kinds = &["SURFACE TO SURFACE", "NODE TO SURFACE"];
         card.choice("TYPE", kinds, &mut draft.log);
         let Some(tolerance) = card.number("POSITION TOLERANCE", &mut draft.log) else { return };
+        if tolerance.is_some_and(|tolerance| tolerance < 0.0) {
+            let message = "POSITION TOLERANCE is a distance: it must not be negative";
+            draft.log.error("SL0210", message, card.span_of("POSITION TOLERANCE"));
+            return;
+        }
         let adjust = card.yes("ADJUST", &mut draft.log).unwrap_or(true);
         card.first_line("slave surface, master surface", &mut draft.log);
         for line in card.data() {

@@ -10,12 +10,26 @@ pub(crate) enum ElementKind {
     Structural(&'static ElementType),
     Isl21,
     Irs21,
+    /// One that a static step does not feel, or that only names a node: its place in [`INERT`].
+    Inert(usize),
 }
+
+/// Names and numbers of nodes of elements without stiffness.
+const INERT: [(&str, usize); 7] = [
+    ("MASS", 1),
+    ("ROTARYI", 1),
+    ("DASHPOT1", 1),
+    ("DASHPOT2", 2),
+    ("DASHPOTA", 2),
+    ("DCOUP2D", 1),
+    ("DCOUP3D", 1),
+];
 
 impl ElementKind {
     /// All there are.
     pub fn all() -> impl Iterator<Item = Self> {
-        TYPES.into_iter().map(Self::Structural).chain([Self::Isl21, Self::Irs21])
+        let inert = (0..INERT.len()).map(Self::Inert);
+        TYPES.into_iter().map(Self::Structural).chain([Self::Isl21, Self::Irs21]).chain(inert)
     }
 
     pub fn node_count(self) -> usize {
@@ -23,6 +37,7 @@ impl ElementKind {
             Self::Structural(row) => row.cell.nodes,
             Self::Isl21 => 2,
             Self::Irs21 => 3,
+            Self::Inert(place) => INERT[place].1,
         }
     }
 
@@ -31,6 +46,7 @@ impl ElementKind {
             Self::Structural(row) => row.name(),
             Self::Isl21 => "ISL21",
             Self::Irs21 => "IRS21",
+            Self::Inert(place) => INERT[place].0,
         }
     }
 
@@ -52,6 +68,27 @@ impl ElementKind {
 
     pub fn is_beam(self) -> bool {
         matches!(self, Self::Structural(row) if row.is_beam())
+    }
+
+    /// Whether a static step does not feel it: a mass, a damper.
+    pub fn is_dynamic(self) -> bool {
+        matches!(self, Self::Inert(_)) && !self.is_reference()
+    }
+
+    /// Whether it has the mass of a point.
+    pub fn is_mass(self) -> bool {
+        self.name() == "MASS"
+    }
+
+    /// Whether it names the reference node of a `*DISTRIBUTING COUPLING`.
+    pub fn is_reference(self) -> bool {
+        self.name().starts_with("DCOUP")
+    }
+
+    /// Whether it is a line between its first and its last node.
+    pub fn is_line(self) -> bool {
+        matches!(self, Self::Structural(row)
+            if row.joins() && row.cell.nodes > 1 && row.cell.faces.is_empty())
     }
 
     /// Whether it moves in space.

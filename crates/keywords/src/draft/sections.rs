@@ -42,7 +42,7 @@ impl Body {
     ) -> Option<model::Section> {
         Some(match self {
             Self::Beam { width, height, poisson, shear } => {
-                let material = material.elastic?;
+                let material = material.isotropic()?;
                 model::Section::Beam(BeamSection { width, height, poisson, material, shear })
             }
             Self::Solid { thickness } => {
@@ -56,38 +56,74 @@ impl Body {
 #[derive(Clone, Debug)]
 pub(crate) struct Material {
     pub name: String,
-    pub elastic: Option<Elastic>,
-    /// Elasticity without isotropy.
-    pub anisotropic: Option<Anisotropic>,
-    /// It is known in plane stress alone: `TYPE=LAMINA`.
-    pub plane_stress_only: bool,
-    pub rubber: Option<Rubber>,
-    /// Yield stress and plastic strain, line by line.
-    pub hardening: Option<Hardening>,
-    /// An `*ELASTIC` or `*HYPERELASTIC` card was there, readable or not.
-    pub has_card: bool,
+    pub elasticity: Option<(Elasticity, Card)>,
+    /// Yield stress and plastic strain, line by line; `None` in it: unreadable.
+    pub hardening: Option<(Option<Hardening>, Card)>,
+    /// Mass per volume [M/L3]; `None` in it: unreadable.
+    pub density: Option<(Option<f64>, Card)>,
     pub origin: Span,
 }
 
+/// What a material does against strain.
+#[derive(Clone, Debug)]
+pub(crate) enum Elasticity {
+    Isotropic(Elastic),
+    Anisotropic(Box<Anisotropic>),
+    /// Known in plane stress alone: `TYPE=LAMINA`.
+    Ply(Box<Anisotropic>),
+    Rubber(Rubber),
+    /// A card that could not be read, which has been said.
+    Unread,
+}
+
+impl Elasticity {
+    /// What such a material is, for messages.
+    pub fn word(&self) -> &'static str {
+        match self {
+            Self::Isotropic(_) | Self::Unread => "is isotropic",
+            Self::Anisotropic(_) | Self::Ply(_) => "is not isotropic",
+            Self::Rubber(_) => "is rubber",
+        }
+    }
+}
+
+/// The card that gave a property of a material: its name without the star, and its place.
+pub(crate) type Card = (&'static str, Span);
+
 impl Material {
+    /// One without properties yet.
+    pub fn new(name: String, origin: Span) -> Self {
+        Self { name, elasticity: None, hardening: None, density: None, origin }
+    }
+
+    /// Its constants, where it is isotropic and linear.
+    pub fn isotropic(&self) -> Option<Elastic> {
+        match self.elasticity {
+            Some((Elasticity::Isotropic(elastic), _)) => Some(elastic),
+            _ => None,
+        }
+    }
+
     /// As solids take it.
     pub fn solid(&self, dialect: Dialect) -> Option<model::Material> {
         let large = match dialect {
             Dialect::Abaqus => LargeStrain::Logarithmic,
             Dialect::Calculix => LargeStrain::Green,
         };
-        if let Some(rubber) = &self.rubber {
-            return Some(model::Material::Rubber(rubber.clone()));
-        }
-        if let Some(anisotropic) = self.anisotropic {
-            return Some(model::Material::Anisotropic(Box::new(anisotropic)));
-        }
-        let elastic = self.elastic?;
-        Some(match &self.hardening {
-            Some(table) => {
-                model::Material::Plastic(Plastic { elastic, table: table.clone(), kinematic: 0.0 })
+        Some(match &self.elasticity.as_ref()?.0 {
+            Elasticity::Rubber(rubber) => model::Material::Rubber(rubber.clone()),
+            Elasticity::Anisotropic(own) | Elasticity::Ply(own) => {
+                model::Material::Anisotropic(own.clone())
             }
-            None => model::Material::Elastic(elastic, large),
+            Elasticity::Isotropic(elastic) => match &self.hardening {
+                Some((table, _)) => model::Material::Plastic(Plastic {
+                    elastic: *elastic,
+                    table: table.clone()?,
+                    kinematic: 0.0,
+                }),
+                None => model::Material::Elastic(*elastic, large),
+            },
+            Elasticity::Unread => return None,
         })
     }
 }

@@ -1,24 +1,20 @@
 //! Loads on faces and volumes: pressures stay pressures, the rest becomes forces on nodes.
 
-use std::collections::HashMap;
-
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::pressure::Face;
 use slideline_mech::volume;
-use slideline_model::{self as model, Dof, Load, NodeIndex, Pressure};
+use slideline_model::{self as model, Dialect, Dof, ElementType, Load, NodeIndex, Pressure};
 
 use super::faces::{self, SolidFace, face_nodes};
-use crate::distributed::{Distributed, Kind, On};
+use super::standing::Standing;
+use crate::distributed::{Along, Distributed, Key, Kind, On};
 use crate::draft::{Body, Draft, ElementKind};
 use crate::log::Target;
 use crate::rule::Subject;
 
-/// What rests on an element: pressures and forces.
+/// What rests on elements: pressures and forces.
 #[derive(Clone, Default)]
-pub(super) struct InForce {
-    list: Vec<Entry>,
-    place: HashMap<(usize, (u8, usize)), usize>,
-}
+pub(super) struct InForce(Standing<(usize, Key), Entry>);
 
 #[derive(Clone)]
 struct Entry {
@@ -38,18 +34,25 @@ enum What {
 impl InForce {
     /// What a further step copies.
     pub fn size(&self) -> usize {
-        self.list.len()
+        self.0.len()
     }
 
-    /// A value that followed an amplitude keeps what it had at the end.
-    pub fn settle(&mut self, factor: impl Fn(&mut Option<usize>) -> f64) {
-        self.list.iter_mut().for_each(|entry| entry.value *= factor(&mut entry.amplitude));
+    /// Values that stand, with their amplitudes.
+    pub fn values(&mut self) -> impl Iterator<Item = (&mut f64, &mut Option<usize>)> {
+        self.0.iter_mut().map(|entry| (&mut entry.value, &mut entry.amplitude))
+    }
+
+    /// `OP=NEW` of `*DLOAD` and of `*DSLOAD`: each removes its own, in CalculiX both.
+    pub fn renew(&mut self, [elements, surfaces]: [bool; 2], dialect: Dialect) {
+        let both = dialect == Dialect::Calculix && (elements || surfaces);
+        let gone = |key: &Key| both || if key.of_surface { surfaces } else { elements };
+        self.0.retain(|(_, key)| !gone(key));
     }
 
     /// The loads of a step.
     pub fn loads(&self) -> model::Distributed {
         let mut loads = model::Distributed::default();
-        for Entry { what, value, amplitude, origin } in &self.list {
+        for Entry { what, value, amplitude, origin } in self.0.iter() {
             let (value, amplitude, origin) = (*value, *amplitude, *origin);
             match what {
                 What::Pressure(face, nodes) => {
@@ -70,22 +73,20 @@ impl InForce {
         loads
     }
 
-    /// Puts a line into force; it replaces what rests there in the same way.
-    pub fn take(&mut self, line: &Distributed, amplitude: Option<usize>, draft: &mut Draft) {
-        for (element, key, what) in resolve(line, draft) {
-            let entry = Entry { what, value: line.value, amplitude, origin: line.origin };
-            match self.place.get(&(element, key)) {
-                Some(&at) => self.list[at] = entry,
-                None => {
-                    self.place.insert((element, key), self.list.len());
-                    self.list.push(entry);
-                }
+    /// Puts the lines of a step into force, each with its amplitude.
+    pub fn take(&mut self, lines: &[(&Distributed, Option<usize>)], draft: &mut Draft) {
+        let mut new = Vec::new();
+        for &(line, amplitude) in lines {
+            for (place, what) in resolve(line, draft) {
+                let entry = Entry { what, value: line.value, amplitude, origin: line.origin };
+                new.push((place, entry));
             }
         }
+        self.0.take(new);
     }
 }
 
-type Resolved = Vec<(usize, (u8, usize), What)>;
+type Resolved = Vec<((usize, Key), What)>;
 
 fn resolve(line: &Distributed, draft: &mut Draft) -> Resolved {
     match (&line.on, line.kind) {
@@ -105,12 +106,22 @@ fn resolve(line: &Distributed, draft: &mut Draft) -> Resolved {
         }
         (On::Surface(named), _) => {
             let Some(surface) = draft.surface(named) else { return Vec::new() };
-            let all = faces::faces(&surface, draft);
+            let all = faces::faces(&surface, named.span, draft);
             all.into_iter().filter_map(|face| on_face(&face, line, draft)).collect()
         }
-        (On::Elements(target, span), kind) => {
+        (On::Elements(target, span), _) => {
+            let before = draft.log.errors();
             let found = elements(target, *span, draft);
-            found.into_iter().filter_map(|index| on_volume(index, kind, line, draft)).collect()
+            let some = !found.is_empty();
+            let loaded: Resolved =
+                found.into_iter().filter_map(|index| on_volume(index, line, draft)).collect();
+            if some && loaded.is_empty() && draft.log.errors() == before {
+                let message = "no element takes this load: none of them has a *DENSITY";
+                let error = Diagnostic::error(Code("SL0309"), message).at(line.origin);
+                let help = "give the material a *DENSITY, and name a set of solids";
+                draft.consequence(Subject::Sections, error.help(help));
+            }
+            loaded
         }
     }
 }
@@ -132,11 +143,7 @@ fn elements(target: &Target, span: Span, draft: &mut Draft) -> Vec<usize> {
     }
 }
 
-fn on_face(
-    own: &SolidFace,
-    line: &Distributed,
-    draft: &mut Draft,
-) -> Option<(usize, (u8, usize), What)> {
+fn on_face(own: &SolidFace, line: &Distributed, draft: &mut Draft) -> Option<((usize, Key), What)> {
     let element = draft.elements[own.element];
     let ElementKind::Structural(row) = element.kind else { return None };
     let thickness = section(own.element, draft).map_or(1.0, |(thickness, _)| thickness);
@@ -150,6 +157,10 @@ fn on_face(
         draft.consequence(Subject::Elements, error.help("use *CLOAD on its nodes"));
         return None;
     };
+    if let Some(why) = leaves(line.kind, row, draft.dialect) {
+        refuse(why, row, line, draft);
+        return None;
+    }
     let number = own.face.map_or(0, |face| face + 1);
     let what = match line.kind {
         Kind::Traction(direction) => {
@@ -161,7 +172,7 @@ fn on_face(
         }
         _ => What::Pressure(face, own.nodes.clone()),
     };
-    Some((own.element, (line.kind.key().0, number), what))
+    Some(((own.element, line.key(number, draft.dialect)), what))
 }
 
 /// Forces on nodes, those that are zero or out of a plane model left out.
@@ -174,13 +185,65 @@ fn shares(nodes: &[NodeIndex], forces: &[[f64; 3]], draft: &Draft) -> Vec<(NodeI
     each.filter(|(_, dof, share)| *share != 0.0 && axes.contains(dof)).collect()
 }
 
-fn on_volume(
-    index: usize,
-    kind: Kind,
-    line: &Distributed,
-    draft: &mut Draft,
-) -> Option<(usize, (u8, usize), What)> {
+/// The direction of a force per volume on an element of a row, by its coordinate. That of Abaqus'
+/// BZ on a ring is its axis.
+fn axis(along: Along, row: &ElementType, dialect: Dialect) -> Option<usize> {
+    match (along, row.is_ring()) {
+        (Along::Radius, ring) => ring.then_some(0),
+        (Along::X, _) => Some(0),
+        (Along::Y, _) => Some(1),
+        (Along::Z, true) => (dialect == Dialect::Abaqus).then_some(1),
+        (Along::Z, false) => row.is_spatial().then_some(2),
+    }
+}
+
+/// Why a load does not act in the plane, or not evenly round the axis, of an element.
+fn leaves(kind: Kind, row: &ElementType, dialect: Dialect) -> Option<&'static str> {
+    const NOUGHT: f64 = 1e-12; // a direction has the length 1
+    let ring = row.is_ring();
+    if row.is_spatial() {
+        return matches!(kind, Kind::Body(Along::Radius)).then_some("has no radius");
+    }
+    match kind {
+        Kind::Pressure(_) => None,
+        Kind::Body(along) if axis(along, row, dialect).is_some() => None,
+        Kind::Body(Along::Radius) => Some("has no radius"),
+        Kind::Body(_) => Some("takes no load out of its plane"),
+        Kind::Traction([_, _, z]) => (z.abs() > NOUGHT).then_some("takes no load out of its plane"),
+        Kind::Gravity([x, _, z]) if ring => {
+            (x.abs().max(z.abs()) > NOUGHT).then_some("takes gravity along its axis alone")
+        }
+        Kind::Gravity([_, _, z]) => (z.abs() > NOUGHT).then_some("takes no load out of its plane"),
+        Kind::Centrifugal([x, _, z], [a, _, c]) if ring => {
+            (x != 0.0 || z != 0.0 || a.abs().max(c.abs()) > NOUGHT)
+                .then_some("turns about its own axis alone")
+        }
+        // about an axis along z, or about one within the plane
+        Kind::Centrifugal([_, _, z], [a, b, c]) => (a.abs().max(b.abs()) > NOUGHT
+            && (c.abs() > NOUGHT || z != 0.0))
+            .then_some("takes no load out of its plane"),
+    }
+}
+
+fn refuse(why: &str, row: &ElementType, line: &Distributed, draft: &mut Draft) {
+    let message = format!("a {} element {why}", row.name());
+    let error = Diagnostic::error(Code("SL0251"), message).at(line.origin);
+    let help = match row.is_ring() {
+        true => "the axis of rings is that of y, x is their radius",
+        false => "leave out the part of the load along z",
+    };
+    draft.consequence(Subject::Elements, error.help(help));
+}
+
+fn on_volume(index: usize, line: &Distributed, draft: &mut Draft) -> Option<((usize, Key), What)> {
     let element = draft.elements[index];
+    let kind = line.kind;
+    if element.kind.is_mass() && matches!(kind, Kind::Gravity(_) | Kind::Centrifugal(..)) {
+        let message = format!("the weight of the MASS element {} is not supported", element.label);
+        let error = Diagnostic::error(Code("SL0221"), message).at(line.origin);
+        draft.consequence(Subject::Elements, error.help("give it as *CLOAD on its node"));
+        return None;
+    }
     let ElementKind::Structural(row) = element.kind else { return None };
     let everything = matches!(&line.on, On::Elements(Target::Set(set), _) if set.is_empty());
     let nodes = face_nodes(index, None, draft)?;
@@ -188,8 +251,8 @@ fn on_volume(
     let (thickness, material) = section(index, draft).unwrap_or((1.0, String::new()));
     let density = match kind {
         Kind::Body(_) => 1.0,
-        _ => match draft.densities.get(&material) {
-            Some(&density) => density,
+        _ => match density(&material, draft) {
+            Some(density) => density,
             None if everything || !row.joins() => return None,
             None => {
                 let message = format!("the material {material} has no *DENSITY for this load");
@@ -199,9 +262,17 @@ fn on_volume(
             }
         },
     };
+    if let Some(why) = leaves(kind, row, draft.dialect).filter(|_| row.joins()) {
+        refuse(why, row, line, draft);
+        return None;
+    }
+    let along = match kind {
+        Kind::Body(along) => axis(along, row, draft.dialect),
+        _ => None,
+    };
     let body = |at: [f64; 3]| -> [f64; 3] {
         match kind {
-            Kind::Body(axis) => std::array::from_fn(|k| if k == axis { 1.0 } else { 0.0 }),
+            Kind::Body(_) => std::array::from_fn(|k| if Some(k) == along { 1.0 } else { 0.0 }),
             Kind::Gravity(direction) => direction.map(|d| density * d),
             Kind::Centrifugal(point, axis) => {
                 let arm: [f64; 3] = std::array::from_fn(|k| at[k] - point[k]);
@@ -216,7 +287,7 @@ fn on_volume(
     let thickness = if ring { 2.0 * std::f64::consts::PI } else { thickness };
     let weighted = |at: [f64; 3]| body(at).map(|force| if ring { at[0] * force } else { force });
     let Some(forces) = volume::spread(row.cell, thickness, &x, weighted) else {
-        if !everything && row.joins() {
+        if row.joins() {
             let message = format!("a {} element takes no load per volume", element.kind.name());
             let error = Diagnostic::error(Code("SL0221"), message).at(line.origin);
             draft.consequence(Subject::Elements, error.help("use *CLOAD on its nodes"));
@@ -224,7 +295,12 @@ fn on_volume(
         return None;
     };
     let what = What::Forces(shares(&nodes, &forces, draft));
-    Some((index, line.kind.key(), what))
+    Some(((index, line.key(0, draft.dialect)), what))
+}
+
+/// Density of a material [M/L3].
+fn density(material: &str, draft: &Draft) -> Option<f64> {
+    draft.materials.iter().find(|own| own.name == material)?.density?.0
 }
 
 /// Thickness and material of the section that an element belongs to.

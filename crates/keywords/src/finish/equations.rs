@@ -4,7 +4,7 @@
 //!   a1 u1 + a2 u2 + ... = 0   ->   u1 = -(a2 u2 + ...)/a1
 //! ```
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{Dof, LinearConstraint, NodeIndex};
@@ -97,20 +97,8 @@ pub(super) fn circles(draft: &mut Draft) {
     for (place, constraint) in draft.model.linear_constraints.iter().enumerate() {
         open.insert(constraint.dependent, place);
     }
-    let mut left: Vec<usize> = (0..draft.model.linear_constraints.len()).collect();
-    loop {
-        let waiting: HashSet<(NodeIndex, Dof)> =
-            left.iter().map(|&k| draft.model.linear_constraints[k].dependent).collect();
-        let before = left.len();
-        left.retain(|&k| {
-            let terms = &draft.model.linear_constraints[k].terms;
-            terms.iter().any(|&(node, dof, _)| waiting.contains(&(node, dof)))
-        });
-        if left.len() == before {
-            break;
-        }
-    }
-    if let Some(&place) = left.first() {
+    let left = circular(&draft.model.linear_constraints, &open);
+    if let Some(place) = left {
         let LinearConstraint { dependent: (node, dof), origin, .. } =
             draft.model.linear_constraints[place];
         let name = draft.model.nodes.name(node);
@@ -131,6 +119,33 @@ pub(super) fn circles(draft: &mut Draft) {
         let help = "begin the equation with another dof: the first one is eliminated";
         draft.consequence(Subject::Links, error.help(help));
     }
+}
+
+/// The first constraint that cannot be put behind all those that its terms follow: in the order of
+/// their dependence each is taken once.
+fn circular(
+    constraints: &[LinearConstraint],
+    of_dof: &HashMap<(NodeIndex, Dof), usize>,
+) -> Option<usize> {
+    let mut followers: Vec<Vec<usize>> = vec![Vec::new(); constraints.len()];
+    let mut waits_for = vec![0_usize; constraints.len()];
+    for (place, constraint) in constraints.iter().enumerate() {
+        let terms = constraint.terms.iter().map(|&(node, dof, _)| (node, dof));
+        for leader in terms.filter_map(|term| of_dof.get(&term).copied()) {
+            followers[leader].push(place);
+            waits_for[place] += 1;
+        }
+    }
+    let mut ready: Vec<usize> = (0..constraints.len()).filter(|&k| waits_for[k] == 0).collect();
+    while let Some(taken) = ready.pop() {
+        for &follower in &followers[taken] {
+            waits_for[follower] -= 1;
+            if waits_for[follower] == 0 {
+                ready.push(follower);
+            }
+        }
+    }
+    waits_for.iter().position(|&count| count > 0)
 }
 
 /// Solves equations `sum a u = 0` together for as many dofs as there are equations: first for

@@ -29,9 +29,19 @@ pub(super) struct SolidFace {
     pub span: Span,
 }
 
-/// The faces of a surface of elements; none for other surfaces.
-pub(super) fn faces(surface: &NamedSurface, draft: &mut Draft) -> Vec<SolidFace> {
-    let Extent::Elements(stretches) = &surface.extent else { return Vec::new() };
+/// The faces of a surface of elements; `user` names it. Complains about other surfaces.
+pub(super) fn faces(surface: &NamedSurface, user: Span, draft: &mut Draft) -> Vec<SolidFace> {
+    let stretches = match &surface.extent {
+        Extent::Elements(stretches) => stretches,
+        Extent::Nodes(_) => {
+            wrong_kind(surface, "is made of nodes and has no faces", user, draft);
+            return Vec::new();
+        }
+        Extent::Rigid { .. } => {
+            wrong_kind(surface, "is analytical and has no faces of elements", user, draft);
+            return Vec::new();
+        }
+    };
     let mut faces = Vec::new();
     for stretch in stretches {
         let found = elements_of(stretch, draft);
@@ -81,19 +91,33 @@ pub(super) fn check(draft: &mut Draft) {
     }
 }
 
-/// The nodes of a surface of any kind, each once.
-pub(super) fn nodes_of_surface(surface: &NamedSurface, draft: &mut Draft) -> Vec<NodeIndex> {
+fn wrong_kind(surface: &NamedSurface, what: &str, user: Span, draft: &mut Draft) {
+    let message = format!("the surface {} {what}", surface.named.name);
+    let error = Diagnostic::error(Code("SL0332"), message).at(user);
+    let help = "name a *SURFACE of elements and their faces here";
+    draft.consequence(Subject::Contact, error.label(surface.origin, "here").help(help));
+}
+
+/// The nodes of a surface of elements or nodes, each once; `user` names it. Complains about a
+/// surface without nodes.
+pub(super) fn nodes_of_surface(
+    surface: &NamedSurface,
+    user: Span,
+    draft: &mut Draft,
+) -> Vec<NodeIndex> {
     let mut nodes = Vec::new();
     match &surface.extent {
         Extent::Elements(_) => {
-            nodes.extend(faces(surface, draft).into_iter().flat_map(|face| face.nodes));
+            nodes.extend(faces(surface, user, draft).into_iter().flat_map(|face| face.nodes));
         }
         Extent::Nodes(targets) => {
             for (target, span) in targets {
                 nodes.extend(draft.nodes_of(target, *span));
             }
         }
-        Extent::Rigid { .. } => {}
+        Extent::Rigid { .. } => {
+            wrong_kind(surface, "is analytical and has no nodes", user, draft);
+        }
     }
     let mut seen = std::collections::HashSet::new();
     nodes.retain(|node| seen.insert(*node));
@@ -135,7 +159,8 @@ pub(super) fn no_face(index: usize, face: usize, span: Span, draft: &mut Draft) 
     let message = format!("a {} element has no face {}", element.kind.name(), face + 1);
     let error = Diagnostic::error(Code("SL0256"), message).at(span);
     let help = match count {
-        0 => "it has no faces; a beam has SPOS and SNEG".to_owned(),
+        0 if element.kind.is_beam() => "the sides of a beam are SPOS and SNEG".to_owned(),
+        0 => "it has no faces".to_owned(),
         _ => format!("its faces are 1 to {count}"),
     };
     draft.consequence(Subject::Elements, error.help(help));

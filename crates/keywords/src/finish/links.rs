@@ -3,7 +3,7 @@
 
 use std::collections::HashSet;
 
-use slideline_diag::{Code, Diagnostic};
+use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{Dof, NodeIndex, RigidLink};
 
 use super::equations;
@@ -15,8 +15,10 @@ use crate::rule::Subject;
 use crate::surfaces::RigidBody;
 
 pub(super) fn links(draft: &mut Draft) {
-    for link in std::mem::take(&mut draft.links) {
-        one(&link, draft);
+    let (beams, equal): (Vec<_>, Vec<_>) =
+        std::mem::take(&mut draft.links).into_iter().partition(|link| link.kind == LinkKind::Beam);
+    for link in beams {
+        one(&link, &HashSet::new(), draft);
     }
     for body in draft.bodies.clone() {
         tie_body(&body, draft);
@@ -28,10 +30,15 @@ pub(super) fn links(draft: &mut Draft) {
         couple(&coupling, draft);
     }
     chains(draft);
+    let turning = turning(draft);
+    for link in equal {
+        one(&link, &turning, draft);
+    }
     equations::equations(draft);
     for coupling in others {
         couple(&coupling, draft);
     }
+    super::shape_mpc::shapes(draft);
     super::ties::ties(draft);
     equations::circles(draft);
 }
@@ -82,7 +89,7 @@ fn tie(link: RigidLink, draft: &mut Draft) {
     draft.model.rigid_links.push(link);
 }
 
-fn one(link: &Link, draft: &mut Draft) {
+fn one(link: &Link, turning: &HashSet<(NodeIndex, Dof)>, draft: &mut Draft) {
     let masters = draft.nodes_of(&link.master, link.master_span);
     let nodes = draft.nodes_of(&link.dependent, link.dependent_span);
     if masters.len() > 1 {
@@ -101,38 +108,71 @@ fn one(link: &Link, draft: &mut Draft) {
         }
         match link.kind {
             LinkKind::Beam => tie(RigidLink::welded(dependent, master, link.origin), draft),
-            LinkKind::Tie | LinkKind::Pin => equal(link, dependent, master, draft),
+            LinkKind::Tie | LinkKind::Pin => equal(link, (dependent, master), turning, draft),
         }
     }
 }
 
 /// Equal displacements, and equal rotations where both nodes turn.
-fn equal(link: &Link, dependent: NodeIndex, master: NodeIndex, draft: &mut Draft) {
-    for &dof in draft.model.directions() {
-        let turn = dof.is_rotation();
-        if turn && (link.kind == LinkKind::Pin || !turns([dependent, master], dof, draft)) {
-            continue;
-        }
+fn equal(
+    link: &Link,
+    (dependent, master): (NodeIndex, NodeIndex),
+    turning: &HashSet<(NodeIndex, Dof)>,
+    draft: &mut Draft,
+) {
+    let turns = |dof| [dependent, master].iter().all(|&node| turning.contains(&(node, dof)));
+    let wanted = draft
+        .model
+        .directions()
+        .iter()
+        .filter(|dof| !dof.is_rotation() || (link.kind != LinkKind::Pin && turns(**dof)));
+    for dof in wanted.copied().collect::<Vec<_>>() {
         let terms = draft.followed((dependent, dof), |dof| vec![(master, dof, 1.0)]);
         equations::add(draft, (dependent, dof), terms, link.origin);
     }
 }
 
-/// Whether elements or bodies turn all of these nodes.
-fn turns(nodes: [NodeIndex; 2], dof: Dof, draft: &Draft) -> bool {
-    let bodies = &draft.model.rigid_links;
-    let with = draft.model.blocks.iter().filter(|block| block.stiffened_dofs().contains(&dof));
-    let elements = || with.clone().flat_map(|block| &block.elements);
-    nodes.into_iter().all(|node| {
-        elements().any(|element| element.nodes.contains(&node))
-            || bodies.iter().any(|link| link.master == node)
-    })
+/// Nodes and their rotations that elements or bodies turn.
+pub(super) fn turning(draft: &Draft) -> HashSet<(NodeIndex, Dof)> {
+    let masters = draft.model.rigid_links.iter().map(|link| link.master);
+    let rotations = || Dof::ALL.into_iter().filter(|dof| dof.is_rotation());
+    let mut turning: HashSet<(NodeIndex, Dof)> =
+        masters.flat_map(|node| rotations().map(move |dof| (node, dof))).collect();
+    for block in &draft.model.blocks {
+        for &dof in block.stiffened_dofs().iter().filter(|dof| dof.is_rotation()) {
+            let nodes = block.elements.iter().flat_map(|element| element.nodes);
+            turning.extend(nodes.map(|&node| (node, dof)));
+        }
+    }
+    turning
+}
+
+/// The node of the only element of a set, which is one of a coupling.
+fn reference_element(set: &str, span: Span, draft: &mut Draft) -> Option<NodeIndex> {
+    let found = draft.elements_of(set, span)?;
+    let references = found.iter().filter(|&&index| draft.elements[index].kind.is_reference());
+    let nodes: Vec<u64> = references.map(|&index| draft.elements[index].nodes[0]).collect();
+    if let [label] = *nodes
+        && found.len() == 1
+    {
+        return draft.model.nodes.find(label);
+    }
+    let message = format!("the set {set} must have one element, of type DCOUP2D or DCOUP3D");
+    let error = Diagnostic::error(Code("SL0317"), message).at(span);
+    draft.consequence(Subject::Elements, error.help("each coupling has an element of its own"));
+    None
 }
 
 /// The nodes of a coupling and its reference node.
 fn couple(coupling: &Coupling, draft: &mut Draft) {
-    let reference = draft.reference_of(&coupling.reference, coupling.reference_span);
+    let reference = match &coupling.reference {
+        Target::Set(set) if coupling.of_element => {
+            reference_element(set, coupling.reference_span, draft)
+        }
+        node => draft.reference_of(node, coupling.reference_span),
+    };
     let mut nodes: Vec<(NodeIndex, f64)> = Vec::new();
+    let before = draft.log.errors();
     for points in &coupling.points {
         match points {
             Points::Nodes { target, span, weight } => {
@@ -141,7 +181,7 @@ fn couple(coupling: &Coupling, draft: &mut Draft) {
             }
             Points::Surface(named) => {
                 let Some(surface) = draft.surface(named) else { continue };
-                let found = nodes_of_surface(&surface, draft);
+                let found = nodes_of_surface(&surface, named.span, draft);
                 nodes.extend(found.into_iter().map(|node| (node, 1.0)));
             }
         }
@@ -150,6 +190,14 @@ fn couple(coupling: &Coupling, draft: &mut Draft) {
     let mut seen = HashSet::from([master]);
     nodes.retain(|&(node, _)| seen.insert(node));
     let origin = coupling.origin;
+    if nodes.is_empty() {
+        if draft.log.errors() == before {
+            let error = Diagnostic::error(Code("SL0317"), "this coupling has no nodes").at(origin);
+            let help = "name nodes other than the reference node";
+            draft.consequence(Subject::Links, error.help(help));
+        }
+        return;
+    }
     match coupling.kind {
         CouplingKind::Kinematic(follows) => {
             for (dependent, _) in nodes {

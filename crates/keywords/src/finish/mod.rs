@@ -12,7 +12,10 @@ mod links;
 mod master_chain;
 mod nodes;
 mod orientations;
+mod pre_tension;
 mod sections;
+mod shape_mpc;
+mod standing;
 mod steps;
 mod surface_pairs;
 mod surfaces;
@@ -21,7 +24,7 @@ mod unknown;
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{Model, NodeIndex};
-use unknown::unknown_set;
+pub(crate) use unknown::unknown_set;
 
 use crate::draft::{Draft, Element};
 use crate::log::Target;
@@ -34,12 +37,14 @@ pub(crate) fn finish(draft: &mut Draft, steps_doubted: bool) -> Model {
     draft.end_parts();
     nodes::sets(draft);
     nodes::elements(draft);
+    let parted = pre_tension::cut(draft);
     sections::sections(draft);
     sections::springs(draft);
     faces::check(draft);
     axes::transforms(draft);
     contact::pairs(draft);
     surface_pairs::pairs(draft);
+    pre_tension::tie(&parted, draft);
     links::links(draft);
     steps::steps(draft, steps_doubted);
     renumber(&mut draft.model);

@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use slideline_diag::{Code, Diagnostic, Span};
-use slideline_model::NodeSet;
+use slideline_model::{Dialect, NodeSet};
 
 use super::unknown::unknown_set;
 use crate::draft::Draft;
@@ -80,7 +80,12 @@ fn check_inner(sets: &Sets, kind: &str, subject: Subject, draft: &mut Draft) {
 fn missing(kind: &str, label: u64, set: &str, span: Span, subject: Subject, draft: &mut Draft) {
     let code = if subject == Subject::Nodes { "SL0304" } else { "SL0308" };
     let message = format!("{kind} {label} in the set {set} is not defined");
-    draft.consequence(subject, Diagnostic::error(Code(code), message).at(span));
+    let severity = match draft.dialect {
+        Dialect::Abaqus => Diagnostic::error,
+        // which leaves it out
+        Dialect::Calculix => Diagnostic::warning,
+    };
+    draft.consequence(subject, severity(Code(code), message).at(span));
 }
 
 fn warn_empty(
@@ -114,10 +119,16 @@ pub(super) fn elements(draft: &mut Draft) {
     }
 }
 
-/// In a plane model a third coordinate means nothing.
+/// In a plane model a third coordinate means nothing: it is set to zero. An instance that was
+/// turned out of the plane is none of it.
 fn out_of_plane(draft: &mut Draft) {
     if draft.is_spatial() {
         return;
+    }
+    for (name, origin) in std::mem::take(&mut draft.tilted) {
+        let message = format!("the instance {name} is turned out of the plane of this model");
+        let error = Diagnostic::error(Code("SL0258"), message).at(origin);
+        draft.log.push(error.help("turn it about an axis along z"));
     }
     let outside = draft.model.nodes.iter().find(|node| node.position[2] != 0.0);
     if let Some(node) = outside {
@@ -125,5 +136,9 @@ fn out_of_plane(draft: &mut Draft) {
             format!("node {} has z = {}; the model is plane", node.label, node.position[2]);
         let warning = Diagnostic::warning(Code("SL0228"), message).at(node.origin);
         draft.consequence(Subject::Nodes, warning.help("z is not used; set it to zero"));
+    }
+    for node in 0..draft.model.nodes.len() {
+        let [x, y, _] = draft.model.nodes.position(node);
+        draft.model.nodes.place(node, [x, y, 0.0]);
     }
 }

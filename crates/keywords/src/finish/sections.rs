@@ -9,7 +9,7 @@ use slideline_model::{
     types,
 };
 
-use crate::draft::{Body, Draft, Element, ElementKind, Section, Spring};
+use crate::draft::{Body, Draft, Elasticity, Element, ElementKind, Section, Spring};
 use crate::rule::Subject;
 
 /// Section cards with their elements and their material.
@@ -81,7 +81,18 @@ fn allowables(draft: &mut Draft) {
             no_material(&allowable.material, allowable.material_span, draft);
         }
         let sections = draft.sections.iter().filter(|own| own.material == allowable.material);
+        let mut solids = sections.clone().filter(|own| matches!(own.body, Body::Solid { .. }));
         let origins: Vec<Span> = sections.map(|section| section.origin).collect();
+        if let Some(solid) = solids.next() {
+            let message = format!(
+                "the allowable of {} is held against beams alone, not against these solids",
+                allowable.material
+            );
+            let warning = Diagnostic::warning(Code("SL0273"), message).at(allowable.origin);
+            let warning = warning.label(solid.origin, "solids of the material");
+            let help = "compare it with the stresses of JOB.element.csv";
+            draft.consequence(Subject::Sections, warning.help(help));
+        }
         for (place, block) in draft.model.blocks.iter().enumerate() {
             let Some(block) = block.beams().filter(|block| origins.contains(&block.origin)) else {
                 continue;
@@ -225,8 +236,9 @@ fn in_plane_stress(
     claimed: &[(&'static ElementType, Elements)],
     draft: &mut Draft,
 ) {
-    let ply = |own: &&crate::draft::Material| own.name == section.material && own.plane_stress_only;
-    if !draft.materials.iter().any(|own| ply(&own)) {
+    let of_section = draft.materials.iter().find(|own| own.name == section.material);
+    let elasticity = of_section.and_then(|own| own.elasticity.as_ref());
+    if !matches!(elasticity, Some((Elasticity::Ply(_), _))) {
         return;
     }
     let plane = |row: &ElementType| matches!(row.kinematics, Kinematics::Solid { strains, .. } if strains == solid::Kinematics::PlaneStress);
@@ -256,17 +268,23 @@ fn material(
         return None;
     };
     let of_beam = matches!(section.body, Body::Beam { .. });
-    if !material.has_card {
+    let Some((elasticity, card)) = &material.elasticity else {
         let card = if material.hardening.is_some() { "*PLASTIC but no" } else { "no" };
         let message = format!("the material {} has {card} *ELASTIC", material.name);
         let error = Diagnostic::error(Code("SL0309"), message).at(material.origin);
         draft.consequence(Subject::Sections, error.help("put *ELASTIC behind *MATERIAL: E, nu"));
-    } else if of_beam && (material.hardening.is_some() || material.elastic.is_none()) {
-        let what = match (&material.hardening, &material.rubber) {
-            (Some(_), _) => "yields",
-            (_, Some(_)) => "is rubber",
-            _ => "is not isotropic",
-        };
+        return None;
+    };
+    let isotropic = matches!(elasticity, Elasticity::Isotropic(_) | Elasticity::Unread);
+    if let Some((_, plastic)) = material.hardening.as_ref().filter(|_| !isotropic) {
+        let message = format!("the material {} {} and yields", material.name, elasticity.word());
+        let error = Diagnostic::error(Code("SL0309"), message).at(plastic.1);
+        let error = error.label(card.1, "its elasticity");
+        draft.consequence(Subject::Sections, error.help("*PLASTIC goes with *ELASTIC: E, nu"));
+        return None;
+    }
+    if of_beam && (material.hardening.is_some() || !isotropic) {
+        let what = if material.hardening.is_some() { "yields" } else { elasticity.word() };
         let message = format!("the material {} {what}; beams are elastic", material.name);
         let error = Diagnostic::error(Code("SL0309"), message).at(section.material_span);
         draft

@@ -10,6 +10,7 @@ use slideline_model::{
 };
 
 use super::distributed;
+use super::standing::Standing;
 use crate::draft::{Boundary, Draft, StepDraft};
 use crate::rule::Subject;
 
@@ -42,7 +43,7 @@ impl<T> InForce<T> {
 #[derive(Default)]
 struct Carried {
     prescribed: InForce<Prescribed>,
-    loads: InForce<Load>,
+    loads: Standing<(NodeIndex, Dof), Load>,
     distributed: distributed::InForce,
     controls: Controls,
     restart: Option<SavedStates>,
@@ -60,7 +61,17 @@ impl Carried {
         let elements = self.element_prints.iter().map(|print| print.elements.len());
         let points = self.contact_prints.iter().map(|print| print.nodes.len());
         let printed: usize = nodes.chain(elements).chain(points).sum();
-        self.prescribed.list.len() + self.loads.list.len() + self.distributed.size() + printed
+        self.prescribed.list.len() + self.loads.len() + self.distributed.size() + printed
+    }
+}
+
+impl Carried {
+    /// Values that stand, with their amplitudes.
+    fn values(&mut self) -> impl Iterator<Item = (&mut f64, &mut Option<usize>)> {
+        let prescribed = self.prescribed.list.iter_mut();
+        let prescribed = prescribed.map(|own| (&mut own.value, &mut own.amplitude));
+        let loads = self.loads.iter_mut().map(|own| (&mut own.value, &mut own.amplitude));
+        prescribed.chain(loads).chain(self.distributed.values())
     }
 }
 
@@ -72,7 +83,7 @@ pub(super) fn steps(draft: &mut Draft, doubted: bool) {
     }
     for step in std::mem::take(&mut draft.steps) {
         let before: f64 = draft.model.steps.iter().map(|step| step.procedure.period).sum();
-        over_total_time(before, draft);
+        over_total_time(before, &mut carried, draft);
         if !draft.expand(carried.size(), step.origin) {
             break;
         }
@@ -111,21 +122,19 @@ fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
         carried.prescribed = InForce::default();
     }
     if step.new_loads {
-        carried.loads = InForce::default();
+        carried.loads = Standing::default();
     }
     for line in &step.boundary {
         prescribe(line, &mut carried.prescribed, draft);
     }
-    for line in &step.loads {
-        load(line, &mut carried.loads, draft);
-    }
-    if step.new_distributed {
-        carried.distributed = distributed::InForce::default();
-    }
-    for line in &step.distributed {
+    carried.loads.take(loads(&step.loads, draft));
+    carried.distributed.renew(step.new_distributed, draft.dialect);
+    let lines = step.distributed.iter().map(|line| {
         let amplitude = line.amplitude.as_ref().and_then(|name| amplitude(name, draft));
-        carried.distributed.take(line, amplitude, draft);
-    }
+        (line, amplitude)
+    });
+    let lines: Vec<_> = lines.collect();
+    carried.distributed.take(&lines, draft);
     carried.controls = step.controls.unwrap_or(carried.controls);
     carried.restart = step.restart.or(carried.restart);
     carried.contact_changes |= step.contact_changes;
@@ -148,7 +157,7 @@ fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
         at_once: step.at_once,
         procedure: step.procedure.unwrap_or(default),
         prescribed: carried.prescribed.list.clone(),
-        loads: carried.loads.list.clone(),
+        loads: carried.loads.iter().cloned().collect(),
         temperatures: Vec::new(),
         controls: carried.controls,
         distributed: carried.distributed.loads(),
@@ -165,30 +174,32 @@ fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
     }
 }
 
-/// A value that followed an amplitude keeps what it had at the end.
+/// A value that followed an amplitude keeps what it had at the end, but for a curve over the total
+/// time, which goes on.
 fn settle(carried: &mut Carried, step: &Step, draft: &Draft) {
     let end = step.procedure.period;
-    let factor = |amplitude: &mut Option<usize>| {
-        let curve = amplitude.take().and_then(|index| draft.model.amplitudes.get(index));
-        curve.map_or(1.0, |curve| curve.at(end))
-    };
-    for prescribed in &mut carried.prescribed.list {
-        prescribed.value *= factor(&mut prescribed.amplitude);
+    for (value, amplitude) in carried.values() {
+        let curve = amplitude.and_then(|index| draft.model.amplitudes.get(index));
+        if let Some(curve) = curve.filter(|curve| !curve.total) {
+            *value *= curve.at(end);
+            *amplitude = None;
+        }
     }
-    for load in &mut carried.loads.list {
-        load.value *= factor(&mut load.amplitude);
-    }
-    carried.distributed.settle(factor);
 }
 
-/// Curves over the total time, as the next step sees them.
-fn over_total_time(before: f64, draft: &mut Draft) {
+/// Curves over the total time, as the next step and what still follows them see them.
+fn over_total_time(before: f64, carried: &mut Carried, draft: &mut Draft) {
     let first = draft.model.amplitudes.iter().take_while(|own| own.begins == 0.0).count();
     let own: Vec<_> =
         draft.model.amplitudes[..first].iter().filter(|own| own.total).cloned().collect();
     if before > 0.0 {
         let moved = own.into_iter().map(|own| slideline_model::Amplitude { begins: before, ..own });
         draft.model.amplitudes.extend(moved);
+    }
+    let all = &draft.model.amplitudes;
+    let latest = |index: usize| all.iter().rposition(|own| own.name == all[index].name);
+    for (_, amplitude) in carried.values() {
+        *amplitude = amplitude.and_then(latest);
     }
 }
 
@@ -224,8 +235,8 @@ fn prescribe(line: &Boundary, into: &mut InForce<Prescribed>, draft: &mut Draft)
                 let help = "prescribe what it follows; an equation eliminates its first dof";
                 draft.consequence(Subject::Links, error.help(help));
             }
-            let (value, origin) = (line.value, line.origin);
-            into.set(node, dof, Prescribed { node, dof, value, amplitude, origin });
+            let (value, fixed, origin) = (line.value, line.fixed, line.origin);
+            into.set(node, dof, Prescribed { node, dof, value, amplitude, fixed, origin });
         }
     }
 }
@@ -252,22 +263,36 @@ pub(super) fn prescribed(draft: &mut Draft) -> HashSet<(NodeIndex, Dof)> {
     all
 }
 
-fn load(line: &Boundary, into: &mut InForce<Load>, draft: &mut Draft) {
-    let amplitude = line.amplitude.as_ref().and_then(|name| amplitude(name, draft));
-    for node in draft.nodes_of(&line.target, line.target_span) {
-        for &dof in &line.dofs {
-            if !draft.has_motion(node, dof) {
-                let number = dof.number();
-                let message = format!("a load on dof {number} has no effect in a plane model");
-                let error = Diagnostic::error(Code("SL0251"), message).at(line.target_span);
-                let help = "the plane has the dofs 1, 2 and 6";
-                draft.consequence(Subject::Elements, error.help(help));
-                continue;
+/// The loads of a step: several lines on one dof add up.
+fn loads(lines: &[Boundary], draft: &mut Draft) -> Vec<((NodeIndex, Dof), Load)> {
+    let mut loads: Vec<((NodeIndex, Dof), Load)> = Vec::new();
+    let mut place: HashMap<(NodeIndex, Dof, Option<usize>), usize> = HashMap::new();
+    for line in lines {
+        let amplitude = line.amplitude.as_ref().and_then(|name| amplitude(name, draft));
+        for node in draft.nodes_of(&line.target, line.target_span) {
+            for &dof in &line.dofs {
+                if !draft.has_motion(node, dof) {
+                    no_motion(dof, line.target_span, draft);
+                    continue;
+                }
+                let (value, origin) = (line.value, line.origin);
+                match place.get(&(node, dof, amplitude)) {
+                    Some(&at) => loads[at].1.value += value,
+                    None => {
+                        place.insert((node, dof, amplitude), loads.len());
+                        loads.push(((node, dof), Load { node, dof, value, amplitude, origin }));
+                    }
+                }
             }
-            let (value, origin) = (line.value, line.origin);
-            into.set(node, dof, Load { node, dof, value, amplitude, origin });
         }
     }
+    loads
+}
+
+fn no_motion(dof: Dof, span: Span, draft: &mut Draft) {
+    let message = format!("a load on dof {} has no effect in a plane model", dof.number());
+    let error = Diagnostic::error(Code("SL0251"), message).at(span);
+    draft.consequence(Subject::Elements, error.help("the plane has the dofs 1, 2 and 6"));
 }
 
 /// Requests of a kind for a file stand until a step makes new ones of that

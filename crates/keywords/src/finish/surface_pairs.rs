@@ -126,7 +126,7 @@ fn pair(pairing: &Pairing, draft: &mut Draft) {
     let second = found(&master, pairing.master.span, draft);
     let (Some(first), Some(second)) = (first, second) else { return };
     let sides = Sides { slave, master };
-    let thickness = thickness_of(&first, draft);
+    let thickness = thickness_of(pairing, &first, draft);
     let parts = match pairing.formulation {
         Formulation::NodeToSurface => at_nodes(pairing, &sides, (first, second), draft),
         Formulation::SurfaceToSurface => along(pairing, &sides, (first, second), draft),
@@ -152,17 +152,35 @@ fn pair(pairing: &Pairing, draft: &mut Draft) {
     draft.model.contact_pairs.push(pair);
 }
 
-/// Thickness of the solids whose faces are slaves [L]; `None` for others.
-fn thickness_of(slave: &Found, draft: &Draft) -> Option<f64> {
+/// Thickness of the solids whose faces are slaves [L]; `None` for others. Complains where they
+/// differ: a pair has one.
+fn thickness_of(pairing: &Pairing, slave: &Found, draft: &mut Draft) -> Option<f64> {
     let Found::Facets(facets) = slave else { return None };
-    let label = facets.iter().find(|facet| facet.face.is_some())?.label;
-    draft.model.blocks.iter().find_map(|block| match &block.section {
-        Section::Solid(section) => {
-            let owns = block.elements.iter().any(|element| element.label == label);
-            owns.then_some(section.thickness)
+    let of_solids = facets.iter().filter(|facet| facet.face.is_some());
+    let labels: HashSet<u64> = of_solids.map(|facet| facet.label).collect();
+    let mut found: Vec<(f64, Span)> = Vec::new();
+    for block in &draft.model.blocks {
+        let Section::Solid(section) = &block.section else { continue };
+        let known = found.iter().any(|(thickness, _)| *thickness == section.thickness);
+        if !known && block.elements.iter().any(|element| labels.contains(&element.label)) {
+            found.push((section.thickness, block.origin));
         }
-        _ => None,
-    })
+    }
+    let (&(thickness, at), others) = found.split_first()?;
+    let named = &pairing.interaction.name;
+    let entry = draft.interactions.iter().find(|entry| entry.named.name == *named);
+    if let (Some((other, there)), None) = (others.first(), entry.and_then(|own| own.thickness)) {
+        let message = format!(
+            "the slave surface {} is {thickness} thick here and {other} there",
+            pairing.slave.name
+        );
+        let error = Diagnostic::error(Code("SL0332"), message).at(pairing.slave.span);
+        let error = error.label(at, "one thickness").label(*there, "another one");
+        let help = "make a *SURFACE and a *CONTACT PAIR for each thickness, or give the one that \
+                    counts behind *SURFACE INTERACTION";
+        draft.consequence(Subject::Contact, error.help(help));
+    }
+    Some(thickness)
 }
 
 /// Thickness of a contact out of the plane [L]: that of its interaction, of the solids whose faces

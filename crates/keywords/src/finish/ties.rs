@@ -7,9 +7,10 @@
 
 use std::collections::{HashMap, HashSet};
 
-use slideline_diag::{Code, Diagnostic};
+use slideline_diag::{Code, Diagnostic, Span};
+use slideline_mech::element::solid::smallest_jacobian;
 use slideline_mech::pressure::{Face, Nearest};
-use slideline_model::{Dof, NodeIndex};
+use slideline_model::{Dof, Kinematics, NodeIndex};
 
 use super::equations::add;
 use super::faces::{faces, nodes_of_surface};
@@ -27,10 +28,34 @@ pub(super) fn ties(draft: &mut Draft) {
         return;
     }
     let prescribed = super::steps::prescribed(draft);
-    // a node that two ties name follows the first
+    // a node that two ties name follows the first; where one moved, the tie that moved it
     let mut tied = HashMap::new();
     for tie in &ties {
         one(tie, &prescribed, &mut tied, draft);
+    }
+    moved(&tied, draft);
+}
+
+/// Complains about elements that the moving of nodes onto their masters has turned inside out.
+fn moved(tied: &HashMap<NodeIndex, Option<Span>>, draft: &mut Draft) {
+    let mut folded: Vec<(u64, Span)> = Vec::new();
+    for block in &draft.model.blocks {
+        let Kinematics::Solid { rule, .. } = block.kind.kinematics else { continue };
+        for element in &block.elements {
+            let moved = |node| tied.get(node).copied().flatten();
+            let Some(origin) = element.nodes.iter().find_map(moved) else { continue };
+            let at = element.nodes.iter().map(|&node| draft.model.nodes.position(node));
+            let at: Vec<[f64; 3]> = at.collect();
+            if smallest_jacobian(block.kind.cell, rule, &at) <= 0.0 {
+                folded.push((element.label, origin));
+            }
+        }
+    }
+    for (label, origin) in folded {
+        let message = format!("this tie moves nodes onto its master and folds element {label}");
+        let error = Diagnostic::error(Code("SL0346"), message).at(origin);
+        let help = "write ADJUST=NO, a smaller POSITION TOLERANCE, or move the nodes in the mesh";
+        draft.consequence(Subject::Links, error.help(help));
     }
 }
 
@@ -68,7 +93,7 @@ impl Master {
 fn masters(tie: &Tie, draft: &mut Draft) -> Vec<Master> {
     let Some(surface) = draft.surface(&tie.master) else { return Vec::new() };
     let dimension = if draft.model.is_in_space() { 3 } else { 2 };
-    let found = faces(&surface, draft);
+    let found = faces(&surface, tie.master.span, draft);
     let made = found.into_iter().filter_map(|face| {
         let kind = Face::of(dimension, face.nodes.len(), 1.0)?;
         Some(Master::new(kind, face.nodes, draft))
@@ -85,7 +110,7 @@ fn masters(tie: &Tie, draft: &mut Draft) -> Vec<Master> {
 fn one(
     tie: &Tie,
     prescribed: &HashSet<(NodeIndex, Dof)>,
-    tied: &mut HashMap<NodeIndex, ()>,
+    tied: &mut HashMap<NodeIndex, Option<Span>>,
     draft: &mut Draft,
 ) {
     let masters = masters(tie, draft);
@@ -95,7 +120,7 @@ fn one(
     }
     let own: HashSet<NodeIndex> = masters.iter().flat_map(|master| master.nodes.clone()).collect();
     let mut left = Vec::new();
-    for node in nodes_of_surface(&slave, draft) {
+    for node in nodes_of_surface(&slave, tie.slave.span, draft) {
         if own.contains(&node) || tied.contains_key(&node) {
             continue;
         }
@@ -105,7 +130,7 @@ fn one(
             left.push(node);
             continue;
         }
-        tied.insert(node, ());
+        tied.insert(node, tie.adjust.then_some(tie.origin));
         if tie.adjust {
             draft.model.nodes.place(node, near.place);
         }

@@ -3,7 +3,7 @@
 use slideline_diag::{Code, Diagnostic, Span};
 
 /// What is said of a name that is no set of that kind, with the nearest one.
-pub(super) fn unknown_set<'a>(
+pub(crate) fn unknown_set<'a>(
     kind: &str,
     set: &str,
     span: Span,

@@ -4,8 +4,10 @@ use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{Node, SurfaceSegment};
 
 use crate::axes::{Given, Orientation, Transform};
-use crate::constraints::{Coupling, Equation, Link, Points, Tie};
-use crate::draft::{Contents, Draft, Element, Interface, Section, Shape, Spring, Surface};
+use crate::constraints::{Coupling, Cut, Equation, Link, Points, PreTension, ShapeMpc, Tie};
+use crate::draft::{
+    Boundary, Contents, Draft, Element, Interface, Section, Shape, Spring, Surface,
+};
 use crate::instances::{Placement, Target};
 use crate::motion::Motion;
 use crate::sets::{Item, NamedSet, Sets};
@@ -149,6 +151,29 @@ impl Place for Points {
     }
 }
 
+impl Place for PreTension {
+    fn placed(self, by: &Placement) -> Self {
+        let cut = match self.cut {
+            Cut::Surface(named) => Cut::Surface(named.placed(by)),
+            Cut::Element(label, span) => Cut::Element(by.label(label), span),
+        };
+        Self { cut, reference: self.reference.placed(by), ..self }
+    }
+}
+
+impl Place for ShapeMpc {
+    fn placed(mut self, by: &Placement) -> Self {
+        self.nodes.iter_mut().for_each(|(target, _)| *target = target.clone().placed(by));
+        self
+    }
+}
+
+impl Place for Boundary {
+    fn placed(self, by: &Placement) -> Self {
+        Self { target: self.target.placed(by), ..self }
+    }
+}
+
 impl Place for Tie {
     fn placed(mut self, by: &Placement) -> Self {
         (self.slave, self.master) = (self.slave.placed(by), self.master.placed(by));
@@ -203,6 +228,7 @@ impl Draft {
             let (label, position) = (by.label(node.label), motion.point(node.position));
             self.model.nodes.insert(Node { label, position, origin: node.origin });
         }
+        self.check_turn(&own, by, motion, origin);
         for element in own.elements {
             let element = element.placed(by);
             self.element_by_label.insert(element.label, self.elements.len());
@@ -215,24 +241,7 @@ impl Draft {
             .extend(pairs.map(|(nodes, elements)| (by.name(&nodes), elements.placed(by))));
         let mut shapes = own.surfaces;
         let mut surfaces = own.named_surfaces;
-        let rigid = shapes.iter_mut().filter_map(|surface| match &mut surface.shape {
-            Shape::Rigid { start, segments } => Some((start, segments, surface.origin)),
-            Shape::Line { .. } => None,
-        });
-        let named = surfaces.iter_mut().filter_map(|surface| match &mut surface.extent {
-            Extent::Rigid { start, segments } => Some((start, segments, surface.origin)),
-            _ => None,
-        });
-        for (start, segments, origin) in rigid.chain(named) {
-            if turn(start, segments, motion).is_none() {
-                let message = format!(
-                    "the instance {} turns its analytical surface out of the plane",
-                    by.prefix.trim_end_matches('.')
-                );
-                let error = Diagnostic::error(Code("SL0258"), message).at(origin);
-                self.log.push(error.help("turn it about an axis along z"));
-            }
-        }
+        self.turn_surfaces(&mut shapes, &mut surfaces, by, motion);
         extend(&mut self.sections, own.sections, by);
         extend(&mut self.springs, own.springs, by);
         extend(&mut self.surfaces, shapes, by);
@@ -257,6 +266,66 @@ impl Draft {
             orientation
         });
         extend(&mut self.orientations, turned.collect(), by);
+        extend(&mut self.pre_tensions, own.pre_tensions, by);
+        extend(&mut self.shape_mpcs, own.shape_mpcs, by);
+        extend(&mut self.initial, own.initial, by);
+    }
+
+    /// Moves analytical surfaces with their instance; complains about those that leave the plane.
+    fn turn_surfaces(
+        &mut self,
+        shapes: &mut [Surface],
+        surfaces: &mut [NamedSurface],
+        by: &Placement,
+        motion: &Motion,
+    ) {
+        let rigid = shapes.iter_mut().filter_map(|surface| match &mut surface.shape {
+            Shape::Rigid { start, segments } => Some((start, segments, surface.origin)),
+            Shape::Line { .. } => None,
+        });
+        let named = surfaces.iter_mut().filter_map(|surface| match &mut surface.extent {
+            Extent::Rigid { start, segments } => Some((start, segments, surface.origin)),
+            _ => None,
+        });
+        for (start, segments, origin) in rigid.chain(named) {
+            if turn(start, segments, motion).is_none() {
+                let message = format!(
+                    "the instance {} turns its analytical surface out of the plane",
+                    by.prefix.trim_end_matches('.')
+                );
+                let error = Diagnostic::error(Code("SL0258"), message).at(origin);
+                self.log.push(error.help("turn it about an axis along z"));
+            }
+        }
+    }
+
+    /// Remembers an instance that leaves the plane, and complains about one that turns what its
+    /// part says of directions.
+    fn check_turn(&mut self, own: &Contents, by: &Placement, motion: &Motion, origin: Span) {
+        let name = by.prefix.trim_end_matches('.').to_owned();
+        if motion.rotation.is_some()
+            && let Some(&first) = (own.initial.iter().map(|line| &line.origin))
+                .chain(own.equations.iter().map(|equation| &equation.origin))
+                .chain(own.pre_tensions.iter().map(|section| &section.origin))
+                .next()
+        {
+            let message = format!(
+                "the instance {name} is turned, and its part speaks of directions: are they \
+                 turned with it?"
+            );
+            let error = Diagnostic::error(Code("SL0258"), message).at(origin);
+            let error = error.label(first, "the directions of the part");
+            self.log.push(error.help("say it in the assembly, of the nodes of the instance"));
+        }
+        let places = own.nodes.iter().map(|node| motion.point(node.position));
+        let (mut low, mut high, mut reach) = (f64::INFINITY, f64::NEG_INFINITY, 0.0_f64);
+        for place in places {
+            (low, high) = (low.min(place[2]), high.max(place[2]));
+            reach = place.iter().fold(reach, |reach, x| reach.max(x.abs()));
+        }
+        if !motion.keeps_the_plane() && high - low > 1e-9 * reach {
+            self.tilted.push((name, origin));
+        }
     }
 }
 

@@ -5,7 +5,7 @@ use Treatment::{Ignored, Parameters, Unsupported};
 /// What becomes of a keyword of another program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Treatment {
-    /// It has no effect in a static step of beams: passed over with a note.
+    /// It has no effect in a static step: passed over with a note.
     Ignored,
     /// Values behind names, which the data lines then use.
     Parameters,
@@ -24,8 +24,31 @@ pub(super) const GROUPS: &[Group] = &[
     ),
     (
         Ignored,
-        "a static step has no inertia",
-        &["DAMPING", "MASS", "ROTARY INERTIA", "NONSTRUCTURAL MASS", "MASS ADJUST"],
+        "a static step has no inertia and no damping",
+        &[
+            "DAMPING",
+            "GLOBAL DAMPING",
+            "CONTACT DAMPING",
+            "DASHPOT",
+            "MASS",
+            "ROTARY INERTIA",
+            "NONSTRUCTURAL MASS",
+            "MASS ADJUST",
+            "FIXED MASS SCALING",
+            "VARIABLE MASS SCALING",
+            "BULK VISCOSITY",
+        ],
+    ),
+    (
+        Ignored,
+        "elements of one integration point keep their own hourglass control",
+        &["SECTION CONTROLS", "HOURGLASS STIFFNESS"],
+    ),
+    (
+        Unsupported,
+        "elements and contact pairs act in all steps: write a deck for each state of the model, or \
+         hold what is removed clear of the rest by *BOUNDARY",
+        &["MODEL CHANGE"],
     ),
     (
         Ignored,
@@ -92,7 +115,6 @@ pub(super) const GROUPS: &[Group] = &[
             "CONTACT CONTROLS ASSIGNMENT",
             "SURFACE PROPERTY ASSIGNMENT",
             "SURFACE SMOOTHING",
-            "CONTACT DAMPING",
             "CONTACT INTERFERENCE",
             "CONTACT PERMEABILITY",
             "CONTACT RESPONSE",
@@ -116,7 +138,7 @@ pub(super) const GROUPS: &[Group] = &[
     (
         Unsupported,
         "a load on a node is *CLOAD; a rigid link to several nodes is *MPC of type BEAM",
-        &["DISTRIBUTING COUPLING", "DISTRIBUTION", "DISTRIBUTION TABLE"],
+        &["DISTRIBUTION", "DISTRIBUTION TABLE"],
     ),
     (
         Unsupported,
@@ -132,17 +154,12 @@ pub(super) const GROUPS: &[Group] = &[
     (Unsupported, "use *MPC of type BEAM for rigid links", &["NETWORKMPC"]),
     (
         Unsupported,
-        "preload a bolt by a prescribed displacement in a first step (*BOUNDARY)",
-        &["PRE-TENSION SECTION"],
-    ),
-    (
-        Unsupported,
         "use *CLOAD on the nodes",
         &["INERTIA RELIEF", "LOAD CASE", "END LOAD CASE", "RELEASE"],
     ),
     (
         Unsupported,
-        "steps are *STATIC",
+        "only *STATIC steps are solved",
         &[
             "BASE MOTION",
             "BASELINE CORRECTION",
@@ -243,7 +260,8 @@ pub(super) const GROUPS: &[Group] = &[
     ),
     (
         Unsupported,
-        "the structure is made of plane beams (B21, B22, B23) and springs (SPRING1, SPRINGA)",
+        "write the structure with solids (*SOLID SECTION), plane beams (*BEAM SECTION), springs \
+         (*SPRING) and rigid bodies",
         &[
             "BEAM GENERAL SECTION",
             "BEAM ADDED INERTIA",
@@ -260,12 +278,10 @@ pub(super) const GROUPS: &[Group] = &[
             "CONNECTOR STOP",
             "CONNECTOR LOCK",
             "CONTINUUM SHELL SECTION",
-            "DASHPOT",
             "EULERIAN SECTION",
             "FLUID SECTION",
             "FRAME SECTION",
             "GASKET SECTION",
-            "HOURGLASS STIFFNESS",
             "JOINT",
             "LAMINATE",
             "MATRIX",
@@ -274,9 +290,11 @@ pub(super) const GROUPS: &[Group] = &[
             "MEMBRANE SECTION",
             "REBAR",
             "REBAR LAYER",
-            "SECTION CONTROLS",
             "SECTION POINTS",
             "SHEAR CENTER",
+            "NODAL THICKNESS",
+            "USER SECTION",
+            "SECTION ORIGIN",
             "CENTROID",
             "SHELL GENERAL SECTION",
             "SHELL SECTION",
@@ -289,11 +307,6 @@ pub(super) const GROUPS: &[Group] = &[
             "CHANGE PLASTIC",
             "CHANGE SOLID SECTION",
         ],
-    ),
-    (
-        Unsupported,
-        "generate nodes with *NGEN, move them with *NMAP",
-        &["NCOPY", "NFILL", "SYSTEM", "ELCOPY"],
     ),
     (
         Unsupported,
@@ -329,19 +342,28 @@ pub(super) const GROUPS: &[Group] = &[
             "RADIATION VIEWFACTOR",
             "VIEWFACTOR",
             "DEFINE BOUNDARY",
+            "SPECIFIC GAS CONSTANT",
+            "TURBULENCE MODEL",
+            "PRESSURE PENETRATION",
         ],
     ),
     (
         Unsupported,
         "",
         &[
+            "BOUNDARYF",
+            "EQUATIONF",
+            "TRANSFORMF",
+            "CRACK PROPAGATION",
+            "INITIAL STRAIN INCREASE",
+            "NO ANALYSIS",
+            "SUBSTRUCTURE MATRIX OUTPUT",
             "ADAPTIVE MESH",
             "ADAPTIVE MESH CONTROLS",
             "ADAPTIVE MESH CONSTRAINT",
             "AQUA",
             "WAVE",
             "WIND",
-            "BULK VISCOSITY",
             "CONSTRAINT CONTROLS",
             "CO-SIMULATION",
             "CO-SIMULATION REGION",
@@ -359,7 +381,6 @@ pub(super) const GROUPS: &[Group] = &[
             "ENRICHMENT",
             "ENRICHMENT ACTIVATION",
             "FILTER",
-            "FIXED MASS SCALING",
             "FLUID BEHAVIOR",
             "FLUID CAVITY",
             "FLUID EXCHANGE",
@@ -367,13 +388,11 @@ pub(super) const GROUPS: &[Group] = &[
             "FRACTURE CRITERION",
             "GEOMETRIC TOLERANCE",
             "GEOMETRIC CONSTRAINT",
-            "GLOBAL DAMPING",
             "IMPORT",
             "IMPORT CONTROLS",
             "IMPORT ELSET",
             "IMPORT NSET",
             "INCIDENT WAVE",
-            "MODEL CHANGE",
             "OBJECTIVE",
             "PERIODIC",
             "PSD-DEFINITION",
@@ -391,7 +410,6 @@ pub(super) const GROUPS: &[Group] = &[
             "TORQUE",
             "TRACER PARTICLE",
             "UNDEX CHARGE PROPERTY",
-            "VARIABLE MASS SCALING",
             "EXTERNAL FIELD",
             "SOLUTION TECHNIQUE",
             "SOLVER CONTROLS",

@@ -12,7 +12,7 @@
 use super::rigid::RigidLink;
 use crate::dofs::DofMap;
 use slideline_model::{Axes, Model};
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 /// A dof that follows others.
 #[derive(Clone, Debug, PartialEq)]
@@ -82,18 +82,37 @@ pub(super) fn resolve(
         into.extend(of_axes(dofs, place));
     }
     let leading = ordered.len();
-    loop {
-        let waiting: HashSet<usize> = open.iter().map(|constraint| constraint.dependent).collect();
-        let follows = |constraint: &LinearConstraint| {
-            constraint.terms.iter().any(|(dof, _)| waiting.contains(dof))
-        };
-        let (later, now): (Vec<_>, Vec<_>) = open.into_iter().partition(follows);
-        if now.is_empty() {
-            return (ordered, leading);
+    ordered.extend(in_order(open));
+    (ordered, leading)
+}
+
+/// Constraints behind those that they follow, level by level; those of a circle are left out.
+fn in_order(open: Vec<LinearConstraint>) -> Vec<LinearConstraint> {
+    let places = open.iter().enumerate().map(|(place, own)| (own.dependent, place));
+    let places: HashMap<usize, usize> = places.collect();
+    let mut followers: Vec<Vec<usize>> = vec![Vec::new(); open.len()];
+    let (mut waits_for, mut level) = (vec![0_usize; open.len()], vec![0_usize; open.len()]);
+    for (place, own) in open.iter().enumerate() {
+        for &leader in own.terms.iter().filter_map(|(dof, _)| places.get(dof)) {
+            followers[leader].push(place);
+            waits_for[place] += 1;
         }
-        ordered.extend(now);
-        open = later;
     }
+    let mut ready: Vec<usize> = (0..open.len()).filter(|&place| waits_for[place] == 0).collect();
+    let mut order: Vec<(usize, usize)> = Vec::with_capacity(open.len());
+    while let Some(taken) = ready.pop() {
+        order.push((level[taken], taken));
+        for &follower in &followers[taken] {
+            level[follower] = level[follower].max(level[taken] + 1);
+            waits_for[follower] -= 1;
+            if waits_for[follower] == 0 {
+                ready.push(follower);
+            }
+        }
+    }
+    order.sort_unstable();
+    let mut open: Vec<Option<LinearConstraint>> = open.into_iter().map(Some).collect();
+    order.into_iter().filter_map(|(_, place)| open[place].take()).collect()
 }
 
 /// The components of a node along the axes of the model follow those along its own.

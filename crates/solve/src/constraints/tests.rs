@@ -62,7 +62,8 @@ fn contact() -> ContactPair {
 }
 
 fn step() -> Step {
-    let prescribed = |node, dof| Prescribed { node, dof, value: 0.4, amplitude: None, origin: AT };
+    let prescribed =
+        |node, dof| Prescribed { node, dof, value: 0.4, amplitude: None, fixed: false, origin: AT };
     Step {
         title: String::new(),
         nlgeom: true,

@@ -24,6 +24,8 @@ pub enum Part {
     Contact(usize),
     /// A master that has no extent, of a contact pair by its index.
     Master(usize),
+    /// A node of a plane model that does not stand in the plane of x and y, by its label.
+    OutOfPlane(u64),
     /// The number of steps.
     Steps,
     /// Prescribed dofs or kinematics of a step, by its number from 1.
@@ -54,6 +56,9 @@ impl fmt::Display for PlanMismatch {
             }
             Part::Master(index) => {
                 write!(f, "contact pair {}, whose master has no extent", index + 1)
+            }
+            Part::OutOfPlane(label) => {
+                write!(f, "node {label}, whose z is not zero though all elements are plane")
             }
             Part::Steps => f.write_str("the number of steps"),
             Part::Step(number) => write!(f, "the prescribed dofs or NLGEOM of step {number}"),

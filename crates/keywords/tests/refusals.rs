@@ -1,0 +1,554 @@
+//! What a deck says and the model cannot hold is refused, never passed over; what it can hold is
+//! taken as the dialects have it.
+
+#![allow(clippy::expect_used)] // a test may stop
+
+use slideline_deck::NoFiles;
+use slideline_diag::{Diagnostic, Sources};
+use slideline_keywords::{Interpreted, read};
+use slideline_model::{Curve, Dialect, Dof, Model};
+
+/// Two squares, of 1 by 1, as solids of a type; sections and steps follow.
+const SQUARES: &str = "\
+*NODE
+1, 1.0, 0.0
+2, 2.0, 0.0
+3, 3.0, 0.0
+4, 1.0, 1.0
+5, 2.0, 1.0
+6, 3.0, 1.0
+*ELEMENT, TYPE=CPS4, ELSET=A
+1, 1, 2, 5, 4
+*ELEMENT, TYPE=CPS4, ELSET=B
+2, 2, 3, 6, 5
+*ELSET, ELSET=ALL
+A, B
+*NSET, NSET=LEFT
+1, 4
+*NSET, NSET=RIGHT
+3, 6
+*SURFACE, NAME=TOP
+ALL, S3
+*SURFACE, NAME=POINTS, TYPE=NODE
+RIGHT
+*SOLID SECTION, ELSET=A, MATERIAL=M
+2.0
+*SOLID SECTION, ELSET=B, MATERIAL=M
+2.0
+*MATERIAL, NAME=M
+*ELASTIC
+200.0, 0.3
+*DENSITY
+3.0
+*BOUNDARY
+LEFT, 1, 2
+";
+
+fn interpret(text: &str, dialect: Dialect) -> Interpreted {
+    read(&mut Sources::default(), "a.inp", text.as_bytes(), &NoFiles, dialect)
+}
+
+fn errors(read: &Interpreted) -> Vec<Diagnostic> {
+    let all = read.diagnostics.iter();
+    all.filter(|found| found.severity.word() == "error").cloned().collect()
+}
+
+/// The deck with more cards and pieces exchanged.
+fn deck(more: &str, exchanged: &[(&str, &str)]) -> String {
+    let mut deck = format!("{SQUARES}{more}");
+    for (old, new) in exchanged {
+        assert!(deck.contains(old), "{old}");
+        deck = deck.replace(old, new);
+    }
+    deck
+}
+
+fn step(cards: &str) -> String {
+    format!("*STEP, NLGEOM\n*STATIC\n{cards}\n*END STEP\n")
+}
+
+/// Codes of the errors of a deck, each once.
+fn codes(deck: &str, dialect: Dialect) -> Vec<&'static str> {
+    let mut codes: Vec<_> =
+        errors(&interpret(deck, dialect)).iter().map(|found| found.code.0).collect();
+    codes.dedup();
+    codes
+}
+
+fn model(deck: &str, dialect: Dialect) -> Model {
+    let read = interpret(deck, dialect);
+    assert!(errors(&read).is_empty(), "{:#?}", errors(&read));
+    read.model
+}
+
+const A: Dialect = Dialect::Abaqus;
+const C: Dialect = Dialect::Calculix;
+
+/// Requirement: a plane model has no third coordinate: after the message about it nothing of it
+/// is left. Source: review, plane models with z.
+#[test]
+fn the_plane_is_that_of_z_zero() {
+    let more = step("*CLOAD\n6, 1, 1.0");
+    let read = interpret(&deck(&more, &[("6, 3.0, 1.0", "6, 3.0, 1.0, 0.25")]), A);
+    assert!(read.diagnostics.iter().any(|found| found.code.0 == "SL0228"));
+    assert!(read.model.nodes.iter().all(|node| node.position[2] == 0.0));
+}
+
+/// Requirement: distributed loads that leave the plane, or break the symmetry of a ring, are
+/// refused; those of a ring's own directions act. Source: Abaqus manual, `*DLOAD` (BR, BZ).
+#[test]
+fn loads_stay_in_the_plane() {
+    let ring: &[(&str, &str)] = &[("CPS4", "CAX4")];
+    let cases: [(&[(&str, &str)], &str, bool); 14] = [
+        (&[], "*DLOAD\nALL, BX, 1.0", true),
+        (&[], "*DLOAD\nALL, BZ, 1.0", false),
+        (&[], "*DLOAD\nALL, BR, 1.0", false),
+        (&[], "*DLOAD\nALL, GRAV, 9.81, 0.0, -1.0, 0.0", true),
+        (&[], "*DLOAD\nALL, GRAV, 9.81, 0.0, -1.0, 0.1", false),
+        (&[], "*DLOAD\n, GRAV, 9.81, 0.0, 0.0, -1.0", false),
+        (&[], "*DSLOAD\nTOP, TRVEC, 1.0, 1.0, 0.0, 1.0", false),
+        (&[], "*DLOAD\nALL, CENTRIF, 4.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0", false),
+        (&[], "*DLOAD\nALL, CENTRIF, 4.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0", true),
+        (ring, "*DLOAD\nALL, BR, 1.0", true),
+        (ring, "*DLOAD\nALL, BZ, 1.0", true),
+        (ring, "*DLOAD\nALL, GRAV, 9.81, 1.0, 0.0, 0.0", false),
+        (ring, "*DLOAD\nALL, CENTRIF, 4.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0", true),
+        (ring, "*DLOAD\nALL, CENTRIF, 4.0, 0.5, 0.0, 0.0, 0.0, 1.0, 0.0", false),
+    ];
+    for (exchanged, cards, sound) in cases {
+        let found = codes(&deck(&step(cards), exchanged), A);
+        assert_eq!(found.is_empty(), sound, "{cards} {found:?}");
+        assert!(sound || found == ["SL0251"], "{cards} {found:?}");
+    }
+    let total = |cards: &str| -> [f64; 2] {
+        let model = model(&deck(&step(cards), ring), A);
+        let forces = &model.steps[0].distributed.forces;
+        [Dof::U1, Dof::U2]
+            .map(|dof| forces.iter().filter(|load| load.dof == dof).map(|load| load.value).sum())
+    };
+    // 2 pi int r dr dz over the rings: 2 pi (9 - 1)/2
+    let volume = 8.0 * std::f64::consts::PI;
+    for (cards, expected) in
+        [("*DLOAD\nALL, BR, 1.0", [volume, 0.0]), ("*DLOAD\nALL, BZ, 1.0", [0.0, volume])]
+    {
+        let sums = total(cards);
+        let near = |k: usize| (sums[k] - expected[k]).abs() < 1e-12 * volume;
+        assert!(near(0) && near(1), "{cards} {sums:?}");
+    }
+}
+
+/// Requirement: gravity that finds no mass, or beams, is refused.
+#[test]
+fn gravity_needs_mass() {
+    let cards = step("*DLOAD\n, GRAV, 9.81, 0.0, -1.0, 0.0");
+    let light = [("*DENSITY\n3.0\n", "")];
+    assert_eq!(codes(&deck(&cards, &light), A), ["SL0309"]);
+    let beams = [
+        ("*ELEMENT, TYPE=CPS4, ELSET=B\n2, 2, 3, 6, 5", "*ELEMENT, TYPE=B21, ELSET=B\n2, 5, 6"),
+        (
+            "*SOLID SECTION, ELSET=B, MATERIAL=M\n2.0",
+            "*BEAM SECTION, SECTION=RECT, ELSET=B, MATERIAL=M\n1.0, 0.1",
+        ),
+        ("ALL, S3", "A, S3"),
+    ];
+    assert_eq!(codes(&deck(&cards, &beams), A), ["SL0221"]);
+}
+
+/// Requirement: a surface of one kind is not taken where another kind is meant.
+#[test]
+fn surfaces_have_a_kind() {
+    let rigid = "*SURFACE, NAME=FLAT, TYPE=SEGMENTS\nSTART, 9.0, 0.0\nLINE, 0.0, 0.0\n";
+    let cases = [
+        step("*DSLOAD\nPOINTS, P, 1.0"),
+        format!("{rigid}{}", step("*DSLOAD\nFLAT, P, 1.0")),
+        format!(
+            "*NODE\n9, 5.0, 0.0\n{rigid}*COUPLING, REF NODE=9, SURFACE=FLAT\n*KINEMATIC\n{}",
+            step("*CLOAD\n6, 1, 1.0")
+        ),
+        format!("{rigid}*TIE, NAME=T\nFLAT, TOP\n{}", step("*CLOAD\n6, 1, 1.0")),
+        format!("*TIE, NAME=T\nTOP, POINTS\n{}", step("*CLOAD\n6, 1, 1.0")),
+    ];
+    for cards in cases {
+        assert!(codes(&deck(&cards, &[]), A).contains(&"SL0332"), "{cards}");
+    }
+    let lonely =
+        "*COUPLING, REF NODE=3, SURFACE=ONE\n*KINEMATIC\n*SURFACE, NAME=ONE, TYPE=NODE\n3\n";
+    let cards = format!("{lonely}{}", step("*CLOAD\n6, 1, 1.0"));
+    assert_eq!(codes(&deck(&cards, &[]), A), ["SL0317"]);
+}
+
+/// Requirement: a material has one elasticity, one density, one hardening, and those go together.
+#[test]
+fn material_cards_do_not_clash() {
+    let cases = [
+        ("*DENSITY\n3.0\n", "*ELASTIC\n1.0\n", "SL0242"),
+        ("*DENSITY\n3.0\n", "*HYPERELASTIC, NEO HOOKE\n1.0, 0.1\n", "SL0242"),
+        ("*DENSITY\n3.0\n", "*DENSITY\n3.0\n*DENSITY\n3.0\n", "SL0242"),
+        ("*DENSITY\n3.0\n", "*PLASTIC\n1.0\n*PLASTIC\n1.0\n", "SL0242"),
+        ("*DENSITY\n3.0\n", "*DENSITY\n-3.0\n", "SL0234"),
+        ("*ELASTIC\n200.0, 0.3\n", "*HYPERELASTIC, NEO HOOKE\n1.0, 0.1\n*PLASTIC\n1.0\n", "SL0309"),
+        (
+            "*ELASTIC\n200.0, 0.3\n",
+            "*ELASTIC, TYPE=ENGINEERING CONSTANTS\n2.0, 2.0, 2.0, 0.1, 0.1, 0.1, 1.0, 1.0,\n1.0\n*PLASTIC\n1.0\n",
+            "SL0309",
+        ),
+    ];
+    for (old, new, code) in cases {
+        let found = codes(&deck(&step("*CLOAD\n6, 1, 1.0"), &[(old, new)]), A);
+        assert_eq!(found, [code], "{new}");
+    }
+}
+
+/// Requirement: loads of different kinds act together, those of one kind replace one another from
+/// step to step (OP=MOD) and add up within one; OP=NEW removes its own. CalculiX tells gravities
+/// by their directions and has one list. Source: both manuals, `*CLOAD`, `*DLOAD`, `*DSLOAD`.
+#[test]
+fn loads_are_known_by_their_kind() {
+    let first = "*DLOAD\nALL, GRAV, 2.0, 0.0, -1.0, 0.0\nALL, BX, 5.0\nA, P3, 7.0\n*DSLOAD\nTOP, TRVEC, 1.0, 1.0, 0.0, 0.0\nTOP, P, 11.0\n";
+    let two = |second: &str, dialect| {
+        model(&deck(&format!("{}{}", step(first), step(second)), &[]), dialect)
+    };
+    // per volume 4: gravity 2 x 3 x 4 down, body force 5 x 4 and traction 1 x 4 to the right
+    let sums = |model: &Model, step: usize| -> [f64; 3] {
+        let loads = &model.steps[step].distributed;
+        let along = |dof| -> f64 {
+            loads.forces.iter().filter(|load| load.dof == dof).map(|load| load.value).sum()
+        };
+        [along(Dof::U1), along(Dof::U2), loads.pressures.iter().map(|load| load.value).sum()]
+    };
+    let near = |found: [f64; 3], expected: [f64; 3]| {
+        let close = found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-12);
+        assert!(close, "{found:?} {expected:?}");
+    };
+    let kept = two("*DLOAD\nB, GRAV, 1.0, 1.0, 0.0, 0.0", A);
+    near(sums(&kept, 0), [24.0, -24.0, 29.0]);
+    near(sums(&kept, 1), [30.0, -12.0, 29.0]);
+    near(sums(&two("*DLOAD\nB, GRAV, 1.0, 1.0, 0.0, 0.0", C), 1), [30.0, -24.0, 29.0]);
+    near(sums(&two("*DLOAD, OP=NEW\nALL, BX, 1.0", A), 1), [8.0, 0.0, 22.0]);
+    near(sums(&two("*DLOAD, OP=NEW\nALL, BX, 1.0", C), 1), [4.0, 0.0, 0.0]);
+    let twice = "*CLOAD\nRIGHT, 1, 1.0\n6, 1, 2.0\n6, 2, 4.0\n";
+    let model = model(&deck(&format!("{}{}", step(twice), step("*CLOAD\n6, 1, 5.0")), &[]), A);
+    let of = |step: usize, label: u64, dof| -> f64 {
+        let node = model.nodes.find(label).expect("a node");
+        let own =
+            model.steps[step].loads.iter().filter(|load| (load.node, load.dof) == (node, dof));
+        own.map(|load| load.value).sum()
+    };
+    assert_eq!([of(0, 3, Dof::U1), of(0, 6, Dof::U1), of(0, 6, Dof::U2)], [1.0, 3.0, 4.0]);
+    assert_eq!([of(1, 3, Dof::U1), of(1, 6, Dof::U1), of(1, 6, Dof::U2)], [1.0, 5.0, 4.0]);
+}
+
+/// Requirement: supports in a part are those of the instance; an instance that turns them, or that
+/// leaves the plane, is refused. `*NSET, ELSET=, INSTANCE=` takes the elements of the instance.
+#[test]
+fn parts_carry_supports_and_stay_in_the_plane() {
+    let (mesh, rest) = SQUARES.split_once("*MATERIAL").expect("a material");
+    let (material, support) = rest.split_once("*BOUNDARY").expect("a support");
+    let of = |inside: &str, motion: &str| {
+        format!(
+            "*PART, NAME=P\n{mesh}{inside}*END PART\n*ASSEMBLY, NAME=Q\n*INSTANCE, NAME=P-1, PART=P\n\
+             {motion}*END INSTANCE\n*NSET, NSET=OFA, ELSET=A, INSTANCE=P-1\n*END ASSEMBLY\n\
+             *MATERIAL{material}{}",
+            step("*CLOAD\nP-1.6, 1, 5000000000.0")
+        )
+    };
+    let supports = format!("*BOUNDARY{support}");
+    let model = model(&of(&supports, ""), A);
+    assert_eq!(model.steps[0].prescribed.len(), 4);
+    let members = model.node_sets.iter().find(|set| set.name == "OFA").map(|set| set.members.len());
+    assert_eq!(members, Some(4));
+    let quarter = "0.0, 0.0\n0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 90.0\n";
+    assert_eq!(codes(&of(&supports, quarter), A), ["SL0258"]);
+    let up = "0.0, 0.0\n0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 90.0\n";
+    assert!(codes(&of("", up), A).contains(&"SL0258"));
+    // a large number is said as it stands, a node by its name
+    let inside = of("", "").replace("*STEP, NLGEOM", "*STEP, INC=5000000012");
+    let said: Vec<String> =
+        errors(&interpret(&inside, A)).iter().map(|found| found.message.clone()).collect();
+    assert!(said.iter().any(|message| message.contains("5000000012")), "{said:?}");
+}
+
+/// Requirement: a tie that folds an element, or has a negative tolerance, is refused.
+#[test]
+fn ties_do_not_fold_elements() {
+    let other = "*NODE\n11, 1.0, 1.3\n12, 3.0, 1.3\n13, 3.0, 1.1\n14, 1.0, 1.1\n\
+        *ELEMENT, TYPE=CPS4, ELSET=C\n3, 11, 14, 13, 12\n\
+        *SOLID SECTION, ELSET=C, MATERIAL=M\n2.0\n*SURFACE, NAME=LOW, TYPE=NODE\n11\n12\n";
+    let tie = |more: &str| {
+        let cards = format!("{other}*TIE, NAME=T{more}\nLOW, TOP\n{}", step("*CLOAD\n6, 1, 1.0"));
+        codes(&deck(&cards, &[]), A)
+    };
+    assert_eq!(tie(", POSITION TOLERANCE=0.5, ADJUST=NO"), [""; 0]);
+    assert_eq!(tie(", POSITION TOLERANCE=0.5"), ["SL0346"]);
+    assert_eq!(tie(", POSITION TOLERANCE=-0.5"), ["SL0210"]);
+}
+
+/// Requirement: SHIFTX and SHIFTY move every kind of curve; a load that follows a curve over the
+/// total time follows it through the steps. Source: both manuals, `*AMPLITUDE`.
+#[test]
+fn amplitudes_are_shifted_and_go_on() {
+    let curves = "*AMPLITUDE, NAME=W, DEFINITION=PERIODIC, SHIFTX=0.5, SHIFTY=2.0\n1, 3.0, 0.25, 1.0\n0.0, 1.0\n\
+        *AMPLITUDE, NAME=T, TIME=TOTAL TIME\n0.0, 0.0, 2.0, 4.0, 3.0, 9.0\n";
+    let cards = format!(
+        "{curves}{}{}{}",
+        step("*CLOAD, AMPLITUDE=T\n6, 1, 10.0\n*CLOAD, AMPLITUDE=W\n3, 1, 1.0"),
+        step("*CLOAD\n6, 2, 1.0"),
+        step("*DLOAD\nALL, BX, 1.0")
+    );
+    let model = model(&deck(&cards, &[]), A);
+    let wave = model.amplitude("W").expect("a curve");
+    assert!(matches!(wave.curve, Curve::Periodic { start: 0.75, mean: 3.0, .. }));
+    for (step, expected) in [(0, 2.0), (1, 4.0), (2, 9.0)] {
+        let node = model.nodes.find(6).expect("a node");
+        let load = model.steps[step]
+            .loads
+            .iter()
+            .find(|load| (load.node, load.dof) == (node, Dof::U1))
+            .expect("a load");
+        let curve = &model.amplitudes[load.amplitude.expect("its curve")];
+        assert_eq!(load.value * curve.at(1.0), 10.0 * expected, "{step}");
+    }
+}
+
+/// Requirement: dofs from the last to the first are refused on every card that takes a range.
+#[test]
+fn ranges_of_dofs_ascend() {
+    let cases = [
+        "*BOUNDARY\n3, 2, 1\n".to_owned() + &step("*CLOAD\n6, 1, 1.0"),
+        "*COUPLING, REF NODE=3, SURFACE=POINTS\n*KINEMATIC\n6, 1\n".to_owned()
+            + &step("*CLOAD\n6, 1, 1.0"),
+        "*KINEMATIC COUPLING, REF NODE=3\n6, 6, 1\n".to_owned() + &step("*CLOAD\n6, 1, 1.0"),
+        "*COUPLING, REF NODE=3, SURFACE=POINTS\n*DISTRIBUTING\n6, 1\n".to_owned()
+            + &step("*CLOAD\n6, 1, 1.0"),
+    ];
+    for cards in cases {
+        assert_eq!(codes(&deck(&cards, &[]), A), ["SL0248"], "{cards}");
+    }
+}
+
+/// Requirement: the width of a contact is one; where the solids of the slave differ it is asked
+/// for. An allowable of solids is a warning: the run cannot be green without it being held.
+#[test]
+fn one_width_and_no_idle_allowable() {
+    let contact = "*NODE\n9, 5.0, 5.0\n*SURFACE, NAME=FLAT, TYPE=SEGMENTS\nSTART, 9.0, 2.0\nLINE, 0.0, 2.0\n\
+        *RIGID BODY, ANALYTICAL SURFACE=FLAT, REF NODE=9\n*SURFACE INTERACTION, NAME=I\n\
+        *SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n10.0\n*CONTACT PAIR, INTERACTION=I, TYPE=NODE TO SURFACE\nTOP, FLAT\n";
+    let cards = format!("{contact}{}", step("*BOUNDARY\n9, 1, 6"));
+    let thin = ("ELSET=B, MATERIAL=M\n2.0", "ELSET=B, MATERIAL=M\n1.0");
+    assert_eq!(codes(&deck(&cards, &[]), A), [""; 0]);
+    assert_eq!(codes(&deck(&cards, &[thin]), A), ["SL0332"]);
+    let given = ("*SURFACE INTERACTION, NAME=I\n", "*SURFACE INTERACTION, NAME=I\n1.5\n");
+    assert_eq!(model(&deck(&cards, &[thin, given]), A).contact_pairs[0].interaction.width, 1.5);
+    let cards = format!("*ALLOWABLE, MATERIAL=M, STRESS=1.0\n{}", step("*CLOAD\n6, 1, 1.0"));
+    let read = interpret(&deck(&cards, &[]), A);
+    let warned = read.diagnostics.iter().find(|found| found.code.0 == "SL0273").expect("a warning");
+    assert_eq!(warned.severity.word(), "warning");
+}
+
+/// Requirement: equations that follow one another in a long row are put in order in time that
+/// grows with their number, and a circle is still found.
+#[test]
+fn long_chains_of_equations() {
+    let count = 20_000_u64;
+    let mut cards = String::from("*NODE\n");
+    for k in 0..count {
+        cards += &format!("{}, {}.0, 7.0\n", 100 + k, k);
+    }
+    cards += "*EQUATION\n";
+    for k in 1..count {
+        cards += &format!("2\n{}, 1, 1.0, {}, 1, -1.0\n", 99 + k, 100 + k);
+    }
+    let began = std::time::Instant::now();
+    let open = deck(&format!("{cards}{}", step("*CLOAD\n6, 1, 1.0")), &[]);
+    assert_eq!(codes(&open, A), [""; 0]);
+    assert!(began.elapsed().as_secs() < 20, "{:?}", began.elapsed());
+    let closed =
+        format!("{cards}2\n{}, 1, 1.0, 100, 1, -1.0\n{}", 99 + count, step("*CLOAD\n6, 1, 1.0"));
+    assert_eq!(codes(&deck(&closed, &[]), A), ["SL0347"]);
+}
+
+/// Requirement: a section is cut through all its nodes: the own side gets nodes of its own, which
+/// follow the others and the reference node along the normal; a surface that does not cut through
+/// is refused. Source: docs/theory.md eq. (4.11).
+#[test]
+fn bolts_are_cut() {
+    let cut = "*NODE\n100, 2.0, 5.0\n*SURFACE, NAME=CUT\n1, S2\n";
+    let cards = format!(
+        "{cut}*PRE-TENSION SECTION, SURFACE=CUT, NODE=100\n{}",
+        step("*CLOAD\n100, 1, 1.0")
+    );
+    let parted = model(&deck(&cards, &[]), A);
+    assert_eq!((parted.nodes.len(), parted.linear_constraints.len()), (9, 4));
+    for constraint in &parted.linear_constraints {
+        let (own, dof) = constraint.dependent;
+        let other = constraint.terms[0].0;
+        assert_eq!(parted.nodes.position(own), parted.nodes.position(other));
+        assert_eq!((constraint.terms[0].1, constraint.terms[0].2), (dof, 1.0));
+        let reference = parted.nodes.find(100).expect("a node");
+        match dof {
+            Dof::U1 => assert_eq!(constraint.terms[1], (reference, Dof::U1, 1.0)),
+            _ => assert_eq!(constraint.terms.len(), 1),
+        }
+        let elements = parted.blocks.iter().flat_map(|block| &block.elements);
+        let of: Vec<u64> =
+            elements.filter(|e| e.nodes.contains(&own)).map(|element| element.label).collect();
+        assert_eq!(of, [1]);
+    }
+    let turned = cards.replace("NODE=100\n", "NODE=100\n-2.0, 0.0\n");
+    let turned = model(&deck(&turned, &[]), A);
+    assert!(
+        turned.linear_constraints.iter().any(|own| own.terms.iter().any(|term| term.2 == -1.0))
+    );
+    let outside = cards.replace("1, S2", "2, S2");
+    assert_eq!(codes(&deck(&outside, &[]), A), ["SL0347"]);
+    // a face in the middle of two rows of elements: joined round its end
+    let row = "*NODE\n17, 1.0, 2.0\n18, 2.0, 2.0\n19, 3.0, 2.0\n*ELEMENT, TYPE=CPS4, ELSET=A\n\
+        11, 4, 5, 18, 17\n12, 5, 6, 19, 18\n";
+    assert_eq!(codes(&deck(&format!("{row}{cards}"), &[("ALL, S3", "A, S3")]), A), ["SL0347"]);
+    let both = cards.replace("1, S2\n", "1, S2\n11, S2\n");
+    let both = model(&deck(&format!("{row}{both}"), &[("ALL, S3", "A, S3")]), A);
+    assert_eq!((both.nodes.len(), both.linear_constraints.len()), (13, 6));
+    for (old, new) in [("SURFACE=CUT", "ELEMENT=1"), ("SURFACE=CUT, ", "")] {
+        assert!(!codes(&deck(&cards.replace(old, new), &[]), A).is_empty(), "{new}");
+    }
+}
+
+/// Requirement: elements without stiffness are read, with one note; a weight of theirs is refused.
+/// CalculiX leaves out members of sets that do not exist.
+#[test]
+fn elements_without_effect() {
+    let masses = "*ELEMENT, TYPE=MASS, ELSET=HEAVY\n7, 3\n8, 6\n*MASS, ELSET=HEAVY\n1.0\n\
+        *ELEMENT, TYPE=DASHPOTA, ELSET=DAMP\n9, 3, 6\n*DASHPOT, ELSET=DAMP\n\n1.0\n";
+    let cards = |load: &str| format!("{masses}{}", step(load));
+    let read = interpret(&deck(&cards("*CLOAD\n6, 1, 1.0"), &[]), A);
+    assert!(errors(&read).is_empty(), "{:#?}", errors(&read));
+    let notes = read.diagnostics.iter().filter(|found| found.code.0 == "SL0257").count();
+    assert_eq!(notes, 4, "{:#?}", read.diagnostics);
+    assert_eq!(codes(&deck(&cards("*DLOAD\n, GRAV, 1.0, 0.0, -1.0, 0.0"), &[]), A), ["SL0221"]);
+    let absent = deck(&step("*CLOAD\n6, 1, 1.0"), &[("RIGHT\n3, 6", "RIGHT\n3, 6, 77")]);
+    assert_eq!(codes(&absent, A), ["SL0304"]);
+    assert_eq!(codes(&absent, C), [""; 0]);
+}
+
+/// Requirement: FIXED is a motion of its own, which needs a step before.
+#[test]
+fn fixed_supports() {
+    let cards = format!("{}{}", step("*CLOAD\n6, 1, 1.0"), step("*BOUNDARY, FIXED\n6, 1"));
+    let held = model(&deck(&cards, &[]), A);
+    let fixed: Vec<bool> = held.steps[1].prescribed.iter().map(|own| own.fixed).collect();
+    assert_eq!(fixed, [false, false, false, false, true]);
+    assert_eq!(
+        codes(&deck(&cards, &[("*BOUNDARY\nLEFT", "*BOUNDARY, FIXED\nLEFT")]), A),
+        ["SL0214"]
+    );
+}
+
+/// Requirement: what a parameter of another program asks for is called not supported, a slip of
+/// the pen a slip.
+#[test]
+fn parameters_of_other_programs_are_named() {
+    let linear = |of: &str| deck(&step("*CLOAD\n6, 1, 1.0").replace("*STATIC", of), &[]);
+    assert_eq!(codes(&linear("*STATIC, RIKS"), A), ["SL0221"]);
+    assert_eq!(codes(&linear("*STATIC, RICKS"), A), ["SL0202"]);
+    let cyclic = deck(&step("*CLOAD, FOLLOWER\n6, 1, 1.0"), &[]);
+    assert_eq!(codes(&cyclic, A), ["SL0221"]);
+}
+
+/// Requirement: nodes and elements that are filled in, copied and given in other axes stand where
+/// the cards say. Source: Abaqus manual, `*NFILL`, `*NCOPY`, `*ELCOPY`, `*SYSTEM`, `*NODE`.
+#[test]
+fn mesh_cards() {
+    let arm = |cards: &str| {
+        let deck = format!(
+            "{cards}*ELEMENT, TYPE=B21, ELSET=E\n1, 1, 2\n*BEAM SECTION, SECTION=RECT, ELSET=E, \
+             MATERIAL=M\n1.0, 0.1\n*MATERIAL, NAME=M\n*ELASTIC\n200.0\n{}",
+            step("*BOUNDARY\n1, 1, 6")
+        );
+        let read = interpret(&deck, A);
+        (codes(&deck, A), read.model)
+    };
+    let places = |cards: &str| {
+        let (codes, model) = arm(cards);
+        assert_eq!(codes, [""; 0], "{cards}");
+        let mut all: Vec<(u64, [f64; 3])> =
+            model.nodes.iter().map(|node| (node.label, node.position)).collect();
+        all.sort_by_key(|node| node.0);
+        all
+    };
+    let ends =
+        "*NODE, NSET=A\n1, 0.0, 0.0\n11, 0.0, 1.0\n*NODE, NSET=B\n5, 4.0, 0.0\n15, 8.0, 1.0\n";
+    let filled = places(&format!("{ends}*NFILL, NSET=ALL\nA, B, 4, 1\n"));
+    assert_eq!(filled.len(), 10);
+    assert_eq!([filled[1], filled[7]], [(2, [1.0, 0.0, 0.0]), (13, [4.0, 1.0, 0.0])]);
+    let row = "*NODE, NSET=A\n1, 1.0, 0.0\n";
+    let shift = "*NCOPY, OLD SET=A, CHANGE NUMBER=1, SHIFT, MULTIPLE=3, NEW SET=C\n2.0, 0.0\n";
+    let copied = places(&format!("{row}{shift}"));
+    assert_eq!(copied.iter().map(|node| node.1[0]).collect::<Vec<_>>(), [1.0, 3.0, 5.0, 7.0]);
+    let turned = places(&format!(
+        "{row}*NCOPY, OLD SET=A, CHANGE NUMBER=1, SHIFT\n1.0, 0.0\n0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 90.0\n"
+    ));
+    assert_eq!(turned[1], (2, [0.0, 2.0, 0.0]));
+    let axes = places(
+        "*SYSTEM\n1.0, 2.0, 0.0, 1.0, 3.0, 0.0\n*NODE\n1, 5.0, 0.0\n2, 0.0, 5.0\n*SYSTEM\n*NODE\n3, 5.0, 0.0\n",
+    );
+    assert_eq!(
+        axes.iter().map(|node| node.1).collect::<Vec<_>>(),
+        [[1.0, 7.0, 0.0], [-4.0, 2.0, 0.0], [5.0, 0.0, 0.0]]
+    );
+    let round = places("*NODE, SYSTEM=C\n1, 2.0, 0.0\n2, 2.0, 90.0\n");
+    assert!((round[1].1[0].abs() < 1e-15) && (round[1].1[1] - 2.0).abs() < 1e-15);
+    let far = format!("{row}*NCOPY, OLD SET=A, CHANGE NUMBER=999999999, SHIFT\n2.0, 0.0\n");
+    assert_eq!(arm(&far).0[0], "SL0224");
+    assert_eq!(arm(&format!("{ends}*NFILL\nA, D, 4, 1\n")).0[0], "SL0304");
+    let twins = "*NODE\n1, 0.0, 0.0\n2, 1.0, 0.0\n11, 0.0, 1.0\n12, 1.0, 1.0\n*ELEMENT, TYPE=B21, ELSET=E\n\
+        21, 1, 2\n*ELCOPY, OLD SET=E, ELEMENT SHIFT=10, SHIFT NODES=10, NEW SET=F\n*ELSET, ELSET=E\nF\n";
+    let (found, model) = arm(twins);
+    assert_eq!(found, [""; 0]);
+    let copy = model.blocks.iter().flat_map(|block| &block.elements).find(|e| e.label == 31);
+    let nodes = copy.expect("a copy").nodes;
+    assert_eq!([nodes[0], nodes[1]].map(|node| model.nodes.label(node)), [11, 12]);
+}
+
+/// Requirement: shapes are kept by equations that every rigid motion fulfils, and a node that leaves
+/// the shape does not; with NLGEOM they are refused. Source: docs/theory.md eqs (4.12), (4.13).
+#[test]
+fn shapes_are_kept() {
+    let bricks = "*NODE\n1, 0.0, 0.0, 0.0\n2, 2.0, 0.0, 0.0\n3, 2.0, 1.0, 0.0\n4, 0.0, 1.0, 0.0\n\
+        5, 0.0, 0.0, 1.0\n6, 2.0, 0.0, 1.0\n7, 2.0, 1.0, 1.0\n8, 0.0, 1.0, 1.0\n9, 0.5, 0.0, 0.0\n\
+        10, 0.5, 0.25, 0.0\n20, 0.0, 0.0, 3.0\n*ELEMENT, TYPE=C3D8, ELSET=E\n1, 1, 2, 3, 4, 5, 6, 7, 8\n\
+        *SOLID SECTION, ELSET=E, MATERIAL=M\n*MATERIAL, NAME=M\n*ELASTIC\n1.0\n";
+    let of =
+        |mpc: &str| format!("{bricks}*MPC\n{mpc}*STEP\n*STATIC\n*CLOAD\n6, 1, 1.0\n*END STEP\n");
+    let cases = [
+        ("STRAIGHT, 1, 2, 9\n", 2),
+        ("PLANE, 1, 2, 3, 10, 9\n", 2),
+        ("PLANE, 1, 2, 3\n, 10, 9\n", 2),
+        ("MEANROT, 1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4, 20\n", 1),
+        ("LINEAR, 9, 1, 2\n", 3),
+    ];
+    // a displacement and a small turn w: u = c + w x X; the mean rotation about z is w_z
+    let (c, w) = ([0.3, -0.2, 0.7], [0.5, -1.1, 0.4]);
+    for (mpc, count) in cases {
+        let model = model(&of(mpc), A);
+        assert_eq!(model.linear_constraints.len(), count, "{mpc}");
+        let u = |(node, dof): (usize, Dof)| {
+            let [x, y, z] = model.nodes.position(node);
+            let turn = [w[1] * z - w[2] * y, w[2] * x - w[0] * z, w[0] * y - w[1] * x];
+            match model.nodes.label(node) {
+                20 => w[2],
+                _ => c[dof as usize] + turn[dof as usize],
+            }
+        };
+        for own in &model.linear_constraints {
+            let sum: f64 = own.terms.iter().map(|&(node, dof, a)| a * u((node, dof))).sum();
+            assert!((sum - u(own.dependent)).abs() < 1e-12, "{mpc} {own:?}");
+        }
+    }
+    for broken in
+        ["STRAIGHT, 1, 2, 10\n", "PLANE, 1, 2, 9, 10\n", "PLANE, 1, 2, 3, 5\n", "LINEAR, 9, 1\n"]
+    {
+        assert_eq!(codes(&of(broken), A), ["SL0347"], "{broken}");
+    }
+    let large = of("STRAIGHT, 1, 2, 9\n").replace("*STEP", "*STEP, NLGEOM");
+    assert_eq!(codes(&large, A), ["SL0221"]);
+}
