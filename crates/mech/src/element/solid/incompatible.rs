@@ -20,7 +20,9 @@ use crate::material::tensor::{INDEX, Matrix};
 /// Most modes: three times three.
 const MOST: usize = 9;
 /// Most corrections of the parameters.
-const CORRECTIONS: usize = 30;
+const CORRECTIONS: usize = 60;
+/// Most halvings of a correction.
+const HALVINGS: u32 = 12;
 /// Change of the parameters, relative to the strains, behind which the last linear correction is
 /// exact to rounding [1].
 const CLOSE: f64 = 1e-8;
@@ -154,11 +156,19 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
             .iter_mut()
             .zip(&committed[first.min(committed.len())..])
             .for_each(|(p, c)| *p = *c);
+        let mut search = Search::default();
         for _ in 0..CORRECTIONS {
             let states = (under, committed, &mut *into.state);
-            let sums = self.moved(element, q, &parameters, states, points)?;
-            let Some(step) = solve::<1>(D * D, &sums.own, &sums.force.map(|f| [-f])) else { break };
-            parameters.iter_mut().zip(&step).for_each(|(own, [step])| *own += step);
+            let moved = self.moved(element, q, &parameters, states, points);
+            let size = moved.as_ref().map_or(f64::INFINITY, |sums| norm(&sums.force));
+            if !search.is_better(size) {
+                search.go_back(&mut parameters)?;
+                continue;
+            }
+            let sums = moved?;
+            let step = solve::<1>(D * D, &sums.own, &sums.force.map(|f| [-f]));
+            let Some(step) = step else { break };
+            search.step(&mut parameters, &step, size);
             let change = step.iter().fold(0.0_f64, |most, [step]| most.max(step.abs()));
             let size = self.centres[element].size(&parameters, points);
             if change <= CLOSE * size {
@@ -240,6 +250,47 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
         parameters.iter_mut().zip(&committed[first..]).for_each(|(p, own)| *p = *own);
         self.moved(element, q, &parameters, (under, committed, state), points).map(|_| ())
     }
+}
+
+/// Where the parameters came from: a correction that lessens nothing is halved.
+#[derive(Default)]
+struct Search {
+    from: [f64; MOST],
+    step: [f64; MOST],
+    /// Size of the forces before the step; `None`: there was none.
+    size: Option<f64>,
+    halved: u32,
+}
+
+impl Search {
+    /// Whether forces of that size are no more than those before the step.
+    fn is_better(&self, size: f64) -> bool {
+        self.size.is_none_or(|before| size <= before)
+    }
+
+    /// Half of the last step; an error: it was halved often enough.
+    fn go_back(&mut self, parameters: &mut [f64; MOST]) -> Result<(), Failure> {
+        self.halved += 1;
+        if self.halved > HALVINGS {
+            return Err(Failure::NoEquilibrium);
+        }
+        for ((own, from), step) in parameters.iter_mut().zip(&self.from).zip(&mut self.step) {
+            *step *= 0.5;
+            *own = from + *step;
+        }
+        Ok(())
+    }
+
+    /// Takes a whole step, from where forces have that size.
+    fn step(&mut self, parameters: &mut [f64; MOST], step: &[[f64; 1]; MOST], size: f64) {
+        *self =
+            Self { from: *parameters, step: step.map(|[step]| step), size: Some(size), halved: 0 };
+        parameters.iter_mut().zip(step).for_each(|(own, [step])| *own += step);
+    }
+}
+
+fn norm(list: &[f64; MOST]) -> f64 {
+    list.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
 impl<const D: usize, const N: usize> Centre<D, N> {

@@ -37,7 +37,7 @@ pub(super) fn ask(
     for _ in 0..MOST {
         let answer = material.respond(gradient, under, before, after);
         let stress = answer.stress[2];
-        // by the logarithm of the thickness: docs/theory.md eq. (3.55)
+        // by the logarithm of the thickness: docs/theory.md eq. (3.56)
         let modulus = answer.moduli[2][2] + if under.large { 2.0 * stress } else { 0.0 };
         let step = -stress / modulus;
         let size = answer.stress.iter().fold(0.0_f64, |size, s| size.max(s.abs()));
