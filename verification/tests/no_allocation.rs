@@ -26,6 +26,33 @@ pub const GROUP: Group = Group {
 #[global_allocator]
 static COUNTER: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
 
+/// Solids with a pressure that follows its faces.
+const PRESSED: &str = "*NODE
+1, 0.0, 0.0
+2, 1.0, 0.0
+3, 2.0, 0.0
+4, 0.0, 1.0
+5, 1.0, 1.0
+6, 2.0, 1.0
+*ELEMENT, TYPE=CPE4, ELSET=BLOCK
+1, 1, 2, 5, 4
+2, 2, 3, 6, 5
+*SOLID SECTION, ELSET=BLOCK, MATERIAL=SOFT
+1.0
+*MATERIAL, NAME=SOFT
+*ELASTIC
+100.0, 0.3
+*STEP, NLGEOM
+*STATIC
+0.5, 1.0, 0.1, 0.5
+*BOUNDARY
+1, 1, 2
+4, 1, 2
+*DLOAD
+BLOCK, P3, 3.0
+*END STEP
+";
+
 /// Of a deck: later iterations, and allocations in them.
 static COUNTS: OnceLock<Vec<(&str, usize, usize)>> = OnceLock::new();
 
@@ -60,6 +87,7 @@ pub fn count() {
         ("IRS, 99 B21", paper::IRS_FINE),
         ("ISL, 24 B21", paper::ISL_COARSE),
         ("ISL, 24 B21, mu 0.3", &friction),
+        ("CPE4, pressed", PRESSED),
     ];
     let counted = decks.map(|(name, deck)| {
         let model = Job::read_text("count", deck, &ReadOptions::default()).model.unwrap();

@@ -9,8 +9,8 @@ use slideline_mech::contact::gap::Gap;
 use slideline_mech::contact::gap::circle::{Circle, Side};
 use slideline_mech::contact::gap::curve::{Along, Weights, point_to_curve};
 use slideline_mech::differentiate::Second;
-use slideline_mech::element::cell::{Cell, HEX8, HEX20, QUAD4, TET10};
-use slideline_mech::element::quadrature::{HEX_8, HEX_27, QUAD_4, Quadrature, TET_4};
+use slideline_mech::element::cell::{Cell, HEX8, HEX20, QUAD4, QUAD8, TET10};
+use slideline_mech::element::quadrature::{HEX_8, HEX_27, QUAD_4, QUAD_9, Quadrature, TET_4};
 use slideline_mech::element::solid::{Formulation, Kinematics, Recipe, Solids, Told, states};
 use slideline_mech::element::{Beam21, Beam22, Beam23, Kernel, Response, Strains};
 use slideline_mech::material::{Elastic, LargeStrain, Material, Plastic};
@@ -100,6 +100,7 @@ fn solids(criterion: &mut Criterion) {
     let metal = Material::Plastic(Plastic { elastic: steel, table, kinematic: 0.0 });
     let hex = |name| (name, &HEX8, &HEX_8);
     solid::<2, 4, 4>(criterion, ("CPE4", &QUAD4, &QUAD_4), MeanDilation, hencky());
+    solid::<2, 8, 9>(criterion, ("CPE8", &QUAD8, &QUAD_9), Plain, hencky());
     solid::<3, 8, 8>(criterion, hex("C3D8"), MeanDilation, hencky());
     solid::<3, 8, 8>(criterion, hex("C3D8 Green"), MeanDilation, green);
     solid::<3, 8, 8>(criterion, hex("C3D8 plastic"), MeanDilation, metal);

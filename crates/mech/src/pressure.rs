@@ -66,17 +66,17 @@ impl Face {
         }
     }
 
-    fn points(&self) -> Vec<At> {
-        match self {
-            Self::Edge { nodes, thickness } => edge(*nodes, *thickness),
-            Self::Ring { nodes } => edge(*nodes, 2.0 * std::f64::consts::PI),
-            Self::Area(cell, rule) => rule
-                .points
-                .iter()
-                .zip(rule.weights)
-                .map(|(place, &weight)| area_at(cell, place, weight))
-                .collect(),
-        }
+    /// Where it is integrated.
+    fn points(&self) -> impl Iterator<Item = At> + '_ {
+        let count = match self {
+            Self::Edge { nodes, .. } | Self::Ring { nodes } => *nodes,
+            Self::Area(_, rule) => rule.points.len(),
+        };
+        (0..count).map(|k| match self {
+            Self::Edge { nodes, thickness } => edge_point(*nodes, k, *thickness),
+            Self::Ring { nodes } => edge_point(*nodes, k, 2.0 * std::f64::consts::PI),
+            Self::Area(cell, rule) => area_at(cell, &rule.points[k], rule.weights[k]),
+        })
     }
 
     /// Forces of a unit pressure on the nodes at `x` [L]: adds pressure times them to `force`, three
@@ -265,12 +265,14 @@ fn tangents(at: &At, x: &[[f64; 3]]) -> [[f64; 3]; 2] {
     tangents
 }
 
-fn edge(nodes: usize, thickness: f64) -> Vec<At> {
+/// A point of the rule of as many points as the edge has nodes.
+fn edge_point(nodes: usize, point: usize, thickness: f64) -> At {
     let gauss: &[(f64, f64)] = match nodes {
         2 => &[(-GAUSS_2, 1.0), (GAUSS_2, 1.0)],
         _ => &[(-GAUSS_3, 5.0 / 9.0), (0.0, 8.0 / 9.0), (GAUSS_3, 5.0 / 9.0)],
     };
-    gauss.iter().map(|&(xi, weight)| edge_at(nodes, xi, weight * thickness)).collect()
+    let (xi, weight) = gauss[point];
+    edge_at(nodes, xi, weight * thickness)
 }
 
 fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {

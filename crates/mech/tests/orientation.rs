@@ -77,7 +77,7 @@ fn respond(
     let (committed, mut state) = (vec![0.0; count], vec![0.0; count]);
     let (mut force, mut tangent) = (vec![0.0; q.len()], vec![0.0; q.len().pow(2)]);
     let into = Response { force: &mut force, tangent: Some(&mut tangent), state: &mut state };
-    let energy = kernel.respond(0, q, &committed, &strains.into(), into);
+    let energy = kernel.respond(0, q, &committed, &strains.into(), into).unwrap();
     (energy, force, tangent)
 }
 

@@ -9,7 +9,7 @@
 //! restart saves and the files take it like one of their own.
 
 use slideline::mech::element::cell::LINE2;
-use slideline::mech::element::{Kernel, Response, Scale, Surroundings};
+use slideline::mech::element::{Failure, Kernel, Response, Scale, Surroundings};
 use slideline::model::{
     Dof, ElementBlock, ElementType, Field, Kinematics, Location, Section, Undeformed, mean_at_nodes,
 };
@@ -85,7 +85,7 @@ impl Kernel for Bars {
         committed: &[f64],
         _under: &Surroundings<'_>,
         into: Response<'_>,
-    ) -> f64 {
+    ) -> Result<f64, Failure> {
         let ([x, y], length) = self.bars[element];
         let [stress, slope, plastic] = self.law(self.strain(element, q), committed[0]);
         let rows = [-x, -y, x, y];
@@ -98,7 +98,7 @@ impl Kernel for Bars {
             }
         }
         into.state[0] = plastic;
-        0.5 * self.area * length * stress * stress / self.modulus
+        Ok(0.5 * self.area * length * stress * stress / self.modulus)
     }
 
     fn scale(&self, element: usize) -> Scale {

@@ -152,7 +152,7 @@ pub fn judge(
 }
 
 /// The largest nodal vector of a field in `value`, and where its largest
-/// component stands. Only dofs accepted by `counts` take part.
+/// component stands. Only dofs accepted by `counts` take part; one that is no number is the largest.
 pub fn largest_nodal(
     dofs: &DofMap,
     field: Field,
@@ -168,9 +168,12 @@ pub fn largest_nodal(
                 continue;
             }
             square += value[dof] * value[dof];
-            if value[dof].abs() > component.0 {
+            if value[dof].abs() > component.0 || value[dof].is_nan() {
                 component = (value[dof].abs(), Some(dof));
             }
+        }
+        if square.is_nan() {
+            return (f64::NAN, component.1);
         }
         if square > largest.0 {
             largest = (square, component.1);

@@ -9,6 +9,7 @@
 //! What nothing proves is called unknown.
 
 mod contact;
+mod element;
 mod law;
 mod passed;
 mod structure;
@@ -46,6 +47,7 @@ pub fn reason(outcome: &Outcome) -> String {
         Verdict::Diverging => "the residual grew in two consecutive iterations",
         Verdict::TooSlow => "convergence is too slow",
         Verdict::Discontinuous => "the contact status kept changing",
+        Verdict::Collapsed => "an element collapsed",
         Verdict::Broken => "the equations could not be solved",
         Verdict::PassedThrough { .. } => "contact was passed through in the increment",
     };
@@ -60,10 +62,11 @@ pub fn failure(case: &Case<'_>) -> Diagnostic {
     if case.stop == StopReason::TooManyIncrements {
         return case.too_many_increments();
     }
-    let causes: [fn(&Case<'_>) -> Option<Diagnostic>; 11] = [
+    let causes: [fn(&Case<'_>) -> Option<Diagnostic>; 12] = [
         |case| case.passed_through(),
         |case| case.no_room(),
         |case| case.user_fault(),
+        |case| case.failed_element(),
         |case| case.off_the_end(),
         |case| case.unheld(),
         |case| case.overconstrained(),
@@ -83,10 +86,10 @@ pub fn may_be_a_jam(said: &Diagnostic) -> bool {
 }
 
 /// Whether an attempt that ended for this cause may have another equilibrium:
-/// nothing, a snap-through, contact that wavers or too long an increment was
-/// proved.
+/// nothing, a snap-through, contact that wavers, an element that collapses or too
+/// long an increment was proved.
 pub fn may_end_elsewhere(said: &Diagnostic) -> bool {
-    ["SL0501", "SL0511", "SL0512", "SL0513", "SL0515"].contains(&said.code.0)
+    ["SL0501", "SL0511", "SL0512", "SL0513", "SL0515", "SL0522"].contains(&said.code.0)
 }
 
 /// A jam at points that the first iteration of an attempt showed locked.

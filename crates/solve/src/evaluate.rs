@@ -12,7 +12,7 @@ use crate::observe::{FrictionCall, Status};
 use crate::problem::Problem;
 use crate::stabilise::Dashpots;
 use crate::state::{PointState, State};
-use crate::structure::{Ambient, Configuration, Contributions, Flux};
+use crate::structure::{Ambient, Configuration, Contributions, FailedElement, Flux};
 use slideline_mech::contact::friction::{self, UserFrictionError};
 use slideline_mech::contact::pair::{Laws, PointTrial, UserState};
 use slideline_mech::contact::tangential::Tangential;
@@ -81,6 +81,8 @@ pub struct Evaluation {
     pub state_variables: Vec<f64>,
     /// What a user friction law complained of.
     pub fault: Option<UserFrictionError>,
+    /// An element that has no answer here; forces and tangent are those of the others.
+    pub failed: Option<FailedElement>,
     /// What was seen of the points that iterations leave alone.
     pub look: Look,
     positions: MasterPositions,
@@ -101,6 +103,7 @@ impl Evaluation {
         self.points.resize(points, PointState::default());
         zero(&mut self.state_variables, plan.contact.state_size);
         self.fault = None;
+        self.failed = None;
         self.look.forget();
     }
 
@@ -127,6 +130,7 @@ pub fn evaluate(plan: &Problem<'_>, committed: &State, trial: &Trial<'_>, into: 
     plan.constraints.linearise(trial.u, &mut into.rows);
     let gather = plan.gather(&into.rows, &mut into.tangent);
     plan.structure.evaluate(&at, &mut into.contributions, gather, plan.means.pool);
+    into.failed = plan.structure.failed(&into.contributions);
     into.structure.fill(0.0);
     into.strain_energy = plan.structure.gather_force(&into.contributions, &mut into.structure);
     into.flux = plan.structure.flux(&into.contributions);

@@ -41,6 +41,8 @@ pub enum Verdict {
     Discontinuous,
     /// The equations could not be solved, or gave no number.
     Broken,
+    /// An element has no answer where the iteration led it.
+    Collapsed,
     /// An equilibrium was found, but on the way to it a body went through its
     /// master.
     PassedThrough {
@@ -53,7 +55,7 @@ impl Verdict {
     /// Whether iterations with a line search may end otherwise: not those of
     /// equations that could not be solved.
     pub fn may_be_searched(self) -> bool {
-        matches!(self, Self::Diverging | Self::TooSlow | Self::Discontinuous)
+        matches!(self, Self::Diverging | Self::TooSlow | Self::Discontinuous | Self::Collapsed)
     }
 }
 
@@ -114,7 +116,7 @@ impl Control {
             Verdict::Converged { iterations } => {
                 self.accept(iterations, procedure, limits, max_increments)
             }
-            Verdict::Diverging | Verdict::Discontinuous | Verdict::Broken => {
+            Verdict::Diverging | Verdict::Discontinuous | Verdict::Broken | Verdict::Collapsed => {
                 self.cut(limits.d_f, procedure, limits)
             }
             Verdict::TooSlow => self.cut(limits.d_c, procedure, limits),
@@ -239,6 +241,10 @@ mod tests {
             panic!()
         };
         assert_eq!(cut.dt, 0.025);
+        let Decision::Cut(cut) = begin.after(Verdict::Collapsed, &procedure, &limits, 100) else {
+            panic!()
+        };
+        assert_eq!(cut.dt, 0.0125);
         let last = Control { attempts: 4, ..begin };
         let stop = last.after(Verdict::Broken, &procedure, &limits, 100);
         assert_eq!(stop, Decision::Stop(StopReason::TooManyAttempts));

@@ -10,7 +10,7 @@ use crate::dofs::DofMap;
 use crate::problem::Problem;
 use slideline_linalg::Kind;
 use slideline_mech::pressure::{Face, MOST_NODES};
-use slideline_model::{Dof, Model, Step};
+use slideline_model::{Dof, Model, NodeIndex, Step};
 
 /// A face with its dofs.
 #[derive(Clone, Debug)]
@@ -20,7 +20,12 @@ struct Pressed {
     reference: Vec<[f64; 3]>,
     /// Displacements, node by node; `None` where a node lacks one.
     dofs: Vec<[Option<usize>; 3]>,
+    /// Those that there are, and their places among all of the face.
+    own: (Vec<usize>, Vec<usize>),
 }
+
+/// The most entries of the derivative of the forces of a face.
+const MOST_ENTRIES: usize = 9 * MOST_NODES * MOST_NODES;
 
 /// The faces that a step presses.
 #[derive(Clone, Debug, Default)]
@@ -32,14 +37,15 @@ pub struct FaceLoads {
 impl FaceLoads {
     /// Those of a step.
     pub fn new(model: &Model, step: &Step, dofs: &DofMap) -> Self {
-        let faces = step.distributed.pressures.iter().map(|load| Pressed {
-            face: load.face,
-            reference: load.nodes.iter().map(|&node| model.nodes.get(node).position).collect(),
-            dofs: load
-                .nodes
-                .iter()
-                .map(|&node| [Dof::U1, Dof::U2, Dof::U3].map(|dof| dofs.find(node, dof)))
-                .collect(),
+        let faces = step.distributed.pressures.iter().map(|load| {
+            let place = |&node: &NodeIndex| model.nodes.get(node).position;
+            let of =
+                |&node: &NodeIndex| [Dof::U1, Dof::U2, Dof::U3].map(|dof| dofs.find(node, dof));
+            let dofs: Vec<[Option<usize>; 3]> = load.nodes.iter().map(of).collect();
+            let all = dofs.as_flattened().iter().enumerate();
+            let own = all.filter_map(|(place, dof)| Some(((*dof)?, place))).unzip();
+            let reference = load.nodes.iter().map(place).collect();
+            Pressed { face: load.face, reference, dofs, own }
         });
         Self { faces: faces.collect(), nonlinear: step.nlgeom }
     }
@@ -90,6 +96,7 @@ impl FaceLoads {
             return;
         }
         let symmetric = plan.kind() == Kind::Symmetric;
+        let mut room = [0.0; MOST_ENTRIES];
         for (pressed, &pressure) in self.faces.iter().zip(pressures) {
             if pressure == 0.0 {
                 continue;
@@ -97,17 +104,16 @@ impl FaceLoads {
             let count = pressed.reference.len();
             let width = 3 * count;
             let x = self.places(pressed, u);
-            let mut tangent = vec![0.0; width * width];
-            pressed.face.stiffness(pressure, &x[..count], &mut tangent);
-            let all = pressed.dofs.iter().flatten().enumerate();
-            let (own, dofs): (Vec<usize>, Vec<usize>) =
-                all.filter_map(|(place, dof)| Some((place, (*dof)?))).unzip();
+            let tangent = &mut room[..width * width];
+            tangent.fill(0.0);
+            pressed.face.stiffness(pressure, &x[..count], tangent);
+            let (dofs, own) = &pressed.own;
             let entry = |i: usize, j: usize| -> f64 {
                 let (i, j) = (own[i], own[j]);
                 let value = tangent[i * width + j];
                 if symmetric { -0.5 * (value + tangent[j * width + i]) } else { -value }
             };
-            plan.scatter(rows, &dofs, entry, values);
+            plan.scatter(rows, dofs, entry, values);
         }
     }
 }

@@ -88,6 +88,10 @@ pub fn attempt(
         true => search::limits(&plan.step.controls.effective_time()),
     };
     let mut progress = Progress::default();
+    if work.evaluation.failed.is_some() {
+        work.complete(plan, committed);
+        return progress.end(Verdict::Collapsed, None);
+    }
     loop {
         if let Err(fault) = work.iterate(plan, committed, target.dt) {
             work.complete(plan, committed);
@@ -96,6 +100,10 @@ pub fn attempt(
         if work.outside || work.evaluation.fault.is_some() {
             work.complete(plan, committed);
             return progress.end(Verdict::Broken, None);
+        }
+        if work.evaluation.failed.is_some() {
+            work.complete(plan, committed);
+            return progress.end(Verdict::Collapsed, None);
         }
         let mut report = work.judge(plan, committed, target, &mut progress);
         if report.converged && !work.complete(plan, committed) {
@@ -217,7 +225,21 @@ impl Scratch {
         self.first_stresses(plan, committed, target.dt);
         look_at(plan, committed, &mut self.evaluation);
         self.evaluate(plan, committed, target.dt);
+        if self.evaluation.failed.is_some() && committed.increment_time.0 > 0.0 {
+            self.begin_at_rest(plan, committed, target);
+        }
         self.iteration_history.begin(&self.evaluation.points);
+    }
+
+    /// Where the last increment cannot be repeated, for an element would fail: a first guess
+    /// as if there had been none.
+    fn begin_at_rest(&mut self, plan: &Problem<'_>, committed: &State, target: &Target) {
+        self.u.copy_from_slice(&committed.displacement);
+        plan.prescribe(target.step_time, &mut self.u);
+        plan.constraints.enforce(&mut self.u);
+        self.spread_prescribed(plan, committed, target);
+        self.first_stresses(plan, committed, target.dt);
+        self.evaluate(plan, committed, target.dt);
     }
 
     /// Without a last increment to repeat, what is prescribed on the

@@ -20,7 +20,7 @@ mod numbering;
 #[cfg(test)]
 mod tests;
 
-pub use evaluate::{Gather, Product};
+pub use evaluate::{FailedElement, Gather, Product};
 pub use flux::Flux;
 pub use kernels::Kernels;
 pub use numbering::ElementNumbering;
@@ -28,7 +28,7 @@ pub use numbering::ElementNumbering;
 use crate::observe::BlockResults;
 use block::Block;
 use slideline_mech::element::{
-    Kernel, MOST_NODES, MOST_VARIABLES, Strains, Surroundings, Temperature,
+    Failure, Kernel, MOST_NODES, MOST_VARIABLES, Strains, Surroundings, Temperature,
 };
 
 /// All elements of a step at work: numbering of the plan, kernels of the values.
@@ -82,8 +82,8 @@ pub struct Configuration<'a> {
 pub struct Contributions {
     /// Forces of all elements, one after the other [F or F L].
     force: Vec<f64>,
-    /// Strain energy of each element [F L].
-    energy: Vec<f64>,
+    /// Strain energy of each element [F L], or why it has none.
+    energy: Vec<Result<f64, Failure>>,
     /// State variables of the elements, one after the other, were this state
     /// committed.
     state: Vec<f64>,
@@ -98,7 +98,7 @@ impl Contributions {
     pub fn fit(&mut self, numbering: &ElementNumbering) {
         let states = numbering.blocks.iter().map(|block| block.states * block.elements.len());
         self.force.resize(numbering.own.len(), 0.0);
-        self.energy.resize(numbering.count, 0.0);
+        self.energy.resize(numbering.count, Ok(0.0));
         self.state.resize(states.sum(), 0.0);
     }
 }
@@ -245,7 +245,7 @@ impl Structure<'_> {
         for (&dof, value) in self.numbering.own.iter().zip(&from.force) {
             force[dof] += value;
         }
-        from.energy.iter().fold(0.0, |sum, energy| sum + energy)
+        from.energy.iter().flatten().fold(0.0, |sum, energy| sum + energy)
     }
 
     /// Adds the forces on dependent dofs with which a tangent turns: those of

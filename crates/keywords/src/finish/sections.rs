@@ -171,6 +171,9 @@ fn solid_is_sound(
 ) -> bool {
     let Kinematics::Solid { rule, .. } = row.kinematics else { return true };
     let at: Vec<[f64; 3]> = nodes.iter().map(|&node| draft.model.nodes.position(node)).collect();
+    if row.is_ring() && !is_beside_the_axis(element, &at, draft) {
+        return false;
+    }
     let sound = smallest_jacobian(row.cell, rule, &at) > 0.0;
     if !sound {
         let mirrored: Vec<[f64; 3]> = at.iter().map(|&[x, y, z]| [-x, y, z]).collect();
@@ -202,6 +205,29 @@ fn solid_is_sound(
         draft.consequence(Subject::Nodes, error.help(help));
     }
     sound
+}
+
+/// Part of an element's width by which rounding may take a node across the axis [1].
+const ROUNDING: f64 = 1e-9;
+
+/// Complains about a ring with a node at a negative radius; false if so.
+fn is_beside_the_axis(element: &Element, at: &[[f64; 3]], draft: &mut Draft) -> bool {
+    let radii = || at.iter().map(|x| x[0]);
+    let (inner, outer) = (radii().fold(f64::INFINITY, f64::min), radii().fold(0.0, f64::max));
+    let beside = inner >= -ROUNDING * (outer - inner);
+    if !beside {
+        let across = element.nodes().iter().zip(radii()).find(|(_, radius)| *radius == inner);
+        let node = across.map_or(String::new(), |(node, _)| format!(" of its node {node}"));
+        let message = format!(
+            "element {}: the radius{node} is negative, {inner:?}; the first coordinate of an \
+             axisymmetric element is its distance from the axis",
+            element.label
+        );
+        let error = Diagnostic::error(Code("SL0350"), message).at(element.origin);
+        let help = "model the half on the side of positive first coordinates";
+        draft.consequence(Subject::Nodes, error.help(help));
+    }
+    beside
 }
 
 /// Complains about a middle node so far from the middle that the axis would

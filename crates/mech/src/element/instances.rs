@@ -1,6 +1,6 @@
 //! A block of elements of fixed size as a [`Kernel`].
 
-use super::kernel::{Element, Kernel, Response, Scale, Strains, Surroundings};
+use super::kernel::{Element, Failure, Kernel, Response, Scale, Strains, Surroundings};
 use std::any::Any;
 
 /// Elements of one type with `N` variables each; `NN` is `N` squared.
@@ -55,17 +55,18 @@ impl<E: Element<N, NN> + 'static, const N: usize, const NN: usize> Kernel for In
         _committed: &[f64],
         under: &Surroundings<'_>,
         into: Response<'_>,
-    ) -> f64 {
-        let (Ok(q), Ok(force)) = (q.try_into(), into.force.try_into()) else { return 0.0 };
+    ) -> Result<f64, Failure> {
+        let (Ok(q), Ok(force)) = (q.try_into(), into.force.try_into()) else { return Ok(0.0) };
         let element = &self.elements[element];
         let tangent = into.tangent.and_then(|tangent| <&mut [f64; NN]>::try_from(tangent).ok());
-        match (under.strains, tangent) {
+        let energy = match (under.strains, tangent) {
             (Strains::Linear, Some(tangent)) => element.linear(q, force, tangent),
             (Strains::Linear, None) => element.linear(q, force, &mut [0.0; NN]),
             (Strains::Mixed(stresses), Some(tangent)) => element.mixed(q, stresses, force, tangent),
             (Strains::Exact, Some(tangent)) => element.exact(q, force, tangent),
             (_, None) => element.exact_force(q, force),
-        }
+        };
+        Ok(energy)
     }
 
     fn force_of_stresses(

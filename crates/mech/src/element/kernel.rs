@@ -8,7 +8,7 @@
 //!     respond -----+--> tangent d2W/dq2     (not in the force-only mode)
 //!        |         +--> trial state
 //!        v
-//!   strain energy W
+//!   strain energy W, or why there is none: a point turned inside out, say
 //! ```
 //!
 //! A kernel holds the elements of one block, all of one type, and names them by their number in the
@@ -53,6 +53,13 @@ pub struct Surroundings<'a> {
     pub dt: f64,
 }
 
+impl Surroundings<'_> {
+    /// Whether displacements may be large.
+    pub fn is_large(&self) -> bool {
+        self.strains != Strains::Linear
+    }
+}
+
 impl<'a> From<Strains<'a>> for Surroundings<'a> {
     /// No temperatures, and no time.
     fn from(strains: Strains<'a>) -> Self {
@@ -69,6 +76,21 @@ pub struct Response<'a> {
     pub tangent: Option<&'a mut [f64]>,
     /// State variables, were this state committed.
     pub state: &'a mut [f64],
+}
+
+/// Why an element has no answer at a displacement.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Failure {
+    /// The integration point of that number is turned inside out or has no volume left.
+    InsideOut(usize),
+    /// The integration point of that number of a ring has come to the axis.
+    OnAxis(usize),
+    /// At the integration point of that number no thickness is free of stress.
+    NoThickness(usize),
+    /// The element's own parameters have no equilibrium.
+    NoEquilibrium,
+    /// Force, energy or tangent are not finite.
+    NotFinite,
 }
 
 /// How stiff an element is, for the rounding floor of residuals.
@@ -102,6 +124,9 @@ pub trait Kernel: Any + Debug + Send + Sync {
     /// Writes force, tangent and trial state of an element at the displacements `q`, which it
     /// reaches from its committed state, and returns its strain energy [F L]. The force-only mode
     /// writes the same bits.
+    ///
+    /// # Errors
+    /// What keeps the element from an answer there; what was written is of no meaning then.
     fn respond(
         &self,
         element: usize,
@@ -109,7 +134,7 @@ pub trait Kernel: Any + Debug + Send + Sync {
         committed: &[f64],
         under: &Surroundings<'_>,
         into: Response<'_>,
-    ) -> f64;
+    ) -> Result<f64, Failure>;
 
     /// Writes the force of estimated stresses at `q`; false where there are none to be estimated.
     fn force_of_stresses(

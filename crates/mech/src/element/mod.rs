@@ -24,7 +24,7 @@ pub use b22::Beam22;
 pub use b23::Beam23;
 pub use instances::Instances;
 pub use kernel::{
-    Element, Kernel, MOST_NODES, MOST_VARIABLES, Response, Scale, Strains, Surroundings,
+    Element, Failure, Kernel, MOST_NODES, MOST_VARIABLES, Response, Scale, Strains, Surroundings,
     Temperature,
 };
 pub use mixed::Mixed;

@@ -25,8 +25,9 @@ pub const UNIT: Symmetric = [1.0, 1.0, 1.0, 0.0, 0.0, 0.0];
 pub const COUNTS: Symmetric = [1.0, 1.0, 1.0, 2.0, 2.0, 2.0];
 
 /// A tensor from its components.
+#[inline(always)]
 pub fn from_fn(of: impl Fn(usize, usize) -> f64) -> Symmetric {
-    PAIRS.map(|[i, j]| of(i, j))
+    [of(0, 0), of(1, 1), of(2, 2), of(0, 1), of(0, 2), of(1, 2)]
 }
 
 /// The symmetric part of H.
@@ -109,7 +110,8 @@ pub fn pushed(f: &Matrix, moduli: &Moduli) -> Moduli {
 
 /// All nine components.
 pub fn full(a: &Symmetric) -> Matrix {
-    std::array::from_fn(|i| std::array::from_fn(|j| a[INDEX[i][j]]))
+    let [xx, yy, zz, xy, xz, yz] = *a;
+    [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
 }
 
 /// a b + b a over 2, for a = b the square.
@@ -119,6 +121,7 @@ pub fn square(a: &Symmetric) -> Symmetric {
 }
 
 /// Sum of the diagonal.
+#[inline]
 pub fn trace(a: &Symmetric) -> f64 {
     a[0] + a[1] + a[2]
 }
@@ -179,10 +182,12 @@ pub fn eigen(a: &Symmetric) -> ([f64; 3], Matrix) {
     if largest <= f64::MIN_POSITIVE || largest.is_nan() {
         return ([a[0], a[1], a[2]], unit);
     }
-    let scaled = deviator.map(|entry| entry / largest);
+    let mut scaled = deviator;
+    scaled.iter_mut().for_each(|entry| *entry /= largest);
     let norm = (contract(&scaled, &scaled) / 6.0).sqrt();
     let size = largest * norm;
-    let k = full(&scaled.map(|entry| entry / norm));
+    scaled.iter_mut().for_each(|entry| *entry /= norm);
+    let k = full(&scaled);
     let half = (0.5 * determinant(&k)).clamp(-1.0, 1.0);
     let angle = half.acos() / 3.0;
     let far = if half >= 0.0 {
@@ -192,13 +197,13 @@ pub fn eigen(a: &Symmetric) -> ([f64; 3], Matrix) {
     };
     let w = null_vector(&k, far);
     let (u, v) = across(&w);
-    let times = |x: &[f64; 3]| k.map(|row| dot(&row, x));
+    let times = |x: &[f64; 3]| [dot(&k[0], x), dot(&k[1], x), dot(&k[2], x)];
     let (ku, kv, kw) = (times(&u), times(&v), times(&w));
     let (uu, uv, vv) = (dot(&u, &ku), dot(&u, &kv), dot(&v, &kv));
     // Jacobi's rotation
     let (c, s, lean) = turn(uu, uv, vv);
-    let first = std::array::from_fn(|i| c * u[i] - s * v[i]);
-    let second = std::array::from_fn(|i| s * u[i] + c * v[i]);
+    let first = [c * u[0] - s * v[0], c * u[1] - s * v[1], c * u[2] - s * v[2]];
+    let second = [s * u[0] + c * v[0], s * u[1] + c * v[1], s * u[2] + c * v[2]];
     let values = [uu - lean, vv + lean, dot(&w, &kw)].map(|value| mean + size * value);
     (values, [first, second, w])
 }

@@ -80,7 +80,8 @@ impl Scratch {
             self.note_anchor();
             let before = self.evaluation.points.clone();
             for _ in 0..ITERATIONS {
-                if self.iterate(plan, committed, target.dt).is_err() {
+                let walked = self.iterate(plan, committed, target.dt);
+                if walked.is_err() || self.evaluation.failed.is_some() {
                     break;
                 }
                 if !self.complete(plan, committed) {
@@ -108,7 +109,8 @@ impl Scratch {
             };
             let through = plan.contact.passed_through(&sweep, &mut self.sweep).is_some();
             let way = self.way(plan);
-            let lost = !self.contact.is_solved() || self.evaluation.fault.is_some();
+            let faulty = self.evaluation.fault.is_some() || self.evaluation.failed.is_some();
+            let lost = faulty || !self.contact.is_solved();
             // the way is short in proportion to the stiffness
             let aimed = way / (AIMED * LONGEST);
             let by = if way.is_nan() || lost || through {

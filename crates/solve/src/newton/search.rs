@@ -93,6 +93,9 @@ impl Scratch {
     /// stiffest element, and what hard contact and exact stick miss, times the
     /// stiffness augmentation to them [F].
     fn merit(&self, plan: &Problem<'_>) -> f64 {
+        if self.evaluation.failed.is_some() {
+            return f64::MAX;
+        }
         let length = plan.structure.stiffest_length;
         let lever = if length > 0.0 { length } else { plan.reach.max(f64::MIN_POSITIVE) };
         let mut sum = 0.0;

@@ -12,7 +12,7 @@ use super::{Configuration, Contributions, NodalTemperatures, Structure};
 use crate::constraints::{Constraints, Rows};
 use rayon::ThreadPool;
 use slideline_linalg::Pattern;
-use slideline_mech::element::{MOST_VARIABLES, Response, Strains};
+use slideline_mech::element::{Failure, Kernel, MOST_VARIABLES, Response, Strains, Surroundings};
 use std::ops::Range;
 
 /// From this number of elements on, threads pay.
@@ -168,7 +168,7 @@ impl Structure<'_> {
                 let committed = &at.state[block.state(element)];
                 let nodal = self.nodal_temperatures(block, element, &at.ambient, &mut nodes);
                 let under = nodal.under(strains, at.ambient.dt);
-                *energy = kernel.respond(block.number(element), q, committed, &under, into);
+                *energy = ask(kernel, (block.number(element), q), (committed, &under), into);
             }
         }
     }
@@ -226,6 +226,62 @@ impl Structure<'_> {
     }
 }
 
+/// An element that has no answer where it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FailedElement {
+    /// Index of its block in the model.
+    pub block: usize,
+    /// Its number among the elements of the block.
+    pub member: usize,
+    /// Why.
+    pub failure: Failure,
+}
+
+impl Structure<'_> {
+    /// The first element that has no answer.
+    pub fn failed(&self, of: &Contributions) -> Option<FailedElement> {
+        let failed = of.energy.iter().enumerate().find_map(|(e, energy)| Some((e, energy.err()?)));
+        let (element, failure) = failed?;
+        let (block, _) = self.element(element);
+        let member = block.members[block.number(element)];
+        Some(FailedElement { block: block.block, member, failure })
+    }
+}
+
+/// The answer of an element; all of it is finite, and zero where there is none.
+fn ask(
+    kernel: &dyn Kernel,
+    (number, q): (usize, &[f64]),
+    (committed, under): (&[f64], &Surroundings<'_>),
+    into: Response<'_>,
+) -> Result<f64, Failure> {
+    let Response { force, mut tangent, state } = into;
+    let room = Response { force: &mut *force, tangent: tangent.as_deref_mut(), state: &mut *state };
+    let answer = kernel.respond(number, q, committed, under, room);
+    let finite = |energy: &f64| {
+        energy.is_finite() && all_finite(force) && tangent.as_deref().is_none_or(all_finite)
+    };
+    match answer {
+        Ok(energy) if finite(&energy) => return answer,
+        _ => force.fill(0.0),
+    }
+    if let Some(tangent) = tangent {
+        tangent.fill(0.0);
+    }
+    state.copy_from_slice(committed);
+    Err(answer.err().unwrap_or(Failure::NotFinite))
+}
+
+/// Whether no entry is infinite or no number; eight at a time.
+fn all_finite(list: &[f64]) -> bool {
+    let (chunks, rest) = list.as_chunks::<8>();
+    let mut sums = [0.0; 8];
+    for chunk in chunks {
+        sums.iter_mut().zip(chunk).for_each(|(sum, entry)| *sum += 0.0 * entry);
+    }
+    sums.iter().all(|sum| *sum == 0.0) && rest.iter().all(|entry| entry.is_finite())
+}
+
 impl Product<'_> {
     fn add(&mut self, own: &[usize], tangent: &[f64], width: usize) {
         for (&target, row) in own.iter().zip(tangent.chunks_exact(width)) {
@@ -241,13 +297,17 @@ struct Part<'a> {
     force: &'a mut [f64],
     /// `None`: forces only.
     tangent: Option<&'a mut [f64]>,
-    energy: &'a mut [f64],
+    energy: &'a mut [Result<f64, Failure>],
     state: &'a mut [f64],
 }
 
 impl<'a> Part<'a> {
     /// The dofs of the next element.
-    fn take(&mut self, width: usize, states: usize) -> Option<(&'a mut f64, Response<'a>)> {
+    fn take(
+        &mut self,
+        width: usize,
+        states: usize,
+    ) -> Option<(&'a mut Result<f64, Failure>, Response<'a>)> {
         let force = self.force.split_off_mut(..width)?;
         let tangent = match &mut self.tangent {
             Some(rest) => Some(rest.split_off_mut(..width * width)?),

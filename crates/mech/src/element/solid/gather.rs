@@ -12,6 +12,7 @@ use super::Point;
 use crate::material::tensor::INDEX;
 
 /// Writes the force.
+#[inline(always)]
 pub(super) fn force<const D: usize, const N: usize>(points: &[Point<D, N>], into: &mut [f64]) {
     let mut sums = [[0.0; N]; D];
     for point in points {
@@ -30,82 +31,171 @@ pub(super) fn force<const D: usize, const N: usize>(points: &[Point<D, N>], into
 }
 
 /// sum += factor * row.
+#[inline(always)]
 fn add<const N: usize>(sum: &mut [f64; N], factor: f64, row: &[f64; N]) {
     for (sum, entry) in sum.iter_mut().zip(row) {
         *sum += factor * entry;
     }
 }
 
+/// What joins all nodes beside the points: x y' + y x' is added to the tangent.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Joint<const D: usize, const N: usize> {
+    /// x, axis by axis.
+    pub left: [[f64; N]; D],
+    /// y, axis by axis.
+    pub right: [[f64; N]; D],
+}
+
+/// Products of a pair of axes at every point, overwritten by the next pair.
+struct Room<const D: usize, const N: usize, const P: usize> {
+    products: [[[f64; N]; D]; P],
+    of_hoop: [[f64; N]; P],
+}
+
 /// Writes the tangent, row-major; `ring`: hoop strains count.
+#[inline(always)]
 pub(super) fn tangent<const D: usize, const N: usize, const P: usize>(
     points: &[Point<D, N>; P],
     ring: bool,
+    joint: Option<&Joint<D, N>>,
     into: &mut [f64],
 ) {
+    let mut room = Room { products: [[[0.0; N]; D]; P], of_hoop: [[0.0; N]; P] };
     for i in 0..D {
         for k in i..D {
-            block(points, ring, [i, k], into);
+            block(points, ring, [i, k], (joint, &mut room), into);
         }
     }
 }
 
-/// The entries of a pair of axes, and those of the pair turned round.
+/// The entries of a pair of axes, and those of the pair turned round; two rows at a time.
+#[inline(always)]
 fn block<const D: usize, const N: usize, const P: usize>(
     points: &[Point<D, N>; P],
     ring: bool,
     [i, k]: [usize; 2],
+    (joint, room): (Option<&Joint<D, N>>, &mut Room<D, N, P>),
     into: &mut [f64],
 ) {
+    let ring = D == 2 && ring;
     let hoop = ring && i == 0;
-    let products: [([[f64; N]; D], [f64; N]); P] =
-        std::array::from_fn(|point| products(&points[point], ring, [i, k]));
-    let width = D * N;
-    for a in 0..N {
-        let mut row = [0.0; N];
-        for (point, (products, of_hoop)) in points.iter().zip(&products) {
+    let Room { products, of_hoop } = room;
+    for (point, rows) in points.iter().zip(&mut *products) {
+        for (j, row) in rows.iter_mut().enumerate() {
+            multiply(point, ring, [i, j, k], row);
+        }
+    }
+    if hoop {
+        for (point, row) in points.iter().zip(&mut *of_hoop) {
+            multiply_hoop(point, k, row);
+        }
+    }
+    let mut a = 0;
+    while a < N {
+        // the last row of an odd number is made twice
+        let both = [a, (a + 1).min(N - 1)];
+        let mut rows = [[0.0; N]; 2];
+        for (point, products) in points.iter().zip(&*products) {
             for (slopes, product) in point.slopes.iter().zip(products) {
-                add(&mut row, slopes[a], product);
-            }
-            if hoop {
-                add(&mut row, point.hoop[a], of_hoop);
+                add_twice(&mut rows, both.map(|a| slopes[a]), product);
             }
         }
-        for (b, entry) in row.iter().enumerate() {
-            into[width * (D * a + i) + D * b + k] = *entry;
-        }
-        if i != k {
-            for (b, entry) in row.iter().enumerate() {
-                into[width * (D * b + k) + D * a + i] = *entry;
+        if hoop {
+            for (point, product) in points.iter().zip(&*of_hoop) {
+                add_twice(&mut rows, both.map(|a| point.hoop[a]), product);
             }
         }
+        if let Some(joint) = joint {
+            add_twice(&mut rows, both.map(|a| joint.left[i][a]), &joint.right[k]);
+            add_twice(&mut rows, both.map(|a| joint.right[i][a]), &joint.left[k]);
+        }
+        for (a, row) in both.into_iter().zip(&rows) {
+            write(row, [D * a + i, k], D, into);
+            if i != k {
+                write_turned(row, [D * a + i, k], D, into);
+            }
+        }
+        a += 2;
     }
 }
 
-/// w (c_ijkl + 1_ik tau_jl) g_bl for every j, and the same of the hoop strain.
-fn products<const D: usize, const N: usize>(
+/// rows += factors of the same row.
+#[inline(always)]
+fn add_twice<const N: usize>(rows: &mut [[f64; N]; 2], factors: [f64; 2], row: &[f64; N]) {
+    let [first, second] = rows;
+    for ((first, second), entry) in first.iter_mut().zip(second).zip(row) {
+        *first += factors[0] * entry;
+        *second += factors[1] * entry;
+    }
+}
+
+/// Writes a row of an axis, each `stride` th entry from the `first` on.
+#[inline(always)]
+fn write<const N: usize>(
+    row: &[f64; N],
+    [place, first]: [usize; 2],
+    stride: usize,
+    into: &mut [f64],
+) {
+    let width = stride * N;
+    let Some(into) = into.get_mut(width * place..width * (place + 1)) else { return };
+    into.chunks_exact_mut(stride).zip(row).for_each(|(node, entry)| node[first] = *entry);
+}
+
+/// Writes a row as a column.
+#[inline(always)]
+fn write_turned<const N: usize>(
+    row: &[f64; N],
+    [place, first]: [usize; 2],
+    stride: usize,
+    into: &mut [f64],
+) {
+    let width = stride * N;
+    let rows = into.chunks_exact_mut(width * stride);
+    rows.zip(row).for_each(|(node, entry)| node[width * first + place] = *entry);
+}
+
+/// Writes w (c_ijkl + 1_ik tau_jl) g_bl.
+#[inline(always)]
+fn multiply<const D: usize, const N: usize>(
     point: &Point<D, N>,
     ring: bool,
-    [i, k]: [usize; 2],
-) -> ([[f64; N]; D], [f64; N]) {
-    let (mut rows, mut of_hoop) = ([[0.0; N]; D], [0.0; N]);
-    let w = point.weight;
-    for (j, row) in rows.iter_mut().enumerate() {
-        let moduli = &point.moduli[INDEX[i][j]];
-        for (l, slopes) in point.slopes.iter().enumerate() {
-            let turning = if i == k { point.turning[INDEX[j][l]] } else { 0.0 };
-            add(row, w * (moduli[INDEX[k][l]] + turning), slopes);
-        }
-        if ring && k == 0 {
-            add(row, w * moduli[2], &point.hoop);
-        }
+    [i, j, k]: [usize; 3],
+    row: &mut [f64; N],
+) {
+    let (w, moduli) = (point.weight, &point.moduli[INDEX[i][j]]);
+    for (l, slopes) in point.slopes.iter().enumerate() {
+        let turning = if i == k { point.turning[INDEX[j][l]] } else { 0.0 };
+        let factor = w * (moduli[INDEX[k][l]] + turning);
+        if l == 0 { set(row, factor, slopes) } else { add(row, factor, slopes) }
     }
-    if ring && i == 0 {
-        for (l, slopes) in point.slopes.iter().enumerate() {
-            add(&mut of_hoop, w * point.moduli[2][INDEX[k][l]], slopes);
-        }
-        if k == 0 {
-            add(&mut of_hoop, w * (point.moduli[2][2] + point.turning[2]), &point.hoop);
-        }
+    if ring && k == 0 {
+        add(row, w * moduli[2], &point.hoop);
     }
-    (rows, of_hoop)
+}
+
+/// Writes the same of the hoop strain.
+#[inline(always)]
+fn multiply_hoop<const D: usize, const N: usize>(
+    point: &Point<D, N>,
+    k: usize,
+    row: &mut [f64; N],
+) {
+    let (w, moduli) = (point.weight, &point.moduli[2]);
+    for (l, slopes) in point.slopes.iter().enumerate() {
+        let factor = w * moduli[INDEX[k][l]];
+        if l == 0 { set(row, factor, slopes) } else { add(row, factor, slopes) }
+    }
+    if k == 0 {
+        add(row, w * (moduli[2] + point.turning[2]), &point.hoop);
+    }
+}
+
+/// row = factor * other.
+#[inline(always)]
+fn set<const N: usize>(row: &mut [f64; N], factor: f64, other: &[f64; N]) {
+    for (entry, other) in row.iter_mut().zip(other) {
+        *entry = factor * other;
+    }
 }

@@ -11,15 +11,18 @@
 //! eliminated. Usual modes carry xi_b in the place of xi_a and lose stability in
 //! compression [korelc1996], [glaser1997]. docs/theory.md eqs. (3.51) to (3.53).
 
-use super::place::{Place, invert};
-use super::{Point, Solids, energy, gather};
-use crate::element::kernel::Response;
+use super::place::{Apart, Place, Reference, apart, invert};
+use super::point::States;
+use super::{Point, Recipe, Solids, energy, gather};
+use crate::element::kernel::{Failure, Response, Surroundings};
 use crate::material::tensor::{INDEX, Matrix};
 
 /// Most modes: three times three.
 const MOST: usize = 9;
 /// Most corrections of the parameters.
-const CORRECTIONS: usize = 30;
+const CORRECTIONS: usize = 60;
+/// Most halvings of a correction.
+const HALVINGS: u32 = 12;
 /// Change of the parameters, relative to the strains, behind which the last linear correction is
 /// exact to rounding [1].
 const CLOSE: f64 = 1e-8;
@@ -33,16 +36,30 @@ struct Mode<const D: usize, const N: usize> {
     turning: [[f64; N]; D],
 }
 
-/// The centre of an element.
-struct Centre<const D: usize, const N: usize> {
+/// The centre of an undeformed element.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Centre<const D: usize, const N: usize> {
+    /// The point there; its weight is the volume a weight of the rule.
+    place: Place<D, N>,
     /// (dX/dxi)^-1 there.
     inverse: [[f64; D]; D],
-    /// Derivatives of the shape functions [1/L].
-    slopes: [[f64; N]; D],
+}
+
+/// The centre of a deformed element.
+struct Core<'a, const D: usize, const N: usize> {
+    /// Before.
+    own: &'a Centre<D, N>,
     /// F of the displacements.
     deformation: [[f64; D]; D],
-    /// Volume a weight of the rule.
-    density: f64,
+}
+
+/// A point as displacements and modes move it.
+#[derive(Clone, Copy)]
+struct Enhanced<const D: usize, const N: usize> {
+    /// Its slopes are those with which nodes move the modes along.
+    place: Place<D, N>,
+    gradient: Matrix,
+    modes: [Mode<D, N>; MOST],
 }
 
 /// Forces and tangents of nodes and modes.
@@ -67,17 +84,16 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
         P * self.point_states()
     }
 
-    fn centre(&self, element: usize, q: &[f64], large: bool) -> Centre<D, N> {
-        let mut place = Place::new(&self.elements[element], &self.tables.centre, &self.recipe);
-        place.follow(q);
+    #[inline(always)]
+    fn core(&self, element: usize, apart: &Apart<D, N>, large: bool) -> Core<'_, D, N> {
+        let own = &self.centres[element];
         let mut deformation = unit();
         if large {
-            for (row, own) in deformation.iter_mut().zip(&place.gradient) {
+            for (row, own) in deformation.iter_mut().zip(&own.place.gradient(apart)) {
                 row.iter_mut().zip(own).for_each(|(f, h)| *f += h);
             }
         }
-        let (inverse, slopes) = (place.inverse, place.slopes);
-        Centre { inverse, slopes, deformation, density: place.weight }
+        Core { own, deformation }
     }
 
     /// M of one mode at a point.
@@ -89,95 +105,109 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
         centre: &Centre<D, N>,
     ) -> [[f64; D]; D] {
         let (a, b) = (mode / D, mode % D);
-        let scale = centre.density / density * self.tables.points[point].at[a];
+        let scale = centre.place.weight / density * self.tables.points[point].at[a];
         std::array::from_fn(|i| {
             std::array::from_fn(|j| scale * centre.inverse[a][i] * centre.inverse[b][j])
         })
     }
 
-    /// A place whose gradients have the enhanced ones added, and what the modes do there.
+    /// A point with the gradients of the parameters added, and what the modes do there.
+    #[inline(always)]
     fn enhanced(
         &self,
         point: usize,
-        place: &Place<D, N>,
-        (centre, large): (&Centre<D, N>, bool),
+        (place, gradient): (&Place<D, N>, &Matrix),
+        (core, large): (&Core<'_, D, N>, bool),
         parameters: &[f64],
-    ) -> (Place<D, N>, [Mode<D, N>; MOST]) {
+    ) -> Enhanced<D, N> {
         let density = place.weight / self.tables.points[point].weight;
-        let (mut with, mut sum) = (*place, [[0.0; D]; D]);
         let none = Mode { gradient: [[0.0; D]; D], turning: [[0.0; N]; D] };
-        let mut modes = [none; MOST];
-        for (mode, into) in modes.iter_mut().take(D * D).enumerate() {
-            into.gradient = self.mode(mode, point, density, centre);
+        let mut with = Enhanced { place: *place, gradient: *gradient, modes: [none; MOST] };
+        let mut sum = [[0.0; D]; D];
+        for (mode, into) in with.modes.iter_mut().take(D * D).enumerate() {
+            into.gradient = self.mode(mode, point, density, core.own);
             for (sum, row) in sum.iter_mut().zip(&into.gradient) {
                 sum.iter_mut().zip(row).for_each(|(sum, m)| *sum += parameters[mode] * m);
             }
         }
-        let added = product(&centre.deformation, &sum);
+        let added = product(&core.deformation, &sum);
         for (row, own) in with.gradient.iter_mut().zip(&added) {
             row.iter_mut().zip(own).for_each(|(h, m)| *h += m);
         }
         if large {
-            carry_back(&mut with.slopes, &sum, &centre.slopes);
-            turn(&with.gradient, centre, &mut modes);
+            carry_back(&mut with.place.slopes, &sum, &core.own.place.slopes);
+            turn(&with.gradient, core, &mut with.modes);
         }
-        (with, modes)
+        with
     }
 
     /// Force, tangent, trial state and energy of an element with modes.
+    #[inline(always)]
     pub(super) fn with_modes(
         &self,
-        (element, places): (usize, &[Place<D, N>; P]),
+        element: usize,
         q: &[f64],
-        (committed, large): (&[f64], bool),
-        into: Response<'_>,
-    ) -> f64 {
+        (committed, under): (&[f64], &Surroundings<'_>),
+        (points, into): (&mut [Point<D, N>; P], Response<'_>),
+    ) -> Result<f64, Failure> {
         let first = self.first_parameter();
         let mut parameters = [0.0; MOST];
         parameters
             .iter_mut()
             .zip(&committed[first.min(committed.len())..])
             .for_each(|(p, c)| *p = *c);
-        let centre = self.centre(element, q, large);
+        let mut search = Search::default();
         for _ in 0..CORRECTIONS {
-            let (points, sums) =
-                self.deformed((places, &centre), &parameters, large, (committed, &mut *into.state));
-            let Some(step) = solve::<1>(D * D, &sums.own, &sums.force.map(|f| [-f])) else { break };
-            parameters.iter_mut().zip(&step).for_each(|(own, [step])| *own += step);
+            let states = (under, committed, &mut *into.state);
+            let moved = self.moved(element, q, &parameters, states, points);
+            let size = moved.as_ref().map_or(f64::INFINITY, |sums| norm(&sums.force));
+            if !search.is_better(size) {
+                search.go_back(&mut parameters)?;
+                continue;
+            }
+            let sums = moved?;
+            let step = solve::<1>(D * D, &sums.own, &sums.force.map(|f| [-f]));
+            let Some(step) = step else { break };
+            search.step(&mut parameters, &step, size);
             let change = step.iter().fold(0.0_f64, |most, [step]| most.max(step.abs()));
-            let size = centre.size(&parameters, &points);
+            let size = self.centres[element].size(&parameters, points);
             if change <= CLOSE * size {
                 let room = into.state.get_mut(first..first + D * D).unwrap_or_default();
                 room.iter_mut().zip(&parameters).for_each(|(to, own)| *to = *own);
-                gather::force(&points, into.force);
-                self.eliminate(&points, &sums, &step, (into.force, into.tangent));
-                return energy(&points, large);
+                gather::force(points, into.force);
+                self.eliminate(points, &sums, &step, (into.force, into.tangent));
+                return Ok(energy(points));
             }
             if !change.is_finite() {
                 break;
             }
         }
-        into.force.fill(f64::NAN);
-        f64::NAN
+        Err(Failure::NoEquilibrium)
     }
 
-    /// All points and the sums of the modes.
-    fn deformed(
+    /// Writes all points; the sums of the modes.
+    #[inline(always)]
+    fn moved(
         &self,
-        (places, centre): (&[Place<D, N>; P], &Centre<D, N>),
+        element: usize,
+        q: &[f64],
         parameters: &[f64; MOST],
-        large: bool,
-        states: (&[f64], &mut [f64]),
-    ) -> ([Point<D, N>; P], Sums<D, N>) {
-        let parts: [_; P] =
-            std::array::from_fn(|k| self.enhanced(k, &places[k], (centre, large), parameters));
-        let points = self.answers(&parts.map(|(place, _)| place), large, states);
+        (under, committed, state): States<'_, '_>,
+        points: &mut [Point<D, N>; P],
+    ) -> Result<Sums<D, N>, Failure> {
+        let large = under.is_large();
+        let apart = apart(q);
+        let core = self.core(element, &apart, large);
         let mut sums =
             Sums { force: [0.0; MOST], own: [[0.0; MOST]; MOST], joint: [[[0.0; N]; D]; MOST] };
-        for (point, (_, modes)) in points.iter().zip(&parts) {
-            sums.add(point, modes);
+        for (k, (place, point)) in self.places[element].iter().zip(points).enumerate() {
+            let gradient = self.gradient(k, place, (q, &apart));
+            let with = self.enhanced(k, (place, &gradient), (&core, large), parameters);
+            let states = (under, committed, &mut *state);
+            self.answer(k, (&with.place, &with.gradient), states, point)?;
+            sums.add(point, &with.modes);
         }
-        (points, sums)
+        Ok(sums)
     }
 
     /// Eliminates the parameters, whose last correction is `step`.
@@ -194,7 +224,7 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
             }
         }
         let Some(tangent) = tangent else { return };
-        gather::tangent(points, self.is_ring(), tangent);
+        gather::tangent(points, self.is_ring(), None, tangent);
         for i in 0..D {
             let sides: [[f64; N]; MOST] = std::array::from_fn(|m| sums.joint[m][i]);
             let Some(solved) = solve::<N>(D * D, &sums.own, &sides) else { return };
@@ -207,24 +237,69 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
         }
     }
 
-    /// H at every point, enhanced by the parameters of a state, for results.
-    pub(super) fn enhanced_gradients(
+    /// Writes all points as the parameters of a state move them, for results.
+    pub(super) fn enhanced_points(
         &self,
-        (element, places): (usize, &mut [Place<D, N>; P]),
+        element: usize,
         q: &[f64],
-        (state, large): (&[f64], bool),
-    ) {
+        (under, committed, state): States<'_, '_>,
+        points: &mut [Point<D, N>; P],
+    ) -> Result<(), Failure> {
         let mut parameters = [0.0; MOST];
-        let first = self.first_parameter().min(state.len());
-        parameters.iter_mut().zip(&state[first..]).for_each(|(p, own)| *p = *own);
-        let centre = self.centre(element, q, large);
-        for (k, place) in places.iter_mut().enumerate() {
-            place.gradient = self.enhanced(k, place, (&centre, large), &parameters).0.gradient;
-        }
+        let first = self.first_parameter().min(committed.len());
+        parameters.iter_mut().zip(&committed[first..]).for_each(|(p, own)| *p = *own);
+        self.moved(element, q, &parameters, (under, committed, state), points).map(|_| ())
     }
 }
 
+/// Where the parameters came from: a correction that lessens nothing is halved.
+#[derive(Default)]
+struct Search {
+    from: [f64; MOST],
+    step: [f64; MOST],
+    /// Size of the forces before the step; `None`: there was none.
+    size: Option<f64>,
+    halved: u32,
+}
+
+impl Search {
+    /// Whether forces of that size are no more than those before the step.
+    fn is_better(&self, size: f64) -> bool {
+        self.size.is_none_or(|before| size <= before)
+    }
+
+    /// Half of the last step; an error: it was halved often enough.
+    fn go_back(&mut self, parameters: &mut [f64; MOST]) -> Result<(), Failure> {
+        self.halved += 1;
+        if self.halved > HALVINGS {
+            return Err(Failure::NoEquilibrium);
+        }
+        for ((own, from), step) in parameters.iter_mut().zip(&self.from).zip(&mut self.step) {
+            *step *= 0.5;
+            *own = from + *step;
+        }
+        Ok(())
+    }
+
+    /// Takes a whole step, from where forces have that size.
+    fn step(&mut self, parameters: &mut [f64; MOST], step: &[[f64; 1]; MOST], size: f64) {
+        *self =
+            Self { from: *parameters, step: step.map(|[step]| step), size: Some(size), halved: 0 };
+        parameters.iter_mut().zip(step).for_each(|(own, [step])| *own += step);
+    }
+}
+
+fn norm(list: &[f64; MOST]) -> f64 {
+    list.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
 impl<const D: usize, const N: usize> Centre<D, N> {
+    /// That of an element on the positions of its nodes [L].
+    pub fn new(nodes: &[[f64; D]; N], at: &Reference<D, N>, recipe: &Recipe) -> Self {
+        let (place, inverse) = Place::new(nodes, at, recipe);
+        Self { place, inverse }
+    }
+
     /// What changes of the parameters are held against: themselves and the strains, in the units
     /// of the parameters [L2].
     fn size(&self, parameters: &[f64; MOST], points: &[Point<D, N>]) -> f64 {
@@ -254,7 +329,7 @@ fn carry_back<const D: usize, const N: usize>(
 /// Makes the gradients of modes those by deformed position: F0 M F^-1, and M' grad0 F^-1.
 fn turn<const D: usize, const N: usize>(
     gradient: &Matrix,
-    centre: &Centre<D, N>,
+    core: &Core<'_, D, N>,
     modes: &mut [Mode<D, N>; MOST],
 ) {
     let f: [[f64; D]; D] = std::array::from_fn(|i| {
@@ -264,11 +339,11 @@ fn turn<const D: usize, const N: usize>(
     for mode in modes.iter_mut().take(D * D) {
         let behind = product(&mode.gradient, &back);
         for (j, row) in mode.turning.iter_mut().enumerate() {
-            for (k, slopes) in centre.slopes.iter().enumerate() {
+            for (k, slopes) in core.own.place.slopes.iter().enumerate() {
                 row.iter_mut().zip(slopes).for_each(|(t, s)| *t += behind[k][j] * s);
             }
         }
-        mode.gradient = product(&centre.deformation, &behind);
+        mode.gradient = product(&core.deformation, &behind);
     }
 }
 

@@ -12,102 +12,125 @@
 //! (3.33) and (3.48) to (3.50). One pressure an element does not lock where the material is next to
 //! incompressible.
 
+use super::gather::Joint;
+use super::point::States;
 use super::{Place, Point, Solids};
-use crate::material::tensor::{
-    Matrix, Symmetric, UNIT, add_dyad, add_pair, add_unit, dilation, trace,
-};
-
-/// What joins all nodes through the mean dilation.
-pub(super) struct Coupling<const D: usize, const N: usize> {
-    /// Derivatives of ln(1 + m) by the displacements, axis by axis.
-    mean: [[f64; N]; D],
-    /// Derivatives of the even stress.
-    even: [[f64; N]; D],
-    /// What the square of the first one takes.
-    square: f64,
-}
+use crate::element::kernel::Failure;
+use crate::material::tensor::{COUNTS, INDEX, Matrix, Moduli, Symmetric, trace};
 
 impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
-    /// All points, their stresses those that do work on displacements.
+    /// Writes all points, their stresses those that do work on displacements.
+    #[inline(always)]
     pub(super) fn with_mean_dilation(
         &self,
-        places: &[Place<D, N>; P],
-        large: bool,
-        (committed, state): (&[f64], &mut [f64]),
-    ) -> ([Point<D, N>; P], Coupling<D, N>) {
-        let own = places.map(|place| {
-            let h = &place.gradient;
-            if large { dilation(h) } else { h[0][0] + h[1][1] + h[2][2] }
-        });
+        (places, gradients): (&[Place<D, N>; P], &[Matrix; P]),
+        (under, committed, state): States<'_, '_>,
+        points: &mut [Point<D, N>; P],
+    ) -> Result<Joint<D, N>, Failure> {
+        let large = under.is_large();
+        for (k, (point, place)) in points.iter_mut().zip(places).enumerate() {
+            self.deform(k, (place, &gradients[k]), large, point)?;
+        }
         let volume: f64 = places.iter().map(|place| place.weight).sum();
-        let mean = places.iter().zip(own).map(|(place, j)| place.weight * j).sum::<f64>() / volume;
-        let width = self.point_states();
-        let mut points = std::array::from_fn(|k| {
-            let mut gradient = with_dilation(&places[k].gradient, [own[k], mean], large);
-            let own_state = state.get_mut(width * k..width * (k + 1)).unwrap_or_default();
+        let mean = points.iter().map(|point| point.weight * point.dilation).sum::<f64>() / volume;
+        for (k, point) in points.iter_mut().enumerate() {
+            let mut gradient = with_dilation(&gradients[k], [point.dilation, mean], large);
             let answer =
-                self.ask(&mut gradient, &places[k], self.of_point(committed, k), own_state);
-            Point::new(&places[k], &places[k].gradient, large, &answer)
-        });
+                self.ask(&mut gradient, (k, &places[k], under), (committed, &mut *state))?;
+            point.take(&answer, large);
+        }
         let grown = if large { 1.0 + mean } else { 1.0 };
         let pressure = points.iter().map(|p| p.weight * trace(&p.stress) / 3.0).sum::<f64>()
             / (volume * grown);
-        let coupling = couple(&mut points, [pressure, volume * grown], large);
-        (points, coupling)
+        Ok(couple(points, [pressure, volume * grown], large))
     }
 }
 
 /// H of the deformation whose dilation is replaced by the mean one.
+#[inline(always)]
 fn with_dilation(h: &Matrix, [own, mean]: [f64; 2], large: bool) -> Matrix {
     let (even, growth) = if large {
-        let even = ((mean.ln_1p() - own.ln_1p()) / 3.0).exp_m1();
+        let even = cube_root((mean - own) / (1.0 + own));
         (even, 1.0 + even)
     } else {
         ((mean - own) / 3.0, 1.0)
     };
-    std::array::from_fn(|i| {
-        std::array::from_fn(|j| growth * h[i][j] + if i == j { even } else { 0.0 })
-    })
+    let mut with = *h;
+    for (i, row) in with.iter_mut().enumerate() {
+        row.iter_mut().for_each(|entry| *entry *= growth);
+        row[i] += even;
+    }
+    with
 }
 
-/// Makes stresses and moduli those of the gradients of displacements: docs/theory.md eq. (3.49).
+/// (1 + x)^(1/3) - 1 with all its digits: one correction of Newton's method for e^3 + 3 e^2 + 3 e
+/// = x.
+#[inline(always)]
+fn cube_root(x: f64) -> f64 {
+    let root = (1.0 + x).cbrt();
+    let e = root - 1.0;
+    e - (e * (3.0 + e * (3.0 + e)) - x) / (3.0 * root * root)
+}
+
+/// Makes stresses and moduli those of the gradients of displacements, docs/theory.md eq. (3.49),
+/// and what joins all nodes, eq. (3.50): e r' + r e' + square e e'.
+#[inline(always)]
 fn couple<const D: usize, const N: usize>(
     points: &mut [Point<D, N>],
     [pressure, volume]: [f64; 2],
     large: bool,
-) -> Coupling<D, N> {
-    let mut coupling = Coupling { mean: [[0.0; N]; D], even: [[0.0; N]; D], square: 0.0 };
+) -> Joint<D, N> {
+    let mut joint = Joint { left: [[0.0; N]; D], right: [[0.0; N]; D] };
+    let mut square = 0.0;
     for point in points {
         let j = if large { 1.0 + point.dilation } else { 1.0 };
         let own = trace(&point.stress) / 3.0;
         let twice = if large { 2.0 } else { 0.0 };
-        let row: Symmetric = std::array::from_fn(|k| {
-            point.moduli[0][k] + point.moduli[1][k] + point.moduli[2][k] + twice * point.stress[k]
-        });
+        let mut row = [0.0; 6];
+        for (k, entry) in row.iter_mut().enumerate() {
+            let moduli = &point.moduli;
+            *entry = moduli[0][k] + moduli[1][k] + moduli[2][k] + twice * point.stress[k];
+        }
         let sum = trace(&row);
         let (own_turning, mean_turning) = if large { (own, j * pressure) } else { (0.0, 0.0) };
-        let moduli = &mut point.moduli;
-        add_pair(moduli, -1.0 / 3.0, &UNIT, &row);
-        add_dyad(moduli, sum / 9.0 + mean_turning, &UNIT);
-        add_unit(moduli, 2.0 * (own_turning - mean_turning));
+        add_even(&mut point.moduli, &row, sum / 9.0 + mean_turning);
+        for (k, row) in point.moduli.iter_mut().enumerate() {
+            row[k] += 2.0 * (own_turning - mean_turning) / COUNTS[k];
+        }
         (0..3).for_each(|k| point.stress[k] += j * pressure - own);
         if large {
             point.turning = point.stress;
         }
         let weight = point.weight;
-        let even: Symmetric =
-            std::array::from_fn(|k| weight / 3.0 * (row[k] - if k < 3 { sum / 3.0 } else { 0.0 }));
-        point.add_rows(&UNIT.map(|unit| weight * j / volume * unit), &mut coupling.mean);
-        point.add_rows(&even, &mut coupling.even);
-        coupling.square += weight * (sum / 9.0 - own_turning);
+        point.add_even_rows(weight * j / volume, &mut joint.left);
+        let mut even = row;
+        (0..3).for_each(|k| even[k] -= sum / 3.0);
+        even.iter_mut().for_each(|entry| *entry *= weight / 3.0);
+        point.add_rows(&even, &mut joint.right);
+        square += weight * (sum / 9.0 - own_turning);
     }
-    coupling
+    for (right, left) in joint.right.iter_mut().zip(&joint.left) {
+        right.iter_mut().zip(left).for_each(|(r, e)| *r += 0.5 * square * e);
+    }
+    joint
+}
+
+/// moduli += even 1 1 - (1 row + row 1)/3.
+#[inline(always)]
+fn add_even(moduli: &mut Moduli, row: &Symmetric, even: f64) {
+    for k in 0..6 {
+        for i in 0..3 {
+            moduli[i][k] -= row[k] / 3.0;
+            moduli[k][i] -= row[k] / 3.0;
+        }
+    }
+    (0..3).for_each(|i| (0..3).for_each(|k| moduli[i][k] += even));
 }
 
 impl<const D: usize, const N: usize> Point<D, N> {
     /// Adds the work of a stress on the displacements of every node.
+    #[inline(always)]
     fn add_rows(&self, stress: &Symmetric, rows: &mut [[f64; N]; D]) {
-        use crate::material::tensor::INDEX;
         for (i, row) in rows.iter_mut().enumerate() {
             for (j, slopes) in self.slopes.iter().enumerate() {
                 let factor = stress[INDEX[i][j]];
@@ -118,23 +141,15 @@ impl<const D: usize, const N: usize> Point<D, N> {
             rows[0].iter_mut().zip(&self.hoop).for_each(|(sum, hoop)| *sum += stress[2] * hoop);
         }
     }
-}
 
-impl<const D: usize, const N: usize> Coupling<D, N> {
-    /// Adds e r' + r e' + square e e' to the tangent: docs/theory.md eq. (3.50).
-    pub fn add_tangent(&self, tangent: &mut [f64]) {
-        let mut rows = tangent.chunks_exact_mut(D * N);
-        for a in 0..N {
-            for i in 0..D {
-                let Some(row) = rows.next() else { return };
-                let (mean, even) =
-                    (self.mean[i][a], self.even[i][a] + self.square * self.mean[i][a]);
-                for (b, node) in row.chunks_exact_mut(D).enumerate() {
-                    for (k, entry) in node.iter_mut().enumerate() {
-                        *entry += mean * self.even[k][b] + even * self.mean[k][b];
-                    }
-                }
-            }
+    /// The same of the same stress in all directions.
+    #[inline(always)]
+    fn add_even_rows(&self, stress: f64, rows: &mut [[f64; N]; D]) {
+        for (row, slopes) in rows.iter_mut().zip(&self.slopes) {
+            row.iter_mut().zip(slopes).for_each(|(sum, slope)| *sum += stress * slope);
+        }
+        if D == 2 {
+            rows[0].iter_mut().zip(&self.hoop).for_each(|(sum, hoop)| *sum += stress * hoop);
         }
     }
 }

@@ -20,19 +20,20 @@ mod mean_dilation;
 mod modes;
 mod place;
 mod plane_stress;
+mod point;
 mod results;
 
 pub use place::{Reference, smallest_jacobian};
 pub use results::Told;
 
 use super::cell::Cell;
-use super::kernel::{Kernel, Response, Scale, Strains, Surroundings};
+use super::kernel::{Failure, Kernel, Response, Scale, Surroundings};
 use super::quadrature::{HEX_8, Quadrature};
-use crate::axes::Axes;
-use crate::material::tensor::{Matrix, Moduli, Symmetric, dilation};
-use crate::material::{Answer, Conditions, Material};
-use crate::orientation::{Orientation, Oriented};
+use crate::material::Material;
+use crate::orientation::Orientation;
+use incompatible::Centre;
 use place::{Place, Tables};
+use point::{Point, States};
 
 /// How strains follow displacements.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -108,29 +109,10 @@ pub struct Solids<const D: usize, const N: usize, const P: usize> {
     recipe: Recipe,
     tables: Box<Tables<D, N, P>>,
     elements: Vec<[[f64; D]; N]>,
-}
-
-/// A point of a deformed element, as forces and tangents are made of it.
-#[derive(Debug, Clone, Copy)]
-struct Point<const D: usize, const N: usize> {
-    /// Undeformed volume it stands for [L3].
-    weight: f64,
-    /// Derivatives of the shape functions by deformed position, axis by axis [1/L].
-    slopes: [[f64; N]; D],
-    /// Shape functions over the deformed radius; zeros but for rings [1/L].
-    hoop: [f64; N],
-    /// H of the displacements, enhanced ones included.
-    gradient: Matrix,
-    /// J - 1, or the sum of small strains.
-    dilation: f64,
-    /// Kirchhoff stress that does work on the gradients of displacements.
-    stress: Symmetric,
-    /// The part of it that turns with them: all, or none where displacements are small.
-    turning: Symmetric,
-    /// Its moduli.
-    moduli: Moduli,
-    /// Energy per undeformed volume.
-    energy: f64,
+    /// Their points before any displacement.
+    places: Vec<[Place<D, N>; P]>,
+    /// Their centres, where they have incompatible modes.
+    centres: Vec<Centre<D, N>>,
 }
 
 impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
@@ -139,10 +121,24 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
     pub fn new(recipe: Recipe, elements: impl Iterator<Item = [[f64; D]; N]>) -> Option<Self> {
         let fits =
             recipe.cell.nodes == N && recipe.cell.dimension == D && recipe.rule.points.len() == P;
+        if !fits {
+            return None;
+        }
         // the gradient at the centre of a quadrilateral is the mean one; of a hexahedron it is not
         let one = recipe.formulation.is_one_point() && D == 3;
-        let tables = Box::new(Tables::new(recipe.cell, recipe.rule, one.then_some(&HEX_8)));
-        fits.then(|| Self { recipe, tables, elements: elements.collect() })
+        let tables: Box<Tables<D, N, P>> =
+            Box::new(Tables::new(recipe.cell, recipe.rule, one.then_some(&HEX_8)));
+        let elements: Vec<_> = elements.collect();
+        let places = elements.iter().map(|nodes| {
+            let mean = Place::mean(nodes, &tables.fine, &recipe);
+            let at = |k: usize| Place::new(nodes, &tables.points[k], &recipe).0;
+            std::array::from_fn(|point| mean.unwrap_or_else(|| at(point)))
+        });
+        let places = places.collect();
+        let with_modes = recipe.formulation == Formulation::Incompatible;
+        let centres = elements.iter().filter(|_| with_modes);
+        let centres = centres.map(|nodes| Centre::new(nodes, &tables.centre, &recipe)).collect();
+        Some(Self { recipe, tables, elements, places, centres })
     }
 
     fn is_ring(&self) -> bool {
@@ -155,116 +151,86 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
         self.recipe.material.states() + across
     }
 
-    /// The undeformed element with the displacement gradients of `q`.
-    fn places(&self, element: usize, q: &[f64], under: &Surroundings<'_>) -> [Place<D, N>; P] {
-        let nodes = &self.elements[element];
-        let large = under.strains != Strains::Linear;
-        std::array::from_fn(|point| {
-            let mut place = Place::mean(nodes, &self.tables.fine, &self.recipe)
-                .unwrap_or_else(|| Place::new(nodes, &self.tables.points[point], &self.recipe));
-            place.follow(q);
-            place.axes = self.axes(nodes, &self.tables.points[point].shapes);
-            place.conditions = Conditions { large, dt: under.dt, ..Conditions::default() };
-            place
-        })
-    }
-
-    /// Axes of the material at a point with those shape functions.
-    fn axes(&self, nodes: &[[f64; D]; N], shapes: &[f64; N]) -> Option<Axes> {
-        let orientation = self.recipe.orientation?;
-        let point = std::array::from_fn(|k| {
-            nodes.iter().zip(shapes).map(|(node, shape)| shape * node[k]).sum()
-        });
-        Some(orientation.at(nodes, point))
-    }
-
-    /// Asks the material, or solves for the strain across the plane first.
-    fn ask(
-        &self,
-        gradient: &mut Matrix,
-        place: &Place<D, N>,
-        committed: &[f64],
-        state: &mut [f64],
-    ) -> Answer {
-        let (under, axes) = (&place.conditions, place.axes);
-        let material = Oriented { material: &self.recipe.material, axes };
-        if self.recipe.kinematics == Kinematics::PlaneStress {
-            plane_stress::ask(&material, gradient, under, (committed, state))
-        } else {
-            material.respond(gradient, under, committed, state)
-        }
-    }
-
     /// The state variables of a point.
     fn of_point<'a>(&self, states: &'a [f64], point: usize) -> &'a [f64] {
         let width = self.point_states();
         states.get(width * point..width * (point + 1)).unwrap_or(&[])
     }
 
-    /// Answers of all points, each to its own gradient of displacements.
-    fn answers(
-        &self,
-        places: &[Place<D, N>; P],
-        large: bool,
-        (committed, state): (&[f64], &mut [f64]),
-    ) -> [Point<D, N>; P] {
-        let width = self.point_states();
-        std::array::from_fn(|k| {
-            let mut gradient = places[k].gradient;
-            let own = state.get_mut(width * k..width * (k + 1)).unwrap_or_default();
-            let answer = self.ask(&mut gradient, &places[k], self.of_point(committed, k), own);
-            Point::new(&places[k], &gradient, large, &answer)
-        })
-    }
-
-    /// All points, with what the formulation makes of them; `None` beside them where no linear
-    /// combination of nodes is added to the tangent.
+    /// Writes all points, with what the formulation makes of them; what joins all nodes beside
+    /// them.
+    #[inline(always)]
     fn points(
         &self,
-        places: &[Place<D, N>; P],
-        large: bool,
-        states: (&[f64], &mut [f64]),
-    ) -> ([Point<D, N>; P], Option<mean_dilation::Coupling<D, N>>) {
+        element: usize,
+        q: &[f64],
+        (under, committed, state): States<'_, '_>,
+        points: &mut [Point<D, N>; P],
+    ) -> Result<Option<gather::Joint<D, N>>, Failure> {
+        let apart = place::apart(q);
+        let places = &self.places[element];
         if self.recipe.formulation == Formulation::MeanDilation {
-            let (points, coupling) = self.with_mean_dilation(places, large, states);
-            (points, Some(coupling))
-        } else {
-            (self.answers(places, large, states), None)
+            let mut gradients = [[[0.0; 3]; 3]; P];
+            for (k, (place, gradient)) in places.iter().zip(&mut gradients).enumerate() {
+                *gradient = self.gradient(k, place, (q, &apart));
+            }
+            let strained = (places, &gradients);
+            return self.with_mean_dilation(strained, (under, committed, state), points).map(Some);
         }
+        for (k, (place, point)) in places.iter().zip(points).enumerate() {
+            let gradient = self.gradient(k, place, (q, &apart));
+            self.answer(k, (place, &gradient), (under, committed, &mut *state), point)?;
+        }
+        Ok(None)
+    }
+
+    /// Force, tangent, trial state and energy.
+    #[inline(always)]
+    fn evaluate(&self, task: Task<'_>) -> Result<f64, Failure> {
+        let Task { element, q, committed, under, into } = task;
+        let Response { force, mut tangent, state } = into;
+        let mut points = [Point::<D, N>::EMPTY; P];
+        if self.recipe.formulation == Formulation::Incompatible {
+            let into = Response { force, tangent, state };
+            return self.with_modes(element, q, (committed, under), (&mut points, into));
+        }
+        let joint = self.points(element, q, (under, committed, state), &mut points)?;
+        gather::force(&points, force);
+        if let Some(tangent) = tangent.as_deref_mut() {
+            gather::tangent(&points, self.is_ring(), joint.as_ref(), tangent);
+        }
+        let mut held = 0.0;
+        if self.recipe.formulation.is_one_point() {
+            held = self.hold_modes(element, q, (force, tangent));
+        }
+        Ok(energy(&points) + held)
     }
 }
 
-impl<const D: usize, const N: usize> Point<D, N> {
-    /// A point that its own gradient moves.
-    fn new(place: &Place<D, N>, gradient: &Matrix, large: bool, answer: &Answer) -> Self {
-        let (slopes, hoop) =
-            if large { place.deformed(gradient) } else { (place.slopes, place.over_radius) };
-        let dilation = if large {
-            dilation(gradient)
-        } else {
-            gradient[0][0] + gradient[1][1] + gradient[2][2]
-        };
-        Self {
-            weight: place.weight,
-            slopes,
-            hoop,
-            gradient: *gradient,
-            dilation,
-            stress: answer.stress,
-            turning: if large { answer.stress } else { [0.0; 6] },
-            moduli: answer.moduli,
-            energy: answer.energy,
-        }
+/// What an element is asked.
+struct Task<'a> {
+    element: usize,
+    q: &'a [f64],
+    committed: &'a [f64],
+    under: &'a Surroundings<'a>,
+    into: Response<'a>,
+}
+
+/// An evaluation in the widest vector instructions that the processor has: wider ones change no
+/// bit, for every sum keeps its order.
+struct Widened<'a, const D: usize, const N: usize, const P: usize>(&'a Solids<D, N, P>, Task<'a>);
+
+impl<const D: usize, const N: usize, const P: usize> pulp::WithSimd for Widened<'_, D, N, P> {
+    type Output = Result<f64, Failure>;
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) -> Self::Output {
+        self.0.evaluate(self.1)
     }
 }
 
-/// Energy of all points; no number where one is turned inside out.
-fn energy<const D: usize, const N: usize>(points: &[Point<D, N>], large: bool) -> f64 {
-    let folded = |j: f64| j <= -1.0 || j.is_nan();
-    let inside_out = large && points.iter().any(|point| folded(point.dilation));
-    if inside_out {
-        return f64::NAN;
-    }
+/// Energy of all points.
+fn energy<const D: usize, const N: usize>(points: &[Point<D, N>]) -> f64 {
     points.iter().map(|point| point.weight * point.energy).sum()
 }
 
@@ -284,30 +250,13 @@ impl<const D: usize, const N: usize, const P: usize> Kernel for Solids<D, N, P> 
         committed: &[f64],
         under: &Surroundings<'_>,
         into: Response<'_>,
-    ) -> f64 {
-        let large = under.strains != Strains::Linear;
-        let places = self.places(element, q, under);
-        if self.recipe.formulation == Formulation::Incompatible {
-            return self.with_modes((element, &places), q, (committed, large), into);
-        }
-        let (points, coupling) = self.points(&places, large, (committed, into.state));
-        gather::force(&points, into.force);
-        let mut tangent = into.tangent;
-        if let Some(tangent) = tangent.as_deref_mut() {
-            gather::tangent(&points, self.is_ring(), tangent);
-            if let Some(coupling) = &coupling {
-                coupling.add_tangent(tangent);
-            }
-        }
-        let mut held = 0.0;
-        if self.recipe.formulation.is_one_point() {
-            held = self.hold_modes((element, &places[0]), q, (into.force, tangent));
-        }
-        energy(&points, large) + held
+    ) -> Result<f64, Failure> {
+        let task = Task { element, q, committed, under, into };
+        pulp::Arch::new().dispatch(Widened(self, task))
     }
 
     fn scale(&self, element: usize) -> Scale {
-        let places = self.places(element, &[], &Strains::Linear.into());
+        let places = &self.places[element];
         let volume: f64 = places.iter().map(|place| place.weight).sum();
         let content: f64 = places.iter().map(|place| place.content).sum();
         let length = content.powf(1.0 / D as f64);

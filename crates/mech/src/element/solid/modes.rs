@@ -34,11 +34,12 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
     /// Adds force and tangent of the hourglass control, returns its energy [F L].
     pub(super) fn hold_modes(
         &self,
-        (element, place): (usize, &Place<D, N>),
+        element: usize,
         q: &[f64],
         (force, mut tangent): (&mut [f64], Option<&mut [f64]>),
     ) -> f64 {
         let (cell, nodes) = (self.recipe.cell, &self.elements[element]);
+        let place = &self.places[element][0];
         let stiffness = self.hourglass_stiffness(place);
         let mut energy = 0.0;
         for &mode in modes(cell) {

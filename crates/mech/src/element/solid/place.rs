@@ -4,7 +4,6 @@ use super::{Kinematics, Recipe};
 use crate::axes::Axes;
 use crate::element::cell::Cell;
 use crate::element::quadrature::Quadrature;
-use crate::material::Conditions;
 use crate::material::tensor::Matrix;
 
 /// Shape functions of a point of the reference cell.
@@ -66,21 +65,38 @@ pub(super) struct Place<const D: usize, const N: usize> {
     pub content: f64,
     /// Derivatives of the shape functions by undeformed position, axis by axis [1/L].
     pub slopes: [[f64; N]; D],
-    /// Shape functions over the undeformed radius; zeros but for rings [1/L].
-    pub over_radius: [f64; N],
-    /// Derivatives of the cell's coordinates by undeformed position [1/L].
-    pub inverse: [[f64; D]; D],
-    /// H = du/dX.
-    pub gradient: Matrix,
-    /// What the material answers under.
-    pub conditions: Conditions,
-    /// Its axes; `None`: those of the model.
+    /// Undeformed distance from the axis; of no meaning but for rings [L].
+    pub radius: f64,
+    /// Axes of the material; `None`: those of the model.
     pub axes: Option<Axes>,
 }
 
+/// Displacements of the nodes less those of the first one, axis by axis [L].
+pub(super) type Apart<const D: usize, const N: usize> = [[f64; N]; D];
+
+/// Those of an element's variables.
+#[inline(always)]
+pub(super) fn apart<const D: usize, const N: usize>(q: &[f64]) -> Apart<D, N> {
+    let mut apart = [[0.0; N]; D];
+    let (nodes, _) = q.as_chunks::<D>();
+    let Some(first) = nodes.first() else { return apart };
+    for (a, u) in nodes.iter().enumerate().take(N) {
+        for i in 0..D {
+            // slopes sum to zero: differences keep their digits
+            apart[i][a] = u[i] - first[i];
+        }
+    }
+    apart
+}
+
 impl<const D: usize, const N: usize> Place<D, N> {
-    /// Before any displacement: docs/theory.md eq. (3.31).
-    pub fn new(nodes: &[[f64; D]; N], at: &Reference<D, N>, recipe: &Recipe) -> Self {
+    /// Before any displacement, docs/theory.md eq. (3.31); with the derivatives of the cell's
+    /// coordinates by position [1/L].
+    pub fn new(
+        nodes: &[[f64; D]; N],
+        at: &Reference<D, N>,
+        recipe: &Recipe,
+    ) -> (Self, [[f64; D]; D]) {
         // Slopes sum to zero: differences keep the digits of elements far from the origin.
         let apart = nodes
             .map(|node| -> [f64; D] { std::array::from_fn(|axis| node[axis] - nodes[0][axis]) });
@@ -93,89 +109,98 @@ impl<const D: usize, const N: usize> Place<D, N> {
             }
         }
         let (inverse, content) = invert(&map);
-        let mut slopes = [[0.0; N]; D];
-        for (axis, slopes) in slopes.iter_mut().enumerate() {
-            for (k, by_cell) in at.slopes.iter().enumerate() {
-                for (slope, by) in slopes.iter_mut().zip(by_cell) {
-                    *slope += by * inverse[k][axis];
-                }
-            }
-        }
+        let slopes = carried_back(&at.slopes, &inverse);
         let content = content * at.weight;
-        let (across, over_radius) = match recipe.kinematics {
-            Kinematics::PlaneStrain | Kinematics::PlaneStress => (recipe.thickness, [0.0; N]),
-            Kinematics::Space => (1.0, [0.0; N]),
+        let (across, radius) = match recipe.kinematics {
+            Kinematics::PlaneStrain | Kinematics::PlaneStress => (recipe.thickness, 1.0),
+            Kinematics::Space => (1.0, 1.0),
             Kinematics::Axisymmetric => {
                 let radius: f64 =
                     at.shapes.iter().zip(nodes).map(|(shape, node)| shape * node[0]).sum();
-                (2.0 * std::f64::consts::PI * radius, at.shapes.map(|shape| shape / radius))
+                (2.0 * std::f64::consts::PI * radius, radius)
             }
         };
-        let gradient = [[0.0; 3]; 3];
-        let weight = content * across;
-        let conditions = Conditions::default();
-        Self { weight, content, slopes, over_radius, inverse, gradient, conditions, axes: None }
+        let axes = axes(nodes, &at.shapes, recipe);
+        (Self { weight: content * across, content, slopes, radius, axes }, inverse)
     }
 
-    /// The mean of an element: its volume, and gradients averaged over it, so that homogeneous
-    /// deformations have exact forces whatever the shape.
+    /// A point that stands for the whole element, with the means of the gradients at `fine`;
+    /// `None`: there are none.
     pub fn mean(nodes: &[[f64; D]; N], fine: &[Reference<D, N>], recipe: &Recipe) -> Option<Self> {
-        let places = || fine.iter().map(|at| Self::new(nodes, at, recipe));
-        let volume: f64 = places().map(|place| place.weight).sum();
-        let mut mean: Option<Self> = None;
+        let places = || fine.iter().map(|at| Self::new(nodes, at, recipe).0);
+        let mut mean = places().next()?;
+        let centre = |a: usize| fine.iter().map(|at| at.shapes[a]).sum::<f64>() / fine.len() as f64;
+        mean.axes = axes(nodes, &std::array::from_fn(centre), recipe);
+        mean.weight = places().map(|place| place.weight).sum();
+        mean.content = mean.weight;
+        mean.slopes = [[0.0; N]; D];
         for place in places() {
-            let part = place.weight / volume;
-            let Some(mean) = &mut mean else {
-                let slopes = place.slopes.map(|row| row.map(|slope| part * slope));
-                mean = Some(Self { weight: volume, content: volume, slopes, ..place });
-                continue;
-            };
+            let part = place.weight / mean.weight;
             for (sum, row) in mean.slopes.iter_mut().zip(&place.slopes) {
                 sum.iter_mut().zip(row).for_each(|(sum, slope)| *sum += part * slope);
             }
         }
-        mean
+        Some(mean)
     }
 
-    /// Takes in displacements, node by node [L].
-    pub fn follow(&mut self, q: &[f64]) {
-        let (nodes, _) = q.as_chunks::<D>();
-        let Some(first) = nodes.first() else { return };
-        for (a, u) in nodes.iter().enumerate().take(N) {
-            for i in 0..D {
-                // slopes sum to zero
-                let apart = u[i] - first[i];
-                for (entry, slopes) in self.gradient[i].iter_mut().zip(&self.slopes) {
-                    *entry += apart * slopes[a];
-                }
-            }
-            self.gradient[2][2] += if D == 2 { self.over_radius[a] * u[0] } else { 0.0 };
-        }
-    }
-
-    /// Derivatives by deformed position, and shape functions over the deformed radius.
-    pub fn deformed(&self, gradient: &Matrix) -> ([[f64; N]; D], [f64; N]) {
-        let f: [[f64; D]; D] = std::array::from_fn(|i| {
-            std::array::from_fn(|j| gradient[i][j] + f64::from(u8::from(i == j)))
-        });
-        let (back, _) = invert(&f);
-        let mut slopes = [[0.0; N]; D];
-        for (axis, slopes) in slopes.iter_mut().enumerate() {
-            for (k, undeformed) in self.slopes.iter().enumerate() {
-                let turn = back[k][axis];
-                for (slope, by) in slopes.iter_mut().zip(undeformed) {
-                    *slope += by * turn;
-                }
+    /// H = du/dX of displacements; H33 is not among them.
+    #[inline(always)]
+    pub fn gradient(&self, apart: &Apart<D, N>) -> Matrix {
+        let mut gradient = [[0.0; 3]; 3];
+        for (row, u) in gradient.iter_mut().zip(apart) {
+            for (entry, slopes) in row.iter_mut().zip(&self.slopes) {
+                *entry = dot(u, slopes);
             }
         }
-        let hoop = 1.0 + gradient[2][2];
-        let over_radius =
-            if D == 2 { self.over_radius.map(|shape| shape / hoop) } else { [0.0; N] };
-        (slopes, over_radius)
+        gradient
     }
 }
 
+/// Axes of the material at a point with those shape functions.
+fn axes<const D: usize, const N: usize>(
+    nodes: &[[f64; D]; N],
+    shapes: &[f64; N],
+    recipe: &Recipe,
+) -> Option<Axes> {
+    let orientation = recipe.orientation?;
+    let point = std::array::from_fn(|k| {
+        nodes.iter().zip(shapes).map(|(node, shape)| shape * node[k]).sum()
+    });
+    Some(orientation.at(nodes, point))
+}
+
+/// Sum of products, four sums at a time.
+#[inline(always)]
+fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
+    let ((a, rest_a), (b, rest_b)) = (a.as_chunks::<4>(), b.as_chunks::<4>());
+    let mut sums = [0.0; 4];
+    for (a, b) in a.iter().zip(b) {
+        for (sum, (a, b)) in sums.iter_mut().zip(a.iter().zip(b)) {
+            *sum += a * b;
+        }
+    }
+    let rest: f64 = rest_a.iter().zip(rest_b).map(|(a, b)| a * b).sum();
+    (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest
+}
+
+/// Derivatives by other coordinates, of which `by` holds those of the present ones.
+#[inline(always)]
+pub(super) fn carried_back<const D: usize, const N: usize>(
+    slopes: &[[f64; N]; D],
+    by: &[[f64; D]; D],
+) -> [[f64; N]; D] {
+    let mut carried = [[0.0; N]; D];
+    for (axis, carried) in carried.iter_mut().enumerate() {
+        for (k, slopes) in slopes.iter().enumerate() {
+            let by = by[k][axis];
+            carried.iter_mut().zip(slopes).for_each(|(sum, slope)| *sum += slope * by);
+        }
+    }
+    carried
+}
+
 /// Inverse and determinant in two or three dimensions; zeros for a singular matrix.
+#[inline(always)]
 pub(super) fn invert<const D: usize>(m: &[[f64; D]; D]) -> ([[f64; D]; D], f64) {
     let mut back = [[0.0; D]; D];
     let scaled = |det: f64| if det == 0.0 { 0.0 } else { 1.0 / det };

@@ -14,41 +14,49 @@ const MOST: usize = 40;
 /// Roundings that are left of the stress across, relative to what makes it [1].
 const ROUNDINGS: f64 = 16.0;
 
+/// Longest step of the logarithm of the thickness [1].
+const LONGEST: f64 = 0.5;
+/// Change of the thickness over the thickness that may be left when the stress across is that of
+/// rounding [1]: where the thickness goes to nothing the stress vanishes with it, the change does
+/// not.
+const CLOSE: f64 = 1e-8;
+
 /// Answers with H33 such that nothing pulls across; writes it into the gradient. The stress across
-/// that is left is that of rounding; where there is no such H33 the energy is no number.
+/// that is left is that of rounding; `None`: there is no such H33.
 pub(super) fn ask(
     material: &Oriented<'_>,
     gradient: &mut Matrix,
     under: &Conditions,
     (committed, state): (&[f64], &mut [f64]),
-) -> Answer {
+) -> Option<Answer> {
     let own = material.material.states();
     let (before, after) = (&committed[..own.min(committed.len())], state.split_at_mut_checked(own));
-    let Some((after, [across])) = after else { return Answer::default() };
+    let (after, rest) = after?;
+    let [across] = rest else { return None };
     gradient[2][2] = committed.get(own).copied().unwrap_or(0.0);
     for _ in 0..MOST {
         let answer = material.respond(gradient, under, before, after);
         let stress = answer.stress[2];
-        let modulus = answer.moduli[2][2] + if under.large { stress } else { 0.0 };
+        // by the logarithm of the thickness: docs/theory.md eq. (3.56)
+        let modulus = answer.moduli[2][2] + if under.large { 2.0 * stress } else { 0.0 };
         let step = -stress / modulus;
         let size = answer.stress.iter().fold(0.0_f64, |size, s| size.max(s.abs()));
         let largest = gradient.as_flattened().iter().fold(0.0_f64, |most, h| most.max(h.abs()));
         let made = modulus.abs() * largest + size;
-        if stress.abs() <= ROUNDINGS * f64::EPSILON * made {
-            *across = gradient[2][2];
-            return condensed(answer);
-        }
         if !step.is_finite() {
-            break;
+            return None;
+        }
+        if stress.abs() <= ROUNDINGS * f64::EPSILON * made && step.abs() <= CLOSE {
+            *across = gradient[2][2];
+            return (modulus > 0.0).then(|| condensed(answer));
         }
         if under.large {
-            // a step that would turn the thickness round is cut
-            gradient[2][2] += step.max(-0.5) * (1.0 + gradient[2][2]);
+            gradient[2][2] += step.clamp(-LONGEST, LONGEST).exp_m1() * (1.0 + gradient[2][2]);
         } else {
             gradient[2][2] += step;
         }
     }
-    Answer { energy: f64::NAN, ..Answer::default() }
+    None
 }
 
 /// The answer with the strain across eliminated.

@@ -1,8 +1,8 @@
 //! Results of a solid: stresses, strains and plastic strains at its points.
 
-use super::{Formulation, Solids};
+use super::{Formulation, Point, Solids};
 use crate::axes;
-use crate::element::kernel::{Strains, Surroundings};
+use crate::element::kernel::Surroundings;
 use crate::material::Axes;
 use crate::material::tensor::{
     Matrix, Symmetric, carried, deformation, full, left, product, right, symmetric,
@@ -64,14 +64,19 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
         under: &Surroundings<'_>,
         into: &mut [f64],
     ) {
-        let large = under.strains != Strains::Linear;
-        let mut places = self.places(element, q, under);
-        if self.recipe.formulation == Formulation::Incompatible {
-            self.enhanced_gradients((element, &mut places), q, (state, large));
-        }
         // The committed state answers its own strains with the same stresses.
         let mut scratch = state.to_vec();
-        let (points, _) = self.points(&places, large, (state, &mut scratch));
+        let mut points = [Point::<D, N>::EMPTY; P];
+        let large = under.is_large();
+        let states = (under, state, &mut scratch[..]);
+        let answered = match self.recipe.formulation {
+            Formulation::Incompatible => self.enhanced_points(element, q, states, &mut points),
+            _ => self.points(element, q, states, &mut points).map(|_| ()),
+        };
+        if answered.is_err() {
+            into.fill(f64::NAN);
+            return;
+        }
         let width = if D == 2 { 4 } else { 6 };
         let Some((stresses, rest)) = into.split_at_mut_checked(width * P) else { return };
         let Some((strains, rest)) = rest.split_at_mut_checked(width * P) else { return };
@@ -80,7 +85,9 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
             let volume = if large { 1.0 + point.dilation } else { 1.0 };
             let mut stress = point.stress.map(|stress| stress / volume);
             let mut strain = self.recipe.told.strain(&point.gradient, large);
-            if let Some(axes) = places[k].axes.filter(|_| self.recipe.told == Told::Logarithmic) {
+            if let Some(axes) =
+                self.places[element][k].axes.filter(|_| self.recipe.told == Told::Logarithmic)
+            {
                 let turned = if large { taken_along(&axes, &point.gradient) } else { axes };
                 stress = orientation::along(&turned, &stress);
                 strain = angles_along(&turned, &strain);

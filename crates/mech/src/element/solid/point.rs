@@ -1,0 +1,169 @@
+//! A point of a deformed element: gradient, answer of the material, slopes by deformed position.
+
+use super::place::{Apart, Place, carried_back, invert};
+use super::{Kinematics, Solids, plane_stress};
+use crate::element::kernel::{Failure, Surroundings};
+use crate::material::tensor::{Matrix, Moduli, Symmetric, dilation};
+use crate::material::{Answer, Conditions};
+use crate::orientation::Oriented;
+
+/// What an element responds under, its committed state and its trial state.
+pub(super) type States<'a, 'b> = (&'a Surroundings<'a>, &'a [f64], &'b mut [f64]);
+
+/// A point of a deformed element, as forces and tangents are made of it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Point<const D: usize, const N: usize> {
+    /// Undeformed volume it stands for [L3].
+    pub weight: f64,
+    /// Derivatives of the shape functions by deformed position, axis by axis [1/L].
+    pub slopes: [[f64; N]; D],
+    /// Shape functions over the deformed radius; zeros but for rings [1/L].
+    pub hoop: [f64; N],
+    /// H of the displacements, enhanced ones included.
+    pub gradient: Matrix,
+    /// J - 1, or the sum of small strains.
+    pub dilation: f64,
+    /// Kirchhoff stress that does work on the gradients of displacements.
+    pub stress: Symmetric,
+    /// The part of it that turns with them: all, or none where displacements are small.
+    pub turning: Symmetric,
+    /// Its moduli.
+    pub moduli: Moduli,
+    /// Energy per undeformed volume.
+    pub energy: f64,
+}
+
+impl<const D: usize, const N: usize> Point<D, N> {
+    /// Nothing yet.
+    pub const EMPTY: Self = Self {
+        weight: 0.0,
+        slopes: [[0.0; N]; D],
+        hoop: [0.0; N],
+        gradient: [[0.0; 3]; 3],
+        dilation: 0.0,
+        stress: [0.0; 6],
+        turning: [0.0; 6],
+        moduli: [[0.0; 6]; 6],
+        energy: 0.0,
+    };
+
+    #[inline(always)]
+    fn note_dilation(&mut self, large: bool) {
+        let h = &self.gradient;
+        self.dilation = if large { dilation(h) } else { h[0][0] + h[1][1] + h[2][2] };
+    }
+
+    /// Takes the answer of the material in.
+    #[inline(always)]
+    pub fn take(&mut self, answer: &Answer, large: bool) {
+        self.stress = answer.stress;
+        self.turning = if large { answer.stress } else { [0.0; 6] };
+        self.moduli = answer.moduli;
+        self.energy = answer.energy;
+    }
+}
+
+impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
+    /// H at a point whose slopes by undeformed position are those of `place`.
+    #[inline(always)]
+    pub(super) fn gradient(
+        &self,
+        point: usize,
+        place: &Place<D, N>,
+        (q, apart): (&[f64], &Apart<D, N>),
+    ) -> Matrix {
+        let mut gradient = place.gradient(apart);
+        if self.is_ring() {
+            let nodes = q.chunks_exact(D).zip(&self.tables.points[point].shapes);
+            gradient[2][2] = nodes.map(|(u, shape)| u[0] * shape).sum::<f64>() / place.radius;
+        }
+        gradient
+    }
+
+    /// What the material answers under at a point.
+    #[inline(always)]
+    fn conditions(&self, _point: usize, under: &Surroundings<'_>) -> Conditions {
+        Conditions { large: under.is_large(), dt: under.dt, ..Conditions::default() }
+    }
+
+    /// Asks the material, or solves for the strain across the plane first.
+    #[inline(always)]
+    pub(super) fn ask(
+        &self,
+        gradient: &mut Matrix,
+        (point, place, under): (usize, &Place<D, N>, &Surroundings<'_>),
+        (committed, state): (&[f64], &mut [f64]),
+    ) -> Result<Answer, Failure> {
+        let width = self.point_states();
+        let committed = self.of_point(committed, point);
+        let state = state.get_mut(width * point..width * (point + 1)).unwrap_or_default();
+        let under = &self.conditions(point, under);
+        let material = Oriented { material: &self.recipe.material, axes: place.axes };
+        if self.recipe.kinematics == Kinematics::PlaneStress {
+            plane_stress::ask(&material, gradient, under, (committed, state))
+                .ok_or(Failure::NoThickness(point))
+        } else {
+            Ok(material.respond(gradient, under, committed, state))
+        }
+    }
+
+    /// Writes place, gradient and slopes of a point.
+    ///
+    /// # Errors
+    /// The point is turned inside out, or has come to the axis.
+    #[inline(always)]
+    pub(super) fn deform(
+        &self,
+        point: usize,
+        (place, gradient): (&Place<D, N>, &Matrix),
+        large: bool,
+        into: &mut Point<D, N>,
+    ) -> Result<(), Failure> {
+        into.weight = place.weight;
+        into.gradient = *gradient;
+        into.note_dilation(large);
+        let mut radius = place.radius;
+        if large {
+            let hoop = 1.0 + gradient[2][2];
+            if self.is_ring() && !(hoop > 0.0) {
+                return Err(Failure::OnAxis(point));
+            }
+            if !(1.0 + into.dilation > 0.0) {
+                return Err(Failure::InsideOut(point));
+            }
+            radius *= hoop;
+            let mut f = [[0.0; D]; D];
+            for (i, row) in f.iter_mut().enumerate() {
+                row.copy_from_slice(&gradient[i][..D]);
+                row[i] += 1.0;
+            }
+            into.slopes = carried_back(&place.slopes, &invert(&f).0);
+        } else {
+            into.slopes = place.slopes;
+        }
+        if self.is_ring() {
+            let shapes = &self.tables.points[point].shapes;
+            into.hoop.iter_mut().zip(shapes).for_each(|(hoop, shape)| *hoop = shape / radius);
+        }
+        Ok(())
+    }
+
+    /// Writes a point that its own gradient moves.
+    #[inline(always)]
+    pub(super) fn answer(
+        &self,
+        point: usize,
+        (place, gradient): (&Place<D, N>, &Matrix),
+        (under, committed, state): States<'_, '_>,
+        into: &mut Point<D, N>,
+    ) -> Result<(), Failure> {
+        let large = under.is_large();
+        self.deform(point, (place, gradient), large, into)?;
+        let answer = self.ask(&mut into.gradient, (point, place, under), (committed, state))?;
+        if self.recipe.kinematics == Kinematics::PlaneStress {
+            into.note_dilation(large);
+        }
+        into.take(&answer, large);
+        Ok(())
+    }
+}
