@@ -46,7 +46,7 @@ mod solver;
 mod sparse;
 mod system;
 
-pub use choice::{BuiltIn, analyse, analyse_with};
+pub use choice::{BuiltIn, OnThreads, analyse, analyse_with};
 pub use dense::{DenseLu, reduce_rows};
 pub use error::{FactorReport, SolveError};
 pub use pattern::{Matrix, Pattern};

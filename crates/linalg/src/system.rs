@@ -55,6 +55,8 @@ pub struct Description {
     pub predicted_entries: f64,
     /// Predicted number of multiplications and additions of a factorisation.
     pub predicted_operations: f64,
+    /// Memory that a factorisation takes, what it works in included [bytes].
+    pub bytes: f64,
 }
 
 impl Description {
@@ -68,6 +70,7 @@ impl Description {
             border: 0,
             predicted_entries: 0.0,
             predicted_operations: 0.0,
+            bytes: 0.0,
         }
     }
 }
