@@ -9,6 +9,7 @@ use crate::evaluate::{Evaluation, zero};
 use crate::iteration_history::IterationHistory;
 use crate::linear_systems::LinearSystems;
 use crate::linearised::{LinearPoints, LinearisedContact};
+use crate::memory;
 use crate::observe::ContactChange;
 use crate::plan::{Coupling, Numbering};
 use crate::problem::Problem;
@@ -35,7 +36,8 @@ pub(super) struct System {
     pub(super) objection: Option<Diagnostic>,
 }
 
-/// Linear systems that are kept: contact that comes back finds its own again.
+/// The most linear systems that are kept, where memory holds them: contact that comes back
+/// finds its own again.
 const MOST_SYSTEMS: usize = 16;
 
 /// Scratch of a step's iterations.
@@ -134,10 +136,12 @@ impl Scratch {
                     Coupling::new(&plan.elements, &step.dependent, constraints, contact)
                 });
                 let solver = Solver::analyse(&coupling.pattern, kind, linear_systems.factory());
-                if systems.len() == MOST_SYSTEMS {
-                    systems.remove(0);
-                }
-                let objection = crate::memory::factors_objection(&solver.description());
+                let needed = memory::bytes(&solver.description());
+                let kept = systems.iter().map(|system| memory::bytes(&system.solver.description()));
+                let surplus = memory::to_drop(kept, needed);
+                let first = surplus.max((systems.len() + 1).saturating_sub(MOST_SYSTEMS));
+                systems.drain(..first);
+                let objection = memory::factors_objection(&solver.description());
                 systems.push(System { step: own, kind, coupling, solver, objection });
             }
         }
