@@ -218,8 +218,8 @@ impl Layout {
             let Front { rows_start, rows, .. } = self.fronts.front[child as usize];
             let in_parent = &self.fronts.in_parent[rows_start..rows_start + rows];
             let update = match self.part_below(child, others.len()) {
-                Some(part) => &others[part].stack[..rows * rows],
-                None => &waiting[self.storage[child as usize].update..][..rows * rows],
+                Some(part) => &others[part].stack[..self.packed(rows)],
+                None => &waiting[self.storage[child as usize].update..][..self.packed(rows)],
             };
             match self.symmetric {
                 true => extend_symmetric(&mut front, update, in_parent),
@@ -233,9 +233,12 @@ impl Layout {
             let own = first - share.first..first - share.first + columns;
             front.factor_lu(size, &mut share.exchange[own], pivots);
         }
+        let mut to = update;
         for j in 0..rows {
-            let column = j * rows + self.first_row(j)..(j + 1) * rows;
-            stack.copy_within(work + column.start..work + column.end, update + column.start);
+            let column = work + j * rows + self.first_row(j)..work + (j + 1) * rows;
+            let length = column.len();
+            stack.copy_within(column, to); // what waits is below what is at work
+            to += length;
         }
     }
 
@@ -271,18 +274,20 @@ fn extend(front: &mut DenseFront<'_>, update: &[f64], in_parent: &[u32]) {
     }
 }
 
-/// Adds the lower triangle of a child's Schur complement.
+/// Adds the lower triangle of a child's Schur complement, column after column.
 fn extend_symmetric(front: &mut DenseFront<'_>, update: &[f64], in_parent: &[u32]) {
     let (k, r) = (front.columns, front.rows);
-    let columns = update.chunks_exact(in_parent.len().max(1)).zip(in_parent).enumerate();
-    for (j, (column, &to)) in columns {
+    let mut rest = update;
+    for (j, &to) in in_parent.iter().enumerate() {
+        let (column, behind) = rest.split_at(in_parent.len() - j);
+        rest = behind;
         let to = to as usize;
         let (target, offset) = if to < k {
             (&mut front.panel[to * (k + r)..(to + 1) * (k + r)], 0)
         } else {
             (&mut front.update[(to - k) * r..(to - k + 1) * r], k)
         };
-        add_at(target, &in_parent[j..], &column[j..], offset);
+        add_at(target, &in_parent[j..], column, offset);
     }
 }
 

@@ -25,7 +25,7 @@ pub(super) struct Storage {
     pub end: usize,
     /// Its Schur complement while it is at work, on the stack.
     pub work: usize,
-    /// And while it waits for the parent.
+    /// And while it waits for the parent, packed.
     pub update: usize,
 }
 
@@ -112,8 +112,14 @@ impl Layout {
             (self.storage[f].work, self.storage[f].update) = (top, update);
             part.stack = part.stack.max(top + r * r);
             part.scratch = part.scratch.max(if self.symmetric { k * (k + r) } else { 0 });
-            top = update + r * r;
+            top = update + self.packed(r);
         }
+    }
+
+    /// Entries of a Schur complement of `r` rows that waits: a triangle where it is symmetric,
+    /// column after column.
+    pub fn packed(&self, r: usize) -> usize {
+        if self.symmetric { r * (r + 1) / 2 } else { r * r }
     }
 
     /// Places of a part in the factor and in the order of elimination.
