@@ -29,8 +29,6 @@ pub struct Solver {
     report: Option<FactorReport>,
     /// Natural unit of each unknown; none: all alike.
     unit: Vec<f64>,
-    /// Product of the units of row and column of each entry; none: all one.
-    entry_unit: Vec<f64>,
     /// Whether the last checked solution needed no refinement.
     accurate: bool,
 }
@@ -80,7 +78,6 @@ impl Solver {
             raised: Vec::new(),
             report: None,
             unit: Vec::new(),
-            entry_unit: Vec::new(),
             accurate: false,
         }
     }
@@ -113,12 +110,6 @@ impl Solver {
         self.report = None;
         self.unit.clear();
         self.unit.extend_from_slice(wanted);
-        self.entry_unit.clear();
-        let rows = (0..wanted.len()).map(|row| (wanted[row], self.pattern.row(row)));
-        self.entry_unit.reserve(if wanted.is_empty() { 0 } else { self.values.len() });
-        for (own, columns) in rows {
-            self.entry_unit.extend(columns.iter().map(|&column| own * wanted[column]));
-        }
     }
 
     /// U A U of the values given.
@@ -127,8 +118,12 @@ impl Solver {
             self.values.copy_from_slice(values);
             return;
         }
-        for ((own, value), unit) in self.values.iter_mut().zip(values).zip(&self.entry_unit) {
-            *own = value * unit;
+        for (i, &unit) in self.unit.iter().enumerate() {
+            let range = self.pattern.row_start()[i]..self.pattern.row_start()[i + 1];
+            let own = self.values[range.clone()].iter_mut().zip(&values[range]);
+            for ((own, value), &column) in own.zip(self.pattern.row(i)) {
+                *own = value * (unit * self.unit[column]);
+            }
         }
     }
 

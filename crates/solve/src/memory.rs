@@ -196,7 +196,7 @@ mod tests {
     fn the_oldest_systems_are_dropped() {
         let kept = [3.0, 1.0, 2.0].into_iter();
         for (needed, there, dropped) in
-            [(1.0, 14.0, 0), (4.0, 8.0, 1), (4.0, 5.0, 2), (9.0, 2.0, 3)]
+            [(1.0, 14.0, 0), (4.0, 8.0, 1), (3.0, 5.0, 2), (9.0, 2.0, 3)]
         {
             assert_eq!(surplus(kept.clone(), needed, there), dropped, "{needed} {there}");
         }
