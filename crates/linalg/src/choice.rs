@@ -2,6 +2,7 @@
 
 use crate::banded::Banded;
 use crate::error::SolveError;
+use crate::multigrid::Multigrid;
 use crate::ordering::Layout;
 use crate::pattern::Pattern;
 use crate::solver::Solver;
@@ -12,6 +13,9 @@ use std::sync::Arc;
 
 /// Banded factorisations with fewer operations are not worth a second analysis.
 const SMALL: f64 = 2e6;
+
+/// Multiplications with additions in a second where fronts are large (measured).
+const LARGE_FRONTS: f64 = 2e10;
 
 /// The factorisations of this crate, chosen by the predicted time; or one of them.
 #[derive(Clone, Copy, Debug, Default)]
@@ -55,11 +59,14 @@ impl BuiltIn {
         let layout = Layout::cheapest(pattern, kind);
         if self.back_end.is_none()
             && layout.operations(kind) > SMALL
-            && let Some(sparse) = Sparse::new(pattern, kind, pool)
+            && let Some(sparse) = Sparse::new(pattern, kind, pool.clone())
             && (sparse_seconds(&sparse) < banded_seconds(&layout, kind)
                 || layout.entries(kind) > LARGEST_BAND)
         {
-            return Box::new(sparse);
+            return match kind == Kind::Symmetric && iteration_pays(pattern, &sparse) {
+                true => Box::new(Multigrid::new(pattern, sparse, pool)),
+                false => Box::new(sparse),
+            };
         }
         Box::new(Banded::new(pattern, kind, layout))
     }
@@ -75,6 +82,12 @@ pub fn analyse(pattern: &Pattern, kind: Kind) -> Solver {
 /// library cannot analyse the pattern the banded back end is used.
 pub fn analyse_with(pattern: &Pattern, kind: Kind, back_end: BackEnd) -> Solver {
     Solver::new(pattern, BuiltIn { back_end: Some(back_end) }.choose(pattern, kind, None))
+}
+
+/// Whether an iteration is predicted to take less than half the time of a factorisation, which is
+/// the surer way.
+fn iteration_pays(pattern: &Pattern, sparse: &Sparse) -> bool {
+    2.0 * Multigrid::seconds(pattern) < sparse.operations() / LARGE_FRONTS
 }
 
 /// Rough time of a banded factorisation [s]: short contiguous loops.

@@ -112,6 +112,17 @@ impl Solver {
         self.unit.extend_from_slice(wanted);
     }
 
+    /// Tells the system the rigid motions of the unknowns, column after column: it may then solve
+    /// by iteration, which pays where few right-hand sides belong to a matrix. To be told after
+    /// the units.
+    pub fn set_motions(&mut self, motions: &[f64]) {
+        let mut own = motions.to_vec();
+        for column in own.chunks_exact_mut(self.rhs.len().max(1)) {
+            column.iter_mut().zip(&self.unit).for_each(|(motion, unit)| *motion /= unit);
+        }
+        self.system.take_motions(&own);
+    }
+
     /// U A U of the values given.
     fn take(&mut self, values: &[f64]) {
         if self.unit.is_empty() {

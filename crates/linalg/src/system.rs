@@ -34,6 +34,8 @@ pub enum BackEnd {
     Banded,
     /// Sparse factorisation in a fill-reducing order.
     Sparse,
+    /// Conjugate gradients with a multigrid cycle; the sparse factorisation where they fail.
+    Multigrid,
     /// An implementation from elsewhere, by its name.
     External(&'static str),
 }
@@ -88,6 +90,9 @@ impl fmt::Display for Description {
                 self.equations, self.half_bandwidth, self.border
             )?,
             BackEnd::Sparse => write!(f, "sparse {kind}, {} equations", self.equations)?,
+            BackEnd::Multigrid => {
+                return write!(f, "multigrid {kind}, {} equations", self.equations);
+            }
             BackEnd::External(name) => {
                 return write!(f, "{name}, {kind}, {} equations", self.equations);
             }
@@ -140,6 +145,10 @@ pub trait LinearSystem: Send {
     ///
     /// Errors: [`SolveError::NotFactored`], [`SolveError::External`].
     fn solve_transpose(&mut self, block: &mut [f64], columns: usize) -> Result<(), SolveError>;
+
+    /// Takes the rigid motions of the body whose stiffness the matrix is, column after column: what
+    /// costs next to no energy where nothing holds it. Iterations may use them.
+    fn take_motions(&mut self, _motions: &[f64]) {}
 
     /// Rows that this process assembles and judges.
     fn owned_rows(&self) -> Range<usize> {

@@ -313,6 +313,7 @@ impl<'a> Analysis<'a> {
             let is_lenient = count > MOST_REACHED;
             let problem = Problem { is_lenient, enforcement: self.enforcement, ..problem };
             work.fit(&problem);
+            work.tell_motions(&problem);
             if begun || from.is_some() {
                 crate::commit::recall_points(self.committed, work);
             } else {

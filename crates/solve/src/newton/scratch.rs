@@ -21,6 +21,10 @@ use slideline_linalg::{Kind, Solver};
 use slideline_mech::contact::enforcement::Enforcement;
 use slideline_mech::contact::tangential::Tangential;
 use slideline_mech::element::Temperature;
+use slideline_model::Dof;
+
+const TRANSLATIONS: [Dof; 3] = [Dof::U1, Dof::U2, Dof::U3];
+const ROTATIONS: [Dof; 3] = [Dof::UR1, Dof::UR2, Dof::UR3];
 
 /// Equations of a contact point that room is kept for.
 const ROWS: usize = 18;
@@ -39,6 +43,9 @@ pub(super) struct System {
 /// The most linear systems that are kept, where memory holds them: contact that comes back
 /// finds its own again.
 const MOST_SYSTEMS: usize = 16;
+
+/// Equations from which on a system is told the rigid motions of its unknowns.
+const LARGE: usize = 50_000;
 
 /// Scratch of a step's iterations.
 #[derive(Default)]
@@ -151,6 +158,17 @@ impl Scratch {
         system.coupling.clone()
     }
 
+    /// Tells a large linear system the rigid motions of its unknowns, that it may be solved by
+    /// iteration: not where contact asks for many solutions of every matrix.
+    pub fn tell_motions(&mut self, plan: &Problem<'_>) {
+        let Some(system) = self.systems.last_mut() else { return };
+        if plan.constraints.equations() < LARGE || !plan.contact.points.is_empty() {
+            return;
+        }
+        system.solver.set_motions(&rigid_motions(plan));
+        system.objection = memory::factors_objection(&system.solver.description());
+    }
+
     /// The linear system of the problem at hand.
     pub fn solver(&mut self) -> &mut Solver {
         solver(&mut self.systems)
@@ -222,6 +240,42 @@ impl Scratch {
     pub fn take_back(&mut self, outcome: Outcome) {
         self.spare_changes.extend(outcome.last.map(|last| last.contact_changes));
     }
+}
+
+/// Rigid motions of the unknowns where the step begins, column after column: translations along
+/// and turns about the axes that the model has.
+fn rigid_motions(plan: &Problem<'_>) -> Vec<f64> {
+    let moved: Vec<(Dof, [f64; 3])> = plan
+        .constraints
+        .dof_of_equation
+        .iter()
+        .map(|&dof| {
+            let (node, kind) = plan.dofs.name(dof);
+            let from = plan.model.nodes.position(node);
+            let way = plan.dofs.translation(&plan.start.displacement, node);
+            (kind, std::array::from_fn(|axis| from[axis] + way[axis]))
+        })
+        .collect();
+    let mut motions = Vec::with_capacity(6 * moved.len());
+    let mut add = |of: &dyn Fn(Dof, [f64; 3]) -> f64| {
+        let begin = motions.len();
+        motions.extend(moved.iter().map(|&(kind, place)| of(kind, place)));
+        if motions[begin..].iter().all(|&value| value == 0.0) {
+            motions.truncate(begin);
+        }
+    };
+    for axis in 0..3 {
+        add(&|kind, _| f64::from(u8::from(kind == TRANSLATIONS[axis])));
+    }
+    for axis in 0..3 {
+        let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
+        add(&|kind, place| match kind {
+            kind if kind == TRANSLATIONS[next] => -place[last],
+            kind if kind == TRANSLATIONS[last] => place[next],
+            kind => f64::from(u8::from(kind == ROTATIONS[axis])),
+        });
+    }
+    motions
 }
 
 /// The linear system that was found last.
