@@ -318,6 +318,7 @@ impl LinearSystem for Banded {
             border: self.layout.order.len() - self.layout.band,
             predicted_entries: self.layout.entries(self.kind),
             predicted_operations: self.layout.operations(self.kind),
+            bytes: 8.0 * self.layout.entries(self.kind),
         }
     }
 }

@@ -2,14 +2,20 @@
 
 use crate::banded::Banded;
 use crate::error::SolveError;
+use crate::multigrid::Multigrid;
 use crate::ordering::Layout;
 use crate::pattern::Pattern;
 use crate::solver::Solver;
 use crate::sparse::{LARGEST_BAND, Sparse};
 use crate::system::{Analyse, BackEnd, Kind, LinearSystem};
+use rayon::ThreadPool;
+use std::sync::Arc;
 
 /// Banded factorisations with fewer operations are not worth a second analysis.
 const SMALL: f64 = 2e6;
+
+/// Multiplications with additions in a second where fronts are large (measured).
+const LARGE_FRONTS: f64 = 2e10;
 
 /// The factorisations of this crate, chosen by the predicted time; or one of them.
 #[derive(Clone, Copy, Debug, Default)]
@@ -20,25 +26,47 @@ pub struct BuiltIn {
 
 impl Analyse for BuiltIn {
     fn analyse(&self, pattern: &Pattern, kind: Kind) -> Result<Box<dyn LinearSystem>, SolveError> {
-        Ok(self.choose(pattern, kind))
+        Ok(self.choose(pattern, kind, None))
+    }
+}
+
+/// The factorisations of this crate, chosen likewise, whose work the threads of a pool share. The
+/// results have the bits of those without.
+#[derive(Clone, Debug)]
+pub struct OnThreads {
+    /// The threads.
+    pub pool: Arc<ThreadPool>,
+}
+
+impl Analyse for OnThreads {
+    fn analyse(&self, pattern: &Pattern, kind: Kind) -> Result<Box<dyn LinearSystem>, SolveError> {
+        Ok(BuiltIn::default().choose(pattern, kind, Some(self.pool.clone())))
     }
 }
 
 impl BuiltIn {
-    fn choose(&self, pattern: &Pattern, kind: Kind) -> Box<dyn LinearSystem> {
+    fn choose(
+        &self,
+        pattern: &Pattern,
+        kind: Kind,
+        pool: Option<Arc<ThreadPool>>,
+    ) -> Box<dyn LinearSystem> {
         if self.back_end == Some(BackEnd::Sparse)
-            && let Some(sparse) = Sparse::new(pattern, kind)
+            && let Some(sparse) = Sparse::new(pattern, kind, pool.clone())
         {
             return Box::new(sparse);
         }
         let layout = Layout::cheapest(pattern, kind);
         if self.back_end.is_none()
             && layout.operations(kind) > SMALL
-            && let Some(sparse) = Sparse::new(pattern, kind)
+            && let Some(sparse) = Sparse::new(pattern, kind, pool.clone())
             && (sparse_seconds(&sparse) < banded_seconds(&layout, kind)
                 || layout.entries(kind) > LARGEST_BAND)
         {
-            return Box::new(sparse);
+            return match kind == Kind::Symmetric && iteration_pays(pattern, &sparse) {
+                true => Box::new(Multigrid::new(pattern, sparse, pool)),
+                false => Box::new(sparse),
+            };
         }
         Box::new(Banded::new(pattern, kind, layout))
     }
@@ -47,13 +75,19 @@ impl BuiltIn {
 /// Symbolic analysis, once for every pattern: orders the equations, predicts the work and chooses
 /// the back end.
 pub fn analyse(pattern: &Pattern, kind: Kind) -> Solver {
-    Solver::new(pattern, BuiltIn::default().choose(pattern, kind))
+    Solver::new(pattern, BuiltIn::default().choose(pattern, kind, None))
 }
 
 /// Like [`analyse`] with the back end prescribed, for comparisons and tests. Where the sparse
 /// library cannot analyse the pattern the banded back end is used.
 pub fn analyse_with(pattern: &Pattern, kind: Kind, back_end: BackEnd) -> Solver {
-    Solver::new(pattern, BuiltIn { back_end: Some(back_end) }.choose(pattern, kind))
+    Solver::new(pattern, BuiltIn { back_end: Some(back_end) }.choose(pattern, kind, None))
+}
+
+/// Whether an iteration is predicted to take less than half the time of a factorisation, which is
+/// the surer way.
+fn iteration_pays(pattern: &Pattern, sparse: &Sparse) -> bool {
+    2.0 * Multigrid::seconds(pattern) < sparse.operations() / LARGE_FRONTS
 }
 
 /// Rough time of a banded factorisation [s]: short contiguous loops.

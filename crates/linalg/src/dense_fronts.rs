@@ -20,6 +20,8 @@ use faer::{Accum, MatMut, MatRef, Par};
 
 /// Number of columns that are eliminated one by one.
 const NARROW: usize = 8;
+/// Rows and columns of a product that one thread makes at a time.
+const TILE: usize = 512;
 /// Part of the largest candidate from which on the diagonal is kept as pivot: a front keeps its
 /// order, and nearly symmetric matrices their structure of errors.
 const KEPT: f64 = 0.1;
@@ -40,6 +42,14 @@ pub(crate) struct Pivots {
 
 impl Pivots {
     pub const NONE: Self = Self { negative: 0, smallest_ratio: f64::INFINITY, smallest: 0 };
+
+    /// Pivots of other equations with these.
+    pub fn with(self, other: Self) -> Self {
+        let order = other.smallest_ratio.total_cmp(&self.smallest_ratio);
+        let smaller = order.then(other.smallest.cmp(&self.smallest)).is_lt();
+        let smallest = if smaller { other } else { self };
+        Self { negative: self.negative + other.negative, ..smallest }
+    }
 
     /// Notes a pivot of the equation at position `at`; returns it, or its replacement.
     fn note(&mut self, pivot: f64, size: f64, at: usize) -> f64 {
@@ -63,6 +73,8 @@ pub(crate) struct DenseFront<'a> {
     pub rows: usize,
     /// Position of the first column.
     pub first: usize,
+    /// Whether threads share the products.
+    pub threads: bool,
 }
 
 impl DenseFront<'_> {
@@ -88,7 +100,7 @@ impl DenseFront<'_> {
         let mut u12 = MatMut::from_column_major_slice_mut(self.above, k, r);
         solve_unit_lower_triangular_in_place(l11, u12.rb_mut(), Par::Seq);
         let update = MatMut::from_column_major_slice_mut(self.update, r, r);
-        matmul(update, Accum::Add, l21, u12.rb(), -1.0, Par::Seq);
+        subtract_product(update, l21, u12.rb(), self.threads);
     }
 
     fn lu_of_columns(
@@ -117,7 +129,7 @@ impl DenseFront<'_> {
         let (_, right) = right.split_at_row_mut(from);
         let (mut u12, a22) = right.split_at_row_mut(middle - from);
         solve_unit_lower_triangular_in_place(l11, u12.rb_mut(), Par::Seq);
-        matmul(a22, Accum::Add, l21, u12.rb(), -1.0, Par::Seq);
+        subtract_product(a22, l21, u12.rb(), self.threads);
         self.lu_of_columns(middle, to, size, exchange, pivots);
     }
 
@@ -165,7 +177,7 @@ impl DenseFront<'_> {
         let l21 = MatRef::from_column_major_slice(self.panel, k + r, k).split_at_row(k).1;
         let weighted = weigh(self.panel, k + r, (0, k), (k, k + r), scratch);
         let update = MatMut::from_column_major_slice_mut(self.update, r, r);
-        add_lower(update, l21, weighted);
+        subtract_lower(update, l21, weighted, self.threads);
     }
 
     fn ldlt_of_columns(
@@ -191,8 +203,8 @@ impl DenseFront<'_> {
         let right = MatMut::from_column_major_slice_mut(right, height, to - middle);
         let (_, right) = right.split_at_row_mut(middle);
         let (own, rest) = right.split_at_row_mut(to - middle);
-        add_lower(own, square, weighted);
-        matmul(rest, Accum::Add, below, weighted, -1.0, Par::Seq);
+        subtract_lower(own, square, weighted, self.threads);
+        subtract_product(rest, below, weighted, self.threads);
         self.ldlt_of_columns(middle, to, size, scratch, pivots);
     }
 
@@ -226,7 +238,7 @@ fn subtract_from(target: &mut [f64], column: &[f64]) {
     }
 }
 
-/// D L' for the columns `of` and the rows `over` of L, in scratch.
+/// D L' for the columns `of` and the rows `over` of L, transposed in scratch.
 fn weigh<'a>(
     panel: &[f64],
     height: usize,
@@ -236,19 +248,37 @@ fn weigh<'a>(
 ) -> MatRef<'a, f64> {
     let (count, width) = (of.1 - of.0, over.1 - over.0);
     let scratch = &mut scratch[..count * width];
-    for (p, j) in (of.0..of.1).enumerate() {
+    for (target, j) in scratch.chunks_exact_mut(width).zip(of.0..of.1) {
         let column = &panel[j * height..(j + 1) * height];
-        for (l, target) in column[over.0..over.1].iter().zip(scratch[p..].iter_mut().step_by(count))
-        {
-            *target = column[j] * l;
-        }
+        let pivot = column[j];
+        target.iter_mut().zip(&column[over.0..over.1]).for_each(|(t, l)| *t = pivot * l);
     }
-    MatRef::from_column_major_slice(scratch, count, width)
+    MatRef::from_column_major_slice(scratch, width, count).transpose()
 }
 
-/// target -= left * right, the lower triangle of it.
-fn add_lower(target: MatMut<'_, f64>, left: MatRef<'_, f64>, right: MatRef<'_, f64>) {
+/// target -= left * right, the lower triangle of it, in parts that threads may share.
+fn subtract_lower(
+    target: MatMut<'_, f64>,
+    left: MatRef<'_, f64>,
+    right: MatRef<'_, f64>,
+    threads: bool,
+) {
     use triangular::BlockStructure::{Rectangular, TriangularLower};
+    let n = target.nrows();
+    if n > TILE {
+        let middle = halved(n);
+        let (upper, _, lower_left, lower) = target.split_at_mut(middle, middle);
+        let (above, below) = left.split_at_row(middle);
+        let (first, second) = right.split_at_col(middle);
+        let square = || {
+            both(
+                threads,
+                || subtract_lower(upper, above, first, threads),
+                || subtract_lower(lower, below, second, threads),
+            );
+        };
+        return both(threads, || subtract_product(lower_left, below, first, threads), square);
+    }
     triangular::matmul(
         target,
         TriangularLower,
@@ -260,4 +290,42 @@ fn add_lower(target: MatMut<'_, f64>, left: MatRef<'_, f64>, right: MatRef<'_, f
         -1.0,
         Par::Seq,
     );
+}
+
+/// target -= left * right, in parts that threads may share: the same parts on any number of them.
+fn subtract_product(
+    target: MatMut<'_, f64>,
+    left: MatRef<'_, f64>,
+    right: MatRef<'_, f64>,
+    threads: bool,
+) {
+    let (rows, columns) = (target.nrows(), target.ncols());
+    if rows.max(columns) <= TILE {
+        return matmul(target, Accum::Add, left, right, -1.0, Par::Seq);
+    }
+    if rows >= columns {
+        let (upper, lower) = target.split_at_row_mut(halved(rows));
+        let (above, below) = left.split_at_row(halved(rows));
+        let first = || subtract_product(upper, above, right, threads);
+        return both(threads, first, || subtract_product(lower, below, right, threads));
+    }
+    let (before, behind) = target.split_at_col_mut(halved(columns));
+    let (first, second) = right.split_at_col(halved(columns));
+    let own = || subtract_product(before, left, first, threads);
+    both(threads, own, || subtract_product(behind, left, second, threads));
+}
+
+/// Where a long side is divided: the first part is whole tiles.
+fn halved(length: usize) -> usize {
+    (length / 2).next_multiple_of(TILE)
+}
+
+/// Does both, in either order or at once.
+fn both(threads: bool, first: impl FnOnce() + Send, second: impl FnOnce() + Send) {
+    if threads {
+        rayon::join(first, second);
+    } else {
+        first();
+        second();
+    }
 }

@@ -9,8 +9,9 @@
 //! ```
 //!
 //! Factorisations stand behind the trait [`LinearSystem`]; those of this crate are chosen by the
-//! predicted number of operations: a contiguous band with dense border ([`BackEnd::Banded`]) and a
-//! sparse factorisation ([`BackEnd::Sparse`]). Others (of many processes, say) come with a factory,
+//! predicted number of operations: a contiguous band with dense border ([`BackEnd::Banded`]), a
+//! sparse factorisation ([`BackEnd::Sparse`]), and for large definite systems whose rigid motions
+//! are known an iteration with a multigrid cycle ([`BackEnd::Multigrid`]). Others (of many processes, say) come with a factory,
 //! [`Analyse`]. Every solution is checked by its residual; failures are typed and name the equation
 //! in the caller's numbering.
 //!
@@ -37,6 +38,7 @@ mod fronts;
 mod kernel;
 pub mod krylov;
 mod multifrontal;
+mod multigrid;
 mod ordering;
 mod orders;
 mod pattern;
@@ -46,7 +48,7 @@ mod solver;
 mod sparse;
 mod system;
 
-pub use choice::{BuiltIn, analyse, analyse_with};
+pub use choice::{BuiltIn, OnThreads, analyse, analyse_with};
 pub use dense::{DenseLu, reduce_rows};
 pub use error::{FactorReport, SolveError};
 pub use pattern::{Matrix, Pattern};

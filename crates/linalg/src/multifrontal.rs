@@ -6,46 +6,35 @@
 //!        front 2
 //! ```
 //!
-//! [duff1983], [liu1992]. Everything is sized by the analysis: a factorisation allocates
-//! nothing, and the same values give the same bits.
+//! [duff1983], [liu1992]. Everything is sized by the analysis: but for the first, a factorisation
+//! allocates nothing, and the same values give the same bits, on any number of threads: these take
+//! subtrees of about the same work, each with a stack of its own, and share the large products of
+//! the fronts above, which are divided in the same way for any number of them.
 
+mod layout;
 mod substitution;
 
 use crate::dense_fronts::{DenseFront, Pivots};
-use crate::fronts::{Front, Fronts, NONE, Tree};
-use crate::ordering::positions;
+use crate::error::SolveError;
+use crate::fronts::{Front, Tree};
 use crate::pattern::Pattern;
 use crate::system::Kind;
-
-/// Where the parts of a front are.
-#[derive(Clone, Copy, Debug, Default)]
-struct Storage {
-    /// Its columns, in the factor.
-    panel: usize,
-    /// U12, behind them; empty for symmetric systems.
-    above: usize,
-    /// What is behind both.
-    end: usize,
-    /// Its Schur complement while it is at work, on the stack.
-    work: usize,
-    /// And while it waits for the parent.
-    update: usize,
-}
+use layout::{Layout, Part, Storage, entry_positions};
+use rayon::ThreadPool;
+use rayon::iter::{IndexedParallelIterator, IntoParallelRefMutIterator, ParallelIterator};
+use std::sync::Arc;
 
 /// A multifrontal factorisation.
 pub(crate) struct Multifrontal {
-    symmetric: bool,
-    fronts: Fronts,
-    storage: Vec<Storage>,
-    /// Children of each front, those of front f from `child_start[f]` on.
-    child: Vec<u32>,
-    child_start: Vec<usize>,
+    layout: Layout,
     /// Where each entry of the matrix goes in the factor; entries above the diagonal of a symmetric
     /// matrix go to a place behind it.
     entry: Vec<u32>,
+    pool: Option<Arc<ThreadPool>>,
+    /// Empty until something is scattered.
     factor: Vec<f64>,
-    stack: Vec<f64>,
-    scratch: Vec<f64>,
+    /// Of the subtrees that threads take, one after the other, then of the fronts above them.
+    rooms: Vec<Room>,
     exchange: Vec<u32>,
     /// Sizes of the equations in the order of elimination.
     size: Vec<f64>,
@@ -55,87 +44,216 @@ pub(crate) struct Multifrontal {
     rows: Vec<f64>,
 }
 
+/// What the factorisation of fronts one after the other needs beside the factor.
+#[derive(Default)]
+struct Room {
+    stack: Vec<f64>,
+    scratch: Vec<f64>,
+}
+
+/// Fronts that are factored one after the other, with what is written.
+struct Share<'a> {
+    /// Their part of the factor, and where it begins.
+    factor: &'a mut [f64],
+    factor_start: usize,
+    /// Their exchanges, and the position of the first.
+    exchange: &'a mut [u32],
+    first: usize,
+    room: &'a mut Room,
+}
+
 impl Multifrontal {
     /// Lays the factorisation out; `None` where it is beyond 32-bit places.
-    pub fn new(pattern: &Pattern, kind: Kind, tree: &Tree) -> Option<Self> {
-        let symmetric = kind == Kind::Symmetric;
-        let fronts = Fronts::new(pattern, tree);
-        let (child, child_start) = children(&fronts);
-        let (storage, stack) = lay_out(&fronts, symmetric, &child, &child_start);
-        let length = storage.last().map_or(0, |last| last.end);
-        if length >= u32::MAX as usize {
+    pub fn new(
+        pattern: &Pattern,
+        kind: Kind,
+        tree: &Tree,
+        pool: Option<Arc<ThreadPool>>,
+    ) -> Option<Self> {
+        let layout = Layout::new(pattern, kind, tree, pool.is_some());
+        if layout.length >= u32::MAX as usize {
             return None;
         }
         let n = pattern.size();
-        let panel = |front: &Front| front.columns * (front.columns + front.rows);
-        let scratch = fronts.front.iter().map(panel).max().unwrap_or(0);
-        let entry = entry_positions(pattern, &fronts, &storage, symmetric);
+        let largest = layout.fronts.front.iter().map(|front| front.rows).max().unwrap_or(0);
         Some(Self {
-            symmetric,
-            storage,
-            child,
-            child_start,
-            entry,
-            factor: vec![0.0; length + 1],
-            stack: vec![0.0; stack],
-            scratch: if symmetric { vec![0.0; scratch] } else { Vec::new() },
+            entry: entry_positions(pattern, &layout),
+            pool,
+            factor: Vec::new(),
+            rooms: Vec::new(),
             exchange: vec![0; n],
             size: vec![0.0; n],
             x: vec![0.0; n],
-            rows: vec![0.0; fronts.front.iter().map(|front| front.rows).max().unwrap_or(0)],
-            fronts,
+            rows: vec![0.0; largest],
+            layout,
         })
     }
 
     /// Caller's equation at a position of the order of elimination.
     pub fn equation(&self, position: usize) -> usize {
-        self.fronts.order[position]
+        self.layout.fronts.order[position]
     }
 
-    pub fn scatter(&mut self, values: &[f64]) {
+    /// Memory of the factors and of the work on them [bytes].
+    pub fn bytes(&self) -> f64 {
+        let rooms = self.layout.parts.iter().chain([&self.layout.above]);
+        let values =
+            self.layout.length + rooms.map(|part| part.stack + part.scratch).sum::<usize>();
+        8.0 * values as f64 + 4.0 * self.entry.len() as f64
+    }
+
+    /// Takes the memory of the factors, once.
+    fn make_room(&mut self) -> Result<(), SolveError> {
+        if !self.factor.is_empty() {
+            return Ok(());
+        }
+        zeros(&mut self.factor, self.layout.length + 1)?;
+        for part in self.layout.parts.iter().chain([&self.layout.above]) {
+            let mut room = Room::default();
+            zeros(&mut room.stack, part.stack)?;
+            zeros(&mut room.scratch, part.scratch)?;
+            self.rooms.push(room);
+        }
+        Ok(())
+    }
+
+    /// Takes the values of a matrix.
+    ///
+    /// Errors: [`SolveError::OutOfMemory`].
+    pub fn scatter(&mut self, values: &[f64]) -> Result<(), SolveError> {
+        if let Err(fault) = self.make_room() {
+            (self.factor, self.rooms) = (Vec::new(), Vec::new());
+            return Err(fault);
+        }
         self.factor.fill(0.0);
         for (&value, &at) in values.iter().zip(&self.entry) {
             self.factor[at as usize] = value;
         }
+        Ok(())
     }
 
     /// Factors what was scattered. Small pivots are replaced; the smallest tells.
     pub fn factor(&mut self, row_size: &[f64]) -> Pivots {
-        for (size, &equation) in self.size.iter_mut().zip(&self.fronts.order) {
+        for (size, &equation) in self.size.iter_mut().zip(&self.layout.fronts.order) {
             *size = row_size[equation];
         }
+        match self.pool.clone() {
+            Some(pool) => pool.install(|| self.factor_all()),
+            None => self.factor_all(),
+        }
+    }
+
+    fn factor_all(&mut self) -> Pivots {
+        let Self { layout, factor, rooms, exchange, size, .. } = self;
+        let (rooms, above) = rooms.split_at_mut(layout.parts.len());
+        let (layout, size) = (&*layout, &size[..]);
         let mut pivots = Pivots::NONE;
-        for f in 0..self.storage.len() {
-            self.factor_front(f, &mut pivots);
+        if !layout.parts.is_empty() {
+            let mut shares = cut(layout, (&mut factor[..], &mut exchange[..]), rooms);
+            let own = shares.par_iter_mut().zip(&layout.parts);
+            let own = own.map(|(share, part)| layout.factor(part, size, share, &[]));
+            pivots = own.reduce(|| Pivots::NONE, Pivots::with);
+        }
+        let Some(room) = above.first_mut() else { return pivots };
+        let mut all = Share { factor, factor_start: 0, exchange, first: 0, room };
+        pivots.with(layout.factor(&layout.above, size, &mut all, rooms))
+    }
+}
+
+/// Gives every part of the fronts its share.
+fn cut<'a>(
+    layout: &Layout,
+    (mut factor, mut exchange): (&'a mut [f64], &'a mut [u32]),
+    rooms: &'a mut [Room],
+) -> Vec<Share<'a>> {
+    let (mut factor_start, mut first) = (0, 0);
+    let mut shares = Vec::with_capacity(rooms.len());
+    for (part, room) in layout.parts.iter().zip(rooms) {
+        let (values, positions) = layout.extent(part);
+        let behind = std::mem::take(&mut factor).split_at_mut(values.start - factor_start).1;
+        let (own, rest) = behind.split_at_mut(values.len());
+        let behind = std::mem::take(&mut exchange).split_at_mut(positions.start - first).1;
+        let (swaps, rest_of_swaps) = behind.split_at_mut(positions.len());
+        (factor, factor_start, exchange, first) = (rest, values.end, rest_of_swaps, positions.end);
+        let (factor_start, first) = (values.start, positions.start);
+        shares.push(Share { factor: own, factor_start, exchange: swaps, first, room });
+    }
+    shares
+}
+
+impl Layout {
+    /// Factors fronts one after the other; those that were factored before have left what they
+    /// hand up in rooms of their own.
+    fn factor(&self, part: &Part, size: &[f64], share: &mut Share<'_>, others: &[Room]) -> Pivots {
+        let mut pivots = Pivots::NONE;
+        let mut next = part.fronts.start;
+        for skipped in self.skipped_in(part).chain([part.fronts.end..part.fronts.end]) {
+            (next..skipped.start)
+                .for_each(|f| self.factor_front(f, size, share, (others, &mut pivots)));
+            next = skipped.end;
         }
         pivots
     }
 
-    fn factor_front(&mut self, f: usize, pivots: &mut Pivots) {
+    fn factor_front(
+        &self,
+        f: usize,
+        size: &[f64],
+        share: &mut Share<'_>,
+        (others, pivots): (&[Room], &mut Pivots),
+    ) {
         let Front { first, columns, rows, .. } = self.fronts.front[f];
         let Storage { panel, above, end, work, update } = self.storage[f];
-        let (waiting, own) = self.stack.split_at_mut(work);
+        let Room { stack, scratch } = &mut *share.room;
+        let (waiting, own) = stack.split_at_mut(work);
         let own = &mut own[..rows * rows];
-        own.fill(0.0);
-        let (panel, above) = self.factor[panel..end].split_at_mut(above - panel);
-        let mut front = DenseFront { panel, above, update: own, columns, rows, first };
+        for j in 0..rows {
+            own[j * rows + self.first_row(j)..(j + 1) * rows].fill(0.0);
+        }
+        let start = share.factor_start;
+        let (panel, above) = share.factor[panel - start..end - start].split_at_mut(above - panel);
+        let threads = self.threads;
+        let mut front = DenseFront { panel, above, update: own, columns, rows, first, threads };
         for &child in &self.child[self.child_start[f]..self.child_start[f + 1]] {
             let Front { rows_start, rows, .. } = self.fronts.front[child as usize];
             let in_parent = &self.fronts.in_parent[rows_start..rows_start + rows];
-            let update = &waiting[self.storage[child as usize].update..][..rows * rows];
+            let update = match self.part_below(child, others.len()) {
+                Some(part) => &others[part].stack[..self.packed(rows)],
+                None => &waiting[self.storage[child as usize].update..][..self.packed(rows)],
+            };
             match self.symmetric {
                 true => extend_symmetric(&mut front, update, in_parent),
                 false => extend(&mut front, update, in_parent),
             }
         }
-        let size = &self.size[first..first + columns];
+        let size = &size[first..first + columns];
         if self.symmetric {
-            front.factor_ldlt(size, &mut self.scratch, pivots);
+            front.factor_ldlt(size, scratch, pivots);
         } else {
-            front.factor_lu(size, &mut self.exchange[first..first + columns], pivots);
+            let own = first - share.first..first - share.first + columns;
+            front.factor_lu(size, &mut share.exchange[own], pivots);
         }
-        self.stack.copy_within(work..work + rows * rows, update);
+        let mut to = update;
+        for j in 0..rows {
+            let column = work + j * rows + self.first_row(j)..work + (j + 1) * rows;
+            let length = column.len();
+            stack.copy_within(column, to); // what waits is below what is at work
+            to += length;
+        }
     }
+
+    /// First row of a column of a Schur complement that is used: that of the diagonal where it is
+    /// symmetric.
+    fn first_row(&self, column: usize) -> usize {
+        if self.symmetric { column } else { 0 }
+    }
+}
+
+/// So many zeros.
+fn zeros(list: &mut Vec<f64>, count: usize) -> Result<(), SolveError> {
+    list.try_reserve_exact(count).map_err(|_| SolveError::OutOfMemory)?;
+    list.resize(count, 0.0);
+    Ok(())
 }
 
 /// Adds a child's Schur complement.
@@ -156,18 +274,20 @@ fn extend(front: &mut DenseFront<'_>, update: &[f64], in_parent: &[u32]) {
     }
 }
 
-/// Adds the lower triangle of a child's Schur complement.
+/// Adds the lower triangle of a child's Schur complement, column after column.
 fn extend_symmetric(front: &mut DenseFront<'_>, update: &[f64], in_parent: &[u32]) {
     let (k, r) = (front.columns, front.rows);
-    let columns = update.chunks_exact(in_parent.len().max(1)).zip(in_parent).enumerate();
-    for (j, (column, &to)) in columns {
+    let mut rest = update;
+    for (j, &to) in in_parent.iter().enumerate() {
+        let (column, behind) = rest.split_at(in_parent.len() - j);
+        rest = behind;
         let to = to as usize;
         let (target, offset) = if to < k {
             (&mut front.panel[to * (k + r)..(to + 1) * (k + r)], 0)
         } else {
             (&mut front.update[(to - k) * r..(to - k + 1) * r], k)
         };
-        add_at(target, &in_parent[j..], &column[j..], offset);
+        add_at(target, &in_parent[j..], column, offset);
     }
 }
 
@@ -175,100 +295,6 @@ fn add_at(target: &mut [f64], at: &[u32], source: &[f64], offset: usize) {
     for (&at, value) in at.iter().zip(source) {
         target[at as usize - offset] += value;
     }
-}
-
-fn children(fronts: &Fronts) -> (Vec<u32>, Vec<usize>) {
-    let mut start = vec![0; fronts.front.len() + 1];
-    let parents = || fronts.front.iter().map(|front| front.parent);
-    parents().filter(|&parent| parent != NONE).for_each(|parent| start[parent as usize + 1] += 1);
-    for f in 1..start.len() {
-        start[f] += start[f - 1];
-    }
-    let mut child = vec![0; start.last().copied().unwrap_or(0)];
-    let mut next = start.clone();
-    for (f, parent) in parents().enumerate().filter(|&(_, parent)| parent != NONE) {
-        child[next[parent as usize]] = f as u32;
-        next[parent as usize] += 1;
-    }
-    (child, start)
-}
-
-/// Places of all fronts, and the height of the stack.
-fn lay_out(
-    fronts: &Fronts,
-    symmetric: bool,
-    child: &[u32],
-    child_start: &[usize],
-) -> (Vec<Storage>, usize) {
-    let mut storage: Vec<Storage> = Vec::with_capacity(fronts.front.len());
-    let (mut factor, mut top, mut highest) = (0, 0, 0);
-    for (f, front) in fronts.front.iter().enumerate() {
-        let (k, r) = (front.columns, front.rows);
-        let panel = factor;
-        let above = panel + k * (k + r);
-        let end = above + if symmetric { 0 } else { k * r };
-        let first_child = child[child_start[f]..child_start[f + 1]].first();
-        let update = first_child.map_or(top, |&child| storage[child as usize].update);
-        storage.push(Storage { panel, above, end, work: top, update });
-        highest = highest.max(top + r * r);
-        top = update + r * r;
-        factor = end;
-    }
-    (storage, highest)
-}
-
-/// Where each entry of the matrix goes: both entries of a pair go to the front that eliminates the
-/// first of its two equations.
-fn entry_positions(
-    pattern: &Pattern,
-    fronts: &Fronts,
-    storage: &[Storage],
-    symmetric: bool,
-) -> Vec<u32> {
-    let n = pattern.size();
-    let position = positions(n, &fronts.order);
-    let transposed = transposed_entries(pattern);
-    let nowhere = storage.last().map_or(0, |last| last.end);
-    let mut entry = vec![nowhere as u32; pattern.entries()];
-    let mut local = vec![0usize; n];
-    for (front, storage) in fronts.front.iter().zip(storage) {
-        let (k, height) = (front.columns, front.columns + front.rows);
-        let own = front.first..front.first + k;
-        let rows = fronts.rows_of(front).iter().map(|&row| row as usize);
-        own.clone().chain(rows).enumerate().for_each(|(at, position)| local[position] = at);
-        for at in own {
-            let equation = fronts.order[at];
-            let row = local[at];
-            let start = pattern.row_start()[equation];
-            for (e, &neighbour) in (start..).zip(pattern.row(equation)) {
-                if position[neighbour] < front.first {
-                    continue;
-                }
-                let column = local[position[neighbour]];
-                let lower = |i: usize, j: usize| storage.panel + j * height + i;
-                if column >= k {
-                    entry[transposed[e]] = lower(column, row) as u32;
-                    if !symmetric {
-                        entry[e] = (storage.above + (column - k) * k + row) as u32;
-                    }
-                } else if !symmetric || row >= column {
-                    entry[e] = lower(row, column) as u32;
-                }
-            }
-        }
-    }
-    entry
-}
-
-/// Index of the entry (j, i) for every entry (i, j).
-fn transposed_entries(pattern: &Pattern) -> Vec<usize> {
-    let mut next = pattern.row_start().to_vec();
-    let at = |&j: &usize| {
-        let entry = next[j];
-        next[j] += 1;
-        entry
-    };
-    pattern.columns().iter().map(at).collect()
 }
 
 #[cfg(test)]
@@ -315,10 +341,10 @@ mod tests {
     fn factored(pattern: &Pattern, values: &[f64], kind: Kind) -> (Multifrontal, Pivots) {
         let natural: Vec<usize> = (0..pattern.size()).rev().collect();
         let tree = Tree::new(pattern, &natural);
-        let mut factors = Multifrontal::new(pattern, kind, &tree).unwrap();
+        let mut factors = Multifrontal::new(pattern, kind, &tree, None).unwrap();
         let matrix = Matrix::new(pattern, values);
         let size: Vec<f64> = (0..pattern.size()).map(|i| matrix.row_size(i)).collect();
-        factors.scatter(values);
+        factors.scatter(values).unwrap();
         let pivots = factors.factor(&size);
         (factors, pivots)
     }
@@ -331,10 +357,10 @@ mod tests {
             let (pattern, values) = system(14, kind);
             let n = pattern.size();
             let (mut factors, pivots) = factored(&pattern, &values, kind);
-            let widest = factors.fronts.front.iter().map(|front| front.columns).max();
+            let widest = factors.layout.fronts.front.iter().map(|front| front.columns).max();
             assert!(widest > Some(24), "{widest:?}");
             assert!(pivots.smallest_ratio > 1e-3, "{pivots:?}");
-            let exchanged = factors.fronts.front.iter().any(|front| {
+            let exchanged = factors.layout.fronts.front.iter().any(|front| {
                 let own = &factors.exchange[front.first..front.first + front.columns];
                 own.iter().enumerate().any(|(j, &row)| row as usize != j)
             });
@@ -354,6 +380,38 @@ mod tests {
                         product.iter().zip(b).map(|(p, b)| (p - b).abs()).fold(0.0, f64::max);
                     assert!(worst < 1e-11, "{kind:?} {columns} {transposed}: {worst:e}");
                 }
+            }
+        }
+    }
+
+    /// Requirement: factors and pivots have the same bits without threads and on any number of
+    /// them, which do share subtrees and products.
+    #[test]
+    fn threads_change_no_bit() {
+        for kind in [Kind::Symmetric, Kind::Unsymmetric] {
+            let (pattern, values) = system(70, kind);
+            let tree = crate::orders::best_tree(&pattern).unwrap();
+            let matrix = Matrix::new(&pattern, &values);
+            let size: Vec<f64> = (0..pattern.size()).map(|i| matrix.row_size(i)).collect();
+            let factored = |threads: usize| {
+                let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+                let pool = (threads > 0).then(|| Arc::new(pool));
+                let mut factors = Multifrontal::new(&pattern, kind, &tree, pool).unwrap();
+                factors.scatter(&values).unwrap();
+                let pivots = factors.factor(&size);
+                (factors.layout.parts.len(), factors.factor, factors.exchange, pivots)
+            };
+            let (parts, alone, exchange, pivots) = factored(0);
+            assert_eq!(parts, 0);
+            for threads in 1..4 {
+                let (parts, shared, swaps, found) = factored(threads);
+                assert!(parts > 8, "{parts}");
+                assert!(shared.iter().zip(&alone).all(|(a, b)| a.to_bits() == b.to_bits()));
+                assert_eq!(
+                    (swaps, found.negative, found.smallest),
+                    (exchange.clone(), pivots.negative, pivots.smallest)
+                );
+                assert_eq!(found.smallest_ratio.to_bits(), pivots.smallest_ratio.to_bits());
             }
         }
     }
@@ -385,11 +443,11 @@ mod tests {
                 let mut reference = values.clone();
                 let natural: Vec<usize> = (0..pattern.size()).rev().collect();
                 let tree = Tree::new(&pattern, &natural);
-                let mut factors = Multifrontal::new(&pattern, kind, &tree).unwrap();
+                let mut factors = Multifrontal::new(&pattern, kind, &tree, None).unwrap();
                 reference.iter_mut().for_each(|v| *v *= 2.0);
-                factors.scatter(&reference);
+                factors.scatter(&reference).unwrap();
                 factors.factor(&vec![60.0; pattern.size()]);
-                factors.scatter(&values);
+                factors.scatter(&values).unwrap();
                 let pivots = factors.factor(&vec![60.0; pattern.size()]);
                 assert_eq!(factors.equation(pivots.smallest), missing, "{kind:?}");
                 assert!(

@@ -53,9 +53,11 @@ fn minimum_degree(pattern: &Pattern) -> Option<Vec<usize>> {
 }
 
 /// The graph of the nodes: equations with the same neighbours are one vertex.
-struct Graph {
-    start: Vec<i32>,
-    neighbour: Vec<i32>,
+pub(crate) struct Graph {
+    /// Where the neighbours of each vertex begin.
+    pub start: Vec<i32>,
+    /// Neighbours, those of one vertex after those of another.
+    pub neighbour: Vec<i32>,
     /// Equations of each vertex, one vertex after another.
     equation: Vec<usize>,
     equation_start: Vec<usize>,
@@ -63,7 +65,7 @@ struct Graph {
 
 impl Graph {
     /// `None` where it is beyond 32-bit numbers.
-    fn new(pattern: &Pattern) -> Option<Self> {
+    pub fn new(pattern: &Pattern) -> Option<Self> {
         let n = pattern.size();
         let mut vertex = vec![usize::MAX; n];
         let (mut equation, mut equation_start) = (Vec::with_capacity(n), vec![0]);
@@ -97,6 +99,11 @@ impl Graph {
             start.push(i32::try_from(kept).ok()?);
         }
         Some(Self { start, neighbour, equation, equation_start })
+    }
+
+    /// Equations of every vertex.
+    pub fn vertices(&self) -> impl Iterator<Item = &[usize]> {
+        self.equation_start.windows(2).map(|pair| &self.equation[pair[0]..pair[1]])
     }
 
     /// The equations in the order that a library finds for the vertices.

@@ -69,15 +69,27 @@ impl Pattern {
     /// Pattern of `n` equations in which every clique (the dofs of an element, a contact stencil)
     /// couples all its members with one another. Members outside `0..n` are ignored.
     pub fn from_cliques(n: usize, cliques: impl Iterator<Item = impl AsRef<[usize]>>) -> Self {
-        let mut pairs = Vec::new();
-        for clique in cliques {
-            let members = clique.as_ref();
-            for (at, &i) in members.iter().enumerate() {
-                let own = members[at + 1..].iter().map(|&j| (i, j));
-                pairs.extend(own.filter(|&pair| Self::couples(n, pair)));
+        let cliques = Cliques::new(n, cliques);
+        let (mut start, mut column) = (Vec::with_capacity(n + 1), Vec::new());
+        start.push(0);
+        let mut row_of = vec![usize::MAX; n];
+        for i in 0..n {
+            let begin = column.len();
+            if i > 0 && cliques.are_those_of(i - 1, i) {
+                column.extend_from_within(start[i - 1]..);
+            } else {
+                let members = cliques.of(i).iter().flat_map(|&clique| cliques.members(clique));
+                for &j in std::iter::once(&i).chain(members) {
+                    if std::mem::replace(&mut row_of[j], i) != i {
+                        column.push(j);
+                    }
+                }
+                column[begin..].sort_unstable();
             }
+            start.push(column.len());
         }
-        Self::from_couplings(n, &pairs)
+        column.shrink_to_fit();
+        Self { rows: Arc::new(Rows { start, column }) }
     }
 
     fn from_unsorted_rows(n: usize, start: &[usize], all: &mut [usize]) -> Self {
@@ -131,6 +143,57 @@ impl Pattern {
             return None;
         }
         self.row(i).binary_search(&j).ok().map(|at| self.rows.start[i] + at)
+    }
+}
+
+/// Sets of equations that couple, and the sets that each equation is in.
+struct Cliques {
+    member: Vec<usize>,
+    /// Where the members of each set end.
+    end: Vec<usize>,
+    clique: Vec<u32>,
+    /// Where the sets of each equation begin.
+    start: Vec<usize>,
+}
+
+impl Cliques {
+    fn new(n: usize, cliques: impl Iterator<Item = impl AsRef<[usize]>>) -> Self {
+        let (mut member, mut end) = (Vec::new(), Vec::new());
+        for clique in cliques {
+            member.extend(clique.as_ref().iter().copied().filter(|&i| i < n));
+            end.push(member.len());
+        }
+        let mut start = vec![0; n + 1];
+        member.iter().for_each(|&i| start[i + 1] += 1);
+        for i in 0..n {
+            start[i + 1] += start[i];
+        }
+        let (mut clique, mut next) = (vec![0; member.len()], start.clone());
+        let mut begin = 0;
+        for (number, &end) in end.iter().enumerate() {
+            for &i in &member[begin..end] {
+                clique[next[i]] = number as u32;
+                next[i] += 1;
+            }
+            begin = end;
+        }
+        Self { member, end, clique, start }
+    }
+
+    /// The sets that an equation is in, ascending.
+    fn of(&self, i: usize) -> &[u32] {
+        &self.clique[self.start[i]..self.start[i + 1]]
+    }
+
+    fn members(&self, clique: u32) -> &[usize] {
+        let clique = clique as usize;
+        let begin = clique.checked_sub(1).map_or(0, |before| self.end[before]);
+        &self.member[begin..self.end[clique]]
+    }
+
+    /// Whether two equations are in the same sets, and so have the same row.
+    fn are_those_of(&self, i: usize, j: usize) -> bool {
+        !self.of(i).is_empty() && self.of(i) == self.of(j)
     }
 }
 
@@ -203,5 +266,27 @@ impl<'a> Matrix<'a> {
             *lane += value.abs();
         }
         (lanes[0] + lanes[1]) + (lanes[2] + lanes[3])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        // Requirement: cliques couple exactly their pairs; members that are no equations couple
+        // nothing, repeated ones once.
+        #[test]
+        fn cliques_are_their_pairs(
+            n in 1usize..30,
+            cliques in prop::collection::vec(prop::collection::vec(0usize..32, 0..7), 0..20),
+        ) {
+            let pairs = cliques.iter().flat_map(|own| {
+                own.iter().flat_map(move |&i| own.iter().map(move |&j| (i, j)))
+            });
+            let from_pairs = Pattern::from_pairs(n, pairs);
+            prop_assert_eq!(Pattern::from_cliques(n, cliques.iter()), from_pairs);
+        }
     }
 }

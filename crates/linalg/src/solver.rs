@@ -29,8 +29,6 @@ pub struct Solver {
     report: Option<FactorReport>,
     /// Natural unit of each unknown; none: all alike.
     unit: Vec<f64>,
-    /// Product of the units of row and column of each entry; none: all one.
-    entry_unit: Vec<f64>,
     /// Whether the last checked solution needed no refinement.
     accurate: bool,
 }
@@ -80,7 +78,6 @@ impl Solver {
             raised: Vec::new(),
             report: None,
             unit: Vec::new(),
-            entry_unit: Vec::new(),
             accurate: false,
         }
     }
@@ -113,12 +110,17 @@ impl Solver {
         self.report = None;
         self.unit.clear();
         self.unit.extend_from_slice(wanted);
-        self.entry_unit.clear();
-        let rows = (0..wanted.len()).map(|row| (wanted[row], self.pattern.row(row)));
-        self.entry_unit.reserve(if wanted.is_empty() { 0 } else { self.values.len() });
-        for (own, columns) in rows {
-            self.entry_unit.extend(columns.iter().map(|&column| own * wanted[column]));
+    }
+
+    /// Tells the system the rigid motions of the unknowns, column after column: it may then solve
+    /// by iteration, which pays where few right-hand sides belong to a matrix. To be told after
+    /// the units.
+    pub fn set_motions(&mut self, motions: &[f64]) {
+        let mut own = motions.to_vec();
+        for column in own.chunks_exact_mut(self.rhs.len().max(1)) {
+            column.iter_mut().zip(&self.unit).for_each(|(motion, unit)| *motion /= unit);
         }
+        self.system.take_motions(&own);
     }
 
     /// U A U of the values given.
@@ -127,8 +129,12 @@ impl Solver {
             self.values.copy_from_slice(values);
             return;
         }
-        for ((own, value), unit) in self.values.iter_mut().zip(values).zip(&self.entry_unit) {
-            *own = value * unit;
+        for (i, &unit) in self.unit.iter().enumerate() {
+            let range = self.pattern.row_start()[i]..self.pattern.row_start()[i + 1];
+            let own = self.values[range.clone()].iter_mut().zip(&values[range]);
+            for ((own, value), &column) in own.zip(self.pattern.row(i)) {
+                *own = value * (unit * self.unit[column]);
+            }
         }
     }
 

@@ -6,8 +6,9 @@
 //! ```
 //!
 //! Equations with a zero diagonal are moved behind their neighbours. Each factorisation is tried on
-//! one right-hand side; if it fails that, or if a pivot is no more than rounding, the next takes its
-//! place, and the last one decides whether the system is singular, and where.
+//! one right-hand side, unless it is that of a definite matrix; if it fails that, or if a pivot is
+//! no more than rounding, the next takes its place, and the last one decides whether the system is
+//! singular, and where.
 
 use crate::banded::Banded;
 use crate::dense_fronts::Pivots;
@@ -19,11 +20,16 @@ use crate::orders::best_tree;
 use crate::pattern::{Matrix, Pattern};
 use crate::residual::worst_residual;
 use crate::system::{BackEnd, Description, Kind, LinearSystem};
+use rayon::ThreadPool;
+use std::sync::Arc;
 
 /// Backward error of the trial solution above which the factors are not trusted.
 const LARGEST_TRIAL_ERROR: f64 = 1e-8;
 /// Pivot ratio below which partial pivoting decides whether the system is singular.
 const SUSPICIOUS: f64 = 1e-13;
+/// Pivot ratio from which on positive pivots alone say that L D L' is good: the factorisation of a
+/// definite matrix is stable in every order.
+const DEFINITE: f64 = 1e-6;
 /// And below which it is taken as singular where partial pivoting is beyond reach.
 const SINGULAR: f64 = 1e-14;
 /// Largest number of entries the banded stand-in may have (8 bytes each).
@@ -57,16 +63,17 @@ pub(crate) struct Sparse {
     banded: Option<Box<Banded>>,
     trial: Vec<f64>,
     held: Held,
+    pool: Option<Arc<ThreadPool>>,
 }
 
 impl Sparse {
     /// Symbolic analysis; `None` when the libraries cannot do it.
-    pub fn new(pattern: &Pattern, kind: Kind) -> Option<Self> {
+    pub fn new(pattern: &Pattern, kind: Kind, pool: Option<Arc<ThreadPool>>) -> Option<Self> {
         let n = pattern.size();
         let tree = best_tree(pattern)?;
         let (entries, operations) = tree.predicted();
         let factor = if kind == Kind::Symmetric { 1.0 } else { 2.0 };
-        let factors = Some(Box::new(Multifrontal::new(pattern, kind, &tree)?));
+        let factors = Some(Box::new(Multifrontal::new(pattern, kind, &tree, pool.clone())?));
         Some(Self {
             kind,
             entries: factor * entries,
@@ -79,6 +86,7 @@ impl Sparse {
             banded: None,
             trial: vec![0.0; n],
             held: Held::Nothing,
+            pool,
         })
     }
 
@@ -102,7 +110,8 @@ impl Sparse {
         self.zero_diagonal = flags().collect();
         self.pivoted = None;
         let tree = self.tree(matrix.pattern);
-        self.factors = Multifrontal::new(matrix.pattern, self.kind, &tree).map(Box::new);
+        let factors = Multifrontal::new(matrix.pattern, self.kind, &tree, self.pool.clone());
+        self.factors = factors.map(Box::new);
     }
 
     /// Elimination tree in the order that the zero diagonals ask for.
@@ -118,11 +127,12 @@ impl Sparse {
     ) -> Result<FactorReport, SolveError> {
         if self.pivoted.is_none() {
             let tree = self.tree(matrix.pattern);
-            let pivoted = Multifrontal::new(matrix.pattern, Kind::Unsymmetric, &tree);
+            let pool = self.pool.clone();
+            let pivoted = Multifrontal::new(matrix.pattern, Kind::Unsymmetric, &tree, pool);
             self.pivoted = Some(Box::new(pivoted.ok_or(SolveError::OutOfMemory)?));
         }
         let Some(pivoted) = &mut self.pivoted else { return Err(SolveError::OutOfMemory) };
-        pivoted.scatter(matrix.values);
+        pivoted.scatter(matrix.values)?;
         let pivots = pivoted.factor(row_size);
         self.held = Held::Pivoted;
         Ok(report(pivoted, pivots, None))
@@ -220,8 +230,9 @@ impl LinearSystem for Sparse {
     fn scatter(&mut self, matrix: Matrix<'_>) {
         self.held = Held::Nothing;
         self.follow_zero_diagonals(matrix);
-        if let Some(factors) = &mut self.factors {
-            factors.scatter(matrix.values);
+        let scattered = self.factors.as_mut().map(|factors| factors.scatter(matrix.values));
+        if let Some(Err(_)) = scattered {
+            self.factors = None; // there is no memory for them
         }
     }
 
@@ -231,6 +242,9 @@ impl LinearSystem for Sparse {
         let symmetric = self.kind == Kind::Symmetric;
         let found = report(factors, pivots, symmetric.then_some(pivots.negative));
         self.held = Held::Factors;
+        if symmetric && pivots.negative == 0 && pivots.smallest_ratio >= DEFINITE {
+            return Ok(found);
+        }
         let mut judged = self.trial(matrix, row_size, found);
         if is_safe(judged) {
             return Ok(judged.1);
@@ -262,6 +276,7 @@ impl LinearSystem for Sparse {
             border: 0,
             predicted_entries: self.entries,
             predicted_operations: self.operations,
+            bytes: self.factors.as_ref().map_or(0.0, |factors| factors.bytes()),
         }
     }
 }
@@ -304,7 +319,7 @@ mod tests {
             for i in 0..n {
                 values.extend(pattern.row(i).iter().map(|&j| if i == j { 60.0 } else { -1.0 }));
             }
-            let mut sparse = Sparse::new(&pattern, kind).unwrap();
+            let mut sparse = Sparse::new(&pattern, kind, None).unwrap();
             refactor(&mut sparse, Matrix::new(&pattern, &values), &row_size).unwrap();
             assert!(sparse.held == Held::Factors, "{kind:?}");
             for (at, &j) in pattern.columns().iter().enumerate() {

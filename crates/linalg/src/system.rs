@@ -34,6 +34,8 @@ pub enum BackEnd {
     Banded,
     /// Sparse factorisation in a fill-reducing order.
     Sparse,
+    /// Conjugate gradients with a multigrid cycle; the sparse factorisation where they fail.
+    Multigrid,
     /// An implementation from elsewhere, by its name.
     External(&'static str),
 }
@@ -55,6 +57,8 @@ pub struct Description {
     pub predicted_entries: f64,
     /// Predicted number of multiplications and additions of a factorisation.
     pub predicted_operations: f64,
+    /// Memory that a factorisation takes, what it works in included [bytes].
+    pub bytes: f64,
 }
 
 impl Description {
@@ -68,6 +72,7 @@ impl Description {
             border: 0,
             predicted_entries: 0.0,
             predicted_operations: 0.0,
+            bytes: 0.0,
         }
     }
 }
@@ -85,6 +90,9 @@ impl fmt::Display for Description {
                 self.equations, self.half_bandwidth, self.border
             )?,
             BackEnd::Sparse => write!(f, "sparse {kind}, {} equations", self.equations)?,
+            BackEnd::Multigrid => {
+                return write!(f, "multigrid {kind}, {} equations", self.equations);
+            }
             BackEnd::External(name) => {
                 return write!(f, "{name}, {kind}, {} equations", self.equations);
             }
@@ -137,6 +145,10 @@ pub trait LinearSystem: Send {
     ///
     /// Errors: [`SolveError::NotFactored`], [`SolveError::External`].
     fn solve_transpose(&mut self, block: &mut [f64], columns: usize) -> Result<(), SolveError>;
+
+    /// Takes the rigid motions of the body whose stiffness the matrix is, column after column: what
+    /// costs next to no energy where nothing holds it. Iterations may use them.
+    fn take_motions(&mut self, _motions: &[f64]) {}
 
     /// Rows that this process assembles and judges.
     fn owned_rows(&self) -> Range<usize> {

@@ -22,6 +22,7 @@ use crate::newton::{Outcome, Scratch};
 use crate::problem::Problem;
 use crate::state::State;
 use slideline_diag::{Code, Diagnostic, Place};
+use slideline_linalg::SolveError;
 use slideline_model::{Extrapolation, Friction, Name, NodeIndex, Step};
 
 /// An attempt that failed, with all that its iterations left.
@@ -40,8 +41,8 @@ pub struct Case<'a> {
     pub dt: f64,
 }
 
-/// An attempt's end in a few words, with those of the linear solver.
-pub fn reason(outcome: &Outcome) -> String {
+/// An attempt's end in a few words, with those of the linear solver in the deck's own.
+pub fn reason(plan: &Problem<'_>, outcome: &Outcome) -> String {
     let words = match outcome.verdict {
         Verdict::Converged { .. } => "converged",
         Verdict::Diverging => "the residual grew in two consecutive iterations",
@@ -52,9 +53,30 @@ pub fn reason(outcome: &Outcome) -> String {
         Verdict::PassedThrough { .. } => "contact was passed through in the increment",
     };
     match &outcome.fault {
-        Some(fault) => format!("{words} ({fault})"),
+        Some(fault) => format!("{words} ({})", in_words(plan, fault)),
         None => words.to_string(),
     }
+}
+
+/// What the linear solver says, with the node and the degree of freedom that an equation is of.
+fn in_words(plan: &Problem<'_>, fault: &SolveError) -> String {
+    let of = |equation: usize| {
+        let (node, dof) = plan.dofs.name(*plan.constraints.dof_of_equation.get(equation)?);
+        Some(format!("node {}, {}", plan.model.nodes.name(node), dof.name()))
+    };
+    let said = match *fault {
+        SolveError::Singular { equation, ratio } => of(equation).map(|place| {
+            format!(
+                "the tangent is singular: {place}, has no usable pivot, {ratio:.1e} of the size \
+                 of its equation"
+            )
+        }),
+        SolveError::NotFinite { equation } => {
+            of(equation).map(|place| format!("the equation of {place}, holds no finite number"))
+        }
+        _ => None,
+    };
+    said.unwrap_or_else(|| fault.to_string())
 }
 
 /// The diagnosis of a run that ends early: the first cause that is proved.
@@ -147,7 +169,7 @@ impl Case<'_> {
         let message = format!(
             "no equilibrium was found {}, and the cause is not known: {}, and {ended}{}",
             self.beyond(),
-            reason(self.outcome),
+            reason(self.plan, self.outcome),
             place.unwrap_or_default()
         );
         Diagnostic::error(Code("SL0501"), message).at(self.plan.step.origin).help(format!(

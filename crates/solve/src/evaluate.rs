@@ -124,12 +124,45 @@ pub fn zero(list: &mut Vec<f64>, count: usize) {
 
 /// Evaluates a trial state against the committed one.
 pub fn evaluate(plan: &Problem<'_>, committed: &State, trial: &Trial<'_>, into: &mut Evaluation) {
-    let stresses = Some(trial.stresses);
-    let (state, ambient) = (&committed.elements[..], trial.ambient);
-    let at = Configuration { u: trial.u, stresses, state, ambient };
+    evaluate_tangent(plan, committed, trial, into);
+    balance(plan, committed, trial, into);
+}
+
+/// The same but for the tangents of the elements, which stay those of another state: where
+/// nothing is asked but how well a trial is balanced. All else has the bits of [`evaluate`].
+pub fn evaluate_forces(
+    plan: &Problem<'_>,
+    committed: &State,
+    trial: &Trial<'_>,
+    into: &mut Evaluation,
+) {
+    let at = configuration(committed, trial);
+    plan.constraints.linearise(trial.u, &mut into.rows);
+    plan.structure.evaluate_forces(&at, &mut into.contributions, plan.means.pool);
+    balance(plan, committed, trial, into);
+}
+
+/// What [`evaluate_forces`] leaves out.
+pub fn evaluate_tangent(
+    plan: &Problem<'_>,
+    committed: &State,
+    trial: &Trial<'_>,
+    into: &mut Evaluation,
+) {
+    let at = configuration(committed, trial);
     plan.constraints.linearise(trial.u, &mut into.rows);
     let gather = plan.gather(&into.rows, &mut into.tangent);
     plan.structure.evaluate(&at, &mut into.contributions, gather, plan.means.pool);
+}
+
+/// What the elements respond to.
+fn configuration<'a>(committed: &'a State, trial: &Trial<'a>) -> Configuration<'a> {
+    let (stresses, state) = (Some(trial.stresses), &committed.elements[..]);
+    Configuration { u: trial.u, stresses, state, ambient: trial.ambient }
+}
+
+/// Forces of all that acts, those of the elements being there.
+fn balance(plan: &Problem<'_>, committed: &State, trial: &Trial<'_>, into: &mut Evaluation) {
     into.failed = plan.structure.failed(&into.contributions);
     into.structure.fill(0.0);
     into.strain_energy = plan.structure.gather_force(&into.contributions, &mut into.structure);

@@ -1,6 +1,7 @@
 //! Linear systems of the embedding program.
 
-use slideline_linalg::{Analyse, BuiltIn};
+use rayon::ThreadPool;
+use slideline_linalg::{Analyse, BuiltIn, OnThreads};
 use std::fmt;
 use std::sync::Arc;
 
@@ -13,6 +14,14 @@ impl LinearSystems {
     /// Systems of the embedding program.
     pub fn external(factory: Arc<dyn Analyse>) -> Self {
         Self(Some(factory))
+    }
+
+    /// The same, those of this program sharing their work among the threads of a pool.
+    pub(crate) fn on_threads(&self, pool: Option<&Arc<ThreadPool>>) -> Self {
+        match (&self.0, pool) {
+            (None, Some(pool)) => Self::external(Arc::new(OnThreads { pool: pool.clone() })),
+            _ => self.clone(),
+        }
     }
 
     /// What makes the systems.

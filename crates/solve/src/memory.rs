@@ -5,9 +5,10 @@
 //!   plan  --> factors of the symbolic analysis       --> bytes   before anything is factored
 //! ```
 //!
-//! Bytes are estimates on the low side: a model that is refused could not have
-//! been run. Linux tells how much memory can be had; elsewhere a constant is
-//! taken.
+//! Bytes of the model are estimates on the low side: a model that is refused could not
+//! have been run. Those of factors are counted. Linux tells how much memory can be had,
+//! that of the machine, of the container and of a limit set for the process; elsewhere a
+//! constant is taken.
 
 use slideline_diag::{Code, Diagnostic};
 use slideline_linalg::Description;
@@ -28,8 +29,11 @@ const ELEMENT: f64 = 1_500.0;
 const COUPLING: f64 = 1_100.0;
 /// Bytes for each contact point on a rigid surface.
 const POINT: f64 = 2_500.0;
-/// Bytes of a factor entry, work space of the factorisation included.
+/// Bytes of a factor entry, work space of the factorisation included, of a linear system
+/// that does not tell.
 const FACTOR: f64 = 16.0;
+/// Part of the memory that linear systems of other contact may keep [1].
+const KEPT: f64 = 0.5;
 
 /// Why a model is too large, if it is.
 pub fn objection(model: &Model) -> Option<Diagnostic> {
@@ -57,12 +61,39 @@ pub fn objection(model: &Model) -> Option<Diagnostic> {
 
 /// Why the factors of an analysed step are too large, if they are.
 pub fn factors_objection(factors: &Description) -> Option<Diagnostic> {
-    let said = too_large(FACTOR * factors.predicted_entries, "the factorised tangent")?;
+    let said = too_large(bytes(factors), "the factorised tangent")?;
     Some(said.help(format!("use fewer nodes: the step has {} equations", factors.equations)))
 }
 
 /// Nodes of a face, those behind its edges and their neighbours.
 const FACE_NODES: f64 = 32.0;
+
+/// Memory that a linear system takes [bytes].
+pub fn bytes(factors: &Description) -> f64 {
+    if factors.bytes > 0.0 { factors.bytes } else { FACTOR * factors.predicted_entries }
+}
+
+/// How many of the linear systems that are kept, the oldest first, must go for one that needs
+/// so many bytes.
+pub fn to_drop(kept: impl Iterator<Item = f64> + Clone, needed: f64) -> usize {
+    let all: f64 = kept.clone().sum();
+    if all + needed < SURE {
+        return 0;
+    }
+    surplus(kept, needed, available().unwrap_or(ASSUMED))
+}
+
+/// The same where so much memory can be had beside those that are kept.
+fn surplus(kept: impl Iterator<Item = f64> + Clone, needed: f64, there: f64) -> usize {
+    let all: f64 = kept.clone().sum();
+    let most = KEPT * (there + all);
+    let left = |so_far: &mut f64, own: f64| {
+        let now = *so_far;
+        *so_far -= own;
+        Some(now)
+    };
+    kept.scan(all, left).take_while(|left| left + needed > most).count()
+}
 
 /// Bytes for what may touch in a pair.
 fn couplings(pair: &ContactPair) -> (f64, &ContactPair) {
@@ -95,10 +126,30 @@ fn too_large(needed: f64, what: &str) -> Option<Diagnostic> {
 
 /// Memory that can be had [bytes].
 fn available() -> Option<f64> {
-    let text = std::fs::read_to_string("/proc/meminfo").ok()?;
-    let line = text.lines().find_map(|line| line.strip_prefix("MemAvailable:"))?;
-    let kibibytes: f64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
-    Some(kibibytes * 1024.0)
+    let read = |path: &str| std::fs::read_to_string(path).unwrap_or_default();
+    let machine = kibibytes(&read("/proc/meminfo"), "MemAvailable:");
+    let container = "/sys/fs/cgroup/memory";
+    let [most, used] = ["max", "current"].map(|end| number(&read(&format!("{container}.{end}"))));
+    let limit = address_space(&read("/proc/self/limits"));
+    let taken = kibibytes(&read("/proc/self/status"), "VmSize:");
+    let left = |most: Option<f64>, used: Option<f64>| Some((most? - used?).max(0.0));
+    let all = [machine, left(most, used), left(limit, taken)];
+    all.into_iter().flatten().reduce(f64::min)
+}
+
+/// The number of a file that holds one; none: no number.
+fn number(text: &str) -> Option<f64> {
+    text.split_whitespace().next()?.parse().ok()
+}
+
+/// The size that a line `NAME  number kB` tells [bytes].
+fn kibibytes(text: &str, name: &str) -> Option<f64> {
+    Some(1024.0 * number(text.lines().find_map(|line| line.strip_prefix(name))?)?)
+}
+
+/// The limit of a process's address space, where one is set [bytes].
+fn address_space(limits: &str) -> Option<f64> {
+    number(limits.lines().find_map(|line| line.strip_prefix("Max address space"))?)
 }
 
 #[cfg(test)]
@@ -142,6 +193,39 @@ mod tests {
         assert_eq!((said.code, said.span), (Code("SL0415"), Some(at)));
         assert!(said.message.contains("GiB"), "{said:?}");
         assert!(said.help.unwrap().contains("fewer slave nodes"));
+    }
+
+    /// Requirement: the oldest systems go until half of the memory holds the others and the
+    /// new one; all go before that is refused, none where there is room.
+    #[test]
+    fn the_oldest_systems_are_dropped() {
+        let kept = [3.0, 1.0, 2.0].into_iter();
+        for (needed, there, dropped) in
+            [(1.0, 14.0, 0), (4.0, 8.0, 1), (3.0, 5.0, 2), (9.0, 2.0, 3)]
+        {
+            assert_eq!(surplus(kept.clone(), needed, there), dropped, "{needed} {there}");
+        }
+        assert_eq!(to_drop(kept, 1.0), 0);
+        let huge = 1024.0 * 1024.0 * GIB;
+        assert_eq!(to_drop([1.0, huge, huge].into_iter(), huge), 3);
+    }
+
+    /// Requirement: limits are read as Linux writes them; what is unlimited or not there is
+    /// none.
+    #[test]
+    fn limits_are_read() {
+        assert_eq!(
+            kibibytes("MemFree:  7 kB\nMemAvailable:    12 kB\n", "MemAvailable:"),
+            Some(12288.0)
+        );
+        assert_eq!(kibibytes("", "MemAvailable:"), None);
+        assert_eq!(number("max\n"), None);
+        assert_eq!(number("4096\n"), Some(4096.0));
+        let limits = |soft: &str| {
+            format!("Max cpu time  unlimited\nMax address space  {soft}  unlimited  bytes\n")
+        };
+        assert_eq!(address_space(&limits("300000")), Some(3e5));
+        assert_eq!(address_space(&limits("unlimited")), None);
     }
 
     #[test]

@@ -298,6 +298,17 @@ impl Scratch {
         if self.line_search {
             self.follow_law(plan);
         }
+        self.evaluate_by(plan, committed, dt, evaluate);
+    }
+
+    /// Evaluates the trial state as it is, or a part of it.
+    fn evaluate_by(
+        &mut self,
+        plan: &Problem<'_>,
+        committed: &State,
+        dt: f64,
+        evaluate: fn(&Problem<'_>, &State, &Trial<'_>, &mut Evaluation),
+    ) {
         let trial = Trial {
             u: &self.u,
             load: &self.load,

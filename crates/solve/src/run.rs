@@ -314,6 +314,7 @@ impl<'a> Analysis<'a> {
             let is_lenient = count > MOST_REACHED;
             let problem = Problem { is_lenient, enforcement: self.enforcement, ..problem };
             work.fit(&problem);
+            work.tell_motions(&problem);
             if begun || from.is_some() {
                 crate::commit::recall_points(self.committed, work);
             } else {
@@ -375,7 +376,7 @@ impl<'a> Analysis<'a> {
             if let (Decision::Stop(reason), false) = (decision, converged) {
                 let cause = self.diagnosis(plan, &target, &outcome, reason, work);
                 if outcome.verdict.may_be_searched() {
-                    self.fail(&target, &outcome, Some(target.dt))?;
+                    self.fail(plan, (&target, &outcome), Some(target.dt))?;
                     target.attempt += 1;
                     outcome = self.last_resorts(plan, (&mut target, &cause), work)?;
                     decision = begin_again(after(outcome.verdict), &step.procedure);
@@ -392,12 +393,12 @@ impl<'a> Analysis<'a> {
                 }
                 Decision::Continue(next) => control = next,
                 Decision::Cut(next) => {
-                    self.fail(&target, &outcome, Some(next.dt))?;
+                    self.fail(plan, (&target, &outcome), Some(next.dt))?;
                     control = next;
                 }
                 Decision::Stop(reason) => {
                     if !matches!(outcome.verdict, Verdict::Converged { .. }) {
-                        self.fail(&target, &outcome, None)?;
+                        self.fail(plan, (&target, &outcome), None)?;
                         self.show_unconverged(plan, &target, &outcome, work)?;
                     }
                     let diagnosis = match diagnosis {
@@ -441,7 +442,12 @@ impl<'a> Analysis<'a> {
         }
     }
 
-    fn fail(&mut self, target: &Target, outcome: &Outcome, next: Option<f64>) -> Result<(), Left> {
+    fn fail(
+        &mut self,
+        plan: &Problem<'_>,
+        (target, outcome): (&Target, &Outcome),
+        next: Option<f64>,
+    ) -> Result<(), Left> {
         self.totals.cutbacks += 1;
         let report = AttemptReport {
             step: target.step,
@@ -452,7 +458,7 @@ impl<'a> Analysis<'a> {
             total_time: self.committed.total_time + target.dt,
             step_time: target.step_time,
             time_increment: target.dt,
-            reason: diagnose::reason(outcome),
+            reason: diagnose::reason(plan, outcome),
             next,
         };
         self.tell(Event::AttemptFailed(&report))

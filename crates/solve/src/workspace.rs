@@ -15,13 +15,16 @@ use crate::plan::{Plan, PlanMismatch};
 use crate::problem::Means;
 use crate::run::{Analysis, Options, Room};
 use crate::values::Values;
+use rayon::ThreadPool;
 use slideline_model::Model;
+use std::sync::Arc;
 
 /// Everything that the runs of a plan use again: one for each thread that runs.
 pub struct Workspace {
     plan: Plan,
     options: Options,
-    pool: Option<rayon::ThreadPool>,
+    pool: Option<Arc<ThreadPool>>,
+    linear_systems: LinearSystems,
     values: Values,
     scratch: Scratch,
     room: Room,
@@ -30,10 +33,12 @@ pub struct Workspace {
 impl Workspace {
     /// One for a plan, empty.
     pub fn new(plan: &Plan, options: &Options) -> Self {
+        let pool = thread_pool(options.threads);
         Self {
             plan: plan.clone(),
             options: options.clone(),
-            pool: thread_pool(options.threads),
+            linear_systems: options.linear_systems.on_threads(pool.as_ref()),
+            pool,
             values: Values::default(),
             scratch: Scratch::default(),
             room: Room::default(),
@@ -77,10 +82,9 @@ impl Workspace {
         if let Some(mismatch) = self.plan.mismatch(model) {
             return Err(mismatch);
         }
-        let Self { plan, options, pool, values, scratch, room } = self;
+        let Self { plan, options, pool, linear_systems, values, scratch, room } = self;
         values.take(plan, model, &options.user_frictions)?;
-        let linear_systems: &LinearSystems = &options.linear_systems;
-        let means = Means { pool: pool.as_ref(), linear_systems };
+        let means = Means { pool: pool.as_deref(), linear_systems };
         room.begin(plan);
         let analysis =
             Analysis::new(model, (&**plan, &*values), (&*options, means), (room, &mut *observer));
@@ -90,9 +94,9 @@ impl Workspace {
     }
 }
 
-fn thread_pool(threads: usize) -> Option<rayon::ThreadPool> {
+fn thread_pool(threads: usize) -> Option<Arc<ThreadPool>> {
     if threads <= 1 {
         return None;
     }
-    rayon::ThreadPoolBuilder::new().num_threads(threads).build().ok()
+    rayon::ThreadPoolBuilder::new().num_threads(threads).build().ok().map(Arc::new)
 }

@@ -8,46 +8,47 @@ use faer::linalg::triangular_solve::{
 use faer::prelude::{Reborrow, ReborrowMut};
 use faer::{Accum, MatMut, MatRef, Par};
 
-use super::{Multifrontal, Storage};
+use super::Multifrontal;
+use super::layout::Storage;
 use crate::fronts::Front;
 use crate::kernel::dot;
 
 impl Multifrontal {
     /// Solves in place for a block of right-hand sides.
     pub fn solve(&mut self, block: &mut [f64], columns: usize, transposed: bool) {
-        let n = self.fronts.order.len();
+        let n = self.layout.fronts.order.len();
         self.x.resize(self.x.len().max(n * columns), 0.0);
-        let largest = self.fronts.front.iter().map(|front| front.rows).max().unwrap_or(0);
+        let largest = self.layout.fronts.front.iter().map(|front| front.rows).max().unwrap_or(0);
         self.rows.resize(self.rows.len().max(largest * columns), 0.0);
         let mut x = std::mem::take(&mut self.x);
         let mut rows = std::mem::take(&mut self.rows);
         for (b, x) in block.chunks_exact(n.max(1)).zip(x.chunks_exact_mut(n.max(1))) {
-            x.iter_mut().zip(&self.fronts.order).for_each(|(x, &equation)| *x = b[equation]);
+            x.iter_mut().zip(&self.layout.fronts.order).for_each(|(x, &equation)| *x = b[equation]);
         }
-        let transposed = transposed && !self.symmetric;
+        let transposed = transposed && !self.layout.symmetric;
         let (x_used, work) = (&mut x[..n * columns], &mut rows[..]);
-        for f in 0..self.storage.len() {
+        for f in 0..self.layout.storage.len() {
             match columns {
                 1 => self.forward_one(f, x_used, work, transposed),
                 _ => self.forward(f, x_used, work, transposed),
             }
         }
-        for f in (0..self.storage.len()).rev() {
+        for f in (0..self.layout.storage.len()).rev() {
             match columns {
                 1 => self.backward_one(f, x_used, work, transposed),
                 _ => self.backward(f, x_used, work, transposed),
             }
         }
         for (b, x) in block.chunks_exact_mut(n.max(1)).zip(x.chunks_exact(n.max(1))) {
-            x.iter().zip(&self.fronts.order).for_each(|(x, &equation)| b[equation] = *x);
+            x.iter().zip(&self.layout.fronts.order).for_each(|(x, &equation)| b[equation] = *x);
         }
         (self.x, self.rows) = (x, rows);
     }
 
     /// Eliminates a front's unknowns from the right-hand sides.
     fn forward(&self, f: usize, x: &mut [f64], work: &mut [f64], transposed: bool) {
-        let front = &self.fronts.front[f];
-        let (n, k, r) = (self.fronts.order.len(), front.columns, front.rows);
+        let front = &self.layout.fronts.front[f];
+        let (n, k, r) = (self.layout.fronts.order.len(), front.columns, front.rows);
         let columns = x.len() / n;
         let Parts { l11, l21, above } = self.parts(f);
         if !transposed {
@@ -67,7 +68,7 @@ impl Multifrontal {
         let product = MatMut::from_column_major_slice_mut(work, r, columns);
         matmul(product, Accum::Replace, coupling, own.rb(), 1.0, Par::Seq);
         for (x, product) in x.chunks_exact_mut(n).zip(work.chunks_exact(r)) {
-            for (&row, p) in self.fronts.rows_of(front).iter().zip(product) {
+            for (&row, p) in self.layout.fronts.rows_of(front).iter().zip(product) {
                 x[row as usize] -= p;
             }
         }
@@ -75,7 +76,7 @@ impl Multifrontal {
 
     /// As [`Multifrontal::forward`] for one right-hand side, for which matrix products do not pay.
     fn forward_one(&self, f: usize, x: &mut [f64], work: &mut [f64], transposed: bool) {
-        let front = &self.fronts.front[f];
+        let front = &self.layout.fronts.front[f];
         let (k, r) = (front.columns, front.rows);
         let (panel, above) = self.blocks(f);
         if !transposed {
@@ -99,29 +100,29 @@ impl Multifrontal {
                 *sum = dot(column, own);
             }
         }
-        for (&row, sum) in self.fronts.rows_of(front).iter().zip(&*work) {
+        for (&row, sum) in self.layout.fronts.rows_of(front).iter().zip(&*work) {
             x[row as usize] -= sum;
         }
     }
 
     /// Finds a front's unknowns, those of its rows being known.
     fn backward(&self, f: usize, x: &mut [f64], work: &mut [f64], transposed: bool) {
-        let front = &self.fronts.front[f];
-        let (n, k, r) = (self.fronts.order.len(), front.columns, front.rows);
+        let front = &self.layout.fronts.front[f];
+        let (n, k, r) = (self.layout.fronts.order.len(), front.columns, front.rows);
         let columns = x.len() / n;
         let Parts { l11, l21, above } = self.parts(f);
-        if self.symmetric {
+        if self.layout.symmetric {
             self.divide(front, l11, x);
         }
         let work = &mut work[..r * columns];
         for (x, known) in x.chunks_exact(n).zip(work.chunks_exact_mut(r.max(1))) {
-            for (&row, known) in self.fronts.rows_of(front).iter().zip(known) {
+            for (&row, known) in self.layout.fronts.rows_of(front).iter().zip(known) {
                 *known = x[row as usize];
             }
         }
         let mut all = MatMut::from_column_major_slice_mut(x, n, columns);
         let mut own = all.rb_mut().subrows_mut(front.first, k);
-        let from_below = self.symmetric || transposed;
+        let from_below = self.layout.symmetric || transposed;
         if r > 0 {
             let known = MatRef::from_column_major_slice(work, r, columns);
             let coupling = if from_below { l21.transpose() } else { above };
@@ -138,15 +139,15 @@ impl Multifrontal {
 
     /// As [`Multifrontal::backward`] for one right-hand side.
     fn backward_one(&self, f: usize, x: &mut [f64], work: &mut [f64], transposed: bool) {
-        let front = &self.fronts.front[f];
+        let front = &self.layout.fronts.front[f];
         let (k, r) = (front.columns, front.rows);
         let (panel, above) = self.blocks(f);
         let work = &mut work[..r];
-        for (&row, known) in self.fronts.rows_of(front).iter().zip(work.iter_mut()) {
+        for (&row, known) in self.layout.fronts.rows_of(front).iter().zip(work.iter_mut()) {
             *known = x[row as usize];
         }
         let own = &mut x[front.first..front.first + k];
-        let from_below = self.symmetric || transposed;
+        let from_below = self.layout.symmetric || transposed;
         if !from_below {
             for (known, column) in work.iter().zip(above.chunks_exact(k)) {
                 own.iter_mut().zip(column).for_each(|(x, u)| *x -= u * known);
@@ -154,7 +155,7 @@ impl Multifrontal {
         }
         for (j, column) in panel.chunks_exact(k + r).enumerate().rev() {
             if from_below {
-                let x_j = if self.symmetric { own[j] / column[j] } else { own[j] };
+                let x_j = if self.layout.symmetric { own[j] / column[j] } else { own[j] };
                 let (l11, l21) = column[j + 1..].split_at(k - j - 1);
                 own[j] = x_j - dot(l11, &own[j + 1..]) - dot(l21, work);
                 continue;
@@ -169,7 +170,7 @@ impl Multifrontal {
     }
 
     fn divide(&self, front: &Front, l11: MatRef<'_, f64>, x: &mut [f64]) {
-        for x in x.chunks_exact_mut(self.fronts.order.len()) {
+        for x in x.chunks_exact_mut(self.layout.fronts.order.len()) {
             for (j, x) in x[front.first..front.first + front.columns].iter_mut().enumerate() {
                 *x /= l11[(j, j)];
             }
@@ -179,10 +180,10 @@ impl Multifrontal {
     /// Replays the exchanges of a front, or undoes them.
     fn exchange_rows(&self, front: &Front, x: &mut [f64], undo: bool) {
         let exchange = &self.exchange[front.first..front.first + front.columns];
-        if self.symmetric || exchange.iter().enumerate().all(|(j, &row)| row as usize == j) {
+        if self.layout.symmetric || exchange.iter().enumerate().all(|(j, &row)| row as usize == j) {
             return;
         }
-        for x in x.chunks_exact_mut(self.fronts.order.len()) {
+        for x in x.chunks_exact_mut(self.layout.fronts.order.len()) {
             let own = &mut x[front.first..front.first + front.columns];
             let swaps = exchange.iter().enumerate();
             match undo {
@@ -194,16 +195,16 @@ impl Multifrontal {
 
     /// The panel of a front and what is above its update.
     fn blocks(&self, f: usize) -> (&[f64], &[f64]) {
-        let Storage { panel, above, end, .. } = self.storage[f];
+        let Storage { panel, above, end, .. } = self.layout.storage[f];
         (&self.factor[panel..above], &self.factor[above..end])
     }
 
     fn parts(&self, f: usize) -> Parts<'_> {
-        let Front { columns, rows, .. } = self.fronts.front[f];
+        let Front { columns, rows, .. } = self.layout.fronts.front[f];
         let (panel, above) = self.blocks(f);
         let panel = MatRef::from_column_major_slice(panel, columns + rows, columns);
         let (l11, l21) = panel.split_at_row(columns);
-        let rows = if self.symmetric { 0 } else { rows };
+        let rows = if self.layout.symmetric { 0 } else { rows };
         let above = MatRef::from_column_major_slice(above, columns, rows);
         Parts { l11, l21, above }
     }

@@ -204,7 +204,7 @@ pub fn step_too_large(
          {needed:.3e} lead to its end",
         procedure.initial,
         committed.total_time,
-        reason(why)
+        reason(plan, why)
     );
     let card = format!(
         "*STATIC\n{needed:.6E}, {:?}, {:.6E}, {:?}\n",

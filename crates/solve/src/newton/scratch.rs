@@ -9,6 +9,7 @@ use crate::evaluate::{Evaluation, zero};
 use crate::iteration_history::IterationHistory;
 use crate::linear_systems::LinearSystems;
 use crate::linearised::{LinearPoints, LinearisedContact};
+use crate::memory;
 use crate::observe::ContactChange;
 use crate::plan::{Coupling, Numbering};
 use crate::problem::Problem;
@@ -20,6 +21,10 @@ use slideline_linalg::{Kind, Solver};
 use slideline_mech::contact::enforcement::Enforcement;
 use slideline_mech::contact::tangential::Tangential;
 use slideline_mech::element::Temperature;
+use slideline_model::Dof;
+
+const TRANSLATIONS: [Dof; 3] = [Dof::U1, Dof::U2, Dof::U3];
+const ROTATIONS: [Dof; 3] = [Dof::UR1, Dof::UR2, Dof::UR3];
 
 /// Equations of a contact point that room is kept for.
 const ROWS: usize = 18;
@@ -35,8 +40,12 @@ pub(super) struct System {
     pub(super) objection: Option<Diagnostic>,
 }
 
-/// Linear systems that are kept: contact that comes back finds its own again.
+/// The most linear systems that are kept, where memory holds them: contact that comes back
+/// finds its own again.
 const MOST_SYSTEMS: usize = 16;
+
+/// Equations from which on a system is told the rigid motions of its unknowns.
+const LARGE: usize = 50_000;
 
 /// Scratch of a step's iterations.
 #[derive(Default)]
@@ -134,10 +143,12 @@ impl Scratch {
                     Coupling::new(&plan.elements, &step.dependent, constraints, contact)
                 });
                 let solver = Solver::analyse(&coupling.pattern, kind, linear_systems.factory());
-                if systems.len() == MOST_SYSTEMS {
-                    systems.remove(0);
-                }
-                let objection = crate::memory::factors_objection(&solver.description());
+                let needed = memory::bytes(&solver.description());
+                let kept = systems.iter().map(|system| memory::bytes(&system.solver.description()));
+                let surplus = memory::to_drop(kept, needed);
+                let first = surplus.max((systems.len() + 1).saturating_sub(MOST_SYSTEMS));
+                systems.drain(..first);
+                let objection = memory::factors_objection(&solver.description());
                 systems.push(System { step: own, kind, coupling, solver, objection });
             }
         }
@@ -145,6 +156,17 @@ impl Scratch {
         let system = &mut systems[last];
         system.solver.set_units(&values.units[own]);
         system.coupling.clone()
+    }
+
+    /// Tells a large linear system the rigid motions of its unknowns, that it may be solved by
+    /// iteration: not where contact asks for many solutions of every matrix.
+    pub fn tell_motions(&mut self, plan: &Problem<'_>) {
+        let Some(system) = self.systems.last_mut() else { return };
+        if plan.constraints.equations() < LARGE || !plan.contact.points.is_empty() {
+            return;
+        }
+        system.solver.set_motions(&rigid_motions(plan));
+        system.objection = memory::factors_objection(&system.solver.description());
     }
 
     /// The linear system of the problem at hand.
@@ -218,6 +240,42 @@ impl Scratch {
     pub fn take_back(&mut self, outcome: Outcome) {
         self.spare_changes.extend(outcome.last.map(|last| last.contact_changes));
     }
+}
+
+/// Rigid motions of the unknowns where the step begins, column after column: translations along
+/// and turns about the axes that the model has.
+fn rigid_motions(plan: &Problem<'_>) -> Vec<f64> {
+    let moved: Vec<(Dof, [f64; 3])> = plan
+        .constraints
+        .dof_of_equation
+        .iter()
+        .map(|&dof| {
+            let (node, kind) = plan.dofs.name(dof);
+            let from = plan.model.nodes.position(node);
+            let way = plan.dofs.translation(&plan.start.displacement, node);
+            (kind, std::array::from_fn(|axis| from[axis] + way[axis]))
+        })
+        .collect();
+    let mut motions = Vec::with_capacity(6 * moved.len());
+    let mut add = |of: &dyn Fn(Dof, [f64; 3]) -> f64| {
+        let begin = motions.len();
+        motions.extend(moved.iter().map(|&(kind, place)| of(kind, place)));
+        if motions[begin..].iter().all(|&value| value == 0.0) {
+            motions.truncate(begin);
+        }
+    };
+    for axis in 0..3 {
+        add(&|kind, _| f64::from(u8::from(kind == TRANSLATIONS[axis])));
+    }
+    for axis in 0..3 {
+        let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
+        add(&|kind, place| match kind {
+            kind if kind == TRANSLATIONS[next] => -place[last],
+            kind if kind == TRANSLATIONS[last] => place[next],
+            kind => f64::from(u8::from(kind == ROTATIONS[axis])),
+        });
+    }
+    motions
 }
 
 /// The linear system that was found last.

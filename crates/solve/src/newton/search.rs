@@ -11,6 +11,7 @@
 //! used up: a full step is the better one wherever Newton converges at all.
 
 use super::Scratch;
+use crate::evaluate::{evaluate_forces, evaluate_tangent};
 use crate::problem::Problem;
 use crate::state::State;
 use slideline_mech::contact::tangential::Tangential;
@@ -56,20 +57,22 @@ impl Scratch {
             taken = fraction * longest;
             self.go_back(&from, &estimates);
             self.advance(plan, taken);
-            self.evaluate(plan, committed, dt);
+            self.follow_law(plan);
+            self.evaluate_by(plan, committed, dt, evaluate_forces);
             let now = self.merit(plan);
             if now < best.0 {
                 best = (now, taken);
             }
             if now <= before * (1.0 - GAIN * fraction) {
-                return;
+                return self.evaluate_by(plan, committed, dt, evaluate_tangent);
             }
         }
         if best.1 != taken {
             self.go_back(&from, &estimates);
             self.advance(plan, best.1);
-            self.evaluate(plan, committed, dt);
+            return self.evaluate(plan, committed, dt);
         }
+        self.evaluate_by(plan, committed, dt, evaluate_tangent);
     }
 
     /// Goes back to displacements with their estimates.

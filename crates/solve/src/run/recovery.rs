@@ -128,7 +128,7 @@ impl Analysis<'_> {
         if matches!(searched.verdict, Verdict::Converged { .. }) || !may_go_on {
             return Ok(searched);
         }
-        self.fail(target, &searched, Some(target.dt))?;
+        self.fail(plan, (target, &searched), Some(target.dt))?;
         target.attempt += 1;
         let relaxed = self.watched(|from, watch| relax(plan, from, target, work, watch))?;
         match relaxed.verdict {

@@ -18,7 +18,7 @@ use std::ops::Range;
 /// From this number of elements on, threads pay.
 pub(super) const PARALLEL: usize = 2000;
 /// Elements that one thread takes at a time.
-const SHARE: usize = 256;
+const SHARE: usize = 32;
 /// Elements whose tangents one thread gathers at a time: they stay in the cache next to
 /// it.
 const FEW: usize = 32;
