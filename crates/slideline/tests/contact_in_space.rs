@@ -158,9 +158,13 @@ impl Brick {
         }
         let (face, k) = if self.name == "F" { ("S3", nz - 1) } else { ("S1", 0) };
         let _ = writeln!(deck, "*SURFACE, NAME=SIDE-{}", self.name);
-        (0..nx).for_each(|i| drop(writeln!(deck, "{}, {face}", element(i, k))));
+        for i in 0..nx {
+            let _ = writeln!(deck, "{}, {face}", element(i, k));
+        }
         let _ = writeln!(deck, "*NSET, NSET=TOP-{}", self.name);
-        (0..=nx).for_each(|i| drop(writeln!(deck, "{}", node(i, nz))));
+        for i in 0..=nx {
+            let _ = writeln!(deck, "{}", node(i, nz));
+        }
     }
 }
 
