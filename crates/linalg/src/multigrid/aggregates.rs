@@ -61,7 +61,7 @@ pub(super) fn motions_of_sets(
         for motion in motions {
             let mut left: Vec<f64> = own.iter().map(|&i| motion[i]).collect();
             let before = norm(&left);
-            // twice is enough [giraud2005]
+            // once more for what rounding left
             for unit in basis.iter().chain(&basis) {
                 let part: f64 = unit.iter().zip(&left).map(|(a, b)| a * b).sum();
                 left.iter_mut().zip(unit).for_each(|(l, u)| *l -= part * u);

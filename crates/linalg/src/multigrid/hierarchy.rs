@@ -71,8 +71,8 @@ impl Hierarchy {
                 return None;
             }
             let level = Level::new(matrix, &tentative, threads)?;
-            let of_both = level.matrix.times(&level.prolongation);
-            matrix = level.prolongation.transposed().times(&of_both);
+            let of_both = level.matrix.times(&level.prolongation, threads);
+            matrix = level.prolongation.transposed().times(&of_both, threads);
             (start, neighbour) = neighbours_of_sets(&matrix, &first)?;
             vertices = first.windows(2).map(|pair| (pair[0]..pair[1]).collect()).collect();
             motions = coarse;
@@ -145,7 +145,7 @@ impl Level {
         }
         // P = (I - omega D^-1 A) P0
         let omega = 4.0 / (3.0 * largest);
-        let mut prolongation = matrix.times(tentative);
+        let mut prolongation = matrix.times(tentative, threads);
         for i in 0..matrix.size() {
             let range = prolongation.start[i]..prolongation.start[i + 1];
             let by = -omega * inverse[i];

@@ -1,7 +1,8 @@
 //! Sparse matrices of one level, row after row, and their products.
 
-use rayon::iter::{IndexedParallelIterator, ParallelIterator};
+use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
+use std::ops::Range;
 
 /// Rows that a thread takes at a time.
 const SHARE: usize = 2048;
@@ -91,11 +92,32 @@ impl Rows {
         Self { start, column, value, width: self.size() }
     }
 
-    /// A B.
-    pub fn times(&self, other: &Self) -> Self {
+    /// A B, in shares of rows that threads may take.
+    pub fn times(&self, other: &Self, threads: bool) -> Self {
+        let share = |begin: usize| self.rows_times(begin..self.size().min(begin + SHARE), other);
+        let begins = 0..self.size().div_ceil(SHARE);
+        let parts: Vec<Self> = match threads {
+            true => begins.into_par_iter().map(|at| share(at * SHARE)).collect(),
+            false => begins.map(|at| share(at * SHARE)).collect(),
+        };
+        let mut product = Self::empty(other.width);
+        let entries = parts.iter().map(|part| part.column.len()).sum();
+        product.column.reserve_exact(entries);
+        product.value.reserve_exact(entries);
+        for part in parts {
+            let before = product.column.len();
+            product.start.extend(part.start[1..].iter().map(|end| before + end));
+            product.column.extend(part.column);
+            product.value.extend(part.value);
+        }
+        product
+    }
+
+    /// Some rows of A B.
+    fn rows_times(&self, rows: Range<usize>, other: &Self) -> Self {
         let mut product = Self::empty(other.width);
         let mut place = vec![usize::MAX; other.width];
-        for i in 0..self.size() {
+        for i in rows {
             let begin = product.column.len();
             for (k, a) in self.row(i) {
                 for (j, b) in other.row(k) {
