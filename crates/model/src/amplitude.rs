@@ -52,7 +52,7 @@ pub enum Curve {
         /// Start t0 [T].
         start: f64,
         /// Angular frequencies w1, w2 [1/T].
-        frequencies: [f64; 2],
+        frequencies: (f64, f64),
     },
     /// A0 + A exp(-(t - t0)/td) from t0 on, A0 before.
     Decay {
@@ -107,7 +107,7 @@ impl Amplitude {
                 });
                 if time < *start { *mean } else { mean + sum.sum::<f64>() }
             }
-            Curve::Modulated { mean, swing, start, frequencies: [first, second] } => {
+            Curve::Modulated { mean, swing, start, frequencies: (first, second) } => {
                 let since = (time - start).max(0.0);
                 mean + swing * (first * since).sin() * (second * since).sin()
             }
@@ -162,7 +162,7 @@ mod tests {
         let fading = Amplitude { curve, ..wave.clone() };
         assert_eq!([0.4, 0.5].map(|t| fading.at(t)), [1.0, 3.0]);
         assert!((fading.at(4.5) - 1.0 - 2.0 / std::f64::consts::E).abs() < 1e-15);
-        let curve = Curve::Modulated { mean: 1.0, swing: 2.0, start: 0.5, frequencies: [3.0, 5.0] };
+        let curve = Curve::Modulated { mean: 1.0, swing: 2.0, start: 0.5, frequencies: (3.0, 5.0) };
         let beat = Amplitude { curve, ..wave };
         assert_eq!([0.4, 0.5].map(|t| beat.at(t)), [1.0, 1.0]);
         assert!((beat.at(0.7) - 1.0 - 2.0 * f64::sin(0.6) * f64::sin(1.0)).abs() < 1e-15);

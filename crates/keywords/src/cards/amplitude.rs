@@ -72,7 +72,7 @@ impl Keyword for Amplitude {
                     mean,
                     swing,
                     start,
-                    frequencies: [first, second],
+                    frequencies: (first, second),
                 })
             }
             Some("DECAY") => decay(card, draft),

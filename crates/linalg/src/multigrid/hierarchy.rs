@@ -2,11 +2,13 @@
 
 use super::aggregates::{aggregate, motions_of_sets};
 use super::rows::Rows;
-use crate::choice::analyse;
+use crate::banded::Banded;
+use crate::ordering::Layout;
 use crate::orders::Graph;
 use crate::pattern::Pattern;
 use crate::solver::Solver;
-use crate::system::Kind;
+use crate::sparse::Sparse;
+use crate::system::{Kind, LinearSystem};
 use std::sync::Mutex;
 
 /// Unknowns up to which a level is factored.
@@ -245,7 +247,14 @@ fn factored(matrix: &Rows) -> Option<Solver> {
             values[pattern.position(i, j)?] = a;
         }
     }
-    let mut solver = analyse(&pattern, Kind::Symmetric);
+    let system: Box<dyn LinearSystem> = match Sparse::new(&pattern, Kind::Symmetric, None) {
+        Some(sparse) => Box::new(sparse),
+        None => {
+            let layout = Layout::cheapest(&pattern, Kind::Symmetric);
+            Box::new(Banded::new(&pattern, Kind::Symmetric, layout))
+        }
+    };
+    let mut solver = Solver::new(&pattern, system);
     let report = solver.refactor(&pattern, &values).ok()?;
     (report.negative_pivots == Some(0)).then_some(solver)
 }
