@@ -369,7 +369,7 @@ fn long_chains_of_equations() {
 
 /// Requirement: a section is cut through all its nodes: the own side gets nodes of its own, which
 /// follow the others and the reference node along the normal; a surface that does not cut through
-/// is refused. Source: docs/theory.md eq. (4.11).
+/// is refused. Source: docs/theory.md eq. (4.12).
 #[test]
 fn bolts_are_cut() {
     let cut = "*NODE\n100, 2.0, 5.0\n*SURFACE, NAME=CUT\n1, S2\n";
@@ -510,7 +510,7 @@ fn mesh_cards() {
 }
 
 /// Requirement: shapes are kept by equations that every rigid motion fulfils, and a node that leaves
-/// the shape does not; with NLGEOM they are refused. Source: docs/theory.md eqs (4.12), (4.13).
+/// the shape does not; with NLGEOM they are refused. Source: docs/theory.md eqs (4.13), (4.14).
 #[test]
 fn shapes_are_kept() {
     let bricks = "*NODE\n1, 0.0, 0.0, 0.0\n2, 2.0, 0.0, 0.0\n3, 2.0, 1.0, 0.0\n4, 0.0, 1.0, 0.0\n\

@@ -167,7 +167,7 @@ fn bolt(parts: &str, held: &str, cut: &str, steps: &str) -> End {
 /// Requirement: a load on the reference node is the tension of the bolt and shortens it by
 /// F l/(EA); a length that is taken out pulls with EA/l times it; a length that is held adds what
 /// the ends are moved by. By a surface of solids and at the end of a beam; closed form, 1e-9.
-/// Source: docs/theory.md eq. (4.11).
+/// Source: docs/theory.md eq. (4.12).
 #[test]
 fn a_bolt_is_drawn_together() {
     let solids = "*ELEMENT, TYPE=CPS4, ELSET=E\n1, 1, 2, 12, 11\n2, 2, 3, 13, 12\n\

@@ -6,7 +6,7 @@
 //!    o----o  n'| n  o----o          u_n' = u_n + N u_ref
 //!    o----o  n'| n  o----o
 //! ```
-//! docs/theory.md eq. (4.11). The force on the reference node is the force N . f across the cut.
+//! docs/theory.md eq. (4.12). The force on the reference node is the force N . f across the cut.
 
 use std::collections::{HashMap, HashSet};
 

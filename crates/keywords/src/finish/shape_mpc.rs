@@ -6,7 +6,7 @@
 //!   MEANROT    o  o                  the mean rotation of nodes about an axis
 //!              o  o                  is dof 1 of the last one
 //! ```
-//! docs/theory.md eqs (4.12), (4.13).
+//! docs/theory.md eqs (4.13), (4.14).
 
 use std::collections::HashSet;
 
