@@ -12,7 +12,7 @@
 use crate::finding::{Finding, Place};
 use crate::start::{Start, arc_of, circle_of, length, less, spacing};
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{ContactPair, Dof, Master, NodeIndex, Step};
+use slideline_model::{ContactPair, Dof, Master, NodeIndex, SpringWay, Step};
 use std::collections::BTreeMap;
 
 /// Pivots below this count as zero; rows are of length one [1].
@@ -133,9 +133,18 @@ impl<'a> Holds<'a> {
         let model = self.start.model;
         for block in model.blocks.iter().filter_map(|block| block.springs()) {
             for spring in block.elements {
-                match block.section.dof {
-                    Some(dof) => self.hold(spring.nodes[0], dof),
-                    None => {
+                match block.section.way {
+                    SpringWay::Dof(dof) if spring.nodes.len() == 1 => {
+                        self.hold(spring.nodes[0], dof);
+                    }
+                    SpringWay::Dof(dof) if dof.is_rotation() => {}
+                    SpringWay::Dof(dof) => {
+                        let mut way = [0.0; 3];
+                        way[dof as usize] = 1.0;
+                        let at = model.nodes.position(spring.nodes[0]);
+                        self.between(spring.ends(), at, way);
+                    }
+                    SpringWay::Line { .. } => {
                         let ends = spring.ends().map(|node| model.nodes.position(node));
                         let way = less(ends[1], ends[0]);
                         let long = length(way);

@@ -147,8 +147,10 @@ impl Owner {
 pub(crate) struct Spring {
     pub set: String,
     pub set_span: Span,
-    pub dof: Option<Dof>,
-    pub stiffness: f64,
+    /// `NONLINEAR`: a table of force and relative displacement.
+    pub nonlinear: bool,
+    /// The numbers of its lines.
+    pub lines: Vec<(Vec<f64>, Span)>,
     pub origin: Span,
 }
 

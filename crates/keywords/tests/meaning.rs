@@ -7,7 +7,8 @@ use slideline_deck::NoFiles;
 use slideline_diag::Sources;
 use slideline_keywords::{Interpreted, describe, read};
 use slideline_model::{
-    Decay, Dialect, Dof, Extrapolation, Friction, Model, NodeVariable, NormalLaw, Onset, StickRule,
+    Decay, Dialect, Dof, Extrapolation, Friction, Model, NodeVariable, NormalLaw, Onset, SpringLaw,
+    SpringWay, StickRule,
 };
 
 const BEAM: &str = include_str!("../../../corpus/keywords/NODE.inp");
@@ -217,9 +218,24 @@ fn springs_and_tables() {
         .blocks
         .iter()
         .filter_map(|block| block.springs())
-        .map(|springs| (springs.section.dof, springs.section.stiffness))
+        .map(|springs| (springs.section.way, springs.section.law.clone()))
         .collect();
-    assert_eq!(kinds, [(Some(Dof::U2), 7.0), (None, 8.0)]);
+    let line = SpringWay::Line { in_space: false };
+    let (seven, eight) = (SpringLaw::Linear(7.0), SpringLaw::Linear(8.0));
+    assert_eq!(kinds, [(SpringWay::Dof(Dof::U2), seven), (line, eight)]);
+    let further = "*ELEMENT, TYPE=SPRING2, ELSET=S\n50, 1, 5\n*SPRING, ELSET=S, NONLINEAR\n2, 2\n\
+        -1., -2.\n3., 1.\n*ELEMENT, TYPE=SPRINGA, ELSET=T\n51, 1, 5\n*SPRING, ELSET=T, NONLINEAR\n\
+        \n0., 0.\n1., 1.\n*STEP";
+    let further = model(BEAM, "*STEP", further);
+    let laws: Vec<_> = further
+        .blocks
+        .iter()
+        .filter_map(|block| block.springs())
+        .map(|springs| (springs.section.way, springs.section.law.clone()))
+        .collect();
+    let first = SpringLaw::Table([[-2.0, -1.0], [1.0, 3.0]].into());
+    let second = SpringLaw::Table([[0.0, 0.0], [1.0, 1.0]].into());
+    assert_eq!(laws, [(SpringWay::Dof(Dof::U2), first), (line, second)]);
     let print = "*NODE PRINT, NSET=BEAM, FREQ=3\nU1, RF2, U\n*END STEP";
     let step = model(BEAM, "*END STEP", print).steps[0].clone();
     let print = &step.output.node_prints[0];

@@ -34,8 +34,8 @@ pub use contact::{
 pub use controls::{Controls, FieldControls, TimeIncrementation};
 pub use element::{
     Allowable, BeamSection, Beams, Element, ElementBlock, ElementType, Elements, Field, Kinematics,
-    Location, MOST_NODES, Section, ShearRule, SolidSection, SpringSection, Springs, TYPES,
-    Undeformed, element_type, mean_at_nodes, types,
+    Location, MOST_NODES, Section, ShearRule, SolidSection, SpringSection, SpringWay, Springs,
+    TYPES, Undeformed, element_type, mean_at_nodes, types,
 };
 pub use load::{Distributed, Pressure};
 pub use node::{Dof, LinearConstraint, Node, NodeIndex, Nodes, RigidLink};
@@ -48,7 +48,7 @@ pub use refine::refine;
 pub use slideline_mech::axes::{Axes, System};
 pub use slideline_mech::contact::normal::NormalLaw;
 pub use slideline_mech::contact::onset::Onset;
-pub use slideline_mech::element::Temperature;
+pub use slideline_mech::element::{SpringLaw, Temperature};
 pub use slideline_mech::material::Material;
 pub use stabilisation::Stabilisation;
 pub use step::{Extrapolation, Load, NodalTemperature, Passage, Prescribed, Static, Step};

@@ -5,8 +5,8 @@ use crate::number::general;
 use slideline_mech::element::solid;
 use slideline_model::{
     BeamSection, ContactPair, Dialect, ElementBlock, ElementType, Formulation, Friction,
-    Kinematics, Master, Material, Model, NodeIndex, NormalLaw, Section, SolidSection,
-    SpringSection, Step, StickRule,
+    Kinematics, Master, Material, Model, NodeIndex, NormalLaw, Section, SolidSection, SpringLaw,
+    SpringSection, SpringWay, Step, StickRule,
 };
 use slideline_solve::observe::{ContactRow, Frame};
 use std::fmt::Write as _;
@@ -154,7 +154,8 @@ fn range(low: f64, high: f64) -> String {
 /// Solids of one section.
 fn solids(text: &mut String, block: &ElementBlock, section: &SolidSection, dialect: Dialect) {
     let (word, count) = (block.word(), block.elements.len());
-    line!(text, "\nSOLIDS {}  {count} elements {word}", block.name);
+    let what = if block.kind.is_truss() { "TRUSSES" } else { "SOLIDS" };
+    line!(text, "\n{what} {}  {count} elements {word}", block.name);
     let material = match (&section.material, section.material.elastic()) {
         (Material::Elastic(elastic, _), _) => {
             format!("E = {}, nu = {}", general(elastic.modulus, 9), general(elastic.poisson, 9))
@@ -173,7 +174,9 @@ fn solids(text: &mut String, block: &ElementBlock, section: &SolidSection, diale
         ),
         _ => "a material of the embedding program".to_owned(),
     };
-    if block.kind.is_spatial() {
+    if block.kind.is_truss() {
+        line!(text, "  area {}; {material}", general(section.thickness, 9));
+    } else if block.kind.is_spatial() {
         line!(text, "  {material}");
     } else {
         line!(text, "  thickness {}; {material}", general(section.thickness, 9));
@@ -197,17 +200,18 @@ fn elements(text: &mut String, block: &ElementBlock) {
 }
 
 fn springs(text: &mut String, block: &ElementBlock, section: &SpringSection) {
-    let kind = match section.dof {
-        Some(dof) => format!("to the ground, dof {}", dof.number()),
-        None => "along the line between two nodes".to_owned(),
+    let kind = match section.way {
+        SpringWay::Dof(dof) if block.kind.cell.nodes == 1 => {
+            format!("to the ground, dof {}", dof.number())
+        }
+        SpringWay::Dof(dof) => format!("between two nodes, dof {}", dof.number()),
+        SpringWay::Line { .. } => "along the line between two nodes".to_owned(),
     };
-    line!(
-        text,
-        "\nSPRINGS {}  {} elements {kind}, stiffness {}",
-        block.name,
-        block.elements.len(),
-        general(section.stiffness, 9)
-    );
+    let law = match &section.law {
+        SpringLaw::Linear(stiffness) => format!("stiffness {}", general(*stiffness, 9)),
+        SpringLaw::Table(table) => format!("a table of {} forces", table.len()),
+    };
+    line!(text, "\nSPRINGS {}  {} elements {kind}, {law}", block.name, block.elements.len());
 }
 
 /// Who is slave, who is master, and the laws between them.

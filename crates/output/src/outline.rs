@@ -126,7 +126,7 @@ impl Drawing {
             let kind = match block.kind.kinematics {
                 Kinematics::Beam { .. } => Kind::Beam,
                 Kinematics::Spring => Kind::Spring,
-                Kinematics::Solid { .. } | Kinematics::Other => Kind::Solid,
+                Kinematics::Solid { .. } | Kinematics::Truss | Kinematics::Other => Kind::Solid,
             };
             for element in &block.elements {
                 pieces.extend(block.kind.cell.pieces.iter().map(|piece| {

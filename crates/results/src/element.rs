@@ -35,13 +35,14 @@ pub fn means(
     all.into_iter()
 }
 
-/// Stress at every integration point: xx, yy, zz, xy, yz, zx [F/L2]; empty for
+/// Stress at every integration point: xx, yy, zz, xy, yz, zx [F/L2], that of a truss along its
+/// own axis; empty for
 /// elements without such a stress.
 pub fn stresses(kind: &ElementType, values: &[f64]) -> Vec<[f64; 6]> {
     const NAMES: [&str; 6] = ["S11", "S22", "S33", "S12", "S13", "S23"];
     let Some((field, first)) = kind.field("S") else { return Vec::new() };
     let width = field.components.len();
-    let known = width >= 4 && NAMES.starts_with(field.components);
+    let known = width != 2 && width != 3 && NAMES.starts_with(field.components);
     if !known || field.location != Location::Points {
         return Vec::new();
     }
@@ -63,7 +64,8 @@ pub fn mises([xx, yy, zz, xy, yz, zx]: [f64; 6]) -> f64 {
 /// the mean of the elements that meet.
 pub fn nodal_stresses(frame: &Frame<'_>) -> BTreeMap<NodeIndex, [f64; 6]> {
     let mut sums: BTreeMap<NodeIndex, ([f64; 6], f64)> = BTreeMap::new();
-    for (kind, results) in blocks(frame) {
+    // along a truss is no direction of the model
+    for (kind, results) in blocks(frame).filter(|(kind, _)| !kind.is_truss()) {
         for (element, values) in results.elements(frame.model) {
             let points = stresses(kind, values);
             if points.is_empty() {

@@ -277,9 +277,9 @@ fn complete(turned: &[(NodeIndex, usize)], along: &[[bool; 6]], has: &mut [[Opti
 /// axes of the model.
 fn of_elements(model: &Model, note: &mut impl FnMut(bool, (NodeIndex, Dof))) {
     for block in &model.blocks {
-        let (stiffened, plain) = (block.stiffened_dofs(), !block.acts_along_own_axes());
+        let (dofs, plain) = (block.dofs(), !block.acts_along_own_axes());
         for &node in block.elements.iter().flat_map(|element| element.nodes) {
-            stiffened.iter().for_each(|&dof| note(plain, (node, dof)));
+            dofs.iter().for_each(|&dof| note(plain, (node, dof)));
         }
     }
 }

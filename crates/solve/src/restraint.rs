@@ -11,7 +11,7 @@
 //! structure has reached a limit of its strength, or numbers one of theirs.
 
 use slideline_linalg::reduce_rows;
-use slideline_model::{Dof, Model, NodeIndex, Step};
+use slideline_model::{Dof, Model, NodeIndex, SpringWay, Step};
 use std::collections::HashMap;
 
 /// The bodies of a model and how a step restrains them.
@@ -36,10 +36,11 @@ impl Restraint {
             .fold(0.0_f64, |size, x| size.max(x.abs()));
         let held = step.prescribed.iter().map(|prescribed| (prescribed.node, prescribed.dof));
         let springs = model.blocks.iter().filter_map(|block| block.springs());
-        let springs = springs.filter(|springs| springs.section.stiffness != 0.0);
+        let springs = springs.filter(|springs| springs.section.law.stiffest() != 0.0);
         let springs = springs.filter_map(|springs| {
-            let dof = springs.section.dof?;
-            Some(springs.elements.iter().map(move |spring| (spring.nodes[0], dof)))
+            let SpringWay::Dof(dof) = springs.section.way else { return None };
+            let to_ground = springs.elements.iter().filter(|spring| spring.nodes.len() == 1);
+            Some(to_ground.map(move |spring| (spring.nodes[0], dof)))
         });
         let held = held.chain(springs.flatten()).chain(model.rings());
         let held: Vec<(NodeIndex, Dof)> = held.collect();

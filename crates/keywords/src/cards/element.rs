@@ -82,7 +82,15 @@ fn kind(card: &Reading<'_>, draft: &mut Draft) -> Option<ElementKind> {
         let message = format!("elements of type {name} are not supported");
         let known: Vec<&str> = ElementKind::all().map(ElementKind::name).collect();
         let error = Diagnostic::error(Code("SL0220"), message).at(card.span_of("TYPE"));
-        draft.log.push(error.help(format!("supported: {}", known.join(", "))));
+        let help = match name.as_str() {
+            "GAPUNI" | "GAPCYL" | "GAPSPHER" => {
+                "a stop is a *SPRING, NONLINEAR whose force sets in where the gap closes, or a \
+                 *CONTACT PAIR"
+                    .to_owned()
+            }
+            _ => format!("supported: {}", known.join(", ")),
+        };
+        draft.log.push(error.help(help));
     }
     found
 }

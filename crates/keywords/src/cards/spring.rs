@@ -14,7 +14,7 @@ impl Keyword for Spring {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] = &[Rule::required("ELSET")];
+        const RULES: &[Rule] = &[Rule::required("ELSET"), Rule::flag("NONLINEAR")];
         RULES
     }
 
@@ -32,25 +32,25 @@ impl Keyword for Spring {
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
         let Some(set) = card.name("ELSET") else { return };
-        let Some(first) = card.first_line("the dof (blank for SPRINGA)", &mut draft.log) else {
+        if card.first_line("the dof (blank for SPRINGA)", &mut draft.log).is_none() {
             return;
-        };
-        draft.log.at_most_lines(card.data(), 2, self.name());
-        // A blank first line is not kept by the deck: one line alone is the stiffness.
-        let (dof_line, stiffness_line) = match card.data().get(1) {
-            Some(second) => (Some(first), second),
-            None => (None, first),
-        };
-        let dof = dof_line.filter(|line| line.field(0).is_some()).and_then(|line| {
-            let number = draft.log.integer_or(line, 0, 1)?;
-            draft.dof(number, line, 0)
-        });
-        let Some(stiffness) = draft.log.number(stiffness_line, 0, "the stiffness") else { return };
-        if stiffness < 0.0 {
-            let message = "a negative spring stiffness";
-            draft.log.warning("SL0210", message, stiffness_line.fields[0].span);
+        }
+        let nonlinear = card.has("NONLINEAR");
+        if !nonlinear {
+            draft.log.at_most_lines(card.data(), 2, self.name());
+        }
+        let mut lines = Vec::with_capacity(card.data().len());
+        // a blank first line is not kept by the deck, one of empty fields is passed over
+        for line in card
+            .data()
+            .iter()
+            .filter(|line| (0..line.fields.len()).any(|at| line.field(at).is_some()))
+        {
+            let values = (0..line.fields.len()).map(|at| draft.log.number_or(line, at, 0.0));
+            let Some(values) = values.collect::<Vec<_>>().into_iter().collect() else { return };
+            lines.push((values, line.span));
         }
         let set_span = card.span_of("ELSET");
-        draft.springs.push(draft::Spring { set, set_span, dof, stiffness, origin: card.span() });
+        draft.springs.push(draft::Spring { set, set_span, nonlinear, lines, origin: card.span() });
     }
 }

@@ -8,6 +8,8 @@ use slideline_model::{ElementType, TYPES};
 pub(crate) enum ElementKind {
     /// A row of the element table.
     Structural(&'static ElementType),
+    /// A type without mechanics of its own.
+    Bare(&'static Bare),
     Isl21,
     Irs21,
     /// One that a static step does not feel, or that only names a node: its place in [`INERT`].
@@ -25,16 +27,35 @@ const INERT: [(&str, usize); 7] = [
     ("DCOUP3D", 1),
 ];
 
+/// A mesh of a rigid body: it names nodes and faces alone.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Bare {
+    pub name: &'static str,
+    pub nodes: usize,
+    pub spatial: bool,
+}
+
+const fn rigid(name: &'static str, nodes: usize) -> Bare {
+    Bare { name, nodes, spatial: nodes > 2 }
+}
+
+/// All meshes of rigid bodies.
+static BARE: [Bare; 4] = [rigid("R2D2", 2), rigid("RAX2", 2), rigid("R3D3", 3), rigid("R3D4", 4)
+];
+
 impl ElementKind {
     /// All there are.
     pub fn all() -> impl Iterator<Item = Self> {
         let inert = (0..INERT.len()).map(Self::Inert);
-        TYPES.into_iter().map(Self::Structural).chain([Self::Isl21, Self::Irs21]).chain(inert)
+        let rows = TYPES.into_iter().map(Self::Structural);
+        let bare = BARE.iter().map(Self::Bare);
+        rows.chain(bare).chain([Self::Isl21, Self::Irs21]).chain(inert)
     }
 
     pub fn node_count(self) -> usize {
         match self {
             Self::Structural(row) => row.cell.nodes,
+            Self::Bare(bare) => bare.nodes,
             Self::Isl21 => 2,
             Self::Irs21 => 3,
             Self::Inert(place) => INERT[place].1,
@@ -44,6 +65,7 @@ impl ElementKind {
     pub fn name(self) -> &'static str {
         match self {
             Self::Structural(row) => row.name(),
+            Self::Bare(bare) => bare.name,
             Self::Isl21 => "ISL21",
             Self::Irs21 => "IRS21",
             Self::Inert(place) => INERT[place].0,
@@ -93,7 +115,19 @@ impl ElementKind {
 
     /// Whether it moves in space.
     pub fn is_spatial(self) -> bool {
-        matches!(self, Self::Structural(row) if row.is_spatial())
+        match self {
+            Self::Structural(row) => row.is_spatial(),
+            Self::Bare(bare) => bare.spatial,
+            _ => false,
+        }
+    }
+
+    /// The type without mechanics that it is.
+    pub fn bare(self) -> Option<&'static Bare> {
+        match self {
+            Self::Bare(bare) => Some(bare),
+            _ => None,
+        }
     }
 
     pub fn is_contact(self) -> bool {

@@ -29,6 +29,7 @@ pub(super) fn links(draft: &mut Draft) {
     for coupling in kinematic {
         couple(&coupling, draft);
     }
+    rigid_meshes(draft);
     chains(draft);
     let turning = turning(draft);
     for link in equal {
@@ -139,7 +140,7 @@ pub(super) fn turning(draft: &Draft) -> HashSet<(NodeIndex, Dof)> {
     let mut turning: HashSet<(NodeIndex, Dof)> =
         masters.flat_map(|node| rotations().map(move |dof| (node, dof))).collect();
     for block in &draft.model.blocks {
-        for &dof in block.stiffened_dofs().iter().filter(|dof| dof.is_rotation()) {
+        for &dof in block.dofs().iter().filter(|dof| dof.is_rotation()) {
             let nodes = block.elements.iter().flat_map(|element| element.nodes);
             turning.extend(nodes.map(|&node| (node, dof)));
         }
@@ -212,6 +213,25 @@ fn couple(coupling: &Coupling, draft: &mut Draft) {
             let error = Diagnostic::error(Code("SL0205"), message).at(origin);
             draft.consequence(Subject::Links, error);
         }
+    }
+}
+
+/// Complains about rigid meshes that belong to no rigid body.
+fn rigid_meshes(draft: &mut Draft) {
+    let mut owned = HashSet::new();
+    for body in draft.bodies.clone() {
+        let Some(set) = &body.elements else { continue };
+        owned.extend(draft.elements_of(&set.name, set.span).unwrap_or_default());
+    }
+    let lonely = draft.elements.iter().enumerate().find_map(|(index, element)| {
+        let bare = element.kind.bare().filter(|_| !owned.contains(&index))?;
+        Some((bare.name, element.label, element.origin))
+    });
+    if let Some((name, label, origin)) = lonely {
+        let message = format!("element {label} of type {name} belongs to no *RIGID BODY");
+        let error = Diagnostic::error(Code("SL0307"), message).at(origin);
+        let help = "*RIGID BODY, REF NODE=..., ELSET=... makes one of its set";
+        draft.consequence(Subject::Links, error.help(help));
     }
 }
 

@@ -15,6 +15,7 @@ mod orientations;
 mod pre_tension;
 mod sections;
 mod shape_mpc;
+mod springs;
 mod standing;
 mod steps;
 mod surface_pairs;
@@ -39,7 +40,7 @@ pub(crate) fn finish(draft: &mut Draft, steps_doubted: bool) -> Model {
     nodes::elements(draft);
     let parted = pre_tension::cut(draft);
     sections::sections(draft);
-    sections::springs(draft);
+    springs::springs(draft);
     faces::check(draft);
     axes::transforms(draft);
     contact::pairs(draft);

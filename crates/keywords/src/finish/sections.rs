@@ -5,11 +5,10 @@ use slideline_mech::element::b22::axis_runs_forward;
 use slideline_mech::element::solid::{self, smallest_jacobian};
 use slideline_mech::orientation::Orientation;
 use slideline_model::{
-    Allowable, ElementBlock, ElementType, Elements, Kinematics, NodeIndex, SpringSection, TYPES,
-    types,
+    Allowable, ElementBlock, ElementType, Elements, Kinematics, NodeIndex, TYPES,
 };
 
-use crate::draft::{Body, Draft, Elasticity, Element, ElementKind, Section, Spring};
+use crate::draft::{Body, Draft, Elasticity, Element, ElementKind, Section};
 use crate::rule::Subject;
 
 /// Section cards with their elements and their material.
@@ -37,6 +36,7 @@ pub(super) fn sections(draft: &mut Draft) {
         }
         let Some(orientation) = orientation else { continue };
         in_plane_stress(&section, &claimed, draft);
+        bars_have_no_axes(&section, &claimed, draft);
         if let Some(made) = material(&section, orientation, draft) {
             blocks(&section, &made, claimed, draft);
         }
@@ -151,6 +151,7 @@ fn nodes(element: &Element, row: &ElementType, draft: &mut Draft) -> Option<Vec<
     let nodes: Vec<NodeIndex> =
         labels.map(|&label| draft.model.nodes.find(label)).collect::<Option<_>>()?;
     let sound = match *nodes {
+        _ if row.is_truss() => bar_is_sound(element, &nodes, draft),
         [first, last] if row.is_beam() => !draft.has_no_length(element, [first, last]),
         [first, middle, last] if row.is_beam() => {
             !draft.has_no_length(element, [first, last])
@@ -159,6 +160,35 @@ fn nodes(element: &Element, row: &ElementType, draft: &mut Draft) -> Option<Vec<
         _ => solid_is_sound(element, row, &nodes, draft),
     };
     sound.then_some(nodes)
+}
+
+/// Complains about a truss without length, or whose middle node lies so far from the middle that
+/// its axis would turn back; false if so.
+fn bar_is_sound(element: &Element, nodes: &[NodeIndex], draft: &mut Draft) -> bool {
+    let (Some(&first), Some(&last)) = (nodes.first(), nodes.last()) else { return false };
+    if draft.has_no_length(element, [first, last]) {
+        return false;
+    }
+    let &[first, middle, last] = nodes else { return true };
+    let [a, b, c] = [first, middle, last].map(|node| draft.model.nodes.position(node));
+    let chord: [f64; 3] = std::array::from_fn(|k| c[k] - a[k]);
+    let part = (0..3).map(|k| (b[k] - a[k]) * chord[k]).sum::<f64>()
+        / chord.iter().map(|part| part * part).sum::<f64>();
+    let sound = part > 0.25 && part < 0.75;
+    if !sound {
+        let label = |node| draft.model.nodes.label(node);
+        let message = format!(
+            "element {}: its middle node {} is not in the middle half between {} and {}",
+            element.label,
+            label(middle),
+            label(first),
+            label(last)
+        );
+        let error = Diagnostic::error(Code("SL0345"), message).at(element.origin);
+        let help = "give the nodes in order along the truss: end, middle, end";
+        draft.consequence(Subject::Nodes, error.help(help));
+    }
+    sound
 }
 
 /// Complains about a solid whose nodes do not run around it as its type wants them, or that is
@@ -256,6 +286,23 @@ fn middle_is_sound(
     sound
 }
 
+/// Complains about trusses of a material with directions: they know their own alone.
+fn bars_have_no_axes(
+    section: &Section,
+    claimed: &[(&'static ElementType, Elements)],
+    draft: &mut Draft,
+) {
+    let bars = claimed.iter().any(|(row, elements)| row.is_truss() && !elements.is_empty());
+    let directed =
+        draft.materials.iter().any(|own| own.name == section.material && own.anisotropic.is_some());
+    if bars && directed {
+        let message = format!("the material {} is anisotropic; trusses are not", section.material);
+        let error = Diagnostic::error(Code("SL0309"), message).at(section.material_span);
+        let help = "give trusses a material of *ELASTIC: E, nu";
+        draft.consequence(Subject::Sections, error.help(help));
+    }
+}
+
 /// Complains about elements of a ply that are not in plane stress.
 fn in_plane_stress(
     section: &Section,
@@ -331,7 +378,7 @@ fn no_material(name: &str, span: Span, draft: &mut Draft) {
 }
 
 /// Complains about elements that no card gave a stiffness.
-fn without(row: &'static ElementType, card: &str, owned: &[bool], draft: &mut Draft) {
+pub(super) fn without(row: &'static ElementType, card: &str, owned: &[bool], draft: &mut Draft) {
     let kind = ElementKind::Structural(row);
     let lonely = |&(index, element): &(usize, &Element)| element.kind == kind && !owned[index];
     let count = draft.elements.iter().enumerate().filter(lonely).count();
@@ -342,79 +389,4 @@ fn without(row: &'static ElementType, card: &str, owned: &[bool], draft: &mut Dr
     if draft.is_complete(Subject::Elements) {
         draft.consequence(Subject::Sections, error);
     }
-}
-
-/// `*SPRING` with its elements.
-pub(super) fn springs(draft: &mut Draft) {
-    let mut owned = vec![false; draft.elements.len()];
-    for spring in draft.springs.clone() {
-        let Some(found) = draft.elements_of(&spring.set, spring.set_span) else { continue };
-        for row in [&types::SPRING1, &types::SPRINGA] {
-            spring_block(&spring, row, &found, &mut owned, draft);
-        }
-        let foreign = |index: &&usize| draft.elements[**index].kind.card() != Some("*SPRING");
-        if let Some(&index) = found.iter().find(foreign) {
-            let element = draft.elements[index];
-            let message = format!(
-                "element {} of the set {} is of type {}, which is not a spring",
-                element.label,
-                spring.set,
-                element.kind.name()
-            );
-            let error = Diagnostic::error(Code("SL0325"), message).at(spring.set_span);
-            draft.consequence(Subject::Elements, error);
-        }
-    }
-    for row in [&types::SPRING1, &types::SPRINGA] {
-        without(row, "*SPRING", &owned, draft);
-    }
-}
-
-fn spring_block(
-    spring: &Spring,
-    row: &'static ElementType,
-    found: &[usize],
-    owned: &mut [bool],
-    draft: &mut Draft,
-) {
-    let to_ground = row.cell.nodes == 1;
-    let dof = spring.dof.filter(|_| to_ground);
-    let section = SpringSection { stiffness: spring.stiffness, dof };
-    let mut block = ElementBlock::new(
-        row,
-        &spring.set,
-        slideline_model::Section::Spring(section),
-        spring.origin,
-    );
-    for &index in found {
-        let element = draft.elements[index];
-        if element.kind != ElementKind::Structural(row) {
-            continue;
-        }
-        owned[index] = true;
-        let labels = element.nodes().iter();
-        let nodes: Option<Vec<NodeIndex>> =
-            labels.map(|&label| draft.model.nodes.find(label)).collect();
-        let Some(nodes) = nodes else { continue };
-        if let [a, b] = *nodes
-            && draft.has_no_length(&element, [a, b])
-        {
-            continue;
-        }
-        block.elements.push(element.label, &nodes, element.origin);
-    }
-    if block.elements.is_empty() {
-        return;
-    }
-    let spatial = draft.is_spatial();
-    if to_ground && !dof.is_some_and(|dof| spatial || dof.is_plane()) {
-        let message = match dof {
-            Some(dof) => format!("a plane model has no dof {}", dof.number()),
-            None => "SPRING1 needs its degree of freedom on the first data line".to_owned(),
-        };
-        let error = Diagnostic::error(Code("SL0251"), message).at(spring.origin);
-        draft.consequence(Subject::Sections, error);
-        return;
-    }
-    draft.model.blocks.push(block);
 }

@@ -260,7 +260,7 @@ pub(super) const GROUPS: &[Group] = &[
     ),
     (
         Unsupported,
-        "write the structure with solids (*SOLID SECTION), plane beams (*BEAM SECTION), springs \
+        "write the structure with solids (*SOLID SECTION), plane beams (*BEAM SECTION), trusses, springs \
          (*SPRING) and rigid bodies",
         &[
             "BEAM GENERAL SECTION",

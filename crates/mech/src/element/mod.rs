@@ -18,6 +18,7 @@ pub mod mixed;
 pub mod quadrature;
 pub mod solid;
 pub mod spring;
+pub mod truss;
 
 pub use b21::{Beam21, BeamSectionForces, BeamStrains};
 pub use b22::Beam22;
@@ -29,4 +30,5 @@ pub use kernel::{
 };
 pub use mixed::Mixed;
 pub use solid::Solids;
-pub use spring::{AxialSpring, GroundSpring};
+pub use spring::{AxialSpring, GroundSpring, RelativeSpring, SpringLaw};
+pub use truss::{Bar, Trusses};

@@ -22,11 +22,13 @@ mod principal;
 pub mod tensor;
 #[cfg(test)]
 mod tests;
+mod uniaxial;
 
 pub use elastic::{Anisotropic, LargeStrain, Unsound};
 pub use hyperelastic::{MOST_TERMS, Rubber, Volume};
 pub use plastic::{Hardening, Plastic};
 pub use principal::Axes;
+pub use uniaxial::Uniaxial;
 
 use std::fmt::Debug;
 use std::sync::Arc;

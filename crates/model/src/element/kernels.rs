@@ -1,10 +1,11 @@
 //! Kernels of the rows of the table: sections in a deck's words become those of the mechanics.
 
-use super::{BeamSection, Kinematics, Section, Undeformed};
-use crate::{Dialect, Dof};
+use super::{BeamSection, Kinematics, Section, SpringSection, SpringWay, Undeformed};
+use crate::Dialect;
 use slideline_mech::element::solid::{Recipe, Solids, Told};
 use slideline_mech::element::{
-    AxialSpring, Beam21, Beam22, Beam23, GroundSpring, Instances, Kernel,
+    AxialSpring, Bar, Beam21, Beam22, Beam23, GroundSpring, Instances, Kernel, RelativeSpring,
+    SpringLaw, Trusses,
 };
 use slideline_mech::section::{BeamStiffness, Rectangle, TransverseShear, rectangle_stiffness};
 
@@ -39,25 +40,53 @@ pub(super) fn b23(block: &Undeformed<'_>, room: Kept) -> Kept {
 }
 
 pub(super) fn spring1(block: &Undeformed<'_>, room: Kept) -> Kept {
-    let Section::Spring(section) = block.section else { return None };
-    let dof = section.dof?;
-    let component = usize::from(dof == Dof::U2);
-    let springs =
-        block.nodes.iter().map(|_| GroundSpring { stiffness: section.stiffness, component });
-    Some(match dof.is_rotation() {
-        true => Instances::<_, 1, 1>::in_room(room, springs),
-        false => Instances::<_, 2, 4>::in_room(room, springs),
-    })
+    let law = along_a_dof(block)?;
+    let springs = block.nodes.iter().map(|_| GroundSpring(law.clone()));
+    Some(Instances::<_, 1, 1>::in_room(room, springs))
+}
+
+pub(super) fn spring2(block: &Undeformed<'_>, room: Kept) -> Kept {
+    let law = along_a_dof(block)?;
+    let springs = block.plane::<2>().map(|_| RelativeSpring(law.clone()));
+    Some(Instances::<_, 2, 4>::in_room(room, springs))
+}
+
+/// The law of springs on a dof.
+fn along_a_dof(block: &Undeformed<'_>) -> Option<SpringLaw> {
+    match block.section {
+        Section::Spring(SpringSection { law, way: SpringWay::Dof(_) }) => Some(law.clone()),
+        _ => None,
+    }
 }
 
 pub(super) fn springa(block: &Undeformed<'_>, room: Kept) -> Kept {
-    let Section::Spring(section) = block.section else { return None };
-    if section.dof.is_some() {
+    let Section::Spring(SpringSection { law, way: SpringWay::Line { in_space } }) = block.section
+    else {
         return None;
-    }
-    let stiffness = section.stiffness;
-    let springs = block.plane::<2>().map(|reference| AxialSpring { reference, stiffness });
-    Some(Instances::<_, 4, 16>::in_room(room, springs))
+    };
+    let law = || law.clone();
+    Some(if *in_space {
+        let nodes = block.positions::<3, 2>();
+        let springs = nodes.map(|reference| AxialSpring { reference, law: law() });
+        Instances::<_, 6, 36>::in_room(room, springs)
+    } else {
+        let springs = block.plane::<2>().map(|reference| AxialSpring { reference, law: law() });
+        Instances::<_, 4, 16>::in_room(room, springs)
+    })
+}
+
+/// Trusses of a row: the thickness of their section is its area.
+pub(super) fn truss<const D: usize, const N: usize, const P: usize>(
+    block: &Undeformed<'_>,
+    _room: Kept,
+) -> Kept {
+    let Section::Solid(section) = block.section else { return None };
+    let told = match block.dialect {
+        Dialect::Abaqus => Told::Logarithmic,
+        Dialect::Calculix => Told::Green,
+    };
+    let bar = Bar { material: section.material.clone(), area: section.thickness, told };
+    Some(Box::new(Trusses::<D, N, P>::new(bar, block.positions::<D, N>())?))
 }
 
 /// Solids of a row; what they do about locking is a matter of the dialect.

@@ -9,7 +9,7 @@ mod section;
 mod solids;
 mod table;
 
-pub use section::{BeamSection, Section, ShearRule, SolidSection, SpringSection};
+pub use section::{BeamSection, Section, ShearRule, SolidSection, SpringSection, SpringWay};
 pub use table::{
     ElementType, Field, Kinematics, Location, MOST_NODES, TYPES, Undeformed, element_type,
     mean_at_nodes, types,
@@ -61,21 +61,13 @@ impl ElementBlock {
         self.kind.name()
     }
 
-    /// Dofs of every node that an element moves with. A spring to the ground has
-    /// those that turn together with its own.
+    /// Dofs of every node that an element moves with.
     pub fn dofs(&self) -> &'static [Dof] {
         match &self.section {
-            Section::Spring(SpringSection { dof: Some(dof), .. }) if dof.is_rotation() => {
-                &[Dof::UR3]
+            Section::Spring(SpringSection { way: SpringWay::Dof(dof), .. }) => dof.alone(),
+            Section::Spring(SpringSection { way: SpringWay::Line { in_space: true }, .. }) => {
+                &[Dof::U1, Dof::U2, Dof::U3]
             }
-            _ => self.kind.dofs,
-        }
-    }
-
-    /// Dofs of every node that an element gives stiffness to.
-    pub fn stiffened_dofs(&self) -> &'static [Dof] {
-        match &self.section {
-            Section::Spring(SpringSection { dof: Some(dof), .. }) => dof.alone(),
             _ => self.kind.dofs,
         }
     }
@@ -102,7 +94,7 @@ impl ElementBlock {
 
     /// Whether its dofs are those along the own axes of its nodes: springs on one dof.
     pub fn acts_along_own_axes(&self) -> bool {
-        matches!(&self.section, Section::Spring(SpringSection { dof: Some(_), .. }))
+        matches!(&self.section, Section::Spring(SpringSection { way: SpringWay::Dof(_), .. }))
     }
 
     /// The beams, of whatever type; `None`: other elements.

@@ -1,6 +1,7 @@
 //! What the elements of a block are made of.
 
 use crate::Dof;
+use slideline_mech::element::SpringLaw;
 use slideline_mech::material::{Elastic, Material};
 use slideline_mech::orientation::Orientation;
 
@@ -59,14 +60,25 @@ impl Default for ShearRule {
     }
 }
 
-/// Linear springs of one stiffness.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Springs of one law.
+#[derive(Clone, Debug, PartialEq)]
 pub struct SpringSection {
-    /// Stiffness [F/L] (about a rotation: [F L]).
-    pub stiffness: f64,
-    /// The dof that a spring to the ground (`SPRING1`) acts on; `None` for one along the
-    /// line between two nodes (`SPRINGA`).
-    pub dof: Option<Dof>,
+    /// Force by relative displacement.
+    pub law: SpringLaw,
+    /// Which displacement that is.
+    pub way: SpringWay,
+}
+
+/// What a spring resists.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SpringWay {
+    /// A dof of its node, or of one node relative to the other (`SPRING1`, `SPRING2`).
+    Dof(Dof),
+    /// The distance of its nodes (`SPRINGA`), in the plane or in space.
+    Line {
+        /// Whether the nodes move in space.
+        in_space: bool,
+    },
 }
 
 /// A solid of one material.

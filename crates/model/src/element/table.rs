@@ -47,6 +47,8 @@ pub enum Kinematics {
         /// Whether its sections lean over its axis by a shear strain.
         sheared: bool,
     },
+    /// A bar that stretches and does not bend.
+    Truss,
     /// A spring: it joins nothing to a body.
     Spring,
     /// A solid.
@@ -68,7 +70,7 @@ impl Kinematics {
         match self {
             Self::Beam { .. } => Some("*BEAM SECTION"),
             Self::Spring => Some("*SPRING"),
-            Self::Solid { .. } => Some("*SOLID SECTION"),
+            Self::Solid { .. } | Self::Truss => Some("*SOLID SECTION"),
             Self::Other => None,
         }
     }
@@ -141,6 +143,11 @@ impl ElementType {
         matches!(self.kinematics, Kinematics::Beam { .. })
     }
 
+    /// Whether it is a truss.
+    pub fn is_truss(&self) -> bool {
+        self.kinematics == Kinematics::Truss
+    }
+
     /// Whether its nodes belong to one body: those of a spring do not.
     pub fn joins(&self) -> bool {
         !matches!(self.kinematics, Kinematics::Spring)
@@ -195,13 +202,27 @@ pub fn mean_at_nodes(points: &[f64], nodes: &mut [f64]) {
     nodes.fill(points.iter().sum::<f64>() / points.len().max(1) as f64);
 }
 
+/// Rows of lines and points.
+const LINES: [&ElementType; 10] = [
+    &types::B21,
+    &types::B22,
+    &types::B23,
+    &types::T2D2,
+    &types::T2D3,
+    &types::T3D2,
+    &types::T3D3,
+    &types::SPRING1,
+    &types::SPRING2,
+    &types::SPRINGA,
+];
+
 /// All rows.
-pub static TYPES: [&ElementType; 5 + SOLIDS.len()] = {
-    let mut all: [&ElementType; 5 + SOLIDS.len()] = [&types::B21; 5 + SOLIDS.len()];
-    [all[1], all[2], all[3], all[4]] = [&types::B22, &types::B23, &types::SPRING1, &types::SPRINGA];
+pub static TYPES: [&ElementType; LINES.len() + SOLIDS.len()] = {
+    let mut all: [&ElementType; LINES.len() + SOLIDS.len()] =
+        [&types::B21; LINES.len() + SOLIDS.len()];
     let mut row = 0;
-    while row < SOLIDS.len() {
-        all[5 + row] = SOLIDS[row];
+    while row < all.len() {
+        all[row] = if row < LINES.len() { LINES[row] } else { SOLIDS[row - LINES.len()] };
         row += 1;
     }
     all
@@ -235,8 +256,24 @@ const BEAM_FIELDS: &[Field] = &[
     of(at(Location::Centroid, "SK", "[1/L]"), &["SK1"]),
 ];
 
+/// Stress along a truss, its strain and plastic strain, at its integration points.
+const TRUSS_FIELDS: &[Field] = &[
+    of(at(Location::Points, "S", "[F/L2]"), &["S11"]),
+    of(at(Location::Points, "E", "[1]"), &["E11"]),
+    of(at(Location::Points, "PEEQ", "[1]"), &["PEEQ"]),
+];
+
+/// State variables of a truss of that many points.
+fn bar_states(section: &Section, points: usize) -> usize {
+    match section {
+        Section::Solid(section) => points * section.material.uniaxial_states(),
+        _ => 0,
+    }
+}
+
 const TURNING: &[Dof] = &[Dof::U1, Dof::U2, Dof::UR3];
 pub(super) const MOVING: &[Dof] = &[Dof::U1, Dof::U2];
+const IN_SPACE: &[Dof] = &[Dof::U1, Dof::U2, Dof::U3];
 
 /// The rows of the table.
 pub mod types {
@@ -268,6 +305,45 @@ pub mod types {
         ..B21
     };
 
+    /// Two-node truss in the plane.
+    pub static T2D2: ElementType = ElementType {
+        names: ["T2D2"; 2],
+        cell: &LINE2,
+        dofs: MOVING,
+        kinematics: Kinematics::Truss,
+        points: 1,
+        states: |section| bar_states(section, 1),
+        fields: TRUSS_FIELDS,
+        at_nodes: mean_at_nodes,
+        kernel: kernels::truss::<2, 2, 1>,
+    };
+
+    /// Three-node truss in the plane: end, middle, end.
+    pub static T2D3: ElementType = ElementType {
+        names: ["T2D3"; 2],
+        cell: &LINE3,
+        points: 2,
+        states: |section| bar_states(section, 2),
+        kernel: kernels::truss::<2, 3, 2>,
+        ..T2D2
+    };
+
+    /// Two-node truss in space.
+    pub static T3D2: ElementType = ElementType {
+        names: ["T3D2"; 2],
+        dofs: IN_SPACE,
+        kernel: kernels::truss::<3, 2, 1>,
+        ..T2D2
+    };
+
+    /// Three-node truss in space: end, middle, end.
+    pub static T3D3: ElementType = ElementType {
+        names: ["T3D3"; 2],
+        dofs: IN_SPACE,
+        kernel: kernels::truss::<3, 3, 2>,
+        ..T2D3
+    };
+
     /// Spring between a dof and the ground.
     pub static SPRING1: ElementType = ElementType {
         names: ["SPRING1"; 2],
@@ -280,6 +356,10 @@ pub mod types {
         at_nodes: mean_at_nodes,
         kernel: kernels::spring1,
     };
+
+    /// Spring between dofs of two nodes.
+    pub static SPRING2: ElementType =
+        ElementType { names: ["SPRING2"; 2], cell: &LINE2, kernel: kernels::spring2, ..SPRING1 };
 
     /// Spring between two nodes, along the line that joins them.
     pub static SPRINGA: ElementType =
@@ -294,17 +374,19 @@ mod tests {
     /// and no two rows have the same name.
     #[test]
     fn rows_agree_with_their_kernels() {
-        use crate::{BeamSection, ShearRule, SolidSection, SpringSection};
+        use crate::{BeamSection, ElementBlock, ShearRule, SolidSection, SpringSection, SpringWay};
+        use slideline_mech::element::SpringLaw;
         use slideline_mech::element::Strains;
         use slideline_mech::material::{LargeStrain, Material};
         let elastic = slideline_mech::material::Elastic { modulus: 1.0, poisson: 0.3 };
         let shear = ShearRule::default();
         let beam = BeamSection { width: 1.0, height: 1.0, poisson: 0.0, material: elastic, shear };
         let material = Material::Elastic(elastic, LargeStrain::Logarithmic);
+        let spring = |way| Section::Spring(SpringSection { law: SpringLaw::Linear(1.0), way });
         let sections = [
             Section::Beam(beam),
-            Section::Spring(SpringSection { stiffness: 1.0, dof: Some(Dof::U2) }),
-            Section::Spring(SpringSection { stiffness: 1.0, dof: None }),
+            spring(SpringWay::Dof(Dof::U2)),
+            spring(SpringWay::Line { in_space: false }),
             Section::Solid(SolidSection { thickness: 1.0, material, orientation: None }),
         ];
         for row in TYPES {
@@ -324,7 +406,9 @@ mod tests {
                 .collect();
             assert_eq!(made.len(), 1, "{} takes one of these sections", row.name());
             let (section, kernel) = &made[0];
-            assert_eq!((kernel.count(), kernel.variables()), (1, row.dofs.len() * row.cell.nodes));
+            let block = ElementBlock::new(row, "", (*section).clone(), Default::default());
+            let variables = block.dofs().len() * row.cell.nodes;
+            assert_eq!((kernel.count(), kernel.variables()), (1, variables));
             let state = vec![0.0; (row.states)(section)];
             let mut results = vec![f64::NAN; row.all_values()];
             let q = vec![0.01; kernel.variables()];

@@ -145,10 +145,9 @@ fn draw_block(block: &ElementBlock, note: &mut impl FnMut(usize)) {
         Section::Properties(_) => 3,
     };
     [section, kind.cell.nodes, block.states(), kind.all_values()].into_iter().for_each(&mut *note);
-    for dofs in [block.dofs(), block.stiffened_dofs()] {
-        note(dofs.len());
-        dofs.iter().for_each(|&dof| note(dof as usize));
-    }
+    let dofs = block.dofs();
+    note(dofs.len());
+    dofs.iter().for_each(|&dof| note(dof as usize));
     note(block.elements.len());
     block.elements.iter().flat_map(|element| element.nodes).for_each(|&node| note(node));
 }

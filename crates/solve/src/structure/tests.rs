@@ -57,7 +57,10 @@ fn model(count: usize) -> Model {
     };
     let n: Vec<NodeIndex> = (0..count + 2).map(&mut node).collect();
     let (rider, body) = (n[count], n[count + 1]);
-    let spring = Section::Spring(SpringSection { stiffness: 7.0, dof: None });
+    let spring = Section::Spring(SpringSection {
+        law: slideline_model::SpringLaw::Linear(7.0),
+        way: slideline_model::SpringWay::Line { in_space: false },
+    });
     let spring = ElementBlock::new(&types::SPRINGA, "S", spring, AT);
     let row = n[..count].windows(2).map(|w| [w[0], w[1]]);
     model.blocks = vec![

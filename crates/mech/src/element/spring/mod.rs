@@ -1,160 +1,267 @@
-//! Springs: SPRING1 between a dof and the ground, SPRINGA between two nodes along their axis.
+//! Springs: SPRING1 between a dof and the ground, SPRING2 between dofs of two nodes, SPRINGA
+//! between two nodes along their axis.
 //!
 //! ```text
-//!   SPRING1   |/\/\/\o--> u        SPRINGA   1 o/\/\/\o 2   turns with its ends
+//!   SPRING1   |/\/\/\o--> u      SPRING2   o/\/\/\o  u1 - u2      SPRINGA   1 o/\/\/\o 2
 //! ```
+//!
+//! SPRINGA turns with its ends. The force is proportional to the relative displacement, or a table
+//! of it.
 
 use super::kernel::{Element, Scale};
 use crate::differentiate::Real;
+use std::sync::Arc;
 
-/// SPRING1: a linear spring between one dof and the ground.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct GroundSpring {
-    /// Stiffness k [F/L], or [F L] for a rotation.
-    pub stiffness: f64,
-    /// On which of the variables of its node it acts.
-    pub component: usize,
+/// Force of a spring by its relative displacement.
+#[derive(Debug, Clone, PartialEq)]
+pub enum SpringLaw {
+    /// Proportional, with the stiffness k [F/L], or [F L] about a rotation.
+    Linear(f64),
+    /// Lines between pairs of displacement [L] and force [F], displacements ascending; beyond the
+    /// ends the force stays.
+    Table(Arc<[[f64; 2]]>),
 }
 
-impl GroundSpring {
-    /// Energy k u^2 / 2 [F L].
-    pub fn energy<R: Real>(&self, u: R) -> R {
-        R::from_f64(0.5 * self.stiffness) * u * u
+impl SpringLaw {
+    /// Energy, force and stiffness at a relative displacement.
+    pub fn answer(&self, u: f64) -> [f64; 3] {
+        match self {
+            Self::Linear(stiffness) => [0.5 * stiffness * u * u, stiffness * u, *stiffness],
+            Self::Table(table) => {
+                let (stored, force, slope) = along(table, u);
+                [stored - along(table, 0.0).0, force, slope]
+            }
+        }
     }
 
-    /// Force k u and stiffness k.
-    pub fn force_and_tangent(&self, u: f64) -> (f64, f64) {
-        (self.stiffness * u, self.stiffness)
+    /// Its largest stiffness.
+    pub fn stiffest(&self) -> f64 {
+        match self {
+            Self::Linear(stiffness) => stiffness.abs(),
+            Self::Table(table) => {
+                let slopes = table.windows(2).map(|pair| slope(pair[0], pair[1]).abs());
+                slopes.fold(0.0, f64::max)
+            }
+        }
     }
 }
 
-impl<const N: usize, const NN: usize> Element<N, NN> for GroundSpring {
-    fn linear(&self, q: &[f64; N], force: &mut [f64; N], tangent: &mut [f64; NN]) -> f64 {
-        let (value, stiffness) = self.force_and_tangent(q[self.component]);
-        *force = [0.0; N];
-        *tangent = [0.0; NN];
-        force[self.component] = value;
-        tangent[self.component * (N + 1)] = stiffness;
-        self.energy(q[self.component])
+fn slope(from: [f64; 2], to: [f64; 2]) -> f64 {
+    (to[1] - from[1]) / (to[0] - from[0])
+}
+
+/// Work from the first pair of a table to `u`, force and slope there.
+fn along(table: &[[f64; 2]], u: f64) -> (f64, f64, f64) {
+    let (Some(first), Some(last)) = (table.first(), table.last()) else { return (0.0, 0.0, 0.0) };
+    if u <= first[0] {
+        return ((u - first[0]) * first[1], first[1], 0.0);
+    }
+    let mut stored = 0.0;
+    for pair in table.windows(2) {
+        let (from, to) = (pair[0], pair[1]);
+        if u < to[0] {
+            let rise = slope(from, to);
+            let force = from[1] + rise * (u - from[0]);
+            return (stored + 0.5 * (from[1] + force) * (u - from[0]), force, rise);
+        }
+        stored += 0.5 * (from[1] + to[1]) * (to[0] - from[0]);
+    }
+    (stored + (u - last[0]) * last[1], last[1], 0.0)
+}
+
+/// SPRING1: a spring between one dof and the ground.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GroundSpring(pub SpringLaw);
+
+impl Element<1, 1> for GroundSpring {
+    fn linear(&self, [u]: &[f64; 1], force: &mut [f64; 1], tangent: &mut [f64; 1]) -> f64 {
+        let [energy, pull, stiffness] = self.0.answer(*u);
+        (*force, *tangent) = ([pull], [stiffness]);
+        energy
     }
 
-    fn exact(&self, q: &[f64; N], force: &mut [f64; N], tangent: &mut [f64; NN]) -> f64 {
+    fn exact(&self, q: &[f64; 1], force: &mut [f64; 1], tangent: &mut [f64; 1]) -> f64 {
         self.linear(q, force, tangent)
     }
 
     fn scale(&self) -> Scale {
-        Scale { stiffness: self.stiffness.abs(), length: None }
+        Scale { stiffness: self.0.stiffest(), length: None }
     }
 
-    fn results(&self, _q: &[f64; N], _linear: bool, _into: &mut [f64]) {}
+    fn results(&self, _q: &[f64; 1], _linear: bool, _into: &mut [f64]) {}
 }
 
-/// SPRINGA: a linear spring between two nodes, acting along their current axis.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct AxialSpring {
+/// SPRING2: a spring between a dof of one node and that of another; relative displacement u1 - u2.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RelativeSpring(pub SpringLaw);
+
+impl Element<2, 4> for RelativeSpring {
+    fn linear(&self, [a, b]: &[f64; 2], force: &mut [f64; 2], tangent: &mut [f64; 4]) -> f64 {
+        let [energy, pull, stiffness] = self.0.answer(a - b);
+        *force = [pull, -pull];
+        *tangent = [stiffness, -stiffness, -stiffness, stiffness];
+        energy
+    }
+
+    fn exact(&self, q: &[f64; 2], force: &mut [f64; 2], tangent: &mut [f64; 4]) -> f64 {
+        self.linear(q, force, tangent)
+    }
+
+    fn scale(&self) -> Scale {
+        Scale { stiffness: self.0.stiffest(), length: None }
+    }
+
+    fn results(&self, _q: &[f64; 2], _linear: bool, _into: &mut [f64]) {}
+}
+
+/// SPRINGA: a spring between two nodes, acting along their current axis; relative displacement
+/// is its change of length.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AxialSpring<const D: usize> {
     /// Undeformed positions of the two nodes [L].
-    pub reference: [[f64; 2]; 2],
-    /// Stiffness k [F/L].
-    pub stiffness: f64,
+    pub reference: [[f64; D]; 2],
+    /// Its law.
+    pub law: SpringLaw,
 }
 
-impl AxialSpring {
-    fn axis(&self) -> [f64; 2] {
+impl<const D: usize> AxialSpring<D> {
+    fn axis(&self) -> [f64; D] {
         let [first, second] = self.reference;
-        [second[0] - first[0], second[1] - first[1]]
+        std::array::from_fn(|k| second[k] - first[k])
     }
 
-    /// Change of length [L]: (2 e.w + w.w)/(L + l) with w = u2 - u1, e = X2 - X1, which keeps its
-    /// digits for small displacements.
-    pub fn elongation<R: Real>(&self, q: &[R; 4]) -> R {
+    /// Change of length [L] at the displacements of both nodes: (2 e.w + w.w)/(L + l) with
+    /// w = u2 - u1, e = X2 - X1, which keeps its digits for small displacements.
+    pub fn elongation<R: Real>(&self, q: &[R]) -> R {
         let number = R::from_f64;
         let axis = self.axis();
-        let length = number(axis[0].hypot(axis[1]));
-        let (ex, ey) = (number(axis[0]), number(axis[1]));
-        let (wx, wy) = (q[2] - q[0], q[3] - q[1]);
-        let (dx, dy) = (ex + wx, ey + wy);
-        let current = (dx * dx + dy * dy).sqrt();
-        (number(2.0) * (ex * wx + ey * wy) + wx * wx + wy * wy) / (current + length)
-    }
-
-    /// Energy k (L - l)^2 / 2 [F L] of the displacements q = (u1x, u1y, u2x, u2y).
-    pub fn energy<R: Real>(&self, q: &[R; 4]) -> R {
-        let elongation = self.elongation(q);
-        R::from_f64(0.5 * self.stiffness) * elongation * elongation
+        let (mut grown, mut current) = (number(0.0), number(0.0));
+        for (k, &e) in axis.iter().enumerate() {
+            let w = q[D + k] - q[k];
+            let d = number(e) + w;
+            grown = grown + (number(2.0 * e) + w) * w;
+            current = current + d * d;
+        }
+        grown / (current.sqrt() + number(length(&axis)))
     }
 
     /// Writes internal force and tangent (row-major, symmetric), returns the energy [F L].
     ///
     /// Where both ends coincide the axis is undefined: the force is then zero and the tangent that
     /// of a spring in every direction.
-    pub fn force_and_tangent(
-        &self,
-        q: &[f64; 4],
-        force: &mut [f64; 4],
-        tangent: &mut [f64; 16],
-    ) -> f64 {
+    pub fn force_and_tangent(&self, q: &[f64], force: &mut [f64], tangent: &mut [f64]) -> f64 {
         let axis = self.axis();
-        let d = [axis[0] + q[2] - q[0], axis[1] + q[3] - q[1]];
-        let current = d[0].hypot(d[1]);
+        let d: [f64; D] = std::array::from_fn(|k| axis[k] + q[D + k] - q[k]);
+        let current = length(&d);
         if current <= 0.0 {
-            *force = [0.0; 4];
-            fill(tangent, [[self.stiffness, 0.0], [0.0, self.stiffness]]);
-            return 0.5 * self.stiffness * (axis[0] * axis[0] + axis[1] * axis[1]);
+            let [energy, _, stiffness] = self.law.answer(-length(&axis));
+            force.fill(0.0);
+            fill(tangent, D, |i, j| if i == j { stiffness } else { 0.0 });
+            return energy;
         }
-        let elongation = self.elongation(q);
-        let pull = self.stiffness * elongation;
-        let t = [d[0] / current, d[1] / current];
-        *force = [-pull * t[0], -pull * t[1], pull * t[0], pull * t[1]];
+        let [energy, pull, stiffness] = self.law.answer(self.elongation(q));
+        let t = d.map(|x| x / current);
+        push(&t, pull, force);
         let across = pull / current;
-        let entry = |i: usize, j: usize| {
-            let unit = if i == j { 1.0 } else { 0.0 };
-            self.stiffness * t[i] * t[j] + across * (unit - t[i] * t[j])
-        };
-        fill(tangent, [[entry(0, 0), entry(0, 1)], [entry(1, 0), entry(1, 1)]]);
-        0.5 * pull * elongation
+        let unit = |i: usize, j: usize| if i == j { 1.0 } else { 0.0 };
+        fill(tangent, D, |i, j| stiffness * t[i] * t[j] + across * (unit(i, j) - t[i] * t[j]));
+        energy
     }
 
     /// Force and tangent of a step without NLGEOM: axis and stiffness of the undeformed spring.
     pub fn linear_force_and_tangent(
         &self,
-        q: &[f64; 4],
-        force: &mut [f64; 4],
-        tangent: &mut [f64; 16],
+        q: &[f64],
+        force: &mut [f64],
+        tangent: &mut [f64],
     ) -> f64 {
         let axis = self.axis();
-        let length = axis[0].hypot(axis[1]);
-        let t = if length > 0.0 { [axis[0] / length, axis[1] / length] } else { [0.0, 0.0] };
-        let elongation = t[0] * (q[2] - q[0]) + t[1] * (q[3] - q[1]);
-        let pull = self.stiffness * elongation;
-        *force = [-pull * t[0], -pull * t[1], pull * t[0], pull * t[1]];
-        let entry = |i: usize, j: usize| self.stiffness * t[i] * t[j];
-        fill(tangent, [[entry(0, 0), entry(0, 1)], [entry(1, 0), entry(1, 1)]]);
-        0.5 * pull * elongation
+        let length = length(&axis);
+        let t = axis.map(|x| if length > 0.0 { x / length } else { 0.0 });
+        let elongation = (0..D).map(|k| t[k] * (q[D + k] - q[k])).sum();
+        let [energy, pull, stiffness] = self.law.answer(elongation);
+        push(&t, pull, force);
+        fill(tangent, D, |i, j| stiffness * t[i] * t[j]);
+        energy
     }
 }
 
-impl Element<4, 16> for AxialSpring {
-    fn linear(&self, q: &[f64; 4], force: &mut [f64; 4], tangent: &mut [f64; 16]) -> f64 {
-        self.linear_force_and_tangent(q, force, tangent)
-    }
+macro_rules! axial_spring {
+    ($dimension:literal, $variables:literal, $entries:literal) => {
+        impl Element<$variables, $entries> for AxialSpring<$dimension> {
+            fn linear(
+                &self,
+                q: &[f64; $variables],
+                force: &mut [f64; $variables],
+                tangent: &mut [f64; $entries],
+            ) -> f64 {
+                self.linear_force_and_tangent(q, force, tangent)
+            }
 
-    fn exact(&self, q: &[f64; 4], force: &mut [f64; 4], tangent: &mut [f64; 16]) -> f64 {
-        self.force_and_tangent(q, force, tangent)
-    }
+            fn exact(
+                &self,
+                q: &[f64; $variables],
+                force: &mut [f64; $variables],
+                tangent: &mut [f64; $entries],
+            ) -> f64 {
+                self.force_and_tangent(q, force, tangent)
+            }
 
-    fn scale(&self) -> Scale {
-        Scale { stiffness: self.stiffness.abs(), length: None }
-    }
+            fn scale(&self) -> Scale {
+                Scale { stiffness: self.law.stiffest(), length: None }
+            }
 
-    fn results(&self, _q: &[f64; 4], _linear: bool, _into: &mut [f64]) {}
-}
-
-/// The 4 x 4 tangent [[B, -B], [-B, B]] of a 2 x 2 block.
-fn fill(tangent: &mut [f64; 16], block: [[f64; 2]; 2]) {
-    for i in 0..4 {
-        for j in 0..4 {
-            let sign = if (i < 2) == (j < 2) { 1.0 } else { -1.0 };
-            tangent[4 * i + j] = sign * block[i % 2][j % 2];
+            fn results(&self, _q: &[f64; $variables], _linear: bool, _into: &mut [f64]) {}
         }
+    };
+}
+
+axial_spring!(2, 4, 16);
+axial_spring!(3, 6, 36);
+
+/// The forces of a pull along a unit vector on both nodes.
+fn push<const D: usize>(t: &[f64; D], pull: f64, force: &mut [f64]) {
+    for (k, t) in t.iter().enumerate() {
+        (force[k], force[D + k]) = (-pull * t, pull * t);
+    }
+}
+
+/// The tangent [[B, -B], [-B, B]] of a block of so many rows.
+fn fill(tangent: &mut [f64], dimension: usize, block: impl Fn(usize, usize) -> f64) {
+    let width = 2 * dimension;
+    for i in 0..width {
+        for j in 0..width {
+            let sign = if (i < dimension) == (j < dimension) { 1.0 } else { -1.0 };
+            tangent[width * i + j] = sign * block(i % dimension, j % dimension);
+        }
+    }
+}
+
+fn length<const D: usize>(a: &[f64; D]) -> f64 {
+    let scale = a.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    if scale == 0.0 {
+        0.0
+    } else {
+        scale * a.iter().map(|x| (x / scale).powi(2)).sum::<f64>().sqrt()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Requirement: a table is read line by line, its force stays beyond the ends, its energy is
+    /// the work from rest: areas by hand.
+    #[test]
+    fn tables_are_lines() {
+        let law = SpringLaw::Table([[-1.0, -2.0], [0.5, 1.0], [1.5, 5.0]].into());
+        assert_eq!(law.answer(0.25), [0.0625, 0.5, 2.0]);
+        assert_eq!(law.answer(1.0), [0.25 + 1.0, 3.0, 4.0]);
+        assert_eq!(law.answer(2.5), [0.25 + 3.0 + 5.0, 5.0, 0.0]);
+        assert_eq!(law.answer(-3.0), [1.0 + 4.0, -2.0, 0.0]);
+        assert_eq!(law.stiffest(), 4.0);
+        // a law that pulls at rest has no energy there
+        let pulls = SpringLaw::Table([[-1.0, 1.0], [1.0, 3.0]].into());
+        assert_eq!(pulls.answer(0.0), [0.0, 2.0, 1.0]);
     }
 }

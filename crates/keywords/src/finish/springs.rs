@@ -1,0 +1,156 @@
+//! Springs with their laws become blocks.
+
+use slideline_diag::{Code, Diagnostic, Span};
+use slideline_model::{
+    Dof, ElementBlock, ElementType, NodeIndex, SpringLaw, SpringSection, SpringWay, types,
+};
+
+use super::sections::without;
+use crate::draft::{Draft, ElementKind, Spring};
+use crate::rule::Subject;
+
+const ROWS: [&ElementType; 3] = [&types::SPRING1, &types::SPRING2, &types::SPRINGA];
+
+/// `*SPRING` with its elements.
+pub(super) fn springs(draft: &mut Draft) {
+    let mut owned = vec![false; draft.elements.len()];
+    for spring in draft.springs.clone() {
+        let Some(found) = draft.elements_of(&spring.set, spring.set_span) else { continue };
+        for row in ROWS {
+            block(&spring, row, &found, &mut owned, draft);
+        }
+        let foreign = |index: &&usize| draft.elements[**index].kind.card() != Some("*SPRING");
+        if let Some(&index) = found.iter().find(foreign) {
+            let element = draft.elements[index];
+            let message = format!(
+                "element {} of the set {} is of type {}, which is not a spring",
+                element.label,
+                spring.set,
+                element.kind.name()
+            );
+            let error = Diagnostic::error(Code("SL0325"), message).at(spring.set_span);
+            draft.consequence(Subject::Elements, error);
+        }
+    }
+    for row in ROWS {
+        without(row, "*SPRING", &owned, draft);
+    }
+}
+
+fn block(
+    spring: &Spring,
+    row: &'static ElementType,
+    found: &[usize],
+    owned: &mut [bool],
+    draft: &mut Draft,
+) {
+    let own = |index: &&usize| draft.elements[**index].kind == ElementKind::Structural(row);
+    let found: Vec<usize> = found.iter().filter(own).copied().collect();
+    if found.is_empty() {
+        return;
+    }
+    found.iter().for_each(|&index| owned[index] = true);
+    let Some(section) = section(spring, row, draft) else { return };
+    let has_length = matches!(section.way, SpringWay::Line { .. });
+    let section = slideline_model::Section::Spring(section);
+    let mut block = ElementBlock::new(row, &spring.set, section, spring.origin);
+    for index in found {
+        let element = draft.elements[index];
+        let labels = element.nodes().iter();
+        let nodes: Option<Vec<NodeIndex>> =
+            labels.map(|&label| draft.model.nodes.find(label)).collect();
+        let Some(nodes) = nodes else { continue };
+        if let [a, b] = *nodes
+            && has_length
+            && draft.has_no_length(&element, [a, b])
+        {
+            continue;
+        }
+        block.elements.push(element.label, &nodes, element.origin);
+    }
+    draft.model.blocks.push(block);
+}
+
+/// What its lines mean for elements of a row; `None` after an error.
+fn section(spring: &Spring, row: &ElementType, draft: &mut Draft) -> Option<SpringSection> {
+    let in_space = draft.is_spatial();
+    let (way, lines) = if *row == types::SPRINGA {
+        // of two lines the first is to be blank
+        let begin = usize::from(!spring.nonlinear && spring.lines.len() > 1);
+        (SpringWay::Line { in_space }, &spring.lines[begin..])
+    } else {
+        (SpringWay::Dof(dof(spring, row, draft)?), &spring.lines[1..])
+    };
+    let law =
+        if spring.nonlinear { table(lines, spring, draft)? } else { linear(lines, spring, draft)? };
+    Some(SpringSection { law, way })
+}
+
+/// The dof of the first line; of SPRING2 both must be the same.
+fn dof(spring: &Spring, row: &ElementType, draft: &mut Draft) -> Option<Dof> {
+    let said = |message: String, help: &str, span: Span, draft: &mut Draft| {
+        let error = Diagnostic::error(Code("SL0251"), message).at(span);
+        draft.consequence(Subject::Sections, error.help(help));
+    };
+    let Some((first, span)) = spring.lines.first().filter(|_| spring.lines.len() > 1) else {
+        let message = format!("{} needs its degree of freedom on the first data line", row.name());
+        said(message, "the second line is the stiffness", spring.origin, draft);
+        return None;
+    };
+    let number = |at: usize| first.get(at).copied().unwrap_or_default();
+    // a whole number from 1 to 6
+    let known = |value: f64| Dof::ALL.into_iter().find(|dof| dof.number() as f64 == value);
+    let Some(dof) = known(number(0)) else {
+        let message = format!("{} is not a degree of freedom: 1 to 6", number(0));
+        draft.log.error("SL0248", message, *span);
+        return None;
+    };
+    if *row == types::SPRING2 && known(number(1)) != Some(dof) {
+        let message =
+            format!("SPRING2 between dof {} and dof {} is not supported", number(0), number(1));
+        said(message, "give the same dof of both nodes", *span, draft);
+        return None;
+    }
+    if !draft.is_spatial() && !dof.is_plane() {
+        let message = format!("a plane model has no dof {}", dof.number());
+        said(message, "the plane has the dofs 1, 2 and 6", spring.origin, draft);
+        return None;
+    }
+    Some(dof)
+}
+
+fn linear(lines: &[(Vec<f64>, Span)], spring: &Spring, draft: &mut Draft) -> Option<SpringLaw> {
+    let Some((stiffness, span)) =
+        lines.first().and_then(|(own, span)| Some((*own.first()?, *span)))
+    else {
+        draft.log.error("SL0208", "the stiffness of the spring is missing", spring.origin);
+        return None;
+    };
+    if stiffness < 0.0 {
+        draft.log.warning("SL0210", "a negative spring stiffness", span);
+    }
+    Some(SpringLaw::Linear(stiffness))
+}
+
+/// Lines of force and relative displacement, ascending.
+fn table(lines: &[(Vec<f64>, Span)], spring: &Spring, draft: &mut Draft) -> Option<SpringLaw> {
+    let mut table: Vec<[f64; 2]> = Vec::with_capacity(lines.len());
+    for (line, span) in lines {
+        let &[force, u, ..] = line.as_slice() else {
+            draft.log.error("SL0208", "force and relative displacement are two numbers", *span);
+            return None;
+        };
+        if table.last().is_some_and(|last| u <= last[0]) {
+            let message = format!("the relative displacement {u} does not ascend");
+            draft.log.error("SL0210", message, *span);
+            return None;
+        }
+        table.push([u, force]);
+    }
+    if table.len() < 2 {
+        let message = "a nonlinear spring needs two lines at least: force, relative displacement";
+        draft.log.error("SL0208", message, spring.origin);
+        return None;
+    }
+    Some(SpringLaw::Table(table.into()))
+}
