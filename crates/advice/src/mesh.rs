@@ -123,7 +123,7 @@ fn stout(start: &Start<'_>, findings: &mut Vec<Finding>) {
     }
     let mut told: Vec<NodeIndex> = Vec::new();
     for block in blocks() {
-        let height = block.section.height;
+        let height = block.section.shape.height();
         let flexible = block
             .elements
             .iter()

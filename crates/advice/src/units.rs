@@ -14,7 +14,7 @@ const FAR: f64 = 30.0;
 /// program assumes no unit; it only compares orders of magnitude.
 pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
     for block in start.model.blocks.iter().filter_map(|block| block.beams()) {
-        let (modulus, height) = (block.section.material.modulus, block.section.height);
+        let (modulus, height) = (block.section.material.modulus, block.section.shape.height());
         // solids have moduli of 1e6 to 1e12 Pa: 1 to 1e6 in MPa
         let in_pascal = modulus >= 1e8; // above any solid in psi
         let (said, unit) = if in_pascal && height > 0.5 && start.reach > 10.0 {
@@ -44,8 +44,8 @@ pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
 /// Out-of-plane widths of contact and beams that differ by a unit.
 fn widths(start: &Start<'_>, findings: &mut Vec<Finding>) {
     let blocks = || start.model.blocks.iter().filter_map(|block| block.beams());
-    let widest = blocks().map(|block| block.section.width).fold(0.0, f64::max);
-    let least = blocks().map(|block| block.section.width).fold(f64::INFINITY, f64::min);
+    let widest = blocks().map(|block| block.section.shape.width()).fold(0.0, f64::max);
+    let least = blocks().map(|block| block.section.shape.width()).fold(f64::INFINITY, f64::min);
     for pair in &start.model.contact_pairs {
         let width = pair.interaction.width;
         if widest <= 0.0 || (least / 100.0 < width && width < 100.0 * widest) {
@@ -97,7 +97,7 @@ fn strokes(start: &Start<'_>, findings: &mut Vec<Finding>) {
 fn laws(start: &Start<'_>, findings: &mut Vec<Finding>) {
     let blocks = || start.model.blocks.iter().filter_map(|block| block.beams());
     let modulus = blocks().map(|block| block.section.material.modulus).fold(0.0, f64::max);
-    let height = blocks().map(|block| block.section.height).fold(f64::INFINITY, f64::min);
+    let height = blocks().map(|block| block.section.shape.height()).fold(f64::INFINITY, f64::min);
     for pair in &start.model.contact_pairs {
         let NormalLaw::Exponential { clearance, pressure } = pair.interaction.normal else {
             continue;
@@ -105,7 +105,7 @@ fn laws(start: &Start<'_>, findings: &mut Vec<Finding>) {
         let softest = blocks()
             .map(|block| {
                 let section = &block.section;
-                section.material.modulus * (section.height / start.reach).powi(3)
+                section.material.modulus * (section.shape.height() / start.reach).powi(3)
             })
             .fold(f64::INFINITY, f64::min);
         let why = if softest.is_finite() && pressure < 1e-3 * softest {

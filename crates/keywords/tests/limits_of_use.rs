@@ -38,7 +38,7 @@ fn what_the_page_names_is_refused() {
     let cases = [
         ("beams in space", "TYPE=B21", "TYPE=B31"),
         ("shells", MODEL, "*SHELL SECTION\n*STEP"),
-        ("sections other than the rectangle", "SECTION=RECT", "SECTION=CIRC"),
+        ("arbitrary sections", "SECTION=RECT", "SECTION=ARBITRARY"),
         ("kinematic hardening", MODEL, "*PLASTIC, HARDENING=KINEMATIC\n*STEP"),
         ("creep", MODEL, "*CREEP\n*STEP"),
         ("test data", MODEL, "*HYPERELASTIC, TEST DATA INPUT\n*STEP"),

@@ -45,7 +45,8 @@ fn the_beam_is_generated() {
     assert_eq!(beam.elements.len(), 24);
     assert_eq!((beam.elements.get(0).label, beam.elements.get(23).label), (101, 124));
     assert_eq!(beam.elements.get(23).ends().map(|node| model.nodes.label(node)), [24, 25]);
-    assert_eq!((beam.section.width, beam.section.height), (25e-3, 1.5e-3));
+    let shape = slideline_model::Shape::Rectangle { width: 25e-3, height: 1.5e-3 };
+    assert_eq!(beam.section.shape, shape);
     assert_eq!((beam.section.material.modulus, beam.section.material.poisson), (6.9e9, 0.3));
     assert_eq!(model.rigid_links, []);
 }

@@ -50,6 +50,7 @@ pub use slideline_mech::contact::normal::NormalLaw;
 pub use slideline_mech::contact::onset::Onset;
 pub use slideline_mech::element::{SpringLaw, Temperature};
 pub use slideline_mech::material::Material;
+pub use slideline_mech::section::Shape;
 pub use stabilisation::Stabilisation;
 pub use step::{Extrapolation, Load, NodalTemperature, Passage, Prescribed, Static, Step};
 pub use transform::Transform;

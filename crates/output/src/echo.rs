@@ -5,8 +5,8 @@ use crate::number::general;
 use slideline_mech::element::solid;
 use slideline_model::{
     BeamSection, ContactPair, Dialect, ElementBlock, ElementType, Formulation, Friction,
-    Kinematics, Master, Material, Model, NodeIndex, NormalLaw, Section, SolidSection, SpringLaw,
-    SpringSection, SpringWay, Step, StickRule,
+    Kinematics, Master, Material, Model, NodeIndex, NormalLaw, Section, Shape, SolidSection,
+    SpringLaw, SpringSection, SpringWay, Step, StickRule,
 };
 use slideline_solve::observe::{ContactRow, Frame};
 use std::fmt::Write as _;
@@ -83,9 +83,8 @@ fn beams(text: &mut String, model: &Model, block: &ElementBlock, section: &BeamS
     line!(text, "\nBEAMS {}  {} elements {word}", block.name, block.elements.len());
     line!(
         text,
-        "  section RECT: width {}, height {}; E = {}, nu = {}, G = {}",
-        general(section.width, 9),
-        general(section.height, 9),
+        "  section {}; E = {}, nu = {}, G = {}",
+        shape(&section.shape),
         general(section.material.modulus, 9),
         general(section.material.poisson, 9),
         general(section.material.shear_modulus(), 9)
@@ -112,6 +111,18 @@ fn beams(text: &mut String, model: &Model, block: &ElementBlock, section: &BeamS
     }
 }
 
+/// The name and the size of a section.
+fn shape(shape: &Shape) -> String {
+    let (width, height) = (general(shape.width(), 9), general(shape.height(), 9));
+    let size = match shape {
+        Shape::Rectangle { .. } => return format!("RECT: width {width}, height {height}"),
+        Shape::General { .. } => String::new(),
+        _ => format!("width {width}, height {height}, "),
+    };
+    let (area, second_moment) = (general(shape.area(), 9), general(shape.second_moment(), 9));
+    format!("{}: {size}A = {area}, I = {second_moment}", shape.name())
+}
+
 fn transverse_shear(
     text: &mut String,
     kind: &ElementType,
@@ -124,7 +135,7 @@ fn transverse_shear(
     }
     let shear = match section.shear.stiffness {
         Some(given) => format!("K23 = {} as given", general(given, 9)),
-        None => "k G A with k = 0.85".to_owned(),
+        None => format!("k G A with k = {}", section.shape.shear_factor()),
     };
     line!(
         text,

@@ -119,7 +119,7 @@ impl Drawing {
     /// Beams as thick as they are, two pixels at least.
     fn beams(&mut self, model: &Model) {
         for block in model.blocks.iter().filter_map(|block| block.beams()) {
-            let half = (0.5 * block.section.height * self.view.scale).max(1.0);
+            let half = (0.5 * block.section.shape.height() * self.view.scale).max(1.0);
             for element in block.elements {
                 for ends in element.nodes.windows(2) {
                     let [a, b] = [0, 1].map(|end| self.at(model.nodes.position(ends[end])));

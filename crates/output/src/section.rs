@@ -14,15 +14,18 @@ use std::collections::BTreeMap;
 
 /// Axial stress at the section points [F/L2]: N/A - y M/I. A positive moment
 /// turns the beam counter-clockwise along its way, which shortens the fibres
-/// on the side of the normal. Derived: rectangle, plane sections.
+/// on the side of the normal. Derived: plane sections. The points are evenly spaced over the
+/// height of the section.
 pub(crate) fn axial_stresses(
     [force, moment]: [f64; 2],
     section: &BeamSection,
 ) -> [f64; SECTION_POINTS] {
-    let area = section.width * section.height;
-    let second_moment = area * section.height * section.height / 12.0;
-    [-0.5, -0.25, 0.0, 0.25, 0.5]
-        .map(|place| force / area - place * section.height * moment / second_moment)
+    let shape = &section.shape;
+    let (area, second_moment) = (shape.area(), shape.second_moment());
+    [0.0, 0.25, 0.5, 0.75, 1.0].map(|place| {
+        let y = place * shape.height() - shape.centroid();
+        force / area - y * moment / second_moment
+    })
 }
 
 /// Mises stress of the outer fibres [F/L2], where the shear stress of a
@@ -119,8 +122,7 @@ mod tests {
     #[test]
     fn stresses_have_the_resultants_of_the_section() {
         let section = BeamSection {
-            width: 2.0,
-            height: 3.0,
+            shape: slideline_model::Shape::Rectangle { width: 2.0, height: 3.0 },
             poisson: 0.0,
             material: slideline_mech::material::Elastic { modulus: 1.0, poisson: 0.0 },
             shear: ShearRule::default(),

@@ -83,7 +83,7 @@ fn sections(model: &Model) -> Value {
                 None => runs.push([element.label; 2]),
             }
         }
-        json!({"height": block.section.height, "elements": runs.concat()})
+        json!({"height": block.section.shape.height(), "elements": runs.concat()})
     });
     sections.collect()
 }

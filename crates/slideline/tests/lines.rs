@@ -114,3 +114,32 @@ fn a_rigid_mesh_turns() {
         assert!((reaction[k] - force * way / 3.0).abs() < 1e-9, "{reaction:?} {force}");
     }
 }
+
+/// Requirement: tips of cantilevers of every section bend as P L^3/(3 E I) says, with the second
+/// moments of area of the closed forms; a general section has its own moduli.
+#[test]
+fn cantilevers_of_all_sections() {
+    let pi = std::f64::consts::PI;
+    let beam = |data: &str| format!("*BEAM SECTION, SECTION={data}, ELSET=B, MATERIAL=M\n");
+    let lines = |kind: &str, sizes: &str| beam(kind) + sizes + "\n";
+    // flange and web, each of area 4 and 1.25 from the centroid
+    let tee = 4.0 / 12.0 + 64.0 / 12.0 + 2.0 * 4.0 * 1.25 * 1.25;
+    let sections = [
+        (lines("RECT", "3., 2."), 2.0),
+        (lines("CIRC", "1.5"), pi * 1.5_f64.powi(4) / 4.0),
+        (lines("PIPE", "1.5, 0.5"), pi * (1.5_f64.powi(4) - 1.0) / 4.0),
+        (lines("BOX", "4., 6., .5, 1., .5, 1."), (4.0 * 216.0 - 3.0 * 64.0) / 12.0),
+        (lines("I", "3.25, 5., 0., 4., 0., 1., 1."), tee),
+        ("*BEAM GENERAL SECTION, ELSET=B\n4., 5., 0., 6., 7.\n\n1000., 400.\n".to_owned(), 5.0),
+    ];
+    for (card, second_moment) in sections {
+        let end = run(&format!(
+            "*NODE\n1, 0., 0.\n2, 40., 0.\n3, 80., 0.\n*ELEMENT, TYPE=B23, ELSET=B\n1, 1, 2\n\
+             2, 2, 3\n{card}*MATERIAL, NAME=M\n*ELASTIC\n1000., 0.3\n*STEP\n*STATIC\n1., 1.\n\
+             *BOUNDARY\n1, 1, 6\n*CLOAD\n3, 2, 0.01\n*END STEP\n"
+        ));
+        let expected = 0.01 * 80.0_f64.powi(3) / (3.0 * 1000.0 * second_moment);
+        let moved = end[&3][0][1];
+        assert!((moved - expected).abs() < 1e-9 * expected, "{card}: {moved} {expected}");
+    }
+}

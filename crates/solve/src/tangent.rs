@@ -451,8 +451,7 @@ mod tests {
             .map(|(&t, label)| node(label, 3.2 + t.sin(), 1.0 - t.cos()))
             .collect();
         let section = BeamSection {
-            width: 1.0,
-            height: 0.2,
+            shape: slideline_model::Shape::Rectangle { width: 1.0, height: 0.2 },
             poisson: 0.0,
             material: Elastic { modulus: 1e3, poisson: 0.3 },
             shear: ShearRule::default(),

@@ -1,7 +1,8 @@
 //! `*BEAM SECTION`: the section of beams.
 
+use slideline_deck::DataLine;
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::ShearRule;
+use slideline_model::{Shape, ShearRule};
 
 use crate::draft::Draft;
 use crate::draft::{Body, Owner, Section};
@@ -39,18 +40,14 @@ impl Keyword for BeamSection {
     }
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
-        let Some(("RECT", set, material)) = card
-            .choice("SECTION", &["RECT"], &mut draft.log)
-            .zip(card.name("ELSET"))
-            .zip(card.name("MATERIAL"))
-            .map(|((section, set), material)| (section, set, material))
-        else {
-            draft.owner = Owner::Broken;
-            return;
-        };
         draft.owner = Owner::Broken;
+        let kind = card.choice("SECTION", SHAPES, &mut draft.log);
+        let named = card.name("ELSET").zip(card.name("MATERIAL"));
+        let Some((kind, (set, material))) = kind.zip(named) else { return };
         let poisson = poisson(card, draft);
-        let Some([width, height]) = dimensions(card, draft) else { return };
+        draft.log.at_most_lines(card.data(), 2, self.name());
+        let Some(line) = card.first_line("the size of the section", &mut draft.log) else { return };
+        let Some(shape) = shape(kind, line, draft) else { return };
         let Some(poisson) = poisson else { return };
         draft.owner = Owner::Section(draft.sections.len());
         draft.sections.push(Section {
@@ -58,14 +55,101 @@ impl Keyword for BeamSection {
             material,
             material_span: card.span_of("MATERIAL"),
             set_span: card.span_of("ELSET"),
-            body: Body::Beam { width, height, poisson, shear: ShearRule::default() },
+            body: Body::Beam { shape, poisson, shear: ShearRule::default(), elastic: None },
             orientation: None,
             origin: card.span(),
         });
     }
 }
 
-fn poisson(card: &Reading<'_>, draft: &mut Draft) -> Option<f64> {
+/// The shapes of sections.
+pub(super) const SHAPES: &[&str] = &["RECT", "CIRC", "PIPE", "BOX", "I"];
+
+/// A section from its sizes.
+pub(super) fn shape(kind: &str, line: &DataLine, draft: &mut Draft) -> Option<Shape> {
+    let names: &[&str] = match kind {
+        "CIRC" => &["radius"],
+        "PIPE" => &["outer radius", "thickness of the wall"],
+        "BOX" => {
+            &["width a", "height b", "thickness t1", "thickness t2", "thickness t3", "thickness t4"]
+        }
+        "I" => &[
+            "distance l",
+            "height h",
+            "width b1",
+            "width b2",
+            "thickness t1",
+            "thickness t2",
+            "thickness t3",
+        ],
+        _ => &["width", "height"],
+    };
+    draft.log.at_most(line, names.len());
+    let mut sizes = Vec::with_capacity(names.len());
+    for (at, name) in names.iter().enumerate() {
+        let value = draft.log.number(line, at, &format!("the {name}"))?;
+        // a T is an I without a flange, and the axis may be at the bottom
+        let least = if kind == "I" { value >= 0.0 } else { value > 0.0 };
+        if !least {
+            let message = format!("the {name} of the section must be positive");
+            draft.log.error("SL0210", message, line.fields[at].span);
+            return None;
+        }
+        sizes.push(value);
+    }
+    let made = made(kind, &sizes);
+    if let Err(fault) = &made {
+        let error = Diagnostic::error(Code("SL0210"), *fault).at(line.span);
+        draft.log.push(error.help("docs/keywords/BEAM-SECTION.md shows the sizes of each shape"));
+    }
+    let shape = made.ok()?;
+    let (width, height) = (shape.width(), shape.height());
+    if kind == "RECT" && height > 5.0 * width {
+        let message = format!("the section is {} times as high as wide", (height / width).round());
+        let warning = Diagnostic::warning(Code("SL0233"), message).at(line.span);
+        let help = "first the width out of the plane, then the height in the plane: swapped?";
+        draft.log.push(warning.help(help));
+    }
+    Some(shape)
+}
+
+fn made(kind: &str, sizes: &[f64]) -> Result<Shape, &'static str> {
+    match *sizes {
+        [radius] => Ok(Shape::Circle(radius)),
+        [radius, wall] if kind == "PIPE" => {
+            if wall > radius {
+                return Err("the wall is thicker than the radius");
+            }
+            Ok(Shape::Pipe { radius, wall })
+        }
+        [width, height] => Ok(Shape::Rectangle { width, height }),
+        [a, b, right, top, left, bottom] => {
+            if right + left >= a || top + bottom >= b {
+                return Err("the walls leave no room inside");
+            }
+            if right != left || top != bottom {
+                return Err("opposite walls must be alike: the axis runs through the centroid");
+            }
+            Ok(Shape::Box { size: [a, b], walls: [right, top] })
+        }
+        [origin, height, bottom, top, low, high, web] => {
+            let shape = Shape::Flanged { height, widths: [bottom, top], walls: [low, high, web] };
+            if low + high >= height || web <= 0.0 || shape.area() <= 0.0 {
+                return Err("flanges and web do not make an I of this height");
+            }
+            // sizes are written with six digits or so
+            if (origin - shape.centroid()).abs() > 1e-5 * height {
+                return Err(
+                    "the axis must run through the centroid: l is its distance from the bottom",
+                );
+            }
+            Ok(shape)
+        }
+        _ => Err("these are not the sizes of a section"),
+    }
+}
+
+pub(super) fn poisson(card: &Reading<'_>, draft: &mut Draft) -> Option<f64> {
     let value = card.number("POISSON", &mut draft.log)?.unwrap_or(0.0);
     let span = card.span_of("POISSON");
     if !(-1.0..=0.5).contains(&value) {
@@ -82,26 +166,4 @@ fn poisson(card: &Reading<'_>, draft: &mut Draft) -> Option<f64> {
         draft.log.note("SL0235", message, span);
     }
     Some(value)
-}
-
-fn dimensions(card: &Reading<'_>, draft: &mut Draft) -> Option<[f64; 2]> {
-    let line = card.first_line("width, height", &mut draft.log)?;
-    draft.log.at_most(line, 2);
-    draft.log.at_most_lines(card.data(), 2, "BEAM SECTION");
-    let width = draft.log.number(line, 0, "the width")?;
-    let height = draft.log.number(line, 1, "the height")?;
-    for (at, (value, name)) in [(width, "width"), (height, "height")].into_iter().enumerate() {
-        if value <= 0.0 {
-            let message = format!("the {name} of the section must be positive");
-            draft.log.error("SL0210", message, line.fields[at].span);
-            return None;
-        }
-    }
-    if height > 5.0 * width {
-        let message = format!("the section is {} times as high as wide", (height / width).round());
-        let warning = Diagnostic::warning(Code("SL0233"), message).at(line.span);
-        let help = "first the width out of the plane, then the height in the plane: swapped?";
-        draft.log.push(warning.help(help));
-    }
-    Some([width, height])
 }

@@ -40,8 +40,7 @@ const fn rigid(name: &'static str, nodes: usize) -> Bare {
 }
 
 /// All meshes of rigid bodies.
-static BARE: [Bare; 4] = [rigid("R2D2", 2), rigid("RAX2", 2), rigid("R3D3", 3), rigid("R3D4", 4)
-];
+static BARE: [Bare; 4] = [rigid("R2D2", 2), rigid("RAX2", 2), rigid("R3D3", 3), rigid("R3D4", 4)];
 
 impl ElementKind {
     /// All there are.

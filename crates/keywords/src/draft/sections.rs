@@ -3,7 +3,7 @@
 use slideline_diag::Span;
 use slideline_mech::material::{Anisotropic, Elastic, Hardening, LargeStrain, Plastic, Rubber};
 use slideline_mech::orientation::Orientation;
-use slideline_model::{self as model, BeamSection, Dialect, ShearRule, SolidSection};
+use slideline_model::{self as model, BeamSection, Dialect, Shape, ShearRule, SolidSection};
 
 #[derive(Clone, Debug)]
 pub(crate) struct Section {
@@ -20,8 +20,16 @@ pub(crate) struct Section {
 /// What a section says of the body around its nodes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Body {
-    Beam { width: f64, height: f64, poisson: f64, shear: ShearRule },
-    Solid { thickness: f64 },
+    /// Its elasticity is its own in a `*BEAM GENERAL SECTION`, else that of the material.
+    Beam {
+        shape: Shape,
+        poisson: f64,
+        shear: ShearRule,
+        elastic: Option<Elastic>,
+    },
+    Solid {
+        thickness: f64,
+    },
 }
 
 impl Body {
@@ -41,9 +49,9 @@ impl Body {
         dialect: Dialect,
     ) -> Option<model::Section> {
         Some(match self {
-            Self::Beam { width, height, poisson, shear } => {
-                let material = material.isotropic()?;
-                model::Section::Beam(BeamSection { width, height, poisson, material, shear })
+            Self::Beam { shape, poisson, shear, elastic } => {
+                let material = elastic.or(material.isotropic())?;
+                model::Section::Beam(BeamSection { shape, poisson, material, shear })
             }
             Self::Solid { thickness } => {
                 let material = material.solid(dialect)?;

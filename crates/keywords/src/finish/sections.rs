@@ -335,6 +335,10 @@ fn material(
     orientation: Option<Orientation>,
     draft: &mut Draft,
 ) -> Option<slideline_model::Section> {
+    if let Body::Beam { elastic: Some(_), .. } = section.body {
+        let own = crate::draft::Material::new(String::new(), section.origin);
+        return section.body.of(&own, orientation, draft.dialect);
+    }
     let found = draft.materials.iter().find(|material| material.name == section.material).cloned();
     let Some(material) = found else {
         no_material(&section.material, section.material_span, draft);

@@ -263,7 +263,6 @@ pub(super) const GROUPS: &[Group] = &[
         "write the structure with solids (*SOLID SECTION), plane beams (*BEAM SECTION), trusses, springs \
          (*SPRING) and rigid bodies",
         &[
-            "BEAM GENERAL SECTION",
             "BEAM ADDED INERTIA",
             "BEAM FLUID INERTIA",
             "BEAM SECTION GENERATE",

@@ -7,7 +7,7 @@ use slideline_mech::element::{
     AxialSpring, Bar, Beam21, Beam22, Beam23, GroundSpring, Instances, Kernel, RelativeSpring,
     SpringLaw, Trusses,
 };
-use slideline_mech::section::{BeamStiffness, Rectangle, TransverseShear, rectangle_stiffness};
+use slideline_mech::section::{BeamStiffness, TransverseShear, stiffness};
 
 /// The kernel that was made; the one before it, whose room may be used again.
 type Kept = Option<Box<dyn Kernel>>;
@@ -119,14 +119,13 @@ pub(super) fn solid<const D: usize, const N: usize, const P: usize>(
 impl BeamSection {
     /// EA, K and EI of an element of that length [L]; `second_order`: of three nodes.
     pub fn stiffness(&self, length: f64, second_order: bool) -> BeamStiffness {
-        let rectangle = Rectangle { width: self.width, height: self.height, poisson: self.poisson };
         let shear = TransverseShear {
             slenderness: self.shear.slenderness_compensation,
             given: self.shear.stiffness,
             ..TransverseShear::default()
         };
         let shear = if second_order { shear.second_order() } else { shear };
-        rectangle_stiffness(&rectangle, &self.material, &shear, length)
+        stiffness(&self.shape, &self.material, &shear, length)
     }
 }
 

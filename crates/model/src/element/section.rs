@@ -4,6 +4,7 @@ use crate::Dof;
 use slideline_mech::element::SpringLaw;
 use slideline_mech::material::{Elastic, Material};
 use slideline_mech::orientation::Orientation;
+use slideline_mech::section::Shape;
 
 /// Section and material of a block.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,13 +31,11 @@ impl Section {
     }
 }
 
-/// A rectangular section of an elastic material.
+/// A section of an elastic material.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BeamSection {
-    /// Width out of the plane [L].
-    pub width: f64,
-    /// Height in the plane [L].
-    pub height: f64,
+    /// Its shape.
+    pub shape: Shape,
     /// Section Poisson ratio [1]; read, stated, and kept out of the energy.
     pub poisson: f64,
     /// Material.

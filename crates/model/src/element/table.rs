@@ -380,7 +380,8 @@ mod tests {
         use slideline_mech::material::{LargeStrain, Material};
         let elastic = slideline_mech::material::Elastic { modulus: 1.0, poisson: 0.3 };
         let shear = ShearRule::default();
-        let beam = BeamSection { width: 1.0, height: 1.0, poisson: 0.0, material: elastic, shear };
+        let shape = slideline_mech::section::Shape::Circle(1.0);
+        let beam = BeamSection { shape, poisson: 0.0, material: elastic, shear };
         let material = Material::Elastic(elastic, LargeStrain::Logarithmic);
         let spring = |way| Section::Spring(SpringSection { law: SpringLaw::Linear(1.0), way });
         let sections = [

@@ -22,8 +22,8 @@ fn block<const N: usize>(
     let shear = ShearRule::default();
     let section = match kind.is_beam() {
         true => {
-            let (width, height) = (1.0, 1.0);
-            Section::Beam(BeamSection { width, height, poisson: 0.0, material, shear })
+            let shape = slideline_mech::section::Shape::Rectangle { width: 1.0, height: 1.0 };
+            Section::Beam(BeamSection { shape, poisson: 0.0, material, shear })
         }
         false => Section::Solid(SolidSection {
             thickness: 1.0,

@@ -74,7 +74,7 @@ const PENALTY: f64 = 10.0;
 /// Largest EA/l of the beams, per area of a contact element [F/L3].
 fn stiffest_face(model: &Model, pair: &ContactPair, length: f64) -> f64 {
     let axial = |block: &ElementBlock| match block.beams() {
-        Some(beams) => beams.section.material.modulus * beams.section.width * beams.section.height,
+        Some(beams) => beams.section.material.modulus * beams.section.shape.area(),
         None => 0.0,
     };
     let largest = model.blocks.iter().map(axial).fold(0.0, f64::max);

@@ -140,9 +140,15 @@ impl BeamRow {
             shear_force: at(1),
             bending_moment: at(2),
             strains,
-            fibre_strain: strains[0].abs() + strains[2].abs() * (0.5 * section.height),
+            fibre_strain: strains[0].abs() + strains[2].abs() * outermost(section),
         }
     }
+}
+
+/// Distance of the outermost fibre from the axis [L].
+fn outermost(section: &BeamSection) -> f64 {
+    let (height, centroid) = (section.shape.height(), section.shape.centroid());
+    centroid.max(height - centroid)
 }
 
 /// Results of the elements of a block. Elements that belong to one rigid body have

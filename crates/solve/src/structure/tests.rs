@@ -13,7 +13,8 @@ const AT: Span = Span { file: FileId(0), start: 0, end: 0 };
 fn beams<const N: usize>(kind: &'static ElementType, nodes: Vec<[NodeIndex; N]>) -> ElementBlock {
     let material = Elastic { modulus: 1e3, poisson: 0.3 };
     let shear = ShearRule::default();
-    let section = BeamSection { width: 1.0, height: 0.2, poisson: 0.0, material, shear };
+    let shape = slideline_model::Shape::Rectangle { width: 1.0, height: 0.2 };
+    let section = BeamSection { shape, poisson: 0.0, material, shear };
     let block = ElementBlock::new(kind, "B", Section::Beam(section), AT);
     block.with(nodes.into_iter().map(|nodes| (1, nodes)))
 }

@@ -1,0 +1,107 @@
+//! `*BEAM GENERAL SECTION`: the section of beams with moduli of its own.
+
+use slideline_diag::{Code, Diagnostic};
+use slideline_mech::material::Elastic;
+use slideline_model::{Shape, ShearRule};
+
+use super::beam_section::{SHAPES, poisson, shape};
+use crate::draft::Draft;
+use crate::draft::{Body, Owner, Section};
+use crate::keyword::{Keyword, Level, Rule, Subject};
+use crate::reading::Reading;
+
+/// `*BEAM GENERAL SECTION`.
+pub(crate) struct BeamGeneralSection;
+
+const KINDS: &[&str] = &["GENERAL", SHAPES[0], SHAPES[1], SHAPES[2], SHAPES[3], SHAPES[4]];
+
+impl Keyword for BeamGeneralSection {
+    fn name(&self) -> &'static str {
+        "BEAM GENERAL SECTION"
+    }
+
+    fn parameters(&self) -> &'static [Rule] {
+        const RULES: &[Rule] =
+            &[Rule::value("SECTION"), Rule::required("ELSET"), Rule::value("POISSON")];
+        RULES
+    }
+
+    fn without_effect(&self) -> &'static [&'static str] {
+        &["DENSITY", "ZERO", "ROTARY INERTIA"]
+    }
+
+    fn level(&self) -> Level {
+        Level::Model
+    }
+
+    fn subject(&self) -> Subject {
+        Subject::Sections
+    }
+
+    fn page(&self) -> &'static str {
+        page!("BEAM-GENERAL-SECTION")
+    }
+
+    fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
+        draft.owner = Owner::Broken;
+        let kind = match card.choice("SECTION", KINDS, &mut draft.log) {
+            None if card.has("SECTION") => return,
+            kind => kind.unwrap_or(KINDS[0]),
+        };
+        let Some(set) = card.name("ELSET") else { return };
+        let poisson = poisson(card, draft);
+        draft.log.at_most_lines(card.data(), 3, self.name());
+        let Some(line) = card.first_line("A, I11, I12, I22, J", &mut draft.log) else { return };
+        let shape = if kind == "GENERAL" { general(line, draft) } else { shape(kind, line, draft) };
+        let elastic = moduli(card, draft);
+        let (Some(shape), Some(elastic), Some(poisson)) = (shape, elastic, poisson) else { return };
+        draft.owner = Owner::Section(draft.sections.len());
+        draft.sections.push(Section {
+            set,
+            material: String::new(),
+            material_span: card.span(),
+            set_span: card.span_of("ELSET"),
+            body: Body::Beam {
+                shape,
+                poisson,
+                shear: ShearRule::default(),
+                elastic: Some(elastic),
+            },
+            orientation: None,
+            origin: card.span(),
+        });
+    }
+}
+
+/// A, I11, I12, I22, J: the plane bends about axis 1.
+fn general(line: &slideline_deck::DataLine, draft: &mut Draft) -> Option<Shape> {
+    draft.log.at_most(line, 7);
+    let area = draft.log.number(line, 0, "the area A")?;
+    let second_moment = draft.log.number(line, 1, "the second moment of area I11")?;
+    let mixed = draft.log.number_or(line, 2, 0.0)?;
+    if area <= 0.0 || second_moment <= 0.0 {
+        draft.log.error("SL0210", "A and I11 of the section must be positive", line.span);
+        return None;
+    }
+    if mixed != 0.0 {
+        let message = format!("I12 = {mixed} is not used: the beam stays in its plane");
+        let note = Diagnostic::note(Code("SL0253"), message).at(line.fields[2].span);
+        draft.log.push(note);
+    }
+    Some(Shape::General { area, second_moment })
+}
+
+/// E and G of the last line; a blank line before it is not kept by the deck.
+fn moduli(card: &Reading<'_>, draft: &mut Draft) -> Option<Elastic> {
+    let Some(line) = card.data().last().filter(|_| card.data().len() > 1) else {
+        draft.log.error("SL0208", "the moduli E and G are missing: the third line", card.span());
+        return None;
+    };
+    let modulus = draft.log.number(line, 0, "Young's modulus E")?;
+    let shear = draft.log.number(line, 1, "the shear modulus G")?;
+    if modulus <= 0.0 || shear <= 0.0 {
+        draft.log.error("SL0234", "E and G must be positive", line.span);
+        return None;
+    }
+    Some(Elastic { modulus, poisson: 0.5 * modulus / shear - 1.0 })
+}
