@@ -4,7 +4,7 @@
 //! The first run and the changed model come before other threads, as in `no_allocation`.
 
 use crate::no_allocation::allocations;
-use slideline::model::{Friction, Section};
+use slideline::model::{Friction, Section, Shape};
 use slideline::observe::{Ending, Event};
 use slideline::{
     Enforcement, Job, Model, Observer, Part, Plan, Quiet, ReadOptions, SolveOptions, Stop,
@@ -84,7 +84,9 @@ impl Observer for Bits {
 fn change(model: &mut Model) {
     for block in &mut model.blocks {
         if let Section::Beam(section) = &mut block.section {
-            section.height *= 1.01;
+            if let Shape::Rectangle { height, .. } = &mut section.shape {
+                *height *= 1.01;
+            }
         }
     }
     for pair in &mut model.contact_pairs {

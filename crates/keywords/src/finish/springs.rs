@@ -134,18 +134,20 @@ fn linear(lines: &[(Vec<f64>, Span)], spring: &Spring, draft: &mut Draft) -> Opt
 
 /// Lines of force and relative displacement, ascending.
 fn table(lines: &[(Vec<f64>, Span)], spring: &Spring, draft: &mut Draft) -> Option<SpringLaw> {
-    let mut table: Vec<[f64; 2]> = Vec::with_capacity(lines.len());
+    let mut table = Vec::with_capacity(lines.len());
+    let mut last = f64::NEG_INFINITY;
     for (line, span) in lines {
         let &[force, u, ..] = line.as_slice() else {
             draft.log.error("SL0208", "force and relative displacement are two numbers", *span);
             return None;
         };
-        if table.last().is_some_and(|last| u <= last[0]) {
+        if u <= last {
             let message = format!("the relative displacement {u} does not ascend");
             draft.log.error("SL0210", message, *span);
             return None;
         }
         table.push([u, force]);
+        last = u;
     }
     if table.len() < 2 {
         let message = "a nonlinear spring needs two lines at least: force, relative displacement";
