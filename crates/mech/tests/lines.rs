@@ -48,7 +48,7 @@ fn respond(
     let (mut force, mut tangent) = (vec![0.0; q.len()], vec![0.0; q.len().pow(2)]);
     let mut state = vec![0.0; committed.len()];
     let into = Response { force: &mut force, tangent: Some(&mut tangent), state: &mut state };
-    let energy = kernel.respond(0, q, committed, &strains.into(), into);
+    let energy = kernel.respond(0, q, committed, &strains.into(), into).unwrap();
     (energy, force, tangent, state)
 }
 

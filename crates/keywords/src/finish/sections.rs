@@ -293,8 +293,10 @@ fn bars_have_no_axes(
     draft: &mut Draft,
 ) {
     let bars = claimed.iter().any(|(row, elements)| row.is_truss() && !elements.is_empty());
-    let directed =
-        draft.materials.iter().any(|own| own.name == section.material && own.anisotropic.is_some());
+    let of_section = draft.materials.iter().filter(|own| own.name == section.material);
+    let directed = of_section
+        .filter_map(|own| own.elasticity.as_ref())
+        .any(|(own, _)| matches!(own, Elasticity::Anisotropic(_) | Elasticity::Ply(_)));
     if bars && directed {
         let message = format!("the material {} is anisotropic; trusses are not", section.material);
         let error = Diagnostic::error(Code("SL0309"), message).at(section.material_span);

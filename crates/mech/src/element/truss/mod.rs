@@ -8,7 +8,7 @@
 //! X' and x' are the derivatives of the undeformed and the deformed axis by the coordinate of the
 //! reference cell: docs/theory.md section 3.6. In the plane (`D` = 2) and in space.
 
-use super::kernel::{Kernel, Response, Scale, Strains, Surroundings};
+use super::kernel::{Failure, Kernel, Response, Scale, Strains, Surroundings};
 use super::solid::Told;
 use crate::material::{Conditions, Material};
 
@@ -125,7 +125,7 @@ impl<const D: usize, const N: usize, const P: usize> Kernel for Trusses<D, N, P>
         committed: &[f64],
         under: &Surroundings<'_>,
         into: Response<'_>,
-    ) -> f64 {
+    ) -> Result<f64, Failure> {
         let conditions = Self::conditions(under);
         let Response { force, mut tangent, state } = into;
         let width = self.bar.material.uniaxial_states();
@@ -139,6 +139,9 @@ impl<const D: usize, const N: usize, const P: usize> Kernel for Trusses<D, N, P>
             let own = state.get_mut(width * k..width * (k + 1)).unwrap_or_default();
             let before = self.of_point(committed, k);
             let answer = self.bar.material.uniaxial(point.stretch, &conditions, before, own);
+            if !answer.energy.is_finite() {
+                return Err(Failure::NoThickness(k));
+            }
             energy += point.volume * answer.energy;
             let pull = point.volume * answer.stress;
             for (node, slope) in force.chunks_exact_mut(D).zip(point.slopes) {
@@ -149,7 +152,7 @@ impl<const D: usize, const N: usize, const P: usize> Kernel for Trusses<D, N, P>
                 point.stiffen(point.volume * answer.modulus - bends, pull, tangent);
             }
         }
-        energy
+        Ok(energy)
     }
 
     fn scale(&self, element: usize) -> Scale {
