@@ -263,7 +263,7 @@ fn two_slips_give_two_errors() {
 fn keywords_are_found_as_people_write_them() {
     let found = |name: &str| describe(name).map(|description| description.name);
     assert_eq!(found("*slide line"), Some("SLIDE LINE"));
-    assert_eq!(found("Beam"), Some("BEAM SECTION"));
+    assert_eq!(found("Beam sec"), Some("BEAM SECTION"));
     assert_eq!(found("include"), Some("INCLUDE"));
     assert_eq!(found("SURFACE"), Some("SURFACE"));
     assert_eq!(found("RIGID"), None);

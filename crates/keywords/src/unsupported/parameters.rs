@@ -61,8 +61,8 @@ const GROUPS: &[Group] = &[
     ),
     (
         "SPRING",
-        "give one stiffness; a curve can be put together of springs and contact",
-        &["NONLINEAR", "ORIENTATION", "COMPLEX STIFFNESS", "RTOL"],
+        "give the spring along dofs of its nodes, or turn these by *TRANSFORM",
+        &["ORIENTATION", "COMPLEX STIFFNESS", "RTOL"],
     ),
     (
         "STATIC",
