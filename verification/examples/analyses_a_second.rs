@@ -21,10 +21,10 @@ fn least(count: usize, mut analysis: impl FnMut(usize)) -> f64 {
 fn vary(model: &mut Model, case: usize) {
     let part = (case % 17) as f64 / 17.0;
     for block in &mut model.blocks {
-        if let slideline::model::Section::Beam(section) = &mut block.section {
-            if let slideline::model::Shape::Rectangle { height, .. } = &mut section.shape {
-                *height = 1.5e-3 * (1.0 + 0.02 * part);
-            }
+        if let slideline::model::Section::Beam(section) = &mut block.section
+            && let slideline::model::Shape::Rectangle { height, .. } = &mut section.shape
+        {
+            *height = 1.5e-3 * (1.0 + 0.02 * part);
         }
     }
     for pair in &mut model.contact_pairs {

@@ -83,10 +83,10 @@ impl Observer for Bits {
 /// The same outline with other values.
 fn change(model: &mut Model) {
     for block in &mut model.blocks {
-        if let Section::Beam(section) = &mut block.section {
-            if let Shape::Rectangle { height, .. } = &mut section.shape {
-                *height *= 1.01;
-            }
+        if let Section::Beam(section) = &mut block.section
+            && let Shape::Rectangle { height, .. } = &mut section.shape
+        {
+            *height *= 1.01;
         }
     }
     for pair in &mut model.contact_pairs {

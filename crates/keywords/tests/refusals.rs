@@ -94,12 +94,15 @@ fn the_plane_is_that_of_z_zero() {
     assert!(read.model.nodes.iter().all(|node| node.position[2] == 0.0));
 }
 
+/// Changes of a deck, a load, and whether that load acts.
+type Case<'a> = (&'a [(&'a str, &'a str)], &'a str, bool);
+
 /// Requirement: distributed loads that leave the plane, or break the symmetry of a ring, are
 /// refused; those of a ring's own directions act. Source: Abaqus manual, `*DLOAD` (BR, BZ).
 #[test]
 fn loads_stay_in_the_plane() {
     let ring: &[(&str, &str)] = &[("CPS4", "CAX4")];
-    let cases: [(&[(&str, &str)], &str, bool); 14] = [
+    let cases: [Case<'_>; 14] = [
         (&[], "*DLOAD\nALL, BX, 1.0", true),
         (&[], "*DLOAD\nALL, BZ, 1.0", false),
         (&[], "*DLOAD\nALL, BR, 1.0", false),

@@ -187,7 +187,8 @@ impl Layout {
     fn factor(&self, part: &Part, size: &[f64], share: &mut Share<'_>, others: &[Room]) -> Pivots {
         let mut pivots = Pivots::NONE;
         let mut next = part.fronts.start;
-        for skipped in self.skipped_in(part).chain([part.fronts.end..part.fronts.end]) {
+        let end = part.fronts.end;
+        for skipped in self.skipped_in(part).chain(std::iter::once(end..end)) {
             (next..skipped.start)
                 .for_each(|f| self.factor_front(f, size, share, (others, &mut pivots)));
             next = skipped.end;

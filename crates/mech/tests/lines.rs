@@ -11,7 +11,7 @@ use slideline_mech::material::{Elastic, Hardening, LargeStrain, Material, Plasti
 const STEEL: Elastic = Elastic { modulus: 7.0, poisson: 0.3 };
 
 fn plastic() -> Material {
-    let table: Hardening = vec![[0.2, 0.0], [0.5, 0.3]].into();
+    let table: Hardening = vec![[0.2, 0.0], [0.5, 0.3]];
     Material::Plastic(Plastic { elastic: STEEL, table, kinematic: 0.0 })
 }
 

@@ -131,7 +131,7 @@ impl Checkpoint<'_> {
             && (state.points.len(), state.state_variables.len()) == (points, state_variables)
             && state.elements.len() == model.element_states()
             && state.elements.iter().all(|value| value.is_finite())
-            && [&state.temperatures[..], &self.start.temperatures].into_iter().all(|list| fit(list))
+            && [&state.temperatures[..], &self.start.temperatures].into_iter().all(fit)
             && [0, dofs].contains(&state.damping.len())
             && state.damping.iter().all(|value| value.is_finite())
     }

@@ -24,11 +24,11 @@ pub(super) fn aggregate<'a>(
         }
     }
     let first = set.clone();
-    for v in 0..vertices {
-        if set[v] == FREE
+    for (v, own) in set.iter_mut().enumerate() {
+        if *own == FREE
             && let Some(near) = each(v).map(|w| first[w]).find(|&own| own != FREE)
         {
-            set[v] = near;
+            *own = near;
         }
     }
     for v in 0..vertices {

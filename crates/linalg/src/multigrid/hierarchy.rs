@@ -148,9 +148,9 @@ impl Level {
         // P = (I - omega D^-1 A) P0
         let omega = 4.0 / (3.0 * largest);
         let mut prolongation = matrix.times(tentative, threads);
-        for i in 0..matrix.size() {
+        for (i, inverse) in inverse.iter().enumerate() {
             let range = prolongation.start[i]..prolongation.start[i + 1];
-            let by = -omega * inverse[i];
+            let by = -omega * inverse;
             prolongation.value[range.clone()].iter_mut().for_each(|p| *p *= by);
             for (j, own) in tentative.row(i) {
                 let at =

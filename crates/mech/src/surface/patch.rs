@@ -112,8 +112,8 @@ impl Patch {
         let by_x = [slopes(x + 1.0, y), slopes(x - 1.0, y)];
         let by_y = [slopes(x, y + 1.0), slopes(x, y - 1.0)];
         for node in 0..self.nodes() {
-            for axis in 0..2 {
-                place.first[axis].shapes[node] = own[node][axis];
+            for (first, slope) in place.first.iter_mut().zip(own[node]) {
+                first.shapes[node] = slope;
             }
             let difference = |[plus, minus]: &[[Vector; MOST_NODES]; 2], axis: usize| {
                 0.5 * (plus[node][axis] - minus[node][axis])

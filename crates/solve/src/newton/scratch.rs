@@ -264,15 +264,15 @@ fn rigid_motions(plan: &Problem<'_>) -> Vec<f64> {
             motions.truncate(begin);
         }
     };
-    for axis in 0..3 {
-        add(&|kind, _| f64::from(u8::from(kind == TRANSLATIONS[axis])));
+    for own in TRANSLATIONS {
+        add(&|kind, _| f64::from(u8::from(kind == own)));
     }
-    for axis in 0..3 {
+    for (axis, own) in ROTATIONS.into_iter().enumerate() {
         let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
         add(&|kind, place| match kind {
             kind if kind == TRANSLATIONS[next] => -place[last],
             kind if kind == TRANSLATIONS[last] => place[next],
-            kind => f64::from(u8::from(kind == ROTATIONS[axis])),
+            kind => f64::from(u8::from(kind == own)),
         });
     }
     motions

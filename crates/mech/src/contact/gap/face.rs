@@ -253,14 +253,14 @@ impl FaceGap {
             let mut by = NO_PARTS;
             add_to(&mut by, &opening, share[l]);
             add_to(&mut by, &self.direction_follows(turned, k, self.duals[l]), self.gap);
-            for m in 0..2 {
-                add_to(&mut by, &self.stretch(l, m), -self.gap * share[m]);
+            for (m, share) in share.into_iter().enumerate() {
+                add_to(&mut by, &self.stretch(l, m), -self.gap * share);
             }
             outer((&self.turn[l], &by), factor, (into, width));
         }
         // g c_l dv_l
-        for l in 0..2 {
-            self.derivative_of_turn(l, factor * self.gap * share[l], into);
+        for (l, share) in share.into_iter().enumerate() {
+            self.derivative_of_turn(l, factor * self.gap * share, into);
         }
     }
 

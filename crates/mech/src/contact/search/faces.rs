@@ -39,9 +39,9 @@ const ITERATIONS: usize = 40;
 pub fn bounds(mesh: &FaceMesh, positions: &[Vector], face: usize) -> Bounds<3> {
     let mut bounds = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
     for &node in &mesh.faces()[face].nodes {
-        for axis in 0..3 {
-            bounds.0[axis] = bounds.0[axis].min(positions[node][axis]);
-            bounds.1[axis] = bounds.1[axis].max(positions[node][axis]);
+        for (axis, at) in positions[node].into_iter().enumerate() {
+            bounds.0[axis] = bounds.0[axis].min(at);
+            bounds.1[axis] = bounds.1[axis].max(at);
         }
     }
     bounds

@@ -119,10 +119,8 @@ fn couple<const D: usize, const N: usize>(
 #[inline(always)]
 fn add_even(moduli: &mut Moduli, row: &Symmetric, even: f64) {
     for k in 0..6 {
-        for i in 0..3 {
-            moduli[i][k] -= row[k] / 3.0;
-            moduli[k][i] -= row[k] / 3.0;
-        }
+        moduli.iter_mut().take(3).for_each(|own| own[k] -= row[k] / 3.0);
+        moduli[k].iter_mut().take(3).for_each(|own| *own -= row[k] / 3.0);
     }
     (0..3).for_each(|i| (0..3).for_each(|k| moduli[i][k] += even));
 }

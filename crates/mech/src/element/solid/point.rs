@@ -125,10 +125,11 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
         let mut radius = place.radius;
         if large {
             let hoop = 1.0 + gradient[2][2];
-            if self.is_ring() && !(hoop > 0.0) {
+            if self.is_ring() && (hoop.is_nan() || hoop <= 0.0) {
                 return Err(Failure::OnAxis(point));
             }
-            if !(1.0 + into.dilation > 0.0) {
+            let volume = 1.0 + into.dilation;
+            if volume.is_nan() || volume <= 0.0 {
                 return Err(Failure::InsideOut(point));
             }
             radius *= hoop;

@@ -129,8 +129,8 @@ fn second_derivatives_are_those_of_differences() {
                 let gap = gap_of(cell, all, start);
                 let mut sum = NO_PARTS;
                 add_to(&mut sum, &gap.gradient(), normal);
-                for k in 0..2 {
-                    add_to(&mut sum, &gap.drag(turned(&gap).directions[k]), tangential[k]);
+                for (t, force) in turned(&gap).directions.into_iter().zip(tangential) {
+                    add_to(&mut sum, &gap.drag(t), force);
                 }
                 sum.as_flattened()[..gap.width()].to_vec()
             };

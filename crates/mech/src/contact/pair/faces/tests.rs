@@ -68,12 +68,9 @@ fn rows_and_tangent_are_those_of_differences() {
             let (mesh, positions) = sheet(triangles);
             let mut room = FaceRoom::default();
             let before = point_at(&mesh, &positions, from, None, &mut room).footing();
-            let moved: Vec<_> = positions
-                .iter()
-                .map(|&p| add(p, [0.03 * p[1], -0.02 * p[0], 0.05 * p[1]]))
-                .collect();
             let mut all = vec![[1.5, 1.3, 0.45]];
-            all.extend(moved);
+            let bent = |&p: &Vector| add(p, [0.03 * p[1], -0.02 * p[0], 0.05 * p[1]]);
+            all.extend(positions.iter().map(bent));
             let at = |all: &[Vector], room: &mut FaceRoom| {
                 point_at(&mesh, &all[1..], all[0], Some(&before), room)
             };
