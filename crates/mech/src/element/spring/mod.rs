@@ -53,7 +53,7 @@ fn slope(from: [f64; 2], to: [f64; 2]) -> f64 {
 /// Work from the first pair of a table to `u`, force and slope there.
 fn along(table: &[[f64; 2]], u: f64) -> (f64, f64, f64) {
     let (Some(first), Some(last)) = (table.first(), table.last()) else { return (0.0, 0.0, 0.0) };
-    if u <= first[0] {
+    if u < first[0] {
         return ((u - first[0]) * first[1], first[1], 0.0);
     }
     let mut stored = 0.0;
@@ -260,6 +260,9 @@ mod tests {
         assert_eq!(law.answer(2.5), [0.25 + 3.0 + 5.0, 5.0, 0.0]);
         assert_eq!(law.answer(-3.0), [1.0 + 4.0, -2.0, 0.0]);
         assert_eq!(law.stiffest(), 4.0);
+        // at rest at its first pair it has the stiffness of its first line
+        let begins = SpringLaw::Table([[0.0, 0.0], [1.0, 10.0]].into());
+        assert_eq!(begins.answer(0.0), [0.0, 0.0, 10.0]);
         // a law that pulls at rest has no energy there
         let pulls = SpringLaw::Table([[-1.0, 1.0], [1.0, 3.0]].into());
         assert_eq!(pulls.answer(0.0), [0.0, 2.0, 1.0]);
