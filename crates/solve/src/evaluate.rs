@@ -139,6 +139,7 @@ pub fn evaluate_forces(
     let at = configuration(committed, trial);
     plan.constraints.linearise(trial.u, &mut into.rows);
     plan.structure.evaluate_forces(&at, &mut into.contributions, plan.means.pool);
+    into.failed = plan.structure.failed(&into.contributions);
     balance(plan, committed, trial, into);
 }
 
@@ -153,6 +154,7 @@ pub fn evaluate_tangent(
     plan.constraints.linearise(trial.u, &mut into.rows);
     let gather = plan.gather(&into.rows, &mut into.tangent);
     plan.structure.evaluate(&at, &mut into.contributions, gather, plan.means.pool);
+    into.failed = plan.structure.failed(&into.contributions);
 }
 
 /// What the elements respond to.
@@ -163,7 +165,6 @@ fn configuration<'a>(committed: &'a State, trial: &Trial<'a>) -> Configuration<'
 
 /// Forces of all that acts, those of the elements being there.
 fn balance(plan: &Problem<'_>, committed: &State, trial: &Trial<'_>, into: &mut Evaluation) {
-    into.failed = plan.structure.failed(&into.contributions);
     into.structure.fill(0.0);
     into.strain_energy = plan.structure.gather_force(&into.contributions, &mut into.structure);
     into.flux = plan.structure.flux(&into.contributions);
