@@ -19,6 +19,7 @@ import meshio
 import numpy
 import vtk
 from ccx2paraview.common import FRD
+from solid_cells import check_solids
 from vtk.util.numpy_support import vtk_to_numpy
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -349,6 +350,7 @@ def main():
     for deck in FRD_DECKS:
         check_frd(program, deck, folder)
     check_thinned(program, folder)
+    check_solids(program, folder)
 
 
 main()

@@ -24,11 +24,6 @@ AGREES = 5e-3
 OTHERS = (
     "HEAT|COUPLED|DYNAMIC|FREQ|BUCKLE|MODAL|STEADY|COMPLEX|UNCOUPLED|ELECTRO|SHELL SECTION|GREEN|SENSI"
 )
-TABLES = {  # of ours: columns that stand for a table of theirs
-    "displacements": ["U1", "U2", "U3"],
-    "forces": ["RF1", "RF2", "RF3"],
-    "stresses": ["S11", "S22", "S33", "S12", "S13", "S23"],
-}
 
 
 def opened(path):
@@ -43,41 +38,21 @@ def number(text):
         return float(re.sub(r"(\d)([+-]\d+)$", r"\1E\2", text))
 
 
-def their_tables(path):
-    """Tables of a `.dat` of CalculiX: rows by node, or by element and point."""
-    tables, name = {}, None
-    for line in opened(path):
+def tables(path):
+    """Tables of a `.dat`, CalculiX' or ours: rows by node, or by element and point."""
+    found, name = {}, None
+    for line in opened(path) if os.path.exists(path) else []:
         heading = re.match(r"\s*(displacements|forces|stresses)\s*\(", line)
         if heading:
             name = heading.group(1)
-            tables[name] = {}
+            found[name] = {}
         elif name and re.match(r"\s*\d+\s", line):
             words = line.split()
             keys = 2 if name == "stresses" else 1
-            tables[name][tuple(map(int, words[:keys]))] = [number(w) for w in words[keys:]]
+            found[name][tuple(map(int, words[:keys]))] = [number(w) for w in words[keys:]]
         elif line.strip():
             name = None
-    return tables
-
-
-def our_tables(path):
-    """The same of a `.dat` of slideline."""
-    tables, columns = {}, []
-    for line in opened(path) if os.path.exists(path) else []:
-        words = line.split()
-        if words and words[0] in ("NODE", "ELEMENT"):
-            columns = words
-        elif columns and words and words[0].isdigit():
-            keys = 2 if columns[1] == "POINT" else 1
-            try:
-                values = dict(zip(columns[keys:], map(float, words[keys:])))
-            except ValueError:
-                continue  # a line of another table
-            for name, own in TABLES.items():
-                if own[0] in values:
-                    row = [values.get(column, 0.0) for column in own]
-                    tables.setdefault(name, {})[tuple(map(int, words[:keys]))] = row
-    return tables
+    return found
 
 
 def blocks(path):
@@ -133,7 +108,7 @@ def compare(deck, program, folder):
     own, found = os.path.join(folder, os.path.basename(deck)[:-4]), {}
     for ending, path in reference(deck[:-4]):
         if ending == ".dat.ref":
-            theirs, ours = their_tables(path), our_tables(own + ".dat")
+            theirs, ours = tables(path), tables(own + ".dat")
         else:
             theirs, ours = blocks(path), blocks(own + ".frd")
         for name, rows in theirs.items():

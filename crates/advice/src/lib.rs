@@ -12,6 +12,7 @@
 
 mod bodies;
 mod finding;
+mod locking;
 mod mesh;
 mod moments;
 mod motion;
@@ -40,10 +41,11 @@ pub fn advise(model: &Model) -> Vec<Finding> {
     if model.is_in_space() {
         // bodies, motions and meshes are judged in the plane alone
         units::judge(&start, &mut findings);
+        locking::judge(&start, &mut findings);
         return findings;
     }
     rehearsal::rehearse(&mut start);
-    let parts: [fn(&start::Start<'_>, &mut Vec<Finding>); 9] = [
+    let parts: [fn(&start::Start<'_>, &mut Vec<Finding>); 10] = [
         overclosure::judge,
         roles::judge,
         overconstraint::judge,
@@ -53,6 +55,7 @@ pub fn advise(model: &Model) -> Vec<Finding> {
         rigid_motion::judge,
         overlap::judge,
         units::judge,
+        locking::judge,
     ];
     for part in parts {
         part(&start, &mut findings);

@@ -9,7 +9,7 @@
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_measures::{NoiseSummary, PairNoise, ReactionNoise};
 use slideline_model::{
-    ContactPair, Dof, Formulation, Master, Model, NodeIndex, NormalLaw, Vocabulary,
+    ContactPair, Dof, Driven, Formulation, Master, Model, NodeIndex, NormalLaw, Vocabulary,
 };
 use slideline_solve::observe::{Event, Frame, Observer, PairRow, Stop};
 use std::collections::BTreeSet;
@@ -34,8 +34,8 @@ pub struct Noise {
 
 #[derive(Clone, Debug)]
 struct Curve {
-    node: NodeIndex,
-    label: u64,
+    nodes: Vec<NodeIndex>,
+    name: String,
     dof: Dof,
     origin: Span,
     vocabulary: Vocabulary,
@@ -66,23 +66,9 @@ struct Pair {
 impl Noise {
     /// Ready to watch a run of the model.
     pub fn of(model: &Model) -> Self {
-        let mut noise = Self::default();
-        for driven in model.steps.iter().flat_map(|step| &step.prescribed).filter(|p| p.moves()) {
-            let known = |curve: &Curve| curve.node == driven.node && curve.dof == driven.dof;
-            if !noise.curves.iter().any(known) {
-                noise.curves.push(Curve {
-                    node: driven.node,
-                    label: model.nodes.label(driven.node),
-                    dof: driven.dof,
-                    origin: driven.origin,
-                    vocabulary: model.vocabulary(),
-                    motion: Vec::new(),
-                    reaction: Vec::new(),
-                });
-            }
-        }
-        noise.pairs = model.contact_pairs.iter().map(Pair::new).collect();
-        noise
+        let curves = model.driven().into_iter().map(|own| Curve::of(model, own)).collect();
+        let pairs = model.contact_pairs.iter().map(Pair::new).collect();
+        Self { curves, pairs, ..Self::default() }
     }
 
     /// Takes in what a run that goes on from a saved state has told before:
@@ -98,11 +84,13 @@ impl Noise {
     ) {
         let mut longest = pairs.len();
         for own in &mut self.curves {
-            if let Some((motion, reaction)) = curve(own.label, own.dof) {
-                own.motion.extend(motion);
-                own.reaction.extend(reaction);
-                longest = longest.max(reaction.len());
-            }
+            let all = own.nodes.iter().map(|&node| curve(model.nodes.label(node), own.dof));
+            let Some(all) = all.collect::<Option<Vec<_>>>() else { continue };
+            let Some((motion, first)) = all.first() else { continue };
+            let sum = |place| all.iter().filter_map(|(_, own)| own.get::<usize>(place)).sum();
+            own.motion.extend(*motion);
+            own.reaction.extend((0..first.len()).map(|place| -> f64 { sum(place) }));
+            longest = longest.max(first.len());
         }
         for (place, rows) in pairs.iter().enumerate() {
             for (number, (pair, row)) in self.pairs.iter_mut().zip(rows).enumerate() {
@@ -146,9 +134,15 @@ impl Noise {
     fn follow(&mut self, frame: &Frame<'_>) {
         self.increments += 1;
         for curve in &mut self.curves {
-            let [moved, reaction, _] = frame.nodal.named(curve.node, curve.dof);
-            curve.motion.push(moved);
-            curve.reaction.push(reaction);
+            let mut sum = 0.0;
+            for (place, &node) in curve.nodes.iter().enumerate() {
+                let [moved, reaction, _] = frame.nodal.named(node, curve.dof);
+                if place == 0 {
+                    curve.motion.push(moved);
+                }
+                sum += reaction;
+            }
+            curve.reaction.push(sum);
         }
         let carriers = carriers(frame, self.pairs.len());
         for ((pair, row), carrier) in self.pairs.iter_mut().zip(frame.pairs).zip(carriers) {
@@ -170,8 +164,20 @@ fn carriers(frame: &Frame<'_>, count: usize) -> Vec<Option<NodeIndex>> {
 }
 
 impl Curve {
+    fn of(model: &Model, driven: Driven) -> Self {
+        Self {
+            nodes: driven.nodes,
+            name: driven.name,
+            dof: driven.dof,
+            origin: driven.origin,
+            vocabulary: model.vocabulary(),
+            motion: Vec::new(),
+            reaction: Vec::new(),
+        }
+    }
+
     fn noise(&self, pairs: &[Pair]) -> ReactionNoise {
-        let name = format!("{}.{}", self.label, self.dof.reaction_name());
+        let name = format!("{}.{}", self.name, self.dof.reaction_name());
         let passed = |range: Range<usize>| {
             pairs.iter().map(|pair| pair.passed(range.clone())).max().unwrap_or(0)
         };
@@ -183,10 +189,11 @@ impl Curve {
     fn noisy(&self, noise: &ReactionNoise) -> Option<Diagnostic> {
         let of_mesh = noise.of_mesh.filter(|found| found.roughness > ROUGH)?;
         let message = format!(
-            "the reaction {} at node {} is noisy: roughness {:.1} % of its peak of {:.3e}, {} \
+            "the reaction {} of {} {} is noisy: roughness {:.1} % of its peak of {:.3e}, {} \
              reversals in {} increments",
             self.dof.reaction_name(),
-            self.label,
+            if self.nodes.len() == 1 { "node" } else { "nodes" },
+            self.name,
             100.0 * of_mesh.roughness,
             noise.peak,
             of_mesh.reversals,
@@ -379,8 +386,8 @@ mod tests {
     #[test]
     fn a_noisy_curve_is_told_from_a_wavy_one() {
         let curve = |reaction: Vec<f64>| Curve {
-            node: 0,
-            label: 9999,
+            nodes: vec![0],
+            name: "9999".into(),
             vocabulary: Vocabulary::default(),
             dof: Dof::U2,
             origin: Span::default(),

@@ -13,7 +13,7 @@
 use crate::finding::Finding;
 use crate::start::{Start, circle_of, spacing};
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{ContactPair, Formulation, NormalLaw};
+use slideline_model::{ContactPair, ElementBlock, Formulation, NodeIndex, NormalLaw};
 
 /// Root mean square tilt of the normal below which nobody sees the noise [1].
 const QUIET: f64 = 0.002;
@@ -73,18 +73,16 @@ pub fn rms_tilt(law: &NormalLaw, spacing: f64, radius: f64) -> f64 {
     (squares / PLACES as f64).sqrt()
 }
 
-/// Whether the chain can bend between its slaves: more than two of them.
+/// Whether contact wanders over an elastic chain of slaves: beams or solids that have a slave and
+/// the nodes of a contact element between two of them.
 fn slides(start: &Start<'_>, pair: &ContactPair) -> bool {
-    let on_beams = |node| {
-        let mut beams = start.model.blocks.iter().filter_map(|block| block.beams());
-        let has = |e: &slideline_model::Element<'_>, node| e.nodes.contains(&node);
-        beams.any(|block| {
-            block.elements.iter().any(|e| {
-                has(&e, node) && pair.elements.iter().any(|c| c.nodes.iter().all(|&n| has(&e, n)))
-            })
-        })
-    };
-    pair.slave_nodes().into_iter().any(on_beams)
+    let elastic = |block: &&ElementBlock| block.kind.joins() && block.kind.cell.dimension > 0;
+    let slaves = pair.slave_nodes();
+    let has = |nodes: &[NodeIndex], node: &NodeIndex| nodes.contains(node);
+    start.model.blocks.iter().filter(elastic).flat_map(|block| &block.elements).any(|element| {
+        slaves.iter().any(|slave| has(element.nodes, slave))
+            && pair.elements.iter().any(|own| own.nodes.iter().all(|node| has(element.nodes, node)))
+    })
 }
 
 fn say(pair: &ContactPair, [radius, spacing]: [f64; 2], [tilt, rms]: [f64; 2]) -> Diagnostic {

@@ -168,6 +168,7 @@ catalogue! {
     "SL0413" "units that do not agree"
     "SL0414" "a body that will be supported by open contact only"
     "SL0415" "a model too large for the memory"
+    "SL0416" "elements that lock"
     "SL0501" "no convergence, cause unknown"
     "SL0502" "the limit of increments was reached"
     "SL0503" "a motion without resistance"

@@ -162,8 +162,8 @@ impl<'a> Reading<'a> {
         if self.word(name).is_none() {
             return Some(true);
         }
-        self.choice(name, &["YES", "NO", "ON", "OFF", "ONLY"], log)
-            .map(|word| !["NO", "OFF"].contains(&word))
+        let word = self.choice(name, &["YES", "NO", "ON", "OFF"], log);
+        word.map(|word| !["NO", "OFF"].contains(&word))
     }
 
     /// The data lines.

@@ -10,7 +10,7 @@
 
 use slideline_deck::Field;
 use slideline_diag::{Code, Diagnostic, Span};
-use slideline_model::{PrintTarget, Request};
+use slideline_model::{PrintTarget, Request, Totals};
 
 use crate::draft::Draft;
 use crate::reading::Reading;
@@ -113,11 +113,26 @@ pub(crate) fn read<V: Variable>(
         set: set.unwrap_or_default(),
         frequency,
         target,
-        totals: card.yes("TOTALS", &mut draft.log).unwrap_or_default(),
+        totals: totals(card, draft),
         summary: card.yes("SUMMARY", &mut draft.log).unwrap_or_default(),
         origin: card.span(),
     };
     Some(Asked { request, set: span, variables })
+}
+
+/// `TOTALS`, which may be `ONLY`.
+fn totals(card: &Reading<'_>, draft: &mut Draft) -> Totals {
+    if !card.has("TOTALS") {
+        return Totals::No;
+    }
+    if card.word("TOTALS").is_none() {
+        return Totals::Yes;
+    }
+    match card.choice("TOTALS", &["YES", "NO", "ON", "OFF", "ONLY"], &mut draft.log) {
+        Some("ONLY") => Totals::Only,
+        Some("YES" | "ON") => Totals::Yes,
+        _ => Totals::No,
+    }
 }
 
 /// Which file a card is for, and how often.

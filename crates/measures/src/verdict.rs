@@ -47,6 +47,8 @@ pub struct Evidence {
     pub peak_step: Option<f64>,
     /// Largest fibre strain [-].
     pub strain: Option<f64>,
+    /// How far an element turned or strained under linear kinematics [-].
+    pub linear: Option<f64>,
     /// Largest fibre strain over the allowable one [-], where there is one.
     pub utilisation: Option<f64>,
     /// Deepest penetration in c0 of a softened law [-].
@@ -75,69 +77,85 @@ const NOISE: f64 = 0.01;
 pub const COARSE_PEAK: f64 = 0.1;
 /// Fibre strain above which a linear law is doubtful for most materials.
 const STRAIN: f64 = 0.05;
+/// Turn or strain that linear kinematics follow: errors are half its square.
+const LINEAR: f64 = 0.1;
 /// Penetration in c0 (SL0612).
 const PENETRATION: f64 = 3.0;
 
+/// A row of the table: a colour, and why where it objects.
+type Rule = (Colour, Option<String>);
+
 /// Judges a run: the table of rules. [docs/report.md: verdict]
 pub fn verdict(evidence: &Evidence) -> Verdict {
-    // what is no number is never clean
-    let above =
-        |value: Option<f64>, limit: f64| value.filter(|value| value.is_nan() || *value > limit);
-    let mut reasons: Vec<(Colour, String)> = Vec::new();
-    let mut object = |colour, reason: Option<String>| {
-        reasons.extend(reason.map(|reason| (colour, reason)));
-    };
-    object(Colour::Red, evidence.unfinished.clone());
-    object(
-        Colour::Red,
-        above(evidence.pair_imbalance, UNBALANCED)
-            .map(|_| "the two sides of a contact pair do not feel the same force".to_owned()),
-    );
+    let rules = wrong(evidence).into_iter().chain(doubtful(evidence));
+    let mut reasons: Vec<(Colour, String)> =
+        rules.filter_map(|(colour, reason)| Some((colour, reason?))).collect();
+    reasons.sort_by_key(|(colour, _)| std::cmp::Reverse(*colour));
+    let colour = reasons.first().map_or(Colour::Green, |(colour, _)| *colour);
+    Verdict { colour, reasons }
+}
+
+/// A measure where it lies above a limit; what is no number is never clean.
+fn above(value: Option<f64>, limit: f64) -> Option<f64> {
+    value.filter(|value| value.is_nan() || *value > limit)
+}
+
+/// What makes a result wrong; energy is red far out of balance, amber before.
+fn wrong(evidence: &Evidence) -> [Rule; 5] {
     let energy = |left: f64| {
         format!("energy: {} % of it does not balance; use shorter increments", percent(left))
     };
-    let wrong = above(evidence.energy, ENERGY[1]);
-    object(Colour::Red, wrong.map(energy));
-    object(Colour::Amber, above(evidence.energy, ENERGY[0]).xor(wrong).map(energy));
-    object(
-        Colour::Red,
-        above(evidence.utilisation, 1.0).map(|used| {
-            format!(
-                "strain: {} % of the allowable; beyond it the elastic results are not valid",
-                percent(used)
-            )
-        }),
-    );
-    object(
-        Colour::Amber,
-        above(evidence.strain, STRAIN).filter(|_| evidence.utilisation.is_none()).map(|strain| {
+    let lost = above(evidence.energy, ENERGY[1]);
+    [
+        (Colour::Red, evidence.unfinished.clone()),
+        (
+            Colour::Red,
+            above(evidence.pair_imbalance, UNBALANCED)
+                .map(|_| "the two sides of a contact pair do not feel the same force".to_owned()),
+        ),
+        (Colour::Red, lost.map(energy)),
+        (Colour::Amber, above(evidence.energy, ENERGY[0]).xor(lost).map(energy)),
+        (
+            Colour::Red,
+            above(evidence.utilisation, 1.0).map(|used| {
+                format!(
+                    "strain: {} % of the allowable; beyond it the elastic results are not valid",
+                    percent(used)
+                )
+            }),
+        ),
+    ]
+}
+
+/// What makes a result doubtful.
+fn doubtful(evidence: &Evidence) -> [Rule; 6] {
+    let strain = above(evidence.strain, STRAIN).filter(|_| evidence.utilisation.is_none());
+    [
+        strain.map(|strain| {
             format!(
                 "strain: {} %, large for an elastic law, and no allowable is given (*ALLOWABLE)",
                 percent(strain)
             )
         }),
-    );
-    object(
-        Colour::Amber,
-        above(evidence.noise, NOISE).map(|rough| {
-            format!("noise: the reaction is rough by {} % of its peak", percent(rough))
+        above(evidence.linear, LINEAR).map(|turned| {
+            format!(
+                "kinematics: an element turns or strains by {} % in a step without NLGEOM (SL0247)",
+                percent(turned)
+            )
         }),
-    );
-    object(
-        Colour::Amber,
+        above(evidence.noise, NOISE)
+            .map(|rough| format!("noise: the reaction is rough by {} % of its peak", percent(rough))),
         above(evidence.peak_step, COARSE_PEAK).map(|step| {
-            format!("increments: next to its peak the force changes by {} %, so the true peak may be higher", percent(step))
+            format!(
+                "increments: next to its peak the force changes by {} %, so the true peak may be higher",
+                percent(step)
+            )
         }),
-    );
-    object(
-        Colour::Amber,
         above(evidence.penetration, PENETRATION)
             .map(|ratio| format!("overlap: the contact is pressed in by {ratio:.1} times c0")),
-    );
-    object(Colour::Amber, warned(&evidence.said));
-    reasons.sort_by_key(|(colour, _)| std::cmp::Reverse(*colour));
-    let colour = reasons.first().map_or(Colour::Green, |(colour, _)| *colour);
-    Verdict { colour, reasons }
+        warned(&evidence.said),
+    ]
+    .map(|reason| (Colour::Amber, reason))
 }
 
 /// Per cent with three digits.
@@ -185,6 +203,7 @@ mod tests {
             noise: None,
             peak_step: Some(0.02),
             strain: Some(0.01),
+            linear: Some(0.05),
             utilisation: Some(0.5),
             penetration: Some(0.9),
             said: Vec::new(),
@@ -216,6 +235,7 @@ mod tests {
                 "*ALLOWABLE",
                 Evidence { strain: Some(0.06), utilisation: None, ..clean() },
             ),
+            (Colour::Amber, "NLGEOM", Evidence { linear: Some(0.2), ..clean() }),
             (Colour::Amber, "noise: ", Evidence { noise: Some(0.02), ..clean() }),
             (Colour::Amber, "increments: ", Evidence { peak_step: Some(0.2), ..clean() }),
             (Colour::Amber, "overlap: ", Evidence { penetration: Some(4.0), ..clean() }),

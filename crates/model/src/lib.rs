@@ -15,6 +15,7 @@
 mod amplitude;
 mod contact;
 mod controls;
+mod driven;
 mod element;
 mod load;
 mod node;
@@ -32,6 +33,7 @@ pub use contact::{
     Master, MasterFaces, ProfilePoint, RigidSurface, SlideLine, StickRule, SurfaceSegment,
 };
 pub use controls::{Controls, FieldControls, TimeIncrementation};
+pub use driven::Driven;
 pub use element::{
     Allowable, BeamSection, Beams, Element, ElementBlock, ElementType, Elements, Field, Kinematics,
     Location, MOST_NODES, Section, ShearRule, SolidSection, SpringSection, SpringWay, Springs,
@@ -42,7 +44,7 @@ pub use node::{Dof, LinearConstraint, Node, NodeIndex, Nodes, RigidLink};
 pub use numbering::{Name, Numbering};
 pub use output::{
     ContactPrint, ContactVariable, ElementPrint, ElementVariable, NodePrint, NodeVariable,
-    OutputRequests, PrintTarget, Request, SECTION_POINTS, SavedStates,
+    OutputRequests, PrintTarget, Request, SECTION_POINTS, SavedStates, Totals,
 };
 pub use refine::refine;
 pub use slideline_mech::axes::{Axes, System};

@@ -62,8 +62,8 @@ pub struct Request {
     pub frequency: usize,
     /// Where it goes.
     pub target: PrintTarget,
-    /// `TOTALS=YES`: the sum of each column below its table.
-    pub totals: bool,
+    /// `TOTALS`: the sum of each column below its table, or in its place.
+    pub totals: Totals,
     /// `SUMMARY=YES`: the extremes of each column below its table.
     pub summary: bool,
     /// The card.
@@ -75,6 +75,18 @@ impl Request {
     pub fn is_due(&self, is_target: fn(PrintTarget) -> bool, increment: usize, last: bool) -> bool {
         is_target(self.target) && is_due(self.frequency, increment, last)
     }
+}
+
+/// Whether the sums of a table are printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Totals {
+    /// The table alone.
+    #[default]
+    No,
+    /// The sums below the table.
+    Yes,
+    /// The sums alone.
+    Only,
 }
 
 /// Which file a request is for.
@@ -162,10 +174,35 @@ pub enum ElementVariable {
     S,
     /// Strain of solids.
     E,
+    /// Logarithmic strain of solids.
+    LE,
+    /// Plastic strain of solids.
+    PE,
     /// Equivalent plastic strain of solids.
     PEEQ,
-    /// Mises stress at section points 1 and 5, where there is no shear stress.
+    /// Mises stress; of beams at section points 1 and 5, where there is no shear stress.
     MISES,
+    /// Principal stresses of solids.
+    SP,
+    /// Stored energy of a unit of undeformed volume of solids.
+    ENER,
+    /// Energy that plastic strain took of it.
+    PENER,
+    /// Current place of an integration point of a solid.
+    COORD,
+    /// Stored energy of a solid.
+    ELSE,
+    /// Energy that plastic strain took of it.
+    ELPD,
+    /// Volume of a solid.
+    EVOL,
+}
+
+impl ElementVariable {
+    /// Whether an element has one value, not one at every point.
+    pub fn is_of_the_whole(self) -> bool {
+        matches!(self, Self::ELSE | Self::ELPD | Self::EVOL)
+    }
 }
 
 /// A table of contact results.

@@ -16,13 +16,15 @@ pub enum Vocabulary {
     Elements,
     /// `*CONTACT PAIR` of `*SURFACE`s.
     Surfaces,
+    /// The same, of faces of solids.
+    Faces,
 }
 
 impl Vocabulary {
     fn either(self, elements: &'static str, surfaces: &'static str) -> &'static str {
         match self {
             Self::Elements => elements,
-            Self::Surfaces => surfaces,
+            Self::Surfaces | Self::Faces => surfaces,
         }
     }
 
@@ -72,6 +74,9 @@ impl Vocabulary {
 
     /// How the curved side gets the slaves.
     pub fn swap_roles(self) -> &'static str {
+        if self == Self::Faces {
+            return "name the round body, or that with the finer mesh, first on *CONTACT PAIR";
+        }
         self.either(
             "put the slaves on the curved body (ISL21) and make the beam the *SLIDE LINE",
             "name the curved body first on *CONTACT PAIR, as a *SURFACE, TYPE=NODE of a *RIGID \
@@ -79,8 +84,13 @@ impl Vocabulary {
         )
     }
 
-    /// How contact is integrated along the beam.
+    /// How contact is spread over several nodes: along beams by integration, on solids by a soft
+    /// law.
     pub fn integrate(self) -> &'static str {
+        if self == Self::Faces {
+            return "spread the force over several nodes with a softer law (*SURFACE BEHAVIOR, \
+                    PRESSURE-OVERCLOSURE=EXPONENTIAL)";
+        }
         self.either(
             "integrate contact along the beam: write surfaces and *CONTACT PAIR, TYPE=SURFACE TO \
              SURFACE in place of the contact elements",

@@ -103,7 +103,8 @@ fn largest(rows: &BarRows<'_>) -> Map<String, Value> {
     let nodes = rows.nodes.iter();
     let names =
         nodes.flat_map(|node| rows.columns.iter().map(move |name| format!("{node}.{name}")));
-    let most = |curve: &Vec<f64>| curve.iter().copied().fold(0.0, f64::max);
+    let larger = |most: f64, bar: f64| if bar.is_nan() || bar > most { bar } else { most };
+    let most = |curve: &Vec<f64>| curve.iter().copied().fold(0.0, larger);
     let none = std::iter::repeat(0.0);
     names.zip(rows.bars.iter().map(most).chain(none)).map(|(n, most)| (n, json!(most))).collect()
 }

@@ -19,7 +19,9 @@ pub(crate) struct Contact {
 }
 
 impl Rows for Contact {
-    const ENDING: &'static str = ".contact.csv";
+    fn ending(&self) -> &'static str {
+        ".contact.csv"
+    }
 
     fn columns(&mut self, step: &StepReport<'_>) -> Option<String> {
         let (further, behind): (&[_], &[_]) = match step.model.is_in_space() {

@@ -4,11 +4,12 @@ use crate::ledger::onset_word;
 use crate::number::general;
 use slideline_mech::element::solid;
 use slideline_model::{
-    BeamSection, ContactPair, Dialect, ElementBlock, ElementType, Formulation, Friction,
-    Kinematics, Master, Material, Model, NodeIndex, NormalLaw, Section, Shape, SolidSection,
-    SpringLaw, SpringSection, SpringWay, Step, StickRule,
+    BeamSection, ContactPair, Dialect, Dof, ElementBlock, ElementType, Formulation, Friction,
+    Kinematics, Load, Master, Material, Model, NodeIndex, NormalLaw, Prescribed, Section, Shape,
+    SolidSection, SpringLaw, SpringSection, SpringWay, Step, StickRule,
 };
 use slideline_solve::observe::{ContactRow, Frame};
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 /// Everything that was understood of a deck, with the state in which it
@@ -26,6 +27,7 @@ pub fn model_echo(model: &Model, start: &Frame<'_>) -> String {
             Section::Properties(_) => elements(&mut text, block),
         }
     }
+    constraints(&mut text, model);
     for (place, pair) in model.contact_pairs.iter().enumerate() {
         text.push('\n');
         text.push_str(&pair_echo(model, pair));
@@ -225,6 +227,66 @@ fn springs(text: &mut String, block: &ElementBlock, section: &SpringSection) {
     line!(text, "\nSPRINGS {}  {} elements {kind}, {law}", block.name, block.elements.len());
 }
 
+/// Dofs that follow others: `*EQUATION`, `*TIE`, `*COUPLING` and the like.
+fn constraints(text: &mut String, model: &Model) {
+    let all = &model.linear_constraints;
+    if all.is_empty() {
+        return;
+    }
+    line!(text, "\nDEPENDENT DOFS  {}, by equations, ties and couplings", all.len());
+    for own in all.iter().take(MOST_EQUATIONS) {
+        let name = |node: NodeIndex, dof: Dof| format!("{}.{}", model.nodes.name(node), dof.name());
+        let terms = own.terms.iter().map(|&(node, dof, factor)| {
+            format!("{} {} {}", sign(factor), general(factor.abs(), 9), name(node, dof))
+        });
+        let mut terms: Vec<String> = terms.collect();
+        if own.constant != 0.0 || terms.is_empty() {
+            terms.push(format!("{} {}", sign(own.constant), general(own.constant.abs(), 9)));
+        }
+        line!(text, "  {} = {}", name(own.dependent.0, own.dependent.1), terms.join(" "));
+    }
+    if all.len() > MOST_EQUATIONS {
+        line!(text, "  and {} more", all.len() - MOST_EQUATIONS);
+    }
+}
+
+/// Most equations that are told one by one.
+const MOST_EQUATIONS: usize = 20;
+
+fn sign(value: f64) -> char {
+    if value < 0.0 { '-' } else { '+' }
+}
+
+/// Pressures and forces that are spread over faces and volumes, card by card.
+fn distributed(text: &mut String, model: &Model, step: &Step) {
+    for row in step.distributed.pressures.chunk_by(|a, b| a.origin == b.origin) {
+        let values: Vec<f64> = row.iter().map(|pressure| pressure.value).collect();
+        let Some((least, most)) = extremes(&values) else { continue };
+        line!(
+            text,
+            "  pressure on {} faces goes to {}{}",
+            row.len(),
+            range(least, most),
+            amplitude(model, row[0].amplitude)
+        );
+    }
+    for row in step.distributed.forces.chunk_by(|a, b| a.origin == b.origin) {
+        let mut sum = [0.0; 3];
+        for load in row {
+            if let Some(sum) = sum.get_mut(load.dof.number() - 1) {
+                *sum += load.value;
+            }
+        }
+        line!(
+            text,
+            "  distributed force on {} nodes goes to {} in all{}",
+            row.iter().map(|load| load.node).collect::<BTreeSet<NodeIndex>>().len(),
+            sum.map(|sum| general(sum, 9).to_string()).join(", "),
+            amplitude(model, row[0].amplitude)
+        );
+    }
+}
+
 /// Who is slave, who is master, and the laws between them.
 pub fn pair_echo(model: &Model, pair: &ContactPair) -> String {
     let mut text = String::new();
@@ -419,26 +481,43 @@ fn step_echo(text: &mut String, model: &Model, number: usize, step: &Step) {
     states_echo(text, &step.output.states_every);
     let fixed = step.prescribed.iter().filter(|motion| !motion.moves()).count();
     line!(text, "  {fixed} dofs held");
-    for motion in step.prescribed.iter().filter(|motion| motion.moves()) {
+    let moving: Vec<&Prescribed> = step.prescribed.iter().filter(|own| own.moves()).collect();
+    let alike = |a: &&Prescribed, b: &&Prescribed| {
+        (a.dof, a.value, a.amplitude, a.origin) == (b.dof, b.value, b.amplitude, b.origin)
+    };
+    for row in moving.chunk_by(alike) {
+        let nodes: Vec<NodeIndex> = row.iter().map(|motion| motion.node).collect();
         line!(
             text,
-            "  node {} {} goes to {}{}",
-            model.nodes.label(motion.node),
-            motion.dof.name(),
-            general(motion.value, 9),
-            amplitude(model, motion.amplitude)
+            "  {} {} goes to {}{}",
+            named(model, &nodes),
+            row[0].dof.name(),
+            general(row[0].value, 9),
+            amplitude(model, row[0].amplitude)
         );
     }
-    for load in &step.loads {
+    let alike = |a: &Load, b: &Load| {
+        (a.dof, a.value, a.amplitude, a.origin) == (b.dof, b.value, b.amplitude, b.origin)
+    };
+    for row in step.loads.chunk_by(alike) {
+        let nodes: Vec<NodeIndex> = row.iter().map(|load| load.node).collect();
         line!(
             text,
-            "  node {} load along {} goes to {}{}",
-            model.nodes.label(load.node),
-            load.dof.name(),
-            general(load.value, 9),
-            amplitude(model, load.amplitude)
+            "  {} load along {} goes to {}{}{}",
+            named(model, &nodes),
+            row[0].dof.name(),
+            general(row[0].value, 9),
+            amplitude(model, row[0].amplitude),
+            if nodes.len() > 1 { ", each" } else { "" }
         );
     }
+    distributed(text, model, step);
+}
+
+/// `node 7`, or `nodes 7 to 9`.
+fn named(model: &Model, nodes: &[NodeIndex]) -> String {
+    let noun = if nodes.len() == 1 { "node" } else { "nodes" };
+    format!("{noun} {}", labels(model, nodes))
 }
 
 fn amplitude(model: &Model, place: Option<usize>) -> String {

@@ -1,12 +1,14 @@
 //! `JOB.energy.csv`: where the work went, a row per converged increment.
 
 use crate::rows::{Rows, Sheet};
+use slideline_model::Section;
 use slideline_solve::observe::{Energies, Frame, StepReport};
 
 /// A column and what stands in it [F L].
 pub(crate) type Column = (&'static str, fn(&Energies) -> f64);
 
-/// The columns of a run: contact stabilisation has one where it may act.
+/// The columns of a run: contact stabilisation and materials
+/// that do not give all back have one where they may act.
 pub(crate) fn columns(report: &StepReport<'_>) -> Vec<Column> {
     let mut columns: Vec<Column> = vec![
         ("external_work", |energy| energy.external_work),
@@ -18,7 +20,14 @@ pub(crate) fn columns(report: &StepReport<'_>) -> Vec<Column> {
         ("balance", |energy| energy.balance),
         ("stabilisation", |energy| energy.stabilisation),
         ("released_energy", |energy| energy.released_energy),
+        ("material_dissipation", |energy| energy.material_dissipation),
     ];
+    let takes = report.model.blocks.iter().any(|block| match &block.section {
+        Section::Solid(section) => section.material.dissipates(),
+        Section::Properties(_) => true,
+        Section::Beam(_) | Section::Spring(_) => false,
+    });
+    columns.retain(|(name, _)| *name != "material_dissipation" || takes);
     columns.retain(|(name, _)| *name != "stabilisation" || report.may_stabilise());
     columns
 }
@@ -28,7 +37,9 @@ pub(crate) fn columns(report: &StepReport<'_>) -> Vec<Column> {
 pub(crate) struct Energy(Vec<Column>);
 
 impl Rows for Energy {
-    const ENDING: &'static str = ".energy.csv";
+    fn ending(&self) -> &'static str {
+        ".energy.csv"
+    }
 
     fn columns(&mut self, report: &StepReport<'_>) -> Option<String> {
         self.0 = columns(report);

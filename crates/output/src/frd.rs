@@ -2,8 +2,8 @@
 //! cgx and PrePoMax open. Written where the deck asks for states.
 //!
 //! ```text
-//!     1C title      2C nodes      3C elements (type 11: lines, 9: quadrilaterals)
-//!   100C DISP, FORC, STRESS, S11, SECTION, CONTACT for each increment due
+//!     1C title      2C nodes      3C elements (types 1 to 11)
+//!   100C DISP, FORC, STRESS, TOSTRAIN, PE, ENER, S11, SECTION, CONTACT for each increment due
 //!  9999
 //! ```
 //!
@@ -13,11 +13,12 @@
 use crate::file::{Growing, WriteError, beside};
 use crate::job::JobFiles;
 use crate::kept::Kept;
+use crate::number::push_exponent;
 use crate::outline::{Drawing, Piece, SPACE};
 use crate::section::nodal_sections;
 use crate::writer::Writer;
-use slideline_model::{Model, NodeIndex};
-use slideline_results::element::nodal_stresses;
+use slideline_model::{Dialect, ElementVariable, Model, NodeIndex};
+use slideline_results::element::{AtNodes, nodal_results};
 use slideline_results::{NodeField, contact_component};
 use slideline_solve::observe::{ContactRow, Event, Frame};
 use std::collections::BTreeMap;
@@ -128,7 +129,12 @@ impl Results<'_> {
     /// DISP and FORC of every node.
     fn push_motion(&mut self, drawing: &Drawing) {
         let [_, motion] = drawing.moved(self.frame);
-        let forces = drawing.values(self.frame, NodeField::Reaction, SPACE);
+        let mut forces = drawing.values(self.frame, NodeField::Reaction, SPACE);
+        if self.frame.model.dialect == Dialect::Calculix {
+            // there RF is what supports and loads do together
+            let loads = drawing.values(self.frame, NodeField::Load, SPACE);
+            forces.iter_mut().zip(loads).for_each(|(force, load)| *force += load);
+        }
         let rows = |values: &[f64]| {
             drawing.labels.iter().copied().zip(values.as_chunks().0.iter().copied()).collect()
         };
@@ -140,7 +146,11 @@ impl Results<'_> {
     fn push_sections(&mut self) {
         let nodes = nodal_sections(self.frame);
         let label = |node: &NodeIndex| self.frame.model.nodes.label(*node);
-        let mut tensors = nodal_stresses(self.frame);
+        let solids = nodal_results(self.frame, self.frame.model.nodes.len(), |_, node| node);
+        let of_solids = solids.iter().enumerate().filter_map(|(node, own)| Some((node, *own?)));
+        let of_solids: BTreeMap<NodeIndex, AtNodes> = of_solids.collect();
+        let mut tensors: BTreeMap<NodeIndex, [f64; 6]> =
+            of_solids.iter().map(|(&node, own)| (node, in_order(own.stress))).collect();
         // where beams and solids share a node, the beam's outer fibre is told
         tensors.extend(nodes.iter().map(|(&node, at)| (node, at.tensor())));
         if tensors.is_empty() {
@@ -151,12 +161,41 @@ impl Results<'_> {
         let forces = nodes.iter().map(|(node, at)| (label(node), at.forces())).collect();
         let names = ["SXX", "SYY", "SZZ", "SXY", "SYZ", "SZX"];
         self.push("STRESS", Shape::Tensor, &names, stress);
+        self.push_asked(&of_solids);
         if nodes.is_empty() {
             return;
         }
         let names = ["S11_1", "S11_2", "S11_3", "S11_4", "S11_5"];
         self.push("S11", Shape::Scalars, &names, points);
         self.push("SECTION", Shape::Scalars, &["SF1", "SF2", "SM1"], forces);
+    }
+
+    /// What the step asks for beside stresses, of the nodes of solids.
+    fn push_asked(&mut self, solids: &BTreeMap<NodeIndex, AtNodes>) {
+        let step = self.frame.model.steps.get(self.frame.step.wrapping_sub(1)).into_iter();
+        let prints = step.flat_map(|step| &step.output.element_prints);
+        let files = prints.filter(|print| print.request.target.is_file());
+        let asked: Vec<ElementVariable> =
+            files.flat_map(|print| &print.variables).copied().collect();
+        let label = |node: &NodeIndex| self.frame.model.nodes.label(*node);
+        let strains = solids.iter().map(|(node, own)| (label(node), in_order(own.strain)));
+        let plastic = solids.iter().map(|(node, own)| (label(node), [own.plastic]));
+        let of_all_work = self.frame.model.dialect == Dialect::Calculix;
+        let energy = solids.iter().map(|(node, own)| {
+            let taken = if of_all_work { own.dissipated } else { 0.0 };
+            (label(node), [own.energy + taken])
+        });
+        let (strains, plastic, energy) = (strains.collect(), plastic.collect(), energy.collect());
+        if asked.iter().any(|own| matches!(own, ElementVariable::E | ElementVariable::LE)) {
+            let names = ["EXX", "EYY", "EZZ", "EXY", "EYZ", "EZX"];
+            self.push("TOSTRAIN", Shape::Tensor, &names, strains);
+        }
+        if asked.contains(&ElementVariable::PEEQ) {
+            self.push("PE", Shape::Scalars, &["PE"], plastic);
+        }
+        if asked.contains(&ElementVariable::ENER) {
+            self.push("ENER", Shape::Scalars, &["ENER"], energy);
+        }
     }
 
     fn push_contact(&mut self) {
@@ -181,7 +220,8 @@ impl Results<'_> {
         rows: Vec<(u64, [f64; N])>,
     ) {
         let (frame, number, text) = (self.frame, self.number, &mut *self.text);
-        let (time, nodes) = (exponent(frame.total_time), rows.len());
+        let (mut time, nodes) = (String::new(), rows.len());
+        push_exponent(&mut time, frame.total_time, 5);
         let (step, increment) = (frame.step, frame.increment);
         let _ = writeln!(text, "    1PSTEP{:16}{number:>10}{increment:>10}{step:>10}", "");
         let _ =
@@ -225,25 +265,17 @@ fn contact<'a>(frame: &Frame<'a>) -> BTreeMap<NodeIndex, &'a ContactRow> {
     shown
 }
 
+/// xx, yy, zz, xy, yz, zx of 11, 22, 33, 12, 13, 23.
+fn in_order([xx, yy, zz, xy, zx, yz]: [f64; 6]) -> [f64; 6] {
+    [xx, yy, zz, xy, yz, zx]
+}
+
 fn push_node(text: &mut String, label: u64, values: &[f64]) {
     let _ = write!(text, " -1{label:>10}"); // a String takes any text
     for &value in values {
-        text.push_str(&exponent(value));
+        push_exponent(text, value, 5);
     }
     text.push('\n');
-}
-
-/// Twelve places, as E12.5 writes: `-1.23457E-03`.
-fn exponent(value: f64) -> String {
-    let text = format!("{value:.5e}");
-    let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
-    let power: i32 = power.parse().unwrap_or(0);
-    let (digits, power) = match power {
-        ..-99 => ("0.00000", 0), // two digits of a power is all there is room for
-        _ => (digits, power),
-    };
-    let sign = if power < 0 { '-' } else { '+' };
-    format!("{:>12}", format!("{digits}E{sign}{:02}", power.abs()))
 }
 
 impl Writer for Frd {
@@ -258,19 +290,5 @@ impl Writer for Frd {
 
     fn keep(&self, kept: &mut Kept) {
         kept.file(".frd", self.file.as_ref());
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::exponent;
-
-    /// Requirement: E12.5, twelve places whatever the value.
-    #[test]
-    fn numbers_take_twelve_places() {
-        assert_eq!(exponent(-1.234_567e-3), "-1.23457E-03");
-        assert_eq!(exponent(0.0), " 0.00000E+00");
-        assert_eq!(exponent(-3.0e-200), " 0.00000E+00");
-        assert_eq!(exponent(2.5e10), " 2.50000E+10");
     }
 }

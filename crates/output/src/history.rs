@@ -9,12 +9,13 @@ use slideline_solve::observe::{Frame, StepReport};
 /// Motions and reactions of the plane; those of space follow where the model
 /// has them, so that the first columns never change.
 pub(crate) fn columns(dofs: &[Dof]) -> Vec<NodeComponent> {
-    let space: Vec<Dof> = dofs.iter().copied().filter(|dof| !dof.is_plane()).collect();
+    let in_space = dofs.iter().any(|dof| !dof.is_plane());
+    let space = if in_space { &[Dof::U3, Dof::UR1, Dof::UR2][..] } else { &[] };
     let of = |dofs: &[Dof]| -> Vec<NodeComponent> {
         let fields = [NodeField::Motion, NodeField::Reaction];
         fields.into_iter().flat_map(|field| field.components(dofs)).collect()
     };
-    [of(&Dof::PLANE), of(&space)].concat()
+    [of(&Dof::PLANE), of(space)].concat()
 }
 
 /// `JOB.history.csv`.
@@ -25,7 +26,9 @@ pub(crate) struct History {
 }
 
 impl Rows for History {
-    const ENDING: &'static str = ".history.csv";
+    fn ending(&self) -> &'static str {
+        ".history.csv"
+    }
 
     fn columns(&mut self, report: &StepReport<'_>) -> Option<String> {
         self.nodes = report.model.history_nodes();

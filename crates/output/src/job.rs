@@ -22,6 +22,7 @@ const ENDINGS: &[&str] = &[
     ".pair.csv",
     ".energy.csv",
     ".element.csv",
+    ".beam.csv",
     ".json",
     ".pvd",
     ".frd",

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!                     +-> JOB.sta  JOB.msg  JOB.dat
-//!   run -> Writers ---+-> JOB.history.csv  JOB.contact.csv  JOB.pair.csv  JOB.energy.csv  JOB.element.csv
+//!   run -> Writers ---+-> JOB.history.csv  JOB.contact.csv  JOB.pair.csv  JOB.energy.csv  JOB.element.csv  JOB.beam.csv
 //!                     +-> JOB_0001.vtu ...  JOB.pvd
 //!                     +-> JOB.json
 //!   these files -> report -> JOB.html      these files -> plot -> svg, png, csv

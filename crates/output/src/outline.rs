@@ -11,7 +11,9 @@ use slideline_model::{
     Dof, Kinematics, Master, Model, NodeIndex, ProfilePoint, RigidSurface, SurfaceSegment,
 };
 use slideline_results::NodeField;
+use slideline_results::element::regions;
 use slideline_solve::observe::Frame;
+use std::collections::HashMap;
 
 /// Chords of an arc or parabola per segment; at most 7.5 degrees of arc.
 const CHORDS: u32 = 24;
@@ -108,10 +110,15 @@ struct Outline {
     points: Vec<ProfilePoint>,
 }
 
-/// What viewers draw. Points are the nodes of the model, then those of rigid
-/// surfaces.
+/// What viewers draw. Points are the nodes of the model, then copies of those
+/// where solids of several sections meet, then those of rigid surfaces.
 #[derive(Default)]
 pub(crate) struct Drawing {
+    /// Of every block the block that stands for its section, and the copies of
+    /// nodes that its solids have.
+    regions: Vec<usize>,
+    copy_of: HashMap<(usize, NodeIndex), usize>,
+    copies: Vec<NodeIndex>,
     pub pieces: Vec<Piece>,
     /// Numbers of the points: those of the nodes, larger ones behind them.
     pub labels: Vec<u64>,
@@ -121,8 +128,21 @@ pub(crate) struct Drawing {
 impl Drawing {
     /// That of a model: its blocks, then slave and rigid surfaces pair by pair.
     pub fn of(model: &Model) -> Self {
+        Self::new(model, vec![0; model.blocks.len()])
+    }
+
+    /// The same with a copy of a node for every further section of solids that meet
+    /// there: stresses jump over such a border.
+    pub fn split(model: &Model) -> Self {
+        Self::new(model, regions(model))
+    }
+
+    fn new(model: &Model, regions: Vec<usize>) -> Self {
+        let (copy_of, copies) = copies(model, &regions);
         let mut pieces = Vec::new();
-        for block in &model.blocks {
+        for (number, block) in model.blocks.iter().enumerate() {
+            let point =
+                |node: NodeIndex| copy_of.get(&(regions[number], node)).copied().unwrap_or(node);
             let kind = match block.kind.kinematics {
                 Kinematics::Beam { .. } => Kind::Beam,
                 Kinematics::Spring => Kind::Spring,
@@ -130,7 +150,9 @@ impl Drawing {
             };
             for element in &block.elements {
                 pieces.extend(block.kind.cell.pieces.iter().map(|piece| {
-                    let of = |places: &[usize]| places.iter().map(|&p| element.nodes[p]).collect();
+                    let of = |places: &[usize]| {
+                        places.iter().map(|&p| point(element.nodes[p])).collect()
+                    };
                     let vtk = (piece.vtk, of(piece.nodes));
                     Piece { kind, label: element.label, vtk, frd: (piece.frd, of(piece.frd_nodes)) }
                 }));
@@ -141,6 +163,7 @@ impl Drawing {
         let outlines = outlines(model);
         let mut labels: Vec<u64> = model.nodes.iter().map(|node| node.label).collect();
         let mut next = labels.iter().max().unwrap_or(&0) + 1;
+        labels.extend(copies.iter().map(|&node| model.nodes.label(node)));
         for outline in &outlines {
             let (begin, end) = (labels.len(), next + outline.points.len() as u64);
             labels.extend(next..end);
@@ -148,19 +171,40 @@ impl Drawing {
             let chords = (begin + 1..labels.len()).map(|end| [end - 1, end]);
             pieces.extend(chords.map(|ends| Piece::line(Kind::RigidSurface, 0, ends)));
         }
-        Self { pieces, labels, outlines }
+        Self { regions, copy_of, copies, pieces, labels, outlines }
+    }
+
+    /// The point that a block has for a node.
+    pub fn point(&self, block: usize, node: NodeIndex) -> usize {
+        let region = self.regions.get(block).copied().unwrap_or_default();
+        self.copy_of.get(&(region, node)).copied().unwrap_or(node)
+    }
+
+    /// The points of the nodes that were copied, with those nodes.
+    pub fn copies(&self, nodes: usize) -> impl Iterator<Item = (usize, NodeIndex)> {
+        self.copies.iter().enumerate().map(move |(copy, &node)| (nodes + copy, node))
+    }
+
+    /// Three values of every node, then those of the copies.
+    fn with_copies(&self, mut values: Vec<f64>) -> Vec<f64> {
+        for &node in &self.copies {
+            values.extend_from_within(3 * node..3 * node + 3);
+        }
+        values
     }
 
     /// Undeformed positions of all points [L].
     pub fn still(&self, model: &Model) -> impl Iterator<Item = [f64; 3]> {
         let chains = self.outlines.iter().flat_map(|outline| &outline.points);
-        model.nodes.iter().map(|node| node.position).chain(chains.map(|&[x, y]| [x, y, 0.0]))
+        let copies = self.copies.iter().map(|&node| model.nodes.position(node));
+        let nodes = model.nodes.iter().map(|node| node.position).chain(copies);
+        nodes.chain(chains.map(|&[x, y]| [x, y, 0.0]))
     }
 
     /// Current positions and displacements of all points, x, y, z of each [L].
     pub fn moved(&self, frame: &Frame<'_>) -> [Vec<f64>; 2] {
-        let [mut points, mut displacement] =
-            [NodeField::Coordinate, NodeField::Motion].map(|field| field.table(frame, &SPACE));
+        let [mut points, mut displacement] = [NodeField::Coordinate, NodeField::Motion]
+            .map(|field| self.with_copies(field.table(frame, &SPACE)));
         for outline in &self.outlines {
             for &point in &outline.points {
                 let moved = outline.carried(frame, point);
@@ -173,10 +217,34 @@ impl Drawing {
 
     /// Values of a field along three dofs at all points; zero on rigid surfaces.
     pub fn values(&self, frame: &Frame<'_>, field: NodeField, dofs: [Dof; 3]) -> Vec<f64> {
-        let mut values = field.table(frame, &dofs);
+        let mut values = self.with_copies(field.table(frame, &dofs));
         values.resize(3 * self.labels.len(), 0.0);
         values
     }
+}
+
+/// For nodes of solids of several regions: the first one keeps the node, others have
+/// copies behind all nodes; by region and node, and the nodes copied.
+fn copies(
+    model: &Model,
+    regions: &[usize],
+) -> (HashMap<(usize, NodeIndex), usize>, Vec<NodeIndex>) {
+    let (mut copy_of, mut copies) = (HashMap::new(), Vec::new());
+    let mut first: Vec<Option<usize>> = vec![None; model.nodes.len()];
+    for (block, &region) in model.blocks.iter().zip(regions) {
+        if !matches!(block.kind.kinematics, Kinematics::Solid { .. } | Kinematics::Other) {
+            continue;
+        }
+        for &node in block.elements.iter().flat_map(|element| element.nodes) {
+            if *first[node].get_or_insert(region) != region {
+                copy_of.entry((region, node)).or_insert_with(|| {
+                    copies.push(node);
+                    model.nodes.len() + copies.len() - 1
+                });
+            }
+        }
+    }
+    (copy_of, copies)
 }
 
 /// The outlines of a model, in the order of its contact pairs.

@@ -21,7 +21,9 @@ pub(crate) fn columns(model: &Model) -> Vec<&'static str> {
 pub(crate) struct Pairs;
 
 impl Rows for Pairs {
-    const ENDING: &'static str = ".pair.csv";
+    fn ending(&self) -> &'static str {
+        ".pair.csv"
+    }
 
     fn columns(&mut self, step: &StepReport<'_>) -> Option<String> {
         Some(format!("pair,{}", columns(step.model).join(",")))

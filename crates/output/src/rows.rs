@@ -10,8 +10,8 @@ use std::fmt::{Display, Write as _};
 
 /// What stands in one kind of CSV file.
 pub(crate) trait Rows {
-    /// Ending of the file.
-    const ENDING: &'static str;
+    /// Ending of the file, once the columns are known.
+    fn ending(&self) -> &'static str;
 
     /// Columns behind step, increment and time; `None` where the deck does not
     /// ask for the file. Asked once, when the run begins.
@@ -93,7 +93,7 @@ impl<R: Rows> Writer for Csv<R> {
                 self.begun = true;
                 if let Some(columns) = self.rows.columns(report) {
                     let heading = format!("step,increment,time,{columns}\n");
-                    self.file = Some(self.job.begin(R::ENDING, &heading)?);
+                    self.file = Some(self.job.begin(self.rows.ending(), &heading)?);
                 }
                 Ok(())
             }
@@ -106,7 +106,7 @@ impl<R: Rows> Writer for Csv<R> {
     }
 
     fn keep(&self, kept: &mut Kept) {
-        kept.file(R::ENDING, self.file.as_ref());
+        kept.file(self.rows.ending(), self.file.as_ref());
     }
 }
 

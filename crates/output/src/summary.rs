@@ -5,6 +5,7 @@ use crate::file::{WriteError, replace};
 use crate::job::JobFiles;
 use crate::json::{Map, Value, joined, json, text};
 use crate::ledger::onset_word;
+use crate::outline::edges;
 use crate::reading::history::{Energies, History, NodeHistory};
 use crate::reading::summary::{SCHEMA, driven};
 use crate::record::record;
@@ -15,8 +16,10 @@ use crate::{energy, history};
 use serde::{Deserialize, Serialize};
 use slideline_diag::{Diagnostic, Severity, Sources};
 use slideline_measures::NoiseSummary;
+use slideline_mech::element::cell::Piece;
 use slideline_model::{Dialect, NodeIndex};
-use slideline_results::NodeComponent;
+use slideline_results::element::{Quantity, mises, solids};
+use slideline_results::{NodeComponent, place};
 use slideline_solve::Checkpoint;
 use slideline_solve::observe::{Ending, Event, Frame, StepReport, Totals};
 use std::collections::{BTreeMap, BTreeSet};
@@ -47,6 +50,75 @@ pub(crate) struct Memory {
     used: Largest,
     /// Largest normal force of a contact pair.
     normal: Largest,
+    /// Largest turn or strain of an element under linear kinematics.
+    linear: Largest,
+    /// Largest Mises stress at a point of a solid.
+    mises: Largest,
+    /// Largest equivalent plastic strain there.
+    plastic: Largest,
+}
+
+impl Memory {
+    /// Takes in stresses of solids, and how far elements turn under linear kinematics.
+    fn follow_elements(&mut self, frame: &Frame<'_>) {
+        let time = frame.total_time;
+        let mut plastic = Vec::new();
+        for solid in solids(frame) {
+            let label = solid.element.label;
+            for point in 0..solid.points() {
+                keep_larger(&mut self.mises, (mises(solid.stress(point)), label, time));
+                plastic.clear();
+                solid.push(Quantity::Field("PEEQ"), point, &mut plastic);
+                let own = plastic.first().copied().filter(|own| *own > 0.0);
+                own.into_iter().for_each(|own| keep_larger(&mut self.plastic, (own, label, time)));
+            }
+        }
+        let step = frame.model.steps.get(frame.step.wrapping_sub(1));
+        if step.is_some_and(|step| !step.nlgeom) {
+            let most = most_turned(frame).map(|(most, label)| (most, label, time));
+            most.into_iter().for_each(|most| keep_larger(&mut self.linear, most));
+        }
+    }
+}
+
+/// How far the element that turns or strains most does so: the change of an edge over its length,
+/// and the element. Springs and rigid parts do not count.
+fn most_turned(frame: &Frame<'_>) -> Option<(f64, u64)> {
+    let mut most: Option<(f64, u64)> = None;
+    for results in frame.elements {
+        let Some(block) = frame.model.blocks.get(results.block).filter(|own| own.kind.joins())
+        else {
+            continue;
+        };
+        let edges: Vec<[usize; 2]> = block.kind.cell.pieces.iter().flat_map(ends).collect();
+        for &member in &results.members {
+            let element = block.elements.get(member);
+            for ends in &edges {
+                let [a, b] = ends.map(|end| element.nodes[end]);
+                let (still, now) = (
+                    [a, b].map(|node| frame.model.nodes.position(node)),
+                    [a, b].map(|node| place(frame, node)),
+                );
+                let [mut length, mut change] = [0.0; 2];
+                for axis in 0..3 {
+                    let before = still[1][axis] - still[0][axis];
+                    length += before * before;
+                    change += (now[1][axis] - now[0][axis] - before).powi(2);
+                }
+                let turned = (change / length).sqrt();
+                if length > 0.0 && most.is_none_or(|(most, _)| turned > most) {
+                    most = Some((turned, element.label));
+                }
+            }
+        }
+    }
+    most
+}
+
+/// First and last node of every edge of a piece.
+fn ends(piece: &Piece) -> impl Iterator<Item = [usize; 2]> + use<'_> {
+    let edges = edges(piece.vtk).iter();
+    edges.filter_map(|edge| Some([piece.nodes[*edge.first()?], piece.nodes[*edge.last()?]]))
 }
 
 /// Keeps the larger one; what is no number is the largest.
@@ -237,7 +309,7 @@ impl<'a> Summary<'a> {
         if self.energies.1.columns.is_empty() {
             let names = columns.iter().map(|column| column.name().to_owned()).collect();
             let driven = self.understood.as_ref().map(driven).unwrap_or_default();
-            let nodes = driven.iter().map(|driven| driven.node).collect::<BTreeSet<u64>>();
+            let nodes = driven.into_iter().flat_map(|own| own.nodes).collect::<BTreeSet<u64>>();
             let nodes = nodes.into_iter().map(|node| NodeHistory::new(node, columns.len()));
             self.history.1 = History { columns: names, nodes: nodes.collect() };
             let names = self.energies.0.iter().map(|(name, _)| (*name).to_owned());
@@ -257,6 +329,7 @@ impl<'a> Summary<'a> {
                 keep_larger(&mut memory.used, (beam.fibre_strain / allowable, beam.label, time));
             }
         }
+        memory.follow_elements(frame);
         for pair in 0..self.names.1.len() {
             let own = frame.contact.iter().filter(|row| row.pair == pair);
             let force = own.fold(0.0, |sum, row| sum + row.pressure * row.area);
@@ -335,8 +408,19 @@ impl<'a> Summary<'a> {
         object
     }
 
-    /// Largest strain, its share of the allowable one, largest normal force.
+    /// Largest strain, its share of the allowable one, stress, largest normal force.
     fn largest(&self, object: &mut Value) {
+        let memory = &self.memory;
+        let own = [
+            ("mises", memory.mises),
+            ("plastic_strain", memory.plastic),
+            ("linear_motion", memory.linear),
+        ];
+        for (key, largest) in own {
+            if let Some((max, element, time)) = largest {
+                object[key] = json!({"max": max, "element": element, "time": time});
+            }
+        }
         if let Some((max, element, time)) = self.memory.strain {
             object["fibre_strain"] = json!({"max": max, "element": element, "time": time});
         }

@@ -9,29 +9,35 @@ use slideline_model::{
     Controls, Dialect, Dof, FieldControls, Friction, Kinematics, Master, Model, NodeIndex, Onset,
     Section, Step, StickRule, TimeIncrementation,
 };
+use std::collections::HashSet;
 
 /// Members of `JOB.json`:
 ///
 /// | member | content |
 /// |---|---|
-/// | `driven` | `[{"node","motion","reaction"}]`: prescribed motions that move |
-/// | `loaded` | `[{"node","motion"}]`: loads |
+/// | `driven` | `[{"node","name","nodes":[..],"motion","reaction"}]`: prescribed motions that move |
+/// | `loaded` | `[{"node","name","motion"}]`: loads |
 /// | `supports` | `[{"node","dofs":[..]}]`: what is held throughout |
 /// | `sections` | `[{"height","elements":[first,last,..]}]`: heights of beam sections |
 /// | `pairs` | `[{"name","slave":[..],"master","nodes":[..],"normal","friction"}]` |
 /// | `instances` | `[{"name","first"}]`: `first` + n is the number of node or element n |
 /// | `settings` | `[{"card","name","value","default"}]` |
 pub(crate) fn understood(model: &Model) -> Value {
-    let steps = || model.steps.iter();
-    let moving = steps().flat_map(|step| step.prescribed.iter().filter(|own| own.moves()));
-    let loads = steps().flat_map(|step| &step.loads).map(|load| (load.node, load.dof));
-    let driven = distinct(moving.map(|own| (own.node, own.dof))).into_iter().map(|(node, dof)| {
-        let (motion, reaction) = (dof.name(), dof.reaction_name());
-        json!({"node": model.nodes.label(node), "motion": motion, "reaction": reaction})
+    let driven = model.driven().into_iter().map(|own| {
+        let nodes: Vec<u64> = own.nodes.iter().map(|&node| model.nodes.label(node)).collect();
+        let (motion, reaction) = (own.dof.name(), own.dof.reaction_name());
+        json!({
+            "node": nodes.first(),
+            "name": own.name,
+            "nodes": nodes,
+            "motion": motion,
+            "reaction": reaction,
+        })
     });
-    let loaded = distinct(loads).into_iter();
-    let loaded =
-        loaded.map(|(node, dof)| json!({"node": model.nodes.label(node), "motion": dof.name()}));
+    let loaded = loaded(model).into_iter().map(|(dof, nodes)| {
+        let node = nodes.first().map(|&node| model.nodes.label(node));
+        json!({"node": node, "name": model.name_of(&nodes), "motion": dof.name()})
+    });
     json!({
         "driven": driven.collect::<Value>(),
         "loaded": loaded.collect::<Value>(),
@@ -88,15 +94,22 @@ fn sections(model: &Model) -> Value {
     sections.collect()
 }
 
-/// Each once, in the order of the deck.
-fn distinct(all: impl Iterator<Item = (NodeIndex, Dof)>) -> Vec<(NodeIndex, Dof)> {
-    let mut kept: Vec<(NodeIndex, Dof)> = Vec::new();
-    for own in all {
-        if !kept.contains(&own) {
-            kept.push(own);
+/// Loaded dofs, nodes that a card loads alike taken together, in the order of the deck.
+fn loaded(model: &Model) -> Vec<(Dof, Vec<NodeIndex>)> {
+    let mut seen: HashSet<(NodeIndex, Dof)> = HashSet::new();
+    let mut groups: Vec<(Dof, Vec<NodeIndex>)> = Vec::new();
+    for step in &model.steps {
+        let mut last = None;
+        for load in step.loads.iter().filter(|load| seen.insert((load.node, load.dof))) {
+            let card = Some((load.dof, load.origin, load.value.to_bits(), load.amplitude));
+            match groups.last_mut().filter(|_| card == last && !load.dof.is_rotation()) {
+                Some((_, nodes)) => nodes.push(load.node),
+                None => groups.push((load.dof, vec![load.node])),
+            }
+            last = card;
         }
     }
-    kept
+    groups
 }
 
 fn pairs(model: &Model) -> Value {

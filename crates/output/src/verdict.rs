@@ -65,12 +65,13 @@ fn evidence(summary: &Value, energies: Option<&Energies>, first: Option<&Stroke>
         noise: driven(summary)
             .iter()
             .filter_map(|driven| {
-                let name = format!("{}.{}", driven.node, driven.reaction);
+                let name = format!("{}.{}", driven.name, driven.reaction);
                 noise?.get("reactions")?.get(&name)?.number("of_mesh")
             })
             .reduce(worse),
         peak_step: peaks.map(|taken| taken.step).reduce(worse),
         strain,
+        linear: summary.get("linear_motion").and_then(|own| own.number("max")),
         utilisation: summary.get("allowable").and_then(|used| used.number("utilisation")),
         penetration: largest("penetration_over_c0"),
         said: said(summary),
@@ -121,10 +122,7 @@ fn out_of_balance(energies: &Energies) -> Option<f64> {
 /// What `JOB.json` says, with forces and verdict behind everything else; those
 /// that were there are replaced.
 pub(crate) fn attached(mut summary: Value, energies: &Energies, history: &History) -> Value {
-    let judged = judge(&summary, Some(energies), |driven| {
-        let column = |name: &str| history.with_start(driven.node, name);
-        Some([column(&driven.motion)?, column(&driven.reaction)?])
-    });
+    let judged = judge(&summary, Some(energies), |driven| history.stroke(driven));
     let forces = judged.strokes.iter().map(|(driven, stroke)| forces(driven, stroke));
     let reasons = judged.verdict.reasons.iter().map(|(_, reason)| reason.as_str());
     let verdict = json!({
@@ -145,7 +143,8 @@ fn forces(driven: &Driven, stroke: &Stroke) -> Value {
         taken.map(|taken| json!({"force": taken.force, "at": taken.at, "place": taken.place}))
     };
     json!({
-        "node": driven.node,
+        "node": driven.nodes.first(),
+        "name": driven.name,
         "motion": driven.motion,
         "reaction": driven.reaction,
         "inward": stroke.inward,

@@ -37,7 +37,8 @@ const REGISTRY: &[Kind] = &[
     Kind { name: "contact.csv", make: |job, _| Box::new(Csv::<contact::Contact>::new(job)) },
     Kind { name: "pair.csv", make: |job, _| Box::new(Csv::<pair::Pairs>::new(job)) },
     Kind { name: "energy.csv", make: |job, _| Box::new(Csv::<energy::Energy>::new(job)) },
-    Kind { name: "element.csv", make: |job, _| Box::new(Csv::<element::Elements>::new(job)) },
+    Kind { name: "element.csv", make: |job, _| Box::new(Csv::<element::Solids>::new(job)) },
+    Kind { name: "beam.csv", make: |job, _| Box::new(Csv::<element::Beams>::new(job)) },
     Kind { name: "frd", make: |job, _| Box::new(frd::Frd::new(job)) },
     Kind { name: "vtu", make: |job, _| Box::new(vtu::States::new(job)) },
 ];

@@ -16,4 +16,4 @@ pub mod element;
 mod node;
 
 pub use contact::{CONTACT_FIELDS, ContactComponent, ContactField, contact_component, shown};
-pub use node::{NodeComponent, NodeField};
+pub use node::{NodeComponent, NodeField, place};

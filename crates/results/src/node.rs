@@ -128,6 +128,13 @@ impl NodeComponent {
     }
 }
 
+/// Where a node is now, in all three directions [L].
+pub fn place(frame: &Frame<'_>, node: NodeIndex) -> [f64; 3] {
+    let still = frame.model.nodes.position(node);
+    let moved = |axis| frame.nodal.displacement(node, [Dof::U1, Dof::U2, Dof::U3][axis]);
+    std::array::from_fn(|axis| still[axis] + moved(axis))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

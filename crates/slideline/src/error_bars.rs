@@ -13,6 +13,7 @@ use slideline_model::{Dof, Model, NodeIndex, refine};
 use slideline_output::{BarRows, JobFiles, WriteError, add_error_bars};
 use slideline_solve::Options;
 use slideline_solve::observe::{Ending, Event, Observer, Stop};
+use std::collections::HashSet;
 use std::ops::ControlFlow;
 
 /// Reactions of the history nodes of a model, increment by increment.
@@ -21,6 +22,8 @@ pub struct Reactions {
     nodes: Vec<NodeIndex>,
     labels: Vec<u64>,
     dofs: Vec<Dof>,
+    /// How many nodes the model has.
+    count_of_nodes: usize,
     /// Total times of the increments [T].
     times: Vec<f64>,
     /// One curve a node and dof, node by node [F or F L].
@@ -34,7 +37,8 @@ impl Reactions {
         let labels = nodes.iter().map(|&node| model.nodes.label(node)).collect();
         let dofs = model.directions().to_vec();
         let curves = vec![Vec::new(); nodes.len() * dofs.len()];
-        Self { nodes, labels, dofs, times: Vec::new(), curves }
+        let count_of_nodes = model.nodes.len();
+        Self { nodes, labels, dofs, count_of_nodes, times: Vec::new(), curves }
     }
 
     /// Number of increments that were taken down.
@@ -194,6 +198,30 @@ fn shortened(model: &Model, times: u32) -> Model {
     model
 }
 
+/// Dofs of the nodes whose support is shared with a node that only the finer mesh has: on a solid
+/// the part of a single node grows smaller with the mesh and is no result.
+fn shared(finer: &Model, found: &Reactions) -> HashSet<(NodeIndex, Dof)> {
+    let known: HashSet<NodeIndex> = found.nodes.iter().copied().collect();
+    let held: HashSet<(NodeIndex, Dof)> = finer
+        .steps
+        .iter()
+        .flat_map(|step| &step.prescribed)
+        .filter(|own| own.node >= found.count_of_nodes)
+        .map(|own| (own.node, own.dof))
+        .collect();
+    let solids = finer.blocks.iter().filter(|block| !block.kind.cell.faces.is_empty());
+    let mut shared = HashSet::new();
+    for element in solids.flat_map(|block| &block.elements) {
+        let own = element.nodes.iter().filter(|node| known.contains(node));
+        for (&node, &dof) in own.flat_map(|node| found.dofs.iter().map(move |dof| (node, dof))) {
+            if element.nodes.iter().any(|&other| held.contains(&(other, dof))) {
+                shared.insert((node, dof));
+            }
+        }
+    }
+    shared
+}
+
 /// Bars from two finer runs.
 fn compare(
     found: &Reactions,
@@ -202,6 +230,7 @@ fn compare(
     options: &Options,
     observer: &mut dyn Observer,
 ) -> Result<ErrorBars, Box<Diagnostic>> {
+    let shared = shared(models[0], found);
     let mut finer = Vec::with_capacity(2);
     for (model, way) in models.into_iter().zip(ways) {
         let mut reactions = found.emptied();
@@ -214,7 +243,12 @@ fn compare(
         }
         finer.push(reactions);
     }
+    let kinds = found.dofs.len().max(1);
     let bars = found.curves.iter().enumerate().map(|(place, coarse)| {
+        let (node, dof) = (found.nodes[place / kinds], found.dofs[place % kinds]);
+        if shared.contains(&(node, dof)) {
+            return vec![f64::NAN; coarse.len()];
+        }
         let [half, quarter] = [0, 1].map(|k: usize| finer[k].at(place, &found.times));
         error_bar(coarse, &half, &quarter).unwrap_or_default()
     });

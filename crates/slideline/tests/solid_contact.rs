@@ -76,7 +76,7 @@ fn row(deck: &mut String, card: &str, numbers: impl Iterator<Item = usize>) {
     });
 }
 
-/// So many equal steps of a length, then as many that grow by a tenth each.
+/// So many equal steps of a length, then as many that grow by 22 % each.
 fn graded(first: f64, even: usize, growing: usize) -> Vec<f64> {
     let (mut places, mut step) = (vec![0.0], first);
     for k in 0..even + growing {

@@ -67,8 +67,10 @@ impl Books {
 /// to (10.3).
 pub fn account(plan: &Problem<'_>, committed: &State, work: &Scratch, trial: &mut State) {
     let before = &committed.energy;
+    let dissipated = plan.structure.dissipated(&work.u, &trial.elements, &trial.temperatures);
     let mut energy = Energies {
-        strain_energy: work.evaluation.strain_energy,
+        strain_energy: work.evaluation.strain_energy - dissipated,
+        material_dissipation: dissipated,
         contact_energy: work.evaluation.contact_energy,
         friction_elastic: work.evaluation.elastic_slip_energy,
         stabilisation: before.stabilisation + damped(committed, trial),
@@ -88,8 +90,8 @@ pub fn account(plan: &Problem<'_>, committed: &State, work: &Scratch, trial: &mu
     trial.energy = energy;
     let gained = energy.external_work - before.external_work;
     let taken = energy.taken() - before.taken();
-    let kept = |energy: &Energies| energy.strain_energy + energy.contact_energy;
-    let stored = kept(&energy) - kept(before) + energy.stabilisation - before.stabilisation;
+    let stored =
+        energy.of_the_model() - before.of_the_model() + energy.stabilisation - before.stabilisation;
     trial.books = Books {
         turned_over: committed.books.turned_over + gained.abs().max(taken.abs()),
         left: gained - stored - friction.work,

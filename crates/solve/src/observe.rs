@@ -371,6 +371,11 @@ impl Nodal<'_> {
         })
     }
 
+    /// Whether some node has a rotation.
+    pub fn has_rotations(&self) -> bool {
+        !self.dofs.rotations().is_empty()
+    }
+
     /// The dofs that nodes of this model have.
     pub fn dofs(&self) -> &[Dof] {
         self.dofs.kinds()

@@ -284,6 +284,27 @@ impl Structure<'_> {
         flux
     }
 
+    /// Energy that the elements have taken for good [F L].
+    pub fn dissipated(&self, u: &[f64], state: &[f64], temperatures: &[Temperature]) -> f64 {
+        let mut nodes = NodalTemperatures::default();
+        let ambient = Ambient { temperatures, dt: 0.0 };
+        let mut variables = [0.0; MOST_VARIABLES];
+        let blocks = self.numbering.blocks.iter().zip(self.kernels.iter());
+        let mut sum = 0.0;
+        for (block, kernel) in blocks {
+            let q = &mut variables[..block.variables];
+            for element in block.elements.clone() {
+                let own = self.own(block, element);
+                q.iter_mut().zip(own).for_each(|(q, &dof)| *q = u[dof]);
+                let (number, state) = (block.number(element), &state[block.state(element)]);
+                let nodal = self.nodal_temperatures(block, element, &ambient, &mut nodes);
+                let under = nodal.under(self.strains(), ambient.dt);
+                sum += kernel.dissipated(number, q, state, &under);
+            }
+        }
+        sum
+    }
+
     /// Results of all elements, block by block; room that `into` has is used again.
     pub fn results(
         &self,

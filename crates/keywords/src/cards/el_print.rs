@@ -1,4 +1,4 @@
-//! `*EL PRINT`: tables of section forces and stresses of beams.
+//! `*EL PRINT`: tables of beams and solids.
 
 use slideline_deck::normalise;
 use slideline_model::{self as model, ElementVariable, SECTION_POINTS};
@@ -48,7 +48,7 @@ impl Keyword for ElPrint {
     }
 }
 
-/// Takes in a request for beam results: section points, where numbers are
+/// Takes in a request for results of beams and solids: section points, where numbers are
 /// listed, and variables.
 pub(crate) fn request(card: &Reading<'_>, kind: Kind, draft: &mut Draft) {
     let mut section_points = Vec::new();
@@ -76,7 +76,7 @@ fn section_point(text: &str) -> Option<usize> {
 
 impl Variable for ElementVariable {
     const KIND: &'static str = "variable of elements";
-    const KNOWN: &'static str = "SF, SM, SE, SK, S, MISES of beams, S, E, PEEQ, MISES of solids; numbers from 1 to 5 are section points";
+    const KNOWN: &'static str = "SF, SM, SE, SK, S, MISES of beams, S, E, LE, PE, PEEQ, MISES, SP, ENER, PENER, COORD, ELSE, ELPD, EVOL of solids; numbers from 1 to 5 are section points";
     const SET: &'static str = "ELSET";
     const PRESELECTED: &'static [Self] = &[Self::SF, Self::SM, Self::S];
 
@@ -88,9 +88,18 @@ impl Variable for ElementVariable {
             "SE" => Some(Self::SE),
             "SK" => Some(Self::SK),
             "S" => Some(Self::S),
-            "E" | "LE" => Some(Self::E),
+            "E" => Some(Self::E),
+            "LE" => Some(Self::LE),
+            "PE" => Some(Self::PE),
             "PEEQ" => Some(Self::PEEQ),
             "MISES" => Some(Self::MISES),
+            "SP" => Some(Self::SP),
+            "ENER" => Some(Self::ENER),
+            "PENER" => Some(Self::PENER),
+            "COORD" | "COOR" => Some(Self::COORD),
+            "ELSE" => Some(Self::ELSE),
+            "ELPD" => Some(Self::ELPD),
+            "EVOL" => Some(Self::EVOL),
             _ => None,
         }
     }

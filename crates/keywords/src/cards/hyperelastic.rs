@@ -1,6 +1,7 @@
 //! `*HYPERELASTIC`: rubber from coefficients.
 
 use slideline_mech::material::{MOST_TERMS, Rubber};
+use slideline_model::Dialect;
 
 use crate::draft::{Draft, Elasticity};
 use crate::keyword::{Keyword, Level, Rule, Subject};
@@ -22,6 +23,8 @@ const FORMS: [&str; 7] = [
 
 /// Ratio of bulk to shear modulus of a rubber that the deck calls incompressible [1].
 const INCOMPRESSIBLE: f64 = 1e4;
+/// The same as CalculiX has it, measured with ccx 2.20.
+const OF_CALCULIX: f64 = 20.0;
 
 impl Keyword for Hyperelastic {
     fn name(&self) -> &'static str {
@@ -167,10 +170,16 @@ fn sound(made: Rubber, card: &Reading<'_>, draft: &mut Draft) -> Option<Rubber> 
         return Some(made);
     }
     let message = "an incompressible rubber is taken as next to incompressible";
-    let help = "its bulk modulus is 10000 times its shear modulus; give D1 = 2/K for another one";
+    let ratio = match draft.model.dialect {
+        Dialect::Abaqus => INCOMPRESSIBLE,
+        Dialect::Calculix => OF_CALCULIX,
+    };
+    let help = format!(
+        "its bulk modulus is {ratio} times its shear modulus; give D1 = 2/K for another one"
+    );
     let note = slideline_diag::Diagnostic::note(slideline_diag::Code("SL0272"), message);
     draft.log.push(note.at(line).help(help));
-    let inverse = 0.5 * INCOMPRESSIBLE * shear;
+    let inverse = 0.5 * ratio * shear;
     Some(match made {
         Rubber::Polynomial { terms, mut volume } => {
             volume[0] = inverse;

@@ -57,11 +57,6 @@ impl Keyword for Step {
         }
         let lines: Vec<&str> = card.data().iter().map(|line| line.text.as_str()).collect();
         let nlgeom = card.yes("NLGEOM", &mut draft.log).unwrap_or(false);
-        if !nlgeom {
-            let message = "without NLGEOM the kinematics are linear; contact stays nonlinear";
-            let warning = Diagnostic::warning(Code("SL0247"), message).at(card.span());
-            draft.log.push(warning.help("write *STEP, NLGEOM for large rotations and sliding"));
-        }
         let guess = card.choice("EXTRAPOLATION", &["LINEAR", "PARABOLIC", "NO"], &mut draft.log);
         let amplitude = card.choice("AMPLITUDE", &["RAMP", "STEP"], &mut draft.log);
         let max_increments = increments(card, draft);

@@ -117,7 +117,23 @@ fn presence(draft: &mut Draft, doubted: bool) {
     }
 }
 
+/// SL0247: of no weight where nothing touches; whether something turns far the run shows.
+fn linear(step: &StepDraft, draft: &mut Draft) {
+    if step.nlgeom {
+        return;
+    }
+    let said = if draft.model.contact_pairs.is_empty() {
+        Diagnostic::note(Code("SL0247"), "without NLGEOM the kinematics are linear")
+    } else {
+        let message = "without NLGEOM the kinematics are linear; contact stays nonlinear";
+        Diagnostic::warning(Code("SL0247"), message)
+    };
+    let said = said.at(step.origin).help("write *STEP, NLGEOM for large rotations and sliding");
+    draft.log.push(said);
+}
+
 fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
+    linear(&step, draft);
     if step.new_boundary {
         carried.prescribed = InForce::default();
     }

@@ -127,6 +127,8 @@ fn pair(pairing: &Pairing, draft: &mut Draft) {
     let (Some(first), Some(second)) = (first, second) else { return };
     let sides = Sides { slave, master };
     let thickness = thickness_of(pairing, &first, draft);
+    let of_solids = [&first, &second].into_iter().any(is_of_solids);
+    let vocabulary = if of_solids { Vocabulary::Faces } else { Vocabulary::Surfaces };
     let parts = match pairing.formulation {
         Formulation::NodeToSurface => at_nodes(pairing, &sides, (first, second), draft),
         Formulation::SurfaceToSurface => along(pairing, &sides, (first, second), draft),
@@ -141,7 +143,7 @@ fn pair(pairing: &Pairing, draft: &mut Draft) {
     let pair = ContactPair {
         name: format!("{}/{}", pairing.slave.name, pairing.master.name),
         formulation: pairing.formulation,
-        vocabulary: Vocabulary::Surfaces,
+        vocabulary,
         elements: slaves.elements,
         faces: slaves.faces,
         master,
@@ -197,6 +199,15 @@ fn width(pairing: &Pairing, of_solids: Option<f64>, draft: &mut Draft) -> f64 {
         draft.consequence(Subject::Contact, note.help(help));
         1.0
     })
+}
+
+/// Whether a side is made of faces of solids.
+fn is_of_solids(side: &Found) -> bool {
+    match side {
+        Found::Facets(facets) => facets.iter().any(|facet| facet.face.is_some()),
+        Found::Faces(_) => true,
+        _ => false,
+    }
 }
 
 /// What carries the points of a pair.
@@ -301,12 +312,7 @@ fn along(
     (slave, master): (Found, Found),
     draft: &mut Draft,
 ) -> Parts {
-    let of_solids = |side: &Found| match side {
-        Found::Facets(facets) => facets.iter().any(|facet| facet.face.is_some()),
-        Found::Faces(_) => true,
-        _ => false,
-    };
-    if of_solids(&slave) || of_solids(&master) {
+    if is_of_solids(&slave) || is_of_solids(&master) {
         let message = "SURFACE TO SURFACE on faces of solids is not supported";
         let error = Diagnostic::error(Code("SL0221"), message).at(pairing.origin);
         let help = "give TYPE=NODE TO SURFACE; contact is then sampled at the nodes of the slave";

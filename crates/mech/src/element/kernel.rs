@@ -165,6 +165,18 @@ pub trait Kernel: Any + Debug + Send + Sync {
     /// How stiff an element is.
     fn scale(&self, element: usize) -> Scale;
 
+    /// Part of the energy of an element that it does not give back [F L], of a state and the
+    /// displacements that it belongs to.
+    fn dissipated(
+        &self,
+        _element: usize,
+        _q: &[f64],
+        _state: &[f64],
+        _under: &Surroundings<'_>,
+    ) -> f64 {
+        0.0
+    }
+
     /// Writes what the element offers as results at `q` and its state, in the order of the fields
     /// that its type declares.
     fn results(

@@ -173,6 +173,11 @@ impl Material {
         }
     }
 
+    /// Whether it may take work that it does not give back.
+    pub fn dissipates(&self) -> bool {
+        matches!(self, Self::Plastic(_) | Self::User(_))
+    }
+
     /// A stiffness that bounds that of a stretch [F/L2].
     pub fn stiffest(&self) -> f64 {
         let of = |elastic: &Elastic| elastic.bulk_modulus() + 4.0 / 3.0 * elastic.shear_modulus();

@@ -6,7 +6,7 @@
 //! ```
 //!
 //! For materials without directions of their own: both strains across are the same.
-//! docs/theory.md eqs. (3.57), (3.58).
+//! docs/theory.md eqs. (3.58), (3.59).
 
 use super::{Conditions, Material};
 

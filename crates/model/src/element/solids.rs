@@ -13,18 +13,41 @@ use slideline_mech::element::cell::Cell;
 use slideline_mech::element::quadrature::Quadrature;
 use slideline_mech::element::solid::{self, Formulation};
 
-/// Stress, strain and equivalent plastic strain of a plane solid at its integration points.
+/// Equivalent plastic strain.
+const PEEQ: Field = of(at(Location::Points, "PEEQ", "[1]"), &["PEEQ"]);
+/// Stored energy of a unit of undeformed volume.
+const ENER: Field = of(at(Location::Points, "ENER", "[F/L2]"), &["ENER"]);
+/// Energy that plastic strain took of it.
+const PENER: Field = of(at(Location::Points, "PENER", "[F/L2]"), &["PENER"]);
+/// Stored energy of the whole element.
+const ELSE: Field = of(at(Location::Centroid, "ELSE", "[F L]"), &["ELSE"]);
+/// Energy that plastic strain took of it.
+const ELPD: Field = of(at(Location::Centroid, "ELPD", "[F L]"), &["ELPD"]);
+/// Its volume.
+const EVOL: Field = of(at(Location::Centroid, "EVOL", "[L3]"), &["EVOL"]);
+
+/// Stress, strain and energies of a plane solid at its integration points.
 const PLANE_FIELDS: &[Field] = &[
     of(at(Location::Points, "S", "[F/L2]"), &["S11", "S22", "S33", "S12"]),
     of(at(Location::Points, "E", "[1]"), &["E11", "E22", "E33", "E12"]),
-    of(at(Location::Points, "PEEQ", "[1]"), &["PEEQ"]),
+    PEEQ,
+    ENER,
+    PENER,
+    ELSE,
+    ELPD,
+    EVOL,
 ];
 
 /// The same in space.
 const SPACE_FIELDS: &[Field] = &[
     of(at(Location::Points, "S", "[F/L2]"), &["S11", "S22", "S33", "S12", "S13", "S23"]),
     of(at(Location::Points, "E", "[1]"), &["E11", "E22", "E33", "E12", "E13", "E23"]),
-    of(at(Location::Points, "PEEQ", "[1]"), &["PEEQ"]),
+    PEEQ,
+    ENER,
+    PENER,
+    ELSE,
+    ELPD,
+    EVOL,
 ];
 
 const SPACE: &[Dof] = &[Dof::U1, Dof::U2, Dof::U3];

@@ -39,7 +39,8 @@ pub struct Curve {
 /// Files that cannot be read, a column or node that they lack.
 pub fn curve(job: &JobFiles, question: &Question) -> Result<Curve, Problem> {
     let said = read(job, question.unfinished)?;
-    let mut nodes: Vec<u64> = driven(&said).iter().map(|driven| driven.node).collect();
+    let mut nodes: Vec<u64> =
+        driven(&said).iter().flat_map(|own| own.nodes.first().copied()).collect();
     nodes.dedup();
     let asked = match (question.node, nodes.as_slice()) {
         (Some(node), _) => Some(node),

@@ -1,6 +1,7 @@
 //! `JOB.history.csv` and `JOB.energy.csv` read back.
 
 use super::problem::Problem;
+use super::summary::Driven;
 use super::table::Table;
 use std::collections::HashMap;
 use std::path::Path;
@@ -73,6 +74,17 @@ impl History {
     /// The same from the start on, at which everything is zero.
     pub fn with_start(&self, node: u64, name: &str) -> Option<Vec<f64>> {
         self.column(node, name).map(self::with_start)
+    }
+
+    /// Motion and reaction of what is driven from the start on: the motion of its first node, the
+    /// sum of the reactions of all.
+    pub fn stroke(&self, driven: &Driven) -> Option<[Vec<f64>; 2]> {
+        let mut sum = vec![0.0; self.column(*driven.nodes.first()?, &driven.reaction)?.len()];
+        for &node in &driven.nodes {
+            let own = self.column(node, &driven.reaction)?;
+            sum.iter_mut().zip(own).for_each(|(sum, own)| *sum += own);
+        }
+        Some([self.with_start(driven.nodes[0], &driven.motion)?, self::with_start(&sum)])
     }
 
     /// Cuts what a job that was killed wrote beyond its last whole increment.

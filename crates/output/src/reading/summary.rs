@@ -11,19 +11,32 @@ pub const SCHEMA: usize = 1;
 /// A prescribed motion that moves.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Driven {
-    /// The node.
-    pub node: u64,
+    /// What is driven, a node or a set of nodes, as it is called.
+    pub name: String,
+    /// Its nodes; the reaction is the sum of theirs.
+    pub nodes: Vec<u64>,
     /// Column of its motion.
     pub motion: String,
     /// Column of its reaction.
     pub reaction: String,
 }
 
+impl Driven {
+    /// `node 7`, or `nodes END`.
+    pub fn words(&self) -> String {
+        format!("{} {}", if self.nodes.len() == 1 { "node" } else { "nodes" }, self.name)
+    }
+}
+
 /// What the summary says is driven.
 pub(crate) fn driven(summary: &Value) -> Vec<Driven> {
     let driven = summary.list("driven").iter().filter_map(|driven| {
+        let node = driven.count("node")? as u64;
+        let nodes: Vec<u64> = driven.list("nodes").iter().filter_map(Value::as_u64).collect();
         Some(Driven {
-            node: driven.count("node")? as u64,
+            name: driven.text("name").map_or_else(|| node.to_string(), str::to_owned),
+            // earlier versions had one node a motion
+            nodes: if nodes.is_empty() { vec![node] } else { nodes },
             motion: driven.text("motion")?.to_owned(),
             reaction: driven.text("reaction")?.to_owned(),
         })

@@ -32,7 +32,9 @@ pub(crate) fn data(
         "driven": driven(results, judged),
         "supports": supports(results),
         "heights": heights(results),
-        "loaded": loaded.map(|(node, way)| json!({"node": node, "motion": way})).collect::<Value>(),
+        "loaded": loaded
+            .map(|(node, name, way)| json!({"node": node, "name": name, "motion": way}))
+            .collect::<Value>(),
         "history": history(results),
         "energy": columns(energy),
         "stride": contacts.stride,
@@ -83,7 +85,10 @@ fn driven(results: &Results, judged: &Judged) -> Value {
     let still = results.driven.iter().filter(|driven| !known(driven)).map(|driven| (driven, None));
     let all = moved.chain(still).map(|(driven, stroke)| {
         json!({
-            "node": driven.node,
+            "node": driven.nodes.first(),
+            "who": driven.words(),
+            "nodes": driven.nodes.len(),
+            "force": force(results, driven),
             "motion": driven.motion,
             "reaction": driven.reaction,
             "inward": stroke.map_or(1.0, |stroke| stroke.inward),
@@ -92,6 +97,13 @@ fn driven(results: &Results, judged: &Judged) -> Value {
         })
     });
     all.collect()
+}
+
+/// What all nodes of a set are driven with, from the first increment on; none of a single node,
+/// whose reaction stands among the histories.
+fn force(results: &Results, driven: &Driven) -> Option<String> {
+    let [_, force] = results.history.stroke(driven).filter(|_| driven.nodes.len() > 1)?;
+    Some(doubles(force.get(1..)?))
 }
 
 /// Held nodes with the numbers of their dofs.
@@ -122,7 +134,11 @@ fn heights(results: &Results) -> String {
 }
 
 fn history(results: &Results) -> Value {
-    let nodes = results.history.nodes.iter().map(|node| {
+    let shown = |node: u64| {
+        let driven = results.driven.iter().any(|own| own.nodes.first() == Some(&node));
+        driven || results.loaded.iter().any(|load| load.0 == node)
+    };
+    let nodes = results.history.nodes.iter().filter(|own| shown(own.node)).map(|node| {
         let values = node.values.iter().map(Vec::as_slice);
         json!({"node": node.node, "columns": columns(results.history.columns.iter().zip(values))})
     });
@@ -172,8 +188,28 @@ fn frames(results: &Results) -> Value {
         "states": frames.states,
         "displacement": singles(frames.displacement.iter().flatten().copied()),
         "sections": singles(frames.sections.iter().flatten().copied()),
+        "skin": singles(frames.skin.iter().flat_map(|(points, mark)| {
+            let [a, b, c] = points.map(|point| point as f32);
+            [a, b, c, f32::from(*mark)]
+        })),
+        "space": frames.in_space,
+        "depth": singles(frames.depth.iter().map(|z| *z as f32)),
+        "depth_moved": singles(frames.depth_moved.iter().flatten().copied()),
+        "fields": fields(results),
         "strained": strained.and_then(|strain| strain.count("element")),
     })
+}
+
+/// What the surface of solids can be coloured by: nodal values, frame by frame. Plastic strain
+/// where there is some.
+fn fields(results: &Results) -> Value {
+    let names = ["Mises stress", "equivalent plastic strain"];
+    let all = names.into_iter().zip(&results.frames.values).filter(|(name, values)| {
+        let some = values.iter().flatten().any(|value| *value > 0.0);
+        some || *name == names[0] && !values.is_empty()
+    });
+    let field = |(name, values): (&str, &Vec<Vec<f32>>)| json!({"name": name, "values": singles(values.iter().flatten().copied())});
+    all.map(field).collect()
 }
 
 fn attempt(attempt: &Attempt) -> Value {

@@ -4,7 +4,10 @@ use crate::job::JobFiles;
 use crate::outline;
 use crate::reading::problem::{self, Problem, unreadable};
 use crate::reading::state::StateFile;
+use crate::report::skin::{Triangle, is_volume, surface};
 
+/// Kind of a solid, as files number it.
+const SOLID: i32 = 4;
 /// Most states that are drawn.
 const MOST: usize = 201;
 /// Most numbers that displacements may take.
@@ -26,6 +29,19 @@ pub(crate) struct Frames {
     pub elements: Vec<i64>,
     /// Index of each pair's cell among those of the files.
     of_cell: Vec<usize>,
+    /// The surface of solids.
+    pub skin: Vec<Triangle>,
+    /// Whether solids fill space.
+    pub in_space: bool,
+    /// z of the undeformed points, where they do.
+    pub depth: Vec<f64>,
+    /// z of the displacements, frame by frame.
+    pub depth_moved: Vec<Vec<f32>>,
+    /// Mises stress and equivalent plastic strain at the points, frame by frame, where there are
+    /// solids.
+    pub values: [Vec<Vec<f32>>; 2],
+    /// Which points of the files are drawn: of solids in space those of the surface.
+    kept: Vec<usize>,
     /// Number of the state of each frame; 0 is the start.
     pub states: Vec<usize>,
     /// Numbers of all states that were written.
@@ -52,7 +68,8 @@ impl Frames {
         frames.topology(job, first)?;
         let candidates: Vec<usize> =
             written.iter().copied().filter(|state| drawable(*state)).collect();
-        for place in chosen(candidates.len().saturating_sub(1), frames.reference.len()) {
+        let numbers = frames.reference.len() + frames.depth.len();
+        for place in chosen(candidates.len().saturating_sub(1), numbers) {
             if let Some(&state) = candidates.get(place) {
                 frames.add(job, state)?;
             }
@@ -67,33 +84,76 @@ impl Frames {
 
     fn topology(&mut self, job: &JobFiles, state: usize) -> Result<(), Problem> {
         let file = self.open(job, state)?;
-        let positions = plane(&file.doubles("Points")?);
-        let moved = plane(&file.doubles("displacement")?);
-        self.reference = positions.iter().zip(&moved).map(|(x, u)| x - u).collect();
+        let (positions, moved) = (file.doubles("Points")?, file.doubles("displacement")?);
+        let still: Vec<f64> = positions.iter().zip(&moved).map(|(x, u)| x - u).collect();
         self.labels = file.long("node")?;
         let (connectivity, ends) = (file.long("connectivity")?, file.long("offsets")?);
         let (kinds, elements) = (file.short("kind")?, file.long("element")?);
         let types = file.tiny("types")?;
-        let points = self.reference.len() / 2;
+        let points = still.len() / 3;
         let inside = |point: &i64| usize::try_from(*point).is_ok_and(|point| point < points);
         let fits = self.labels.len() == points
             && ends.len() == kinds.len()
             && types.len() == kinds.len()
             && elements.len() == kinds.len()
             && connectivity.iter().all(inside);
+        let mut cells: Vec<(u8, &[i64])> = Vec::new();
         let mut begin = 0;
         for (cell, (end, (&kind, &element))) in
             ends.iter().zip(kinds.iter().zip(&elements)).enumerate()
         {
             let end = usize::try_from(*end).unwrap_or(0);
             let points = connectivity.get(begin..end).unwrap_or_default();
-            let edges = types.get(cell).map_or(&[][..], |kind| outline::edges(*kind));
+            let shape = types.get(cell).copied().unwrap_or_default();
+            if kind == SOLID {
+                cells.push((shape, points));
+            }
+            // what fills space is drawn by its surface
+            let edges = if is_volume(shape) { &[][..] } else { outline::edges(shape) };
             self.join((points, edges), (cell, kind, element));
             begin = end;
+        }
+        if fits {
+            self.skin = surface(cells.iter().copied(), &self.labels);
+            self.in_space = cells.iter().any(|(shape, _)| is_volume(*shape));
+            let inner = cells.iter().filter(|(shape, _)| is_volume(*shape));
+            self.keep(&still, inner.flat_map(|(_, points)| points.iter().copied()));
         }
         let path = job.folder().join(job.state_name(state));
         let whole = fits && begin == connectivity.len();
         if whole { Ok(()) } else { Err(unreadable(&path, "its arrays do not fit one another")) }
+    }
+
+    /// Leaves the points out that are `inside` of solids in space, and numbers the others anew.
+    fn keep(&mut self, still: &[f64], inside: impl Iterator<Item = i64>) {
+        let mut is_kept = vec![true; still.len() / 3];
+        let place = |point: i64| usize::try_from(point).unwrap_or(usize::MAX);
+        for point in inside {
+            if let Some(own) = is_kept.get_mut(place(point)) {
+                *own = false;
+            }
+        }
+        let drawn = self.skin.iter().flat_map(|(points, _)| points).copied();
+        for point in drawn.chain(self.cells.iter().map(|&point| place(point))) {
+            if let Some(own) = is_kept.get_mut(point) {
+                *own = true;
+            }
+        }
+        self.kept = (0..is_kept.len()).filter(|point| is_kept[*point]).collect();
+        let mut number = vec![0; is_kept.len()];
+        self.kept.iter().enumerate().for_each(|(new, &old)| number[old] = new);
+        self.labels = self.kept.iter().filter_map(|&old| self.labels.get(old).copied()).collect();
+        self.skin.iter_mut().for_each(|(points, _)| *points = points.map(|old| number[old]));
+        let new = |old: &i64| number.get(place(*old)).map_or(0, |new| *new as i64);
+        self.cells = self.cells.iter().map(new).collect();
+        self.reference = self.along(still, &[0, 1]);
+        self.depth = if self.in_space { self.along(still, &[2]) } else { Vec::new() };
+    }
+
+    /// Some coordinates of the points that are drawn, point by point.
+    fn along(&self, values: &[f64], axes: &[usize]) -> Vec<f64> {
+        let own = |&point: &usize| axes.iter().map(move |axis| values[3 * point + axis]);
+        self.kept.iter().flat_map(own).collect()
     }
 
     /// Takes in the edges of a cell.
@@ -115,8 +175,8 @@ impl Frames {
 
     fn add(&mut self, job: &JobFiles, state: usize) -> Result<(), Problem> {
         let file = self.open(job, state)?;
-        let moved = plane(&file.doubles("displacement")?);
-        if moved.len() != self.reference.len() {
+        let moved = file.doubles("displacement")?;
+        if self.kept.last().is_some_and(|last| 3 * last + 2 >= moved.len()) {
             let path = job.folder().join(job.state_name(state));
             return Err(unreadable(&path, "it has other points than the first state"));
         }
@@ -140,14 +200,21 @@ impl Frames {
         let values = beams.flat_map(|cell| [moment[cell] as f32, outer(cell) as f32]);
         self.sections.push(values.collect());
         self.states.push(state);
-        self.displacement.push(moved.into_iter().map(|u| u as f32).collect());
+        let short = |values: Vec<f64>| values.into_iter().map(|value| value as f32).collect();
+        self.displacement.push(short(self.along(&moved, &[0, 1])));
+        if self.in_space {
+            self.depth_moved.push(short(self.along(&moved, &[2])));
+        }
+        if !self.skin.is_empty() {
+            for (values, name) in self.values.iter_mut().zip(["mises_stress", "plastic_strain"]) {
+                // earlier versions wrote none
+                let Ok(own) = file.doubles(name) else { continue };
+                let at = |point: &usize| own.get(*point).map_or(f32::NAN, |value| *value as f32);
+                values.push(self.kept.iter().map(at).collect());
+            }
+        }
         Ok(())
     }
-}
-
-/// x and y of every point.
-fn plane(values: &[f64]) -> Vec<f64> {
-    values.as_chunks::<3>().0.iter().flat_map(|point| [point[0], point[1]]).collect()
 }
 
 /// Numbers of the states that a job has, of at most `last` increments. A job

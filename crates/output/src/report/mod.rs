@@ -19,6 +19,7 @@ mod options;
 mod overlay;
 mod page;
 mod results;
+mod skin;
 mod verdict;
 
 pub use options::Options;

@@ -16,9 +16,10 @@ pub const STYLE: &str = include_str!("assets/page.css");
 /// Nothing is loaded from anywhere.
 const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'";
 /// In the order in which they need one another.
-const SCRIPTS: [&str; 4] = [
+const SCRIPTS: [&str; 5] = [
     include_str!("assets/data.js"),
     include_str!("assets/chart.js"),
+    include_str!("assets/skin.js"),
     include_str!("assets/shape.js"),
     include_str!("assets/page.js"),
 ];
@@ -56,6 +57,15 @@ pub(crate) fn page(
         ("verdict", verdict::banner(results, &judged)),
         ("facts", facts(results)),
         ("states", states(results)),
+        ("along_link", html! { @if has_beams(results) { a href="#along" { "Along the beam" } } }),
+        (
+            "along",
+            html! {
+                @if has_beams(results) {
+                    section id="along" { h2 { "Moment and stress along the beam" } div id="beams" {} }
+                }
+            },
+        ),
         ("ledger", ledger(results)),
         ("noise", noise(results)),
         ("warnings", warnings(results, options)),
@@ -75,6 +85,11 @@ pub(crate) fn page(
     SCRIPTS.iter().for_each(|script| text.push_str(script));
     text.push_str("})();\n</script>\n</body>\n</html>\n");
     text
+}
+
+/// Whether a beam is drawn.
+fn has_beams(results: &Results) -> bool {
+    results.frames.kinds.contains(&0)
 }
 
 /// Fills the places `{{name}}` of a template in one pass, so that what is filled in
@@ -203,7 +218,7 @@ fn noise(results: &Results) -> Markup {
     let reactions: Vec<Vec<String>> = results
         .driven
         .iter()
-        .map(|driven| format!("{}.{}", driven.node, driven.reaction))
+        .map(|driven| format!("{}.{}", driven.name, driven.reaction))
         .filter_map(|name| Some((noise.get("reactions")?.get(&name)?, name)))
         .map(|(reaction, name)| {
             let turns = reaction.count("reversals").unwrap_or_default();

@@ -17,8 +17,8 @@ pub(crate) struct Results {
     pub summary: Value,
     /// What is driven.
     pub driven: Vec<Driven>,
-    /// What is loaded: node and column of its motion.
-    pub loaded: Vec<(u64, String)>,
+    /// What is loaded: the first node, what all of them are called, column of its motion.
+    pub loaded: Vec<(u64, String, String)>,
     /// Motions and reactions of driven and loaded nodes.
     pub history: History,
     /// Energies, times.
@@ -51,13 +51,15 @@ impl Results {
             return Err(length_fault(job, ".energy.csv", count, expected));
         }
         let driven = driven(&summary);
-        let loaded: Vec<(u64, String)> = summary
-            .list("loaded")
-            .iter()
-            .filter_map(|load| Some((load.count("node")? as u64, load.text("motion")?.to_owned())))
-            .collect();
+        let loads = summary.list("loaded").iter().filter_map(|load| {
+            let node = load.count("node")? as u64;
+            let name = load.text("name").map_or_else(|| node.to_string(), str::to_owned);
+            Some((node, name, load.text("motion")?.to_owned()))
+        });
+        let loaded: Vec<(u64, String, String)> = loads.collect();
         let mut history = History::read(&job.path(".history.csv"), |node| {
-            driven.iter().any(|d| d.node == node) || loaded.iter().any(|load| load.0 == node)
+            driven.iter().any(|d| d.nodes.contains(&node))
+                || loaded.iter().any(|load| load.0 == node)
         })?;
         for node in &history.nodes {
             let length = node.values.first().map_or(0, Vec::len);
@@ -83,12 +85,6 @@ impl Results {
         let attempts = attempts(&problem::text(&job.path(".msg"))?);
         let echo = echo(job, lenient)?;
         Ok(Self { summary, driven, loaded, history, energies, contacts, frames, attempts, echo })
-    }
-
-    /// A column of a node from the start on; at the start everything is zero.
-    pub fn curve(&self, node: u64, column: &str) -> Option<Vec<f64>> {
-        let values = self.history.column(node, column)?;
-        Some(std::iter::once(0.0).chain(values.iter().copied()).collect())
     }
 }
 
@@ -149,7 +145,9 @@ fn echo(job: &JobFiles, lenient: bool) -> Result<String, Problem> {
     };
     let is_table = |line: &str| {
         let rest = line.strip_prefix("STEP ");
-        rest.is_some_and(|rest| rest.contains("  INCREMENT ") && rest.contains("  TOTAL TIME "))
+        let own = rest
+            .is_some_and(|rest| rest.contains("  INCREMENT ") && rest.contains("  TOTAL TIME "));
+        own || line.contains("for set ") && line.contains(" and time ")
     };
     let lines: Vec<&str> = text.lines().take_while(|line| !is_table(line)).collect();
     Ok(lines.join("\n").trim_end().to_owned())

@@ -10,10 +10,7 @@ use slideline_measures::{Stroke, Taken, WayOut};
 
 /// Judges the results that were read back.
 pub(crate) fn judged(results: &Results) -> Judged {
-    judge(&results.summary, Some(&results.energies), |driven| {
-        let column = |name: &str| results.curve(driven.node, name);
-        Some([column(&driven.motion)?, column(&driven.reaction)?])
-    })
+    judge(&results.summary, Some(&results.energies), |driven| results.history.stroke(driven))
 }
 
 /// The verdict in short sentences, the first on how the run ended.
@@ -78,13 +75,14 @@ fn number(value: f64) -> String {
 }
 
 fn of_stroke(results: &Results, driven: &Driven, stroke: &Stroke) -> Vec<String> {
-    let Driven { node, motion, reaction } = driven;
+    let Driven { motion, reaction, .. } = driven;
+    let who = driven.words();
     let kind = kind(driven);
     let taken =
         |taken: &Taken| format!("{} at {motion} = {}", number(taken.force), number(taken.at));
     let mut said = vec![match &stroke.push {
-        Some(found) => format!("push-in {kind} {} (node {node}, {reaction})", taken(found)),
-        None => format!("no push-in {kind} (node {node}, {reaction})"),
+        Some(found) => format!("push-in {kind} {} ({who}, {reaction})", taken(found)),
+        None => format!("no push-in {kind} ({who}, {reaction})"),
     }];
     if stroke.way_out == WayOut::None {
         said.push(format!("work in {}", number(stroke.work[0])));
@@ -156,8 +154,31 @@ fn strain(results: &Results) -> String {
                 if pass { "pass" } else { "FAIL" }
             ))
         ),
-        _ => "no beam is strained".to_owned(),
+        _ => solids(results).unwrap_or_else(|| "no beam is strained".to_owned()),
     }
+}
+
+/// Largest stress and plastic strain of solids.
+fn solids(results: &Results) -> Option<String> {
+    let (most, element, time) = largest(results, "mises")?;
+    let mut said = format!(
+        "largest Mises stress {} in element {element} at time {}",
+        number(most),
+        general(time, 5)
+    );
+    if let Some((plastic, element, _)) = largest(results, "plastic_strain") {
+        said.push_str(&format!(
+            ", largest plastic strain {} % in element {element}",
+            general(100.0 * plastic, 4)
+        ));
+    }
+    Some(said)
+}
+
+/// A largest value of the summary, with element and time.
+fn largest(results: &Results, key: &str) -> Option<(f64, usize, f64)> {
+    let own = results.summary.get(key)?;
+    Some((own.number("max")?, own.count("element")?, own.number("time")?))
 }
 
 /// Largest strain over the allowable one, and whether that passes.
@@ -255,6 +276,7 @@ fn tiles(results: &Results, judged: &Judged) -> Markup {
         };
         list.push(["largest strain".to_owned(), format!("{} %", general(100.0 * value, 3)), note]);
     }
+    list.extend(tiles_of_solids(results));
     html! {
         dl.tiles {
             @for [name, value, note] in &list {
@@ -265,4 +287,17 @@ fn tiles(results: &Results, judged: &Judged) -> Markup {
             }
         }
     }
+}
+
+/// The same of solids: stress and plastic strain.
+fn tiles_of_solids(results: &Results) -> impl Iterator<Item = [String; 3]> {
+    let kinds = [
+        ("mises", "largest Mises stress", 1.0, ""),
+        ("plastic_strain", "largest plastic strain", 100.0, " %"),
+    ];
+    kinds.into_iter().filter_map(|(key, name, factor, unit)| {
+        let (most, element, _) = largest(results, key)?;
+        let value = format!("{}{unit}", number(factor * most));
+        Some([name.to_owned(), value, format!("element {element}")])
+    })
 }

@@ -4,7 +4,7 @@ use super::array::Text;
 use crate::outline::{Drawing, Kind, SPACE};
 use crate::section::{axial_stresses, beams, outer_mises};
 use slideline_model::{Dof, Model};
-use slideline_results::element as solid;
+use slideline_results::element::{self, AtNodes, nodal_results, solids};
 use slideline_results::{NodeField, contact_component, shown};
 use slideline_solve::observe::{Frame, Status, Unconverged};
 use std::ops::Range;
@@ -41,7 +41,7 @@ pub(super) struct Grid {
 impl Grid {
     /// Lays points and cells of a model out.
     pub fn new(model: &Model) -> Self {
-        let drawing = Drawing::of(model);
+        let drawing = Drawing::split(model);
         let mut cells_of: Vec<(u64, Range<usize>)> = Vec::new();
         let with_results = |kind| matches!(kind, Kind::Beam | Kind::Solid);
         let pieces = drawing.pieces.iter().enumerate();
@@ -59,7 +59,10 @@ impl Grid {
             drawing.pieces.len()
         );
         let topology = topology(&drawing);
-        let labels = [node_labels(&drawing, model.nodes.len()), cell_labels(&drawing)];
+        let labels = [
+            node_labels(&drawing, model.nodes.len() + drawing.copies(0).count()),
+            cell_labels(&drawing),
+        ];
         Self { drawing, cells_of, head, topology, labels }
     }
 
@@ -85,6 +88,7 @@ impl Grid {
             push("residual_moment", &missing, NodeField::Reaction, TURNS);
         }
         self.push_contact(text, frame);
+        self.push_solids(text, frame);
         text.push(b"</PointData>\n<CellData>\n");
         self.push_sections(text, frame);
         text.push(b"</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
@@ -95,10 +99,12 @@ impl Grid {
     /// pressed most.
     fn push_contact(&self, text: &mut Text, frame: &Frame<'_>) {
         let (shown, count) = (shown(frame), self.drawing.labels.len());
+        let copies = || self.drawing.copies(frame.model.nodes.len());
         for (name, component, without) in CONTACT {
             let mut values = vec![without; count];
             if let Some(component) = contact_component(component) {
                 shown.iter().for_each(|(&node, row)| values[node] = (component.value)(row));
+                copies().for_each(|(copy, node)| values[copy] = values[node]);
             }
             text.push_floats(name, 1, &values);
         }
@@ -110,6 +116,7 @@ impl Grid {
                 Status::Slip => 2,
             };
         }
+        copies().for_each(|(copy, node)| status[copy] = status[node]);
         text.push_short("contact_status", &status);
         text.push(&self.labels[0]);
     }
@@ -147,25 +154,48 @@ impl Grid {
     fn solids(&self, frame: &Frame<'_>, mises: &mut [f64]) -> Vec<(&'static str, Vec<f64>)> {
         let mut columns: Vec<(&'static str, Vec<f64>)> = Vec::new();
         let mut places = self.cells_of.iter();
-        for (kind, results) in solid::blocks(frame) {
-            for (element, values) in results.elements(frame.model) {
-                let Some(cells) = find(&mut places, element.label) else { continue };
-                for (name, mean) in solid::means(kind, values) {
-                    let known = columns.iter().position(|(column, _)| *column == name);
-                    let at = known.unwrap_or_else(|| {
-                        columns.push((name, vec![0.0; self.drawing.pieces.len()]));
-                        columns.len() - 1
-                    });
-                    columns[at].1[cells.clone()].fill(mean);
-                }
-                let stresses = solid::stresses(kind, values);
-                if !stresses.is_empty() {
-                    let sum: f64 = stresses.iter().map(|&tensor| solid::mises(tensor)).sum();
-                    mises[cells].fill(sum / stresses.len() as f64);
-                }
+        for solid in solids(frame) {
+            let Some(cells) = find(&mut places, solid.element.label) else { continue };
+            for (name, mean) in solid.means() {
+                let known = columns.iter().position(|(column, _)| *column == name);
+                let at = known.unwrap_or_else(|| {
+                    columns.push((name, vec![0.0; self.drawing.pieces.len()]));
+                    columns.len() - 1
+                });
+                columns[at].1[cells.clone()].fill(mean);
+            }
+            if solid.points() > 0 {
+                let points = 0..solid.points();
+                let sum: f64 = points.map(|point| element::mises(solid.stress(point))).sum();
+                mises[cells].fill(sum / solid.points() as f64);
             }
         }
         columns
+    }
+
+    /// Stresses and strains of solids at their nodes; no number where there is no solid.
+    fn push_solids(&self, text: &mut Text, frame: &Frame<'_>) {
+        let place = |block, node| self.drawing.point(block, node);
+        let results = nodal_results(frame, self.drawing.labels.len(), place);
+        if results.iter().all(|own| own.is_none()) {
+            return;
+        }
+        let tensor = |of: fn(&AtNodes) -> [f64; 6]| -> Vec<f64> {
+            // VTK has xx, yy, zz, xy, yz, xz
+            let order = |[xx, yy, zz, xy, xz, yz]: [f64; 6]| [xx, yy, zz, xy, yz, xz];
+            results.iter().flat_map(|own| own.map_or([f64::NAN; 6], |own| order(of(own)))).collect()
+        };
+        let number = |of: fn(&AtNodes) -> f64| -> Vec<f64> {
+            results.iter().map(|own| own.map_or(f64::NAN, of)).collect()
+        };
+        text.push_floats("stress", 6, &tensor(|own| own.stress));
+        text.push_floats("strain", 6, &tensor(|own| own.strain));
+        let principal: Vec<f64> =
+            results.iter().flat_map(|own| own.map_or([f64::NAN; 3], AtNodes::principal)).collect();
+        text.push_floats("principal_stress", 3, &principal);
+        text.push_floats("mises_stress", 1, &number(|own| element::mises(own.stress)));
+        text.push_floats("plastic_strain", 1, &number(|own| own.plastic));
+        text.push_floats("energy_density", 1, &number(|own| own.energy));
     }
 }
 

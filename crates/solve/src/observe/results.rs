@@ -184,8 +184,10 @@ impl BlockResults {
 pub struct Energies {
     /// Work of supports and loads, trapezoidal rule over each increment.
     pub external_work: f64,
-    /// Strain energy of the elements.
+    /// Strain energy that the elements would give back.
     pub strain_energy: f64,
+    /// Taken by their material for good, such as by plastic strain.
+    pub material_dissipation: f64,
     /// Energy of the contact laws.
     pub contact_energy: f64,
     /// Dissipated by sliding.
@@ -204,10 +206,14 @@ pub struct Energies {
 }
 
 impl Energies {
+    /// What elements and contact laws hold, or have taken for good: a function of their state.
+    pub fn of_the_model(&self) -> f64 {
+        self.strain_energy + self.material_dissipation + self.contact_energy
+    }
+
     /// What is stored, dissipated or released: where the work went.
     pub fn taken(&self) -> f64 {
-        self.strain_energy
-            + self.contact_energy
+        self.of_the_model()
             + self.friction_elastic
             + self.friction_dissipation
             + self.stabilisation

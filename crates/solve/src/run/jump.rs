@@ -231,7 +231,7 @@ impl Part {
             let mean = 0.5 * (force(&limit) + force(&landed));
             done += mean * (landed.displacement[dof] - limit.displacement[dof]);
         }
-        let kept = |state: &State| state.energy.strain_energy + state.energy.contact_energy;
+        let kept = |state: &State| state.energy.of_the_model();
         landed.books.left = done - (kept(&landed) - kept(&limit));
         (landed.books.opening, landed.books.opening_dissipation) = (0.0, 0.0);
         landed.energy.external_work = limit.energy.external_work + done;

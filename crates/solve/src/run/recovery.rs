@@ -68,7 +68,7 @@ impl Analysis<'_> {
     /// Says so where stabilisation took much of the energy until now.
     pub(super) fn judge_stabilisation(&mut self, plan: &Problem<'_>) -> Result<(), Left> {
         let energy = &self.committed.energy;
-        let stored = energy.strain_energy + energy.contact_energy + energy.friction_dissipation;
+        let stored = energy.of_the_model() + energy.friction_dissipation;
         let all = energy.external_work.abs().max(stored);
         if energy.stabilisation.abs() <= MUCH * all {
             return Ok(());

@@ -264,6 +264,21 @@ impl<const D: usize, const N: usize, const P: usize> Kernel for Solids<D, N, P> 
         Scale { stiffness, length: Some(length) }
     }
 
+    fn dissipated(
+        &self,
+        element: usize,
+        q: &[f64],
+        state: &[f64],
+        under: &Surroundings<'_>,
+    ) -> f64 {
+        if !self.recipe.material.dissipates() {
+            return 0.0;
+        }
+        let points = self.committed_points(element, (q, state), under);
+        let points = points.iter().flatten();
+        points.map(|point| point.weight * point.dissipation).sum()
+    }
+
     fn results(
         &self,
         element: usize,

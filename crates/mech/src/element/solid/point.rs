@@ -31,6 +31,8 @@ pub(super) struct Point<const D: usize, const N: usize> {
     pub moduli: Moduli,
     /// Energy per undeformed volume.
     pub energy: f64,
+    /// The part of it that is not given back.
+    pub dissipation: f64,
 }
 
 impl<const D: usize, const N: usize> Point<D, N> {
@@ -45,6 +47,7 @@ impl<const D: usize, const N: usize> Point<D, N> {
         turning: [0.0; 6],
         moduli: [[0.0; 6]; 6],
         energy: 0.0,
+        dissipation: 0.0,
     };
 
     #[inline(always)]
@@ -60,6 +63,7 @@ impl<const D: usize, const N: usize> Point<D, N> {
         self.turning = if large { answer.stress } else { [0.0; 6] };
         self.moduli = answer.moduli;
         self.energy = answer.energy;
+        self.dissipation = answer.dissipation;
     }
 }
 

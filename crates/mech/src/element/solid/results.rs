@@ -1,4 +1,4 @@
-//! Results of a solid: stresses, strains and plastic strains at its points.
+//! Results of a solid: stresses, strains and energies at its points.
 
 use super::{Formulation, Point, Solids};
 use crate::axes;
@@ -56,7 +56,28 @@ fn taken_along(axes: &axes::Axes, gradient: &Matrix) -> axes::Axes {
 }
 
 impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
-    /// Cauchy stress [F/L2] of every point, then strain [1] and the equivalent plastic strain [1]; 11, 22, 33, 12 in the plane, 13 and 23 behind them in space.
+    /// All points of a committed state, which answers its own strains with the same stresses;
+    /// `None` where it has no answer.
+    pub(super) fn committed_points(
+        &self,
+        element: usize,
+        (q, state): (&[f64], &[f64]),
+        under: &Surroundings<'_>,
+    ) -> Option<[Point<D, N>; P]> {
+        let mut scratch = state.to_vec();
+        let mut points = [Point::<D, N>::EMPTY; P];
+        let states = (under, state, &mut scratch[..]);
+        let answered = match self.recipe.formulation {
+            Formulation::Incompatible => self.enhanced_points(element, q, states, &mut points),
+            _ => self.points(element, q, states, &mut points).map(|_| ()),
+        };
+        answered.ok().map(|()| points)
+    }
+
+    /// At every point: Cauchy stress [F/L2], strain [1], both 11, 22, 33, 12 in the plane and 13, 23
+    /// behind them in space, equivalent plastic strain [1], stored energy and energy taken by
+    /// plastic strain of a unit of undeformed volume [F/L2]; then the same two energies [F L] and
+    /// the volume [L3] of the element, current (Abaqus) or undeformed (CalculiX).
     pub(super) fn write_results(
         &self,
         element: usize,
@@ -64,23 +85,18 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
         under: &Surroundings<'_>,
         into: &mut [f64],
     ) {
-        // The committed state answers its own strains with the same stresses.
-        let mut scratch = state.to_vec();
-        let mut points = [Point::<D, N>::EMPTY; P];
         let large = under.is_large();
-        let states = (under, state, &mut scratch[..]);
-        let answered = match self.recipe.formulation {
-            Formulation::Incompatible => self.enhanced_points(element, q, states, &mut points),
-            _ => self.points(element, q, states, &mut points).map(|_| ()),
-        };
-        if answered.is_err() {
+        let Some(points) = self.committed_points(element, (q, state), under) else {
             into.fill(f64::NAN);
             return;
-        }
+        };
         let width = if D == 2 { 4 } else { 6 };
         let Some((stresses, rest)) = into.split_at_mut_checked(width * P) else { return };
         let Some((strains, rest)) = rest.split_at_mut_checked(width * P) else { return };
-        let plastic = rest;
+        let Some((plastic, rest)) = rest.split_at_mut_checked(P) else { return };
+        let Some((stored, rest)) = rest.split_at_mut_checked(P) else { return };
+        let Some((dissipated, whole)) = rest.split_at_mut_checked(P) else { return };
+        let mut sums = [0.0; 3];
         for (k, point) in points.iter().enumerate() {
             let volume = if large { 1.0 + point.dilation } else { 1.0 };
             let mut stress = point.stress.map(|stress| stress / volume);
@@ -95,9 +111,13 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
             stresses[width * k..width * (k + 1)].copy_from_slice(&stress[..width]);
             strains[width * k..width * (k + 1)].copy_from_slice(&strain[..width]);
             let own = self.of_point(state, k);
-            if let Some(entry) = plastic.get_mut(k) {
-                *entry = self.recipe.material.plastic_strain(own).unwrap_or(0.0);
-            }
+            plastic[k] = self.recipe.material.plastic_strain(own).unwrap_or(0.0);
+            stored[k] = point.energy - point.dissipation;
+            dissipated[k] = point.dissipation;
+            let content = if self.recipe.told == Told::Logarithmic { volume } else { 1.0 };
+            let own = [stored[k], dissipated[k], content];
+            sums.iter_mut().zip(own).for_each(|(sum, own)| *sum += point.weight * own);
         }
+        whole.iter_mut().zip(sums).for_each(|(entry, sum)| *entry = sum);
     }
 }

@@ -15,10 +15,10 @@ function reactions() {
     const u = turn(start(own[driven.motion]));
     const ways = Uint8Array.from(u, (value, i) => i > 0 && value < u[i - 1] ? 1 : i > 0 && value === u[i - 1] ? 2 : 0);
     for (let i = 1; i < ways.length; i++) if (ways[i] === 2) ways[i] = ways[i - 1];
-    const series = [{ name: data.job, x: u, y: turn(start(own[driven.reaction])), colour: "--c0", dots: true, ways, wayColours: ["--c0", "--c1"] }];
+    const series = [{ name: data.job, x: u, y: turn(start(driven.force ? doubles(driven.force) : own[driven.reaction])), colour: "--c0", dots: true, ways, wayColours: ["--c0", "--c1"] }];
     const bars = [["_error", "error bars", "--c6", ""], ["_time_error", "error bars in time", "--c2", " (time)"]].flatMap(([ending, name, colour, note]) => {
       const column = own[driven.reaction + ending];
-      return column ? [{ half: start(column), name, colour, note }] : [];
+      return column && !driven.force && column.every(Number.isFinite) ? [{ half: start(column), name, colour, note }] : [];
     });
     for (const { half, name, colour } of bars) {
       const most = half.reduce((a, b) => Math.max(a, b), 0), peak = series[0].y.reduce((a, b) => Math.max(a, Math.abs(b)), 0);
@@ -26,7 +26,7 @@ function reactions() {
       series.push({ name: name + ", at most \u00b1" + show(most, 3) + share, x: series[0].x, y: series[0].y, half, colour });
     }
     const read = (one, i) => show(s * one.y[i], 7) + (one.x === series[0].x ? bars.map((bar) => " \u00b1 " + show(bar.half[i], 3) + bar.note).join("") : "");
-    if (overlay && overlay[driven.motion] && overlay[driven.reaction]) {
+    if (overlay && !driven.force && overlay[driven.motion] && overlay[driven.reaction]) {
       const keep = overlay.node ? Array.from(overlay.node.keys()).filter((i) => overlay.node[i] === driven.node) : null;
       const pick = (column) => keep ? Float64Array.from(keep, (i) => column[i]) : column;
       if (!keep || keep.length) series.push({ name: data.overlay.name, x: turn(pick(overlay[driven.motion])), y: turn(pick(overlay[driven.reaction])), colour: "--c2", dash: true });
@@ -35,7 +35,7 @@ function reactions() {
     const labels = [["push", "push-in ", "--c0"], ["pull", "pull-out ", "--c1"]].filter(([key]) => driven[key] !== null).map(([key, word, colour]) => ({ place: driven[key], colour, text: word + show(Math.abs(y[driven[key]]), 4) }));
     made.push(new Chart(parent, {
       id: "chart-" + driven.node + "-" + driven.motion,
-      title: "Node " + driven.node + ": " + kind + " along its motion (" + driven.reaction + " against " + driven.motion + ")", x: "travel (way in positive)", y: kind + " (push positive)",
+      title: driven.who[0].toUpperCase() + driven.who.slice(1) + ": " + kind + " along " + (driven.force ? "their" : "its") + " motion (" + (driven.force ? "sum of " : "") + driven.reaction + " against " + driven.motion + ")", x: "travel (way in positive)", y: kind + " (push positive)",
       labels,
       describe: (one, i) => one.name + ": " + driven.motion + " = " + show(s * one.x[i], 7) + ", " + driven.reaction + " = " + read(one, i) + (one === made.find((c) => c.series[0] === one)?.series[0] ? " (" + where(i) + ")" : "")
     }, series));
@@ -52,7 +52,7 @@ function reactions() {
   data.loaded.forEach((load) => {
     const history = data.history.find((one) => one.node === load.node);
     if (!history || !history.columns[load.motion]) return;
-    new Chart(parent, { title: "Loaded node " + load.node + ": " + load.motion + " over time", x: "total time", y: load.motion, describe: (one, i) => load.motion + " = " + show(one.y[i], 7) + " (" + where(i) + ")" },
+    new Chart(parent, { title: "Loaded " + (load.name === String(load.node) ? "node " + load.node : "nodes " + load.name + ", of them node " + load.node) + ": " + load.motion + " over time", x: "total time", y: load.motion, describe: (one, i) => load.motion + " = " + show(one.y[i], 7) + " (" + where(i) + ")" },
       [{ name: data.job, x: times, y: start(doubles(history.columns[load.motion])), colour: "--c0", dots: true }]);
   });
   if (overlay && !made.some((chart) => chart.series.some((one) => one.dash))) make(parent, "p", { class: "remark" }, "The columns of " + data.overlay.name + " fit no driven node.");
@@ -185,6 +185,7 @@ function bands() {
 // Moment and outer stress along the beams, at the peaks and where the animation stands.
 function alongBeams() {
   const parent = document.getElementById("beams"), f = data.frames;
+  if (!parent) return () => {};
   if (!shape.beams.length || !shape.states.length) { make(parent, "p", {}, "There is no beam, or no state, to draw."); return () => {}; }
   const x = [], places = [];
   let along = 0, end = -1;

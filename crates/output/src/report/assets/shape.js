@@ -22,6 +22,7 @@ class Shape {
     this.frame = 0;
     this.strongest = 0;
     for (const point of this.contact) for (let i = 0; i < point.p.length; i++) this.strongest = Math.max(this.strongest, point.p[i] * (point.area || 1));
+    this.skin = new Skin(this, document.getElementById("stage"));
     this.masters();
     this.names();
     this.stress();
@@ -30,8 +31,8 @@ class Shape {
 
   // Cells whose both ends are masters of one slide line.
   masters() {
-    this.lines = { beam: [], spring: [], slaves: [], masters: [], peak: [] };
-    const f = data.frames, of = [];
+    this.lines = { beam: [], spring: [], slaves: [], masters: [], peak: [], mesh: [], rim: [] };
+    const f = data.frames, of = [], sides = new Map();
     for (const pair of data.pairs) if (pair.master === "slide line") of.push(new Set(pair.nodes));
     f.kinds.forEach((kind, k) => {
       const ends = [f.cells[2 * k], f.cells[2 * k + 1]];
@@ -39,18 +40,27 @@ class Shape {
       if (kind === 3) this.lines.masters.push(ends);
       else if (kind === 2) this.lines.slaves.push(ends);
       else if (kind === 1) this.lines.spring.push(ends);
-      else {
+      else if (kind === 4) {
+        this.lines.mesh.push(ends);
+        const key = Math.min(...ends) + " " + Math.max(...ends);
+        sides.set(key, sides.has(key) ? null : ends);
+      } else {
         this.lines.beam.push(ends);
         if (of.some((set) => set.has(labels[0]) && set.has(labels[1]))) this.lines.masters.push(ends);
         if (f.elements[k] === f.strained) this.lines.peak.push(ends);
       }
     });
+    // the rim of plane solids; fine meshes are not drawn
+    for (const ends of sides.values()) if (ends) this.lines.rim.push(ends);
+    if (this.lines.mesh.length > 12000) this.lines.mesh = [];
   }
 
   // Largest stress of all, which the colours end at.
   stress() {
     this.most = 0;
     for (let k = 1; k < this.sections.length; k += 2) this.most = Math.max(this.most, Math.abs(this.sections[k]));
+    // beams and solids have one scale of stress
+    if (this.skin && this.skin.fields.length) this.most = this.skin.fields[0].most = Math.max(this.most, this.skin.fields[0].most);
   }
 
   // Moment (0) or outer stress (1) of the beam cell in place `k`.
@@ -86,11 +96,13 @@ class Shape {
 
   at(point, frame, scale) {
     const k = frame * this.size + 2 * point;
-    return [this.reference[2 * point] + scale * this.moved[k], this.reference[2 * point + 1] + scale * this.moved[k + 1]];
+    const own = [this.reference[2 * point] + scale * this.moved[k], this.reference[2 * point + 1] + scale * this.moved[k + 1]];
+    return this.skin.space ? this.skin.at(point, frame, scale, own) : own;
   }
 
   // Height of the whole stroke over its width.
   aspect() {
+    if (this.skin.space) return 0.8;
     const low = [Infinity, Infinity], high = [-Infinity, -Infinity];
     for (let frame = 0; frame < this.states.length; frame++) {
       for (let p = 0; p < this.size / 2; p++) {
@@ -114,7 +126,9 @@ class Shape {
     }
     const near = Number.isFinite(box[0]);
     if (!near) {
-      for (let frame = 0; frame < this.states.length; frame++) for (let p = 0; p < this.size / 2; p++) add(this.at(p, frame, this.scale));
+      // in space, where every turn asks anew, the ends of the stroke are enough
+      const stride = this.skin.space ? Math.max(1, this.states.length - 1) : 1;
+      for (let frame = 0; frame < this.states.length; frame += stride) for (let p = 0; p < this.size / 2; p++) add(this.at(p, frame, this.scale));
     }
     if (!Number.isFinite(box[0])) box = [0, 1, 0, 1];
     let [w, h] = [box[1] - box[0], box[3] - box[2]];
@@ -134,7 +148,7 @@ class Shape {
     this.parts = {};
     this.parts.rest = draw(this.svg, "path", { class: "part rest" });
     this.thick = STRESS.map((colour) => draw(this.svg, "path", { fill: colour, stroke: colour, "stroke-width": 0.6 }));
-    for (const name of ["peak", "beam", "spring", "slaves", "masters"]) this.parts[name] = draw(this.svg, "path", { class: "part " + name });
+    for (const name of ["mesh", "rim", "peak", "beam", "spring", "slaves", "masters"]) this.parts[name] = draw(this.svg, "path", { class: "part " + name });
     this.held = draw(this.svg, "g", { class: "held" });
     this.forces = draw(this.svg, "g");
     this.motion = draw(this.svg, "g", { class: "motion" });
@@ -146,10 +160,12 @@ class Shape {
       // as high as the whole stroke asks for
       this.H = Math.round(Math.max(210, Math.min(460, 0.6 * this.W, 0.9 * this.W * this.aspect() + 130)));
       this.svg.setAttribute("viewBox", "0 0 " + this.W + " " + this.H);
+      this.skin.resize(this.W, this.H);
       this.fit();
       if (this.ready) this.go(this.frame);
     });
     this.ready = true;
+    this.skin.listen(this.svg);
     this.controls();
     if (!f.states.length) document.getElementById("state").textContent = "There are no states to draw.";
   }
@@ -192,7 +208,7 @@ class Shape {
     const view = this.bounds();
     this.place = ([x, y]) => [this.W / 2 + view.per * (x - view.middle[0]), this.H / 2 - 8 - view.per * (y - view.middle[1])];
     this.per = view.per;
-    this.parts.rest.setAttribute("d", this.path(this.lines.beam.concat(this.lines.masters, this.lines.slaves), 0, 0));
+    this.parts.rest.setAttribute("d", this.path(this.lines.beam.concat(this.lines.rim, this.lines.masters, this.lines.slaves), 0, 0));
     this.ruler(view.per);
   }
 
@@ -201,11 +217,12 @@ class Shape {
     const length = niceStep(Math.min(150, 0.22 * this.W) / per * 3, 3), width = length * per;
     draw(this.rule, "path", { class: "axis", fill: "none", d: "M14 " + (this.H - 20) + "v6h" + width.toFixed(1) + "v-6" });
     draw(this.rule, "text", { class: "soft", x: 20 + width, y: this.H - 11 }, show(length) + " (length)");
-    if (!(this.most > 0)) return;
+    const field = this.skin.fields[this.skin.field], most = field ? field.most : this.most;
+    if (!(most > 0)) return;
     const wide = this.W < 560 ? 10 : 16, from = this.W - 14 - wide * STRESS.length;
     STRESS.forEach((colour, k) => draw(this.rule, "rect", { x: from + k * wide, y: this.H - 20, width: wide, height: 8, fill: colour }));
-    draw(this.rule, "text", { class: "soft", x: from, y: this.H - 26 }, "0");
-    draw(this.rule, "text", { class: "soft", x: this.W - 14, y: this.H - 26, "text-anchor": "end" }, "|stress| " + show(this.most, 3));
+    draw(this.rule, "text", { class: "soft", x: from - 5, y: this.H - 12, "text-anchor": "end" }, "0");
+    draw(this.rule, "text", { class: "soft", x: this.W - 14, y: this.H - 26, "text-anchor": "end" }, (field ? field.name : "|stress|") + " " + show(most, 3));
   }
 
   path(lines, frame, scale) {
@@ -239,7 +256,7 @@ class Shape {
   // What holds the model: a clamp is a wall, a pin a triangle, a guide a triangle on a line.
   supports(frame) {
     this.held.textContent = "";
-    const driven = new Set(data.driven.map((one) => one.node));
+    const driven = new Set(data.driven.map((one) => one.node)), many = data.supports.length > 40 || this.skin.space;
     for (const support of data.supports) {
       const place = this.points[support.node];
       if (place === undefined || driven.has(support.node)) continue;
@@ -248,7 +265,8 @@ class Shape {
       const d = wall ? u : has(2) ? [0, -1] : [-1, 0];
       const point = (along, across) => (x - along * d[0] - across * d[1]).toFixed(1) + " " + (y - along * d[1] + across * d[0]).toFixed(1);
       let path = "";
-      if (wall) {
+      if (many) path = "M" + (x - 2.5).toFixed(1) + " " + (y + 2.5).toFixed(1) + "h5l-2.5 -5z";
+      else if (wall) {
         const half = Math.max(13, 0.5 * Math.max(0, ...this.heights) * this.per + 7);
         path = "M" + point(0, -half) + "L" + point(0, half);
         for (let k = -half; k < half - 1; k += 6) path += "M" + point(0, k + 6) + "L" + point(7, k);
@@ -285,7 +303,8 @@ class Shape {
       const step = state > 0 ? u[state - 1] - (state > 1 ? u[state - 2] : 0) : driven.inward;
       if (!step) return;
       const s = Math.sign(step), [x, y] = this.place(this.at(place, frame, this.scale)), way = s === driven.inward ? "in" : "out";
-      const axis = { U1: [1, 0], U2: [0, -1] }[driven.motion];
+      const axes = this.skin.space ? ["U1", "U2", "U3"].map((name, k) => [name, this.skin.seen([0, 1, 2].map((i) => i === k ? 1 : 0))]).map(([name, way]) => [name, [way[0], -way[1]]]) : [["U1", [1, 0]], ["U2", [0, -1]]];
+      const axis = Object.fromEntries(axes)[driven.motion];
       const size = Math.min(64, 0.12 * this.W);
       let text;
       if (axis) {
@@ -359,6 +378,7 @@ class Shape {
     if (this.view === "contact") this.fit();
     for (const name of Object.keys(this.lines)) this.parts[name].setAttribute("d", this.path(this.lines[name], this.frame, this.scale));
     this.body(this.frame);
+    this.skin.paint(this.frame, this.scale);
     this.supports(this.frame);
     this.moving(this.frame);
     const closed = this.touch(), state = this.states[this.frame];

@@ -1,0 +1,85 @@
+//! The table of beams: a row a beam or, where stresses are asked for, a section point.
+
+use super::table::{Row, Table, head, title};
+use crate::section::{axial_stresses, outer_mises};
+use slideline_model::{BeamSection, ElementPrint, ElementVariable, types};
+use slideline_solve::observe::{BlockResults, Frame};
+
+/// The table of the beams of a request, with its title; `None` where it wants nothing that beams
+/// have.
+pub(super) fn table(frame: &Frame<'_>, print: &ElementPrint) -> Option<(&'static str, Table)> {
+    let pointed = print.variables.contains(&ElementVariable::S);
+    let names = print.variables.iter().flat_map(|&variable| columns(variable)).copied();
+    let names: Vec<&'static str> = names.collect();
+    if names.is_empty() {
+        return None;
+    }
+    let mut rows = Vec::new();
+    for results in frame.elements {
+        let Some(section) = section_of(frame, results) else { continue };
+        for (beam, values) in results.elements(frame.model) {
+            if print.elements.binary_search(&beam.label).is_err() {
+                continue;
+            }
+            let points = if pointed { &print.section_points[..] } else { &[1] };
+            rows.extend(points.iter().map(|point| {
+                Row {
+                    head: head(
+                        &beam.label.to_string(),
+                        pointed.then(|| point.to_string()).as_deref(),
+                    ),
+                    label: beam.label,
+                    values: print
+                        .variables
+                        .iter()
+                        .flat_map(|&variable| at(variable, (values, section), *point))
+                        .collect(),
+                    summed: None,
+                }
+            }));
+        }
+    }
+    let head = head("ELEMENT", pointed.then_some("POINT"));
+    Some((title(print, "ELEMENTS all beams"), Table { head, names, rows }))
+}
+
+fn section_of<'a>(frame: &Frame<'a>, results: &BlockResults) -> Option<&'a BeamSection> {
+    Some(frame.model.blocks.get(results.block)?.beams()?.section)
+}
+
+/// Columns of a variable; none where beams lack it.
+fn columns(variable: ElementVariable) -> &'static [&'static str] {
+    match (variable, field(variable)) {
+        (ElementVariable::MISES, _) => &["MISES"],
+        (ElementVariable::S, _) => &["S11"],
+        (_, name) => types::B21.field(name).map_or(&[], |(field, _)| field.components),
+    }
+}
+
+/// The field that a variable stands for.
+fn field(variable: ElementVariable) -> &'static str {
+    match variable {
+        ElementVariable::SF => "SF",
+        ElementVariable::SM => "SM",
+        ElementVariable::SE => "SE",
+        ElementVariable::SK => "SK",
+        _ => "",
+    }
+}
+
+/// What stands in the columns of a variable at a section point.
+fn at(
+    variable: ElementVariable,
+    (values, section): (&[f64], &BeamSection),
+    point: usize,
+) -> Vec<f64> {
+    let stresses = axial_stresses([values[0], values[2]], section);
+    match variable {
+        ElementVariable::MISES => vec![outer_mises(&stresses)],
+        ElementVariable::S => vec![stresses[point - 1]],
+        _ => {
+            let Some((field, first)) = types::B21.field(field(variable)) else { return Vec::new() };
+            values[first..first + field.components.len()].to_vec()
+        }
+    }
+}

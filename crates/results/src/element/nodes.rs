@@ -1,0 +1,114 @@
+//! Results of solids at their nodes.
+//!
+//! ```text
+//!   o---o---o     x -> o: each element by the polynomial through its points, then the mean of the
+//!   | A | A |     elements that meet; where two sections meet, A and B have values of their own
+//!   o---o---o
+//!   | B | B |
+//!   o---o---o
+//! ```
+
+use super::points::{Quantity, principal, solids};
+use slideline_model::{Dialect, Model, NodeIndex};
+use slideline_solve::observe::Frame;
+
+/// Results at a node.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct AtNodes {
+    /// Cauchy stress 11, 22, 33, 12, 13, 23 [F/L2].
+    pub stress: [f64; 6],
+    /// Strain as elements tell it [1]; shears are components of the tensor.
+    pub strain: [f64; 6],
+    /// Equivalent plastic strain [1].
+    pub plastic: f64,
+    /// Stored energy of a unit of undeformed volume [F/L2].
+    pub energy: f64,
+    /// Energy that plastic strain took of it [F/L2].
+    pub dissipated: f64,
+}
+
+impl AtNodes {
+    /// Principal stresses, ascending [F/L2].
+    pub fn principal(&self) -> [f64; 3] {
+        principal(self.stress)
+    }
+}
+
+/// Number of values of a node.
+const WIDTH: usize = 15;
+
+/// Results at all places that somebody asks for.
+#[derive(Clone, Debug, Default)]
+pub struct NodalResults(Vec<Option<AtNodes>>);
+
+impl NodalResults {
+    /// Those at a place; `None` where no solid is.
+    pub fn at(&self, place: usize) -> Option<&AtNodes> {
+        self.0.get(place)?.as_ref()
+    }
+
+    /// All places.
+    pub fn iter(&self) -> impl Iterator<Item = Option<&AtNodes>> {
+        self.0.iter().map(Option::as_ref)
+    }
+}
+
+/// Results at the nodes of all solids of a frame. `place` says for block and node where its values
+/// are summed, among `places`: those of one place are averaged.
+pub fn nodal_results(
+    frame: &Frame<'_>,
+    places: usize,
+    place: impl Fn(usize, NodeIndex) -> usize,
+) -> NodalResults {
+    let mut sums: Vec<([f64; WIDTH], f64)> = vec![([0.0; WIDTH], 0.0); places];
+    let (mut values, mut points, mut nodes) = (Vec::new(), Vec::new(), Vec::new());
+    let told = ["S", "E", "PEEQ", "ENER", "PENER"].map(Quantity::Field);
+    for solid in solids(frame).filter(|solid| solid.points() > 0) {
+        let kind = solid.block.kind;
+        // where among the values of a node the components of a field begin
+        let mut columns: Vec<usize> = Vec::new();
+        for (quantity, first) in told.into_iter().zip([0, 6, 12, 13, 14]) {
+            let count = quantity.components(kind, frame.model.dialect).len();
+            columns.extend(first..first + count);
+        }
+        values.clear();
+        for point in 0..solid.points() {
+            told.iter().for_each(|quantity| solid.push(*quantity, point, &mut values));
+        }
+        nodes.resize(solid.element.nodes.len(), 0.0);
+        for (component, &column) in columns.iter().enumerate() {
+            points.clear();
+            points.extend(values.iter().skip(component).step_by(columns.len()));
+            (kind.at_nodes)(&points, &mut nodes);
+            for (&node, value) in solid.element.nodes.iter().zip(&nodes) {
+                if let Some((sum, _)) = sums.get_mut(place(solid.number, node)) {
+                    sum[column] += value;
+                }
+            }
+        }
+        for &node in solid.element.nodes {
+            if let Some((_, count)) = sums.get_mut(place(solid.number, node)) {
+                *count += 1.0;
+            }
+        }
+    }
+    let shear = if frame.model.dialect == Dialect::Abaqus { 0.5 } else { 1.0 };
+    let mean = |(sum, count): ([f64; WIDTH], f64)| {
+        let mean = sum.map(|sum| sum / count);
+        let of = |first: usize| std::array::from_fn(|k| mean[first + k]);
+        let mut strain: [f64; 6] = of(6);
+        strain[3..].iter_mut().for_each(|strain| *strain *= shear);
+        AtNodes { stress: of(0), strain, plastic: mean[12], energy: mean[13], dissipated: mean[14] }
+    };
+    let all = sums.into_iter().map(|sums| (sums.1 > 0.0).then(|| mean(sums)));
+    NodalResults(all.collect())
+}
+
+/// Of every block the first one with the same section: over its border stresses may jump.
+pub fn regions(model: &Model) -> Vec<usize> {
+    let blocks = &model.blocks;
+    let first = |block: &slideline_model::ElementBlock| {
+        blocks.iter().position(|other| other.section == block.section).unwrap_or_default()
+    };
+    blocks.iter().map(first).collect()
+}

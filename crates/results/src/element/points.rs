@@ -1,0 +1,218 @@
+//! Quantities of solids at their integration points.
+
+use slideline_mech::material::tensor::{deviator, eigen, trace};
+use slideline_model::{
+    Dialect, Element, ElementBlock, ElementType, ElementVariable, Kinematics, Location, MOST_NODES,
+    Material, Section,
+};
+use slideline_solve::observe::Frame;
+
+/// What is told of solids.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// A field of their type, by its name.
+    Field(&'static str),
+    /// Logarithmic strain [1].
+    LogarithmicStrain,
+    /// Plastic strain [1].
+    PlasticStrain,
+    /// Mises stress [F/L2].
+    Mises,
+    /// Principal stresses, ascending [F/L2].
+    Principal,
+    /// Current place [L].
+    Place,
+}
+
+impl Quantity {
+    /// What a variable of a request stands for; `None`: it is one of beams alone.
+    pub fn of(variable: ElementVariable) -> Option<Self> {
+        Some(match variable {
+            ElementVariable::S => Self::Field("S"),
+            ElementVariable::E => Self::Field("E"),
+            ElementVariable::LE => Self::LogarithmicStrain,
+            ElementVariable::PE => Self::PlasticStrain,
+            ElementVariable::PEEQ => Self::Field("PEEQ"),
+            ElementVariable::MISES => Self::Mises,
+            ElementVariable::SP => Self::Principal,
+            ElementVariable::ENER => Self::Field("ENER"),
+            ElementVariable::PENER => Self::Field("PENER"),
+            ElementVariable::COORD => Self::Place,
+            ElementVariable::ELSE => Self::Field("ELSE"),
+            ElementVariable::ELPD => Self::Field("ELPD"),
+            ElementVariable::EVOL => Self::Field("EVOL"),
+            ElementVariable::SF
+            | ElementVariable::SM
+            | ElementVariable::SE
+            | ElementVariable::SK => return None,
+        })
+    }
+
+    /// Names of its components for elements of a type, read in a dialect; none where they lack it.
+    /// Logarithmic and plastic strains are those of a dialect whose strains are logarithmic.
+    pub fn components(self, kind: &ElementType, dialect: Dialect) -> &'static [&'static str] {
+        let (count, _) = stress_field(kind).unwrap_or_default();
+        let logarithmic = dialect == Dialect::Abaqus;
+        match self {
+            Self::Field(name) => kind.field(name).map_or(&[], |(field, _)| field.components),
+            Self::LogarithmicStrain if logarithmic => &STRAINS[..count],
+            Self::PlasticStrain if logarithmic => &PLASTIC_STRAINS[..count],
+            Self::Mises if count > 0 => &["MISES"],
+            Self::Principal if count > 0 => &["SP1", "SP2", "SP3"],
+            Self::Place if matches!(kind.kinematics, Kinematics::Solid { .. }) => {
+                &["COOR1", "COOR2", "COOR3"][..kind.cell.dimension]
+            }
+            _ => &[],
+        }
+    }
+}
+
+const STRAINS: [&str; 6] = ["LE11", "LE22", "LE33", "LE12", "LE13", "LE23"];
+const PLASTIC_STRAINS: [&str; 6] = ["PE11", "PE22", "PE33", "PE12", "PE13", "PE23"];
+const STRESSES: [&str; 6] = ["S11", "S22", "S33", "S12", "S13", "S23"];
+
+/// How many components the stress of a type has at its points, and where it begins among its
+/// values; `None`: it has no such stress.
+fn stress_field(kind: &ElementType) -> Option<(usize, usize)> {
+    let (field, first) = kind.field("S")?;
+    let width = field.components.len();
+    let known = width >= 4 && STRESSES.starts_with(field.components);
+    (known && field.location == Location::Points).then_some((width, first))
+}
+
+/// A solid, or another element that is no beam, with its results.
+#[derive(Clone, Copy, Debug)]
+pub struct Solid<'a> {
+    frame: &'a Frame<'a>,
+    /// Index of its block in the model.
+    pub number: usize,
+    /// Its block.
+    pub block: &'a ElementBlock,
+    /// The element.
+    pub element: Element<'a>,
+    values: &'a [f64],
+}
+
+/// All elements of a frame that are no beams and have results, block by block.
+pub fn solids<'a>(frame: &'a Frame<'a>) -> impl Iterator<Item = Solid<'a>> {
+    let blocks = frame.elements.iter().filter_map(|results| {
+        let block = frame.model.blocks.get(results.block)?;
+        (!block.kind.is_beam() && !block.kind.fields.is_empty()).then_some((block, results))
+    });
+    blocks.flat_map(move |(block, results)| {
+        let own = results.elements(frame.model);
+        own.map(move |(element, values)| Solid {
+            frame,
+            number: results.block,
+            block,
+            element,
+            values,
+        })
+    })
+}
+
+impl<'a> Solid<'a> {
+    /// Every component of every field with its mean over the element.
+    pub fn means(&self) -> impl Iterator<Item = (&'static str, f64)> + use<'a> {
+        let (kind, values) = (self.block.kind, self.values);
+        kind.fields.iter().flat_map(move |field| {
+            let first = kind.field(field.name).map_or(0, |(_, first)| first);
+            let own = values.get(first..first + kind.values(field)).unwrap_or_default();
+            let width = field.components.len();
+            let places = (own.len() / width.max(1)) as f64;
+            field.components.iter().enumerate().map(move |(place, name)| {
+                (*name, own.iter().skip(place).step_by(width).sum::<f64>() / places)
+            })
+        })
+    }
+
+    /// Number of integration points with a stress.
+    pub fn points(&self) -> usize {
+        stress_field(self.block.kind).map_or(0, |_| self.block.kind.points)
+    }
+
+    /// Cauchy stress at a point, counted from 0: 11, 22, 33, 12, 13, 23 [F/L2].
+    pub fn stress(&self, point: usize) -> [f64; 6] {
+        let mut stress = [0.0; 6];
+        if let Some((width, first)) = stress_field(self.block.kind) {
+            let own = self.values.get(first + width * point..).unwrap_or_default();
+            stress.iter_mut().zip(own).take(width).for_each(|(s, own)| *s = *own);
+        }
+        stress
+    }
+
+    /// Appends a quantity at a point, counted from 0: as many values as it has components.
+    pub fn push(&self, quantity: Quantity, point: usize, into: &mut Vec<f64>) {
+        let kind = self.block.kind;
+        let count = quantity.components(kind, self.frame.model.dialect).len();
+        match quantity {
+            Quantity::Field(name) => into.extend_from_slice(self.field(name, point)),
+            Quantity::LogarithmicStrain => {
+                into.extend_from_slice(&self.field("E", point)[..count]);
+            }
+            Quantity::PlasticStrain => into.extend_from_slice(&self.plastic_strain(point)[..count]),
+            Quantity::Mises if count > 0 => into.push(mises(self.stress(point))),
+            Quantity::Principal if count > 0 => {
+                into.extend_from_slice(&principal(self.stress(point)));
+            }
+            Quantity::Place => into.extend_from_slice(&self.place(point)[..count]),
+            Quantity::Mises | Quantity::Principal => {}
+        }
+    }
+
+    /// Values of a field at a point; of the whole element where it has one value.
+    fn field(&self, name: &str, point: usize) -> &[f64] {
+        let Some((field, first)) = self.block.kind.field(name) else { return &[] };
+        let width = field.components.len();
+        let before = if field.location == Location::Centroid { 0 } else { width * point };
+        self.values.get(first + before..first + before + width).unwrap_or_default()
+    }
+
+    /// Plastic strain of a metal, shears as angles: the part of the strain that its stress does not
+    /// answer for, which leaves the volume alone; docs/theory.md eq. (3.57).
+    fn plastic_strain(&self, point: usize) -> [f64; 6] {
+        let Section::Solid(section) = &self.block.section else { return [0.0; 6] };
+        let Material::Plastic(metal) = &section.material else { return [0.0; 6] };
+        let mut strain = [0.0; 6];
+        strain.iter_mut().zip(self.field("E", point)).for_each(|(e, own)| *e = *own);
+        (3..6).for_each(|k| strain[k] *= 0.5);
+        let large = self.frame.model.steps.get(self.frame.step.wrapping_sub(1));
+        let large = large.is_some_and(|step| step.nlgeom);
+        let volume = if large { trace(&strain).exp() } else { 1.0 };
+        let (strain, stress) = (deviator(&strain), deviator(&self.stress(point)));
+        let twice = 2.0 * metal.elastic.shear_modulus();
+        let held = self.field("PEEQ", point).first().is_some_and(|peeq| *peeq > 0.0);
+        std::array::from_fn(|k| {
+            let left = strain[k] - volume * stress[k] / twice;
+            if held { if k < 3 { left } else { 2.0 * left } } else { 0.0 }
+        })
+    }
+
+    /// Current place of a point [L].
+    fn place(&self, point: usize) -> [f64; 3] {
+        let Kinematics::Solid { rule, .. } = self.block.kind.kinematics else { return [0.0; 3] };
+        let mut shapes = [0.0; MOST_NODES];
+        let shapes = &mut shapes[..self.element.nodes.len()];
+        let Some(at) = rule.points.get(point) else { return [0.0; 3] };
+        (self.block.kind.cell.shapes)(at, shapes);
+        let mut place = [0.0; 3];
+        for (&node, shape) in self.element.nodes.iter().zip(shapes.iter()) {
+            let moved = crate::node::place(self.frame, node);
+            (0..3).for_each(|axis| place[axis] += *shape * moved[axis]);
+        }
+        place
+    }
+}
+
+/// Mises stress of a tensor 11, 22, 33, 12, 13, 23 [F/L2].
+pub fn mises([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> f64 {
+    let normal = (xx - yy).powi(2) + (yy - zz).powi(2) + (zz - xx).powi(2);
+    (0.5 * normal + 3.0 * (xy * xy + yz * yz + xz * xz)).sqrt()
+}
+
+/// Principal values of a tensor, ascending.
+pub(super) fn principal(tensor: [f64; 6]) -> [f64; 3] {
+    let (mut values, _) = eigen(&tensor);
+    values.sort_by(f64::total_cmp);
+    values
+}
