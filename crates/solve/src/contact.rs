@@ -386,24 +386,24 @@ impl Contact {
 
     /// Tangent of the geometry of a point, normal * D dh + tangential *
     /// D direction, with `normal` and `tangential` forces [F]; row-major, as wide
-    /// as its rows. The point faces what it faced when it was met.
+    /// as its rows. The point faces what it faced when it was met, with masters at `positions`.
     pub fn geometric_tangent(
         &self,
         place: usize,
-        (u, before): (&[f64], &PointState),
+        (u, positions, before): (&[f64], &MasterPositions, &PointState),
         kinematics: &PointRows<'_>,
         (normal, tangential): (f64, Tangential),
         scratch: &mut GeometryScratch,
     ) {
         let point = &self.points[place];
         if let Some(Facing::Face(facing)) = kinematics.facing {
-            let forces = (normal, tangential);
-            self.tangent_of_face((point.pair, facing), (kinematics, before), forces, scratch);
+            let (facing, forces) = ((point.pair, facing), (normal, tangential));
+            self.tangent_of_face(facing, (kinematics, before, positions), forces, scratch);
             return;
         }
         let mut stencil = self.slave(point, kinematics.xi, u);
         let m = kinematics.rows.width();
-        let GeometryScratch { tangent, direct, force, positions, .. } = scratch;
+        let GeometryScratch { tangent, direct, force, .. } = scratch;
         tangent.clear();
         tangent.resize(m * m, 0.0);
         let Some(facing) = &kinematics.facing else { return };
@@ -433,11 +433,6 @@ impl Contact {
             let dofs = kinematics.rows.unknowns;
             shear.push_tangent((dofs, u), force, (direct, width), tangent);
         }
-    }
-
-    /// Positions of all deforming masters at displacements `u`.
-    pub fn fill_scratch(&self, u: &[f64], scratch: &mut GeometryScratch) {
-        self.place_masters(u, &mut scratch.positions);
     }
 
     /// Change of the slip coordinates of a point since its commit [L]; zero

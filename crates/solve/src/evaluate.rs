@@ -89,6 +89,11 @@ pub struct Evaluation {
 }
 
 impl Evaluation {
+    /// Where the masters stand.
+    pub fn positions(&self) -> &MasterPositions {
+        &self.positions
+    }
+
     /// Room for a problem, as if nothing had been evaluated before.
     pub fn fit(&mut self, plan: &Problem<'_>) {
         let (dofs, points) = (plan.dofs.len(), plan.contact.points.len());

@@ -196,7 +196,6 @@ pub fn assembled(place: &Place<'_>) -> Vec<f64> {
     place.add_contact_force(&place.evaluation.kinematics, trial.u, &mut force);
     plan.stiffen_by_turning(rows, (trial.u, &mut force), &mut values);
     let mut scratch = GeometryScratch::default();
-    plan.contact.fill_scratch(trial.u, &mut scratch);
     for point in 0..plan.contact.points.len() {
         place.add_point(point, &mut scratch, &mut values);
     }
@@ -213,7 +212,8 @@ impl Place<'_> {
         }
         let ((pressure, traction), slope) = self.law(place, &kinematics);
         let forces = (now.area * pressure, now.area * traction.tau);
-        plan.contact.geometric_tangent(place, (trial.u, before), &kinematics, forces, scratch);
+        let at = (trial.u, evaluation.positions(), before);
+        plan.contact.geometric_tangent(place, at, &kinematics, forces, scratch);
         let (geometry, rows) = (&scratch.tangent, kinematics.rows);
         let a = rows.normal();
         let drag = |i: usize, j: usize, k: usize| {

@@ -155,12 +155,12 @@ impl Contact {
     pub(super) fn tangent_of_face(
         &self,
         (pair, facing): (usize, FacePlace),
-        (kinematics, before): (&PointRows<'_>, &PointState),
+        (kinematics, before, positions): (&PointRows<'_>, &PointState, &MasterPositions),
         forces: (f64, Tangential),
         scratch: &mut GeometryScratch,
     ) {
         let m = kinematics.rows.width();
-        let GeometryScratch { tangent, positions, room, kernel, .. } = scratch;
+        let GeometryScratch { tangent, room, kernel, .. } = scratch;
         tangent.clear();
         tangent.resize(m * m, 0.0);
         let Some(placed) = self.placed_faces(pair, positions) else { return };

@@ -8,7 +8,6 @@
 
 use super::master::Facing;
 use super::operator::{ContactOperator, OperatorRows, OperatorRowsMut};
-use super::positions::MasterPositions;
 use super::shear::{Shear, TURNS};
 use slideline_mech::contact::pair::{AnyGap, FaceRoom, Footing, StencilAttachments};
 use slideline_mech::contact::points::slopes::MOST_SLOPE_DOFS;
@@ -303,7 +302,6 @@ pub struct GeometryScratch {
     /// The same by the dofs that the gap follows directly, those of shear left out.
     pub(super) direct: Vec<f64>,
     pub(super) force: Vec<f64>,
-    pub(super) positions: MasterPositions,
     pub(super) room: FaceRoom,
     pub(super) kernel: Vec<f64>,
 }

@@ -111,7 +111,6 @@ impl Scratch {
         self.dashpots.stiffen(plan, &self.evaluation.rows, &mut self.values);
         plan.faces.stiffen(plan, &self.evaluation.rows, (&self.faces, &self.u), &mut self.values);
         self.turn(plan);
-        plan.contact.fill_scratch(&self.u, &mut self.geometry);
         for k in 0..self.points.len() {
             if self.points[k].pressure == 0.0 && self.points[k].stiffness == 0.0 {
                 continue;
@@ -150,8 +149,9 @@ impl Scratch {
         let width = kinematics.rows.width();
         let forces =
             (kinematics.area * self.pressures[place], kinematics.area * self.tractions[place]);
+        let at = (&self.u[..], self.evaluation.positions(), before);
         let geometry = &mut self.geometry;
-        plan.contact.geometric_tangent(place, (&self.u, before), kinematics, forces, geometry);
+        plan.contact.geometric_tangent(place, at, kinematics, forces, geometry);
         let at = |i: usize, j: usize| geometry.tangent[width * i + j];
         plan.scatter(&self.evaluation.rows, kinematics.rows.unknowns, at, &mut self.values);
     }
