@@ -24,7 +24,8 @@ BRICK = SQUARE + [(x, y, 4) for x, y, _ in SQUARE]
 AROUND = lambda n: [(k, (k + 1) % n) for k in range(n)]
 UPPER = lambda n: [(n + a, n + b) for a, b in AROUND(n)]
 UPRIGHT = lambda n: [(k, n + k) for k in range(n)]
-# type in decks: corners, edges with middle nodes in the deck's order, VTK type, meshio's name, content
+# type in decks: corners, edges with middle nodes in the deck's order, VTK type, meshio's name (none:
+# meshio 5.3.5 stops at quadratic wedges, whose dimension it does not know), content
 CELLS = {
     "CPS3": (TRIANGLE, [], 5, "triangle", 3.0),
     "CPS4": (SQUARE, [], 9, "quad", 6.0),
@@ -33,7 +34,7 @@ CELLS = {
     "C3D4": (TETRAHEDRON, [], 10, "tetra", 4.0),
     "C3D10": (TETRAHEDRON, AROUND(3) + [(0, 3), (1, 3), (2, 3)], 24, "tetra10", 4.0),
     "C3D6": (WEDGE, [], 13, "wedge", 12.0),
-    "C3D15": (WEDGE, AROUND(3) + UPPER(3) + UPRIGHT(3), 26, "wedge15", 12.0),
+    "C3D15": (WEDGE, AROUND(3) + UPPER(3) + UPRIGHT(3), 26, None, 12.0),
     "C3D8": (BRICK, [], 12, "hexahedron", 24.0),
     "C3D20": (BRICK, AROUND(4) + UPPER(4) + UPRIGHT(4), 25, "hexahedron20", 24.0),
 }
@@ -50,7 +51,7 @@ def deck(kind, nodes):
     lines += [f"{E}, 0.0", "*STEP", "*STATIC", "1.0, 1.0", "*BOUNDARY"]
     for k, place in enumerate(nodes):
         for axis in range(axes):
-            lines.append(f"{k + 1}, {axis + 1}, {axis + 1}, {STRAIN[axis] * place[axis]!r}")
+            lines.append(f"{k + 1}, {axis + 1}, {axis + 1}, {float(STRAIN[axis] * place[axis])!r}")
     return "\n".join(lines + ["*EL FILE", "S, E", "*END STEP", ""])
 
 
@@ -79,6 +80,10 @@ def check_solid(program, kind, folder):
     stress = vtk_to_numpy(grid.GetPointData().GetArray("stress"))
     assert numpy.abs(stress - exact).max() <= 1e-9 * E, f"{kind}: {stress}"
 
+    check_rows(kind, job, exact)
+    print(f"{kind}: VTK type {shape}, {name}")
+    if name is None:
+        return
     mesh = meshio.read(f"{job}_0001.vtu")
     assert [block.type for block in mesh.cells] == [name], f"{kind}: {mesh.cells}"
     assert numpy.array_equal(mesh.point_data["stress"], stress), f"{kind}: meshio's stress"
@@ -89,6 +94,8 @@ def check_solid(program, kind, folder):
     assert numpy.abs(moved - known).max() <= 1e-12, f"{kind}: points"
     assert abs(mesh.cell_data["S11"][0][0] - exact[0]) <= 1e-9 * E, f"{kind}: mean S11"
 
+
+def check_rows(kind, job, exact):
     with open(f"{job}.element.csv", newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     names = ["S11", "S22", "S33", "S12", "S13", "S23"]
@@ -96,7 +103,6 @@ def check_solid(program, kind, folder):
         for column, value in zip(names, exact):
             assert abs(float(row[column]) - value) <= 1e-9 * E, f"{kind}: {row}"
     assert [int(row["point"]) for row in rows] == list(range(1, len(rows) + 1)), f"{kind}: points"
-    print(f"{kind}: VTK type {shape}, {name}, {len(rows)} points")
 
 
 def check_solids(program, folder):
