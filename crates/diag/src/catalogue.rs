@@ -109,7 +109,6 @@ catalogue! {
     "SL0270" "an allowable that cannot be used"
     "SL0271" "a part without an instance"
     "SL0272" "an incompressible rubber"
-    "SL0273" "an allowable of solids"
     "SL0301" "a deck without a step"
     "SL0302" "a step that is not closed"
     "SL0303" "an element on an undefined node"

@@ -45,11 +45,11 @@ pub struct Evidence {
     pub noise: Option<f64>,
     /// Largest step of a force next to its peak, over the peak [-].
     pub peak_step: Option<f64>,
-    /// Largest fibre strain [-].
+    /// Largest strain of a fibre, or principal one of a solid with a linear law [-].
     pub strain: Option<f64>,
     /// How far an element turned or strained under linear kinematics [-].
     pub linear: Option<f64>,
-    /// Largest fibre strain over the allowable one [-], where there is one.
+    /// Largest strain or stress over the allowable one [-], where there is one.
     pub utilisation: Option<f64>,
     /// Deepest penetration in c0 of a softened law [-].
     pub penetration: Option<f64>,
@@ -119,7 +119,7 @@ fn wrong(evidence: &Evidence) -> [Rule; 5] {
             Colour::Red,
             above(evidence.utilisation, 1.0).map(|used| {
                 format!(
-                    "strain: {} % of the allowable; beyond it the elastic results are not valid",
+                    "allowable: the part is at {} % of it; beyond it elastic results are not valid",
                     percent(used)
                 )
             }),
@@ -228,7 +228,7 @@ mod tests {
             (Colour::Red, "energy: 58 %", Evidence { energy: Some(0.58), ..clean() }),
             (Colour::Red, "energy", Evidence { energy: nan, ..clean() }),
             (Colour::Amber, "energy: 6 %", Evidence { energy: Some(0.06), ..clean() }),
-            (Colour::Red, "strain: 120 %", Evidence { utilisation: Some(1.2), ..clean() }),
+            (Colour::Red, "at 120 % of it", Evidence { utilisation: Some(1.2), ..clean() }),
             (Colour::Red, "strain", Evidence { utilisation: nan, ..clean() }),
             (
                 Colour::Amber,

@@ -36,8 +36,8 @@ pub use controls::{Controls, FieldControls, TimeIncrementation};
 pub use driven::Driven;
 pub use element::{
     Allowable, BeamSection, Beams, Element, ElementBlock, ElementType, Elements, Field, Kinematics,
-    Location, MOST_NODES, Section, ShearRule, SolidSection, SpringSection, SpringWay, Springs,
-    TYPES, Undeformed, element_type, mean_at_nodes, types,
+    Limit, Location, MOST_NODES, Section, ShearRule, SolidSection, SpringSection, SpringWay,
+    Springs, TYPES, Undeformed, element_type, mean_at_nodes, types,
 };
 pub use load::{Distributed, Pressure};
 pub use node::{Dof, LinearConstraint, Node, NodeIndex, Nodes, RigidLink};

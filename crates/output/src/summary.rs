@@ -17,7 +17,7 @@ use serde::{Deserialize, Serialize};
 use slideline_diag::{Diagnostic, Severity, Sources};
 use slideline_measures::NoiseSummary;
 use slideline_mech::element::cell::Piece;
-use slideline_model::{Dialect, NodeIndex};
+use slideline_model::{Dialect, ElementBlock, Limit, NodeIndex};
 use slideline_results::element::{Quantity, mises, solids};
 use slideline_results::{NodeComponent, place};
 use slideline_solve::Checkpoint;
@@ -56,23 +56,53 @@ pub(crate) struct Memory {
     mises: Largest,
     /// Largest equivalent plastic strain there.
     plastic: Largest,
+    /// Largest principal strain there, where the law is linear.
+    principal: Largest,
 }
 
 impl Memory {
-    /// Takes in stresses of solids, and how far elements turn under linear kinematics.
-    fn follow_elements(&mut self, frame: &Frame<'_>) {
+    /// Takes in strains of beams, and what of their allowable that is.
+    fn follow_beams(&mut self, frame: &Frame<'_>, allowable: &BTreeMap<u64, f64>) {
         let time = frame.total_time;
+        for beam in frame.beams {
+            keep_larger(&mut self.strain, (beam.fibre_strain, beam.label, time));
+            if let Some(allowable) = allowable.get(&beam.label) {
+                keep_larger(&mut self.used, (beam.fibre_strain / allowable, beam.label, time));
+            }
+        }
+    }
+
+    /// Takes in stresses and strains of solids, and what of their allowables that is.
+    fn follow_solids(&mut self, frame: &Frame<'_>) {
         let mut plastic = Vec::new();
         for solid in solids(frame) {
-            let label = solid.element.label;
+            let at = |value| (value, solid.element.label, frame.total_time);
+            let limits = frame.model.allowables.iter().filter(|own| own.block == solid.number);
             for point in 0..solid.points() {
-                keep_larger(&mut self.mises, (mises(solid.stress(point)), label, time));
+                let stress = mises(solid.stress(point));
+                keep_larger(&mut self.mises, at(stress));
                 plastic.clear();
                 solid.push(Quantity::Field("PEEQ"), point, &mut plastic);
                 let own = plastic.first().copied().filter(|own| *own > 0.0);
-                own.into_iter().for_each(|own| keep_larger(&mut self.plastic, (own, label, time)));
+                own.into_iter().for_each(|own| keep_larger(&mut self.plastic, at(own)));
+                let strain = solid.principal_strain(point);
+                if solid.is_linear() {
+                    keep_larger(&mut self.principal, at(strain));
+                }
+                for limit in limits.clone() {
+                    let used = match limit.limit {
+                        Limit::Strain(limit) => strain / limit,
+                        Limit::Stress(limit) => stress / limit,
+                    };
+                    keep_larger(&mut self.used, at(used));
+                }
             }
         }
+    }
+
+    /// Takes in how far elements turn under linear kinematics.
+    fn follow_turns(&mut self, frame: &Frame<'_>) {
+        let time = frame.total_time;
         let step = frame.model.steps.get(frame.step.wrapping_sub(1));
         if step.is_some_and(|step| !step.nlgeom) {
             let most = most_turned(frame).map(|(most, label)| (most, label, time));
@@ -144,7 +174,7 @@ pub(crate) struct Summary<'a> {
     dropped_work: f64,
     totals: Totals,
     understood: Option<Value>,
-    /// Allowable strains of elements.
+    /// Allowable strains of beams.
     allowable: BTreeMap<u64, f64>,
     /// What the deck calls itself, and its pairs.
     names: (String, Vec<String>),
@@ -291,8 +321,12 @@ impl<'a> Summary<'a> {
         self.names = (step.model.heading.clone(), pairs.collect());
         for allowable in &step.model.allowables {
             let block = step.model.blocks.get(allowable.block);
-            let elements = block.into_iter().flat_map(|block| &block.elements);
-            self.allowable.extend(elements.map(|own| (own.label, allowable.strain)));
+            let Some(block) = block.and_then(ElementBlock::beams) else { continue };
+            let strain = match allowable.limit {
+                Limit::Strain(strain) => strain,
+                Limit::Stress(stress) => stress / block.section.material.modulus,
+            };
+            self.allowable.extend(block.elements.iter().map(|own| (own.label, strain)));
         }
         let columns = history::columns(step.start.nodal.dofs());
         for node in step.model.history_nodes() {
@@ -323,13 +357,9 @@ impl<'a> Summary<'a> {
         self.states += usize::from(state_is_due(frame));
         self.dropped_work = frame.energy.dropped_friction;
         let (time, memory) = (frame.total_time, &mut self.memory);
-        for beam in frame.beams {
-            keep_larger(&mut memory.strain, (beam.fibre_strain, beam.label, time));
-            if let Some(allowable) = self.allowable.get(&beam.label) {
-                keep_larger(&mut memory.used, (beam.fibre_strain / allowable, beam.label, time));
-            }
-        }
-        memory.follow_elements(frame);
+        memory.follow_beams(frame, &self.allowable);
+        memory.follow_solids(frame);
+        memory.follow_turns(frame);
         for pair in 0..self.names.1.len() {
             let own = frame.contact.iter().filter(|row| row.pair == pair);
             let force = own.fold(0.0, |sum, row| sum + row.pressure * row.area);
@@ -414,6 +444,7 @@ impl<'a> Summary<'a> {
         let own = [
             ("mises", memory.mises),
             ("plastic_strain", memory.plastic),
+            ("principal_strain", memory.principal),
             ("linear_motion", memory.linear),
         ];
         for (key, largest) in own {

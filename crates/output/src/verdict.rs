@@ -56,7 +56,8 @@ fn evidence(summary: &Value, energies: Option<&Energies>, first: Option<&Stroke>
     let pairs = noise.map_or(&[][..], |noise| noise.list("pairs"));
     let largest = |key: &str| pairs.iter().filter_map(|pair| pair.number(key)).reduce(worse);
     let imbalance = [largest("force_imbalance"), largest("moment_imbalance")];
-    let strain = summary.get("fibre_strain").and_then(|strain| strain.number("max"));
+    let strains = ["fibre_strain", "principal_strain"];
+    let strains = strains.iter().filter_map(|key| summary.get(key)?.number("max"));
     let peaks = first.map(|own| [own.push, own.pull]).into_iter().flatten().flatten();
     Evidence {
         unfinished: unfinished(summary),
@@ -70,7 +71,7 @@ fn evidence(summary: &Value, energies: Option<&Energies>, first: Option<&Stroke>
             })
             .reduce(worse),
         peak_step: peaks.map(|taken| taken.step).reduce(worse),
-        strain,
+        strain: strains.reduce(worse),
         linear: summary.get("linear_motion").and_then(|own| own.number("max")),
         utilisation: summary.get("allowable").and_then(|used| used.number("utilisation")),
         penetration: largest("penetration_over_c0"),

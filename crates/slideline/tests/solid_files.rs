@@ -358,3 +358,44 @@ fn motions_are_told_by_cards_and_steps() {
     assert_eq!(found.len(), 2, "{found:?}");
     assert!(found.contains(&("2".to_owned(), 1)) && found.contains(&("3...7".to_owned(), 3)));
 }
+
+/// Requirement: an allowable holds for solids, as a strain against principal strains and as a stress
+/// against that of Mises; without one a large strain under a linear law is amber, not under one of
+/// rubber. Source: uniaxial stress of E = 1000 at a strain of .05 (linear): 50, and -.3 of it across.
+#[test]
+fn allowables_of_solids() {
+    let elastic = "*ELASTIC\n1000., .3\n";
+    let rubber = "*HYPERELASTIC, NEO HOOKE\n200., .002\n";
+    let cases = [
+        (elastic, "", "0.04", "green", "\"principal_strain\":{\"max\":0.04"),
+        (elastic, "", "-0.06", "amber", "strain: 6 %, large for an elastic law"),
+        (rubber, "", "0.06", "green", "\"mises\""),
+        (
+            elastic,
+            "*ALLOWABLE, MATERIAL=M, STRAIN=0.08\n",
+            "-0.06",
+            "green",
+            "\"utilisation\":0.75",
+        ),
+        (
+            elastic,
+            "*ALLOWABLE, MATERIAL=M, STRESS=81.\n",
+            "0.06",
+            "green",
+            "\"utilisation\":0.7407407",
+        ),
+        (elastic, "*ALLOWABLE, MATERIAL=M, STRESS=30.\n", "0.04", "red", "at 133 % of it"),
+    ];
+    for (place, (material, allowable, travel, colour, said)) in cases.into_iter().enumerate() {
+        let deck = cube([
+            ("{type}", "C3D8"),
+            ("{material}", &format!("{material}{allowable}")),
+            ("{step}", ""),
+            ("{travel}", travel),
+            ("{asked}", ""),
+        ]);
+        let summary = run(&format!("allowable-{place}"), &deck, Dialect::Abaqus)(".json");
+        assert!(summary.contains(&format!("\"colour\":\"{colour}\"")), "{place}: {summary}");
+        assert!(summary.contains(said), "{place}: {summary}");
+    }
+}

@@ -4,6 +4,7 @@
 use crate::draft::{self, Draft};
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
+use slideline_model::Limit;
 
 /// `*ALLOWABLE`.
 pub(crate) struct Allowable;
@@ -37,9 +38,9 @@ impl Keyword for Allowable {
         let strain = card.number("STRAIN", &mut draft.log);
         let stress = card.number("STRESS", &mut draft.log);
         let (Some(strain), Some(stress)) = (strain, stress) else { return };
-        let (value, name) = match (strain, stress) {
-            (Some(value), None) => (value, "STRAIN"),
-            (None, Some(value)) => (value, "STRESS"),
+        let (value, limit, name) = match (strain, stress) {
+            (Some(value), None) => (value, Limit::Strain(value), "STRAIN"),
+            (None, Some(value)) => (value, Limit::Stress(value), "STRESS"),
             _ => {
                 let message = "*ALLOWABLE takes either STRAIN or STRESS";
                 draft.log.error("SL0270", message, card.span());
@@ -58,6 +59,6 @@ impl Keyword for Allowable {
         }
         let material_span = card.span_of("MATERIAL");
         let origin = card.span();
-        draft.allowables.push(draft::Allowable { material, material_span, strain, stress, origin });
+        draft.allowables.push(draft::Allowable { material, material_span, limit, origin });
     }
 }

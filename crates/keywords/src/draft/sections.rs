@@ -3,7 +3,7 @@
 use slideline_diag::Span;
 use slideline_mech::material::{Anisotropic, Elastic, Hardening, LargeStrain, Plastic, Rubber};
 use slideline_mech::orientation::Orientation;
-use slideline_model::{self as model, BeamSection, Dialect, Shape, ShearRule, SolidSection};
+use slideline_model::{self as model, BeamSection, Dialect, Limit, Shape, ShearRule, SolidSection};
 
 #[derive(Clone, Debug)]
 pub(crate) struct Section {
@@ -141,7 +141,6 @@ impl Material {
 pub(crate) struct Allowable {
     pub material: String,
     pub material_span: Span,
-    pub strain: Option<f64>,
-    pub stress: Option<f64>,
+    pub limit: Limit,
     pub origin: Span,
 }

@@ -81,31 +81,13 @@ fn allowables(draft: &mut Draft) {
             no_material(&allowable.material, allowable.material_span, draft);
         }
         let sections = draft.sections.iter().filter(|own| own.material == allowable.material);
-        let mut solids = sections.clone().filter(|own| matches!(own.body, Body::Solid { .. }));
         let origins: Vec<Span> = sections.map(|section| section.origin).collect();
-        if let Some(solid) = solids.next() {
-            let message = format!(
-                "the allowable of {} is held against beams alone, not against these solids",
-                allowable.material
-            );
-            let warning = Diagnostic::warning(Code("SL0273"), message).at(allowable.origin);
-            let warning = warning.label(solid.origin, "solids of the material");
-            let help = "compare it with the stresses of JOB.element.csv";
-            draft.consequence(Subject::Sections, warning.help(help));
-        }
-        for (place, block) in draft.model.blocks.iter().enumerate() {
-            let Some(block) = block.beams().filter(|block| origins.contains(&block.origin)) else {
-                continue;
-            };
-            let modulus = block.section.material.modulus;
-            let strain = allowable.strain.or(allowable.stress.map(|stress| stress / modulus));
-            draft.model.allowables.extend(strain.map(|strain| Allowable {
-                block: place,
-                strain,
-                stress: allowable.stress,
-                origin: allowable.origin,
-            }));
-        }
+        let (limit, origin) = (allowable.limit, allowable.origin);
+        let blocks = draft.model.blocks.iter().enumerate();
+        let own = blocks.filter(|(_, block)| origins.contains(&block.origin));
+        let own: Vec<Allowable> =
+            own.map(|(block, _)| Allowable { block, limit, origin }).collect();
+        draft.model.allowables.extend(own);
     }
 }
 

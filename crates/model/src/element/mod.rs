@@ -255,12 +255,20 @@ impl Element<'_> {
 /// result: margin and verdict are held against it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Allowable {
-    /// Index of the block of beams.
+    /// Index of the block.
     pub block: usize,
-    /// Allowable fibre strain [1].
-    pub strain: f64,
-    /// Its stress, where the deck gave that one [F/L2].
-    pub stress: Option<f64>,
+    /// What it allows.
+    pub limit: Limit,
     /// Where it was defined.
     pub origin: Span,
+}
+
+/// What a material allows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Limit {
+    /// A strain [1]: of a fibre of a beam, principal in a solid.
+    Strain(f64),
+    /// A stress [F/L2]: Young's modulus times the strain of a fibre of a beam, that of Mises in a
+    /// solid.
+    Stress(f64),
 }

@@ -148,11 +148,7 @@ fn strain(results: &Results) -> String {
             "largest fibre strain {} % in element {element} at time {}{}",
             general(100.0 * value, 4),
             general(time, 5),
-            allowable(results).map_or_else(String::new, |(used, pass)| format!(
-                ", {} % of the allowable: {}",
-                general(100.0 * used, 3),
-                if pass { "pass" } else { "FAIL" }
-            ))
+            share(results)
         ),
         _ => solids(results).unwrap_or_else(|| "no beam is strained".to_owned()),
     }
@@ -172,7 +168,20 @@ fn solids(results: &Results) -> Option<String> {
             general(100.0 * plastic, 4)
         ));
     }
+    if let Some((strain, element, _)) = largest(results, "principal_strain") {
+        let strain = general(100.0 * strain, 4);
+        said.push_str(&format!(", largest principal strain {strain} % in element {element}"));
+    }
+    said.push_str(&share(results));
     Some(said)
+}
+
+/// How much of the allowable is used, where there is one.
+fn share(results: &Results) -> String {
+    allowable(results).map_or_else(String::new, |(used, pass)| {
+        let (used, end) = (general(100.0 * used, 3), if pass { "pass" } else { "FAIL" });
+        format!(", {used} % of the allowable: {end}")
+    })
 }
 
 /// A largest value of the summary, with element and time.
@@ -265,16 +274,8 @@ fn tiles(results: &Results, judged: &Judged) -> Markup {
         list.push(["largest normal force".to_owned(), number(force), format!("pair {pair}")]);
     }
     if let Some((value, element, _)) = largest_strain(results).filter(|(value, ..)| *value > 0.0) {
-        let note = match allowable(results) {
-            Some((used, pass)) => format!(
-                "{} % of the allowable, margin {} %: {}",
-                general(100.0 * used, 3),
-                general(100.0 * (1.0 / used - 1.0), 3),
-                if pass { "pass" } else { "FAIL" }
-            ),
-            None => format!("element {element}; no allowable is given"),
-        };
-        list.push(["largest strain".to_owned(), format!("{} %", general(100.0 * value, 3)), note]);
+        let strain = format!("{} %", general(100.0 * value, 3));
+        list.push(["largest strain".to_owned(), strain, margin(results, element)]);
     }
     list.extend(tiles_of_solids(results));
     html! {
@@ -294,10 +295,28 @@ fn tiles_of_solids(results: &Results) -> impl Iterator<Item = [String; 3]> {
     let kinds = [
         ("mises", "largest Mises stress", 1.0, ""),
         ("plastic_strain", "largest plastic strain", 100.0, " %"),
+        ("principal_strain", "largest principal strain", 100.0, " %"),
     ];
-    kinds.into_iter().filter_map(|(key, name, factor, unit)| {
+    let has_beams = largest_strain(results).is_some_and(|(value, ..)| value > 0.0);
+    kinds.into_iter().filter_map(move |(key, name, factor, unit)| {
         let (most, element, _) = largest(results, key)?;
-        let value = format!("{}{unit}", number(factor * most));
-        Some([name.to_owned(), value, format!("element {element}")])
+        let value = format!("{}{unit}", general(factor * most, 4));
+        // said once: of the beams where there are some
+        let is_judged = key == "mises" && allowable(results).is_some() && !has_beams;
+        let note = if is_judged { margin(results, element) } else { format!("element {element}") };
+        Some([name.to_owned(), value, note])
     })
+}
+
+/// The margin to the allowable, where there is one.
+fn margin(results: &Results, element: usize) -> String {
+    match allowable(results) {
+        Some((used, pass)) => format!(
+            "{} % of the allowable, margin {} %: {}",
+            general(100.0 * used, 3),
+            general(100.0 * (1.0 / used - 1.0), 3),
+            if pass { "pass" } else { "FAIL" }
+        ),
+        None => format!("element {element}; no allowable is given"),
+    }
 }

@@ -160,6 +160,21 @@ impl<'a> Solid<'a> {
         }
     }
 
+    /// Largest principal strain at a point, pulled or pressed [1].
+    pub fn principal_strain(&self, point: usize) -> f64 {
+        let mut strain = [0.0; 6];
+        strain.iter_mut().zip(self.field("E", point)).for_each(|(e, own)| *e = *own);
+        (3..6).for_each(|k| strain[k] *= 0.5);
+        let worse = |most: f64, own: f64| if own.is_nan() || own > most { own } else { most };
+        principal(strain).iter().map(|value| value.abs()).fold(0.0, worse)
+    }
+
+    /// Whether its stress is linear in its strain.
+    pub fn is_linear(&self) -> bool {
+        let Section::Solid(section) = &self.block.section else { return false };
+        matches!(section.material, Material::Elastic(..) | Material::Anisotropic(_))
+    }
+
     /// Values of a field at a point; of the whole element where it has one value.
     fn field(&self, name: &str, point: usize) -> &[f64] {
         let Some((field, first)) = self.block.kind.field(name) else { return &[] };
