@@ -181,6 +181,24 @@ fn a_curve_leaves_its_last_value_to_the_next_step() {
     let [first, second] = model.steps.as_slice() else { panic!("two steps") };
     assert_eq!((first.loads[0].amplitude, first.loads[0].value), (Some(0), 1.0));
     assert_eq!((second.loads[0].amplitude, second.loads[0].value), (None, 0.5));
+    assert_eq!((first.loads[0].continues, second.loads[0].continues), (None, Some(0)));
+}
+
+/// Requirement: what `OP=NEW` removes ramps off, also where another load takes its place in the
+/// list; a load that was said again goes on from the old one.
+#[test]
+fn removed_loads_ramp_off() {
+    let cards = "*CLOAD, OP=NEW\n4, 1, 3.0\n5, 6, 2.0\n*END STEP\n";
+    let second = SECOND.replace(", AMPLITUDE=STEP", "");
+    let third = second.trim_start_matches("*END STEP\n");
+    let last = "*CLOAD\n5, 6, 7.0\n*END STEP\n";
+    let model = model(BEAM, "*END STEP\n", &format!("{second}{cards}{third}{last}"));
+    let of = |step: usize| -> Vec<(f64, Option<usize>)> {
+        model.steps[step].loads.iter().map(|load| (load.value, load.continues)).collect()
+    };
+    assert_eq!(of(0), [(1.0, None)]);
+    assert_eq!(of(1), [(3.0, None), (2.0, None), (0.0, Some(0))]);
+    assert_eq!(of(2), [(3.0, Some(0)), (7.0, Some(1))]);
 }
 
 #[test]

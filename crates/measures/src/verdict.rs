@@ -229,7 +229,7 @@ mod tests {
             (Colour::Red, "energy", Evidence { energy: nan, ..clean() }),
             (Colour::Amber, "energy: 6 %", Evidence { energy: Some(0.06), ..clean() }),
             (Colour::Red, "at 120 % of it", Evidence { utilisation: Some(1.2), ..clean() }),
-            (Colour::Red, "strain", Evidence { utilisation: nan, ..clean() }),
+            (Colour::Red, "allowable", Evidence { utilisation: nan, ..clean() }),
             (
                 Colour::Amber,
                 "*ALLOWABLE",

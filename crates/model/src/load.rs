@@ -23,8 +23,11 @@ pub struct Pressure {
     /// Value at the end of the step [F/L2], positive towards the face; with an amplitude, its
     /// factor.
     pub value: f64,
-    /// Amplitude by place in the model's list.
+    /// Amplitude by place in the model's list; without one the value is approached linearly from
+    /// that of the pressure it continues, or from zero.
     pub amplitude: Option<usize>,
+    /// The pressure of the step before that it goes on from, by place in the list there.
+    pub continues: Option<usize>,
     /// Where it was said.
     pub origin: Span,
 }

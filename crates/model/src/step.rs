@@ -5,7 +5,8 @@ use slideline_diag::Span;
 use slideline_mech::element::Temperature;
 
 /// One step of the history. Boundary conditions and loads are listed whole:
-/// what `OP=MOD` kept from the step before stands here again.
+/// what `OP=MOD` kept from the step before stands here again, and a load that ramps off stands here
+/// with the value zero. A load that no load continues ends with its step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Step {
     /// Title lines, joined by line feeds.
@@ -133,7 +134,7 @@ pub struct NodalTemperature {
     pub origin: Span,
 }
 
-/// A concentrated load.
+/// A concentrated load, or a share of a distributed one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Load {
     /// Node.
@@ -142,8 +143,11 @@ pub struct Load {
     pub dof: Dof,
     /// Value at the end of the step [F or F L]; with an amplitude, its factor.
     pub value: f64,
-    /// Amplitude by place in the model's list.
+    /// Amplitude by place in the model's list; without one the value is approached linearly from
+    /// that of the load it continues, or from zero.
     pub amplitude: Option<usize>,
+    /// The load of the step before that it goes on from, by place in the list of its kind there.
+    pub continues: Option<usize>,
     /// Where it was said.
     pub origin: Span,
 }

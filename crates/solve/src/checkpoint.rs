@@ -108,7 +108,6 @@ impl Checkpoint<'_> {
             &state.reaction,
             &state.load,
             &self.start.displacement,
-            &self.start.load,
             &self.start.released,
         ];
         let Some(step) = self.step.checked_sub(1).and_then(|place| model.steps.get(place)) else {
@@ -168,7 +167,6 @@ mod tests {
             state: Cow::Owned(state),
             start: Start {
                 displacement: Cow::Owned(vec![0.5; 6]),
-                load: Cow::Owned(vec![0.25; 6]),
                 released: Cow::Owned(vec![0.125; 6]),
                 temperatures: Cow::Owned(vec![Temperature { value: 20.0, slope: 0.5 }; 2]),
             },

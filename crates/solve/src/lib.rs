@@ -20,6 +20,7 @@ mod convergence;
 mod diagnose;
 mod dofs;
 mod evaluate;
+mod history;
 mod increments;
 mod iteration_history;
 mod linear_systems;

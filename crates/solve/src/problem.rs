@@ -6,7 +6,7 @@
 //!                   Problem --> evaluate(problem, committed, trial)
 //! ```
 
-use crate::constraints::{Constraints, Role, Rows};
+use crate::constraints::{Constraints, Rows};
 use crate::contact::{Contact, PointRows};
 use crate::dofs::DofMap;
 use crate::linear_systems::LinearSystems;
@@ -19,8 +19,7 @@ use rayon::ThreadPool;
 use slideline_linalg::{Kind, Pattern, Solver};
 use slideline_mech::contact::enforcement::Enforcement;
 use slideline_mech::contact::pair::Laws;
-use slideline_mech::element::Temperature;
-use slideline_model::{Amplitude, Model, Step};
+use slideline_model::{Model, Step};
 
 /// Everything about a step that does not change from increment to increment.
 #[derive(Clone, Copy)]
@@ -29,6 +28,8 @@ pub struct Problem<'a> {
     pub model: &'a Model,
     /// The step.
     pub step: &'a Step,
+    /// The step before it.
+    pub before: Option<&'a Step>,
     /// Dofs of all nodes.
     pub dofs: &'a DofMap,
     /// Which of them are unknown, and how the others follow.
@@ -53,7 +54,7 @@ pub struct Problem<'a> {
     pub is_lenient: bool,
     /// How contact is solved, where not by its size.
     pub enforcement: Option<Enforcement>,
-    /// Largest load of the step [F or F L].
+    /// Largest concentrated load at the beginning or the end of the step [F or F L].
     pub largest_load: f64,
     /// Faces that are pressed.
     pub faces: &'a FaceLoads,
@@ -83,8 +84,8 @@ impl<'a> Problem<'a> {
         means: Means<'a>,
     ) -> Self {
         let step = &model.steps[index];
-        let own = plan.of_step[index];
-        let numbering = &plan.steps[own];
+        let numbered = plan.of_step[index];
+        let numbering = &plan.steps[numbered];
         let constraints = Constraints { numbering: &numbering.constraints, motion: &values.motion };
         let structure = Structure {
             numbering: &plan.elements,
@@ -96,9 +97,11 @@ impl<'a> Problem<'a> {
             stiffest: values.kernels.stiffest,
             stiffest_length: values.kernels.stiffest_length,
         };
-        Self {
+        let before = index.checked_sub(1).and_then(|index| model.steps.get(index));
+        let mut own = Self {
             model,
             step,
+            before,
             dofs: &plan.dofs,
             constraints,
             structure,
@@ -107,14 +110,16 @@ impl<'a> Problem<'a> {
             elastic: &plan.elastic,
             reach: values.reach,
             lever: values.lever,
-            units: &values.units[own],
+            units: &values.units[numbered],
             is_lenient: false,
             enforcement: None,
-            largest_load: step.loads.iter().fold(0.0, |most, load| load.value.abs().max(most)),
+            largest_load: 0.0,
             faces: &values.faces[index],
             start,
             means,
-        }
+        };
+        own.largest_load = own.largest_load();
+        own
     }
 
     /// Symbolic factorisation: unsymmetric where there is friction, unless
@@ -187,92 +192,6 @@ impl<'a> Problem<'a> {
         values: &mut [f64],
     ) {
         self.constraints.scatter((rows, self.pattern), dofs, tangent, values);
-    }
-
-    /// Puts the prescribed values of a time of the step into `u`.
-    pub fn prescribe(&self, step_time: f64, u: &mut [f64]) {
-        for (dof, role) in self.constraints.roles.iter().enumerate() {
-            if let Role::Prescribed(place) = *role {
-                let prescribed = &self.step.prescribed[place];
-                let amplitude = prescribed.amplitude.map(|a| &self.model.amplitudes[a]);
-                let start = self.start.displacement[dof];
-                u[dof] = match prescribed.fixed {
-                    true => start,
-                    false => self.at(step_time, start, prescribed.value, amplitude),
-                };
-            }
-        }
-    }
-
-    /// Puts the loads of a time of the step into `load`.
-    pub fn load(&self, step_time: f64, load: &mut [f64]) {
-        load.fill(0.0);
-        for (dof, value) in load.iter_mut().enumerate() {
-            // What the step before applied and this one does not fades out.
-            *value = self.at(step_time, self.start.load[dof], 0.0, None);
-        }
-        for entry in &self.step.loads {
-            if let Some(dof) = self.dofs.named(entry.node, entry.dof) {
-                load[dof] = 0.0;
-            }
-        }
-        // several may act on a dof, of them at most one without an amplitude
-        for entry in &self.step.loads {
-            let Some(dof) = self.dofs.named(entry.node, entry.dof) else { continue };
-            let amplitude = entry.amplitude.map(|a| &self.model.amplitudes[a]);
-            load[dof] += self.at(step_time, self.start.load[dof], entry.value, amplitude);
-        }
-        for entry in &self.step.distributed.forces {
-            let Some(dof) = self.dofs.find(entry.node, entry.dof) else { continue };
-            let amplitude = entry.amplitude.map(|a| &self.model.amplitudes[a]);
-            load[dof] += self.at(step_time, 0.0, entry.value, amplitude);
-        }
-        // A support that is released lets go over the step (manual).
-        for (value, &reaction) in load.iter_mut().zip(&*self.start.released) {
-            *value += self.at(step_time, reaction, 0.0, None);
-        }
-    }
-
-    /// The pressures on faces at a time of the step [F/L2]. Those of the step before are among
-    /// the loads that fade out.
-    pub fn pressures(&self, step_time: f64) -> impl Iterator<Item = f64> + '_ {
-        self.step.distributed.pressures.iter().map(move |entry| {
-            let amplitude = entry.amplitude.map(|a| &self.model.amplitudes[a]);
-            self.at(step_time, 0.0, entry.value, amplitude)
-        })
-    }
-
-    /// Puts the temperatures of a time of the step into `all`, a node each; none where the model
-    /// knows of none.
-    pub fn temperatures(&self, step_time: f64, all: &mut Vec<Temperature>) {
-        all.clear();
-        if !self.model.has_temperatures() {
-            return;
-        }
-        let initial = |node| self.model.initial_temperature(node);
-        let start = |node| self.start.temperatures.get(node).copied().unwrap_or(initial(node));
-        let between = |node, end: Temperature, amplitude: Option<usize>| {
-            let amplitude = amplitude.map(|a| &self.model.amplitudes[a]);
-            let start = start(node);
-            let at = |start, end| self.at(step_time, start, end, amplitude);
-            let (value, slope) = (at(start.value, end.value), at(start.slope, end.slope));
-            Temperature { value, slope }
-        };
-        // What the step before heated and this one does not name goes back to where it began.
-        all.extend((0..self.model.nodes.len()).map(|node| between(node, initial(node), None)));
-        for entry in &self.step.temperatures {
-            all[entry.node] = between(entry.node, entry.temperature, entry.amplitude);
-        }
-    }
-
-    /// A value between the start of the step and its end.
-    fn at(&self, step_time: f64, start: f64, end: f64, amplitude: Option<&Amplitude>) -> f64 {
-        let period = self.step.procedure.period;
-        match amplitude {
-            Some(amplitude) => end * amplitude.at(step_time),
-            None if self.step.at_once || step_time >= period => end,
-            None => start + (end - start) * (step_time / period),
-        }
     }
 }
 

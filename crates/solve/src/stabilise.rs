@@ -155,8 +155,7 @@ fn automatic(plan: &Problem<'_>, place: usize, factor: f64) -> f64 {
     let pair = plan.contact.points[place].pair;
     let own = plan.contact.points.iter().filter(|point| point.pair == pair);
     let area: f64 = own.map(|point| point.area).sum();
-    let load = plan.step.loads.iter().map(|load| load.value.abs()).fold(0.0, f64::max);
-    let by_load = if plan.reach > 0.0 { load / plan.reach } else { 0.0 };
+    let by_load = if plan.reach > 0.0 { plan.largest_load / plan.reach } else { 0.0 };
     let stiffness = (SHARE * plan.structure.stiffest).max(by_load);
     factor * stiffness * plan.step.procedure.period / area.max(f64::MIN_POSITIVE)
 }

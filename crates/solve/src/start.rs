@@ -1,11 +1,13 @@
 //! What a step begins from: the end of the one before.
 //!
 //! ```text
-//!   load |    step 1     step 2
-//!        |      ____               what step 1 applied and step 2 does not name
-//!        |     /    \              fades out over step 2; so do reactions of
-//!        |____/      \____         supports that it releases
+//!   reaction |    step 1     step 2
+//!            |      ____               reactions of supports that step 2 releases
+//!            |     /    \              ramp off over it
+//!            |____/      \____
 //! ```
+//!
+//! What loads begin from follows from the model: `history`.
 
 use crate::constraints::ConstraintNumbering;
 use crate::state::State;
@@ -18,8 +20,6 @@ use std::borrow::Cow;
 pub struct Start<'a> {
     /// Displacements and rotations [L or 1].
     pub displacement: Cow<'a, [f64]>,
-    /// Applied loads [F or F L].
-    pub load: Cow<'a, [f64]>,
     /// Reactions of supports that the step releases; they ramp off over it
     /// [F or F L].
     pub released: Cow<'a, [f64]>,
@@ -37,7 +37,6 @@ impl Start<'_> {
             list.extend_from_slice(from);
         };
         into(&mut self.displacement, &state.displacement);
-        into(&mut self.load, &state.load);
         into(&mut self.released, &state.reaction);
         self.temperatures.to_mut().clone_from(&state.temperatures);
         for (dof, force) in self.released.to_mut().iter_mut().enumerate() {
@@ -51,7 +50,6 @@ impl Start<'_> {
     pub fn owned(&self) -> Start<'static> {
         Start {
             displacement: Cow::Owned(self.displacement.clone().into_owned()),
-            load: Cow::Owned(self.load.clone().into_owned()),
             released: Cow::Owned(self.released.clone().into_owned()),
             temperatures: Cow::Owned(self.temperatures.clone().into_owned()),
         }
@@ -61,7 +59,6 @@ impl Start<'_> {
     pub fn borrowed(&self) -> Start<'_> {
         Start {
             displacement: Cow::Borrowed(&self.displacement),
-            load: Cow::Borrowed(&self.load),
             released: Cow::Borrowed(&self.released),
             temperatures: Cow::Borrowed(&self.temperatures),
         }

@@ -3,92 +3,19 @@
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::pressure::Face;
 use slideline_mech::volume;
-use slideline_model::{self as model, Dialect, Dof, ElementType, Load, NodeIndex, Pressure};
+use slideline_model::{Dialect, Dof, ElementType, NodeIndex};
 
 use super::faces::{self, SolidFace, face_nodes};
-use super::standing::Standing;
+use super::resting::What;
 use crate::distributed::{Along, Distributed, Key, Kind, On};
 use crate::draft::{Body, Draft, ElementKind};
 use crate::log::Target;
 use crate::rule::Subject;
 
-/// What rests on elements: pressures and forces.
-#[derive(Clone, Default)]
-pub(super) struct InForce(Standing<(usize, Key), Entry>);
+/// What a line loads, by element and kind.
+pub(super) type Resolved = Vec<((usize, Key), What)>;
 
-#[derive(Clone)]
-struct Entry {
-    what: What,
-    value: f64,
-    amplitude: Option<usize>,
-    origin: Span,
-}
-
-#[derive(Clone)]
-enum What {
-    Pressure(Face, Vec<NodeIndex>),
-    /// Forces of a unit load.
-    Forces(Vec<(NodeIndex, Dof, f64)>),
-}
-
-impl InForce {
-    /// What a further step copies.
-    pub fn size(&self) -> usize {
-        self.0.len()
-    }
-
-    /// Values that stand, with their amplitudes.
-    pub fn values(&mut self) -> impl Iterator<Item = (&mut f64, &mut Option<usize>)> {
-        self.0.iter_mut().map(|entry| (&mut entry.value, &mut entry.amplitude))
-    }
-
-    /// `OP=NEW` of `*DLOAD` and of `*DSLOAD`: each removes its own, in CalculiX both.
-    pub fn renew(&mut self, [elements, surfaces]: [bool; 2], dialect: Dialect) {
-        let both = dialect == Dialect::Calculix && (elements || surfaces);
-        let gone = |key: &Key| both || if key.of_surface { surfaces } else { elements };
-        self.0.retain(|(_, key)| !gone(key));
-    }
-
-    /// The loads of a step.
-    pub fn loads(&self) -> model::Distributed {
-        let mut loads = model::Distributed::default();
-        for Entry { what, value, amplitude, origin } in self.0.iter() {
-            let (value, amplitude, origin) = (*value, *amplitude, *origin);
-            match what {
-                What::Pressure(face, nodes) => {
-                    let (face, nodes) = (*face, nodes.clone());
-                    loads.pressures.push(Pressure { face, nodes, value, amplitude, origin });
-                }
-                What::Forces(forces) => {
-                    loads.forces.extend(forces.iter().map(|&(node, dof, share)| Load {
-                        node,
-                        dof,
-                        value: share * value,
-                        amplitude,
-                        origin,
-                    }));
-                }
-            }
-        }
-        loads
-    }
-
-    /// Puts the lines of a step into force, each with its amplitude.
-    pub fn take(&mut self, lines: &[(&Distributed, Option<usize>)], draft: &mut Draft) {
-        let mut new = Vec::new();
-        for &(line, amplitude) in lines {
-            for (place, what) in resolve(line, draft) {
-                let entry = Entry { what, value: line.value, amplitude, origin: line.origin };
-                new.push((place, entry));
-            }
-        }
-        self.0.take(new);
-    }
-}
-
-type Resolved = Vec<((usize, Key), What)>;
-
-fn resolve(line: &Distributed, draft: &mut Draft) -> Resolved {
+pub(super) fn resolve(line: &Distributed, draft: &mut Draft) -> Resolved {
     match (&line.on, line.kind) {
         (On::Elements(target, span), Kind::Pressure(Some(face))) => {
             let mut all = Vec::new();

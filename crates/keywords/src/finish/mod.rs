@@ -13,6 +13,7 @@ mod master_chain;
 mod nodes;
 mod orientations;
 mod pre_tension;
+mod resting;
 mod sections;
 mod shape_mpc;
 mod springs;

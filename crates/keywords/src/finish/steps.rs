@@ -9,8 +9,8 @@ use slideline_model::{
     Prescribed, PrintTarget, Request, SavedStates, Static, Step,
 };
 
-use super::distributed;
-use super::standing::Standing;
+use super::resting;
+use super::standing::{Curved, Standing};
 use crate::draft::{Boundary, Draft, StepDraft};
 use crate::rule::Subject;
 
@@ -44,7 +44,7 @@ impl<T> InForce<T> {
 struct Carried {
     prescribed: InForce<Prescribed>,
     loads: Standing<(NodeIndex, Dof), Load>,
-    distributed: distributed::InForce,
+    distributed: resting::InForce,
     controls: Controls,
     restart: Option<SavedStates>,
     prints: Vec<NodePrint>,
@@ -75,6 +75,12 @@ impl Carried {
     }
 }
 
+impl Curved for Load {
+    fn amplitude(&self) -> Option<usize> {
+        self.amplitude
+    }
+}
+
 pub(super) fn steps(draft: &mut Draft, doubted: bool) {
     presence(draft, doubted);
     let mut carried = Carried { restart: draft.restart, ..Carried::default() };
@@ -88,6 +94,8 @@ pub(super) fn steps(draft: &mut Draft, doubted: bool) {
             break;
         }
         let finished = finish(step, &mut carried, draft);
+        carried.loads.pass();
+        carried.distributed.pass();
         settle(&mut carried, &finished, draft);
         draft.model.steps.push(finished);
     }
@@ -138,7 +146,7 @@ fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
         carried.prescribed = InForce::default();
     }
     if step.new_loads {
-        carried.loads = Standing::default();
+        carried.loads.remove(|_| true);
     }
     for line in &step.boundary {
         prescribe(line, &mut carried.prescribed, draft);
@@ -173,10 +181,10 @@ fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
         at_once: step.at_once,
         procedure: step.procedure.unwrap_or(default),
         prescribed: carried.prescribed.list.clone(),
-        loads: carried.loads.iter().cloned().collect(),
+        loads: concentrated(&mut carried.loads, step.at_once, draft),
         temperatures: Vec::new(),
         controls: carried.controls,
-        distributed: carried.distributed.loads(),
+        distributed: carried.distributed.loads(step.at_once, draft),
         stabilisation: step.stabilisation,
         output: OutputRequests {
             restart: carried.restart,
@@ -188,6 +196,24 @@ fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
         },
         origin: step.origin,
     }
+}
+
+/// The concentrated loads of a step, with those that ramp off where they do not vanish `at_once`.
+fn concentrated(
+    standing: &mut Standing<(NodeIndex, Dof), Load>,
+    at_once: bool,
+    draft: &Draft,
+) -> Vec<Load> {
+    let leaving = standing.succeed(|old, new| draft.same_curve(old, new));
+    let stay = standing.iter().map(|(load, before)| Load {
+        continues: before.map(|before| before.place),
+        ..load.clone()
+    });
+    let leaving = leaving.into_iter().filter(|_| !at_once).map(|before| {
+        let (value, amplitude, continues) = (0.0, None, Some(before.place));
+        Load { value, amplitude, continues, ..before.load }
+    });
+    stay.chain(leaving).collect()
 }
 
 /// A value that followed an amplitude keeps what it had at the end, but for a curve over the total
@@ -258,6 +284,14 @@ fn prescribe(line: &Boundary, into: &mut InForce<Prescribed>, draft: &mut Draft)
 }
 
 impl Draft {
+    /// Whether both follow one curve, or none; a curve over the total time is known by its name.
+    pub(super) fn same_curve(&self, one: Option<usize>, other: Option<usize>) -> bool {
+        let name = |place: Option<usize>| {
+            place.and_then(|place| self.model.amplitudes.get(place)).map(|own| &own.name)
+        };
+        name(one) == name(other)
+    }
+
     /// Whether the model moves a node that way: rotation nodes of bodies keep the displacements
     /// that are rotations.
     fn has_motion(&self, node: NodeIndex, dof: Dof) -> bool {
@@ -296,7 +330,9 @@ fn loads(lines: &[Boundary], draft: &mut Draft) -> Vec<((NodeIndex, Dof), Load)>
                     Some(&at) => loads[at].1.value += value,
                     None => {
                         place.insert((node, dof, amplitude), loads.len());
-                        loads.push(((node, dof), Load { node, dof, value, amplitude, origin }));
+                        let continues = None;
+                        let load = Load { node, dof, value, amplitude, continues, origin };
+                        loads.push(((node, dof), load));
                     }
                 }
             }

@@ -1,0 +1,131 @@
+//! What is prescribed and what acts at a time of a step.
+//!
+//! ```text
+//!   load |    step 1     step 2
+//!        |      ____...            a load that goes on: from its own value
+//!        |     /    \              one that is removed ramps off
+//!        |____/      \____
+//! ```
+//!
+//! docs/theory.md eq. (9.5).
+
+use crate::constraints::Role;
+use crate::problem::Problem;
+use slideline_mech::element::Temperature;
+use slideline_model::{Amplitude, Load, Step};
+
+impl Problem<'_> {
+    /// Puts the prescribed values of a time of the step into `u`.
+    pub fn prescribe(&self, step_time: f64, u: &mut [f64]) {
+        for (dof, role) in self.constraints.roles.iter().enumerate() {
+            if let Role::Prescribed(place) = *role {
+                let prescribed = &self.step.prescribed[place];
+                let amplitude = self.amplitude(prescribed.amplitude);
+                let start = self.start.displacement[dof];
+                u[dof] = match prescribed.fixed {
+                    true => start,
+                    false => self.at(step_time, start, prescribed.value, amplitude),
+                };
+            }
+        }
+    }
+
+    /// Puts the loads of a time of the step into `load`, eq. (9.5).
+    pub fn load(&self, step_time: f64, load: &mut [f64]) {
+        load.fill(0.0);
+        let (step, dofs) = (self.step, self.dofs);
+        let concentrated = step.loads.iter().map(|own| (dofs.named(own.node, own.dof), own));
+        for (dof, own) in concentrated {
+            let Some(dof) = dof else { continue };
+            load[dof] += self.applied(step_time, own, |before| &before.loads);
+        }
+        for own in &step.distributed.forces {
+            let Some(dof) = dofs.find(own.node, own.dof) else { continue };
+            load[dof] += self.applied(step_time, own, |before| &before.distributed.forces);
+        }
+        // A support that is released lets go over the step (manual).
+        for (value, &reaction) in load.iter_mut().zip(&*self.start.released) {
+            *value += self.at(step_time, reaction, 0.0, None);
+        }
+    }
+
+    /// The pressures on faces at a time of the step [F/L2], eq. (9.5).
+    pub fn pressures(&self, step_time: f64) -> impl Iterator<Item = f64> + '_ {
+        self.step.distributed.pressures.iter().map(move |own| {
+            let start = self.start_of(own.continues, |before, place| {
+                let before = before.distributed.pressures.get(place)?;
+                Some((before.value, before.amplitude))
+            });
+            self.at(step_time, start, own.value, self.amplitude(own.amplitude))
+        })
+    }
+
+    /// The largest concentrated load at the beginning or the end of the step [F or F L].
+    pub(crate) fn largest_load(&self) -> f64 {
+        let ends = |own: &Load| [self.start_of_load(own, |before| &before.loads), own.value];
+        self.step.loads.iter().flat_map(ends).fold(0.0, |most, value| value.abs().max(most))
+    }
+
+    /// A load of a list at a time of the step.
+    fn applied(&self, step_time: f64, own: &Load, list: fn(&Step) -> &[Load]) -> f64 {
+        let start = self.start_of_load(own, list);
+        self.at(step_time, start, own.value, self.amplitude(own.amplitude))
+    }
+
+    fn start_of_load(&self, own: &Load, list: fn(&Step) -> &[Load]) -> f64 {
+        self.start_of(own.continues, |before, place| {
+            let before = list(before).get(place)?;
+            Some((before.value, before.amplitude))
+        })
+    }
+
+    /// What a load begins from: the value of the one that it continues, at the end of the step
+    /// before. `of` reads value and amplitude of a load there.
+    fn start_of(
+        &self,
+        continues: Option<usize>,
+        of: impl Fn(&Step, usize) -> Option<(f64, Option<usize>)>,
+    ) -> f64 {
+        let Some((before, place)) = self.before.zip(continues) else { return 0.0 };
+        let Some((value, amplitude)) = of(before, place) else { return 0.0 };
+        let end = before.procedure.period;
+        self.amplitude(amplitude).map_or(value, |amplitude| value * amplitude.at(end))
+    }
+
+    fn amplitude(&self, place: Option<usize>) -> Option<&Amplitude> {
+        place.map(|place| &self.model.amplitudes[place])
+    }
+
+    /// Puts the temperatures of a time of the step into `all`, a node each; none where the model
+    /// knows of none.
+    pub fn temperatures(&self, step_time: f64, all: &mut Vec<Temperature>) {
+        all.clear();
+        if !self.model.has_temperatures() {
+            return;
+        }
+        let initial = |node| self.model.initial_temperature(node);
+        let start = |node| self.start.temperatures.get(node).copied().unwrap_or(initial(node));
+        let between = |node, end: Temperature, amplitude: Option<usize>| {
+            let amplitude = self.amplitude(amplitude);
+            let start = start(node);
+            let at = |start, end| self.at(step_time, start, end, amplitude);
+            let (value, slope) = (at(start.value, end.value), at(start.slope, end.slope));
+            Temperature { value, slope }
+        };
+        // What the step before heated and this one does not name goes back to where it began.
+        all.extend((0..self.model.nodes.len()).map(|node| between(node, initial(node), None)));
+        for entry in &self.step.temperatures {
+            all[entry.node] = between(entry.node, entry.temperature, entry.amplitude);
+        }
+    }
+
+    /// A value between the start of the step and its end.
+    fn at(&self, step_time: f64, start: f64, end: f64, amplitude: Option<&Amplitude>) -> f64 {
+        let period = self.step.procedure.period;
+        match amplitude {
+            Some(amplitude) => end * amplitude.at(step_time),
+            None if self.step.at_once || step_time >= period => end,
+            None => start + (end - start) * (step_time / period),
+        }
+    }
+}
