@@ -6,15 +6,22 @@ use slideline_mech::volume;
 use slideline_model::{Dialect, Dof, ElementType, NodeIndex};
 
 use super::faces::{self, SolidFace, face_nodes};
-use super::resting::What;
 use crate::distributed::{Along, Distributed, Key, Kind, On};
 use crate::draft::{Body, Draft, ElementKind};
 use crate::log::Target;
 use crate::rule::Subject;
 
+/// Of what a load consists.
+pub(super) enum What {
+    Pressure(Face, Vec<NodeIndex>),
+    /// Forces of a unit load.
+    Forces(Vec<(NodeIndex, Dof, f64)>),
+}
+
 /// What a line loads, by element and kind.
 pub(super) type Resolved = Vec<((usize, Key), What)>;
 
+/// What a line loads.
 pub(super) fn resolve(line: &Distributed, draft: &mut Draft) -> Resolved {
     match (&line.on, line.kind) {
         (On::Elements(target, span), Kind::Pressure(Some(face))) => {

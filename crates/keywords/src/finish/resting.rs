@@ -8,10 +8,9 @@
 use std::rc::Rc;
 
 use slideline_diag::Span;
-use slideline_mech::pressure::Face;
 use slideline_model::{self as model, Dialect, Dof, Load, NodeIndex, Pressure};
 
-use super::distributed::resolve;
+use super::distributed::{What, resolve};
 use super::standing::{Curved, Standing};
 use crate::distributed::{Distributed, Key};
 use crate::draft::Draft;
@@ -30,13 +29,6 @@ struct Entry {
     value: f64,
     amplitude: Option<usize>,
     origin: Span,
-}
-
-/// Of what a load consists.
-pub(super) enum What {
-    Pressure(Face, Vec<NodeIndex>),
-    /// Forces of a unit load.
-    Forces(Vec<(NodeIndex, Dof, f64)>),
 }
 
 impl Curved for Entry {
