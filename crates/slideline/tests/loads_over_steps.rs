@@ -103,10 +103,12 @@ fn unit(card: &str, dialect: Dialect) -> Row {
     run(&step(1.0, "", card), dialect).pop().unwrap()
 }
 
+type Vector = fn(&Row) -> &[f64];
+
 /// What is wrong with a row whose vectors should be the sums of the unit ones by these factors, and
 /// whose work should be stored: small displacements, linear elasticity. 1e-9 of the largest.
 fn fault(row: &Row, parts: &[(f64, &Row)], about: &str) -> Option<String> {
-    let vectors: [(&str, fn(&Row) -> &Vec<f64>); 3] = [
+    let vectors: [(&str, Vector); 3] = [
         ("load", |row| &row.load),
         ("motion", |row| &row.motion),
         ("reaction", |row| &row.reaction),
@@ -364,10 +366,10 @@ struct Kept(Rows, Option<slideline::Checkpoint<'static>>);
 
 impl Observer for Kept {
     fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
-        if let Event::Checkpoint(at) = event {
-            if (at.step, at.increment) == (2, 2) {
-                self.1 = Some(at.owned());
-            }
+        if let Event::Checkpoint(at) = event
+            && (at.step, at.increment) == (2, 2)
+        {
+            self.1 = Some(at.owned());
         }
         self.0.event(event)
     }

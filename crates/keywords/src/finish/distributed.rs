@@ -21,6 +21,7 @@ pub(super) enum What {
 /// What a line loads, by element and kind.
 pub(super) type Resolved = Vec<((usize, Key), What)>;
 
+/// What a line loads.
 pub(super) fn resolve(line: &Distributed, draft: &mut Draft) -> Resolved {
     match (&line.on, line.kind) {
         (On::Elements(target, span), Kind::Pressure(Some(face))) => {
