@@ -97,7 +97,7 @@ fn solids(criterion: &mut Criterion) {
     let hencky = || Material::Elastic(steel, LargeStrain::Logarithmic);
     let green = Material::Elastic(steel, LargeStrain::Green);
     let table = vec![[0.05, 0.0], [0.1, 1.0]];
-    let metal = Material::Plastic(Plastic { elastic: steel, table, kinematic: 0.0 });
+    let metal = Material::Plastic(Plastic { elastic: steel, table, back_stresses: Vec::new() });
     let hex = |name| (name, &HEX8, &HEX_8);
     solid::<2, 4, 4>(criterion, ("CPE4", &QUAD4, &QUAD_4), MeanDilation, hencky());
     solid::<2, 8, 9>(criterion, ("CPE8", &QUAD8, &QUAD_9), Plain, hencky());

@@ -12,7 +12,7 @@ const STEEL: Elastic = Elastic { modulus: 7.0, poisson: 0.3 };
 
 fn plastic() -> Material {
     let table: Hardening = vec![[0.2, 0.0], [0.5, 0.3]];
-    Material::Plastic(Plastic { elastic: STEEL, table, kinematic: 0.0 })
+    Material::Plastic(Plastic { elastic: STEEL, table, back_stresses: Vec::new() })
 }
 
 fn materials() -> [(&'static str, Material); 3] {

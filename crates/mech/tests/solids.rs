@@ -33,7 +33,10 @@ fn materials() -> Vec<(&'static str, Material)> {
             "Mooney",
             Material::Rubber(Rubber::Polynomial { terms: vec![(1, 0, 1.2), (0, 1, 0.3)], volume }),
         ),
-        ("plastic", Material::Plastic(Plastic { elastic: STEEL, table, kinematic: 0.0 })),
+        (
+            "plastic",
+            Material::Plastic(Plastic { elastic: STEEL, table, back_stresses: Vec::new() }),
+        ),
     ]
 }
 

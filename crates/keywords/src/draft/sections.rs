@@ -127,7 +127,7 @@ impl Material {
                 Some((table, _)) => model::Material::Plastic(Plastic {
                     elastic: *elastic,
                     table: table.clone()?,
-                    kinematic: 0.0,
+                    back_stresses: Vec::new(),
                 }),
                 None => model::Material::Elastic(*elastic, large),
             },

@@ -15,8 +15,10 @@
 //! large strain: with C' = (1 + l)'(1 + l) the energy grows by tau:eps + eps:c:eps/2, eps = (C' -
 //! 1)/2, docs/theory.md eq. (3.39).
 
+mod back_stress;
 mod elastic;
 mod hyperelastic;
+mod logarithmic;
 pub mod plastic;
 mod principal;
 pub mod tensor;
@@ -24,6 +26,7 @@ pub mod tensor;
 mod tests;
 mod uniaxial;
 
+pub use back_stress::BackStress;
 pub use elastic::{Anisotropic, LargeStrain, Unsound};
 pub use hyperelastic::{MOST_TERMS, Rubber, Volume};
 pub use plastic::{Hardening, Plastic};

@@ -9,16 +9,19 @@
 //! ```
 //!
 //! Return along the radius, exact on every straight piece of the table [simo1998], section 3.3; at
-//! large strain in principal logarithmic strains, where the same algorithm holds [simo1992b]. docs/theory.md eqs. (3.44) to (3.47).
+//! large strain in principal logarithmic strains, where the same algorithm holds [simo1992b].
+//! docs/theory.md eqs. (3.44) to (3.47). Where hardening moves the yield surface the centre has
+//! directions of its own: then small strain is taken to large strain as in [`logarithmic`].
 //!
-//! State variables: Cp^-1 - 1 (six), equivalent plastic strain, plastic work per volume, back
-//! stress (six; only where hardening moves the yield surface).
+//! State variables: Cp^-1 - 1 (six; less twice the plastic strain where strains are small or the
+//! surface moves), equivalent plastic strain, plastic work per volume, back stresses (six each).
 
 use super::principal::Axes;
 use super::tensor::{
-    Matrix, Symmetric, add, add_dyad, carried, contract, deformation, deviator, inverse, left,
+    Matrix, Symmetric, add, add_dyad, add_pair, add_unit, carried, contract, deformation, deviator,
+    inverse, left,
 };
-use super::{Answer, Elastic};
+use super::{Answer, BackStress, Elastic, logarithmic};
 
 /// Index of the equivalent plastic strain among the state variables.
 pub const PEEQ: usize = 6;
@@ -36,42 +39,69 @@ pub struct Plastic {
     /// Yield stress [F/L2] and plastic strain [1], strains ascending from zero; constant behind the
     /// last one.
     pub table: Hardening,
-    /// Modulus with which the yield surface moves, stress to plastic strain in tension [F/L2].
-    pub kinematic: f64,
+    /// What moves the yield surface; none: it stays.
+    pub back_stresses: Vec<BackStress>,
 }
 
 /// What a return to the yield surface comes to.
 struct Return {
     /// Increment of the equivalent plastic strain [1].
     strain: f64,
-    /// Slope of the yield stress there [F/L2].
+    /// The way of the flow, a unit tensor.
+    way: Symmetric,
+    /// Equivalent stress from the centre that is kept to the trial stress [F/L2].
+    trial: f64,
+    /// By how much the trial stress grows with the increment [F/L2].
     slope: f64,
-    /// Plastic work per volume [F/L2].
+    /// What recall takes of the centre for a unit of the increment, across the way [F/L2].
+    recalled: Symmetric,
+    /// Work of the yield stress per volume [F/L2].
     work: f64,
+}
+
+/// An increment that is tried.
+struct Excess {
+    strain: f64,
+    excess: f64,
+    trial: f64,
+    way: Symmetric,
+    slope: f64,
+    recalled: Symmetric,
+}
+
+/// A return along a radius: increment, slope of the yield stress there, work.
+struct Radial {
+    strain: f64,
+    slope: f64,
+    work: f64,
+}
+
+/// Yield stress and its slope at an equivalent plastic strain.
+pub(super) fn yield_stress(table: &Hardening, strain: f64) -> [f64; 2] {
+    let behind = table.iter().position(|line| line[1] > strain);
+    match behind {
+        Some(0) | None => [table.last().map_or(0.0, |line| line[0]), 0.0],
+        Some(next) => {
+            let ([low, from], [high, to]) = (table[next - 1], table[next]);
+            let slope = (high - low) / (to - from);
+            [low + slope * (strain - from), slope]
+        }
+    }
 }
 
 impl Plastic {
     /// Number of state variables of a point.
     pub fn states(&self) -> usize {
-        if self.kinematic == 0.0 { BACK } else { BACK + 6 }
+        BACK + 6 * self.back_stresses.len()
     }
 
-    /// Yield stress and its slope at an equivalent plastic strain.
     fn yield_stress(&self, strain: f64) -> [f64; 2] {
-        let behind = self.table.iter().position(|line| line[1] > strain);
-        match behind {
-            Some(0) | None => [self.table.last().map_or(0.0, |line| line[0]), 0.0],
-            Some(next) => {
-                let ([low, from], [high, to]) = (self.table[next - 1], self.table[next]);
-                let slope = (high - low) / (to - from);
-                [low + slope * (strain - from), slope]
-            }
-        }
+        yield_stress(&self.table, strain)
     }
 
-    /// Returns an equivalent trial stress to the yield surface; `None`: it is inside.
-    fn back(&self, trial: f64, before: f64) -> Option<Return> {
-        let three = 3.0 * self.elastic.shear_modulus() + self.kinematic;
+    /// Returns an equivalent trial stress to a yield surface that stays; `None`: it is inside.
+    fn radial(&self, trial: f64, before: f64) -> Option<Radial> {
+        let three = 3.0 * self.elastic.shear_modulus();
         let [start, mut slope] = self.yield_stress(before);
         if trial <= start {
             return None;
@@ -85,44 +115,144 @@ impl Plastic {
             work += room * (stress + 0.5 * slope * room);
             at += room;
             if step <= end - (at - room) || !end.is_finite() {
-                return Some(Return { strain: at - before, slope, work });
+                return Some(Radial { strain: at - before, slope, work });
             }
             [stress, slope] = self.yield_stress(end);
         }
+    }
+
+    /// Returns a deviator to the yield surface; `None`: it is inside.
+    fn back(&self, deviator: &Symmetric, committed: &[f64]) -> Option<Return> {
+        let before = committed[PEEQ];
+        let centre = self.centre(committed, 0.0);
+        let relative = add(deviator, -1.0, &centre);
+        let trial = (1.5 * contract(&relative, &relative)).sqrt();
+        if self.back_stresses.is_empty() {
+            let Radial { strain, slope, work } = self.radial(trial, before)?;
+            let way = relative.map(|s| 1.5f64.sqrt() * s / trial);
+            let slope = 3.0 * self.elastic.shear_modulus() + slope;
+            return Some(Return { strain, way, trial, slope, recalled: [0.0; 6], work });
+        }
+        if trial <= self.yield_stress(before)[0] {
+            return None;
+        }
+        Some(self.moving(deviator, committed))
+    }
+
+    /// Returns a deviator to a yield surface that moves, docs/theory.md eq. (3.64): Newton's steps,
+    /// halves where they leave what encloses the answer.
+    fn moving(&self, deviator: &Symmetric, committed: &[f64]) -> Return {
+        let three = 3.0 * self.elastic.shear_modulus();
+        let sizes = committed[BACK..].as_chunks::<6>().0.iter();
+        let size = |tensor: &Symmetric| (1.5 * contract(tensor, tensor)).sqrt();
+        let reach = size(deviator) + sizes.map(size).sum::<f64>();
+        let (mut low, mut high) = (0.0, reach / three);
+        let mut at = self.excess_at(deviator, committed, 0.0);
+        // every halving gains a digit of two: all of them are found
+        for _ in 0..2 * f64::MANTISSA_DIGITS {
+            if at.excess > 0.0 {
+                low = at.strain
+            } else {
+                high = at.strain
+            }
+            let step = at.strain + at.excess / at.slope;
+            let inside = at.slope > 0.0 && low < step && step < high;
+            let next = if inside { step } else { 0.5 * (low + high) };
+            if (next - at.strain).abs() <= f64::EPSILON * high || at.excess == 0.0 {
+                break;
+            }
+            at = self.excess_at(deviator, committed, next);
+        }
+        let before = committed[PEEQ];
+        let work = self.work(before, at.strain);
+        let lost = contract(&at.recalled, &at.way);
+        let recalled = add(&at.recalled, -lost, &at.way);
+        let Excess { strain, way, trial, slope, .. } = at;
+        Return { strain, way, trial, slope, recalled, work }
+    }
+
+    /// How far the stress of an increment lies outside of the moved surface.
+    fn excess_at(&self, deviator: &Symmetric, committed: &[f64], strain: f64) -> Excess {
+        let before = committed[PEEQ];
+        let relative = add(deviator, -1.0, &self.centre(committed, strain));
+        let size = contract(&relative, &relative).sqrt();
+        let (trial, way) = (1.5f64.sqrt() * size, relative.map(|s| s / size));
+        let three = 3.0 * self.elastic.shear_modulus();
+        let [stress, hardening] = self.yield_stress(before + strain);
+        let (mut held, mut slope) = (three * strain + stress, three + hardening);
+        let mut recalled = [0.0; 6];
+        let centres = committed[BACK..].as_chunks::<6>().0.iter();
+        for (own, centre) in self.back_stresses.iter().zip(centres) {
+            let [_, rise] = own.rise(before, strain);
+            let [lost, growth] = own.slopes(before, strain);
+            held += rise;
+            slope += growth;
+            recalled = add(&recalled, -lost, centre);
+        }
+        slope -= 1.5f64.sqrt() * contract(&way, &recalled);
+        Excess { strain, excess: trial - held, trial, way, slope, recalled }
+    }
+
+    /// Sum of what an increment keeps of the back stresses.
+    fn centre(&self, committed: &[f64], strain: f64) -> Symmetric {
+        let centres = committed[BACK..].as_chunks::<6>().0.iter();
+        let own = self.back_stresses.iter().zip(centres);
+        own.fold([0.0; 6], |sum, (own, centre)| {
+            add(&sum, own.rise(committed[PEEQ], strain)[0], centre)
+        })
+    }
+
+    /// Work of the yield stress on an increment: exact on every straight piece.
+    fn work(&self, before: f64, strain: f64) -> f64 {
+        let (mut at, end, mut work) = (before, before + strain, 0.0);
+        let ends =
+            self.table.iter().map(|line| line[1]).filter(|line| *line > before && *line < end);
+        for to in ends.chain([end]) {
+            let [stress, slope] = self.yield_stress(at);
+            work += (to - at) * (stress + 0.5 * slope * (to - at));
+            at = to;
+        }
+        work
     }
 
     /// Answer to a small strain.
     pub fn small(&self, strain: &Symmetric, committed: &[f64], state: &mut [f64]) -> Answer {
         state.copy_from_slice(committed);
         let plastic: Symmetric = std::array::from_fn(|k| -0.5 * committed[k]);
-        let elastic = add(strain, -1.0, &plastic);
+        let mut elastic = add(strain, -1.0, &plastic);
         let mut stress = self.elastic.stress(&elastic);
-        let shear = self.elastic.shear_modulus();
-        let back = self.back_stress(committed);
-        let relative = add(&deviator(&stress), -1.0, &back);
-        let size = contract(&relative, &relative).sqrt();
-        let trial = 1.5f64.sqrt() * size;
         let mut moduli = self.elastic.moduli();
-        let mut left_over = elastic;
-        if let Some(back) = self.back(trial, committed[PEEQ]) {
-            let way = relative.map(|s| s / size);
+        let shear = self.elastic.shear_modulus();
+        if let Some(back) = self.back(&deviator(&stress), committed) {
+            let way = back.way;
             let amount = 1.5f64.sqrt() * back.strain;
             stress = add(&stress, -2.0 * shear * amount, &way);
-            left_over = add(&elastic, -amount, &way);
+            elastic = add(&elastic, -amount, &way);
             (0..6).for_each(|k| state[k] -= 2.0 * amount * way[k]);
-            self.note(&back, &way, state);
-            let kept = 3.0 * shear * back.strain / trial;
-            super::tensor::add_unit(&mut moduli, -2.0 * shear * kept);
+            self.note(&back, state);
+            let kept = 3.0 * shear * back.strain / back.trial;
+            add_unit(&mut moduli, -2.0 * shear * kept);
             (0..3).for_each(|i| (0..3).for_each(|j| moduli[i][j] += 2.0 / 3.0 * shear * kept));
-            let tangent = 3.0 * shear / (3.0 * shear + self.kinematic + back.slope) - kept;
+            let tangent = 3.0 * shear / back.slope - kept;
             add_dyad(&mut moduli, -2.0 * shear * tangent, &way);
+            // the symmetric part of what recall makes of the moduli
+            let half = -0.5 * kept * 6f64.sqrt() * shear / back.slope;
+            add_pair(&mut moduli, half, &back.recalled, &way);
         }
-        let energy = 0.5 * contract(&stress, &left_over) + self.held(state);
+        let energy = 0.5 * contract(&stress, &elastic) + state[WORK];
         Answer { stress, moduli, energy, dissipation: state[WORK] }
     }
 
-    /// Answer to a deformation; the yield surface does not move there.
+    /// Answer to a deformation.
     pub fn large(&self, gradient: &Matrix, committed: &[f64], state: &mut [f64]) -> Answer {
+        if self.back_stresses.is_empty() {
+            return self.multiplicative(gradient, committed, state);
+        }
+        logarithmic::answer(gradient, |strain| self.small(strain, committed, state))
+    }
+
+    /// Answer to a deformation where the yield surface stays in its place.
+    fn multiplicative(&self, gradient: &Matrix, committed: &[f64], state: &mut [f64]) -> Answer {
         state.copy_from_slice(committed);
         let f = deformation(gradient);
         let plastic: Symmetric = std::array::from_fn(|k| committed[k]);
@@ -133,12 +263,12 @@ impl Plastic {
         let s = stresses.map(|stress| stress - mean);
         let size = (s[0] * s[0] + s[1] * s[1] + s[2] * s[2]).sqrt();
         let trial = 1.5f64.sqrt() * size;
-        if let Some(back) = self.back(trial, committed[PEEQ]) {
+        if let Some(back) = self.radial(trial, committed[PEEQ]) {
             let shear = self.elastic.shear_modulus();
             let way = s.map(|s| s / size);
             let amount = 1.5f64.sqrt() * back.strain;
             let kept = 3.0 * shear * back.strain / trial;
-            let tangent = 3.0 * shear / (3.0 * shear + self.kinematic + back.slope) - kept;
+            let tangent = 3.0 * shear / (3.0 * shear + back.slope) - kept;
             for a in 0..3 {
                 stresses[a] -= 2.0 * shear * amount * way[a];
                 logs[a] -= amount * way[a];
@@ -165,29 +295,22 @@ impl Plastic {
         state[..6].copy_from_slice(&plastic);
     }
 
-    /// Notes strain, work and the moved surface of a return along `way`.
-    fn note(&self, back: &Return, way: &Symmetric, state: &mut [f64]) {
+    /// Notes strain, work and the moved surface of a return.
+    fn note(&self, back: &Return, state: &mut [f64]) {
+        let before = state[PEEQ];
         state[PEEQ] += back.strain;
         state[WORK] += back.work;
-        if self.kinematic != 0.0 {
-            let amount = (2.0 / 3.0f64).sqrt() * self.kinematic * back.strain;
-            (0..6).for_each(|k| state[BACK + k] += amount * way[k]);
+        let flow = 1.5f64.sqrt() * back.strain;
+        let mut held = 0.0;
+        let moved = state[BACK..].as_chunks_mut::<6>().0.iter_mut();
+        for (own, stress) in self.back_stresses.iter().zip(moved) {
+            let [kept, rise] = own.rise(before, back.strain);
+            let now = add(&stress.map(|s| kept * s), (2.0 / 3.0f64).sqrt() * rise, &back.way);
+            let mean = add(&now, 1.0, stress).map(|s| 0.5 * s);
+            held += flow * contract(&mean, &back.way);
+            *stress = now;
         }
-    }
-
-    fn back_stress(&self, state: &[f64]) -> Symmetric {
-        std::array::from_fn(|k| state.get(BACK + k).copied().unwrap_or(0.0))
-    }
-
-    /// What plastic work and the moved surface hold per volume [F/L2].
-    fn held(&self, state: &[f64]) -> f64 {
-        let back = self.back_stress(state);
-        let moved = if self.kinematic == 0.0 {
-            0.0
-        } else {
-            0.75 * contract(&back, &back) / self.kinematic
-        };
-        state[WORK] + moved
+        state[WORK] += held;
     }
 }
 
@@ -206,7 +329,7 @@ mod tests {
         Plastic {
             elastic: Elastic { modulus: 200.0, poisson: 0.3 },
             table: vec![[1.0, 0.0], [1.5, 0.1], [1.6, 0.4]],
-            kinematic: 0.0,
+            back_stresses: Vec::new(),
         }
     }
 
@@ -273,7 +396,11 @@ mod tests {
     /// lower by twice what it rose (Bauschinger). Source: definition. Tolerance: rounding.
     #[test]
     fn the_yield_surface_moves() {
-        let steel = Plastic { table: vec![[1.0, 0.0]], kinematic: 10.0, ..steel() };
+        let steel = Plastic {
+            table: vec![[1.0, 0.0]],
+            back_stresses: vec![BackStress::Evolving { modulus: 10.0, recall: 0.0 }],
+            ..steel()
+        };
         let mut state = vec![0.0; 14];
         // pure shear: eps12 gives sigma12, yield at 1/sqrt 3
         let shear = |strain: f64, from: &[f64], state: &mut Vec<f64>| {
