@@ -6,7 +6,8 @@ use slideline_solve::observe::{Energies, Frame, StepReport};
 /// A column and what stands in it [F L].
 pub(crate) type Column = (&'static str, fn(&Energies) -> f64);
 
-/// The columns of a run: contact stabilisation has one where it may act.
+/// The columns of a run: contact stabilisation has one where it may act, heat where the deck
+/// speaks of temperatures.
 pub(crate) fn columns(report: &StepReport<'_>) -> Vec<Column> {
     let mut columns: Vec<Column> = vec![
         ("external_work", |energy| energy.external_work),
@@ -18,8 +19,13 @@ pub(crate) fn columns(report: &StepReport<'_>) -> Vec<Column> {
         ("balance", |energy| energy.balance),
         ("stabilisation", |energy| energy.stabilisation),
         ("released_energy", |energy| energy.released_energy),
+        ("thermal_work", |energy| energy.thermal_work),
     ];
-    columns.retain(|(name, _)| *name != "stabilisation" || report.may_stabilise());
+    columns.retain(|(name, _)| match *name {
+        "stabilisation" => report.may_stabilise(),
+        "thermal_work" => report.model.has_temperatures(),
+        _ => true,
+    });
     columns
 }
 

@@ -16,6 +16,8 @@
 //! 1)/2, docs/theory.md eq. (3.39).
 
 mod elastic;
+mod expansion;
+mod graded;
 mod hyperelastic;
 pub mod plastic;
 mod principal;
@@ -25,6 +27,9 @@ mod tests;
 mod uniaxial;
 
 pub use elastic::{Anisotropic, LargeStrain, Unsound};
+pub(crate) use expansion::between;
+pub use expansion::{Expanding, Expansion};
+pub use graded::Graded;
 pub use hyperelastic::{MOST_TERMS, Rubber, Volume};
 pub use plastic::{Hardening, Plastic};
 pub use principal::Axes;
@@ -47,6 +52,15 @@ impl Elastic {
     /// Shear modulus G = E / 2(1 + nu) [F/L2]. [semantics: keywords, `*ELASTIC`]
     pub fn shear_modulus(&self) -> f64 {
         self.modulus / (2.0 * (1.0 + self.poisson))
+    }
+
+    /// Part of the way to another one, E and nu each.
+    pub fn towards(&self, other: &Self, part: f64) -> Self {
+        let number = |low: f64, high: f64| low + part * (high - low);
+        Self {
+            modulus: number(self.modulus, other.modulus),
+            poisson: number(self.poisson, other.poisson),
+        }
     }
 
     /// Bulk modulus K = E / 3(1 - 2 nu) [F/L2].
@@ -116,6 +130,10 @@ pub enum Material {
     Plastic(Plastic),
     /// Somebody else's.
     User(Arc<dyn Law>),
+    /// With constants over temperature.
+    Graded(Arc<Graded>),
+    /// One that expands.
+    Expanding(Box<Expanding>),
 }
 
 impl PartialEq for Material {
@@ -126,6 +144,8 @@ impl PartialEq for Material {
             (Self::Rubber(a), Self::Rubber(b)) => a == b,
             (Self::Plastic(a), Self::Plastic(b)) => a == b,
             (Self::User(a), Self::User(b)) => Arc::ptr_eq(a, b),
+            (Self::Graded(a), Self::Graded(b)) => a == b,
+            (Self::Expanding(a), Self::Expanding(b)) => a == b,
             _ => false,
         }
     }
@@ -138,6 +158,8 @@ impl Material {
             Self::Elastic(..) | Self::Anisotropic(_) | Self::Rubber(_) => 0,
             Self::Plastic(plastic) => plastic.states(),
             Self::User(law) => law.states(),
+            Self::Graded(graded) => graded.rows().map(Self::states).max().unwrap_or(0),
+            Self::Expanding(expanding) => expanding.law.states(),
         }
     }
 
@@ -162,6 +184,10 @@ impl Material {
             }
             (Self::Plastic(plastic), true) => plastic.large(gradient, committed, state),
             (Self::User(law), _) => law.respond(gradient, under, committed, state),
+            (Self::Graded(graded), _) => graded
+                .at(under.temperature, |own| own.respond(gradient, under, committed, state))
+                .unwrap_or_default(),
+            (Self::Expanding(own), _) => own.respond(gradient, under, committed, state),
         }
     }
 
@@ -169,7 +195,32 @@ impl Material {
     pub fn plastic_strain(&self, state: &[f64]) -> Option<f64> {
         match self {
             Self::Plastic(_) => state.get(plastic::PEEQ).copied(),
+            Self::Graded(graded) => graded.rows().next()?.plastic_strain(state),
+            Self::Expanding(expanding) => expanding.law.plastic_strain(state),
             _ => None,
+        }
+    }
+
+    /// ln of the stretch of a free body whose thermal strain is `strain` in the measure of the law:
+    /// logarithmic, or Green's, or of the length itself.
+    fn thermal_log(&self, strain: f64) -> f64 {
+        match self {
+            Self::Elastic(_, LargeStrain::Logarithmic) | Self::Plastic(_) => strain,
+            Self::Elastic(_, LargeStrain::Green) | Self::Anisotropic(_) => {
+                0.5 * (2.0 * strain).ln_1p()
+            }
+            Self::Rubber(_) | Self::User(_) | Self::Expanding(_) => strain.ln_1p(),
+            Self::Graded(graded) => {
+                graded.rows().next().map_or(strain, |own| own.thermal_log(strain))
+            }
+        }
+    }
+
+    /// Volume of a free body over that of the cold one [1].
+    pub fn thermal_volume(&self, under: &Conditions) -> f64 {
+        match self {
+            Self::Expanding(expanding) => expanding.volume(under),
+            _ => 1.0,
         }
     }
 
@@ -181,6 +232,8 @@ impl Material {
             Self::Anisotropic(elastic) => elastic.stiffest(),
             Self::Rubber(rubber) => rubber.bulk_modulus() + 4.0 / 3.0 * rubber.shear_modulus(),
             Self::User(law) => law.stiffest(),
+            Self::Graded(graded) => graded.rows().map(Self::stiffest).fold(0.0, f64::max),
+            Self::Expanding(expanding) => expanding.law.stiffest(),
         }
     }
 
@@ -193,15 +246,20 @@ impl Material {
             Self::Anisotropic(elastic) => (3..6).map(|k| elastic.moduli[k][k]).sum::<f64>() / 3.0,
             Self::Rubber(rubber) => rubber.shear_modulus(),
             Self::User(law) => law.shear_modulus(),
+            Self::Graded(graded) => graded.rows().map(Self::shear_modulus).fold(0.0, f64::max),
+            Self::Expanding(expanding) => expanding.law.shear_modulus(),
         }
     }
 
-    /// Isotropic elasticity of small strains, where it has one.
+    /// Isotropic elasticity of small strains, where it has one; over temperature that of the
+    /// lowest one.
     pub fn elastic(&self) -> Option<Elastic> {
         match self {
             Self::Elastic(elastic, _) | Self::Plastic(Plastic { elastic, .. }) => Some(*elastic),
             Self::Rubber(rubber) => Some(rubber.small()),
             Self::Anisotropic(_) | Self::User(_) => None,
+            Self::Graded(graded) => graded.rows().next()?.elastic(),
+            Self::Expanding(expanding) => expanding.law.elastic(),
         }
     }
 }

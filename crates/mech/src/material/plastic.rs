@@ -50,23 +50,27 @@ struct Return {
     work: f64,
 }
 
+/// Yield stress and its slope at an equivalent plastic strain.
+pub(super) fn yield_stress(table: &Hardening, strain: f64) -> [f64; 2] {
+    let behind = table.iter().position(|line| line[1] > strain);
+    match behind {
+        Some(0) | None => [table.last().map_or(0.0, |line| line[0]), 0.0],
+        Some(next) => {
+            let ([low, from], [high, to]) = (table[next - 1], table[next]);
+            let slope = (high - low) / (to - from);
+            [low + slope * (strain - from), slope]
+        }
+    }
+}
+
 impl Plastic {
     /// Number of state variables of a point.
     pub fn states(&self) -> usize {
         if self.kinematic == 0.0 { BACK } else { BACK + 6 }
     }
 
-    /// Yield stress and its slope at an equivalent plastic strain.
     fn yield_stress(&self, strain: f64) -> [f64; 2] {
-        let behind = self.table.iter().position(|line| line[1] > strain);
-        match behind {
-            Some(0) | None => [self.table.last().map_or(0.0, |line| line[0]), 0.0],
-            Some(next) => {
-                let ([low, from], [high, to]) = (self.table[next - 1], self.table[next]);
-                let slope = (high - low) / (to - from);
-                [low + slope * (strain - from), slope]
-            }
-        }
+        yield_stress(&self.table, strain)
     }
 
     /// Returns an equivalent trial stress to the yield surface; `None`: it is inside.

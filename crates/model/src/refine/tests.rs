@@ -23,7 +23,7 @@ fn block<const N: usize>(
     let section = match kind.is_beam() {
         true => {
             let shape = slideline_mech::section::Shape::Rectangle { width: 1.0, height: 1.0 };
-            Section::Beam(BeamSection { shape, poisson: 0.0, material, shear })
+            Section::Beam(BeamSection { shape, poisson: 0.0, material, heat: None, shear })
         }
         false => Section::Solid(SolidSection {
             thickness: 1.0,

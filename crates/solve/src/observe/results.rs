@@ -184,6 +184,8 @@ impl BlockResults {
 pub struct Energies {
     /// Work of supports and loads, trapezoidal rule over each increment.
     pub external_work: f64,
+    /// Work of heat: what changes of temperature add to the strain energy.
+    pub thermal_work: f64,
     /// Strain energy of the elements.
     pub strain_energy: f64,
     /// Energy of the contact laws.
@@ -198,12 +200,17 @@ pub struct Energies {
     pub stabilisation: f64,
     /// Released where the structure jumped to another equilibrium.
     pub released_energy: f64,
-    /// External work minus the change of everything else since the first
+    /// External work and work of heat minus the change of everything else since the first
     /// converged state.
     pub balance: f64,
 }
 
 impl Energies {
+    /// What supports, loads and heat have given.
+    pub fn supplied(&self) -> f64 {
+        self.external_work + self.thermal_work
+    }
+
     /// What is stored, dissipated or released: where the work went.
     pub fn taken(&self) -> f64 {
         self.strain_energy
