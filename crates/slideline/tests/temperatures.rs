@@ -4,63 +4,33 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
 
-use slideline::model::{Dof, ElementType, TYPES, types};
-use slideline::observe::{Ending, Energies, Event, Observer, Stop};
-use slideline::{Job, ReadOptions, SolveOptions, solve};
-use std::collections::HashMap;
+mod heat;
+
+use heat::{Watch, run};
+use slideline::model::{ElementType, TYPES, types};
 use std::fmt::Write as _;
-use std::ops::ControlFlow;
-
-const DOFS: [Dof; 6] = Dof::ALL;
-
-/// What the increments of a run show.
-#[derive(Default)]
-struct Watch {
-    /// Displacements and rotations by node at the end.
-    u: HashMap<u64, [f64; 6]>,
-    reactions: HashMap<u64, [f64; 6]>,
-    /// Results of all elements at the end, one after the other.
-    elements: Vec<f64>,
-    /// Temperatures of the nodes, an increment each.
-    temperatures: Vec<Vec<f64>>,
-    energies: Vec<Energies>,
-}
-
-impl Observer for Watch {
-    fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
-        if let Event::Committed(frame) = event {
-            let nodes = &frame.model.nodes;
-            for node in 0..nodes.len() {
-                let label = nodes.label(node);
-                self.u.insert(label, DOFS.map(|dof| frame.nodal.displacement(node, dof)));
-                self.reactions.insert(label, DOFS.map(|dof| frame.nodal.reaction(node, dof)));
-            }
-            let temperatures = (0..nodes.len()).map(|node| frame.nodal.temperature(node));
-            self.temperatures.push(temperatures.collect());
-            self.elements = frame.elements.iter().flat_map(|own| own.values.clone()).collect();
-            self.energies.push(frame.energy);
-        }
-        ControlFlow::Continue(())
-    }
-}
-
-fn run(text: &str) -> Watch {
-    let read = Job::read_text("deck", text, &ReadOptions::default());
-    let Some(model) = read.model else { panic!("{:?}\n{text}", read.diagnostics) };
-    let mut watch = Watch::default();
-    let ending = solve(&model, &SolveOptions::default(), &mut watch);
-    assert!(matches!(ending, Ending::Completed(_)), "{ending:?}\n{text}");
-    watch
-}
 
 const YOUNG: f64 = 200.0;
 const EXPANSION: f64 = 2e-3;
 const HEAT: f64 = 100.0;
 
-/// One sheared element of a type, supported so that it moves as it likes.
-fn alone(row: &ElementType, (material, nlgeom): (&str, &str), heat: fn([f64; 3]) -> f64) -> String {
-    let places: Vec<[f64; 3]> =
-        row.cell.places.iter().map(|[x, y, z]| [4.0 + x + 0.2 * y, 0.1 * x + y, *z]).collect();
+/// Solids that a single element leaves motions without stiffness, if it is held at points alone.
+const LOOSE: [&str; 8] = ["CPS8R", "CPE8R", "CAX8R", "CAX3", "CAX4R", "C3D6", "C3D10H", "C3D20R"];
+
+/// What a body is made of: elasticity, and coefficients of expansion along its axes.
+struct Body<'a> {
+    law: &'a str,
+    expansion: [f64; 3],
+    nlgeom: &'a str,
+}
+
+/// One element of a type, supported so that it moves as it likes; sheared where supports at points
+/// hold it.
+fn alone(row: &ElementType, body: &Body<'_>, heat: fn([f64; 3]) -> f64) -> String {
+    let loose = LOOSE.contains(&row.name());
+    let shear = if loose { 0.0 } else { 0.1 };
+    let shape = |[x, y, z]: &[f64; 3]| [4.0 + x + 2.0 * shear * y, shear * x + y, *z];
+    let places: Vec<[f64; 3]> = row.cell.places.iter().map(shape).collect();
     let mut text = String::from("*NODE\n");
     for (k, [x, y, z]) in places.iter().enumerate() {
         let _ = writeln!(text, "{}, {x}, {y}, {z}", k + 1);
@@ -68,21 +38,23 @@ fn alone(row: &ElementType, (material, nlgeom): (&str, &str), heat: fn([f64; 3])
     let labels: Vec<String> = (1..=places.len()).map(|k| k.to_string()).collect();
     let _ = writeln!(text, "*ELEMENT, TYPE={}, ELSET=E", row.name());
     let lines: Vec<String> = labels.chunks(12).map(|line| line.join(",")).collect();
-    text.push_str(&lines.join(",\n"));
-    text = text.replace(&format!("ELSET=E\n{}", labels[0]), &format!("ELSET=E\n1, {}", labels[0]));
-    // a plane that is held across expands in the plane alone
-    let across = if row.name().starts_with("CPE") { 0.0 } else { EXPANSION };
+    let _ = writeln!(text, "1, {}", lines.join(",\n"));
+    let [a, b, c] = body.expansion;
     let _ = write!(
         text,
-        "\n*SOLID SECTION, ELSET=E, MATERIAL=M\n*MATERIAL, NAME=M\n{material}\n\
-         *EXPANSION, TYPE=ORTHO\n{EXPANSION}, {EXPANSION}, {across}\n\
-         *STEP, {nlgeom}\n*STATIC\n0.25, 1.0\n*BOUNDARY\n"
+        "*SOLID SECTION, ELSET=E, MATERIAL=M\n*MATERIAL, NAME=M\n{}\n\
+         *EXPANSION, TYPE=ORTHO\n{a}, {b}, {c}\n*STEP, {}\n*STATIC\n0.25, 1.0\n*BOUNDARY\n",
+        body.law, body.nlgeom
     );
-    text.push_str(match (row.is_ring(), row.is_spatial()) {
-        (true, _) => "1, 2\n",
-        (_, false) => "1, 1, 2\n2, 2\n",
-        (_, true) => "1, 1, 3\n2, 2, 3\n3, 3\n",
-    });
+    if loose {
+        text.push_str(&on_planes(row, &places));
+    } else {
+        text.push_str(match (row.is_ring(), row.is_spatial()) {
+            (true, _) => "1, 2\n",
+            (_, false) => "1, 1, 2\n2, 2\n",
+            (_, true) => "1, 1, 3\n2, 2, 3\n3, 3\n",
+        });
+    }
     text.push_str("*TEMPERATURE\n");
     for (k, at) in places.iter().enumerate() {
         let _ = writeln!(text, "{}, {}", k + 1, heat(*at));
@@ -90,12 +62,34 @@ fn alone(row: &ElementType, (material, nlgeom): (&str, &str), heat: fn([f64; 3])
     text + "*END STEP\n"
 }
 
-/// Solids of which one alone has no motion without stiffness.
+/// Supports of the planes of smallest coordinates, the axis of rings left out.
+fn on_planes(row: &ElementType, places: &[[f64; 3]]) -> String {
+    let mut text = String::new();
+    let axes = if row.is_spatial() { 0..3 } else { 0..2 };
+    for axis in axes.filter(|axis| !(row.is_ring() && *axis == 0)) {
+        let least = places.iter().fold(f64::INFINITY, |least, at| least.min(at[axis]));
+        for (k, _) in places.iter().enumerate().filter(|(_, at)| at[axis] == least) {
+            let _ = writeln!(text, "{}, {}", k + 1, axis + 1);
+        }
+    }
+    text
+}
+
+/// Every solid but trusses.
 fn solids() -> impl Iterator<Item = &'static ElementType> {
-    let loose = ["CPS8R", "CPE8R", "CAX8R", "CAX3", "CAX4R", "C3D6", "C3D10H", "C3D20R"];
-    TYPES.into_iter().filter(move |row| {
-        row.kinematics.card() == Some("*SOLID SECTION") && !loose.contains(&row.name())
-    })
+    TYPES
+        .into_iter()
+        .filter(|row| row.kinematics.card() == Some("*SOLID SECTION") && !row.is_truss())
+}
+
+/// Coefficients that leave an element free: a plane that is held across does not expand there, and
+/// a ring grows as its hoops do.
+fn free(row: &ElementType, [a, b, c]: [f64; 3]) -> [f64; 3] {
+    match row.name() {
+        name if name.starts_with("CPE") => [a, b, 0.0],
+        _ if row.is_ring() => [a, b, a],
+        _ => [a, b, c],
+    }
 }
 
 /// Largest stress of a run of one solid.
@@ -112,17 +106,19 @@ fn free_expansion_is_free_of_stress() {
     let laws = [
         ("*ELASTIC\n200.0, 0.3", even.exp()),
         ("*ELASTIC\n100.0, 0.2, 0.0\n300.0, 0.4, 200.0", even.exp()),
+        ("*ELASTIC\n200.0, 0.3\n*PLASTIC\n1.0, 0.0\n2.0, 0.1", even.exp()),
         ("*HYPERELASTIC, NEO HOOKE\n40.0, 0.01", 1.0 + even),
     ];
     for row in solids() {
         for (law, stretch) in laws {
-            let large = run(&alone(row, (law, "NLGEOM"), |_| HEAT));
+            let expansion = free(row, [EXPANSION; 3]);
+            let large = run(&alone(row, &Body { law, expansion, nlgeom: "NLGEOM" }, |_| HEAT));
             let most = largest_stress(row, &large);
-            assert!(most < 1e-12 * YOUNG, "{} {law} {most}", row.name());
-            let small = run(&alone(row, (law, "NLGEOM=NO"), |_| HEAT));
+            assert!(most < 2e-12 * YOUNG, "{} {law} {most}", row.name());
+            let small = run(&alone(row, &Body { law, expansion, nlgeom: "NLGEOM=NO" }, |_| HEAT));
             let most = largest_stress(row, &small);
-            assert!(most < 1e-13 * YOUNG, "{} {law} {most}", row.name());
-            if !row.is_ring() {
+            assert!(most < 2e-13 * YOUNG, "{} {law} {most}", row.name());
+            if !row.is_ring() && !LOOSE.contains(&row.name()) {
                 let [a, b] = [1, 2].map(|node| large.u[&node]);
                 let [x, y, z] = [0, 1, 2].map(|axis| {
                     let place = |k: usize| {
@@ -139,18 +135,35 @@ fn free_expansion_is_free_of_stress() {
     }
 }
 
+/// Requirement: the same of a body that neither stretches nor expands alike in all directions.
+#[test]
+fn free_expansion_along_three_axes() {
+    let law = "*ELASTIC, TYPE=ENGINEERING CONSTANTS\n200.0, 100.0, 50.0, 0.3, 0.2, 0.25, 60.0, \
+               40.0\n30.0";
+    for row in solids() {
+        let expansion = free(row, [EXPANSION, 0.5 * EXPANSION, -0.25 * EXPANSION]);
+        for nlgeom in ["NLGEOM", "NLGEOM=NO"] {
+            let watch = run(&alone(row, &Body { law, expansion, nlgeom }, |_| HEAT));
+            let most = largest_stress(row, &watch);
+            assert!(most < 2e-12 * YOUNG, "{} {nlgeom} {most}", row.name());
+            assert!(watch.u.values().flatten().any(|u| u.abs() > 1e-3), "{}", row.name());
+        }
+    }
+}
+
 /// Requirement: where temperatures run straight through a free body it bends without stress, with
 /// every element that can bend so: quadratic ones and those with incompatible modes. Source: a
 /// thermal strain that is linear is compatible. Tolerance: rounding.
 #[test]
 fn a_straight_field_leaves_bending_elements_free() {
     let bends = |row: &&ElementType| {
-        !row.is_ring() && (row.cell.is_quadratic() || row.name().ends_with('I'))
+        let straight = row.cell.is_quadratic() || row.name().ends_with('I');
+        !row.is_ring() && straight && !LOOSE.contains(&row.name())
     };
     for row in solids().filter(bends) {
-        let text = alone(row, ("*ELASTIC\n200.0, 0.3", "NLGEOM=NO"), |[x, y, _]| {
-            20.0 + 3.0 * (x - 4.0) + 5.0 * y
-        });
+        let expansion = free(row, [EXPANSION; 3]);
+        let body = Body { law: "*ELASTIC\n200.0, 0.3", expansion, nlgeom: "NLGEOM=NO" };
+        let text = alone(row, &body, |[x, y, _]| 20.0 + 3.0 * (x - 4.0) + 5.0 * y);
         let watch = run(&text);
         let most = largest_stress(row, &watch);
         let scale = YOUNG * EXPANSION * 8.0;
@@ -161,7 +174,7 @@ fn a_straight_field_leaves_bending_elements_free() {
 
 /// Requirement: a body that is held all round is under the pressure 3 K a T, at large strain
 /// J_th 3 K a T of logarithmic strain; forces of mean coefficients from another zero. Source:
-/// docs/theory.md eqs. (3.55) to (3.57). Tolerance: rounding.
+/// docs/theory.md eqs. (3.59) to (3.61). Tolerance: rounding.
 #[test]
 fn held_all_round() {
     let deck = |nlgeom: &str| {
@@ -243,8 +256,8 @@ fn bimetal_strip() {
     let (m, n) = (1.0_f64, soft / hard);
     let part = 3.0 * (1.0 + m).powi(2) + (1.0 + m * n) * (m * m + 1.0 / (m * n));
     let exact = 6.0 * 2e-5 * heat * (1.0 + m).powi(2) / part;
-    // the lower one expands more: bent upwards, the middle below the ends' line
-    assert!((curvature + exact).abs() < 2e-3 * exact, "{curvature} {exact}");
+    // the lower one expands more: the middle comes below the line of the ends
+    assert!((curvature - exact).abs() < 1e-7 * exact, "{curvature} {exact}");
 }
 
 /// Requirement: a long tube, hot inside, grows as in Timoshenko and Goodier (1951), article 135,
@@ -305,7 +318,7 @@ fn beams(row: &ElementType, (nlgeom, boundary, heat): (&str, &str, &str)) -> Str
 
 /// Requirement: a free beam grows by a T and is bent by -a dT/dy a length, to an arc at large
 /// displacement, without forces; one that is held has N = -E(T) A a T. Source: docs/theory.md eq.
-/// (3.58). Tolerance: rounding, and convergence of the iterations.
+/// (3.62). Tolerance: rounding, and convergence of the iterations.
 #[test]
 fn beams_expand_and_bend() {
     for row in [&types::B21, &types::B22, &types::B23] {
@@ -339,7 +352,7 @@ fn the_energy_of_heat_balances() {
     );
     let watch = run(&text);
     let last = watch.energies.last().unwrap();
-    assert!(last.thermal_work > 0.1 && last.strain_energy > 0.1, "{last:?}");
+    assert!(last.thermal_work > 0.05 && last.strain_energy > 0.1, "{last:?}");
     assert!(last.balance.abs() < 1e-12 * last.strain_energy, "{last:?}");
 }
 

@@ -27,12 +27,12 @@ pub(crate) struct Section {
 /// What a section says of the body around its nodes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Body {
-    /// Its elasticity is its own in a `*BEAM GENERAL SECTION`, else that of the material.
+    /// Elasticity and expansion are its own in a `*BEAM GENERAL SECTION`, else those of the material.
     Beam {
         shape: Shape,
         poisson: f64,
         shear: ShearRule,
-        elastic: Option<Elastic>,
+        elastic: Option<(Elastic, f64)>,
     },
     Solid {
         thickness: f64,
@@ -57,11 +57,16 @@ impl Body {
     ) -> Option<model::Section> {
         Some(match self {
             Self::Beam { shape, poisson, shear, elastic } => {
-                let given = (shape, poisson, shear);
-                model::Section::Beam(match elastic {
-                    Some(material) => BeamSection { shape, poisson, material, heat: None, shear },
-                    None => material.beam(given)?,
-                })
+                let (table, expansion) = match elastic {
+                    Some((elastic, 0.0)) => (vec![(0.0, elastic)], None),
+                    Some((elastic, even)) => (vec![(0.0, elastic)], Some(Expansion::even(even))),
+                    None => (material.isotropic()?.clone(), material.expansion()?),
+                };
+                let material = table.first()?.1;
+                let given_shear = shear.stiffness.is_some();
+                let heat = BeamHeat { expansion, elastic: table, given_shear };
+                let heat = heat.changes_anything().then(|| Box::new(heat));
+                model::Section::Beam(BeamSection { shape, poisson, material, heat, shear })
             }
             Self::Solid { thickness } => {
                 let material = material.solid(dialect)?;
@@ -134,29 +139,18 @@ impl Material {
             Dialect::Calculix => LargeStrain::Green,
         };
         let law = self.law(large)?;
-        Some(match &self.expansion {
-            Some((expansion, _)) => {
-                let expansion = expansion.clone()?;
-                model::Material::Expanding(Box::new(Expanding { expansion, law }))
-            }
+        Some(match self.expansion()? {
+            Some(expansion) => model::Material::Expanding(Box::new(Expanding { expansion, law })),
             None => law,
         })
     }
 
-    /// Beams of it, with what temperature does to them.
-    fn beam(&self, (shape, poisson, shear): (Shape, f64, ShearRule)) -> Option<BeamSection> {
-        let elastic = self.isotropic()?;
-        let expansion = match &self.expansion {
-            Some((expansion, _)) => Some(expansion.clone()?),
-            None => None,
-        };
-        let heat = BeamHeat {
-            expansion,
-            elastic: elastic.clone(),
-            given_shear: shear.stiffness.is_some(),
-        };
-        let heat = heat.changes_anything().then(|| Box::new(heat));
-        Some(BeamSection { shape, poisson, material: elastic.first()?.1, heat, shear })
+    /// How it expands, if it does; `None`: its card could not be read.
+    fn expansion(&self) -> Option<Option<Expansion>> {
+        match &self.expansion {
+            Some((expansion, _)) => expansion.clone().map(Some),
+            None => Some(None),
+        }
     }
 
     /// The law without its expansion.

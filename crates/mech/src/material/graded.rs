@@ -13,19 +13,26 @@ use super::expansion::between;
 use super::hyperelastic::{Rubber, Volume};
 use super::plastic::{Hardening, Plastic, yield_stress};
 use super::{Elastic, Material};
+use std::cell::Cell;
 
-/// One law with the constants of several temperatures.
+/// One law with the constants of several temperatures; yield stresses of all at the same strains.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Graded(Vec<(f64, Material)>);
+
+thread_local! {
+    /// Where constants between two rows are written, once more and again.
+    static ROOM: Cell<Option<Material>> = const { Cell::new(None) };
+}
 
 impl Graded {
     /// From temperatures [theta], ascending, with the material at each; `None` where there is none
     /// or they are not of one kind.
-    pub fn new(rows: Vec<(f64, Material)>) -> Option<Self> {
+    pub fn new(mut rows: Vec<(f64, Material)>) -> Option<Self> {
+        at_all_strains(&mut rows);
         let sound = !rows.is_empty()
-            && rows
-                .windows(2)
-                .all(|pair| pair[0].0 < pair[1].0 && mix(&pair[0].1, &pair[1].1, 0.5).is_some());
+            && rows.windows(2).all(|pair| {
+                pair[0].0 < pair[1].0 && mix(&pair[0].1, &pair[1].1, 0.5, None).is_some()
+            });
         sound.then_some(Self(rows))
     }
 
@@ -43,7 +50,12 @@ impl Graded {
             let (low, high, part) = between(elastic, temperature)?;
             let (soft, hard, step) = between(hardening, temperature)?;
             let elastic = low.towards(high, part);
-            let table = self::hardening(soft, hard, step);
+            let strains = all_strains([soft, hard].into_iter());
+            let at = |strain| {
+                let [soft, hard] = [soft, hard].map(|table| yield_stress(table, strain)[0]);
+                [number(soft, hard, step), strain]
+            };
+            let table = strains.into_iter().map(at).collect();
             Some((temperature, Material::Plastic(Plastic { elastic, table, kinematic: 0.0 })))
         };
         // one line of each holds for all temperatures
@@ -59,10 +71,13 @@ impl Graded {
     /// Whatever is made of the material at a temperature; `None`: the table is empty.
     pub fn at<R>(&self, temperature: f64, then: impl FnOnce(&Material) -> R) -> Option<R> {
         let (low, high, part) = between(&self.0, temperature)?;
-        match mix(low, high, part).filter(|_| part != 0.0) {
-            Some(mixed) => Some(then(&mixed)),
-            None => Some(then(low)),
+        if part == 0.0 {
+            return Some(then(low));
         }
+        let Some(mixed) = mix(low, high, part, ROOM.take()) else { return Some(then(low)) };
+        let answer = then(&mixed);
+        ROOM.set(Some(mixed));
+        Some(answer)
     }
 }
 
@@ -70,52 +85,93 @@ fn number(low: f64, high: f64, part: f64) -> f64 {
     low + part * (high - low)
 }
 
-/// A material between two of one kind; `None`: they are not.
-fn mix(low: &Material, high: &Material, part: f64) -> Option<Material> {
+/// Plastic strains of all tables, ascending.
+fn all_strains<'a>(tables: impl Iterator<Item = &'a Hardening>) -> Vec<f64> {
+    let mut strains: Vec<f64> = tables.flatten().map(|line| line[1]).collect();
+    strains.sort_by(f64::total_cmp);
+    strains.dedup();
+    strains
+}
+
+/// Gives the yield stresses of every row at the plastic strains of all rows.
+fn at_all_strains(rows: &mut [(f64, Material)]) {
+    let tables = rows.iter().filter_map(|(_, own)| match own {
+        Material::Plastic(plastic) => Some(&plastic.table),
+        _ => None,
+    });
+    let strains = all_strains(tables);
+    for (_, own) in rows {
+        if let Material::Plastic(plastic) = own {
+            let at = |strain: &f64| [yield_stress(&plastic.table, *strain)[0], *strain];
+            plastic.table = strains.iter().map(at).collect();
+        }
+    }
+}
+
+/// A material between two of one kind, in the room of one that is no longer needed; `None`: they
+/// are not.
+fn mix(low: &Material, high: &Material, part: f64, room: Option<Material>) -> Option<Material> {
     match (low, high) {
         (Material::Elastic(a, large), Material::Elastic(b, other)) => {
             (large == other).then(|| Material::Elastic(a.towards(b, part), *large))
         }
-        (Material::Rubber(a), Material::Rubber(b)) => rubber(a, b, part).map(Material::Rubber),
-        (Material::Plastic(a), Material::Plastic(b)) => Some(Material::Plastic(Plastic {
-            elastic: a.elastic.towards(&b.elastic, part),
-            table: hardening(&a.table, &b.table, part),
-            kinematic: number(a.kinematic, b.kinematic, part),
-        })),
+        (Material::Rubber(a), Material::Rubber(b)) => {
+            rubber(a, b, part, room).map(Material::Rubber)
+        }
+        (Material::Plastic(a), Material::Plastic(b)) => {
+            let mut table = match room {
+                Some(Material::Plastic(plastic)) => plastic.table,
+                _ => Hardening::new(),
+            };
+            let line = |(a, b): (&[f64; 2], &[f64; 2])| [number(a[0], b[0], part), a[1]];
+            fill(&mut table, a.table.iter().zip(&b.table).map(line));
+            Some(Material::Plastic(Plastic {
+                elastic: a.elastic.towards(&b.elastic, part),
+                table,
+                kinematic: number(a.kinematic, b.kinematic, part),
+            }))
+        }
         _ => None,
     }
 }
 
-/// Yield stresses over all plastic strains of two tables.
-fn hardening(low: &Hardening, high: &Hardening, part: f64) -> Hardening {
-    let mut strains: Vec<f64> = low.iter().chain(high).map(|line| line[1]).collect();
-    strains.sort_by(f64::total_cmp);
-    strains.dedup();
-    let at = |table: &Hardening, strain| yield_stress(table, strain)[0];
-    strains
-        .into_iter()
-        .map(|strain| [number(at(low, strain), at(high, strain), part), strain])
-        .collect()
+/// Writes a list into room that may have held another.
+fn fill<T>(room: &mut Vec<T>, items: impl Iterator<Item = T>) {
+    room.clear();
+    room.extend(items);
 }
 
-fn rubber(low: &Rubber, high: &Rubber, part: f64) -> Option<Rubber> {
+fn rubber(low: &Rubber, high: &Rubber, part: f64, room: Option<Material>) -> Option<Rubber> {
     Some(match (low, high) {
         (
             Rubber::Polynomial { terms: a, volume: v },
             Rubber::Polynomial { terms: b, volume: w },
         ) => {
             let same = a.len() == b.len() && a.iter().zip(b).all(|(a, b)| (a.0, a.1) == (b.0, b.1));
+            if !same {
+                return None;
+            }
+            let mut terms = match room {
+                Some(Material::Rubber(Rubber::Polynomial { terms, .. })) => terms,
+                _ => Vec::new(),
+            };
             let term =
                 |(a, b): (&(u8, u8, f64), &(u8, u8, f64))| (a.0, a.1, number(a.2, b.2, part));
-            let terms = a.iter().zip(b).map(term).collect();
-            return same.then(|| Rubber::Polynomial { terms, volume: volume(v, w, part) });
+            fill(&mut terms, a.iter().zip(b).map(term));
+            Rubber::Polynomial { terms, volume: volume(v, w, part) }
         }
         (Rubber::Ogden { terms: a, volume: v }, Rubber::Ogden { terms: b, volume: w }) => {
+            if a.len() != b.len() {
+                return None;
+            }
+            let mut terms = match room {
+                Some(Material::Rubber(Rubber::Ogden { terms, .. })) => terms,
+                _ => Vec::new(),
+            };
             let term =
                 |(a, b): (&[f64; 2], &[f64; 2])| std::array::from_fn(|k| number(a[k], b[k], part));
-            let terms = a.iter().zip(b).map(term).collect();
-            let same = a.len() == b.len();
-            return same.then(|| Rubber::Ogden { terms, volume: volume(v, w, part) });
+            fill(&mut terms, a.iter().zip(b).map(term));
+            Rubber::Ogden { terms, volume: volume(v, w, part) }
         }
         (
             Rubber::ArrudaBoyce { shear: a, locking: l, volume: v },

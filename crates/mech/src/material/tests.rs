@@ -92,7 +92,8 @@ fn constants_over_temperature() {
             assert!((a[0] - b[0]).abs() < 1e-14 && a[1] == b[1], "{a:?} {b:?}");
         }
     };
-    near(at(-5.0), plastic(STEEL, vec![[0.2, 0.0], [0.5, 0.3]]));
+    let cold = vec![[0.2, 0.0], [0.3, 0.1], [0.5, 0.3], [0.5, 0.5]];
+    near(at(-5.0), plastic(STEEL, cold));
     let half = Elastic { modulus: 5.0, poisson: 0.2 };
     let middle = vec![[0.15, 0.0], [0.25, 0.1], [0.375, 0.3], [0.4, 0.5]];
     near(at(70.0), plastic(half, middle));

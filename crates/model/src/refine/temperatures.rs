@@ -13,10 +13,7 @@ fn mean(a: Temperature, b: Temperature) -> Temperature {
 ///
 /// # Errors
 /// Where those two follow different amplitudes.
-pub(super) fn fill(
-    model: &mut Model,
-    added: &[(NodeIndex, Edge)],
-) -> Result<(), Box<Diagnostic>> {
+pub(super) fn fill(model: &mut Model, added: &[(NodeIndex, Edge)]) -> Result<(), Box<Diagnostic>> {
     if !model.initial_temperatures.is_empty() {
         for &(node, [a, b]) in added {
             let own = mean(model.initial_temperature(a), model.initial_temperature(b));
