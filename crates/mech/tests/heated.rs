@@ -11,7 +11,9 @@ use slideline_mech::element::{
     Bar, Beam21, Beam22, Beam23, BeamHeat, HeatedBeams, Kernel, Response, Strains, Surroundings,
     Temperature, Trusses,
 };
-use slideline_mech::material::{Elastic, Expanding, Expansion, Graded, LargeStrain, Material};
+use slideline_mech::material::{
+    Elastic, Expanding, Expansion, Graded, Growth, LargeStrain, Material,
+};
 use slideline_mech::section::BeamStiffness;
 use std::sync::Arc;
 
@@ -33,7 +35,8 @@ fn graded(large: LargeStrain) -> Material {
 }
 
 fn expanding(expansion: Expansion, law: Material) -> Material {
-    Material::Expanding(Box::new(Expanding { expansion, law }))
+    let growth = Growth::Logarithmic;
+    Material::Expanding(Box::new(Expanding { expansion, growth, law }))
 }
 
 /// Temperatures of the nodes now and before, none like another.

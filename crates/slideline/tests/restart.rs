@@ -251,18 +251,20 @@ fn no_content_makes_it_panic() {
     }
 }
 
-/// Compares the files of a run that was left after two of its four increments and finished with
+/// Compares the files of a run that was left after two of its increments and finished with
 /// those of an uninterrupted one.
 fn finishes(name: &str, deck: &str, files: &[&str]) {
     let (folder, _) = left_of(name, deck);
     let whole = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}_whole"));
     let options = RunOptions { folder: Some(whole.clone()), ..RunOptions::default() };
-    assert_eq!(run(&of(deck), &options, &mut Quiet).status, Status::Completed);
+    let uninterrupted = run(&of(deck), &options, &mut Quiet);
+    assert_eq!(uninterrupted.status, Status::Completed);
     let options =
         RunOptions { folder: Some(folder.clone()), restart: true, ..RunOptions::default() };
     let outcome = run(&of(deck), &options, &mut Quiet);
     assert_eq!(outcome.status, Status::Completed, "{:?}", outcome.diagnostics);
-    assert_eq!(outcome.totals.increments, 4);
+    assert_eq!(outcome.totals.increments, uninterrupted.totals.increments);
+    assert!(outcome.totals.increments > 2);
     for name in files {
         let of = |folder: &Path| std::fs::read(folder.join(name)).unwrap();
         assert!(of(&folder) == of(&whole), "{name}");
@@ -298,9 +300,10 @@ const HOT: &str = "*RESTART, WRITE
 2.0, 0.0, 0.0
 4.0, 0.1, 0.0
 1.0, 0.0, 100.0
+3.0, 0.1, 100.0
 *EXPANSION
-1.0E-3, 0.0
-1.5E-3, 100.0
+2.0E-4, 0.0
+3.0E-4, 100.0
 *AMPLITUDE, NAME=A
 0.0, 0.0, 0.5, 1.0, 1.0, 0.2
 *INITIAL CONDITIONS, TYPE=TEMPERATURE

@@ -4,7 +4,7 @@ use slideline_deck::DataLine;
 use slideline_diag::Span;
 use slideline_mech::element::BeamHeat;
 use slideline_mech::material::{
-    Anisotropic, Elastic, Expanding, Expansion, Graded, Hardening, LargeStrain, Rubber,
+    Anisotropic, Elastic, Expanding, Expansion, Graded, Growth, Hardening, LargeStrain, Rubber,
 };
 use slideline_mech::orientation::Orientation;
 use slideline_model::{self as model, BeamSection, Dialect, Shape, ShearRule, SolidSection};
@@ -139,8 +139,17 @@ impl Material {
             Dialect::Calculix => LargeStrain::Green,
         };
         let law = self.law(large)?;
+        let growth = match (dialect, &self.elasticity.as_ref()?.0) {
+            (Dialect::Calculix, _) | (_, Elasticity::Anisotropic(_) | Elasticity::Ply(_)) => {
+                Growth::Green
+            }
+            (_, Elasticity::Rubber(_)) => Growth::Length,
+            _ => Growth::Logarithmic,
+        };
         Some(match self.expansion()? {
-            Some(expansion) => model::Material::Expanding(Box::new(Expanding { expansion, law })),
+            Some(expansion) => {
+                model::Material::Expanding(Box::new(Expanding { expansion, growth, law }))
+            }
             None => law,
         })
     }

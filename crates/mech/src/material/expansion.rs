@@ -67,11 +67,35 @@ pub(crate) fn between<T>(rows: &[(f64, T)], temperature: f64) -> Option<(&T, &T,
     Some((&low.1, &high.1, (temperature - low.0) / (high.0 - low.0)))
 }
 
+/// How long a free body is at large strain, of the thermal strain e: docs/theory.md eq. (3.60).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Growth {
+    /// exp(e): e is a logarithmic strain.
+    Logarithmic,
+    /// sqrt(1 + 2 e): e is one of Green.
+    Green,
+    /// 1 + e: e is a change of length.
+    Length,
+}
+
+impl Growth {
+    /// Logarithm of the stretch.
+    fn log(self, strain: f64) -> f64 {
+        match self {
+            Self::Logarithmic => strain,
+            Self::Green => 0.5 * (2.0 * strain).ln_1p(),
+            Self::Length => strain.ln_1p(),
+        }
+    }
+}
+
 /// A law of a body that expands.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Expanding {
     /// How it expands.
     pub expansion: Expansion,
+    /// What its strains mean at large strain.
+    pub growth: Growth,
     /// What it answers to the rest of its deformation.
     pub law: Material,
 }
@@ -80,7 +104,7 @@ impl Expanding {
     /// Logarithms of the stretches of the free body.
     fn logs(&self, under: &Conditions) -> [f64; 3] {
         let strains = self.expansion.strains(under.temperature, under.initial);
-        strains.map(|strain| self.law.thermal_log(strain))
+        strains.map(|strain| self.growth.log(strain))
     }
 
     /// Its volume over that of the cold one.

@@ -28,7 +28,7 @@ mod uniaxial;
 
 pub use elastic::{Anisotropic, LargeStrain, Unsound};
 pub(crate) use expansion::between;
-pub use expansion::{Expanding, Expansion};
+pub use expansion::{Expanding, Expansion, Growth};
 pub use graded::Graded;
 pub use hyperelastic::{MOST_TERMS, Rubber, Volume};
 pub use plastic::{Hardening, Plastic};
@@ -198,21 +198,6 @@ impl Material {
             Self::Graded(graded) => graded.rows().next()?.plastic_strain(state),
             Self::Expanding(expanding) => expanding.law.plastic_strain(state),
             _ => None,
-        }
-    }
-
-    /// ln of the stretch of a free body whose thermal strain is `strain` in the measure of the law:
-    /// logarithmic, or Green's, or of the length itself.
-    fn thermal_log(&self, strain: f64) -> f64 {
-        match self {
-            Self::Elastic(_, LargeStrain::Logarithmic) | Self::Plastic(_) => strain,
-            Self::Elastic(_, LargeStrain::Green) | Self::Anisotropic(_) => {
-                0.5 * (2.0 * strain).ln_1p()
-            }
-            Self::Rubber(_) | Self::User(_) | Self::Expanding(_) => strain.ln_1p(),
-            Self::Graded(graded) => {
-                graded.rows().next().map_or(strain, |own| own.thermal_log(strain))
-            }
         }
     }
 

@@ -45,7 +45,12 @@ fn heated() -> Vec<(&'static str, Material)> {
     let table = vec![(0.0, [1e-3, 2e-3, 0.0]), (100.0, [2e-3, 1e-3, 3e-3])];
     let expanding = |(name, law): (&'static str, Material)| {
         let expansion = Expansion { zero: 5.0, table: table.clone() };
-        (name, Material::Expanding(Box::new(Expanding { expansion, law })))
+        let growth = match &law {
+            Material::Elastic(_, LargeStrain::Logarithmic) => Growth::Logarithmic,
+            Material::Rubber(_) => Growth::Length,
+            _ => Growth::Green,
+        };
+        (name, Material::Expanding(Box::new(Expanding { expansion, growth, law })))
     };
     let rubber = |shear: f64, inverse: f64| {
         Material::Rubber(Rubber::Polynomial {

@@ -43,7 +43,10 @@ impl Observer for Watch {
 
 pub fn run(text: &str) -> Watch {
     let read = Job::read_text("deck", text, &ReadOptions::default());
-    let Some(model) = read.model else { panic!("{:?}\n{text}", read.diagnostics) };
+    let Some(mut model) = read.model else { panic!("{:?}\n{text}", read.diagnostics) };
+    for step in &mut model.steps {
+        step.controls.field.r_n = 1e-11;
+    }
     let mut watch = Watch::default();
     let ending = solve(&model, &SolveOptions::default(), &mut watch);
     assert!(matches!(ending, Ending::Completed(_)), "{ending:?}\n{text}");
