@@ -21,8 +21,9 @@ use crate::rule::Subject;
 use crate::scopes::Parts;
 use crate::sets::Sets;
 use crate::surfaces::{Named, NamedInteraction, NamedSurface, Pairing, RigidBody};
+use crate::temperatures::Heat;
 pub(crate) use elements::{Element, ElementKind, MOST_NODES};
-pub(crate) use sections::{Allowable, Body, Card, Elasticity, Material, Section};
+pub(crate) use sections::{Allowable, Body, Card, Elasticity, Material, Section, Table};
 
 /// Most nodes, elements and set members that a deck may generate. A slip in
 /// an `*NGEN` line must not fill the memory.
@@ -84,6 +85,8 @@ pub(crate) struct Draft {
     pub earlier_steps: usize,
     /// Boundary conditions before the first step.
     pub initial: Vec<Boundary>,
+    /// Temperatures before the first step.
+    pub initial_temperatures: Vec<Heat>,
     pub steps: Vec<StepDraft>,
     pub in_step: bool,
     pub owner: Owner,
@@ -205,6 +208,8 @@ pub(crate) struct StepDraft {
     pub distributed: Vec<Distributed>,
     pub boundary: Vec<Boundary>,
     pub loads: Vec<Boundary>,
+    pub new_temperatures: bool,
+    pub temperatures: Vec<Heat>,
     pub controls: Option<Controls>,
     pub restart: Option<SavedStates>,
     pub stabilisation: Option<slideline_model::Stabilisation>,

@@ -42,7 +42,7 @@ fn what_the_page_names_is_refused() {
         ("kinematic hardening", MODEL, "*PLASTIC, HARDENING=KINEMATIC\n*STEP"),
         ("creep", MODEL, "*CREEP\n*STEP"),
         ("test data", MODEL, "*HYPERELASTIC, TEST DATA INPUT\n*STEP"),
-        ("temperature", HISTORY, "*TEMPERATURE\n1\n*END STEP"),
+        ("heat conduction", HISTORY, "*HEAT TRANSFER\n*END STEP"),
         ("masses", "TYPE=B21", "TYPE=MASS"),
         ("gap elements", MODEL, "*GAP\n*STEP"),
         ("initial stresses", MODEL, "*INITIAL CONDITIONS, TYPE=STRESS\n*STEP"),

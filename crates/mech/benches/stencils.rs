@@ -11,7 +11,9 @@ use slideline_mech::contact::gap::curve::{Along, Weights, point_to_curve};
 use slideline_mech::differentiate::Second;
 use slideline_mech::element::cell::{Cell, HEX8, HEX20, QUAD4, QUAD8, TET10};
 use slideline_mech::element::quadrature::{HEX_8, HEX_27, QUAD_4, QUAD_9, Quadrature, TET_4};
-use slideline_mech::element::solid::{Formulation, Kinematics, Recipe, Solids, Told, states};
+use slideline_mech::element::solid::{
+    Formulation, Interpolation, Kinematics, Recipe, Solids, Told, states,
+};
 use slideline_mech::element::{Beam21, Beam22, Beam23, Kernel, Response, Strains};
 use slideline_mech::material::{Elastic, LargeStrain, Material, Plastic};
 use slideline_mech::section::BeamStiffness;
@@ -73,9 +75,18 @@ fn solid<const D: usize, const N: usize, const P: usize>(
     let kinematics = if D == 2 { Kinematics::PlaneStrain } else { Kinematics::Space };
     let count = states((cell, rule), (kinematics, formulation), &material);
     let (thickness, told) = (1.0, Told::Logarithmic);
-    let orientation = None;
-    let recipe =
-        Recipe { cell, rule, kinematics, formulation, material, thickness, told, orientation };
+    let (orientation, temperatures) = (None, Interpolation::default());
+    let recipe = Recipe {
+        cell,
+        rule,
+        kinematics,
+        formulation,
+        material,
+        thickness,
+        told,
+        orientation,
+        temperatures,
+    };
     let nodes: [[f64; D]; N] =
         std::array::from_fn(|a| std::array::from_fn(|axis| cell.places[a][axis]));
     let element = Solids::<D, N, P>::new(recipe, [nodes].into_iter()).unwrap();

@@ -55,8 +55,18 @@ fn kernel(kind: &Kind, orientation: Option<Orientation>, nodes: &[[f64; 3]]) -> 
     }
     let (cell, rule, kinematics, formulation) = *kind;
     let (material, told, thickness) = (ply(), Told::Green, 0.5);
-    let recipe =
-        Recipe { cell, rule, kinematics, formulation, material, thickness, told, orientation };
+    let temperatures = Default::default();
+    let recipe = Recipe {
+        cell,
+        rule,
+        kinematics,
+        formulation,
+        material,
+        thickness,
+        told,
+        orientation,
+        temperatures,
+    };
     match cell.nodes {
         4 => made::<2, 4, 4>(recipe, nodes),
         8 => made::<3, 8, 8>(recipe, nodes),

@@ -9,7 +9,7 @@ use slideline_mech::element::quadrature::{
     WEDGE_3X3, WEDGE_AXIS_2,
 };
 use slideline_mech::element::solid::{
-    Formulation, Kinematics, Recipe, Solids, Told, smallest_jacobian, states,
+    Formulation, Interpolation, Kinematics, Recipe, Solids, Told, smallest_jacobian, states,
 };
 use slideline_mech::element::{Failure, Kernel, Response, Strains};
 use slideline_mech::material::{Elastic, LargeStrain, Material, Plastic, Rubber};
@@ -112,9 +112,23 @@ fn kernel(kind: &Kind, material: &Material, nodes: &[[f64; 3]]) -> Box<dyn Kerne
     let (cell, rule, kinematics, formulation, _) = *kind;
     let material = material.clone();
     let told = Told::Logarithmic;
+    let temperatures = match formulation {
+        _ if cell.is_quadratic() => Interpolation::Linear,
+        Incompatible => Interpolation::Shapes,
+        _ => Interpolation::Mean,
+    };
     let (thickness, orientation) = (0.5, None);
-    let recipe =
-        Recipe { cell, rule, kinematics, formulation, material, thickness, told, orientation };
+    let recipe = Recipe {
+        cell,
+        rule,
+        kinematics,
+        formulation,
+        material,
+        thickness,
+        told,
+        orientation,
+        temperatures,
+    };
     match (cell.dimension, cell.nodes, rule.points.len()) {
         (2, 3, 1) => made::<2, 3, 1>(recipe, nodes),
         (2, 6, 3) => made::<2, 6, 3>(recipe, nodes),

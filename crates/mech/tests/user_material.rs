@@ -86,8 +86,17 @@ fn element<const D: usize, const N: usize, const P: usize>(
     let count = states((cell, rule), (kinematics, formulation), &material);
     let (thickness, told) = (0.5, Told::Logarithmic);
     let orientation = None;
-    let recipe =
-        Recipe { cell, rule, kinematics, formulation, material, thickness, told, orientation };
+    let recipe = Recipe {
+        cell,
+        rule,
+        kinematics,
+        formulation,
+        material,
+        thickness,
+        told,
+        orientation,
+        temperatures: Default::default(),
+    };
     let nodes: [[f64; D]; N] = std::array::from_fn(|a| {
         std::array::from_fn(|axis| cell.places[a][axis] + 0.1 * ((a * 5 + axis) as f64).sin())
     });

@@ -137,6 +137,8 @@ pub enum NodeVariable {
     CF,
     /// Current coordinates.
     COORD,
+    /// Temperature.
+    NT,
 }
 
 /// A table of beam results.

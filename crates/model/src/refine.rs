@@ -14,6 +14,8 @@
 //! neighbouring nodes. Sections, laws, steps and requests stay. Beams in a
 //! row that approximate a bow stay the polygon that they are.
 
+mod temperatures;
+
 use crate::{
     ContactElement, Dof, Element, Elements, Master, Model, Node, NodeIndex, Prescribed, RigidLink,
     Step,
@@ -38,6 +40,7 @@ pub fn refine(model: &Model) -> Result<Model, Box<Diagnostic>> {
         halving.contact(model, place)?;
     }
     halving.sets(model);
+    temperatures::fill(&mut halving.model, &halving.added)?;
     Ok(halving.model)
 }
 

@@ -2,7 +2,8 @@
 
 use crate::ledger::onset_word;
 use crate::number::general;
-use slideline_mech::element::solid;
+use slideline_mech::element::{BeamHeat, solid};
+use slideline_mech::material::Expansion;
 use slideline_model::{
     BeamSection, ContactPair, Dialect, Dof, ElementBlock, ElementType, Formulation, Friction,
     Kinematics, Load, Master, Material, Model, NodeIndex, NormalLaw, Prescribed, Section, Shape,
@@ -104,12 +105,27 @@ fn beams(text: &mut String, model: &Model, block: &ElementBlock, section: &BeamS
         range(short, long)
     );
     transverse_shear(text, block.kind, section, [of_short.shear, of_long.shear]);
+    if let Some(heat) = &section.heat {
+        warmed(text, heat);
+    }
     if section.poisson != 0.0 {
         line!(
             text,
             "  POISSON = {} is read; the section stays constant all the same",
             general(section.poisson, 9)
         );
+    }
+}
+
+/// What temperature does to beams.
+fn warmed(text: &mut String, heat: &BeamHeat) {
+    if heat.elastic.len() > 1 {
+        let moduli: Vec<f64> = heat.elastic.iter().map(|row| row.1.modulus).collect();
+        let (low, high) = extremes(&moduli).unwrap_or_default();
+        line!(text, "  E over {} temperatures: {}", moduli.len(), range(low, high));
+    }
+    if let Some(expansion) = &heat.expansion {
+        line!(text, "  {}", expands(expansion));
     }
 }
 
@@ -167,26 +183,8 @@ fn range(low: f64, high: f64) -> String {
 /// Solids of one section.
 fn solids(text: &mut String, block: &ElementBlock, section: &SolidSection, dialect: Dialect) {
     let (word, count) = (block.word(), block.elements.len());
-    let what = if block.kind.is_truss() { "TRUSSES" } else { "SOLIDS" };
-    line!(text, "\n{what} {}  {count} elements {word}", block.name);
-    let material = match (&section.material, section.material.elastic()) {
-        (Material::Elastic(elastic, _), _) => {
-            format!("E = {}, nu = {}", general(elastic.modulus, 9), general(elastic.poisson, 9))
-        }
-        (Material::Anisotropic(_), _) => "anisotropic elasticity".to_owned(),
-        (Material::Rubber(_), Some(elastic)) => format!(
-            "rubber of shear modulus {} and bulk modulus {} at small strain",
-            general(elastic.shear_modulus(), 9),
-            general(elastic.bulk_modulus(), 9),
-        ),
-        (Material::Plastic(plastic), _) => format!(
-            "E = {}, nu = {}, yields at {}",
-            general(plastic.elastic.modulus, 9),
-            general(plastic.elastic.poisson, 9),
-            general(plastic.table.first().map_or(0.0, |line| line[0]), 9),
-        ),
-        _ => "a material of the embedding program".to_owned(),
-    };
+    line!(text, "\nSOLIDS {}  {count} elements {word}", block.name);
+    let material = told(&section.material);
     if block.kind.is_truss() {
         line!(text, "  area {}; {material}", general(section.thickness, 9));
     } else if block.kind.is_spatial() {
@@ -204,6 +202,47 @@ fn solids(text: &mut String, block: &ElementBlock, section: &SolidSection, diale
         }
         _ => {}
     }
+}
+
+/// A material in words.
+fn told(material: &Material) -> String {
+    match (material, material.elastic()) {
+        (Material::Elastic(elastic, _), _) => {
+            format!("E = {}, nu = {}", general(elastic.modulus, 9), general(elastic.poisson, 9))
+        }
+        (Material::Anisotropic(_), _) => "anisotropic elasticity".to_owned(),
+        (Material::Rubber(_), Some(elastic)) => format!(
+            "rubber of shear modulus {} and bulk modulus {} at small strain",
+            general(elastic.shear_modulus(), 9),
+            general(elastic.bulk_modulus(), 9),
+        ),
+        (Material::Plastic(plastic), _) => format!(
+            "E = {}, nu = {}, yields at {}",
+            general(plastic.elastic.modulus, 9),
+            general(plastic.elastic.poisson, 9),
+            general(plastic.table.first().map_or(0.0, |line| line[0]), 9),
+        ),
+        (Material::Graded(graded), _) => {
+            let rows: Vec<String> = graded.rows().map(told).collect();
+            let last = rows.last().map_or("", String::as_str);
+            format!(
+                "over {} temperatures, from {} to {last}",
+                rows.len(),
+                rows.first().map_or("", String::as_str)
+            )
+        }
+        (Material::Expanding(own), _) => {
+            format!("{}; {}", told(&own.law), expands(&own.expansion))
+        }
+        _ => "a material of the embedding program".to_owned(),
+    }
+}
+
+/// How something expands, in words.
+fn expands(expansion: &Expansion) -> String {
+    let coefficients: Vec<f64> = expansion.table.iter().flat_map(|row| row.1).collect();
+    let (low, high) = extremes(&coefficients).unwrap_or_default();
+    format!("expands by {} from {} on", range(low, high), general(expansion.zero, 9))
 }
 
 /// Elements of a type that somebody else has defined.

@@ -7,8 +7,8 @@ use slideline_solve::observe::{Energies, Frame, StepReport};
 /// A column and what stands in it [F L].
 pub(crate) type Column = (&'static str, fn(&Energies) -> f64);
 
-/// The columns of a run: contact stabilisation and materials
-/// that do not give all back have one where they may act.
+/// The columns of a run: contact stabilisation, materials that do not give all back and heat have
+/// one where they may act.
 pub(crate) fn columns(report: &StepReport<'_>) -> Vec<Column> {
     let mut columns: Vec<Column> = vec![
         ("external_work", |energy| energy.external_work),
@@ -21,14 +21,19 @@ pub(crate) fn columns(report: &StepReport<'_>) -> Vec<Column> {
         ("stabilisation", |energy| energy.stabilisation),
         ("released_energy", |energy| energy.released_energy),
         ("material_dissipation", |energy| energy.material_dissipation),
+        ("thermal_work", |energy| energy.thermal_work),
     ];
     let takes = report.model.blocks.iter().any(|block| match &block.section {
         Section::Solid(section) => section.material.dissipates(),
         Section::Properties(_) => true,
         Section::Beam(_) | Section::Spring(_) => false,
     });
-    columns.retain(|(name, _)| *name != "material_dissipation" || takes);
-    columns.retain(|(name, _)| *name != "stabilisation" || report.may_stabilise());
+    columns.retain(|(name, _)| match *name {
+        "material_dissipation" => takes,
+        "stabilisation" => report.may_stabilise(),
+        "thermal_work" => report.model.has_temperatures(),
+        _ => true,
+    });
     columns
 }
 

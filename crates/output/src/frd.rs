@@ -126,7 +126,7 @@ struct Results<'a> {
 }
 
 impl Results<'_> {
-    /// DISP and FORC of every node.
+    /// DISP and FORC of every node, and NDTEMP where the deck speaks of temperatures.
     fn push_motion(&mut self, drawing: &Drawing) {
         let [_, motion] = drawing.moved(self.frame);
         let mut forces = drawing.values(self.frame, NodeField::Reaction, SPACE);
@@ -140,6 +140,11 @@ impl Results<'_> {
         };
         self.push("DISP", Shape::Vector, &["D1", "D2", "D3"], rows(&motion));
         self.push("FORC", Shape::Vector, &["F1", "F2", "F3"], rows(&forces));
+        if self.frame.model.has_temperatures() {
+            let nodes = &self.frame.model.nodes;
+            let of = |node| (nodes.label(node), [self.frame.nodal.temperature(node)]);
+            self.push("NDTEMP", Shape::Scalars, &["T"], (0..nodes.len()).map(of).collect());
+        }
     }
 
     /// Stresses at the nodes of solids and beams, section forces of beams.

@@ -123,6 +123,7 @@ mod tests {
     fn stresses_have_the_resultants_of_the_section() {
         let section = BeamSection {
             shape: slideline_model::Shape::Rectangle { width: 2.0, height: 3.0 },
+            heat: None,
             poisson: 0.0,
             material: slideline_mech::material::Elastic { modulus: 1.0, poisson: 0.0 },
             shear: ShearRule::default(),

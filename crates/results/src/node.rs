@@ -14,6 +14,8 @@ pub enum NodeField {
     Load,
     /// COORD: current coordinates [L].
     Coordinate,
+    /// NT: temperature [theta], no vector.
+    Temperature,
 }
 
 impl From<NodeVariable> for NodeField {
@@ -23,13 +25,15 @@ impl From<NodeVariable> for NodeField {
             NodeVariable::RF => Self::Reaction,
             NodeVariable::CF => Self::Load,
             NodeVariable::COORD => Self::Coordinate,
+            NodeVariable::NT => Self::Temperature,
         }
     }
 }
 
 impl NodeField {
     /// All fields.
-    pub const ALL: [Self; 4] = [Self::Motion, Self::Reaction, Self::Load, Self::Coordinate];
+    pub const ALL: [Self; 5] =
+        [Self::Motion, Self::Reaction, Self::Load, Self::Coordinate, Self::Temperature];
 
     /// Name, as decks ask for it.
     pub fn name(self) -> &'static str {
@@ -38,6 +42,7 @@ impl NodeField {
             Self::Reaction => "RF",
             Self::Load => "CF",
             Self::Coordinate => "COORD",
+            Self::Temperature => "NT",
         }
     }
 
@@ -51,6 +56,7 @@ impl NodeField {
                     Self::Motion | Self::Coordinate => displacement,
                     Self::Reaction => reaction,
                     Self::Load => load,
+                    Self::Temperature => frame.nodal.temperature(node),
                 };
             }
         }
@@ -63,9 +69,15 @@ impl NodeField {
         table
     }
 
-    /// Its components along some dofs; a coordinate has none along a rotation.
+    /// Its components along some dofs; a coordinate has none along a rotation, a temperature one in
+    /// all.
     pub fn components(self, dofs: &[Dof]) -> impl Iterator<Item = NodeComponent> {
-        let has = move |dof: &Dof| self != Self::Coordinate || !dof.is_rotation();
+        let first = dofs.first().copied();
+        let has = move |dof: &Dof| match self {
+            Self::Coordinate => !dof.is_rotation(),
+            Self::Temperature => Some(*dof) == first,
+            _ => true,
+        };
         dofs.iter().copied().filter(has).map(move |dof| NodeComponent { field: self, dof })
     }
 }
@@ -88,12 +100,14 @@ impl NodeComponent {
             NodeField::Reaction => self.dof.reaction_name(),
             NodeField::Load => own(["CF1", "CF2", "CF3", "CM1", "CM2", "CM3"]),
             NodeField::Coordinate => own(["COOR1", "COOR2", "COOR3", "", "", ""]),
+            NodeField::Temperature => "NT11",
         }
     }
 
     /// Unit tag.
     pub fn unit(self) -> &'static str {
         match (self.field, self.dof.is_rotation()) {
+            (NodeField::Temperature, _) => "[theta]",
             (NodeField::Motion, true) => "[1]",
             (NodeField::Motion | NodeField::Coordinate, _) => "[L]",
             (NodeField::Reaction | NodeField::Load, true) => "[F L]",
@@ -102,14 +116,14 @@ impl NodeComponent {
     }
 
     /// Its value at a node along the axis in which the deck names the dof, that of the node where
-    /// it has axes of its own; coordinates are those of the model.
+    /// it has axes of its own; coordinates and temperatures are those of the model.
     pub fn named_value(self, frame: &Frame<'_>, node: NodeIndex) -> f64 {
         let [displacement, reaction, load] = frame.nodal.named(node, self.dof);
         match self.field {
             NodeField::Motion => displacement,
             NodeField::Reaction => reaction,
             NodeField::Load => load,
-            NodeField::Coordinate => self.value(frame, node),
+            NodeField::Coordinate | NodeField::Temperature => self.value(frame, node),
         }
     }
 
@@ -120,6 +134,7 @@ impl NodeComponent {
             NodeField::Motion => nodal.displacement(node, dof),
             NodeField::Reaction => nodal.reaction(node, dof),
             NodeField::Load => nodal.load(node, dof),
+            NodeField::Temperature => nodal.temperature(node),
             NodeField::Coordinate => {
                 let still = frame.model.nodes.get(node).position;
                 still[dof.number() - 1] + nodal.displacement(node, dof)
@@ -149,6 +164,7 @@ mod tests {
         assert_eq!(of(NodeField::Reaction), [("RF1", "[F]"), ("RF2", "[F]"), ("RM3", "[F L]")]);
         assert_eq!(of(NodeField::Load), [("CF1", "[F]"), ("CF2", "[F]"), ("CM3", "[F L]")]);
         assert_eq!(of(NodeField::Coordinate), [("COOR1", "[L]"), ("COOR2", "[L]")]);
+        assert_eq!(of(NodeField::Temperature), [("NT11", "[theta]")]);
         for field in NodeField::ALL {
             let names: Vec<&str> = field.components(&Dof::ALL).map(NodeComponent::name).collect();
             assert!(names.iter().all(|name| !name.is_empty()), "{}", field.name());

@@ -56,11 +56,19 @@ const HEAD: usize = MARKS + 2 * SECTION;
 const SECTION: usize = 8 + 4;
 
 fn job() -> Read {
-    Job::read_text("job", DECK, &ReadOptions::default())
+    of(DECK)
+}
+
+fn of(deck: &str) -> Read {
+    Job::read_text("job", deck, &ReadOptions::default())
+}
+
+fn left(name: &str) -> (PathBuf, Vec<u8>) {
+    left_of(name, DECK)
 }
 
 /// A folder with the files of a run that was left after two increments.
-fn left(name: &str) -> (PathBuf, Vec<u8>) {
+fn left_of(name: &str, deck: &str) -> (PathBuf, Vec<u8>) {
     use slideline::observe::{Event, Observer, Stop};
     struct Two;
     impl Observer for Two {
@@ -76,7 +84,7 @@ fn left(name: &str) -> (PathBuf, Vec<u8>) {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     let _ = std::fs::remove_dir_all(&folder);
     let options = RunOptions { folder: Some(folder.clone()), ..RunOptions::default() };
-    assert_eq!(run(&job(), &options, &mut Two).status, Status::Interrupted);
+    assert_eq!(run(&of(deck), &options, &mut Two).status, Status::Interrupted);
     let state = std::fs::read(folder.join("job.rst")).unwrap();
     (folder, state)
 }
@@ -243,26 +251,85 @@ fn no_content_makes_it_panic() {
     }
 }
 
-#[test]
-fn what_was_left_is_finished() {
-    let (folder, _) = left("finished");
-    let whole = Path::new(env!("CARGO_TARGET_TMPDIR")).join("finished_whole");
+/// Compares the files of a run that was left after two of its increments and finished with
+/// those of an uninterrupted one.
+fn finishes(name: &str, deck: &str, files: &[&str]) {
+    let (folder, _) = left_of(name, deck);
+    let whole = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}_whole"));
     let options = RunOptions { folder: Some(whole.clone()), ..RunOptions::default() };
-    assert_eq!(run(&job(), &options, &mut Quiet).status, Status::Completed);
+    let uninterrupted = run(&of(deck), &options, &mut Quiet);
+    assert_eq!(uninterrupted.status, Status::Completed);
     let options =
         RunOptions { folder: Some(folder.clone()), restart: true, ..RunOptions::default() };
-    let outcome = run(&job(), &options, &mut Quiet);
+    let outcome = run(&of(deck), &options, &mut Quiet);
     assert_eq!(outcome.status, Status::Completed, "{:?}", outcome.diagnostics);
-    assert_eq!(outcome.totals.increments, 4);
-    for name in [
-        "job.history.csv",
-        "job.contact.csv",
-        "job.pair.csv",
-        "job.energy.csv",
-        "job.msg",
-        "job.pvd",
-    ] {
+    assert_eq!(outcome.totals.increments, uninterrupted.totals.increments);
+    assert!(outcome.totals.increments > 2);
+    for name in files {
         let of = |folder: &Path| std::fs::read(folder.join(name)).unwrap();
         assert!(of(&folder) == of(&whole), "{name}");
     }
+}
+
+const FILES: [&str; 4] = ["job.history.csv", "job.energy.csv", "job.msg", "job.pvd"];
+
+#[test]
+fn what_was_left_is_finished() {
+    finishes("finished", DECK, &[&FILES[..], &["job.contact.csv", "job.pair.csv"]].concat());
+}
+
+/// Two rows of which one yields, at temperatures that turn back.
+const HOT: &str = "*RESTART, WRITE
+*NODE, NSET=ALL
+1, 0.0, 0.0
+2, 1.0, 0.0
+3, 2.0, 0.0
+4, 0.0, 1.0
+5, 1.0, 1.0
+6, 2.0, 1.0
+*ELEMENT, TYPE=CPS4, ELSET=E
+1, 1, 2, 5, 4
+2, 2, 3, 6, 5
+*SOLID SECTION, ELSET=E, MATERIAL=M
+0.5
+*MATERIAL, NAME=M
+*ELASTIC
+100.0, 0.3, 0.0
+80.0, 0.3, 100.0
+*PLASTIC
+2.0, 0.0, 0.0
+4.0, 0.1, 0.0
+1.0, 0.0, 100.0
+3.0, 0.1, 100.0
+*EXPANSION
+2.0E-4, 0.0
+3.0E-4, 100.0
+*AMPLITUDE, NAME=A
+0.0, 0.0, 0.5, 1.0, 1.0, 0.2
+*INITIAL CONDITIONS, TYPE=TEMPERATURE
+ALL, 15.0
+*STEP, NLGEOM
+*STATIC
+0.25, 1.0, 1.0E-5, 0.25
+*BOUNDARY
+1, 1, 2
+4, 1
+3, 1
+6, 1
+*TEMPERATURE, AMPLITUDE=A
+ALL, 90.0
+6, 120.0
+*NODE PRINT, NSET=ALL
+U, NT
+*END STEP
+";
+
+/// Requirement: a run goes on at the temperatures at which it was left, with its plastic strains,
+/// and ends with the bits of one that was never left.
+#[test]
+fn what_was_left_hot_is_finished() {
+    finishes("hot", HOT, &[&FILES[..], &["job.dat"]].concat());
+    let history = Path::new(env!("CARGO_TARGET_TMPDIR")).join("hot/job.history.csv");
+    let text = std::fs::read_to_string(history).unwrap();
+    assert!(text.lines().next().is_some_and(|heading| heading.contains("NT")), "{text}");
 }

@@ -14,8 +14,10 @@ use crate::newton::{Scratch, Target};
 use crate::observe::Energies;
 use crate::problem::Problem;
 use crate::state::State;
+use crate::structure::{Ambient, Configuration};
 use serde::{Deserialize, Serialize};
 use slideline_mech::contact::tangential::Tangential;
+use slideline_mech::element::Temperature;
 
 /// What the last increment turned over and what it left unbalanced, and sums
 /// of that. [F L]
@@ -81,14 +83,15 @@ pub fn account(plan: &Problem<'_>, committed: &State, work: &Scratch, trial: &mu
         let mean_load = 0.5 * (committed.load[dof] + trial.load[dof]);
         energy.external_work += (mean_reaction + mean_load) * trial.increment[dof];
     }
+    energy.thermal_work += thermal_work(plan, committed, work);
     let friction = Friction::of(plan, committed, work, trial);
     energy.friction_dissipation += friction.dissipated;
     energy.dropped_friction += friction.dropped;
-    let unbalanced = energy.external_work - energy.taken();
+    let unbalanced = energy.supplied() - energy.taken();
     let origin = *trial.balance_origin.insert(committed.balance_origin.unwrap_or(unbalanced));
     energy.balance = unbalanced - origin;
     trial.energy = energy;
-    let gained = energy.external_work - before.external_work;
+    let gained = energy.supplied() - before.supplied();
     let taken = energy.taken() - before.taken();
     let stored =
         energy.of_the_model() - before.of_the_model() + energy.stabilisation - before.stabilisation;
@@ -102,6 +105,29 @@ pub fn account(plan: &Problem<'_>, committed: &State, work: &Scratch, trial: &mu
     if committed.balance_origin.is_none() {
         trial.books.left = from_the_start(plan, committed, trial.books.left);
     }
+}
+
+/// What a change of temperature adds to the energy of the elements, the mean of adding it before
+/// and behind the displacements: docs/theory.md eq. (10.8). With the trapezoidal rule of the
+/// external work it is exact where the energy is quadratic.
+fn thermal_work(plan: &Problem<'_>, committed: &State, work: &Scratch) -> f64 {
+    let before = match committed.temperatures.is_empty() {
+        true => &plan.model.initial_temperatures,
+        false => &committed.temperatures,
+    };
+    let after = &work.temperatures;
+    if before == after {
+        return 0.0;
+    }
+    let mut room = plan.structure.room();
+    let mut energy = |u: &[f64], temperatures: &[Temperature]| {
+        let ambient = Ambient { temperatures, dt: work.material_dt };
+        let at = Configuration { u, stresses: None, state: &committed.elements, ambient };
+        plan.structure.evaluate_forces(&at, &mut room, plan.means.pool);
+        room.energy()
+    };
+    let (from, to) = (&committed.displacement[..], &work.u[..]);
+    0.5 * (energy(from, after) - energy(from, before) + energy(to, after) - energy(to, before))
 }
 
 /// What the first increment of a run left over: a model that begins

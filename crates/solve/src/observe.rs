@@ -20,6 +20,7 @@ use slideline_diag::Diagnostic;
 use slideline_linalg::Description;
 use slideline_mech::axes::{self, Axes};
 use slideline_mech::contact::enforcement::Enforcement;
+use slideline_mech::element::Temperature;
 use slideline_model::{Dof, Model, NodeIndex};
 use std::ops::ControlFlow;
 
@@ -300,6 +301,7 @@ pub struct Nodal<'a> {
     pub(crate) displacement: &'a [f64],
     pub(crate) reaction: &'a [f64],
     pub(crate) load: &'a [f64],
+    pub(crate) temperatures: &'a [Temperature],
 }
 
 impl Nodal<'_> {
@@ -347,6 +349,11 @@ impl Nodal<'_> {
     /// Applied load along an axis of the model [F or F L].
     pub fn load(&self, node: NodeIndex, dof: Dof) -> f64 {
         self.force(self.load, node, dof)
+    }
+
+    /// Temperature [theta].
+    pub fn temperature(&self, node: NodeIndex) -> f64 {
+        self.temperatures.get(node).map_or(0.0, |own| own.value)
     }
 
     /// Displacement, reaction and load along the axis in which the deck names the dof: that of

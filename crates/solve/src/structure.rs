@@ -94,6 +94,11 @@ pub struct Contributions {
 }
 
 impl Contributions {
+    /// Strain energy of all elements [F L].
+    pub fn energy(&self) -> f64 {
+        self.energy.iter().flatten().fold(0.0, |sum, energy| sum + energy)
+    }
+
     /// Makes room for the elements of a numbering.
     pub fn fit(&mut self, numbering: &ElementNumbering) {
         let states = numbering.blocks.iter().map(|block| block.states * block.elements.len());
@@ -245,7 +250,7 @@ impl Structure<'_> {
         for (&dof, value) in self.numbering.own.iter().zip(&from.force) {
             force[dof] += value;
         }
-        from.energy.iter().flatten().fold(0.0, |sum, energy| sum + energy)
+        from.energy()
     }
 
     /// Adds the forces on dependent dofs with which a tangent turns: those of

@@ -452,6 +452,7 @@ mod tests {
             .collect();
         let section = BeamSection {
             shape: slideline_model::Shape::Rectangle { width: 1.0, height: 0.2 },
+            heat: None,
             poisson: 0.0,
             material: Elastic { modulus: 1e3, poisson: 0.3 },
             shear: ShearRule::default(),

@@ -91,17 +91,20 @@ fn general(line: &slideline_deck::DataLine, draft: &mut Draft) -> Option<Shape> 
     Some(Shape::General { area, second_moment })
 }
 
-/// E and G of the last line; a blank line before it is not kept by the deck.
-fn moduli(card: &Reading<'_>, draft: &mut Draft) -> Option<Elastic> {
+/// E, G and the coefficient of expansion of the last line; a blank line before it is not kept by the
+/// deck.
+fn moduli(card: &Reading<'_>, draft: &mut Draft) -> Option<(Elastic, f64)> {
     let Some(line) = card.data().last().filter(|_| card.data().len() > 1) else {
         draft.log.error("SL0208", "the moduli E and G are missing: the third line", card.span());
         return None;
     };
     let modulus = draft.log.number(line, 0, "Young's modulus E")?;
     let shear = draft.log.number(line, 1, "the shear modulus G")?;
+    draft.log.at_most(line, 4);
+    let expansion = draft.log.number_or(line, 2, 0.0)?;
     if modulus <= 0.0 || shear <= 0.0 {
         draft.log.error("SL0234", "E and G must be positive", line.span);
         return None;
     }
-    Some(Elastic { modulus, poisson: 0.5 * modulus / shear - 1.0 })
+    Some((Elastic { modulus, poisson: 0.5 * modulus / shear - 1.0 }, expansion))
 }

@@ -1,8 +1,9 @@
 //! `*ELASTIC`: linear elasticity of a material.
 
+use slideline_deck::DataLine;
 use slideline_mech::material::{self, Unsound};
 
-use crate::draft::{Draft, Elasticity};
+use crate::draft::{Draft, Elasticity, Table};
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
 
@@ -64,10 +65,23 @@ const TYPES: &[&str] = &[
     "LAMINA",
 ];
 
-fn isotropic(card: &Reading<'_>, draft: &mut Draft) -> Option<material::Elastic> {
-    let line = card.only_line("E, nu", &mut draft.log)?;
-    // a temperature may follow; one line holds for all
-    draft.log.at_most(line, 3);
+/// E and nu over temperature.
+fn isotropic(card: &Reading<'_>, draft: &mut Draft) -> Option<Table<material::Elastic>> {
+    card.first_line("E, nu", &mut draft.log)?;
+    let mut table = Table::new();
+    for line in card.data() {
+        draft.log.at_most(line, 3);
+        let elastic = constants(line, draft)?;
+        let temperature = draft.log.number_or(line, 2, 0.0)?;
+        if !draft.ascends(table.last().map(|last| last.0), temperature, line, 2) {
+            return None;
+        }
+        table.push((temperature, elastic));
+    }
+    Some(table)
+}
+
+fn constants(line: &DataLine, draft: &mut Draft) -> Option<material::Elastic> {
     let modulus = draft.log.number(line, 0, "Young's modulus E");
     let poisson = draft.log.number_or(line, 1, 0.0);
     let (modulus, poisson) = (modulus?, poisson?);

@@ -1,9 +1,11 @@
 //! `*HYPERELASTIC`: rubber from coefficients.
 
+use slideline_deck::DataLine;
+use slideline_diag::Span;
 use slideline_mech::material::{MOST_TERMS, Rubber};
 use slideline_model::Dialect;
 
-use crate::draft::{Draft, Elasticity};
+use crate::draft::{Draft, Elasticity, Table};
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
 
@@ -71,7 +73,7 @@ impl Keyword for Hyperelastic {
     }
 }
 
-fn read(card: &Reading<'_>, draft: &mut Draft) -> Option<Rubber> {
+fn read(card: &Reading<'_>, draft: &mut Draft) -> Option<Table<Rubber>> {
     let given: Vec<&str> = FORMS.into_iter().filter(|form| card.has(form)).collect();
     let form = match *given {
         [] => "POLYNOMIAL",
@@ -89,29 +91,55 @@ fn read(card: &Reading<'_>, draft: &mut Draft) -> Option<Rubber> {
         return None;
     }
     card.first_line("the coefficients", &mut draft.log)?;
-    let values = card.numbers(&mut draft.log)?;
-    rubber((form, order), &values, card, draft)
+    table((form, order), card, draft)
+}
+
+/// Numbers on a data line.
+const LINE: usize = 8;
+
+/// Rubbers over temperature: every set of coefficients begins on a line of its own.
+fn table(form: (&str, usize), card: &Reading<'_>, draft: &mut Draft) -> Option<Table<Rubber>> {
+    let (shapes, volumes) = counts(form);
+    let lines = (shapes + volumes + 1).div_ceil(LINE);
+    let mut table = Table::new();
+    for set in card.data().chunks(lines) {
+        let fields = set.iter().flat_map(|line| (0..line.fields.len()).map(move |k| (line, k)));
+        let read: Vec<_> = fields.map(|(line, k)| draft.log.number_or(line, k, 0.0)).collect();
+        let values = read.into_iter().collect::<Option<Vec<f64>>>()?;
+        let temperature = values.get(shapes + volumes).copied().unwrap_or(0.0);
+        let last = &set[set.len() - 1];
+        let at = last.fields.len().saturating_sub(1);
+        if !draft.ascends(table.last().map(|own: &(f64, Rubber)| own.0), temperature, last, at) {
+            return None;
+        }
+        table.push((temperature, rubber(form, &values, (card, set), draft)?));
+    }
+    Some(table)
+}
+
+/// How many numbers a form has: of shape, and of volume.
+fn counts((form, order): (&str, usize)) -> (usize, usize) {
+    let shapes = match form {
+        "OGDEN" => 2 * order,
+        "ARRUDA-BOYCE" => 2,
+        _ => powers(form, order).len(),
+    };
+    let volumes = match form {
+        "YEOH" => 3,
+        "OGDEN" | "POLYNOMIAL" | "REDUCED POLYNOMIAL" => order,
+        _ => 1,
+    };
+    (shapes, volumes)
 }
 
 /// The rubber of a form; complains where it has no stiffness at small strain.
 fn rubber(
     (form, order): (&str, usize),
     values: &[f64],
-    card: &Reading<'_>,
+    (card, set): (&Reading<'_>, &[DataLine]),
     draft: &mut Draft,
 ) -> Option<Rubber> {
-    let powers = powers(form, order);
-    let shapes = match form {
-        "OGDEN" => 2 * order,
-        "ARRUDA-BOYCE" => 2,
-        _ => powers.len(),
-    };
-    let volumes = if matches!(form, "OGDEN" | "YEOH" | "POLYNOMIAL" | "REDUCED POLYNOMIAL") {
-        if form == "YEOH" { 3 } else { order }
-    } else {
-        1
-    };
-    // a temperature may follow; one set holds for all
+    let (shapes, volumes) = counts((form, order));
     if values.len() > shapes + volumes + 1 || values.len() < shapes {
         let message = format!("{} numbers are needed, here are {}", shapes + volumes, values.len());
         draft.log.error("SL0208", message, card.span());
@@ -130,11 +158,12 @@ fn rubber(
         },
         "ARRUDA-BOYCE" => Rubber::ArrudaBoyce { shear: of(0), locking: of(1), volume: volume[0] },
         _ => {
+            let powers = powers(form, order);
             let terms = powers.iter().enumerate().map(|(k, &(i, j))| (i, j, of(k))).collect();
             Rubber::Polynomial { terms, volume }
         }
     };
-    sound(made, card, draft)
+    sound(made, set.first().map_or(card.span(), |line| line.span), draft)
 }
 
 /// Powers of I1 - 3 and I2 - 3 in the order of the deck.
@@ -151,8 +180,7 @@ fn powers(form: &str, order: usize) -> Vec<(u8, u8)> {
 }
 
 /// The rubber with a bulk modulus; `None` where it has no positive shear modulus.
-fn sound(made: Rubber, card: &Reading<'_>, draft: &mut Draft) -> Option<Rubber> {
-    let line = card.data().first()?.span;
+fn sound(made: Rubber, line: Span, draft: &mut Draft) -> Option<Rubber> {
     let finite = !matches!(&made, Rubber::Ogden { terms, .. } if terms.iter().any(|t| t[1] == 0.0))
         && !matches!(&made, Rubber::ArrudaBoyce { locking, .. } if *locking <= 0.0);
     let shear = if finite { made.shear_modulus() } else { 0.0 };

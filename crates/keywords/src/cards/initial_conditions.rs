@@ -2,10 +2,10 @@
 
 use slideline_diag::{Code, Diagnostic};
 
-use super::temperature::{check, note};
 use crate::draft::Draft;
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
+use crate::temperatures;
 
 /// `*INITIAL CONDITIONS`.
 pub(crate) struct InitialConditions;
@@ -35,8 +35,8 @@ impl Keyword for InitialConditions {
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
         match card.name("TYPE").as_deref() {
             Some("TEMPERATURE") => {
-                check(card, draft);
-                note(self.name(), card.span(), draft);
+                let lines = temperatures::lines(card, draft);
+                draft.initial_temperatures.extend(lines);
             }
             Some("VELOCITY") => {
                 let message = "initial velocities have no effect in a static step";

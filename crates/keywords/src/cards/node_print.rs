@@ -61,7 +61,7 @@ pub(crate) fn request(card: &Reading<'_>, kind: Kind, draft: &mut Draft) {
 
 impl Variable for NodeVariable {
     const KIND: &'static str = "nodal variable";
-    const KNOWN: &'static str = "U, RF, CF, COORD";
+    const KNOWN: &'static str = "U, RF, CF, COORD, NT";
     const SET: &'static str = "NSET";
     const PRESELECTED: &'static [Self] = &[Self::U, Self::RF];
 
@@ -72,6 +72,7 @@ impl Variable for NodeVariable {
             "RF" | "RM" | "RT" => Some(Self::RF),
             "CF" | "CM" => Some(Self::CF),
             "COORD" | "COOR" => Some(Self::COORD),
+            "NT" => Some(Self::NT),
             _ => None,
         }
     }

@@ -1,8 +1,9 @@
 //! `*PLASTIC`: yield stress and hardening of a metal.
 
+use slideline_deck::DataLine;
 use slideline_mech::material::Hardening;
 
-use crate::draft::Draft;
+use crate::draft::{Draft, Table};
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
 
@@ -48,34 +49,47 @@ impl Keyword for Plastic {
     }
 }
 
-/// Yield stresses over plastic strains that start at zero and ascend.
-fn table(card: &Reading<'_>, draft: &mut Draft) -> Option<Hardening> {
-    let mut table = Hardening::new();
+/// Yield stresses over plastic strains that start at zero and ascend, for every temperature.
+fn table(card: &Reading<'_>, draft: &mut Draft) -> Option<Table<Hardening>> {
+    let mut tables: Table<Hardening> = Vec::new();
     for line in card.data() {
-        // a temperature may follow; one table holds for all
         draft.log.at_most(line, 3);
-        let stress = draft.log.number(line, 0, "the yield stress")?;
-        let strain = draft.log.number_or(line, 1, 0.0)?;
-        let at = |field: usize| line.fields.get(field).map_or(line.span, |field| field.span);
-        if stress <= 0.0 {
-            draft.log.error("SL0234", "the yield stress must be positive", at(0));
-            return None;
+        let temperature = draft.log.number_or(line, 2, 0.0)?;
+        if tables.last().is_none_or(|last| last.0 != temperature) {
+            if !draft.ascends(tables.last().map(|last| last.0), temperature, line, 2) {
+                return None;
+            }
+            tables.push((temperature, Hardening::new()));
         }
-        let sound = table.last().map_or(strain == 0.0, |last| strain > last[1]);
-        if !sound {
-            let message = match table.is_empty() {
-                true => "the first plastic strain must be zero".to_owned(),
-                false => format!("the plastic strain {strain} does not ascend"),
-            };
-            draft.log.error("SL0234", message, at(1));
-            return None;
-        }
-        if table.last().is_some_and(|last| stress < last[0]) {
-            let message = "the yield stress falls: such a material has no unique answer";
-            draft.log.error("SL0234", message, at(0));
-            return None;
-        }
-        table.push([stress, strain]);
+        let (_, table) = tables.last_mut()?;
+        read(line, table, draft)?;
     }
-    Some(table)
+    Some(tables)
+}
+
+/// Takes a line into the table of its temperature; `None` where it does not go on there.
+fn read(line: &DataLine, table: &mut Hardening, draft: &mut Draft) -> Option<()> {
+    let stress = draft.log.number(line, 0, "the yield stress")?;
+    let strain = draft.log.number_or(line, 1, 0.0)?;
+    let at = |field: usize| line.fields.get(field).map_or(line.span, |field| field.span);
+    if stress <= 0.0 {
+        draft.log.error("SL0234", "the yield stress must be positive", at(0));
+        return None;
+    }
+    let sound = table.last().map_or(strain == 0.0, |last| strain > last[1]);
+    if !sound {
+        let message = match table.is_empty() {
+            true => "the first plastic strain must be zero".to_owned(),
+            false => format!("the plastic strain {strain} does not ascend"),
+        };
+        draft.log.error("SL0234", message, at(1));
+        return None;
+    }
+    if table.last().is_some_and(|last| stress < last[0]) {
+        let message = "the yield stress falls: such a material has no unique answer";
+        draft.log.error("SL0234", message, at(0));
+        return None;
+    }
+    table.push([stress, strain]);
+    Some(())
 }

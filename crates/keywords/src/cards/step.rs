@@ -79,6 +79,8 @@ impl Keyword for Step {
             distributed: Vec::new(),
             boundary: Vec::new(),
             loads: Vec::new(),
+            new_temperatures: false,
+            temperatures: Vec::new(),
             controls: None,
             restart: None,
             stabilisation: None,

@@ -1,10 +1,9 @@
 //! `*TEMPERATURE`: temperatures of nodes.
 
-use slideline_diag::{Code, Diagnostic, Span};
-
 use crate::draft::Draft;
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
+use crate::temperatures;
 
 /// `*TEMPERATURE`.
 pub(crate) struct Temperature;
@@ -32,29 +31,13 @@ impl Keyword for Temperature {
     }
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
-        check(card, draft);
-        if draft.log.first_time("ignored EXPANSION") {
-            note(self.name(), card.span(), draft);
-            return;
+        let new = card.choice("OP", &["MOD", "NEW"], &mut draft.log) == Some("NEW");
+        let amplitude = card.name("AMPLITUDE").map(|name| (name, card.span_of("AMPLITUDE")));
+        let mut lines = temperatures::lines(card, draft);
+        lines.iter_mut().for_each(|line| line.amplitude.clone_from(&amplitude));
+        if let Some(step) = draft.step() {
+            step.new_temperatures |= new;
+            step.temperatures.extend(lines);
         }
-        let message = "*TEMPERATURE with *EXPANSION is not supported: materials do not expand";
-        let error = Diagnostic::error(Code("SL0221"), message).at(card.span());
-        draft.log.push(error.help("leave both out knowingly, or only *EXPANSION"));
-    }
-}
-
-/// Reads `node or set, temperature` lines for their errors.
-pub(super) fn check(card: &Reading<'_>, draft: &mut Draft) {
-    for line in card.data() {
-        draft.log.target(line, 0, "the node or set");
-        draft.log.number(line, 1, "the temperature");
-    }
-}
-
-/// Says once that no result depends on temperatures.
-pub(super) fn note(name: &str, span: Span, draft: &mut Draft) {
-    if draft.log.first_time("temperatures") {
-        let message = format!("*{name}: no material depends on temperature, so it has no effect");
-        draft.log.note("SL0257", message, span);
     }
 }

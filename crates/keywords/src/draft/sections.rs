@@ -1,9 +1,16 @@
 //! Sections and materials: what elements are made of.
 
+use slideline_deck::DataLine;
 use slideline_diag::Span;
-use slideline_mech::material::{Anisotropic, Elastic, Hardening, LargeStrain, Plastic, Rubber};
+use slideline_mech::element::BeamHeat;
+use slideline_mech::material::{
+    Anisotropic, Elastic, Expanding, Expansion, Graded, Growth, Hardening, LargeStrain, Rubber,
+};
 use slideline_mech::orientation::Orientation;
 use slideline_model::{self as model, BeamSection, Dialect, Limit, Shape, ShearRule, SolidSection};
+use std::sync::Arc;
+
+use super::Draft;
 
 #[derive(Clone, Debug)]
 pub(crate) struct Section {
@@ -20,12 +27,12 @@ pub(crate) struct Section {
 /// What a section says of the body around its nodes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Body {
-    /// Its elasticity is its own in a `*BEAM GENERAL SECTION`, else that of the material.
+    /// Elasticity and expansion are its own in a `*BEAM GENERAL SECTION`, else those of the material.
     Beam {
         shape: Shape,
         poisson: f64,
         shear: ShearRule,
-        elastic: Option<Elastic>,
+        elastic: Option<(Elastic, f64)>,
     },
     Solid {
         thickness: f64,
@@ -50,8 +57,16 @@ impl Body {
     ) -> Option<model::Section> {
         Some(match self {
             Self::Beam { shape, poisson, shear, elastic } => {
-                let material = elastic.or(material.isotropic())?;
-                model::Section::Beam(BeamSection { shape, poisson, material, shear })
+                let (table, expansion) = match elastic {
+                    Some((elastic, 0.0)) => (vec![(0.0, elastic)], None),
+                    Some((elastic, even)) => (vec![(0.0, elastic)], Some(Expansion::even(even))),
+                    None => (material.isotropic()?.clone(), material.expansion()?),
+                };
+                let material = table.first()?.1;
+                let given_shear = shear.stiffness.is_some();
+                let heat = BeamHeat { expansion, elastic: table, given_shear };
+                let heat = heat.changes_anything().then(|| Box::new(heat));
+                model::Section::Beam(BeamSection { shape, poisson, material, heat, shear })
             }
             Self::Solid { thickness } => {
                 let material = material.solid(dialect)?;
@@ -61,12 +76,17 @@ impl Body {
     }
 }
 
+/// Constants over temperature, ascending; one line holds for all temperatures.
+pub(crate) type Table<T> = Vec<(f64, T)>;
+
 #[derive(Clone, Debug)]
 pub(crate) struct Material {
     pub name: String,
     pub elasticity: Option<(Elasticity, Card)>,
     /// Yield stress and plastic strain, line by line; `None` in it: unreadable.
-    pub hardening: Option<(Option<Hardening>, Card)>,
+    pub hardening: Option<(Option<Table<Hardening>>, Card)>,
+    /// How it expands; `None` in it: unreadable.
+    pub expansion: Option<(Option<Expansion>, Card)>,
     /// Mass per volume [M/L3]; `None` in it: unreadable.
     pub density: Option<(Option<f64>, Card)>,
     pub origin: Span,
@@ -75,11 +95,11 @@ pub(crate) struct Material {
 /// What a material does against strain.
 #[derive(Clone, Debug)]
 pub(crate) enum Elasticity {
-    Isotropic(Elastic),
+    Isotropic(Table<Elastic>),
     Anisotropic(Box<Anisotropic>),
     /// Known in plane stress alone: `TYPE=LAMINA`.
     Ply(Box<Anisotropic>),
-    Rubber(Rubber),
+    Rubber(Table<Rubber>),
     /// A card that could not be read, which has been said.
     Unread,
 }
@@ -101,13 +121,13 @@ pub(crate) type Card = (&'static str, Span);
 impl Material {
     /// One without properties yet.
     pub fn new(name: String, origin: Span) -> Self {
-        Self { name, elasticity: None, hardening: None, density: None, origin }
+        Self { name, elasticity: None, hardening: None, expansion: None, density: None, origin }
     }
 
-    /// Its constants, where it is isotropic and linear.
-    pub fn isotropic(&self) -> Option<Elastic> {
-        match self.elasticity {
-            Some((Elasticity::Isotropic(elastic), _)) => Some(elastic),
+    /// Its constants over temperature, where it is isotropic and linear.
+    pub fn isotropic(&self) -> Option<&Table<Elastic>> {
+        match &self.elasticity {
+            Some((Elasticity::Isotropic(table), _)) => Some(table),
             _ => None,
         }
     }
@@ -118,21 +138,69 @@ impl Material {
             Dialect::Abaqus => LargeStrain::Logarithmic,
             Dialect::Calculix => LargeStrain::Green,
         };
-        Some(match &self.elasticity.as_ref()?.0 {
-            Elasticity::Rubber(rubber) => model::Material::Rubber(rubber.clone()),
-            Elasticity::Anisotropic(own) | Elasticity::Ply(own) => {
-                model::Material::Anisotropic(own.clone())
+        let law = self.law(large)?;
+        let growth = match (dialect, &self.elasticity.as_ref()?.0) {
+            (Dialect::Calculix, _) | (_, Elasticity::Anisotropic(_) | Elasticity::Ply(_)) => {
+                Growth::Green
             }
-            Elasticity::Isotropic(elastic) => match &self.hardening {
-                Some((table, _)) => model::Material::Plastic(Plastic {
-                    elastic: *elastic,
-                    table: table.clone()?,
-                    back_stresses: Vec::new(),
-                }),
-                None => model::Material::Elastic(*elastic, large),
-            },
-            Elasticity::Unread => return None,
+            (_, Elasticity::Rubber(_)) => Growth::Length,
+            _ => Growth::Logarithmic,
+        };
+        Some(match self.expansion()? {
+            Some(expansion) => {
+                model::Material::Expanding(Box::new(Expanding { expansion, growth, law }))
+            }
+            None => law,
         })
+    }
+
+    /// How it expands, if it does; `None`: its card could not be read.
+    fn expansion(&self) -> Option<Option<Expansion>> {
+        match &self.expansion {
+            Some((expansion, _)) => expansion.clone().map(Some),
+            None => Some(None),
+        }
+    }
+
+    /// The law without its expansion.
+    fn law(&self, large: LargeStrain) -> Option<model::Material> {
+        match &self.elasticity.as_ref()?.0 {
+            Elasticity::Rubber(table) => {
+                graded(table.iter().map(|(at, own)| (*at, model::Material::Rubber(own.clone()))))
+            }
+            Elasticity::Anisotropic(own) | Elasticity::Ply(own) => {
+                Some(model::Material::Anisotropic(own.clone()))
+            }
+            Elasticity::Isotropic(table) => match &self.hardening {
+                Some((hardening, _)) => graded(Graded::metal(table, hardening.as_ref()?)),
+                None => {
+                    graded(table.iter().map(|(at, e)| (*at, model::Material::Elastic(*e, large))))
+                }
+            },
+            Elasticity::Unread => None,
+        }
+    }
+}
+
+impl Draft {
+    /// Whether temperatures of a table ascend; complains if not. `at`: the field of the temperature.
+    pub fn ascends(&mut self, last: Option<f64>, now: f64, line: &DataLine, at: usize) -> bool {
+        let sound = last.is_none_or(|last| now > last);
+        if !sound {
+            let span = line.fields.get(at).map_or(line.span, |field| field.span);
+            let message = format!("the temperature {now} does not ascend");
+            self.log.error("SL0234", message, span);
+        }
+        sound
+    }
+}
+
+/// A material over temperature; with one line for all temperatures.
+fn graded(rows: impl IntoIterator<Item = (f64, model::Material)>) -> Option<model::Material> {
+    let mut rows: Vec<(f64, model::Material)> = rows.into_iter().collect();
+    match rows.len() {
+        0 | 1 => rows.pop().map(|(_, only)| only),
+        _ => Graded::new(rows).map(|graded| model::Material::Graded(Arc::new(graded))),
     }
 }
 

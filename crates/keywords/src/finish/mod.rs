@@ -10,6 +10,7 @@ mod equations;
 mod faces;
 mod links;
 mod master_chain;
+mod materials;
 mod nodes;
 mod orientations;
 mod pre_tension;
@@ -21,6 +22,7 @@ mod standing;
 mod steps;
 mod surface_pairs;
 mod surfaces;
+mod temperatures;
 mod ties;
 mod unknown;
 
@@ -48,6 +50,7 @@ pub(crate) fn finish(draft: &mut Draft, steps_doubted: bool) -> Model {
     surface_pairs::pairs(draft);
     pre_tension::tie(&parted, draft);
     links::links(draft);
+    temperatures::initial(draft);
     steps::steps(draft, steps_doubted);
     renumber(&mut draft.model);
     std::mem::take(&mut draft.model)

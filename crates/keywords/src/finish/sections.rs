@@ -2,13 +2,13 @@
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::element::b22::axis_runs_forward;
-use slideline_mech::element::solid::{self, smallest_jacobian};
-use slideline_mech::orientation::Orientation;
+use slideline_mech::element::solid::smallest_jacobian;
 use slideline_model::{
     Allowable, ElementBlock, ElementType, Elements, Kinematics, NodeIndex, TYPES,
 };
 
-use crate::draft::{Body, Draft, Elasticity, Element, ElementKind, Section};
+use super::materials::{in_plane_stress, lines_have_no_axes, material, no_material};
+use crate::draft::{Draft, Element, ElementKind, Section};
 use crate::rule::Subject;
 
 /// Section cards with their elements and their material.
@@ -36,7 +36,7 @@ pub(super) fn sections(draft: &mut Draft) {
         }
         let Some(orientation) = orientation else { continue };
         in_plane_stress(&section, &claimed, draft);
-        bars_have_no_axes(&section, &claimed, draft);
+        lines_have_no_axes(&section, &claimed, draft);
         if let Some(made) = material(&section, orientation, draft) {
             blocks(&section, &made, claimed, draft);
         }
@@ -266,103 +266,6 @@ fn middle_is_sound(
         draft.consequence(Subject::Nodes, error.help(help));
     }
     sound
-}
-
-/// Complains about trusses of a material with directions: they know their own alone.
-fn bars_have_no_axes(
-    section: &Section,
-    claimed: &[(&'static ElementType, Elements)],
-    draft: &mut Draft,
-) {
-    let bars = claimed.iter().any(|(row, elements)| row.is_truss() && !elements.is_empty());
-    let of_section = draft.materials.iter().filter(|own| own.name == section.material);
-    let directed = of_section
-        .filter_map(|own| own.elasticity.as_ref())
-        .any(|(own, _)| matches!(own, Elasticity::Anisotropic(_) | Elasticity::Ply(_)));
-    if bars && directed {
-        let message = format!("the material {} is anisotropic; trusses are not", section.material);
-        let error = Diagnostic::error(Code("SL0309"), message).at(section.material_span);
-        let help = "give trusses a material of *ELASTIC: E, nu";
-        draft.consequence(Subject::Sections, error.help(help));
-    }
-}
-
-/// Complains about elements of a ply that are not in plane stress.
-fn in_plane_stress(
-    section: &Section,
-    claimed: &[(&'static ElementType, Elements)],
-    draft: &mut Draft,
-) {
-    let of_section = draft.materials.iter().find(|own| own.name == section.material);
-    let elasticity = of_section.and_then(|own| own.elasticity.as_ref());
-    if !matches!(elasticity, Some((Elasticity::Ply(_), _))) {
-        return;
-    }
-    let plane = |row: &ElementType| matches!(row.kinematics, Kinematics::Solid { strains, .. } if strains == solid::Kinematics::PlaneStress);
-    if let Some((row, _)) =
-        claimed.iter().find(|(row, elements)| !plane(row) && !elements.is_empty())
-    {
-        let message = format!(
-            "the material {} is TYPE=LAMINA, for plane stress; elements of type {} are not in it",
-            section.material,
-            row.name()
-        );
-        let error = Diagnostic::error(Code("SL0309"), message).at(section.material_span);
-        let help = "give all nine constants: *ELASTIC, TYPE=ENGINEERING CONSTANTS";
-        draft.consequence(Subject::Sections, error.help(help));
-    }
-}
-
-/// The section with its material.
-fn material(
-    section: &Section,
-    orientation: Option<Orientation>,
-    draft: &mut Draft,
-) -> Option<slideline_model::Section> {
-    if let Body::Beam { elastic: Some(_), .. } = section.body {
-        let own = crate::draft::Material::new(String::new(), section.origin);
-        return section.body.of(&own, orientation, draft.dialect);
-    }
-    let found = draft.materials.iter().find(|material| material.name == section.material).cloned();
-    let Some(material) = found else {
-        no_material(&section.material, section.material_span, draft);
-        return None;
-    };
-    let of_beam = matches!(section.body, Body::Beam { .. });
-    let Some((elasticity, card)) = &material.elasticity else {
-        let card = if material.hardening.is_some() { "*PLASTIC but no" } else { "no" };
-        let message = format!("the material {} has {card} *ELASTIC", material.name);
-        let error = Diagnostic::error(Code("SL0309"), message).at(material.origin);
-        draft.consequence(Subject::Sections, error.help("put *ELASTIC behind *MATERIAL: E, nu"));
-        return None;
-    };
-    let isotropic = matches!(elasticity, Elasticity::Isotropic(_) | Elasticity::Unread);
-    if let Some((_, plastic)) = material.hardening.as_ref().filter(|_| !isotropic) {
-        let message = format!("the material {} {} and yields", material.name, elasticity.word());
-        let error = Diagnostic::error(Code("SL0309"), message).at(plastic.1);
-        let error = error.label(card.1, "its elasticity");
-        draft.consequence(Subject::Sections, error.help("*PLASTIC goes with *ELASTIC: E, nu"));
-        return None;
-    }
-    if of_beam && (material.hardening.is_some() || !isotropic) {
-        let what = if material.hardening.is_some() { "yields" } else { elasticity.word() };
-        let message = format!("the material {} {what}; beams are elastic", material.name);
-        let error = Diagnostic::error(Code("SL0309"), message).at(section.material_span);
-        draft
-            .consequence(Subject::Sections, error.help("give beams a material of *ELASTIC: E, nu"));
-        return None;
-    }
-    section.body.of(&material, orientation, draft.dialect)
-}
-
-fn no_material(name: &str, span: Span, draft: &mut Draft) {
-    let message = format!("there is no material {name}");
-    let mut error = Diagnostic::error(Code("SL0308"), message).at(span);
-    let names = draft.materials.iter().map(|material| material.name.as_str());
-    if let Some(near) = slideline_deck::nearest(name, names) {
-        error = error.help(format!("did you mean {near}?"));
-    }
-    draft.consequence(Subject::Sections, error);
 }
 
 /// Complains about elements that no card gave a stiffness.

@@ -2,37 +2,38 @@
 //! what a step takes over from the one before.
 
 use std::collections::{HashMap, HashSet};
+use std::hash::Hash;
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{
-    ContactPrint, Controls, Dof, ElementPrint, Load, NodeIndex, NodePrint, OutputRequests, Passage,
-    Prescribed, PrintTarget, Request, SavedStates, Static, Step,
+    ContactPrint, Controls, Dof, ElementPrint, Load, NodalTemperature, NodeIndex, NodePrint,
+    OutputRequests, Passage, Prescribed, PrintTarget, Request, SavedStates, Static, Step,
 };
 
-use super::resting;
 use super::standing::{Curved, Standing};
+use super::{resting, temperatures};
 use crate::draft::{Boundary, Draft, StepDraft};
 use crate::rule::Subject;
 
-/// What is in force, by node and dof, in the order in which it was said.
+/// What is in force, by node and dof or by node, in the order in which it was said.
 #[derive(Clone)]
-struct InForce<T> {
+pub(super) struct InForce<T, K = (NodeIndex, Dof)> {
     list: Vec<T>,
-    place: HashMap<(NodeIndex, Dof), usize>,
+    place: HashMap<K, usize>,
 }
 
-impl<T> Default for InForce<T> {
+impl<T, K> Default for InForce<T, K> {
     fn default() -> Self {
         Self { list: Vec::new(), place: HashMap::new() }
     }
 }
 
-impl<T> InForce<T> {
-    fn set(&mut self, node: NodeIndex, dof: Dof, value: T) {
-        match self.place.get(&(node, dof)) {
+impl<T, K: Hash + Eq> InForce<T, K> {
+    pub(super) fn set(&mut self, key: K, value: T) {
+        match self.place.get(&key) {
             Some(&at) => self.list[at] = value,
             None => {
-                self.place.insert((node, dof), self.list.len());
+                self.place.insert(key, self.list.len());
                 self.list.push(value);
             }
         }
@@ -44,6 +45,7 @@ impl<T> InForce<T> {
 struct Carried {
     prescribed: InForce<Prescribed>,
     loads: Standing<(NodeIndex, Dof), Load>,
+    temperatures: InForce<NodalTemperature, NodeIndex>,
     distributed: resting::InForce,
     controls: Controls,
     restart: Option<SavedStates>,
@@ -61,12 +63,14 @@ impl Carried {
         let elements = self.element_prints.iter().map(|print| print.elements.len());
         let points = self.contact_prints.iter().map(|print| print.nodes.len());
         let printed: usize = nodes.chain(elements).chain(points).sum();
-        self.prescribed.list.len() + self.loads.len() + self.distributed.size() + printed
+        let temperatures = self.temperatures.list.len();
+        let loads = self.loads.len() + self.distributed.size();
+        self.prescribed.list.len() + loads + temperatures + printed
     }
 }
 
 impl Carried {
-    /// Values that stand, with their amplitudes.
+    /// Values that stand, but for temperatures, with their amplitudes.
     fn values(&mut self) -> impl Iterator<Item = (&mut f64, &mut Option<usize>)> {
         let prescribed = self.prescribed.list.iter_mut();
         let prescribed = prescribed.map(|own| (&mut own.value, &mut own.amplitude));
@@ -152,6 +156,12 @@ fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
         prescribe(line, &mut carried.prescribed, draft);
     }
     carried.loads.take(loads(&step.loads, draft));
+    if step.new_temperatures {
+        carried.temperatures = InForce::default();
+    }
+    for line in &step.temperatures {
+        temperatures::heat(line, &mut carried.temperatures, draft);
+    }
     carried.distributed.renew(step.new_distributed, draft.dialect);
     let lines = step.distributed.iter().map(|line| {
         let amplitude = line.amplitude.as_ref().and_then(|name| amplitude(name, draft));
@@ -182,7 +192,7 @@ fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
         procedure: step.procedure.unwrap_or(default),
         prescribed: carried.prescribed.list.clone(),
         loads: concentrated(&mut carried.loads, step.at_once, draft),
-        temperatures: Vec::new(),
+        temperatures: carried.temperatures.list.clone(),
         controls: carried.controls,
         distributed: carried.distributed.loads(step.at_once, draft),
         stabilisation: step.stabilisation,
@@ -220,12 +230,19 @@ fn concentrated(
 /// time, which goes on.
 fn settle(carried: &mut Carried, step: &Step, draft: &Draft) {
     let end = step.procedure.period;
-    for (value, amplitude) in carried.values() {
+    let factor = |amplitude: &mut Option<usize>| {
         let curve = amplitude.and_then(|index| draft.model.amplitudes.get(index));
-        if let Some(curve) = curve.filter(|curve| !curve.total) {
-            *value *= curve.at(end);
-            *amplitude = None;
-        }
+        let Some(curve) = curve.filter(|curve| !curve.total) else { return 1.0 };
+        *amplitude = None;
+        curve.at(end)
+    };
+    for (value, amplitude) in carried.values() {
+        *value *= factor(amplitude);
+    }
+    for own in &mut carried.temperatures.list {
+        let factor = factor(&mut own.amplitude);
+        own.temperature.value *= factor;
+        own.temperature.slope *= factor;
     }
 }
 
@@ -243,9 +260,12 @@ fn over_total_time(before: f64, carried: &mut Carried, draft: &mut Draft) {
     for (_, amplitude) in carried.values() {
         *amplitude = amplitude.and_then(latest);
     }
+    for own in &mut carried.temperatures.list {
+        own.amplitude = own.amplitude.and_then(latest);
+    }
 }
 
-fn amplitude((name, span): &(String, Span), draft: &mut Draft) -> Option<usize> {
+pub(super) fn amplitude((name, span): &(String, Span), draft: &mut Draft) -> Option<usize> {
     let list = &draft.model.amplitudes;
     let found = list.iter().rposition(|amplitude| amplitude.name == *name);
     if found.is_none() {
@@ -278,7 +298,7 @@ fn prescribe(line: &Boundary, into: &mut InForce<Prescribed>, draft: &mut Draft)
                 draft.consequence(Subject::Links, error.help(help));
             }
             let (value, fixed, origin) = (line.value, line.fixed, line.origin);
-            into.set(node, dof, Prescribed { node, dof, value, amplitude, fixed, origin });
+            into.set((node, dof), Prescribed { node, dof, value, amplitude, fixed, origin });
         }
     }
 }

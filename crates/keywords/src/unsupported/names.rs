@@ -54,11 +54,9 @@ pub(super) const GROUPS: &[Group] = &[
         Ignored,
         "there are no temperatures",
         &[
-            "EXPANSION",
             "CONDUCTIVITY",
             "SPECIFIC HEAT",
             "LATENT HEAT",
-            "PHYSICAL CONSTANTS",
             "INELASTIC HEAT FRACTION",
             "GAP CONDUCTANCE",
             "GAP HEAT GENERATION",

@@ -30,8 +30,27 @@ impl<E: Element<N, NN> + 'static, const N: usize, const NN: usize> Instances<E, 
     }
 }
 
+/// Response of an element without state.
+pub(super) fn respond<E: Element<N, NN>, const N: usize, const NN: usize>(
+    element: &E,
+    q: &[f64],
+    strains: Strains<'_>,
+    into: Response<'_>,
+) -> Result<f64, Failure> {
+    let (Ok(q), Ok(force)) = (q.try_into(), into.force.try_into()) else { return Ok(0.0) };
+    let tangent = into.tangent.and_then(|tangent| <&mut [f64; NN]>::try_from(tangent).ok());
+    let energy = match (strains, tangent) {
+        (Strains::Linear, Some(tangent)) => element.linear(q, force, tangent),
+        (Strains::Linear, None) => element.linear(q, force, &mut [0.0; NN]),
+        (Strains::Mixed(stresses), Some(tangent)) => element.mixed(q, stresses, force, tangent),
+        (Strains::Exact, Some(tangent)) => element.exact(q, force, tangent),
+        (_, None) => element.exact_force(q, force),
+    };
+    Ok(energy)
+}
+
 /// `list` as an array; only a list of another length gives zeros.
-fn array<const N: usize>(list: &[f64]) -> [f64; N] {
+pub(super) fn array<const N: usize>(list: &[f64]) -> [f64; N] {
     list.try_into().unwrap_or([0.0; N])
 }
 
@@ -56,17 +75,7 @@ impl<E: Element<N, NN> + 'static, const N: usize, const NN: usize> Kernel for In
         under: &Surroundings<'_>,
         into: Response<'_>,
     ) -> Result<f64, Failure> {
-        let (Ok(q), Ok(force)) = (q.try_into(), into.force.try_into()) else { return Ok(0.0) };
-        let element = &self.elements[element];
-        let tangent = into.tangent.and_then(|tangent| <&mut [f64; NN]>::try_from(tangent).ok());
-        let energy = match (under.strains, tangent) {
-            (Strains::Linear, Some(tangent)) => element.linear(q, force, tangent),
-            (Strains::Linear, None) => element.linear(q, force, &mut [0.0; NN]),
-            (Strains::Mixed(stresses), Some(tangent)) => element.mixed(q, stresses, force, tangent),
-            (Strains::Exact, Some(tangent)) => element.exact(q, force, tangent),
-            (_, None) => element.exact_force(q, force),
-        };
-        Ok(energy)
+        respond(&self.elements[element], q, under.strains, into)
     }
 
     fn force_of_stresses(

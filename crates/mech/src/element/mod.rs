@@ -12,6 +12,7 @@ pub mod b21;
 pub mod b22;
 pub mod b23;
 pub mod cell;
+pub mod heated;
 mod instances;
 mod kernel;
 pub mod mixed;
@@ -23,6 +24,7 @@ pub mod truss;
 pub use b21::{Beam21, BeamSectionForces, BeamStrains};
 pub use b22::Beam22;
 pub use b23::Beam23;
+pub use heated::{BeamHeat, HeatedBeams};
 pub use instances::Instances;
 pub use kernel::{
     Element, Failure, Kernel, MOST_NODES, MOST_VARIABLES, Response, Scale, Strains, Surroundings,

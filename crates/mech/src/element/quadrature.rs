@@ -54,6 +54,13 @@ impl PartialEq for Quadrature {
 }
 
 impl Quadrature {
+    /// The rule of one order less where it has three points along an axis, else itself.
+    pub fn reduced(&'static self) -> &'static Self {
+        let rules: [(&'static Self, &'static Self); 3] =
+            [(&QUAD_9, &QUAD_4), (&WEDGE_3X3, &WEDGE_2X3), (&HEX_27, &HEX_8)];
+        rules.into_iter().find(|(full, _)| self == *full).map_or(self, |(_, reduced)| reduced)
+    }
+
     /// Writes values at the nodes of a cell from those at the points.
     pub fn carry(&self, values: &[f64], cell: &Cell, nodes: &mut [f64]) {
         let mut counts = [0.0; MOST_POINTS];
@@ -114,6 +121,7 @@ const SQUARE_1: ([[f64; 3]; 1], [f64; 1]) = square(LINE_1);
 const SQUARE_4: ([[f64; 3]; 4], [f64; 4]) = square(LINE_2);
 const SQUARE_9: ([[f64; 3]; 9], [f64; 9]) = square(LINE_3);
 const WEDGE_2: ([[f64; 3]; 2], [f64; 2]) = upright(TRIANGLE_1, LINE_2);
+const WEDGE_6: ([[f64; 3]; 6], [f64; 6]) = upright(TRIANGLE_3, LINE_2);
 const WEDGE_9: ([[f64; 3]; 9], [f64; 9]) = upright(TRIANGLE_3, LINE_3);
 const CUBE_1: ([[f64; 3]; 1], [f64; 1]) = upright(SQUARE_1, LINE_1);
 const CUBE_8: ([[f64; 3]; 8], [f64; 8]) = upright(SQUARE_4, LINE_2);
@@ -160,6 +168,15 @@ pub static WEDGE_3X3: Quadrature = rule("wedge 9", &WEDGE_9, |at, counts| {
     product(&LINE_3, &at[2..], &mut line);
     for (k, count) in counts.iter_mut().enumerate() {
         *count = plane[k % 3] * line[k / 3 % 3];
+    }
+});
+/// Three points of the triangle in two heights.
+pub static WEDGE_2X3: Quadrature = rule("wedge 6", &WEDGE_6, |at, counts| {
+    let (mut plane, mut line) = ([0.0; 3], [0.0; 2]);
+    simplex::<2>(at, SIXTH, 2.0 * THIRD, &mut plane);
+    product(&LINE_2, &at[2..], &mut line);
+    for (k, count) in counts.iter_mut().enumerate() {
+        *count = plane[k % 3] * line[k / 3 % 2];
     }
 });
 /// The centre of the cube.

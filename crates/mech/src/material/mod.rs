@@ -17,6 +17,8 @@
 
 mod back_stress;
 mod elastic;
+mod expansion;
+mod graded;
 mod hyperelastic;
 mod logarithmic;
 pub mod plastic;
@@ -28,6 +30,9 @@ mod uniaxial;
 
 pub use back_stress::BackStress;
 pub use elastic::{Anisotropic, LargeStrain, Unsound};
+pub(crate) use expansion::between;
+pub use expansion::{Expanding, Expansion, Growth};
+pub use graded::Graded;
 pub use hyperelastic::{MOST_TERMS, Rubber, Volume};
 pub use plastic::{Hardening, Plastic};
 pub use principal::Axes;
@@ -50,6 +55,15 @@ impl Elastic {
     /// Shear modulus G = E / 2(1 + nu) [F/L2]. [semantics: keywords, `*ELASTIC`]
     pub fn shear_modulus(&self) -> f64 {
         self.modulus / (2.0 * (1.0 + self.poisson))
+    }
+
+    /// Part of the way to another one, E and nu each.
+    pub fn towards(&self, other: &Self, part: f64) -> Self {
+        let number = |low: f64, high: f64| low + part * (high - low);
+        Self {
+            modulus: number(self.modulus, other.modulus),
+            poisson: number(self.poisson, other.poisson),
+        }
     }
 
     /// Bulk modulus K = E / 3(1 - 2 nu) [F/L2].
@@ -119,6 +133,10 @@ pub enum Material {
     Plastic(Plastic),
     /// Somebody else's.
     User(Arc<dyn Law>),
+    /// With constants over temperature.
+    Graded(Arc<Graded>),
+    /// One that expands.
+    Expanding(Box<Expanding>),
 }
 
 impl PartialEq for Material {
@@ -129,6 +147,8 @@ impl PartialEq for Material {
             (Self::Rubber(a), Self::Rubber(b)) => a == b,
             (Self::Plastic(a), Self::Plastic(b)) => a == b,
             (Self::User(a), Self::User(b)) => Arc::ptr_eq(a, b),
+            (Self::Graded(a), Self::Graded(b)) => a == b,
+            (Self::Expanding(a), Self::Expanding(b)) => a == b,
             _ => false,
         }
     }
@@ -141,6 +161,8 @@ impl Material {
             Self::Elastic(..) | Self::Anisotropic(_) | Self::Rubber(_) => 0,
             Self::Plastic(plastic) => plastic.states(),
             Self::User(law) => law.states(),
+            Self::Graded(graded) => graded.rows().map(Self::states).max().unwrap_or(0),
+            Self::Expanding(expanding) => expanding.law.states(),
         }
     }
 
@@ -165,6 +187,10 @@ impl Material {
             }
             (Self::Plastic(plastic), true) => plastic.large(gradient, committed, state),
             (Self::User(law), _) => law.respond(gradient, under, committed, state),
+            (Self::Graded(graded), _) => graded
+                .at(under.temperature, |own| own.respond(gradient, under, committed, state))
+                .unwrap_or_default(),
+            (Self::Expanding(own), _) => own.respond(gradient, under, committed, state),
         }
     }
 
@@ -172,13 +198,48 @@ impl Material {
     pub fn plastic_strain(&self, state: &[f64]) -> Option<f64> {
         match self {
             Self::Plastic(_) => state.get(plastic::PEEQ).copied(),
+            Self::Graded(graded) => graded.rows().next()?.plastic_strain(state),
+            Self::Expanding(expanding) => expanding.law.plastic_strain(state),
             _ => None,
+        }
+    }
+
+    /// Elasticity of a metal at a temperature; `None`: it is none.
+    pub fn metal(&self, temperature: f64) -> Option<Elastic> {
+        match self {
+            Self::Plastic(plastic) => Some(plastic.elastic),
+            Self::Graded(graded) => graded.at(temperature, |own| own.metal(temperature)).flatten(),
+            Self::Expanding(expanding) => expanding.law.metal(temperature),
+            Self::Elastic(..) | Self::Anisotropic(_) | Self::Rubber(_) | Self::User(_) => None,
         }
     }
 
     /// Whether it may take work that it does not give back.
     pub fn dissipates(&self) -> bool {
-        matches!(self, Self::Plastic(_) | Self::User(_))
+        match self {
+            Self::Plastic(_) | Self::User(_) => true,
+            Self::Elastic(..) | Self::Anisotropic(_) | Self::Rubber(_) => false,
+            Self::Graded(graded) => graded.rows().any(Self::dissipates),
+            Self::Expanding(expanding) => expanding.law.dissipates(),
+        }
+    }
+
+    /// Whether its stress is linear in its strain.
+    pub fn is_linear(&self) -> bool {
+        match self {
+            Self::Elastic(..) | Self::Anisotropic(_) => true,
+            Self::Plastic(_) | Self::User(_) | Self::Rubber(_) => false,
+            Self::Graded(graded) => graded.rows().all(Self::is_linear),
+            Self::Expanding(expanding) => expanding.law.is_linear(),
+        }
+    }
+
+    /// Volume of a free body over that of the cold one [1].
+    pub fn thermal_volume(&self, under: &Conditions) -> f64 {
+        match self {
+            Self::Expanding(expanding) => expanding.volume(under),
+            _ => 1.0,
+        }
     }
 
     /// A stiffness that bounds that of a stretch [F/L2].
@@ -189,6 +250,8 @@ impl Material {
             Self::Anisotropic(elastic) => elastic.stiffest(),
             Self::Rubber(rubber) => rubber.bulk_modulus() + 4.0 / 3.0 * rubber.shear_modulus(),
             Self::User(law) => law.stiffest(),
+            Self::Graded(graded) => graded.rows().map(Self::stiffest).fold(0.0, f64::max),
+            Self::Expanding(expanding) => expanding.law.stiffest(),
         }
     }
 
@@ -201,15 +264,20 @@ impl Material {
             Self::Anisotropic(elastic) => (3..6).map(|k| elastic.moduli[k][k]).sum::<f64>() / 3.0,
             Self::Rubber(rubber) => rubber.shear_modulus(),
             Self::User(law) => law.shear_modulus(),
+            Self::Graded(graded) => graded.rows().map(Self::shear_modulus).fold(0.0, f64::max),
+            Self::Expanding(expanding) => expanding.law.shear_modulus(),
         }
     }
 
-    /// Isotropic elasticity of small strains, where it has one.
+    /// Isotropic elasticity of small strains, where it has one; over temperature that of the
+    /// lowest one.
     pub fn elastic(&self) -> Option<Elastic> {
         match self {
             Self::Elastic(elastic, _) | Self::Plastic(Plastic { elastic, .. }) => Some(*elastic),
             Self::Rubber(rubber) => Some(rubber.small()),
             Self::Anisotropic(_) | Self::User(_) => None,
+            Self::Graded(graded) => graded.rows().next()?.elastic(),
+            Self::Expanding(expanding) => expanding.law.elastic(),
         }
     }
 }

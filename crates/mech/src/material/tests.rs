@@ -48,9 +48,84 @@ fn all() -> Vec<(&'static str, Material)> {
     ]
 }
 
+/// Materials that expand, or with constants over temperature.
+fn heated() -> Vec<(&'static str, Material)> {
+    let table = vec![(0.0, [1e-3, 2e-3, 0.0]), (100.0, [2e-3, 1e-3, 3e-3])];
+    let expanding = |(name, law): (&'static str, Material)| {
+        let expansion = Expansion { zero: 5.0, table: table.clone() };
+        let growth = match &law {
+            Material::Elastic(_, LargeStrain::Logarithmic) => Growth::Logarithmic,
+            Material::Rubber(_) => Growth::Length,
+            _ => Growth::Green,
+        };
+        (name, Material::Expanding(Box::new(Expanding { expansion, growth, law })))
+    };
+    let rubber = |shear: f64, inverse: f64| {
+        Material::Rubber(Rubber::Polynomial {
+            terms: vec![(1, 0, shear)],
+            volume: [inverse, 0.0, 0.0, 0.0, 0.0, 0.0],
+        })
+    };
+    let graded = |rows| Material::Graded(Arc::new(Graded::new(rows).unwrap_or_default()));
+    let metal = Graded::metal(
+        &[(0.0, STEEL), (50.0, Elastic { modulus: 5.0, poisson: 0.2 })],
+        &[(20.0, vec![[0.2, 0.0], [0.5, 0.3]]), (120.0, vec![[0.1, 0.0], [0.2, 0.1], [0.3, 0.5]])],
+    );
+    let soft = vec![(0.0, rubber(1.2, 3.0)), (80.0, rubber(0.8, 2.0))];
+    let mut all: Vec<_> = all().into_iter().map(expanding).collect();
+    all.push(("graded rubber", graded(soft)));
+    all.push(("plastic", graded(metal.clone())));
+    all.push(expanding(("plastic", graded(metal))));
+    all
+}
+
+/// Requirement: constants run straight between the rows of a table and stay outside; yield stresses
+/// at every plastic strain of both tables, D and not its inverse. Source: Abaqus manual, tables over
+/// temperature. Tolerance: rounding.
+#[test]
+fn constants_over_temperature() {
+    let rows = Graded::metal(
+        &[(0.0, STEEL), (50.0, Elastic { modulus: 5.0, poisson: 0.2 })],
+        &[(20.0, vec![[0.2, 0.0], [0.5, 0.3]]), (120.0, vec![[0.1, 0.0], [0.2, 0.1], [0.3, 0.5]])],
+    );
+    let graded = Graded::new(rows).unwrap_or_default();
+    let at = |temperature: f64| {
+        graded.at(temperature, |own| match own {
+            Material::Plastic(plastic) => plastic.clone(),
+            _ => Plastic { elastic: STEEL, table: vec![], back_stresses: Vec::new() },
+        })
+    };
+    let plastic =
+        |elastic, table: Vec<[f64; 2]>| Some(Plastic { elastic, table, back_stresses: Vec::new() });
+    let near = |a: Option<Plastic>, b: Option<Plastic>| {
+        let (a, b) = a.zip(b).unwrap_or_else(|| unreachable!());
+        assert!((a.elastic.modulus - b.elastic.modulus).abs() < 1e-14);
+        assert!((a.elastic.poisson - b.elastic.poisson).abs() < 1e-14);
+        assert_eq!(a.table.len(), b.table.len());
+        for (a, b) in a.table.iter().zip(&b.table) {
+            assert!((a[0] - b[0]).abs() < 1e-14 && a[1] == b[1], "{a:?} {b:?}");
+        }
+    };
+    let cold = vec![[0.2, 0.0], [0.3, 0.1], [0.5, 0.3], [0.5, 0.5]];
+    near(at(-5.0), plastic(STEEL, cold));
+    let half = Elastic { modulus: 5.0, poisson: 0.2 };
+    let middle = vec![[0.15, 0.0], [0.25, 0.1], [0.375, 0.3], [0.4, 0.5]];
+    near(at(70.0), plastic(half, middle));
+    let rubber = |inverse: f64| {
+        Material::Rubber(Rubber::ArrudaBoyce { shear: 1.0, locking: 3.0, volume: inverse })
+    };
+    let graded = Graded::new(vec![(0.0, rubber(1.0)), (10.0, rubber(0.5))]).unwrap_or_default();
+    let bulk = graded.at(5.0, |own| match own {
+        Material::Rubber(rubber) => rubber.bulk_modulus(),
+        _ => 0.0,
+    });
+    assert!((bulk.unwrap_or(0.0) - 2.0 / 1.5).abs() < 1e-15);
+    assert!(Graded::new(vec![(0.0, rubber(1.0)), (0.0, rubber(0.5))]).is_none());
+}
+
 fn respond(material: &Material, h: &Matrix, large: bool, from: &[f64]) -> (Answer, Vec<f64>) {
     let mut state = vec![0.0; material.states()];
-    let under = Conditions { large, ..Conditions::default() };
+    let under = Conditions { large, temperature: 70.0, initial: 20.0, dt: 0.0 };
     let answer = material.respond(h, &under, from, &mut state);
     (answer, state)
 }
@@ -93,7 +168,7 @@ proptest! {
         before in prop::array::uniform9(-0.2..0.2_f64)) {
         let (h, l, before) = (matrix(h), matrix(l), matrix(before));
         let step = 1e-6;
-        for (name, material) in all() {
+        for (name, material) in all().into_iter().chain(heated()) {
             let zero = vec![0.0; material.states()];
             for large in [true, false] {
                 let (_, from) = respond(&material, &before, large, &zero);

@@ -2,10 +2,11 @@
 
 use super::{BeamSection, Kinematics, Section, SpringSection, SpringWay, Undeformed};
 use crate::Dialect;
-use slideline_mech::element::solid::{Recipe, Solids, Told};
+use slideline_mech::element::heated::Heated;
+use slideline_mech::element::solid::{Formulation, Interpolation, Recipe, Solids, Told};
 use slideline_mech::element::{
-    AxialSpring, Bar, Beam21, Beam22, Beam23, GroundSpring, Instances, Kernel, RelativeSpring,
-    SpringLaw, Trusses,
+    AxialSpring, Bar, Beam21, Beam22, Beam23, GroundSpring, HeatedBeams, Instances, Kernel,
+    RelativeSpring, SpringLaw, Trusses,
 };
 use slideline_mech::section::{BeamStiffness, TransverseShear, stiffness};
 
@@ -18,7 +19,7 @@ pub(super) fn b21(block: &Undeformed<'_>, room: Kept) -> Kept {
         let stiffness = section.stiffness(distance(ends[0], ends[1]), false);
         Beam21::new(ends, stiffness)
     });
-    Some(Instances::<_, 6, 36>::in_room(room, elements))
+    Some(beams::<_, 6, 36>(section, elements, room))
 }
 
 pub(super) fn b22(block: &Undeformed<'_>, room: Kept) -> Kept {
@@ -27,7 +28,7 @@ pub(super) fn b22(block: &Undeformed<'_>, room: Kept) -> Kept {
         let length = distance(nodes[0], nodes[1]) + distance(nodes[1], nodes[2]);
         Beam22::new(nodes, section.stiffness(length, true))
     });
-    Some(Instances::<_, 9, 81>::in_room(room, elements))
+    Some(beams::<_, 9, 81>(section, elements, room))
 }
 
 pub(super) fn b23(block: &Undeformed<'_>, room: Kept) -> Kept {
@@ -36,7 +37,19 @@ pub(super) fn b23(block: &Undeformed<'_>, room: Kept) -> Kept {
         let stiffness = section.stiffness(distance(ends[0], ends[1]), false);
         Beam23::new(ends, stiffness)
     });
-    Some(Instances::<_, 6, 36>::in_room(room, elements))
+    Some(beams::<_, 6, 36>(section, elements, room))
+}
+
+/// The kernel of beams: with temperatures only where they change something.
+fn beams<E: Heated<N, NN> + 'static, const N: usize, const NN: usize>(
+    section: &BeamSection,
+    elements: impl Iterator<Item = E>,
+    room: Kept,
+) -> Box<dyn Kernel> {
+    match &section.heat {
+        Some(heat) => Box::new(HeatedBeams::<E, N, NN>::new(elements, (**heat).clone())),
+        None => Instances::<E, N, NN>::in_room(room, elements),
+    }
 }
 
 pub(super) fn spring1(block: &Undeformed<'_>, room: Kept) -> Kept {
@@ -111,9 +124,22 @@ pub(super) fn solid<const D: usize, const N: usize, const P: usize>(
         thickness: section.thickness,
         told,
         orientation: section.orientation,
+        temperatures: interpolation(block, formulation),
     };
     let solids = Solids::<D, N, P>::new(recipe, block.positions::<D, N>())?;
     Some(Box::new(solids))
+}
+
+/// How temperatures reach the points: docs/theory.md section 3.7. CalculiX has a mean in linear
+/// hexahedra and what they stand for, and shape functions in wedges.
+fn interpolation(block: &Undeformed<'_>, formulation: Formulation) -> Interpolation {
+    let cell = block.kind.cell;
+    match block.dialect {
+        _ if cell.is_quadratic() => Interpolation::Linear,
+        Dialect::Abaqus if formulation == Formulation::Incompatible => Interpolation::Shapes,
+        Dialect::Calculix if cell.name == "wedge6" => Interpolation::Shapes,
+        _ => Interpolation::Mean,
+    }
 }
 
 impl BeamSection {

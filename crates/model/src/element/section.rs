@@ -1,7 +1,7 @@
 //! What the elements of a block are made of.
 
 use crate::Dof;
-use slideline_mech::element::SpringLaw;
+use slideline_mech::element::{BeamHeat, SpringLaw};
 use slideline_mech::material::{Elastic, Material};
 use slideline_mech::orientation::Orientation;
 use slideline_mech::section::Shape;
@@ -32,7 +32,7 @@ impl Section {
 }
 
 /// A section of an elastic material.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct BeamSection {
     /// Its shape.
     pub shape: Shape,
@@ -40,6 +40,8 @@ pub struct BeamSection {
     pub poisson: f64,
     /// Material.
     pub material: Elastic,
+    /// What temperature does to it; `None`: nothing.
+    pub heat: Option<Box<BeamHeat>>,
     /// Transverse shear.
     pub shear: ShearRule,
 }

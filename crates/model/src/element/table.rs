@@ -381,7 +381,7 @@ mod tests {
         let elastic = slideline_mech::material::Elastic { modulus: 1.0, poisson: 0.3 };
         let shear = ShearRule::default();
         let shape = slideline_mech::section::Shape::Circle(1.0);
-        let beam = BeamSection { shape, poisson: 0.0, material: elastic, shear };
+        let beam = BeamSection { shape, poisson: 0.0, material: elastic, heat: None, shear };
         let material = Material::Elastic(elastic, LargeStrain::Logarithmic);
         let spring = |way| Section::Spring(SpringSection { law: SpringLaw::Linear(1.0), way });
         let sections = [

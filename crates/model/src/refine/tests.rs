@@ -4,8 +4,9 @@
 
 use super::*;
 use crate::{
-    BeamSection, ContactPair, ElementBlock, ElementType, Formulation, Friction, Interaction,
-    Lumping, NodeSet, NormalLaw, RigidSurface, Section, ShearRule, SlideLine, SolidSection, types,
+    BeamSection, ContactPair, ElementBlock, ElementType, Extrapolation, Formulation, Friction,
+    Interaction, Lumping, NodalTemperature, NodeSet, NormalLaw, Passage, RigidSurface, Section,
+    ShearRule, SlideLine, SolidSection, Static, Temperature, types,
 };
 use slideline_mech::material::{Elastic, LargeStrain, Material};
 
@@ -23,7 +24,7 @@ fn block<const N: usize>(
     let section = match kind.is_beam() {
         true => {
             let shape = slideline_mech::section::Shape::Rectangle { width: 1.0, height: 1.0 };
-            Section::Beam(BeamSection { shape, poisson: 0.0, material, shear })
+            Section::Beam(BeamSection { shape, poisson: 0.0, material, heat: None, shear })
         }
         false => Section::Solid(SolidSection {
             thickness: 1.0,
@@ -187,4 +188,56 @@ fn quadrilaterals_share_the_nodes_of_their_sides() {
     };
     assert!(parts.iter().all(|part| (area(part.nodes) - 0.25).abs() < 1e-15));
     assert_eq!(refine(&fine).unwrap().blocks[0].elements.len(), 32);
+}
+
+/// Requirement: a new node has the mean temperatures of the two between which it stands, before the
+/// first step and in a step, where one of them may be named by initial conditions alone; where they
+/// follow different curves the mesh is not halved.
+#[test]
+fn new_nodes_have_the_mean_of_temperatures() {
+    let mut model = two_beams();
+    let at = |value: f64, slope: f64| Temperature { value, slope };
+    model.initial_temperatures = vec![at(10.0, 0.0), at(20.0, 2.0), at(40.0, 0.0)];
+    let own = |node, temperature, amplitude| NodalTemperature {
+        node,
+        temperature,
+        amplitude,
+        origin: Span::default(),
+    };
+    let temperatures = vec![own(0, at(100.0, 4.0), None), own(1, at(200.0, 8.0), None)];
+    model.steps.push(Step {
+        title: String::new(),
+        nlgeom: true,
+        max_increments: 100,
+        unsymmetric: None,
+        extrapolation: Extrapolation::Linear,
+        at_once: false,
+        procedure: Static {
+            initial: 1.0,
+            period: 1.0,
+            minimum: 1e-5,
+            maximum: 1.0,
+            direct: false,
+            passage: Passage::Still,
+            origin: None,
+        },
+        prescribed: Vec::new(),
+        loads: Vec::new(),
+        distributed: crate::Distributed::default(),
+        temperatures,
+        controls: crate::Controls::default(),
+        stabilisation: None,
+        output: crate::OutputRequests::default(),
+        origin: Span::default(),
+    });
+    let halved = refine(&model).unwrap();
+    let initial = [at(10.0, 0.0), at(20.0, 2.0), at(40.0, 0.0), at(15.0, 1.0), at(30.0, 1.0)];
+    assert_eq!(halved.initial_temperatures, initial);
+    let named: Vec<_> =
+        halved.steps[0].temperatures.iter().map(|own| (own.node, own.temperature)).collect();
+    let exact =
+        [(0, at(100.0, 4.0)), (1, at(200.0, 8.0)), (3, at(150.0, 6.0)), (4, at(120.0, 4.0))];
+    assert_eq!(named, exact);
+    model.steps[0].temperatures[1].amplitude = Some(0);
+    assert_eq!(refine(&model).unwrap_err().code.0, "SL0602");
 }

@@ -87,6 +87,12 @@ impl Grid {
             push("residual_force", &missing, NodeField::Reaction, SPACE);
             push("residual_moment", &missing, NodeField::Reaction, TURNS);
         }
+        if frame.model.has_temperatures() {
+            let mut values = vec![0.0; self.drawing.labels.len()];
+            let nodes = values.iter_mut().take(frame.model.nodes.len()).enumerate();
+            nodes.for_each(|(node, value)| *value = frame.nodal.temperature(node));
+            text.push_floats("temperature", 1, &values);
+        }
         self.push_contact(text, frame);
         self.push_solids(text, frame);
         text.push(b"</PointData>\n<CellData>\n");

@@ -3,7 +3,7 @@
 use slideline_mech::material::tensor::{deviator, eigen, trace};
 use slideline_model::{
     Dialect, Element, ElementBlock, ElementType, ElementVariable, Kinematics, Location, MOST_NODES,
-    Material, Section,
+    NodeIndex, Section,
 };
 use slideline_solve::observe::Frame;
 
@@ -172,7 +172,7 @@ impl<'a> Solid<'a> {
     /// Whether its stress is linear in its strain.
     pub fn is_linear(&self) -> bool {
         let Section::Solid(section) = &self.block.section else { return false };
-        matches!(section.material, Material::Elastic(..) | Material::Anisotropic(_))
+        section.material.is_linear()
     }
 
     /// Values of a field at a point; of the whole element where it has one value.
@@ -187,7 +187,8 @@ impl<'a> Solid<'a> {
     /// answer for, which leaves the volume alone; docs/theory.md eq. (3.57).
     fn plastic_strain(&self, point: usize) -> [f64; 6] {
         let Section::Solid(section) = &self.block.section else { return [0.0; 6] };
-        let Material::Plastic(metal) = &section.material else { return [0.0; 6] };
+        let temperature = self.at_point(point, |node| self.frame.nodal.temperature(node));
+        let Some(metal) = section.material.metal(temperature) else { return [0.0; 6] };
         let mut strain = [0.0; 6];
         strain.iter_mut().zip(self.field("E", point)).for_each(|(e, own)| *e = *own);
         (3..6).for_each(|k| strain[k] *= 0.5);
@@ -195,7 +196,7 @@ impl<'a> Solid<'a> {
         let large = large.is_some_and(|step| step.nlgeom);
         let volume = if large { trace(&strain).exp() } else { 1.0 };
         let (strain, stress) = (deviator(&strain), deviator(&self.stress(point)));
-        let twice = 2.0 * metal.elastic.shear_modulus();
+        let twice = 2.0 * metal.shear_modulus();
         let held = self.field("PEEQ", point).first().is_some_and(|peeq| *peeq > 0.0);
         std::array::from_fn(|k| {
             let left = strain[k] - volume * stress[k] / twice;
@@ -205,17 +206,19 @@ impl<'a> Solid<'a> {
 
     /// Current place of a point [L].
     fn place(&self, point: usize) -> [f64; 3] {
-        let Kinematics::Solid { rule, .. } = self.block.kind.kinematics else { return [0.0; 3] };
+        let at =
+            |axis: usize| self.at_point(point, |node| crate::node::place(self.frame, node)[axis]);
+        std::array::from_fn(at)
+    }
+
+    /// What nodes have, at a point by shape functions.
+    fn at_point(&self, point: usize, of: impl Fn(NodeIndex) -> f64) -> f64 {
+        let Kinematics::Solid { rule, .. } = self.block.kind.kinematics else { return 0.0 };
         let mut shapes = [0.0; MOST_NODES];
         let shapes = &mut shapes[..self.element.nodes.len()];
-        let Some(at) = rule.points.get(point) else { return [0.0; 3] };
+        let Some(at) = rule.points.get(point) else { return 0.0 };
         (self.block.kind.cell.shapes)(at, shapes);
-        let mut place = [0.0; 3];
-        for (&node, shape) in self.element.nodes.iter().zip(shapes.iter()) {
-            let moved = crate::node::place(self.frame, node);
-            (0..3).for_each(|axis| place[axis] += *shape * moved[axis]);
-        }
-        place
+        self.element.nodes.iter().zip(shapes.iter()).map(|(&node, shape)| shape * of(node)).sum()
     }
 }
 

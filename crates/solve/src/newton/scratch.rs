@@ -81,7 +81,7 @@ pub struct Scratch {
     /// Temperatures, a node each; empty: there are none.
     pub temperatures: Vec<Temperature>,
     /// Time that passes for the materials [T].
-    pub(super) material_dt: f64,
+    pub material_dt: f64,
     /// Pressures on faces [F/L2].
     pub(super) faces: Vec<f64>,
     pub(super) increment: Vec<f64>,

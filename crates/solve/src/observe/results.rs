@@ -184,6 +184,8 @@ impl BlockResults {
 pub struct Energies {
     /// Work of supports and loads, trapezoidal rule over each increment.
     pub external_work: f64,
+    /// Work of heat: what changes of temperature add to the strain energy.
+    pub thermal_work: f64,
     /// Strain energy that the elements would give back.
     pub strain_energy: f64,
     /// Taken by their material for good, such as by plastic strain.
@@ -200,7 +202,7 @@ pub struct Energies {
     pub stabilisation: f64,
     /// Released where the structure jumped to another equilibrium.
     pub released_energy: f64,
-    /// External work minus the change of everything else since the first
+    /// External work and work of heat minus the change of everything else since the first
     /// converged state.
     pub balance: f64,
 }
@@ -209,6 +211,11 @@ impl Energies {
     /// What elements and contact laws hold, or have taken for good: a function of their state.
     pub fn of_the_model(&self) -> f64 {
         self.strain_energy + self.material_dissipation + self.contact_energy
+    }
+
+    /// What supports, loads and heat have given.
+    pub fn supplied(&self) -> f64 {
+        self.external_work + self.thermal_work
     }
 
     /// What is stored, dissipated or released: where the work went.

@@ -398,7 +398,7 @@ impl Jump {
         energy.released_energy += self.released;
         energy.external_work = before.energy.external_work + self.work;
         energy.friction_dissipation = before.energy.friction_dissipation + self.dissipation;
-        let unbalanced = energy.external_work - energy.taken();
+        let unbalanced = energy.supplied() - energy.taken();
         let origin = *state.balance_origin.insert(before.balance_origin.unwrap_or(unbalanced));
         energy.balance = unbalanced - origin;
         state.books.left = self.left;

@@ -93,6 +93,10 @@ pub(super) fn frame<'a>(
             displacement: &state.displacement,
             reaction: &state.reaction,
             load: &state.load,
+            temperatures: match state.temperatures.is_empty() {
+                true => &plan.model.initial_temperatures,
+                false => &state.temperatures,
+            },
         },
         contact: &rows.contact,
         pairs: &rows.pairs,

@@ -14,7 +14,7 @@ fn beams<const N: usize>(kind: &'static ElementType, nodes: Vec<[NodeIndex; N]>)
     let material = Elastic { modulus: 1e3, poisson: 0.3 };
     let shear = ShearRule::default();
     let shape = slideline_model::Shape::Rectangle { width: 1.0, height: 0.2 };
-    let section = BeamSection { shape, poisson: 0.0, material, shear };
+    let section = BeamSection { shape, poisson: 0.0, material, heat: None, shear };
     let block = ElementBlock::new(kind, "B", Section::Beam(section), AT);
     block.with(nodes.into_iter().map(|nodes| (1, nodes)))
 }

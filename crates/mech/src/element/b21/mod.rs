@@ -13,6 +13,8 @@
 
 mod derivatives;
 
+use super::heated::{BeamHeat, Heated, weighted};
+use super::kernel::Surroundings;
 use super::mixed::arrival;
 use crate::differentiate::{Real, Second};
 use crate::section::BeamStiffness;
@@ -40,6 +42,18 @@ pub struct BeamSectionForces {
 }
 
 impl BeamStrains {
+    /// None.
+    pub(super) const ZERO: Self = Self { axial: 0.0, shear: 0.0, curvature: 0.0 };
+
+    /// What is left of these strains without others.
+    pub(super) fn less(&self, other: &Self) -> Self {
+        Self {
+            axial: self.axial - other.axial,
+            shear: self.shear - other.shear,
+            curvature: self.curvature - other.curvature,
+        }
+    }
+
     /// Writes the section forces, then these strains.
     pub(super) fn write_with(&self, forces: &BeamSectionForces, into: &mut [f64]) {
         let own =
@@ -82,6 +96,8 @@ pub struct Beam21 {
     /// 1/l, or zero for an element without length.
     inverse: f64,
     direction: [f64; 2],
+    /// Strains of the free element, hot as it is: docs/theory.md eq. (3.62).
+    pub(super) free: BeamStrains,
 }
 
 impl Beam21 {
@@ -93,7 +109,8 @@ impl Beam21 {
         let inverse = if length > 0.0 { 1.0 / length } else { 0.0 };
         let direction =
             if length > 0.0 { [along[0] / length, along[1] / length] } else { [1.0, 0.0] };
-        Self { reference, stiffness, length, inverse, direction }
+        let free = BeamStrains::ZERO;
+        Self { reference, stiffness, length, inverse, direction, free }
     }
 
     /// Undeformed length l [L].
@@ -131,9 +148,11 @@ impl Beam21 {
     pub fn energy<R: Real>(&self, q: &[R; 6]) -> R {
         let strains = self.strains_of(q);
         let number = R::from_f64;
-        let sum = number(self.stiffness.axial) * strains.axial * strains.axial
+        let axial = strains.axial - number(self.free.axial);
+        let curvature = strains.curvature - number(self.free.curvature);
+        let sum = number(self.stiffness.axial) * axial * axial
             + number(self.stiffness.shear) * strains.shear * strains.shear
-            + number(self.stiffness.bending) * strains.curvature * strains.curvature;
+            + number(self.stiffness.bending) * curvature * curvature;
         number(0.5 * self.length) * sum
     }
 
@@ -148,6 +167,7 @@ impl Beam21 {
     }
 
     fn forces_of(&self, strains: &BeamStrains) -> BeamSectionForces {
+        let strains = strains.less(&self.free);
         BeamSectionForces {
             axial: self.stiffness.axial * strains.axial,
             shear: self.stiffness.shear * strains.shear,
@@ -156,9 +176,20 @@ impl Beam21 {
     }
 
     fn energy_of(&self, strains: &BeamStrains, forces: &BeamSectionForces) -> f64 {
+        let strains = strains.less(&self.free);
         0.5 * self.length
             * (forces.axial * strains.axial
                 + forces.shear * strains.shear
                 + forces.moment * strains.curvature)
+    }
+}
+
+impl Heated<6, 36> for Beam21 {
+    /// At the mean temperature of both ends.
+    fn warmed(&self, heat: &BeamHeat, under: &Surroundings<'_>) -> Self {
+        let [now, initial] =
+            [under.temperatures, under.initial].map(|nodes| weighted(&[0.5, 0.5], nodes));
+        let stiffness = heat.stiffness(&self.stiffness, now.value);
+        Self { stiffness, free: heat.free(&self.stiffness, now, initial), ..*self }
     }
 }

@@ -19,7 +19,8 @@ impl Beam22 {
         let [ex, ey] = station.direction;
         let axis = [ex * c - ey * s, ey * c + ex * s];
         let slopes = station.slopes.map(|slope| axis.map(|a| a * slope));
-        Turned { slopes, strains, forces: self.forces_of(&strains) }
+        let forces = self.forces_of(&strains.less(&station.free));
+        Turned { slopes, strains, forces }
     }
 
     /// Writes the internal force dW/dq into `force`: (F, F, F L) of first end, middle, second end;
@@ -99,7 +100,7 @@ impl Beam22 {
         let zero = BeamStrains { axial: 0.0, shear: 0.0, curvature: 0.0 };
         for (station, strains) in self.stations.iter().zip(self.linear_station_strains(q)) {
             // Rows of the undeformed state, forces of the linear strains.
-            let forces = self.forces_of(&strains);
+            let forces = self.forces_of(&strains.less(&station.free));
             let straight = Turned { forces, ..self.turned(station, zero, 0.0) };
             add_force(station, &straight, force);
             self.add_material(station, &straight, tangent);
@@ -149,14 +150,15 @@ impl Mixed<9, 81, 6> for Beam22 {
 
     fn stresses_after(&self, q: &[f64; 9], change: &[f64; 9]) -> [f64; 6] {
         let along = line(q, change);
-        let [[a, b, c], [d, e, f]] = [&self.stations[0], &self.stations[1]]
-            .map(|station| self.forces_of(&station.strains(&along).arrived()).into());
+        let [[a, b, c], [d, e, f]] = [&self.stations[0], &self.stations[1]].map(|station| {
+            self.forces_of(&station.strains(&along).arrived().less(&station.free)).into()
+        });
         [a, b, c, d, e, f]
     }
 }
 
 fn energy_of(station: &Station, turned: &Turned) -> f64 {
-    let (strains, forces) = (&turned.strains, &turned.forces);
+    let (strains, forces) = (turned.strains.less(&station.free), &turned.forces);
     0.5 * station.length
         * (forces.axial * strains.axial
             + forces.shear * strains.shear
@@ -249,7 +251,7 @@ impl Element<9, 81> for Beam22 {
     /// N, V, M [F, F, F L], then eps, gam, kap [1, 1, 1/L], at the middle.
     fn results(&self, q: &[f64; 9], linear: bool, into: &mut [f64]) {
         let strains = if linear { self.linear_strains(q) } else { self.strains(q) };
-        strains.write_with(&self.forces_of(&strains), into);
+        strains.write_with(&self.forces_at_middle(&strains), into);
     }
 
     fn estimate_size(&self) -> usize {

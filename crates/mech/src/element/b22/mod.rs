@@ -16,6 +16,8 @@ mod derivatives;
 
 use super::b21::{BeamSectionForces, BeamStrains};
 use super::cell::{line3_shapes, line3_slopes};
+use super::heated::{BeamHeat, Heated, weighted};
+use super::kernel::Surroundings;
 use super::quadrature::GAUSS_2;
 use crate::differentiate::Real;
 use crate::section::BeamStiffness;
@@ -47,6 +49,8 @@ struct Station {
     shapes: [f64; 3],
     /// Their derivatives by undeformed length [1/L].
     slopes: [f64; 3],
+    /// Strains of the free element there.
+    free: BeamStrains,
 }
 
 impl Station {
@@ -68,6 +72,7 @@ impl Station {
             direction,
             shapes: line3_shapes(xi),
             slopes: by_xi.map(|slope| slope * inverse),
+            free: BeamStrains::ZERO,
         }
     }
 
@@ -128,9 +133,11 @@ impl Beam22 {
         let number = R::from_f64;
         let of = |station: &Station| {
             let strains = station.strains(q);
-            let sum = number(self.stiffness.axial) * strains.axial * strains.axial
+            let axial = strains.axial - number(station.free.axial);
+            let curvature = strains.curvature - number(station.free.curvature);
+            let sum = number(self.stiffness.axial) * axial * axial
                 + number(self.stiffness.shear) * strains.shear * strains.shear
-                + number(self.stiffness.bending) * strains.curvature * strains.curvature;
+                + number(self.stiffness.bending) * curvature * curvature;
             number(0.5 * station.length) * sum
         };
         of(&self.stations[0]) + of(&self.stations[1])
@@ -154,9 +161,16 @@ impl Beam22 {
 
     /// Section forces N = EA eps, V = K gam, M = EI kap at the middle.
     pub fn section_forces(&self, q: &[f64; 9]) -> BeamSectionForces {
-        self.forces_of(&self.strains(q))
+        self.forces_at_middle(&self.strains(q))
     }
 
+    /// Those of strains at the middle, free ones included.
+    fn forces_at_middle(&self, strains: &BeamStrains) -> BeamSectionForces {
+        let free = self.stations.map(|station| station.free);
+        self.forces_of(&strains.less(&between(&free, 0.0)))
+    }
+
+    /// Those of the strains that the free element does not have.
     fn forces_of(&self, strains: &BeamStrains) -> BeamSectionForces {
         BeamSectionForces {
             axial: self.stiffness.axial * strains.axial,
@@ -174,5 +188,19 @@ fn between([first, second]: &[BeamStrains; 2], xi: f64) -> BeamStrains {
         axial: mix(first.axial, second.axial),
         shear: mix(first.shear, second.shear),
         curvature: mix(first.curvature, second.curvature),
+    }
+}
+
+impl Heated<9, 81> for Beam22 {
+    /// Temperatures of the integration points by the shape functions, the stiffness at their mean.
+    fn warmed(&self, heat: &BeamHeat, under: &Surroundings<'_>) -> Self {
+        let stations = self.stations.map(|station| {
+            let [now, initial] =
+                [under.temperatures, under.initial].map(|nodes| weighted(&station.shapes, nodes));
+            Station { free: heat.free(&self.stiffness, now, initial), ..station }
+        });
+        let at = |k: usize| weighted(&self.stations[k].shapes, under.temperatures).value;
+        let stiffness = heat.stiffness(&self.stiffness, 0.5 * (at(0) + at(1)));
+        Self { stiffness, stations, ..*self }
     }
 }

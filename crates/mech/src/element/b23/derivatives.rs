@@ -54,7 +54,8 @@ impl Beam23 {
 
     /// Section forces of linear kinematics at the middle.
     pub fn linear_section_forces(&self, q: &[f64; 6]) -> BeamSectionForces {
-        let (strains, stiffness) = (self.chord.linear_strains(q), &self.chord.stiffness);
+        let strains = self.chord.linear_strains(q).less(&self.chord.free);
+        let stiffness = &self.chord.stiffness;
         BeamSectionForces {
             axial: stiffness.axial * strains.axial,
             shear: stiffness.shear * strains.shear,
@@ -96,8 +97,8 @@ impl Mixed<6, 36, 3> for Beam23 {
         let law = self.energy_of(&stretch, &psi, &curvature);
         let frame = self.chord.frame(0.5 * (q[2] + q[5]));
         self.chord.end_forces(&frame, &strains, &forces(&law), force);
-        let own =
-            [stretch.value * self.chord.stiffness.axial, psi.value * self.chord.stiffness.shear];
+        let elastic = stretch.value - self.chord.free.axial;
+        let own = [elastic * self.chord.stiffness.axial, psi.value * self.chord.stiffness.shear];
         let beyond = [stresses[0] - own[0], stresses[1] - own[1]];
         let hessian = std::array::from_fn(|i| {
             std::array::from_fn(|j| {
@@ -131,9 +132,9 @@ impl Mixed<6, 36, 3> for Beam23 {
         let (stretch, psi) = self.stretch_and_lean(&chord);
         let stiffness = &self.chord.stiffness;
         [
-            stiffness.axial * arrival(&stretch),
+            stiffness.axial * (arrival(&stretch) - self.chord.free.axial),
             stiffness.shear * arrival(&psi),
-            stiffness.bending * arrival(&chord.curvature),
+            stiffness.bending * (arrival(&chord.curvature) - self.chord.free.curvature),
         ]
     }
 }

@@ -26,6 +26,8 @@
 mod derivatives;
 
 use super::b21::{Beam21, BeamSectionForces, BeamStrains};
+use super::heated::{BeamHeat, Heated};
+use super::kernel::Surroundings;
 use super::quadrature::{GAUSS_4, GAUSS_4_MEAN};
 use crate::differentiate::Real;
 use crate::section::BeamStiffness;
@@ -97,6 +99,8 @@ impl Beam23 {
     fn energy_of<R: Real>(&self, &stretch: &R, &psi: &R, &curvature: &R) -> R {
         let stiffness = &self.chord.stiffness;
         let number = R::from_f64;
+        let stretch = stretch - number(self.chord.free.axial);
+        let curvature = curvature - number(self.chord.free.curvature);
         number(0.5 * stiffness.axial) * stretch * stretch
             + number(0.5 * stiffness.shear) * psi * psi
             + number(0.5 * stiffness.bending) * curvature * curvature
@@ -130,9 +134,9 @@ impl Beam23 {
         let (stretch, psi) = self.stretch_and_lean(&chord);
         let stiffness = &self.chord.stiffness;
         BeamSectionForces {
-            axial: stiffness.axial * stretch,
+            axial: stiffness.axial * (stretch - self.chord.free.axial),
             shear: stiffness.shear * psi,
-            moment: stiffness.bending * chord.curvature,
+            moment: stiffness.bending * (chord.curvature - self.chord.free.curvature),
         }
     }
 }
@@ -152,4 +156,14 @@ fn mean_versine<R: Real>(k: R, psi: R) -> R {
 /// P2(xi).
 fn legendre(xi: f64) -> f64 {
     1.5 * xi * xi - 0.5
+}
+
+impl Heated<6, 36> for Beam23 {
+    fn warmed(&self, heat: &BeamHeat, under: &Surroundings<'_>) -> Self {
+        let mut chord = self.chord.warmed(heat, under);
+        // 12 EI/l^2, whatever the shear stiffness of the section is
+        let softer = chord.stiffness.bending / self.chord.stiffness.bending;
+        chord.stiffness.shear = self.chord.stiffness.shear * softer;
+        Self { chord }
+    }
 }

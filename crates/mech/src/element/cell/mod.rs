@@ -47,6 +47,17 @@ pub struct Cell {
     pub slopes: fn(&[f64; 3], &mut [[f64; 3]]),
 }
 
+impl Cell {
+    /// Whether an area or a volume has nodes in the middle of its edges.
+    pub fn is_quadratic(&self) -> bool {
+        match self.dimension {
+            2 => self.nodes > 4,
+            3 => self.nodes > 8,
+            _ => false,
+        }
+    }
+}
+
 impl PartialEq for Cell {
     fn eq(&self, other: &Self) -> bool {
         self.name == other.name

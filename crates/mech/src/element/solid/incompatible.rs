@@ -304,10 +304,12 @@ impl<const D: usize, const N: usize> Centre<D, N> {
     /// of the parameters [L2].
     fn size(&self, parameters: &[f64; MOST], points: &[Point<D, N>]) -> f64 {
         let largest = |list: &[f64]| list.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
-        let strain = points
-            .iter()
-            .map(|point| largest(point.gradient.as_flattened()))
-            .fold(0.0_f64, f64::max);
+        // what is strained without moving, by heat, has stresses
+        let strain_of = |point: &Point<D, N>| {
+            let elastic = largest(&point.stress) / largest(point.moduli.as_flattened());
+            largest(point.gradient.as_flattened()).max(elastic)
+        };
+        let strain = points.iter().map(strain_of).fold(0.0_f64, f64::max);
         let inverse = largest(self.inverse.as_flattened());
         largest(parameters).max(strain / (inverse * inverse))
     }

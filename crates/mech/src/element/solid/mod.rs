@@ -15,6 +15,7 @@
 //! in the tangent. Generic in the dimension `D`, the nodes `N` and the points `P`.
 
 mod gather;
+mod heat;
 mod incompatible;
 mod mean_dilation;
 mod modes;
@@ -23,6 +24,7 @@ mod plane_stress;
 mod point;
 mod results;
 
+pub use heat::Interpolation;
 pub use place::{Reference, smallest_jacobian};
 pub use results::Told;
 
@@ -90,6 +92,8 @@ pub struct Recipe {
     pub told: Told,
     /// Axes of the material; `None`: those of the model.
     pub orientation: Option<Orientation>,
+    /// How temperatures go from nodes to points.
+    pub temperatures: Interpolation,
 }
 
 /// Number of state variables of an element with that many points.
@@ -108,6 +112,8 @@ pub fn states(
 pub struct Solids<const D: usize, const N: usize, const P: usize> {
     recipe: Recipe,
     tables: Box<Tables<D, N, P>>,
+    /// What the temperature of every node counts at every point.
+    heat: Box<[[f64; N]; P]>,
     elements: Vec<[[f64; D]; N]>,
     /// Their points before any displacement.
     places: Vec<[Place<D, N>; P]>,
@@ -138,7 +144,8 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
         let with_modes = recipe.formulation == Formulation::Incompatible;
         let centres = elements.iter().filter(|_| with_modes);
         let centres = centres.map(|nodes| Centre::new(nodes, &tables.centre, &recipe)).collect();
-        Some(Self { recipe, tables, elements, places, centres })
+        let heat = Box::new(heat::counts::<D, N, P>(&recipe));
+        Some(Self { recipe, tables, heat, elements, places, centres })
     }
 
     fn is_ring(&self) -> bool {

@@ -2,6 +2,7 @@
 
 use super::place::{Apart, Place, carried_back, invert};
 use super::{Kinematics, Solids, plane_stress};
+use crate::element::heated::weighted;
 use crate::element::kernel::{Failure, Surroundings};
 use crate::material::tensor::{Matrix, Moduli, Symmetric, dilation};
 use crate::material::{Answer, Conditions};
@@ -86,8 +87,10 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
 
     /// What the material answers under at a point.
     #[inline(always)]
-    fn conditions(&self, _point: usize, under: &Surroundings<'_>) -> Conditions {
-        Conditions { large: under.is_large(), dt: under.dt, ..Conditions::default() }
+    fn conditions(&self, point: usize, under: &Surroundings<'_>) -> Conditions {
+        let [temperature, initial] = [under.temperatures, under.initial]
+            .map(|nodes| weighted(&self.heat[point], nodes).value);
+        Conditions { large: under.is_large(), temperature, initial, dt: under.dt }
     }
 
     /// Asks the material, or solves for the strain across the plane first.

@@ -8,7 +8,8 @@
 //! X' and x' are the derivatives of the undeformed and the deformed axis by the coordinate of the
 //! reference cell: docs/theory.md section 3.6. In the plane (`D` = 2) and in space.
 
-use super::kernel::{Failure, Kernel, Response, Scale, Strains, Surroundings};
+use super::heated::weighted;
+use super::kernel::{Failure, Kernel, Response, Scale, Surroundings};
 use super::solid::Told;
 use crate::material::{Conditions, Material};
 
@@ -30,9 +31,14 @@ fn slopes<const N: usize>(point: usize) -> ([f64; N], f64) {
         slopes.copy_from_slice(&[-0.5, 0.5]);
         return (slopes, 2.0);
     }
-    let xi = if point == 0 { -1.0 } else { 1.0 } / 3.0_f64.sqrt();
-    slopes.copy_from_slice(&super::cell::line3_slopes(xi));
+    slopes.copy_from_slice(&super::cell::line3_slopes(place(point)));
     (slopes, 1.0)
+}
+
+/// Coordinate of one of two points of Gauss.
+fn place(point: usize) -> f64 {
+    let side = if point == 0 { -1.0 } else { 1.0 };
+    side / 3.0_f64.sqrt()
 }
 
 /// The trusses of a block: `N` nodes, `P` points.
@@ -94,12 +100,16 @@ impl<const D: usize, const N: usize, const P: usize> Trusses<D, N, P> {
         Point { slopes, volume, stretch, gradient, turning: 1.0 / current }
     }
 
-    fn conditions(under: &Surroundings<'_>) -> Conditions {
-        Conditions {
-            large: under.strains != Strains::Linear,
-            dt: under.dt,
-            ..Conditions::default()
+    /// What the material answers under at a point: two nodes have their mean temperature, as they
+    /// have one strain, and three what runs straight through the points.
+    fn conditions(point: usize, under: &Surroundings<'_>) -> Conditions {
+        let mut shapes = [0.5; N];
+        if N == 3 {
+            shapes.copy_from_slice(&super::cell::line3_shapes(place(point)));
         }
+        let [temperature, initial] =
+            [under.temperatures, under.initial].map(|nodes| weighted(&shapes, nodes).value);
+        Conditions { large: under.is_large(), temperature, initial, dt: under.dt }
     }
 
     /// State variables of a point.
@@ -126,7 +136,7 @@ impl<const D: usize, const N: usize, const P: usize> Kernel for Trusses<D, N, P>
         under: &Surroundings<'_>,
         into: Response<'_>,
     ) -> Result<f64, Failure> {
-        let conditions = Self::conditions(under);
+        let large = under.is_large();
         let Response { force, mut tangent, state } = into;
         let width = self.bar.material.uniaxial_states();
         force.fill(0.0);
@@ -135,7 +145,8 @@ impl<const D: usize, const N: usize, const P: usize> Kernel for Trusses<D, N, P>
         }
         let mut energy = 0.0;
         for k in 0..P {
-            let point = self.point(element, k, q, conditions.large);
+            let point = self.point(element, k, q, large);
+            let conditions = Self::conditions(k, under);
             let own = state.get_mut(width * k..width * (k + 1)).unwrap_or_default();
             let before = self.of_point(committed, k);
             let answer = self.bar.material.uniaxial(point.stretch, &conditions, before, own);
@@ -148,7 +159,7 @@ impl<const D: usize, const N: usize, const P: usize> Kernel for Trusses<D, N, P>
                 node.iter_mut().zip(point.gradient).for_each(|(f, g)| *f += pull * slope * g);
             }
             if let Some(tangent) = tangent.as_deref_mut() {
-                let bends = if conditions.large { 2.0 * pull } else { 0.0 };
+                let bends = if large { 2.0 * pull } else { 0.0 };
                 point.stiffen(point.volume * answer.modulus - bends, pull, tangent);
             }
         }
@@ -172,10 +183,10 @@ impl<const D: usize, const N: usize, const P: usize> Kernel for Trusses<D, N, P>
         under: &Surroundings<'_>,
         into: &mut [f64],
     ) {
-        let conditions = Self::conditions(under);
         let mut scratch = state.to_vec();
         let width = self.bar.material.uniaxial_states();
         for k in 0..P {
+            let conditions = Self::conditions(k, under);
             let point = self.point(element, k, q, conditions.large);
             let own = scratch.get_mut(width * k..width * (k + 1)).unwrap_or_default();
             let before = self.of_point(state, k);
@@ -183,8 +194,10 @@ impl<const D: usize, const N: usize, const P: usize> Kernel for Trusses<D, N, P>
             let e = point.stretch;
             let (strain, volume) = match (self.bar.told, conditions.large) {
                 (_, false) => (e, 1.0),
-                // the section shrinks at constant volume, as the manual has it
-                (Told::Logarithmic, true) => (e.ln_1p(), 1.0),
+                // the hot section shrinks at constant volume, as the manual has it
+                (Told::Logarithmic, true) => {
+                    (e.ln_1p(), self.bar.material.thermal_volume(&conditions))
+                }
                 (Told::Green, true) => (e + 0.5 * e * e, (1.0 + e) * (1.0 + answer.across).powi(2)),
             };
             let plastic = self.bar.material.plastic_strain(before).unwrap_or(0.0);

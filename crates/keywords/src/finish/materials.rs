@@ -1,0 +1,120 @@
+//! Materials of sections: what suits their elements.
+
+use slideline_diag::{Code, Diagnostic, Span};
+use slideline_mech::element::solid;
+use slideline_mech::orientation::Orientation;
+use slideline_model::{ElementType, Elements, Kinematics};
+
+use crate::draft::{Body, Draft, Elasticity, Section};
+use crate::rule::Subject;
+
+/// Complains about trusses and beams of a material with directions: they know their own alone.
+pub(super) fn lines_have_no_axes(
+    section: &Section,
+    claimed: &[(&'static ElementType, Elements)],
+    draft: &mut Draft,
+) {
+    let any = |is: fn(&ElementType) -> bool| {
+        claimed.iter().any(|(row, elements)| is(row) && !elements.is_empty())
+    };
+    let (bars, beams) = (any(ElementType::is_truss), any(ElementType::is_beam));
+    let Some(material) = draft.materials.iter().find(|own| own.name == section.material) else {
+        return;
+    };
+    let elasticity = material.elasticity.as_ref().map(|own| &own.0);
+    let directed = matches!(elasticity, Some(Elasticity::Anisotropic(_) | Elasticity::Ply(_)));
+    let expansion = material.expansion.as_ref().and_then(|(own, card)| Some((own.as_ref()?, card)));
+    let uneven = expansion.filter(|(own, _)| !own.is_even()).map(|(_, card)| card.1);
+    if bars && directed {
+        let message = format!("the material {} is anisotropic; trusses are not", section.material);
+        let error = Diagnostic::error(Code("SL0309"), message).at(section.material_span);
+        let help = "give trusses a material of *ELASTIC: E, nu";
+        draft.consequence(Subject::Sections, error.help(help));
+    } else if let Some(card) = uneven.filter(|_| bars || beams) {
+        let message = format!(
+            "the material {} expands along three axes; trusses and beams have their own alone",
+            section.material
+        );
+        let error = Diagnostic::error(Code("SL0309"), message).at(section.material_span);
+        let error = error.label(card, "three coefficients");
+        draft.consequence(Subject::Sections, error.help("give them one: *EXPANSION, TYPE=ISO"));
+    }
+}
+
+/// Complains about elements of a ply that are not in plane stress.
+pub(super) fn in_plane_stress(
+    section: &Section,
+    claimed: &[(&'static ElementType, Elements)],
+    draft: &mut Draft,
+) {
+    let of_section = draft.materials.iter().find(|own| own.name == section.material);
+    let elasticity = of_section.and_then(|own| own.elasticity.as_ref());
+    if !matches!(elasticity, Some((Elasticity::Ply(_), _))) {
+        return;
+    }
+    let plane = |row: &ElementType| matches!(row.kinematics, Kinematics::Solid { strains, .. } if strains == solid::Kinematics::PlaneStress);
+    if let Some((row, _)) =
+        claimed.iter().find(|(row, elements)| !plane(row) && !elements.is_empty())
+    {
+        let message = format!(
+            "the material {} is TYPE=LAMINA, for plane stress; elements of type {} are not in it",
+            section.material,
+            row.name()
+        );
+        let error = Diagnostic::error(Code("SL0309"), message).at(section.material_span);
+        let help = "give all nine constants: *ELASTIC, TYPE=ENGINEERING CONSTANTS";
+        draft.consequence(Subject::Sections, error.help(help));
+    }
+}
+
+/// The section with its material.
+pub(super) fn material(
+    section: &Section,
+    orientation: Option<Orientation>,
+    draft: &mut Draft,
+) -> Option<slideline_model::Section> {
+    if let Body::Beam { elastic: Some(_), .. } = section.body {
+        let own = crate::draft::Material::new(String::new(), section.origin);
+        return section.body.of(&own, orientation, draft.dialect);
+    }
+    let found = draft.materials.iter().find(|material| material.name == section.material).cloned();
+    let Some(material) = found else {
+        no_material(&section.material, section.material_span, draft);
+        return None;
+    };
+    let of_beam = matches!(section.body, Body::Beam { .. });
+    let Some((elasticity, card)) = &material.elasticity else {
+        let card = if material.hardening.is_some() { "*PLASTIC but no" } else { "no" };
+        let message = format!("the material {} has {card} *ELASTIC", material.name);
+        let error = Diagnostic::error(Code("SL0309"), message).at(material.origin);
+        draft.consequence(Subject::Sections, error.help("put *ELASTIC behind *MATERIAL: E, nu"));
+        return None;
+    };
+    let isotropic = matches!(elasticity, Elasticity::Isotropic(_) | Elasticity::Unread);
+    if let Some((_, plastic)) = material.hardening.as_ref().filter(|_| !isotropic) {
+        let message = format!("the material {} {} and yields", material.name, elasticity.word());
+        let error = Diagnostic::error(Code("SL0309"), message).at(plastic.1);
+        let error = error.label(card.1, "its elasticity");
+        draft.consequence(Subject::Sections, error.help("*PLASTIC goes with *ELASTIC: E, nu"));
+        return None;
+    }
+    if of_beam && (material.hardening.is_some() || !isotropic) {
+        let what = if material.hardening.is_some() { "yields" } else { elasticity.word() };
+        let message = format!("the material {} {what}; beams are elastic", material.name);
+        let error = Diagnostic::error(Code("SL0309"), message).at(section.material_span);
+        draft
+            .consequence(Subject::Sections, error.help("give beams a material of *ELASTIC: E, nu"));
+        return None;
+    }
+    section.body.of(&material, orientation, draft.dialect)
+}
+
+pub(super) fn no_material(name: &str, span: Span, draft: &mut Draft) {
+    let message = format!("there is no material {name}");
+    let mut error = Diagnostic::error(Code("SL0308"), message).at(span);
+    let names = draft.materials.iter().map(|material| material.name.as_str());
+    if let Some(near) = slideline_deck::nearest(name, names) {
+        error = error.help(format!("did you mean {near}?"));
+    }
+    draft.consequence(Subject::Sections, error);
+}

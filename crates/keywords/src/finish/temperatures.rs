@@ -1,0 +1,47 @@
+//! Temperatures of nodes: what lines mean for each node, before the first step and in it.
+
+use slideline_diag::{Code, Diagnostic};
+use slideline_model::{NodalTemperature, NodeIndex, Temperature};
+
+use super::steps::{self, InForce};
+use crate::draft::Draft;
+use crate::rule::Subject;
+use crate::temperatures::Heat;
+
+/// Temperatures before the first step, a node each; none where the deck has none.
+pub(super) fn initial(draft: &mut Draft) {
+    for line in std::mem::take(&mut draft.initial_temperatures) {
+        check(&line, draft);
+        let nodes = draft.nodes_of(&line.target, line.target_span);
+        let all = &mut draft.model.initial_temperatures;
+        all.resize(draft.model.nodes.len(), Temperature::default());
+        for node in nodes {
+            all[node] = line.temperature;
+        }
+    }
+}
+
+/// Puts a line of a step into force.
+pub(super) fn heat(
+    line: &Heat,
+    into: &mut InForce<NodalTemperature, NodeIndex>,
+    draft: &mut Draft,
+) {
+    check(line, draft);
+    let amplitude = line.amplitude.as_ref().and_then(|name| steps::amplitude(name, draft));
+    for node in draft.nodes_of(&line.target, line.target_span) {
+        let (temperature, origin) = (line.temperature, line.origin);
+        into.set(node, NodalTemperature { node, temperature, amplitude, origin });
+    }
+}
+
+/// A slope counts in beams alone.
+fn check(line: &Heat, draft: &mut Draft) {
+    let Some(span) = line.slope else { return };
+    if draft.elements.iter().any(|element| element.kind.is_beam()) {
+        return;
+    }
+    let message = "a slope of the temperature counts in beams, and there are none";
+    let error = Diagnostic::error(Code("SL0210"), message).at(span);
+    draft.consequence(Subject::Elements, error.help("give every node its own temperature"));
+}

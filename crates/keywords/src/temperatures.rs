@@ -1,0 +1,41 @@
+//! Temperatures as cards give them.
+
+use slideline_deck::DataLine;
+use slideline_diag::Span;
+use slideline_model::Temperature;
+
+use crate::draft::Draft;
+use crate::instances::Target;
+use crate::reading::Reading;
+
+/// A line of `*TEMPERATURE` or `*INITIAL CONDITIONS, TYPE=TEMPERATURE`.
+#[derive(Clone, Debug)]
+pub(crate) struct Heat {
+    pub target: Target,
+    pub target_span: Span,
+    pub temperature: Temperature,
+    /// Where a slope through a beam was given.
+    pub slope: Option<Span>,
+    pub amplitude: Option<(String, Span)>,
+    pub origin: Span,
+}
+
+/// The lines `node or set, temperature, slope` of a card.
+pub(crate) fn lines(card: &Reading<'_>, draft: &mut Draft) -> Vec<Heat> {
+    card.data().iter().filter_map(|line| heat(line, draft)).collect()
+}
+
+fn heat(line: &DataLine, draft: &mut Draft) -> Option<Heat> {
+    draft.log.at_most(line, 3);
+    let target = draft.log.target(line, 0, "the node or set")?;
+    let value = draft.log.number(line, 1, "the temperature")?;
+    let slope = draft.log.number_or(line, 2, 0.0)?;
+    Some(Heat {
+        target,
+        target_span: line.fields[0].span,
+        temperature: Temperature { value, slope },
+        slope: line.field(2).filter(|_| slope != 0.0).map(|field| field.span),
+        amplitude: None,
+        origin: line.span,
+    })
+}

@@ -1,0 +1,180 @@
+//! Plane beams that expand, or whose moduli depend on temperature.
+//!
+//! ```text
+//!    y ^   /   T(y) = T + y dT/dy      mean of both fibres:     axial strain of the free beam
+//!      |  /                            difference over height:  its curvature, -a dT/dy
+//!      | /
+//!      +-----> T
+//! ```
+//!
+//! An element at its temperatures is the cold one with other stiffnesses and with strains that it
+//! has when it is free: docs/theory.md eqs. (3.62) and (3.63).
+
+use super::b21::BeamStrains;
+use super::instances::{self, array};
+use super::kernel::{
+    Element, Failure, Kernel, Response, Scale, Strains, Surroundings, Temperature,
+};
+use crate::material::{Elastic, Expansion, between};
+use crate::section::BeamStiffness;
+
+/// What temperature does to the beams of a section.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BeamHeat {
+    /// How the material expands; `None`: it does not.
+    pub expansion: Option<Expansion>,
+    /// Elasticity over temperature [theta], ascending; of the first one are the stiffnesses of the
+    /// elements.
+    pub elastic: Vec<(f64, Elastic)>,
+    /// Whether the transverse shear stiffness was given, and stays.
+    pub given_shear: bool,
+}
+
+impl BeamHeat {
+    /// Whether there is anything that temperature does.
+    pub fn changes_anything(&self) -> bool {
+        self.expansion.is_some() || self.elastic.len() > 1
+    }
+
+    /// The stiffnesses of an element at a temperature.
+    pub(super) fn stiffness(&self, cold: &BeamStiffness, temperature: f64) -> BeamStiffness {
+        let Some((first, (low, high, part))) =
+            self.elastic.first().zip(between(&self.elastic, temperature))
+        else {
+            return *cold;
+        };
+        let elastic = low.towards(high, part);
+        let stretch = elastic.modulus / first.1.modulus;
+        let shear = elastic.shear_modulus() / first.1.shear_modulus();
+        BeamStiffness {
+            axial: stretch * cold.axial,
+            shear: if self.given_shear { cold.shear } else { shear * cold.shear },
+            bending: stretch * cold.bending,
+        }
+    }
+
+    /// Strains of the free element, of two fibres at the radius of gyration of the section:
+    /// docs/theory.md eq. (3.62).
+    pub(super) fn free(
+        &self,
+        section: &BeamStiffness,
+        now: Temperature,
+        initial: Temperature,
+    ) -> BeamStrains {
+        let Some(expansion) = &self.expansion else { return BeamStrains::ZERO };
+        let gyration = (section.bending / section.axial).sqrt();
+        let [below, above] = [-gyration, gyration].map(|y| {
+            let [now, before] = [now, initial].map(|at| at.value + y * at.slope);
+            let [strain, ..] = expansion.strains(now, before);
+            strain
+        });
+        BeamStrains {
+            axial: 0.5 * (below + above),
+            shear: 0.0,
+            curvature: 0.5 * (below - above) / gyration,
+        }
+    }
+}
+
+/// What nodes with those shares make of their temperatures.
+#[inline(always)]
+pub(super) fn weighted(shares: &[f64], nodes: &[Temperature]) -> Temperature {
+    // of equal ones the sum is the same bits
+    let Some(&first) = nodes.first() else { return Temperature::default() };
+    shares.iter().zip(nodes).fold(first, |sum, (share, node)| Temperature {
+        value: sum.value + share * (node.value - first.value),
+        slope: sum.slope + share * (node.slope - first.slope),
+    })
+}
+
+/// A beam that can be warmed.
+pub trait Heated<const N: usize, const NN: usize>: Element<N, NN> + Copy {
+    /// The same element at its temperatures.
+    fn warmed(&self, heat: &BeamHeat, under: &Surroundings<'_>) -> Self;
+}
+
+/// Beams of one section.
+#[derive(Clone, Debug)]
+pub struct HeatedBeams<E, const N: usize, const NN: usize> {
+    elements: Vec<E>,
+    heat: BeamHeat,
+}
+
+impl<E: Heated<N, NN>, const N: usize, const NN: usize> HeatedBeams<E, N, NN> {
+    /// Those elements, cold.
+    pub fn new(elements: impl Iterator<Item = E>, heat: BeamHeat) -> Self {
+        Self { elements: elements.collect(), heat }
+    }
+
+    fn warmed(&self, element: usize, under: &Surroundings<'_>) -> E {
+        self.elements[element].warmed(&self.heat, under)
+    }
+}
+
+impl<E: Heated<N, NN> + 'static, const N: usize, const NN: usize> Kernel for HeatedBeams<E, N, NN> {
+    fn count(&self) -> usize {
+        self.elements.len()
+    }
+
+    fn variables(&self) -> usize {
+        N
+    }
+
+    fn estimate_size(&self) -> usize {
+        self.elements.first().map_or(0, Element::estimate_size)
+    }
+
+    fn respond(
+        &self,
+        element: usize,
+        q: &[f64],
+        _committed: &[f64],
+        under: &Surroundings<'_>,
+        into: Response<'_>,
+    ) -> Result<f64, Failure> {
+        instances::respond(&self.warmed(element, under), q, under.strains, into)
+    }
+
+    fn force_of_stresses(
+        &self,
+        element: usize,
+        q: &[f64],
+        stresses: &[f64],
+        force: &mut [f64],
+    ) -> bool {
+        // stresses that are given depend on no law
+        let Ok(force) = force.try_into() else { return false };
+        self.elements[element].force_of_stresses(&array(q), stresses, force)
+    }
+
+    fn stresses_after(
+        &self,
+        element: usize,
+        q: &[f64],
+        change: &[f64],
+        under: &Surroundings<'_>,
+        into: &mut [f64],
+    ) {
+        self.warmed(element, under).stresses_after(&array(q), &array(change), into);
+    }
+
+    fn tighten(&self, element: usize, reach: f64, stresses: &mut [f64]) {
+        self.elements[element].tighten(reach, stresses);
+    }
+
+    fn scale(&self, element: usize) -> Scale {
+        self.elements[element].scale()
+    }
+
+    fn results(
+        &self,
+        element: usize,
+        q: &[f64],
+        _state: &[f64],
+        under: &Surroundings<'_>,
+        into: &mut [f64],
+    ) {
+        let linear = under.strains == Strains::Linear;
+        self.warmed(element, under).results(&array(q), linear, into);
+    }
+}

@@ -1,0 +1,144 @@
+//! Thermal expansion: the change of shape that a change of temperature makes of a free body.
+//!
+//! ```text
+//!   F = F_m F_th        F_th: free body, hot     F_m: what the law behind it feels
+//!
+//!   [ ] --F_th--> [   ] --F_m--> /  /
+//!   cold, free     hot, free     hot, strained
+//! ```
+//!
+//! The law takes the free body as its undeformed one: its energy counts per volume of that, so
+//! that W = J_th W_m(F_m) and Kirchhoff's stress is J_th tau_m. Small strains are taken apart as a
+//! sum. docs/theory.md eqs. (3.59) to (3.61).
+
+use super::tensor::Matrix;
+use super::{Answer, Conditions, Material};
+
+/// Mean coefficients of expansion over temperature.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Expansion {
+    /// Temperature from which they count [theta].
+    pub zero: f64,
+    /// Temperature [theta] and coefficients along the axes 1, 2, 3 [1/theta], temperatures
+    /// ascending: straight between, constant outside.
+    pub table: Vec<(f64, [f64; 3])>,
+}
+
+impl Expansion {
+    /// A coefficient for all temperatures and directions.
+    pub fn even(coefficient: f64) -> Self {
+        Self { zero: 0.0, table: vec![(0.0, [coefficient; 3])] }
+    }
+
+    /// Whether all directions expand alike.
+    pub fn is_even(&self) -> bool {
+        self.table.iter().all(|(_, [a, b, c])| a == b && b == c)
+    }
+
+    /// Mean coefficients at a temperature.
+    fn coefficients(&self, temperature: f64) -> [f64; 3] {
+        match between(&self.table, temperature) {
+            Some((low, high, part)) => std::array::from_fn(|k| low[k] + part * (high[k] - low[k])),
+            None => [0.0; 3],
+        }
+    }
+
+    /// Strains of a free body along the axes at a temperature, of one that had none at another:
+    /// a(T)(T - T0) - a(TI)(TI - T0), written such that equal temperatures give zeros.
+    /// docs/theory.md eq. (3.59).
+    pub fn strains(&self, temperature: f64, initial: f64) -> [f64; 3] {
+        let (now, before) = (self.coefficients(temperature), self.coefficients(initial));
+        std::array::from_fn(|k| {
+            now[k] * (temperature - initial) + (now[k] - before[k]) * (initial - self.zero)
+        })
+    }
+}
+
+/// The rows about a temperature and the part of the way between them; outside of all the outer row
+/// twice. `None`: there are no rows.
+pub(crate) fn between<T>(rows: &[(f64, T)], temperature: f64) -> Option<(&T, &T, f64)> {
+    let (first, last) = (rows.first()?, rows.last()?);
+    let above = rows.partition_point(|(at, _)| *at <= temperature);
+    let Some((high, below)) = rows.get(above).zip(above.checked_sub(1)) else {
+        let outer = if above == 0 { first } else { last };
+        return Some((&outer.1, &outer.1, 0.0));
+    };
+    let low = &rows[below];
+    Some((&low.1, &high.1, (temperature - low.0) / (high.0 - low.0)))
+}
+
+/// How long a free body is at large strain, of the thermal strain e: docs/theory.md eq. (3.60).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Growth {
+    /// exp(e): e is a logarithmic strain.
+    Logarithmic,
+    /// sqrt(1 + 2 e): e is one of Green.
+    Green,
+    /// 1 + e: e is a change of length.
+    Length,
+}
+
+impl Growth {
+    /// Logarithm of the stretch.
+    fn log(self, strain: f64) -> f64 {
+        match self {
+            Self::Logarithmic => strain,
+            Self::Green => 0.5 * (2.0 * strain).ln_1p(),
+            Self::Length => strain.ln_1p(),
+        }
+    }
+}
+
+/// A law of a body that expands.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Expanding {
+    /// How it expands.
+    pub expansion: Expansion,
+    /// What its strains mean at large strain.
+    pub growth: Growth,
+    /// What it answers to the rest of its deformation.
+    pub law: Material,
+}
+
+impl Expanding {
+    /// Logarithms of the stretches of the free body.
+    fn logs(&self, under: &Conditions) -> [f64; 3] {
+        let strains = self.expansion.strains(under.temperature, under.initial);
+        strains.map(|strain| self.growth.log(strain))
+    }
+
+    /// Its volume over that of the cold one.
+    pub(super) fn volume(&self, under: &Conditions) -> f64 {
+        self.logs(under).iter().sum::<f64>().exp()
+    }
+
+    /// Answer of the law to what the expansion leaves of a displacement gradient.
+    pub(super) fn respond(
+        &self,
+        gradient: &Matrix,
+        under: &Conditions,
+        committed: &[f64],
+        state: &mut [f64],
+    ) -> Answer {
+        let mut left = *gradient;
+        if !under.large {
+            let strains = self.expansion.strains(under.temperature, under.initial);
+            (0..3).for_each(|k| left[k][k] -= strains[k]);
+            return self.law.respond(&left, under, committed, state);
+        }
+        for (j, log) in self.logs(under).iter().enumerate() {
+            // H_m = H / l + (1 / l - 1), free of cancellation
+            let back = (-log).exp_m1();
+            left.iter_mut().for_each(|row| row[j] += back * row[j]);
+            left[j][j] += back;
+        }
+        let answer = self.law.respond(&left, under, committed, state);
+        let volume = self.volume(under);
+        Answer {
+            stress: answer.stress.map(|stress| volume * stress),
+            moduli: answer.moduli.map(|row| row.map(|entry| volume * entry)),
+            energy: volume * answer.energy,
+            dissipation: volume * answer.dissipation,
+        }
+    }
+}
