@@ -23,7 +23,7 @@ use crate::sets::Sets;
 use crate::surfaces::{Named, NamedInteraction, NamedSurface, Pairing, RigidBody};
 use crate::temperatures::Heat;
 pub(crate) use elements::{Element, ElementKind, MOST_NODES};
-pub(crate) use sections::{Allowable, Body, Card, Elasticity, Material, Section, Table};
+pub(crate) use sections::{Allowable, Body, Card, Elasticity, Material, Section, Table, Yielding};
 
 /// Most nodes, elements and set members that a deck may generate. A slip in
 /// an `*NGEN` line must not fill the memory.

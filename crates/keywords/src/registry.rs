@@ -5,13 +5,13 @@ use slideline_deck::normalise;
 use crate::cards::{
     allowable, amplitude, assembly, beam_general_section, beam_section, boundary, cload,
     contact_controls, contact_file, contact_output, contact_pair, contact_print, controls,
-    coupling, density, distributing, distributing_coupling, dload, dsload, el_file, el_print,
-    elastic, elcopy, element, element_output, elgen, elset, end_assembly, end_instance, end_part,
-    end_step, equation, expansion, friction, heading, hyperelastic, initial_conditions, instance,
-    interface, kinematic, kinematic_coupling, material, mpc, ncopy, nfill, ngen, nmap, node,
-    node_file, node_output, node_print, nset, orientation, output, part, physical_constants,
-    plastic, pre_tension_section, print, restart, rigid_body, rigid_surface, slide_line,
-    solid_section, spring, static_, step, surface, surface_behavior, surface_contact,
+    coupling, cyclic_hardening, density, distributing, distributing_coupling, dload, dsload,
+    el_file, el_print, elastic, elcopy, element, element_output, elgen, elset, end_assembly,
+    end_instance, end_part, end_step, equation, expansion, friction, heading, hyperelastic,
+    initial_conditions, instance, interface, kinematic, kinematic_coupling, material, mpc, ncopy,
+    nfill, ngen, nmap, node, node_file, node_output, node_print, nset, orientation, output, part,
+    physical_constants, plastic, pre_tension_section, print, restart, rigid_body, rigid_surface,
+    slide_line, solid_section, spring, static_, step, surface, surface_behavior, surface_contact,
     surface_interaction, system, temperature, tie, transform, transverse_shear,
 };
 use crate::keyword::Keyword;
@@ -52,6 +52,7 @@ pub(crate) const REGISTRY: &[&'static dyn Keyword] = &[
     &expansion::Expansion,
     &hyperelastic::Hyperelastic,
     &plastic::Plastic,
+    &cyclic_hardening::CyclicHardening,
     &allowable::Allowable,
     &rigid_surface::RigidSurface,
     &slide_line::SlideLine,

@@ -105,7 +105,7 @@ fn check(name: &str, kernel: &dyn Kernel, (nodes, states, stored): (usize, usize
 }
 
 /// Requirement: force and tangent of beams of all types are derivatives of the energy, with
-/// temperatures that differ along and through them. Source: docs/theory.md eqs. (3.62), (3.63).
+/// temperatures that differ along and through them. Source: docs/theory.md eqs. (3.63), (3.64).
 #[test]
 fn beams() {
     let heat = || BeamHeat {

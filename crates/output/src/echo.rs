@@ -217,10 +217,11 @@ fn told(material: &Material) -> String {
             general(elastic.bulk_modulus(), 9),
         ),
         (Material::Plastic(plastic), _) => format!(
-            "E = {}, nu = {}, yields at {}",
+            "E = {}, nu = {}, yields at {}{}",
             general(plastic.elastic.modulus, 9),
             general(plastic.elastic.poisson, 9),
             general(plastic.table.first().map_or(0.0, |line| line[0]), 9),
+            if plastic.back_stresses.is_empty() { "" } else { ", the yield surface moves" },
         ),
         (Material::Graded(graded), _) => {
             let rows: Vec<String> = graded.rows().map(told).collect();

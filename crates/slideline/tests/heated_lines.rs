@@ -51,7 +51,7 @@ const KINDS: [&str; 6] = ["T2D2", "T2D3", "T3D2", "T3D3", "CPS4", "C3D8"];
 
 /// Requirement: a bar between fixed ends has the stress -E(T) a T, at large strain of logarithmic
 /// measure times the growth of the free body; a free one is longer by a T, or exp(a T), and has none.
-/// Source: docs/theory.md eqs. (3.59) to (3.61). Tolerance: rounding.
+/// Source: docs/theory.md eqs. (3.60) to (3.62). Tolerance: rounding.
 #[test]
 fn bars_between_fixed_ends_and_free() {
     let law = format!("*ELASTIC\n300.0, 0.3, 0.\n100.0, 0.3, 100.\n*EXPANSION\n{EXPANSION}\n");
@@ -184,7 +184,7 @@ fn units_of_temperature_mean_nothing() {
 }
 
 /// Requirement: in a section whose expansion grows with temperature a slope through the beam makes
-/// the mean strain and the curvature of its parabola. Source: docs/theory.md eq. (3.62), integrated
+/// the mean strain and the curvature of its parabola. Source: docs/theory.md eq. (3.63), integrated
 /// by hand over a rectangle of height h: f = c T^2, mean c (T^2 + s^2 h^2/12), curvature -2 c T s.
 /// Tolerance: rounding.
 #[test]

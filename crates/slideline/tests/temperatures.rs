@@ -174,7 +174,7 @@ fn a_straight_field_leaves_bending_elements_free() {
 
 /// Requirement: a body that is held all round is under the pressure 3 K a T, at large strain
 /// J_th 3 K a T of logarithmic strain; forces of mean coefficients from another zero. Source:
-/// docs/theory.md eqs. (3.59) to (3.61). Tolerance: rounding.
+/// docs/theory.md eqs. (3.60) to (3.62). Tolerance: rounding.
 #[test]
 fn held_all_round() {
     let deck = |nlgeom: &str| {
@@ -318,7 +318,7 @@ fn beams(row: &ElementType, (nlgeom, boundary, heat): (&str, &str, &str)) -> Str
 
 /// Requirement: a free beam grows by a T and is bent by -a dT/dy a length, to an arc at large
 /// displacement, without forces; one that is held has N = -E(T) A a T. Source: docs/theory.md eq.
-/// (3.62). Tolerance: rounding, and convergence of the iterations.
+/// (3.63). Tolerance: rounding, and convergence of the iterations.
 #[test]
 fn beams_expand_and_bend() {
     for row in [&types::B21, &types::B22, &types::B23] {

@@ -21,6 +21,7 @@ pub(crate) mod contact_pair;
 pub(crate) mod contact_print;
 pub(crate) mod controls;
 pub(crate) mod coupling;
+pub(crate) mod cyclic_hardening;
 pub(crate) mod density;
 pub(crate) mod distributing;
 pub(crate) mod distributing_coupling;

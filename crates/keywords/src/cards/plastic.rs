@@ -1,9 +1,10 @@
 //! `*PLASTIC`: yield stress and hardening of a metal.
 
 use slideline_deck::DataLine;
-use slideline_mech::material::Hardening;
+use slideline_mech::material::{BackStress, Hardening};
+use slideline_model::Dialect;
 
-use crate::draft::{Draft, Table};
+use crate::draft::{Draft, Table, Yielding};
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
 
@@ -16,7 +17,11 @@ impl Keyword for Plastic {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] = &[Rule::value("HARDENING")];
+        const RULES: &[Rule] = &[
+            Rule::value("HARDENING"),
+            Rule::value("DATA TYPE"),
+            Rule::value("NUMBER BACKSTRESSES"),
+        ];
         RULES
     }
 
@@ -41,16 +46,93 @@ impl Keyword for Plastic {
             return;
         }
         let given = card.word("HARDENING").is_some();
-        let known = card.choice("HARDENING", &["ISOTROPIC"], &mut draft.log).is_some() || !given;
+        let kind = card.choice("HARDENING", KINDS, &mut draft.log);
+        let kind = if given { kind } else { Some("ISOTROPIC") };
         let line = card.first_line("yield stress, plastic strain", &mut draft.log);
-        let table = line.filter(|_| known).and_then(|_| table(card, draft));
+        let yielding = kind.filter(|_| line.is_some()).and_then(|kind| yielding(kind, card, draft));
         let own = (self.name(), card.span());
-        draft.give_material(own, |material| &mut material.hardening, table);
+        draft.give_material(own, |material| &mut material.hardening, yielding);
     }
 }
 
+const KINDS: &[&str] = &["ISOTROPIC", "KINEMATIC", "COMBINED"];
+
+/// How a metal yields, by the kind of its hardening.
+fn yielding(kind: &str, card: &Reading<'_>, draft: &mut Draft) -> Option<Yielding> {
+    let of_parts = kind == "COMBINED" && draft.dialect == Dialect::Abaqus;
+    for name in ["DATA TYPE", "NUMBER BACKSTRESSES"] {
+        if card.has(name) && !of_parts {
+            let message = format!("{name} belongs to HARDENING=COMBINED in Abaqus' dialect");
+            draft.log.error("SL0234", message, card.span_of(name));
+            return None;
+        }
+    }
+    if of_parts {
+        return parts(card, draft);
+    }
+    let table = table(card, draft)?;
+    if kind == "ISOTROPIC" {
+        return Some(Yielding { table, back_stresses: Vec::new(), combined: false });
+    }
+    let [(temperature, lines)] = &table[..] else {
+        let message = "a yield surface that moves has constants of one temperature alone";
+        draft.log.error("SL0234", message, card.span());
+        return None;
+    };
+    let back_stress = match (draft.dialect, &lines[..]) {
+        (Dialect::Calculix, lines) => BackStress::Table(lines.to_vec()),
+        (Dialect::Abaqus, [_]) => BackStress::Evolving { modulus: 0.0, recall: 0.0 },
+        (Dialect::Abaqus, [low, high]) => {
+            let modulus = (high[0] - low[0]) / (high[1] - low[1]);
+            BackStress::Evolving { modulus, recall: 0.0 }
+        }
+        (Dialect::Abaqus, _) => {
+            let message = "linear kinematic hardening has two lines: the yield stress, and a stress \
+                           at a plastic strain";
+            draft.log.error("SL0234", message, card.data().get(2)?.span);
+            return None;
+        }
+    };
+    let start = lines.first().copied().into_iter().collect();
+    let (table, combined) = (vec![(*temperature, start)], kind == "COMBINED");
+    Some(Yielding { table, back_stresses: vec![back_stress], combined })
+}
+
+/// Yield stress, then modulus and recall of every back stress.
+fn parts(card: &Reading<'_>, draft: &mut Draft) -> Option<Yielding> {
+    if card.choice("DATA TYPE", DATA_TYPES, &mut draft.log) != Some("PARAMETERS") {
+        let message = "combined hardening is read from its parameters alone: write DATA \
+                       TYPE=PARAMETERS and `yield stress, C1, gamma1, C2, gamma2, ...`";
+        draft.log.error("SL0234", message, card.span());
+        return None;
+    }
+    let count = card.count("NUMBER BACKSTRESSES", 1, &mut draft.log);
+    let numbers = card.numbers(&mut draft.log)?;
+    let expected = count.saturating_mul(2).saturating_add(1);
+    if numbers.len() != expected && numbers.len() != expected.saturating_add(1) {
+        let message = format!(
+            "{count} back stresses take {expected} numbers of one temperature, not {}",
+            numbers.len()
+        );
+        draft.log.error("SL0234", message, card.span());
+        return None;
+    }
+    let sound = numbers[0] > 0.0 && numbers[1..expected].iter().all(|number| *number >= 0.0);
+    if !sound {
+        let message = "the yield stress must be positive, moduli and recalls not negative";
+        draft.log.error("SL0234", message, card.span());
+        return None;
+    }
+    let pairs = numbers[1..expected].as_chunks::<2>().0.iter();
+    let back_stresses = pairs.map(|&[modulus, recall]| BackStress::Evolving { modulus, recall });
+    let table = vec![(0.0, vec![[numbers[0], 0.0]])];
+    Some(Yielding { table, back_stresses: back_stresses.collect(), combined: true })
+}
+
+const DATA_TYPES: &[&str] = &["PARAMETERS", "HALF CYCLE", "STABILIZED"];
+
 /// Yield stresses over plastic strains that start at zero and ascend, for every temperature.
-fn table(card: &Reading<'_>, draft: &mut Draft) -> Option<Table<Hardening>> {
+pub(super) fn table(card: &Reading<'_>, draft: &mut Draft) -> Option<Table<Hardening>> {
     let mut tables: Table<Hardening> = Vec::new();
     for line in card.data() {
         draft.log.at_most(line, 3);

@@ -4,7 +4,8 @@ use slideline_deck::DataLine;
 use slideline_diag::Span;
 use slideline_mech::element::BeamHeat;
 use slideline_mech::material::{
-    Anisotropic, Elastic, Expanding, Expansion, Graded, Growth, Hardening, LargeStrain, Rubber,
+    Anisotropic, BackStress, Elastic, Expanding, Expansion, Graded, Growth, Hardening, LargeStrain,
+    Plastic, Rubber,
 };
 use slideline_mech::orientation::Orientation;
 use slideline_model::{self as model, BeamSection, Dialect, Limit, Shape, ShearRule, SolidSection};
@@ -83,13 +84,26 @@ pub(crate) type Table<T> = Vec<(f64, T)>;
 pub(crate) struct Material {
     pub name: String,
     pub elasticity: Option<(Elasticity, Card)>,
-    /// Yield stress and plastic strain, line by line; `None` in it: unreadable.
-    pub hardening: Option<(Option<Table<Hardening>>, Card)>,
+    /// How it yields; `None` in it: unreadable.
+    pub hardening: Option<(Option<Yielding>, Card)>,
+    /// Yield stresses of combined hardening; `None` in it: unreadable.
+    pub growth: Option<(Option<Table<Hardening>>, Card)>,
     /// How it expands; `None` in it: unreadable.
     pub expansion: Option<(Option<Expansion>, Card)>,
     /// Mass per volume [M/L3]; `None` in it: unreadable.
     pub density: Option<(Option<f64>, Card)>,
     pub origin: Span,
+}
+
+/// How a metal yields.
+#[derive(Clone, Debug)]
+pub(crate) struct Yielding {
+    /// Yield stress and plastic strain, line by line.
+    pub table: Table<Hardening>,
+    /// What moves the yield surface.
+    pub back_stresses: Vec<BackStress>,
+    /// Whether the surface may also grow.
+    pub combined: bool,
 }
 
 /// What a material does against strain.
@@ -121,7 +135,15 @@ pub(crate) type Card = (&'static str, Span);
 impl Material {
     /// One without properties yet.
     pub fn new(name: String, origin: Span) -> Self {
-        Self { name, elasticity: None, hardening: None, expansion: None, density: None, origin }
+        Self {
+            name,
+            elasticity: None,
+            hardening: None,
+            growth: None,
+            expansion: None,
+            density: None,
+            origin,
+        }
     }
 
     /// Its constants over temperature, where it is isotropic and linear.
@@ -162,6 +184,21 @@ impl Material {
         }
     }
 
+    /// A metal of an elasticity.
+    fn metal(&self, elastic: &Table<Elastic>, yielding: &Yielding) -> Option<model::Material> {
+        let table = match &self.growth {
+            Some((growth, _)) => growth.as_ref()?,
+            None => &yielding.table,
+        };
+        if yielding.back_stresses.is_empty() {
+            return graded(Graded::metal(elastic, table));
+        }
+        let [(_, elastic)] = elastic[..] else { return None };
+        let (_, table) = table.first()?.clone();
+        let back_stresses = yielding.back_stresses.clone();
+        Some(model::Material::Plastic(Plastic { elastic, table, back_stresses }))
+    }
+
     /// The law without its expansion.
     fn law(&self, large: LargeStrain) -> Option<model::Material> {
         match &self.elasticity.as_ref()?.0 {
@@ -172,7 +209,7 @@ impl Material {
                 Some(model::Material::Anisotropic(own.clone()))
             }
             Elasticity::Isotropic(table) => match &self.hardening {
-                Some((hardening, _)) => graded(Graded::metal(table, hardening.as_ref()?)),
+                Some((yielding, _)) => self.metal(table, yielding.as_ref()?),
                 None => {
                     graded(table.iter().map(|(at, e)| (*at, model::Material::Elastic(*e, large))))
                 }

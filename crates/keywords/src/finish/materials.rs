@@ -98,6 +98,9 @@ pub(super) fn material(
         draft.consequence(Subject::Sections, error.help("*PLASTIC goes with *ELASTIC: E, nu"));
         return None;
     }
+    if !is_sound_metal(&material, draft) {
+        return None;
+    }
     if of_beam && (material.hardening.is_some() || !isotropic) {
         let what = if material.hardening.is_some() { "yields" } else { elasticity.word() };
         let message = format!("the material {} {what}; beams are elastic", material.name);
@@ -107,6 +110,32 @@ pub(super) fn material(
         return None;
     }
     section.body.of(&material, orientation, draft.dialect)
+}
+
+/// Whether what hardens a metal goes together; complains if not.
+fn is_sound_metal(material: &crate::draft::Material, draft: &mut Draft) -> bool {
+    let yielding = material.hardening.as_ref().and_then(|(own, _)| own.as_ref());
+    let moves = yielding.is_some_and(|own| !own.back_stresses.is_empty());
+    if let Some((_, growth)) = material.growth.as_ref() {
+        if !yielding.is_none_or(|own| own.combined) || material.hardening.is_none() {
+            let message = "*CYCLIC HARDENING belongs to *PLASTIC, HARDENING=COMBINED";
+            let error = Diagnostic::error(Code("SL0309"), message).at(growth.1);
+            let help = "write HARDENING=COMBINED on *PLASTIC, or leave *CYCLIC HARDENING out";
+            draft.consequence(Subject::Sections, error.help(help));
+            return false;
+        }
+    }
+    if moves && material.isotropic().is_some_and(|table| table.len() > 1) {
+        let message = format!(
+            "the yield surface of {} moves, and its elasticity depends on temperature",
+            material.name
+        );
+        let error = Diagnostic::error(Code("SL0309"), message).at(material.origin);
+        let help = "kinematic hardening takes constants of one temperature";
+        draft.consequence(Subject::Sections, error.help(help));
+        return false;
+    }
+    true
 }
 
 pub(super) fn no_material(name: &str, span: Span, draft: &mut Draft) {

@@ -211,7 +211,6 @@ pub(super) const GROUPS: &[Group] = &[
             "CONCRETE DAMAGED PLASTICITY",
             "CREEP",
             "CRUSHABLE FOAM",
-            "CYCLIC HARDENING",
             "DAMAGE EVOLUTION",
             "DAMAGE INITIATION",
             "DAMAGE STABILIZATION",

@@ -8,7 +8,7 @@
 //! ```
 //!
 //! An element at its temperatures is the cold one with other stiffnesses and with strains that it
-//! has when it is free: docs/theory.md eqs. (3.62) and (3.63).
+//! has when it is free: docs/theory.md eqs. (3.63) and (3.64).
 
 use super::b21::BeamStrains;
 use super::instances::{self, array};
@@ -54,7 +54,7 @@ impl BeamHeat {
     }
 
     /// Strains of the free element, of two fibres at the radius of gyration of the section:
-    /// docs/theory.md eq. (3.62).
+    /// docs/theory.md eq. (3.63).
     pub(super) fn free(
         &self,
         section: &BeamStiffness,

@@ -9,7 +9,7 @@
 //!
 //! The law takes the free body as its undeformed one: its energy counts per volume of that, so
 //! that W = J_th W_m(F_m) and Kirchhoff's stress is J_th tau_m. Small strains are taken apart as a
-//! sum. docs/theory.md eqs. (3.59) to (3.61).
+//! sum. docs/theory.md eqs. (3.60) to (3.62).
 
 use super::tensor::Matrix;
 use super::{Answer, Conditions, Material};
@@ -45,7 +45,7 @@ impl Expansion {
 
     /// Strains of a free body along the axes at a temperature, of one that had none at another:
     /// a(T)(T - T0) - a(TI)(TI - T0), written such that equal temperatures give zeros.
-    /// docs/theory.md eq. (3.59).
+    /// docs/theory.md eq. (3.60).
     pub fn strains(&self, temperature: f64, initial: f64) -> [f64; 3] {
         let (now, before) = (self.coefficients(temperature), self.coefficients(initial));
         std::array::from_fn(|k| {
@@ -67,7 +67,7 @@ pub(crate) fn between<T>(rows: &[(f64, T)], temperature: f64) -> Option<(&T, &T,
     Some((&low.1, &high.1, (temperature - low.0) / (high.0 - low.0)))
 }
 
-/// How long a free body is at large strain, of the thermal strain e: docs/theory.md eq. (3.60).
+/// How long a free body is at large strain, of the thermal strain e: docs/theory.md eq. (3.61).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Growth {
     /// exp(e): e is a logarithmic strain.

@@ -9,7 +9,7 @@
 //!
 //! E and T are tensors of the undeformed body, so that what a law remembers turns with it
 //! [miehe2002]. Derivatives of the logarithm are divided differences over the squares x of the
-//! principal stretches; equal stretches cost no digits. docs/theory.md eqs. (3.60) to (3.62).
+//! principal stretches; equal stretches cost no digits. docs/theory.md eqs. (3.65) to (3.67).
 
 use super::Answer;
 use super::tensor::{COUNTS, INDEX, Matrix, Moduli, Symmetric, carried, eigen, pushed, right};
@@ -62,7 +62,7 @@ impl Principal {
         })
     }
 
-    /// Kirchhoff's stress along the principal axes from T along them, eq. (3.61).
+    /// Kirchhoff's stress along the principal axes from T along them, eq. (3.66).
     fn stress(&self, t: &Symmetric) -> Symmetric {
         std::array::from_fn(|k| self.slope(k) * t[k])
     }
@@ -75,7 +75,7 @@ impl Principal {
         if d == 0.0 { 1.0 } else { d / d.sinh() }
     }
 
-    /// Its moduli along the principal axes, eq. (3.62).
+    /// Its moduli along the principal axes, eq. (3.67).
     fn moduli(&self, t: &Symmetric, of_law: &Moduli) -> Moduli {
         let slopes: Symmetric = std::array::from_fn(|k| self.slope(k));
         let mut moduli: Moduli =

@@ -139,7 +139,7 @@ impl Plastic {
         Some(self.moving(deviator, committed))
     }
 
-    /// Returns a deviator to a yield surface that moves, docs/theory.md eq. (3.64): Newton's steps,
+    /// Returns a deviator to a yield surface that moves, docs/theory.md eq. (3.69): Newton's steps,
     /// halves where they leave what encloses the answer.
     fn moving(&self, deviator: &Symmetric, committed: &[f64]) -> Return {
         let three = 3.0 * self.elastic.shear_modulus();

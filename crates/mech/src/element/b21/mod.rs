@@ -96,7 +96,7 @@ pub struct Beam21 {
     /// 1/l, or zero for an element without length.
     inverse: f64,
     direction: [f64; 2],
-    /// Strains of the free element, hot as it is: docs/theory.md eq. (3.62).
+    /// Strains of the free element, hot as it is: docs/theory.md eq. (3.63).
     pub(super) free: BeamStrains,
 }
 
