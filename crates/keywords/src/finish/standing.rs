@@ -5,7 +5,7 @@
 //!   step 2   A: 4                     A acts with 4, B with 1   (OP=MOD)
 //! ```
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use std::hash::Hash;
 
 /// Loads by what they rest on, in the order in which they were said. Those that one step gives one
@@ -47,5 +47,30 @@ impl<K: Eq + Hash, T> Standing<K, T> {
     /// All of them, to be changed.
     pub fn iter_mut(&mut self) -> impl Iterator<Item = &mut T> {
         self.list.iter_mut().map(|(_, load)| load)
+    }
+}
+
+/// Values of which each place has one, in the order in which they were said.
+#[derive(Clone)]
+pub(super) struct InForce<T, K> {
+    pub list: Vec<T>,
+    place: HashMap<K, usize>,
+}
+
+impl<T, K> Default for InForce<T, K> {
+    fn default() -> Self {
+        Self { list: Vec::new(), place: HashMap::new() }
+    }
+}
+
+impl<T, K: Hash + Eq> InForce<T, K> {
+    pub fn set(&mut self, key: K, value: T) {
+        match self.place.get(&key) {
+            Some(&at) => self.list[at] = value,
+            None => {
+                self.place.insert(key, self.list.len());
+                self.list.push(value);
+            }
+        }
     }
 }
