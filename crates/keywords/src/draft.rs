@@ -1,6 +1,7 @@
 //! The model while it is read: objects by name, references not yet resolved.
 
 mod elements;
+mod heat;
 mod sections;
 
 use std::collections::HashMap;
@@ -21,8 +22,8 @@ use crate::rule::Subject;
 use crate::scopes::Parts;
 use crate::sets::Sets;
 use crate::surfaces::{Named, NamedInteraction, NamedSurface, Pairing, RigidBody};
-use crate::temperatures::Heat;
 pub(crate) use elements::{Element, ElementKind, MOST_NODES};
+pub(crate) use heat::Heat;
 pub(crate) use sections::{Allowable, Body, Card, Elasticity, Material, Section, Table, Yielding};
 
 /// Most nodes, elements and set members that a deck may generate. A slip in

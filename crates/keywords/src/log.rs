@@ -182,6 +182,17 @@ impl Log {
         }
     }
 
+    /// Whether temperatures of a table ascend; complains if not. `at`: the field of the temperature.
+    pub fn ascends(&mut self, last: Option<f64>, now: f64, line: &DataLine, at: usize) -> bool {
+        let sound = last.is_none_or(|last| now > last);
+        if !sound {
+            let span = line.fields.get(at).map_or(line.span, |field| field.span);
+            let message = format!("the temperature {now} does not ascend");
+            self.error("SL0234", message, span);
+        }
+        sound
+    }
+
     /// Complains about lines behind the last one that means something.
     pub fn at_most_lines(&mut self, data: &[DataLine], count: usize, keyword: &str) {
         if let Some(line) = data.get(count) {

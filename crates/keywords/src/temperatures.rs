@@ -1,24 +1,10 @@
 //! Temperatures as cards give them.
 
 use slideline_deck::DataLine;
-use slideline_diag::Span;
 use slideline_model::Temperature;
 
-use crate::draft::Draft;
-use crate::instances::Target;
+use crate::draft::{Draft, Heat};
 use crate::reading::Reading;
-
-/// A line of `*TEMPERATURE` or `*INITIAL CONDITIONS, TYPE=TEMPERATURE`.
-#[derive(Clone, Debug)]
-pub(crate) struct Heat {
-    pub target: Target,
-    pub target_span: Span,
-    pub temperature: Temperature,
-    /// Where a slope through a beam was given.
-    pub slope: Option<Span>,
-    pub amplitude: Option<(String, Span)>,
-    pub origin: Span,
-}
 
 /// The lines `node or set, temperature, slope` of a card.
 pub(crate) fn lines(card: &Reading<'_>, draft: &mut Draft) -> Vec<Heat> {

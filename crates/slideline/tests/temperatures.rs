@@ -188,11 +188,9 @@ fn held_all_round() {
         )
     };
     // a(70) = 2e-3
-    let strain = 2e-3 * 60.0 - 1e-3 * 10.0;
+    let strain: f64 = 2e-3 * 60.0 - 1e-3 * 10.0;
     let pressure = 3.0 * 200.0 / (3.0 * 0.4) * strain;
-    for (nlgeom, exact) in
-        [("NLGEOM=NO", pressure), ("NLGEOM", (3.0 * strain as f64).exp() * pressure)]
-    {
+    for (nlgeom, exact) in [("NLGEOM=NO", pressure), ("NLGEOM", (3.0 * strain).exp() * pressure)] {
         let watch = run(&deck(nlgeom));
         let pushed = watch.reactions[&1][0] + watch.reactions[&4][0];
         assert!((pushed - exact).abs() < 1e-12 * exact, "{nlgeom} {pushed} {exact}");

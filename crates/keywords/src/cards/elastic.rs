@@ -73,7 +73,7 @@ fn isotropic(card: &Reading<'_>, draft: &mut Draft) -> Option<Table<material::El
         draft.log.at_most(line, 3);
         let elastic = constants(line, draft)?;
         let temperature = draft.log.number_or(line, 2, 0.0)?;
-        if !draft.ascends(table.last().map(|last| last.0), temperature, line, 2) {
+        if !draft.log.ascends(table.last().map(|last| last.0), temperature, line, 2) {
             return None;
         }
         table.push((temperature, elastic));

@@ -58,7 +58,7 @@ fn expansion(card: &Reading<'_>, draft: &mut Draft) -> Option<material::Expansio
     let mut table: Vec<(f64, [f64; 3])> = Vec::new();
     for line in card.data() {
         let (temperature, row) = row(line, width, draft)?;
-        if !draft.ascends(table.last().map(|last| last.0), temperature, line, width) {
+        if !draft.log.ascends(table.last().map(|last| last.0), temperature, line, width) {
             return None;
         }
         table.push((temperature, row));

@@ -109,7 +109,8 @@ fn table(form: (&str, usize), card: &Reading<'_>, draft: &mut Draft) -> Option<T
         let temperature = values.get(shapes + volumes).copied().unwrap_or(0.0);
         let last = &set[set.len() - 1];
         let at = last.fields.len().saturating_sub(1);
-        if !draft.ascends(table.last().map(|own: &(f64, Rubber)| own.0), temperature, last, at) {
+        if !draft.log.ascends(table.last().map(|own: &(f64, Rubber)| own.0), temperature, last, at)
+        {
             return None;
         }
         table.push((temperature, rubber(form, &values, (card, set), draft)?));

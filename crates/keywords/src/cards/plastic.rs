@@ -138,7 +138,7 @@ pub(super) fn table(card: &Reading<'_>, draft: &mut Draft) -> Option<Table<Harde
         draft.log.at_most(line, 3);
         let temperature = draft.log.number_or(line, 2, 0.0)?;
         if tables.last().is_none_or(|last| last.0 != temperature) {
-            if !draft.ascends(tables.last().map(|last| last.0), temperature, line, 2) {
+            if !draft.log.ascends(tables.last().map(|last| last.0), temperature, line, 2) {
                 return None;
             }
             tables.push((temperature, Hardening::new()));

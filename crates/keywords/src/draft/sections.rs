@@ -1,6 +1,5 @@
 //! Sections and materials: what elements are made of.
 
-use slideline_deck::DataLine;
 use slideline_diag::Span;
 use slideline_mech::element::BeamHeat;
 use slideline_mech::material::{
@@ -10,8 +9,6 @@ use slideline_mech::material::{
 use slideline_mech::orientation::Orientation;
 use slideline_model::{self as model, BeamSection, Dialect, Limit, Shape, ShearRule, SolidSection};
 use std::sync::Arc;
-
-use super::Draft;
 
 #[derive(Clone, Debug)]
 pub(crate) struct Section {
@@ -216,19 +213,6 @@ impl Material {
             },
             Elasticity::Unread => None,
         }
-    }
-}
-
-impl Draft {
-    /// Whether temperatures of a table ascend; complains if not. `at`: the field of the temperature.
-    pub fn ascends(&mut self, last: Option<f64>, now: f64, line: &DataLine, at: usize) -> bool {
-        let sound = last.is_none_or(|last| now > last);
-        if !sound {
-            let span = line.fields.get(at).map_or(line.span, |field| field.span);
-            let message = format!("the temperature {now} does not ascend");
-            self.log.error("SL0234", message, span);
-        }
-        sound
     }
 }
 

@@ -133,3 +133,28 @@ fn hand_over<K, T: Curved>(
     }
     old
 }
+
+/// Values of which each place has one, in the order in which they were said.
+#[derive(Clone)]
+pub(super) struct InForce<T, K> {
+    pub list: Vec<T>,
+    place: HashMap<K, usize>,
+}
+
+impl<T, K> Default for InForce<T, K> {
+    fn default() -> Self {
+        Self { list: Vec::new(), place: HashMap::new() }
+    }
+}
+
+impl<T, K: Hash + Eq> InForce<T, K> {
+    pub fn set(&mut self, key: K, value: T) {
+        match self.place.get(&key) {
+            Some(&at) => self.list[at] = value,
+            None => {
+                self.place.insert(key, self.list.len());
+                self.list.push(value);
+            }
+        }
+    }
+}

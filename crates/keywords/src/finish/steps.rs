@@ -2,7 +2,6 @@
 //! what a step takes over from the one before.
 
 use std::collections::{HashMap, HashSet};
-use std::hash::Hash;
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{
@@ -10,40 +9,15 @@ use slideline_model::{
     OutputRequests, Passage, Prescribed, PrintTarget, Request, SavedStates, Static, Step,
 };
 
-use super::standing::{Curved, Standing};
+use super::standing::{Curved, InForce, Standing};
 use super::{resting, temperatures};
 use crate::draft::{Boundary, Draft, StepDraft};
 use crate::rule::Subject;
 
-/// What is in force, by node and dof or by node, in the order in which it was said.
-#[derive(Clone)]
-pub(super) struct InForce<T, K = (NodeIndex, Dof)> {
-    list: Vec<T>,
-    place: HashMap<K, usize>,
-}
-
-impl<T, K> Default for InForce<T, K> {
-    fn default() -> Self {
-        Self { list: Vec::new(), place: HashMap::new() }
-    }
-}
-
-impl<T, K: Hash + Eq> InForce<T, K> {
-    pub(super) fn set(&mut self, key: K, value: T) {
-        match self.place.get(&key) {
-            Some(&at) => self.list[at] = value,
-            None => {
-                self.place.insert(key, self.list.len());
-                self.list.push(value);
-            }
-        }
-    }
-}
-
 /// What passes from step to step.
 #[derive(Default)]
 struct Carried {
-    prescribed: InForce<Prescribed>,
+    prescribed: InForce<Prescribed, (NodeIndex, Dof)>,
     loads: Standing<(NodeIndex, Dof), Load>,
     temperatures: InForce<NodalTemperature, NodeIndex>,
     distributed: resting::InForce,
@@ -160,7 +134,8 @@ fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
         carried.temperatures = InForce::default();
     }
     for line in &step.temperatures {
-        temperatures::heat(line, &mut carried.temperatures, draft);
+        let amplitude = line.amplitude.as_ref().and_then(|name| amplitude(name, draft));
+        temperatures::heat((line, amplitude), &mut carried.temperatures, draft);
     }
     carried.distributed.renew(step.new_distributed, draft.dialect);
     let lines = step.distributed.iter().map(|line| {
@@ -265,7 +240,7 @@ fn over_total_time(before: f64, carried: &mut Carried, draft: &mut Draft) {
     }
 }
 
-pub(super) fn amplitude((name, span): &(String, Span), draft: &mut Draft) -> Option<usize> {
+fn amplitude((name, span): &(String, Span), draft: &mut Draft) -> Option<usize> {
     let list = &draft.model.amplitudes;
     let found = list.iter().rposition(|amplitude| amplitude.name == *name);
     if found.is_none() {
@@ -281,7 +256,7 @@ pub(super) fn amplitude((name, span): &(String, Span), draft: &mut Draft) -> Opt
 }
 
 /// Dofs that the model does not have are passed over: `1, 1, 6` is common.
-fn prescribe(line: &Boundary, into: &mut InForce<Prescribed>, draft: &mut Draft) {
+fn prescribe(line: &Boundary, into: &mut InForce<Prescribed, (NodeIndex, Dof)>, draft: &mut Draft) {
     let amplitude = line.amplitude.as_ref().and_then(|name| amplitude(name, draft));
     for node in draft.nodes_of(&line.target, line.target_span) {
         for &dof in &line.dofs {

@@ -3,10 +3,9 @@
 use slideline_diag::{Code, Diagnostic};
 use slideline_model::{NodalTemperature, NodeIndex, Temperature};
 
-use super::steps::{self, InForce};
-use crate::draft::Draft;
+use super::standing::InForce;
+use crate::draft::{Draft, Heat};
 use crate::rule::Subject;
-use crate::temperatures::Heat;
 
 /// Temperatures before the first step, a node each; none where the deck has none.
 pub(super) fn initial(draft: &mut Draft) {
@@ -21,14 +20,13 @@ pub(super) fn initial(draft: &mut Draft) {
     }
 }
 
-/// Puts a line of a step into force.
+/// Puts a line of a step, with its amplitude, into force.
 pub(super) fn heat(
-    line: &Heat,
+    (line, amplitude): (&Heat, Option<usize>),
     into: &mut InForce<NodalTemperature, NodeIndex>,
     draft: &mut Draft,
 ) {
     check(line, draft);
-    let amplitude = line.amplitude.as_ref().and_then(|name| steps::amplitude(name, draft));
     for node in draft.nodes_of(&line.target, line.target_span) {
         let (temperature, origin) = (line.temperature, line.origin);
         into.set(node, NodalTemperature { node, temperature, amplitude, origin });

@@ -53,7 +53,7 @@ const GROUPS: &[Group] = &[
     ("NCOPY", "copy with SHIFT: a translation and a rotation", &["REFLECT", "POLE", "ORIENTATION"]),
     ("NFILL", "the nodes stand at equal distances", &["BIAS", "SINGULAR", "TWO STEP"]),
     ("NODE", "draw the nodes in with *INCLUDE, INPUT=", &["INPUT"]),
-    ("PLASTIC", "give one table of yield stress over plastic strain", &["RATE", "DATA TYPE"]),
+    ("PLASTIC", "give one table of yield stress over plastic strain", &["RATE"]),
     (
         "SOLID SECTION",
         "make one element layer for each material",
