@@ -116,14 +116,16 @@ pub(super) fn material(
 fn is_sound_metal(material: &crate::draft::Material, draft: &mut Draft) -> bool {
     let yielding = material.hardening.as_ref().and_then(|(own, _)| own.as_ref());
     let moves = yielding.is_some_and(|own| !own.back_stresses.is_empty());
-    if let Some((_, growth)) = material.growth.as_ref() {
-        if !yielding.is_none_or(|own| own.combined) || material.hardening.is_none() {
-            let message = "*CYCLIC HARDENING belongs to *PLASTIC, HARDENING=COMBINED";
-            let error = Diagnostic::error(Code("SL0309"), message).at(growth.1);
-            let help = "write HARDENING=COMBINED on *PLASTIC, or leave *CYCLIC HARDENING out";
-            draft.consequence(Subject::Sections, error.help(help));
-            return false;
-        }
+    let combined = match &material.hardening {
+        Some(_) => yielding.is_none_or(|own| own.combined),
+        None => false,
+    };
+    if let Some((_, growth)) = material.growth.as_ref().filter(|_| !combined) {
+        let message = "*CYCLIC HARDENING belongs to *PLASTIC, HARDENING=COMBINED";
+        let error = Diagnostic::error(Code("SL0309"), message).at(growth.1);
+        let help = "write HARDENING=COMBINED on *PLASTIC, or leave *CYCLIC HARDENING out";
+        draft.consequence(Subject::Sections, error.help(help));
+        return false;
     }
     if moves && material.isotropic().is_some_and(|table| table.len() > 1) {
         let message = format!(

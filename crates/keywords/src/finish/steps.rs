@@ -137,13 +137,7 @@ fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
         let amplitude = line.amplitude.as_ref().and_then(|name| amplitude(name, draft));
         temperatures::heat((line, amplitude), &mut carried.temperatures, draft);
     }
-    carried.distributed.renew(step.new_distributed, draft.dialect);
-    let lines = step.distributed.iter().map(|line| {
-        let amplitude = line.amplitude.as_ref().and_then(|name| amplitude(name, draft));
-        (line, amplitude)
-    });
-    let lines: Vec<_> = lines.collect();
-    carried.distributed.take(&lines, draft);
+    distribute(&step, carried, draft);
     carried.controls = step.controls.unwrap_or(carried.controls);
     carried.restart = step.restart.or(carried.restart);
     carried.contact_changes |= step.contact_changes;
@@ -181,6 +175,17 @@ fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
         },
         origin: step.origin,
     }
+}
+
+/// Puts the distributed loads of a step into force.
+fn distribute(step: &StepDraft, carried: &mut Carried, draft: &mut Draft) {
+    carried.distributed.renew(step.new_distributed, draft.dialect);
+    let lines = step.distributed.iter().map(|line| {
+        let amplitude = line.amplitude.as_ref().and_then(|name| amplitude(name, draft));
+        (line, amplitude)
+    });
+    let lines: Vec<_> = lines.collect();
+    carried.distributed.take(&lines, draft);
 }
 
 /// The concentrated loads of a step, with those that ramp off where they do not vanish `at_once`.

@@ -345,12 +345,10 @@ fn moduli_of_recalled_back_stresses() {
         std::array::from_fn(|i| (up[i] - down[i]) / (2.0 * step * COUNTS[j]))
     });
     let mut lean = 0.0_f64;
-    for i in 0..6 {
-        for j in 0..6 {
-            let even = 0.5 * (difference[i][j] + difference[j][i]);
-            lean = lean.max((difference[i][j] - even).abs());
-            assert!((even - answer.moduli[i][j]).abs() < 1e-8, "{i} {j}");
-        }
+    for (i, j) in (0..6).flat_map(|i| (0..6).map(move |j| (i, j))) {
+        let even = 0.5 * (difference[i][j] + difference[j][i]);
+        lean = lean.max((difference[i][j] - even).abs());
+        assert!((even - answer.moduli[i][j]).abs() < 1e-8, "{i} {j}");
     }
     // so that the test sees the recall
     assert!(lean > 1e-4, "{lean}");
