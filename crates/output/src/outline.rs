@@ -124,7 +124,7 @@ impl Drawing {
         let mut pieces = Vec::new();
         for block in &model.blocks {
             let kind = match block.kind.kinematics {
-                Kinematics::Beam { .. } => Kind::Beam,
+                Kinematics::Beam { .. } | Kinematics::SpaceBeam => Kind::Beam,
                 Kinematics::Spring => Kind::Spring,
                 Kinematics::Solid { .. } | Kinematics::Truss | Kinematics::Other => Kind::Solid,
             };

@@ -126,6 +126,7 @@ mod tests {
             poisson: 0.0,
             material: slideline_mech::material::Elastic { modulus: 1.0, poisson: 0.0 },
             shear: ShearRule::default(),
+            first_axis: BeamSection::FIRST_AXIS,
         };
         let s = axial_stresses([5.0, -7.0], &section);
         let normal = 2.0 * 3.0 / 6.0 * (s[0] + 4.0 * s[2] + s[4]);

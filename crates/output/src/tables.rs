@@ -174,6 +174,8 @@ fn element_tables(frame: &Frame<'_>, print: &ElementPrint, of_beams: bool) -> Ve
             let points: Vec<usize> = match of_beams {
                 true if pointed => print.section_points.clone(),
                 true => vec![1],
+                // what is told of a beam in space is told of its middle
+                false if block.kind.is_space_beam() => vec![1],
                 false => (1..=own.stresses.len()).collect(),
             };
             let known = tables.iter().position(|table| table.names == names);
@@ -199,6 +201,7 @@ fn element_tables(frame: &Frame<'_>, print: &ElementPrint, of_beams: bool) -> Ve
 /// Columns of a variable for elements of a type; none where they lack it.
 fn columns(variable: ElementVariable, kind: &ElementType) -> &'static [&'static str] {
     match variable {
+        ElementVariable::MISES if kind.is_space_beam() => &[],
         ElementVariable::MISES => &["MISES"],
         ElementVariable::S if kind.is_beam() => &["S11"],
         other => kind.field(field(other)).map_or(&[], |(field, _)| field.components),
@@ -246,11 +249,14 @@ impl Own<'_> {
     fn at(&self, variable: ElementVariable, point: usize) -> Vec<f64> {
         let kind = self.block.kind;
         match (variable, &self.block.section) {
-            (ElementVariable::S | ElementVariable::MISES, Section::Beam(section)) => {
+            (ElementVariable::S | ElementVariable::MISES, Section::Beam(section))
+                if kind.is_beam() =>
+            {
                 let stresses = axial_stresses([self.values[0], self.values[2]], section);
                 let is_mises = variable == ElementVariable::MISES;
                 vec![if is_mises { outer_mises(&stresses) } else { stresses[point - 1] }]
             }
+            (ElementVariable::MISES, _) if kind.is_space_beam() => Vec::new(),
             (ElementVariable::MISES, _) => vec![solid::mises(self.stresses[point - 1])],
             _ => {
                 let Some((field, first)) = kind.field(field(variable)) else { return Vec::new() };

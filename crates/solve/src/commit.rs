@@ -10,7 +10,8 @@ use crate::problem::Problem;
 use crate::rows::contact_rows;
 use crate::state::State;
 use crate::users::UserFrictions;
-use slideline_model::Model;
+use slideline_mech::turn::Turn;
+use slideline_model::{Dof, Model};
 
 /// Writes the state after an increment into `trial` (every field).
 pub fn commit(
@@ -39,6 +40,7 @@ pub fn commit(
         };
     }
     trial.temperatures.clone_from(&work.temperatures);
+    begin_turns(plan, committed, trial);
     trial.points.copy_from_slice(&evaluation.points);
     trial.stabilised = committed.stabilised;
     trial.damping.clear();
@@ -65,6 +67,29 @@ fn come_to_rest(plan: &Problem<'_>, trial: &mut State) {
         let size = if plan.dofs.name(dof).1.is_rotation() { 1.0 } else { plan.reach };
         if trial.displacement[dof].abs() < nothing * size {
             trial.displacement[dof] = 0.0;
+        }
+    }
+}
+
+/// What rotations in space count from: anew where they have come far, docs/theory.md eq. (3.59).
+fn begin_turns(plan: &Problem<'_>, committed: &State, trial: &mut State) {
+    trial.turns.clone_from(&committed.turns);
+    if !plan.step.nlgeom {
+        return;
+    }
+    for &dof in plan.dofs.rotations() {
+        let (node, kind) = plan.dofs.name(dof);
+        let named_again = dof >= plan.dofs.plain();
+        if named_again || kind != Dof::UR1 || plan.dofs.of_node(node).len() != Dof::ALL.len() {
+            continue;
+        }
+        let before = trial.turns.get(node).copied().unwrap_or_default();
+        let first = plan.dofs.of_node(node).start + Dof::UR1 as usize;
+        let rotations = std::array::from_fn(|k| trial.displacement[first + k]);
+        let now = before.committed(rotations);
+        if now != before {
+            trial.turns.resize(plan.model.nodes.len(), Turn::REST);
+            trial.turns[node] = now;
         }
     }
 }

@@ -137,7 +137,7 @@ pub fn evaluate_forces(
     into: &mut Evaluation,
 ) {
     let at = configuration(committed, trial);
-    plan.constraints.linearise(trial.u, &mut into.rows);
+    plan.constraints.linearise((trial.u, trial.ambient.turns), &mut into.rows);
     plan.structure.evaluate_forces(&at, &mut into.contributions, plan.means.pool);
     into.failed = plan.structure.failed(&into.contributions);
     balance(plan, committed, trial, into);
@@ -151,7 +151,7 @@ pub fn evaluate_tangent(
     into: &mut Evaluation,
 ) {
     let at = configuration(committed, trial);
-    plan.constraints.linearise(trial.u, &mut into.rows);
+    plan.constraints.linearise((trial.u, trial.ambient.turns), &mut into.rows);
     let gather = plan.gather(&into.rows, &mut into.tangent);
     plan.structure.evaluate(&at, &mut into.contributions, gather, plan.means.pool);
     into.failed = plan.structure.failed(&into.contributions);

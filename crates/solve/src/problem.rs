@@ -20,6 +20,7 @@ use slideline_linalg::{Kind, Pattern, Solver};
 use slideline_mech::contact::enforcement::Enforcement;
 use slideline_mech::contact::pair::Laws;
 use slideline_mech::element::Temperature;
+use slideline_mech::turn::Turn;
 use slideline_model::{Amplitude, Model, Step};
 
 /// Everything about a step that does not change from increment to increment.
@@ -162,11 +163,11 @@ impl<'a> Problem<'a> {
     pub fn stiffen_by_turning(
         &self,
         rows: &Rows,
-        (u, f): (&[f64], &mut [f64]),
+        (at, f): ((&[f64], &[Turn]), &mut [f64]),
         values: &mut [f64],
     ) {
         let (constraints, pattern) = (self.constraints, self.pattern);
-        constraints.turning(u, f, |row, column, stiffness| {
+        constraints.turning(at, f, |row, column, stiffness| {
             constraints.for_each_equation(rows, row, &mut |row, a| {
                 constraints.for_each_equation(rows, column, &mut |column, b| {
                     if let Some(at) = pattern.position(row, column) {

@@ -194,7 +194,7 @@ pub fn assembled(place: &Place<'_>) -> Vec<f64> {
     force.iter_mut().zip(trial.load).for_each(|(force, load)| *force = -(*force + load));
     plan.structure.gather_force(&contributions, &mut force);
     place.add_contact_force(&place.evaluation.kinematics, trial.u, &mut force);
-    plan.stiffen_by_turning(rows, (trial.u, &mut force), &mut values);
+    plan.stiffen_by_turning(rows, ((trial.u, ambient.turns), &mut force), &mut values);
     let mut scratch = GeometryScratch::default();
     plan.contact.fill_scratch(trial.u, &mut scratch);
     for point in 0..plan.contact.points.len() {
@@ -359,7 +359,7 @@ impl<'a> Differences<'a> {
         let Place { plan, trial, .. } = self.place;
         self.u.copy_from_slice(trial.u);
         self.u[plan.constraints.dof_of_equation[equation]] += step;
-        plan.constraints.enforce(&mut self.u);
+        plan.constraints.enforce(trial.ambient.turns, &mut self.u);
         self.residual()
     }
 
@@ -377,7 +377,7 @@ impl<'a> Differences<'a> {
         let at = (&self.u[..], &committed.points[..]);
         plan.contact.meet_in_place(at, &mut self.positions, &mut self.kinematics);
         self.place.add_contact_force(&self.kinematics, &self.u, &mut self.force);
-        plan.constraints.linearise(&self.u, &mut self.rows);
+        plan.constraints.linearise((&self.u, trial.ambient.turns), &mut self.rows);
         plan.constraints.carry(&self.rows, &mut self.force);
         plan.constraints.dof_of_equation.iter().map(|&dof| self.force[dof]).collect()
     }
@@ -455,6 +455,7 @@ mod tests {
             poisson: 0.0,
             material: Elastic { modulus: 1e3, poisson: 0.3 },
             shear: ShearRule::default(),
+            first_axis: BeamSection::FIRST_AXIS,
         };
         let elements = (0..6).map(|k| (k as u64 + 1, [beam[k], beam[k + 1]]));
         let block = ElementBlock::new(&types::B21, "B", Section::Beam(section), AT);
@@ -565,7 +566,7 @@ mod tests {
             u[..3].fill(0.0);
             let body = plan.dofs.of_node(body);
             u[body].copy_from_slice(&[direction, -0.06, 0.1 * direction]);
-            plan.constraints.enforce(&mut u);
+            plan.constraints.enforce(&[], &mut u);
             let mut dashpots = Dashpots::default();
             committed.stabilised = true;
             let halfway = (0.5, 0.5);
@@ -624,7 +625,7 @@ mod tests {
             let body = plan.dofs.of_node(model.nodes.find(100).unwrap());
             let mut touches = |down: f64| {
                 u[body.start + 1] = down;
-                plan.constraints.enforce(&mut u);
+                plan.constraints.enforce(&[], &mut u);
                 let trial = Trial {
                     faces: &[],
                     stresses: &stresses,

@@ -1,10 +1,9 @@
 //! `*BEAM GENERAL SECTION`: the section of beams with moduli of its own.
 
-use slideline_diag::{Code, Diagnostic};
 use slideline_mech::material::Elastic;
 use slideline_model::{Shape, ShearRule};
 
-use super::beam_section::{SHAPES, poisson, shape};
+use super::beam_section::{SHAPES, first_axis, poisson, shape};
 use crate::draft::Draft;
 use crate::draft::{Body, Owner, Section};
 use crate::keyword::{Keyword, Level, Rule, Subject};
@@ -54,7 +53,10 @@ impl Keyword for BeamGeneralSection {
         let Some(line) = card.first_line("A, I11, I12, I22, J", &mut draft.log) else { return };
         let shape = if kind == "GENERAL" { general(line, draft) } else { shape(kind, line, draft) };
         let elastic = moduli(card, draft);
+        let direction = card.data().get(1).filter(|_| card.data().len() > 2);
+        let first_axis = first_axis(direction, draft);
         let (Some(shape), Some(elastic), Some(poisson)) = (shape, elastic, poisson) else { return };
+        let Some(first_axis) = first_axis else { return };
         draft.owner = Owner::Section(draft.sections.len());
         draft.sections.push(Section {
             set,
@@ -65,6 +67,7 @@ impl Keyword for BeamGeneralSection {
                 shape,
                 poisson,
                 shear: ShearRule::default(),
+                first_axis,
                 elastic: Some(elastic),
             },
             orientation: None,
@@ -73,22 +76,20 @@ impl Keyword for BeamGeneralSection {
     }
 }
 
-/// A, I11, I12, I22, J: the plane bends about axis 1.
+/// A, I11, I12, I22, J: a plane beam bends about axis 1 alone.
 fn general(line: &slideline_deck::DataLine, draft: &mut Draft) -> Option<Shape> {
     draft.log.at_most(line, 7);
     let area = draft.log.number(line, 0, "the area A")?;
     let second_moment = draft.log.number(line, 1, "the second moment of area I11")?;
     let mixed = draft.log.number_or(line, 2, 0.0)?;
+    let across = draft.log.number_or(line, 3, 0.0)?;
+    let torsion = draft.log.number_or(line, 4, 0.0)?;
     if area <= 0.0 || second_moment <= 0.0 {
         draft.log.error("SL0210", "A and I11 of the section must be positive", line.span);
         return None;
     }
-    if mixed != 0.0 {
-        let message = format!("I12 = {mixed} is not used: the beam stays in its plane");
-        let note = Diagnostic::note(Code("SL0253"), message).at(line.fields[2].span);
-        draft.log.push(note);
-    }
-    Some(Shape::General { area, second_moment })
+    let second_moments = [second_moment, mixed, across];
+    Some(Shape::General { area, second_moments, torsion })
 }
 
 /// E and G of the last line; a blank line before it is not kept by the deck.

@@ -2,7 +2,7 @@
 
 use slideline_deck::DataLine;
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{Shape, ShearRule};
+use slideline_model::{BeamSection as ModelSection, Shape, ShearRule};
 
 use crate::draft::Draft;
 use crate::draft::{Body, Owner, Section};
@@ -45,21 +45,40 @@ impl Keyword for BeamSection {
         let named = card.name("ELSET").zip(card.name("MATERIAL"));
         let Some((kind, (set, material))) = kind.zip(named) else { return };
         let poisson = poisson(card, draft);
-        draft.log.at_most_lines(card.data(), 2, self.name());
+        // the third one, points of a section that is integrated, changes no elastic beam
+        draft.log.at_most_lines(card.data(), 3, self.name());
         let Some(line) = card.first_line("the size of the section", &mut draft.log) else { return };
         let Some(shape) = shape(kind, line, draft) else { return };
-        let Some(poisson) = poisson else { return };
+        let first_axis = first_axis(card.data().get(1), draft);
+        let (Some(poisson), Some(first_axis)) = (poisson, first_axis) else { return };
         draft.owner = Owner::Section(draft.sections.len());
         draft.sections.push(Section {
             set,
             material,
             material_span: card.span_of("MATERIAL"),
             set_span: card.span_of("ELSET"),
-            body: Body::Beam { shape, poisson, shear: ShearRule::default(), elastic: None },
+            body: Body::Beam {
+                shape,
+                poisson,
+                shear: ShearRule::default(),
+                first_axis,
+                elastic: None,
+            },
             orientation: None,
             origin: card.span(),
         });
     }
+}
+
+/// Axis 1 of the section: the line's direction, or the default where it is blank or there is none.
+pub(super) fn first_axis(line: Option<&DataLine>, draft: &mut Draft) -> Option<[f64; 3]> {
+    let Some(line) = line else { return Some(ModelSection::FIRST_AXIS) };
+    draft.log.at_most(line, 3);
+    let mut axis = [0.0; 3];
+    for (at, part) in axis.iter_mut().enumerate() {
+        *part = draft.log.number_or(line, at, 0.0)?;
+    }
+    Some(if axis == [0.0; 3] { ModelSection::FIRST_AXIS } else { axis })
 }
 
 /// The shapes of sections.

@@ -25,6 +25,8 @@ pub(crate) enum Body {
         shape: Shape,
         poisson: f64,
         shear: ShearRule,
+        /// Direction of axis 1 of the section.
+        first_axis: [f64; 3],
         elastic: Option<Elastic>,
     },
     Solid {
@@ -49,9 +51,9 @@ impl Body {
         dialect: Dialect,
     ) -> Option<model::Section> {
         Some(match self {
-            Self::Beam { shape, poisson, shear, elastic } => {
+            Self::Beam { shape, poisson, shear, first_axis, elastic } => {
                 let material = elastic.or(material.isotropic())?;
-                model::Section::Beam(BeamSection { shape, poisson, material, shear })
+                model::Section::Beam(BeamSection { shape, poisson, material, shear, first_axis })
             }
             Self::Solid { thickness } => {
                 let material = material.solid(dialect)?;

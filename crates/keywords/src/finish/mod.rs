@@ -15,6 +15,7 @@ mod orientations;
 mod pre_tension;
 mod sections;
 mod shape_mpc;
+mod space_beams;
 mod springs;
 mod standing;
 mod steps;

@@ -166,12 +166,13 @@ impl Scratch {
         turning.iter_mut().zip(&self.load).for_each(|(force, load)| *force = -load);
         turning.iter_mut().zip(&evaluation.pressed).for_each(|(force, load)| *force -= load);
         let stresses = Some(&self.stresses[..]);
-        plan.structure.turning_forces(&self.u, stresses, &evaluation.contributions, turning);
+        let at = (&self.u[..], &self.turns[..]);
+        plan.structure.turning_forces(at, stresses, &evaluation.contributions, turning);
         for linear in self.points.iter() {
             let (p, tau) = (self.pressures[linear.place], self.tractions[linear.place]);
             evaluation.kinematics.at(linear.place).press(p, tau, turning);
         }
-        plan.stiffen_by_turning(&evaluation.rows, (&self.u, turning), &mut self.values);
+        plan.stiffen_by_turning(&evaluation.rows, (at, turning), &mut self.values);
     }
 }
 
