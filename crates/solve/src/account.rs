@@ -12,6 +12,7 @@
 
 use crate::newton::{Scratch, Target};
 use crate::observe::Energies;
+use crate::moments::turn_moments;
 use crate::problem::Problem;
 use crate::state::State;
 use serde::{Deserialize, Serialize};
@@ -78,6 +79,12 @@ pub fn account(plan: &Problem<'_>, committed: &State, work: &Scratch, trial: &mu
         let mean_reaction = 0.5 * (committed.reaction[dof] + trial.reaction[dof]);
         let mean_load = 0.5 * (committed.load[dof] + trial.load[dof]);
         energy.external_work += (mean_reaction + mean_load) * trial.increment[dof];
+    }
+    for state in [committed, trial as &State] {
+        let at = (&state.displacement[..], &committed.turns[..]);
+        turn_moments(plan, &state.load, at, |dof, beyond| {
+            energy.external_work += 0.5 * beyond * trial.increment[dof];
+        });
     }
     let friction = Friction::of(plan, committed, work, trial);
     energy.friction_dissipation += friction.dissipated;

@@ -11,7 +11,7 @@ use crate::rows::contact_rows;
 use crate::state::State;
 use crate::users::UserFrictions;
 use slideline_mech::turn::Turn;
-use slideline_model::{Dof, Model};
+use slideline_model::Model;
 
 /// Writes the state after an increment into `trial` (every field).
 pub fn commit(
@@ -77,16 +77,9 @@ fn begin_turns(plan: &Problem<'_>, committed: &State, trial: &mut State) {
     if !plan.step.nlgeom {
         return;
     }
-    for &dof in plan.dofs.rotations() {
-        let (node, kind) = plan.dofs.name(dof);
-        let named_again = dof >= plan.dofs.plain();
-        if named_again || kind != Dof::UR1 || plan.dofs.of_node(node).len() != Dof::ALL.len() {
-            continue;
-        }
+    for (node, dofs) in plan.dofs.rotations_in_space() {
         let before = trial.turns.get(node).copied().unwrap_or_default();
-        let first = plan.dofs.of_node(node).start + Dof::UR1 as usize;
-        let rotations = std::array::from_fn(|k| trial.displacement[first + k]);
-        let now = before.committed(rotations);
+        let now = before.committed(dofs.map(|dof| trial.displacement[dof]));
         if now != before {
             trial.turns.resize(plan.model.nodes.len(), Turn::REST);
             trial.turns[node] = now;

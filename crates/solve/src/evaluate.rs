@@ -9,6 +9,7 @@
 use crate::constraints::Rows;
 use crate::contact::{ContactKinematics, Look, MasterPositions, PointKinematics};
 use crate::observe::{FrictionCall, Status};
+use crate::moments::turn_moments;
 use crate::problem::Problem;
 use crate::stabilise::Dashpots;
 use crate::state::{PointState, State};
@@ -169,6 +170,8 @@ fn balance(plan: &Problem<'_>, committed: &State, trial: &Trial<'_>, into: &mut 
     into.strain_energy = plan.structure.gather_force(&into.contributions, &mut into.structure);
     into.flux = plan.structure.flux(&into.contributions);
     into.structure.iter_mut().zip(trial.load).for_each(|(force, load)| *force -= load);
+    let at = (trial.u, trial.ambient.turns);
+    turn_moments(plan, trial.load, at, |dof, beyond| into.structure[dof] -= beyond);
     if !plan.faces.is_empty() {
         into.pressed.fill(0.0);
         plan.faces.press(trial.faces, trial.u, &mut into.pressed);

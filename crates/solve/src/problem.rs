@@ -129,7 +129,7 @@ impl<'a> Problem<'a> {
 
     /// The symmetry of the tangent as it is factored.
     pub fn kind(&self) -> Kind {
-        kind(self.step, self.contact)
+        kind(self.model, self.step, self.contact)
     }
 
     /// Whether friction is there and the deck wants a symmetric tangent.
@@ -277,11 +277,12 @@ impl<'a> Problem<'a> {
     }
 }
 
-/// The symmetry of the tangent of a step: none where there is friction or a pressure that follows
-/// its face, unless the deck says otherwise.
-pub fn kind(step: &Step, contact: &Contact) -> Kind {
+/// The symmetry of the tangent of a step: none where there is friction, a pressure that follows its
+/// face, or a moment about a fixed axis in space, unless the deck says otherwise.
+pub fn kind(model: &Model, step: &Step, contact: &Contact) -> Kind {
     let rubs = || contact.laws.iter().any(Laws::has_friction);
-    let follows = step.nlgeom && !step.distributed.pressures.is_empty();
+    let turns = || model.is_in_space() && step.loads.iter().any(|load| load.dof.is_rotation());
+    let follows = step.nlgeom && (!step.distributed.pressures.is_empty() || turns());
     if step.unsymmetric.unwrap_or_else(|| follows || rubs()) {
         Kind::Unsymmetric
     } else {

@@ -19,6 +19,7 @@ use crate::contact::{
 };
 use crate::evaluate::{Evaluation, Trial};
 use crate::observe::{FrictionCall, Status, TangentReport};
+use crate::moments::{self, turn_moments};
 use crate::problem::Problem;
 use crate::state::State;
 use crate::structure::{Configuration, Contributions};
@@ -188,6 +189,7 @@ pub fn assembled(place: &Place<'_>) -> Vec<f64> {
     plan.structure.evaluate(&at, &mut contributions, gather, plan.means.pool);
     trial.dashpots.stiffen(plan, rows, &mut values);
     plan.faces.stiffen(plan, rows, (trial.faces, trial.u), &mut values);
+    moments::stiffen(plan, rows, trial.load, (trial.u, ambient.turns), &mut values);
     // Every force on a dependent dof turns with those that it follows.
     let mut force = vec![0.0; trial.load.len()];
     plan.faces.press(trial.faces, trial.u, &mut force);
@@ -372,6 +374,8 @@ impl<'a> Differences<'a> {
         plan.faces.press(trial.faces, &self.u, &mut self.force);
         let loads = self.force.iter_mut().zip(trial.load);
         loads.for_each(|(force, load)| *force = -(*force + load));
+        let at = (&self.u[..], trial.ambient.turns);
+        turn_moments(plan, trial.load, at, |dof, beyond| self.force[dof] -= beyond);
         let _energy = plan.structure.gather_force(&self.contributions, &mut self.force);
         self.kinematics.copy_from(&evaluation.kinematics);
         let at = (&self.u[..], &committed.points[..]);

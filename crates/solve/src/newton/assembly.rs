@@ -3,6 +3,7 @@
 use super::{Scratch, solver};
 use crate::contact::{SEGMENT_POINTS, SlavePoint};
 use crate::linearised::{LawContext, LinearPoint, LinearRows, Sliding, Stiffness};
+use crate::moments;
 use crate::problem::Problem;
 use crate::state::{PointState, State};
 use slideline_linalg::SolveError;
@@ -110,6 +111,8 @@ impl Scratch {
         self.stiffen(plan);
         self.dashpots.stiffen(plan, &self.evaluation.rows, &mut self.values);
         plan.faces.stiffen(plan, &self.evaluation.rows, (&self.faces, &self.u), &mut self.values);
+        let at = (&self.u[..], &self.turns[..]);
+        moments::stiffen(plan, &self.evaluation.rows, &self.load, at, &mut self.values);
         self.turn(plan);
         plan.contact.fill_scratch(&self.u, &mut self.geometry);
         for k in 0..self.points.len() {
