@@ -2,7 +2,8 @@
 
 use slideline_deck::DataLine;
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{BeamSection as ModelSection, Shape, ShearRule};
+use slideline_model::{BeamSection as ModelSection, Dialect, Shape, ShearRule};
+use std::f64::consts::PI;
 
 use crate::draft::Draft;
 use crate::draft::{Body, Owner, Section};
@@ -86,7 +87,9 @@ pub(super) const SHAPES: &[&str] = &["RECT", "CIRC", "PIPE", "BOX", "I"];
 
 /// A section from its sizes.
 pub(super) fn shape(kind: &str, line: &DataLine, draft: &mut Draft) -> Option<Shape> {
+    let elliptical = kind == "CIRC" && draft.dialect == Dialect::Calculix;
     let names: &[&str] = match kind {
+        _ if elliptical => &["thickness along axis 1", "thickness along axis 2"],
         "CIRC" => &["radius"],
         "PIPE" => &["outer radius", "thickness of the wall"],
         "BOX" => {
@@ -141,6 +144,7 @@ fn made(kind: &str, sizes: &[f64]) -> Result<Shape, &'static str> {
             }
             Ok(Shape::Pipe { radius, wall })
         }
+        [along_1, along_2] if kind == "CIRC" => Ok(ellipse(0.5 * along_1, 0.5 * along_2)),
         [width, height] => Ok(Shape::Rectangle { width, height }),
         [a, b, right, top, left, bottom] => {
             if right + left >= a || top + bottom >= b {
@@ -166,6 +170,16 @@ fn made(kind: &str, sizes: &[f64]) -> Result<Shape, &'static str> {
         }
         _ => Err("these are not the sizes of a section"),
     }
+}
+
+/// An ellipse of half axes a and b [L], which CalculiX calls CIRC; a circle is one.
+fn ellipse(a: f64, b: f64) -> Shape {
+    if a == b {
+        return Shape::Circle(a);
+    }
+    let area = PI * a * b;
+    let torsion = area * a * a * b * b / (a * a + b * b);
+    Shape::General { area, second_moments: [0.25 * area * b * b, 0.0, 0.25 * area * a * a], torsion }
 }
 
 pub(super) fn poisson(card: &Reading<'_>, draft: &mut Draft) -> Option<f64> {

@@ -8,6 +8,7 @@ mod distributed;
 mod distributing;
 mod equations;
 mod faces;
+mod line_loads;
 mod links;
 mod master_chain;
 mod nodes;

@@ -134,7 +134,7 @@ fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
         (line, amplitude)
     });
     let lines: Vec<_> = lines.collect();
-    carried.distributed.take(&lines, draft);
+    carried.distributed.take(&lines, step.nlgeom, draft);
     carried.controls = step.controls.unwrap_or(carried.controls);
     carried.restart = step.restart.or(carried.restart);
     carried.contact_changes |= step.contact_changes;
