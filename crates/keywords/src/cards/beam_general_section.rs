@@ -21,7 +21,12 @@ impl Keyword for BeamGeneralSection {
 
     fn parameters(&self) -> &'static [Rule] {
         const RULES: &[Rule] =
-            &[Rule::value("SECTION"), Rule::required("ELSET"), Rule::value("POISSON")];
+            &[
+                Rule::value("SECTION"),
+                Rule::required("ELSET"),
+                Rule::value("POISSON"),
+                Rule::value("MATERIAL"),
+            ];
         RULES
     }
 
@@ -52,23 +57,33 @@ impl Keyword for BeamGeneralSection {
         draft.log.at_most_lines(card.data(), 3, self.name());
         let Some(line) = card.first_line("A, I11, I12, I22, J", &mut draft.log) else { return };
         let shape = if kind == "GENERAL" { general(line, draft) } else { shape(kind, line, draft) };
-        let elastic = moduli(card, draft);
-        let direction = card.data().get(1).filter(|_| card.data().len() > 2);
+        let material = card.name("MATERIAL");
+        let elastic = match material {
+            Some(_) => None,
+            None => moduli(card, draft),
+        };
+        // a line of moduli comes last
+        let sizes_and_axis = card.data().len() - usize::from(elastic.is_some());
+        let direction = card.data().get(1).filter(|_| sizes_and_axis > 1);
         let first_axis = first_axis(direction, draft);
-        let (Some(shape), Some(elastic), Some(poisson)) = (shape, elastic, poisson) else { return };
-        let Some(first_axis) = first_axis else { return };
+        let (Some(shape), Some(poisson), Some(first_axis)) = (shape, poisson, first_axis) else {
+            return;
+        };
+        if elastic.is_none() && material.is_none() {
+            return; // its moduli could not be read
+        }
         draft.owner = Owner::Section(draft.sections.len());
         draft.sections.push(Section {
             set,
-            material: String::new(),
-            material_span: card.span(),
+            material: material.unwrap_or_default(),
+            material_span: card.span_of("MATERIAL"),
             set_span: card.span_of("ELSET"),
             body: Body::Beam {
                 shape,
                 poisson,
                 shear: ShearRule::default(),
                 first_axis,
-                elastic: Some(elastic),
+                elastic,
             },
             orientation: None,
             origin: card.span(),

@@ -109,7 +109,12 @@ pub(super) fn shape(kind: &str, line: &DataLine, draft: &mut Draft) -> Option<Sh
     draft.log.at_most(line, names.len());
     let mut sizes = Vec::with_capacity(names.len());
     for (at, name) in names.iter().enumerate() {
-        let value = draft.log.number(line, at, &format!("the {name}"))?;
+        // one thickness of an ellipse alone is that of a circle
+        let same = sizes.first().copied().filter(|_| elliptical);
+        let value = match same {
+            Some(first) => draft.log.number_or(line, at, first)?,
+            None => draft.log.number(line, at, &format!("the {name}"))?,
+        };
         // a T is an I without a flange, and the axis may be at the bottom
         let least = if kind == "I" { value >= 0.0 } else { value > 0.0 };
         if !least {

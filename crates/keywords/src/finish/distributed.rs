@@ -149,7 +149,8 @@ fn on_section(
     draft: &mut Draft,
 ) -> Option<((usize, Key), What)> {
     let nodes = face_nodes(index, None, draft)?;
-    let forces = line_loads::across((index, &nodes), axis, (line, nlgeom), draft)?;
+    let section = section_of(index, draft)?.clone();
+    let forces = line_loads::across((&nodes, &section), axis, (line, nlgeom), draft)?;
     let what = What::Forces(shares(&nodes, &forces, draft));
     Some(((index, line.key(axis + 1, draft.dialect)), what))
 }
@@ -350,7 +351,7 @@ fn section(index: usize, draft: &mut Draft) -> Option<(f64, String)> {
 }
 
 /// The section that an element belongs to.
-pub(super) fn section_of(index: usize, draft: &mut Draft) -> Option<&Section> {
+fn section_of(index: usize, draft: &mut Draft) -> Option<&Section> {
     let label = draft.elements[index].label;
     if draft.section_of.is_empty() {
         for (place, section) in draft.sections.clone().into_iter().enumerate() {

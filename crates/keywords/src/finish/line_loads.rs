@@ -6,7 +6,7 @@ use slideline_mech::volume;
 use slideline_model::{Dialect, ElementType, Kinematics, NodeIndex};
 
 use crate::distributed::{Distributed, Kind};
-use crate::draft::{Body, Draft};
+use crate::draft::{Body, Draft, Section};
 use crate::rule::Subject;
 
 /// Whether loads along elements of a row become forces on its nodes alone: those of a cubic beam
@@ -37,7 +37,7 @@ fn unit(axis: usize) -> [f64; 3] {
 /// Forces of a unit force per length along axis 1 or 2 of the section of a beam in space; `None`,
 /// with a complaint, where it would have to turn with the section or mean something else.
 pub(super) fn across(
-    (index, nodes): (usize, &[NodeIndex]),
+    (nodes, section): (&[NodeIndex], &Section),
     axis: usize,
     (line, nlgeom): (&Distributed, bool),
     draft: &mut Draft,
@@ -54,7 +54,6 @@ pub(super) fn across(
         draft.consequence(Subject::Elements, error.help(help));
         return None;
     }
-    let section = super::distributed::section_of(index, draft)?;
     let Body::Beam { first_axis, .. } = section.body else { return None };
     let x: Vec<[f64; 3]> = nodes.iter().map(|&node| draft.model.nodes.position(node)).collect();
     // a section without axes has been complained of
