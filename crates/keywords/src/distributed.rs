@@ -32,6 +32,8 @@ pub(crate) enum Kind {
     Pressure(Option<usize>),
     /// Traction of this direction.
     Traction([f64; 3]),
+    /// Force per length of a line along an axis of the model, 0 to 2.
+    Line(usize),
     /// Force per volume.
     Body(Along),
     /// Acceleration of this direction.
@@ -62,6 +64,7 @@ pub(crate) struct Key {
 enum What {
     Pressure(usize),
     Traction(usize),
+    Line(usize),
     Body(Along),
     Gravity([u64; 3]),
     Centrifugal([u64; 3], [u64; 3]),
@@ -77,6 +80,7 @@ impl Distributed {
         let what = match self.kind {
             Kind::Pressure(_) => What::Pressure(face),
             Kind::Traction(_) => What::Traction(face),
+            Kind::Line(axis) => What::Line(axis),
             Kind::Body(along) => What::Body(along),
             Kind::Gravity(direction) => What::Gravity(bits(direction)),
             Kind::Centrifugal(point, axis) => What::Centrifugal(bits(point), bits(axis)),

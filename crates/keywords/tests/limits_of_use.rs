@@ -36,7 +36,7 @@ fn what_the_page_names_is_refused() {
     const MODEL: &str = "*STEP";
     const HISTORY: &str = "*END STEP";
     let cases = [
-        ("beams in space", "TYPE=B21", "TYPE=B31"),
+        ("contact of beams in space", "TYPE=B21", "TYPE=B31"),
         ("shells", MODEL, "*SHELL SECTION\n*STEP"),
         ("arbitrary sections", "SECTION=RECT", "SECTION=ARBITRARY"),
         ("creep", MODEL, "*CREEP\n*STEP"),
@@ -50,7 +50,7 @@ fn what_the_page_names_is_refused() {
         ("frequencies", HISTORY, "*FREQUENCY\n*END STEP"),
         ("linear buckling", HISTORY, "*BUCKLE\n*END STEP"),
         ("(Riks)", "*STATIC", "*STATIC, RIKS"),
-        ("distributed loads on beams", HISTORY, "*DLOAD\nBEAM, P1, 1.0\n*END STEP"),
+        ("loads across plane beams", HISTORY, "*DLOAD\nBEAM, P1, 1.0\n*END STEP"),
         ("`*CONTACT`", MODEL, "*CONTACT\n*STEP"),
         ("`ADJUST`", PAIR, "TYPE=SURFACE TO SURFACE, NO THICKNESS, ADJUST=0.1"),
         ("`SMALL SLIDING`", PAIR, "TYPE=SURFACE TO SURFACE, NO THICKNESS, SMALL SLIDING"),

@@ -140,14 +140,54 @@ fn loads_stay_in_the_plane() {
     }
 }
 
-/// Requirement: gravity that finds no mass, or beams, is refused.
+/// Requirement: loads on beams in space have the whole of their forces: per length, per volume on
+/// the area, gravity on the mass; half at each end of an element, no moments. What would turn with
+/// the section, or is a pressure in CalculiX, is refused.
+#[test]
+fn loads_along_beams() {
+    let deck = |load: &str, nlgeom: &str| {
+        format!(
+            "*NODE\n1, 0., 0., 0.\n2, 3., 0., 4.\n3, 6., 0., 8.\n*ELEMENT, TYPE=B31, ELSET=B\n\
+             1, 1, 2\n2, 2, 3\n*BEAM SECTION, SECTION=RECT, ELSET=B, MATERIAL=M\n0.5, 0.2\n\
+             0., -1., 0.\n*MATERIAL, NAME=M\n*ELASTIC\n1.0, 0.3\n*DENSITY\n7.0\n\
+             *STEP{nlgeom}\n*STATIC\n*BOUNDARY\n1, 1, 6\n*DLOAD\n{load}\n*END STEP\n"
+        )
+    };
+    // n1 = -y, n2 = t x n1 = (0.8, 0, -0.6)
+    for (load, expected) in [
+        ("B, PY, 2.0", [0.0, 20.0, 0.0]),
+        ("B, BZ, 3.0", [0.0, 0.0, 3.0]),
+        ("B, GRAV, 2.0, 0., 0., -1.", [0.0, 0.0, -14.0]),
+        ("B, P1, 2.0", [0.0, -20.0, 0.0]),
+        ("B, P2, 2.0", [16.0, 0.0, -12.0]),
+    ] {
+        let model = model(&deck(load, ""), A);
+        let forces = &model.steps[0].distributed.forces;
+        assert!(forces.iter().all(|own| !own.dof.is_rotation()));
+        for (k, dof) in [Dof::U1, Dof::U2, Dof::U3].into_iter().enumerate() {
+            let of = |node: usize| {
+                let own = forces.iter().filter(|own| own.dof == dof && own.node == node);
+                own.map(|own| own.value).sum::<f64>()
+            };
+            let shares = [0.25, 0.5, 0.25];
+            for node in 0..3 {
+                assert!((of(node) - shares[node] * expected[k]).abs() < 1e-12, "{load}");
+            }
+        }
+    }
+    assert_eq!(codes(&deck("B, P1, 2.0", ", NLGEOM"), A), ["SL0221"]);
+    assert_eq!(codes(&deck("B, P1, 2.0", ""), Dialect::Calculix), ["SL0221"]);
+    assert_eq!(codes(&deck("B, P3, 2.0", ""), A), ["SL0256"]);
+}
+
+/// Requirement: gravity that finds no mass, or cubic beams, is refused.
 #[test]
 fn gravity_needs_mass() {
     let cards = step("*DLOAD\n, GRAV, 9.81, 0.0, -1.0, 0.0");
     let light = [("*DENSITY\n3.0\n", "")];
     assert_eq!(codes(&deck(&cards, &light), A), ["SL0309"]);
     let beams = [
-        ("*ELEMENT, TYPE=CPS4, ELSET=B\n2, 2, 3, 6, 5", "*ELEMENT, TYPE=B21, ELSET=B\n2, 5, 6"),
+        ("*ELEMENT, TYPE=CPS4, ELSET=B\n2, 2, 3, 6, 5", "*ELEMENT, TYPE=B23, ELSET=B\n2, 5, 6"),
         (
             "*SOLID SECTION, ELSET=B, MATERIAL=M\n2.0",
             "*BEAM SECTION, SECTION=RECT, ELSET=B, MATERIAL=M\n1.0, 0.1",

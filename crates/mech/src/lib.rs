@@ -26,5 +26,6 @@ pub mod rigid;
 pub mod rotation;
 pub mod section;
 pub mod surface;
+pub mod turn;
 pub mod vector;
 pub mod volume;

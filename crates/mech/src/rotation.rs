@@ -6,9 +6,16 @@
 //!        | /  o a
 //!        |/_-'
 //! ```
-//! docs/theory.md eq. (4.5).
+//! docs/theory.md eq. (4.5). A rotation itself is a unit quaternion, which no rotation vector is too
+//! large for; section 3.7.
 
 use crate::differentiate::{Real, Second, taylor};
+
+/// Cosine of half the angle, then its sine times the axis.
+pub type Quaternion<R = f64> = [R; 4];
+
+/// No rotation.
+pub const REST: Quaternion = [1.0, 0.0, 0.0, 0.0];
 
 /// Below this square of the angle [1] the series are summed, above it the formulas are used: both
 /// give full accuracy on either side.
@@ -19,7 +26,7 @@ const SMALL: f64 = 0.25;
 pub fn displacement<R: Real>(phi: &[R; 3], arm: [f64; 3]) -> [R; 3] {
     let arm = arm.map(R::from_f64);
     let square = phi[0] * phi[0] + phi[1] * phi[1] + phi[2] * phi[2];
-    let [a, b] = coefficients(square.value());
+    let [a, b, _] = coefficients(square.value());
     let (a, b) = (taylor(square, a), taylor(square, b));
     let once = cross(phi, &arm);
     let twice = cross(phi, &once);
@@ -39,14 +46,104 @@ pub fn curvature(phi: [f64; 3], arm: [f64; 3], force: [f64; 3]) -> [[f64; 3]; 3]
     })
 }
 
-fn cross<R: Real>(a: &[R; 3], b: &[R; 3]) -> [R; 3] {
+/// The rotation of a rotation vector `phi` [1].
+pub fn quaternion<R: Real>(phi: &[R; 3]) -> Quaternion<R> {
+    let half = phi.map(|part| part * R::from_f64(0.5));
+    let square = half[0] * half[0] + half[1] * half[1] + half[2] * half[2];
+    let [a, b, _] = coefficients(square.value());
+    let (a, b) = (taylor(square, a), taylor(square, b));
+    let [x, y, z] = half.map(|part| a * part);
+    [R::from_f64(1.0) - b * square, x, y, z]
+}
+
+/// The first rotation after the second one.
+pub fn after<R: Real>(a: &Quaternion<R>, b: &Quaternion<R>) -> Quaternion<R> {
+    [
+        a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
+        a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
+        a[0] * b[2] + a[2] * b[0] + a[3] * b[1] - a[1] * b[3],
+        a[0] * b[3] + a[3] * b[0] + a[1] * b[2] - a[2] * b[1],
+    ]
+}
+
+/// The rotation back.
+pub fn back<R: Real>(of: &Quaternion<R>) -> Quaternion<R> {
+    [of[0], -of[1], -of[2], -of[3]]
+}
+
+/// R a - a [L] of a rotation, without a difference of near numbers.
+pub fn displacement_by<R: Real>(of: &Quaternion<R>, arm: &[R; 3]) -> [R; 3] {
+    let axis = [of[1], of[2], of[3]];
+    let once = cross(&axis, arm);
+    let twice = cross(&axis, &once);
+    std::array::from_fn(|k| R::from_f64(2.0) * (of[0] * once[k] + twice[k]))
+}
+
+/// The rotation vector of a rotation, of at most half a turn [1].
+pub fn vector<R: Real>(of: &Quaternion<R>) -> [R; 3] {
+    let sign = R::from_f64(if of[0].value() < 0.0 { -1.0 } else { 1.0 });
+    let cosine = sign * of[0];
+    let ratio = taylor(cosine, arc_by_sine(cosine.value())) * sign;
+    [ratio * of[1], ratio * of[2], ratio * of[3]]
+}
+
+/// 2 arccos(c)/sqrt(1 - c^2) of a cosine c in [0, 1], with two derivatives.
+fn arc_by_sine(c: f64) -> [f64; 3] {
+    let c = c.min(1.0);
+    let versine = 1.0 - c;
+    if versine > 0.2 {
+        let square = versine * (1.0 + c);
+        let value = 2.0 * c.acos() / square.sqrt();
+        let first = (c * value - 2.0) / square;
+        return [value, first, (value + 3.0 * c * first) / square];
+    }
+    // the hypergeometric series of (1, 1; 3/2) at half the versine, term by term
+    let (half, mut term) = (0.5 * versine, 2.0);
+    let (mut sum, mut powers) = ([term, 0.0, 0.0], [1.0, 0.0, 0.0]);
+    for k in 1..20 {
+        let k = f64::from(k);
+        term *= k / (k + 0.5);
+        powers = [powers[0] * half, powers[0], powers[1]];
+        sum[0] += term * powers[0];
+        sum[1] -= 0.5 * term * k * powers[1];
+        sum[2] += 0.25 * term * k * (k - 1.0) * powers[2];
+    }
+    sum
+}
+
+/// The axis about which a body turns as its rotation vector grows, axial(dR R') = T dphi:
+/// a row for each component of the turn, a column for each part of phi; docs/theory.md eq. (3.73).
+pub fn spin(phi: [f64; 3]) -> [[f64; 3]; 3] {
+    let unit = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    unit.map(|along| along_vector(&phi, &along))
+}
+
+/// T(phi)' m: the share of a moment `m` [F L] that works on a rotation vector, whose transpose is
+/// [`spin`]. T(phi)' is T(-phi).
+pub fn along_vector<R: Real>(phi: &[R; 3], moment: &[R; 3]) -> [R; 3] {
+    let square = phi[0] * phi[0] + phi[1] * phi[1] + phi[2] * phi[2];
+    let [_, b, c] = coefficients(square.value());
+    let (b, c) = (taylor(square, b), taylor(square, c));
+    let once = cross(phi, moment);
+    let twice = cross(phi, &once);
+    std::array::from_fn(|k| moment[k] - b * once[k] + c * twice[k])
+}
+
+/// Derivatives of T(phi)' m by phi, a row for each component [F L].
+pub fn along_vector_slopes(phi: [f64; 3], moment: [f64; 3]) -> [[f64; 3]; 3] {
+    let fixed = moment.map(Second::<3>::from_f64);
+    along_vector(&Second::variables(&phi), &fixed).map(|share| share.gradient)
+}
+
+/// a x b.
+pub(crate) fn cross<R: Real>(a: &[R; 3], b: &[R; 3]) -> [R; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// A and B as functions of s = t^2, each with two derivatives.
-fn coefficients(s: f64) -> [[f64; 3]; 2] {
+/// A, B and C = (t - sin t)/t^3 as functions of s = t^2, each with two derivatives.
+fn coefficients(s: f64) -> [[f64; 3]; 3] {
     if s < SMALL {
-        return [series(s, 1.0), series(s, 2.0)];
+        return [(1.0, 1.0), (2.0, 2.0), (3.0, 6.0)].map(|(first, by)| series(s, first, 1.0 / by));
     }
     let angle = s.sqrt();
     let (sin, cos) = angle.sin_cos();
@@ -55,13 +152,15 @@ fn coefficients(s: f64) -> [[f64; 3]; 2] {
     let b = 2.0 * half * half / s;
     let a1 = (cos - a) / (2.0 * s);
     let b1 = (0.5 * a - b) / s;
-    [[a, a1, -(0.5 * a + 3.0 * a1) / (2.0 * s)], [b, b1, (0.5 * a1 - 2.0 * b1) / s]]
+    let a2 = -(0.5 * a + 3.0 * a1) / (2.0 * s);
+    let c = (1.0 - a) / s;
+    let c1 = -(a1 + c) / s;
+    [[a, a1, a2], [b, b1, (0.5 * a1 - 2.0 * b1) / s], [c, c1, -(a2 + 2.0 * c1) / s]]
 }
 
-/// sum_k (-s)^k / (2k + first)!, with two derivatives.
-fn series(s: f64, first: f64) -> [f64; 3] {
+/// sum_k (-s)^k / (2k + first)!, with two derivatives; c is that of k = 0.
+fn series(s: f64, first: f64, mut c: f64) -> [f64; 3] {
     // term k of the sum is c_k s^k
-    let mut c = 1.0 / if first == 1.0 { 1.0 } else { 2.0 };
     let mut sum = [c, 0.0, 0.0];
     let mut powers = [1.0, 0.0, 0.0]; // s^k, s^(k-1), s^(k-2)
     for k in 1..12 {

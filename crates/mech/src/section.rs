@@ -9,7 +9,12 @@
 //!      |<--- width --->|
 //! ```
 //!
-//! Axis 2 is in the plane of bending, axis 1 out of it.
+//! Axis 2 is in the plane of bending, axis 1 out of it. Beams in space bend about both and twist:
+//! `section/space.rs`.
+
+mod space;
+
+pub use space::{SpaceStiffness, space_stiffness};
 
 use crate::material::Elastic;
 use std::f64::consts::PI;
@@ -49,12 +54,14 @@ pub enum Shape {
         /// Thicknesses of the bottom flange, the top flange and the web [L].
         walls: [f64; 3],
     },
-    /// Area [L2] and second moment of area [L4] as given.
+    /// Area [L2] and second moments of area [L4] as given.
     General {
         /// A.
         area: f64,
-        /// I about axis 1.
-        second_moment: f64,
+        /// I11 about axis 1, the product I12, I22 about axis 2; a plane beam has the first one.
+        second_moments: [f64; 3],
+        /// Torsion constant J; of no meaning in the plane.
+        torsion: f64,
     },
 }
 
@@ -91,7 +98,7 @@ impl Shape {
                 };
                 self.plates().iter().map(about).sum()
             }
-            Self::General { second_moment, .. } => second_moment,
+            Self::General { second_moments: [own, ..], .. } => own,
         }
     }
 
@@ -113,7 +120,7 @@ impl Shape {
             Self::Rectangle { height, .. } | Self::Flanged { height, .. } => height,
             Self::Circle(radius) | Self::Pipe { radius, .. } => 2.0 * radius,
             Self::Box { size: [_, height], .. } => height,
-            Self::General { area, second_moment } => (12.0 * second_moment / area).sqrt(),
+            Self::General { area, second_moments: [own, ..], .. } => (12.0 * own / area).sqrt(),
         }
     }
 
@@ -198,6 +205,8 @@ pub struct TransverseShear {
     pub slenderness: f64,
     /// K23 as given in the deck [F]; `None`: k G A.
     pub given: Option<f64>,
+    /// K13 likewise, across the plane; `None`: k G A.
+    pub across: Option<f64>,
     /// Replace the factor f_p by the exact residual bending flexibility l^2 / 12 EI, which makes a
     /// cantilever exact on any mesh. Off by default.
     pub residual_bending_flexibility: bool,
@@ -205,7 +214,7 @@ pub struct TransverseShear {
 
 impl Default for TransverseShear {
     fn default() -> Self {
-        Self { slenderness: 0.25, given: None, residual_bending_flexibility: false }
+        Self { slenderness: 0.25, given: None, across: None, residual_bending_flexibility: false }
     }
 }
 
@@ -285,7 +294,7 @@ mod tests {
             tee.second_moment(),
             4.0 / 12.0 + 4.0 * 1.25_f64.powi(2) + 64.0 / 12.0 + 4.0 * 1.25_f64.powi(2),
         );
-        let general = Shape::General { area: 6.0, second_moment: 4.5 };
+        let general = Shape::General { area: 6.0, second_moments: [4.5, 0.0, 4.5], torsion: 9.0 };
         near(general.height(), 3.0);
         near(general.width(), 2.0);
     }

@@ -6,7 +6,7 @@
 //!    o-----o
 //! ```
 
-use crate::element::cell::Cell;
+use crate::element::cell::{Cell, line3_shapes, line3_slopes};
 use crate::element::quadrature::{GAUSS_4, GAUSS_4_MEAN};
 
 /// The most nodes of a cell.
@@ -87,6 +87,33 @@ pub fn spread(
     Some(forces)
 }
 
+/// Forces on the nodes at `x` [L] of a line of two or three of a force per length [F/L] that depends
+/// on the place [L] and the unit tangent; two nodes for any other number of them.
+pub fn spread_along(
+    x: &[[f64; 3]],
+    pull: impl Fn([f64; 3], [f64; 3]) -> [f64; 3],
+) -> Vec<[f64; 3]> {
+    let mut forces = vec![[0.0; 3]; x.len()];
+    for (xi, weight) in GAUSS_4.into_iter().zip(GAUSS_4_MEAN) {
+        let (shapes, slopes) = match x.len() {
+            3 => (line3_shapes(xi), line3_slopes(xi)),
+            _ => ([0.5 * (1.0 - xi), 0.5 * (1.0 + xi), 0.0], [-0.5, 0.5, 0.0]),
+        };
+        let sum = |by: &[f64; 3]| -> [f64; 3] {
+            std::array::from_fn(|k| x.iter().zip(by).map(|(x, by)| by * x[k]).sum())
+        };
+        let (at, along) = (sum(&shapes), sum(&slopes));
+        let length = along[0].hypot(along[1]).hypot(along[2]);
+        let force = pull(at, along.map(|part| part / length));
+        for (own, shape) in forces.iter_mut().zip(shapes) {
+            // the weights are those of an interval of length one
+            let share = 2.0 * weight * length * shape;
+            own.iter_mut().zip(force).for_each(|(own, force)| *own += share * force);
+        }
+    }
+    forces
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -118,6 +145,24 @@ mod tests {
             assert!((sum[1] - volume * (2.0 + centre)).abs() < 1e-13, "{}: {sum:?}", cell.name);
         }
         assert!(spread(&LINE2, 1.0, &[[0.0; 3]; 2], |_| [0.0; 3]).is_none());
+    }
+
+    /// Requirement: of a uniform force per length both ends take half, ends and middle a sixth and
+    /// two thirds; of one that grows along the line a third and two thirds.
+    #[test]
+    fn shares_along_lines() {
+        let x = [[1.0, 0.0, 0.0], [1.0, 3.0, 4.0]];
+        let even = spread_along(&x, |_, _| [2.0, 0.0, 0.0]);
+        let growing = spread_along(&x, |at, t| [at[1] * t[1], at[1] * t[2], 0.0]);
+        for k in 0..2 {
+            assert!((even[k][0] - 5.0).abs() < 1e-14, "{even:?}");
+            let share = [2.5, 5.0][k];
+            assert!((growing[k][0] - 0.6 * share).abs() < 1e-14, "{growing:?}");
+            assert!((growing[k][1] - 0.8 * share).abs() < 1e-14, "{growing:?}");
+        }
+        let three = [[0.0; 3], [0.0, 0.0, 3.0], [0.0, 0.0, 6.0]];
+        let even = spread_along(&three, |_, t| t);
+        assert!([1.0, 4.0, 1.0].iter().zip(even).all(|(own, f)| (f[2] - own).abs() < 1e-14));
     }
 
     /// Requirement: every node's own share of a uniform force, of one that grows with the place (a

@@ -75,7 +75,8 @@ fn check(name: &str, kernel: &dyn Kernel, (nodes, states, stored): (usize, usize
     let q = displacements(kernel.variables());
     let [now, initial] = temperatures(nodes);
     for strains in [Strains::Linear, Strains::Exact] {
-        let under = Surroundings { strains, temperatures: &now, initial: &initial, dt: 0.0 };
+        let (temperatures, initial) = (&now[..], &initial[..]);
+        let under = Surroundings { strains, temperatures, initial, turns: &[], dt: 0.0 };
         let own = respond(kernel, states, &q, &under);
         let cold = respond(kernel, states, &q, &Surroundings::from(strains));
         let size = own.force.iter().fold(0.0_f64, |most, f| most.max(f.abs()));

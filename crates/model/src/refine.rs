@@ -141,7 +141,9 @@ impl Halving {
             let mut parts = Elements::new(block.kind.cell.nodes);
             for element in &block.elements {
                 match block.kind.cell {
-                    _ if block.kind.is_beam() => self.halve(element, &mut parts),
+                    _ if block.kind.is_beam() || block.kind.is_space_beam() => {
+                        self.halve(element, &mut parts);
+                    }
                     cell if *cell == QUAD4 => self.quarter(element, &mut parts),
                     _ => return Err(unknown_cell(block.word(), block.origin)),
                 }

@@ -92,6 +92,10 @@ fn beams(text: &mut String, model: &Model, block: &ElementBlock, section: &BeamS
         general(section.material.poisson, 9),
         general(section.material.shear_modulus(), 9)
     );
+    if block.kind.is_space_beam() {
+        in_space(text, block, section);
+        return;
+    }
     let stiffness = |length: f64| section.stiffness(length, block.kind.cell.nodes == 3);
     let lengths: Vec<f64> =
         block.elements.iter().map(|element| distance(model, element.ends())).collect();
@@ -127,6 +131,20 @@ fn warmed(text: &mut String, heat: &BeamHeat) {
     if let Some(expansion) = &heat.expansion {
         line!(text, "  {}", expands(expansion));
     }
+}
+
+/// Stiffnesses of beams in space that do not depend on their lengths.
+fn in_space(text: &mut String, block: &ElementBlock, section: &BeamSection) {
+    let stiffness = section.space_stiffness(0.0, block.kind.cell.nodes == 3);
+    let [first, mixed, second] = stiffness.bending.map(|value| general(value, 9));
+    line!(text, "  EA = {}, E I11 = {first}, E I22 = {second}", general(stiffness.axial, 9));
+    if stiffness.bending[1] != 0.0 {
+        line!(text, "  E I12 = {mixed}");
+    }
+    let [k13, k23] = stiffness.shear.map(|value| general(value, 9));
+    line!(text, "  G J = {}, K13 = {k13}, K23 = {k23}", general(stiffness.torsion, 9));
+    let [x, y, z] = section.first_axis.map(|part| general(part, 9));
+    line!(text, "  axis 1 of the section along ({x}, {y}, {z}), as far as across the beam");
 }
 
 /// The name and the size of a section.

@@ -9,8 +9,10 @@
 //! ```
 
 use crate::rows::{Rows, Sheet};
-use crate::section::{axial_stresses, beams, outer_mises};
-use slideline_model::{Dialect, ElementPrint, ElementType, ElementVariable, Model, PrintTarget};
+use crate::section::{axial_stresses, beams, outer_mises, space_beams};
+use slideline_model::{
+    Dialect, ElementPrint, ElementType, ElementVariable, Model, PrintTarget, types,
+};
 use slideline_results::element::{Quantity, solids};
 use slideline_solve::observe::{Frame, StepReport};
 
@@ -46,6 +48,8 @@ fn solid_types(model: &Model) -> impl Iterator<Item = &'static ElementType> {
 pub(crate) struct Beams {
     /// Whether the deck has solids too.
     beside_solids: bool,
+    /// Whether its beams stand in space.
+    in_space: bool,
 }
 
 impl Rows for Beams {
@@ -54,15 +58,33 @@ impl Rows for Beams {
     }
 
     fn columns(&mut self, report: &StepReport<'_>) -> Option<String> {
-        let has_beams = report.model.blocks.iter().any(|block| block.kind.is_beam());
+        let has = |is: fn(&ElementType) -> bool| {
+            let mut blocks = report.model.blocks.iter();
+            blocks.any(|block| is(block.kind) && !block.elements.is_empty())
+        };
+        let has_beams = has(ElementType::is_beam);
+        self.in_space = has(ElementType::is_space_beam) && !has_beams;
         self.beside_solids = solid_types(report.model).next().is_some();
-        let wanted = has_beams && asked(report.model).next().is_some();
+        let wanted = (has_beams || self.in_space) && asked(report.model).next().is_some();
+        if self.in_space {
+            let fields = types::B31.fields.iter().flat_map(|field| field.components);
+            return wanted.then(|| fields.fold("element".to_owned(), |all, name| all + "," + name));
+        }
         let columns = "element,SF1,SF2,SM1,SE1,SE2,SK1,S11_1,S11_2,S11_3,S11_4,S11_5,MISES";
         wanted.then(|| columns.to_owned())
     }
 
     fn rows(&self, sheet: &mut Sheet<'_>, frame: &Frame<'_>) {
         let due = due(frame);
+        if self.in_space {
+            for (element, values) in space_beams(frame) {
+                if is_named(&due, element.label) {
+                    sheet.row().cell(element.label);
+                    sheet.numbers(values.iter().copied()).end();
+                }
+            }
+            return;
+        }
         for (row, _, section) in beams(frame).filter(|(row, ..)| is_named(&due, row.label)) {
             let stresses = axial_stresses([row.axial_force, row.bending_moment], section);
             sheet.row().cell(row.label);

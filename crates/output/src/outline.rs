@@ -144,7 +144,7 @@ impl Drawing {
             let point =
                 |node: NodeIndex| copy_of.get(&(regions[number], node)).copied().unwrap_or(node);
             let kind = match block.kind.kinematics {
-                Kinematics::Beam { .. } => Kind::Beam,
+                Kinematics::Beam { .. } | Kinematics::SpaceBeam => Kind::Beam,
                 Kinematics::Spring => Kind::Spring,
                 Kinematics::Solid { .. } | Kinematics::Truss | Kinematics::Other => Kind::Solid,
             };

@@ -110,6 +110,17 @@ pub(crate) fn beams<'a>(
     })
 }
 
+/// All beams in space of a frame with their results.
+pub(crate) fn space_beams<'a>(
+    frame: &'a Frame<'a>,
+) -> impl Iterator<Item = (Element<'a>, &'a [f64])> {
+    let blocks = frame.elements.iter().filter(|results| {
+        let block = frame.model.blocks.get(results.block);
+        block.is_some_and(|block| block.kind.is_space_beam())
+    });
+    blocks.flat_map(|results| results.elements(frame.model))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -127,6 +138,7 @@ mod tests {
             poisson: 0.0,
             material: slideline_mech::material::Elastic { modulus: 1.0, poisson: 0.0 },
             shear: ShearRule::default(),
+            first_axis: BeamSection::FIRST_AXIS,
         };
         let s = axial_stresses([5.0, -7.0], &section);
         let normal = 2.0 * 3.0 / 6.0 * (s[0] + 4.0 * s[2] + s[4]);

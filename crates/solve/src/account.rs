@@ -10,6 +10,7 @@
 //!
 //! docs/theory.md section 10.
 
+use crate::moments::turn_moments;
 use crate::newton::{Scratch, Target};
 use crate::observe::Energies;
 use crate::problem::Problem;
@@ -69,7 +70,8 @@ impl Books {
 /// to (10.3).
 pub fn account(plan: &Problem<'_>, committed: &State, work: &Scratch, trial: &mut State) {
     let before = &committed.energy;
-    let dissipated = plan.structure.dissipated(&work.u, &trial.elements, &trial.temperatures);
+    let ambient = Ambient { temperatures: &work.temperatures, turns: &work.turns, dt: 0.0 };
+    let dissipated = plan.structure.dissipated(&work.u, (&trial.elements, ambient));
     let mut energy = Energies {
         strain_energy: work.evaluation.strain_energy - dissipated,
         material_dissipation: dissipated,
@@ -84,6 +86,12 @@ pub fn account(plan: &Problem<'_>, committed: &State, work: &Scratch, trial: &mu
         energy.external_work += (mean_reaction + mean_load) * trial.increment[dof];
     }
     energy.thermal_work += thermal_work(plan, committed, work);
+    for state in [committed, trial as &State] {
+        let at = (&state.displacement[..], &committed.turns[..]);
+        turn_moments(plan, &state.load, at, |dof, beyond| {
+            energy.external_work += 0.5 * beyond * trial.increment[dof];
+        });
+    }
     let friction = Friction::of(plan, committed, work, trial);
     energy.friction_dissipation += friction.dissipated;
     energy.dropped_friction += friction.dropped;
@@ -121,7 +129,8 @@ fn thermal_work(plan: &Problem<'_>, committed: &State, work: &Scratch) -> f64 {
     }
     let mut room = plan.structure.room();
     let mut energy = |u: &[f64], temperatures: &[Temperature]| {
-        let ambient = Ambient { temperatures, dt: work.material_dt };
+        let turns = &committed.turns[..];
+        let ambient = Ambient { temperatures, turns, dt: work.material_dt };
         let at = Configuration { u, stresses: None, state: &committed.elements, ambient };
         plan.structure.evaluate_forces(&at, &mut room, plan.means.pool);
         room.energy()

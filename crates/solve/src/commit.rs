@@ -10,6 +10,7 @@ use crate::problem::Problem;
 use crate::rows::contact_rows;
 use crate::state::State;
 use crate::users::UserFrictions;
+use slideline_mech::turn::Turn;
 use slideline_model::Model;
 
 /// Writes the state after an increment into `trial` (every field).
@@ -39,6 +40,7 @@ pub fn commit(
         };
     }
     trial.temperatures.clone_from(&work.temperatures);
+    begin_turns(plan, committed, trial);
     trial.points.copy_from_slice(&evaluation.points);
     trial.stabilised = committed.stabilised;
     trial.damping.clear();
@@ -65,6 +67,22 @@ fn come_to_rest(plan: &Problem<'_>, trial: &mut State) {
         let size = if plan.dofs.name(dof).1.is_rotation() { 1.0 } else { plan.reach };
         if trial.displacement[dof].abs() < nothing * size {
             trial.displacement[dof] = 0.0;
+        }
+    }
+}
+
+/// What rotations in space count from: anew where they have come far, docs/theory.md eq. (3.70).
+fn begin_turns(plan: &Problem<'_>, committed: &State, trial: &mut State) {
+    trial.turns.clone_from(&committed.turns);
+    if !plan.step.nlgeom {
+        return;
+    }
+    for (node, dofs) in plan.dofs.rotations_in_space() {
+        let before = trial.turns.get(node).copied().unwrap_or_default();
+        let now = before.committed(dofs.map(|dof| trial.displacement[dof]));
+        if now != before {
+            trial.turns.resize(plan.model.nodes.len(), Turn::REST);
+            trial.turns[node] = now;
         }
     }
 }

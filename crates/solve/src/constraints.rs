@@ -28,6 +28,7 @@ pub use rows::Rows;
 use crate::dofs::DofMap;
 use linear::LinearConstraint;
 use rigid::RigidLink;
+use slideline_mech::turn::Turn;
 use slideline_model::{Axes, Model, NodeIndex, Step};
 use std::ops::Deref;
 
@@ -201,7 +202,8 @@ impl ConstraintNumbering {
 
 impl Constraints<'_> {
     /// Moves dependent dofs to where the others take them.
-    pub fn enforce(&self, u: &mut [f64]) {
+    /// `turns`: what the rotations of nodes in space count from; empty: from rest.
+    pub fn enforce(&self, turns: &[Turn], u: &mut [f64]) {
         let mut linear = self.linear.iter().enumerate();
         let follow = |(row, constraint): (usize, &LinearConstraint), u: &mut [f64]| {
             let (coefficients, constant) = self.motion.linear(row);
@@ -209,7 +211,7 @@ impl Constraints<'_> {
         };
         linear.by_ref().take(self.leading).for_each(|own| follow(own, u));
         let links = self.rigid.iter().zip(&self.motion.arms);
-        links.for_each(|(link, &arm)| link.enforce((arm, self.axes_of(link)), u));
+        links.for_each(|(link, &arm)| link.enforce((arm, self.axes_of(link)), turns, u));
         linear.for_each(|own| follow(own, u));
     }
 
@@ -221,13 +223,18 @@ impl Constraints<'_> {
     /// Stiffness by the turning of T, f . d2u/dq2, for forces `f` on all dofs
     /// (those that act on dependent ones count; they are used up): calls back
     /// with pairs of rotations and their stiffness.
-    pub fn turning(&self, u: &[f64], f: &mut [f64], mut call: impl FnMut(usize, usize, f64)) {
+    pub fn turning(
+        &self,
+        at: (&[f64], &[Turn]),
+        f: &mut [f64],
+        mut call: impl FnMut(usize, usize, f64),
+    ) {
         // what follows a body linearly presses on it too
         for (row, constraint) in self.linear.iter().enumerate().skip(self.leading).rev() {
             constraint.carry(self.motion.linear(row).0, f);
         }
         for (link, &arm) in self.rigid.iter().zip(&self.motion.arms) {
-            link.turning((arm, self.axes_of(link)), u, f, &mut call);
+            link.turning((arm, self.axes_of(link)), at, f, &mut call);
         }
     }
 }

@@ -179,6 +179,19 @@ impl DofMap {
         &self.rotations
     }
 
+    /// Nodes that turn in space, each with its three rotations along the axes of the model.
+    pub fn rotations_in_space(&self) -> impl Iterator<Item = (NodeIndex, [usize; 3])> + '_ {
+        let plain = self.rotations.iter().take_while(|&&dof| dof < self.plain());
+        plain.filter_map(|&dof| match self.names[dof..].first_chunk::<3>()? {
+            &[(node, Dof::UR1), (second, Dof::UR2), (third, Dof::UR3)]
+                if node == second && node == third =>
+            {
+                Some((node, [dof, dof + 1, dof + 2]))
+            }
+            _ => None,
+        })
+    }
+
     /// Number of nodes.
     pub fn nodes(&self) -> usize {
         self.first.len() - 1

@@ -8,6 +8,7 @@
 
 use crate::constraints::Rows;
 use crate::contact::{ContactKinematics, Look, MasterPositions, PointKinematics};
+use crate::moments::turn_moments;
 use crate::observe::{FrictionCall, Status};
 use crate::problem::Problem;
 use crate::stabilise::Dashpots;
@@ -142,7 +143,7 @@ pub fn evaluate_forces(
     into: &mut Evaluation,
 ) {
     let at = configuration(committed, trial);
-    plan.constraints.linearise(trial.u, &mut into.rows);
+    plan.constraints.linearise((trial.u, trial.ambient.turns), &mut into.rows);
     plan.structure.evaluate_forces(&at, &mut into.contributions, plan.means.pool);
     into.failed = plan.structure.failed(&into.contributions);
     balance(plan, committed, trial, into);
@@ -156,7 +157,7 @@ pub fn evaluate_tangent(
     into: &mut Evaluation,
 ) {
     let at = configuration(committed, trial);
-    plan.constraints.linearise(trial.u, &mut into.rows);
+    plan.constraints.linearise((trial.u, trial.ambient.turns), &mut into.rows);
     let gather = plan.gather(&into.rows, &mut into.tangent);
     plan.structure.evaluate(&at, &mut into.contributions, gather, plan.means.pool);
     into.failed = plan.structure.failed(&into.contributions);
@@ -174,6 +175,8 @@ fn balance(plan: &Problem<'_>, committed: &State, trial: &Trial<'_>, into: &mut 
     into.strain_energy = plan.structure.gather_force(&into.contributions, &mut into.structure);
     into.flux = plan.structure.flux(&into.contributions);
     into.structure.iter_mut().zip(trial.load).for_each(|(force, load)| *force -= load);
+    let at = (trial.u, trial.ambient.turns);
+    turn_moments(plan, trial.load, at, |dof, beyond| into.structure[dof] -= beyond);
     if !plan.faces.is_empty() {
         into.pressed.fill(0.0);
         plan.faces.press(trial.faces, trial.u, &mut into.pressed);

@@ -27,6 +27,7 @@ mod linear_systems;
 mod linearised;
 mod loads;
 mod memory;
+mod moments;
 mod newton;
 pub mod observe;
 mod plan;

@@ -212,8 +212,9 @@ impl Scratch {
         self.faces.clear();
         self.faces.extend(plan.pressures(target.step_time));
         plan.temperatures(target.step_time, &mut self.temperatures);
+        self.turns.clone_from(&committed.turns);
         self.material_dt = plan.step.procedure.passage.of(target.dt);
-        plan.constraints.enforce(&mut self.u);
+        plan.constraints.enforce(&self.turns, &mut self.u);
         for (place, point) in committed.points.iter().enumerate() {
             self.pressures[place] = point.pressure;
             self.tractions[place] = point.traction;
@@ -236,7 +237,7 @@ impl Scratch {
     fn begin_at_rest(&mut self, plan: &Problem<'_>, committed: &State, target: &Target) {
         self.u.copy_from_slice(&committed.displacement);
         plan.prescribe(target.step_time, &mut self.u);
-        plan.constraints.enforce(&mut self.u);
+        plan.constraints.enforce(&self.turns, &mut self.u);
         self.spread_prescribed(plan, committed, target);
         self.first_stresses(plan, committed, target.dt);
         self.evaluate(plan, committed, target.dt);
@@ -250,10 +251,11 @@ impl Scratch {
             *value = self.u[dof] - committed.displacement[dof];
         }
         let from = &committed.displacement;
-        let ambient = Ambient { temperatures: &self.temperatures, dt: self.material_dt };
+        let ambient =
+            Ambient { temperatures: &self.temperatures, turns: &self.turns, dt: self.material_dt };
         let state = &committed.elements;
         let at = Configuration { u: from, stresses: None, state, ambient };
-        plan.constraints.linearise(from, &mut self.evaluation.rows);
+        plan.constraints.linearise((from, &self.turns), &mut self.evaluation.rows);
         self.residual.fill(0.0);
         let product = Product { vector: change, into: &mut self.residual };
         let gather = plan.gather(&self.evaluation.rows, &mut self.values);
@@ -273,7 +275,7 @@ impl Scratch {
             for (equation, &dof) in plan.constraints.dof_of_equation.iter().enumerate() {
                 self.u[dof] += self.correction[equation];
             }
-            plan.constraints.enforce(&mut self.u);
+            plan.constraints.enforce(&self.turns, &mut self.u);
             plan.prescribe(target.step_time, &mut self.u);
         }
     }
@@ -288,7 +290,11 @@ impl Scratch {
             pressures: &self.pressures,
             tractions: &self.tractions,
             dashpots: &self.dashpots,
-            ambient: Ambient { temperatures: &self.temperatures, dt: self.material_dt },
+            ambient: Ambient {
+                temperatures: &self.temperatures,
+                turns: &self.turns,
+                dt: self.material_dt,
+            },
             time: committed.total_time + dt,
             dt,
         }
@@ -317,7 +323,11 @@ impl Scratch {
             pressures: &self.pressures,
             tractions: &self.tractions,
             dashpots: &self.dashpots,
-            ambient: Ambient { temperatures: &self.temperatures, dt: self.material_dt },
+            ambient: Ambient {
+                temperatures: &self.temperatures,
+                turns: &self.turns,
+                dt: self.material_dt,
+            },
             time: committed.total_time + dt,
             dt,
         };
@@ -408,7 +418,7 @@ impl Scratch {
         for (equation, &dof) in plan.constraints.dof_of_equation.iter().enumerate() {
             self.residual[dof] += self.correction[equation];
         }
-        plan.constraints.enforce(&mut self.residual);
+        plan.constraints.enforce(&self.turns, &mut self.residual);
         let Evaluation { kinematics, look, .. } = &self.evaluation;
         plan.contact.stay_idle(kinematics, &self.residual, look)
     }
@@ -424,7 +434,11 @@ impl Scratch {
             pressures: &self.pressures,
             tractions: &self.tractions,
             dashpots: &self.dashpots,
-            ambient: Ambient { temperatures: &self.temperatures, dt: self.material_dt },
+            ambient: Ambient {
+                temperatures: &self.temperatures,
+                turns: &self.turns,
+                dt: self.material_dt,
+            },
             time: committed.total_time + self.dt,
             dt: self.dt,
         };
@@ -436,6 +450,7 @@ impl Scratch {
         let sweep = Sweep {
             constraints: plan.constraints,
             rotations: plan.dofs.rotations(),
+            turns: &self.turns,
             from: &committed.displacement,
             to: &self.u,
             before: &committed.points,
@@ -465,7 +480,7 @@ impl Scratch {
             let old = &mut self.tractions[place];
             *old += length * (linear.traction() - *old);
         }
-        plan.constraints.enforce(&mut self.u);
+        plan.constraints.enforce(&self.turns, &mut self.u);
     }
 
     /// Measures the trial state and judges it.

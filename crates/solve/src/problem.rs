@@ -19,6 +19,7 @@ use rayon::ThreadPool;
 use slideline_linalg::{Kind, Pattern, Solver};
 use slideline_mech::contact::enforcement::Enforcement;
 use slideline_mech::contact::pair::Laws;
+use slideline_mech::turn::Turn;
 use slideline_model::{Model, Step};
 
 /// Everything about a step that does not change from increment to increment.
@@ -133,7 +134,7 @@ impl<'a> Problem<'a> {
 
     /// The symmetry of the tangent as it is factored.
     pub fn kind(&self) -> Kind {
-        kind(self.step, self.contact)
+        kind(self.model, self.step, self.contact)
     }
 
     /// Whether friction is there and the deck wants a symmetric tangent.
@@ -167,11 +168,11 @@ impl<'a> Problem<'a> {
     pub fn stiffen_by_turning(
         &self,
         rows: &Rows,
-        (u, f): (&[f64], &mut [f64]),
+        (at, f): ((&[f64], &[Turn]), &mut [f64]),
         values: &mut [f64],
     ) {
         let (constraints, pattern) = (self.constraints, self.pattern);
-        constraints.turning(u, f, |row, column, stiffness| {
+        constraints.turning(at, f, |row, column, stiffness| {
             constraints.for_each_equation(rows, row, &mut |row, a| {
                 constraints.for_each_equation(rows, column, &mut |column, b| {
                     if let Some(at) = pattern.position(row, column) {
@@ -195,11 +196,12 @@ impl<'a> Problem<'a> {
     }
 }
 
-/// The symmetry of the tangent of a step: none where there is friction or a pressure that follows
-/// its face, unless the deck says otherwise.
-pub fn kind(step: &Step, contact: &Contact) -> Kind {
+/// The symmetry of the tangent of a step: none where there is friction, a pressure that follows its
+/// face, or a moment about a fixed axis in space, unless the deck says otherwise.
+pub fn kind(model: &Model, step: &Step, contact: &Contact) -> Kind {
     let rubs = || contact.laws.iter().any(Laws::has_friction);
-    let follows = step.nlgeom && !step.distributed.pressures.is_empty();
+    let turns = || model.is_in_space() && step.loads.iter().any(|load| load.dof.is_rotation());
+    let follows = step.nlgeom && (!step.distributed.pressures.is_empty() || turns());
     if step.unsymmetric.unwrap_or_else(|| follows || rubs()) {
         Kind::Unsymmetric
     } else {

@@ -296,7 +296,7 @@ impl<'a> Analysis<'a> {
     ) -> Result<(), Left> {
         let (model, plan, values) = (self.model, self.plan, self.values);
         let step = &model.steps[number - 1];
-        let kind = problem::kind(step, &values.contact);
+        let kind = problem::kind(model, step, &values.contact);
         let at_once = Control::begin(&step.procedure);
         let mut control = from.map_or(Some(at_once), |from| from.control);
         // within an increment what it has touched on its way stays

@@ -171,7 +171,7 @@ pub fn would_hold(plan: &Problem<'_>, committed: &State, mode: &[f64]) -> bool {
     for (&dof, value) in plan.constraints.dof_of_equation.iter().zip(mode) {
         motion[dof] = *value;
     }
-    plan.constraints.linearise(u, &mut rows);
+    plan.constraints.linearise((u, &committed.turns), &mut rows);
     plan.constraints.expand(&rows, &mut motion);
     let mut holds = false;
     for (place, before) in committed.points.iter().enumerate() {

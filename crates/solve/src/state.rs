@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use slideline_mech::contact::pair::{Footing, History};
 use slideline_mech::contact::tangential::Tangential;
 use slideline_mech::element::Temperature;
+use slideline_mech::turn::Turn;
 
 /// A committed (or trial) state of the whole model.
 #[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
@@ -35,6 +36,8 @@ pub struct State {
     pub elements: Vec<f64>,
     /// Temperatures, a node each; empty: those before the first step [theta].
     pub temperatures: Vec<Temperature>,
+    /// What rotations in space count from, a node each; empty: all from rest.
+    pub turns: Vec<Turn>,
     /// Average flux of forces and moments over the step.
     pub flux: [Flow; 2],
     /// Nodal forces of contact stabilisation, a dof each; empty without it.
@@ -128,7 +131,7 @@ impl State {
         let Self { total_time, step_time, increment_time, .. } = *from;
         let Self { flux, stabilised, energy, balance_origin, books, .. } = *from;
         let Self { displacement, increment, increment_before, reaction, load, .. } = from;
-        let Self { points, state_variables, elements, damping, temperatures, .. } = from;
+        let Self { points, state_variables, elements, damping, temperatures, turns, .. } = from;
         let lists = [
             (&mut self.displacement, displacement),
             (&mut self.increment, increment),
@@ -142,6 +145,7 @@ impl State {
         lists.into_iter().for_each(|(own, from)| own.clone_from(from));
         self.points.clone_from(points);
         self.temperatures.clone_from(temperatures);
+        self.turns.clone_from(turns);
         *self = Self {
             total_time,
             step_time,
@@ -155,6 +159,7 @@ impl State {
             state_variables: std::mem::take(&mut self.state_variables),
             elements: std::mem::take(&mut self.elements),
             temperatures: std::mem::take(&mut self.temperatures),
+            turns: std::mem::take(&mut self.turns),
             flux,
             damping: std::mem::take(&mut self.damping),
             stabilised,
@@ -171,6 +176,7 @@ impl State {
             points: std::mem::take(&mut self.points),
             damping: std::mem::take(&mut self.damping),
             temperatures: std::mem::take(&mut self.temperatures),
+            turns: std::mem::take(&mut self.turns),
             ..Self::default()
         };
         let lists = [
@@ -189,6 +195,7 @@ impl State {
         }
         own.damping.clear();
         own.temperatures.clear();
+        own.turns.clear();
         own.points.clear();
         own.points.resize(points, PointState::default());
         *self = own;

@@ -30,6 +30,7 @@ use block::Block;
 use slideline_mech::element::{
     Failure, Kernel, MOST_NODES, MOST_VARIABLES, Strains, Surroundings, Temperature,
 };
+use slideline_mech::turn::Turn;
 
 /// All elements of a step at work: numbering of the plan, kernels of the values.
 #[derive(Clone, Copy, Debug)]
@@ -58,6 +59,8 @@ pub struct Structure<'a> {
 pub struct Ambient<'a> {
     /// Temperatures, a node each; empty: all are zero and were.
     pub temperatures: &'a [Temperature],
+    /// What rotations in space count from, a node each; empty: all from rest.
+    pub turns: &'a [Turn],
     /// Time that passes for the materials on the way from the committed state [T]: zero where
     /// they answer instantaneously, infinite where in the long term.
     pub dt: f64,
@@ -108,25 +111,33 @@ impl Contributions {
     }
 }
 
-/// Temperatures at the nodes of an element, now and before the first step.
-struct NodalTemperatures {
+/// What the nodes of an element are in: temperatures now and before the first step, and what their
+/// rotations count from.
+struct AtNodes {
     now: [Temperature; MOST_NODES],
     initial: [Temperature; MOST_NODES],
-    count: usize,
+    heated: usize,
+    turns: [Turn; MOST_NODES],
+    turning: usize,
 }
 
-impl Default for NodalTemperatures {
+impl Default for AtNodes {
     fn default() -> Self {
         let none = [Temperature::default(); MOST_NODES];
-        Self { now: none, initial: none, count: 0 }
+        let turns = [Turn::REST; MOST_NODES];
+        Self { now: none, initial: none, heated: 0, turns, turning: 0 }
     }
 }
 
-impl NodalTemperatures {
+impl AtNodes {
     /// What an element responds under.
     fn under<'a>(&'a self, strains: Strains<'a>, dt: f64) -> Surroundings<'a> {
-        let (temperatures, initial) = (&self.now[..self.count], &self.initial[..self.count]);
-        Surroundings { strains, temperatures, initial, dt }
+        let (temperatures, initial) = (&self.now[..self.heated], &self.initial[..self.heated]);
+        Surroundings { strains, temperatures, initial, turns: self.turns(), dt }
+    }
+
+    fn turns(&self) -> &[Turn] {
+        &self.turns[..self.turning]
     }
 }
 
@@ -173,7 +184,7 @@ impl Structure<'_> {
         if into.is_empty() {
             return;
         }
-        let mut nodes = NodalTemperatures::default();
+        let mut nodes = AtNodes::default();
         let (mut q, mut moved) = ([0.0; MOST_VARIABLES], [0.0; MOST_VARIABLES]);
         for (block, kernel, element) in self.elements() {
             let own = self.own(block, element);
@@ -182,7 +193,7 @@ impl Structure<'_> {
                 (*q, *moved) = (u[dof], change[dof]);
             }
             let into = &mut into[block.stresses(element)];
-            let nodal = self.nodal_temperatures(block, element, ambient, &mut nodes);
+            let nodal = self.at_nodes(block, element, ambient, &mut nodes);
             let under = nodal.under(self.strains(), ambient.dt);
             kernel.stresses_after(block.number(element), q, moved, &under, into);
         }
@@ -210,21 +221,28 @@ impl Structure<'_> {
         elements.map(bend).fold(0.0, f64::max)
     }
 
-    /// Temperatures at the nodes of an element.
-    fn nodal_temperatures<'n>(
+    /// What is around the nodes of an element.
+    fn at_nodes<'n>(
         &self,
         block: &Block,
         element: usize,
         ambient: &Ambient<'_>,
-        into: &'n mut NodalTemperatures,
-    ) -> &'n NodalTemperatures {
-        into.count = 0;
+        into: &'n mut AtNodes,
+    ) -> &'n AtNodes {
+        (into.heated, into.turning) = (0, 0);
+        let nodes = &self.numbering.nodes[block.nodes(element)];
         if !ambient.temperatures.is_empty() {
             let of = |list: &[Temperature], node: usize| list.get(node).copied();
-            for &node in &self.numbering.nodes[block.nodes(element)] {
-                into.now[into.count] = of(ambient.temperatures, node).unwrap_or_default();
-                into.initial[into.count] = of(self.initial, node).unwrap_or_default();
-                into.count += 1;
+            for &node in nodes {
+                into.now[into.heated] = of(ambient.temperatures, node).unwrap_or_default();
+                into.initial[into.heated] = of(self.initial, node).unwrap_or_default();
+                into.heated += 1;
+            }
+        }
+        if !ambient.turns.is_empty() && block.turns_in_space() {
+            for &node in nodes {
+                into.turns[into.turning] = ambient.turns.get(node).copied().unwrap_or_default();
+                into.turning += 1;
             }
         }
         into
@@ -257,11 +275,13 @@ impl Structure<'_> {
     /// the stresses that its geometric stiffness is made of.
     pub fn turning_forces(
         &self,
-        u: &[f64],
+        (u, turns): (&[f64], &[Turn]),
         stresses: Option<&[f64]>,
         from: &Contributions,
         into: &mut [f64],
     ) {
+        let mut nodes = AtNodes::default();
+        let ambient = Ambient { turns, ..Ambient::default() };
         let (mut q, mut own_force) = ([0.0; MOST_VARIABLES], [0.0; MOST_VARIABLES]);
         for &element in self.dependent {
             let (block, kernel) = self.element(element);
@@ -270,7 +290,8 @@ impl Structure<'_> {
             q.iter_mut().zip(own).for_each(|(q, &dof)| *q = u[dof]);
             let estimated = stresses.filter(|_| self.nlgeom).is_some_and(|stresses| {
                 let stresses = &stresses[block.stresses(element)];
-                kernel.force_of_stresses(block.number(element), q, stresses, force)
+                let turns = self.at_nodes(block, element, &ambient, &mut nodes).turns();
+                kernel.force_of_stresses(block.number(element), (q, turns), stresses, force)
             });
             if !estimated {
                 force.copy_from_slice(&from.force[block.own(element)]);
@@ -290,9 +311,8 @@ impl Structure<'_> {
     }
 
     /// Energy that the elements have taken for good [F L].
-    pub fn dissipated(&self, u: &[f64], state: &[f64], temperatures: &[Temperature]) -> f64 {
-        let mut nodes = NodalTemperatures::default();
-        let ambient = Ambient { temperatures, dt: 0.0 };
+    pub fn dissipated(&self, u: &[f64], (state, ambient): (&[f64], Ambient<'_>)) -> f64 {
+        let mut nodes = AtNodes::default();
         let mut variables = [0.0; MOST_VARIABLES];
         let blocks = self.numbering.blocks.iter().zip(self.kernels.iter());
         let mut sum = 0.0;
@@ -302,7 +322,7 @@ impl Structure<'_> {
                 let own = self.own(block, element);
                 q.iter_mut().zip(own).for_each(|(q, &dof)| *q = u[dof]);
                 let (number, state) = (block.number(element), &state[block.state(element)]);
-                let nodal = self.nodal_temperatures(block, element, &ambient, &mut nodes);
+                let nodal = self.at_nodes(block, element, &ambient, &mut nodes);
                 let under = nodal.under(self.strains(), ambient.dt);
                 sum += kernel.dissipated(number, q, state, &under);
             }
@@ -314,11 +334,10 @@ impl Structure<'_> {
     pub fn results(
         &self,
         u: &[f64],
-        (state, temperatures): (&[f64], &[Temperature]),
+        (state, ambient): (&[f64], Ambient<'_>),
         into: &mut Vec<BlockResults>,
     ) {
-        let mut nodes = NodalTemperatures::default();
-        let ambient = Ambient { temperatures, dt: 0.0 };
+        let mut nodes = AtNodes::default();
         into.resize_with(self.numbering.blocks.len(), BlockResults::default);
         let mut variables = [0.0; MOST_VARIABLES];
         let blocks = self.numbering.blocks.iter().zip(self.kernels.iter());
@@ -332,7 +351,7 @@ impl Structure<'_> {
                 let own = self.own(block, element);
                 q.iter_mut().zip(own).for_each(|(q, &dof)| *q = u[dof]);
                 let (number, state) = (block.number(element), &state[block.state(element)]);
-                let nodal = self.nodal_temperatures(block, element, &ambient, &mut nodes);
+                let nodal = self.at_nodes(block, element, &ambient, &mut nodes);
                 let under = nodal.under(self.strains(), ambient.dt);
                 kernel.results(number, q, state, &under, values);
             }

@@ -18,6 +18,7 @@ use crate::contact::{
     ContactKinematics, GeometryScratch, MasterPositions, PointKinematics, PointRows,
 };
 use crate::evaluate::{Evaluation, Trial};
+use crate::moments::{self, turn_moments};
 use crate::observe::{FrictionCall, Status, TangentReport};
 use crate::problem::Problem;
 use crate::state::State;
@@ -188,13 +189,14 @@ pub fn assembled(place: &Place<'_>) -> Vec<f64> {
     plan.structure.evaluate(&at, &mut contributions, gather, plan.means.pool);
     trial.dashpots.stiffen(plan, rows, &mut values);
     plan.faces.stiffen(plan, rows, (trial.faces, trial.u), &mut values);
+    moments::stiffen(plan, rows, trial.load, (trial.u, ambient.turns), &mut values);
     // Every force on a dependent dof turns with those that it follows.
     let mut force = vec![0.0; trial.load.len()];
     plan.faces.press(trial.faces, trial.u, &mut force);
     force.iter_mut().zip(trial.load).for_each(|(force, load)| *force = -(*force + load));
     plan.structure.gather_force(&contributions, &mut force);
     place.add_contact_force(&place.evaluation.kinematics, trial.u, &mut force);
-    plan.stiffen_by_turning(rows, (trial.u, &mut force), &mut values);
+    plan.stiffen_by_turning(rows, ((trial.u, ambient.turns), &mut force), &mut values);
     let mut scratch = GeometryScratch::default();
     for point in 0..plan.contact.points.len() {
         place.add_point(point, &mut scratch, &mut values);
@@ -359,7 +361,7 @@ impl<'a> Differences<'a> {
         let Place { plan, trial, .. } = self.place;
         self.u.copy_from_slice(trial.u);
         self.u[plan.constraints.dof_of_equation[equation]] += step;
-        plan.constraints.enforce(&mut self.u);
+        plan.constraints.enforce(trial.ambient.turns, &mut self.u);
         self.residual()
     }
 
@@ -372,12 +374,14 @@ impl<'a> Differences<'a> {
         plan.faces.press(trial.faces, &self.u, &mut self.force);
         let loads = self.force.iter_mut().zip(trial.load);
         loads.for_each(|(force, load)| *force = -(*force + load));
+        let at = (&self.u[..], trial.ambient.turns);
+        turn_moments(plan, trial.load, at, |dof, beyond| self.force[dof] -= beyond);
         let _energy = plan.structure.gather_force(&self.contributions, &mut self.force);
         self.kinematics.copy_from(&evaluation.kinematics);
         let at = (&self.u[..], &committed.points[..]);
         plan.contact.meet_in_place(at, &mut self.positions, &mut self.kinematics);
         self.place.add_contact_force(&self.kinematics, &self.u, &mut self.force);
-        plan.constraints.linearise(&self.u, &mut self.rows);
+        plan.constraints.linearise((&self.u, trial.ambient.turns), &mut self.rows);
         plan.constraints.carry(&self.rows, &mut self.force);
         plan.constraints.dof_of_equation.iter().map(|&dof| self.force[dof]).collect()
     }
@@ -456,6 +460,7 @@ mod tests {
             poisson: 0.0,
             material: Elastic { modulus: 1e3, poisson: 0.3 },
             shear: ShearRule::default(),
+            first_axis: BeamSection::FIRST_AXIS,
         };
         let elements = (0..6).map(|k| (k as u64 + 1, [beam[k], beam[k + 1]]));
         let block = ElementBlock::new(&types::B21, "B", Section::Beam(section), AT);
@@ -566,7 +571,7 @@ mod tests {
             u[..3].fill(0.0);
             let body = plan.dofs.of_node(body);
             u[body].copy_from_slice(&[direction, -0.06, 0.1 * direction]);
-            plan.constraints.enforce(&mut u);
+            plan.constraints.enforce(&[], &mut u);
             let mut dashpots = Dashpots::default();
             committed.stabilised = true;
             let halfway = (0.5, 0.5);
@@ -625,7 +630,7 @@ mod tests {
             let body = plan.dofs.of_node(model.nodes.find(100).unwrap());
             let mut touches = |down: f64| {
                 u[body.start + 1] = down;
-                plan.constraints.enforce(&mut u);
+                plan.constraints.enforce(&[], &mut u);
                 let trial = Trial {
                     faces: &[],
                     stresses: &stresses,

@@ -1,10 +1,9 @@
 //! `*BEAM GENERAL SECTION`: the section of beams with moduli of its own.
 
-use slideline_diag::{Code, Diagnostic};
 use slideline_mech::material::Elastic;
 use slideline_model::{Shape, ShearRule};
 
-use super::beam_section::{SHAPES, poisson, shape};
+use super::beam_section::{SHAPES, first_axis, poisson, shape};
 use crate::draft::Draft;
 use crate::draft::{Body, Owner, Section};
 use crate::keyword::{Keyword, Level, Rule, Subject};
@@ -21,8 +20,12 @@ impl Keyword for BeamGeneralSection {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] =
-            &[Rule::value("SECTION"), Rule::required("ELSET"), Rule::value("POISSON")];
+        const RULES: &[Rule] = &[
+            Rule::value("SECTION"),
+            Rule::required("ELSET"),
+            Rule::value("POISSON"),
+            Rule::value("MATERIAL"),
+        ];
         RULES
     }
 
@@ -53,42 +56,48 @@ impl Keyword for BeamGeneralSection {
         draft.log.at_most_lines(card.data(), 3, self.name());
         let Some(line) = card.first_line("A, I11, I12, I22, J", &mut draft.log) else { return };
         let shape = if kind == "GENERAL" { general(line, draft) } else { shape(kind, line, draft) };
-        let elastic = moduli(card, draft);
-        let (Some(shape), Some(elastic), Some(poisson)) = (shape, elastic, poisson) else { return };
+        let material = card.name("MATERIAL");
+        let elastic = match material {
+            Some(_) => None,
+            None => moduli(card, draft),
+        };
+        // a line of moduli comes last
+        let sizes_and_axis = card.data().len() - usize::from(elastic.is_some());
+        let direction = card.data().get(1).filter(|_| sizes_and_axis > 1);
+        let first_axis = first_axis(direction, draft);
+        let (Some(shape), Some(poisson), Some(first_axis)) = (shape, poisson, first_axis) else {
+            return;
+        };
+        if elastic.is_none() && material.is_none() {
+            return; // its moduli could not be read
+        }
         draft.owner = Owner::Section(draft.sections.len());
         draft.sections.push(Section {
             set,
-            material: String::new(),
-            material_span: card.span(),
+            material: material.unwrap_or_default(),
+            material_span: card.span_of("MATERIAL"),
             set_span: card.span_of("ELSET"),
-            body: Body::Beam {
-                shape,
-                poisson,
-                shear: ShearRule::default(),
-                elastic: Some(elastic),
-            },
+            body: Body::Beam { shape, poisson, shear: ShearRule::default(), first_axis, elastic },
             orientation: None,
             origin: card.span(),
         });
     }
 }
 
-/// A, I11, I12, I22, J: the plane bends about axis 1.
+/// A, I11, I12, I22, J: a plane beam bends about axis 1 alone.
 fn general(line: &slideline_deck::DataLine, draft: &mut Draft) -> Option<Shape> {
     draft.log.at_most(line, 7);
     let area = draft.log.number(line, 0, "the area A")?;
     let second_moment = draft.log.number(line, 1, "the second moment of area I11")?;
     let mixed = draft.log.number_or(line, 2, 0.0)?;
+    let across = draft.log.number_or(line, 3, 0.0)?;
+    let torsion = draft.log.number_or(line, 4, 0.0)?;
     if area <= 0.0 || second_moment <= 0.0 {
         draft.log.error("SL0210", "A and I11 of the section must be positive", line.span);
         return None;
     }
-    if mixed != 0.0 {
-        let message = format!("I12 = {mixed} is not used: the beam stays in its plane");
-        let note = Diagnostic::note(Code("SL0253"), message).at(line.fields[2].span);
-        draft.log.push(note);
-    }
-    Some(Shape::General { area, second_moment })
+    let second_moments = [second_moment, mixed, across];
+    Some(Shape::General { area, second_moments, torsion })
 }
 
 /// E, G and the coefficient of expansion of the last line; a blank line before it is not kept by the

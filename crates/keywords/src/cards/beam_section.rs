@@ -2,7 +2,8 @@
 
 use slideline_deck::DataLine;
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{Shape, ShearRule};
+use slideline_model::{BeamSection as ModelSection, Dialect, Shape, ShearRule};
+use std::f64::consts::PI;
 
 use crate::draft::Draft;
 use crate::draft::{Body, Owner, Section};
@@ -45,21 +46,40 @@ impl Keyword for BeamSection {
         let named = card.name("ELSET").zip(card.name("MATERIAL"));
         let Some((kind, (set, material))) = kind.zip(named) else { return };
         let poisson = poisson(card, draft);
-        draft.log.at_most_lines(card.data(), 2, self.name());
+        // the third one, points of a section that is integrated, changes no elastic beam
+        draft.log.at_most_lines(card.data(), 3, self.name());
         let Some(line) = card.first_line("the size of the section", &mut draft.log) else { return };
         let Some(shape) = shape(kind, line, draft) else { return };
-        let Some(poisson) = poisson else { return };
+        let first_axis = first_axis(card.data().get(1), draft);
+        let (Some(poisson), Some(first_axis)) = (poisson, first_axis) else { return };
         draft.owner = Owner::Section(draft.sections.len());
         draft.sections.push(Section {
             set,
             material,
             material_span: card.span_of("MATERIAL"),
             set_span: card.span_of("ELSET"),
-            body: Body::Beam { shape, poisson, shear: ShearRule::default(), elastic: None },
+            body: Body::Beam {
+                shape,
+                poisson,
+                shear: ShearRule::default(),
+                first_axis,
+                elastic: None,
+            },
             orientation: None,
             origin: card.span(),
         });
     }
+}
+
+/// Axis 1 of the section: the line's direction, or the default where it is blank or there is none.
+pub(super) fn first_axis(line: Option<&DataLine>, draft: &mut Draft) -> Option<[f64; 3]> {
+    let Some(line) = line else { return Some(ModelSection::FIRST_AXIS) };
+    draft.log.at_most(line, 3);
+    let mut axis = [0.0; 3];
+    for (at, part) in axis.iter_mut().enumerate() {
+        *part = draft.log.number_or(line, at, 0.0)?;
+    }
+    Some(if axis == [0.0; 3] { ModelSection::FIRST_AXIS } else { axis })
 }
 
 /// The shapes of sections.
@@ -67,7 +87,9 @@ pub(super) const SHAPES: &[&str] = &["RECT", "CIRC", "PIPE", "BOX", "I"];
 
 /// A section from its sizes.
 pub(super) fn shape(kind: &str, line: &DataLine, draft: &mut Draft) -> Option<Shape> {
+    let elliptical = kind == "CIRC" && draft.dialect == Dialect::Calculix;
     let names: &[&str] = match kind {
+        _ if elliptical => &["thickness along axis 1", "thickness along axis 2"],
         "CIRC" => &["radius"],
         "PIPE" => &["outer radius", "thickness of the wall"],
         "BOX" => {
@@ -87,7 +109,12 @@ pub(super) fn shape(kind: &str, line: &DataLine, draft: &mut Draft) -> Option<Sh
     draft.log.at_most(line, names.len());
     let mut sizes = Vec::with_capacity(names.len());
     for (at, name) in names.iter().enumerate() {
-        let value = draft.log.number(line, at, &format!("the {name}"))?;
+        // one thickness of an ellipse alone is that of a circle
+        let same = sizes.first().copied().filter(|_| elliptical);
+        let value = match same {
+            Some(first) => draft.log.number_or(line, at, first)?,
+            None => draft.log.number(line, at, &format!("the {name}"))?,
+        };
         // a T is an I without a flange, and the axis may be at the bottom
         let least = if kind == "I" { value >= 0.0 } else { value > 0.0 };
         if !least {
@@ -122,6 +149,7 @@ fn made(kind: &str, sizes: &[f64]) -> Result<Shape, &'static str> {
             }
             Ok(Shape::Pipe { radius, wall })
         }
+        [along_1, along_2] if kind == "CIRC" => Ok(ellipse(0.5 * along_1, 0.5 * along_2)),
         [width, height] => Ok(Shape::Rectangle { width, height }),
         [a, b, right, top, left, bottom] => {
             if right + left >= a || top + bottom >= b {
@@ -146,6 +174,20 @@ fn made(kind: &str, sizes: &[f64]) -> Result<Shape, &'static str> {
             Ok(shape)
         }
         _ => Err("these are not the sizes of a section"),
+    }
+}
+
+/// An ellipse of half axes a and b [L], which CalculiX calls CIRC; a circle is one.
+fn ellipse(a: f64, b: f64) -> Shape {
+    if a == b {
+        return Shape::Circle(a);
+    }
+    let area = PI * a * b;
+    let torsion = area * a * a * b * b / (a * a + b * b);
+    Shape::General {
+        area,
+        second_moments: [0.25 * area * b * b, 0.0, 0.25 * area * a * a],
+        torsion,
     }
 }
 

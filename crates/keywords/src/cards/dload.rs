@@ -78,6 +78,10 @@ fn line_of(line: &DataLine, draft: &mut Draft) -> Option<Distributed> {
                 _ => Along::Radius,
             })
         }
+        "PX" | "PY" | "PZ" => {
+            draft.log.at_most(line, 3);
+            Kind::Line(["PX", "PY", "PZ"].iter().position(|name| *name == label)?)
+        }
         "GRAV" => Kind::Gravity(direction(line, 3, draft)?),
         "CENTRIF" => {
             let point = [3, 4, 5].map(|at| draft.log.number_or(line, at, 0.0));
@@ -89,7 +93,7 @@ fn line_of(line: &DataLine, draft: &mut Draft) -> Option<Distributed> {
                 Kind::Pressure(Some(face - 1))
             }
             _ => {
-                unknown(line, "P1 to P6, BX, BY, BZ, BR, GRAV, CENTRIF", draft);
+                unknown(line, "P1 to P6, PX, PY, PZ, BX, BY, BZ, BR, GRAV, CENTRIF", draft);
                 return None;
             }
         },

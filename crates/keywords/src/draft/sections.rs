@@ -30,6 +30,8 @@ pub(crate) enum Body {
         shape: Shape,
         poisson: f64,
         shear: ShearRule,
+        /// Direction of axis 1 of the section.
+        first_axis: [f64; 3],
         elastic: Option<(Elastic, f64)>,
     },
     Solid {
@@ -54,7 +56,7 @@ impl Body {
         dialect: Dialect,
     ) -> Option<model::Section> {
         Some(match self {
-            Self::Beam { shape, poisson, shear, elastic } => {
+            Self::Beam { shape, poisson, shear, first_axis, elastic } => {
                 let (table, expansion) = match elastic {
                     Some((elastic, 0.0)) => (vec![(0.0, elastic)], None),
                     Some((elastic, even)) => (vec![(0.0, elastic)], Some(Expansion::even(even))),
@@ -64,7 +66,8 @@ impl Body {
                 let given_shear = shear.stiffness.is_some();
                 let heat = BeamHeat { expansion, elastic: table, given_shear };
                 let heat = heat.changes_anything().then(|| Box::new(heat));
-                model::Section::Beam(BeamSection { shape, poisson, material, heat, shear })
+                let section = BeamSection { shape, poisson, material, heat, shear, first_axis };
+                model::Section::Beam(section)
             }
             Self::Solid { thickness } => {
                 let material = material.solid(dialect)?;

@@ -6,8 +6,9 @@ use slideline_mech::volume;
 use slideline_model::{Dialect, Dof, ElementType, NodeIndex};
 
 use super::faces::{self, SolidFace, face_nodes};
+use super::line_loads;
 use crate::distributed::{Along, Distributed, Key, Kind, On};
-use crate::draft::{Body, Draft, ElementKind};
+use crate::draft::{Body, Draft, ElementKind, Section};
 use crate::log::Target;
 use crate::rule::Subject;
 
@@ -21,12 +22,16 @@ pub(super) enum What {
 /// What a line loads, by element and kind.
 pub(super) type Resolved = Vec<((usize, Key), What)>;
 
-/// What a line loads.
-pub(super) fn resolve(line: &Distributed, draft: &mut Draft) -> Resolved {
+/// What a line loads in a step with or without large motion.
+pub(super) fn resolve((line, nlgeom): (&Distributed, bool), draft: &mut Draft) -> Resolved {
     match (&line.on, line.kind) {
         (On::Elements(target, span), Kind::Pressure(Some(face))) => {
-            let mut all = Vec::new();
+            let (mut all, mut across) = (Vec::new(), Resolved::new());
             for index in elements(target, *span, draft) {
+                if is_space_beam(index, draft) && face < 2 {
+                    across.extend(on_section(index, face, (line, nlgeom), draft));
+                    continue;
+                }
                 match face_nodes(index, Some(face), draft) {
                     Some(nodes) => {
                         let face =
@@ -36,7 +41,8 @@ pub(super) fn resolve(line: &Distributed, draft: &mut Draft) -> Resolved {
                     None => faces::no_face(index, face, line.origin, draft),
                 }
             }
-            all.into_iter().filter_map(|face| on_face(&face, line, draft)).collect()
+            across.extend(all.into_iter().filter_map(|face| on_face(&face, line, draft)));
+            across
         }
         (On::Surface(named), _) => {
             let Some(surface) = draft.surface(named) else { return Vec::new() };
@@ -58,6 +64,24 @@ pub(super) fn resolve(line: &Distributed, draft: &mut Draft) -> Resolved {
             loaded
         }
     }
+}
+
+fn is_space_beam(index: usize, draft: &Draft) -> bool {
+    matches!(draft.elements[index].kind, ElementKind::Structural(row) if row.is_space_beam())
+}
+
+/// A force per length along an axis of the section.
+fn on_section(
+    index: usize,
+    axis: usize,
+    (line, nlgeom): (&Distributed, bool),
+    draft: &mut Draft,
+) -> Option<((usize, Key), What)> {
+    let nodes = face_nodes(index, None, draft)?;
+    let section = section_of(index, draft)?.clone();
+    let forces = line_loads::across((&nodes, &section), axis, (line, nlgeom), draft)?;
+    let what = What::Forces(shares(&nodes, &forces, draft));
+    Some(((index, line.key(axis + 1, draft.dialect)), what))
 }
 
 /// The elements that a line names; all of them where it names none.
@@ -140,6 +164,7 @@ fn leaves(kind: Kind, row: &ElementType, dialect: Dialect) -> Option<&'static st
     }
     match kind {
         Kind::Pressure(_) => None,
+        Kind::Line(along) => (along == 2).then_some("takes no load out of its plane"),
         Kind::Body(along) if axis(along, row, dialect).is_some() => None,
         Kind::Body(Along::Radius) => Some("has no radius"),
         Kind::Body(_) => Some("takes no load out of its plane"),
@@ -184,7 +209,7 @@ fn on_volume(index: usize, line: &Distributed, draft: &mut Draft) -> Option<((us
     let x: Vec<[f64; 3]> = nodes.iter().map(|&node| draft.model.nodes.get(node).position).collect();
     let (thickness, material) = section(index, draft).unwrap_or((1.0, String::new()));
     let density = match kind {
-        Kind::Body(_) => 1.0,
+        Kind::Body(_) | Kind::Line(_) => 1.0,
         _ => match density(&material, draft) {
             Some(density) => density,
             None if everything || !row.joins() => return None,
@@ -220,9 +245,16 @@ fn on_volume(index: usize, line: &Distributed, draft: &mut Draft) -> Option<((us
     let ring = row.is_ring();
     let thickness = if ring { 2.0 * std::f64::consts::PI } else { thickness };
     let weighted = |at: [f64; 3]| body(at).map(|force| if ring { at[0] * force } else { force });
-    let Some(forces) = volume::spread(row.cell, thickness, &x, weighted) else {
+    let is_line = line_loads::takes_loads(row);
+    let forces = match kind {
+        _ if is_line => Some(line_loads::spread(kind, thickness, &x, &body)),
+        Kind::Line(_) => None,
+        _ => volume::spread(row.cell, thickness, &x, weighted),
+    };
+    let Some(forces) = forces else {
         if row.joins() {
-            let message = format!("a {} element takes no load per volume", element.kind.name());
+            let what = if matches!(kind, Kind::Line(_)) { "length" } else { "volume" };
+            let message = format!("a {} element takes no load per {what}", element.kind.name());
             let error = Diagnostic::error(Code("SL0221"), message).at(line.origin);
             draft.consequence(Subject::Elements, error.help("use *CLOAD on its nodes"));
         }
@@ -237,8 +269,18 @@ fn density(material: &str, draft: &Draft) -> Option<f64> {
     draft.materials.iter().find(|own| own.name == material)?.density?.0
 }
 
-/// Thickness and material of the section that an element belongs to.
+/// Thickness, of a line its area, and material of the section that an element belongs to.
 fn section(index: usize, draft: &mut Draft) -> Option<(f64, String)> {
+    let section = section_of(index, draft)?;
+    let thickness = match section.body {
+        Body::Solid { thickness, .. } => thickness,
+        Body::Beam { shape, .. } => shape.area(),
+    };
+    Some((thickness, section.material.clone()))
+}
+
+/// The section that an element belongs to.
+fn section_of(index: usize, draft: &mut Draft) -> Option<&Section> {
     let label = draft.elements[index].label;
     if draft.section_of.is_empty() {
         for (place, section) in draft.sections.clone().into_iter().enumerate() {
@@ -247,10 +289,5 @@ fn section(index: usize, draft: &mut Draft) -> Option<(f64, String)> {
             }
         }
     }
-    let section = draft.sections.get(*draft.section_of.get(&label)?)?;
-    let thickness = match section.body {
-        Body::Solid { thickness, .. } => thickness,
-        Body::Beam { .. } => 1.0,
-    };
-    Some((thickness, section.material.clone()))
+    draft.sections.get(*draft.section_of.get(&label)?)
 }

@@ -8,6 +8,7 @@ mod distributed;
 mod distributing;
 mod equations;
 mod faces;
+mod line_loads;
 mod links;
 mod master_chain;
 mod materials;
@@ -17,6 +18,7 @@ mod pre_tension;
 mod resting;
 mod sections;
 mod shape_mpc;
+mod space_beams;
 mod springs;
 mod standing;
 mod steps;
@@ -52,6 +54,7 @@ pub(crate) fn finish(draft: &mut Draft, steps_doubted: bool) -> Model {
     links::links(draft);
     temperatures::initial(draft);
     steps::steps(draft, steps_doubted);
+    temperatures::beams_in_space(draft);
     renumber(&mut draft.model);
     std::mem::take(&mut draft.model)
 }

@@ -79,10 +79,15 @@ impl InForce {
     }
 
     /// Puts the lines of a step into force, each with its amplitude.
-    pub fn take(&mut self, lines: &[(&Distributed, Option<usize>)], draft: &mut Draft) {
+    pub fn take(
+        &mut self,
+        lines: &[(&Distributed, Option<usize>)],
+        nlgeom: bool,
+        draft: &mut Draft,
+    ) {
         let mut new = Vec::new();
         for &(line, amplitude) in lines {
-            for (place, what) in resolve(line, draft) {
+            for (place, what) in resolve((line, nlgeom), draft) {
                 let (what, value) = (Rc::new(what), line.value);
                 new.push((place, Entry { what, value, amplitude, origin: line.origin }));
             }

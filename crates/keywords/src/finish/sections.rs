@@ -8,6 +8,7 @@ use slideline_model::{
 };
 
 use super::materials::{in_plane_stress, lines_have_no_axes, material, no_material};
+use super::space_beams as space;
 use crate::draft::{Draft, Element, ElementKind, Section};
 use crate::rule::Subject;
 
@@ -29,6 +30,7 @@ pub(super) fn sections(draft: &mut Draft) {
                     let at = (&nodes[..], section.set_span);
                     super::orientations::suits(&own, (&element, row), at, draft)
                 })
+                && space::is_sound(&section, (&element, row), &nodes, draft)
                 && let Some((_, elements)) = claimed.iter_mut().find(|(kind, _)| *kind == row)
             {
                 elements.push(element.label, &nodes, element.origin);
@@ -133,7 +135,7 @@ fn nodes(element: &Element, row: &ElementType, draft: &mut Draft) -> Option<Vec<
     let nodes: Vec<NodeIndex> =
         labels.map(|&label| draft.model.nodes.find(label)).collect::<Option<_>>()?;
     let sound = match *nodes {
-        _ if row.is_truss() => bar_is_sound(element, &nodes, draft),
+        _ if row.is_truss() || row.is_space_beam() => bar_is_sound(element, &nodes, draft),
         [first, last] if row.is_beam() => !draft.has_no_length(element, [first, last]),
         [first, middle, last] if row.is_beam() => {
             !draft.has_no_length(element, [first, last])
@@ -144,7 +146,7 @@ fn nodes(element: &Element, row: &ElementType, draft: &mut Draft) -> Option<Vec<
     sound.then_some(nodes)
 }
 
-/// Complains about a truss without length, or whose middle node lies so far from the middle that
+/// Complains about a truss or a beam in space without length, or whose middle node lies so far from the middle that
 /// its axis would turn back; false if so.
 fn bar_is_sound(element: &Element, nodes: &[NodeIndex], draft: &mut Draft) -> bool {
     let (Some(&first), Some(&last)) = (nodes.first(), nodes.last()) else { return false };
@@ -167,7 +169,7 @@ fn bar_is_sound(element: &Element, nodes: &[NodeIndex], draft: &mut Draft) -> bo
             label(last)
         );
         let error = Diagnostic::error(Code("SL0345"), message).at(element.origin);
-        let help = "give the nodes in order along the truss: end, middle, end";
+        let help = "give the nodes in their order along the axis: end, middle, end";
         draft.consequence(Subject::Nodes, error.help(help));
     }
     sound

@@ -185,7 +185,7 @@ fn distribute(step: &StepDraft, carried: &mut Carried, draft: &mut Draft) {
         (line, amplitude)
     });
     let lines: Vec<_> = lines.collect();
-    carried.distributed.take(&lines, draft);
+    carried.distributed.take(&lines, step.nlgeom, draft);
 }
 
 /// The concentrated loads of a step, with those that ramp off where they do not vanish `at_once`.

@@ -17,6 +17,7 @@ use super::kernel::{
 };
 use crate::material::{Elastic, Expansion, between};
 use crate::section::BeamStiffness;
+use crate::turn::Turn;
 
 /// What temperature does to the beams of a section.
 #[derive(Clone, Debug, PartialEq)]
@@ -138,7 +139,7 @@ impl<E: Heated<N, NN> + 'static, const N: usize, const NN: usize> Kernel for Hea
     fn force_of_stresses(
         &self,
         element: usize,
-        q: &[f64],
+        (q, _): (&[f64], &[Turn]),
         stresses: &[f64],
         force: &mut [f64],
     ) -> bool {

@@ -1,6 +1,7 @@
 //! A block of elements of fixed size as a [`Kernel`].
 
 use super::kernel::{Element, Failure, Kernel, Response, Scale, Strains, Surroundings};
+use crate::turn::Turn;
 use std::any::Any;
 
 /// Elements of one type with `N` variables each; `NN` is `N` squared.
@@ -81,7 +82,7 @@ impl<E: Element<N, NN> + 'static, const N: usize, const NN: usize> Kernel for In
     fn force_of_stresses(
         &self,
         element: usize,
-        q: &[f64],
+        (q, _): (&[f64], &[Turn]),
         stresses: &[f64],
         force: &mut [f64],
     ) -> bool {

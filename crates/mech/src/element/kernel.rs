@@ -15,6 +15,7 @@
 //! block. Whoever has a formulation of his own implements [`Kernel`], or [`Element`] for one element
 //! of fixed size, and lets [`Instances`](super::Instances) do the rest.
 
+use crate::turn::Turn;
 use serde::{Deserialize, Serialize};
 use std::any::Any;
 use std::fmt::Debug;
@@ -48,6 +49,8 @@ pub struct Surroundings<'a> {
     pub temperatures: &'a [Temperature],
     /// Those before the first step, at which it is free of stress; as many.
     pub initial: &'a [Temperature],
+    /// What the rotations of its nodes in space count from; empty: from rest.
+    pub turns: &'a [Turn],
     /// Time that passes on the way from the committed state [T]: zero for instantaneous, infinite
     /// for long-term behaviour.
     pub dt: f64,
@@ -61,9 +64,9 @@ impl Surroundings<'_> {
 }
 
 impl<'a> From<Strains<'a>> for Surroundings<'a> {
-    /// No temperatures, and no time.
+    /// No temperatures, all turned from rest, and no time.
     fn from(strains: Strains<'a>) -> Self {
-        Self { strains, temperatures: &[], initial: &[], dt: 0.0 }
+        Self { strains, temperatures: &[], initial: &[], turns: &[], dt: 0.0 }
     }
 }
 
@@ -136,11 +139,12 @@ pub trait Kernel: Any + Debug + Send + Sync {
         into: Response<'_>,
     ) -> Result<f64, Failure>;
 
-    /// Writes the force of estimated stresses at `q`; false where there are none to be estimated.
+    /// Writes the force of estimated stresses at the displacements, the rotations of nodes in
+    /// space counting from the turns; false where there are none to be estimated.
     fn force_of_stresses(
         &self,
         _element: usize,
-        _q: &[f64],
+        _at: (&[f64], &[Turn]),
         _stresses: &[f64],
         _force: &mut [f64],
     ) -> bool {

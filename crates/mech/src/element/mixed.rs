@@ -15,7 +15,6 @@
 //! "Stresses of their own in the linearisation"]
 
 use crate::differentiate::Second;
-use crate::section::BeamStiffness;
 
 /// An element of `N` variables whose tangent takes `S` stresses that are estimated apart.
 pub trait Mixed<const N: usize, const NN: usize, const S: usize> {
@@ -56,11 +55,15 @@ const SLIGHT_STRAIN: f64 = 1e-9;
 const SLIGHT_STIFFNESS: f64 = 1e-3;
 
 /// Raises axial stresses of a beam that are next to none, in a model of size `reach` [L], to a
-/// slight tension: docs/theory.md eq. (3.30). Three stresses a point, the axial one first.
-pub(super) fn tighten(stiffness: &BeamStiffness, reach: f64, stresses: &mut [f64]) {
-    let by_bending = SLIGHT_STIFFNESS * stiffness.bending / (reach * reach);
-    let least = (SLIGHT_STRAIN * stiffness.axial).min(by_bending);
-    for point in stresses.as_chunks_mut::<3>().0 {
+/// slight tension: docs/theory.md eq. (3.30). `S` stresses a point, the axial one first.
+pub(super) fn tighten<const S: usize>(
+    (axial, bending): (f64, f64),
+    reach: f64,
+    stresses: &mut [f64],
+) {
+    let by_bending = SLIGHT_STIFFNESS * bending / (reach * reach);
+    let least = (SLIGHT_STRAIN * axial).min(by_bending);
+    for point in stresses.as_chunks_mut::<S>().0 {
         if point[0].abs() < least {
             point[0] = least;
         }

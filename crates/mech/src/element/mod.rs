@@ -18,6 +18,7 @@ mod kernel;
 pub mod mixed;
 pub mod quadrature;
 pub mod solid;
+pub mod space_beam;
 pub mod spring;
 pub mod truss;
 
@@ -32,5 +33,6 @@ pub use kernel::{
 };
 pub use mixed::Mixed;
 pub use solid::Solids;
+pub use space_beam::{SpaceBeam, SpaceBeams};
 pub use spring::{AxialSpring, GroundSpring, RelativeSpring, SpringLaw};
 pub use truss::{Bar, Trusses};

@@ -6,9 +6,11 @@ use slideline_mech::element::heated::Heated;
 use slideline_mech::element::solid::{Formulation, Interpolation, Recipe, Solids, Told};
 use slideline_mech::element::{
     AxialSpring, Bar, Beam21, Beam22, Beam23, GroundSpring, HeatedBeams, Instances, Kernel,
-    RelativeSpring, SpringLaw, Trusses,
+    RelativeSpring, SpaceBeam, SpaceBeams, SpringLaw, Trusses,
 };
-use slideline_mech::section::{BeamStiffness, TransverseShear, stiffness};
+use slideline_mech::section::{
+    BeamStiffness, SpaceStiffness, TransverseShear, space_stiffness, stiffness,
+};
 
 /// The kernel that was made; the one before it, whose room may be used again.
 type Kept = Option<Box<dyn Kernel>>;
@@ -50,6 +52,19 @@ fn beams<E: Heated<N, NN> + 'static, const N: usize, const NN: usize>(
         Some(heat) => Box::new(HeatedBeams::<E, N, NN>::new(elements, (**heat).clone())),
         None => Instances::<E, N, NN>::in_room(room, elements),
     }
+}
+
+/// Beams in space of a row. One whose axis 1 runs along it has been refused before: it makes none.
+pub(super) fn space_beam<const N: usize, const P: usize>(
+    block: &Undeformed<'_>,
+    _room: Kept,
+) -> Kept {
+    let Section::Beam(section) = block.section else { return None };
+    let elements = block.positions::<3, N>().map(|nodes| {
+        let length = nodes.windows(2).map(|ends| distance(ends[0], ends[1])).sum();
+        SpaceBeam::new(nodes, section.first_axis, &section.space_stiffness(length, N == 3))
+    });
+    Some(Box::new(elements.collect::<Option<SpaceBeams<N, P>>>()?))
 }
 
 pub(super) fn spring1(block: &Undeformed<'_>, room: Kept) -> Kept {
@@ -145,16 +160,25 @@ fn interpolation(block: &Undeformed<'_>, formulation: Formulation) -> Interpolat
 impl BeamSection {
     /// EA, K and EI of an element of that length [L]; `second_order`: of three nodes.
     pub fn stiffness(&self, length: f64, second_order: bool) -> BeamStiffness {
+        stiffness(&self.shape, &self.material, &self.transverse_shear(second_order), length)
+    }
+
+    /// The stiffnesses of an element in space of that length [L]; `second_order`: of three nodes.
+    pub fn space_stiffness(&self, length: f64, second_order: bool) -> SpaceStiffness {
+        space_stiffness(&self.shape, &self.material, &self.transverse_shear(second_order), length)
+    }
+
+    fn transverse_shear(&self, second_order: bool) -> TransverseShear {
         let shear = TransverseShear {
             slenderness: self.shear.slenderness_compensation,
             given: self.shear.stiffness,
+            across: self.shear.across,
             ..TransverseShear::default()
         };
-        let shear = if second_order { shear.second_order() } else { shear };
-        stiffness(&self.shape, &self.material, &shear, length)
+        if second_order { shear.second_order() } else { shear }
     }
 }
 
-fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
-    (b[0] - a[0]).hypot(b[1] - a[1])
+fn distance<const D: usize>(a: [f64; D], b: [f64; D]) -> f64 {
+    (0..D).map(|k| b[k] - a[k]).fold(0.0, f64::hypot)
 }

@@ -97,10 +97,10 @@ impl ElementBlock {
         matches!(&self.section, Section::Spring(SpringSection { way: SpringWay::Dof(_), .. }))
     }
 
-    /// The beams, of whatever type; `None`: other elements.
+    /// The beams in the plane, of whatever type; `None`: other elements.
     pub fn beams(&self) -> Option<Beams<'_>> {
         match &self.section {
-            Section::Beam(section) => Some(Beams {
+            Section::Beam(section) if self.kind.is_beam() => Some(Beams {
                 name: &self.name,
                 section,
                 elements: &self.elements,

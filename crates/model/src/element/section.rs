@@ -44,6 +44,14 @@ pub struct BeamSection {
     pub heat: Option<Box<BeamHeat>>,
     /// Transverse shear.
     pub shear: ShearRule,
+    /// Direction of the section's axis 1, as far as it is across the axis of the beam; of no
+    /// meaning in the plane.
+    pub first_axis: [f64; 3],
+}
+
+impl BeamSection {
+    /// Axis 1 where a deck does not say: out of the plane of x and y.
+    pub const FIRST_AXIS: [f64; 3] = [0.0, 0.0, -1.0];
 }
 
 /// How the transverse shear stiffness is found.
@@ -51,13 +59,15 @@ pub struct BeamSection {
 pub struct ShearRule {
     /// `K23` of `*TRANSVERSE SHEAR STIFFNESS` [F]; default k G A.
     pub stiffness: Option<f64>,
+    /// `K13`, out of the plane [F]; default k G A.
+    pub across: Option<f64>,
     /// Slenderness compensation factor SCF [1]; default 0.25.
     pub slenderness_compensation: f64,
 }
 
 impl Default for ShearRule {
     fn default() -> Self {
-        Self { stiffness: None, slenderness_compensation: 0.25 }
+        Self { stiffness: None, across: None, slenderness_compensation: 0.25 }
     }
 }
 

@@ -47,6 +47,8 @@ pub enum Kinematics {
         /// Whether its sections lean over its axis by a shear strain.
         sheared: bool,
     },
+    /// A beam in space.
+    SpaceBeam,
     /// A bar that stretches and does not bend.
     Truss,
     /// A spring: it joins nothing to a body.
@@ -68,7 +70,7 @@ impl Kinematics {
     /// The card that gives its section; `None`: no card does.
     pub fn card(self) -> Option<&'static str> {
         match self {
-            Self::Beam { .. } => Some("*BEAM SECTION"),
+            Self::Beam { .. } | Self::SpaceBeam => Some("*BEAM SECTION"),
             Self::Spring => Some("*SPRING"),
             Self::Solid { .. } | Self::Truss => Some("*SOLID SECTION"),
             Self::Other => None,
@@ -138,9 +140,14 @@ impl ElementType {
         self.names[0]
     }
 
-    /// Whether it is a beam.
+    /// Whether it is a beam in the plane.
     pub fn is_beam(&self) -> bool {
         matches!(self.kinematics, Kinematics::Beam { .. })
+    }
+
+    /// Whether it is a beam in space.
+    pub fn is_space_beam(&self) -> bool {
+        self.kinematics == Kinematics::SpaceBeam
     }
 
     /// Whether it is a truss.
@@ -203,10 +210,16 @@ pub fn mean_at_nodes(points: &[f64], nodes: &mut [f64]) {
 }
 
 /// Rows of lines and points.
-const LINES: [&ElementType; 10] = [
+const LINES: [&ElementType; 16] = [
     &types::B21,
     &types::B22,
     &types::B23,
+    &types::B31,
+    &types::B31H,
+    &types::B31R,
+    &types::B32,
+    &types::B32H,
+    &types::B32R,
     &types::T2D2,
     &types::T2D3,
     &types::T3D2,
@@ -254,6 +267,14 @@ const BEAM_FIELDS: &[Field] = &[
     of(at(Location::Centroid, "SM", "[F L]"), &["SM1"]),
     of(at(Location::Centroid, "SE", "[1]"), &["SE1", "SE2"]),
     of(at(Location::Centroid, "SK", "[1/L]"), &["SK1"]),
+];
+
+/// Section forces and strains of a beam in space, at its middle.
+const SPACE_BEAM_FIELDS: &[Field] = &[
+    of(at(Location::Centroid, "SF", "[F]"), &["SF1", "SF2", "SF3"]),
+    of(at(Location::Centroid, "SM", "[F L]"), &["SM1", "SM2", "SM3"]),
+    of(at(Location::Centroid, "SE", "[1]"), &["SE1", "SE2", "SE3"]),
+    of(at(Location::Centroid, "SK", "[1/L]"), &["SK1", "SK2", "SK3"]),
 ];
 
 /// Stress along a truss, its strain and plastic strain, at its integration points.
@@ -304,6 +325,37 @@ pub mod types {
         kernel: kernels::b23,
         ..B21
     };
+
+    /// Two-node shear-flexible beam in space.
+    pub static B31: ElementType = ElementType {
+        names: ["B31"; 2],
+        dofs: &Dof::ALL,
+        kinematics: Kinematics::SpaceBeam,
+        fields: SPACE_BEAM_FIELDS,
+        kernel: kernels::space_beam::<2, 1>,
+        ..B21
+    };
+
+    /// The same, hybrid: stresses of their own in the iteration are what every beam has.
+    pub static B31H: ElementType = ElementType { names: ["B31H"; 2], ..B31 };
+
+    /// The same by its name in CalculiX, one integration point.
+    pub static B31R: ElementType = ElementType { names: ["B31R"; 2], ..B31 };
+
+    /// Three-node shear-flexible beam in space: end, middle, end.
+    pub static B32: ElementType = ElementType {
+        names: ["B32"; 2],
+        cell: &LINE3,
+        points: 2,
+        kernel: kernels::space_beam::<3, 2>,
+        ..B31
+    };
+
+    /// The same, hybrid.
+    pub static B32H: ElementType = ElementType { names: ["B32H"; 2], ..B32 };
+
+    /// The same by its name in CalculiX, two integration points.
+    pub static B32R: ElementType = ElementType { names: ["B32R"; 2], ..B32 };
 
     /// Two-node truss in the plane.
     pub static T2D2: ElementType = ElementType {
@@ -381,7 +433,9 @@ mod tests {
         let elastic = slideline_mech::material::Elastic { modulus: 1.0, poisson: 0.3 };
         let shear = ShearRule::default();
         let shape = slideline_mech::section::Shape::Circle(1.0);
-        let beam = BeamSection { shape, poisson: 0.0, material: elastic, heat: None, shear };
+        let first_axis = BeamSection::FIRST_AXIS;
+        let (poisson, heat) = (0.0, None);
+        let beam = BeamSection { shape, poisson, material: elastic, heat, shear, first_axis };
         let material = Material::Elastic(elastic, LargeStrain::Logarithmic);
         let spring = |way| Section::Spring(SpringSection { law: SpringLaw::Linear(1.0), way });
         let sections = [

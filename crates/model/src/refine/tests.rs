@@ -24,7 +24,8 @@ fn block<const N: usize>(
     let section = match kind.is_beam() {
         true => {
             let shape = slideline_mech::section::Shape::Rectangle { width: 1.0, height: 1.0 };
-            Section::Beam(BeamSection { shape, poisson: 0.0, material, heat: None, shear })
+            let (poisson, heat, first_axis) = (0.0, None, BeamSection::FIRST_AXIS);
+            Section::Beam(BeamSection { shape, poisson, material, heat, shear, first_axis })
         }
         false => Section::Solid(SolidSection {
             thickness: 1.0,

@@ -1,13 +1,46 @@
 //! The table of beams: a row a beam or, where stresses are asked for, a section point.
 
 use super::table::{Row, Table, head, title};
-use crate::section::{axial_stresses, outer_mises};
-use slideline_model::{BeamSection, ElementPrint, ElementVariable, types};
+use crate::section::{axial_stresses, outer_mises, space_beams};
+use slideline_model::{BeamSection, Element, ElementPrint, ElementVariable, types};
 use slideline_solve::observe::{BlockResults, Frame};
+
+/// The tables of the beams of a request, with their titles: of those in the plane, of those in
+/// space.
+pub(super) fn tables(frame: &Frame<'_>, print: &ElementPrint) -> Vec<(&'static str, Table)> {
+    let of_space = || frame.model.blocks.iter().any(|block| block.kind.is_space_beam());
+    let of_plane = || frame.model.blocks.iter().any(|block| block.kind.is_beam());
+    let plane = if of_plane() || !of_space() { table(frame, print) } else { None };
+    plane.into_iter().chain(in_space(frame, print).filter(|_| of_space())).collect()
+}
+
+/// The table of beams in space: what they have at their middle; `None` where the request wants
+/// nothing of that.
+fn in_space(frame: &Frame<'_>, print: &ElementPrint) -> Option<(&'static str, Table)> {
+    let wanted: Vec<(&[&str], usize)> = print
+        .variables
+        .iter()
+        .filter_map(|&variable| types::B31.field(field(variable)))
+        .map(|(field, first)| (field.components, first))
+        .collect();
+    if wanted.is_empty() {
+        return None;
+    }
+    let named = |label: u64| print.elements.binary_search(&label).is_ok();
+    let row = |(beam, values): (Element<'_>, &[f64])| {
+        let own = wanted.iter().flat_map(|(names, first)| &values[*first..first + names.len()]);
+        let head = head(&beam.label.to_string(), None);
+        Row { head, label: beam.label, values: own.copied().collect(), summed: None }
+    };
+    let rows = space_beams(frame).filter(|(beam, _)| named(beam.label)).map(row).collect();
+    let names = wanted.iter().flat_map(|(names, _)| names.iter().copied()).collect();
+    let table = Table { head: head("ELEMENT", None), names, rows };
+    Some((title(print, "ELEMENTS all beams in space"), table))
+}
 
 /// The table of the beams of a request, with its title; `None` where it wants nothing that beams
 /// have.
-pub(super) fn table(frame: &Frame<'_>, print: &ElementPrint) -> Option<(&'static str, Table)> {
+fn table(frame: &Frame<'_>, print: &ElementPrint) -> Option<(&'static str, Table)> {
     let pointed = print.variables.contains(&ElementVariable::S);
     let names = print.variables.iter().flat_map(|&variable| columns(variable)).copied();
     let names: Vec<&'static str> = names.collect();

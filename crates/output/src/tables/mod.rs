@@ -16,7 +16,8 @@ mod solids;
 mod table;
 
 use slideline_model::{
-    ContactPrint, ContactVariable, Dialect, ElementPrint, Model, NodeIndex, NodePrint, NodeVariable,
+    ContactPrint, ContactVariable, Dialect, ElementPrint, ElementType, Model, NodeIndex, NodePrint,
+    NodeVariable,
 };
 use slideline_results::{CONTACT_FIELDS, ContactComponent, NodeComponent, NodeField};
 use slideline_solve::observe::{ContactRow, Frame};
@@ -57,9 +58,10 @@ pub(crate) fn push_nodes(text: &mut String, frame: &Frame<'_>, print: &NodePrint
 /// The tables that `*EL PRINT` asks for: of solids, and of beams.
 pub(crate) fn push_elements(text: &mut String, frame: &Frame<'_>, print: &ElementPrint) {
     let mut tables = solids::tables(text, frame, print);
-    let has_beams = frame.model.blocks.iter().any(|block| block.kind.is_beam());
+    let is_beam = |kind: &ElementType| kind.is_beam() || kind.is_space_beam();
+    let has_beams = frame.model.blocks.iter().any(|block| is_beam(block.kind));
     if tables.is_empty() && solids::count(frame, print) == 0 || has_beams {
-        tables.extend(beams::table(frame, print));
+        tables.extend(beams::tables(frame, print));
     }
     for (what, table) in tables {
         table.push(text, frame, (what, &print.request));

@@ -8,6 +8,7 @@ use crate::dofs::DofMap;
 use slideline_mech::axes::{self, Axes};
 use slideline_mech::rigid::PointMap;
 use slideline_mech::rotation;
+use slideline_mech::turn::Turn;
 use slideline_model::{Dof, Model, NodeIndex};
 
 /// A node that follows another as part of a rigid body.
@@ -30,7 +31,29 @@ enum Body {
     /// In the plane: two displacements and a rotation.
     Plane { pose: [usize; 3] },
     /// In space: three displacements and a rotation vector.
-    Space { shift: [usize; 3], turn: [usize; 3] },
+    Space { shift: [usize; 3], turn: Turning },
+}
+
+/// The three dofs that turn a body in space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Turning {
+    dofs: [usize; 3],
+    /// The node whose rotations they are; `None`: they are displacements of a rotation node.
+    node: Option<NodeIndex>,
+}
+
+impl Turning {
+    /// What they count from.
+    fn start(&self, turns: &[Turn]) -> Turn {
+        self.node.and_then(|node| turns.get(node).copied()).unwrap_or_default()
+    }
+
+    /// The rotation vector, how an arm [L] stood at its start and how far its end had moved then.
+    fn at(&self, (u, turns): (&[f64], &[Turn]), arm: Arm) -> ([f64; 3], Arm, Arm) {
+        let start = self.start(turns);
+        let (arm, moved) = start.arm(arm);
+        (start.vector(self.dofs.map(|dof| u[dof])), arm, moved)
+    }
 }
 
 /// The most dofs that one follows.
@@ -94,7 +117,8 @@ impl Body {
     fn in_space(dofs: &DofMap, (master, turn): (NodeIndex, Option<NodeIndex>)) -> Option<Self> {
         let [x, y, z] = [Dof::U1, Dof::U2, Dof::U3].map(|dof| dofs.find(master, dof));
         let [a, b, c] = [Dof::UR1, Dof::UR2, Dof::UR3].map(|dof| turning(dofs, master, turn, dof));
-        Some(Self::Space { shift: [x?, y?, z?], turn: [a?, b?, c?] })
+        let node = turn.is_none().then_some(master);
+        Some(Self::Space { shift: [x?, y?, z?], turn: Turning { dofs: [a?, b?, c?], node } })
     }
 }
 
@@ -150,7 +174,11 @@ impl RigidLink {
                     .filter(|&(k, _)| shifted(k))
                     .for_each(|own| add(own.1));
                 let turns = |k: usize| all || component < 3 || k == component - 3;
-                turn.into_iter().enumerate().filter(|&(k, _)| turns(k)).for_each(|own| add(own.1));
+                turn.dofs
+                    .into_iter()
+                    .enumerate()
+                    .filter(|&(k, _)| turns(k))
+                    .for_each(|own| add(own.1));
             }
         }
         followed
@@ -162,9 +190,10 @@ impl RigidLink {
         &self,
         (arm, axes): (Arm, Option<&Axes>),
         component: usize,
-        u: &[f64],
+        at: (&[f64], &[Turn]),
     ) -> [f64; MOST] {
-        let Some(axes) = axes else { return self.plain_coefficients(arm, component, u) };
+        let Some(axes) = axes else { return self.plain_coefficients(arm, component, at) };
+        let (u, _) = at;
         let axis = axes[component % 3];
         match self.body {
             Body::Plane { .. } if component >= 3 => [axis[2], 0.0, 0.0, 0.0, 0.0, 0.0],
@@ -174,7 +203,8 @@ impl RigidLink {
             }
             Body::Space { .. } if component >= 3 => [axis[0], axis[1], axis[2], 0.0, 0.0, 0.0],
             Body::Space { turn, .. } => {
-                let slopes = rotation::slopes(turn.map(|dof| u[dof]), arm);
+                let (phi, arm, _) = turn.at(at, arm);
+                let slopes = rotation::slopes(phi, arm);
                 let by = |k: usize| (0..3).map(|j| axis[j] * slopes[j][k]).sum();
                 [axis[0], axis[1], axis[2], by(0), by(1), by(2)]
             }
@@ -182,7 +212,8 @@ impl RigidLink {
     }
 
     /// The same along the axes of the model.
-    fn plain_coefficients(&self, arm: Arm, component: usize, u: &[f64]) -> [f64; MOST] {
+    fn plain_coefficients(&self, arm: Arm, component: usize, at: (&[f64], &[Turn])) -> [f64; MOST] {
+        let (u, _) = at;
         match self.body {
             _ if component >= 3 => [1.0, 0.0, 0.0, 0.0, 0.0, 0.0],
             Body::Plane { pose } => {
@@ -190,14 +221,15 @@ impl RigidLink {
                 [1.0, if component == 0 { -y } else { x }, 0.0, 0.0, 0.0, 0.0]
             }
             Body::Space { turn, .. } => {
-                let [a, b, c] = rotation::slopes(turn.map(|dof| u[dof]), arm)[component];
+                let (phi, arm, _) = turn.at(at, arm);
+                let [a, b, c] = rotation::slopes(phi, arm)[component];
                 [1.0, a, b, c, 0.0, 0.0]
             }
         }
     }
 
     /// Moves the dependent node to where its master takes it.
-    pub fn enforce(&self, (arm, axes): (Arm, Option<&Axes>), u: &mut [f64]) {
+    pub fn enforce(&self, (arm, axes): (Arm, Option<&Axes>), turns: &[Turn], u: &mut [f64]) {
         let mut values = match self.body {
             Body::Plane { pose } => {
                 let pose = pose.map(|dof| u[dof]);
@@ -205,10 +237,11 @@ impl RigidLink {
                 [x, y, 0.0, 0.0, 0.0, pose[2]]
             }
             Body::Space { shift, turn } => {
-                let phi = turn.map(|dof| u[dof]);
+                let (phi, arm, moved) = turn.at((u, turns), arm);
                 let [x, y, z] = rotation::displacement(&phi, arm);
                 let [a, b, c] = shift.map(|dof| u[dof]);
-                [a + x, b + y, c + z, phi[0], phi[1], phi[2]]
+                let [d, e, f] = turn.dofs.map(|dof| u[dof]);
+                [a + (x + moved[0]), b + (y + moved[1]), c + (z + moved[2]), d, e, f]
             }
         };
         if let Some(axes) = axes {
@@ -229,7 +262,7 @@ impl RigidLink {
     pub fn turning(
         &self,
         (arm, axes): (Arm, Option<&Axes>),
-        u: &[f64],
+        at: (&[f64], &[Turn]),
         f: &[f64],
         mut call: impl FnMut(usize, usize, f64),
     ) {
@@ -241,11 +274,12 @@ impl RigidLink {
         let force = axes.map_or(force, |axes| axes::vector(axes, force));
         match self.body {
             Body::Plane { pose: [.., turn] } => {
-                let [x, y] = in_plane(arm).current_arm(&[0.0, 0.0, u[turn]]);
+                let [x, y] = in_plane(arm).current_arm(&[0.0, 0.0, at.0[turn]]);
                 call(turn, turn, -(x * force[0] + y * force[1]));
             }
             Body::Space { turn, .. } => {
-                let curvature = rotation::curvature(turn.map(|dof| u[dof]), arm, force);
+                let (phi, arm, _) = turn.at(at, arm);
+                let (curvature, turn) = (rotation::curvature(phi, arm, force), turn.dofs);
                 for (i, row) in curvature.iter().enumerate() {
                     row.iter().zip(turn).for_each(|(&value, dof)| call(turn[i], dof, value));
                 }

@@ -2,6 +2,7 @@
 
 use super::{ConstraintNumbering, Constraints, Role};
 use slideline_linalg::Pattern;
+use slideline_mech::turn::Turn;
 
 /// Coefficients of T at a configuration, in the order of the rows.
 #[derive(Clone, Debug, PartialEq, Default)]
@@ -10,8 +11,8 @@ pub struct Rows {
 }
 
 impl Constraints<'_> {
-    /// T at displacements `u`: writes `into`.
-    pub fn linearise(&self, u: &[f64], into: &mut Rows) {
+    /// T at displacements, the rotations of nodes in space counting from the turns: writes `into`.
+    pub fn linearise(&self, at: (&[f64], &[Turn]), into: &mut Rows) {
         let list = &mut into.coefficients;
         list.clear();
         list.reserve_exact(self.row_dofs.len());
@@ -23,7 +24,7 @@ impl Constraints<'_> {
             let axes = self.axes_of(link);
             for (component, _) in link.dependent_dofs() {
                 let count = link.followed(component).into_iter().flatten().count();
-                list.extend(&link.coefficients((arm, axes), component, u)[..count]);
+                list.extend(&link.coefficients((arm, axes), component, at)[..count]);
             }
         }
         for row in linear {

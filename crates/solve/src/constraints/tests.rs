@@ -133,9 +133,9 @@ fn built(model: &mut Model) -> Built {
     motion.take(&numbering, model);
     let constraints = Constraints { numbering: &numbering, motion: &motion };
     let mut u: Vec<f64> = (0..dofs.len()).map(|k| 0.3 * (1.0 + k as f64).sin()).collect();
-    constraints.enforce(&mut u);
+    constraints.enforce(&[], &mut u);
     let mut rows = Rows::default();
-    constraints.linearise(&u, &mut rows);
+    constraints.linearise((&u, &[]), &mut rows);
     Built { dofs, numbering, motion, u, rows }
 }
 
@@ -154,7 +154,7 @@ fn check_changes_by_differences(built: &Built) {
         let moved = |by: f64| {
             let mut moved = u.clone();
             moved[dof] += by;
-            constraints.enforce(&mut moved);
+            constraints.enforce(&[], &mut moved);
             moved
         };
         let (up, down) = (moved(1e-6), moved(-1e-6));
@@ -210,14 +210,14 @@ fn check_turning_by_differences(built: &Built) {
     let carried = |by: f64, dof: usize| {
         let (mut moved, mut carried, mut rows) = (u.clone(), force.clone(), Rows::default());
         moved[dof] += by;
-        constraints.enforce(&mut moved);
-        constraints.linearise(&moved, &mut rows);
+        constraints.enforce(&[], &mut moved);
+        constraints.linearise((&moved, &[]), &mut rows);
         constraints.carry(&rows, &mut carried);
         carried
     };
     let turn = dofs.named(0, Dof::UR3).unwrap();
     let mut stiffness = 0.0;
-    constraints.turning(u, &mut force.clone(), |_, _, k| stiffness += k);
+    constraints.turning((u, &[]), &mut force.clone(), |_, _, k| stiffness += k);
     for &dof in &constraints.dof_of_equation {
         let (up, down) = (carried(1e-6, dof), carried(-1e-6, dof));
         for &row in &constraints.dof_of_equation {
@@ -297,21 +297,21 @@ fn check_bodies_in_space(model: &Model) {
     let pinned = if model.transforms.is_empty() { 3 } else { 5 };
     assert_eq!(constraints.equations(), 6 + 6 + pinned + 5);
     let mut u: Vec<f64> = (0..dofs.len()).map(|k| 0.3 * (1.0 + k as f64).sin()).collect();
-    constraints.enforce(&mut u);
+    constraints.enforce(&[], &mut u);
     let force: Vec<f64> = (0..u.len()).map(|k| (0.7 * k as f64).cos()).collect();
     let at = |by: f64, dof: usize| {
         let (mut moved, mut carried, mut rows) = (u.clone(), force.clone(), Rows::default());
         moved[dof] += by;
-        constraints.enforce(&mut moved);
-        constraints.linearise(&moved, &mut rows);
+        constraints.enforce(&[], &mut moved);
+        constraints.linearise((&moved, &[]), &mut rows);
         constraints.carry(&rows, &mut carried);
         (moved, carried)
     };
     let mut rows = Rows::default();
-    constraints.linearise(&u, &mut rows);
+    constraints.linearise((&u, &[]), &mut rows);
     let mut stiffness = vec![0.0; u.len() * u.len()];
     let count = u.len();
-    constraints.turning(&u, &mut force.clone(), |i, j, k| {
+    constraints.turning((&u, &[]), &mut force.clone(), |i, j, k| {
         constraints.for_each_equation(&rows, i, &mut |i, a| {
             constraints.for_each_equation(&rows, j, &mut |j, b| {
                 let [i, j] = [i, j].map(|equation| constraints.dof_of_equation[equation]);

@@ -23,6 +23,7 @@ use crate::state::PointState;
 use slideline_mech::contact::search::faces::near_way;
 use slideline_mech::contact::search::pass::cross_faces;
 use slideline_mech::contact::search::sweep::{apart, cross_chain, cross_parts};
+use slideline_mech::turn::Turn;
 
 /// A master that was passed through.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,6 +46,8 @@ pub struct Sweep<'a> {
     pub constraints: Constraints<'a>,
     /// Dofs that are rotations.
     pub rotations: &'a [usize],
+    /// What rotations in space count from, a node each; empty: all from rest.
+    pub turns: &'a [Turn],
     /// Displacements at its beginning, a dof each.
     pub from: &'a [f64],
     /// At its end.
@@ -137,7 +140,7 @@ impl Contact {
                 let values = sweep.from.iter().zip(sweep.to).map(|(a, b)| a + fraction * (b - a));
                 scratch.parts[end].clear();
                 scratch.parts[end].extend(values);
-                sweep.constraints.enforce(&mut scratch.parts[end]);
+                sweep.constraints.enforce(sweep.turns, &mut scratch.parts[end]);
                 self.place_masters(&scratch.parts[end], &mut scratch.chains[end]);
             }
             let [from, to] = &mut scratch.chains;

@@ -3,6 +3,7 @@
 use super::{Scratch, solver};
 use crate::contact::{SEGMENT_POINTS, SlavePoint};
 use crate::linearised::{LawContext, LinearPoint, LinearRows, Sliding, Stiffness};
+use crate::moments;
 use crate::problem::Problem;
 use crate::state::{PointState, State};
 use slideline_linalg::SolveError;
@@ -110,6 +111,8 @@ impl Scratch {
         self.stiffen(plan);
         self.dashpots.stiffen(plan, &self.evaluation.rows, &mut self.values);
         plan.faces.stiffen(plan, &self.evaluation.rows, (&self.faces, &self.u), &mut self.values);
+        let at = (&self.u[..], &self.turns[..]);
+        moments::stiffen(plan, &self.evaluation.rows, &self.load, at, &mut self.values);
         self.turn(plan);
         for k in 0..self.points.len() {
             if self.points[k].pressure == 0.0 && self.points[k].stiffness == 0.0 {
@@ -166,12 +169,13 @@ impl Scratch {
         turning.iter_mut().zip(&self.load).for_each(|(force, load)| *force = -load);
         turning.iter_mut().zip(&evaluation.pressed).for_each(|(force, load)| *force -= load);
         let stresses = Some(&self.stresses[..]);
-        plan.structure.turning_forces(&self.u, stresses, &evaluation.contributions, turning);
+        let at = (&self.u[..], &self.turns[..]);
+        plan.structure.turning_forces(at, stresses, &evaluation.contributions, turning);
         for linear in self.points.iter() {
             let (p, tau) = (self.pressures[linear.place], self.tractions[linear.place]);
             evaluation.kinematics.at(linear.place).press(p, tau, turning);
         }
-        plan.stiffen_by_turning(&evaluation.rows, (&self.u, turning), &mut self.values);
+        plan.stiffen_by_turning(&evaluation.rows, (at, turning), &mut self.values);
     }
 }
 

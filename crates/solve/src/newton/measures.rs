@@ -6,6 +6,7 @@ use crate::convergence::{Field, largest_nodal};
 use crate::observe::{ContactChange, IterationReport};
 use crate::problem::Problem;
 use crate::state::State;
+use slideline_model::Dof;
 
 /// Roundings of the size of a force that a residual is allowed [1].
 const ROUNDINGS: f64 = 50.0;
@@ -55,6 +56,7 @@ impl Scratch {
         let mut moved = 0.0_f64;
         let mut reach = plan.reach;
         let start = &plan.start.displacement;
+        let in_space = plan.dofs.kinds().contains(&Dof::UR1);
         for (dof, u) in
             self.u.iter().zip(start.iter()).map(|(u, s)| u.abs().max(s.abs())).enumerate()
         {
@@ -63,6 +65,9 @@ impl Scratch {
                 if plan.elastic[dof] {
                     moved = moved.max(u);
                 }
+            } else if in_space && plan.elastic[dof] {
+                // what turns in its place moves nothing, and rounds all the same
+                moved = moved.max(u.min(1.0) * plan.structure.stiffest_length);
             }
         }
         let elastic = ROUNDINGS * f64::EPSILON * plan.structure.stiffest * moved;

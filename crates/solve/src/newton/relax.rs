@@ -100,6 +100,7 @@ impl Scratch {
                 }
             }
             let sweep = Sweep {
+                turns: &self.turns,
                 constraints: plan.constraints,
                 rotations: plan.dofs.rotations(),
                 from: &self.relaxation.anchor,

@@ -21,6 +21,7 @@ use slideline_linalg::{Kind, Solver};
 use slideline_mech::contact::enforcement::Enforcement;
 use slideline_mech::contact::tangential::Tangential;
 use slideline_mech::element::Temperature;
+use slideline_mech::turn::Turn;
 use slideline_model::Dof;
 
 const TRANSLATIONS: [Dof; 3] = [Dof::U1, Dof::U2, Dof::U3];
@@ -80,6 +81,8 @@ pub struct Scratch {
     pub(super) turning: Vec<f64>,
     /// Temperatures, a node each; empty: there are none.
     pub temperatures: Vec<Temperature>,
+    /// What rotations in space count from, a node each; empty: all from rest.
+    pub turns: Vec<Turn>,
     /// Time that passes for the materials [T].
     pub material_dt: f64,
     /// Pressures on faces [F/L2].

@@ -6,6 +6,7 @@ use crate::observe::{BeamRow, BlockResults, ContactRow, Frame, Nodal, PairRow};
 use crate::problem::Problem;
 use crate::rows::{Gathered, contact_rows};
 use crate::state::State;
+use crate::structure::Ambient;
 
 /// What observers are shown of the committed state.
 #[derive(Default)]
@@ -31,7 +32,8 @@ impl Rows {
     pub fn fill(&mut self, plan: &Problem<'_>, state: &State) {
         let rows = (&mut self.contact, &mut self.gathered);
         contact_rows((plan.model, plan.dofs), plan.contact, state, rows);
-        let inside = (&state.elements[..], &state.temperatures[..]);
+        let ambient = Ambient { temperatures: &state.temperatures, turns: &state.turns, dt: 0.0 };
+        let inside = (&state.elements[..], ambient);
         plan.structure.results(&state.displacement, inside, &mut self.elements);
         self.beams.clear();
         for results in &self.elements {

@@ -36,6 +36,11 @@ pub struct Block {
 }
 
 impl Block {
+    /// Whether its nodes have rotations in space.
+    pub fn turns_in_space(&self) -> bool {
+        self.dofs.len() >= self.translations + 3
+    }
+
     pub fn own(&self, element: usize) -> Range<usize> {
         let first = self.first_own + self.variables * (element - self.elements.start);
         first..first + self.variables

@@ -8,7 +8,7 @@
 //! With threads more elements are taken at a time and shared out; what is summed, and in
 //! which order, is the same.
 
-use super::{Configuration, Contributions, NodalTemperatures, Structure};
+use super::{AtNodes, Configuration, Contributions, Structure};
 use crate::constraints::{Constraints, Rows};
 use rayon::ThreadPool;
 use slideline_linalg::Pattern;
@@ -150,7 +150,7 @@ impl Structure<'_> {
 
     fn evaluate_part(&self, at: &Configuration<'_>, mut part: Part<'_>) {
         let mut variables = [0.0; MOST_VARIABLES];
-        let mut nodes = NodalTemperatures::default();
+        let mut nodes = AtNodes::default();
         let all = part.elements.clone();
         let blocks = self.numbering.blocks.iter().zip(self.kernels.iter());
         for (block, kernel) in blocks.skip_while(|(block, _)| block.elements.end <= all.start) {
@@ -166,7 +166,7 @@ impl Structure<'_> {
                 };
                 let Some((energy, into)) = part.take(width, block.states) else { return };
                 let committed = &at.state[block.state(element)];
-                let nodal = self.nodal_temperatures(block, element, &at.ambient, &mut nodes);
+                let nodal = self.at_nodes(block, element, &at.ambient, &mut nodes);
                 let under = nodal.under(strains, at.ambient.dt);
                 *energy = ask(kernel, (block.number(element), q), (committed, &under), into);
             }

@@ -14,7 +14,8 @@ fn beams<const N: usize>(kind: &'static ElementType, nodes: Vec<[NodeIndex; N]>)
     let material = Elastic { modulus: 1e3, poisson: 0.3 };
     let shear = ShearRule::default();
     let shape = slideline_model::Shape::Rectangle { width: 1.0, height: 0.2 };
-    let section = BeamSection { shape, poisson: 0.0, material, heat: None, shear };
+    let (poisson, heat, first_axis) = (0.0, None, BeamSection::FIRST_AXIS);
+    let section = BeamSection { shape, poisson, material, heat, shear, first_axis };
     let block = ElementBlock::new(kind, "B", Section::Beam(section), AT);
     block.with(nodes.into_iter().map(|nodes| (1, nodes)))
 }
@@ -118,7 +119,7 @@ impl Built {
         let (structure, constraints) = (self.structure(), self.constraints());
         let (mut room, mut rows) = (structure.room(), Rows::default());
         let (mut values, mut into) = (vec![0.0; self.pattern.entries()], vec![0.0; u.len()]);
-        constraints.linearise(u, &mut rows);
+        constraints.linearise((u, &[]), &mut rows);
         let gather = Gather {
             constraints,
             rows: &rows,
@@ -135,8 +136,8 @@ impl Built {
     fn tangent(&self, u: &[f64], stresses: Option<&[f64]>) -> (Vec<f64>, Contributions) {
         let (mut values, room, _) = self.gathered((u, stresses), u, None);
         let mut force = vec![0.0; u.len()];
-        self.structure().turning_forces(u, stresses, &room, &mut force);
-        self.constraints().turning(u, &mut force, |dof, _, stiffness| {
+        self.structure().turning_forces((u, &[]), stresses, &room, &mut force);
+        self.constraints().turning((u, &[]), &mut force, |dof, _, stiffness| {
             let own = self.constraints.equation(dof).unwrap();
             values[self.pattern.position(own, own).unwrap()] += stiffness;
         });
@@ -149,7 +150,7 @@ impl Built {
         self.structure().evaluate_forces(&at(u, None), &mut room, None);
         let energy = self.structure().gather_force(&room, &mut force);
         let mut rows = Rows::default();
-        self.constraints().linearise(u, &mut rows);
+        self.constraints().linearise((u, &[]), &mut rows);
         self.constraints().carry(&rows, &mut force);
         (energy, force)
     }
@@ -176,7 +177,7 @@ fn build(model: &Model, nlgeom: bool) -> Built {
 fn motion(built: &Built) -> Vec<f64> {
     let count = built.dofs.len();
     let mut u: Vec<f64> = (0..count).map(|k| 0.03 * ((k * 7919 % 13) as f64 / 6.0 - 1.0)).collect();
-    built.constraints().enforce(&mut u);
+    built.constraints().enforce(&[], &mut u);
     u
 }
 
@@ -194,7 +195,7 @@ fn gathered_tangent_by_differences() {
     let largest = values.iter().fold(0.0_f64, |most, k| most.max(k.abs()));
     let here = built.force(&u).1;
     let mut rows = Rows::default();
-    constraints.linearise(&u, &mut rows);
+    constraints.linearise((&u, &[]), &mut rows);
     // without the turning of the arm: the product of K of the elements alone
     let (flat, ..) = built.gathered((&u, None), &u, None);
     for column in 0..constraints.equations() {
@@ -202,7 +203,7 @@ fn gathered_tangent_by_differences() {
         let moved = |sign: f64| {
             let mut moved = u.clone();
             moved[dof] += sign * 1e-6;
-            constraints.enforce(&mut moved);
+            constraints.enforce(&[], &mut moved);
             built.force(&moved)
         };
         let (up, down) = (moved(1.0), moved(-1.0));
@@ -234,7 +235,7 @@ fn linear_kinematics() {
     let (constraints, structure) = (built.constraints(), built.structure());
     let mut u = motion(&built);
     u[3 * 5..].fill(0.0); // a rigid arm turns by a finite angle all the same
-    constraints.enforce(&mut u);
+    constraints.enforce(&[], &mut u);
     let (_, room, product) = built.gathered((&u, None), &u, None);
     let mut force = vec![0.0; u.len()];
     let energy = structure.gather_force(&room, &mut force);
@@ -245,7 +246,7 @@ fn linear_kinematics() {
         assert!((force[dof] - product[dof]).abs() < 1e-10, "{dof}");
     }
     let mut results = Vec::new();
-    structure.results(&u, (&[], &[]), &mut results);
+    structure.results(&u, (&[], Ambient::default()), &mut results);
     let of = |block: &BlockResults| block.elements(&model).count();
     assert_eq!(results.iter().map(of).collect::<Vec<_>>(), [2, 2, 0, 3], "springs have no results");
     // SF1, SF2, SM1, SE1, SE2, SK1
@@ -313,12 +314,12 @@ fn stresses_after_by_differences() {
         change[dof] = 0.1 * (k as f64 + 0.3).sin();
     }
     let mut rows = Rows::default();
-    constraints.linearise(&u, &mut rows);
+    constraints.linearise((&u, &[]), &mut rows);
     constraints.expand(&rows, &mut change);
     let still = vec![0.0; u.len()];
     let at = |t: f64| {
         let mut moved: Vec<f64> = u.iter().zip(&change).map(|(u, du)| u + t * du).collect();
-        constraints.enforce(&mut moved);
+        constraints.enforce(&[], &mut moved);
         let mut stresses = vec![0.0; structure.stress_room()];
         structure.stresses_after(&moved, &still, &Ambient::default(), &mut stresses);
         stresses

@@ -222,6 +222,6 @@ impl Element<6, 36> for Beam21 {
     }
 
     fn tighten(&self, reach: f64, stresses: &mut [f64]) {
-        tighten(&self.stiffness, reach, stresses);
+        tighten::<3>((self.stiffness.axial, self.stiffness.bending), reach, stresses);
     }
 }

@@ -278,6 +278,6 @@ impl Element<9, 81> for Beam22 {
     }
 
     fn tighten(&self, reach: f64, stresses: &mut [f64]) {
-        tighten(&self.stiffness, reach, stresses);
+        tighten::<3>((self.stiffness.axial, self.stiffness.bending), reach, stresses);
     }
 }

@@ -212,6 +212,7 @@ impl Element<6, 36> for Beam23 {
     }
 
     fn tighten(&self, reach: f64, stresses: &mut [f64]) {
-        tighten(&self.stiffness(), reach, stresses);
+        let stiffness = self.stiffness();
+        tighten::<3>((stiffness.axial, stiffness.bending), reach, stresses);
     }
 }

@@ -1,0 +1,62 @@
+//! Loads on lines: beams and trusses take forces per length and, with their area, per volume.
+
+use slideline_diag::{Code, Diagnostic};
+use slideline_mech::element::space_beam::section_axes;
+use slideline_mech::volume;
+use slideline_model::{Dialect, ElementType, Kinematics, NodeIndex};
+
+use crate::distributed::{Distributed, Kind};
+use crate::draft::{Body, Draft, Section};
+use crate::rule::Subject;
+
+/// Whether loads along elements of a row become forces on its nodes alone: those of a cubic beam
+/// would be moments too.
+pub(super) fn takes_loads(row: &ElementType) -> bool {
+    let cubic = Kinematics::Beam { sheared: false };
+    row.is_truss() || row.is_space_beam() || (row.is_beam() && row.kinematics != cubic)
+}
+
+/// Forces on the nodes of a line at `x` [L] of unit load: per length along an axis, or per volume
+/// on an area [L2].
+pub(super) fn spread(
+    kind: Kind,
+    area: f64,
+    x: &[[f64; 3]],
+    body: impl Fn([f64; 3]) -> [f64; 3],
+) -> Vec<[f64; 3]> {
+    match kind {
+        Kind::Line(axis) => volume::spread_along(x, |_, _| unit(axis)),
+        _ => volume::spread_along(x, |at, _| body(at).map(|force| area * force)),
+    }
+}
+
+fn unit(axis: usize) -> [f64; 3] {
+    std::array::from_fn(|k| if k == axis { 1.0 } else { 0.0 })
+}
+
+/// Forces of a unit force per length along axis 1 or 2 of the section of a beam in space; `None`,
+/// with a complaint, where it would have to turn with the section or mean something else.
+pub(super) fn across(
+    (nodes, section): (&[NodeIndex], &Section),
+    axis: usize,
+    (line, nlgeom): (&Distributed, bool),
+    draft: &mut Draft,
+) -> Option<Vec<[f64; 3]>> {
+    let why = match draft.dialect {
+        Dialect::Calculix => Some("is a pressure on the side of the expanded beam in CalculiX"),
+        Dialect::Abaqus if nlgeom => Some("turns with the section where displacements are large"),
+        Dialect::Abaqus => None,
+    };
+    if let Some(why) = why {
+        let message = format!("P{} on a beam in space {why}, which is not supported", axis + 1);
+        let error = Diagnostic::error(Code("SL0221"), message).at(line.origin);
+        let help = "give the force per length along an axis of the model: PX, PY, PZ";
+        draft.consequence(Subject::Elements, error.help(help));
+        return None;
+    }
+    let Body::Beam { first_axis, .. } = section.body else { return None };
+    let x: Vec<[f64; 3]> = nodes.iter().map(|&node| draft.model.nodes.position(node)).collect();
+    // a section without axes has been complained of
+    let along = |t| section_axes(t, first_axis).map_or([0.0; 3], |axes| axes[1 + axis]);
+    Some(volume::spread_along(&x, |_, t| along(t)))
+}
