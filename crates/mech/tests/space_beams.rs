@@ -148,7 +148,8 @@ fn a_rigid_motion_changes_nothing() {
         let there = respond(kernel, &q, &under);
         let scale = largest(&here.force);
         assert!((here.energy - there.energy).abs() < 1e-12 * here.energy);
-        for (own, turned) in here.force.as_chunks::<3>().0.iter().zip(there.force.as_chunks::<3>().0)
+        for (own, turned) in
+            here.force.as_chunks::<3>().0.iter().zip(there.force.as_chunks::<3>().0)
         {
             let moved = rotation::displacement_by(&turn, own);
             assert!((0..3).all(|k| (own[k] + moved[k] - turned[k]).abs() < 1e-12 * scale));
@@ -253,7 +254,8 @@ fn stresses_of_their_own() {
             all
         };
         let own = stresses(q, &vec![0.0; width]);
-        let mixed = |s: &[f64]| respond(kernel, q, &Surroundings { strains: Strains::Mixed(s), ..under });
+        let mixed =
+            |s: &[f64]| respond(kernel, q, &Surroundings { strains: Strains::Mixed(s), ..under });
         for (a, b) in mixed(&own).tangent.iter().zip(&exact.tangent) {
             assert!((a - b).abs() < 1e-12 * largest(&exact.tangent));
         }

@@ -10,9 +10,9 @@
 //!
 //! docs/theory.md section 10.
 
+use crate::moments::turn_moments;
 use crate::newton::{Scratch, Target};
 use crate::observe::Energies;
-use crate::moments::turn_moments;
 use crate::problem::Problem;
 use crate::state::State;
 use serde::{Deserialize, Serialize};

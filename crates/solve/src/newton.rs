@@ -251,11 +251,8 @@ impl Scratch {
             *value = self.u[dof] - committed.displacement[dof];
         }
         let from = &committed.displacement;
-        let ambient = Ambient {
-            temperatures: &self.temperatures,
-            turns: &self.turns,
-            dt: self.material_dt,
-        };
+        let ambient =
+            Ambient { temperatures: &self.temperatures, turns: &self.turns, dt: self.material_dt };
         let state = &committed.elements;
         let at = Configuration { u: from, stresses: None, state, ambient };
         plan.constraints.linearise((from, &self.turns), &mut self.evaluation.rows);

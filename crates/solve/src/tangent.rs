@@ -18,8 +18,8 @@ use crate::contact::{
     ContactKinematics, GeometryScratch, MasterPositions, PointKinematics, PointRows,
 };
 use crate::evaluate::{Evaluation, Trial};
-use crate::observe::{FrictionCall, Status, TangentReport};
 use crate::moments::{self, turn_moments};
+use crate::observe::{FrictionCall, Status, TangentReport};
 use crate::problem::Problem;
 use crate::state::State;
 use crate::structure::{Configuration, Contributions};

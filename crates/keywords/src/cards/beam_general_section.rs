@@ -20,13 +20,12 @@ impl Keyword for BeamGeneralSection {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] =
-            &[
-                Rule::value("SECTION"),
-                Rule::required("ELSET"),
-                Rule::value("POISSON"),
-                Rule::value("MATERIAL"),
-            ];
+        const RULES: &[Rule] = &[
+            Rule::value("SECTION"),
+            Rule::required("ELSET"),
+            Rule::value("POISSON"),
+            Rule::value("MATERIAL"),
+        ];
         RULES
     }
 
@@ -78,13 +77,7 @@ impl Keyword for BeamGeneralSection {
             material: material.unwrap_or_default(),
             material_span: card.span_of("MATERIAL"),
             set_span: card.span_of("ELSET"),
-            body: Body::Beam {
-                shape,
-                poisson,
-                shear: ShearRule::default(),
-                first_axis,
-                elastic,
-            },
+            body: Body::Beam { shape, poisson, shear: ShearRule::default(), first_axis, elastic },
             orientation: None,
             origin: card.span(),
         });

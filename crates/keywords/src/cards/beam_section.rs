@@ -184,7 +184,11 @@ fn ellipse(a: f64, b: f64) -> Shape {
     }
     let area = PI * a * b;
     let torsion = area * a * a * b * b / (a * a + b * b);
-    Shape::General { area, second_moments: [0.25 * area * b * b, 0.0, 0.25 * area * a * a], torsion }
+    Shape::General {
+        area,
+        second_moments: [0.25 * area * b * b, 0.0, 0.25 * area * a * a],
+        torsion,
+    }
 }
 
 pub(super) fn poisson(card: &Reading<'_>, draft: &mut Draft) -> Option<f64> {

@@ -84,8 +84,7 @@ impl SpaceStiffness {
     pub fn matrix(&self) -> [[f64; 6]; 6] {
         let [first, mixed, second] = self.bending;
         let mut matrix = [[0.0; 6]; 6];
-        let diagonal =
-            [self.axial, self.shear[0], self.shear[1], self.torsion, first, second];
+        let diagonal = [self.axial, self.shear[0], self.shear[1], self.torsion, first, second];
         (0..6).for_each(|k| matrix[k][k] = diagonal[k]);
         (matrix[4][5], matrix[5][4]) = (-mixed, -mixed);
         matrix
@@ -158,14 +157,17 @@ mod tests {
         let bending = [sum(&|x| x[1] * x[1]), sum(&|x| x[0] * x[1]), sum(&|x| x[0] * x[0])];
         let stiffness = SpaceStiffness { axial: 1.0, shear: [1.0; 2], torsion: 1.0, bending };
         let (matrix, k) = (stiffness.matrix(), [0.0, 0.0, 0.0, 0.0, 0.3, -0.7]);
-        let energy: f64 =
-            (0..6).flat_map(|i| (0..6).map(move |j| (i, j))).map(|(i, j)| k[i] * matrix[i][j] * k[j]).sum();
+        let energy: f64 = (0..6)
+            .flat_map(|i| (0..6).map(move |j| (i, j)))
+            .map(|(i, j)| k[i] * matrix[i][j] * k[j])
+            .sum();
         let exact = sum(&|x| (k[4] * x[1] - k[5] * x[0]).powi(2));
         assert!((energy - exact).abs() < 1e-14 * exact);
         // about the axis that bends most easily
         let turn: f64 = 0.5 * (2.0 * bending[1]).atan2(bending[0] - bending[2]);
         let (s, c) = turn.sin_cos();
-        let about = |s: f64, c: f64| c * c * bending[0] + 2.0 * s * c * bending[1] + s * s * bending[2];
+        let about =
+            |s: f64, c: f64| c * c * bending[0] + 2.0 * s * c * bending[1] + s * s * bending[2];
         let least = about(s, c).min(about(c, -s));
         assert!((stiffness.least_bending() - least).abs() < 1e-12 * least.abs().max(1.0));
     }

@@ -24,9 +24,9 @@ fn block<const N: usize>(
         true => {
             let shape = slideline_mech::section::Shape::Rectangle { width: 1.0, height: 1.0 };
             {
-            let first_axis = BeamSection::FIRST_AXIS;
-            Section::Beam(BeamSection { shape, poisson: 0.0, material, shear, first_axis })
-        }
+                let first_axis = BeamSection::FIRST_AXIS;
+                Section::Beam(BeamSection { shape, poisson: 0.0, material, shear, first_axis })
+            }
         }
         false => Section::Solid(SolidSection {
             thickness: 1.0,

@@ -174,7 +174,11 @@ impl RigidLink {
                     .filter(|&(k, _)| shifted(k))
                     .for_each(|own| add(own.1));
                 let turns = |k: usize| all || component < 3 || k == component - 3;
-                turn.dofs.into_iter().enumerate().filter(|&(k, _)| turns(k)).for_each(|own| add(own.1));
+                turn.dofs
+                    .into_iter()
+                    .enumerate()
+                    .filter(|&(k, _)| turns(k))
+                    .for_each(|own| add(own.1));
             }
         }
         followed
@@ -208,12 +212,7 @@ impl RigidLink {
     }
 
     /// The same along the axes of the model.
-    fn plain_coefficients(
-        &self,
-        arm: Arm,
-        component: usize,
-        at: (&[f64], &[Turn]),
-    ) -> [f64; MOST] {
+    fn plain_coefficients(&self, arm: Arm, component: usize, at: (&[f64], &[Turn])) -> [f64; MOST] {
         let (u, _) = at;
         match self.body {
             _ if component >= 3 => [1.0, 0.0, 0.0, 0.0, 0.0, 0.0],

@@ -18,11 +18,8 @@ impl Scratch {
     /// The first guess of an increment: docs/theory.md eq. (3.29). Stresses are functions of the
     /// displacements, so that history needs none of its own.
     pub(super) fn first_stresses(&mut self, plan: &Problem<'_>, committed: &State, dt: f64) {
-        let ambient = Ambient {
-            temperatures: &self.temperatures,
-            turns: &self.turns,
-            dt: self.material_dt,
-        };
+        let ambient =
+            Ambient { temperatures: &self.temperatures, turns: &self.turns, dt: self.material_dt };
         let still = &mut self.correction_dofs;
         let last = committed.increment_time.0;
         if last == 0.0 {
@@ -56,22 +53,16 @@ impl Scratch {
     /// Takes the stresses of the law at the strains: what a line search needs,
     /// whose residuals are those of the law too.
     pub(super) fn follow_law(&mut self, plan: &Problem<'_>) {
-        let ambient = Ambient {
-            temperatures: &self.temperatures,
-            turns: &self.turns,
-            dt: self.material_dt,
-        };
+        let ambient =
+            Ambient { temperatures: &self.temperatures, turns: &self.turns, dt: self.material_dt };
         plan.structure.stresses_after(&self.u, &self.still, &ambient, &mut self.stresses);
     }
 
     /// Moves the estimates by a fraction of the way to where the linear solution arrives; before
     /// the displacements move.
     pub(super) fn move_stresses(&mut self, plan: &Problem<'_>, length: f64) {
-        let ambient = Ambient {
-            temperatures: &self.temperatures,
-            turns: &self.turns,
-            dt: self.material_dt,
-        };
+        let ambient =
+            Ambient { temperatures: &self.temperatures, turns: &self.turns, dt: self.material_dt };
         plan.structure.stresses_after(&self.u, &self.correction_dofs, &ambient, &mut self.arrived);
         for (stress, arrived) in self.stresses.iter_mut().zip(&self.arrived) {
             *stress += length * (arrived - *stress);

@@ -190,7 +190,8 @@ impl<const N: usize, const P: usize> SpaceBeam<N, P> {
             let moved = rates.map(|row| row.iter().zip(turned).map(|(r, t)| r * t).sum::<f64>());
             let mut strains = sensed.strains();
             for (strain, value) in strains.iter_mut().enumerate() {
-                *value += sensed.gradient(strain).iter().zip(moved).map(|(g, m)| g * m).sum::<f64>();
+                *value +=
+                    sensed.gradient(strain).iter().zip(moved).map(|(g, m)| g * m).sum::<f64>();
             }
             *into = self.forces(&strains);
         }
@@ -242,7 +243,7 @@ impl<const N: usize, const P: usize> Kernel for SpaceBeams<N, P> {
         };
         let posture = Posture::new(q, under.turns);
         let mut change = element.exact(q, &posture, estimated, tangent.is_some());
-        change.to_rotation_vectors(&posture, tangent.is_some());
+        change.take_rotation_vectors(&posture, tangent.is_some());
         change.write(6 * N, force, tangent);
         Ok(change.energy)
     }
@@ -258,10 +259,12 @@ impl<const N: usize, const P: usize> Kernel for SpaceBeams<N, P> {
         let posture = Posture::new(q, turns);
         let mut change = Change::default();
         for (point, station) in element.stations.iter().enumerate() {
-            let pull = station.sense(q, &posture).pull(&estimate(Some(stresses), point).unwrap_or_default());
+            let pull = station
+                .sense(q, &posture)
+                .pull(&estimate(Some(stresses), point).unwrap_or_default());
             change.add_force(station.length, &pull, &station.rates(&posture), 6 * N);
         }
-        change.to_rotation_vectors(&posture, false);
+        change.take_rotation_vectors(&posture, false);
         change.write(6 * N, force, None);
         true
     }
