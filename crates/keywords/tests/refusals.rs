@@ -169,9 +169,8 @@ fn loads_along_beams() {
                 let own = forces.iter().filter(|own| own.dof == dof && own.node == node);
                 own.map(|own| own.value).sum::<f64>()
             };
-            let shares = [0.25, 0.5, 0.25];
-            for node in 0..3 {
-                assert!((of(node) - shares[node] * expected[k]).abs() < 1e-12, "{load}");
+            for (node, share) in [0.25, 0.5, 0.25].into_iter().enumerate() {
+                assert!((of(node) - share * expected[k]).abs() < 1e-12, "{load}");
             }
         }
     }

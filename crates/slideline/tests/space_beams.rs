@@ -389,16 +389,17 @@ fn moments_keep_their_axes() {
     }
 }
 
-/// A bend as above whose free end carries a rigid arm with a coupling: force and moment act on its
-/// reference node, which turns far.
+/// A bow whose free end carries a rigid arm: its reference node is turned far while forces act on it,
+/// and a moment about a fixed axis on the middle of the beam.
 fn crank(increments: usize) -> String {
     let (mesh, tip) = line("B32", 4, |s| [LENGTH * s, 2.0 * s * s, s]);
     let step = 1.0 / increments as f64;
-    let moment = 7.0 * E * moments()[2] / LENGTH;
+    let moment = 0.5 * E * moments()[1] / LENGTH;
     format!(
         "{mesh}*NODE\n100, 11.0, 3.0, 2.5\n{SECTION}0.0, 0.0, -1.0\n{MATERIAL}*MPC\nBEAM, {tip}, 100\n\
-         *STEP, NLGEOM, INC=1000\n*STATIC, DIRECT\n{step:?}, 1.0\n*BOUNDARY\n1, 1, 6\n*CLOAD\n\
-         100, 4, {moment:?}\n100, 3, 0.5\n100, 2, -0.3\n*END STEP\n"
+         *STEP, NLGEOM, INC=1000\n*STATIC, DIRECT\n{step:?}, 1.0\n*BOUNDARY\n1, 1, 6\n\
+         100, 4, 4, 4.5\n100, 5, 5, -0.9\n100, 6, 6, 0.6\n*CLOAD\n5, 6, {moment:?}\n100, 3, 5.0\n\
+         100, 2, -3.0\n*END STEP\n"
     )
 }
 

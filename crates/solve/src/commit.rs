@@ -80,7 +80,7 @@ fn begin_turns(plan: &Problem<'_>, committed: &State, trial: &mut State) {
     for (node, dofs) in plan.dofs.rotations_in_space() {
         let before = trial.turns.get(node).copied().unwrap_or_default();
         let now = before.committed(dofs.map(|dof| trial.displacement[dof]));
-        if now != before {
+        if now != before && plan.constraints.may_turn_anew(node, plan.dofs) {
             trial.turns.resize(plan.model.nodes.len(), Turn::REST);
             trial.turns[node] = now;
         }

@@ -29,7 +29,7 @@ use crate::dofs::DofMap;
 use linear::LinearConstraint;
 use rigid::RigidLink;
 use slideline_mech::turn::Turn;
-use slideline_model::{Axes, Model, NodeIndex, Step};
+use slideline_model::{Axes, Dof, Model, NodeIndex, Step};
 use std::ops::Deref;
 
 /// What a dof is in a step.
@@ -192,6 +192,20 @@ impl ConstraintNumbering {
             }
             Role::Inactive | Role::Prescribed(_) => {}
         }
+    }
+
+    /// Whether the rotations of a node in space may count from a new start. What holds some of them
+    /// and not others, or links them by an equation, means rotation vectors from the old start:
+    /// from a new one its forces would point elsewhere, and nothing would balance them.
+    pub fn may_turn_anew(&self, node: NodeIndex, dofs: &DofMap) -> bool {
+        let node = self.carrier(node);
+        let rotations = [Dof::UR1, Dof::UR2, Dof::UR3].map(|kind| dofs.named(node, kind));
+        let role = |dof: Option<usize>| dof.map(|dof| self.roles[dof]);
+        if rotations.iter().all(|&dof| matches!(role(dof), Some(Role::Prescribed(_)))) {
+            return true;
+        }
+        let free = rotations.iter().all(|&dof| matches!(role(dof), Some(Role::Free(_))));
+        free && !self.linear.iter().any(|constraint| constraint.links(&rotations))
     }
 
     /// Whether T turns with the unknowns.

@@ -229,25 +229,14 @@ fn on_volume(index: usize, line: &Distributed, draft: &mut Draft) -> Option<((us
         Kind::Body(along) => axis(along, row, draft.dialect),
         _ => None,
     };
-    let body = |at: [f64; 3]| -> [f64; 3] {
-        match kind {
-            Kind::Body(_) => std::array::from_fn(|k| if Some(k) == along { 1.0 } else { 0.0 }),
-            Kind::Gravity(direction) => direction.map(|d| density * d),
-            Kind::Centrifugal(point, axis) => {
-                let arm: [f64; 3] = std::array::from_fn(|k| at[k] - point[k]);
-                let along: f64 = (0..3).map(|k| arm[k] * axis[k]).sum();
-                std::array::from_fn(|k| density * (arm[k] - along * axis[k]))
-            }
-            _ => [0.0; 3],
-        }
-    };
+    let body = |at: [f64; 3]| per_volume((kind, along), density, at);
     // a ring is as thick as its circle
     let ring = row.is_ring();
     let thickness = if ring { 2.0 * std::f64::consts::PI } else { thickness };
     let weighted = |at: [f64; 3]| body(at).map(|force| if ring { at[0] * force } else { force });
     let is_line = line_loads::takes_loads(row);
     let forces = match kind {
-        _ if is_line => Some(line_loads::spread(kind, thickness, &x, &body)),
+        _ if is_line => Some(line_loads::spread(kind, thickness, &x, body)),
         Kind::Line(_) => None,
         _ => volume::spread(row.cell, thickness, &x, weighted),
     };
@@ -262,6 +251,20 @@ fn on_volume(index: usize, line: &Distributed, draft: &mut Draft) -> Option<((us
     };
     let what = What::Forces(shares(&nodes, &forces, draft));
     Some(((index, line.key(0, draft.dialect)), what))
+}
+
+/// The force per volume of a unit load at a place [F/L3].
+fn per_volume((kind, along): (Kind, Option<usize>), density: f64, at: [f64; 3]) -> [f64; 3] {
+    match kind {
+        Kind::Body(_) => std::array::from_fn(|k| if Some(k) == along { 1.0 } else { 0.0 }),
+        Kind::Gravity(direction) => direction.map(|d| density * d),
+        Kind::Centrifugal(point, axis) => {
+            let arm: [f64; 3] = std::array::from_fn(|k| at[k] - point[k]);
+            let along: f64 = (0..3).map(|k| arm[k] * axis[k]).sum();
+            std::array::from_fn(|k| density * (arm[k] - along * axis[k]))
+        }
+        _ => [0.0; 3],
+    }
 }
 
 /// Density of a material [M/L3].

@@ -7,6 +7,7 @@
 mod kernels;
 mod section;
 mod solids;
+mod space_beams;
 mod table;
 
 pub use section::{BeamSection, Section, ShearRule, SolidSection, SpringSection, SpringWay};

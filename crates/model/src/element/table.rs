@@ -269,14 +269,6 @@ const BEAM_FIELDS: &[Field] = &[
     of(at(Location::Centroid, "SK", "[1/L]"), &["SK1"]),
 ];
 
-/// Section forces and strains of a beam in space, at its middle.
-const SPACE_BEAM_FIELDS: &[Field] = &[
-    of(at(Location::Centroid, "SF", "[F]"), &["SF1", "SF2", "SF3"]),
-    of(at(Location::Centroid, "SM", "[F L]"), &["SM1", "SM2", "SM3"]),
-    of(at(Location::Centroid, "SE", "[1]"), &["SE1", "SE2", "SE3"]),
-    of(at(Location::Centroid, "SK", "[1/L]"), &["SK1", "SK2", "SK3"]),
-];
-
 /// Stress along a truss, its strain and plastic strain, at its integration points.
 const TRUSS_FIELDS: &[Field] = &[
     of(at(Location::Points, "S", "[F/L2]"), &["S11"]),
@@ -299,6 +291,7 @@ const IN_SPACE: &[Dof] = &[Dof::U1, Dof::U2, Dof::U3];
 /// The rows of the table.
 pub mod types {
     pub use super::super::solids::types::*;
+    pub use super::super::space_beams::types::*;
     use super::*;
 
     /// Two-node shear-flexible plane beam.
@@ -325,37 +318,6 @@ pub mod types {
         kernel: kernels::b23,
         ..B21
     };
-
-    /// Two-node shear-flexible beam in space.
-    pub static B31: ElementType = ElementType {
-        names: ["B31"; 2],
-        dofs: &Dof::ALL,
-        kinematics: Kinematics::SpaceBeam,
-        fields: SPACE_BEAM_FIELDS,
-        kernel: kernels::space_beam::<2, 1>,
-        ..B21
-    };
-
-    /// The same, hybrid: stresses of their own in the iteration are what every beam has.
-    pub static B31H: ElementType = ElementType { names: ["B31H"; 2], ..B31 };
-
-    /// The same by its name in CalculiX, one integration point.
-    pub static B31R: ElementType = ElementType { names: ["B31R"; 2], ..B31 };
-
-    /// Three-node shear-flexible beam in space: end, middle, end.
-    pub static B32: ElementType = ElementType {
-        names: ["B32"; 2],
-        cell: &LINE3,
-        points: 2,
-        kernel: kernels::space_beam::<3, 2>,
-        ..B31
-    };
-
-    /// The same, hybrid.
-    pub static B32H: ElementType = ElementType { names: ["B32H"; 2], ..B32 };
-
-    /// The same by its name in CalculiX, two integration points.
-    pub static B32R: ElementType = ElementType { names: ["B32R"; 2], ..B32 };
 
     /// Two-node truss in the plane.
     pub static T2D2: ElementType = ElementType {

@@ -25,6 +25,15 @@ pub(super) struct LinearConstraint {
     pub source: Source,
 }
 
+impl LinearConstraint {
+    /// Whether an equation of the model names one of these dofs.
+    pub fn links(&self, dofs: &[Option<usize>]) -> bool {
+        let named = |dof: usize| dofs.contains(&Some(dof));
+        matches!(self.source, Source::Said(_))
+            && (named(self.dependent) || self.terms.iter().any(|&(dof, _)| named(dof)))
+    }
+}
+
 /// Where the coefficients of a constraint come from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Source {

@@ -92,7 +92,7 @@ impl Change {
     }
 
     /// From turns about fixed axes to the rotation vectors of the nodes.
-    pub fn to_rotation_vectors<const N: usize>(&mut self, posture: &Posture<N>, stiffen: bool) {
+    pub fn take_rotation_vectors<const N: usize>(&mut self, posture: &Posture<N>, stiffen: bool) {
         let moment = |of: &[f64; MOST], a: usize| [of[6 * a + 3], of[6 * a + 4], of[6 * a + 5]];
         if stiffen {
             for row in &mut self.tangent[..6 * N] {
@@ -106,11 +106,9 @@ impl Change {
             }
             for (a, vector) in posture.vectors.iter().enumerate() {
                 let slopes = rotation::along_vector_slopes(*vector, moment(&self.carried, a));
-                for i in 0..3 {
-                    for j in 0..3 {
-                        self.tangent[6 * a + 3 + i][6 * a + 3 + j] +=
-                            0.5 * (slopes[i][j] + slopes[j][i]);
-                    }
+                for (i, j) in (0..3).flat_map(|i| (0..3).map(move |j| (i, j))) {
+                    self.tangent[6 * a + 3 + i][6 * a + 3 + j] +=
+                        0.5 * (slopes[i][j] + slopes[j][i]);
                 }
             }
         }

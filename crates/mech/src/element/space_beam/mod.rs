@@ -243,7 +243,7 @@ impl<const N: usize, const P: usize> Kernel for SpaceBeams<N, P> {
         };
         let posture = Posture::new(q, under.turns);
         let mut change = element.exact(q, &posture, estimated, tangent.is_some());
-        change.to_rotation_vectors(&posture, tangent.is_some());
+        change.take_rotation_vectors(&posture, tangent.is_some());
         change.write(6 * N, force, tangent);
         Ok(change.energy)
     }
@@ -264,7 +264,7 @@ impl<const N: usize, const P: usize> Kernel for SpaceBeams<N, P> {
                 .pull(&estimate(Some(stresses), point).unwrap_or_default());
             change.add_force(station.length, &pull, &station.rates(&posture), 6 * N);
         }
-        change.to_rotation_vectors(&posture, false);
+        change.take_rotation_vectors(&posture, false);
         change.write(6 * N, force, None);
         true
     }

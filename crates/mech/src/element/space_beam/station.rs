@@ -178,12 +178,14 @@ impl Sensed {
     ) -> [[f64; VARIABLES]; VARIABLES] {
         let mut sum = [[0.0; VARIABLES]; VARIABLES];
         for k in 0..3 {
-            for i in 0..9 {
-                (0..9).for_each(|j| sum[i][j] += stresses[k] * self.stretch[k].hessian[i][j]);
+            let stretch = self.stretch[k].hessian.iter().map(|row| &row[..]);
+            let bend = self.bend[k].hessian.iter().map(|row| &row[..]);
+            for (into, row) in sum.iter_mut().zip(stretch) {
+                into.iter_mut().zip(row).for_each(|(into, own)| *into += stresses[k] * own);
             }
-            for i in 0..6 {
-                let own = &self.bend[k].hessian[i];
-                (0..6).for_each(|j| sum[PSI + i][PSI + j] += stresses[3 + k] * own[j]);
+            for (into, row) in sum[PSI..].iter_mut().zip(bend) {
+                let into = into[PSI..].iter_mut();
+                into.zip(row).for_each(|(into, own)| *into += stresses[3 + k] * own);
             }
         }
         let gradients: [[f64; VARIABLES]; 6] = std::array::from_fn(|k| self.gradient(k));
