@@ -14,8 +14,10 @@
 mod cam;
 mod claim;
 mod curve;
+mod interpolation;
 pub mod many_points;
 mod metrics;
+mod nodal;
 mod push;
 pub mod random;
 mod record;
@@ -26,9 +28,11 @@ pub mod strokes;
 pub use cam::Cam;
 pub use claim::{Chapter, Claim, Group, Outcome};
 pub use curve::{Curve, Row, run, run_on};
+pub use interpolation::{Elasticity, Errors, Field, errors};
 pub use metrics::{
     Difference, differ, largest, largest_difference, peak, reversals, roughness, trapezoid, worst,
 };
+pub use nodal::nodal_stress;
 pub use push::{Beam, Method, Placement, Push, Slaves, Units};
 pub use record::{Chart, Limit, Measured, Record, Study, series};
 pub use report::{write_record, write_report};

@@ -3,7 +3,7 @@
 //! ```text
 //!   a grid of cells, numbers of cells a direction     map: unit cube --> body
 //!   +--+--+      hexahedra as they are, wedges two a cell, tetrahedra six
-//!   +--+--+      corners are mapped; middle nodes stand between them
+//!   +--+--+      corners are mapped; middle nodes stand between them, or are mapped too
 //! ```
 
 use std::collections::HashMap;
@@ -29,7 +29,20 @@ pub struct Meshed {
     pub text: String,
     /// Label, place in the unit cube and position of every node.
     pub nodes: Vec<(u64, [f64; 3], [f64; 3])>,
+    /// Labels of the nodes of every element, corners first; elements are numbered from 1.
+    pub elements: Vec<Vec<u64>>,
+    /// Corners of every face of an element, as decks number them.
+    faces: Faces,
 }
+
+/// Corners of every face.
+type Faces = &'static [&'static [usize]];
+const OF_A_TRIANGLE: Faces = &[&[0, 1], &[1, 2], &[2, 0]];
+const OF_A_SQUARE: Faces = &[&[0, 1], &[1, 2], &[2, 3], &[3, 0]];
+const OF_A_TETRAHEDRON: Faces = &[&[0, 1, 2], &[0, 1, 3], &[1, 2, 3], &[0, 2, 3]];
+const OF_A_WEDGE: Faces = &[&[0, 1, 2], &[3, 4, 5], &[0, 1, 3, 4], &[1, 2, 4, 5], &[0, 2, 3, 5]];
+const OF_A_CUBE: Faces =
+    &[&[0, 1, 2, 3], &[4, 5, 6, 7], &[0, 1, 4, 5], &[1, 2, 5, 6], &[2, 3, 6, 7], &[0, 3, 4, 7]];
 
 const CUBE: [[usize; 3]; 8] =
     [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]];
@@ -86,12 +99,47 @@ impl Solid<'_> {
         }
     }
 
-    /// Nodes and elements.
+    /// Faces of its elements.
+    fn faces(&self) -> Faces {
+        match (self.is_spatial(), self.pieces().0[0].len()) {
+            (false, 3) => OF_A_TRIANGLE,
+            (false, _) => OF_A_SQUARE,
+            (true, 4) => OF_A_TETRAHEDRON,
+            (true, 6) => OF_A_WEDGE,
+            (true, _) => OF_A_CUBE,
+        }
+    }
+
+    /// Where the nodes of an element stand within a cell, corners first: one list a piece.
+    pub fn places(&self) -> Vec<Vec<[f64; 3]>> {
+        let (pieces, edges) = self.pieces();
+        let of = |piece: &Vec<usize>| {
+            let corners: Vec<[f64; 3]> =
+                piece.iter().map(|&corner| CUBE[corner].map(|x| x as f64)).collect();
+            let middle = |&[a, b]: &[usize; 2]| {
+                std::array::from_fn(|axis| 0.5 * (corners[a][axis] + corners[b][axis]))
+            };
+            let middles: Vec<[f64; 3]> = edges.iter().map(middle).collect();
+            [corners, middles].concat()
+        };
+        pieces.iter().map(of).collect()
+    }
+
+    /// Nodes and elements, of straight edges.
     pub fn mesh(&self) -> Meshed {
+        self.meshed(false)
+    }
+
+    /// Nodes and elements, whose middle nodes are mapped as their corners are.
+    pub fn curved(&self) -> Meshed {
+        self.meshed(true)
+    }
+
+    fn meshed(&self, curved: bool) -> Meshed {
         let (pieces, edges) = self.pieces();
         let [nx, ny, nz] =
             [self.cells[0], self.cells[1], if self.is_spatial() { self.cells[2] } else { 1 }];
-        let mut meshed = Meshed::default();
+        let mut meshed = Meshed { faces: self.faces(), ..Meshed::default() };
         // by twice the index in the grid, so that middles are whole too
         let mut labels: HashMap<[usize; 3], u64> = HashMap::new();
         let (mut elements, mut count) = (String::new(), 0);
@@ -113,12 +161,13 @@ impl Solid<'_> {
                     }
                     labels.insert(*grid, next);
                     let ends = match k.checked_sub(corners.len()) {
-                        Some(edge) => edges[edge].map(|end| corners[end]),
-                        None => [*grid; 2],
+                        Some(edge) if !curved => edges[edge].map(|end| corners[end]),
+                        _ => [*grid; 2],
                     };
                     meshed.nodes.push(self.node(next, *grid, ends));
                 }
                 count += 1;
+                meshed.elements.push(all.iter().map(|grid| labels[grid]).collect());
                 let own: Vec<String> = all.iter().map(|grid| labels[grid].to_string()).collect();
                 let (head, tail) = own.split_at(own.len().min(15));
                 let _ = writeln!(elements, "{count}, {}", head.join(", "));
@@ -172,6 +221,21 @@ impl Meshed {
     pub fn hold(&self, of: impl Fn([f64; 3]) -> bool, axis: usize, value: f64) -> String {
         let labels = self.labels(of);
         labels.iter().map(|label| format!("{label}, {axis}, {axis}, {value:?}\n")).collect()
+    }
+
+    /// Elements with a face all of whose corners answer yes, as lines of `*DLOAD` with a pressure
+    /// on it [F/L2].
+    pub fn press(&self, of: impl Fn([f64; 3]) -> bool, pressure: f64) -> String {
+        let inside = self.labels(of);
+        let mut lines = String::new();
+        for (element, nodes) in self.elements.iter().enumerate() {
+            for (face, corners) in self.faces.iter().enumerate() {
+                if corners.iter().all(|&corner| inside.binary_search(&nodes[corner]).is_ok()) {
+                    let _ = writeln!(lines, "{}, P{}, {pressure:?}", element + 1, face + 1);
+                }
+            }
+        }
+        lines
     }
 
     /// The label of the node nearest to a place of the unit cube.

@@ -47,7 +47,15 @@ mod references;
 mod return_stroke;
 mod rigid_link;
 mod solids_beams;
+mod solids_cook;
+mod solids_frame;
+mod solids_nafems;
+mod solids_necking;
+mod solids_orders;
 mod solids_patch;
+mod solids_ring;
+mod solids_torsion;
+mod solids_torus;
 mod solids_tubes;
 mod stick_slip;
 mod sticking;
@@ -112,7 +120,19 @@ const CHAPTERS: &[Chapter] = &[
     },
     Chapter {
         title: "Solids",
-        groups: &[solids_patch::GROUP, solids_beams::GROUP, solids_tubes::GROUP],
+        groups: &[
+            solids_patch::GROUP,
+            solids_orders::GROUP,
+            solids_beams::GROUP,
+            solids_cook::GROUP,
+            solids_tubes::GROUP,
+            solids_nafems::GROUP,
+            solids_torus::GROUP,
+            solids_ring::GROUP,
+            solids_frame::GROUP,
+            solids_torsion::GROUP,
+            solids_necking::GROUP,
+        ],
     },
     Chapter { title: "Bad input", groups: &[literal_deck::GROUP, bad_friction::GROUP] },
 ];

@@ -21,6 +21,17 @@ pub const GROUP: Group = Group {
             tolerance: "1e-8 of the displacements: convergence of the iteration.",
             measure: |record| patch(record, ", NLGEOM", 0.2),
         },
+        Claim {
+            name: "patch_test_of_rings",
+            requirement: "rings out of shape whose border grows as r and z grow so inside, at small \
+                          and at large displacement.",
+            source: "u = a r, w = b z is a homogeneous deformation of a ring.",
+            tolerance: "1e-9 and 1e-8 of the displacements, as above.",
+            measure: |record| {
+                rings(record, "", 1e-3);
+                rings(record, ", NLGEOM", 0.2);
+            },
+        },
     ],
 };
 
@@ -37,17 +48,33 @@ fn skewed([x, y, z]: [f64; 3]) -> [f64; 3] {
     [x + a * (1.0 - 0.4 * y), y + b * (1.0 + 0.3 * x), z + c]
 }
 
+const RINGS: [&str; 8] = ["CAX3", "CAX4", "CAX4I", "CAX4R", "CAX4H", "CAX6", "CAX8", "CAX8R"];
+
 fn patch(record: &mut Record, nlgeom: &str, size: f64) {
-    for element in TYPES {
+    let field = |[x, y, z]: [f64; 3]| {
+        [0.7 * x + 0.5 * y - 0.2 * z, -0.3 * x - 0.6 * y + 0.3 * z, 0.1 * x + 0.4 * y + 0.5 * z]
+            .map(|u| size * u)
+    };
+    judge(record, &TYPES, (nlgeom, size), field);
+}
+
+fn rings(record: &mut Record, nlgeom: &str, size: f64) {
+    let field = |[r, z, _]: [f64; 3]| [0.7 * size * r, -0.6 * size * z, 0.0];
+    judge(record, &RINGS, (nlgeom, size), field);
+}
+
+fn judge(
+    record: &mut Record,
+    types: &[&str],
+    (nlgeom, size): (&str, f64),
+    field: impl Fn([f64; 3]) -> [f64; 3],
+) {
+    for &element in types {
         let solid =
             Solid { element, cells: [3, 3, 3], map: skewed, material: "*ELASTIC\n7.0, 0.3\n" };
         let mesh = solid.mesh();
         let axes = if solid.is_spatial() { 3 } else { 2 };
-        let field = |[x, y, z]: [f64; 3]| {
-            let z = if axes == 3 { z } else { 0.0 };
-            [0.7 * x + 0.5 * y - 0.2 * z, -0.3 * x - 0.6 * y + 0.3 * z, 0.1 * x + 0.4 * y + 0.5 * z]
-                .map(|u| size * u)
-        };
+        let field = &field;
         let border = |at: [f64; 3]| (0..axes).any(|k| at[k] == 0.0 || at[k] == 1.0);
         let mut deck =
             format!("*HEADING\npatch\n{}*STEP{nlgeom}\n*STATIC\n1.0, 1.0\n*BOUNDARY\n", mesh.text);
@@ -75,7 +102,7 @@ fn patch(record: &mut Record, nlgeom: &str, size: f64) {
         });
         let limit = if nlgeom.is_empty() { 1e-9 } else { 1e-8 };
         record.at_most(
-            format!("{element}, largest error"),
+            format!("{element}{nlgeom}, largest error"),
             worst(off.collect::<Vec<_>>()) / size,
             limit,
         );

@@ -6,11 +6,14 @@ pub mod comb;
 pub mod elliptic;
 pub mod hertz;
 pub mod incline;
+pub mod ring;
 pub mod roll_up;
 pub mod snap_fit;
 pub mod stick_slip;
+pub mod tension;
 pub mod timoshenko;
 pub mod toggle;
+pub mod torsion;
 pub mod tube;
 
 use crate::TheoryError;

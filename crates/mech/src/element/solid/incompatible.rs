@@ -201,10 +201,10 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
         let mut sums =
             Sums { force: [0.0; MOST], own: [[0.0; MOST]; MOST], joint: [[[0.0; N]; D]; MOST] };
         for (k, (place, point)) in self.places[element].iter().zip(points).enumerate() {
-            let gradient = self.gradient(k, place, (q, &apart));
+            let gradient = self.gradient([element, k], place, (q, &apart));
             let with = self.enhanced(k, (place, &gradient), (&core, large), parameters);
             let states = (under, committed, &mut *state);
-            self.answer(k, (&with.place, &with.gradient), states, point)?;
+            self.answer([element, k], (&with.place, &with.gradient), states, point)?;
             sums.add(point, &with.modes);
         }
         Ok(sums)

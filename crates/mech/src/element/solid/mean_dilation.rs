@@ -14,7 +14,7 @@
 
 use super::gather::Joint;
 use super::point::States;
-use super::{Place, Point, Solids};
+use super::{Point, Solids};
 use crate::element::kernel::Failure;
 use crate::material::tensor::{COUNTS, INDEX, Matrix, Moduli, Symmetric, trace};
 
@@ -23,13 +23,15 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
     #[inline(always)]
     pub(super) fn with_mean_dilation(
         &self,
-        (places, gradients): (&[Place<D, N>; P], &[Matrix; P]),
+        element: usize,
+        gradients: &[Matrix; P],
         (under, committed, state): States<'_, '_>,
         points: &mut [Point<D, N>; P],
     ) -> Result<Joint<D, N>, Failure> {
         let large = under.is_large();
+        let places = &self.places[element];
         for (k, (point, place)) in points.iter_mut().zip(places).enumerate() {
-            self.deform(k, (place, &gradients[k]), large, point)?;
+            self.deform([element, k], (place, &gradients[k]), large, point)?;
         }
         let volume: f64 = places.iter().map(|place| place.weight).sum();
         let mean = points.iter().map(|point| point.weight * point.dilation).sum::<f64>() / volume;

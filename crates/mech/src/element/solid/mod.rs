@@ -30,7 +30,7 @@ pub use results::Told;
 
 use super::cell::Cell;
 use super::kernel::{Failure, Kernel, Response, Scale, Surroundings};
-use super::quadrature::{HEX_8, Quadrature};
+use super::quadrature::{HEX_8, QUAD_4, Quadrature};
 use crate::material::Material;
 use crate::orientation::Orientation;
 use incompatible::Centre;
@@ -114,6 +114,8 @@ pub struct Solids<const D: usize, const N: usize, const P: usize> {
     tables: Box<Tables<D, N, P>>,
     /// What the temperature of every node counts at every point.
     heat: Box<[[f64; N]; P]>,
+    /// Means of the shape functions over the section of every ring of one point; none of others.
+    means: Vec<[f64; N]>,
     elements: Vec<[[f64; D]; N]>,
     /// Their points before any displacement.
     places: Vec<[Place<D, N>; P]>,
@@ -130,10 +132,15 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
         if !fits {
             return None;
         }
-        // the gradient at the centre of a quadrilateral is the mean one; of a hexahedron it is not
-        let one = recipe.formulation.is_one_point() && D == 3;
-        let tables: Box<Tables<D, N, P>> =
-            Box::new(Tables::new(recipe.cell, recipe.rule, one.then_some(&HEX_8)));
+        // the gradient at the centre of a plane quadrilateral is the mean one; of a ring, whose
+        // volume grows with the radius, and of a hexahedron it is not
+        let ring = recipe.kinematics == Kinematics::Axisymmetric;
+        let fine = match (recipe.formulation.is_one_point(), D) {
+            (true, 3) => Some(&HEX_8),
+            (true, _) if ring => Some(&QUAD_4),
+            _ => None,
+        };
+        let tables: Box<Tables<D, N, P>> = Box::new(Tables::new(recipe.cell, recipe.rule, fine));
         let elements: Vec<_> = elements.collect();
         let places = elements.iter().map(|nodes| {
             let mean = Place::mean(nodes, &tables.fine, &recipe);
@@ -141,11 +148,13 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
             std::array::from_fn(|point| mean.unwrap_or_else(|| at(point)))
         });
         let places = places.collect();
+        let rings = elements.iter().filter(|_| ring && fine.is_some());
+        let means = rings.map(|nodes| place::mean_shapes(nodes, &tables.fine)).collect();
         let with_modes = recipe.formulation == Formulation::Incompatible;
         let centres = elements.iter().filter(|_| with_modes);
         let centres = centres.map(|nodes| Centre::new(nodes, &tables.centre, &recipe)).collect();
         let heat = Box::new(heat::counts::<D, N, P>(&recipe));
-        Some(Self { recipe, tables, heat, elements, places, centres })
+        Some(Self { recipe, tables, heat, means, elements, places, centres })
     }
 
     fn is_ring(&self) -> bool {
@@ -179,14 +188,14 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
         if self.recipe.formulation == Formulation::MeanDilation {
             let mut gradients = [[[0.0; 3]; 3]; P];
             for (k, (place, gradient)) in places.iter().zip(&mut gradients).enumerate() {
-                *gradient = self.gradient(k, place, (q, &apart));
+                *gradient = self.gradient([element, k], place, (q, &apart));
             }
-            let strained = (places, &gradients);
-            return self.with_mean_dilation(strained, (under, committed, state), points).map(Some);
+            let states = (under, committed, state);
+            return self.with_mean_dilation(element, &gradients, states, points).map(Some);
         }
         for (k, (place, point)) in places.iter().zip(points).enumerate() {
-            let gradient = self.gradient(k, place, (q, &apart));
-            self.answer(k, (place, &gradient), (under, committed, &mut *state), point)?;
+            let gradient = self.gradient([element, k], place, (q, &apart));
+            self.answer([element, k], (place, &gradient), (under, committed, &mut *state), point)?;
         }
         Ok(None)
     }

@@ -89,6 +89,25 @@ pub(super) fn apart<const D: usize, const N: usize>(q: &[f64]) -> Apart<D, N> {
     apart
 }
 
+/// Derivatives of the position by the coordinates of the cell [L].
+fn coordinates<const D: usize, const N: usize>(
+    nodes: &[[f64; D]; N],
+    at: &Reference<D, N>,
+) -> [[f64; D]; D] {
+    // Slopes sum to zero: differences keep the digits of elements far from the origin.
+    let apart =
+        nodes.map(|node| -> [f64; D] { std::array::from_fn(|axis| node[axis] - nodes[0][axis]) });
+    let mut map = [[0.0; D]; D];
+    for (k, slopes) in at.slopes.iter().enumerate() {
+        for (apart, slope) in apart.iter().zip(slopes) {
+            for (row, apart) in map.iter_mut().zip(apart) {
+                row[k] += apart * slope;
+            }
+        }
+    }
+    map
+}
+
 impl<const D: usize, const N: usize> Place<D, N> {
     /// Before any displacement, docs/theory.md eq. (3.31); with the derivatives of the cell's
     /// coordinates by position [1/L].
@@ -97,18 +116,7 @@ impl<const D: usize, const N: usize> Place<D, N> {
         at: &Reference<D, N>,
         recipe: &Recipe,
     ) -> (Self, [[f64; D]; D]) {
-        // Slopes sum to zero: differences keep the digits of elements far from the origin.
-        let apart = nodes
-            .map(|node| -> [f64; D] { std::array::from_fn(|axis| node[axis] - nodes[0][axis]) });
-        let mut map = [[0.0; D]; D];
-        for (k, slopes) in at.slopes.iter().enumerate() {
-            for (apart, slope) in apart.iter().zip(slopes) {
-                for (row, apart) in map.iter_mut().zip(apart) {
-                    row[k] += apart * slope;
-                }
-            }
-        }
-        let (inverse, content) = invert(&map);
+        let (inverse, content) = invert(&coordinates(nodes, at));
         let slopes = carried_back(&at.slopes, &inverse);
         let content = content * at.weight;
         let (across, radius) = match recipe.kinematics {
@@ -132,7 +140,8 @@ impl<const D: usize, const N: usize> Place<D, N> {
         let centre = |a: usize| fine.iter().map(|at| at.shapes[a]).sum::<f64>() / fine.len() as f64;
         mean.axes = axes(nodes, &std::array::from_fn(centre), recipe);
         mean.weight = places().map(|place| place.weight).sum();
-        mean.content = mean.weight;
+        mean.content = places().map(|place| place.content).sum();
+        mean.radius = mean.weight / (2.0 * std::f64::consts::PI * mean.content);
         mean.slopes = [[0.0; N]; D];
         for place in places() {
             let part = place.weight / mean.weight;
@@ -154,6 +163,22 @@ impl<const D: usize, const N: usize> Place<D, N> {
         }
         gradient
     }
+}
+
+/// Means of the shape functions over the section of a ring: with the radius of [`Place::mean`] they
+/// give the mean of the hoop strain over its volume.
+pub(super) fn mean_shapes<const D: usize, const N: usize>(
+    nodes: &[[f64; D]; N],
+    fine: &[Reference<D, N>],
+) -> [f64; N] {
+    let area = |at: &Reference<D, N>| at.weight * invert(&coordinates(nodes, at)).1;
+    let whole: f64 = fine.iter().map(area).sum();
+    let mut mean = [0.0; N];
+    for at in fine {
+        let part = area(at) / whole;
+        mean.iter_mut().zip(&at.shapes).for_each(|(mean, shape)| *mean += part * shape);
+    }
+    mean
 }
 
 /// Axes of the material at a point with those shape functions.

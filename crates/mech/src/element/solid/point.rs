@@ -69,17 +69,24 @@ impl<const D: usize, const N: usize> Point<D, N> {
 }
 
 impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
+    /// Shape functions at a point, the second number, or their means where it stands for the whole
+    /// ring.
+    #[inline(always)]
+    fn shapes(&self, [element, point]: [usize; 2]) -> &[f64; N] {
+        self.means.get(element).unwrap_or(&self.tables.points[point].shapes)
+    }
+
     /// H at a point whose slopes by undeformed position are those of `place`.
     #[inline(always)]
     pub(super) fn gradient(
         &self,
-        point: usize,
+        point: [usize; 2],
         place: &Place<D, N>,
         (q, apart): (&[f64], &Apart<D, N>),
     ) -> Matrix {
         let mut gradient = place.gradient(apart);
         if self.is_ring() {
-            let nodes = q.chunks_exact(D).zip(&self.tables.points[point].shapes);
+            let nodes = q.chunks_exact(D).zip(self.shapes(point));
             gradient[2][2] = nodes.map(|(u, shape)| u[0] * shape).sum::<f64>() / place.radius;
         }
         gradient
@@ -121,7 +128,7 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
     #[inline(always)]
     pub(super) fn deform(
         &self,
-        point: usize,
+        [element, point]: [usize; 2],
         (place, gradient): (&Place<D, N>, &Matrix),
         large: bool,
         into: &mut Point<D, N>,
@@ -150,7 +157,7 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
             into.slopes = place.slopes;
         }
         if self.is_ring() {
-            let shapes = &self.tables.points[point].shapes;
+            let shapes = self.shapes([element, point]);
             into.hoop.iter_mut().zip(shapes).for_each(|(hoop, shape)| *hoop = shape / radius);
         }
         Ok(())
@@ -160,13 +167,13 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
     #[inline(always)]
     pub(super) fn answer(
         &self,
-        point: usize,
+        [element, point]: [usize; 2],
         (place, gradient): (&Place<D, N>, &Matrix),
         (under, committed, state): States<'_, '_>,
         into: &mut Point<D, N>,
     ) -> Result<(), Failure> {
         let large = under.is_large();
-        self.deform(point, (place, gradient), large, into)?;
+        self.deform([element, point], (place, gradient), large, into)?;
         let answer = self.ask(&mut into.gradient, (point, place, under), (committed, state))?;
         if self.recipe.kinematics == Kinematics::PlaneStress {
             into.note_dilation(large);
