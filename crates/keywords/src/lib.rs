@@ -32,6 +32,7 @@ mod rule;
 mod scopes;
 mod sets;
 mod surfaces;
+mod test_data;
 mod traps;
 mod unsupported;
 

@@ -41,7 +41,7 @@ fn what_the_page_names_is_refused() {
         ("arbitrary sections", "SECTION=RECT", "SECTION=ARBITRARY"),
         ("kinematic hardening", MODEL, "*PLASTIC, HARDENING=KINEMATIC\n*STEP"),
         ("creep", MODEL, "*CREEP\n*STEP"),
-        ("test data", MODEL, "*HYPERELASTIC, TEST DATA INPUT\n*STEP"),
+        ("rubber that softens", MODEL, "*MULLINS EFFECT\n*STEP"),
         ("temperature", HISTORY, "*TEMPERATURE\n1\n*END STEP"),
         ("masses", "TYPE=B21", "TYPE=MASS"),
         ("gap elements", MODEL, "*GAP\n*STEP"),

@@ -47,6 +47,8 @@ pub struct Evidence {
     pub peak_step: Option<f64>,
     /// Largest strain of a fibre, or principal one of a solid with a linear law [-].
     pub strain: Option<f64>,
+    /// Largest nominal strain of a rubber where its law is unstable [-].
+    pub unstable: Option<f64>,
     /// How far an element turned or strained under linear kinematics [-].
     pub linear: Option<f64>,
     /// Largest strain or stress over the allowable one [-], where there is one.
@@ -128,12 +130,18 @@ fn wrong(evidence: &Evidence) -> [Rule; 5] {
 }
 
 /// What makes a result doubtful.
-fn doubtful(evidence: &Evidence) -> [Rule; 6] {
+fn doubtful(evidence: &Evidence) -> [Rule; 7] {
     let strain = above(evidence.strain, STRAIN).filter(|_| evidence.utilisation.is_none());
     [
         strain.map(|strain| {
             format!(
                 "strain: {} %, large for an elastic law, and no allowable is given (*ALLOWABLE)",
+                percent(strain)
+            )
+        }),
+        evidence.unstable.map(|strain| {
+            format!(
+                "rubber: strained by {} % where its law is unstable (SL0420)",
                 percent(strain)
             )
         }),

@@ -1,11 +1,14 @@
-//! `*HYPERELASTIC`: rubber from coefficients.
+//! `*HYPERELASTIC`: rubber, from coefficients or from test data.
 
+use slideline_diag::Span;
+use slideline_mech::material::hyperelastic::Form;
 use slideline_mech::material::{MOST_TERMS, Rubber};
 use slideline_model::Dialect;
 
 use crate::draft::{Draft, Elasticity};
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
+use crate::test_data::Wanted;
 
 /// `*HYPERELASTIC`.
 pub(crate) struct Hyperelastic;
@@ -41,6 +44,8 @@ impl Keyword for Hyperelastic {
             Rule::flag("OGDEN"),
             Rule::flag("ARRUDA-BOYCE"),
             Rule::value("N"),
+            Rule::flag("TEST DATA INPUT"),
+            Rule::value("POISSON"),
         ];
         RULES
     }
@@ -65,13 +70,18 @@ impl Keyword for Hyperelastic {
         if draft.owning_material(self.name(), card.span()).is_none() {
             return;
         }
-        let elasticity = read(card, draft).map_or(Elasticity::Unread, Elasticity::Rubber);
+        let elasticity = match card.has("TEST DATA INPUT") {
+            true => wanted(card, draft).map(Elasticity::Tested),
+            false => read(card, draft).map(Elasticity::Rubber),
+        };
+        let elasticity = elasticity.unwrap_or(Elasticity::Unread);
         let own = (self.name(), card.span());
         draft.give_material(own, |material| &mut material.elasticity, elasticity);
     }
 }
 
-fn read(card: &Reading<'_>, draft: &mut Draft) -> Option<Rubber> {
+/// The form and its order.
+fn form(card: &Reading<'_>, draft: &mut Draft) -> Option<(&'static str, usize)> {
     let given: Vec<&str> = FORMS.into_iter().filter(|form| card.has(form)).collect();
     let form = match *given {
         [] => "POLYNOMIAL",
@@ -88,9 +98,58 @@ fn read(card: &Reading<'_>, draft: &mut Draft) -> Option<Rubber> {
         draft.log.error("SL0234", message, card.span_of("N"));
         return None;
     }
+    Some((form, order))
+}
+
+/// A rubber from its coefficients.
+fn read(card: &Reading<'_>, draft: &mut Draft) -> Option<Rubber> {
+    let form = form(card, draft)?;
+    if card.has("POISSON") {
+        let message = "POISSON belongs to TEST DATA INPUT: here D1 gives the change of volume";
+        draft.log.error("SL0282", message, card.span_of("POISSON"));
+        return None;
+    }
     card.first_line("the coefficients", &mut draft.log)?;
     let values = card.numbers(&mut draft.log)?;
-    rubber((form, order), &values, card, draft)
+    rubber(form, &values, card, draft)
+}
+
+/// A rubber that test data are to give.
+fn wanted(card: &Reading<'_>, draft: &mut Draft) -> Option<Wanted> {
+    let (name, order) = form(card, draft)?;
+    if let Some(line) = card.data().first() {
+        let message = "the law comes from test data, and here are coefficients as well";
+        draft.log.error("SL0282", message, line.span);
+        return None;
+    }
+    let poisson = card.number("POISSON", &mut draft.log)?;
+    if poisson.is_some_and(|own| own <= -1.0 || own > 0.5) {
+        let message = "Poisson's ratio of a rubber lies above -1 and at most at 0.5";
+        draft.log.error("SL0234", message, card.span_of("POISSON"));
+        return None;
+    }
+    let form = match name {
+        "OGDEN" => Form::Ogden(order),
+        "ARRUDA-BOYCE" => Form::ArrudaBoyce,
+        _ => Form::Polynomial(powers(name, order)),
+    };
+    let (_, volumes) = counts((name, order));
+    Some(Wanted { form, volumes, poisson })
+}
+
+/// How many numbers a form has: of shape, and of volume.
+fn counts((form, order): (&str, usize)) -> (usize, usize) {
+    let shapes = match form {
+        "OGDEN" => 2 * order,
+        "ARRUDA-BOYCE" => 2,
+        _ => powers(form, order).len(),
+    };
+    let volumes = match form {
+        "YEOH" => 3,
+        "OGDEN" | "POLYNOMIAL" | "REDUCED POLYNOMIAL" => order,
+        _ => 1,
+    };
+    (shapes, volumes)
 }
 
 /// The rubber of a form; complains where it has no stiffness at small strain.
@@ -100,17 +159,7 @@ fn rubber(
     card: &Reading<'_>,
     draft: &mut Draft,
 ) -> Option<Rubber> {
-    let powers = powers(form, order);
-    let shapes = match form {
-        "OGDEN" => 2 * order,
-        "ARRUDA-BOYCE" => 2,
-        _ => powers.len(),
-    };
-    let volumes = if matches!(form, "OGDEN" | "YEOH" | "POLYNOMIAL" | "REDUCED POLYNOMIAL") {
-        if form == "YEOH" { 3 } else { order }
-    } else {
-        1
-    };
+    let (shapes, volumes) = counts((form, order));
     // a temperature may follow; one set holds for all
     if values.len() > shapes + volumes + 1 || values.len() < shapes {
         let message = format!("{} numbers are needed, here are {}", shapes + volumes, values.len());
@@ -130,11 +179,12 @@ fn rubber(
         },
         "ARRUDA-BOYCE" => Rubber::ArrudaBoyce { shear: of(0), locking: of(1), volume: volume[0] },
         _ => {
+            let powers = powers(form, order);
             let terms = powers.iter().enumerate().map(|(k, &(i, j))| (i, j, of(k))).collect();
             Rubber::Polynomial { terms, volume }
         }
     };
-    sound(made, card, draft)
+    sound(made, card.data().first().map_or(card.span(), |line| line.span), draft)
 }
 
 /// Powers of I1 - 3 and I2 - 3 in the order of the deck.
@@ -151,8 +201,7 @@ fn powers(form: &str, order: usize) -> Vec<(u8, u8)> {
 }
 
 /// The rubber with a bulk modulus; `None` where it has no positive shear modulus.
-fn sound(made: Rubber, card: &Reading<'_>, draft: &mut Draft) -> Option<Rubber> {
-    let line = card.data().first()?.span;
+pub(crate) fn sound(made: Rubber, line: Span, draft: &mut Draft) -> Option<Rubber> {
     let finite = !matches!(&made, Rubber::Ogden { terms, .. } if terms.iter().any(|t| t[1] == 0.0))
         && !matches!(&made, Rubber::ArrudaBoyce { locking, .. } if *locking <= 0.0);
     let shear = if finite { made.shear_modulus() } else { 0.0 };

@@ -5,6 +5,8 @@ use slideline_mech::material::{Anisotropic, Elastic, Hardening, LargeStrain, Pla
 use slideline_mech::orientation::Orientation;
 use slideline_model::{self as model, BeamSection, Dialect, Limit, Shape, ShearRule, SolidSection};
 
+use crate::test_data::{Test, Wanted};
+
 #[derive(Clone, Debug)]
 pub(crate) struct Section {
     pub set: String,
@@ -67,6 +69,8 @@ pub(crate) struct Material {
     pub elasticity: Option<(Elasticity, Card)>,
     /// Yield stress and plastic strain, line by line; `None` in it: unreadable.
     pub hardening: Option<(Option<Hardening>, Card)>,
+    /// Tests of a rubber, in the order of the deck.
+    pub tests: Vec<Test>,
     /// Mass per volume [M/L3]; `None` in it: unreadable.
     pub density: Option<(Option<f64>, Card)>,
     pub origin: Span,
@@ -80,6 +84,8 @@ pub(crate) enum Elasticity {
     /// Known in plane stress alone: `TYPE=LAMINA`.
     Ply(Box<Anisotropic>),
     Rubber(Rubber),
+    /// Rubber that its test data will give.
+    Tested(Wanted),
     /// A card that could not be read, which has been said.
     Unread,
 }
@@ -90,7 +96,7 @@ impl Elasticity {
         match self {
             Self::Isotropic(_) | Self::Unread => "is isotropic",
             Self::Anisotropic(_) | Self::Ply(_) => "is not isotropic",
-            Self::Rubber(_) => "is rubber",
+            Self::Rubber(_) | Self::Tested(_) => "is rubber",
         }
     }
 }
@@ -101,7 +107,7 @@ pub(crate) type Card = (&'static str, Span);
 impl Material {
     /// One without properties yet.
     pub fn new(name: String, origin: Span) -> Self {
-        Self { name, elasticity: None, hardening: None, density: None, origin }
+        Self { name, elasticity: None, hardening: None, tests: Vec::new(), density: None, origin }
     }
 
     /// Its constants, where it is isotropic and linear.
@@ -131,7 +137,7 @@ impl Material {
                 }),
                 None => model::Material::Elastic(*elastic, large),
             },
-            Elasticity::Unread => return None,
+            Elasticity::Unread | Elasticity::Tested(_) => return None,
         })
     }
 }

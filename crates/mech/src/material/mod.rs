@@ -16,7 +16,7 @@
 //! 1)/2, docs/theory.md eq. (3.39).
 
 mod elastic;
-mod hyperelastic;
+pub mod hyperelastic;
 pub mod plastic;
 mod principal;
 pub mod tensor;
