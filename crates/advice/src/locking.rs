@@ -53,9 +53,10 @@ fn reason(block: &ElementBlock, section: &SolidSection, dialect: Dialect) -> Opt
 /// What keeps the volume of a material, in words.
 fn tightness(material: &Material) -> Option<String> {
     let poisson = material.elastic().map(|elastic| elastic.poisson);
-    match material {
-        Material::Plastic(_) => Some("plastic flow leaves the volume alone".to_owned()),
-        Material::Rubber(_) if poisson.is_some_and(|poisson| poisson > INCOMPRESSIBLE) => {
+    let is_rubber = material.rubber(0.0, |_| ()).is_some();
+    match (material.metal(0.0), is_rubber) {
+        (Some(_), _) => Some("plastic flow leaves the volume alone".to_owned()),
+        (None, true) if poisson.is_some_and(|poisson| poisson > INCOMPRESSIBLE) => {
             Some("rubber keeps its volume".to_owned())
         }
         _ => poisson

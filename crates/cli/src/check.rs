@@ -9,7 +9,7 @@ use slideline::model::{ContactPair, Formulation, Master, NodeIndex, NormalLaw};
 use slideline::observe::ContactRow;
 use slideline::output::json::{self, Value, json};
 use slideline::output::number::general;
-use slideline::output::{echo, picture, picture_page, record, write_file};
+use slideline::output::{Scene, echo, picture, picture_page, record, test_charts, write_file};
 use slideline::{InitialGaps, Job, Model, Read, SolveOptions, initial_gaps};
 use std::fmt::Write as _;
 use std::io::{ErrorKind, Write as _};
@@ -50,16 +50,17 @@ fn draw(path: &Path, read: &Read, start: Option<&InitialGaps>) -> bool {
         eprintln!("no picture: the deck has errors");
         return true;
     };
-    let picture = picture(model, start.map_or(&[][..], |start| &start.points));
+    let drawn = picture(model, start.map_or(&[][..], |start| &start.points));
+    let scenes: Vec<_> = std::iter::once(drawn).chain(test_charts(model)).collect();
     let heading = model.heading.lines().next().filter(|line| !line.trim().is_empty());
     let name = read.job.stem.to_string_lossy().into_owned();
     let content = match path.extension().and_then(|ending| ending.to_str()) {
         Some("html") => {
             let words = report(read, start);
-            Some(picture_page(&picture, heading.unwrap_or(&name), &words).into_bytes())
+            Some(picture_page(&scenes, heading.unwrap_or(&name), &words).into_bytes())
         }
-        Some("png") => picture.png(192.0),
-        _ => Some(picture.svg().into_bytes()),
+        Some("png") => in_one(scenes).and_then(|scene| scene.png(192.0)),
+        _ => in_one(scenes).map(|scene| scene.svg().into_bytes()),
     };
     let Some(content) = content else {
         eprintln!("{} cannot be encoded", path.display());
@@ -75,6 +76,11 @@ fn draw(path: &Path, read: &Read, start: Option<&InitialGaps>) -> bool {
             false
         }
     }
+}
+
+/// Figures below one another.
+fn in_one(scenes: Vec<Scene>) -> Option<Scene> {
+    scenes.into_iter().reduce(Scene::above)
 }
 
 /// Writes the mended deck beside the old one, under a name that nothing has;

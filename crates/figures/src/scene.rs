@@ -66,6 +66,18 @@ pub enum Item {
     Text(Text),
 }
 
+impl Item {
+    /// The same further down.
+    fn lowered(mut self, by: f64) -> Self {
+        match &mut self {
+            Self::Path { points, .. } => points.iter_mut().for_each(|point| point[1] += by),
+            Self::Circle { centre, .. } => centre[1] += by,
+            Self::Text(text) => text.at[1] += by,
+        }
+        self
+    }
+}
+
 /// How a line is drawn.
 #[derive(Clone, Copy, Debug)]
 pub struct Pen {
@@ -274,6 +286,15 @@ impl Scene {
     /// An empty figure.
     pub fn new(unit: Unit, [width, height]: [f64; 2], title: &str) -> Self {
         Self { unit, width, height, title: title.to_owned(), items: Vec::new() }
+    }
+
+    /// The same with another figure below it, of the same unit.
+    pub fn above(mut self, other: Self) -> Self {
+        let down = self.height;
+        self.items.extend(other.items.into_iter().map(|item| item.lowered(down)));
+        self.width = self.width.max(other.width);
+        self.height += other.height;
+        self
     }
 
     /// A line through points.

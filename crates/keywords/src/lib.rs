@@ -33,6 +33,7 @@ mod scopes;
 mod sets;
 mod surfaces;
 mod temperatures;
+mod test_data;
 mod traps;
 mod unsupported;
 

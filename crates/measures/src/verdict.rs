@@ -47,6 +47,8 @@ pub struct Evidence {
     pub peak_step: Option<f64>,
     /// Largest strain of a fibre, or principal one of a solid with a linear law [-].
     pub strain: Option<f64>,
+    /// Largest nominal strain of a rubber where its law is unstable [-].
+    pub unstable: Option<f64>,
     /// How far an element turned or strained under linear kinematics [-].
     pub linear: Option<f64>,
     /// Largest strain or stress over the allowable one [-], where there is one.
@@ -128,12 +130,18 @@ fn wrong(evidence: &Evidence) -> [Rule; 5] {
 }
 
 /// What makes a result doubtful.
-fn doubtful(evidence: &Evidence) -> [Rule; 6] {
+fn doubtful(evidence: &Evidence) -> [Rule; 7] {
     let strain = above(evidence.strain, STRAIN).filter(|_| evidence.utilisation.is_none());
     [
         strain.map(|strain| {
             format!(
                 "strain: {} %, large for an elastic law, and no allowable is given (*ALLOWABLE)",
+                percent(strain)
+            )
+        }),
+        evidence.unstable.map(|strain| {
+            format!(
+                "rubber: strained by {} % where its law is unstable (SL0420)",
                 percent(strain)
             )
         }),
@@ -203,6 +211,7 @@ mod tests {
             noise: None,
             peak_step: Some(0.02),
             strain: Some(0.01),
+            unstable: None,
             linear: Some(0.05),
             utilisation: Some(0.5),
             penetration: Some(0.9),
@@ -235,6 +244,7 @@ mod tests {
                 "*ALLOWABLE",
                 Evidence { strain: Some(0.06), utilisation: None, ..clean() },
             ),
+            (Colour::Amber, "rubber: ", Evidence { unstable: Some(2.0), ..clean() }),
             (Colour::Amber, "NLGEOM", Evidence { linear: Some(0.2), ..clean() }),
             (Colour::Amber, "noise: ", Evidence { noise: Some(0.02), ..clean() }),
             (Colour::Amber, "increments: ", Evidence { peak_step: Some(0.2), ..clean() }),

@@ -24,6 +24,7 @@ mod output;
 mod refine;
 mod stabilisation;
 mod step;
+mod tested;
 mod transform;
 mod vocabulary;
 
@@ -55,6 +56,7 @@ pub use slideline_mech::material::Material;
 pub use slideline_mech::section::Shape;
 pub use stabilisation::Stabilisation;
 pub use step::{Extrapolation, Load, NodalTemperature, Passage, Prescribed, Static, Step};
+pub use tested::Tested;
 pub use transform::Transform;
 pub use vocabulary::Vocabulary;
 
@@ -95,6 +97,8 @@ pub struct Model {
     pub transforms: Vec<Transform>,
     /// Elements in blocks of one type and one section.
     pub blocks: Vec<ElementBlock>,
+    /// Rubbers that come from test data, with these.
+    pub tested: Vec<Tested>,
     /// What beams may be strained to, where the deck says so.
     pub allowables: Vec<Allowable>,
     /// Nodes that move as parts of rigid bodies.

@@ -29,9 +29,9 @@ const SLAVE: Colour = CURVES[3];
 const OVERLAP: Colour = CURVES[1];
 const MOTION: Colour = CURVES[0];
 
-/// A drawing as a page that needs no network, light or dark as the reader has
+/// Drawings as a page that needs no network, light or dark as the reader has
 /// it; `words` stand below.
-pub fn picture_page(scene: &Scene, title: &str, words: &str) -> String {
+pub fn picture_page(scenes: &[Scene], title: &str, words: &str) -> String {
     let title = escaped(title);
     format!(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
@@ -39,7 +39,7 @@ pub fn picture_page(scene: &Scene, title: &str, words: &str) -> String {
          <meta name=\"color-scheme\" content=\"light dark\">\n<title>{title}</title>\n\
          <style>\n{STYLE}</style>\n</head>\n<body>\n<h1>{title}</h1>\n{}<pre>{}</pre>\n\
          </body>\n</html>\n",
-        scene.inline(),
+        scenes.iter().map(Scene::inline).collect::<String>(),
         escaped(words)
     )
 }

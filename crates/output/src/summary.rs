@@ -58,6 +58,8 @@ pub(crate) struct Memory {
     plastic: Largest,
     /// Largest principal strain there, where the law is linear.
     principal: Largest,
+    /// Largest nominal strain where a rubber is beyond its stability.
+    unstable: Largest,
 }
 
 impl Memory {
@@ -89,6 +91,8 @@ impl Memory {
                 if solid.is_linear() {
                     keep_larger(&mut self.principal, at(strain));
                 }
+                let beyond = solid.unstable_strain(point);
+                beyond.into_iter().for_each(|own| keep_larger(&mut self.unstable, at(own)));
                 for limit in limits.clone() {
                     let used = match limit.limit {
                         Limit::Strain(limit) => strain / limit,
@@ -445,6 +449,7 @@ impl<'a> Summary<'a> {
             ("mises", memory.mises),
             ("plastic_strain", memory.plastic),
             ("principal_strain", memory.principal),
+            ("unstable_strain", memory.unstable),
             ("linear_motion", memory.linear),
         ];
         for (key, largest) in own {

@@ -72,6 +72,7 @@ fn evidence(summary: &Value, energies: Option<&Energies>, first: Option<&Stroke>
             .reduce(worse),
         peak_step: peaks.map(|taken| taken.step).reduce(worse),
         strain: strains.reduce(worse),
+        unstable: summary.get("unstable_strain").and_then(|own| own.number("max")),
         linear: summary.get("linear_motion").and_then(|own| own.number("max")),
         utilisation: summary.get("allowable").and_then(|used| used.number("utilisation")),
         penetration: largest("penetration_over_c0"),

@@ -1,13 +1,15 @@
-//! `*HYPERELASTIC`: rubber from coefficients.
+//! `*HYPERELASTIC`: rubber, from coefficients or from test data.
 
 use slideline_deck::DataLine;
 use slideline_diag::Span;
+use slideline_mech::material::hyperelastic::Form;
 use slideline_mech::material::{MOST_TERMS, Rubber};
 use slideline_model::Dialect;
 
 use crate::draft::{Draft, Elasticity, Table};
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
+use crate::test_data::Wanted;
 
 /// `*HYPERELASTIC`.
 pub(crate) struct Hyperelastic;
@@ -43,6 +45,8 @@ impl Keyword for Hyperelastic {
             Rule::flag("OGDEN"),
             Rule::flag("ARRUDA-BOYCE"),
             Rule::value("N"),
+            Rule::flag("TEST DATA INPUT"),
+            Rule::value("POISSON"),
         ];
         RULES
     }
@@ -67,13 +71,18 @@ impl Keyword for Hyperelastic {
         if draft.owning_material(self.name(), card.span()).is_none() {
             return;
         }
-        let elasticity = read(card, draft).map_or(Elasticity::Unread, Elasticity::Rubber);
+        let elasticity = match card.has("TEST DATA INPUT") {
+            true => wanted(card, draft).map(Elasticity::Tested),
+            false => read(card, draft).map(Elasticity::Rubber),
+        };
+        let elasticity = elasticity.unwrap_or(Elasticity::Unread);
         let own = (self.name(), card.span());
         draft.give_material(own, |material| &mut material.elasticity, elasticity);
     }
 }
 
-fn read(card: &Reading<'_>, draft: &mut Draft) -> Option<Table<Rubber>> {
+/// The form and its order.
+fn form(card: &Reading<'_>, draft: &mut Draft) -> Option<(&'static str, usize)> {
     let given: Vec<&str> = FORMS.into_iter().filter(|form| card.has(form)).collect();
     let form = match *given {
         [] => "POLYNOMIAL",
@@ -90,8 +99,19 @@ fn read(card: &Reading<'_>, draft: &mut Draft) -> Option<Table<Rubber>> {
         draft.log.error("SL0234", message, card.span_of("N"));
         return None;
     }
+    Some((form, order))
+}
+
+/// Rubbers from their coefficients.
+fn read(card: &Reading<'_>, draft: &mut Draft) -> Option<Table<Rubber>> {
+    let form = form(card, draft)?;
+    if card.has("POISSON") {
+        let message = "POISSON belongs to TEST DATA INPUT: here D1 gives the change of volume";
+        draft.log.error("SL0282", message, card.span_of("POISSON"));
+        return None;
+    }
     card.first_line("the coefficients", &mut draft.log)?;
-    table((form, order), card, draft)
+    table(form, card, draft)
 }
 
 /// Numbers on a data line.
@@ -116,6 +136,29 @@ fn table(form: (&str, usize), card: &Reading<'_>, draft: &mut Draft) -> Option<T
         table.push((temperature, rubber(form, &values, (card, set), draft)?));
     }
     Some(table)
+}
+
+/// A rubber that test data are to give.
+fn wanted(card: &Reading<'_>, draft: &mut Draft) -> Option<Wanted> {
+    let (name, order) = form(card, draft)?;
+    if let Some(line) = card.data().first() {
+        let message = "the law comes from test data, and here are coefficients as well";
+        draft.log.error("SL0282", message, line.span);
+        return None;
+    }
+    let poisson = card.number("POISSON", &mut draft.log)?;
+    if poisson.is_some_and(|own| own <= -1.0 || own > 0.5) {
+        let message = "Poisson's ratio of a rubber lies above -1 and at most at 0.5";
+        draft.log.error("SL0234", message, card.span_of("POISSON"));
+        return None;
+    }
+    let form = match name {
+        "OGDEN" => Form::Ogden(order),
+        "ARRUDA-BOYCE" => Form::ArrudaBoyce,
+        _ => Form::Polynomial(powers(name, order)),
+    };
+    let (_, volumes) = counts((name, order));
+    Some(Wanted { form, volumes, poisson })
 }
 
 /// How many numbers a form has: of shape, and of volume.
@@ -181,7 +224,7 @@ fn powers(form: &str, order: usize) -> Vec<(u8, u8)> {
 }
 
 /// The rubber with a bulk modulus; `None` where it has no positive shear modulus.
-fn sound(made: Rubber, line: Span, draft: &mut Draft) -> Option<Rubber> {
+pub(crate) fn sound(made: Rubber, line: Span, draft: &mut Draft) -> Option<Rubber> {
     let finite = !matches!(&made, Rubber::Ogden { terms, .. } if terms.iter().any(|t| t[1] == 0.0))
         && !matches!(&made, Rubber::ArrudaBoyce { locking, .. } if *locking <= 0.0);
     let shear = if finite { made.shear_modulus() } else { 0.0 };

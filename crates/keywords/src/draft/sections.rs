@@ -10,6 +10,8 @@ use slideline_mech::orientation::Orientation;
 use slideline_model::{self as model, BeamSection, Dialect, Limit, Shape, ShearRule, SolidSection};
 use std::sync::Arc;
 
+use crate::test_data::{Test, Wanted};
+
 #[derive(Clone, Debug)]
 pub(crate) struct Section {
     pub set: String,
@@ -90,6 +92,8 @@ pub(crate) struct Material {
     pub growth: Option<(Option<Table<Hardening>>, Card)>,
     /// How it expands; `None` in it: unreadable.
     pub expansion: Option<(Option<Expansion>, Card)>,
+    /// Tests of a rubber, in the order of the deck.
+    pub tests: Vec<Test>,
     /// Mass per volume [M/L3]; `None` in it: unreadable.
     pub density: Option<(Option<f64>, Card)>,
     pub origin: Span,
@@ -114,6 +118,8 @@ pub(crate) enum Elasticity {
     /// Known in plane stress alone: `TYPE=LAMINA`.
     Ply(Box<Anisotropic>),
     Rubber(Table<Rubber>),
+    /// Rubber that its test data will give.
+    Tested(Wanted),
     /// A card that could not be read, which has been said.
     Unread,
 }
@@ -124,7 +130,7 @@ impl Elasticity {
         match self {
             Self::Isotropic(_) | Self::Unread => "is isotropic",
             Self::Anisotropic(_) | Self::Ply(_) => "is not isotropic",
-            Self::Rubber(_) => "is rubber",
+            Self::Rubber(_) | Self::Tested(_) => "is rubber",
         }
     }
 }
@@ -141,6 +147,7 @@ impl Material {
             hardening: None,
             growth: None,
             expansion: None,
+            tests: Vec::new(),
             density: None,
             origin,
         }
@@ -214,7 +221,7 @@ impl Material {
                     graded(table.iter().map(|(at, e)| (*at, model::Material::Elastic(*e, large))))
                 }
             },
-            Elasticity::Unread => None,
+            Elasticity::Unread | Elasticity::Tested(_) => None,
         }
     }
 }

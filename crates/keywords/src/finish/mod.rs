@@ -16,6 +16,7 @@ mod nodes;
 mod orientations;
 mod pre_tension;
 mod resting;
+mod rubber;
 mod sections;
 mod shape_mpc;
 mod space_beams;
@@ -44,6 +45,7 @@ pub(crate) fn finish(draft: &mut Draft, steps_doubted: bool) -> Model {
     nodes::sets(draft);
     nodes::elements(draft);
     let parted = pre_tension::cut(draft);
+    rubber::rubbers(draft);
     sections::sections(draft);
     springs::springs(draft);
     faces::check(draft);

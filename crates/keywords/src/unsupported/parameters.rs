@@ -45,8 +45,8 @@ const GROUPS: &[Group] = &[
     ),
     (
         "HYPERELASTIC",
-        "give the coefficients of one of its forms",
-        &["TEST DATA INPUT", "MARLOW", "VAN DER WAALS", "USER", "PROPERTIES", "MODULI", "POISSON"],
+        "give the coefficients of one of its forms, or TEST DATA INPUT and test data",
+        &["MARLOW", "VAN DER WAALS", "USER", "PROPERTIES", "MODULI", "BETA", "ALL"],
     ),
     ("INITIAL CONDITIONS", "write the values on data lines", &["USER", "FILE", "STEP", "INC"]),
     ("ELCOPY", "copy by numbers, and give *NCOPY the place", &["REFLECT", "SHIFT ELEMENT"]),
@@ -82,6 +82,26 @@ const GROUPS: &[Group] = &[
     ),
     ("SURFACE BEHAVIOR", "contact opens freely: leave it out", &["NO SEPARATION"]),
     ("TIE", "model the whole, not a sector of it", &["CYCLIC SYMMETRY", "MULTISTAGE"]),
+    (
+        "BIAXIAL TEST DATA",
+        "give data that are smooth, at one temperature: one card a test",
+        &["SMOOTH", "DEPENDENCIES", "RTOL"],
+    ),
+    (
+        "PLANAR TEST DATA",
+        "give data that are smooth, at one temperature: one card a test",
+        &["SMOOTH", "DEPENDENCIES", "RTOL"],
+    ),
+    (
+        "UNIAXIAL TEST DATA",
+        "give data that are smooth, at one temperature: one card a test",
+        &["SMOOTH", "DEPENDENCIES", "RTOL"],
+    ),
+    (
+        "VOLUMETRIC TEST DATA",
+        "give data that are smooth, at one temperature: one card a test",
+        &["SMOOTH", "DEPENDENCIES", "RTOL"],
+    ),
 ];
 
 /// What to do instead of a parameter of a keyword; `None` where no program knows it.

@@ -10,6 +10,16 @@
 //! The energy is differentiated by its three invariants in forward arithmetic, tensors are made by
 //! hand: docs/theory.md eqs. (3.42) and (3.43).
 
+mod fit;
+mod least_squares;
+mod paths;
+mod stability;
+#[cfg(test)]
+mod tests;
+
+pub use fit::{Form, Measured, NoFit};
+pub use paths::Mode;
+
 use super::Answer;
 use super::elastic::add_turned;
 use super::principal::Axes;

@@ -19,7 +19,7 @@ mod back_stress;
 mod elastic;
 mod expansion;
 mod graded;
-mod hyperelastic;
+pub mod hyperelastic;
 mod logarithmic;
 pub mod plastic;
 mod principal;
@@ -211,6 +211,21 @@ impl Material {
             Self::Graded(graded) => graded.at(temperature, |own| own.metal(temperature)).flatten(),
             Self::Expanding(expanding) => expanding.law.metal(temperature),
             Self::Elastic(..) | Self::Anisotropic(_) | Self::Rubber(_) | Self::User(_) => None,
+        }
+    }
+
+    /// Whatever is made of its rubber at a temperature; `None`: it is none.
+    pub fn rubber<R>(&self, temperature: f64, then: impl FnOnce(&Rubber) -> R) -> Option<R> {
+        match self {
+            Self::Rubber(rubber) => Some(then(rubber)),
+            Self::Graded(graded) => graded
+                .at(temperature, |own| match own {
+                    Self::Rubber(rubber) => Some(then(rubber)),
+                    _ => None,
+                })
+                .flatten(),
+            Self::Expanding(expanding) => expanding.law.rubber(temperature, then),
+            Self::Elastic(..) | Self::Anisotropic(_) | Self::Plastic(_) | Self::User(_) => None,
         }
     }
 

@@ -80,6 +80,12 @@ fn stress_field(kind: &ElementType) -> Option<(usize, usize)> {
     (known && field.location == Location::Points).then_some((width, first))
 }
 
+/// The largest of three, pulled or pressed; what is no number is the largest.
+fn largest(values: [f64; 3]) -> f64 {
+    let worse = |most: f64, own: f64| if own.is_nan() || own > most { own } else { most };
+    values.iter().map(|value| value.abs()).fold(0.0, worse)
+}
+
 /// A solid, or another element that is no beam, with its results.
 #[derive(Clone, Copy, Debug)]
 pub struct Solid<'a> {
@@ -162,11 +168,35 @@ impl<'a> Solid<'a> {
 
     /// Largest principal strain at a point, pulled or pressed [1].
     pub fn principal_strain(&self, point: usize) -> f64 {
+        largest(self.principal_strains(point))
+    }
+
+    /// Principal strains at a point [1].
+    fn principal_strains(&self, point: usize) -> [f64; 3] {
         let mut strain = [0.0; 6];
         strain.iter_mut().zip(self.field("E", point)).for_each(|(e, own)| *e = *own);
         (3..6).for_each(|k| strain[k] *= 0.5);
-        let worse = |most: f64, own: f64| if own.is_nan() || own > most { own } else { most };
-        principal(strain).iter().map(|value| value.abs()).fold(0.0, worse)
+        principal(strain)
+    }
+
+    /// Largest principal nominal strain at a point whose rubber is strained beyond its stability
+    /// [1]: docs/theory.md eq. (3.86). `None`: it is not.
+    pub fn unstable_strain(&self, point: usize) -> Option<f64> {
+        let Section::Solid(section) = &self.block.section else { return None };
+        let step = self.frame.model.steps.get(self.frame.step.wrapping_sub(1))?;
+        if !step.nlgeom {
+            return None; // it is linear then
+        }
+        let strains = self.principal_strains(point);
+        let logs = match self.frame.model.dialect {
+            Dialect::Abaqus => strains,
+            Dialect::Calculix => strains.map(|green| 0.5 * (2.0 * green).ln_1p()),
+        };
+        let even = logs.iter().sum::<f64>() / 3.0;
+        let temperature = self.at_point(point, |node| self.frame.nodal.temperature(node));
+        let strained = [logs[0] - even, logs[1] - even];
+        let stable = section.material.rubber(temperature, |own| own.is_stable(strained))?;
+        (!stable).then(|| largest(logs.map(f64::exp_m1)))
     }
 
     /// Whether its stress is linear in its strain.
