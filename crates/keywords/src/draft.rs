@@ -24,7 +24,9 @@ use crate::sets::Sets;
 use crate::surfaces::{Named, NamedInteraction, NamedSurface, Pairing, RigidBody};
 pub(crate) use elements::{Element, ElementKind, MOST_NODES};
 pub(crate) use heat::Heat;
-pub(crate) use sections::{Allowable, Body, Card, Elasticity, Material, Section, Table, Yielding};
+pub(crate) use sections::{
+    Allowable, Body, Card, Elasticity, Kind, Material, Section, Table, Test, Wanted, Yielding,
+};
 
 /// Most nodes, elements and set members that a deck may generate. A slip in
 /// an `*NGEN` line must not fill the memory.

@@ -7,39 +7,9 @@
 
 use slideline_deck::DataLine;
 use slideline_diag::{Code, Diagnostic, Span};
-use slideline_mech::material::hyperelastic::{Form, Mode};
 
-use crate::draft::{Card, Draft};
+use crate::draft::{Draft, Kind, Test};
 use crate::reading::Reading;
-
-/// A law whose coefficients test data are to give.
-#[derive(Clone, Debug)]
-pub(crate) struct Wanted {
-    /// Its form.
-    pub form: Form,
-    /// How many terms change its volume.
-    pub volumes: usize,
-    /// Poisson's ratio, where that is said instead of volumes.
-    pub poisson: Option<f64>,
-}
-
-/// What was measured.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
-    /// Nominal stress and nominal strain.
-    Mode(Mode),
-    /// Pressure and ratio of volumes.
-    Volume,
-}
-
-/// The data of one card.
-#[derive(Clone, Debug)]
-pub(crate) struct Test {
-    pub kind: Kind,
-    /// Stress or pressure [F/L2], strain or ratio of volumes [1]; `None`: unreadable.
-    pub points: Option<Vec<[f64; 2]>>,
-    pub card: Card,
-}
 
 /// Nominal strain that no rubber bears; it tears at half of it [1].
 const FARTHEST: f64 = 20.0;

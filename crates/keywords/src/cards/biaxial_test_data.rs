@@ -2,10 +2,10 @@
 
 use slideline_mech::material::hyperelastic::Mode;
 
-use crate::draft::Draft;
+use crate::draft::{Draft, Kind};
 use crate::keyword::{Keyword, Level, Subject};
 use crate::reading::Reading;
-use crate::test_data::{self, Kind};
+use crate::test_data;
 
 /// `*BIAXIAL TEST DATA`.
 pub(crate) struct BiaxialTestData;

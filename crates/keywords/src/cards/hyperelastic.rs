@@ -6,10 +6,9 @@ use slideline_mech::material::hyperelastic::Form;
 use slideline_mech::material::{MOST_TERMS, Rubber};
 use slideline_model::Dialect;
 
-use crate::draft::{Draft, Elasticity, Table};
+use crate::draft::{Draft, Elasticity, Table, Wanted};
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
-use crate::test_data::Wanted;
 
 /// `*HYPERELASTIC`.
 pub(crate) struct Hyperelastic;

@@ -1,9 +1,9 @@
 //! `*VOLUMETRIC TEST DATA`: a specimen under pressure on all sides.
 
-use crate::draft::Draft;
+use crate::draft::{Draft, Kind};
 use crate::keyword::{Keyword, Level, Subject};
 use crate::reading::Reading;
-use crate::test_data::{self, Kind};
+use crate::test_data;
 
 /// `*VOLUMETRIC TEST DATA`.
 pub(crate) struct VolumetricTestData;

@@ -2,6 +2,7 @@
 
 use slideline_diag::Span;
 use slideline_mech::element::BeamHeat;
+use slideline_mech::material::hyperelastic::{Form, Mode};
 use slideline_mech::material::{
     Anisotropic, BackStress, Elastic, Expanding, Expansion, Graded, Growth, Hardening, LargeStrain,
     Plastic, Rubber,
@@ -9,8 +10,6 @@ use slideline_mech::material::{
 use slideline_mech::orientation::Orientation;
 use slideline_model::{self as model, BeamSection, Dialect, Limit, Shape, ShearRule, SolidSection};
 use std::sync::Arc;
-
-use crate::test_data::{Test, Wanted};
 
 #[derive(Clone, Debug)]
 pub(crate) struct Section {
@@ -133,6 +132,35 @@ impl Elasticity {
             Self::Rubber(_) | Self::Tested(_) => "is rubber",
         }
     }
+}
+
+/// A law whose coefficients test data are to give.
+#[derive(Clone, Debug)]
+pub(crate) struct Wanted {
+    /// Its form.
+    pub form: Form,
+    /// How many terms change its volume.
+    pub volumes: usize,
+    /// Poisson's ratio, where that is said instead of volumes.
+    pub poisson: Option<f64>,
+}
+
+/// What was measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// Nominal stress and nominal strain.
+    Mode(Mode),
+    /// Pressure and ratio of volumes.
+    Volume,
+}
+
+/// The data of one card.
+#[derive(Clone, Debug)]
+pub(crate) struct Test {
+    pub kind: Kind,
+    /// Stress or pressure [F/L2], strain or ratio of volumes [1]; `None`: unreadable.
+    pub points: Option<Vec<[f64; 2]>>,
+    pub card: Card,
 }
 
 /// The card that gave a property of a material: its name without the star, and its place.

@@ -6,8 +6,7 @@ use slideline_mech::material::{Rubber, Volume};
 use slideline_model::Tested;
 
 use crate::cards::hyperelastic::sound;
-use crate::draft::{Draft, Elasticity, Material};
-use crate::test_data::{Kind, Wanted};
+use crate::draft::{Draft, Elasticity, Kind, Material, Wanted};
 
 /// Fits the laws that test data give, and says where any rubber loses its stability.
 pub(super) fn rubbers(draft: &mut Draft) {
