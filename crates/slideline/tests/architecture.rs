@@ -141,7 +141,7 @@ const WITHOUT_DIMENSION: [&str; 8] =
     ["model", "keywords", "solve", "results", "advice", "slideline", "deck", "cli"];
 
 /// Where two numbers are no vector of the plane, or what is described is plane by nature.
-const PAIRS: [(&str, &str); 10] = [
+const PAIRS: [(&str, &str); 13] = [
     ("crates/model/src/lib.rs", "the directions of a body, in the plane or in space"),
     ("crates/model/src/contact.rs", "points of a profile; shares of two nodes; two coefficients"),
     ("crates/model/src/element/", "kernels of plane elements"),
@@ -152,6 +152,9 @@ const PAIRS: [(&str, &str); 10] = [
     ("crates/advice/src/roles.rs", "radius and spacing"),
     ("crates/cli/src/live.rs", "motion and reaction"),
     ("crates/model/src/tested.rs", "nominal strain and stress"),
+    ("crates/keywords/src/finish/rubber.rs", "nominal strain and stress"),
+    ("crates/keywords/src/test_data.rs", "nominal strain and stress"),
+    ("crates/keywords/src/draft/sections.rs", "nominal strain and stress"),
 ];
 
 /// Nothing above the mechanics holds a vector of the plane, or the dofs of a plane model.
