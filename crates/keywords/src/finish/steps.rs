@@ -130,13 +130,7 @@ fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
         prescribe(line, &mut carried.prescribed, draft);
     }
     carried.loads.take(loads(&step.loads, draft));
-    if step.new_temperatures {
-        carried.temperatures = InForce::default();
-    }
-    for line in &step.temperatures {
-        let amplitude = line.amplitude.as_ref().and_then(|name| amplitude(name, draft));
-        temperatures::heat((line, amplitude), &mut carried.temperatures, draft);
-    }
+    heat(&step, carried, draft);
     distribute(&step, carried, draft);
     carried.controls = step.controls.unwrap_or(carried.controls);
     carried.restart = step.restart.or(carried.restart);
@@ -174,6 +168,17 @@ fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
             states_every: carried.states_every.clone(),
         },
         origin: step.origin,
+    }
+}
+
+/// Temperatures that a step gives, beside those that stand.
+fn heat(step: &StepDraft, carried: &mut Carried, draft: &mut Draft) {
+    if step.new_temperatures {
+        carried.temperatures = InForce::default();
+    }
+    for line in &step.temperatures {
+        let amplitude = line.amplitude.as_ref().and_then(|name| amplitude(name, draft));
+        temperatures::heat((line, amplitude), &mut carried.temperatures, draft);
     }
 }
 
