@@ -94,8 +94,8 @@ pub(crate) struct CheckArguments {
     /// tried and helps.
     #[arg(long)]
     pub fix: bool,
-    /// Draw the undeformed model with outward normals and gaps; the file ends
-    /// in .svg, .html or .png.
+    /// Draw the undeformed model with outward normals and gaps, and rubber
+    /// with its test data; the file ends in .svg, .html or .png.
     #[arg(long, value_name = "FILE", value_parser = picture, value_hint = ValueHint::FilePath)]
     pub picture: Option<PathBuf>,
 }

@@ -143,6 +143,23 @@ fn the_model_is_drawn_before_it_runs() {
     assert_eq!(output.status.code(), Some(64), "{output:?}");
 }
 
+/// Requirement: rubber and its test data are drawn below the model, and what was fitted is said.
+#[test]
+fn rubber_is_drawn_with_its_test_data() {
+    let folder = folder("check_rubber");
+    std::fs::write(folder.join("block.inp"), corpus("keywords/PLANAR-TEST-DATA.inp")).unwrap();
+    for name in ["block.svg", "block.html", "block.png"] {
+        let output = slideline(&folder, &["check", "block", "--picture", name]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(said.contains("SL0285") && said.contains("alpha2 = "), "{said}");
+        let text = std::fs::read(folder.join(name)).unwrap();
+        let text = String::from_utf8_lossy(&text);
+        assert!(name == "block.png" || text.contains("equibiaxial: law"), "{name}");
+        assert!(!text.contains("NaN"), "{name}");
+    }
+}
+
 /// Requirement: who is slave and who is master is told in the words of the
 /// cards that the deck has.
 #[test]
