@@ -11,7 +11,7 @@
 //! Return along the radius, exact on every straight piece of the table [simo1998], section 3.3; at
 //! large strain in principal logarithmic strains, where the same algorithm holds [simo1992b].
 //! docs/theory.md eqs. (3.44) to (3.47). Where hardening moves the yield surface the centre has
-//! directions of its own: then small strain is taken to large strain as in [`logarithmic`].
+//! directions of its own: then small strain is taken to large strain as in `logarithmic.rs`.
 //!
 //! State variables: Cp^-1 - 1 (six; less twice the plastic strain where strains are small or the
 //! surface moves), equivalent plastic strain, plastic work per volume, back stresses (six each).
