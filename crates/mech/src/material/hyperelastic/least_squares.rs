@@ -50,7 +50,7 @@ pub(super) fn linear(mut columns: Vec<Vec<f64>>, mut right: Vec<f64>) -> Option<
         columns.swap(k, pivot);
         order.swap(k, pivot);
         let size = norm(&columns[k][k..]);
-        if !(size > DEPENDENT) {
+        if size.is_nan() || size <= DEPENDENT {
             return None;
         }
         diagonal[k] = -size.copysign(columns[k][k]);
