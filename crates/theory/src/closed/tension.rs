@@ -27,7 +27,7 @@ impl Bar {
         [stress * (-strain).exp(), strain.exp()]
     }
 
-    /// The largest force for each undeformed area [F/L2], ds/de = s. [Considere 1885]
+    /// The largest force for each undeformed area [F/L2], ds/de = s. [considere1885]
     ///
     /// # Errors
     /// [`TheoryError`] where there is none up to a plastic strain of 1.
@@ -40,8 +40,8 @@ impl Bar {
     }
 }
 
-/// Mean axial stress over the neck by the flow stress [1], (1 + 2 r/a) ln(1 + a/(2 r)). [Bridgman
-/// 1944]
+/// Mean axial stress over the neck by the flow stress [1], (1 + 2 r/a) ln(1 + a/(2 r)).
+/// [bridgman1944]
 pub fn bridgman(radius: f64, profile: f64) -> f64 {
     (1.0 + 2.0 * profile / radius) * (0.5 * radius / profile).ln_1p()
 }

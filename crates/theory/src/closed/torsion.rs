@@ -22,13 +22,13 @@ pub struct RubberBar {
 }
 
 impl RubberBar {
-    /// Torque M [F L] at the twist `psi` [1/L]: pi psi a^4 (C10 + C01). [Rivlin 1949]
+    /// Torque M [F L] at the twist `psi` [1/L]: pi psi a^4 (C10 + C01). [rivlin1949]
     pub fn torque(&self, psi: f64) -> f64 {
         PI * psi * self.radius.powi(4) * (self.c10 + self.c01)
     }
 
     /// Force N of the plates along the axis [F], negative: the bar pushes them apart, - pi/2 psi^2
-    /// a^4 (C10 + 2 C01). [Rivlin 1949]
+    /// a^4 (C10 + 2 C01). [rivlin1949]
     pub fn force(&self, psi: f64) -> f64 {
         -0.5 * PI * psi * psi * self.radius.powi(4) * (self.c10 + 2.0 * self.c01)
     }
