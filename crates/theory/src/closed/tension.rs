@@ -40,7 +40,8 @@ impl Bar {
     }
 }
 
-/// Mean axial stress over the neck by the flow stress [1], (1 + 2 r/a) ln(1 + a/(2 r)). [bridgman1944]
+/// Mean axial stress over the neck by the flow stress [1], (1 + 2 r/a) ln(1 + a/(2 r)).
+/// [bridgman1944]
 pub fn bridgman(radius: f64, profile: f64) -> f64 {
     (1.0 + 2.0 * profile / radius) * (0.5 * radius / profile).ln_1p()
 }
