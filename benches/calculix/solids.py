@@ -32,7 +32,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from published import our_tables, their_tables
+from published import tables
 
 SIZES = {"5k": 5_000, "20k": 20_000, "80k": 80_000, "250k": 250_000}
 SPACE = ["C3D8", "C3D8I", "C3D20R", "C3D10"]
@@ -174,7 +174,7 @@ def compare(kind, size, arguments, folder):
     for _ in range(arguments.pairs):
         theirs = timed([arguments.ccx, "job"], folder, folder / "ccx.log")
         pairs.append((timed(ours, folder, folder / "slideline.log"), theirs))
-    deviation = off(their_tables(str(folder / "job.dat")), our_tables(str(own / "job.dat")))
+    deviation = off(tables(str(folder / "job.dat")), tables(str(own / "job.dat")))
     middle_of = lambda values: statistics.median(list(values))
     own_time, their_time = middle_of(p[0][0] for p in pairs), middle_of(p[1][0] for p in pairs)
     own_memory, their_memory = middle_of(p[0][2] for p in pairs), middle_of(p[1][2] for p in pairs)

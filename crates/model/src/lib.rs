@@ -142,7 +142,9 @@ impl Model {
         for step in &self.steps {
             nodes.extend(step.prescribed.iter().filter(|p| p.moves()).map(|p| p.node));
             nodes.extend(step.loads.iter().map(|load| load.node));
-            nodes.extend(step.output.node_prints.iter().flat_map(|print| &print.nodes));
+            // a request of all nodes names no set: states and tables are for those
+            let named = step.output.node_prints.iter().filter(|own| !own.request.set.is_empty());
+            nodes.extend(named.flat_map(|print| &print.nodes));
         }
         nodes.sort_by_key(|&node| self.nodes.label(node));
         nodes.dedup();
