@@ -13,6 +13,7 @@
 //! replaced and reported. Columns are halved until they are few [toledo1997], so that nearly all
 //! work is matrix products.
 
+use crate::kernel::widened;
 use faer::linalg::matmul::{matmul, triangular};
 use faer::linalg::triangular_solve::solve_unit_lower_triangular_in_place;
 use faer::prelude::{Reborrow, ReborrowMut};
@@ -20,6 +21,8 @@ use faer::{Accum, MatMut, MatRef, Par};
 
 /// Number of columns that are eliminated one by one.
 const NARROW: usize = 8;
+/// Rows of them that are eliminated together.
+const ROWS: usize = 8;
 /// Rows and columns of a product that one thread makes at a time.
 const TILE: usize = 512;
 /// Part of the largest candidate from which on the diagonal is kept as pivot: a front keeps its
@@ -189,7 +192,8 @@ impl DenseFront<'_> {
         pivots: &mut Pivots,
     ) {
         if to - from <= NARROW {
-            (from..to).for_each(|j| self.eliminate_symmetric(j, to, size[j], pivots));
+            (from..to).for_each(|j| self.eliminate_square(j, to, size[j], pivots));
+            widened(#[inline(always)] || self.eliminate_below(from, to));
             return;
         }
         let (height, middle) = (self.height(), middle(from, to));
@@ -208,20 +212,66 @@ impl DenseFront<'_> {
         self.ldlt_of_columns(middle, to, size, scratch, pivots);
     }
 
-    fn eliminate_symmetric(&mut self, j: usize, to: usize, size: f64, pivots: &mut Pivots) {
+    /// Eliminates column j from the columns up to `to`, in the rows of these alone.
+    fn eliminate_square(&mut self, j: usize, to: usize, size: f64, pivots: &mut Pivots) {
         let height = self.height();
         let (head, tail) = self.panel.split_at_mut((j + 1) * height);
-        let column = &mut head[j * height + j..];
+        let column = &mut head[j * height + j..j * height + to];
         column[0] = pivots.note(column[0], size, self.first + j);
         let inverse = 1.0 / column[0];
         let column = &mut column[1..];
         for (p, target) in tail.chunks_exact_mut(height).take(to - j - 1).enumerate() {
             let factor = column[p] * inverse;
-            for (t, l) in target[j + 1 + p..].iter_mut().zip(&column[p..]) {
+            for (t, l) in target[j + 1 + p..to].iter_mut().zip(&column[p..]) {
                 *t -= factor * l;
             }
         }
         column.iter_mut().for_each(|l| *l *= inverse);
+    }
+
+    /// Eliminates the narrow columns `from` to `to`, whose square is done, from the rows below it:
+    /// a few rows at a time, which are read and written once.
+    #[inline(always)]
+    fn eliminate_below(&mut self, from: usize, to: usize) {
+        let height = self.height();
+        let panel = &mut self.panel[from * height..to * height];
+        let whole = to + (height - to) / ROWS * ROWS;
+        let mut square = [[0.0; NARROW]; NARROW];
+        for (p, column) in panel.chunks_exact(height).enumerate() {
+            (p..to - from).for_each(|j| square[j][p] = column[from + j]);
+        }
+        for row in (to..whole).step_by(ROWS) {
+            match to - from {
+                NARROW => eliminate_rows::<ROWS>(panel, height, row, (&square, NARROW)),
+                width => eliminate_rows::<ROWS>(panel, height, row, (&square, width)),
+            }
+        }
+        let width = to - from;
+        (whole..height).for_each(|row| eliminate_rows::<1>(panel, height, row, (&square, width)));
+    }
+}
+
+/// Rows of narrow columns from `row` on; `square` holds L, and D on its diagonal.
+#[inline(always)]
+fn eliminate_rows<const M: usize>(
+    panel: &mut [f64],
+    height: usize,
+    row: usize,
+    (square, width): (&[[f64; NARROW]; NARROW], usize),
+) {
+    let mut entries = [[0.0; M]; NARROW];
+    for j in 0..width {
+        let at = j * height + row;
+        let mut own = [0.0; M];
+        own.copy_from_slice(&panel[at..at + M]);
+        for p in 0..j {
+            for lane in 0..M {
+                own[lane] -= square[j][p] * entries[p][lane];
+            }
+        }
+        entries[j] = own;
+        let inverse = 1.0 / square[j][j];
+        panel[at..at + M].iter_mut().zip(own).for_each(|(l, entry)| *l = entry * inverse);
     }
 }
 

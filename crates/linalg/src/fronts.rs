@@ -189,6 +189,9 @@ pub(crate) struct Fronts {
     pub row: Vec<u32>,
     /// Where each of them stands in the parent: among its columns, then among its rows.
     pub in_parent: Vec<u32>,
+    /// For each of them, how many of the following ones, itself included, stand side by side
+    /// there too.
+    pub together: Vec<u32>,
 }
 
 impl Fronts {
@@ -285,6 +288,14 @@ impl Fronts {
                 let Front { rows_start, rows, .. } = self.front[child];
                 for i in rows_start..rows_start + rows {
                     self.in_parent[i] = local[self.row[i] as usize];
+                }
+            }
+        }
+        self.together = vec![1; self.row.len()];
+        for front in &self.front {
+            for i in (front.rows_start + 1..front.rows_start + front.rows).rev() {
+                if self.in_parent[i] == self.in_parent[i - 1] + 1 {
+                    self.together[i - 1] = self.together[i] + 1;
                 }
             }
         }

@@ -25,6 +25,53 @@ pub(crate) fn subtract(target: &mut [f64], factor: f64, source: &[f64]) {
     }
 }
 
+/// Runs a loop with the widest vectors that the processor has. What it calls is to be inlined; the
+/// results have the same bits with any vectors.
+pub(crate) fn widened<R>(work: impl FnOnce() -> R) -> R {
+    pulp::Arch::new().dispatch(work)
+}
+
+/// target -= sum of factor * column, column after column for every entry.
+#[inline(always)]
+pub(crate) fn subtract_columns<const M: usize>(
+    target: &mut [f64],
+    columns: [&[f64]; M],
+    factors: [f64; M],
+) {
+    let length = target.len();
+    let columns = columns.map(|column| &column[..length]);
+    for i in 0..length {
+        let mut entry = target[i];
+        for (column, factor) in columns.iter().zip(factors) {
+            entry -= factor * column[i];
+        }
+        target[i] = entry;
+    }
+}
+
+/// Scalar products of several columns with the same array, in interleaved parts like [`dot`].
+#[inline(always)]
+pub(crate) fn dot_columns<const M: usize>(columns: [&[f64]; M], x: &[f64]) -> [f64; M] {
+    const PART: usize = 2 * BLOCK;
+    let (blocks, rest) = x.as_chunks::<PART>();
+    let columns = columns.map(|column| column[..x.len()].as_chunks::<PART>());
+    let mut part = [[0.0; PART]; M];
+    for (b, x) in blocks.iter().enumerate() {
+        for (part, (column, _)) in part.iter_mut().zip(&columns) {
+            let column = &column[b];
+            for k in 0..PART {
+                part[k] += column[k] * x[k];
+            }
+        }
+    }
+    std::array::from_fn(|m| {
+        let p = &part[m];
+        let near = (p[0] + p[4]) + (p[1] + p[5]);
+        let sum = near + ((p[2] + p[6]) + (p[3] + p[7]));
+        columns[m].1.iter().zip(rest).fold(sum, |sum, (l, x)| sum + l * x)
+    })
+}
+
 /// Scalar product of equally long arrays, in interleaved parts to shorten the chain of additions.
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     let (a_blocks, a_rest) = a.as_chunks::<BLOCK>();

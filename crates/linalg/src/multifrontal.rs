@@ -17,6 +17,7 @@ mod substitution;
 use crate::dense_fronts::{DenseFront, Pivots};
 use crate::error::SolveError;
 use crate::fronts::{Front, Tree};
+use crate::kernel::widened;
 use crate::pattern::Pattern;
 use crate::system::Kind;
 use layout::{Layout, Part, Storage, entry_positions};
@@ -223,7 +224,10 @@ impl Layout {
                 None => &waiting[self.storage[child as usize].update..][..self.packed(rows)],
             };
             match self.symmetric {
-                true => extend_symmetric(&mut front, update, in_parent),
+                true => {
+                    let together = &self.fronts.together[rows_start..rows_start + rows];
+                    widened(#[inline(always)] || extend_symmetric(&mut front, update, (in_parent, together)));
+                }
                 false => extend(&mut front, update, in_parent),
             }
         }
@@ -276,7 +280,12 @@ fn extend(front: &mut DenseFront<'_>, update: &[f64], in_parent: &[u32]) {
 }
 
 /// Adds the lower triangle of a child's Schur complement, column after column.
-fn extend_symmetric(front: &mut DenseFront<'_>, update: &[f64], in_parent: &[u32]) {
+#[inline(always)]
+fn extend_symmetric(
+    front: &mut DenseFront<'_>,
+    update: &[f64],
+    (in_parent, together): (&[u32], &[u32]),
+) {
     let (k, r) = (front.columns, front.rows);
     let mut rest = update;
     for (j, &to) in in_parent.iter().enumerate() {
@@ -288,7 +297,13 @@ fn extend_symmetric(front: &mut DenseFront<'_>, update: &[f64], in_parent: &[u32
         } else {
             (&mut front.update[(to - k) * r..(to - k + 1) * r], k)
         };
-        add_at(target, &in_parent[j..], column, offset);
+        let mut i = 0;
+        while i < column.len() {
+            let (at, count) = (in_parent[j + i] as usize - offset, together[j + i] as usize);
+            let own = target[at..at + count].iter_mut().zip(&column[i..i + count]);
+            own.for_each(|(sum, value)| *sum += value);
+            i += count;
+        }
     }
 }
 

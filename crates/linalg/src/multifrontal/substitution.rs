@@ -11,7 +11,7 @@ use faer::{Accum, MatMut, MatRef, Par};
 use super::Multifrontal;
 use super::layout::Storage;
 use crate::fronts::Front;
-use crate::kernel::dot;
+use crate::kernel::{dot, dot_columns, subtract_columns, widened};
 
 impl Multifrontal {
     /// Solves in place for a block of right-hand sides.
@@ -85,23 +85,18 @@ impl Multifrontal {
         let work = &mut work[..r];
         work.fill(0.0);
         let own = &mut x[front.first..front.first + k];
-        for (j, column) in panel.chunks_exact(k + r).enumerate() {
-            if transposed {
-                own[j] = (own[j] - dot(&column[..j], &own[..j])) / column[j];
-                continue;
-            }
-            let x_j = own[j];
-            let (l11, l21) = column[j + 1..].split_at(k - j - 1);
-            own[j + 1..].iter_mut().zip(l11).for_each(|(x, l)| *x -= l * x_j);
-            work.iter_mut().zip(l21).for_each(|(sum, l)| *sum += l * x_j);
-        }
         if transposed {
-            for (sum, column) in work.iter_mut().zip(above.chunks_exact(k)) {
-                *sum = dot(column, own);
+            for (j, column) in panel.chunks_exact(k + r).enumerate() {
+                own[j] = (own[j] - dot(&column[..j], &own[..j])) / column[j];
             }
+            for (sum, column) in work.iter_mut().zip(above.chunks_exact(k)) {
+                *sum = -dot(column, own);
+            }
+        } else {
+            widened(#[inline(always)] || eliminate_below(panel, own, work));
         }
         for (&row, sum) in self.layout.fronts.rows_of(front).iter().zip(&*work) {
-            x[row as usize] -= sum;
+            x[row as usize] += sum;
         }
     }
 
@@ -153,16 +148,18 @@ impl Multifrontal {
                 own.iter_mut().zip(column).for_each(|(x, u)| *x -= u * known);
             }
         }
-        for (j, column) in panel.chunks_exact(k + r).enumerate().rev() {
-            if from_below {
-                let x_j = if self.layout.symmetric { own[j] / column[j] } else { own[j] };
-                let (l11, l21) = column[j + 1..].split_at(k - j - 1);
-                own[j] = x_j - dot(l11, &own[j + 1..]) - dot(l21, work);
-                continue;
+        if from_below {
+            if self.layout.symmetric {
+                let pivots = panel.chunks_exact(k + r).enumerate().map(|(j, column)| column[j]);
+                own.iter_mut().zip(pivots).for_each(|(x, pivot)| *x /= pivot);
             }
-            let x_j = own[j] / column[j];
-            own[j] = x_j;
-            own[..j].iter_mut().zip(column).for_each(|(x, u)| *x -= u * x_j);
+            widened(#[inline(always)] || find_from_below(panel, own, work));
+        } else {
+            for (j, column) in panel.chunks_exact(k + r).enumerate().rev() {
+                let x_j = own[j] / column[j];
+                own[j] = x_j;
+                own[..j].iter_mut().zip(column).for_each(|(x, u)| *x -= u * x_j);
+            }
         }
         if transposed {
             self.exchange_rows(front, x, true);
@@ -207,6 +204,65 @@ impl Multifrontal {
         let rows = if self.layout.symmetric { 0 } else { rows };
         let above = MatRef::from_column_major_slice(above, columns, rows);
         Parts { l11, l21, above }
+    }
+}
+
+/// Columns that are substituted together: they share the unknowns that they meet.
+const TOGETHER: usize = 4;
+
+/// Columns of a panel from `first` on, each from the row behind the last of them on.
+#[inline(always)]
+fn columns_below<const M: usize>(panel: &[f64], height: usize, first: usize) -> [&[f64]; M] {
+    std::array::from_fn(|m| &panel[(first + m) * height + first + M..(first + m + 1) * height])
+}
+
+/// Eliminates a front's unknowns from its own equations and from the rows below (unit lower
+/// triangle): what is to be added to these.
+#[inline(always)]
+fn eliminate_below(panel: &[f64], own: &mut [f64], below: &mut [f64]) {
+    let whole = own.len() / TOGETHER * TOGETHER;
+    (0..whole).step_by(TOGETHER).for_each(|j| eliminate::<TOGETHER>(panel, own, below, j));
+    (whole..own.len()).for_each(|j| eliminate::<1>(panel, own, below, j));
+}
+
+#[inline(always)]
+fn eliminate<const M: usize>(panel: &[f64], own: &mut [f64], below: &mut [f64], first: usize) {
+    let height = own.len() + below.len();
+    let (known, behind) = own[first..].split_at_mut(M);
+    for m in 0..M {
+        let column = &panel[(first + m) * height + first..];
+        for i in m + 1..M {
+            known[i] -= column[i] * known[m];
+        }
+    }
+    let known: [f64; M] = std::array::from_fn(|m| known[m]);
+    let columns = columns_below::<M>(panel, height, first);
+    subtract_columns(behind, columns, known);
+    subtract_columns(below, columns.map(|column| &column[behind.len()..]), known);
+}
+
+/// Finds a front's unknowns, those below being known (unit lower triangle, transposed).
+#[inline(always)]
+fn find_from_below(panel: &[f64], own: &mut [f64], below: &[f64]) {
+    let whole = own.len() / TOGETHER * TOGETHER;
+    (whole..own.len()).rev().for_each(|j| find::<1>(panel, own, below, j));
+    (0..whole).step_by(TOGETHER).rev().for_each(|j| find::<TOGETHER>(panel, own, below, j));
+}
+
+#[inline(always)]
+fn find<const M: usize>(panel: &[f64], own: &mut [f64], below: &[f64], first: usize) {
+    let height = own.len() + below.len();
+    let (unknown, behind) = own[first..].split_at_mut(M);
+    let columns = columns_below::<M>(panel, height, first);
+    let of_own = dot_columns(columns, behind);
+    let of_rows = dot_columns(columns.map(|column| &column[behind.len()..]), below);
+    for m in (0..M).rev() {
+        let column = &panel[(first + m) * height + first..];
+        let mut value = unknown[m] - of_own[m] - of_rows[m];
+        for i in m + 1..M {
+            value -= column[i] * unknown[i];
+        }
+        unknown[m] = value;
     }
 }
 
