@@ -52,6 +52,23 @@ impl Elastic {
         Answer { stress, moduli: self.moduli(), energy, dissipation: 0.0 }
     }
 
+    /// H33 that leaves a sheet in the plane of axes 1 and 2 without stress across, exact: the
+    /// strain across is -L/(L + 2 G) times the others' sum, docs/theory.md eqs. (3.34) to (3.36).
+    /// Not a number where no thickness does.
+    pub fn across(&self, gradient: &Matrix, large: Option<LargeStrain>) -> f64 {
+        let lame = self.lame();
+        let part = -lame / (lame + 2.0 * self.shear_modulus());
+        let [[a, b, _], [c, d, _], _] = gradient;
+        match large {
+            None => part * (a + d),
+            Some(LargeStrain::Logarithmic) => (part * (a + d + a * d - b * c).ln_1p()).exp_m1(),
+            Some(LargeStrain::Green) => {
+                let twice = part * (2.0 * (a + d) + a * a + b * b + c * c + d * d);
+                twice / ((1.0 + twice).sqrt() + 1.0)
+            }
+        }
+    }
+
     /// W = G sum eps_a^2 + L/2 (sum eps_a)^2 in logarithmic strains: docs/theory.md eq. (3.35).
     pub fn hencky(&self, gradient: &Matrix) -> Answer {
         let axes = Axes::of(&left(gradient));

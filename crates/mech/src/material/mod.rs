@@ -194,6 +194,12 @@ impl Material {
         }
     }
 
+    /// H33 of a sheet with no stress across, where it follows from the gradient in the plane.
+    pub fn across(&self, gradient: &Matrix, large: bool) -> Option<f64> {
+        let Self::Elastic(elastic, strain) = self else { return None };
+        Some(elastic.across(gradient, large.then_some(*strain))).filter(|across| across.is_finite())
+    }
+
     /// Equivalent plastic strain of a state [1]; `None`: it has none.
     pub fn plastic_strain(&self, state: &[f64]) -> Option<f64> {
         match self {

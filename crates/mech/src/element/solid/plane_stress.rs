@@ -33,7 +33,7 @@ pub(super) fn ask(
     let (before, after) = (&committed[..own.min(committed.len())], state.split_at_mut_checked(own));
     let (after, rest) = after?;
     let [across] = rest else { return None };
-    gradient[2][2] = committed.get(own).copied().unwrap_or(0.0);
+    gradient[2][2] = first_guess(material, gradient, under, committed.get(own).copied());
     for _ in 0..MOST {
         let answer = material.respond(gradient, under, before, after);
         let stress = answer.stress[2];
@@ -57,6 +57,18 @@ pub(super) fn ask(
         }
     }
     None
+}
+
+/// The strain across of linear isotropic elasticity, which is exact but for temperatures; of other
+/// laws the last one.
+fn first_guess(
+    material: &Oriented<'_>,
+    gradient: &Matrix,
+    under: &Conditions,
+    committed: Option<f64>,
+) -> f64 {
+    let exact = material.material.across(gradient, under.large);
+    exact.or(committed).unwrap_or(0.0)
 }
 
 /// The answer with the strain across eliminated.
