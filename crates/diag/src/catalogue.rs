@@ -157,6 +157,7 @@ catalogue! {
     "SL0348" "nodes of a tie that are not tied"
     "SL0349" "a node with two systems of axes"
     "SL0350" "a ring across its axis"
+    "SL0360" "slave nodes were moved onto the master"
     "SL0375" "a beam along the first axis of its section"
     "SL0400" "a contact pair as it was understood"
     "SL0401" "hard contact that is integrated"

@@ -84,10 +84,19 @@ pub(crate) struct Pairing {
     pub extension: f64,
     /// `SMOOTH` or `EXTENSION ZONE`, where the card gives one.
     pub chain_parameter: Option<(&'static str, Span)>,
+    /// `ADJUST`, and where it was said.
+    pub adjust: Option<(Adjusted, Span)>,
     /// `NO THICKNESS` was said.
     pub no_thickness: bool,
     /// The data line.
     pub origin: Span,
+}
+
+/// `ADJUST`: a distance or a set of nodes.
+#[derive(Clone, Debug)]
+pub(crate) enum Adjusted {
+    Within(f64),
+    Set(Target),
 }
 
 /// `*RIGID BODY`.

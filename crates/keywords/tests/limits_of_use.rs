@@ -53,8 +53,6 @@ fn what_the_page_names_is_refused() {
         ("loads across plane beams", HISTORY, "*DLOAD\nBEAM, P1, 1.0\n*END STEP"),
         ("`*CONTACT`", MODEL, "*CONTACT\n*STEP"),
         ("`ADJUST`", PAIR, "TYPE=SURFACE TO SURFACE, NO THICKNESS, ADJUST=0.1"),
-        ("`SMALL SLIDING`", PAIR, "TYPE=SURFACE TO SURFACE, NO THICKNESS, SMALL SLIDING"),
-        ("`HCRIT`", PAIR, "TYPE=SURFACE TO SURFACE, NO THICKNESS, HCRIT=0.1"),
         ("changes from step to step", HISTORY, "*CHANGE FRICTION\n*END STEP"),
     ];
     for (words, old, new) in cases {

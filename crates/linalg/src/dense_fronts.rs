@@ -193,7 +193,10 @@ impl DenseFront<'_> {
     ) {
         if to - from <= NARROW {
             (from..to).for_each(|j| self.eliminate_square(j, to, size[j], pivots));
-            widened(#[inline(always)] || self.eliminate_below(from, to));
+            widened(
+                #[inline(always)]
+                || self.eliminate_below(from, to),
+            );
             return;
         }
         let (height, middle) = (self.height(), middle(from, to));

@@ -226,7 +226,10 @@ impl Layout {
             match self.symmetric {
                 true => {
                     let together = &self.fronts.together[rows_start..rows_start + rows];
-                    widened(#[inline(always)] || extend_symmetric(&mut front, update, (in_parent, together)));
+                    widened(
+                        #[inline(always)]
+                        || extend_symmetric(&mut front, update, (in_parent, together)),
+                    );
                 }
                 false => extend(&mut front, update, in_parent),
             }

@@ -23,8 +23,22 @@ pub struct ContactPair {
     pub master: Master,
     /// Laws and width.
     pub interaction: Interaction,
+    /// Slave nodes that begin on the master.
+    pub adjust: Adjust,
     /// The card that made the pair.
     pub origin: Span,
+}
+
+/// `ADJUST`: slave nodes that are moved onto the master before the first step, without strain.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub enum Adjust {
+    /// None: what overlaps is resolved with strain.
+    #[default]
+    Nothing,
+    /// Those that overlap the master, and those that are no further from it than this [L].
+    Within(f64),
+    /// These.
+    Nodes(Vec<NodeIndex>),
 }
 
 impl ContactPair {

@@ -30,8 +30,8 @@ mod vocabulary;
 
 pub use amplitude::{Amplitude, Curve};
 pub use contact::{
-    ContactElement, ContactFace, ContactPair, Decay, Formulation, Friction, Interaction, Lumping,
-    Master, MasterFaces, ProfilePoint, RigidSurface, SlideLine, StickRule, SurfaceSegment,
+    Adjust, ContactElement, ContactFace, ContactPair, Decay, Formulation, Friction, Interaction,
+    Lumping, Master, MasterFaces, ProfilePoint, RigidSurface, SlideLine, StickRule, SurfaceSegment,
 };
 pub use controls::{Controls, FieldControls, TimeIncrementation};
 pub use driven::Driven;
@@ -178,6 +178,11 @@ impl Model {
     pub fn is_in_space(&self) -> bool {
         let outside = |block: &ElementBlock| block.kind.dofs.iter().any(|dof| !dof.is_plane());
         self.blocks.iter().any(outside)
+    }
+
+    /// Whether the plane of the model is half a section of parts that go all round axis 2.
+    pub fn is_of_rings(&self) -> bool {
+        self.blocks.iter().any(|block| block.kind.is_ring())
     }
 
     /// The directions in which a rigid body of the model moves.

@@ -118,6 +118,7 @@ fn interpret(
     }
     let mut diagnostics = interpreted.diagnostics;
     if !has_errors(&diagnostics) {
+        diagnostics.extend(slideline_solve::adjust(&mut model));
         diagnostics.extend(slideline_solve::memory_objection(&model));
     }
     let model = (!has_errors(&diagnostics)).then_some(model);

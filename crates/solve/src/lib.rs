@@ -11,6 +11,7 @@
 //! linearisation; the increment control is a pure machine; commit is a swap.
 
 mod account;
+mod adjust;
 mod balance;
 mod checkpoint;
 mod commit;
@@ -45,6 +46,7 @@ mod users;
 mod values;
 mod workspace;
 
+pub use adjust::adjust;
 pub use checkpoint::Checkpoint;
 pub use commit::initial_contact;
 pub use contact::placed as rigid_surface;

@@ -179,6 +179,7 @@ mod tests {
             origin: at,
         };
         let pair = ContactPair {
+            adjust: slideline_model::Adjust::Nothing,
             name: "P".to_owned(),
             formulation: slideline_model::Formulation::SurfaceToSurface,
             vocabulary: slideline_model::Vocabulary::Elements,

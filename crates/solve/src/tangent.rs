@@ -506,6 +506,7 @@ mod tests {
         let formulation = Formulation::NodeToSurface;
         let origin = AT;
         let pair = ContactPair {
+            adjust: slideline_model::Adjust::Nothing,
             name,
             formulation,
             vocabulary: slideline_model::Vocabulary::Elements,

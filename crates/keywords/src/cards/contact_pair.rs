@@ -1,15 +1,16 @@
 //! `*CONTACT PAIR`: which surfaces meet, and how their contact is sampled.
 
 use slideline_deck::{DataLine, normalise};
-use slideline_diag::{Code, Diagnostic};
+use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::Formulation;
 
 use super::slide_line::{extension, smooth};
 use crate::draft::Draft;
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::log::Log;
+use crate::log::Target;
 use crate::reading::Reading;
-use crate::surfaces::{Named, Pairing};
+use crate::surfaces::{Adjusted, Named, Pairing};
 
 /// `*CONTACT PAIR`.
 pub(crate) struct ContactPair;
@@ -27,10 +28,13 @@ impl Keyword for ContactPair {
             Rule::value("EXTENSION ZONE"),
             Rule::flag("NO THICKNESS"),
             Rule::value("ADJUST"),
-            Rule::value("HCRIT"),
             Rule::flag("SMALL SLIDING"),
         ];
         RULES
+    }
+
+    fn without_effect(&self) -> &'static [&'static str] {
+        &["HCRIT", "CPSET", "TRACKING", "SUPPLEMENTARY CONSTRAINTS", "SLIDING TRANSITION"]
     }
 
     fn level(&self) -> Level {
@@ -46,12 +50,16 @@ impl Keyword for ContactPair {
     }
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
-        unsupported(card, draft);
+        if card.has("SMALL SLIDING") {
+            let message = "SMALL SLIDING: sliding is finite here, of which small sliding is a part";
+            draft.log.note("SL0257", message, card.span_of("SMALL SLIDING"));
+        }
         let known = &["NODE TO SURFACE", "SURFACE TO SURFACE"];
         let formulation = match card.choice("TYPE", known, &mut draft.log) {
             Some("SURFACE TO SURFACE") => Formulation::SurfaceToSurface,
             _ => Formulation::NodeToSurface,
         };
+        let adjust = adjust(card, formulation, &mut draft.log);
         let smooth = smooth(card, DEFAULT_SMOOTH, draft);
         let extension = extension(card, draft);
         let Some(name) = card.name("INTERACTION") else { return };
@@ -73,6 +81,7 @@ impl Keyword for ContactPair {
                 smooth,
                 extension,
                 chain_parameter: given.map(|name| (name, card.span_of(name))),
+                adjust: adjust.clone(),
                 no_thickness: card.has("NO THICKNESS"),
                 origin: line.span,
             });
@@ -92,26 +101,24 @@ fn surface(line: &DataLine, at: usize, what: &str, log: &mut Log) -> Option<Name
     Some(Named { name: normalise(&field.text), span: field.span })
 }
 
-/// Parameters that would give another problem if they were passed over.
-fn unsupported(card: &Reading<'_>, draft: &mut Draft) {
-    let refused = [
-        (
-            "ADJUST",
-            "leave it out: nodes keep their coordinates, and an overclosure at the start is \
-             resolved in the first increment, with strain; or change the coordinates of the nodes",
-        ),
-        (
-            "HCRIT",
-            "leave it out: an increment that does not converge is cut; to bound the penetration \
-             give *STATIC a largest time increment",
-        ),
-        ("SMALL SLIDING", "leave it out: sliding is always finite here"),
-    ];
-    for (name, help) in refused {
-        if card.has(name) {
-            let message = format!("{name} of *CONTACT PAIR is not supported");
-            let error = Diagnostic::error(Code("SL0221"), message).at(card.span_of(name));
-            draft.log.push(error.help(help));
-        }
+/// A distance, or the name of a set of nodes.
+fn adjust(card: &Reading<'_>, formulation: Formulation, log: &mut Log) -> Option<(Adjusted, Span)> {
+    let word = card.word("ADJUST")?;
+    let span = card.span_of("ADJUST");
+    if formulation == Formulation::SurfaceToSurface {
+        let message = "ADJUST of *CONTACT PAIR, TYPE=SURFACE TO SURFACE is not supported";
+        let help = "leave it out: contact that is integrated resolves an overclosure at the start \
+                    in the first increment, with strain; or give TYPE=NODE TO SURFACE";
+        log.push(Diagnostic::error(Code("SL0221"), message).at(span).help(help));
+        return None;
     }
+    if !word.raw.starts_with(|first: char| first.is_ascii_digit() || "+-.".contains(first)) {
+        return Some((Adjusted::Set(Target::Set(normalise(&word.raw))), span));
+    }
+    let within = card.number("ADJUST", log)??;
+    if within < 0.0 {
+        log.error("SL0210", "ADJUST must not be negative", span);
+        return None;
+    }
+    Some((Adjusted::Within(within), span))
 }

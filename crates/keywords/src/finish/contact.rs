@@ -125,6 +125,7 @@ fn pair(surface: &Surface, strayed: bool, in_pair: &mut HashMap<usize, Span>, dr
             name,
             formulation,
             vocabulary: Vocabulary::Elements,
+            adjust: slideline_model::Adjust::Nothing,
             faces: Vec::new(),
             elements,
             master,

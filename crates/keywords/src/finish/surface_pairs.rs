@@ -17,8 +17,8 @@ use std::collections::HashSet;
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{
-    ContactElement, ContactFace, ContactPair, Formulation, Interaction, Master, MasterFaces,
-    NodeIndex, NormalLaw, Section, Vocabulary,
+    Adjust, ContactElement, ContactFace, ContactPair, Formulation, Interaction, Master,
+    MasterFaces, NodeIndex, NormalLaw, Section, Vocabulary,
 };
 
 use super::chain::{Chain, Facet};
@@ -27,7 +27,7 @@ use super::master_chain::slide_line;
 use super::surfaces::{Found, between_nodes, contact_elements, faces_between, found, stretches};
 use crate::draft::Draft;
 use crate::rule::Subject;
-use crate::surfaces::{NamedSurface, Pairing};
+use crate::surfaces::{Adjusted, NamedSurface, Pairing};
 
 pub(super) fn pairs(draft: &mut Draft) {
     bodies(draft);
@@ -139,6 +139,11 @@ fn pair(pairing: &Pairing, draft: &mut Draft) {
         false => 1.0,
     };
     let interaction = Interaction { width, ..interaction };
+    let adjust = match &pairing.adjust {
+        None => Adjust::Nothing,
+        Some((Adjusted::Within(distance), _)) => Adjust::Within(*distance),
+        Some((Adjusted::Set(set), span)) => Adjust::Nodes(draft.nodes_of(set, *span)),
+    };
     remarks(pairing, &master, &interaction, draft);
     let pair = ContactPair {
         name: format!("{}/{}", pairing.slave.name, pairing.master.name),
@@ -148,6 +153,7 @@ fn pair(pairing: &Pairing, draft: &mut Draft) {
         faces: slaves.faces,
         master,
         interaction,
+        adjust,
         origin: pairing.origin,
     };
     both_sides(&pair, pairing.origin, draft);
@@ -193,6 +199,10 @@ fn width(pairing: &Pairing, of_solids: Option<f64>, draft: &mut Draft) -> f64 {
     let (given, origin) =
         entry.map_or((None, pairing.origin), |own| (own.thickness, own.interaction.origin));
     given.or(of_solids).unwrap_or_else(|| {
+        if draft.model.is_of_rings() {
+            return 1.0;
+        }
+
         let message = "the contact is 1.0 thick out of the plane: no thickness is given";
         let note = Diagnostic::note(Code("SL0255"), message).at(origin);
         let help = "the data line is the thickness, as the width of *INTERFACE";

@@ -180,11 +180,10 @@ fn facets(surface: &NamedSurface, stretches: &[Stretch], draft: &mut Draft) -> O
     Some(facets)
 }
 
-/// Whether elements of the kind are plane solids, whose faces are edges.
+/// Whether elements of the kind are solids of the plane, whose faces are edges.
 fn has_edges(kind: ElementKind) -> bool {
     let ElementKind::Structural(row) = kind else { return false };
-    let plane = |strains| matches!(strains, Strains::PlaneStrain | Strains::PlaneStress);
-    matches!(row.kinematics, Kinematics::Solid { strains, .. } if plane(strains))
+    matches!(row.kinematics, Kinematics::Solid { strains, .. } if strains != Strains::Space)
 }
 
 fn no_surface(surface: &NamedSurface, index: usize, span: Span, draft: &mut Draft) {
@@ -196,8 +195,7 @@ fn no_surface(surface: &NamedSurface, index: usize, span: Span, draft: &mut Draf
         element.kind.name()
     );
     let error = Diagnostic::error(Code("SL0332"), message).at(span);
-    let help = "contact is between beams, faces of solids in plane strain or plane stress, faces \
-                of solids in space, and, in the plane, analytical surfaces";
+    let help = "contact is between beams, faces of solids and, in the plane, analytical surfaces";
     draft.consequence(Subject::Elements, error.help(help));
 }
 

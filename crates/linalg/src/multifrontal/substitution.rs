@@ -93,7 +93,10 @@ impl Multifrontal {
                 *sum = -dot(column, own);
             }
         } else {
-            widened(#[inline(always)] || eliminate_below(panel, own, work));
+            widened(
+                #[inline(always)]
+                || eliminate_below(panel, own, work),
+            );
         }
         for (&row, sum) in self.layout.fronts.rows_of(front).iter().zip(&*work) {
             x[row as usize] += sum;
@@ -153,7 +156,10 @@ impl Multifrontal {
                 let pivots = panel.chunks_exact(k + r).enumerate().map(|(j, column)| column[j]);
                 own.iter_mut().zip(pivots).for_each(|(x, pivot)| *x /= pivot);
             }
-            widened(#[inline(always)] || find_from_below(panel, own, work));
+            widened(
+                #[inline(always)]
+                || find_from_below(panel, own, work),
+            );
         } else {
             for (j, column) in panel.chunks_exact(k + r).enumerate().rev() {
                 let x_j = own[j] / column[j];

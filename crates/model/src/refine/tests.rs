@@ -49,6 +49,7 @@ fn pair(nodes: &[NodeIndex], master: Master) -> ContactPair {
         formulation: Formulation::NodeToSurface,
         vocabulary: crate::Vocabulary::Elements,
         elements: elements.collect(),
+        adjust: crate::Adjust::Nothing,
         faces: Vec::new(),
         master,
         interaction: Interaction {

@@ -12,7 +12,9 @@ use super::{Carrier, Contact, SEGMENT_POINTS, laws, mean_length};
 use crate::dofs::DofMap;
 use crate::users::UserFrictions;
 use slideline_mech::contact::points::faces::tributary_areas as face_areas;
-use slideline_mech::contact::points::{chord, integration_points::HermiteLine, tributary_areas};
+use slideline_mech::contact::points::{
+    Across, chord, integration_points::HermiteLine, tributary_areas,
+};
 use slideline_model::{ContactPair, Formulation, Master, Model, NodeIndex};
 use std::collections::HashMap;
 
@@ -58,8 +60,11 @@ impl Contact {
             let elements = elements.map(|(element, &edge)| {
                 (edge, element.lumping.shares(), element.nodes.map(position))
             });
-            let width = pair.interaction.width;
-            tributary_areas(elements, width, |point, area| points[point].area += area);
+            let across = match model.is_of_rings() {
+                true => Across::Ring,
+                false => Across::Width(pair.interaction.width),
+            };
+            tributary_areas(elements, across, |point, area| points[point].area += area);
         }
         for (place, pair) in
             model.contact_pairs.iter().enumerate().filter(|p| !p.1.faces.is_empty())

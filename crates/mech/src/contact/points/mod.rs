@@ -11,20 +11,47 @@ pub mod faces;
 pub mod integration_points;
 pub mod slopes;
 
-/// Tributary areas of slave nodes [L2]: A_i = width (sum over the elements meeting at node i of its
-/// share times their length), chords of the undeformed mesh. With shares of one half an end node gets
-/// half an element.
+/// How far contact reaches across the plane of the model.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Across {
+    /// So far everywhere [L].
+    Width(f64),
+    /// Once about axis 2, which is the axis of the model.
+    Ring,
+}
+
+impl Across {
+    /// Widths that belong to the shares of an element's two nodes [L]: docs/theory.md eq. (6.8).
+    fn of_nodes(self, shares: [f64; 2], ends: [[f64; 3]; 2]) -> [f64; 2] {
+        let radii = match self {
+            Self::Width(width) => return [width; 2],
+            Self::Ring => ends.map(|end| end[0]),
+        };
+        let toward = |own: f64, other: f64| (2.0 * own + other) / 3.0;
+        let linear = [toward(radii[0], radii[1]), toward(radii[1], radii[0])];
+        let of = |k: usize| match shares == [0.5; 2] || radii[k] <= 0.0 {
+            true => linear[k],
+            false => radii[k],
+        };
+        [of(0), of(1)].map(|radius| std::f64::consts::TAU * radius)
+    }
+}
+
+/// Tributary areas of slave nodes [L2]: A_i = sum over the elements meeting at node i of its share
+/// times their length and width, chords of the undeformed mesh. With shares of one half an end node
+/// gets half an element.
 ///
 /// Of each element: its nodes, their shares, their positions [L]; `add` takes a node and its part.
 /// [semantics: areas]
 pub fn tributary_areas(
     elements: impl Iterator<Item = ([usize; 2], [f64; 2], [[f64; 3]; 2])>,
-    width: f64,
+    across: Across,
     mut add: impl FnMut(usize, f64),
 ) {
     for (nodes, shares, ends) in elements {
         let length = chord(ends);
-        for (node, share) in nodes.into_iter().zip(shares) {
+        let widths = across.of_nodes(shares, ends);
+        for ((node, share), width) in nodes.into_iter().zip(shares).zip(widths) {
             add(node, share * width * length);
         }
     }
@@ -58,7 +85,7 @@ mod tests {
         let elements = elements.iter().zip(shares).filter(|(nodes, _)| there(nodes));
         let ends = |node: usize| coordinates[node];
         let elements = elements.map(|(&nodes, &shares)| (nodes, shares, nodes.map(ends)));
-        tributary_areas(elements, width, |node, area| areas[node] += area);
+        tributary_areas(elements, Across::Width(width), |node, area| areas[node] += area);
         areas
     }
 
@@ -94,6 +121,37 @@ mod tests {
             assert!((areas[node] - area).abs() < 1e-6 * area, "{node}: {}", areas[node]);
         }
         assert!((0.005 * average(&elements, &coordinates) - 3.9256e-6).abs() < 1e-10);
+    }
+
+    /// Requirement: a uniform pressure on a straight line that turns about axis 2 loads its nodes
+    /// with 2 pi times the integral of N r: with linear and with quadratic shapes, by Gauss's rule
+    /// of three points here. Where a quadratic corner is on the axis its area is small, not zero.
+    #[test]
+    fn areas_of_rings_are_those_of_their_shape_functions() {
+        let (a, b) = ([0.7, 0.2, 0.0], [2.1, 1.4, 0.0]);
+        let middle: [f64; 3] = std::array::from_fn(|k| 0.5 * (a[k] + b[k]));
+        let gauss = [(-0.6_f64.sqrt(), 5.0 / 9.0), (0.0, 8.0 / 9.0), (0.6_f64.sqrt(), 5.0 / 9.0)];
+        let integral = |shape: &dyn Fn(f64) -> f64| {
+            let at = |(xi, w): (f64, f64)| w * shape(xi) * (middle[0] + 0.5 * xi * (b[0] - a[0]));
+            0.5 * std::f64::consts::TAU * chord([a, b]) * gauss.map(at).iter().sum::<f64>()
+        };
+        let ring = |parts: &[([usize; 2], [f64; 2], [[f64; 3]; 2])]| {
+            let mut areas = vec![0.0; 3];
+            let parts = parts.iter().copied();
+            tributary_areas(parts, Across::Ring, |node, area| areas[node] += area);
+            areas
+        };
+        let linear = ring(&[([0, 1], [0.5; 2], [a, b])]);
+        assert!((linear[0] - integral(&|xi| 0.5 - 0.5 * xi)).abs() < 1e-14);
+        assert!((linear[1] - integral(&|xi| 0.5 + 0.5 * xi)).abs() < 1e-14);
+        let thirds = [1.0 / 3.0, 2.0 / 3.0];
+        let halves = [([0, 1], thirds, [a, middle]), ([1, 2], [thirds[1], thirds[0]], [middle, b])];
+        let quadratic = ring(&halves);
+        assert!((quadratic[0] - integral(&|xi| 0.5 * xi * (xi - 1.0))).abs() < 1e-14);
+        assert!((quadratic[1] - integral(&|xi| 1.0 - xi * xi)).abs() < 1e-14);
+        assert!((quadratic[2] - integral(&|xi| 0.5 * xi * (xi + 1.0))).abs() < 1e-14);
+        let centre = [0.0, 1.0, 0.0];
+        assert!(ring(&[([0, 1], thirds, [centre, middle])])[0] > 0.0);
     }
 
     #[test]
