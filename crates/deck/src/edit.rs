@@ -2,7 +2,7 @@
 
 use slideline_diag::{Edit, FileId};
 
-use crate::Deck;
+use crate::card::Deck;
 
 /// A file after its edits.
 #[derive(Clone, Debug, PartialEq, Eq)]

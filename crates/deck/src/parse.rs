@@ -1,14 +1,16 @@
 //! The reading itself: lines to cards, files in place of `*INCLUDE`.
 
 mod files;
+mod reader;
 
-use slideline_diag::{Code, Diagnostic, FileId, Listing, Sources, Span};
+use slideline_diag::{Code, Diagnostic, Sources, Span};
 
-use crate::card::{Card, Comment, DataLine, Deck, FileLines, Line, LineKind, Parameter};
+use crate::card::{Card, Comment, DataLine, Deck, Field, FileLines, LineKind, Parameter};
 use crate::include::Loader;
 use crate::limits::{MAX_LINE_BYTES, MAX_PARAMETERS, MAX_VALUES_PER_LINE};
-use crate::lines::{Look, RawLine, aligned, line_at, look, offset, strip};
+use crate::lines::{Look, RawLine, aligned, line_at, look, strip};
 use crate::split::{Stretch, at_commas, fields, parameter, word};
+use reader::{Owner, Page, Reader};
 
 /// What reading a deck gives.
 #[derive(Clone, Debug)]
@@ -24,18 +26,7 @@ pub struct Parsed {
 /// `name` is the deck's name for messages and, for [`crate::FromDisk`], the
 /// path its includes are relative to. Texts are added to `sources`.
 pub fn parse(sources: &mut Sources, name: &str, bytes: &[u8], loader: &dyn Loader) -> Parsed {
-    let mut reader = Reader {
-        sources,
-        loader,
-        deck: Deck::default(),
-        diagnostics: Listing::default(),
-        is_said_full: false,
-        open_files: Vec::new(),
-        total_bytes: 0,
-        total_lines: 0,
-        total_values: 0,
-        owner: Owner::Nobody,
-    };
+    let mut reader = Reader::new(sources, loader);
     reader.file(name, bytes.to_vec());
     let Reader { deck, diagnostics, .. } = reader;
     let mut diagnostics = diagnostics.into_diagnostics();
@@ -47,57 +38,7 @@ pub fn parse(sources: &mut Sources, name: &str, bytes: &[u8], loader: &dyn Loade
     Parsed { deck, diagnostics }
 }
 
-/// Whom data lines belong to.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Owner {
-    Nobody,
-    Card(usize),
-    /// A line already complained about; what follows it is passed over.
-    Skipped,
-}
-
-struct Reader<'a> {
-    sources: &'a mut Sources,
-    loader: &'a dyn Loader,
-    deck: Deck,
-    diagnostics: Listing,
-    is_said_full: bool,
-    open_files: Vec<String>,
-    total_bytes: usize,
-    total_lines: usize,
-    total_values: usize,
-    owner: Owner,
-}
-
-/// One file while it is read.
-struct Page<'t> {
-    index: usize,
-    file: FileId,
-    text: &'t str,
-    broken: Vec<usize>,
-    noted_broken: bool,
-}
-
-impl<'t> Page<'t> {
-    fn stretch(&self, start: usize, end: usize) -> Stretch<'t> {
-        let part = strip(&self.text[start..end]);
-        Stretch { file: self.file, start: offset(self.text, part), text: part }
-    }
-
-    fn first_broken(&self, start: usize, end: usize) -> Option<Span> {
-        let first = self.broken.partition_point(|&at| at < start);
-        let run = self.broken[first..].iter().take_while(|&&at| at < end);
-        let begin = *self.broken.get(first).filter(|&&at| at < end)?;
-        let length = run.enumerate().take_while(|&(k, &at)| at == begin + k).count();
-        Some(Span::new(self.file, begin, begin + length))
-    }
-}
-
 impl Reader<'_> {
-    fn report(&mut self, diagnostic: Diagnostic) {
-        self.diagnostics.push(diagnostic);
-    }
-
     fn file(&mut self, name: &str, bytes: Vec<u8>) {
         let (text, broken) = aligned(&bytes);
         let file = self.sources.add(name, text.clone());
@@ -120,13 +61,6 @@ impl Reader<'_> {
             at = self.line(&mut page, at);
         }
         self.open_files.pop();
-    }
-
-    fn keep(&mut self, page: &Page<'_>, line: RawLine, kind: LineKind) {
-        let span = Span::new(page.file, line.start, line.end);
-        if let Some(file) = self.deck.files.get_mut(page.index) {
-            file.lines.push(Line { span, kind });
-        }
     }
 
     /// Reads the line (or continued keyword line) at `at`; returns where the
@@ -226,7 +160,7 @@ impl Reader<'_> {
         self.deck.cards[card].data.push(DataLine { text, span: stretch.span(), fields });
     }
 
-    fn check_fields(&mut self, fields: &[crate::Field], open: Option<Span>) {
+    fn check_fields(&mut self, fields: &[Field], open: Option<Span>) {
         self.check_quotation(open);
         if let Some(first) = fields.get(MAX_VALUES_PER_LINE) {
             let message = format!(
@@ -260,8 +194,10 @@ impl Reader<'_> {
             self.keep(page, line, kind);
         }
         let next = lines.last().map_or(first.end, |line| line.end);
-        if kind == LineKind::Include {
-            self.include();
+        if kind == LineKind::Include
+            && let Some(loaded) = self.include()
+        {
+            self.file(&loaded.name, loaded.bytes);
         }
         next
     }

@@ -2,7 +2,7 @@
 
 use slideline_diag::{Code, Diagnostic};
 
-use crate::Field;
+use crate::card::Field;
 
 /// A real number: `1`, `+3`, `.5`, `1.`, `1e-3`, `1.D-3`.
 ///

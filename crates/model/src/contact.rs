@@ -1,7 +1,9 @@
 //! Contact pairs: which points meet which master, under which laws.
 
-use crate::{NodeIndex, NormalLaw, Vocabulary};
+use crate::node::NodeIndex;
+use crate::vocabulary::Vocabulary;
 use slideline_diag::Span;
+use slideline_mech::contact::normal::NormalLaw;
 use slideline_mech::element::cell::{Cell, QUAD4, QUAD8, TRI3, TRI6};
 
 /// Points, a master, and what happens between them.

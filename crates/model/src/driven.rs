@@ -1,6 +1,7 @@
 //! Nodes that a deck drives together.
 
-use crate::{Dof, Model, NodeIndex};
+use crate::model::Model;
+use crate::node::{Dof, NodeIndex};
 use slideline_diag::Span;
 use std::collections::HashMap;
 

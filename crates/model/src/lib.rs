@@ -15,9 +15,11 @@
 mod amplitude;
 mod contact;
 mod controls;
+mod dialect;
 mod driven;
 mod element;
 mod load;
+mod model;
 mod node;
 mod numbering;
 mod output;
@@ -34,14 +36,19 @@ pub use contact::{
     Lumping, Master, MasterFaces, ProfilePoint, RigidSurface, SlideLine, StickRule, SurfaceSegment,
 };
 pub use controls::{Controls, FieldControls, TimeIncrementation};
+pub use dialect::Dialect;
 pub use driven::Driven;
-pub use element::{
-    Allowable, BeamSection, Beams, Element, ElementBlock, ElementType, Elements, Field, Kinematics,
-    Limit, Location, MOST_NODES, Section, ShearRule, SolidSection, SpringSection, SpringWay,
-    Springs, TYPES, Undeformed, element_type, mean_at_nodes, types,
+pub use element::block::{Allowable, Beams, Element, ElementBlock, Elements, Limit, Springs};
+pub use element::element_type::{
+    ElementType, Field, Kinematics, Location, Undeformed, mean_at_nodes,
 };
-pub use load::{Distributed, Pressure};
-pub use node::{Dof, LinearConstraint, Node, NodeIndex, Nodes, RigidLink};
+pub use element::section::{
+    BeamSection, Section, ShearRule, SolidSection, SpringSection, SpringWay,
+};
+pub use element::table::{MOST_NODES, TYPES, element_type, types};
+pub use load::{Distributed, Load, Pressure};
+pub use model::Model;
+pub use node::{Dof, LinearConstraint, Node, NodeIndex, NodeSet, Nodes, RigidLink};
 pub use numbering::{Name, Numbering};
 pub use output::{
     ContactPrint, ContactVariable, ElementPrint, ElementVariable, NodePrint, NodeVariable,
@@ -55,155 +62,7 @@ pub use slideline_mech::element::{SpringLaw, Temperature};
 pub use slideline_mech::material::Material;
 pub use slideline_mech::section::Shape;
 pub use stabilisation::Stabilisation;
-pub use step::{Extrapolation, Load, NodalTemperature, Passage, Prescribed, Static, Step};
+pub use step::{Extrapolation, NodalTemperature, Passage, Prescribed, Static, Step};
 pub use tested::Tested;
 pub use transform::Transform;
 pub use vocabulary::Vocabulary;
-
-use slideline_diag::Span;
-
-/// Whose reading of a keyword counts where two programs differ.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum Dialect {
-    /// Abaqus/Standard.
-    #[default]
-    Abaqus,
-    /// CalculiX.
-    Calculix,
-}
-
-impl Dialect {
-    /// The word used on the command line and in files.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Abaqus => "abaqus",
-            Self::Calculix => "calculix",
-        }
-    }
-}
-
-/// A whole problem.
-#[derive(Clone, Debug, PartialEq, Default)]
-pub struct Model {
-    /// Text of `*HEADING`, lines joined by line feeds.
-    pub heading: String,
-    /// Reading of ambiguous keywords.
-    pub dialect: Dialect,
-    /// All nodes.
-    pub nodes: Nodes,
-    /// Named node sets, members in order.
-    pub node_sets: Vec<NodeSet>,
-    /// Axes of nodes that are not those of the model.
-    pub transforms: Vec<Transform>,
-    /// Elements in blocks of one type and one section.
-    pub blocks: Vec<ElementBlock>,
-    /// Rubbers that come from test data, with these.
-    pub tested: Vec<Tested>,
-    /// What beams may be strained to, where the deck says so.
-    pub allowables: Vec<Allowable>,
-    /// Nodes that move as parts of rigid bodies.
-    pub rigid_links: Vec<RigidLink>,
-    /// Dofs that follow others linearly.
-    pub linear_constraints: Vec<LinearConstraint>,
-    /// Contact pairs.
-    pub contact_pairs: Vec<ContactPair>,
-    /// When friction is called after a change of contact.
-    pub friction_onset: Onset,
-    /// Temperatures before the first step, a node each; empty: all are zero.
-    pub initial_temperatures: Vec<Temperature>,
-    /// Named amplitudes.
-    pub amplitudes: Vec<Amplitude>,
-    /// Steps, in order.
-    pub steps: Vec<Step>,
-}
-
-/// A named set of nodes.
-#[derive(Clone, Debug, PartialEq, Default)]
-pub struct NodeSet {
-    /// Name, upper case.
-    pub name: String,
-    /// Members in the order in which they joined, each once.
-    pub members: Vec<NodeIndex>,
-    /// Where it was first defined.
-    pub origin: Span,
-}
-
-impl Model {
-    /// The words of the deck's contact, for a remedy that speaks of no pair.
-    pub fn vocabulary(&self) -> Vocabulary {
-        self.contact_pairs.first().map_or_else(Vocabulary::default, |pair| pair.vocabulary)
-    }
-
-    /// Nodes whose motion and reaction a user always wants to see: those with
-    /// a non-zero prescribed motion or a load in any step, and the members of
-    /// every set named by a node output request. Ascending labels.
-    pub fn history_nodes(&self) -> Vec<NodeIndex> {
-        let mut nodes: Vec<NodeIndex> = Vec::new();
-        for step in &self.steps {
-            nodes.extend(step.prescribed.iter().filter(|p| p.moves()).map(|p| p.node));
-            nodes.extend(step.loads.iter().map(|load| load.node));
-            // a request of all nodes names no set: states and tables are for those
-            let named = step.output.node_prints.iter().filter(|own| !own.request.set.is_empty());
-            nodes.extend(named.flat_map(|print| &print.nodes));
-        }
-        nodes.sort_by_key(|&node| self.nodes.label(node));
-        nodes.dedup();
-        nodes
-    }
-
-    /// Gives the numbers of instances another stride: nodes, elements, and who names them.
-    pub fn restride(&mut self, stride: u64) {
-        let numbering = self.nodes.numbering().clone();
-        let new = |number: &mut u64| *number = numbering.restride(*number, stride);
-        self.blocks.iter_mut().flat_map(|block| block.elements.labels_mut()).for_each(new);
-        let pairs = self.contact_pairs.iter_mut().flat_map(|pair| &mut pair.elements);
-        pairs.map(|element| &mut element.label).for_each(new);
-        let steps = self.steps.iter_mut().flat_map(|step| &mut step.output.element_prints);
-        steps.flat_map(|print| &mut print.elements).for_each(new);
-        self.nodes.restride(stride);
-    }
-
-    /// Whether the deck speaks of temperatures.
-    pub fn has_temperatures(&self) -> bool {
-        !self.initial_temperatures.is_empty()
-            || self.steps.iter().any(|step| !step.temperatures.is_empty())
-    }
-
-    /// The temperature of a node before the first step.
-    pub fn initial_temperature(&self, node: NodeIndex) -> Temperature {
-        self.initial_temperatures.get(node).copied().unwrap_or_default()
-    }
-
-    /// Whether an element moves out of the plane.
-    pub fn is_in_space(&self) -> bool {
-        let outside = |block: &ElementBlock| block.kind.dofs.iter().any(|dof| !dof.is_plane());
-        self.blocks.iter().any(outside)
-    }
-
-    /// Whether the plane of the model is half a section of parts that go all round axis 2.
-    pub fn is_of_rings(&self) -> bool {
-        self.blocks.iter().any(|block| block.kind.is_ring())
-    }
-
-    /// The directions in which a rigid body of the model moves.
-    pub fn directions(&self) -> &'static [Dof] {
-        Dof::of_rigid_body(self.is_in_space())
-    }
-
-    /// What their hoop strain holds of rings: a node and a direction of every element's rigid motions.
-    pub fn rings(&self) -> impl Iterator<Item = (NodeIndex, Dof)> {
-        let rings = self.blocks.iter().filter(|block| block.kind.is_ring());
-        let first = rings.flat_map(|block| &block.elements).map(|element| element.nodes[0]);
-        first.flat_map(|node| [(node, Dof::U1), (node, Dof::UR3)])
-    }
-
-    /// Number of state variables of all elements.
-    pub fn element_states(&self) -> usize {
-        self.blocks.iter().map(|block| block.states() * block.elements.len()).sum()
-    }
-
-    /// The amplitude of that name, letter case ignored.
-    pub fn amplitude(&self, name: &str) -> Option<&Amplitude> {
-        self.amplitudes.iter().find(|amplitude| amplitude.name.eq_ignore_ascii_case(name))
-    }
-}

@@ -1,8 +1,26 @@
-//! Distributed loads of a step.
+//! Loads of a step: on nodes, and spread over faces and volumes.
 
-use crate::{Load, NodeIndex};
+use crate::node::{Dof, NodeIndex};
 use slideline_diag::Span;
 use slideline_mech::pressure::Face;
+
+/// A concentrated load, or a share of a distributed one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Load {
+    /// Node.
+    pub node: NodeIndex,
+    /// Degree of freedom.
+    pub dof: Dof,
+    /// Value at the end of the step [F or F L]; with an amplitude, its factor.
+    pub value: f64,
+    /// Amplitude by place in the model's list; without one the value is approached linearly from
+    /// that of the load it continues, or from zero.
+    pub amplitude: Option<usize>,
+    /// The load of the step before that it goes on from, by place in the list of its kind there.
+    pub continues: Option<usize>,
+    /// Where it was said.
+    pub origin: Span,
+}
 
 /// What is spread over faces and volumes.
 #[derive(Clone, Debug, PartialEq, Default)]

@@ -209,3 +209,14 @@ impl RigidLink {
         Self { dependent, master, follows: Self::WELDED, turn: None, origin }
     }
 }
+
+/// A named set of nodes.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct NodeSet {
+    /// Name, upper case.
+    pub name: String,
+    /// Members in the order in which they joined, each once.
+    pub members: Vec<NodeIndex>,
+    /// Where it was first defined.
+    pub origin: Span,
+}

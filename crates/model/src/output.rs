@@ -1,6 +1,6 @@
 //! What the deck asks to be written.
 
-use crate::NodeIndex;
+use crate::node::NodeIndex;
 use slideline_diag::Span;
 
 /// Requests of one step.

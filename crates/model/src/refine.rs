@@ -14,18 +14,18 @@
 //! neighbouring nodes. Sections, laws, steps and requests stay. Beams in a
 //! row that approximate a bow stay the polygon that they are.
 
+mod edge;
 mod temperatures;
 
-use crate::{
-    ContactElement, Dof, Element, Elements, Master, Model, Node, NodeIndex, Prescribed, RigidLink,
-    Step,
-};
-use slideline_diag::{Code, Diagnostic, Span};
+use crate::contact::{ContactElement, Master};
+use crate::element::block::{Element, Elements};
+use crate::model::Model;
+use crate::node::{Dof, Node, NodeIndex, RigidLink};
+use crate::step::{Prescribed, Step};
+use edge::{Edge, edge, refusal, unknown_cell};
+use slideline_diag::{Diagnostic, Span};
 use slideline_mech::element::cell::QUAD4;
 use std::collections::{HashMap, HashSet};
-
-/// A mesh that cannot be halved.
-const NOT_HALVED: Code = Code("SL0602");
 
 /// The model with every beam, and every contact element, in two. Old nodes
 /// and elements keep their labels, new ones follow the largest.
@@ -42,13 +42,6 @@ pub fn refine(model: &Model) -> Result<Model, Box<Diagnostic>> {
     halving.sets(model);
     temperatures::fill(&mut halving.model, &halving.added)?;
     Ok(halving.model)
-}
-
-/// Two nodes in either order.
-type Edge = [NodeIndex; 2];
-
-fn edge([a, b]: [NodeIndex; 2]) -> Edge {
-    [a.min(b), a.max(b)]
 }
 
 struct Halving {
@@ -283,22 +276,6 @@ fn held_together(step: &Step, ends: Edge, dof: Dof) -> Option<Prescribed> {
         && first.value == last.value
         && first.amplitude == last.amplitude;
     same.then(|| first.clone())
-}
-
-fn refusal([a, b]: [u64; 2], reason: &str, origin: Span) -> Box<Diagnostic> {
-    let message = format!(
-        "the mesh cannot be halved: what lies between nodes {a} and {b} is not known, since {reason}"
-    );
-    Box::new(Diagnostic::error(NOT_HALVED, message).at(origin).help(
-        "Run without error bars, or run decks of two meshes and compare. Contact elements can \
-         be halved on beams and on rigid rims that are circular or straight.",
-    ))
-}
-
-fn unknown_cell(word: &str, origin: Span) -> Box<Diagnostic> {
-    let message = format!("the mesh cannot be halved: elements of type {word} have no rule for it");
-    let help = "Run without error bars, or run decks of two meshes and compare.";
-    Box::new(Diagnostic::error(NOT_HALVED, message).at(origin).help(help))
 }
 
 fn largest_element(model: &Model) -> u64 {

@@ -1,6 +1,10 @@
 //! Steps: what is prescribed, and how the way there is walked.
 
-use crate::{Controls, Distributed, Dof, NodeIndex, OutputRequests, Stabilisation};
+use crate::controls::Controls;
+use crate::load::{Distributed, Load};
+use crate::node::{Dof, NodeIndex};
+use crate::output::OutputRequests;
+use crate::stabilisation::Stabilisation;
 use slideline_diag::Span;
 use slideline_mech::element::Temperature;
 
@@ -130,24 +134,6 @@ pub struct NodalTemperature {
     /// Amplitude by place in the model's list; without one the value is
     /// approached linearly from the step before.
     pub amplitude: Option<usize>,
-    /// Where it was said.
-    pub origin: Span,
-}
-
-/// A concentrated load, or a share of a distributed one.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Load {
-    /// Node.
-    pub node: NodeIndex,
-    /// Degree of freedom.
-    pub dof: Dof,
-    /// Value at the end of the step [F or F L]; with an amplitude, its factor.
-    pub value: f64,
-    /// Amplitude by place in the model's list; without one the value is approached linearly from
-    /// that of the load it continues, or from zero.
-    pub amplitude: Option<usize>,
-    /// The load of the step before that it goes on from, by place in the list of its kind there.
-    pub continues: Option<usize>,
     /// Where it was said.
     pub origin: Span,
 }

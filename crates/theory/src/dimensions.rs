@@ -1,6 +1,7 @@
 //! Dimensions of the two problems by name, for those who change one.
 
-use crate::problem::{Cantilever, FirstProblem, SecondProblem};
+use crate::cantilever::Cantilever;
+use crate::problem::{FirstProblem, SecondProblem};
 use crate::softened_law::ExponentialLaw;
 
 /// Names of the dimensions that both problems have.

@@ -81,3 +81,11 @@ impl fmt::Display for TheoryError {
 }
 
 impl std::error::Error for TheoryError {}
+
+/// Refuses the first value that is not positive and finite, with its message.
+pub(crate) fn check_positive(values: &[(f64, &'static str)]) -> Result<(), TheoryError> {
+    match values.iter().find(|(value, _)| !(value.is_finite() && *value > 0.0)) {
+        Some((_, message)) => Err(TheoryError::InvalidInput(message)),
+        None => Ok(()),
+    }
+}

@@ -6,7 +6,7 @@
 //!   clamp |=====================--> xi
 //! ```
 
-use crate::problem::Cantilever;
+use crate::cantilever::Cantilever;
 
 /// A circle in beam axes.
 #[derive(Debug, Clone, Copy)]

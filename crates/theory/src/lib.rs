@@ -20,6 +20,7 @@
 // dimension tags such as [L] are not links
 #![allow(rustdoc::broken_intra_doc_links)]
 
+mod cantilever;
 pub mod closed;
 mod dimensions;
 mod error;
@@ -29,7 +30,10 @@ mod problem;
 mod references;
 mod softened_law;
 
+pub use cantilever::Cantilever;
 pub use error::TheoryError;
-pub use problem::{Cantilever, FirstProblem, FirstRow, SecondProblem, SecondRow};
-pub use references::{Equilibrium, LinearContact, Reference, Stroke, linear};
+pub use problem::{FirstProblem, FirstRow, SecondProblem, SecondRow};
+pub use references::Reference;
+pub use references::equilibrium::{Equilibrium, Stroke};
+pub use references::linear::{self, LinearContact};
 pub use softened_law::{ExponentialLaw, LawValue};

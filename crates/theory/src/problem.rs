@@ -10,59 +10,12 @@
 //!   +-----/-------- X                   clamp          -> X
 //! ```
 
+use crate::cantilever::Cantilever;
+use crate::error::{TheoryError, check_positive};
 use crate::frame::{Circle, Frame};
+use crate::references::equilibrium::{Equilibrium, Stroke};
+use crate::references::{self, Reference};
 use crate::softened_law::ExponentialLaw;
-use crate::{Equilibrium, Reference, Stroke, TheoryError, references};
-
-/// A straight cantilever of rectangular section, clamped at `base`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Cantilever {
-    /// Clamped end (x, y) [L].
-    pub base: [f64; 2],
-    /// Free end (x, y) [L].
-    pub tip: [f64; 2],
-    /// Width b out of the plane [L].
-    pub width: f64,
-    /// Thickness t in the plane of bending [L].
-    pub thickness: f64,
-    /// Young's modulus E [F/L2].
-    pub modulus: f64,
-    /// Poisson's ratio [-].
-    pub poisson: f64,
-    /// Shear coefficient k of the section [-]; 0.85 for a rectangle.
-    pub shear_factor: f64,
-}
-
-impl Cantilever {
-    /// Length L [L].
-    pub fn length(&self) -> f64 {
-        (self.tip[0] - self.base[0]).hypot(self.tip[1] - self.base[1])
-    }
-    /// Bending stiffness EI = E b t^3/12 [F L2].
-    pub fn bending_stiffness(&self) -> f64 {
-        self.modulus * self.width * self.thickness.powi(3) / 12.0
-    }
-    /// Axial stiffness EA = E b t [F].
-    pub fn axial_stiffness(&self) -> f64 {
-        self.modulus * self.width * self.thickness
-    }
-    /// Shear stiffness kGA = k E b t/(2 (1 + nu)) [F].
-    pub fn shear_stiffness(&self) -> f64 {
-        self.shear_factor * self.axial_stiffness() / (2.0 * (1.0 + self.poisson))
-    }
-
-    fn check(&self) -> Result<(), TheoryError> {
-        let positive = [
-            (self.length(), "the length of the beam must be positive"),
-            (self.width, "the width must be positive"),
-            (self.thickness, "the thickness must be positive"),
-            (self.modulus, "Young's modulus must be positive"),
-            (self.shear_factor, "the shear coefficient must be positive"),
-            (1.0 + self.poisson, "Poisson's ratio must lie above -1"),
-        ];
-        check_positive(&positive)
-    }
-}
 
 /// The 1995 paper's first problem: a rigid circle pushed along the Y axis
 /// against an inclined cantilever.
@@ -353,13 +306,6 @@ fn each_increment<R>(
     };
     let rows: Vec<R> = (0..=increments).map(at).collect::<Result<_, _>>()?;
     if rows.iter().any(touches) { Ok(rows) } else { Err(TheoryError::NeverTouches) }
-}
-
-fn check_positive(values: &[(f64, &'static str)]) -> Result<(), TheoryError> {
-    match values.iter().find(|(value, _)| !(value.is_finite() && *value > 0.0)) {
-        Some((_, message)) => Err(TheoryError::InvalidInput(message)),
-        None => Ok(()),
-    }
 }
 
 fn check_circle(radius: f64, mu: f64) -> Result<(), TheoryError> {

@@ -9,7 +9,7 @@
 //!    -c0       0
 //! ```
 
-use crate::TheoryError;
+use crate::error::TheoryError;
 
 /// Multiple of c0 beyond which the law goes on along its tangent [-]
 /// [semantics: far penetration].

@@ -1,6 +1,6 @@
 //! The report as one page.
 
-use super::{chapters, verdict, words};
+use super::wording::{chapters, verdict, words};
 use crate::claim::Outcome;
 use crate::record::{Chart, Measured};
 use slideline::output::plot;

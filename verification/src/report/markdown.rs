@@ -1,6 +1,6 @@
 //! The measured numbers as a table in Markdown.
 
-use super::verdict;
+use super::wording::verdict;
 use crate::claim::Outcome;
 
 pub(super) fn page(outcomes: &[Outcome]) -> String {

@@ -2,9 +2,9 @@
 
 use slideline_diag::{Code, Diagnostic, FileId, Span};
 
-use super::{Page, Reader};
+use super::reader::{Page, Reader};
 use crate::card::LineKind;
-use crate::include::LoadError;
+use crate::include::{LoadError, Loaded};
 use crate::limits::{MAX_BYTES, MAX_DEPTH, MAX_FILES, MAX_LINES, MAX_NULS, MAX_VALUES};
 use crate::lines::RawLine;
 
@@ -48,9 +48,9 @@ impl Reader<'_> {
         self.keep(page, RawLine { start, content_end: end, end }, LineKind::Stray);
     }
 
-    /// Reads the file named by the `*INCLUDE` that was pushed last.
-    pub(super) fn include(&mut self) {
-        let Some(card) = self.deck.cards.pop() else { return };
+    /// The file named by the `*INCLUDE` that was pushed last, if it can be read.
+    pub(super) fn include(&mut self) -> Option<Loaded> {
+        let card = self.deck.cards.pop()?;
         for parameter in card.parameters.iter().filter(|parameter| parameter.name.name != "INPUT") {
             let message = format!("*INCLUDE has no parameter {}", parameter.name.raw);
             self.report(Diagnostic::error(Code("SL0202"), message).at(parameter.name.span));
@@ -59,43 +59,46 @@ impl Reader<'_> {
         let Some(input) = input else {
             let error = Diagnostic::error(Code("SL0123"), "*INCLUDE does not name a file");
             self.report(error.at(card.span).help("write *INCLUDE, INPUT=file.inp"));
-            return;
+            return None;
         };
         if self.open_files.len() > MAX_DEPTH {
             let message = format!("files are included more than {MAX_DEPTH} deep");
             self.report(Diagnostic::error(Code("SL0122"), message).at(input.span));
-            return;
+            return None;
         }
         if self.deck.files.len() >= MAX_FILES {
             let message = format!("more than {MAX_FILES} files are included");
             self.report(Diagnostic::error(Code("SL0122"), message).at(input.span));
-            return;
+            return None;
         }
-        self.load(&input.raw, input.span);
+        self.load(&input.raw, input.span)
     }
 
-    fn load(&mut self, input: &str, span: Span) {
+    fn load(&mut self, input: &str, span: Span) -> Option<Loaded> {
         let left = MAX_BYTES.saturating_sub(self.total_bytes);
         match self.loader.load(&self.open_files, input, left) {
             Ok(loaded) if self.open_files.contains(&loaded.name) => {
                 let message = format!("`{input}` includes itself");
                 self.report(Diagnostic::error(Code("SL0121"), message).at(span));
+                None
             }
             Ok(loaded) => {
                 if loaded.outside {
                     let message = format!("`{input}` lies outside the folder of the deck");
                     self.report(Diagnostic::note(Code("SL0125"), message).at(span));
                 }
-                self.file(&loaded.name, loaded.bytes);
+                Some(loaded)
             }
             Err(LoadError::Unreadable(reason)) => {
                 let message = format!("the file `{input}` cannot be read: {reason}");
                 let help = "the name is relative to the folder of the file that includes it";
                 self.report(Diagnostic::error(Code("SL0120"), message).at(span).help(help));
+                None
             }
             Err(LoadError::TooLarge) => {
                 let message = format!("with `{input}` the deck exceeds {} MiB", MAX_BYTES >> 20);
                 self.report(Diagnostic::error(Code("SL0114"), message).at(span));
+                None
             }
         }
     }

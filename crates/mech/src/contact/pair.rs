@@ -17,16 +17,19 @@ use super::normal::NormalLaw;
 use super::onset::Onset;
 use super::tangential::{Tangential, TangentialMap};
 
+mod body;
+mod chain;
 mod faces;
 mod nose;
+mod stencil;
 mod surface;
 
+pub use body::Body;
+pub use chain::{chain_attachments, chain_gap, chain_overclosure};
 pub use faces::{FacePoint, FaceRoom, Footing};
 pub use nose::{Nose, Reach};
-pub use surface::{
-    AnyGap, Body, Derivatives, RigidSurface, StencilAttachments, chain_attachments, chain_gap,
-    chain_overclosure,
-};
+pub use stencil::{AnyGap, Derivatives, StencilAttachments};
+pub use surface::RigidSurface;
 
 /// What the points of a pair obey.
 #[derive(Debug, Clone, PartialEq)]

@@ -10,7 +10,7 @@
 //! An element at its temperatures is the cold one with other stiffnesses and with strains that it
 //! has when it is free: docs/theory.md eqs. (3.63) and (3.64).
 
-use super::b21::BeamStrains;
+use super::beam_strains::BeamStrains;
 use super::instances::{self, array};
 use super::kernel::{
     Element, Failure, Kernel, Response, Scale, Strains, Surroundings, Temperature,

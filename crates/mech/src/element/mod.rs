@@ -11,6 +11,7 @@
 pub mod b21;
 pub mod b22;
 pub mod b23;
+mod beam_strains;
 pub mod cell;
 pub mod heated;
 mod instances;
@@ -22,9 +23,10 @@ pub mod space_beam;
 pub mod spring;
 pub mod truss;
 
-pub use b21::{Beam21, BeamSectionForces, BeamStrains};
+pub use b21::Beam21;
 pub use b22::Beam22;
 pub use b23::Beam23;
+pub use beam_strains::{BeamSectionForces, BeamStrains};
 pub use heated::{BeamHeat, HeatedBeams};
 pub use instances::Instances;
 pub use kernel::{

@@ -8,7 +8,8 @@
 //! ```
 //! docs/theory.md eqs (3.79) to (3.81).
 
-use super::{Shape, TransverseShear};
+use super::plane::TransverseShear;
+use super::shape::{Plate, Shape};
 use crate::material::Elastic;
 use std::f64::consts::PI;
 
@@ -25,7 +26,7 @@ impl Shape {
             }
             Self::Flanged { .. } => {
                 let plates = self.plates();
-                let about = |plate: &super::Plate| plate.height * plate.width.powi(3) / 12.0;
+                let about = |plate: &Plate| plate.height * plate.width.powi(3) / 12.0;
                 [own, 0.0, plates.iter().map(about).sum()]
             }
             Self::General { second_moments, .. } => second_moments,
@@ -46,7 +47,7 @@ impl Shape {
                 2.0 * (a * b).powi(2) / (a / t + b / s)
             }
             Self::Flanged { .. } => {
-                let of = |plate: &super::Plate| {
+                let of = |plate: &Plate| {
                     let (a, b) = (plate.width, plate.height);
                     a.max(b) * a.min(b).powi(3) / 3.0
                 };

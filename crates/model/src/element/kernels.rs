@@ -1,7 +1,8 @@
 //! Kernels of the rows of the table: sections in a deck's words become those of the mechanics.
 
-use super::{BeamSection, Kinematics, Section, SpringSection, SpringWay, Undeformed};
-use crate::Dialect;
+use super::element_type::{Kinematics, Undeformed};
+use super::section::{BeamSection, Section, SpringSection, SpringWay};
+use crate::dialect::Dialect;
 use slideline_mech::element::heated::Heated;
 use slideline_mech::element::solid::{Formulation, Interpolation, Recipe, Solids, Told};
 use slideline_mech::element::{

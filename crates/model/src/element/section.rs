@@ -1,6 +1,6 @@
 //! What the elements of a block are made of.
 
-use crate::Dof;
+use crate::node::Dof;
 use slideline_mech::element::{BeamHeat, SpringLaw};
 use slideline_mech::material::{Elastic, Material};
 use slideline_mech::orientation::Orientation;

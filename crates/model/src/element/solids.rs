@@ -6,9 +6,9 @@
 //!   I incompatible modes   R fewer points   H one pressure an element   M as without it
 //! ```
 
-use super::table::{ElementType, Field, Kinematics, Location, MOVING, at, of};
-use super::{Section, kernels};
-use crate::Dof;
+use super::element_type::{ElementType, Field, IN_SPACE, Kinematics, Location, MOVING, at, of};
+use super::kernels;
+use super::section::Section;
 use slideline_mech::element::cell::Cell;
 use slideline_mech::element::quadrature::Quadrature;
 use slideline_mech::element::solid::{self, Formulation};
@@ -50,8 +50,6 @@ const SPACE_FIELDS: &[Field] = &[
     EVOL,
 ];
 
-const SPACE: &[Dof] = &[Dof::U1, Dof::U2, Dof::U3];
-
 /// State variables of an element of a row.
 fn states(
     parts: (&Cell, &Quadrature),
@@ -82,7 +80,7 @@ macro_rules! rows {
                 pub static $name: ElementType = ElementType {
                     names: [stringify!($name); 2],
                     cell: &$cell,
-                    dofs: if $dimension == 2 { MOVING } else { SPACE },
+                    dofs: if $dimension == 2 { MOVING } else { IN_SPACE },
                     kinematics: Kinematics::Solid {
                         strains: solid::Kinematics::$strains,
                         formulation: [Formulation::$formulation, Formulation::$other],

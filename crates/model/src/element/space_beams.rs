@@ -1,8 +1,9 @@
 //! Beams in space: their rows of the element table.
 
+use super::beams::types::B21;
+use super::element_type::{ElementType, Field, Kinematics, Location, at, of};
 use super::kernels;
-use super::table::{ElementType, Field, Kinematics, Location, at, of};
-use crate::Dof;
+use crate::node::Dof;
 use slideline_mech::element::cell::LINE3;
 
 /// Section forces and strains of a beam in space, at its middle.
@@ -15,7 +16,6 @@ const SPACE_BEAM_FIELDS: &[Field] = &[
 
 /// The rows.
 pub mod types {
-    use super::super::table::types::B21;
     use super::*;
 
     /// Two-node shear-flexible beam in space.

@@ -1,8 +1,11 @@
 //! Temperatures of the nodes of a halved mesh: the mean of the two between which each stands.
 
-use super::{Edge, refusal};
-use crate::{Model, NodalTemperature, NodeIndex, Temperature};
+use super::edge::{Edge, refusal};
+use crate::model::Model;
+use crate::node::NodeIndex;
+use crate::step::NodalTemperature;
 use slideline_diag::Diagnostic;
+use slideline_mech::element::Temperature;
 use std::collections::HashMap;
 
 fn mean(a: Temperature, b: Temperature) -> Temperature {

@@ -9,7 +9,7 @@
 //! ```
 
 use super::elliptic::{first_kind, second_kind};
-use crate::TheoryError;
+use crate::error::TheoryError;
 use crate::numerics::root;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
 

@@ -7,7 +7,7 @@
 //!     v       v
 //! ```
 
-use crate::TheoryError;
+use crate::error::TheoryError;
 
 /// Ratio T2/T1 [-] of the limit of many links: exp(mu theta) (Euler).
 pub fn limit_ratio(mu: f64, wrap: f64) -> f64 {

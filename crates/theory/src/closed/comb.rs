@@ -8,7 +8,7 @@
 //!         (    )  -> one tip touched after every increment
 //! ```
 
-use crate::TheoryError;
+use crate::error::TheoryError;
 use crate::numerics::root;
 use crate::softened_law::ExponentialLaw;
 

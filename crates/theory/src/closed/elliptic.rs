@@ -1,6 +1,6 @@
 //! Elliptic integrals by Carlson's duplication.
 
-use crate::TheoryError;
+use crate::error::TheoryError;
 
 /// Carlson's symmetric integral R_F(x, y, z); at most one argument may vanish.
 fn carlson_f(mut x: f64, mut y: f64, mut z: f64) -> f64 {

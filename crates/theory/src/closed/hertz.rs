@@ -5,7 +5,7 @@
 //!    ----==----      stick for |x| < c under a tangential force Q < mu P
 //! ```
 
-use crate::TheoryError;
+use crate::error::TheoryError;
 use std::f64::consts::PI;
 
 /// An elastic body with a cylindrical (or flat) surface.

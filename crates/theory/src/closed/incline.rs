@@ -6,7 +6,7 @@
 //!       __/ a
 //! ```
 
-use crate::TheoryError;
+use crate::error::TheoryError;
 
 /// Horizontal force over weight F/G [-] that pushes up a slope of tangent `tan_a`:
 /// (tan a + mu)/(1 - mu tan a) (derived).

@@ -16,7 +16,7 @@ pub mod toggle;
 pub mod torsion;
 pub mod tube;
 
-use crate::TheoryError;
+use crate::error::TheoryError;
 
 /// Refuses a value that is not positive and finite.
 fn positive(value: f64, message: &'static str) -> Result<f64, TheoryError> {

@@ -10,7 +10,7 @@
 //!        v P
 //! ```
 
-use crate::TheoryError;
+use crate::error::TheoryError;
 use crate::numerics::{gauss, root};
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, FRAC_PI_4};
 

@@ -7,7 +7,7 @@
 //!   |<---- L ---->|
 //! ```
 
-use crate::TheoryError;
+use crate::error::TheoryError;
 
 /// A snap-fit arm of rectangular section.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -5,7 +5,7 @@
 //!   <--|      )  (      |-->     F = A s exp(-e) while the bar is even
 //! ```
 
-use crate::TheoryError;
+use crate::error::TheoryError;
 use crate::numerics::root;
 
 /// A bar of E, nu and a yield stress s(p) over the plastic strain; stresses are Kirchhoff's, strains

@@ -9,7 +9,7 @@
 //!   |<- half span ->|
 //! ```
 
-use crate::TheoryError;
+use crate::error::TheoryError;
 use crate::numerics::gauss::Collocation;
 use crate::numerics::{newton, root};
 

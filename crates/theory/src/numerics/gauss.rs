@@ -3,7 +3,7 @@
 //! The method with s stages has order 2 s, is symplectic and A-stable; its
 //! coefficients are computed here, not copied.
 
-use crate::TheoryError;
+use crate::error::TheoryError;
 
 /// Nodes in (0, 1) and weights of the Gauss-Legendre rule with `n` points.
 pub(crate) fn rule(n: usize) -> Vec<(f64, f64)> {

@@ -1,6 +1,6 @@
 //! Newton iteration for a few equations, Jacobian by central differences.
 
-use crate::TheoryError;
+use crate::error::TheoryError;
 
 /// Root of `f` near `start`. Unknowns and equations are to be scaled by the
 /// caller so that changes of order one matter.

@@ -1,6 +1,6 @@
 //! Roots of scalar functions that are bracketed by a change of sign.
 
-use crate::TheoryError;
+use crate::error::TheoryError;
 
 /// Root of `f` between `a` and `b`, where `f` changes sign.
 ///

@@ -18,8 +18,10 @@
 //! at the clamp and h = -c0 at the other end of the patch (derived). Inside the
 //! patch everything is analytic, which a method of high order turns into digits.
 
-use super::{Local, Section, point};
-use crate::TheoryError;
+use super::equilibrium::Local;
+use super::point;
+use super::section::Section;
+use crate::error::TheoryError;
 use crate::frame::Circle;
 use crate::numerics::gauss::{self, Collocation};
 use crate::numerics::{newton, root};

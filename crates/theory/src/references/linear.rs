@@ -8,10 +8,24 @@
 //!       |<- xi_L ->|  ``--__
 //! ```
 
-use super::{Local, Section};
+use super::equilibrium::Local;
+use super::section::Section;
+use crate::error::TheoryError;
 use crate::frame::Circle;
 use crate::numerics::root;
-use crate::{LinearContact, TheoryError};
+
+/// What linear theory says about one position of the circle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LinearContact {
+    /// Contact length xi_L [L].
+    pub contact_length: f64,
+    /// Deflection u of the beam at the contact, negative away from the circle [L].
+    pub deflection: f64,
+    /// Slope theta at the contact, negative [-].
+    pub slope: f64,
+    /// Contact force F [F].
+    pub force: f64,
+}
 
 /// Deflection [L] and slope [-] of a cantilever at its point load. Diehl (1995) eq. (1).
 pub fn deflection_and_slope(force: f64, xi_l: f64, bending_stiffness: f64) -> (f64, f64) {
@@ -127,7 +141,7 @@ pub fn cam_force(force: f64, theta: f64, mu: f64) -> [f64; 2] {
 /// the coefficient of friction, negative where the circle drags towards the clamp.
 pub(super) fn solve(section: &Section, circle: Circle, drag: f64) -> Result<Local, TheoryError> {
     let xi_l = contact_length(circle.centre, circle.radius)?;
-    super::check_inside(xi_l, section.length)?;
+    section.check_inside(xi_l)?;
     let found = deflection_and_force(xi_l, circle.centre, circle.radius, section.bending);
     let [f_x, f_y] = cam_force(found.force, found.slope, -drag);
     if f_x <= 0.0 {

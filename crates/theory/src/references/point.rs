@@ -16,11 +16,12 @@
 //! thus known as a function of the angle, and arc length and position are
 //! integrals over the angle: two equations remain, in N and f_c.
 
-use super::{Local, Section};
-use crate::TheoryError;
+use super::equilibrium::Local;
+use super::linear;
+use super::section::Section;
+use crate::error::TheoryError;
 use crate::frame::Circle;
 use crate::numerics::{gauss, newton, root};
-use crate::references::linear;
 use crate::softened_law::ExponentialLaw;
 use std::cell::Cell;
 use std::sync::OnceLock;
@@ -242,7 +243,7 @@ fn finish(
     let load = Load::new(section, normal, angle, drag);
     check_jamming(&load, normal)?;
     let found = arc(section, &load, angle, rule())?;
-    super::check_inside(found.length, section.length)?;
+    section.check_inside(found.length)?;
     // the same integral with more points: the promise of eight digits is kept or withdrawn
     let finer = arc(section, &load, angle, finer_rule())?;
     let change =

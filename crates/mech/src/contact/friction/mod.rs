@@ -11,10 +11,11 @@
 //! Slips and tractions are vectors in the tangent plane ([`Tangential`]): in the plane the limit is
 //! an interval, in space a circle, and one formula serves both.
 
+mod traction;
 mod user;
 
 pub use super::tangential::{Tangential, TangentialMap};
-
+pub use traction::{Status, Traction};
 pub use user::{FrictionBatch, FrictionPoint, Registered, UserFriction, UserFrictionError};
 
 /// How sticking is carried.
@@ -81,44 +82,6 @@ pub enum FrictionLaw {
         /// Number of state values a point keeps.
         state_size: usize,
     },
-}
-
-/// Whether a closed point sticks or slips.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Status {
-    /// No sliding.
-    Stick,
-    /// Sliding at the limit.
-    Slip,
-}
-
-/// Answer of a friction law at one point.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Traction {
-    /// tau [F/L2], of the sense of the slip.
-    pub tau: Tangential,
-    /// d tau/d slip [F/L3].
-    pub d_tau_d_slip: TangentialMap,
-    /// d tau/dp [1].
-    pub d_tau_d_pressure: Tangential,
-    /// Elastic slip to be committed [L].
-    pub elastic_slip: Tangential,
-    /// Dissipated slip of the increment [L], >= 0; times |tau| A the dissipation.
-    pub dissipated_slip: f64,
-    /// Stick or slip.
-    pub status: Status,
-}
-
-impl Traction {
-    /// No traction, no elastic slip: open, or friction not called.
-    pub const ZERO: Self = Self {
-        tau: Tangential::ZERO,
-        d_tau_d_slip: TangentialMap::ZERO,
-        d_tau_d_pressure: Tangential::ZERO,
-        elastic_slip: Tangential::ZERO,
-        dissipated_slip: 0.0,
-        status: Status::Slip,
-    };
 }
 
 /// The limit traction with its derivatives by pressure and by slip.

@@ -1,7 +1,7 @@
 //! A friction law of the embedding program, called in batches.
 
 use super::super::tangential::Tangential;
-use super::Traction;
+use super::traction::Traction;
 use std::fmt;
 use std::sync::Arc;
 

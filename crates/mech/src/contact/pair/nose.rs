@@ -8,7 +8,7 @@
 //! ```
 
 use super::super::search::segment::RigidSegment;
-use super::Body;
+use super::body::Body;
 use std::f64::consts::FRAC_PI_2;
 
 /// A part of a rigid surface that is turned outward, in the frame of the body.

@@ -1,6 +1,7 @@
 //! The hand-written derivatives of the energy of [`Beam21`]; tested against the energy itself.
 
-use super::{Beam21, BeamSectionForces, BeamStrains};
+use super::Beam21;
+use crate::element::beam_strains::{BeamSectionForces, BeamStrains};
 use crate::element::kernel::{Element, Scale};
 use crate::element::mixed::{Mixed, estimate, line, tighten};
 

@@ -1,7 +1,7 @@
 //! The hand-written derivatives of the energy of [`Beam22`]; tested against the energy itself.
 
 use super::{Beam22, Station, between};
-use crate::element::b21::{BeamSectionForces, BeamStrains};
+use crate::element::beam_strains::{BeamSectionForces, BeamStrains};
 use crate::element::kernel::{Element, Scale};
 use crate::element::mixed::{Mixed, estimate, line, tighten};
 

@@ -14,7 +14,7 @@
 
 mod derivatives;
 
-use super::b21::{BeamSectionForces, BeamStrains};
+use super::beam_strains::{BeamSectionForces, BeamStrains};
 use super::cell::{line3_shapes, line3_slopes};
 use super::heated::{BeamHeat, Heated, weighted};
 use super::kernel::Surroundings;

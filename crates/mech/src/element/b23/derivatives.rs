@@ -4,7 +4,8 @@
 
 use super::Beam23;
 use crate::differentiate::Second;
-use crate::element::b21::{Beam21, BeamSectionForces, BeamStrains};
+use crate::element::b21::Beam21;
+use crate::element::beam_strains::{BeamSectionForces, BeamStrains};
 use crate::element::kernel::{Element, Scale};
 use crate::element::mixed::{Mixed, arrival, estimate, line, tighten};
 

@@ -25,7 +25,8 @@
 
 mod derivatives;
 
-use super::b21::{Beam21, BeamSectionForces, BeamStrains};
+use super::b21::Beam21;
+use super::beam_strains::{BeamSectionForces, BeamStrains};
 use super::heated::{BeamHeat, Heated};
 use super::kernel::Surroundings;
 use super::quadrature::{GAUSS_4, GAUSS_4_MEAN};

@@ -1,6 +1,7 @@
 //! Cells of the plane, counter-clockwise.
 
-use super::{Cell, cube, piece, simplex};
+use super::reference::{Cell, piece};
+use super::{cube, simplex};
 
 /// Three corners. Faces: S1 from node 1 to 2, S2 from 2 to 3, S3 from 3 to 1.
 pub static TRI3: Cell = Cell {
@@ -41,7 +42,7 @@ pub static QUAD4: Cell = Cell {
     nodes: 4,
     faces: &[&[0, 1], &[1, 2], &[2, 3], &[3, 0]],
     pieces: &[piece(9, 9, &[0, 1, 2, 3])],
-    places: &[[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [-1.0, 1.0, 0.0]],
+    places: cube::QUAD4,
     shapes: cube::quad4_shapes,
     slopes: cube::quad4_slopes,
 };
@@ -53,16 +54,7 @@ pub static QUAD8: Cell = Cell {
     nodes: 8,
     faces: &[&[0, 4, 1], &[1, 5, 2], &[2, 6, 3], &[3, 7, 0]],
     pieces: &[piece(23, 10, &[0, 1, 2, 3, 4, 5, 6, 7])],
-    places: &[
-        [-1.0, -1.0, 0.0],
-        [1.0, -1.0, 0.0],
-        [1.0, 1.0, 0.0],
-        [-1.0, 1.0, 0.0],
-        [0.0, -1.0, 0.0],
-        [1.0, 0.0, 0.0],
-        [0.0, 1.0, 0.0],
-        [-1.0, 0.0, 0.0],
-    ],
+    places: cube::QUAD8,
     shapes: cube::quad8_shapes,
     slopes: cube::quad8_slopes,
 };

@@ -8,7 +8,57 @@
 //!   1---5---2
 //! ```
 
-use super::{HEX8, HEX20, QUAD4, QUAD8};
+/// Corners of the quadrilateral.
+pub(super) const QUAD4: &[[f64; 3]] =
+    &[[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [-1.0, 1.0, 0.0]];
+
+/// Those, then the middles of its edges.
+pub(super) const QUAD8: &[[f64; 3]] = &[
+    [-1.0, -1.0, 0.0],
+    [1.0, -1.0, 0.0],
+    [1.0, 1.0, 0.0],
+    [-1.0, 1.0, 0.0],
+    [0.0, -1.0, 0.0],
+    [1.0, 0.0, 0.0],
+    [0.0, 1.0, 0.0],
+    [-1.0, 0.0, 0.0],
+];
+
+/// Corners of the hexahedron.
+pub(super) const HEX8: &[[f64; 3]] = &[
+    [-1.0, -1.0, -1.0],
+    [1.0, -1.0, -1.0],
+    [1.0, 1.0, -1.0],
+    [-1.0, 1.0, -1.0],
+    [-1.0, -1.0, 1.0],
+    [1.0, -1.0, 1.0],
+    [1.0, 1.0, 1.0],
+    [-1.0, 1.0, 1.0],
+];
+
+/// Those, then the middles of its edges.
+pub(super) const HEX20: &[[f64; 3]] = &[
+    [-1.0, -1.0, -1.0],
+    [1.0, -1.0, -1.0],
+    [1.0, 1.0, -1.0],
+    [-1.0, 1.0, -1.0],
+    [-1.0, -1.0, 1.0],
+    [1.0, -1.0, 1.0],
+    [1.0, 1.0, 1.0],
+    [-1.0, 1.0, 1.0],
+    [0.0, -1.0, -1.0],
+    [1.0, 0.0, -1.0],
+    [0.0, 1.0, -1.0],
+    [-1.0, 0.0, -1.0],
+    [0.0, -1.0, 1.0],
+    [1.0, 0.0, 1.0],
+    [0.0, 1.0, 1.0],
+    [-1.0, 0.0, 1.0],
+    [-1.0, -1.0, 0.0],
+    [1.0, -1.0, 0.0],
+    [1.0, 1.0, 0.0],
+    [-1.0, 1.0, 0.0],
+];
 
 /// Factor of an axis and its slope, for a node at `p` on it.
 fn factor(p: f64, x: f64) -> [f64; 2] {
@@ -56,33 +106,33 @@ fn slopes<const D: usize>(
 }
 
 pub(super) fn quad4_shapes(at: &[f64; 3], into: &mut [f64]) {
-    shapes::<2>(QUAD4.places, at, false, into);
+    shapes::<2>(QUAD4, at, false, into);
 }
 
 pub(super) fn quad4_slopes(at: &[f64; 3], into: &mut [[f64; 3]]) {
-    slopes::<2>(QUAD4.places, at, false, into);
+    slopes::<2>(QUAD4, at, false, into);
 }
 
 pub(super) fn quad8_shapes(at: &[f64; 3], into: &mut [f64]) {
-    shapes::<2>(QUAD8.places, at, true, into);
+    shapes::<2>(QUAD8, at, true, into);
 }
 
 pub(super) fn quad8_slopes(at: &[f64; 3], into: &mut [[f64; 3]]) {
-    slopes::<2>(QUAD8.places, at, true, into);
+    slopes::<2>(QUAD8, at, true, into);
 }
 
 pub(super) fn hex8_shapes(at: &[f64; 3], into: &mut [f64]) {
-    shapes::<3>(HEX8.places, at, false, into);
+    shapes::<3>(HEX8, at, false, into);
 }
 
 pub(super) fn hex8_slopes(at: &[f64; 3], into: &mut [[f64; 3]]) {
-    slopes::<3>(HEX8.places, at, false, into);
+    slopes::<3>(HEX8, at, false, into);
 }
 
 pub(super) fn hex20_shapes(at: &[f64; 3], into: &mut [f64]) {
-    shapes::<3>(HEX20.places, at, true, into);
+    shapes::<3>(HEX20, at, true, into);
 }
 
 pub(super) fn hex20_slopes(at: &[f64; 3], into: &mut [[f64; 3]]) {
-    slopes::<3>(HEX20.places, at, true, into);
+    slopes::<3>(HEX20, at, true, into);
 }

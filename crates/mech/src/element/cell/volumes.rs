@@ -1,6 +1,7 @@
 //! Cells of space. Face numbers: Abaqus, "Three-dimensional solid element library".
 
-use super::{Cell, Piece, cube, piece, simplex, wedge};
+use super::reference::{Cell, Piece, piece};
+use super::{cube, simplex, wedge};
 
 /// Four corners; node 4 above the face 1-2-3.
 pub static TET4: Cell = Cell {
@@ -109,16 +110,7 @@ pub static HEX8: Cell = Cell {
         &[3, 0, 4, 7],
     ],
     pieces: &[piece(12, 1, &[0, 1, 2, 3, 4, 5, 6, 7])],
-    places: &[
-        [-1.0, -1.0, -1.0],
-        [1.0, -1.0, -1.0],
-        [1.0, 1.0, -1.0],
-        [-1.0, 1.0, -1.0],
-        [-1.0, -1.0, 1.0],
-        [1.0, -1.0, 1.0],
-        [1.0, 1.0, 1.0],
-        [-1.0, 1.0, 1.0],
-    ],
+    places: cube::HEX8,
     shapes: cube::hex8_shapes,
     slopes: cube::hex8_slopes,
 };
@@ -142,28 +134,7 @@ pub static HEX20: Cell = Cell {
         nodes: &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19],
         frd_nodes: &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 16, 17, 18, 19, 12, 13, 14, 15],
     }],
-    places: &[
-        [-1.0, -1.0, -1.0],
-        [1.0, -1.0, -1.0],
-        [1.0, 1.0, -1.0],
-        [-1.0, 1.0, -1.0],
-        [-1.0, -1.0, 1.0],
-        [1.0, -1.0, 1.0],
-        [1.0, 1.0, 1.0],
-        [-1.0, 1.0, 1.0],
-        [0.0, -1.0, -1.0],
-        [1.0, 0.0, -1.0],
-        [0.0, 1.0, -1.0],
-        [-1.0, 0.0, -1.0],
-        [0.0, -1.0, 1.0],
-        [1.0, 0.0, 1.0],
-        [0.0, 1.0, 1.0],
-        [-1.0, 0.0, 1.0],
-        [-1.0, -1.0, 0.0],
-        [1.0, -1.0, 0.0],
-        [1.0, 1.0, 0.0],
-        [-1.0, 1.0, 0.0],
-    ],
+    places: cube::HEX20,
     shapes: cube::hex20_shapes,
     slopes: cube::hex20_slopes,
 };

@@ -8,7 +8,7 @@
 //! a sum over points and axes of rows as long as the element has nodes, which compilers turn into
 //! vector instructions. docs/theory.md eqs. (3.37) and (3.38).
 
-use super::Point;
+use super::point::Point;
 use crate::material::tensor::INDEX;
 
 /// Writes the force.

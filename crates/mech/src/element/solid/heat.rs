@@ -11,22 +11,10 @@
 //! A free element must be able to take the thermal strain up, or it is strained by its own
 //! expansion: one order less than its displacements, docs/theory.md section 3.7.
 
-use super::Recipe;
 use super::place::Reference;
+use super::recipe::{Interpolation, Recipe};
 use crate::element::cell::Cell;
 use crate::element::quadrature::Quadrature;
-
-/// How temperatures go from nodes to points.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Interpolation {
-    /// The mean of the nodes at all points.
-    Mean,
-    /// By the shape functions.
-    Shapes,
-    /// By the shape functions at the points of the reduced rule, and straight through those.
-    #[default]
-    Linear,
-}
 
 /// What every node counts at every point.
 pub(super) fn counts<const D: usize, const N: usize, const P: usize>(

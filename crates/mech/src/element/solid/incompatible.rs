@@ -11,9 +11,11 @@
 //! eliminated. Usual modes carry xi_b in the place of xi_a and lose stability in
 //! compression [korelc1996], [glaser1997]. docs/theory.md eqs. (3.51) to (3.53).
 
-use super::place::{Apart, Place, Reference, apart, invert};
-use super::point::States;
-use super::{Point, Recipe, Solids, energy, gather};
+use super::centre::Centre;
+use super::gather;
+use super::place::{Apart, Place, apart, invert};
+use super::point::{Point, States, energy};
+use super::solids::Solids;
 use crate::element::kernel::{Failure, Response, Surroundings};
 use crate::material::tensor::{INDEX, Matrix};
 
@@ -34,15 +36,6 @@ struct Mode<const D: usize, const N: usize> {
     gradient: [[f64; D]; D],
     /// What turns when a mode and a node move together, axis by axis [1/L].
     turning: [[f64; N]; D],
-}
-
-/// The centre of an undeformed element.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Centre<const D: usize, const N: usize> {
-    /// The point there; its weight is the volume a weight of the rule.
-    place: Place<D, N>,
-    /// (dX/dxi)^-1 there.
-    inverse: [[f64; D]; D],
 }
 
 /// The centre of a deformed element.
@@ -294,12 +287,6 @@ fn norm(list: &[f64; MOST]) -> f64 {
 }
 
 impl<const D: usize, const N: usize> Centre<D, N> {
-    /// That of an element on the positions of its nodes [L].
-    pub fn new(nodes: &[[f64; D]; N], at: &Reference<D, N>, recipe: &Recipe) -> Self {
-        let (place, inverse) = Place::new(nodes, at, recipe);
-        Self { place, inverse }
-    }
-
     /// What changes of the parameters are held against: themselves and the strains, in the units
     /// of the parameters [L2].
     fn size(&self, parameters: &[f64; MOST], points: &[Point<D, N>]) -> f64 {

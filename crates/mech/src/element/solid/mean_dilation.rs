@@ -13,8 +13,8 @@
 //! incompressible.
 
 use super::gather::Joint;
-use super::point::States;
-use super::{Point, Solids};
+use super::point::{Point, States};
+use super::solids::Solids;
 use crate::element::kernel::Failure;
 use crate::material::tensor::{COUNTS, INDEX, Matrix, Moduli, Symmetric, trace};
 

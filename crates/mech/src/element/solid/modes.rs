@@ -10,7 +10,9 @@
 //! The modes are those of [flanagan1981]; k is that of elastic bending of a block of the element's
 //! size, docs/theory.md eq. (3.54).
 
-use super::{Formulation, Place, Solids};
+use super::place::Place;
+use super::recipe::Formulation;
+use super::solids::Solids;
 use crate::element::cell::Cell;
 
 /// Products of coordinates that are no linear function, in the plane and in space.

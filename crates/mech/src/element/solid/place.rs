@@ -1,6 +1,6 @@
 //! A point of the undeformed element, and how it deforms.
 
-use super::{Kinematics, Recipe};
+use super::recipe::{Kinematics, Recipe};
 use crate::axes::Axes;
 use crate::element::cell::Cell;
 use crate::element::quadrature::Quadrature;

@@ -1,12 +1,8 @@
-//! A point of a deformed element: gradient, answer of the material, slopes by deformed position.
+//! A point of a deformed element: gradient, slopes by deformed position, stress.
 
-use super::place::{Apart, Place, carried_back, invert};
-use super::{Kinematics, Solids, plane_stress};
-use crate::element::heated::weighted;
-use crate::element::kernel::{Failure, Surroundings};
+use crate::element::kernel::Surroundings;
+use crate::material::Answer;
 use crate::material::tensor::{Matrix, Moduli, Symmetric, dilation};
-use crate::material::{Answer, Conditions};
-use crate::orientation::Oriented;
 
 /// What an element responds under, its committed state and its trial state.
 pub(super) type States<'a, 'b> = (&'a Surroundings<'a>, &'a [f64], &'b mut [f64]);
@@ -51,8 +47,9 @@ impl<const D: usize, const N: usize> Point<D, N> {
         dissipation: 0.0,
     };
 
+    /// Finds the change of volume of its gradient.
     #[inline(always)]
-    fn note_dilation(&mut self, large: bool) {
+    pub fn note_dilation(&mut self, large: bool) {
         let h = &self.gradient;
         self.dilation = if large { dilation(h) } else { h[0][0] + h[1][1] + h[2][2] };
     }
@@ -68,117 +65,7 @@ impl<const D: usize, const N: usize> Point<D, N> {
     }
 }
 
-impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
-    /// Shape functions at a point, the second number, or their means where it stands for the whole
-    /// ring.
-    #[inline(always)]
-    fn shapes(&self, [element, point]: [usize; 2]) -> &[f64; N] {
-        self.means.get(element).unwrap_or(&self.tables.points[point].shapes)
-    }
-
-    /// H at a point whose slopes by undeformed position are those of `place`.
-    #[inline(always)]
-    pub(super) fn gradient(
-        &self,
-        point: [usize; 2],
-        place: &Place<D, N>,
-        (q, apart): (&[f64], &Apart<D, N>),
-    ) -> Matrix {
-        let mut gradient = place.gradient(apart);
-        if self.is_ring() {
-            let nodes = q.chunks_exact(D).zip(self.shapes(point));
-            gradient[2][2] = nodes.map(|(u, shape)| u[0] * shape).sum::<f64>() / place.radius;
-        }
-        gradient
-    }
-
-    /// What the material answers under at a point.
-    #[inline(always)]
-    fn conditions(&self, point: usize, under: &Surroundings<'_>) -> Conditions {
-        let [temperature, initial] = [under.temperatures, under.initial]
-            .map(|nodes| weighted(&self.heat[point], nodes).value);
-        Conditions { large: under.is_large(), temperature, initial, dt: under.dt }
-    }
-
-    /// Asks the material, or solves for the strain across the plane first.
-    #[inline(always)]
-    pub(super) fn ask(
-        &self,
-        gradient: &mut Matrix,
-        (point, place, under): (usize, &Place<D, N>, &Surroundings<'_>),
-        (committed, state): (&[f64], &mut [f64]),
-    ) -> Result<Answer, Failure> {
-        let width = self.point_states();
-        let committed = self.of_point(committed, point);
-        let state = state.get_mut(width * point..width * (point + 1)).unwrap_or_default();
-        let under = &self.conditions(point, under);
-        let material = Oriented { material: &self.recipe.material, axes: place.axes };
-        if self.recipe.kinematics == Kinematics::PlaneStress {
-            plane_stress::ask(&material, gradient, under, (committed, state))
-                .ok_or(Failure::NoThickness(point))
-        } else {
-            Ok(material.respond(gradient, under, committed, state))
-        }
-    }
-
-    /// Writes place, gradient and slopes of a point.
-    ///
-    /// # Errors
-    /// The point is turned inside out, or has come to the axis.
-    #[inline(always)]
-    pub(super) fn deform(
-        &self,
-        [element, point]: [usize; 2],
-        (place, gradient): (&Place<D, N>, &Matrix),
-        large: bool,
-        into: &mut Point<D, N>,
-    ) -> Result<(), Failure> {
-        into.weight = place.weight;
-        into.gradient = *gradient;
-        into.note_dilation(large);
-        let mut radius = place.radius;
-        if large {
-            let hoop = 1.0 + gradient[2][2];
-            if self.is_ring() && (hoop.is_nan() || hoop <= 0.0) {
-                return Err(Failure::OnAxis(point));
-            }
-            let volume = 1.0 + into.dilation;
-            if volume.is_nan() || volume <= 0.0 {
-                return Err(Failure::InsideOut(point));
-            }
-            radius *= hoop;
-            let mut f = [[0.0; D]; D];
-            for (i, row) in f.iter_mut().enumerate() {
-                row.copy_from_slice(&gradient[i][..D]);
-                row[i] += 1.0;
-            }
-            into.slopes = carried_back(&place.slopes, &invert(&f).0);
-        } else {
-            into.slopes = place.slopes;
-        }
-        if self.is_ring() {
-            let shapes = self.shapes([element, point]);
-            into.hoop.iter_mut().zip(shapes).for_each(|(hoop, shape)| *hoop = shape / radius);
-        }
-        Ok(())
-    }
-
-    /// Writes a point that its own gradient moves.
-    #[inline(always)]
-    pub(super) fn answer(
-        &self,
-        [element, point]: [usize; 2],
-        (place, gradient): (&Place<D, N>, &Matrix),
-        (under, committed, state): States<'_, '_>,
-        into: &mut Point<D, N>,
-    ) -> Result<(), Failure> {
-        let large = under.is_large();
-        self.deform([element, point], (place, gradient), large, into)?;
-        let answer = self.ask(&mut into.gradient, (point, place, under), (committed, state))?;
-        if self.recipe.kinematics == Kinematics::PlaneStress {
-            into.note_dilation(large);
-        }
-        into.take(&answer, large);
-        Ok(())
-    }
+/// Energy of all points.
+pub(super) fn energy<const D: usize, const N: usize>(points: &[Point<D, N>]) -> f64 {
+    points.iter().map(|point| point.weight * point.energy).sum()
 }

@@ -1,41 +1,14 @@
 //! Results of a solid: stresses, strains and energies at its points.
 
-use super::{Formulation, Point, Solids};
+use super::point::Point;
+use super::recipe::Formulation;
+use super::solids::Solids;
+use super::told::Told;
 use crate::axes;
 use crate::element::kernel::Surroundings;
 use crate::material::Axes;
-use crate::material::tensor::{
-    Matrix, Symmetric, carried, deformation, full, left, product, right, symmetric,
-};
+use crate::material::tensor::{Matrix, Symmetric, carried, deformation, full, left, product};
 use crate::orientation;
-
-/// Strains as results tell them.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Told {
-    /// ln V where displacements are large, shear strains as angles (Abaqus).
-    #[default]
-    Logarithmic,
-    /// Green's strain where displacements are large, shear strains as components (CalculiX).
-    Green,
-}
-
-impl Told {
-    /// The strain of a displacement gradient, 11, 22, 33, 12, 13, 23 [1].
-    pub fn strain(self, gradient: &Matrix, large: bool) -> Symmetric {
-        let mut strain = match (self, large) {
-            (_, false) => symmetric(gradient),
-            (Self::Logarithmic, true) => {
-                let axes = Axes::of(&left(gradient));
-                axes.tensor(&axes.logs)
-            }
-            (Self::Green, true) => right(gradient).map(|entry| 0.5 * entry),
-        };
-        if self == Self::Logarithmic {
-            (3..6).for_each(|k| strain[k] *= 2.0);
-        }
-        strain
-    }
-}
 
 /// Components along axes of a strain whose shear components are angles.
 fn angles_along(axes: &axes::Axes, strain: &Symmetric) -> Symmetric {

@@ -1,0 +1,73 @@
+//! Search and gap put together for chains: the gap of a point against the piece that faces it.
+
+use super::super::gap::curve::{Along, Weights, overclosure, point_to_curve};
+use super::super::search::chain::{Chain, Piece, PieceKind, flat};
+use super::stencil::{AnyGap, StencilAttachments};
+use crate::rigid::Attachment;
+
+/// Gap of `point` against the piece of a chain that faces it; variables (slave, nodes of
+/// [`Piece::nodes`]). `None` for degenerate positions.
+pub fn chain_gap(
+    chain: &Chain,
+    piece: &Piece,
+    positions: &[[f64; 3]],
+    point: [f64; 3],
+) -> Option<AnyGap> {
+    let (k, xi, point) = (piece.index, piece.parameter, flat(point));
+    let at = |node: usize| positions.get(node).copied().map(flat);
+    match piece.kind {
+        PieceKind::Straight => {
+            let control = [at(k)?, at(k + 1)?];
+            let along = Along::straight(chain.arc_coordinate(k), chain.reference_length(k), xi);
+            point_to_curve(point, &control, &Weights::straight(xi), &along, xi)
+                .map(AnyGap::Straight)
+        }
+        PieceKind::Corner => {
+            let before = k.checked_sub(1)?;
+            let control = [at(before)?, at(k)?, at(k + 1)?];
+            let f = chain.smoothing;
+            let (a1, a2) = (f * chain.reference_length(before), f * chain.reference_length(k));
+            let along = Along::corner(chain.arc_coordinate(k), a1, a2, xi);
+            point_to_curve(point, &control, &Weights::corner(xi, f), &along, xi)
+                .map(AnyGap::Quadratic)
+        }
+    }
+}
+
+/// Overclosure and coordinate along the master of that gap [L], without its derivatives.
+pub fn chain_overclosure(
+    chain: &Chain,
+    piece: &Piece,
+    positions: &[[f64; 3]],
+    point: [f64; 3],
+) -> Option<[f64; 2]> {
+    let (xi, point, control) = (piece.parameter, flat(point), positions.get(piece.nodes())?);
+    let length = |index| chain.reference_length(index);
+    let (over, along) = match *control {
+        [a, b] => (
+            overclosure(point, &[a, b].map(flat), &Weights::straight(xi)),
+            Along::straight(chain.arc_coordinate(piece.index), length(piece.index), xi),
+        ),
+        [a, b, c] => {
+            let f = chain.smoothing;
+            let (before, behind) = (f * length(piece.index - 1), f * length(piece.index));
+            let node = chain.arc_coordinate(piece.index);
+            let weights = Weights::corner(xi, f);
+            (
+                overclosure(point, &[a, b, c].map(flat), &weights),
+                Along::corner(node, before, behind, xi),
+            )
+        }
+        _ => return None,
+    };
+    Some([over?, along.value])
+}
+
+/// Attachments of a chain stencil: the slave, then the piece's nodes, given in order.
+pub fn chain_attachments(slave: Attachment, nodes: &[Attachment]) -> StencilAttachments {
+    let mut attachments = StencilAttachments::new(slave);
+    for node in nodes {
+        attachments.push(*node);
+    }
+    attachments
+}

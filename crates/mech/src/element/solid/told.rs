@@ -1,0 +1,32 @@
+//! Strains as results tell them.
+
+use crate::material::Axes;
+use crate::material::tensor::{Matrix, Symmetric, left, right, symmetric};
+
+/// Strains as results tell them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Told {
+    /// ln V where displacements are large, shear strains as angles (Abaqus).
+    #[default]
+    Logarithmic,
+    /// Green's strain where displacements are large, shear strains as components (CalculiX).
+    Green,
+}
+
+impl Told {
+    /// The strain of a displacement gradient, 11, 22, 33, 12, 13, 23 [1].
+    pub fn strain(self, gradient: &Matrix, large: bool) -> Symmetric {
+        let mut strain = match (self, large) {
+            (_, false) => symmetric(gradient),
+            (Self::Logarithmic, true) => {
+                let axes = Axes::of(&left(gradient));
+                axes.tensor(&axes.logs)
+            }
+            (Self::Green, true) => right(gradient).map(|entry| 0.5 * entry),
+        };
+        if self == Self::Logarithmic {
+            (3..6).for_each(|k| strain[k] *= 2.0);
+        }
+        strain
+    }
+}
