@@ -8,11 +8,11 @@ use super::solids::SOLIDS;
 
 /// The rows of the table.
 pub mod types {
-    pub use super::super::beams::types::*;
-    pub use super::super::solids::types::*;
-    pub use super::super::space_beams::types::*;
-    pub use super::super::springs::types::*;
-    pub use super::super::trusses::types::*;
+    pub use crate::element::beams::types::*;
+    pub use crate::element::solids::types::*;
+    pub use crate::element::space_beams::types::*;
+    pub use crate::element::springs::types::*;
+    pub use crate::element::trusses::types::*;
 }
 
 /// The row of that name in decks.
