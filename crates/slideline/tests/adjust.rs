@@ -62,7 +62,7 @@ fn underside(deck: &str) -> (Vec<[f64; 3]>, Vec<String>) {
     let read = Job::read_text("block", deck, &ReadOptions::default());
     let model = read.model.unwrap_or_else(|| panic!("{:#?}", read.diagnostics));
     let at = |label| model.nodes.position(model.nodes.find(label).unwrap());
-    let said = read.diagnostics.iter().filter(|said| said.code.0 == "SL0360");
+    let said = read.diagnostics.iter().filter(|said| said.code.0 == "SL0417");
     ((1..=4).map(at).collect(), said.map(|said| said.message.clone()).collect())
 }
 

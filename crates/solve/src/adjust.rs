@@ -81,5 +81,5 @@ fn said(
     );
     let help = "the nodes are moved before the first step, without strain; check that no element \
                 is out of shape where the way is long";
-    (count > 0).then(|| Diagnostic::note(Code("SL0360"), message).at(pair.origin).help(help))
+    (count > 0).then(|| Diagnostic::note(Code("SL0417"), message).at(pair.origin).help(help))
 }

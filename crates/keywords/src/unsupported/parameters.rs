@@ -24,7 +24,7 @@ const GROUPS: &[Group] = &[
     (
         "CONTACT PAIR",
         "leave it out: every pair is told apart by its two surfaces",
-        &["CPSET", "TRACKING", "SUPPLEMENTARY CONSTRAINTS", "GEOMETRIC CORRECTION", "WEIGHT", "OP"],
+        &["GEOMETRIC CORRECTION", "WEIGHT", "OP"],
     ),
     ("CONTACT PAIR", "use *TIE for surfaces that stick together", &["TIED"]),
     (
