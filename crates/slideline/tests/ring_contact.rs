@@ -72,7 +72,7 @@ impl Grid {
         let mut grid = Self { deck: "*NODE\n".into(), columns: r.len(), rows: z.len(), base, fine };
         for (j, z) in z.iter().enumerate() {
             for (i, r) in r.iter().enumerate() {
-                if fine == 1 || i % 2 == 0 || j % 2 == 0 {
+                if fine == 1 || i.is_multiple_of(2) || j.is_multiple_of(2) {
                     let _ = writeln!(grid.deck, "{}, {r:?}, {z:?}", grid.node(i, j));
                 }
             }
@@ -97,7 +97,7 @@ impl Grid {
     }
 
     fn exists(&self, i: usize, j: usize) -> bool {
-        self.fine == 1 || i % 2 == 0 || j % 2 == 0
+        self.fine == 1 || i.is_multiple_of(2) || j.is_multiple_of(2)
     }
 
     fn set(&mut self, card: &str, numbers: impl Iterator<Item = usize>) {
