@@ -8,7 +8,7 @@
 //!
 //! A diagnosis rests on this, not on the last iteration alone.
 
-use crate::observe::Status;
+use crate::observe::results::Status;
 use crate::state::PointState;
 use slideline_mech::contact::tangential::Tangential;
 

@@ -13,6 +13,7 @@
 mod account;
 mod adjust;
 mod balance;
+mod books;
 mod checkpoint;
 mod commit;
 mod constraints;
@@ -42,6 +43,7 @@ mod start;
 mod state;
 mod structure;
 mod tangent;
+mod target;
 mod users;
 mod values;
 mod workspace;

@@ -23,12 +23,13 @@ use crate::convergence::{Field, FieldHistory, Measures, judge};
 use crate::evaluate::{Evaluation, Trial, complete, evaluate, look_at};
 use crate::increments::Verdict;
 use crate::linearised::Stiffness;
-use crate::observe::IterationReport;
+use crate::observe::reports::IterationReport;
 use crate::predict;
 use crate::problem::Problem;
 use crate::stabilise;
 use crate::state::State;
 use crate::structure::{Ambient, Configuration, Gather, Product};
+use crate::target::Target;
 pub use assembly::TOUCH;
 use assembly::context;
 pub use relax::relax;
@@ -40,21 +41,6 @@ use slideline_mech::contact::enforcement::Enforcement;
 /// The most points whose contact is solved with its matrix where the other way is
 /// lost: the cost grows with their cube.
 const MOST_DENSE: usize = 1000;
-
-/// What an attempt aims at.
-#[derive(Clone, Copy, Debug)]
-pub struct Target {
-    /// Step number from 1.
-    pub step: usize,
-    /// Increment number from 1.
-    pub increment: usize,
-    /// Attempt number from 1.
-    pub attempt: usize,
-    /// Time in the step at the end of the increment [T].
-    pub step_time: f64,
-    /// The increment [T].
-    pub dt: f64,
-}
 
 /// How an attempt ended.
 #[derive(Clone, Debug, PartialEq)]

@@ -11,16 +11,16 @@ use crate::convergence::FluxAverage;
 use crate::diagnose;
 use crate::increments::{Control, Decision, Verdict};
 use crate::linear_systems::LinearSystems;
-use crate::newton::{Outcome, Scratch, Target, attempt};
-use crate::observe::{
-    AttemptReport, Ending, Event, FrictionCall, IterationReport, Observer, Status, StepReport,
-    Stop, Totals,
-};
+use crate::newton::{Outcome, Scratch, attempt};
+use crate::observe::reports::{AttemptReport, IterationReport, Totals};
+use crate::observe::results::{FrictionCall, Status};
+use crate::observe::{Ending, Event, Observer, StepReport, Stop};
 use crate::plan::{Numbering, Plan, PlanMismatch};
 use crate::problem::{self, Means, Problem};
 use crate::start::Start;
 use crate::state::State;
 use crate::tangent;
+use crate::target::Target;
 use crate::users::UserFrictions;
 use crate::values::Values;
 use crate::workspace::Workspace;

@@ -25,7 +25,7 @@ pub use flux::Flux;
 pub use kernels::Kernels;
 pub use numbering::ElementNumbering;
 
-use crate::observe::BlockResults;
+use crate::observe::results::BlockResults;
 use block::Block;
 use slideline_mech::element::{
     Failure, Kernel, MOST_NODES, MOST_VARIABLES, Strains, Surroundings, Temperature,

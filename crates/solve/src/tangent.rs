@@ -19,7 +19,8 @@ use crate::contact::{
 };
 use crate::evaluate::{Evaluation, Trial};
 use crate::moments::{self, turn_moments};
-use crate::observe::{FrictionCall, Status, TangentReport};
+use crate::observe::reports::TangentReport;
+use crate::observe::results::{FrictionCall, Status};
 use crate::problem::Problem;
 use crate::state::State;
 use crate::structure::{Configuration, Contributions};

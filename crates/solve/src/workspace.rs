@@ -10,7 +10,8 @@
 use crate::checkpoint::Checkpoint;
 use crate::linear_systems::LinearSystems;
 use crate::newton::Scratch;
-use crate::observe::{Ending, Event, Observer, Totals};
+use crate::observe::reports::Totals;
+use crate::observe::{Ending, Event, Observer};
 use crate::plan::{Plan, PlanMismatch};
 use crate::problem::Means;
 use crate::run::{Analysis, Options, Room};

@@ -3,7 +3,7 @@
 
 use super::{Progress, Scratch};
 use crate::convergence::{Field, largest_nodal};
-use crate::observe::{ContactChange, IterationReport};
+use crate::observe::reports::{ContactChange, IterationReport};
 use crate::problem::Problem;
 use crate::state::State;
 use slideline_model::Dof;

@@ -15,12 +15,13 @@
 //! found is an equilibrium of the model as it is. docs/theory.md eq. (9.4). [kelley1998]
 
 use super::search::Estimates;
-use super::{Outcome, Progress, Scratch, Target};
+use super::{Outcome, Progress, Scratch};
 use crate::contact::Sweep;
 use crate::increments::Verdict;
-use crate::observe::IterationReport;
+use crate::observe::reports::IterationReport;
 use crate::problem::Problem;
 use crate::state::State;
+use crate::target::Target;
 
 /// Stiffness of relaxation at first, in those of the stiffest element [1].
 const FIRST: f64 = 1e-3;

@@ -12,12 +12,13 @@ use super::{Analysis, Left};
 use crate::commit::commit;
 use crate::diagnose::{self, Case};
 use crate::increments::{StopReason, Verdict};
-use crate::newton::{Outcome, Scratch, Target, attempt, relax};
+use crate::newton::{Outcome, Scratch, attempt, relax};
 use crate::observe::{Event, Unconverged};
 use crate::problem::Problem;
 use crate::restraint::Restraint;
 use crate::stabilise;
 use crate::state::State;
+use crate::target::Target;
 use slideline_diag::{Code, Diagnostic};
 use slideline_linalg::SolveError;
 
