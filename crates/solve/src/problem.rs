@@ -10,6 +10,7 @@ use crate::constraints::{Constraints, Rows};
 use crate::contact::{Contact, PointRows};
 use crate::dofs::DofMap;
 use crate::linear_systems::LinearSystems;
+use crate::linearised::LinearRows;
 use crate::loads::FaceLoads;
 use crate::plan::{Coupling, Numbering};
 use crate::start::Start;
@@ -140,6 +141,17 @@ impl<'a> Problem<'a> {
     /// Whether friction is there and the deck wants a symmetric tangent.
     pub fn symmetrised(&self) -> bool {
         self.step.unsymmetric == Some(false) && self.contact.laws.iter().any(Laws::has_friction)
+    }
+
+    /// Whether the pattern holds all couplings of a point.
+    pub fn holds(&self, point: LinearRows<'_>) -> bool {
+        if self.is_lenient || !self.contact.is_selective(point.pair) {
+            return true;
+        }
+        let own = point.rows.unknowns;
+        let pairs =
+            own.iter().enumerate().flat_map(|(k, &i)| own[..k].iter().map(move |&j| (i, j)));
+        pairs.into_iter().all(|(i, j)| self.pattern.position(i, j).is_some())
     }
 
     /// Whether some unknown moves a point towards or from its master.
