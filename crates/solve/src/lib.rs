@@ -18,6 +18,7 @@ mod checkpoint;
 mod commit;
 mod constraints;
 mod contact;
+mod continued;
 mod convergence;
 mod diagnose;
 mod dofs;

@@ -8,6 +8,7 @@
 
 use crate::constraints::{Constraints, Rows};
 use crate::contact::{Contact, PointRows};
+use crate::continued::Continued;
 use crate::dofs::DofMap;
 use crate::linear_systems::LinearSystems;
 use crate::linearised::LinearRows;
@@ -100,7 +101,8 @@ impl<'a> Problem<'a> {
             stiffest_length: values.kernels.stiffest_length,
         };
         let before = index.checked_sub(1).and_then(|index| model.steps.get(index));
-        let mut own = Self {
+        let continued = Continued { amplitudes: &model.amplitudes, before };
+        Self {
             model,
             step,
             before,
@@ -115,13 +117,11 @@ impl<'a> Problem<'a> {
             units: &values.units[numbered],
             is_lenient: false,
             enforcement: None,
-            largest_load: 0.0,
+            largest_load: continued.largest_load(step),
             faces: &values.faces[index],
             start,
             means,
-        };
-        own.largest_load = own.largest_load();
-        own
+        }
     }
 
     /// Symbolic factorisation: unsymmetric where there is friction, unless
@@ -193,6 +193,11 @@ impl<'a> Problem<'a> {
                 });
             });
         });
+    }
+
+    /// Takes the derivative of the forces of `pressures` on faces [F/L2] from the tangent.
+    pub fn stiffen_by_faces(&self, rows: &Rows, at: (&[f64], &[f64]), values: &mut [f64]) {
+        self.faces.stiffen((self.constraints, self.pattern, self.kind()), rows, at, values);
     }
 
     /// Adds T' K T of a stencil to matrix values: `dofs` are its own, `tangent`

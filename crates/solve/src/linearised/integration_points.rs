@@ -3,7 +3,9 @@
 //! Many integration points press on few equations: none has a row of its own, the
 //! equations that they press on have.
 
-use super::{LawContext, LinearPoints, LinearRows, LinearisedContact};
+use super::condensed::LinearisedContact;
+use super::context::LawContext;
+use super::points::{LinearPoints, LinearRows};
 use slideline_linalg::{SolveError, Solver};
 
 impl LinearisedContact {

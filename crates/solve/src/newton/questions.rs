@@ -1,7 +1,7 @@
 //! What a diagnosis asks of an attempt that has failed.
 
-use super::Scratch;
 use super::assembly::context;
+use super::scratch::Scratch;
 use crate::iteration_history::IterationHistory;
 use crate::linearised::Contradiction;
 use crate::problem::Problem;

@@ -1,7 +1,7 @@
 //! The room of a step's iterations, and the linear systems that are kept.
 
-use super::Outcome;
-use super::relax::Relaxation;
+use super::outcome::Outcome;
+use super::relaxation::Relaxation;
 use crate::contact::{
     Candidates, ContactKinematics, GeometryScratch, MasterPositions, SweepScratch,
 };
