@@ -1,6 +1,6 @@
 //! Causes that lie in contact.
 
-use super::{Case, step_card};
+use super::case::{Case, step_card};
 use crate::constraints::Role;
 use crate::linearised::Contradiction;
 use crate::newton::TOUCH;

@@ -10,7 +10,7 @@
 //!
 //! docs/theory.md section 10.
 
-use super::{Analysis, Left};
+use super::analysis::{Analysis, Left};
 use crate::commit::{commit, recall_points};
 use crate::constraints::Role;
 use crate::increments::Verdict;

@@ -7,8 +7,8 @@
 //!                     line search --> state of the last attempt, diagnosis
 //! ```
 
+use super::analysis::{Analysis, Left};
 use super::shown::{Numbers, frame};
-use super::{Analysis, Left};
 use crate::commit::commit;
 use crate::diagnose::{self, Case};
 use crate::increments::{StopReason, Verdict};
