@@ -141,12 +141,9 @@ const WITHOUT_DIMENSION: [&str; 8] =
     ["model", "keywords", "solve", "results", "advice", "slideline", "deck", "cli"];
 
 /// Where two numbers are no vector of the plane, or what is described is plane by nature.
-const PAIRS: [(&str, &str); 13] = [
-    ("crates/model/src/lib.rs", "the directions of a body, in the plane or in space"),
+const PAIRS: [(&str, &str); 10] = [
     ("crates/model/src/contact.rs", "points of a profile; shares of two nodes; two coefficients"),
     ("crates/model/src/element/", "kernels of plane elements"),
-    ("crates/keywords/src/cards/beam_section.rs", "width and height"),
-    ("crates/solve/src/constraints/rigid.rs", "two coefficients of a dependent dof"),
     ("crates/solve/src/newton/measures.rs", "forces and moments"),
     ("crates/solve/src/contact/shear.rs", "two ends of a segment"),
     ("crates/advice/src/roles.rs", "radius and spacing"),

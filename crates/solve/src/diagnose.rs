@@ -40,7 +40,7 @@ pub fn failure(case: &Case<'_>) -> Diagnostic {
         |case| case.jam(),
         |case| case.snap_through(),
         |case| case.chattering(),
-        |case| case.wavering(),
+        |case| case.stick_slip_cycling(),
     ];
     causes.iter().find_map(|cause| cause(case)).unwrap_or_else(|| case.unknown())
 }

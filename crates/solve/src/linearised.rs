@@ -19,7 +19,7 @@
 //! Points that are closed already augment K a moderate stiffness s (it enters K
 //! and leaves the multipliers again: lambda = q + s (e - e0)), so that a body
 //! held by contact alone has a regular K. The laws of friction, and with them
-//! the coupling of traction and pressure, stand in the small system; K itself
+//! the coupling of traction and pressure, stand in the condensed contact problem; K itself
 //! is unsymmetric only by the turning of the tractions with the surface.
 
 mod augment_anew;

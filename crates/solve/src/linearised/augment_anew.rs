@@ -1,5 +1,5 @@
-//! The condensed problem placed on the stiffness of an iteration, and the augmentation of that taken
-//! anew from the laws at an estimate.
+//! The condensed problem placed on the stiffness of an iteration, and its augmentation taken anew
+//! from the laws at an estimate.
 
 use super::augmentation::{Stiffness, within};
 use super::compliance::{Compliance, MatrixFree};

@@ -10,7 +10,7 @@ use slideline_linalg::DenseLu;
 use slideline_mech::contact::tangential::Tangential;
 use std::collections::HashMap;
 
-/// Scratch of the small system, kept from iteration to iteration.
+/// Scratch of the condensed contact problem, kept from iteration to iteration.
 #[derive(Clone, Debug, Default)]
 pub struct LinearisedContact {
     pub(super) rows: Vec<Row>,

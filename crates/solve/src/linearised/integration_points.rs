@@ -1,4 +1,4 @@
-//! Integration points of integrated contact in the small system.
+//! Integration points of integrated contact in the condensed contact problem.
 //!
 //! Many integration points press on few equations: none has a row of its own, the
 //! equations that they press on have.

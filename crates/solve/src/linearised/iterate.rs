@@ -1,4 +1,4 @@
-//! The semismooth Newton method of the small system.
+//! The semismooth Newton method of the condensed contact problem.
 
 use super::condensed::LinearisedContact;
 use super::context::LawContext;
@@ -7,11 +7,11 @@ use super::points::{Kind, LinearPoints};
 use super::rows::{IntegrationPoints, Row};
 use super::system::{System, eliminate_in_units};
 
-/// The most iterations of the small system.
+/// The most iterations of the condensed contact problem.
 const ITERATIONS: usize = 40;
 /// How often it is started again from settled pressures.
 const RESTARTS: usize = 3;
-/// Residual of the small system, relative to its multipliers, at which a step
+/// Residual of the condensed contact problem, relative to its multipliers, at which a step
 /// that gains nothing means rounding, not a wrong set.
 const ROUNDED: f64 = 1e-9;
 /// Least part of the stiffness with its augmentation that a row is taken to feel
@@ -21,7 +21,7 @@ const LEAST_OWN: f64 = 1e-6;
 const SHORTEST: f64 = 1e-3;
 
 impl LinearisedContact {
-    /// Solves the small system: by Newton with the stiffness that rows feel, with
+    /// Solves the condensed contact problem: by Newton with the stiffness that rows feel, with
     /// their augmentations and without; where Newton is lost between the limits of
     /// friction from the least energy for fixed limits, or among the
     /// active sets of a hard law from the set that a pivoting method finds.

@@ -7,7 +7,7 @@ use slideline_mech::contact::enforcement::TangentialComplementarity;
 use slideline_mech::contact::pair::{Laws, UserState};
 use slideline_mech::contact::tangential::{Tangential, TangentialMap};
 
-/// An integration point at the displacements of the small system.
+/// An integration point at the displacements of the condensed contact problem.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct PointAnswer {
     pub pressure: f64,

@@ -4,7 +4,7 @@ use super::points::Kind;
 use slideline_mech::contact::enforcement::{Complementarity, TangentialComplementarity};
 use slideline_mech::contact::tangential::MOST_DIRECTIONS;
 
-/// What a row of the small system stands for.
+/// What a row of the condensed contact problem stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Unknown {
     /// A pressure or a traction of a point.
@@ -18,7 +18,7 @@ pub(super) enum Unknown {
     Interface { equation: usize },
 }
 
-/// One row of the small system.
+/// One row of the condensed contact problem.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Row {
     pub unknown: Unknown,

@@ -1,11 +1,11 @@
-//! The small system of one Newton iteration: its residual and slope.
+//! The condensed contact problem of one Newton iteration: its residual and slope.
 
 use super::context::LawContext;
 use super::points::LinearPoints;
 use super::rows::{IntegrationPoints, Row, RowSlopes};
 use slideline_linalg::DenseLu;
 
-/// The small system: e = free - C q, lambda = q + s (e - start).
+/// The condensed contact problem: e = free - C q, lambda = q + s (e - start).
 #[derive(Clone, Copy)]
 pub(super) struct System<'a> {
     pub rows: &'a [Row],
