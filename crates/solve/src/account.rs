@@ -10,60 +10,15 @@
 //!
 //! docs/theory.md section 10.
 
+use crate::books::Books;
 use crate::moments::turn_moments;
-use crate::newton::{Scratch, Target};
-use crate::observe::Energies;
+use crate::newton::Scratch;
+use crate::observe::results::Energies;
 use crate::problem::Problem;
 use crate::state::State;
 use crate::structure::{Ambient, Configuration};
-use serde::{Deserialize, Serialize};
 use slideline_mech::contact::tangential::Tangential;
 use slideline_mech::element::Temperature;
-
-/// What the last increment turned over and what it left unbalanced, and sums
-/// of that. [F L]
-#[derive(Clone, Copy, Debug, PartialEq, Default, Serialize, Deserialize)]
-pub struct Books {
-    /// Energy turned over since time 0, eq. (10.4).
-    pub turned_over: f64,
-    /// What the last increment left over, eq. (10.5).
-    pub left: f64,
-    /// Part of it that went to points for sliding until they opened.
-    pub opening: f64,
-    /// The same as it was counted as friction dissipation.
-    pub opening_dissipation: f64,
-    /// What the increments of this step left over together.
-    pub step: f64,
-    /// Magnitudes of that of all steps before, summed.
-    pub steps: f64,
-    /// The most that an increment left over, by magnitude.
-    pub worst: f64,
-    /// Step and number of that increment.
-    pub worst_at: [usize; 2],
-    /// Its length [T].
-    pub worst_dt: f64,
-}
-
-impl Books {
-    /// Takes the last increment into the sums.
-    pub fn enter(&mut self, target: &Target) {
-        if target.increment == 1 {
-            self.steps += self.step.abs();
-            self.step = 0.0;
-        }
-        self.step += self.left;
-        if self.left.abs() > self.worst.abs() {
-            self.worst = self.left;
-            self.worst_at = [target.step, target.increment];
-            self.worst_dt = target.dt;
-        }
-    }
-
-    /// What all steps left unbalanced.
-    pub fn unbalanced(&self) -> f64 {
-        self.steps + self.step.abs()
-    }
-}
 
 /// Energies after the increment: work by the trapezoidal rule, dissipation
 /// as the mean of the traction forces at both ends times the slip, eqs (10.1)

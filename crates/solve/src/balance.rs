@@ -7,7 +7,7 @@
 
 use crate::contact::PointRows;
 use crate::newton::Scratch;
-use crate::observe::{ContactRow, PairRow, Status};
+use crate::observe::results::{ContactRow, PairRow, Status};
 use crate::problem::Problem;
 use crate::state::{PointState, State};
 use slideline_model::Dof;

@@ -14,7 +14,8 @@
 use crate::contact::{point_count, state_size};
 use crate::dofs::DofMap;
 use crate::increments::Control;
-use crate::observe::{Energies, Totals};
+use crate::observe::reports::Totals;
+use crate::observe::results::Energies;
 use crate::start::Start;
 use crate::state::State;
 use serde::{Deserialize, Serialize};
@@ -139,8 +140,8 @@ impl Checkpoint<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::account::Books;
-    use crate::observe::{FrictionCall, Status};
+    use crate::books::Books;
+    use crate::observe::results::{FrictionCall, Status};
     use crate::state::PointState;
     use slideline_mech::contact::tangential::Tangential;
 

@@ -13,7 +13,7 @@
 //! iterations. Below the floor of rounding nothing can be asked.
 
 use crate::dofs::DofMap;
-use crate::observe::FieldReport;
+use crate::observe::reports::FieldReport;
 use serde::{Deserialize, Serialize};
 use slideline_model::FieldControls;
 

@@ -347,3 +347,8 @@ fn rigid_body(model: &Model, node: NodeIndex) -> impl Iterator<Item = (NodeIndex
 fn point(model: &Model, node: NodeIndex) -> impl Iterator<Item = (NodeIndex, Dof)> + use<> {
     rigid_body(model, node).filter(|(_, dof)| !dof.is_rotation())
 }
+
+/// The dofs of a node that turns in the plane: displacements and rotation.
+pub fn rigid_dofs(dofs: &DofMap, node: NodeIndex) -> [usize; 3] {
+    [Dof::U1, Dof::U2, Dof::UR3].map(|dof| dofs.find(node, dof).unwrap_or(0))
+}

@@ -9,7 +9,7 @@
 use crate::constraints::Rows;
 use crate::contact::{ContactKinematics, Look, MasterPositions, PointKinematics};
 use crate::moments::turn_moments;
-use crate::observe::{FrictionCall, Status};
+use crate::observe::results::{FrictionCall, Status};
 use crate::problem::Problem;
 use crate::stabilise::Dashpots;
 use crate::state::{PointState, State};

@@ -10,6 +10,7 @@
 //! docs/theory.md eq. (9.5).
 
 use crate::constraints::Role;
+use crate::continued::Continued;
 use crate::problem::Problem;
 use slideline_mech::element::Temperature;
 use slideline_model::{Amplitude, Load, Step};
@@ -52,7 +53,7 @@ impl Problem<'_> {
     /// The pressures on faces at a time of the step [F/L2], eq. (9.5).
     pub fn pressures(&self, step_time: f64) -> impl Iterator<Item = f64> + '_ {
         self.step.distributed.pressures.iter().map(move |own| {
-            let start = self.start_of(own.continues, |before, place| {
+            let start = self.continued().start_of(own.continues, |before, place| {
                 let before = before.distributed.pressures.get(place)?;
                 Some((before.value, before.amplitude))
             });
@@ -60,36 +61,15 @@ impl Problem<'_> {
         })
     }
 
-    /// The largest concentrated load at the beginning or the end of the step [F or F L].
-    pub(crate) fn largest_load(&self) -> f64 {
-        let ends = |own: &Load| [self.start_of_load(own, |before| &before.loads), own.value];
-        self.step.loads.iter().flat_map(ends).fold(0.0, |most, value| value.abs().max(most))
-    }
-
     /// A load of a list at a time of the step.
     fn applied(&self, step_time: f64, own: &Load, list: fn(&Step) -> &[Load]) -> f64 {
-        let start = self.start_of_load(own, list);
+        let start = self.continued().start_of_load(own, list);
         self.at(step_time, start, own.value, self.amplitude(own.amplitude))
     }
 
-    fn start_of_load(&self, own: &Load, list: fn(&Step) -> &[Load]) -> f64 {
-        self.start_of(own.continues, |before, place| {
-            let before = list(before).get(place)?;
-            Some((before.value, before.amplitude))
-        })
-    }
-
-    /// What a load begins from: the value of the one that it continues, at the end of the step
-    /// before. `of` reads value and amplitude of a load there.
-    fn start_of(
-        &self,
-        continues: Option<usize>,
-        of: impl Fn(&Step, usize) -> Option<(f64, Option<usize>)>,
-    ) -> f64 {
-        let Some((before, place)) = self.before.zip(continues) else { return 0.0 };
-        let Some((value, amplitude)) = of(before, place) else { return 0.0 };
-        let end = before.procedure.period;
-        self.amplitude(amplitude).map_or(value, |amplitude| value * amplitude.at(end))
+    /// What loads of the step go on from.
+    fn continued(&self) -> Continued<'_> {
+        Continued { amplitudes: &self.model.amplitudes, before: self.before }
     }
 
     fn amplitude(&self, place: Option<usize>) -> Option<&Amplitude> {

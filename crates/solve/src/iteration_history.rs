@@ -8,18 +8,18 @@
 //!
 //! A diagnosis rests on this, not on the last iteration alone.
 
-use crate::observe::Status;
+use crate::observe::results::Status;
 use crate::state::PointState;
 use slideline_mech::contact::tangential::Tangential;
 
 /// Iterations that are looked back upon.
 const WINDOW: u32 = 8;
-/// How often a point must change in them to count as restless.
+/// How often a point must change in them to count as chattering.
 const RESTLESS: u32 = 4;
 
 /// A contact point in the iterations of an attempt.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct PointEvidence {
+pub struct PointHistory {
     closed: bool,
     status: Status,
     traction: Tangential,
@@ -33,7 +33,7 @@ pub struct PointEvidence {
     pub dragged: (f64, f64),
 }
 
-impl PointEvidence {
+impl PointHistory {
     fn note(&mut self, now: &PointState) {
         let both = self.closed && now.closed;
         let turned = self.traction.dot(now.traction) < 0.0;
@@ -66,7 +66,7 @@ fn latest(bits: u32) -> u32 {
 #[derive(Clone, Debug, Default)]
 pub struct IterationHistory {
     /// In the order of the plan.
-    pub points: Vec<PointEvidence>,
+    pub points: Vec<PointHistory>,
     iterations: u32,
 }
 
@@ -81,7 +81,7 @@ impl IterationHistory {
     /// Forgets all, with room for `points` points.
     pub fn fit(&mut self, points: usize) {
         self.points.clear();
-        self.points.resize(points, PointEvidence::default());
+        self.points.resize(points, PointHistory::default());
         self.iterations = 0;
     }
 
@@ -89,7 +89,7 @@ impl IterationHistory {
     pub fn begin(&mut self, guess: &[PointState]) {
         self.iterations = 0;
         for (point, now) in self.points.iter_mut().zip(guess) {
-            *point = PointEvidence::default();
+            *point = PointHistory::default();
             point.note(now);
             (point.changes, point.flips) = (0, 0);
         }
@@ -110,18 +110,18 @@ impl IterationHistory {
         self.iterations.min(WINDOW)
     }
 
-    /// Points that opened and closed again and again, the most restless first.
+    /// Points that opened and closed again and again, those that changed most first.
     pub fn chattering(&self) -> Vec<usize> {
-        self.restless(PointEvidence::changes)
+        self.changing_most(PointHistory::changes)
     }
 
     /// Closed points that went on changing between stick and slip, or their
-    /// way, the most restless first.
-    pub fn wavering(&self) -> Vec<usize> {
-        self.restless(PointEvidence::flips)
+    /// way, those that changed most first.
+    pub fn stick_slip_cycling(&self) -> Vec<usize> {
+        self.changing_most(PointHistory::flips)
     }
 
-    fn restless(&self, count: fn(&PointEvidence) -> u32) -> Vec<usize> {
+    fn changing_most(&self, count: fn(&PointHistory) -> u32) -> Vec<usize> {
         let mut places: Vec<usize> =
             (0..self.points.len()).filter(|&k| count(&self.points[k]) >= RESTLESS).collect();
         places.sort_by_key(|&k| std::cmp::Reverse(count(&self.points[k])));
@@ -161,14 +161,15 @@ mod tests {
             iteration_history.note(&at(k));
         }
         assert_eq!((iteration_history.window(), iteration_history.chattering()), (8, vec![0]));
-        assert_eq!(iteration_history.wavering(), [2]);
+        assert_eq!(iteration_history.stick_slip_cycling(), [2]);
         assert_eq!(
             (iteration_history.points[0].changes(), iteration_history.points[2].flips()),
             (8, 8)
         );
         iteration_history.begin(&at(0));
         assert!(
-            iteration_history.chattering().is_empty() && iteration_history.wavering().is_empty()
+            iteration_history.chattering().is_empty()
+                && iteration_history.stick_slip_cycling().is_empty()
         );
     }
 }

@@ -5,10 +5,9 @@
 //!    o-----o  ->  /  p /
 //! ```
 
-use crate::constraints::Rows;
+use crate::constraints::{Constraints, Rows};
 use crate::dofs::DofMap;
-use crate::problem::Problem;
-use slideline_linalg::Kind;
+use slideline_linalg::{Kind, Pattern};
 use slideline_mech::pressure::{Face, MOST_NODES};
 use slideline_model::{Dof, Model, NodeIndex, Step};
 
@@ -87,7 +86,7 @@ impl FaceLoads {
     /// the matrix is `symmetric`.
     pub fn stiffen(
         &self,
-        plan: &Problem<'_>,
+        (constraints, pattern, kind): (Constraints<'_>, &Pattern, Kind),
         rows: &Rows,
         (pressures, u): (&[f64], &[f64]),
         values: &mut [f64],
@@ -95,7 +94,7 @@ impl FaceLoads {
         if !self.nonlinear {
             return;
         }
-        let symmetric = plan.kind() == Kind::Symmetric;
+        let symmetric = kind == Kind::Symmetric;
         let mut room = [0.0; MOST_ENTRIES];
         for (pressed, &pressure) in self.faces.iter().zip(pressures) {
             if pressure == 0.0 {
@@ -113,7 +112,7 @@ impl FaceLoads {
                 let value = tangent[i * width + j];
                 if symmetric { -0.5 * (value + tangent[j * width + i]) } else { -value }
             };
-            plan.scatter(rows, dofs, entry, values);
+            constraints.scatter((rows, pattern), dofs, entry, values);
         }
     }
 }

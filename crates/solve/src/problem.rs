@@ -8,8 +8,10 @@
 
 use crate::constraints::{Constraints, Rows};
 use crate::contact::{Contact, PointRows};
+use crate::continued::Continued;
 use crate::dofs::DofMap;
 use crate::linear_systems::LinearSystems;
+use crate::linearised::LinearRows;
 use crate::loads::FaceLoads;
 use crate::plan::{Coupling, Numbering};
 use crate::start::Start;
@@ -99,7 +101,8 @@ impl<'a> Problem<'a> {
             stiffest_length: values.kernels.stiffest_length,
         };
         let before = index.checked_sub(1).and_then(|index| model.steps.get(index));
-        let mut own = Self {
+        let continued = Continued { amplitudes: &model.amplitudes, before };
+        Self {
             model,
             step,
             before,
@@ -114,13 +117,11 @@ impl<'a> Problem<'a> {
             units: &values.units[numbered],
             is_lenient: false,
             enforcement: None,
-            largest_load: 0.0,
+            largest_load: continued.largest_load(step),
             faces: &values.faces[index],
             start,
             means,
-        };
-        own.largest_load = own.largest_load();
-        own
+        }
     }
 
     /// Symbolic factorisation: unsymmetric where there is friction, unless
@@ -140,6 +141,17 @@ impl<'a> Problem<'a> {
     /// Whether friction is there and the deck wants a symmetric tangent.
     pub fn symmetrised(&self) -> bool {
         self.step.unsymmetric == Some(false) && self.contact.laws.iter().any(Laws::has_friction)
+    }
+
+    /// Whether the pattern holds all couplings of a point.
+    pub fn holds(&self, point: LinearRows<'_>) -> bool {
+        if self.is_lenient || !self.contact.is_selective(point.pair) {
+            return true;
+        }
+        let own = point.rows.unknowns;
+        let pairs =
+            own.iter().enumerate().flat_map(|(k, &i)| own[..k].iter().map(move |&j| (i, j)));
+        pairs.into_iter().all(|(i, j)| self.pattern.position(i, j).is_some())
     }
 
     /// Whether some unknown moves a point towards or from its master.
@@ -181,6 +193,11 @@ impl<'a> Problem<'a> {
                 });
             });
         });
+    }
+
+    /// Takes the derivative of the forces of `pressures` on faces [F/L2] from the tangent.
+    pub fn stiffen_by_faces(&self, rows: &Rows, at: (&[f64], &[f64]), values: &mut [f64]) {
+        self.faces.stiffen((self.constraints, self.pattern, self.kind()), rows, at, values);
     }
 
     /// Adds T' K T of a stencil to matrix values: `dofs` are its own, `tangent`

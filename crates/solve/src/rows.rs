@@ -8,7 +8,7 @@
 
 use crate::contact::{Contact, SEGMENT_POINTS, SlaveSegment};
 use crate::dofs::DofMap;
-use crate::observe::{ContactRow, FrictionCall, Status};
+use crate::observe::results::{ContactRow, FrictionCall, Status};
 use crate::state::{PointState, State};
 use slideline_model::{Formulation, Model, NodeIndex};
 

@@ -1,8 +1,8 @@
 //! What history needs, as a value: commit is a swap, a cutback drops a value.
 
-use crate::account::Books;
+use crate::books::Books;
 use crate::convergence::FluxAverage;
-use crate::observe::{Energies, FrictionCall, Status};
+use crate::observe::results::{Energies, FrictionCall, Status};
 use serde::{Deserialize, Serialize};
 use slideline_mech::contact::pair::{Footing, History};
 use slideline_mech::contact::tangential::Tangential;

@@ -19,7 +19,8 @@ use crate::contact::{
 };
 use crate::evaluate::{Evaluation, Trial};
 use crate::moments::{self, turn_moments};
-use crate::observe::{FrictionCall, Status, TangentReport};
+use crate::observe::reports::TangentReport;
+use crate::observe::results::{FrictionCall, Status};
 use crate::problem::Problem;
 use crate::state::State;
 use crate::structure::{Configuration, Contributions};
@@ -188,7 +189,7 @@ pub fn assembled(place: &Place<'_>) -> Vec<f64> {
     let gather = plan.gather(rows, &mut values);
     plan.structure.evaluate(&at, &mut contributions, gather, plan.means.pool);
     trial.dashpots.stiffen(plan, rows, &mut values);
-    plan.faces.stiffen(plan, rows, (trial.faces, trial.u), &mut values);
+    plan.stiffen_by_faces(rows, (trial.faces, trial.u), &mut values);
     moments::stiffen(plan, rows, trial.load, (trial.u, ambient.turns), &mut values);
     // Every force on a dependent dof turns with those that it follows.
     let mut force = vec![0.0; trial.load.len()];

@@ -10,10 +10,12 @@
 use crate::checkpoint::Checkpoint;
 use crate::linear_systems::LinearSystems;
 use crate::newton::Scratch;
-use crate::observe::{Ending, Event, Observer, Totals};
+use crate::observe::reports::Totals;
+use crate::observe::{Ending, Event, Observer};
 use crate::plan::{Plan, PlanMismatch};
 use crate::problem::Means;
-use crate::run::{Analysis, Options, Room};
+use crate::run::analysis::{Analysis, Room};
+use crate::run::options::Options;
 use crate::values::Values;
 use rayon::ThreadPool;
 use slideline_model::Model;

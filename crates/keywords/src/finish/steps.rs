@@ -289,14 +289,6 @@ fn prescribe(line: &Boundary, into: &mut InForce<Prescribed, (NodeIndex, Dof)>, 
 }
 
 impl Draft {
-    /// Whether both follow one curve, or none; a curve over the total time is known by its name.
-    pub(super) fn same_curve(&self, one: Option<usize>, other: Option<usize>) -> bool {
-        let name = |place: Option<usize>| {
-            place.and_then(|place| self.model.amplitudes.get(place)).map(|own| &own.name)
-        };
-        name(one) == name(other)
-    }
-
     /// Whether the model moves a node that way: rotation nodes of bodies keep the displacements
     /// that are rotations.
     fn has_motion(&self, node: NodeIndex, dof: Dof) -> bool {

@@ -11,7 +11,7 @@
 //! Armstrong and Frederick's law as a sum of several [chaboche1986], backward Euler; without recall
 //! it is linear hardening. CalculiX tabulates the growth instead. docs/theory.md eq. (3.68).
 
-use super::plastic::{Hardening, yield_stress};
+use super::hardening::{Hardening, yield_stress};
 
 /// A part of what moves the yield surface.
 #[derive(Debug, Clone, PartialEq)]

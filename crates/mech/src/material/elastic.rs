@@ -7,12 +7,21 @@
 //!          |/__/____ stretch                            (*ELASTIC of CalculiX)
 //! ```
 
+use super::answer::Answer;
 use super::principal::Axes;
 use super::tensor::{
     Matrix, Moduli, PAIRS, Symmetric, add, add_dyad, add_unit, contract, deformation, left, pushed,
     right, square, trace,
 };
-use super::{Answer, Elastic};
+
+/// Isotropic linear elasticity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Elastic {
+    /// Young's modulus E [F/L2].
+    pub modulus: f64,
+    /// Poisson's ratio nu [1].
+    pub poisson: f64,
+}
 
 /// Which strain and stress an elastic law joins where displacements are large.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -25,6 +34,25 @@ pub enum LargeStrain {
 }
 
 impl Elastic {
+    /// Shear modulus G = E / 2(1 + nu) [F/L2]. [semantics: keywords, `*ELASTIC`]
+    pub fn shear_modulus(&self) -> f64 {
+        self.modulus / (2.0 * (1.0 + self.poisson))
+    }
+
+    /// Part of the way to another one, E and nu each.
+    pub fn towards(&self, other: &Self, part: f64) -> Self {
+        let number = |low: f64, high: f64| low + part * (high - low);
+        Self {
+            modulus: number(self.modulus, other.modulus),
+            poisson: number(self.poisson, other.poisson),
+        }
+    }
+
+    /// Bulk modulus K = E / 3(1 - 2 nu) [F/L2].
+    pub fn bulk_modulus(&self) -> f64 {
+        self.modulus / (3.0 * (1.0 - 2.0 * self.poisson))
+    }
+
     /// Lame's first constant [F/L2].
     pub fn lame(&self) -> f64 {
         self.bulk_modulus() - 2.0 / 3.0 * self.shear_modulus()

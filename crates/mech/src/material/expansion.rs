@@ -11,8 +11,8 @@
 //! that W = J_th W_m(F_m) and Kirchhoff's stress is J_th tau_m. Small strains are taken apart as a
 //! sum. docs/theory.md eqs. (3.60) to (3.62).
 
+use super::answer::{Answer, Conditions};
 use super::tensor::Matrix;
-use super::{Answer, Conditions, Material};
 
 /// Mean coefficients of expansion over temperature.
 #[derive(Debug, Clone, PartialEq)]
@@ -91,16 +91,16 @@ impl Growth {
 
 /// A law of a body that expands.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Expanding {
+pub struct Expanding<L> {
     /// How it expands.
     pub expansion: Expansion,
     /// What its strains mean at large strain.
     pub growth: Growth,
     /// What it answers to the rest of its deformation.
-    pub law: Material,
+    pub law: L,
 }
 
-impl Expanding {
+impl<L> Expanding<L> {
     /// Logarithms of the stretches of the free body.
     fn logs(&self, under: &Conditions) -> [f64; 3] {
         let strains = self.expansion.strains(under.temperature, under.initial);
@@ -112,19 +112,19 @@ impl Expanding {
         self.logs(under).iter().sum::<f64>().exp()
     }
 
-    /// Answer of the law to what the expansion leaves of a displacement gradient.
+    /// What the answer of the `law` to what the expansion leaves of a displacement gradient is on
+    /// the cold body.
     pub(super) fn respond(
         &self,
         gradient: &Matrix,
         under: &Conditions,
-        committed: &[f64],
-        state: &mut [f64],
+        law: impl FnOnce(&Matrix) -> Answer,
     ) -> Answer {
         let mut left = *gradient;
         if !under.large {
             let strains = self.expansion.strains(under.temperature, under.initial);
             (0..3).for_each(|k| left[k][k] -= strains[k]);
-            return self.law.respond(&left, under, committed, state);
+            return law(&left);
         }
         for (j, log) in self.logs(under).iter().enumerate() {
             // H_m = H / l + (1 / l - 1), free of cancellation
@@ -132,7 +132,7 @@ impl Expanding {
             left.iter_mut().for_each(|row| row[j] += back * row[j]);
             left[j][j] += back;
         }
-        let answer = self.law.respond(&left, under, committed, state);
+        let answer = law(&left);
         let volume = self.volume(under);
         Answer {
             stress: answer.stress.map(|stress| volume * stress),

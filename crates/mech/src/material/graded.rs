@@ -9,16 +9,13 @@
 //!
 //! The constants are taken at the temperature, then the law answers as it does with any constants.
 
+use super::elastic::Elastic;
 use super::expansion::between;
+use super::hardening::{Hardening, yield_stress};
 use super::hyperelastic::{Rubber, Volume};
-use super::plastic::{Hardening, Plastic, yield_stress};
-use super::{Elastic, Material};
+use super::law::{Graded, Material};
+use super::plastic::Plastic;
 use std::cell::Cell;
-
-/// One law with the constants of several temperatures; yield stresses of all at the same strains.
-/// Yield surfaces that move have one temperature.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Graded(Vec<(f64, Material)>);
 
 thread_local! {
     /// Where constants between two rows are written, once more and again.

@@ -11,7 +11,7 @@
 //! [miehe2002]. Derivatives of the logarithm are divided differences over the squares x of the
 //! principal stretches; equal stretches cost no digits. docs/theory.md eqs. (3.65) to (3.67).
 
-use super::Answer;
+use super::answer::Answer;
 use super::tensor::{COUNTS, INDEX, Matrix, Moduli, Symmetric, carried, eigen, pushed, right};
 
 /// The answer of a `law` of small strain, which answers E [1], to a displacement gradient.

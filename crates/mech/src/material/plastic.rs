@@ -16,20 +16,21 @@
 //! State variables: Cp^-1 - 1 (six; less twice the plastic strain where strains are small or the
 //! surface moves), equivalent plastic strain, plastic work per volume, back stresses (six each).
 
+use super::answer::Answer;
+use super::back_stress::BackStress;
+use super::elastic::Elastic;
+use super::hardening::{Hardening, yield_stress};
+use super::logarithmic;
 use super::principal::Axes;
 use super::tensor::{
     Matrix, Symmetric, add, add_dyad, add_pair, add_unit, carried, contract, deformation, deviator,
     inverse, left,
 };
-use super::{Answer, BackStress, Elastic, logarithmic};
 
 /// Index of the equivalent plastic strain among the state variables.
 pub const PEEQ: usize = 6;
 const WORK: usize = 7;
 const BACK: usize = 8;
-
-/// Yield stress [F/L2] and plastic strain [1], line by line.
-pub type Hardening = Vec<[f64; 2]>;
 
 /// An elastic material that yields.
 #[derive(Debug, Clone, PartialEq)]
@@ -74,19 +75,6 @@ struct Radial {
     strain: f64,
     slope: f64,
     work: f64,
-}
-
-/// Yield stress and its slope at an equivalent plastic strain.
-pub(super) fn yield_stress(table: &Hardening, strain: f64) -> [f64; 2] {
-    let behind = table.iter().position(|line| line[1] > strain);
-    match behind {
-        Some(0) | None => [table.last().map_or(0.0, |line| line[0]), 0.0],
-        Some(next) => {
-            let ([low, from], [high, to]) = (table[next - 1], table[next]);
-            let slope = (high - low) / (to - from);
-            [low + slope * (strain - from), slope]
-        }
-    }
 }
 
 impl Plastic {

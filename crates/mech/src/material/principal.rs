@@ -10,7 +10,7 @@
 //! n_a: principal directions in the deformed body, d: difference of two strains, delta: that of
 //! their stresses. docs/theory.md eqs. (3.40) and (3.41).
 
-use super::Answer;
+use super::answer::Answer;
 use super::tensor::{Matrix, Moduli, Symmetric, eigen};
 
 /// Principal logarithmic strains and directions.

@@ -2,6 +2,7 @@ use super::plastic::PEEQ;
 use super::tensor::*;
 use super::*;
 use proptest::prelude::*;
+use std::sync::Arc;
 
 const STEEL: Elastic = Elastic { modulus: 7.0, poisson: 0.3 };
 const VOLUME: Volume = [3.0, 0.4, 0.0, 0.0, 0.0, 0.0];

@@ -8,7 +8,8 @@
 //! For materials without directions of their own: both strains across are the same.
 //! docs/theory.md eqs. (3.58), (3.59).
 
-use super::{Conditions, Material};
+use super::answer::Conditions;
+use super::law::Material;
 
 /// Most corrections of the strain across.
 const MOST: usize = 40;

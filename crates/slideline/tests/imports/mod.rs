@@ -1,13 +1,26 @@
 //! Which file of a crate imports which: read from the sources, as text.
+//!
+//! ```text
+//!   use super::a::{b, C};  crate::a::d()  own_name::a  alias::d()    paths, see paths.rs
+//!   value.method()   where one file alone has that method            see methods.rs
+//! ```
 
+mod methods;
+mod paths;
+mod tests;
+
+use methods::Methods;
+use paths::Paths;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
+/// A module by its names from the root on, such as `["contact", "pair"]`; the root is empty.
+pub type Module = Vec<String>;
+
 /// Files of a crate by the paths of their modules, and what each imports.
 pub struct Imports {
-    /// Module paths such as `["contact", "pair"]`; the root is empty.
-    files: BTreeMap<Vec<String>, PathBuf>,
-    code: BTreeMap<Vec<String>, String>,
+    files: BTreeMap<Module, PathBuf>,
+    targets: BTreeMap<Module, BTreeSet<Module>>,
 }
 
 impl Imports {
@@ -18,7 +31,7 @@ impl Imports {
         let mut files = BTreeMap::new();
         for path in all {
             let inside = path.strip_prefix(source).unwrap().with_extension("");
-            let mut module: Vec<String> =
+            let mut module: Module =
                 inside.iter().map(|part| part.to_str().unwrap().to_owned()).collect();
             if ["mod", "lib", "main"].contains(&module.last().unwrap().as_str()) {
                 module.pop();
@@ -26,7 +39,15 @@ impl Imports {
             files.insert(module, path);
         }
         let code = files.iter().map(|(module, path)| (module.clone(), code(&super::read(path))));
-        Self { code: code.collect(), files }
+        let code: BTreeMap<Module, String> = code.collect();
+        let paths = Paths { code: &code, own_name: own_name(source) };
+        let by_path = code.keys().map(|module| (module.clone(), paths.targets(module)));
+        let mut targets: BTreeMap<Module, BTreeSet<Module>> = by_path.collect();
+        let reached = all_reached(&targets);
+        for (caller, target) in Methods::of(&code).calls(&code, &reached) {
+            targets.entry(caller).or_default().insert(target);
+        }
+        Self { targets, files }
     }
 
     /// The file of a module.
@@ -35,81 +56,50 @@ impl Imports {
     }
 
     /// Modules with a file of their own.
-    pub fn modules(&self) -> impl Iterator<Item = &Vec<String>> {
+    pub fn modules(&self) -> impl Iterator<Item = &Module> {
         self.files.keys()
     }
 
-    /// Modules that one imports from, itself left out.
-    pub fn targets(&self, module: &[String]) -> BTreeSet<Vec<String>> {
-        let code = &self.code[module];
-        let mut found = BTreeSet::new();
-        for (at, _) in code.match_indices("::") {
-            let Some(first) = word_before(code, at) else { continue };
-            let base = match first {
-                "crate" => Vec::new(),
-                "self" => module.to_vec(),
-                "super" => module[..module.len().saturating_sub(1)].to_vec(),
-                // a module below this one
-                name => {
-                    let child = [module, &[name.to_owned()]].concat();
-                    if !self.files.contains_key(&child) || !code.contains(&format!("mod {name};")) {
-                        continue;
-                    }
-                    child
-                }
-            };
-            let mut paths = Vec::new();
-            expand(&code[at + 2..], &[], &mut paths);
-            for path in paths {
-                found.insert(self.resolve(base.clone(), &path));
-            }
-        }
-        found.remove(module);
-        found
-    }
-
-    /// The last module on a path.
-    fn resolve(&self, mut module: Vec<String>, path: &[String]) -> Vec<String> {
-        for part in path {
-            if part == "super" {
-                module.pop();
-                continue;
-            }
-            let below = [&module[..], std::slice::from_ref(part)].concat();
-            if !self.files.contains_key(&below) {
-                break;
-            }
-            module = below;
-        }
-        module
+    /// Modules that one imports from, or whose methods it calls, itself left out.
+    pub fn targets(&self, module: &[String]) -> &BTreeSet<Module> {
+        &self.targets[module]
     }
 
     /// Modules that import one another in a circle, a list each.
-    pub fn circles(&self) -> Vec<Vec<Vec<String>>> {
-        let mut reached: BTreeMap<&Vec<String>, BTreeSet<Vec<String>>> = BTreeMap::new();
-        for module in self.files.keys() {
-            let (mut seen, mut open) = (BTreeSet::new(), vec![module.clone()]);
-            while let Some(next) = open.pop() {
-                for target in self.targets(&next) {
-                    if seen.insert(target.clone()) {
-                        open.push(target);
-                    }
-                }
-            }
-            reached.insert(module, seen);
-        }
-        let mut circles: Vec<Vec<Vec<String>>> = Vec::new();
-        for module in self.files.keys().filter(|module| reached[module].contains(*module)) {
-            let own = |other: &&Vec<String>| {
+    pub fn circles(&self) -> Vec<Vec<Module>> {
+        let reached = all_reached(&self.targets);
+        let mut circles: Vec<Vec<Module>> = Vec::new();
+        for module in self.files.keys().filter(|module| reached[*module].contains(*module)) {
+            let own = |other: &&Module| {
                 reached[module].contains(*other) && reached[*other].contains(module)
             };
-            let circle: Vec<Vec<String>> = self.files.keys().filter(own).cloned().collect();
+            let circle: Vec<Module> = self.files.keys().filter(own).cloned().collect();
             if !circles.contains(&circle) {
                 circles.push(circle);
             }
         }
         circles
     }
+}
+
+/// All modules that each reaches by imports of imports.
+fn all_reached(targets: &BTreeMap<Module, BTreeSet<Module>>) -> BTreeMap<Module, BTreeSet<Module>> {
+    let of = |module: &Module| {
+        let (mut seen, mut open) = (BTreeSet::new(), vec![module]);
+        while let Some(next) = open.pop() {
+            open.extend(targets[next].iter().filter(|target| seen.insert((*target).clone())));
+        }
+        seen
+    };
+    targets.keys().map(|module| (module.clone(), of(module))).collect()
+}
+
+/// The name by which a crate may import itself; the manifest lies beside its sources.
+fn own_name(source: &Path) -> String {
+    let manifest = source.parent().map(|folder| folder.join("Cargo.toml")).unwrap_or_default();
+    let manifest = std::fs::read_to_string(manifest).unwrap_or_default();
+    let name = manifest.lines().find_map(|line| line.strip_prefix("name = "));
+    name.unwrap_or_default().trim_matches('"').replace('-', "_")
 }
 
 /// What is compiled outside of tests, without comments.
@@ -136,44 +126,7 @@ fn code(text: &str) -> String {
     kept
 }
 
-/// The first word of a path: the word before `::`, unless that follows another.
-fn word_before(code: &str, at: usize) -> Option<&str> {
-    let before = &code[..at];
-    let start = before.rfind(|c: char| !(c.is_alphanumeric() || c == '_')).map_or(0, |k| k + 1);
-    let follows = before[..start].ends_with("::") || before[..start].ends_with('$');
-    (start < at && !follows).then(|| &before[start..])
-}
-
-/// All paths of a tree such as `a::{b, c::{self, D}}`.
-fn expand(tree: &str, before: &[String], into: &mut Vec<Vec<String>>) {
-    let tree = tree.trim_start();
-    if let Some(inner) = tree.strip_prefix('{') {
-        let mut depth = 0;
-        let mut start = 0;
-        for (at, letter) in inner.char_indices() {
-            match letter {
-                '{' => depth += 1,
-                ',' if depth == 0 => {
-                    expand(&inner[start..at], before, into);
-                    start = at + 1;
-                }
-                '}' if depth == 0 => {
-                    expand(&inner[start..at], before, into);
-                    return;
-                }
-                '}' => depth -= 1,
-                _ => {}
-            }
-        }
-        return;
-    }
-    let end = tree.find(|c: char| !(c.is_alphanumeric() || c == '_')).unwrap_or(tree.len());
-    let mut path = before.to_vec();
-    if end > 0 {
-        path.push(tree[..end].to_owned());
-    }
-    match tree[end..].strip_prefix("::") {
-        Some(rest) => expand(rest, &path, into),
-        None => into.push(path),
-    }
+/// Whether a letter may stand in a name.
+fn in_name(letter: char) -> bool {
+    letter.is_alphanumeric() || letter == '_'
 }

@@ -7,7 +7,7 @@
 //! Which dofs follow which is the numbering's; these are values that the same plan
 //! takes anew.
 
-use super::ConstraintNumbering;
+use super::numbering::ConstraintNumbering;
 use slideline_model::{Axes, Model};
 
 /// Arms and coefficients of the constraints of a model.

@@ -1,6 +1,7 @@
 //! T at a configuration: how dependent dofs follow the others.
 
-use super::{ConstraintNumbering, Constraints, Role};
+use super::following::Constraints;
+use super::numbering::{ConstraintNumbering, Role};
 use slideline_linalg::Pattern;
 use slideline_mech::turn::Turn;
 

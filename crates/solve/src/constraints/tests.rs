@@ -1,11 +1,12 @@
 //! T and its derivatives, by differences and as transposes.
 
 use super::*;
+use crate::dofs::DofMap;
 use slideline_diag::{FileId, Span};
 use slideline_model::{
     ContactElement, ContactPair, Controls, Dof, Extrapolation, Formulation, Friction, Interaction,
-    Lumping, Master, Node, NormalLaw, OutputRequests, Passage, Prescribed, RigidSurface, Static,
-    Vocabulary,
+    Lumping, Master, Model, Node, NodeIndex, NormalLaw, OutputRequests, Passage, Prescribed,
+    RigidSurface, Static, Step, Vocabulary,
 };
 
 const AT: Span = Span { file: FileId(0), start: 0, end: 0 };

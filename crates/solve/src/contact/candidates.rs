@@ -12,10 +12,8 @@
 //! change no result.
 
 use super::master::MasterSurface;
-use super::positions::MasterPositions;
-use super::{Carrier, Contact};
-use crate::linearised::LinearRows;
-use crate::problem::Problem;
+use super::pairs::{Carrier, Contact};
+use super::positions::{MasterPositions, distance};
 use crate::state::PointState;
 use std::ops::Range;
 
@@ -113,7 +111,7 @@ impl Contact {
         let piece = chain.closest(own, positions.tree(point.pair), at)?;
         let part = piece.nodes();
         let distance =
-            own[part.clone()].iter().map(|&node| apart(at, node)).fold(f64::MAX, f64::min);
+            own[part.clone()].iter().map(|&node| distance(at, node)).fold(f64::MAX, f64::min);
         let far = distance > NEAR * self.spacing[point.pair].max(apart_nodes(&own[part.clone()]));
         (!far).then(|| part.start.saturating_sub(BESIDE)..(part.end + BESIDE).min(nodes.len()))
     }
@@ -121,23 +119,5 @@ impl Contact {
 
 /// Largest distance of neighbouring nodes [L].
 fn apart_nodes(nodes: &[[f64; 3]]) -> f64 {
-    nodes.windows(2).map(|w| apart(w[0], w[1])).fold(0.0, f64::max)
-}
-
-/// Distance of two places [L].
-pub(super) fn apart(a: [f64; 3], b: [f64; 3]) -> f64 {
-    (b[0] - a[0]).hypot(b[1] - a[1]).hypot(b[2] - a[2])
-}
-
-impl Problem<'_> {
-    /// Whether the pattern holds all couplings of a point.
-    pub fn holds(&self, point: LinearRows<'_>) -> bool {
-        if self.is_lenient || !self.contact.is_selective(point.pair) {
-            return true;
-        }
-        let own = point.rows.unknowns;
-        let pairs =
-            own.iter().enumerate().flat_map(|(k, &i)| own[..k].iter().map(move |&j| (i, j)));
-        pairs.into_iter().all(|(i, j)| self.pattern.position(i, j).is_some())
-    }
+    nodes.windows(2).map(|w| distance(w[0], w[1])).fold(0.0, f64::max)
 }

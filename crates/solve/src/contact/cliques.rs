@@ -1,7 +1,8 @@
 //! Which unknowns contact may couple.
 
+use super::candidates::Candidates;
 use super::master::MasterSurface;
-use super::{Candidates, Carrier, Contact};
+use super::pairs::{Carrier, Contact};
 use crate::constraints::ConstraintNumbering;
 
 /// Sets of unknowns, one behind the other in one list.

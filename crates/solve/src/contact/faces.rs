@@ -7,11 +7,11 @@
 //!     o-----(+)-o----o
 //! ```
 
-use super::candidates::apart;
+use super::facing::Facing;
 use super::kinematics::{ContactKinematics, GeometryScratch, PointRows};
-use super::master::{Facing, MasterSurface};
-use super::positions::MasterPositions;
-use super::{Carrier, Contact};
+use super::master::MasterSurface;
+use super::pairs::{Carrier, Contact};
+use super::positions::{MasterPositions, distance};
 use crate::dofs::Translations;
 use crate::state::PointState;
 use slideline_mech::contact::pair::{FacePoint, FaceRoom, Footing};
@@ -193,9 +193,9 @@ impl Contact {
         };
         let Some(placed) = self.placed_faces(point.pair, positions) else { return };
         let nodes = &placed.mesh.faces()[facing.face].nodes;
-        let distances = nodes.iter().map(|&node| apart(at, placed.positions[node]));
+        let distances = nodes.iter().map(|&node| distance(at, placed.positions[node]));
         let corner = |k: usize| placed.positions[nodes[k]];
-        let size = apart(corner(0), corner(1)).max(apart(corner(1), corner(2)));
+        let size = distance(corner(0), corner(1)).max(distance(corner(1), corner(2)));
         let nearest = distances.fold(f64::INFINITY, f64::min);
         if nearest > reach * self.spacing[point.pair].max(size) {
             return;

@@ -12,7 +12,8 @@
 
 use super::kinematics::{ContactKinematics, PointRows};
 use super::master::MasterSurface;
-use super::{Carrier, Contact};
+use super::pairs::{Carrier, Contact};
+use super::positions::distance;
 
 /// Room for the turning of what a point faces along its way, as a part of that [1].
 const ROOM: f64 = 1.0;
@@ -113,8 +114,4 @@ impl Contact {
         let begins = self.laws[point.pair].normal.contact_begins();
         begins - (kinematics.overclosure + closing) > ROOM * way
     }
-}
-
-fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    (a[0] - b[0]).hypot(a[1] - b[1]).hypot(a[2] - b[2])
 }

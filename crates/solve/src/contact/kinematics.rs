@@ -6,13 +6,13 @@
 //!   dofs of the state vector: h, sigma, directions and their gradients
 //! ```
 
-use super::master::Facing;
+use super::facing::Facing;
 use super::operator::{ContactOperator, OperatorRows, OperatorRowsMut};
 use super::shear::{Shear, TURNS};
-use slideline_mech::contact::pair::{AnyGap, FaceRoom, Footing, StencilAttachments};
-use slideline_mech::contact::points::slopes::MOST_SLOPE_DOFS;
+use super::stencil::Stencil;
+use slideline_mech::contact::pair::{AnyGap, FaceRoom, Footing};
 use slideline_mech::contact::tangential::Tangential;
-use slideline_mech::rigid::{Attachment, push_gradients};
+use slideline_mech::rigid::push_gradients;
 use std::ops::Deref;
 
 /// All slave points against their masters in one configuration.
@@ -217,80 +217,6 @@ impl PointRowsMut<'_> {
                 derivative.iter_mut().zip(gradient).for_each(|(sum, g)| *sum += factor * g);
             }
         }
-    }
-}
-
-/// The most dofs that a gap in the plane follows directly, those of shear left out.
-pub const MOST_DIRECT: usize = 16;
-
-/// The dofs that a point and what it faces depend on.
-pub struct Stencil<'a> {
-    /// Position of the point [L].
-    pub position: [f64; 3],
-    width: usize,
-    dofs: [usize; MOST_DIRECT],
-    /// In place of a segment's rotations the turns of its line.
-    values: [f64; MOST_DIRECT],
-    /// How the variables of the gap follow them.
-    pub attachments: Option<StencilAttachments>,
-    /// The shear that turns the line of a segment beyond its rotations.
-    pub shear: Option<&'a Shear>,
-}
-
-impl<'a> Stencil<'a> {
-    /// The stencil of a slave point at `position`.
-    pub fn new(position: [f64; 3]) -> Self {
-        Self {
-            position,
-            width: 0,
-            dofs: [0; MOST_DIRECT],
-            values: [0.0; MOST_DIRECT],
-            attachments: None,
-            shear: None,
-        }
-    }
-
-    /// Number of dofs.
-    pub fn width(&self) -> usize {
-        self.width
-    }
-
-    /// The dofs.
-    pub fn dofs(&self) -> &[usize] {
-        &self.dofs[..self.width]
-    }
-
-    /// Their values.
-    pub fn values(&self) -> &[f64] {
-        &self.values[..self.width]
-    }
-
-    /// The dofs, and behind them those that shear alone follows.
-    fn with_further(&self) -> [usize; MOST_SLOPE_DOFS] {
-        let mut all = [0; MOST_SLOPE_DOFS];
-        all[..self.width].copy_from_slice(self.dofs());
-        if let Some(shear) = self.shear {
-            all[self.width..][..shear.further.len()].copy_from_slice(&shear.further);
-        }
-        all
-    }
-
-    /// Adds dofs with their values.
-    pub fn add(&mut self, dofs: &[usize], values: impl IntoIterator<Item = f64>) {
-        self.dofs[self.width..][..dofs.len()].copy_from_slice(dofs);
-        let room = &mut self.values[self.width..][..dofs.len()];
-        room.iter_mut().zip(values).for_each(|(room, value)| *room = value);
-        self.width += dofs.len();
-    }
-
-    /// Adds dofs with their values in the state vector.
-    pub fn add_from(&mut self, dofs: &[usize], u: &[f64]) {
-        self.add(dofs, dofs.iter().map(|&dof| u[dof]));
-    }
-
-    /// How the variables of the gap follow the dofs.
-    pub fn attachments(&self) -> &[Attachment] {
-        self.attachments.as_ref().map_or(&[], StencilAttachments::as_slice)
     }
 }
 

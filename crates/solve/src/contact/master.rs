@@ -1,13 +1,11 @@
 //! Masters, ready to be searched.
 
-use super::kinematics::Stencil;
+use super::facing::Facing;
 use super::positions::MasterPositions;
-use super::rigid_dofs;
-use crate::dofs::{DofMap, Translations};
+use super::stencil::Stencil;
+use crate::dofs::{DofMap, Translations, rigid_dofs};
 use slideline_mech::contact::pair::{AnyGap, Body, RigidSurface, chain_attachments, chain_gap};
-use slideline_mech::contact::search::chain::{Chain, ChainTree, Piece};
-use slideline_mech::contact::search::faces::FacePlace;
-use slideline_mech::contact::search::rigid;
+use slideline_mech::contact::search::chain::{Chain, ChainTree};
 use slideline_mech::contact::search::rigid::RigidSegment;
 use slideline_mech::rigid::{Attachment, PointMap};
 use slideline_mech::surface::mesh::{FaceMesh, MeshFace};
@@ -48,17 +46,6 @@ pub enum MasterSurface {
     },
     /// Nothing to slide on (a master that reading has refused).
     Nothing,
-}
-
-/// What a point faces of its master.
-#[derive(Clone, Copy, Debug)]
-pub enum Facing {
-    /// A part of a rigid surface.
-    Surface(rigid::Facing),
-    /// A piece of a chain.
-    Piece(Piece),
-    /// A place of a face.
-    Face(FacePlace),
 }
 
 impl MasterSurface {

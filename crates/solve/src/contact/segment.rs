@@ -7,17 +7,11 @@
 //!           /  master   \
 //! ```
 
-use super::kinematics::{ContactKinematics, Stencil};
-use super::master::MasterSurface;
-use super::positions::MasterPositions;
-use super::shear::{Shear, TURNS, sheared_beams};
-use super::{Carrier, Contact, rigid_dofs};
-use crate::dofs::DofMap;
+use super::shear::{Shear, TURNS};
+use super::stencil::Stencil;
 use slideline_mech::contact::points::integration_points::{
     GAUSS, HermiteLine, POINTS, closed_part_between,
 };
-use slideline_model::{ContactPair, Model};
-use std::collections::HashMap;
 
 /// Cells of a slave element along which contact is integrated.
 pub const CELLS: usize = 8;
@@ -92,7 +86,7 @@ impl SlaveSegment {
     /// beyond the point where contact begins at a place on it, lets them
     /// follow the closed part of their cells, and says which integration points contact
     /// may reach in an iteration: `place(integration_point, xi, area)`.
-    fn place_integration_points(
+    pub(super) fn place_integration_points(
         &self,
         beyond: impl Fn(f64) -> f64,
         mut place: impl FnMut(usize, f64, f64),
@@ -114,68 +108,6 @@ impl SlaveSegment {
                 place(cell * POINTS + k, at(begin + t * (end - begin)), area);
             }
         }
-    }
-}
-
-impl Contact {
-    /// Adds the elements of a pair as segments of integration points, without their numbers.
-    pub(super) fn add_segments(
-        &mut self,
-        model: &Model,
-        dofs: &DofMap,
-        place: usize,
-        pair: &ContactPair,
-    ) {
-        let beams = sheared_beams(model);
-        let rows: HashMap<_, _> =
-            self.slave_nodes[place].iter().enumerate().map(|(row, &node)| (node, row)).collect();
-        for element in &pair.elements {
-            let [a, b] = element.nodes.map(|node| rigid_dofs(dofs, node));
-            let (segment, first) = (self.segments.len(), self.points.len());
-            for point in 0..SEGMENT_POINTS {
-                let node = element.nodes[usize::from(2 * (point / POINTS) >= CELLS)];
-                self.add_point(place, pair, node, Carrier::IntegrationPoint { segment });
-            }
-            self.segments.push(SlaveSegment {
-                pair: place,
-                rows: element.nodes.map(|node| rows[&node]),
-                line: HermiteLine::new([[0.0; 3]; 2], [[0.0; 3]; 2]),
-                dofs: [a[0], a[1], a[2], b[0], b[1], b[2]],
-                shear: Shear::new(model, dofs, element.nodes, &beams),
-                width: pair.interaction.width,
-                first,
-            });
-        }
-    }
-
-    /// Integration points follow the closed part of their cells; those of cells that
-    /// contact cannot reach in an iteration face nothing.
-    pub(super) fn meet_segment(
-        &self,
-        segment: &SlaveSegment,
-        u: &[f64],
-        into: &mut ContactKinematics,
-    ) {
-        let own = segment.first..segment.first + SEGMENT_POINTS;
-        own.for_each(|place| into.at_mut(place).turn_away());
-        let begins = self.laws[segment.pair].normal.contact_begins();
-        let master = &self.masters[segment.pair];
-        let MasterSurface::Body { surface, .. } = master else { return };
-        let body = master.placed_body(u);
-        let ends = segment.ends(u);
-        let bent = segment.line.bent(&ends);
-        let beyond = |xi: f64| {
-            let overclosure = surface.overclosure(&body, bent.position(xi));
-            overclosure.unwrap_or(f64::NEG_INFINITY) - begins
-        };
-        let none = MasterPositions::default();
-        segment.place_integration_points(beyond, |integration_point, xi, area| {
-            let place = segment.first + integration_point;
-            let mut into = into.at_mut(place);
-            (into.point.xi, into.point.area) = (xi, area);
-            let (point, stencil) = (&self.points[place], segment.stencil(&ends, xi));
-            self.meet_stencil(point, stencil, (u, &none), &mut into);
-        });
     }
 }
 

@@ -1,7 +1,6 @@
 //! The shear angles of the beams about a segment, by dofs.
 
-use super::rigid_dofs;
-use crate::dofs::DofMap;
+use crate::dofs::{DofMap, rigid_dofs};
 use slideline_mech::contact::points::slopes::{MOST_SLOPE_DOFS, ShearSlopes, ShearedBeam};
 use slideline_model::{Element, Kinematics, Model, NodeIndex};
 use std::collections::HashMap;

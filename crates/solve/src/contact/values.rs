@@ -7,8 +7,10 @@
 //!
 //! Which points there are, and which dofs they follow, stays.
 
+use super::laws;
 use super::master::{MasterSurface, placed_segments};
-use super::{Carrier, Contact, SEGMENT_POINTS, laws, mean_length};
+use super::pairs::{Carrier, Contact};
+use super::segment::SEGMENT_POINTS;
 use crate::dofs::DofMap;
 use crate::users::UserFrictions;
 use slideline_mech::contact::points::faces::tributary_areas as face_areas;
@@ -19,32 +21,6 @@ use slideline_model::{ContactPair, Formulation, Master, Model, NodeIndex};
 use std::collections::HashMap;
 
 impl Contact {
-    /// Takes the numbers of a model with the pairs that were prepared, or prepares them.
-    ///
-    /// Errors: the index of a pair whose master has lost or gained its extent.
-    pub fn take(
-        &mut self,
-        model: &Model,
-        dofs: &DofMap,
-        users: &UserFrictions,
-    ) -> Result<(), usize> {
-        if self.laws.is_empty() {
-            *self = Self::new(model, dofs, users);
-            return Ok(());
-        }
-        self.take_points(model);
-        self.take_segments(model);
-        for (index, pair) in model.contact_pairs.iter().enumerate() {
-            if !self.take_master(model, dofs, index) {
-                return Err(index);
-            }
-            let length = mean_length(model, pair);
-            self.spacing[index] = laws::spacing(model, length, &self.masters[index]);
-            self.take_laws((model, pair), (index, length), users);
-        }
-        Ok(())
-    }
-
     /// Positions and areas of the slave nodes.
     pub(super) fn take_points(&mut self, model: &Model) {
         for point in &mut self.points {
@@ -125,7 +101,7 @@ impl Contact {
     }
 
     /// The master of a pair; false where there is none any more, or one that was not.
-    fn take_master(&mut self, model: &Model, dofs: &DofMap, index: usize) -> bool {
+    pub(super) fn take_master(&mut self, model: &Model, dofs: &DofMap, index: usize) -> bool {
         match (&mut self.masters[index], &model.contact_pairs[index].master) {
             (MasterSurface::Body { reference, surface, .. }, Master::RigidSurface(said)) => {
                 *reference = model.nodes.get(said.reference).position;
@@ -157,7 +133,8 @@ impl Contact {
         }
     }
 
-    fn take_laws(
+    /// The laws of a pair whose contact elements have that mean length [L].
+    pub(super) fn take_laws(
         &mut self,
         (model, pair): (&Model, &ContactPair),
         (index, length): (usize, f64),

@@ -1,6 +1,6 @@
 //! Causes that lie in contact.
 
-use super::{Case, step_card};
+use super::case::{Case, step_card};
 use crate::constraints::Role;
 use crate::linearised::Contradiction;
 use crate::newton::TOUCH;
@@ -181,9 +181,9 @@ impl Case<'_> {
 
     /// Closed points that went on changing between stick and slip, or the way
     /// they slide.
-    pub(super) fn wavering(&self) -> Option<Diagnostic> {
+    pub(super) fn stick_slip_cycling(&self) -> Option<Diagnostic> {
         let iteration_history = &self.work.iteration_history;
-        let places = iteration_history.wavering();
+        let places = iteration_history.stick_slip_cycling();
         let worst = *places.first()?;
         let pair = self.pair_of(worst);
         let point = &iteration_history.points[worst];

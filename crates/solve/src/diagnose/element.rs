@@ -1,6 +1,6 @@
 //! Elements that have no answer where the iteration led them.
 
-use super::Case;
+use super::case::Case;
 use crate::increments::Verdict;
 use slideline_diag::{Code, Diagnostic};
 use slideline_mech::element::Failure;

@@ -1,7 +1,7 @@
 //! A friction law of the embedding program whose derivatives are not those of
 //! its traction: the only part of the tangent that a user can get wrong.
 
-use super::Case;
+use super::case::Case;
 use slideline_diag::{Code, Diagnostic, Place};
 use slideline_mech::contact::enforcement::TangentialComplementarity;
 use slideline_mech::contact::pair::UserState;

@@ -1,6 +1,6 @@
 //! Contact that no increment allowed catches.
 
-use super::Case;
+use super::case::Case;
 use crate::contact::Missed;
 use slideline_diag::{Code, Diagnostic, Place};
 

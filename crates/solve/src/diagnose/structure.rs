@@ -1,7 +1,7 @@
 //! Causes that lie in the structure: motions without resistance, limits of
 //! its strength, steps too long for a first guess.
 
-use super::{Case, reason};
+use super::case::{Case, reason};
 use crate::problem::Problem;
 use crate::restraint::Restraint;
 use crate::state::State;

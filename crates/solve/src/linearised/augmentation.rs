@@ -8,7 +8,8 @@
 //!
 //! docs/theory.md eq. (8.4).
 
-use super::{Augmentation, LawContext, LinearPoint, LinearPoints, LinearRows};
+use super::context::LawContext;
+use super::points::{Augmentation, LinearPoint, LinearPoints, LinearRows};
 use slideline_linalg::{FactorReport, Pattern, SolveError, Solver};
 use slideline_mech::contact::tangential::Tangential;
 

@@ -9,10 +9,12 @@
 //! hard point wherever any do. What then still penetrates cannot be helped:
 //! some points that press depend on one another. (derived)
 
+use super::condensed::LinearisedContact;
+use super::context::LawContext;
 use super::pivoting::pivoting;
-use super::points::Kind;
-use super::system::IntegrationPoints;
-use super::{LawContext, LinearPoint, LinearPoints, LinearisedContact, System};
+use super::points::{Kind, LinearPoint, LinearPoints};
+use super::rows::IntegrationPoints;
+use super::system::System;
 
 /// Hard points that cannot all close.
 #[derive(Clone, Debug, PartialEq)]

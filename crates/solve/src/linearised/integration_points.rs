@@ -1,9 +1,11 @@
-//! Integration points of integrated contact in the small system.
+//! Integration points of integrated contact in the condensed contact problem.
 //!
 //! Many integration points press on few equations: none has a row of its own, the
 //! equations that they press on have.
 
-use super::{LawContext, LinearPoints, LinearRows, LinearisedContact};
+use super::condensed::LinearisedContact;
+use super::context::LawContext;
+use super::points::{LinearPoints, LinearRows};
 use slideline_linalg::{SolveError, Solver};
 
 impl LinearisedContact {

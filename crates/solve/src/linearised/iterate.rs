@@ -1,17 +1,17 @@
-//! The semismooth Newton method of the small system.
+//! The semismooth Newton method of the condensed contact problem.
 
+use super::condensed::LinearisedContact;
+use super::context::LawContext;
 use super::pivoting::pivoting;
-use super::points::Kind;
-use super::system::IntegrationPoints;
-use super::system::{Row, System};
-use super::{LawContext, LinearPoints, LinearisedContact};
-use slideline_linalg::DenseLu;
+use super::points::{Kind, LinearPoints};
+use super::rows::{IntegrationPoints, Row};
+use super::system::{System, eliminate_in_units};
 
-/// The most iterations of the small system.
+/// The most iterations of the condensed contact problem.
 const ITERATIONS: usize = 40;
 /// How often it is started again from settled pressures.
 const RESTARTS: usize = 3;
-/// Residual of the small system, relative to its multipliers, at which a step
+/// Residual of the condensed contact problem, relative to its multipliers, at which a step
 /// that gains nothing means rounding, not a wrong set.
 const ROUNDED: f64 = 1e-9;
 /// Least part of the stiffness with its augmentation that a row is taken to feel
@@ -20,30 +20,8 @@ const LEAST_OWN: f64 = 1e-6;
 /// Shortest fraction of a step that is tried.
 const SHORTEST: f64 = 1e-3;
 
-/// Eliminates with every row and column in the unit of its force, so that no
-/// choice of a pivot depends on how forces and lengths are measured.
-pub(super) fn eliminate_in_units(
-    rows: &[Row],
-    jacobian: &[f64],
-    factors: &mut DenseLu,
-    step: &mut [f64],
-) {
-    let scaled = factors.matrix_mut(rows.len()).chunks_exact_mut(rows.len());
-    for (i, (scaled, row)) in scaled.zip(jacobian.chunks_exact(rows.len())).enumerate() {
-        let own = rows[i].unit;
-        step[i] /= own;
-        for ((scaled, entry), other) in scaled.iter_mut().zip(row).zip(rows) {
-            *scaled = entry * (other.unit / own);
-        }
-    }
-    factors.factor();
-    // as many equations as were factored: it cannot fail
-    let _ = factors.solve(step);
-    step.iter_mut().zip(rows).for_each(|(step, row)| *step *= row.unit);
-}
-
 impl LinearisedContact {
-    /// Solves the small system: by Newton with the stiffness that rows feel, with
+    /// Solves the condensed contact problem: by Newton with the stiffness that rows feel, with
     /// their augmentations and without; where Newton is lost between the limits of
     /// friction from the least energy for fixed limits, or among the
     /// active sets of a hard law from the set that a pivoting method finds.

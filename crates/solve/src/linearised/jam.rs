@@ -11,8 +11,9 @@
 //! pressure closes it by more than the pressure opens it: no pressure holds
 //! the balance, and the contact jams. On a slope this is mu tan a >= 1. (derived)
 
-use super::points::Kind;
-use super::{LawContext, LinearPoints, LinearisedContact};
+use super::condensed::LinearisedContact;
+use super::context::LawContext;
+use super::points::{Kind, LinearPoints};
 use slideline_mech::contact::tangential::Tangential;
 
 impl LinearisedContact {

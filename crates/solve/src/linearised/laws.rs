@@ -1,13 +1,13 @@
 //! What the laws of contact ask of a row or an integration point.
 
-use super::points::{Kind, LinearRows, Sliding};
-use super::system::{IntegrationPoint, Row, RowSlopes};
-use super::{LawContext, LinearPoints};
+use super::context::LawContext;
+use super::points::{Kind, LinearPoints, LinearRows, Sliding};
+use super::rows::{IntegrationPoint, Row, RowSlopes};
 use slideline_mech::contact::enforcement::TangentialComplementarity;
 use slideline_mech::contact::pair::{Laws, UserState};
 use slideline_mech::contact::tangential::{Tangential, TangentialMap};
 
-/// An integration point at the displacements of the small system.
+/// An integration point at the displacements of the condensed contact problem.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct PointAnswer {
     pub pressure: f64,

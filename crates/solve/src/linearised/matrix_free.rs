@@ -14,14 +14,15 @@
 //! from the laws at the present estimate. docs/theory.md eqs (8.26) to (8.29).
 //! [derived]
 
-use super::augmentation::{Stiffness, within};
-use super::laws::PointAnswer;
-use super::points::{Augmentation, Kind};
+use super::augmentation::Stiffness;
+use super::compliance::{Compliance, MatrixFree};
+use super::condensed::{LinearisedContact, ROUNDS, give_multiplier};
+use super::context::LawContext;
+use super::points::{Kind, LinearPoints, LinearRows};
+use super::rows::{Row, Unknown};
 use super::slopes::Slopes;
-use super::system::{Row, RowSlopes, Unknown, share_among_directions};
-use super::{LawContext, LinearPoints, LinearRows, LinearisedContact};
 use slideline_linalg::SolveError;
-use slideline_linalg::krylov::{self, Stop, gmres};
+use slideline_linalg::krylov::{Stop, gmres};
 
 /// The most Newton steps.
 const STEPS: usize = 60;
@@ -33,75 +34,8 @@ const SOLVED: f64 = 1e-11;
 const ROUNDED: f64 = 1e-8;
 /// Shortest fraction of a step that is tried.
 const SHORTEST: f64 = 1e-3;
-/// Change of an augmentation that is worth a factorisation [1].
-const WORTHWHILE: f64 = 1.5;
 /// Products that are always allowed before the augmentation is taken anew.
 const FEW: usize = 6;
-
-/// Scratch of the matrix-free way, kept from iteration to iteration.
-#[derive(Clone, Debug, Default)]
-pub(super) struct MatrixFree {
-    /// Right-hand side of the iteration, -r.
-    right_side: Vec<f64>,
-    /// K_s^-1 of it.
-    base: Vec<f64>,
-    /// A right-hand side and its solution, an entry an equation.
-    full: Vec<f64>,
-    /// e = free - C q, a row each.
-    values: Vec<f64>,
-    residual: Vec<f64>,
-    step: Vec<f64>,
-    /// C times the step.
-    yielded: Vec<f64>,
-    trial: [Vec<f64>; 2],
-    scaled: Vec<f64>,
-    slopes: Vec<RowSlopes>,
-    answers: Vec<PointAnswer>,
-    krylov: krylov::Workspace,
-    /// Solutions with the factored stiffness in this iteration.
-    pub solves: usize,
-}
-
-/// Products with C of a set of rows.
-struct Compliance<'a> {
-    rows: &'a [Row],
-    points: &'a LinearPoints,
-    full: &'a mut Vec<f64>,
-    solves: &'a mut usize,
-    fault: Option<SolveError>,
-}
-
-impl Compliance<'_> {
-    /// Forces of the multipliers `q` on the equations: F' A q.
-    fn push(&mut self, q: &[f64]) {
-        self.full.fill(0.0);
-        for (row, &q) in self.rows.iter().zip(q).filter(|(_, q)| **q != 0.0) {
-            match row.unknown {
-                Unknown::Multiplier { point, kind, .. } => {
-                    self.points.at(point).push(kind, q, self.full);
-                }
-                Unknown::Interface { equation } => self.full[equation] += q,
-            }
-        }
-    }
-
-    /// C q, into a value a row; the displacements are left in `full`.
-    fn product(&mut self, stiffness: &mut Stiffness<'_>, q: &[f64], into: &mut [f64]) {
-        self.push(q);
-        *self.solves += 1;
-        if let Err(fault) = stiffness.solver.respond(self.full) {
-            self.fault = Some(fault);
-        }
-        for (value, row) in into.iter_mut().zip(self.rows) {
-            *value = match row.unknown {
-                Unknown::Multiplier { point, kind, .. } => {
-                    self.points.at(point).dot(kind, self.full)
-                }
-                Unknown::Interface { equation } => self.full[equation],
-            };
-        }
-    }
-}
 
 impl LinearisedContact {
     /// As [`LinearisedContact::solve`], without forming C.
@@ -136,7 +70,7 @@ impl LinearisedContact {
         work.find_base(stiffness)?;
         self.moved.clone_from(&work.base);
         let mut touching = true;
-        for _ in 0..super::ROUNDS {
+        for _ in 0..ROUNDS {
             let joined = self.activate_matrix_free(points, context, touching);
             if joined {
                 if touching {
@@ -238,35 +172,6 @@ impl LinearisedContact {
         result
     }
 
-    /// What does not depend on the estimate: starts, local stiffnesses, weights.
-    fn place_rows(&mut self, points: &LinearPoints, stiffness: &Stiffness<'_>, work: &MatrixFree) {
-        for row in &mut self.rows {
-            match row.unknown {
-                Unknown::Multiplier { point, kind, .. } => {
-                    let point = points.at(point);
-                    let (local, lent) = (stiffness.local(&point), point.augmentation());
-                    let (own, augmentation) = match kind {
-                        Kind::Tangential(_) => (local.tangential, lent.tangential),
-                        Kind::Normal => (local.normal, lent.normal),
-                    };
-                    row.free = row.start + point.dot(kind, &work.base);
-                    (row.own, row.augmentation, row.kappa, row.felt) =
-                        (own, augmentation, own, own);
-                    let felt = own + augmentation;
-                    row.weight = if felt > 0.0 { point.area / felt } else { point.area };
-                }
-                Unknown::Interface { equation } => {
-                    let at = stiffness.pattern.position(equation, equation);
-                    let own = at.map_or(0.0, |at| stiffness.augmented[at].abs());
-                    row.free = work.base[equation];
-                    (row.own, row.kappa, row.felt) = (own, own, own);
-                    row.weight = if own > 0.0 { 1.0 / own } else { 1.0 };
-                }
-            }
-        }
-        share_among_directions(&mut self.rows);
-    }
-
     /// Semismooth Newton in the multipliers `q`.
     fn newton_matrix_free(
         &mut self,
@@ -301,26 +206,6 @@ impl LinearisedContact {
             }
         }
         Ok(false)
-    }
-
-    /// e = free - C q.
-    fn displace(
-        &mut self,
-        points: &LinearPoints,
-        stiffness: &mut Stiffness<'_>,
-        work: &mut MatrixFree,
-        q: &[f64],
-    ) -> Result<(), SolveError> {
-        let MatrixFree { full, yielded, values, solves, base, .. } = work;
-        let mut c = Compliance { rows: &self.rows, points, full, solves, fault: None };
-        c.product(stiffness, q, yielded);
-        let fault = c.fault;
-        for ((value, row), y) in values.iter_mut().zip(&self.rows).zip(yielded) {
-            *value = row.free - *y;
-        }
-        self.moved.clear();
-        self.moved.extend(base.iter().zip(&*full).map(|(base, yielded)| base - yielded));
-        fault.map_or(Ok(()), Err)
     }
 
     /// F = lambda - law at `q` and its values e, with the slopes of the laws;
@@ -438,93 +323,6 @@ impl LinearisedContact {
         None
     }
 
-    /// Takes the augmentation from the laws at the present estimate and factors
-    /// anew; the multipliers and displacements stay. False: nothing to gain.
-    fn augment_anew(
-        &mut self,
-        points: &mut LinearPoints,
-        context: &LawContext<'_>,
-        stiffness: &mut Stiffness<'_>,
-        work: &mut MatrixFree,
-        q: &mut [f64],
-    ) -> Result<bool, SolveError> {
-        let wanted = self.wanted(points, stiffness, work);
-        let changes = |now: f64, then: f64| {
-            let (low, high) = (now.min(then), now.max(then));
-            high > 0.0 && high > WORTHWHILE * low
-        };
-        let any = wanted.iter().any(|&(place, new)| {
-            let old = points[place].augmentation();
-            changes(old.normal, new.normal) || changes(old.tangential, new.tangential)
-        });
-        if !any {
-            return Ok(false);
-        }
-        let multipliers: Vec<f64> = (0..q.len())
-            .map(|i| q[i] + self.rows[i].augmentation * (work.values[i] - self.rows[i].start))
-            .collect();
-        wanted.into_iter().for_each(|(place, new)| points[place].set_augmentation(new));
-        stiffness.factor(points)?;
-        work.find_base(stiffness)?;
-        self.place_rows(points, stiffness, work);
-        for (i, row) in self.rows.iter().enumerate() {
-            if row.point().is_some() {
-                q[i] = multipliers[i] - row.augmentation * (work.values[i] - row.start);
-            }
-        }
-        for integration_point in self.integration_points.iter() {
-            integration_point.rows.iter().for_each(|&i| q[i] = 0.0);
-        }
-        for integration_point in self.integration_points.iter() {
-            let point = points.at(integration_point.point);
-            let answer = context.integration_point(integration_point, &point, &work.values);
-            for (a, &i) in integration_point.rows.iter().enumerate() {
-                q[i] += point.area * point.force_at(a, answer.normal, answer.tangential);
-            }
-        }
-        self.displace(points, stiffness, work, q)?;
-        Ok(true)
-    }
-
-    /// The augmentation of every point with rows that makes the operator of GMRES
-    /// diagonal at the present estimate: docs/theory.md eq. (8.28).
-    fn wanted(
-        &self,
-        points: &LinearPoints,
-        stiffness: &Stiffness<'_>,
-        work: &MatrixFree,
-    ) -> Vec<(usize, Augmentation)> {
-        let slope =
-            |of: &RowSlopes, own: usize| of.by_value[own] / (1.0 - of.by_multiplier[own]).max(0.0);
-        let mut wanted = Vec::with_capacity(self.rows.len());
-        for (i, row) in self.rows.iter().enumerate() {
-            let Some((place, Kind::Normal)) = row.point() else { continue };
-            let local = stiffness.local(&points.at(place));
-            let next = self.rows.get(i + 1).and_then(Row::point);
-            // where it slides in space, nothing stiffens it along its way
-            let along = |direction: usize| slope(&work.slopes[i + 1 + direction], direction);
-            let sticks = |direction: usize| work.slopes[i + 1 + direction].by_multiplier[direction];
-            let tangential = match next == Some((place, Kind::Tangential(0))) {
-                true => (0..points.directions())
-                    .min_by(|&a, &b| sticks(a).total_cmp(&sticks(b)))
-                    .map_or(0.0, |least| within(along(least), local.tangential, 0.0)),
-                false => 0.0,
-            };
-            let normal = within(slope(&work.slopes[i], 0), local.normal, 0.0);
-            wanted.push((place, Augmentation { normal, tangential }));
-        }
-        for (integration_point, answer) in self.integration_points.iter().zip(&work.answers) {
-            let point = points.at(integration_point.point);
-            let (local, lent) = (stiffness.local(&point), point.augmentation());
-            let by_slip = |direction| answer.drag_by_slip.at(direction, direction);
-            let least = (0..points.directions()).map(by_slip).fold(f64::INFINITY, f64::min);
-            let normal = within(answer.slope + lent.normal, local.normal, 0.0);
-            let tangential = within(least + lent.tangential, local.tangential, 0.0);
-            wanted.push((integration_point.point, Augmentation { normal, tangential }));
-        }
-        wanted
-    }
-
     /// Pressures and tractions of the points from the solution.
     fn back_substitute_matrix_free(
         &mut self,
@@ -536,7 +334,7 @@ impl LinearisedContact {
         for (i, row) in self.rows.iter().enumerate() {
             let Some((place, kind)) = row.point() else { continue };
             let multiplier = self.unknown[i] + row.augmentation * (work.values[i] - row.start);
-            super::give_multiplier(
+            give_multiplier(
                 &mut points[place],
                 context,
                 kind,
@@ -545,33 +343,6 @@ impl LinearisedContact {
         }
         self.values.clone_from(&work.values);
         self.give_integration_points(points, context);
-    }
-}
-
-impl MatrixFree {
-    fn make_room(&mut self, rows: usize, integration_points: usize) {
-        let [a, b] = &mut self.trial;
-        let vectors = [
-            &mut self.values,
-            &mut self.residual,
-            &mut self.step,
-            &mut self.yielded,
-            &mut self.scaled,
-            a,
-            b,
-        ];
-        for vector in vectors {
-            vector.resize(rows, 0.0);
-        }
-        self.slopes.resize(rows, RowSlopes::default());
-        self.answers.resize(integration_points, PointAnswer::default());
-    }
-
-    /// K_s^-1 of the right-hand side.
-    fn find_base(&mut self, stiffness: &mut Stiffness<'_>) -> Result<(), SolveError> {
-        self.base.clone_from(&self.right_side);
-        self.solves += 1;
-        stiffness.solver.solve(&mut self.base)
     }
 }
 

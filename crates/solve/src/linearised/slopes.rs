@@ -9,7 +9,7 @@
 
 use super::laws::PointAnswer;
 use super::points::LinearPoints;
-use super::system::{IntegrationPoints, Row, RowSlopes, Unknown};
+use super::rows::{IntegrationPoints, Row, RowSlopes, Unknown};
 use slideline_mech::contact::tangential::MOST_DIRECTIONS;
 
 /// The slopes of the laws about an estimate.

@@ -8,10 +8,13 @@
 //! ```
 
 use super::*;
-use slideline_linalg::{BuiltIn, Kind as MatrixKind, Pattern};
+use slideline_linalg::{BuiltIn, Kind as MatrixKind, Pattern, Solver};
+use slideline_mech::contact::enforcement::Enforcement;
 use slideline_mech::contact::friction::{FrictionLaw, Stick};
 use slideline_mech::contact::normal::NormalLaw;
 use slideline_mech::contact::onset::Onset;
+use slideline_mech::contact::pair::Laws;
+use slideline_mech::contact::tangential::Tangential;
 
 /// Numbers between -1 and 1 that look random.
 struct Random(u64);

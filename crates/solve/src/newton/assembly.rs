@@ -1,6 +1,6 @@
 //! The tangent of an iteration: elements, geometry of contact, augmentation stiffness.
 
-use super::{Scratch, solver};
+use super::scratch::{Scratch, solver};
 use crate::contact::{SEGMENT_POINTS, SlavePoint};
 use crate::linearised::{LawContext, LinearPoint, LinearRows, Sliding, Stiffness};
 use crate::moments;
@@ -110,7 +110,7 @@ impl Scratch {
         self.values.copy_from_slice(&self.evaluation.tangent);
         self.stiffen(plan);
         self.dashpots.stiffen(plan, &self.evaluation.rows, &mut self.values);
-        plan.faces.stiffen(plan, &self.evaluation.rows, (&self.faces, &self.u), &mut self.values);
+        plan.stiffen_by_faces(&self.evaluation.rows, (&self.faces, &self.u), &mut self.values);
         let at = (&self.u[..], &self.turns[..]);
         moments::stiffen(plan, &self.evaluation.rows, &self.load, at, &mut self.values);
         self.turn(plan);

@@ -1,17 +1,85 @@
 //! What an iteration leaves: residuals, corrections, changes of contact, and
 //! what rounding and the laws of contact allow of them.
 
-use super::{Progress, Scratch};
-use crate::convergence::{Field, largest_nodal};
-use crate::observe::{ContactChange, IterationReport};
+use super::outcome::Progress;
+use super::scratch::Scratch;
+use crate::convergence::{Field, FieldHistory, Measures, judge, largest_nodal};
+use crate::observe::reports::{ContactChange, IterationReport};
 use crate::problem::Problem;
 use crate::state::State;
+use crate::target::Target;
 use slideline_model::Dof;
 
 /// Roundings of the size of a force that a residual is allowed [1].
 const ROUNDINGS: f64 = 50.0;
 
 impl Scratch {
+    /// Measures the trial state and judges it.
+    pub(super) fn judge(
+        &mut self,
+        plan: &Problem<'_>,
+        committed: &State,
+        target: &Target,
+        progress: &mut Progress,
+    ) -> IterationReport {
+        let mut report = IterationReport {
+            step: target.step,
+            increment: target.increment,
+            attempt: target.attempt,
+            iteration: 0,
+            severe: false,
+            equilibrium: 0,
+            contact_changes: self.empty_changes(progress),
+            closed: self.evaluation.points.iter().filter(|point| point.closed).count(),
+            force: self.measure(plan, committed, Field::Force),
+            moment: self.measure(plan, committed, Field::Moment),
+            contact_defect: self.evaluation.penetration.max(self.evaluation.stick_slip),
+            step_length: self.step_length,
+            enforcement: self.enforcement,
+            solutions: self.contact.solutions(),
+            converged: false,
+        };
+        let flux = [self.evaluation.flux.mean_force(), self.evaluation.flux.mean_moment()];
+        let controls = &plan.step.controls.field;
+        let averages = [0, 1].map(|field| committed.flux[field].with(flux[field], controls));
+        self.note_changes(plan, controls.r_n * averages[0], &mut report);
+        self.iteration_history.note(&self.evaluation.points);
+        if report.severe {
+            progress.severe += 1;
+            progress.since_change = 0;
+            progress.force = FieldHistory::default();
+            progress.moment = FieldHistory::default();
+        } else {
+            progress.equilibrium += 1;
+            progress.since_change += 1;
+            progress.force.push(report.force.residual);
+            progress.moment.push(report.moment.residual);
+        }
+        report.iteration = (progress.severe + progress.equilibrium) as usize;
+        report.equilibrium = progress.equilibrium as usize;
+        let floors = self.floors(plan, committed);
+        let late = plan.step.controls.effective_time().i_p;
+        for field in [0, 1] {
+            let measures = Measures {
+                flux: flux[field],
+                average: averages[field],
+                floor: floors[field],
+                iteration: progress.since_change,
+                late,
+            };
+            let (own, history) = match field {
+                0 => (&mut report.force, &progress.force),
+                _ => (&mut report.moment, &progress.moment),
+            };
+            judge(own, history, &measures, controls);
+        }
+        report.converged = !report.severe
+            && report.force.converged
+            && report.moment.converged
+            && self.contact_settled(plan, report.force.allowed);
+        report
+    }
+
     /// The list of the report before, emptied: iterations allocate nothing.
     pub(super) fn empty_changes(&mut self, progress: &mut Progress) -> Vec<ContactChange> {
         if let Some(last) = progress.last.take() {

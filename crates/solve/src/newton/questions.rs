@@ -1,11 +1,12 @@
 //! What a diagnosis asks of an attempt that has failed.
 
 use super::assembly::context;
-use super::{Scratch, Target};
+use super::scratch::Scratch;
 use crate::iteration_history::IterationHistory;
 use crate::linearised::Contradiction;
 use crate::problem::Problem;
 use crate::state::State;
+use crate::target::Target;
 use slideline_linalg::SolveError;
 use slideline_mech::contact::tangential::Tangential;
 use slideline_model::NodeIndex;

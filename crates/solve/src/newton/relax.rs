@@ -14,13 +14,14 @@
 //! are measured. What is judged is the residual without D: the state that is
 //! found is an equilibrium of the model as it is. docs/theory.md eq. (9.4). [kelley1998]
 
-use super::search::Estimates;
-use super::{Outcome, Progress, Scratch, Target};
+use super::outcome::{Outcome, Progress};
+use super::scratch::Scratch;
 use crate::contact::Sweep;
 use crate::increments::Verdict;
-use crate::observe::IterationReport;
+use crate::observe::reports::IterationReport;
 use crate::problem::Problem;
 use crate::state::State;
+use crate::target::Target;
 
 /// Stiffness of relaxation at first, in those of the stiffest element [1].
 const FIRST: f64 = 1e-3;
@@ -55,17 +56,6 @@ pub fn relax(
     let verdict = work.relax(plan, committed, (target, &mut progress), watch);
     work.relaxation.stiffness = 0.0;
     progress.end(verdict, None)
-}
-
-/// What holds a state back on its way.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Relaxation {
-    /// mu, in stiffnesses of the stiffest element; zero: none.
-    pub stiffness: f64,
-    /// State at the beginning of the step, a dof each.
-    pub anchor: Vec<f64>,
-    /// Estimates of pressures, tractions and stresses there.
-    estimates: Estimates,
 }
 
 impl Scratch {
@@ -155,35 +145,6 @@ impl Scratch {
         };
         let ways = plan.constraints.dof_of_equation.iter().enumerate().map(moved);
         ways.fold(0.0, |largest, way| if way <= largest { largest } else { way })
-    }
-
-    /// Stiffness that relaxation gives an unknown [F/L or F L].
-    pub(super) fn held_by(&self, plan: &Problem<'_>, equation: usize) -> f64 {
-        let unit = plan.units[equation];
-        self.relaxation.stiffness * plan.structure.stiffest / (unit * unit)
-    }
-
-    /// Takes the forces of relaxation off a right-hand side.
-    pub(super) fn hold_back(&mut self, plan: &Problem<'_>) {
-        if self.relaxation.stiffness == 0.0 {
-            return;
-        }
-        for (equation, &dof) in plan.constraints.dof_of_equation.iter().enumerate() {
-            let way = self.u[dof] - self.relaxation.anchor[dof];
-            self.correction[equation] -= self.held_by(plan, equation) * way;
-        }
-    }
-
-    /// Adds its stiffness to the tangent.
-    pub(super) fn stiffen(&mut self, plan: &Problem<'_>) {
-        if self.relaxation.stiffness == 0.0 {
-            return;
-        }
-        for equation in 0..plan.constraints.equations() {
-            if let Some(at) = plan.pattern.position(equation, equation) {
-                self.values[at] += self.held_by(plan, equation);
-            }
-        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! The room of a step's iterations, and the linear systems that are kept.
 
-use super::Outcome;
-use super::relax::Relaxation;
+use super::outcome::Outcome;
+use super::relaxation::Relaxation;
 use crate::contact::{
     Candidates, ContactKinematics, GeometryScratch, MasterPositions, SweepScratch,
 };
@@ -10,7 +10,7 @@ use crate::iteration_history::IterationHistory;
 use crate::linear_systems::LinearSystems;
 use crate::linearised::{LinearPoints, LinearisedContact};
 use crate::memory;
-use crate::observe::ContactChange;
+use crate::observe::reports::ContactChange;
 use crate::plan::{Coupling, Numbering};
 use crate::problem::Problem;
 use crate::stabilise::Dashpots;

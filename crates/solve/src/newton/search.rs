@@ -10,11 +10,11 @@
 //! Only the last attempt at an increment searches, when shorter increments are
 //! used up: a full step is the better one wherever Newton converges at all.
 
-use super::Scratch;
+use super::relaxation::Estimates;
+use super::scratch::Scratch;
 use crate::evaluate::{evaluate_forces, evaluate_tangent};
 use crate::problem::Problem;
 use crate::state::State;
-use slideline_mech::contact::tangential::Tangential;
 use slideline_model::TimeIncrementation;
 
 /// Fractions that are tried.
@@ -30,14 +30,6 @@ const PATIENCE: u32 = 4;
 pub fn limits(of: &TimeIncrementation) -> TimeIncrementation {
     let (i_c, i_s) = (of.i_c.saturating_mul(PATIENCE), of.i_s.saturating_mul(PATIENCE));
     TimeIncrementation { i_0: u32::MAX, i_r: u32::MAX, i_c, i_s, ..*of }
-}
-
-/// What an iteration estimates beside the displacements.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Estimates {
-    pressures: Vec<f64>,
-    tractions: Vec<Tangential>,
-    stresses: Vec<f64>,
 }
 
 impl Scratch {

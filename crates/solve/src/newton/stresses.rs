@@ -8,7 +8,7 @@
 //! They make the geometric stiffness of the tangent, docs/theory.md section 3.3, and nothing else:
 //! what is judged are forces of the law at the strains.
 
-use super::Scratch;
+use super::scratch::Scratch;
 use crate::problem::Problem;
 use crate::state::State;
 use crate::structure::Ambient;

@@ -5,7 +5,7 @@
 //!   as long as each bends but a little          looked at where it never stands
 //! ```
 
-use super::Scratch;
+use super::scratch::Scratch;
 use crate::problem::Problem;
 
 /// The largest turn that one iteration may add: of the ends of an element against each other, and

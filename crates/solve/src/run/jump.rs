@@ -10,15 +10,16 @@
 //!
 //! docs/theory.md section 10.
 
-use super::{Analysis, Left};
+use super::analysis::{Analysis, Left};
 use crate::commit::{commit, recall_points};
 use crate::constraints::Role;
 use crate::increments::Verdict;
-use crate::newton::{Scratch, Target, attempt};
+use crate::newton::{Scratch, attempt};
 use crate::observe::Event;
 use crate::problem::Problem;
 use crate::stabilise;
 use crate::state::State;
+use crate::target::Target;
 use slideline_diag::{Code, Diagnostic, Place};
 use slideline_model::NodeIndex;
 

@@ -7,17 +7,18 @@
 //!                     line search --> state of the last attempt, diagnosis
 //! ```
 
+use super::analysis::{Analysis, Left};
 use super::shown::{Numbers, frame};
-use super::{Analysis, Left};
 use crate::commit::commit;
 use crate::diagnose::{self, Case};
 use crate::increments::{StopReason, Verdict};
-use crate::newton::{Outcome, Scratch, Target, attempt, relax};
+use crate::newton::{Outcome, Scratch, attempt, relax};
 use crate::observe::{Event, Unconverged};
 use crate::problem::Problem;
 use crate::restraint::Restraint;
 use crate::stabilise;
 use crate::state::State;
+use crate::target::Target;
 use slideline_diag::{Code, Diagnostic};
 use slideline_linalg::SolveError;
 

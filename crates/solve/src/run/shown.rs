@@ -1,12 +1,14 @@
 //! What observers are shown of a state: rows, counts, the frame about them.
 
 use crate::balance::Sum;
-use crate::newton::{Outcome, Target};
-use crate::observe::{BeamRow, BlockResults, ContactRow, Frame, Nodal, PairRow};
+use crate::newton::Outcome;
+use crate::observe::results::{BeamRow, BlockResults, ContactRow, PairRow};
+use crate::observe::{Frame, Nodal};
 use crate::problem::Problem;
 use crate::rows::{Gathered, contact_rows};
 use crate::state::State;
 use crate::structure::Ambient;
+use crate::target::Target;
 
 /// What observers are shown of the committed state.
 #[derive(Default)]

@@ -1,6 +1,6 @@
 //! The elements of a block: where they stand among all others.
 
-use super::Flux;
+use super::flux::Flux;
 use slideline_model::Dof;
 use std::ops::Range;
 

@@ -8,7 +8,8 @@
 //! With threads more elements are taken at a time and shared out; what is summed, and in
 //! which order, is the same.
 
-use super::{AtNodes, Configuration, Contributions, Structure};
+use super::contributions::Contributions;
+use super::elements::{AtNodes, Configuration, Structure};
 use crate::constraints::{Constraints, Rows};
 use rayon::ThreadPool;
 use slideline_linalg::Pattern;

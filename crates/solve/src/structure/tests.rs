@@ -3,6 +3,7 @@
 use super::*;
 use crate::constraints::{ConstraintNumbering, Constraints, Motion, Rows};
 use crate::dofs::DofMap;
+use crate::observe::results::BlockResults;
 use slideline_diag::{FileId, Span};
 use slideline_linalg::Pattern;
 use slideline_mech::material::Elastic;

@@ -12,8 +12,8 @@
 //! docs/theory.md eqs. (3.84) and (3.85).
 
 use super::least_squares::{Linearised, linear, nonlinear};
-use super::paths::term;
-use super::{CHAIN, MOST_TERMS, Mode, Rubber, Volume};
+use super::paths::{Mode, term};
+use super::rubber::{CHAIN, MOST_TERMS, Rubber, Volume};
 use crate::differentiate::{Real, Second};
 
 /// A law whose coefficients are sought.

@@ -9,7 +9,7 @@
 //! The numbers are logarithmic strains along the axes for one along the pulled one. docs/theory.md
 //! eqs. (3.82) and (3.83).
 
-use super::Rubber;
+use super::rubber::Rubber;
 use crate::differentiate::{Real, Second};
 
 /// How a specimen is pulled or pressed.

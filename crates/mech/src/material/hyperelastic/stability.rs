@@ -8,7 +8,8 @@
 //!
 //! Drucker's condition in principal logarithmic strains: docs/theory.md eq. (3.86).
 
-use super::{Mode, Rubber};
+use super::paths::Mode;
+use super::rubber::Rubber;
 use crate::differentiate::Second;
 
 /// Stretches of the search go to this one and to its inverse [1].

@@ -1,158 +1,11 @@
-//! Materials: pure functions of a strain and a committed state.
-//!
-//! ```text
-//!   displacement gradient H, committed state, conditions (kinematics, temperatures, time)
-//!        |
-//!        v      +--> stress      Cauchy's where strains are small, Kirchhoff's where large
-//!     respond --+--> moduli      consistent with the trial state
-//!        |      +--> trial state
-//!        v
-//!   energy, dissipation
-//! ```
-//!
-//! All in three dimensions; plane stress and plane strain are the element's. Tensors are made by
-//! hand; where a law is differentiated it is by three invariants or stretches at most. Moduli at
-//! large strain: with C' = (1 + l)'(1 + l) the energy grows by tau:eps + eps:c:eps/2, eps = (C' -
-//! 1)/2, docs/theory.md eq. (3.39).
+//! What a material answers, whichever it is.
 
-mod back_stress;
-mod elastic;
-mod expansion;
-mod graded;
-pub mod hyperelastic;
-mod logarithmic;
-pub mod plastic;
-mod principal;
-pub mod tensor;
-#[cfg(test)]
-mod tests;
-mod uniaxial;
-
-pub use back_stress::BackStress;
-pub use elastic::{Anisotropic, LargeStrain, Unsound};
-pub(crate) use expansion::between;
-pub use expansion::{Expanding, Expansion, Growth};
-pub use graded::Graded;
-pub use hyperelastic::{MOST_TERMS, Rubber, Volume};
-pub use plastic::{Hardening, Plastic};
-pub use principal::Axes;
-pub use uniaxial::Uniaxial;
-
-use std::fmt::Debug;
-use std::sync::Arc;
-use tensor::{Matrix, Moduli, Symmetric, symmetric};
-
-/// Isotropic linear elasticity.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Elastic {
-    /// Young's modulus E [F/L2].
-    pub modulus: f64,
-    /// Poisson's ratio nu [1].
-    pub poisson: f64,
-}
-
-impl Elastic {
-    /// Shear modulus G = E / 2(1 + nu) [F/L2]. [semantics: keywords, `*ELASTIC`]
-    pub fn shear_modulus(&self) -> f64 {
-        self.modulus / (2.0 * (1.0 + self.poisson))
-    }
-
-    /// Part of the way to another one, E and nu each.
-    pub fn towards(&self, other: &Self, part: f64) -> Self {
-        let number = |low: f64, high: f64| low + part * (high - low);
-        Self {
-            modulus: number(self.modulus, other.modulus),
-            poisson: number(self.poisson, other.poisson),
-        }
-    }
-
-    /// Bulk modulus K = E / 3(1 - 2 nu) [F/L2].
-    pub fn bulk_modulus(&self) -> f64 {
-        self.modulus / (3.0 * (1.0 - 2.0 * self.poisson))
-    }
-}
-
-/// What a material answers under.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Conditions {
-    /// Whether strains are not linearised.
-    pub large: bool,
-    /// Temperature [theta].
-    pub temperature: f64,
-    /// Temperature before the first step, at which it is free of stress [theta].
-    pub initial: f64,
-    /// Time that passes on the way from the committed state [T]: zero for instantaneous, infinite
-    /// for long-term behaviour.
-    pub dt: f64,
-}
-
-/// What a material answers.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Answer {
-    /// Cauchy stress where strains are small, Kirchhoff stress where large [F/L2].
-    pub stress: Symmetric,
-    /// Its moduli [F/L2].
-    pub moduli: Moduli,
-    /// Work done on the undeformed volume so far, dissipation included [F/L2].
-    pub energy: f64,
-    /// The part of it that is not given back [F/L2].
-    pub dissipation: f64,
-}
-
-/// A material that somebody else has written.
-pub trait Law: Debug + Send + Sync {
-    /// Number of state variables of a point.
-    fn states(&self) -> usize;
-
-    /// Answers the displacement gradient H.
-    fn respond(
-        &self,
-        gradient: &Matrix,
-        under: &Conditions,
-        committed: &[f64],
-        state: &mut [f64],
-    ) -> Answer;
-
-    /// A stiffness that bounds that of a stretch [F/L2], for the rounding floor of residuals.
-    fn stiffest(&self) -> f64;
-
-    /// Shear modulus of small strains [F/L2].
-    fn shear_modulus(&self) -> f64;
-}
-
-/// A material of solids.
-#[derive(Debug, Clone)]
-pub enum Material {
-    /// Linear elasticity.
-    Elastic(Elastic, LargeStrain),
-    /// Linear elasticity without isotropy.
-    Anisotropic(Box<Anisotropic>),
-    /// Rubber.
-    Rubber(Rubber),
-    /// Metal that yields.
-    Plastic(Plastic),
-    /// Somebody else's.
-    User(Arc<dyn Law>),
-    /// With constants over temperature.
-    Graded(Arc<Graded>),
-    /// One that expands.
-    Expanding(Box<Expanding>),
-}
-
-impl PartialEq for Material {
-    fn eq(&self, other: &Self) -> bool {
-        match (self, other) {
-            (Self::Elastic(a, large), Self::Elastic(b, other)) => a == b && large == other,
-            (Self::Anisotropic(a), Self::Anisotropic(b)) => a == b,
-            (Self::Rubber(a), Self::Rubber(b)) => a == b,
-            (Self::Plastic(a), Self::Plastic(b)) => a == b,
-            (Self::User(a), Self::User(b)) => Arc::ptr_eq(a, b),
-            (Self::Graded(a), Self::Graded(b)) => a == b,
-            (Self::Expanding(a), Self::Expanding(b)) => a == b,
-            _ => false,
-        }
-    }
-}
+use super::answer::{Answer, Conditions};
+use super::elastic::{Elastic, LargeStrain};
+use super::hyperelastic::Rubber;
+use super::law::Material;
+use super::plastic::{self, Plastic};
+use super::tensor::{Matrix, symmetric};
 
 impl Material {
     /// Number of state variables of a point.
@@ -190,7 +43,9 @@ impl Material {
             (Self::Graded(graded), _) => graded
                 .at(under.temperature, |own| own.respond(gradient, under, committed, state))
                 .unwrap_or_default(),
-            (Self::Expanding(own), _) => own.respond(gradient, under, committed, state),
+            (Self::Expanding(own), _) => {
+                own.respond(gradient, under, |left| own.law.respond(left, under, committed, state))
+            }
         }
     }
 
@@ -300,14 +155,5 @@ impl Material {
             Self::Graded(graded) => graded.rows().next()?.elastic(),
             Self::Expanding(expanding) => expanding.law.elastic(),
         }
-    }
-}
-
-impl Rubber {
-    /// Elasticity of small strains.
-    pub fn small(&self) -> Elastic {
-        let (shear, bulk) = (self.shear_modulus(), self.bulk_modulus());
-        let modulus = 9.0 * bulk * shear / (3.0 * bulk + shear);
-        Elastic { modulus, poisson: modulus / (2.0 * shear) - 1.0 }
     }
 }

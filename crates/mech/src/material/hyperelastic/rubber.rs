@@ -1,33 +1,13 @@
-//! Rubber: energies of the invariants of the isochoric deformation, or of its principal stretches,
-//! and of the change of volume.
-//!
-//! ```text
-//!   W = sum C_ij (I1 - 3)^i (I2 - 3)^j + sum (J - 1)^2i / D_i      neo-Hooke, Mooney-Rivlin, Yeoh
-//!   W = mu sum c_i (I1^i - 3^i)/lm^(2i-2) + ((J^2 - 1)/2 - ln J)/D         Arruda, Boyce
-//!   W = sum 2 mu_i/alpha_i^2 (sum_a l_a^alpha_i - 3) + sum (J - 1)^2i / D_i        Ogden
-//! ```
-//!
-//! The energy is differentiated by its three invariants in forward arithmetic, tensors are made by
-//! hand: docs/theory.md eqs. (3.42) and (3.43).
+//! Rubbers and what they answer.
 
-mod fit;
-mod least_squares;
-mod paths;
-mod stability;
-#[cfg(test)]
-mod tests;
-
-pub use fit::{Form, Measured, NoFit};
-pub use paths::Mode;
-
-use super::Answer;
-use super::elastic::add_turned;
-use super::principal::Axes;
-use super::tensor::{
+use crate::differentiate::{Real, Second, ln_1p};
+use crate::material::answer::Answer;
+use crate::material::elastic::{Elastic, add_turned};
+use crate::material::principal::Axes;
+use crate::material::tensor::{
     Matrix, Moduli, Symmetric, UNIT, add, add_dyad, add_pair, add_unit, deviator, dilation, left,
     square, trace,
 };
-use crate::differentiate::{Real, Second, ln_1p};
 
 /// The most terms of a form.
 pub const MOST_TERMS: usize = 6;
@@ -64,9 +44,17 @@ pub enum Rubber {
 }
 
 /// Coefficients of the five terms of the law of [arruda1993].
-const CHAIN: [f64; 5] = [0.5, 1.0 / 20.0, 11.0 / 1050.0, 19.0 / 7000.0, 519.0 / 673_750.0];
+pub(super) const CHAIN: [f64; 5] =
+    [0.5, 1.0 / 20.0, 11.0 / 1050.0, 19.0 / 7000.0, 519.0 / 673_750.0];
 
 impl Rubber {
+    /// Elasticity of small strains.
+    pub fn small(&self) -> Elastic {
+        let (shear, bulk) = (self.shear_modulus(), self.bulk_modulus());
+        let modulus = 9.0 * bulk * shear / (3.0 * bulk + shear);
+        Elastic { modulus, poisson: modulus / (2.0 * shear) - 1.0 }
+    }
+
     /// Shear modulus of small strains [F/L2].
     pub fn shear_modulus(&self) -> f64 {
         match self {
@@ -93,7 +81,7 @@ impl Rubber {
     }
 
     /// Energy per undeformed volume of I1 - 3, I2 - 3 and J - 1; not that of Ogden's stretches.
-    fn energy<R: Real>(&self, x: R, y: R, j: R) -> R {
+    pub(super) fn energy<R: Real>(&self, x: R, y: R, j: R) -> R {
         let number = R::from_f64;
         match self {
             Self::Polynomial { terms, volume } => {

@@ -1,0 +1,45 @@
+//! Materials: pure functions of a strain and a committed state.
+//!
+//! ```text
+//!   displacement gradient H, committed state, conditions (kinematics, temperatures, time)
+//!        |
+//!        v      +--> stress      Cauchy's where strains are small, Kirchhoff's where large
+//!     respond --+--> moduli      consistent with the trial state
+//!        |      +--> trial state
+//!        v
+//!   energy, dissipation
+//! ```
+//!
+//! All in three dimensions; plane stress and plane strain are the element's. Tensors are made by
+//! hand; where a law is differentiated it is by three invariants or stretches at most. Moduli at
+//! large strain: with C' = (1 + l)'(1 + l) the energy grows by tau:eps + eps:c:eps/2, eps = (C' -
+//! 1)/2, docs/theory.md eq. (3.39).
+
+mod answer;
+mod back_stress;
+mod elastic;
+mod expansion;
+mod graded;
+mod hardening;
+pub mod hyperelastic;
+mod law;
+mod logarithmic;
+pub mod plastic;
+mod principal;
+mod respond;
+pub mod tensor;
+#[cfg(test)]
+mod tests;
+mod uniaxial;
+
+pub use answer::{Answer, Conditions, Law};
+pub use back_stress::BackStress;
+pub use elastic::{Anisotropic, Elastic, LargeStrain, Unsound};
+pub(crate) use expansion::between;
+pub use expansion::{Expanding, Expansion, Growth};
+pub use hardening::Hardening;
+pub use hyperelastic::{MOST_TERMS, Rubber, Volume};
+pub use law::{Graded, Material};
+pub use plastic::Plastic;
+pub use principal::Axes;
+pub use uniaxial::Uniaxial;

@@ -1,0 +1,47 @@
+//! A material: one of the laws, with constants of one temperature or of several.
+
+use super::answer::Law;
+use super::elastic::{Anisotropic, Elastic, LargeStrain};
+use super::expansion::Expanding;
+use super::hyperelastic::Rubber;
+use super::plastic::Plastic;
+use std::sync::Arc;
+
+/// A material of solids.
+#[derive(Debug, Clone)]
+pub enum Material {
+    /// Linear elasticity.
+    Elastic(Elastic, LargeStrain),
+    /// Linear elasticity without isotropy.
+    Anisotropic(Box<Anisotropic>),
+    /// Rubber.
+    Rubber(Rubber),
+    /// Metal that yields.
+    Plastic(Plastic),
+    /// Somebody else's.
+    User(Arc<dyn Law>),
+    /// With constants over temperature.
+    Graded(Arc<Graded>),
+    /// One that expands.
+    Expanding(Box<Expanding<Material>>),
+}
+
+impl PartialEq for Material {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Elastic(a, large), Self::Elastic(b, other)) => a == b && large == other,
+            (Self::Anisotropic(a), Self::Anisotropic(b)) => a == b,
+            (Self::Rubber(a), Self::Rubber(b)) => a == b,
+            (Self::Plastic(a), Self::Plastic(b)) => a == b,
+            (Self::User(a), Self::User(b)) => Arc::ptr_eq(a, b),
+            (Self::Graded(a), Self::Graded(b)) => a == b,
+            (Self::Expanding(a), Self::Expanding(b)) => a == b,
+            _ => false,
+        }
+    }
+}
+
+/// One law with the constants of several temperatures; yield stresses of all at the same strains.
+/// Yield surfaces that move have one temperature.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Graded(pub(super) Vec<(f64, Material)>);

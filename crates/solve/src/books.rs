@@ -1,0 +1,51 @@
+//! What increments turned over and left unbalanced, and sums of that.
+//!
+//! docs/theory.md section 10.
+
+use crate::target::Target;
+use serde::{Deserialize, Serialize};
+
+/// What the last increment turned over and what it left unbalanced, and sums
+/// of that. [F L]
+#[derive(Clone, Copy, Debug, PartialEq, Default, Serialize, Deserialize)]
+pub struct Books {
+    /// Energy turned over since time 0, eq. (10.4).
+    pub turned_over: f64,
+    /// What the last increment left over, eq. (10.5).
+    pub left: f64,
+    /// Part of it that went to points for sliding until they opened.
+    pub opening: f64,
+    /// The same as it was counted as friction dissipation.
+    pub opening_dissipation: f64,
+    /// What the increments of this step left over together.
+    pub step: f64,
+    /// Magnitudes of that of all steps before, summed.
+    pub steps: f64,
+    /// The most that an increment left over, by magnitude.
+    pub worst: f64,
+    /// Step and number of that increment.
+    pub worst_at: [usize; 2],
+    /// Its length [T].
+    pub worst_dt: f64,
+}
+
+impl Books {
+    /// Takes the last increment into the sums.
+    pub fn enter(&mut self, target: &Target) {
+        if target.increment == 1 {
+            self.steps += self.step.abs();
+            self.step = 0.0;
+        }
+        self.step += self.left;
+        if self.left.abs() > self.worst.abs() {
+            self.worst = self.left;
+            self.worst_at = [target.step, target.increment];
+            self.worst_dt = target.dt;
+        }
+    }
+
+    /// What all steps left unbalanced.
+    pub fn unbalanced(&self) -> f64 {
+        self.steps + self.step.abs()
+    }
+}

@@ -1,0 +1,65 @@
+//! How dofs follow others in a configuration.
+
+use super::linear::LinearConstraint;
+use super::motion::Motion;
+use super::numbering::ConstraintNumbering;
+use super::rigid::RigidLink;
+use slideline_mech::turn::Turn;
+use slideline_model::Axes;
+use std::ops::Deref;
+
+/// The constraints of a step at work: what follows what, and how far.
+#[derive(Clone, Copy, Debug)]
+pub struct Constraints<'a> {
+    /// Roles and equations, of the plan.
+    pub numbering: &'a ConstraintNumbering,
+    /// Arms and coefficients, of the values.
+    pub motion: &'a Motion,
+}
+
+impl Deref for Constraints<'_> {
+    type Target = ConstraintNumbering;
+
+    fn deref(&self) -> &ConstraintNumbering {
+        self.numbering
+    }
+}
+
+impl Constraints<'_> {
+    /// Moves dependent dofs to where the others take them.
+    /// `turns`: what the rotations of nodes in space count from; empty: from rest.
+    pub fn enforce(&self, turns: &[Turn], u: &mut [f64]) {
+        let mut linear = self.linear.iter().enumerate();
+        let follow = |(row, constraint): (usize, &LinearConstraint), u: &mut [f64]| {
+            let (coefficients, constant) = self.motion.linear(row);
+            constraint.enforce(coefficients, constant, u);
+        };
+        linear.by_ref().take(self.leading).for_each(|own| follow(own, u));
+        let links = self.rigid.iter().zip(&self.motion.arms);
+        links.for_each(|(link, &arm)| link.enforce((arm, self.axes_of(link)), turns, u));
+        linear.for_each(|own| follow(own, u));
+    }
+
+    /// The own axes of the dependent node of a link, where it has some.
+    pub(super) fn axes_of(&self, link: &RigidLink) -> Option<&Axes> {
+        self.motion.axes.get(link.place_of_turned()?)
+    }
+
+    /// Stiffness by the turning of T, f . d2u/dq2, for forces `f` on all dofs
+    /// (those that act on dependent ones count; they are used up): calls back
+    /// with pairs of rotations and their stiffness.
+    pub fn turning(
+        &self,
+        at: (&[f64], &[Turn]),
+        f: &mut [f64],
+        mut call: impl FnMut(usize, usize, f64),
+    ) {
+        // what follows a body linearly presses on it too
+        for (row, constraint) in self.linear.iter().enumerate().skip(self.leading).rev() {
+            constraint.carry(self.motion.linear(row).0, f);
+        }
+        for (link, &arm) in self.rigid.iter().zip(&self.motion.arms) {
+            link.turning((arm, self.axes_of(link)), at, f, &mut call);
+        }
+    }
+}

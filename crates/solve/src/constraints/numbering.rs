@@ -1,0 +1,171 @@
+//! Roles of all dofs, equations of the unknowns, and which dofs the others follow.
+
+use super::linear::{self, LinearConstraint};
+use super::rigid::{self, RigidLink};
+use crate::dofs::DofMap;
+use slideline_model::{Dof, Model, NodeIndex, Step};
+
+/// What a dof is in a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// Nothing uses it; it stays zero.
+    Inactive,
+    /// Unknown; its equation.
+    Free(usize),
+    /// Prescribed; its index in the step's list.
+    Prescribed(usize),
+    /// Follows others; its row among those of the constraints.
+    Dependent(usize),
+}
+
+/// Roles of all dofs, equations of the unknowns, and which dofs the others follow:
+/// what a plan holds of the constraints of a step.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ConstraintNumbering {
+    /// Role of every dof.
+    pub roles: Vec<Role>,
+    /// Dof of every equation.
+    pub dof_of_equation: Vec<usize>,
+    pub(super) rigid: Vec<RigidLink>,
+    pub(super) linear: Vec<LinearConstraint>,
+    /// How many linear constraints come before the rigid bodies.
+    pub(super) leading: usize,
+    /// Nodes with axes of their own, each with its transform.
+    pub(super) turned: Vec<(NodeIndex, usize)>,
+    /// Dependent dof of every row.
+    pub(super) dependent_dofs: Vec<usize>,
+    /// Where the row of each dependent dof begins; behind the last, the end.
+    pub(super) row_start: Vec<usize>,
+    /// The dofs of the rows.
+    pub(super) row_dofs: Vec<usize>,
+    /// The node whose dofs carry a node.
+    pub(super) carrier: Vec<NodeIndex>,
+}
+
+impl ConstraintNumbering {
+    /// That of a step of a model.
+    pub fn new(model: &Model, step: &Step, dofs: &DofMap) -> Self {
+        let (rigid, carrier) = rigid::resolve(model, dofs);
+        let (linear, leading) = linear::resolve(model, dofs, &rigid);
+        let mut new = Self {
+            roles: vec![Role::Inactive; dofs.len()],
+            dof_of_equation: Vec::new(),
+            rigid,
+            linear,
+            leading,
+            turned: dofs.turned().to_vec(),
+            dependent_dofs: Vec::new(),
+            row_start: vec![0],
+            row_dofs: Vec::new(),
+            carrier,
+        };
+        new.roles
+            .iter_mut()
+            .enumerate()
+            .filter(|(dof, _)| dofs.is_active(*dof))
+            .for_each(|(_, role)| *role = Role::Free(0));
+        new.add_rows();
+        for (place, prescribed) in step.prescribed.iter().enumerate() {
+            if let Some(dof) = dofs.named(prescribed.node, prescribed.dof) {
+                new.roles[dof] = Role::Prescribed(place);
+            }
+        }
+        new.number_unknowns();
+        new
+    }
+
+    /// Gives every dependent dof its role and a row of the dofs it follows.
+    fn add_rows(&mut self) {
+        let Self { roles, rigid, linear, leading, dependent_dofs, row_start, row_dofs, .. } = self;
+        let of_links = rigid.iter().map(|link| link.dependent_dofs().count()).sum::<usize>();
+        let dependents = of_links + linear.len();
+        dependent_dofs.reserve_exact(dependents);
+        row_start.reserve_exact(dependents);
+        let followed = linear.iter().map(|constraint| constraint.terms.len());
+        row_dofs.reserve(2 * of_links + followed.sum::<usize>());
+        let mut add = |dependent: usize, followed: &mut dyn Iterator<Item = usize>| {
+            roles[dependent] = Role::Dependent(row_start.len() - 1);
+            dependent_dofs.push(dependent);
+            row_dofs.extend(followed);
+            row_start.push(row_dofs.len());
+        };
+        let (leading, linear) = linear.split_at(*leading);
+        for constraint in leading {
+            add(constraint.dependent, &mut constraint.terms.iter().map(|&(dof, _)| dof));
+        }
+        for link in rigid {
+            for (component, dependent) in link.dependent_dofs() {
+                add(dependent, &mut link.followed(component).into_iter().flatten());
+            }
+        }
+        for constraint in linear {
+            add(constraint.dependent, &mut constraint.terms.iter().map(|&(dof, _)| dof));
+        }
+    }
+
+    fn number_unknowns(&mut self) {
+        let is_free = |role: &&Role| matches!(role, Role::Free(_));
+        self.dof_of_equation.reserve_exact(self.roles.iter().filter(is_free).count());
+        for (dof, role) in self.roles.iter_mut().enumerate() {
+            if matches!(role, Role::Free(_)) {
+                *role = Role::Free(self.dof_of_equation.len());
+                self.dof_of_equation.push(dof);
+            }
+        }
+    }
+
+    /// Number of unknowns.
+    pub fn equations(&self) -> usize {
+        self.dof_of_equation.len()
+    }
+
+    /// The equation of a dof that is unknown.
+    pub fn equation(&self, dof: usize) -> Option<usize> {
+        match self.roles[dof] {
+            Role::Free(equation) => Some(equation),
+            _ => None,
+        }
+    }
+
+    /// Whether a dof follows others.
+    pub fn is_dependent(&self, dof: usize) -> bool {
+        matches!(self.roles[dof], Role::Dependent(_))
+    }
+
+    /// The node whose dofs carry this one, as part of a rigid body.
+    pub fn carrier(&self, node: NodeIndex) -> NodeIndex {
+        self.carrier[node]
+    }
+
+    /// Adds the equations that a dof depends on.
+    pub fn equations_of(&self, dof: usize, into: &mut Vec<usize>) {
+        match self.roles[dof] {
+            Role::Free(equation) => into.push(equation),
+            Role::Dependent(row) => {
+                for &followed in &self.row_dofs[self.row_start[row]..self.row_start[row + 1]] {
+                    self.equations_of(followed, into);
+                }
+            }
+            Role::Inactive | Role::Prescribed(_) => {}
+        }
+    }
+
+    /// Whether the rotations of a node in space may count from a new start. What holds some of them
+    /// and not others, or links them by an equation, means rotation vectors from the old start:
+    /// from a new one its forces would point elsewhere, and nothing would balance them.
+    pub fn may_turn_anew(&self, node: NodeIndex, dofs: &DofMap) -> bool {
+        let node = self.carrier(node);
+        let rotations = [Dof::UR1, Dof::UR2, Dof::UR3].map(|kind| dofs.named(node, kind));
+        let role = |dof: Option<usize>| dof.map(|dof| self.roles[dof]);
+        if rotations.iter().all(|&dof| matches!(role(dof), Some(Role::Prescribed(_)))) {
+            return true;
+        }
+        let free = rotations.iter().all(|&dof| matches!(role(dof), Some(Role::Free(_))));
+        free && !self.linear.iter().any(|constraint| constraint.links(&rotations))
+    }
+
+    /// Whether T turns with the unknowns.
+    pub fn turns(&self) -> bool {
+        !self.rigid.is_empty()
+    }
+}

@@ -1,0 +1,120 @@
+//! Points that stand behind a master, or have no room between two.
+
+use super::kinematics::ContactKinematics;
+use super::master::MasterSurface;
+use super::pairs::Contact;
+use super::positions::distance;
+use crate::state::PointState;
+use slideline_mech::contact::search::pass::cross_faces;
+use slideline_mech::contact::search::sweep::cross_chain;
+
+/// Parts of a segment whose ends are held against another body.
+const OUTLINE: usize = 64;
+
+impl Contact {
+    /// Two rigid masters of the same slave nodes that stand deeper in one another
+    /// than in the undeformed model and than their points sink in: their pairs,
+    /// and how deep [L].
+    pub fn without_room(&self, u: &[f64], points: &[PointState]) -> Option<([usize; 2], f64)> {
+        let sunk = |pair: usize| {
+            let own = self.points.iter().zip(points).filter(move |(point, _)| point.pair == pair);
+            let depths = own.map(|(_, state)| -state.opening).filter(|depth| depth.is_finite());
+            depths.fold(0.0_f64, f64::max)
+        };
+        self.opposed.iter().find_map(|&pairs| {
+            let overlap = self.overlap(pairs, u);
+            if overlap <= sunk(pairs[0]) + sunk(pairs[1]) {
+                return None;
+            }
+            let undeformed = self.overlap(pairs, &vec![0.0; u.len()]);
+            (overlap > undeformed + sunk(pairs[0]) + sunk(pairs[1])).then_some((pairs, overlap))
+        })
+    }
+
+    /// How deep two rigid masters stand in one another [L]; zero where they do
+    /// not, or are not rigid.
+    pub fn overlap(&self, pairs: [usize; 2], u: &[f64]) -> f64 {
+        let [first, second] = pairs.map(|pair| &self.masters[pair]);
+        let within = |of: &MasterSurface, other: &MasterSurface| {
+            let (MasterSurface::Body { surface, .. }, MasterSurface::Body { surface: own, .. }) =
+                (of, other)
+            else {
+                return 0.0;
+            };
+            let (body, other) = (of.placed_body(u), other.placed_body(u));
+            let ((a, reach), (b, other_reach)) = (surface.bounds(), own.bounds());
+            if distance(body.to_space(a), other.to_space(b)) > reach + other_reach {
+                return 0.0;
+            }
+            let places = surface.outline(OUTLINE);
+            let depths = places.filter_map(|at| own.overclosure(&other, body.to_space(at)));
+            depths.fold(0.0_f64, f64::max)
+        };
+        within(first, second).max(within(second, first))
+    }
+
+    /// Turns slave nodes away from masters that they did not meet from the
+    /// front: those that faced nothing at the last commit, as beyond an open end,
+    /// and stand behind their master now without having crossed it.
+    ///
+    /// ```text
+    ///     front   o------------- master     a node that comes round the end
+    ///     behind        <--- x              has not touched the front
+    /// ```
+    pub fn turn_away_from_behind(
+        &self,
+        (from, before): (&[f64], &[PointState]),
+        u: &[f64],
+        kinematics: &mut ContactKinematics,
+    ) {
+        for (place, point) in self.points.iter().enumerate() {
+            let before = &before[place];
+            let aside = before.along.is_none() && !before.closed && !point.is_integration_point();
+            let now = kinematics.points()[place];
+            if aside && now.faces && now.overclosure > 0.0 {
+                let start = self.slave(point, 0.0, from).position;
+                if !self.enters(point.pair, (start, now.position), (from, u)) {
+                    kinematics.at_mut(place).turn_away_in_place();
+                }
+            }
+        }
+    }
+
+    /// Whether a way crosses a master from its front.
+    fn enters(
+        &self,
+        pair: usize,
+        (start, end): ([f64; 3], [f64; 3]),
+        (from, to): (&[f64], &[f64]),
+    ) -> bool {
+        let mut inward = false;
+        let master = &self.masters[pair];
+        match master {
+            MasterSurface::Nothing => {}
+            MasterSurface::Faces { mesh, nodes, .. } => {
+                let positions = |u: &[f64]| -> Vec<_> {
+                    nodes.iter().map(|(at, dofs)| dofs.displace(*at, u)).collect()
+                };
+                let (before, after) = (positions(from), positions(to));
+                let all = 0..mesh.faces().len();
+                cross_faces(mesh, (&before, &after), all, (start, end), |crossing| {
+                    inward |= crossing.inward;
+                });
+            }
+            MasterSurface::Body { surface, .. } => {
+                let local = |at: [f64; 3], u: &[f64]| master.placed_body(u).to_body(at);
+                let way = (local(start, from), local(end, to));
+                surface.crossings(way, |crossing, _| inward |= crossing.inward);
+            }
+            MasterSurface::Line { chain, nodes, .. } => {
+                let positions = |u: &[f64]| {
+                    let nodes = nodes.iter().map(|(at, dofs)| dofs.displace(*at, u));
+                    chain.prolonged(nodes.collect())
+                };
+                let (before, after) = (positions(from), positions(to));
+                cross_chain((&before, &after), (start, end), |crossing| inward |= crossing.inward);
+            }
+        }
+        inward
+    }
+}

@@ -1,0 +1,150 @@
+//! The pairs of a model prepared: which points there are, which dofs they follow, which masters.
+
+use super::laws::{self, mean_length, state_size};
+use super::master::MasterSurface;
+use super::pairs::{Carrier, Contact, SlavePoint};
+use super::segment::{CELLS, SEGMENT_POINTS, SlaveSegment};
+use super::shear::{Shear, sheared_beams};
+use crate::dofs::{DofMap, rigid_dofs};
+use crate::users::UserFrictions;
+use slideline_mech::contact::points::integration_points::{HermiteLine, POINTS};
+use slideline_model::{ContactPair, Formulation, Master, Model, NodeIndex};
+use std::collections::{HashMap, HashSet};
+
+impl Contact {
+    /// Prepares the pairs of a model.
+    pub fn new(model: &Model, dofs: &DofMap, users: &UserFrictions) -> Self {
+        let mut contact = Self {
+            points: Vec::new(),
+            slave_nodes: model.contact_pairs.iter().map(ContactPair::slave_nodes).collect(),
+            laws: Vec::new(),
+            segments: Vec::new(),
+            state_size: 0,
+            directions: if model.is_in_space() { 2 } else { 1 },
+            masters: Vec::new(),
+            spacing: Vec::new(),
+            edges: Vec::new(),
+            opposed: Vec::new(),
+            chain_nodes: 0,
+            tangents: Vec::new(),
+        };
+        for (place, pair) in model.contact_pairs.iter().enumerate() {
+            contact.edges.push(Vec::new());
+            match pair.formulation {
+                Formulation::NodeToSurface => contact.add_nodes(dofs, place, pair),
+                Formulation::SurfaceToSurface => contact.add_segments(model, dofs, place, pair),
+            }
+            let length = mean_length(model, pair);
+            contact.laws.push(laws::laws(model, pair, length, users));
+            let master = match &pair.master {
+                Master::RigidSurface(surface) => MasterSurface::body(model, dofs, surface),
+                Master::SlideLine(line) => {
+                    MasterSurface::chain(model, dofs, line, contact.chain_nodes)
+                }
+                Master::Faces(faces) => {
+                    MasterSurface::faces(model, dofs, faces, contact.chain_nodes)
+                }
+            };
+            contact.chain_nodes += master.nodes().len();
+            contact.spacing.push(laws::spacing(model, length, &master));
+            contact.masters.push(master);
+        }
+        contact.opposed = contact.opposed_pairs();
+        contact.take_points(model);
+        contact.take_segments(model);
+        contact
+    }
+
+    /// Pairs with rigid masters that share slave nodes.
+    fn opposed_pairs(&self) -> Vec<[usize; 2]> {
+        let rigid = |pair: &usize| matches!(self.masters[*pair], MasterSurface::Body { .. });
+        let pairs: Vec<usize> = (0..self.masters.len()).filter(rigid).collect();
+        let mut opposed = Vec::new();
+        for (k, &first) in pairs.iter().enumerate() {
+            let own: HashSet<_> = self.slave_nodes[first].iter().collect();
+            let shares =
+                |second: &&usize| self.slave_nodes[**second].iter().any(|node| own.contains(node));
+            opposed.extend(pairs[k + 1..].iter().filter(shares).map(|&second| [first, second]));
+        }
+        opposed
+    }
+
+    fn add_nodes(&mut self, dofs: &DofMap, place: usize, pair: &ContactPair) {
+        let nodes = self.slave_nodes[place].clone();
+        let first = self.points.len();
+        let points = nodes.iter().enumerate().map(|(k, &node)| (node, first + k));
+        let points: HashMap<_, _> = points.collect();
+        let elements = pair.elements.iter();
+        self.edges[place] = elements.map(|own| own.nodes.map(|node| points[&node])).collect();
+        self.points.reserve(nodes.len());
+        for node in nodes {
+            let (position, dofs) = ([0.0; 3], dofs.translations(node));
+            self.add_point(place, pair, node, Carrier::Node { position, dofs });
+        }
+    }
+
+    /// Adds a point without its numbers.
+    fn add_point(
+        &mut self,
+        pair_place: usize,
+        pair: &ContactPair,
+        node: NodeIndex,
+        carrier: Carrier,
+    ) {
+        let (state_variables, state_size) = (self.state_size, state_size(pair));
+        self.state_size += state_size;
+        let (pair, area) = (pair_place, 0.0);
+        let point = SlavePoint { pair, node, area, state_variables, state_size, carrier };
+        self.points.push(point);
+    }
+
+    /// Adds the elements of a pair as segments of integration points, without their numbers.
+    fn add_segments(&mut self, model: &Model, dofs: &DofMap, place: usize, pair: &ContactPair) {
+        let beams = sheared_beams(model);
+        let rows: HashMap<_, _> =
+            self.slave_nodes[place].iter().enumerate().map(|(row, &node)| (node, row)).collect();
+        for element in &pair.elements {
+            let [a, b] = element.nodes.map(|node| rigid_dofs(dofs, node));
+            let (segment, first) = (self.segments.len(), self.points.len());
+            for point in 0..SEGMENT_POINTS {
+                let node = element.nodes[usize::from(2 * (point / POINTS) >= CELLS)];
+                self.add_point(place, pair, node, Carrier::IntegrationPoint { segment });
+            }
+            self.segments.push(SlaveSegment {
+                pair: place,
+                rows: element.nodes.map(|node| rows[&node]),
+                line: HermiteLine::new([[0.0; 3]; 2], [[0.0; 3]; 2]),
+                dofs: [a[0], a[1], a[2], b[0], b[1], b[2]],
+                shear: Shear::new(model, dofs, element.nodes, &beams),
+                width: pair.interaction.width,
+                first,
+            });
+        }
+    }
+
+    /// Takes the numbers of a model with the pairs that were prepared, or prepares them.
+    ///
+    /// Errors: the index of a pair whose master has lost or gained its extent.
+    pub fn take(
+        &mut self,
+        model: &Model,
+        dofs: &DofMap,
+        users: &UserFrictions,
+    ) -> Result<(), usize> {
+        if self.laws.is_empty() {
+            *self = Self::new(model, dofs, users);
+            return Ok(());
+        }
+        self.take_points(model);
+        self.take_segments(model);
+        for (index, pair) in model.contact_pairs.iter().enumerate() {
+            if !self.take_master(model, dofs, index) {
+                return Err(index);
+            }
+            let length = mean_length(model, pair);
+            self.spacing[index] = laws::spacing(model, length, &self.masters[index]);
+            self.take_laws((model, pair), (index, length), users);
+        }
+        Ok(())
+    }
+}

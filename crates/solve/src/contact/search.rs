@@ -1,0 +1,72 @@
+//! What a slave point faces, and the dofs that both depend on.
+
+use super::facing::Facing;
+use super::master::MasterSurface;
+use super::pairs::{Carrier, Contact, SlavePoint};
+use super::positions::MasterPositions;
+use super::segment::SlaveSegment;
+use super::stencil::Stencil;
+use slideline_mech::contact::pair::AnyGap;
+use slideline_mech::rigid::{Attachment, PointMap};
+
+impl Contact {
+    /// The slave's part of a stencil.
+    pub(super) fn slave(&self, point: &SlavePoint, xi: f64, u: &[f64]) -> Stencil<'_> {
+        match &point.carrier {
+            Carrier::Node { position, dofs } => {
+                let mut stencil = Stencil::new(dofs.displace(*position, u));
+                stencil.add_from(dofs.as_slice(), u);
+                stencil
+            }
+            Carrier::IntegrationPoint { segment } => {
+                let segment = &self.segments[*segment];
+                segment.stencil(&segment.ends(u), xi)
+            }
+        }
+    }
+
+    /// How a slave point follows its own dofs.
+    pub(super) fn attachment(&self, point: &SlavePoint, xi: f64) -> Attachment {
+        match &point.carrier {
+            Carrier::Node { .. } => Attachment::Point { map: PointMap::Free, first: 0 },
+            Carrier::IntegrationPoint { segment } => {
+                Attachment::Blend { blend: self.segments[*segment].line.blend(xi), firsts: [0, 3] }
+            }
+        }
+    }
+
+    /// What the point of a stencil faces; the master's part is added to it.
+    pub(super) fn face(
+        &self,
+        point: &SlavePoint,
+        xi: f64,
+        u: &[f64],
+        positions: &MasterPositions,
+        stencil: &mut Stencil<'_>,
+    ) -> Option<(AnyGap, Facing)> {
+        let slave = self.attachment(point, xi);
+        let tree = positions.tree(point.pair);
+        let master = &self.masters[point.pair];
+        let facing = master.search(u, (&positions.nodes, tree), stencil.position)?;
+        let gap = master.gap(&facing, slave, (u, &positions.nodes), stencil)?;
+        Some((gap, facing))
+    }
+
+    /// Length after which the slip coordinate of a point's master begins anew.
+    pub(super) fn period(&self, point: &SlavePoint) -> Option<f64> {
+        match &self.masters[point.pair] {
+            MasterSurface::Body { surface, .. } => surface.period(),
+            _ => None,
+        }
+    }
+
+    /// Where an integration point stands on its element while its cell is closed.
+    pub(super) fn resting_place(&self, place: usize) -> f64 {
+        match self.points[place].carrier {
+            Carrier::Node { .. } => 0.0,
+            Carrier::IntegrationPoint { segment } => {
+                SlaveSegment::resting_place(place - self.segments[segment].first)
+            }
+        }
+    }
+}

@@ -1,0 +1,193 @@
+//! Where slave points stand against their masters in one configuration.
+
+use super::kinematics::{ContactKinematics, PointKinematics, PointRowsMut};
+use super::master::MasterSurface;
+use super::pairs::{Carrier, Contact, SlavePoint};
+use super::positions::MasterPositions;
+use super::segment::{SEGMENT_POINTS, SlaveSegment};
+use super::stencil::Stencil;
+use crate::state::PointState;
+
+impl Contact {
+    /// All points, facing nothing yet, each with room for the dofs it may follow.
+    pub fn nowhere(&self) -> ContactKinematics {
+        let mut kinematics = ContactKinematics::default();
+        self.forget(&mut kinematics);
+        kinematics
+    }
+
+    /// Lets points face nothing, in the room they have.
+    pub fn forget(&self, kinematics: &mut ContactKinematics) {
+        let room = |point: &SlavePoint| {
+            let own = match &point.carrier {
+                Carrier::Node { dofs, .. } => dofs.as_slice().len(),
+                Carrier::IntegrationPoint { segment } => self.segments[*segment].all_dofs().count(),
+            };
+            own + self.masters[point.pair].most_dofs()
+        };
+        let room = self.points.iter().map(room).max().unwrap_or(0);
+        kinematics.forget(self.points.len(), room, self.directions);
+    }
+
+    /// Where every point stands at displacements `u`, with slips since the states `before`, of
+    /// which there may be none. `positions` is scratch. Points that `idle` names are left as they
+    /// are.
+    pub fn meet(
+        &self,
+        (u, before): (&[f64], &[PointState]),
+        idle: &[bool],
+        positions: &mut MasterPositions,
+        into: &mut ContactKinematics,
+    ) {
+        self.place_masters(u, positions);
+        for (place, point) in self.points.iter().enumerate() {
+            let is_idle = idle.get(place).is_some_and(|&idle| idle);
+            if !is_idle && !point.is_integration_point() {
+                into.at_mut(place).point.area = point.area;
+                self.meet_one(place, (u, before), positions, into);
+            }
+        }
+        for segment in &self.segments {
+            self.meet_segment(segment, u, into);
+        }
+    }
+
+    /// As [`Contact::meet`], with integration points left where they stand on their
+    /// elements.
+    pub fn meet_in_place(
+        &self,
+        at: (&[f64], &[PointState]),
+        positions: &mut MasterPositions,
+        into: &mut ContactKinematics,
+    ) {
+        self.place_masters(at.0, positions);
+        for (place, point) in self.points.iter().enumerate() {
+            if into.points()[place].faces || !point.is_integration_point() {
+                self.meet_one(place, at, positions, into);
+            }
+        }
+    }
+
+    /// Where the points that `idle` names stand at displacements `u`, for which
+    /// the masters are placed already.
+    pub fn meet_idle(
+        &self,
+        at: (&[f64], &[PointState]),
+        idle: &[bool],
+        positions: &MasterPositions,
+        into: &mut ContactKinematics,
+    ) {
+        for place in (0..self.points.len()).filter(|&place| idle[place]) {
+            self.meet_one(place, at, positions, into);
+        }
+    }
+
+    /// Where all points stand at displacements `u`, however far from their masters;
+    /// integration points where their cells, wholly closed, have them.
+    pub fn stand(&self, u: &[f64], positions: &mut MasterPositions, into: &mut ContactKinematics) {
+        self.place_masters(u, positions);
+        for (place, point) in self.points.iter().enumerate() {
+            let own = into.at_mut(place);
+            own.point.area = point.area;
+            own.point.xi = self.resting_place(place);
+            self.meet_one(place, (u, &[]), positions, into);
+        }
+    }
+
+    /// Where one of them stands, without its rows; the masters are placed already.
+    pub(super) fn stands(
+        &self,
+        place: usize,
+        u: &[f64],
+        positions: &MasterPositions,
+    ) -> PointKinematics {
+        let point = &self.points[place];
+        let xi = self.resting_place(place);
+        let mut kinematics = PointKinematics { area: point.area, xi, ..PointKinematics::NOWHERE };
+        let mut stencil = self.slave(point, xi, u);
+        kinematics.position = stencil.position;
+        if let Some((gap, facing)) = self.face(point, xi, u, positions, &mut stencil) {
+            kinematics.take(&gap, facing);
+        }
+        kinematics
+    }
+
+    /// Whether a point faces nothing because its master ends, and would touch
+    /// it, up to a gap of `slack`, were that end prolonged; an integration point at `xi`
+    /// of its element.
+    pub fn has_slid_off(&self, place: usize, (xi, slack): (f64, f64), u: &[f64]) -> bool {
+        let mut positions = MasterPositions::default();
+        self.place_masters(u, &mut positions);
+        let point = &self.points[place];
+        let mut stencil = self.slave(point, xi, u);
+        let begins = self.laws[point.pair].normal.contact_begins();
+        if let MasterSurface::Faces { .. } = &self.masters[point.pair] {
+            let beyond = self.beyond_faces(point.pair, stencil.position, &positions);
+            return beyond.is_some_and(|overclosure| overclosure > begins - slack);
+        }
+        if self.face(point, xi, u, &positions, &mut stencil).is_some() {
+            return false;
+        }
+        let beyond = self.masters[point.pair].beyond_end(stencil.position, u, &positions.nodes);
+        beyond.is_some_and(|overclosure| overclosure > begins - slack)
+    }
+
+    fn meet_one(
+        &self,
+        place: usize,
+        (u, before): (&[f64], &[PointState]),
+        positions: &MasterPositions,
+        into: &mut ContactKinematics,
+    ) {
+        let point = &self.points[place];
+        if let MasterSurface::Faces { .. } = &self.masters[point.pair] {
+            self.meet_face(place, (u, before.get(place)), positions, into);
+            return;
+        }
+        let mut into = into.at_mut(place);
+        let stencil = self.slave(point, into.point.xi, u);
+        self.meet_stencil(point, stencil, (u, positions), &mut into);
+    }
+
+    fn meet_stencil(
+        &self,
+        point: &SlavePoint,
+        mut stencil: Stencil<'_>,
+        (u, positions): (&[f64], &MasterPositions),
+        into: &mut PointRowsMut<'_>,
+    ) {
+        into.point.position = stencil.position;
+        match self.face(point, into.point.xi, u, positions, &mut stencil) {
+            Some((gap, facing)) => {
+                into.point.take(&gap, facing);
+                into.take(&gap, &stencil, u);
+            }
+            None => into.turn_away_in_place(),
+        }
+    }
+
+    /// Integration points follow the closed part of their cells; those of cells that
+    /// contact cannot reach in an iteration face nothing.
+    fn meet_segment(&self, segment: &SlaveSegment, u: &[f64], into: &mut ContactKinematics) {
+        let own = segment.first..segment.first + SEGMENT_POINTS;
+        own.for_each(|place| into.at_mut(place).turn_away());
+        let begins = self.laws[segment.pair].normal.contact_begins();
+        let master = &self.masters[segment.pair];
+        let MasterSurface::Body { surface, .. } = master else { return };
+        let body = master.placed_body(u);
+        let ends = segment.ends(u);
+        let bent = segment.line.bent(&ends);
+        let beyond = |xi: f64| {
+            let overclosure = surface.overclosure(&body, bent.position(xi));
+            overclosure.unwrap_or(f64::NEG_INFINITY) - begins
+        };
+        let none = MasterPositions::default();
+        segment.place_integration_points(beyond, |integration_point, xi, area| {
+            let place = segment.first + integration_point;
+            let mut into = into.at_mut(place);
+            (into.point.xi, into.point.area) = (xi, area);
+            let (point, stencil) = (&self.points[place], segment.stencil(&ends, xi));
+            self.meet_stencil(point, stencil, (u, &none), &mut into);
+        });
+    }
+}

@@ -1,0 +1,83 @@
+//! One attempt at an increment: iterations until a verdict.
+
+use super::outcome::{Outcome, Progress};
+use super::scratch::Scratch;
+use super::search;
+use crate::contact::{Missed, Sweep};
+use crate::increments::Verdict;
+use crate::observe::reports::IterationReport;
+use crate::problem::Problem;
+use crate::state::State;
+use crate::target::Target;
+
+/// Walks one increment. `watch` sees every iteration; on success the
+/// workspace holds the converged trial.
+pub fn attempt(
+    plan: &Problem<'_>,
+    committed: &State,
+    target: &Target,
+    work: &mut Scratch,
+    watch: &mut dyn FnMut(&IterationReport),
+) -> Outcome {
+    work.begin(plan, committed, target);
+    let limits = match work.line_search {
+        false => plan.step.controls.effective_time(),
+        true => search::limits(&plan.step.controls.effective_time()),
+    };
+    let mut progress = Progress::default();
+    if work.evaluation.failed.is_some() {
+        work.complete(plan, committed);
+        return progress.end(Verdict::Collapsed, None);
+    }
+    loop {
+        if let Err(fault) = work.iterate(plan, committed, target.dt) {
+            work.complete(plan, committed);
+            return progress.end(Verdict::Broken, Some(fault));
+        }
+        if work.outside || work.evaluation.fault.is_some() {
+            work.complete(plan, committed);
+            return progress.end(Verdict::Broken, None);
+        }
+        if work.evaluation.failed.is_some() {
+            work.complete(plan, committed);
+            return progress.end(Verdict::Collapsed, None);
+        }
+        let mut report = work.judge(plan, committed, target, &mut progress);
+        if report.converged && !work.complete(plan, committed) {
+            // one that was left alone touches after all: its pressure comes next
+            work.evaluate(plan, committed, target.dt);
+            report.converged = false;
+        }
+        watch(&report);
+        let verdict = progress.verdict(&report, &limits);
+        progress.last = Some(report);
+        if let Some(verdict) = verdict {
+            work.complete(plan, committed);
+            let missed = match verdict {
+                Verdict::Converged { .. } => work.missed(plan, committed),
+                _ => None,
+            };
+            return match missed {
+                Some(missed) => progress.end_with(missed),
+                None => progress.end(verdict, None),
+            };
+        }
+    }
+}
+
+impl Scratch {
+    /// Contact that the way from the last commit to the trial passes through.
+    fn missed(&mut self, plan: &Problem<'_>, committed: &State) -> Option<Missed> {
+        let sweep = Sweep {
+            constraints: plan.constraints,
+            rotations: plan.dofs.rotations(),
+            turns: &self.turns,
+            from: &committed.displacement,
+            to: &self.u,
+            before: &committed.points,
+            now: &self.evaluation.points,
+        };
+        let through = plan.contact.passed_through(&sweep, &mut self.sweep);
+        through.or_else(|| plan.contact.passed_between(&sweep))
+    }
+}

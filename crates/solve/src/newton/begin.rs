@@ -1,0 +1,100 @@
+//! The first guess of an attempt.
+
+use super::scratch::{Scratch, solver};
+use crate::evaluate::look_at;
+use crate::predict;
+use crate::problem::Problem;
+use crate::stabilise;
+use crate::state::State;
+use crate::structure::{Ambient, Configuration, Gather, Product};
+use crate::target::Target;
+
+impl Scratch {
+    /// The first guess, evaluated.
+    pub(super) fn begin(&mut self, plan: &Problem<'_>, committed: &State, target: &Target) {
+        self.augment_all = false;
+        self.only_dense = false;
+        if self.changes.capacity() == 0 {
+            // the last attempt's list went with its outcome
+            self.changes = self.spare_changes.pop().unwrap_or_default();
+        }
+        self.changes.reserve(plan.contact.points.len());
+        self.dt = target.dt;
+        self.negative_pivots = 0;
+        let times = (target.step_time, target.dt);
+        stabilise::fill(plan, committed, times, &mut self.dashpots);
+        self.u.copy_from_slice(&committed.displacement);
+        predict::extrapolate(plan, committed, target.dt, &mut self.u);
+        plan.prescribe(target.step_time, &mut self.u);
+        plan.load(target.step_time, &mut self.load);
+        self.faces.clear();
+        self.faces.extend(plan.pressures(target.step_time));
+        plan.temperatures(target.step_time, &mut self.temperatures);
+        self.turns.clone_from(&committed.turns);
+        self.material_dt = plan.step.procedure.passage.of(target.dt);
+        plan.constraints.enforce(&self.turns, &mut self.u);
+        for (place, point) in committed.points.iter().enumerate() {
+            self.pressures[place] = point.pressure;
+            self.tractions[place] = point.traction;
+            self.was_closed[place] = point.closed;
+        }
+        if committed.increment_time.0 == 0.0 {
+            self.spread_prescribed(plan, committed, target);
+        }
+        self.first_stresses(plan, committed, target.dt);
+        look_at(plan, committed, &mut self.evaluation);
+        self.evaluate(plan, committed, target.dt);
+        if self.evaluation.failed.is_some() && committed.increment_time.0 > 0.0 {
+            self.begin_at_rest(plan, committed, target);
+        }
+        self.iteration_history.begin(&self.evaluation.points);
+    }
+
+    /// Where the last increment cannot be repeated, for an element would fail: a first guess
+    /// as if there had been none.
+    fn begin_at_rest(&mut self, plan: &Problem<'_>, committed: &State, target: &Target) {
+        self.u.copy_from_slice(&committed.displacement);
+        plan.prescribe(target.step_time, &mut self.u);
+        plan.constraints.enforce(&self.turns, &mut self.u);
+        self.spread_prescribed(plan, committed, target);
+        self.first_stresses(plan, committed, target.dt);
+        self.evaluate(plan, committed, target.dt);
+    }
+
+    /// Without a last increment to repeat, what is prescribed on the
+    /// structure is spread over it linearly, lest one element takes it all.
+    fn spread_prescribed(&mut self, plan: &Problem<'_>, committed: &State, target: &Target) {
+        let change = &mut self.correction_dofs;
+        for (dof, value) in change.iter_mut().enumerate() {
+            *value = self.u[dof] - committed.displacement[dof];
+        }
+        let from = &committed.displacement;
+        let ambient =
+            Ambient { temperatures: &self.temperatures, turns: &self.turns, dt: self.material_dt };
+        let state = &committed.elements;
+        let at = Configuration { u: from, stresses: None, state, ambient };
+        plan.constraints.linearise((from, &self.turns), &mut self.evaluation.rows);
+        self.residual.fill(0.0);
+        let product = Product { vector: change, into: &mut self.residual };
+        let gather = plan.gather(&self.evaluation.rows, &mut self.values);
+        let gather = Gather { product: Some(product), ..gather };
+        let contributions = &mut self.evaluation.contributions;
+        plan.structure.evaluate(&at, contributions, gather, plan.means.pool);
+        plan.constraints.carry(&self.evaluation.rows, &mut self.residual);
+        for (equation, &dof) in plan.constraints.dof_of_equation.iter().enumerate() {
+            self.correction[equation] = -self.residual[dof];
+        }
+        if self.correction.iter().all(|&value| value == 0.0) {
+            return;
+        }
+        let solver = solver(&mut self.systems);
+        let factored = solver.refactor(plan.pattern, &self.values);
+        if factored.is_ok() && solver.solve(&mut self.correction).is_ok() {
+            for (equation, &dof) in plan.constraints.dof_of_equation.iter().enumerate() {
+                self.u[dof] += self.correction[equation];
+            }
+            plan.constraints.enforce(&self.turns, &mut self.u);
+            plan.prescribe(target.step_time, &mut self.u);
+        }
+    }
+}

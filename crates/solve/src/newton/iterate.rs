@@ -1,0 +1,105 @@
+//! One iteration: assemble, factor, solve, move, evaluate.
+
+use super::assembly::context;
+use super::scratch::{Scratch, solver};
+use crate::evaluate::Evaluation;
+use crate::linearised::Stiffness;
+use crate::problem::Problem;
+use crate::state::State;
+use slideline_linalg::SolveError;
+use slideline_mech::contact::enforcement::Enforcement;
+
+/// The most points whose contact is solved with its matrix where the other way is
+/// lost: the cost grows with their cube.
+const MOST_DENSE: usize = 1000;
+
+impl Scratch {
+    /// The correction that the factored tangent and contact, solved exactly,
+    /// answer the residual with.
+    pub(super) fn contact_step(
+        &mut self,
+        plan: &Problem<'_>,
+        committed: &State,
+        dt: f64,
+    ) -> Result<(), SolveError> {
+        for (equation, &dof) in plan.constraints.dof_of_equation.iter().enumerate() {
+            self.correction[equation] = -self.evaluation.structure[dof];
+        }
+        if !self.dashpots.is_empty() {
+            for (equation, &dof) in plan.constraints.dof_of_equation.iter().enumerate() {
+                self.correction[equation] -= self.evaluation.damping[dof];
+            }
+        }
+        self.hold_back(plan);
+        let context = context(plan, committed, dt);
+        let Self { contact, enforcement, values, augmented, systems, points, correction, .. } =
+            self;
+        let (pattern, symmetrised, solver) = (plan.pattern, plan.symmetrised(), solver(systems));
+        let mut stiffness = Stiffness { pattern, values, augmented, solver, symmetrised };
+        contact.solve(points, &context, (*enforcement, &mut stiffness), correction)
+    }
+
+    /// Factors and solves the linearised problem. Where the way without the matrix
+    /// of contact is lost, the rest of the attempt goes the other one, which can
+    /// pivot, as long as its cost allows.
+    fn linear_step(
+        &mut self,
+        plan: &Problem<'_>,
+        committed: &State,
+        dt: f64,
+    ) -> Result<(), SolveError> {
+        let mut done = self.factor(plan, committed);
+        if done.is_ok() && !self.outside {
+            done = self.contact_step(plan, committed, dt);
+        }
+        let free = self.enforcement == Enforcement::MatrixFree && plan.enforcement.is_none();
+        let lost = done.is_err() || !self.contact.is_solved();
+        if self.outside || !free || !lost || self.points.len() > MOST_DENSE {
+            return done;
+        }
+        self.only_dense = true;
+        self.factor(plan, committed)?;
+        self.contact_step(plan, committed, dt)
+    }
+
+    /// One Newton iteration: assemble, factor, solve, move, evaluate.
+    pub(super) fn iterate(
+        &mut self,
+        plan: &Problem<'_>,
+        committed: &State,
+        dt: f64,
+    ) -> Result<(), SolveError> {
+        self.linear_step(plan, committed, dt)?;
+        if !self.outside && !self.leaves_idle(plan) {
+            // what was left alone may touch within this step
+            self.evaluation.look.forget();
+            self.evaluate(plan, committed, dt);
+            self.linear_step(plan, committed, dt)?;
+        }
+        if self.outside {
+            return Ok(());
+        }
+        let length = self.limit_turns(plan);
+        if self.line_search {
+            self.search(plan, committed, (dt, length));
+        } else {
+            self.advance(plan, length);
+            self.evaluate(plan, committed, dt);
+        }
+        Ok(())
+    }
+
+    /// Whether the whole correction leaves idle points open.
+    fn leaves_idle(&mut self, plan: &Problem<'_>) -> bool {
+        if !self.evaluation.look.idle.contains(&true) {
+            return true;
+        }
+        self.residual.copy_from_slice(&self.u);
+        for (equation, &dof) in plan.constraints.dof_of_equation.iter().enumerate() {
+            self.residual[dof] += self.correction[equation];
+        }
+        plan.constraints.enforce(&self.turns, &mut self.residual);
+        let Evaluation { kinematics, look, .. } = &self.evaluation;
+        plan.contact.stay_idle(kinematics, &self.residual, look)
+    }
+}

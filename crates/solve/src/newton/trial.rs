@@ -1,0 +1,86 @@
+//! The trial state of an attempt, evaluated.
+
+use super::scratch::Scratch;
+use crate::evaluate::{Evaluation, Trial, complete, evaluate};
+use crate::problem::Problem;
+use crate::state::State;
+use crate::structure::Ambient;
+
+impl Scratch {
+    /// The trial state that was evaluated last.
+    pub fn trial(&self, committed: &State, dt: f64) -> Trial<'_> {
+        Trial {
+            u: &self.u,
+            load: &self.load,
+            faces: &self.faces,
+            stresses: &self.stresses,
+            pressures: &self.pressures,
+            tractions: &self.tractions,
+            dashpots: &self.dashpots,
+            ambient: Ambient {
+                temperatures: &self.temperatures,
+                turns: &self.turns,
+                dt: self.material_dt,
+            },
+            time: committed.total_time + dt,
+            dt,
+        }
+    }
+
+    /// Evaluates the trial state.
+    pub(super) fn evaluate(&mut self, plan: &Problem<'_>, committed: &State, dt: f64) {
+        if self.line_search {
+            self.follow_law(plan);
+        }
+        self.evaluate_by(plan, committed, dt, evaluate);
+    }
+
+    /// Evaluates the trial state as it is, or a part of it.
+    pub(super) fn evaluate_by(
+        &mut self,
+        plan: &Problem<'_>,
+        committed: &State,
+        dt: f64,
+        evaluate: fn(&Problem<'_>, &State, &Trial<'_>, &mut Evaluation),
+    ) {
+        let trial = Trial {
+            u: &self.u,
+            load: &self.load,
+            faces: &self.faces,
+            stresses: &self.stresses,
+            pressures: &self.pressures,
+            tractions: &self.tractions,
+            dashpots: &self.dashpots,
+            ambient: Ambient {
+                temperatures: &self.temperatures,
+                turns: &self.turns,
+                dt: self.material_dt,
+            },
+            time: committed.total_time + dt,
+            dt,
+        };
+        evaluate(plan, committed, &trial, &mut self.evaluation);
+    }
+
+    /// Looks at the points that iterations have left alone; says whether none of
+    /// them touches.
+    pub(super) fn complete(&mut self, plan: &Problem<'_>, committed: &State) -> bool {
+        let trial = Trial {
+            u: &self.u,
+            load: &self.load,
+            faces: &self.faces,
+            stresses: &self.stresses,
+            pressures: &self.pressures,
+            tractions: &self.tractions,
+            dashpots: &self.dashpots,
+            ambient: Ambient {
+                temperatures: &self.temperatures,
+                turns: &self.turns,
+                dt: self.material_dt,
+            },
+            time: committed.total_time + self.dt,
+            dt: self.dt,
+        };
+        complete(plan, committed, &trial, &mut self.evaluation)
+    }
+}

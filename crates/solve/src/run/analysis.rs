@@ -1,0 +1,112 @@
+//! An analysis under way: what it runs on, and how a step may be left early.
+
+use super::options::{Options, TangentCheck};
+use super::shown::Rows;
+use crate::observe::reports::Totals;
+use crate::observe::{Ending, Event, Observer, Stop};
+use crate::plan::Numbering;
+use crate::problem::Means;
+use crate::start::Start;
+use crate::state::State;
+use crate::values::Values;
+use slideline_diag::Diagnostic;
+use slideline_mech::contact::enforcement::Enforcement;
+use slideline_model::Model;
+use std::ops::ControlFlow;
+
+/// Where the states and rows of a run stand, to be used again.
+#[derive(Default)]
+pub struct Room {
+    pub(super) committed: State,
+    pub(super) trial: State,
+    pub(super) rows: Rows,
+    pub(super) start: Start<'static>,
+    /// States of an increment that the pattern follows.
+    pub(super) reached: Vec<Vec<f64>>,
+}
+
+impl Room {
+    /// The undeformed model of a plan.
+    pub fn begin(&mut self, plan: &Numbering) {
+        let [points, state_variables, elements] = plan.sizes;
+        let states = (state_variables, elements);
+        self.committed.begin(plan.dofs.len(), points, states);
+        self.trial.begin(plan.dofs.len(), points, states);
+    }
+}
+
+/// A run under way.
+pub struct Analysis<'a> {
+    pub(super) model: &'a Model,
+    pub(super) plan: &'a Numbering,
+    pub(super) values: &'a Values,
+    pub(super) means: Means<'a>,
+    pub(super) observer: &'a mut dyn Observer,
+    pub(super) committed: &'a mut State,
+    pub(super) trial: &'a mut State,
+    pub(super) start: &'a mut Start<'static>,
+    pub(super) reached: &'a mut Vec<Vec<f64>>,
+    /// Counts of the run so far.
+    pub totals: Totals,
+    /// Whether the observer has seen what came before.
+    pub resumes: bool,
+    pub(super) check_tangent: TangentCheck,
+    pub(super) enforcement: Option<Enforcement>,
+    /// One fault of the tangent is enough to be told.
+    pub(super) tangent_is_wrong: bool,
+    /// Whether it was said that masters leave no room.
+    pub(super) room_is_judged: bool,
+    pub(super) rows: &'a mut Rows,
+}
+
+/// Why a step was left before its end.
+pub(super) enum Left {
+    Stopped(Stop),
+    Failed(Box<Diagnostic>),
+}
+
+impl<'a> Analysis<'a> {
+    /// A run from the undeformed model on.
+    pub fn new(
+        model: &'a Model,
+        (plan, values): (&'a Numbering, &'a Values),
+        (options, means): (&Options, Means<'a>),
+        (room, observer): (&'a mut Room, &'a mut dyn Observer),
+    ) -> Self {
+        let Room { committed, trial, rows, start, reached } = room;
+        Self {
+            model,
+            plan,
+            values,
+            means,
+            observer,
+            committed,
+            trial,
+            start,
+            reached,
+            totals: Totals::default(),
+            resumes: false,
+            check_tangent: options.check_tangent,
+            enforcement: options.enforcement,
+            tangent_is_wrong: false,
+            room_is_judged: false,
+            rows,
+        }
+    }
+
+    /// How the run ends that was left.
+    pub(super) fn left(&self, left: Left) -> Ending {
+        match left {
+            Left::Stopped(stop) => Ending::Stopped(self.totals, stop),
+            Left::Failed(diagnosis) => Ending::NotConverged(self.totals, *diagnosis),
+        }
+    }
+
+    /// Tells the observer, who may stop the run.
+    pub(super) fn tell(&mut self, event: Event<'_>) -> Result<(), Left> {
+        match self.observer.event(event) {
+            ControlFlow::Continue(()) => Ok(()),
+            ControlFlow::Break(stop) => Err(Left::Stopped(stop)),
+        }
+    }
+}

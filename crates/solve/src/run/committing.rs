@@ -1,0 +1,73 @@
+//! A converged increment committed and shown, its tangent checked.
+
+use super::analysis::{Analysis, Left};
+use super::shown::{Numbers, Rows, frame};
+use crate::balance::pair_rows;
+use crate::commit::commit;
+use crate::diagnose;
+use crate::increments::Decision;
+use crate::newton::{Outcome, Scratch};
+use crate::observe::Event;
+use crate::observe::results::{FrictionCall, Status};
+use crate::problem::Problem;
+use crate::tangent;
+use crate::target::Target;
+use std::ops::ControlFlow;
+
+impl Analysis<'_> {
+    /// Makes the trial the committed state and shows it.
+    pub(super) fn commit(
+        &mut self,
+        plan: &Problem<'_>,
+        target: &Target,
+        outcome: &Outcome,
+        decision: &Decision,
+        work: &mut Scratch,
+    ) -> Result<(), Left> {
+        if self.check_tangent.is_due(target.increment) {
+            self.check(plan, target, work)?;
+        }
+        commit(plan, self.committed, target, work, self.trial);
+        let left = diagnose::slid_off(plan, self.committed, self.trial);
+        std::mem::swap(self.committed, self.trial);
+        self.totals.increments += 1;
+        let Rows { contact, closed, .. } = &mut *self.rows;
+        closed.clear();
+        closed.extend(contact.iter().map(|row| row.status != Status::Open));
+        let dropped = |point: &&crate::state::PointState| point.friction == FrictionCall::Dropped;
+        self.totals.dropped_points += self.committed.points.iter().filter(dropped).count();
+        self.rows.fill(plan, self.committed);
+        let last = *decision == Decision::StepDone;
+        let numbers = Numbers { last, ..Numbers::of(target, outcome) };
+        let Rows { contact, closed, pairs, sums, .. } = &mut *self.rows;
+        pair_rows(plan, self.committed, work, (contact, closed), (pairs, sums));
+        let jumped = self.balance_books(plan, target, work);
+        let frame = frame(plan, self.committed, &numbers, self.rows);
+        // A wish to stop does not keep back what belongs to the increment.
+        let mut told = match self.observer.event(Event::Committed(&frame)) {
+            ControlFlow::Continue(()) => Ok(()),
+            ControlFlow::Break(stop) => Err(Left::Stopped(stop)),
+        };
+        if *decision == Decision::StepDone {
+            told = told.and(self.judge_stabilisation(plan)).and(self.judge_balance(plan, target));
+        }
+        told = told.and(self.judge_room(plan));
+        for diagnosis in jumped.iter().chain(&left) {
+            told = told.and(self.tell(Event::Diagnosed(diagnosis)));
+        }
+        let kept = self.keep(plan, target, decision, told.is_err());
+        told.and(kept)
+    }
+
+    /// Holds the tangent of the converged trial against differences.
+    fn check(&mut self, plan: &Problem<'_>, target: &Target, work: &Scratch) -> Result<(), Left> {
+        let trial = work.trial(self.committed, target.dt);
+        let place =
+            tangent::Place { plan, committed: self.committed, trial, evaluation: &work.evaluation };
+        let report = tangent::check(&place, (target.step, target.increment));
+        let fault = tangent::fault(plan, &report).filter(|_| !self.tangent_is_wrong);
+        self.tell(Event::Tangent(&report))?;
+        self.tangent_is_wrong |= fault.is_some();
+        fault.iter().try_for_each(|said| self.tell(Event::Diagnosed(said)))
+    }
+}

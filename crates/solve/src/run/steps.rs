@@ -1,0 +1,205 @@
+//! Steps and their increments, one after the other.
+
+use super::analysis::{Analysis, Left};
+use crate::checkpoint::Checkpoint;
+use crate::convergence::FluxAverage;
+use crate::increments::{Control, Decision, Verdict};
+use crate::newton::Scratch;
+use crate::observe::{Ending, Event};
+use crate::problem::{self, Problem};
+use crate::start::Start;
+use crate::target::Target;
+use slideline_model::Static;
+
+/// States of one increment that the pattern follows; beyond, the tangent may do
+/// without couplings of contact that roams.
+const MOST_REACHED: usize = 12;
+
+/// After an increment that only a last resort has found, the next begins as a
+/// step does: what made the one before short lies behind.
+fn begin_again(decision: Decision, procedure: &Static) -> Decision {
+    match decision {
+        Decision::Continue(next) => {
+            let begun = Control::begin(procedure);
+            let left = procedure.period - next.time;
+            Decision::Continue(Control { dt: begun.dt.min(left), quick: 0, ..next })
+        }
+        other => other,
+    }
+}
+
+impl Analysis<'_> {
+    /// All steps.
+    pub fn steps(&mut self, work: &mut Scratch) -> Ending {
+        self.ending(1, work)
+    }
+
+    /// The rest of the step of a checkpoint, then the others.
+    pub fn go_on(&mut self, from: &Checkpoint<'_>, work: &mut Scratch) -> Ending {
+        self.committed.clone_from(from.state.as_ref());
+        if from.last_of_step() && !self.resumes {
+            return self.ending(from.step + 1, work);
+        }
+        match self.rest_of_step(from, work) {
+            Ok(()) => self.ending(from.step + 1, work),
+            Err(left) => self.left(left),
+        }
+    }
+
+    /// All steps from that number on.
+    fn ending(&mut self, from: usize, work: &mut Scratch) -> Ending {
+        for number in from..=self.model.steps.len() {
+            if let Err(left) = self.step(number, work) {
+                return self.left(left);
+            }
+        }
+        Ending::Completed(self.totals)
+    }
+
+    /// One step: increments until its end, or until none can be found.
+    fn step(&mut self, number: usize, work: &mut Scratch) -> Result<(), Left> {
+        self.committed.step_time = 0.0;
+        self.committed.increment_time = (0.0, 0.0);
+        self.committed.flux.iter_mut().for_each(FluxAverage::begin_step);
+        self.committed.damping.clear();
+        self.committed.stabilised = false;
+        let mut start = std::mem::take(self.start);
+        let own = self.plan.of_step[number - 1];
+        start.take(self.committed, &self.plan.steps[own].constraints);
+        let walked = self.all_increments(number, (&start, None), work);
+        *self.start = start;
+        walked
+    }
+
+    /// What is left of a step.
+    fn rest_of_step(&mut self, from: &Checkpoint<'_>, work: &mut Scratch) -> Result<(), Left> {
+        self.all_increments(from.step, (&from.start, Some(from)), work)
+    }
+
+    /// Increments until the end of the step, from its beginning or from a checkpoint; where
+    /// contact couples what the pattern does not hold, it is made anew.
+    fn all_increments(
+        &mut self,
+        number: usize,
+        (start, from): (&Start<'_>, Option<&Checkpoint<'_>>),
+        work: &mut Scratch,
+    ) -> Result<(), Left> {
+        let (model, plan, values) = (self.model, self.plan, self.values);
+        let step = &model.steps[number - 1];
+        let kind = problem::kind(model, step, &values.contact);
+        let at_once = Control::begin(&step.procedure);
+        let mut control = from.map_or(Some(at_once), |from| from.control);
+        // within an increment what it has touched on its way stays
+        let mut count = 0;
+        let mut begun = false;
+        loop {
+            let here = std::iter::once(&self.committed.displacement[..]);
+            let states = here.chain(self.reached[..count].iter().map(Vec::as_slice));
+            let own = (plan, plan.of_step[number - 1]);
+            let states = (states, &self.committed.points[..]);
+            let coupling = work.couple(own, (values, kind), states, self.means.linear_systems);
+            let means = self.means;
+            let at = (model, number - 1);
+            let problem = Problem::new(at, (plan, values), &coupling, start, means);
+            let is_lenient = count > MOST_REACHED;
+            let problem = Problem { is_lenient, enforcement: self.enforcement, ..problem };
+            work.fit(&problem);
+            work.tell_motions(&problem);
+            if begun || from.is_some() {
+                crate::commit::recall_points(self.committed, work);
+            } else {
+                let (positions, kinematics) = work.places();
+                let contact = &values.contact;
+                crate::commit::locate_points(contact, self.committed, positions, kinematics);
+            }
+            if !begun {
+                self.begin(&problem, number, from, work)?;
+                begun = true;
+            }
+            let Some(from_here) = control else { return Ok(()) };
+            let Some(outside) = self.increments(&problem, number, from_here, work)? else {
+                return Ok(());
+            };
+            if outside.committed != from_here.committed {
+                count = 0;
+            }
+            match self.reached.get_mut(count) {
+                Some(room) => room.clone_from(&work.u),
+                None => self.reached.push(work.u.clone()),
+            }
+            count += 1;
+            control = Some(outside);
+        }
+    }
+
+    /// Increments until the end of the step, or until none can be found, or until
+    /// contact couples what the pattern does not hold: then, where it stands.
+    fn increments(
+        &mut self,
+        plan: &Problem<'_>,
+        number: usize,
+        mut control: Control,
+        work: &mut Scratch,
+    ) -> Result<Option<Control>, Left> {
+        let (step, limits) = (plan.step, plan.step.controls.effective_time());
+        loop {
+            let mut target = Target {
+                step: number,
+                increment: control.committed + 1,
+                attempt: control.attempts as usize + 1,
+                step_time: control.target(&step.procedure),
+                dt: control.target(&step.procedure) - control.time,
+            };
+            let after =
+                |verdict| control.after(verdict, &step.procedure, &limits, step.max_increments);
+            let mut outcome = self.attempt(plan, &target, work)?;
+            if work.outside {
+                work.take_back(outcome);
+                return Ok(Some(control));
+            }
+            if self.stabilise(plan, &outcome, work)? {
+                continue;
+            }
+            let mut decision = after(outcome.verdict);
+            let mut diagnosis = None;
+            let converged = matches!(outcome.verdict, Verdict::Converged { .. });
+            if let (Decision::Stop(reason), false) = (decision, converged) {
+                let cause = self.diagnosis(plan, &target, &outcome, reason, work);
+                if outcome.verdict.may_be_searched() {
+                    self.fail(plan, (&target, &outcome), Some(target.dt))?;
+                    target.attempt += 1;
+                    outcome = self.last_resorts(plan, (&mut target, &cause), work)?;
+                    decision = begin_again(after(outcome.verdict), &step.procedure);
+                }
+                diagnosis = Some(Box::new(cause));
+            }
+            if let Verdict::Converged { .. } = outcome.verdict {
+                self.commit(plan, &target, &outcome, &decision, work)?;
+            }
+            match decision {
+                Decision::StepDone => {
+                    work.take_back(outcome);
+                    return Ok(None);
+                }
+                Decision::Continue(next) => control = next,
+                Decision::Cut(next) => {
+                    self.fail(plan, (&target, &outcome), Some(next.dt))?;
+                    control = next;
+                }
+                Decision::Stop(reason) => {
+                    if !matches!(outcome.verdict, Verdict::Converged { .. }) {
+                        self.fail(plan, (&target, &outcome), None)?;
+                        self.show_unconverged(plan, &target, &outcome, work)?;
+                    }
+                    let diagnosis = match diagnosis {
+                        Some(found) => found,
+                        None => Box::new(self.diagnosis(plan, &target, &outcome, reason, work)),
+                    };
+                    self.tell(Event::Diagnosed(&diagnosis))?;
+                    return Err(Left::Failed(diagnosis));
+                }
+            }
+            work.take_back(outcome);
+        }
+    }
+}

@@ -1,0 +1,145 @@
+//! All elements of a step, and what is around them.
+
+use super::block::Block;
+use super::contributions::Contributions;
+use super::kernels::Kernels;
+use super::numbering::ElementNumbering;
+use slideline_mech::element::{Kernel, MOST_NODES, Strains, Surroundings, Temperature};
+use slideline_mech::turn::Turn;
+
+/// All elements of a step at work: numbering of the plan, kernels of the values.
+#[derive(Clone, Copy, Debug)]
+pub struct Structure<'a> {
+    /// Where elements stand and which dofs they have.
+    pub numbering: &'a ElementNumbering,
+    /// What they are.
+    pub kernels: &'a Kernels,
+    /// Elements with dofs that follow others.
+    pub dependent: &'a [usize],
+    /// Index of each tangent entry among the matrix values, element by element and row
+    /// by row; `u32::MAX`: none.
+    pub entries: &'a [u32],
+    /// Temperatures of all nodes before the first step; empty: all are zero.
+    pub initial: &'a [Temperature],
+    /// Whether displacements may be large.
+    pub nlgeom: bool,
+    /// Largest EA/l [F/L], for the rounding floor of the residual.
+    pub stiffest: f64,
+    /// Length of the element that has it [L].
+    pub stiffest_length: f64,
+}
+
+/// What is around the elements.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Ambient<'a> {
+    /// Temperatures, a node each; empty: all are zero and were.
+    pub temperatures: &'a [Temperature],
+    /// What rotations in space count from, a node each; empty: all from rest.
+    pub turns: &'a [Turn],
+    /// Time that passes for the materials on the way from the committed state [T]: zero where
+    /// they answer instantaneously, infinite where in the long term.
+    pub dt: f64,
+}
+
+/// What elements respond to.
+#[derive(Clone, Copy, Debug)]
+pub struct Configuration<'a> {
+    /// Displacements and rotations, a dof each [L or 1].
+    pub u: &'a [f64],
+    /// Estimated stresses that the geometric stiffness is made of, where they are
+    /// not those of the strains.
+    pub stresses: Option<&'a [f64]>,
+    /// Committed state variables of all elements.
+    pub state: &'a [f64],
+    /// Temperatures and time.
+    pub ambient: Ambient<'a>,
+}
+
+/// What the nodes of an element are in: temperatures now and before the first step, and what their
+/// rotations count from.
+pub(super) struct AtNodes {
+    now: [Temperature; MOST_NODES],
+    initial: [Temperature; MOST_NODES],
+    heated: usize,
+    turns: [Turn; MOST_NODES],
+    turning: usize,
+}
+
+impl Default for AtNodes {
+    fn default() -> Self {
+        let none = [Temperature::default(); MOST_NODES];
+        let turns = [Turn::REST; MOST_NODES];
+        Self { now: none, initial: none, heated: 0, turns, turning: 0 }
+    }
+}
+
+impl AtNodes {
+    /// What an element responds under.
+    pub(super) fn under<'a>(&'a self, strains: Strains<'a>, dt: f64) -> Surroundings<'a> {
+        let (temperatures, initial) = (&self.now[..self.heated], &self.initial[..self.heated]);
+        Surroundings { strains, temperatures, initial, turns: self.turns(), dt }
+    }
+
+    /// What the rotations of its nodes count from.
+    pub(super) fn turns(&self) -> &[Turn] {
+        &self.turns[..self.turning]
+    }
+}
+
+impl Structure<'_> {
+    /// Room for what the elements contribute, empty.
+    pub fn room(&self) -> Contributions {
+        let mut room = Contributions::default();
+        room.fit(self.numbering);
+        room
+    }
+
+    /// All elements, each with its block and kernel.
+    pub(super) fn elements(&self) -> impl Iterator<Item = (&Block, &dyn Kernel, usize)> {
+        let blocks = self.numbering.blocks.iter().zip(self.kernels.iter());
+        blocks.flat_map(|(block, kernel)| block.elements.clone().map(move |e| (block, kernel, e)))
+    }
+
+    /// The block of an element, and its kernel.
+    pub(super) fn element(&self, element: usize) -> (&Block, &dyn Kernel) {
+        let at = self.numbering.blocks.partition_point(|block| block.elements.end <= element);
+        (&self.numbering.blocks[at], self.kernels.of(at))
+    }
+
+    /// The dofs of an element.
+    pub(super) fn own(&self, block: &Block, element: usize) -> &[usize] {
+        &self.numbering.own[block.own(element)]
+    }
+
+    /// What is around the nodes of an element.
+    pub(super) fn at_nodes<'n>(
+        &self,
+        block: &Block,
+        element: usize,
+        ambient: &Ambient<'_>,
+        into: &'n mut AtNodes,
+    ) -> &'n AtNodes {
+        (into.heated, into.turning) = (0, 0);
+        let nodes = &self.numbering.nodes[block.nodes(element)];
+        if !ambient.temperatures.is_empty() {
+            let of = |list: &[Temperature], node: usize| list.get(node).copied();
+            for &node in nodes {
+                into.now[into.heated] = of(ambient.temperatures, node).unwrap_or_default();
+                into.initial[into.heated] = of(self.initial, node).unwrap_or_default();
+                into.heated += 1;
+            }
+        }
+        if !ambient.turns.is_empty() && block.turns_in_space() {
+            for &node in nodes {
+                into.turns[into.turning] = ambient.turns.get(node).copied().unwrap_or_default();
+                into.turning += 1;
+            }
+        }
+        into
+    }
+
+    /// How strains follow displacements in this step.
+    pub(super) fn strains(&self) -> Strains<'static> {
+        if self.nlgeom { Strains::Exact } else { Strains::Linear }
+    }
+}
