@@ -135,7 +135,8 @@ mod tests {
             let at = |(xi, w): (f64, f64)| w * shape(xi) * (middle[0] + 0.5 * xi * (b[0] - a[0]));
             0.5 * std::f64::consts::TAU * chord([a, b]) * gauss.map(at).iter().sum::<f64>()
         };
-        let ring = |parts: &[([usize; 2], [f64; 2], [[f64; 3]; 2])]| {
+        type Part = ([usize; 2], [f64; 2], [[f64; 3]; 2]);
+        let ring = |parts: &[Part]| {
             let mut areas = vec![0.0; 3];
             let parts = parts.iter().copied();
             tributary_areas(parts, Across::Ring, |node, area| areas[node] += area);
