@@ -50,6 +50,10 @@ pub fn reason(plan: &Problem<'_>, outcome: &Outcome) -> String {
         Verdict::Discontinuous => "the contact status kept changing",
         Verdict::Collapsed => "an element collapsed",
         Verdict::Broken => "the equations could not be solved",
+        Verdict::TooCoarse { .. } => {
+            "the creep strains of the increment, by the conditions at its two ends, differ by more \
+             than CETOL"
+        }
         Verdict::PassedThrough { .. } => "contact was passed through in the increment",
     };
     match &outcome.fault {
@@ -84,7 +88,8 @@ pub fn failure(case: &Case<'_>) -> Diagnostic {
     if case.stop == StopReason::TooManyIncrements {
         return case.too_many_increments();
     }
-    let causes: [fn(&Case<'_>) -> Option<Diagnostic>; 12] = [
+    let causes: [fn(&Case<'_>) -> Option<Diagnostic>; 13] = [
+        |case| case.too_coarse(),
         |case| case.passed_through(),
         |case| case.no_room(),
         |case| case.user_fault(),

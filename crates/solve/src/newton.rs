@@ -36,6 +36,7 @@ pub use scratch::Scratch;
 use scratch::solver;
 use slideline_linalg::SolveError;
 use slideline_mech::contact::enforcement::Enforcement;
+use slideline_mech::material::Clock;
 
 /// The most points whose contact is solved with its matrix where the other way is
 /// lost: the cost grows with their cube.
@@ -213,7 +214,10 @@ impl Scratch {
         self.faces.extend(plan.pressures(target.step_time));
         plan.temperatures(target.step_time, &mut self.temperatures);
         self.turns.clone_from(&committed.turns);
-        self.material_dt = plan.step.procedure.passage.of(target.dt);
+        self.clock = Clock {
+            passed: plan.step.procedure.passage.of(target.dt),
+            total: committed.total_time + target.dt,
+        };
         plan.constraints.enforce(&self.turns, &mut self.u);
         for (place, point) in committed.points.iter().enumerate() {
             self.pressures[place] = point.pressure;
@@ -252,7 +256,7 @@ impl Scratch {
         }
         let from = &committed.displacement;
         let ambient =
-            Ambient { temperatures: &self.temperatures, turns: &self.turns, dt: self.material_dt };
+            Ambient { temperatures: &self.temperatures, turns: &self.turns, clock: self.clock };
         let state = &committed.elements;
         let at = Configuration { u: from, stresses: None, state, ambient };
         plan.constraints.linearise((from, &self.turns), &mut self.evaluation.rows);
@@ -293,7 +297,7 @@ impl Scratch {
             ambient: Ambient {
                 temperatures: &self.temperatures,
                 turns: &self.turns,
-                dt: self.material_dt,
+                clock: self.clock,
             },
             time: committed.total_time + dt,
             dt,
@@ -326,7 +330,7 @@ impl Scratch {
             ambient: Ambient {
                 temperatures: &self.temperatures,
                 turns: &self.turns,
-                dt: self.material_dt,
+                clock: self.clock,
             },
             time: committed.total_time + dt,
             dt,
@@ -437,7 +441,7 @@ impl Scratch {
             ambient: Ambient {
                 temperatures: &self.temperatures,
                 turns: &self.turns,
-                dt: self.material_dt,
+                clock: self.clock,
             },
             time: committed.total_time + self.dt,
             dt: self.dt,

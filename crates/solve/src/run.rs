@@ -370,7 +370,11 @@ impl<'a> Analysis<'a> {
             if self.stabilise(plan, &outcome, work)? {
                 continue;
             }
+            let coarseness = self.coarseness(plan, (&target, &mut outcome), work);
             let mut decision = after(outcome.verdict);
+            if let Some(part) = coarseness {
+                decision = control.as_creep_allows(decision, part, &step.procedure, &limits);
+            }
             let mut diagnosis = None;
             let converged = matches!(outcome.verdict, Verdict::Converged { .. });
             if let (Decision::Stop(reason), false) = (decision, converged) {
@@ -420,6 +424,30 @@ impl<'a> Analysis<'a> {
         work: &mut Scratch,
     ) -> Result<Outcome, Left> {
         self.watched(|committed, watch| attempt(plan, committed, target, work, watch))
+    }
+
+    /// By which part of what `CETOL` allows the creep strains of an increment differ, taken by the
+    /// conditions at its two ends; one that is too coarse is no longer taken for converged. `None`:
+    /// nothing is asked.
+    fn coarseness(
+        &mut self,
+        plan: &Problem<'_>,
+        (target, outcome): (&Target, &mut Outcome),
+        work: &Scratch,
+    ) -> Option<f64> {
+        let allowed = plan.step.procedure.creep_tolerance?;
+        let converged = matches!(outcome.verdict, Verdict::Converged { .. });
+        if !converged || target.dt <= 0.0 {
+            return None;
+        }
+        let trial = &mut self.trial.elements;
+        trial.copy_from_slice(&self.committed.elements);
+        plan.structure.gather_state(&work.evaluation.contributions, trial);
+        let part = plan.structure.creep_difference(trial) / allowed;
+        if part > 1.0 && !plan.step.procedure.direct {
+            outcome.verdict = Verdict::TooCoarse { percent: (100.0 * part) as u32 };
+        }
+        Some(part)
     }
 
     /// Iterations that are counted and shown.

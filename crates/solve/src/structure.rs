@@ -30,6 +30,7 @@ use block::Block;
 use slideline_mech::element::{
     Failure, Kernel, MOST_NODES, MOST_VARIABLES, Strains, Surroundings, Temperature,
 };
+use slideline_mech::material::Clock;
 use slideline_mech::turn::Turn;
 
 /// All elements of a step at work: numbering of the plan, kernels of the values.
@@ -61,9 +62,8 @@ pub struct Ambient<'a> {
     pub temperatures: &'a [Temperature],
     /// What rotations in space count from, a node each; empty: all from rest.
     pub turns: &'a [Turn],
-    /// Time that passes for the materials on the way from the committed state [T]: zero where
-    /// they answer instantaneously, infinite where in the long term.
-    pub dt: f64,
+    /// What the clock shows to the materials.
+    pub clock: Clock,
 }
 
 /// What elements respond to.
@@ -131,9 +131,9 @@ impl Default for AtNodes {
 
 impl AtNodes {
     /// What an element responds under.
-    fn under<'a>(&'a self, strains: Strains<'a>, dt: f64) -> Surroundings<'a> {
+    fn under<'a>(&'a self, strains: Strains<'a>, clock: Clock) -> Surroundings<'a> {
         let (temperatures, initial) = (&self.now[..self.heated], &self.initial[..self.heated]);
-        Surroundings { strains, temperatures, initial, turns: self.turns(), dt }
+        Surroundings { strains, temperatures, initial, turns: self.turns(), clock }
     }
 
     fn turns(&self) -> &[Turn] {
@@ -194,7 +194,7 @@ impl Structure<'_> {
             }
             let into = &mut into[block.stresses(element)];
             let nodal = self.at_nodes(block, element, ambient, &mut nodes);
-            let under = nodal.under(self.strains(), ambient.dt);
+            let under = nodal.under(self.strains(), ambient.clock);
             kernel.stresses_after(block.number(element), q, moved, &under, into);
         }
     }
@@ -323,11 +323,21 @@ impl Structure<'_> {
                 q.iter_mut().zip(own).for_each(|(q, &dof)| *q = u[dof]);
                 let (number, state) = (block.number(element), &state[block.state(element)]);
                 let nodal = self.at_nodes(block, element, &ambient, &mut nodes);
-                let under = nodal.under(self.strains(), ambient.dt);
+                let under = nodal.under(self.strains(), ambient.clock);
                 sum += kernel.dissipated(number, q, state, &under);
             }
         }
         sum
+    }
+
+    /// By how much the creep strains of the increment that led to a state differ at most, taken by
+    /// the conditions at its two ends [1].
+    pub fn creep_difference(&self, state: &[f64]) -> f64 {
+        let each = self.elements().filter(|(block, ..)| block.states > 0);
+        let own = each.map(|(block, kernel, element)| {
+            kernel.creep_difference(block.number(element), &state[block.state(element)])
+        });
+        own.fold(0.0, f64::max)
     }
 
     /// Results of all elements, block by block; room that `into` has is used again.
@@ -352,7 +362,7 @@ impl Structure<'_> {
                 q.iter_mut().zip(own).for_each(|(q, &dof)| *q = u[dof]);
                 let (number, state) = (block.number(element), &state[block.state(element)]);
                 let nodal = self.at_nodes(block, element, &ambient, &mut nodes);
-                let under = nodal.under(self.strains(), ambient.dt);
+                let under = nodal.under(self.strains(), ambient.clock);
                 kernel.results(number, q, state, &under, values);
             }
         }

@@ -119,6 +119,32 @@ impl Rubber {
         }
     }
 
+    /// Mean stress, a pull, of a change of volume J - 1, and its derivative by it [F/L2].
+    pub(super) fn volume_stress(&self, dilation: f64) -> [f64; 2] {
+        let none = Second::constant(0.0);
+        let w: Second<1> = self.energy(none, none, Second::variable(dilation, 0));
+        [w.gradient[0], w.hessian[0][0]]
+    }
+
+    /// The same with all its stresses against changes of shape and of volume multiplied by factors.
+    #[must_use]
+    pub fn scaled(&self, [shape, bulk]: [f64; 2]) -> Self {
+        let volumes = |volume: &Volume| volume.map(|inverse| bulk * inverse);
+        match self {
+            Self::Polynomial { terms, volume } => Self::Polynomial {
+                terms: terms.iter().map(|&(i, j, own)| (i, j, shape * own)).collect(),
+                volume: volumes(volume),
+            },
+            Self::ArrudaBoyce { shear, locking, volume } => {
+                Self::ArrudaBoyce { shear: shape * shear, locking: *locking, volume: bulk * volume }
+            }
+            Self::Ogden { terms, volume } => Self::Ogden {
+                terms: terms.iter().map(|&[shear, power]| [shape * shear, power]).collect(),
+                volume: volumes(volume),
+            },
+        }
+    }
+
     /// Answer to a deformation.
     pub fn large(&self, gradient: &Matrix) -> Answer {
         let small = left(gradient);

@@ -16,6 +16,7 @@
 //! 1)/2, docs/theory.md eq. (3.39).
 
 mod back_stress;
+pub mod creep;
 mod elastic;
 mod expansion;
 mod graded;
@@ -26,9 +27,13 @@ mod principal;
 pub mod tensor;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod time_tests;
 mod uniaxial;
+mod viscoelastic;
 
 pub use back_stress::BackStress;
+pub use creep::{CreepHardening, Creeping, PowerLaw};
 pub use elastic::{Anisotropic, LargeStrain, Unsound};
 pub(crate) use expansion::between;
 pub use expansion::{Expanding, Expansion, Growth};
@@ -37,6 +42,7 @@ pub use hyperelastic::{MOST_TERMS, Rubber, Volume};
 pub use plastic::{Hardening, Plastic};
 pub use principal::Axes;
 pub use uniaxial::Uniaxial;
+pub use viscoelastic::{Relaxation, Viscoelastic};
 
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -66,6 +72,12 @@ impl Elastic {
         }
     }
 
+    /// That of a shear modulus and a bulk modulus [F/L2].
+    pub fn of_moduli(shear: f64, bulk: f64) -> Self {
+        let modulus = 9.0 * bulk * shear / (3.0 * bulk + shear);
+        Self { modulus, poisson: modulus / (2.0 * shear) - 1.0 }
+    }
+
     /// Bulk modulus K = E / 3(1 - 2 nu) [F/L2].
     pub fn bulk_modulus(&self) -> f64 {
         self.modulus / (3.0 * (1.0 - 2.0 * self.poisson))
@@ -81,9 +93,18 @@ pub struct Conditions {
     pub temperature: f64,
     /// Temperature before the first step, at which it is free of stress [theta].
     pub initial: f64,
+    /// What the clock shows.
+    pub clock: Clock,
+}
+
+/// What a clock shows to a material.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Clock {
     /// Time that passes on the way from the committed state [T]: zero for instantaneous, infinite
     /// for long-term behaviour.
-    pub dt: f64,
+    pub passed: f64,
+    /// Total time at the end of that way [T].
+    pub total: f64,
 }
 
 /// What a material answers.
@@ -137,6 +158,10 @@ pub enum Material {
     Graded(Arc<Graded>),
     /// One that expands.
     Expanding(Box<Expanding>),
+    /// One that relaxes.
+    Viscoelastic(Box<Viscoelastic>),
+    /// One that creeps.
+    Creeping(Box<Creeping>),
 }
 
 impl PartialEq for Material {
@@ -149,6 +174,8 @@ impl PartialEq for Material {
             (Self::User(a), Self::User(b)) => Arc::ptr_eq(a, b),
             (Self::Graded(a), Self::Graded(b)) => a == b,
             (Self::Expanding(a), Self::Expanding(b)) => a == b,
+            (Self::Viscoelastic(a), Self::Viscoelastic(b)) => a == b,
+            (Self::Creeping(a), Self::Creeping(b)) => a == b,
             _ => false,
         }
     }
@@ -163,6 +190,8 @@ impl Material {
             Self::User(law) => law.states(),
             Self::Graded(graded) => graded.rows().map(Self::states).max().unwrap_or(0),
             Self::Expanding(expanding) => expanding.law.states(),
+            Self::Viscoelastic(own) => own.states(),
+            Self::Creeping(_) => creep::STATES,
         }
     }
 
@@ -191,6 +220,20 @@ impl Material {
                 .at(under.temperature, |own| own.respond(gradient, under, committed, state))
                 .unwrap_or_default(),
             (Self::Expanding(own), _) => own.respond(gradient, under, committed, state),
+            (Self::Viscoelastic(own), large) => own.law.of_temperature(under.temperature, |law| {
+                own.respond(law, (gradient, large), under.clock.passed, (committed, state))
+            }),
+            (Self::Creeping(own), _) => own.metal.of_temperature(under.temperature, |metal| {
+                own.respond(metal, gradient, under, (committed, state))
+            }),
+        }
+    }
+
+    /// Whatever is made of the material with its constants at a temperature.
+    fn of_temperature<R: Default>(&self, temperature: f64, then: impl FnOnce(&Self) -> R) -> R {
+        match self {
+            Self::Graded(graded) => graded.at(temperature, then).unwrap_or_default(),
+            only => then(only),
         }
     }
 
@@ -206,7 +249,46 @@ impl Material {
             Self::Plastic(_) => state.get(plastic::PEEQ).copied(),
             Self::Graded(graded) => graded.rows().next()?.plastic_strain(state),
             Self::Expanding(expanding) => expanding.law.plastic_strain(state),
+            Self::Creeping(_) => state.get(plastic::PEEQ).copied(),
             _ => None,
+        }
+    }
+
+    /// Equivalent creep strain of a state [1]; `None`: it has none.
+    pub fn creep_strain(&self, state: &[f64]) -> Option<f64> {
+        match self {
+            Self::Creeping(_) => Creeping::strain(state),
+            Self::Expanding(expanding) => expanding.law.creep_strain(state),
+            _ => None,
+        }
+    }
+
+    /// By how much the creep strains of the last increment differ where they are those of the stresses
+    /// at its beginning, or at its end [1]; `None`: nothing of it takes time.
+    pub fn creep_difference(&self, state: &[f64]) -> Option<f64> {
+        match self {
+            Self::Creeping(_) => Creeping::difference(state),
+            Self::Viscoelastic(_) => Viscoelastic::difference(state),
+            Self::Expanding(expanding) => expanding.law.creep_difference(state),
+            _ => None,
+        }
+    }
+
+    /// Whether it creeps.
+    pub fn creeps(&self) -> bool {
+        match self {
+            Self::Creeping(_) => true,
+            Self::Expanding(expanding) => expanding.law.creeps(),
+            _ => false,
+        }
+    }
+
+    /// Whether time means something to it: it creeps or relaxes.
+    pub fn takes_time(&self) -> bool {
+        match self {
+            Self::Creeping(_) | Self::Viscoelastic(_) => true,
+            Self::Expanding(expanding) => expanding.law.takes_time(),
+            _ => false,
         }
     }
 
@@ -216,7 +298,12 @@ impl Material {
             Self::Plastic(plastic) => Some(plastic.elastic),
             Self::Graded(graded) => graded.at(temperature, |own| own.metal(temperature)).flatten(),
             Self::Expanding(expanding) => expanding.law.metal(temperature),
-            Self::Elastic(..) | Self::Anisotropic(_) | Self::Rubber(_) | Self::User(_) => None,
+            Self::Creeping(own) => own.metal.of_temperature(temperature, Self::elastic),
+            Self::Viscoelastic(_)
+            | Self::Elastic(..)
+            | Self::Anisotropic(_)
+            | Self::Rubber(_)
+            | Self::User(_) => None,
         }
     }
 
@@ -231,14 +318,19 @@ impl Material {
                 })
                 .flatten(),
             Self::Expanding(expanding) => expanding.law.rubber(temperature, then),
-            Self::Elastic(..) | Self::Anisotropic(_) | Self::Plastic(_) | Self::User(_) => None,
+            Self::Viscoelastic(own) => own.law.rubber(temperature, then),
+            Self::Elastic(..)
+            | Self::Anisotropic(_)
+            | Self::Plastic(_)
+            | Self::User(_)
+            | Self::Creeping(_) => None,
         }
     }
 
     /// Whether it may take work that it does not give back.
     pub fn dissipates(&self) -> bool {
         match self {
-            Self::Plastic(_) | Self::User(_) => true,
+            Self::Plastic(_) | Self::User(_) | Self::Viscoelastic(_) | Self::Creeping(_) => true,
             Self::Elastic(..) | Self::Anisotropic(_) | Self::Rubber(_) => false,
             Self::Graded(graded) => graded.rows().any(Self::dissipates),
             Self::Expanding(expanding) => expanding.law.dissipates(),
@@ -249,7 +341,11 @@ impl Material {
     pub fn is_linear(&self) -> bool {
         match self {
             Self::Elastic(..) | Self::Anisotropic(_) => true,
-            Self::Plastic(_) | Self::User(_) | Self::Rubber(_) => false,
+            Self::Plastic(_)
+            | Self::User(_)
+            | Self::Rubber(_)
+            | Self::Viscoelastic(_)
+            | Self::Creeping(_) => false,
             Self::Graded(graded) => graded.rows().all(Self::is_linear),
             Self::Expanding(expanding) => expanding.law.is_linear(),
         }
@@ -273,6 +369,8 @@ impl Material {
             Self::User(law) => law.stiffest(),
             Self::Graded(graded) => graded.rows().map(Self::stiffest).fold(0.0, f64::max),
             Self::Expanding(expanding) => expanding.law.stiffest(),
+            Self::Viscoelastic(own) => own.law.stiffest(),
+            Self::Creeping(own) => own.metal.stiffest(),
         }
     }
 
@@ -287,6 +385,8 @@ impl Material {
             Self::User(law) => law.shear_modulus(),
             Self::Graded(graded) => graded.rows().map(Self::shear_modulus).fold(0.0, f64::max),
             Self::Expanding(expanding) => expanding.law.shear_modulus(),
+            Self::Viscoelastic(own) => own.law.shear_modulus(),
+            Self::Creeping(own) => own.metal.shear_modulus(),
         }
     }
 
@@ -299,6 +399,8 @@ impl Material {
             Self::Anisotropic(_) | Self::User(_) => None,
             Self::Graded(graded) => graded.rows().next()?.elastic(),
             Self::Expanding(expanding) => expanding.law.elastic(),
+            Self::Viscoelastic(own) => own.law.elastic(),
+            Self::Creeping(own) => own.metal.elastic(),
         }
     }
 }
@@ -306,8 +408,6 @@ impl Material {
 impl Rubber {
     /// Elasticity of small strains.
     pub fn small(&self) -> Elastic {
-        let (shear, bulk) = (self.shear_modulus(), self.bulk_modulus());
-        let modulus = 9.0 * bulk * shear / (3.0 * bulk + shear);
-        Elastic { modulus, poisson: modulus / (2.0 * shear) - 1.0 }
+        Elastic::of_moduli(self.shear_modulus(), self.bulk_modulus())
     }
 }
