@@ -26,6 +26,7 @@ mod roles;
 mod sides;
 mod start;
 mod stroke;
+mod time;
 mod units;
 
 pub use finding::{Finding, Place, Suggestion};
@@ -42,10 +43,11 @@ pub fn advise(model: &Model) -> Vec<Finding> {
         // bodies, motions and meshes are judged in the plane alone
         units::judge(&start, &mut findings);
         locking::judge(&start, &mut findings);
+        time::judge(&start, &mut findings);
         return findings;
     }
     rehearsal::rehearse(&mut start);
-    let parts: [fn(&start::Start<'_>, &mut Vec<Finding>); 10] = [
+    let parts: [fn(&start::Start<'_>, &mut Vec<Finding>); 11] = [
         overclosure::judge,
         roles::judge,
         overconstraint::judge,
@@ -56,6 +58,7 @@ pub fn advise(model: &Model) -> Vec<Finding> {
         overlap::judge,
         units::judge,
         locking::judge,
+        time::judge,
     ];
     for part in parts {
         part(&start, &mut findings);

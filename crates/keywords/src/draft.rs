@@ -25,7 +25,8 @@ use crate::surfaces::{Named, NamedInteraction, NamedSurface, Pairing, RigidBody}
 pub(crate) use elements::{Element, ElementKind, MOST_NODES};
 pub(crate) use heat::Heat;
 pub(crate) use sections::{
-    Allowable, Body, Card, Elasticity, Kind, Material, Section, Table, Test, Wanted, Yielding,
+    Allowable, Body, Card, CreepLaw, Elasticity, Kind, Material, Section, Table, Test, Wanted,
+    Yielding,
 };
 
 /// Most nodes, elements and set members that a deck may generate. A slip in
@@ -202,7 +203,8 @@ pub(crate) struct StepDraft {
     pub max_increments: usize,
     pub unsymmetric: Option<bool>,
     pub extrapolation: Extrapolation,
-    pub at_once: bool,
+    /// `AMPLITUDE=STEP`; unsaid it is that of the procedure.
+    pub at_once: Option<bool>,
     pub procedure: Option<Static>,
     pub new_boundary: bool,
     pub new_loads: bool,

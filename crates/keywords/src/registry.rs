@@ -5,15 +5,15 @@ use slideline_deck::normalise;
 use crate::cards::{
     allowable, amplitude, assembly, beam_general_section, beam_section, biaxial_test_data,
     boundary, cload, contact_controls, contact_file, contact_output, contact_pair, contact_print,
-    controls, coupling, cyclic_hardening, density, distributing, distributing_coupling, dload,
-    dsload, el_file, el_print, elastic, elcopy, element, element_output, elgen, elset,
+    controls, coupling, creep, cyclic_hardening, density, distributing, distributing_coupling,
+    dload, dsload, el_file, el_print, elastic, elcopy, element, element_output, elgen, elset,
     end_assembly, end_instance, end_part, end_step, equation, expansion, friction, heading,
     hyperelastic, initial_conditions, instance, interface, kinematic, kinematic_coupling, material,
     mpc, ncopy, nfill, ngen, nmap, node, node_file, node_output, node_print, nset, orientation,
     output, part, physical_constants, planar_test_data, plastic, pre_tension_section, print,
     restart, rigid_body, rigid_surface, slide_line, solid_section, spring, static_, step, surface,
     surface_behavior, surface_contact, surface_interaction, system, temperature, tie, transform,
-    transverse_shear, uniaxial_test_data, volumetric_test_data,
+    transverse_shear, uniaxial_test_data, visco, viscoelastic, volumetric_test_data,
 };
 use crate::keyword::Keyword;
 use crate::reading::{Match, resolve};
@@ -58,6 +58,8 @@ pub(crate) const REGISTRY: &[&'static dyn Keyword] = &[
     &volumetric_test_data::VolumetricTestData,
     &plastic::Plastic,
     &cyclic_hardening::CyclicHardening,
+    &viscoelastic::Viscoelastic,
+    &creep::Creep,
     &allowable::Allowable,
     &rigid_surface::RigidSurface,
     &slide_line::SlideLine,
@@ -84,6 +86,7 @@ pub(crate) const REGISTRY: &[&'static dyn Keyword] = &[
     &initial_conditions::InitialConditions,
     &step::Step,
     &static_::Static,
+    &visco::Visco,
     &boundary::Boundary,
     &cload::Cload,
     &dload::Dload,

@@ -39,7 +39,7 @@ fn what_the_page_names_is_refused() {
         ("contact of beams in space", "TYPE=B21", "TYPE=B31"),
         ("shells", MODEL, "*SHELL SECTION\n*STEP"),
         ("arbitrary sections", "SECTION=RECT", "SECTION=ARBITRARY"),
-        ("creep", MODEL, "*CREEP\n*STEP"),
+        ("(`*TRS`)", MODEL, "*TRS\n*STEP"),
         ("rubber that softens", MODEL, "*MULLINS EFFECT\n*STEP"),
         ("heat conduction", HISTORY, "*HEAT TRANSFER\n*END STEP"),
         ("masses", "TYPE=B21", "TYPE=MASS"),

@@ -17,6 +17,7 @@
 
 mod answer;
 mod back_stress;
+pub mod creep;
 mod elastic;
 mod expansion;
 mod graded;
@@ -30,10 +31,14 @@ mod respond;
 pub mod tensor;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod time_tests;
 mod uniaxial;
+mod viscoelastic;
 
-pub use answer::{Answer, Conditions, Law};
+pub use answer::{Answer, Clock, Conditions, Law};
 pub use back_stress::BackStress;
+pub use creep::{CreepHardening, Creeping, PowerLaw};
 pub use elastic::{Anisotropic, Elastic, LargeStrain, Unsound};
 pub(crate) use expansion::between;
 pub use expansion::{Expanding, Expansion, Growth};
@@ -43,3 +48,4 @@ pub use law::{Graded, Material};
 pub use plastic::Plastic;
 pub use principal::Axes;
 pub use uniaxial::Uniaxial;
+pub use viscoelastic::{Relaxation, Viscoelastic};

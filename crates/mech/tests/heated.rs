@@ -12,7 +12,7 @@ use slideline_mech::element::{
     Temperature, Trusses,
 };
 use slideline_mech::material::{
-    Elastic, Expanding, Expansion, Graded, Growth, LargeStrain, Material,
+    Clock, Elastic, Expanding, Expansion, Graded, Growth, LargeStrain, Material,
 };
 use slideline_mech::section::BeamStiffness;
 use std::sync::Arc;
@@ -76,7 +76,8 @@ fn check(name: &str, kernel: &dyn Kernel, (nodes, states, stored): (usize, usize
     let [now, initial] = temperatures(nodes);
     for strains in [Strains::Linear, Strains::Exact] {
         let (temperatures, initial) = (&now[..], &initial[..]);
-        let under = Surroundings { strains, temperatures, initial, turns: &[], dt: 0.0 };
+        let under =
+            Surroundings { strains, temperatures, initial, turns: &[], clock: Clock::default() };
         let own = respond(kernel, states, &q, &under);
         let cold = respond(kernel, states, &q, &Surroundings::from(strains));
         let size = own.force.iter().fold(0.0_f64, |most, f| most.max(f.abs()));

@@ -182,6 +182,10 @@ pub enum ElementVariable {
     PE,
     /// Equivalent plastic strain of solids.
     PEEQ,
+    /// Creep strain of solids.
+    CE,
+    /// Equivalent creep strain of solids.
+    CEEQ,
     /// Mises stress; of beams at section points 1 and 5, where there is no shear stress.
     MISES,
     /// Principal stresses of solids.

@@ -57,7 +57,7 @@ pub enum Extrapolation {
     None,
 }
 
-/// `*STATIC`.
+/// `*STATIC` and `*VISCO`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Static {
     /// First increment [T].
@@ -72,6 +72,9 @@ pub struct Static {
     pub direct: bool,
     /// What time means to the materials.
     pub passage: Passage,
+    /// `CETOL`: by how much the creep strains of an increment may differ, taken by the conditions
+    /// at its two ends [1].
+    pub creep_tolerance: Option<f64>,
     /// The card, where there is one.
     pub origin: Option<Span>,
 }

@@ -195,7 +195,13 @@ impl Results<'_> {
             let names = ["EXX", "EYY", "EZZ", "EXY", "EYZ", "EZX"];
             self.push("TOSTRAIN", Shape::Tensor, &names, strains);
         }
-        if asked.contains(&ElementVariable::PEEQ) {
+        // CalculiX does not tell creep from plastic strain
+        let flowed = |own: &ElementVariable| match own {
+            ElementVariable::PEEQ => true,
+            ElementVariable::CEEQ => of_all_work,
+            _ => false,
+        };
+        if asked.iter().any(flowed) {
             self.push("PE", Shape::Scalars, &["PE"], plastic);
         }
         if asked.contains(&ElementVariable::ENER) {

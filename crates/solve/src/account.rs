@@ -19,13 +19,15 @@ use crate::state::State;
 use crate::structure::{Ambient, Configuration};
 use slideline_mech::contact::tangential::Tangential;
 use slideline_mech::element::Temperature;
+use slideline_mech::material::Clock;
 
 /// Energies after the increment: work by the trapezoidal rule, dissipation
 /// as the mean of the traction forces at both ends times the slip, eqs (10.1)
 /// to (10.3).
 pub fn account(plan: &Problem<'_>, committed: &State, work: &Scratch, trial: &mut State) {
     let before = &committed.energy;
-    let ambient = Ambient { temperatures: &work.temperatures, turns: &work.turns, dt: 0.0 };
+    let ambient =
+        Ambient { temperatures: &work.temperatures, turns: &work.turns, clock: Clock::default() };
     let dissipated = plan.structure.dissipated(&work.u, (&trial.elements, ambient));
     let mut energy = Energies {
         strain_energy: work.evaluation.strain_energy - dissipated,
@@ -85,7 +87,7 @@ fn thermal_work(plan: &Problem<'_>, committed: &State, work: &Scratch) -> f64 {
     let mut room = plan.structure.room();
     let mut energy = |u: &[f64], temperatures: &[Temperature]| {
         let turns = &committed.turns[..];
-        let ambient = Ambient { temperatures, turns, dt: work.material_dt };
+        let ambient = Ambient { temperatures, turns, clock: work.clock };
         let at = Configuration { u, stresses: None, state: &committed.elements, ambient };
         plan.structure.evaluate_forces(&at, &mut room, plan.means.pool);
         room.energy()

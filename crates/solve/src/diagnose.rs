@@ -28,7 +28,8 @@ pub fn failure(case: &Case<'_>) -> Diagnostic {
     if case.stop == StopReason::TooManyIncrements {
         return case.too_many_increments();
     }
-    let causes: [fn(&Case<'_>) -> Option<Diagnostic>; 12] = [
+    let causes: [fn(&Case<'_>) -> Option<Diagnostic>; 13] = [
+        |case| case.too_coarse(),
         |case| case.passed_through(),
         |case| case.no_room(),
         |case| case.user_fault(),

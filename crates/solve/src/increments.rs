@@ -43,6 +43,12 @@ pub enum Verdict {
     Broken,
     /// An element has no answer where the iteration led it.
     Collapsed,
+    /// An equilibrium was found, but the creep strains of its increment, taken by the conditions at
+    /// its two ends, differ by more than `CETOL` allows.
+    TooCoarse {
+        /// The difference in hundredths of what is allowed.
+        percent: u32,
+    },
     /// An equilibrium was found, but on the way to it a body went through its
     /// master.
     PassedThrough {
@@ -85,7 +91,11 @@ pub enum StopReason {
     TooManyIncrements,
 }
 
-/// Shortest cut to where contact began [1].
+/// Part of the increment that creep allows that is taken [1].
+const CAUTION: f64 = 0.9;
+/// What is left of an increment at most where creep asks for a shorter one [1].
+const MOST_CUT: f64 = 0.8;
+/// Shortest cut to where contact began, or to what creep allows [1].
 const SHORTEST_CUT: f64 = 0.1;
 /// Fraction of the period by which the end of a step may be missed.
 const END: f64 = 1e-12;
@@ -120,6 +130,11 @@ impl Control {
                 self.cut(limits.d_f, procedure, limits)
             }
             Verdict::TooSlow => self.cut(limits.d_c, procedure, limits),
+            Verdict::TooCoarse { percent } => {
+                let part =
+                    (CAUTION * kept(f64::from(percent) / 100.0)).clamp(SHORTEST_CUT, MOST_CUT);
+                self.shorten(part, procedure)
+            }
             Verdict::PassedThrough { percent } => self.cut_to_contact(percent, procedure),
         }
     }
@@ -155,13 +170,37 @@ impl Control {
         Decision::Continue(Self { time, dt, committed, attempts: 0, quick: next_quick })
     }
 
-    /// To where contact began, at least halving. It is no failure of Newton: only
-    /// the smallest increment ends it.
+    /// What follows from an accepted increment where the difference of its creep strains is a part of
+    /// what is allowed: the next one is as long as that promises.
+    pub fn as_creep_allows(
+        &self,
+        decision: Decision,
+        part: f64,
+        procedure: &Static,
+        limits: &TimeIncrementation,
+    ) -> Decision {
+        let Decision::Continue(next) = decision else { return decision };
+        if procedure.direct {
+            return decision;
+        }
+        let allowed = self.dt * (CAUTION * kept(part)).min(limits.d_d);
+        // what took many iterations stays shorter
+        let dt = if next.dt < self.dt { allowed.min(next.dt) } else { allowed };
+        let dt = dt.min(procedure.maximum).max(procedure.minimum);
+        Decision::Continue(Self { dt: even_end(dt, procedure.period - next.time), ..next })
+    }
+
+    /// To where contact began, at least halving.
     fn cut_to_contact(&self, percent: u8, procedure: &Static) -> Decision {
+        self.shorten((f64::from(percent) / 100.0).clamp(SHORTEST_CUT, 0.5), procedure)
+    }
+
+    /// To a part of the increment. It is no failure of Newton: only the smallest increment ends it.
+    fn shorten(&self, part: f64, procedure: &Static) -> Decision {
         if procedure.direct {
             return Decision::Stop(StopReason::Fixed);
         }
-        let dt = self.dt * (f64::from(percent) / 100.0).clamp(SHORTEST_CUT, 0.5);
+        let dt = self.dt * part;
         if dt < procedure.minimum {
             return Decision::Stop(StopReason::TooSmall);
         }
@@ -184,6 +223,12 @@ impl Control {
     }
 }
 
+/// Part of an increment for which the difference of creep strains is as large as allowed, of what it
+/// is now [1]: it grows with the square of the increment, docs/theory.md eq. (3.97).
+fn kept(difference: f64) -> f64 {
+    difference.max(f64::MIN_POSITIVE).sqrt().recip()
+}
+
 /// Clips an increment to the end of the step. Sums of binary fractions of a
 /// step miss its end by rounding; a remainder of that size is not walked.
 fn even_end(dt: f64, left: f64) -> f64 {
@@ -203,6 +248,7 @@ mod tests {
             maximum: 0.05,
             direct: false,
             passage: Passage::default(),
+            creep_tolerance: None,
             origin: None,
         }
     }
@@ -271,6 +317,31 @@ mod tests {
             panic!()
         };
         assert!((three.dt - 0.075).abs() < 1e-15);
+    }
+
+    /// `CETOL`: an increment whose creep strains differ too much is shortened by the root of how much,
+    /// and the next one is as long as the difference promises, 1.5 times at most.
+    #[test]
+    fn creep_rules_increments() {
+        let procedure = Static { maximum: 1.0, initial: 0.1, ..seed() };
+        let limits = TimeIncrementation::default();
+        let begin = Control::begin(&procedure);
+        let coarse = Verdict::TooCoarse { percent: 400 };
+        let Decision::Cut(cut) = begin.after(coarse, &procedure, &limits, 100) else { panic!() };
+        assert!((cut.dt - 0.045).abs() < 1e-15 && cut.attempts == 0);
+        let quick = Verdict::Converged { iterations: 3 };
+        let accepted = begin.after(quick, &procedure, &limits, 100);
+        for (part, dt) in [(0.0, 0.15), (0.64, 0.1125), (1.0, 0.09)] {
+            let next = begin.as_creep_allows(accepted, part, &procedure, &limits);
+            let Decision::Continue(next) = next else { panic!() };
+            assert!((next.dt - dt).abs() < 1e-15, "{part} {}", next.dt);
+        }
+        let fixed = Static { direct: true, ..procedure };
+        let kept = begin.as_creep_allows(accepted, 0.0, &fixed, &limits);
+        assert_eq!(kept, accepted);
+        let small = Control { dt: 1.5e-6, ..begin };
+        let stop = small.after(coarse, &procedure, &limits, 100);
+        assert_eq!(stop, Decision::Stop(StopReason::TooSmall));
     }
 
     #[test]

@@ -533,6 +533,7 @@ mod tests {
                 maximum: 1.0,
                 direct: true,
                 passage: Passage::default(),
+                creep_tolerance: None,
                 origin: None,
             },
             prescribed: fixed.iter().map(|&dof| prescribed(beam[0], dof)).collect(),

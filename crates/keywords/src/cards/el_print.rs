@@ -76,7 +76,7 @@ fn section_point(text: &str) -> Option<usize> {
 
 impl Variable for ElementVariable {
     const KIND: &'static str = "variable of elements";
-    const KNOWN: &'static str = "SF, SM, SE, SK, S, MISES of beams, S, E, LE, PE, PEEQ, MISES, SP, ENER, PENER, COORD, ELSE, ELPD, EVOL of solids; numbers from 1 to 5 are section points";
+    const KNOWN: &'static str = "SF, SM, SE, SK, S, MISES of beams, S, E, LE, PE, PEEQ, CE, CEEQ, MISES, SP, ENER, PENER, COORD, ELSE, ELPD, EVOL of solids; numbers from 1 to 5 are section points";
     const SET: &'static str = "ELSET";
     const PRESELECTED: &'static [Self] = &[Self::SF, Self::SM, Self::S];
 
@@ -92,6 +92,8 @@ impl Variable for ElementVariable {
             "LE" => Some(Self::LE),
             "PE" => Some(Self::PE),
             "PEEQ" => Some(Self::PEEQ),
+            "CE" => Some(Self::CE),
+            "CEEQ" => Some(Self::CEEQ),
             "MISES" => Some(Self::MISES),
             "SP" => Some(Self::SP),
             "ENER" => Some(Self::ENER),

@@ -16,7 +16,7 @@ impl Keyword for Elastic {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] = &[Rule::value("TYPE")];
+        const RULES: &[Rule] = &[Rule::value("TYPE"), Rule::value("MODULI")];
         RULES
     }
 
@@ -39,6 +39,7 @@ impl Keyword for Elastic {
         if draft.owning_material(self.name(), card.span()).is_none() {
             return;
         }
+        moduli(card, draft);
         let given = card.word("TYPE").is_some();
         let elasticity = match card.choice("TYPE", TYPES, &mut draft.log) {
             None if given => None,
@@ -51,6 +52,15 @@ impl Keyword for Elastic {
         let elasticity = elasticity.unwrap_or(Elasticity::Unread);
         let own = (self.name(), card.span());
         draft.give_material(own, |material| &mut material.elasticity, elasticity);
+    }
+}
+
+/// Takes in which moduli the constants of a material that relaxes are.
+pub(super) fn moduli(card: &Reading<'_>, draft: &mut Draft) {
+    let known = &["LONG TERM", "INSTANTANEOUS"];
+    let at_once = card.choice("MODULI", known, &mut draft.log) == Some("INSTANTANEOUS");
+    if let Some(material) = draft.owning_material("ELASTIC", card.span()) {
+        material.at_once |= at_once;
     }
 }
 

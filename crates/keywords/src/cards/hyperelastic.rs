@@ -46,6 +46,7 @@ impl Keyword for Hyperelastic {
             Rule::value("N"),
             Rule::flag("TEST DATA INPUT"),
             Rule::value("POISSON"),
+            Rule::value("MODULI"),
         ];
         RULES
     }
@@ -70,6 +71,7 @@ impl Keyword for Hyperelastic {
         if draft.owning_material(self.name(), card.span()).is_none() {
             return;
         }
+        super::elastic::moduli(card, draft);
         let elasticity = match card.has("TEST DATA INPUT") {
             true => wanted(card, draft).map(Elasticity::Tested),
             false => read(card, draft).map(Elasticity::Rubber),

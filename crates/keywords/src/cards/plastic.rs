@@ -154,7 +154,9 @@ fn read(line: &DataLine, table: &mut Hardening, draft: &mut Draft) -> Option<()>
     let stress = draft.log.number(line, 0, "the yield stress")?;
     let strain = draft.log.number_or(line, 1, 0.0)?;
     let at = |field: usize| line.fields.get(field).map_or(line.span, |field| field.span);
-    if stress <= 0.0 {
+    // zero is CalculiX' word for creep at any stress
+    let may_vanish = draft.dialect == Dialect::Calculix;
+    if stress < 0.0 || (stress == 0.0 && !may_vanish) {
         draft.log.error("SL0234", "the yield stress must be positive", at(0));
         return None;
     }

@@ -2,7 +2,7 @@
 
 use slideline_deck::DataLine;
 use slideline_diag::{Code, Diagnostic, Span};
-use slideline_model as model;
+use slideline_model::{self as model, Passage};
 
 use crate::draft::Draft;
 use crate::keyword::{Keyword, Level, Rule, Subject};
@@ -17,12 +17,12 @@ impl Keyword for Static {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] = &[Rule::maybe("DIRECT")];
+        const RULES: &[Rule] = &[Rule::maybe("DIRECT"), Rule::flag("LONG TERM")];
         RULES
     }
 
     fn without_effect(&self) -> &'static [&'static str] {
-        &["SOLVER", "TOTAL TIME AT START", "TIME RESET", "ALLSDTOL", "LONG TERM", "FULLY PLASTIC"]
+        &["SOLVER", "TOTAL TIME AT START", "TIME RESET", "ALLSDTOL", "FULLY PLASTIC"]
     }
 
     fn level(&self) -> Level {
@@ -38,29 +38,40 @@ impl Keyword for Static {
     }
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
-        draft.log.at_most_lines(card.data(), 1, self.name());
-        let direct = card.has("DIRECT");
-        let procedure = match card.data().first() {
-            Some(line) => times(line, direct, card.span(), draft),
-            None => Some([1.0, 1.0, 1e-5, 1.0]),
-        };
-        let Some(times) = procedure else { return };
-        let [initial, period, minimum, maximum] = times;
-        let origin = card.span();
-        let Some(step) = draft.step() else { return };
-        let before = step.procedure.replace(model::Static {
-            initial,
-            period,
-            minimum,
-            maximum,
-            direct,
-            passage: model::Passage::default(),
-            origin: Some(origin),
-        });
-        if let Some(first) = before.and_then(|before| before.origin) {
-            let error = Diagnostic::error(Code("SL0242"), "a second *STATIC in one step");
-            draft.log.push(error.at(origin).label(first, "the first one"));
-        }
+        let passage = if card.has("LONG TERM") { Passage::LongTerm } else { Passage::Still };
+        walk(self.name(), card, (passage, None), draft);
+    }
+}
+
+/// Takes in how a step is walked.
+pub(super) fn walk(
+    name: &str,
+    card: &Reading<'_>,
+    (passage, creep_tolerance): (Passage, Option<f64>),
+    draft: &mut Draft,
+) {
+    draft.log.at_most_lines(card.data(), 1, name);
+    let direct = card.has("DIRECT");
+    let procedure = match card.data().first() {
+        Some(line) => times(line, direct, card.span(), draft),
+        None => Some([1.0, 1.0, 1e-5, 1.0]),
+    };
+    let Some([initial, period, minimum, maximum]) = procedure else { return };
+    let origin = card.span();
+    let Some(step) = draft.step() else { return };
+    let before = step.procedure.replace(model::Static {
+        initial,
+        period,
+        minimum,
+        maximum,
+        direct,
+        passage,
+        creep_tolerance,
+        origin: Some(origin),
+    });
+    if let Some(first) = before.and_then(|before| before.origin) {
+        let error = Diagnostic::error(Code("SL0242"), format!("a second *{name} in one step"));
+        draft.log.push(error.at(origin).label(first, "the first one"));
     }
 }
 

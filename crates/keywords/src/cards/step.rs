@@ -71,7 +71,7 @@ impl Keyword for Step {
                 Some("NO") => Extrapolation::None,
                 _ => Extrapolation::Linear,
             },
-            at_once: amplitude == Some("STEP"),
+            at_once: amplitude.map(|own| own == "STEP"),
             procedure: None,
             new_boundary: false,
             new_loads: false,

@@ -4,8 +4,8 @@ use slideline_diag::Span;
 use slideline_mech::element::BeamHeat;
 use slideline_mech::material::hyperelastic::{Form, Mode};
 use slideline_mech::material::{
-    Anisotropic, BackStress, Elastic, Expanding, Expansion, Graded, Growth, Hardening, LargeStrain,
-    Plastic, Rubber,
+    Anisotropic, BackStress, CreepHardening, Creeping, Elastic, Expanding, Expansion, Graded,
+    Growth, Hardening, LargeStrain, Plastic, PowerLaw, Relaxation, Rubber, Viscoelastic,
 };
 use slideline_mech::orientation::Orientation;
 use slideline_model::{self as model, BeamSection, Dialect, Limit, Shape, ShearRule, SolidSection};
@@ -89,6 +89,12 @@ pub(crate) struct Material {
     pub hardening: Option<(Option<Yielding>, Card)>,
     /// Yield stresses of combined hardening; `None` in it: unreadable.
     pub growth: Option<(Option<Table<Hardening>>, Card)>,
+    /// What of its stress fades with time; `None` in it: unreadable.
+    pub relaxation: Option<(Option<Vec<Relaxation>>, Card)>,
+    /// How it creeps; `None` in it: unreadable.
+    pub creep: Option<(Option<CreepLaw>, Card)>,
+    /// `MODULI=INSTANTANEOUS`: its elastic constants are those before anything has faded.
+    pub at_once: bool,
     /// How it expands; `None` in it: unreadable.
     pub expansion: Option<(Option<Expansion>, Card)>,
     /// Tests of a rubber, in the order of the deck.
@@ -107,6 +113,24 @@ pub(crate) struct Yielding {
     pub back_stresses: Vec<BackStress>,
     /// Whether the surface may also grow.
     pub combined: bool,
+}
+
+impl Yielding {
+    /// Whether its yield stress is zero throughout: CalculiX' word for creep at any stress.
+    pub fn is_none(&self) -> bool {
+        self.table.iter().flat_map(|(_, lines)| lines).all(|line| line[0] == 0.0)
+    }
+}
+
+/// How a material creeps.
+#[derive(Clone, Debug)]
+pub(crate) struct CreepLaw {
+    /// What slows it down.
+    pub hardening: CreepHardening,
+    /// The power law over temperature.
+    pub table: Table<PowerLaw>,
+    /// Whether the stress beyond the yield stress drives it.
+    pub beyond_yield: bool,
 }
 
 /// What a material does against strain.
@@ -174,6 +198,9 @@ impl Material {
             elasticity: None,
             hardening: None,
             growth: None,
+            relaxation: None,
+            creep: None,
+            at_once: false,
             expansion: None,
             tests: Vec::new(),
             density: None,
@@ -236,17 +263,50 @@ impl Material {
 
     /// The law without its expansion.
     fn law(&self, large: LargeStrain) -> Option<model::Material> {
-        match &self.elasticity.as_ref()?.0 {
-            Elasticity::Rubber(table) => {
-                graded(table.iter().map(|(at, own)| (*at, model::Material::Rubber(own.clone()))))
+        if let Some((series, _)) = &self.relaxation {
+            let series = series.clone()?;
+            let law = self.without_time(large, self.before_relaxing(&series))?;
+            return Some(model::Material::Viscoelastic(Box::new(Viscoelastic { law, series })));
+        }
+        let law = self.without_time(large, [1.0; 2])?;
+        let Some((creep, _)) = &self.creep else { return Some(law) };
+        let CreepLaw { hardening, table, beyond_yield } = creep.clone()?;
+        let creeping = Creeping { metal: law, hardening, law: table, beyond_yield };
+        Some(model::Material::Creeping(Box::new(creeping)))
+    }
+
+    /// Moduli before anything has faded over those of the card: against a change of shape, and of
+    /// volume [1].
+    fn before_relaxing(&self, series: &[Relaxation]) -> [f64; 2] {
+        let left = |part: fn(&Relaxation) -> f64| 1.0 - series.iter().map(part).sum::<f64>();
+        match self.at_once {
+            true => [1.0; 2],
+            false => [1.0 / left(|term| term.shear), 1.0 / left(|term| term.bulk)],
+        }
+    }
+
+    /// The law as it is where no time passes, its moduli multiplied by factors.
+    fn without_time(&self, large: LargeStrain, factors: [f64; 2]) -> Option<model::Material> {
+        let elastic = |own: &Elastic| match factors {
+            [1.0, 1.0] => *own,
+            [shape, bulk] => {
+                Elastic::of_moduli(shape * own.shear_modulus(), bulk * own.bulk_modulus())
             }
+        };
+        match &self.elasticity.as_ref()?.0 {
+            Elasticity::Rubber(table) => graded(
+                table.iter().map(|(at, own)| (*at, model::Material::Rubber(own.scaled(factors)))),
+            ),
             Elasticity::Anisotropic(own) | Elasticity::Ply(own) => {
                 Some(model::Material::Anisotropic(own.clone()))
             }
             Elasticity::Isotropic(table) => match &self.hardening {
-                Some((yielding, _)) => self.metal(table, yielding.as_ref()?),
-                None => {
-                    graded(table.iter().map(|(at, e)| (*at, model::Material::Elastic(*e, large))))
+                Some((yielding, _)) if !yielding.as_ref()?.is_none() => {
+                    self.metal(table, yielding.as_ref()?)
+                }
+                _ => {
+                    let row = |e| model::Material::Elastic(elastic(e), large);
+                    graded(table.iter().map(|(at, e)| (*at, row(e))))
                 }
             },
             Elasticity::Unread | Elasticity::Tested(_) => None,

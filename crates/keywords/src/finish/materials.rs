@@ -5,7 +5,7 @@ use slideline_mech::element::solid;
 use slideline_mech::orientation::Orientation;
 use slideline_model::{ElementType, Elements, Kinematics};
 
-use crate::draft::{Body, Draft, Elasticity, Section};
+use crate::draft::{Body, Draft, Elasticity, Section, Yielding};
 use crate::rule::Subject;
 
 /// Complains about trusses and beams of a material with directions: they know their own alone.
@@ -84,7 +84,10 @@ pub(super) fn material(
     };
     let of_beam = matches!(section.body, Body::Beam { .. });
     let Some((elasticity, card)) = &material.elasticity else {
-        let card = if material.hardening.is_some() { "*PLASTIC but no" } else { "no" };
+        let others =
+            [material.hardening.is_some(), material.relaxation.is_some(), material.creep.is_some()];
+        let names = ["*PLASTIC but no", "*VISCOELASTIC but no", "*CREEP but no"];
+        let card = others.iter().zip(names).find(|own| *own.0).map_or("no", |own| own.1);
         let message = format!("the material {} has {card} *ELASTIC", material.name);
         let error = Diagnostic::error(Code("SL0309"), message).at(material.origin);
         draft.consequence(Subject::Sections, error.help("put *ELASTIC behind *MATERIAL: E, nu"));
@@ -98,11 +101,17 @@ pub(super) fn material(
         draft.consequence(Subject::Sections, error.help("*PLASTIC goes with *ELASTIC: E, nu"));
         return None;
     }
-    if !is_sound_metal(&material, draft) {
+    if !is_sound_metal(&material, draft) || !takes_time_soundly(&material, draft) {
         return None;
     }
-    if of_beam && (material.hardening.is_some() || !isotropic) {
-        let what = if material.hardening.is_some() { "yields" } else { elasticity.word() };
+    let takes_time = material.relaxation.is_some() || material.creep.is_some();
+    if of_beam && (material.hardening.is_some() || takes_time || !isotropic) {
+        let what = match &material {
+            own if own.hardening.is_some() => "yields",
+            own if own.creep.is_some() => "creeps",
+            own if own.relaxation.is_some() => "relaxes",
+            _ => elasticity.word(),
+        };
         let message = format!("the material {} {what}; beams are elastic", material.name);
         let error = Diagnostic::error(Code("SL0309"), message).at(section.material_span);
         draft
@@ -138,6 +147,43 @@ fn is_sound_metal(material: &crate::draft::Material, draft: &mut Draft) -> bool 
         return false;
     }
     true
+}
+
+/// Whether what time makes of a material goes with the rest of it; complains if not.
+fn takes_time_soundly(material: &crate::draft::Material, draft: &mut Draft) -> bool {
+    let Some((elasticity, _)) = &material.elasticity else { return true };
+    let moves = |own: &Yielding| !own.back_stresses.is_empty() || own.combined;
+    let yielding = material.hardening.as_ref();
+    let moving =
+        yielding.and_then(|(own, card)| own.as_ref().filter(|own| moves(own)).and(Some(card)));
+    let other =
+        [&material.hardening.as_ref().map(|own| own.1), &material.creep.as_ref().map(|own| own.1)];
+    let directed = matches!(elasticity, Elasticity::Anisotropic(_) | Elasticity::Ply(_));
+    let is_linear = matches!(elasticity, Elasticity::Isotropic(_) | Elasticity::Unread);
+    let refused = match (&material.relaxation, &material.creep) {
+        (Some((_, own)), _) if directed => Some((own, "relaxes and is not isotropic".to_owned())),
+        (Some((_, own)), _) => {
+            let beside = other.into_iter().flatten().next();
+            beside.map(|(name, _)| (own, format!("relaxes, and has *{name}")))
+        }
+        (None, Some((_, own))) if !is_linear => {
+            Some((own, format!("creeps and {}", elasticity.word())))
+        }
+        (None, Some((_, own))) if moving.is_some() => {
+            Some((own, "creeps, and its yield surface moves".to_owned()))
+        }
+        (None, None) => yielding
+            .filter(|(own, _)| own.as_ref().is_some_and(Yielding::is_none))
+            .map(|(_, own)| (own, "yields at no stress and does not creep".to_owned())),
+        _ => None,
+    };
+    let Some((card, what)) = refused else { return true };
+    let message = format!("the material {} {what}, which is not supported", material.name);
+    let error = Diagnostic::error(Code("SL0309"), message).at(card.1);
+    let help = "*VISCOELASTIC goes with *ELASTIC: E, nu or *HYPERELASTIC; *CREEP with *ELASTIC: E, nu \
+                and with *PLASTIC of isotropic hardening";
+    draft.consequence(Subject::Sections, error.help(help));
+    false
 }
 
 pub(super) fn no_material(name: &str, span: Span, draft: &mut Draft) {

@@ -120,6 +120,9 @@ fn linear(step: &StepDraft, draft: &mut Draft) {
 
 fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
     linear(&step, draft);
+    // what passes time has its loads at once unless it says otherwise, in both dialects
+    let passes = step.procedure.is_some_and(|own| own.passage == Passage::Passing);
+    let at_once = step.at_once.unwrap_or(passes);
     if step.new_boundary {
         carried.prescribed = InForce::default();
     }
@@ -143,6 +146,7 @@ fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
         maximum: 1.0,
         direct: false,
         passage: Passage::default(),
+        creep_tolerance: None,
         origin: None,
     };
     Step {
@@ -151,13 +155,13 @@ fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
         max_increments: step.max_increments,
         unsymmetric: step.unsymmetric,
         extrapolation: step.extrapolation,
-        at_once: step.at_once,
+        at_once,
         procedure: step.procedure.unwrap_or(default),
         prescribed: carried.prescribed.list.clone(),
-        loads: concentrated(&mut carried.loads, step.at_once, draft),
+        loads: concentrated(&mut carried.loads, at_once, draft),
         temperatures: carried.temperatures.list.clone(),
         controls: carried.controls,
-        distributed: carried.distributed.loads(step.at_once, draft),
+        distributed: carried.distributed.loads(at_once, draft),
         stabilisation: step.stabilisation,
         output: OutputRequests {
             restart: carried.restart,

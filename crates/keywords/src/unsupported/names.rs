@@ -188,7 +188,6 @@ pub(super) const GROUPS: &[Group] = &[
             "SUBSTRUCTURE GENERATE",
             "SUBSTRUCTURE OUTPUT",
             "UNCOUPLED TEMPERATURE-DISPLACEMENT",
-            "VISCO",
             "ANNEAL",
             "ROBUST DESIGN",
             "FEASIBLE DIRECTION",
@@ -196,7 +195,7 @@ pub(super) const GROUPS: &[Group] = &[
     ),
     (
         Unsupported,
-        "materials are *ELASTIC, *PLASTIC and *HYPERELASTIC",
+        "materials are *ELASTIC, *PLASTIC, *HYPERELASTIC, *VISCOELASTIC and *CREEP",
         &[
             "ACOUSTIC MEDIUM",
             "ANISOTROPIC HYPERELASTIC",
@@ -209,7 +208,6 @@ pub(super) const GROUPS: &[Group] = &[
             "COMPRESSION TEST DATA",
             "CONCRETE",
             "CONCRETE DAMAGED PLASTICITY",
-            "CREEP",
             "CRUSHABLE FOAM",
             "DAMAGE EVOLUTION",
             "DAMAGE INITIATION",
@@ -244,7 +242,6 @@ pub(super) const GROUPS: &[Group] = &[
             "TENSILE FAILURE",
             "USER DEFINED FIELD",
             "USER MATERIAL",
-            "VISCOELASTIC",
             "VISCOUS",
             "COMPLIANCE",
             "ELECTRICAL CONDUCTIVITY",

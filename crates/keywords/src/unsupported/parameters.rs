@@ -37,7 +37,6 @@ const GROUPS: &[Group] = &[
         "give traction by three components in space (TRVEC)",
         &["ORIENTATION", "CONSTANT RESULTANT", "SUBMODEL", "STEP", "DATA SET"],
     ),
-    ("ELASTIC", "give the constants at once, without relaxation", &["MODULI"]),
     (
         "ELEMENT",
         "write the elements on data lines, or draw them in with *INCLUDE, INPUT=",
@@ -46,7 +45,7 @@ const GROUPS: &[Group] = &[
     (
         "HYPERELASTIC",
         "give the coefficients of one of its forms, or TEST DATA INPUT and test data",
-        &["MARLOW", "VAN DER WAALS", "USER", "PROPERTIES", "MODULI", "BETA", "ALL"],
+        &["MARLOW", "VAN DER WAALS", "USER", "PROPERTIES", "BETA", "ALL"],
     ),
     ("INITIAL CONDITIONS", "write the values on data lines", &["USER", "FILE", "STEP", "INC"]),
     ("ELCOPY", "copy by numbers, and give *NCOPY the place", &["REFLECT", "SHIFT ELEMENT"]),
@@ -72,7 +71,7 @@ const GROUPS: &[Group] = &[
     ),
     (
         "STEP",
-        "steps are *STATIC; submodels and changes of the design are not read",
+        "steps are *STATIC and *VISCO; submodels and changes of the design are not read",
         &["SENSITIVITY", "SHOCK"],
     ),
     (
@@ -82,6 +81,16 @@ const GROUPS: &[Group] = &[
     ),
     ("SURFACE BEHAVIOR", "contact opens freely: leave it out", &["NO SEPARATION"]),
     ("TIE", "model the whole, not a sector of it", &["CYCLIC SYMMETRY", "MULTISTAGE"]),
+    (
+        "VISCO",
+        "contact that has nothing to hold it is helped by *CONTACT CONTROLS, STABILIZE",
+        &["STABILIZE", "FACTOR", "CONTINUE"],
+    ),
+    (
+        "VISCOELASTIC",
+        "give a Prony series: TIME=PRONY and lines `g, k, tau`",
+        &["FREQUENCY", "PROPERTIES"],
+    ),
     (
         "BIAXIAL TEST DATA",
         "give data that are smooth, at one temperature: one card a test",

@@ -15,6 +15,7 @@
 //! block. Whoever has a formulation of his own implements [`Kernel`], or [`Element`] for one element
 //! of fixed size, and lets [`Instances`](super::Instances) do the rest.
 
+use crate::material::Clock;
 use crate::turn::Turn;
 use serde::{Deserialize, Serialize};
 use std::any::Any;
@@ -51,9 +52,8 @@ pub struct Surroundings<'a> {
     pub initial: &'a [Temperature],
     /// What the rotations of its nodes in space count from; empty: from rest.
     pub turns: &'a [Turn],
-    /// Time that passes on the way from the committed state [T]: zero for instantaneous, infinite
-    /// for long-term behaviour.
-    pub dt: f64,
+    /// What the clock shows.
+    pub clock: Clock,
 }
 
 impl Surroundings<'_> {
@@ -66,7 +66,7 @@ impl Surroundings<'_> {
 impl<'a> From<Strains<'a>> for Surroundings<'a> {
     /// No temperatures, all turned from rest, and no time.
     fn from(strains: Strains<'a>) -> Self {
-        Self { strains, temperatures: &[], initial: &[], turns: &[], dt: 0.0 }
+        Self { strains, temperatures: &[], initial: &[], turns: &[], clock: Clock::default() }
     }
 }
 
@@ -178,6 +178,12 @@ pub trait Kernel: Any + Debug + Send + Sync {
         _state: &[f64],
         _under: &Surroundings<'_>,
     ) -> f64 {
+        0.0
+    }
+
+    /// By how much the creep strains of the increment that led to a state differ at most, taken by
+    /// the conditions at its two ends [1].
+    fn creep_difference(&self, _element: usize, _state: &[f64]) -> f64 {
         0.0
     }
 

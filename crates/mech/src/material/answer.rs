@@ -12,9 +12,18 @@ pub struct Conditions {
     pub temperature: f64,
     /// Temperature before the first step, at which it is free of stress [theta].
     pub initial: f64,
+    /// What the clock shows.
+    pub clock: Clock,
+}
+
+/// What a clock shows to a material.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Clock {
     /// Time that passes on the way from the committed state [T]: zero for instantaneous, infinite
     /// for long-term behaviour.
-    pub dt: f64,
+    pub passed: f64,
+    /// Total time at the end of that way [T].
+    pub total: f64,
 }
 
 /// What a material answers.

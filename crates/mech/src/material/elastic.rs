@@ -48,6 +48,12 @@ impl Elastic {
         }
     }
 
+    /// That of a shear modulus and a bulk modulus [F/L2].
+    pub fn of_moduli(shear: f64, bulk: f64) -> Self {
+        let modulus = 9.0 * bulk * shear / (3.0 * bulk + shear);
+        Self { modulus, poisson: modulus / (2.0 * shear) - 1.0 }
+    }
+
     /// Bulk modulus K = E / 3(1 - 2 nu) [F/L2].
     pub fn bulk_modulus(&self) -> f64 {
         self.modulus / (3.0 * (1.0 - 2.0 * self.poisson))

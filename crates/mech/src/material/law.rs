@@ -1,10 +1,12 @@
 //! A material: one of the laws, with constants of one temperature or of several.
 
 use super::answer::Law;
+use super::creep::Creeping;
 use super::elastic::{Anisotropic, Elastic, LargeStrain};
 use super::expansion::Expanding;
 use super::hyperelastic::Rubber;
 use super::plastic::Plastic;
+use super::viscoelastic::Viscoelastic;
 use std::sync::Arc;
 
 /// A material of solids.
@@ -24,6 +26,10 @@ pub enum Material {
     Graded(Arc<Graded>),
     /// One that expands.
     Expanding(Box<Expanding<Material>>),
+    /// One that relaxes.
+    Viscoelastic(Box<Viscoelastic<Material>>),
+    /// One that creeps.
+    Creeping(Box<Creeping<Material>>),
 }
 
 impl PartialEq for Material {
@@ -36,6 +42,8 @@ impl PartialEq for Material {
             (Self::User(a), Self::User(b)) => Arc::ptr_eq(a, b),
             (Self::Graded(a), Self::Graded(b)) => a == b,
             (Self::Expanding(a), Self::Expanding(b)) => a == b,
+            (Self::Viscoelastic(a), Self::Viscoelastic(b)) => a == b,
+            (Self::Creeping(a), Self::Creeping(b)) => a == b,
             _ => false,
         }
     }

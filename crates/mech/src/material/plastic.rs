@@ -83,7 +83,8 @@ impl Plastic {
         BACK + 6 * self.back_stresses.len()
     }
 
-    fn yield_stress(&self, strain: f64) -> [f64; 2] {
+    /// Yield stress and its slope at an equivalent plastic strain.
+    pub(super) fn yield_stress(&self, strain: f64) -> [f64; 2] {
         yield_stress(&self.table, strain)
     }
 
@@ -191,7 +192,7 @@ impl Plastic {
     }
 
     /// Work of the yield stress on an increment: exact on every straight piece.
-    fn work(&self, before: f64, strain: f64) -> f64 {
+    pub(super) fn work(&self, before: f64, strain: f64) -> f64 {
         let (mut at, end, mut work) = (before, before + strain, 0.0);
         let ends =
             self.table.iter().map(|line| line[1]).filter(|line| *line > before && *line < end);

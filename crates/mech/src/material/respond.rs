@@ -1,11 +1,13 @@
 //! What a material answers, whichever it is.
 
 use super::answer::{Answer, Conditions};
+use super::creep;
 use super::elastic::{Elastic, LargeStrain};
 use super::hyperelastic::Rubber;
 use super::law::Material;
 use super::plastic::{self, Plastic};
 use super::tensor::{Matrix, symmetric};
+use super::viscoelastic::{self, Elasticity};
 
 impl Material {
     /// Number of state variables of a point.
@@ -16,6 +18,8 @@ impl Material {
             Self::User(law) => law.states(),
             Self::Graded(graded) => graded.rows().map(Self::states).max().unwrap_or(0),
             Self::Expanding(expanding) => expanding.law.states(),
+            Self::Viscoelastic(own) => own.states(),
+            Self::Creeping(_) => creep::STATES,
         }
     }
 
@@ -46,6 +50,30 @@ impl Material {
             (Self::Expanding(own), _) => {
                 own.respond(gradient, under, |left| own.law.respond(left, under, committed, state))
             }
+            (Self::Viscoelastic(own), large) => own.law.of_temperature(under.temperature, |law| {
+                let law = match law {
+                    Self::Elastic(elastic, _) => Elasticity::Linear(elastic),
+                    Self::Rubber(rubber) => Elasticity::Rubber(rubber),
+                    _ => return Answer::default(),
+                };
+                own.respond(law, (gradient, large), under.clock.passed, (committed, state))
+            }),
+            (Self::Creeping(own), _) => own.metal.of_temperature(under.temperature, |metal| {
+                let metal = match metal {
+                    Self::Elastic(elastic, _) => (elastic, None),
+                    Self::Plastic(plastic) => (&plastic.elastic, Some(plastic)),
+                    _ => return Answer::default(),
+                };
+                own.respond(metal, gradient, under, (committed, state))
+            }),
+        }
+    }
+
+    /// Whatever is made of the material with its constants at a temperature.
+    fn of_temperature<R: Default>(&self, temperature: f64, then: impl FnOnce(&Self) -> R) -> R {
+        match self {
+            Self::Graded(graded) => graded.at(temperature, then).unwrap_or_default(),
+            only => then(only),
         }
     }
 
@@ -61,7 +89,46 @@ impl Material {
             Self::Plastic(_) => state.get(plastic::PEEQ).copied(),
             Self::Graded(graded) => graded.rows().next()?.plastic_strain(state),
             Self::Expanding(expanding) => expanding.law.plastic_strain(state),
+            Self::Creeping(_) => state.get(plastic::PEEQ).copied(),
             _ => None,
+        }
+    }
+
+    /// Equivalent creep strain of a state [1]; `None`: it has none.
+    pub fn creep_strain(&self, state: &[f64]) -> Option<f64> {
+        match self {
+            Self::Creeping(_) => creep::strain(state),
+            Self::Expanding(expanding) => expanding.law.creep_strain(state),
+            _ => None,
+        }
+    }
+
+    /// By how much the creep strains of the last increment differ where they are those of the stresses
+    /// at its beginning, or at its end [1]; `None`: nothing of it takes time.
+    pub fn creep_difference(&self, state: &[f64]) -> Option<f64> {
+        match self {
+            Self::Creeping(_) => creep::difference(state),
+            Self::Viscoelastic(_) => viscoelastic::difference(state),
+            Self::Expanding(expanding) => expanding.law.creep_difference(state),
+            _ => None,
+        }
+    }
+
+    /// Whether it creeps.
+    pub fn creeps(&self) -> bool {
+        match self {
+            Self::Creeping(_) => true,
+            Self::Expanding(expanding) => expanding.law.creeps(),
+            _ => false,
+        }
+    }
+
+    /// Whether time means something to it: it creeps or relaxes.
+    pub fn takes_time(&self) -> bool {
+        match self {
+            Self::Creeping(_) | Self::Viscoelastic(_) => true,
+            Self::Expanding(expanding) => expanding.law.takes_time(),
+            _ => false,
         }
     }
 
@@ -71,7 +138,12 @@ impl Material {
             Self::Plastic(plastic) => Some(plastic.elastic),
             Self::Graded(graded) => graded.at(temperature, |own| own.metal(temperature)).flatten(),
             Self::Expanding(expanding) => expanding.law.metal(temperature),
-            Self::Elastic(..) | Self::Anisotropic(_) | Self::Rubber(_) | Self::User(_) => None,
+            Self::Creeping(own) => own.metal.of_temperature(temperature, Self::elastic),
+            Self::Viscoelastic(_)
+            | Self::Elastic(..)
+            | Self::Anisotropic(_)
+            | Self::Rubber(_)
+            | Self::User(_) => None,
         }
     }
 
@@ -86,14 +158,19 @@ impl Material {
                 })
                 .flatten(),
             Self::Expanding(expanding) => expanding.law.rubber(temperature, then),
-            Self::Elastic(..) | Self::Anisotropic(_) | Self::Plastic(_) | Self::User(_) => None,
+            Self::Viscoelastic(own) => own.law.rubber(temperature, then),
+            Self::Elastic(..)
+            | Self::Anisotropic(_)
+            | Self::Plastic(_)
+            | Self::User(_)
+            | Self::Creeping(_) => None,
         }
     }
 
     /// Whether it may take work that it does not give back.
     pub fn dissipates(&self) -> bool {
         match self {
-            Self::Plastic(_) | Self::User(_) => true,
+            Self::Plastic(_) | Self::User(_) | Self::Viscoelastic(_) | Self::Creeping(_) => true,
             Self::Elastic(..) | Self::Anisotropic(_) | Self::Rubber(_) => false,
             Self::Graded(graded) => graded.rows().any(Self::dissipates),
             Self::Expanding(expanding) => expanding.law.dissipates(),
@@ -104,7 +181,11 @@ impl Material {
     pub fn is_linear(&self) -> bool {
         match self {
             Self::Elastic(..) | Self::Anisotropic(_) => true,
-            Self::Plastic(_) | Self::User(_) | Self::Rubber(_) => false,
+            Self::Plastic(_)
+            | Self::User(_)
+            | Self::Rubber(_)
+            | Self::Viscoelastic(_)
+            | Self::Creeping(_) => false,
             Self::Graded(graded) => graded.rows().all(Self::is_linear),
             Self::Expanding(expanding) => expanding.law.is_linear(),
         }
@@ -128,6 +209,8 @@ impl Material {
             Self::User(law) => law.stiffest(),
             Self::Graded(graded) => graded.rows().map(Self::stiffest).fold(0.0, f64::max),
             Self::Expanding(expanding) => expanding.law.stiffest(),
+            Self::Viscoelastic(own) => own.law.stiffest(),
+            Self::Creeping(own) => own.metal.stiffest(),
         }
     }
 
@@ -142,6 +225,8 @@ impl Material {
             Self::User(law) => law.shear_modulus(),
             Self::Graded(graded) => graded.rows().map(Self::shear_modulus).fold(0.0, f64::max),
             Self::Expanding(expanding) => expanding.law.shear_modulus(),
+            Self::Viscoelastic(own) => own.law.shear_modulus(),
+            Self::Creeping(own) => own.metal.shear_modulus(),
         }
     }
 
@@ -154,6 +239,8 @@ impl Material {
             Self::Anisotropic(_) | Self::User(_) => None,
             Self::Graded(graded) => graded.rows().next()?.elastic(),
             Self::Expanding(expanding) => expanding.law.elastic(),
+            Self::Viscoelastic(own) => own.law.elastic(),
+            Self::Creeping(own) => own.metal.elastic(),
         }
     }
 }

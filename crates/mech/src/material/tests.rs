@@ -126,23 +126,23 @@ fn constants_over_temperature() {
 
 fn respond(material: &Material, h: &Matrix, large: bool, from: &[f64]) -> (Answer, Vec<f64>) {
     let mut state = vec![0.0; material.states()];
-    let under = Conditions { large, temperature: 70.0, initial: 20.0, dt: 0.0 };
+    let under = Conditions { large, temperature: 70.0, initial: 20.0, clock: Clock::default() };
     let answer = material.respond(h, &under, from, &mut state);
     (answer, state)
 }
 
 /// (1 + l)(1 + H) - 1.
-fn after(l: &Matrix, h: &Matrix) -> Matrix {
+pub(super) fn after(l: &Matrix, h: &Matrix) -> Matrix {
     let lh = product(l, h);
     std::array::from_fn(|i| std::array::from_fn(|j| l[i][j] + h[i][j] + lh[i][j]))
 }
 
-fn matrix(of: [f64; 9]) -> Matrix {
+pub(super) fn matrix(of: [f64; 9]) -> Matrix {
     std::array::from_fn(|i| std::array::from_fn(|j| of[3 * i + j]))
 }
 
 /// Derivative of tau under F -> (1 + t l) F that the moduli foretell: c:sym l + l tau + tau l'.
-fn foretold(answer: &Answer, l: &Matrix) -> Symmetric {
+pub(super) fn foretold(answer: &Answer, l: &Matrix) -> Symmetric {
     let (strain, tau) = (symmetric(l), full(&answer.stress));
     let turn = product(l, &tau);
     from_fn(|i, j| {
@@ -152,7 +152,7 @@ fn foretold(answer: &Answer, l: &Matrix) -> Symmetric {
     })
 }
 
-fn near(a: &Symmetric, b: &Symmetric, tolerance: f64, what: &str) {
+pub(super) fn near(a: &Symmetric, b: &Symmetric, tolerance: f64, what: &str) {
     for k in 0..6 {
         assert!((a[k] - b[k]).abs() <= tolerance, "{what} {k}: {a:?} {b:?}");
     }
@@ -249,7 +249,7 @@ proptest! {
 }
 
 /// Numbers in [-1, 1] in no order.
-fn noise(seed: usize) -> f64 {
+pub(super) fn noise(seed: usize) -> f64 {
     ((seed as f64 * 12.9898 + 4.1414).sin() * 43_758.545).fract()
 }
 

@@ -8,7 +8,7 @@
 //! For materials without directions of their own: both strains across are the same.
 //! docs/theory.md eqs. (3.58), (3.59).
 
-use super::answer::Conditions;
+use super::answer::{Answer, Conditions};
 use super::law::Material;
 
 /// Most corrections of the strain across.
@@ -25,6 +25,8 @@ pub struct Uniaxial {
     pub modulus: f64,
     /// Energy per undeformed volume [F/L2]; no number where nothing balances across.
     pub energy: f64,
+    /// The part of it that is not given back [F/L2].
+    pub dissipation: f64,
     /// Strain across, H22 = H33 [1].
     pub across: f64,
 }
@@ -46,7 +48,8 @@ impl Material {
         let own = self.states();
         let before = &committed[..own.min(committed.len())];
         let mut across = committed.get(own).copied().unwrap_or(0.0);
-        let nothing = Uniaxial { stress: 0.0, modulus: 0.0, energy: f64::NAN, across };
+        let energy = f64::NAN;
+        let nothing = Uniaxial { stress: 0.0, modulus: 0.0, energy, dissipation: 0.0, across };
         let Some((after, [kept])) = state.split_at_mut_checked(own) else { return nothing };
         for _ in 0..MOST {
             let gradient = [[stretch, 0.0, 0.0], [0.0, across, 0.0], [0.0, 0.0, across]];
@@ -59,7 +62,8 @@ impl Material {
             if off.abs() <= ROUNDINGS * f64::EPSILON * made {
                 *kept = across;
                 let modulus = c[0][0] + twice * along - (c[0][1] + c[0][2]) * c[1][0] / resists;
-                return Uniaxial { stress: along, modulus, energy: answer.energy, across };
+                let Answer { energy, dissipation, .. } = answer;
+                return Uniaxial { stress: along, modulus, energy, dissipation, across };
             }
             let step = -off / resists;
             if !step.is_finite() {

@@ -15,6 +15,8 @@ use slideline_mech::element::solid::{self, Formulation};
 
 /// Equivalent plastic strain.
 const PEEQ: Field = of(at(Location::Points, "PEEQ", "[1]"), &["PEEQ"]);
+/// Equivalent creep strain.
+const CEEQ: Field = of(at(Location::Points, "CEEQ", "[1]"), &["CEEQ"]);
 /// Stored energy of a unit of undeformed volume.
 const ENER: Field = of(at(Location::Points, "ENER", "[F/L2]"), &["ENER"]);
 /// Energy that plastic strain took of it.
@@ -31,6 +33,7 @@ const PLANE_FIELDS: &[Field] = &[
     of(at(Location::Points, "S", "[F/L2]"), &["S11", "S22", "S33", "S12"]),
     of(at(Location::Points, "E", "[1]"), &["E11", "E22", "E33", "E12"]),
     PEEQ,
+    CEEQ,
     ENER,
     PENER,
     ELSE,
@@ -43,6 +46,7 @@ const SPACE_FIELDS: &[Field] = &[
     of(at(Location::Points, "S", "[F/L2]"), &["S11", "S22", "S33", "S12", "S13", "S23"]),
     of(at(Location::Points, "E", "[1]"), &["E11", "E22", "E33", "E12", "E13", "E23"]),
     PEEQ,
+    CEEQ,
     ENER,
     PENER,
     ELSE,

@@ -221,6 +221,7 @@ fn new_nodes_have_the_mean_of_temperatures() {
             maximum: 1.0,
             direct: false,
             passage: Passage::Still,
+            creep_tolerance: None,
             origin: None,
         },
         prescribed: Vec::new(),

@@ -130,7 +130,9 @@ fn heading(variable: ElementVariable) -> Option<&'static str> {
         ElementVariable::S => Some("stresses (elem, integ.pnt.,sxx,syy,szz,sxy,sxz,syz) "),
         ElementVariable::E => Some("strains (elem, integ.pnt.,exx,eyy,ezz,exy,exz,eyz) "),
         // ccx has no blank there
-        ElementVariable::PEEQ => Some("equivalent plastic strain (elem, integ.pnt.,pe)"),
+        ElementVariable::PEEQ | ElementVariable::CEEQ => {
+            Some("equivalent plastic strain (elem, integ.pnt.,pe)")
+        }
         ElementVariable::ENER => Some("internal energy density (elem, integ.pnt.,energy) "),
         _ => None,
     }

@@ -201,6 +201,9 @@ impl Grid {
         text.push_floats("principal_stress", 3, &principal);
         text.push_floats("mises_stress", 1, &number(|own| element::mises(own.stress)));
         text.push_floats("plastic_strain", 1, &number(|own| own.plastic));
+        if solids(frame).any(|solid| solid.creeps()) {
+            text.push_floats("creep_strain", 1, &number(|own| own.creep));
+        }
         text.push_floats("energy_density", 1, &number(|own| own.energy));
     }
 }

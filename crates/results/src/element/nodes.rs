@@ -21,6 +21,8 @@ pub struct AtNodes {
     pub strain: [f64; 6],
     /// Equivalent plastic strain [1].
     pub plastic: f64,
+    /// Equivalent creep strain [1].
+    pub creep: f64,
     /// Stored energy of a unit of undeformed volume [F/L2].
     pub energy: f64,
     /// Energy that plastic strain took of it [F/L2].
@@ -35,7 +37,7 @@ impl AtNodes {
 }
 
 /// Number of values of a node.
-const WIDTH: usize = 15;
+const WIDTH: usize = 16;
 
 /// Results at all places that somebody asks for.
 #[derive(Clone, Debug, Default)]
@@ -62,12 +64,12 @@ pub fn nodal_results(
 ) -> NodalResults {
     let mut sums: Vec<([f64; WIDTH], f64)> = vec![([0.0; WIDTH], 0.0); places];
     let (mut values, mut points, mut nodes) = (Vec::new(), Vec::new(), Vec::new());
-    let told = ["S", "E", "PEEQ", "ENER", "PENER"].map(Quantity::Field);
+    let told = ["S", "E", "PEEQ", "ENER", "PENER", "CEEQ"].map(Quantity::Field);
     for solid in solids(frame).filter(|solid| solid.points() > 0) {
         let kind = solid.block.kind;
         // where among the values of a node the components of a field begin
         let mut columns: Vec<usize> = Vec::new();
-        for (quantity, first) in told.into_iter().zip([0, 6, 12, 13, 14]) {
+        for (quantity, first) in told.into_iter().zip([0, 6, 12, 13, 14, 15]) {
             let count = quantity.components(kind, frame.model.dialect).len();
             columns.extend(first..first + count);
         }
@@ -98,7 +100,8 @@ pub fn nodal_results(
         let of = |first: usize| std::array::from_fn(|k| mean[first + k]);
         let mut strain: [f64; 6] = of(6);
         strain[3..].iter_mut().for_each(|strain| *strain *= shear);
-        AtNodes { stress: of(0), strain, plastic: mean[12], energy: mean[13], dissipated: mean[14] }
+        let [plastic, energy, dissipated, creep] = std::array::from_fn(|k| mean[12 + k]);
+        AtNodes { stress: of(0), strain, plastic, creep, energy, dissipated }
     };
     let all = sums.into_iter().map(|sums| (sums.1 > 0.0).then(|| mean(sums)));
     NodalResults(all.collect())

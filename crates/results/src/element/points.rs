@@ -16,6 +16,8 @@ pub enum Quantity {
     LogarithmicStrain,
     /// Plastic strain [1].
     PlasticStrain,
+    /// Creep strain [1].
+    CreepStrain,
     /// Mises stress [F/L2].
     Mises,
     /// Principal stresses, ascending [F/L2].
@@ -33,6 +35,8 @@ impl Quantity {
             ElementVariable::LE => Self::LogarithmicStrain,
             ElementVariable::PE => Self::PlasticStrain,
             ElementVariable::PEEQ => Self::Field("PEEQ"),
+            ElementVariable::CE => Self::CreepStrain,
+            ElementVariable::CEEQ => Self::Field("CEEQ"),
             ElementVariable::MISES => Self::Mises,
             ElementVariable::SP => Self::Principal,
             ElementVariable::ENER => Self::Field("ENER"),
@@ -57,6 +61,7 @@ impl Quantity {
             Self::Field(name) => kind.field(name).map_or(&[], |(field, _)| field.components),
             Self::LogarithmicStrain if logarithmic => &STRAINS[..count],
             Self::PlasticStrain if logarithmic => &PLASTIC_STRAINS[..count],
+            Self::CreepStrain if logarithmic => &CREEP_STRAINS[..count],
             Self::Mises if count > 0 => &["MISES"],
             Self::Principal if count > 0 => &["SP1", "SP2", "SP3"],
             Self::Place if matches!(kind.kinematics, Kinematics::Solid { .. }) => {
@@ -69,6 +74,7 @@ impl Quantity {
 
 const STRAINS: [&str; 6] = ["LE11", "LE22", "LE33", "LE12", "LE13", "LE23"];
 const PLASTIC_STRAINS: [&str; 6] = ["PE11", "PE22", "PE33", "PE12", "PE13", "PE23"];
+const CREEP_STRAINS: [&str; 6] = ["CE11", "CE22", "CE33", "CE12", "CE13", "CE23"];
 const STRESSES: [&str; 6] = ["S11", "S22", "S33", "S12", "S13", "S23"];
 
 /// How many components the stress of a type has at its points, and where it begins among its
@@ -118,10 +124,18 @@ pub fn solids<'a>(frame: &'a Frame<'a>) -> impl Iterator<Item = Solid<'a>> {
 }
 
 impl<'a> Solid<'a> {
-    /// Every component of every field with its mean over the element.
+    /// Whether it creeps.
+    pub fn creeps(&self) -> bool {
+        let Section::Solid(section) = &self.block.section else { return false };
+        section.material.creeps()
+    }
+
+    /// Every component of every field with its mean over the element; creep strain only where there
+    /// may be one.
     pub fn means(&self) -> impl Iterator<Item = (&'static str, f64)> + use<'a> {
-        let (kind, values) = (self.block.kind, self.values);
-        kind.fields.iter().flat_map(move |field| {
+        let (kind, values, creeps) = (self.block.kind, self.values, self.creeps());
+        let fields = kind.fields.iter().filter(move |field| creeps || field.name != "CEEQ");
+        fields.flat_map(move |field| {
             let first = kind.field(field.name).map_or(0, |(_, first)| first);
             let own = values.get(first..first + kind.values(field)).unwrap_or_default();
             let width = field.components.len();
@@ -156,7 +170,12 @@ impl<'a> Solid<'a> {
             Quantity::LogarithmicStrain => {
                 into.extend_from_slice(&self.field("E", point)[..count]);
             }
-            Quantity::PlasticStrain => into.extend_from_slice(&self.plastic_strain(point)[..count]),
+            Quantity::PlasticStrain => {
+                into.extend_from_slice(&self.flowed_strain("PEEQ", point)[..count]);
+            }
+            Quantity::CreepStrain => {
+                into.extend_from_slice(&self.flowed_strain("CEEQ", point)[..count]);
+            }
             Quantity::Mises if count > 0 => into.push(mises(self.stress(point))),
             Quantity::Principal if count > 0 => {
                 into.extend_from_slice(&principal(self.stress(point)));
@@ -213,9 +232,10 @@ impl<'a> Solid<'a> {
         self.values.get(first + before..first + before + width).unwrap_or_default()
     }
 
-    /// Plastic strain of a metal, shears as angles: the part of the strain that its stress does not
-    /// answer for, which leaves the volume alone; docs/theory.md eq. (3.57).
-    fn plastic_strain(&self, point: usize) -> [f64; 6] {
+    /// Plastic strain or creep strain of a metal, shears as angles: the part of the strain that its
+    /// stress does not answer for, which leaves the volume alone, docs/theory.md eq. (3.57); of that
+    /// the share of the equivalent strain of that name.
+    fn flowed_strain(&self, name: &str, point: usize) -> [f64; 6] {
         let Section::Solid(section) = &self.block.section else { return [0.0; 6] };
         let temperature = self.at_point(point, |node| self.frame.nodal.temperature(node));
         let Some(metal) = section.material.metal(temperature) else { return [0.0; 6] };
@@ -227,10 +247,12 @@ impl<'a> Solid<'a> {
         let volume = if large { trace(&strain).exp() } else { 1.0 };
         let (strain, stress) = (deviator(&strain), deviator(&self.stress(point)));
         let twice = 2.0 * metal.shear_modulus();
-        let held = self.field("PEEQ", point).first().is_some_and(|peeq| *peeq > 0.0);
+        let size = |name| self.field(name, point).first().copied().unwrap_or(0.0);
+        let own = size(name);
+        let share = if own > 0.0 { own / (size("PEEQ") + size("CEEQ")) } else { 0.0 };
         std::array::from_fn(|k| {
             let left = strain[k] - volume * stress[k] / twice;
-            if held { if k < 3 { left } else { 2.0 * left } } else { 0.0 }
+            share * if k < 3 { left } else { 2.0 * left }
         })
     }
 

@@ -80,6 +80,7 @@ fn step() -> Step {
             maximum: 1.0,
             direct: true,
             passage: Passage::default(),
+            creep_tolerance: None,
             origin: None,
         },
         prescribed: vec![prescribed(4, Dof::U1)],

@@ -31,6 +31,10 @@ pub fn reason(plan: &Problem<'_>, outcome: &Outcome) -> String {
         Verdict::TooSlow => "convergence is too slow",
         Verdict::Discontinuous => "the contact status kept changing",
         Verdict::Collapsed => "an element collapsed",
+        Verdict::TooCoarse { .. } => {
+            "the creep strains of the increment, by the conditions at its two ends, differ by more \
+             than CETOL"
+        }
         Verdict::Broken => "the equations could not be solved",
         Verdict::PassedThrough { .. } => "contact was passed through in the increment",
     };

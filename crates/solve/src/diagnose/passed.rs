@@ -2,6 +2,7 @@
 
 use super::case::Case;
 use crate::contact::Missed;
+use crate::increments::Verdict;
 use slideline_diag::{Code, Diagnostic, Place};
 
 impl Case<'_> {
@@ -13,6 +14,27 @@ impl Case<'_> {
             true => self.between_nodes(missed),
             false => self.through(missed),
         })
+    }
+
+    /// An equilibrium was found, but creep changes too fast over the increment, and no shorter one is
+    /// allowed.
+    pub(super) fn too_coarse(&self) -> Option<Diagnostic> {
+        let Verdict::TooCoarse { percent } = self.outcome.verdict else { return None };
+        let procedure = &self.plan.step.procedure;
+        let times = f64::from(percent) / 100.0;
+        let message = format!(
+            "creep changes too fast {}: over an increment of {:.4e} the creep strains by the \
+             conditions at its two ends differ by {times:.1} times CETOL, and no shorter increment \
+             is allowed",
+            self.beyond(),
+            self.dt
+        );
+        let said = Diagnostic::error(Code("SL0523"), message).at(procedure.origin);
+        Some(said.help(format!(
+            "the results up to that time are kept; allow increments of {:.2e} on the data line of \
+             *VISCO, or a CETOL {times:.1} times as large",
+            0.1 * self.dt / times.sqrt()
+        )))
     }
 
     /// Two rigid masters that press on the same slave points from both sides

@@ -8,6 +8,7 @@ use crate::stabilise;
 use crate::state::State;
 use crate::structure::{Ambient, Configuration, Gather, Product};
 use crate::target::Target;
+use slideline_mech::material::Clock;
 
 impl Scratch {
     /// The first guess, evaluated.
@@ -31,7 +32,10 @@ impl Scratch {
         self.faces.extend(plan.pressures(target.step_time));
         plan.temperatures(target.step_time, &mut self.temperatures);
         self.turns.clone_from(&committed.turns);
-        self.material_dt = plan.step.procedure.passage.of(target.dt);
+        self.clock = Clock {
+            passed: plan.step.procedure.passage.of(target.dt),
+            total: committed.total_time + target.dt,
+        };
         plan.constraints.enforce(&self.turns, &mut self.u);
         for (place, point) in committed.points.iter().enumerate() {
             self.pressures[place] = point.pressure;
@@ -70,7 +74,7 @@ impl Scratch {
         }
         let from = &committed.displacement;
         let ambient =
-            Ambient { temperatures: &self.temperatures, turns: &self.turns, dt: self.material_dt };
+            Ambient { temperatures: &self.temperatures, turns: &self.turns, clock: self.clock };
         let state = &committed.elements;
         let at = Configuration { u: from, stresses: None, state, ambient };
         plan.constraints.linearise((from, &self.turns), &mut self.evaluation.rows);

@@ -21,6 +21,7 @@ use slideline_linalg::{Kind, Solver};
 use slideline_mech::contact::enforcement::Enforcement;
 use slideline_mech::contact::tangential::Tangential;
 use slideline_mech::element::Temperature;
+use slideline_mech::material::Clock;
 use slideline_mech::turn::Turn;
 use slideline_model::Dof;
 
@@ -83,8 +84,8 @@ pub struct Scratch {
     pub temperatures: Vec<Temperature>,
     /// What rotations in space count from, a node each; empty: all from rest.
     pub turns: Vec<Turn>,
-    /// Time that passes for the materials [T].
-    pub material_dt: f64,
+    /// What the clock shows to the materials.
+    pub clock: Clock,
     /// Pressures on faces [F/L2].
     pub(super) faces: Vec<f64>,
     pub(super) increment: Vec<f64>,
@@ -222,7 +223,7 @@ impl Scratch {
         self.dashpots.forget(plan.contact);
         (self.outside, self.only_dense, self.augment_all) = (false, false, false);
         (self.line_search, self.negative_pivots) = (false, 0);
-        (self.step_length, self.dt, self.material_dt) = (1.0, 0.0, 0.0);
+        (self.step_length, self.dt, self.clock) = (1.0, 0.0, Clock::default());
         self.enforcement = Enforcement::default();
         self.relaxation.stiffness = 0.0;
     }

@@ -19,7 +19,7 @@ impl Scratch {
     /// displacements, so that history needs none of its own.
     pub(super) fn first_stresses(&mut self, plan: &Problem<'_>, committed: &State, dt: f64) {
         let ambient =
-            Ambient { temperatures: &self.temperatures, turns: &self.turns, dt: self.material_dt };
+            Ambient { temperatures: &self.temperatures, turns: &self.turns, clock: self.clock };
         let still = &mut self.correction_dofs;
         let last = committed.increment_time.0;
         if last == 0.0 {
@@ -54,7 +54,7 @@ impl Scratch {
     /// whose residuals are those of the law too.
     pub(super) fn follow_law(&mut self, plan: &Problem<'_>) {
         let ambient =
-            Ambient { temperatures: &self.temperatures, turns: &self.turns, dt: self.material_dt };
+            Ambient { temperatures: &self.temperatures, turns: &self.turns, clock: self.clock };
         plan.structure.stresses_after(&self.u, &self.still, &ambient, &mut self.stresses);
     }
 
@@ -62,7 +62,7 @@ impl Scratch {
     /// the displacements move.
     pub(super) fn move_stresses(&mut self, plan: &Problem<'_>, length: f64) {
         let ambient =
-            Ambient { temperatures: &self.temperatures, turns: &self.turns, dt: self.material_dt };
+            Ambient { temperatures: &self.temperatures, turns: &self.turns, clock: self.clock };
         plan.structure.stresses_after(&self.u, &self.correction_dofs, &ambient, &mut self.arrived);
         for (stress, arrived) in self.stresses.iter_mut().zip(&self.arrived) {
             *stress += length * (arrived - *stress);

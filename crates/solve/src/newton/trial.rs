@@ -20,7 +20,7 @@ impl Scratch {
             ambient: Ambient {
                 temperatures: &self.temperatures,
                 turns: &self.turns,
-                dt: self.material_dt,
+                clock: self.clock,
             },
             time: committed.total_time + dt,
             dt,
@@ -54,7 +54,7 @@ impl Scratch {
             ambient: Ambient {
                 temperatures: &self.temperatures,
                 turns: &self.turns,
-                dt: self.material_dt,
+                clock: self.clock,
             },
             time: committed.total_time + dt,
             dt,
@@ -76,7 +76,7 @@ impl Scratch {
             ambient: Ambient {
                 temperatures: &self.temperatures,
                 turns: &self.turns,
-                dt: self.material_dt,
+                clock: self.clock,
             },
             time: committed.total_time + self.dt,
             dt: self.dt,

@@ -9,6 +9,7 @@ use crate::rows::{Gathered, contact_rows};
 use crate::state::State;
 use crate::structure::Ambient;
 use crate::target::Target;
+use slideline_mech::material::Clock;
 
 /// What observers are shown of the committed state.
 #[derive(Default)]
@@ -34,7 +35,11 @@ impl Rows {
     pub fn fill(&mut self, plan: &Problem<'_>, state: &State) {
         let rows = (&mut self.contact, &mut self.gathered);
         contact_rows((plan.model, plan.dofs), plan.contact, state, rows);
-        let ambient = Ambient { temperatures: &state.temperatures, turns: &state.turns, dt: 0.0 };
+        let ambient = Ambient {
+            temperatures: &state.temperatures,
+            turns: &state.turns,
+            clock: Clock::default(),
+        };
         let inside = (&state.elements[..], ambient);
         plan.structure.results(&state.displacement, inside, &mut self.elements);
         self.beams.clear();

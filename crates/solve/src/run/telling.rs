@@ -5,6 +5,7 @@ use super::shown::{Numbers, frame};
 use crate::checkpoint::Checkpoint;
 use crate::diagnose;
 use crate::increments::Decision;
+use crate::increments::Verdict;
 use crate::newton::{Outcome, Scratch, attempt};
 use crate::observe::reports::{AttemptReport, IterationReport};
 use crate::observe::{Event, StepReport};
@@ -16,6 +17,30 @@ use std::borrow::Cow;
 use std::ops::ControlFlow;
 
 impl Analysis<'_> {
+    /// By which part of what `CETOL` allows the creep strains of an increment differ, taken by the
+    /// conditions at its two ends; one that is too coarse is no longer taken for converged. `None`:
+    /// nothing is asked.
+    pub(super) fn coarseness(
+        &mut self,
+        plan: &Problem<'_>,
+        (target, outcome): (&Target, &mut Outcome),
+        work: &Scratch,
+    ) -> Option<f64> {
+        let allowed = plan.step.procedure.creep_tolerance?;
+        let converged = matches!(outcome.verdict, Verdict::Converged { .. });
+        if !converged || target.dt <= 0.0 {
+            return None;
+        }
+        let trial = &mut self.trial.elements;
+        trial.copy_from_slice(&self.committed.elements);
+        plan.structure.gather_state(&work.evaluation.contributions, trial);
+        let part = plan.structure.creep_difference(trial) / allowed;
+        if part > 1.0 && !plan.step.procedure.direct {
+            outcome.verdict = Verdict::TooCoarse { percent: (100.0 * part) as u32 };
+        }
+        Some(part)
+    }
+
     /// An attempt, its iterations counted and shown.
     pub(super) fn attempt(
         &mut self,

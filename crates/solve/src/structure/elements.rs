@@ -5,6 +5,7 @@ use super::contributions::Contributions;
 use super::kernels::Kernels;
 use super::numbering::ElementNumbering;
 use slideline_mech::element::{Kernel, MOST_NODES, Strains, Surroundings, Temperature};
+use slideline_mech::material::Clock;
 use slideline_mech::turn::Turn;
 
 /// All elements of a step at work: numbering of the plan, kernels of the values.
@@ -36,9 +37,8 @@ pub struct Ambient<'a> {
     pub temperatures: &'a [Temperature],
     /// What rotations in space count from, a node each; empty: all from rest.
     pub turns: &'a [Turn],
-    /// Time that passes for the materials on the way from the committed state [T]: zero where
-    /// they answer instantaneously, infinite where in the long term.
-    pub dt: f64,
+    /// What the clock shows to the materials.
+    pub clock: Clock,
 }
 
 /// What elements respond to.
@@ -75,9 +75,9 @@ impl Default for AtNodes {
 
 impl AtNodes {
     /// What an element responds under.
-    pub(super) fn under<'a>(&'a self, strains: Strains<'a>, dt: f64) -> Surroundings<'a> {
+    pub(super) fn under<'a>(&'a self, strains: Strains<'a>, clock: Clock) -> Surroundings<'a> {
         let (temperatures, initial) = (&self.now[..self.heated], &self.initial[..self.heated]);
-        Surroundings { strains, temperatures, initial, turns: self.turns(), dt }
+        Surroundings { strains, temperatures, initial, turns: self.turns(), clock }
     }
 
     /// What the rotations of its nodes count from.

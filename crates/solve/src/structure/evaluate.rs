@@ -168,7 +168,7 @@ impl Structure<'_> {
                 let Some((energy, into)) = part.take(width, block.states) else { return };
                 let committed = &at.state[block.state(element)];
                 let nodal = self.at_nodes(block, element, &at.ambient, &mut nodes);
-                let under = nodal.under(strains, at.ambient.dt);
+                let under = nodal.under(strains, at.ambient.clock);
                 *energy = ask(kernel, (block.number(element), q), (committed, &under), into);
             }
         }

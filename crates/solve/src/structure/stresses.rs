@@ -34,7 +34,7 @@ impl Structure<'_> {
             }
             let into = &mut into[block.stresses(element)];
             let nodal = self.at_nodes(block, element, ambient, &mut nodes);
-            let under = nodal.under(self.strains(), ambient.dt);
+            let under = nodal.under(self.strains(), ambient.clock);
             kernel.stresses_after(block.number(element), q, moved, &under, into);
         }
     }

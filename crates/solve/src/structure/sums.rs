@@ -46,6 +46,16 @@ impl Structure<'_> {
         flux
     }
 
+    /// By how much the creep strains of the increment that led to a state differ at most, taken by
+    /// the conditions at its two ends [1].
+    pub fn creep_difference(&self, state: &[f64]) -> f64 {
+        let each = self.elements().filter(|(block, ..)| block.states > 0);
+        let own = each.map(|(block, kernel, element)| {
+            kernel.creep_difference(block.number(element), &state[block.state(element)])
+        });
+        own.fold(0.0, f64::max)
+    }
+
     /// Energy that the elements have taken for good [F L].
     pub fn dissipated(&self, u: &[f64], (state, ambient): (&[f64], Ambient<'_>)) -> f64 {
         let mut nodes = AtNodes::default();
@@ -59,7 +69,7 @@ impl Structure<'_> {
                 q.iter_mut().zip(own).for_each(|(q, &dof)| *q = u[dof]);
                 let (number, state) = (block.number(element), &state[block.state(element)]);
                 let nodal = self.at_nodes(block, element, &ambient, &mut nodes);
-                let under = nodal.under(self.strains(), ambient.dt);
+                let under = nodal.under(self.strains(), ambient.clock);
                 sum += kernel.dissipated(number, q, state, &under);
             }
         }
@@ -88,7 +98,7 @@ impl Structure<'_> {
                 q.iter_mut().zip(own).for_each(|(q, &dof)| *q = u[dof]);
                 let (number, state) = (block.number(element), &state[block.state(element)]);
                 let nodal = self.at_nodes(block, element, &ambient, &mut nodes);
-                let under = nodal.under(self.strains(), ambient.dt);
+                let under = nodal.under(self.strains(), ambient.clock);
                 kernel.results(number, q, state, &under, values);
             }
         }

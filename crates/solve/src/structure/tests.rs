@@ -36,6 +36,7 @@ fn step() -> Step {
             maximum: 1.0,
             direct: true,
             passage: Passage::default(),
+            creep_tolerance: None,
             origin: None,
         },
         prescribed: vec![],

@@ -49,6 +49,11 @@ impl<const D: usize, const N: usize, const P: usize> Kernel for Solids<D, N, P> 
         points.map(|point| point.weight * point.dissipation).sum()
     }
 
+    fn creep_difference(&self, _element: usize, state: &[f64]) -> f64 {
+        let own = |point| self.recipe.material.creep_difference(self.of_point(state, point));
+        (0..P).filter_map(own).fold(0.0, f64::max)
+    }
+
     fn results(
         &self,
         element: usize,

@@ -40,7 +40,7 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
     fn conditions(&self, point: usize, under: &Surroundings<'_>) -> Conditions {
         let [temperature, initial] = [under.temperatures, under.initial]
             .map(|nodes| weighted(&self.heat[point], nodes).value);
-        Conditions { large: under.is_large(), temperature, initial, dt: under.dt }
+        Conditions { large: under.is_large(), temperature, initial, clock: under.clock }
     }
 
     /// Asks the material, or solves for the strain across the plane first.

@@ -48,9 +48,10 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
     }
 
     /// At every point: Cauchy stress [F/L2], strain [1], both 11, 22, 33, 12 in the plane and 13, 23
-    /// behind them in space, equivalent plastic strain [1], stored energy and energy taken by
-    /// plastic strain of a unit of undeformed volume [F/L2]; then the same two energies [F L] and
-    /// the volume [L3] of the element, current (Abaqus) or undeformed (CalculiX).
+    /// behind them in space, equivalent plastic strain and equivalent creep strain (CalculiX: their
+    /// sum twice) [1], stored energy and energy taken by flow of a unit of undeformed volume [F/L2];
+    /// then the same two energies [F L] and the volume [L3] of the element, current (Abaqus) or
+    /// undeformed (CalculiX).
     pub(super) fn write_results(
         &self,
         element: usize,
@@ -67,6 +68,7 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
         let Some((stresses, rest)) = into.split_at_mut_checked(width * P) else { return };
         let Some((strains, rest)) = rest.split_at_mut_checked(width * P) else { return };
         let Some((plastic, rest)) = rest.split_at_mut_checked(P) else { return };
+        let Some((creep, rest)) = rest.split_at_mut_checked(P) else { return };
         let Some((stored, rest)) = rest.split_at_mut_checked(P) else { return };
         let Some((dissipated, whole)) = rest.split_at_mut_checked(P) else { return };
         let mut sums = [0.0; 3];
@@ -84,7 +86,7 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
             stresses[width * k..width * (k + 1)].copy_from_slice(&stress[..width]);
             strains[width * k..width * (k + 1)].copy_from_slice(&strain[..width]);
             let own = self.of_point(state, k);
-            plastic[k] = self.recipe.material.plastic_strain(own).unwrap_or(0.0);
+            [plastic[k], creep[k]] = self.recipe.told.flowed(&self.recipe.material, own);
             stored[k] = point.energy - point.dissipation;
             dissipated[k] = point.dissipation;
             let content = if self.recipe.told == Told::Logarithmic { volume } else { 1.0 };

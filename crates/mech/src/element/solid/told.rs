@@ -1,7 +1,7 @@
 //! Strains as results tell them.
 
-use crate::material::Axes;
 use crate::material::tensor::{Matrix, Symmetric, left, right, symmetric};
+use crate::material::{Axes, Material};
 
 /// Strains as results tell them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -28,5 +28,16 @@ impl Told {
             (3..6).for_each(|k| strain[k] *= 2.0);
         }
         strain
+    }
+
+    /// Equivalent plastic strain and equivalent creep strain of a state [1]; CalculiX does not tell
+    /// one from the other.
+    pub fn flowed(self, material: &Material, state: &[f64]) -> [f64; 2] {
+        let plastic = material.plastic_strain(state).unwrap_or(0.0);
+        let creep = material.creep_strain(state).unwrap_or(0.0);
+        match self {
+            Self::Logarithmic => [plastic, creep],
+            Self::Green => [plastic + creep; 2],
+        }
     }
 }

@@ -109,7 +109,7 @@ impl<const D: usize, const N: usize, const P: usize> Trusses<D, N, P> {
         }
         let [temperature, initial] =
             [under.temperatures, under.initial].map(|nodes| weighted(&shapes, nodes).value);
-        Conditions { large: under.is_large(), temperature, initial, dt: under.dt }
+        Conditions { large: under.is_large(), temperature, initial, clock: under.clock }
     }
 
     /// State variables of a point.
@@ -175,6 +175,34 @@ impl<const D: usize, const N: usize, const P: usize> Kernel for Trusses<D, N, P>
         }
     }
 
+    fn creep_difference(&self, _element: usize, state: &[f64]) -> f64 {
+        let own = |point| self.bar.material.creep_difference(self.of_point(state, point));
+        (0..P).filter_map(own).fold(0.0, f64::max)
+    }
+
+    fn dissipated(
+        &self,
+        element: usize,
+        q: &[f64],
+        state: &[f64],
+        under: &Surroundings<'_>,
+    ) -> f64 {
+        if !self.bar.material.dissipates() {
+            return 0.0;
+        }
+        let mut scratch = state.to_vec();
+        let width = self.bar.material.uniaxial_states();
+        let taken = |k: usize| {
+            let point = self.point(element, k, q, under.is_large());
+            let own = scratch.get_mut(width * k..width * (k + 1)).unwrap_or_default();
+            let before = self.of_point(state, k);
+            let conditions = Self::conditions(k, under);
+            let answer = self.bar.material.uniaxial(point.stretch, &conditions, before, own);
+            point.volume * answer.dissipation
+        };
+        (0..P).map(taken).sum()
+    }
+
     fn results(
         &self,
         element: usize,
@@ -200,8 +228,8 @@ impl<const D: usize, const N: usize, const P: usize> Kernel for Trusses<D, N, P>
                 }
                 (Told::Green, true) => (e + 0.5 * e * e, (1.0 + e) * (1.0 + answer.across).powi(2)),
             };
-            let plastic = self.bar.material.plastic_strain(before).unwrap_or(0.0);
-            let values = [answer.stress / volume, strain, plastic];
+            let [plastic, creep] = self.bar.told.flowed(&self.bar.material, before);
+            let values = [answer.stress / volume, strain, plastic, creep];
             for (field, value) in values.into_iter().enumerate() {
                 if let Some(entry) = into.get_mut(field * P + k) {
                     *entry = value;

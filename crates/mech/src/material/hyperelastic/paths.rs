@@ -87,8 +87,7 @@ impl Rubber {
 
     /// Pressure at a change of volume J - 1 alike along all axes [F/L2].
     pub fn pressure(&self, dilation: f64) -> f64 {
-        let zero = Second::<1>::constant(0.0);
-        -self.energy(zero, zero, Second::variable(dilation, 0)).gradient[0]
+        -self.volume_stress(dilation)[0]
     }
 }
 

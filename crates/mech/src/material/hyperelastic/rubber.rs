@@ -50,9 +50,7 @@ pub(super) const CHAIN: [f64; 5] =
 impl Rubber {
     /// Elasticity of small strains.
     pub fn small(&self) -> Elastic {
-        let (shear, bulk) = (self.shear_modulus(), self.bulk_modulus());
-        let modulus = 9.0 * bulk * shear / (3.0 * bulk + shear);
-        Elastic { modulus, poisson: modulus / (2.0 * shear) - 1.0 }
+        Elastic::of_moduli(self.shear_modulus(), self.bulk_modulus())
     }
 
     /// Shear modulus of small strains [F/L2].
@@ -104,6 +102,32 @@ impl Rubber {
                 sum
             }
             Self::Ogden { volume, .. } => of_volume(volume, j),
+        }
+    }
+
+    /// Mean stress, a pull, of a change of volume J - 1, and its derivative by it [F/L2].
+    pub(in crate::material) fn volume_stress(&self, dilation: f64) -> [f64; 2] {
+        let none = Second::constant(0.0);
+        let w: Second<1> = self.energy(none, none, Second::variable(dilation, 0));
+        [w.gradient[0], w.hessian[0][0]]
+    }
+
+    /// The same with all its stresses against changes of shape and of volume multiplied by factors.
+    #[must_use]
+    pub fn scaled(&self, [shape, bulk]: [f64; 2]) -> Self {
+        let volumes = |volume: &Volume| volume.map(|inverse| bulk * inverse);
+        match self {
+            Self::Polynomial { terms, volume } => Self::Polynomial {
+                terms: terms.iter().map(|&(i, j, own)| (i, j, shape * own)).collect(),
+                volume: volumes(volume),
+            },
+            Self::ArrudaBoyce { shear, locking, volume } => {
+                Self::ArrudaBoyce { shear: shape * shear, locking: *locking, volume: bulk * volume }
+            }
+            Self::Ogden { terms, volume } => Self::Ogden {
+                terms: terms.iter().map(|&[shear, power]| [shape * shear, power]).collect(),
+                volume: volumes(volume),
+            },
         }
     }
 
