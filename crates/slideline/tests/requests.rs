@@ -257,21 +257,21 @@ fn a_report_of_thinned_states_says_so() {
 #[test]
 fn unknown_variables_are_told() {
     for card in [
-        "*NODE PRINT\nU, CEEQ\n",
-        "*CONTACT PRINT\nCSTRESS, CEEQ\n",
-        "*EL PRINT\nS, CEEQ\n",
-        "*NODE FILE\nU, CEEQ\n",
-        "*EL FILE\nS, CEEQ\n",
-        "*CONTACT FILE\nCSTRESS, CEEQ\n",
-        "*OUTPUT, FIELD\n*NODE OUTPUT\nU, CEEQ\n",
-        "*OUTPUT, FIELD\n*ELEMENT OUTPUT\nS, CEEQ\n",
-        "*OUTPUT, HISTORY\n*CONTACT OUTPUT\nCSTRESS, CEEQ\n",
+        "*NODE PRINT\nU, SDEG\n",
+        "*CONTACT PRINT\nCSTRESS, SDEG\n",
+        "*EL PRINT\nS, SDEG\n",
+        "*NODE FILE\nU, SDEG\n",
+        "*EL FILE\nS, SDEG\n",
+        "*CONTACT FILE\nCSTRESS, SDEG\n",
+        "*OUTPUT, FIELD\n*NODE OUTPUT\nU, SDEG\n",
+        "*OUTPUT, FIELD\n*ELEMENT OUTPUT\nS, SDEG\n",
+        "*OUTPUT, HISTORY\n*CONTACT OUTPUT\nCSTRESS, SDEG\n",
     ] {
         let read = Job::read_text("cam", &deck(card, ""), &ReadOptions::default());
         let said: Vec<_> = read.diagnostics.iter().filter(|said| said.code.0 == "SL0252").collect();
         let [only] = said.as_slice() else { panic!("{card}: {said:?}") };
         assert_eq!(only.severity, Severity::Warning, "{card}");
-        assert!(only.message.contains("`CEEQ`"), "{card}: {}", only.message);
+        assert!(only.message.contains("`SDEG`"), "{card}: {}", only.message);
         assert!(only.help.iter().any(|help| help.contains("known: ")), "{card}");
         assert!(read.model.is_some(), "{card}");
     }

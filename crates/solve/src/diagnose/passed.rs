@@ -29,12 +29,23 @@ impl Case<'_> {
             self.beyond(),
             self.dt
         );
-        let said = Diagnostic::error(Code("SL0523"), message).at(procedure.origin);
-        Some(said.help(format!(
+        let said = Diagnostic::error(Code("SL0523"), message).at(procedure.origin).help(format!(
             "the results up to that time are kept; allow increments of {:.2e} on the data line of \
              *VISCO, or a CETOL {times:.1} times as large",
             0.1 * self.dt / times.sqrt()
-        )))
+        ));
+        let Some((origin, allowed)) = procedure.origin.zip(procedure.creep_tolerance) else {
+            return Some(said);
+        };
+        let card = format!(
+            "*VISCO, CETOL={:.1E}\n{:?}, {:?}, {:?}, {:?}\n",
+            1.2 * times * allowed,
+            procedure.initial,
+            procedure.period,
+            procedure.minimum,
+            procedure.maximum,
+        );
+        Some(said.card(Place::Instead(origin), card))
     }
 
     /// Two rigid masters that press on the same slave points from both sides

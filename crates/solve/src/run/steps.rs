@@ -160,11 +160,7 @@ impl Analysis<'_> {
             if self.stabilise(plan, &outcome, work)? {
                 continue;
             }
-            let coarseness = self.coarseness(plan, (&target, &mut outcome), work);
-            let mut decision = after(outcome.verdict);
-            if let Some(part) = coarseness {
-                decision = control.as_creep_allows(decision, part, &step.procedure, &limits);
-            }
+            let mut decision = self.decide(plan, (&control, &target), &mut outcome, work);
             let mut diagnosis = None;
             let converged = matches!(outcome.verdict, Verdict::Converged { .. });
             if let (Decision::Stop(reason), false) = (decision, converged) {

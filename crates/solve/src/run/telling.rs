@@ -4,8 +4,7 @@ use super::analysis::{Analysis, Left};
 use super::shown::{Numbers, frame};
 use crate::checkpoint::Checkpoint;
 use crate::diagnose;
-use crate::increments::Decision;
-use crate::increments::Verdict;
+use crate::increments::{Control, Decision, Verdict};
 use crate::newton::{Outcome, Scratch, attempt};
 use crate::observe::reports::{AttemptReport, IterationReport};
 use crate::observe::{Event, StepReport};
@@ -17,10 +16,28 @@ use std::borrow::Cow;
 use std::ops::ControlFlow;
 
 impl Analysis<'_> {
+    /// What follows from an attempt, with what creep says to it.
+    pub(super) fn decide(
+        &mut self,
+        plan: &Problem<'_>,
+        (control, target): (&Control, &Target),
+        outcome: &mut Outcome,
+        work: &Scratch,
+    ) -> Decision {
+        let part = self.coarseness(plan, (target, outcome), work);
+        let (step, limits) = (plan.step, plan.step.controls.effective_time());
+        let decision =
+            control.after(outcome.verdict, &step.procedure, &limits, step.max_increments);
+        match part {
+            Some(part) => control.as_creep_allows(decision, part, &step.procedure, &limits),
+            None => decision,
+        }
+    }
+
     /// By which part of what `CETOL` allows the creep strains of an increment differ, taken by the
     /// conditions at its two ends; one that is too coarse is no longer taken for converged. `None`:
     /// nothing is asked.
-    pub(super) fn coarseness(
+    fn coarseness(
         &mut self,
         plan: &Problem<'_>,
         (target, outcome): (&Target, &mut Outcome),

@@ -106,7 +106,7 @@ impl Rubber {
     }
 
     /// Mean stress, a pull, of a change of volume J - 1, and its derivative by it [F/L2].
-    pub(in crate::material) fn volume_stress(&self, dilation: f64) -> [f64; 2] {
+    pub fn volume_stress(&self, dilation: f64) -> [f64; 2] {
         let none = Second::constant(0.0);
         let w: Second<1> = self.energy(none, none, Second::variable(dilation, 0));
         [w.gradient[0], w.hessian[0][0]]
