@@ -178,6 +178,7 @@ catalogue! {
     "SL0417" "slave nodes were moved onto the master"
     "SL0420" "a rubber that loses its stability"
     "SL0421" "materials that take time, and no step in which it passes"
+    "SL0422" "a law that penalty cannot enforce"
     "SL0501" "no convergence, cause unknown"
     "SL0502" "the limit of increments was reached"
     "SL0503" "a motion without resistance"

@@ -181,7 +181,13 @@ fn iteration_heading(text: &mut String, report: &IterationReport) {
     };
     let way = match report.enforcement {
         Enforcement::Dense => String::new(),
-        own => format!("; contact {}, {} solutions", own.word(), report.solutions),
+        own @ Enforcement::Penalty => format!("; contact {}", own.word()),
+        own @ Enforcement::Augmented => {
+            format!("; contact {}, multipliers moved {} times", own.word(), report.moves)
+        }
+        own @ Enforcement::MatrixFree => {
+            format!("; contact {}, {} solutions", own.word(), report.solutions)
+        }
     };
     let changes = report.contact_changes.len();
     line!(

@@ -11,6 +11,7 @@
 mod case;
 mod contact;
 mod element;
+mod insertable;
 mod law;
 mod other;
 mod passed;
@@ -18,6 +19,7 @@ mod structure;
 
 pub use case::{Case, reason};
 pub use contact::slid_off;
+pub use insertable::not_insertable;
 pub use structure::step_too_large;
 
 use crate::increments::StopReason;

@@ -6,16 +6,20 @@
 //!
 //! The result depends on the arguments alone.
 
+mod encounter;
+
 use crate::constraints::Rows;
-use crate::contact::{ContactKinematics, Look, MasterPositions, PointKinematics};
+use crate::contact::{ContactKinematics, Look, MasterPositions};
 use crate::moments::turn_moments;
-use crate::observe::results::{FrictionCall, Status};
+use crate::observe::results::Status;
 use crate::problem::Problem;
 use crate::stabilise::Dashpots;
 use crate::state::{PointState, State};
 use crate::structure::{Ambient, Configuration, Contributions, FailedElement, Flux};
-use slideline_mech::contact::friction::{self, UserFrictionError};
-use slideline_mech::contact::pair::{Laws, PointTrial, UserState};
+use encounter::Encounter;
+use slideline_mech::contact::enforcement::HeldMultiplier;
+use slideline_mech::contact::friction::UserFrictionError;
+use slideline_mech::contact::pair::UserState;
 use slideline_mech::contact::tangential::Tangential;
 
 /// A trial state.
@@ -33,6 +37,8 @@ pub struct Trial<'a> {
     pub pressures: &'a [f64],
     /// Traction of every contact point likewise [F/L2].
     pub tractions: &'a [Tangential],
+    /// Multipliers about which laws are inserted, a contact point each; empty: they are not.
+    pub held: &'a [HeldMultiplier],
     /// Dashpots of the increment, where contact is stabilised.
     pub dashpots: &'a Dashpots,
     /// Temperatures, and time of the materials.
@@ -66,6 +72,9 @@ pub struct Evaluation {
     pub kinematics: ContactKinematics,
     /// Their history, were this state committed.
     pub points: Vec<PointState>,
+    /// Pressure and traction of every contact point that a law without a function takes as they
+    /// are: the estimates of the trial, or what laws inserted about held multipliers say [F/L2].
+    pub estimates: Vec<(f64, Tangential)>,
     /// Strain energy [F L].
     pub strain_energy: f64,
     /// Energy of the normal laws [F L].
@@ -107,6 +116,8 @@ impl Evaluation {
         plan.contact.forget(&mut self.kinematics);
         self.points.clear();
         self.points.resize(points, PointState::default());
+        self.estimates.clear();
+        self.estimates.resize(points, (0.0, Tangential::ZERO));
         zero(&mut self.state_variables, plan.contact.state_size);
         self.fault = None;
         self.failed = None;
@@ -266,7 +277,7 @@ fn evaluate_point(
         true => plan.contact.slip(place, &before.history(), kinematics, &committed.displacement),
         false => Tangential::ZERO,
     };
-    let encounter = Encounter { plan, laws, before, kinematics, estimate, slip, dt: trial.dt };
+    let mut encounter = Encounter { plan, laws, before, kinematics, estimate, slip, dt: trial.dt };
     let range = point.state_variables..point.state_variables + point.state_size;
     let mut state_variables = UserState {
         time: trial.time,
@@ -274,6 +285,10 @@ fn evaluate_point(
         state: &mut into.state_variables[range],
         fault: &mut into.fault,
     };
+    if let Some(held) = trial.held.get(place) {
+        encounter.estimate = encounter.inserted(held, &mut state_variables);
+    }
+    into.estimates[place] = encounter.estimate;
     let now = encounter.follow(&mut state_variables);
     if laws.friction.needs_multiplier() && now.status == Status::Stick {
         into.stick_slip = into.stick_slip.max(slip.size());
@@ -302,6 +317,7 @@ fn evaluate_contact(
             if !now.is_untouched() || before.ever_closed {
                 now.open_from(before);
             }
+            into.estimates[place] = (0.0, Tangential::ZERO);
             continue;
         }
         let now = evaluate_point(plan, (committed, trial), place, into);
@@ -322,69 +338,5 @@ fn evaluate_contact(
             into.penetration = into.penetration.max(defect);
         }
         into.points[place] = now;
-    }
-}
-
-/// A point between its committed and its trial state.
-struct Encounter<'a> {
-    plan: &'a Problem<'a>,
-    laws: &'a Laws,
-    before: &'a PointState,
-    kinematics: &'a PointKinematics,
-    estimate: (f64, Tangential),
-    slip: Tangential,
-    dt: f64,
-}
-
-impl Encounter<'_> {
-    fn follow(&self, state_variables: &mut UserState<'_>) -> PointState {
-        let (kinematics, before, slip) = (self.kinematics, self.before, self.slip);
-        let trial = PointTrial {
-            overclosure: kinematics.overclosure,
-            slip,
-            pressure: self.estimate.0,
-            traction: self.estimate.1,
-            stiffness: self.plan.structure.stiffest / kinematics.area,
-            dt: self.dt,
-        };
-        let response = self.laws.respond(&before.history(), &trial, state_variables);
-        if !response.called {
-            state_variables.state.copy_from_slice(state_variables.committed);
-        }
-        let (closed, traction) = (response.closed, response.traction);
-        let status = match (closed, traction.status) {
-            (false, _) => Status::Open,
-            (true, friction::Status::Stick) => Status::Stick,
-            (true, friction::Status::Slip) => Status::Slip,
-        };
-        let friction = match (closed && self.laws.has_friction(), response.called) {
-            (false, _) => FrictionCall::None,
-            (true, true) => FrictionCall::Called,
-            (true, false) => FrictionCall::Dropped,
-        };
-        let mut now = PointState {
-            closed,
-            ever_closed: before.ever_closed || closed,
-            status,
-            friction,
-            pressure: response.pressure,
-            traction: traction.tau,
-            opening: -kinematics.overclosure,
-            along: kinematics.faces.then_some(kinematics.along),
-            elastic_slip: traction.elastic_slip,
-            slip: if closed { before.slip + slip } else { before.slip },
-            dissipated: traction.dissipated_slip,
-            dropped_work: 0.0,
-            position: kinematics.position,
-            normal: kinematics.normal,
-            area: kinematics.area,
-            xi: kinematics.xi,
-            footing: kinematics.footing,
-        };
-        if friction == FrictionCall::Dropped {
-            let limit = self.laws.friction.limit_traction(response.pressure, slip, self.dt);
-            now.dropped_work = now.area * limit * slip.size();
-        }
-        now
     }
 }

@@ -30,6 +30,7 @@ mod context;
 mod contradiction;
 mod convex;
 mod descent;
+mod inserted;
 mod integration_points;
 mod iterate;
 mod jam;
@@ -46,6 +47,7 @@ pub use augmentation::Stiffness;
 pub use condensed::LinearisedContact;
 pub use context::LawContext;
 pub use contradiction::Contradiction;
+pub use inserted::HeldMultipliers;
 pub use points::{LinearPoint, LinearPoints, LinearRows, Sliding};
 
 #[cfg(test)]

@@ -16,6 +16,7 @@ mod begin;
 mod hold;
 mod iterate;
 mod measures;
+mod multipliers;
 mod outcome;
 mod questions;
 mod relax;

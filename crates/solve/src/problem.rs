@@ -138,6 +138,11 @@ impl<'a> Problem<'a> {
         kind(self.model, self.step, self.contact)
     }
 
+    /// Whether contact laws stand in the equations of the structure.
+    pub fn inserts_laws(&self) -> bool {
+        self.enforcement.is_some_and(Enforcement::inserts_laws)
+    }
+
     /// Whether friction is there and the deck wants a symmetric tangent.
     pub fn symmetrised(&self) -> bool {
         self.step.unsymmetric == Some(false) && self.contact.laws.iter().any(Laws::has_friction)

@@ -389,7 +389,7 @@ impl<'a> Differences<'a> {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use crate::dofs::DofMap;
     use crate::evaluate::evaluate;
@@ -412,16 +412,16 @@ mod tests {
     }
 
     /// The first step of a model, prepared.
-    struct Prepared {
-        plan: Plan,
-        values: Values,
+    pub(crate) struct Prepared {
+        pub plan: Plan,
+        pub values: Values,
         coupling: Coupling,
         start: Start<'static>,
-        linear_systems: LinearSystems,
+        pub linear_systems: LinearSystems,
     }
 
     impl Prepared {
-        fn new(model: &Model) -> Self {
+        pub(crate) fn new(model: &Model) -> Self {
             let (plan, mut values) = (Plan::of(model), Values::default());
             values.take(&plan, model, &crate::users::UserFrictions::default()).unwrap();
             let coupling = plan.steps[0].coupling.clone().unwrap();
@@ -431,7 +431,7 @@ mod tests {
             Self { plan, values, coupling, start, linear_systems }
         }
 
-        fn problem<'a>(&'a self, model: &'a Model) -> Problem<'a> {
+        pub(crate) fn problem<'a>(&'a self, model: &'a Model) -> Problem<'a> {
             let means = Means { pool: None, linear_systems: &self.linear_systems };
             let taken = (&*self.plan, &self.values);
             Problem::new((model, 0), taken, &self.coupling, &self.start, means)
@@ -442,7 +442,7 @@ mod tests {
     /// with three slaves on its rim; `line`: the beams are the master,
     /// otherwise an arc of the body is.
     #[allow(clippy::too_many_lines)] // one model, told in one piece
-    fn model(line: bool) -> Model {
+    pub(crate) fn model(line: bool) -> Model {
         let mut model = Model::default();
         let mut node = |label: u64, x: f64, y: f64| {
             model.nodes.insert(Node { label, position: [x, y, 0.0], origin: AT })
@@ -591,6 +591,7 @@ mod tests {
                 load: &load,
                 pressures: &none,
                 tractions: &untouched,
+                held: &[],
                 dashpots: &dashpots,
                 ambient: Ambient::default(),
                 time: 1.0,
@@ -641,6 +642,7 @@ mod tests {
                     load: &load,
                     pressures: &none,
                     tractions: &untouched,
+                    held: &[],
                     dashpots: &Dashpots::default(),
                     ambient: Ambient::default(),
                     time: 1.0,

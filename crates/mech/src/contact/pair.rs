@@ -105,6 +105,12 @@ impl Laws {
         self.friction != FrictionLaw::None
     }
 
+    /// Whether pressure and traction are functions of overclosure and slip, so that the laws can be
+    /// inserted: neither hard contact nor exact stick is one.
+    pub fn are_functions(&self) -> bool {
+        self.normal.pressure(0.0).is_some() && !self.friction.needs_multiplier()
+    }
+
     /// Pressure at an overclosure; of a hard law, the estimate.
     pub fn pressure(&self, overclosure: f64, estimate: f64) -> f64 {
         if overclosure == f64::NEG_INFINITY {

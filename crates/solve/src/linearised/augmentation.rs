@@ -9,6 +9,7 @@
 //! docs/theory.md eq. (8.4).
 
 use super::context::LawContext;
+use super::laws::PointAnswer;
 use super::points::{Augmentation, LinearPoint, LinearPoints, LinearRows};
 use slideline_linalg::{FactorReport, Pattern, SolveError, Solver};
 use slideline_mech::contact::tangential::Tangential;
@@ -40,6 +41,33 @@ impl Stiffness<'_> {
         for point in points.with_rows() {
             self.augment(&point);
         }
+        self.refactor()
+    }
+
+    /// Factors K_0 with the slopes of laws that are inserted: `answers`, a point each.
+    ///
+    /// Errors: the solver's.
+    pub(super) fn factor_inserted(
+        &mut self,
+        points: &LinearPoints,
+        answers: &[PointAnswer],
+    ) -> Result<FactorReport, SolveError> {
+        self.augmented.copy_from_slice(self.values);
+        let Self { augmented, pattern, .. } = self;
+        let pressing = points.with_rows().zip(answers).filter(|(_, answer)| !answer.is_idle());
+        for (point, answer) in pressing {
+            let unknowns = point.rows.unknowns;
+            answer.add_slope(&point, |row, column, slope| {
+                if let Some(at) = pattern.position(unknowns[row], unknowns[column]) {
+                    augmented[at] += slope;
+                }
+            });
+        }
+        self.refactor()
+    }
+
+    /// Factors what stands in K_s.
+    fn refactor(&mut self) -> Result<FactorReport, SolveError> {
         if self.symmetrised {
             symmetrise(self.pattern, self.augmented);
         }

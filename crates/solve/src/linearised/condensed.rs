@@ -4,6 +4,7 @@
 use super::compliance::MatrixFree;
 use super::context::LawContext;
 use super::descent::Descent;
+use super::laws::PointAnswer;
 use super::points::{Kind, LinearPoint, LinearPoints, LinearRows, Sliding};
 use super::rows::{IntegrationPoints, Row, Unknown};
 use slideline_linalg::DenseLu;
@@ -38,6 +39,8 @@ pub struct LinearisedContact {
     /// Rows of equations that integration_points press on.
     pub(super) interface: HashMap<usize, usize>,
     pub(super) matrix_free: MatrixFree,
+    /// What inserted laws say, a point each.
+    pub(super) inserted: Vec<PointAnswer>,
     pub(super) descent: Descent,
     /// Whether the laws of all rows were met in the last solution.
     pub(super) solved: bool,
@@ -65,6 +68,7 @@ impl LinearisedContact {
         let vectors = [&mut self.unknown, &mut self.residual, &mut self.step, &mut self.trial];
         vectors.into_iter().chain([&mut self.begun]).for_each(|vector| vector.reserve(rows));
         self.in_rows.reserve(points);
+        self.inserted.reserve(points);
         self.moved.reserve(equations);
         self.values.reserve(rows);
     }

@@ -1,9 +1,9 @@
 //! What the laws of contact ask of a row or an integration point.
 
 use super::context::LawContext;
-use super::points::{Kind, LinearPoints, LinearRows, Sliding};
+use super::points::{Kind, LinearPoint, LinearPoints, LinearRows, Sliding};
 use super::rows::{IntegrationPoint, Row, RowSlopes};
-use slideline_mech::contact::enforcement::TangentialComplementarity;
+use slideline_mech::contact::enforcement::{HeldMultiplier, TangentialComplementarity};
 use slideline_mech::contact::pair::{Laws, UserState};
 use slideline_mech::contact::tangential::{Tangential, TangentialMap};
 
@@ -39,17 +39,11 @@ impl PointAnswer {
         (self.slope * normal, normal * self.drag + self.drag_by_slip.apply(slip))
     }
 
-    /// Adds the derivative of its force by the displacements of its rows,
-    /// A (a dp/du + d dtau/du), to a matrix of `m` columns.
-    pub(super) fn add_slope(
-        &self,
-        point: &LinearRows<'_>,
-        rows: &[usize],
-        m: usize,
-        stiffness: &mut [f64],
-    ) {
+    /// Hands over the derivative of its force by the displacements of its equations,
+    /// A (a dp/du + d dtau/du), entry by entry, with the places of both among them.
+    pub(super) fn add_slope(&self, point: &LinearRows<'_>, mut add: impl FnMut(usize, usize, f64)) {
         let (drags, directions) = (self.drags(), point.rows.directions());
-        for (b, &k) in rows.iter().enumerate() {
+        for b in 0..point.rows.width() {
             let g = point.area * point.rows.normal()[b];
             let pressure = self.slope * g;
             let drag = |direction: usize| {
@@ -58,13 +52,13 @@ impl PointAnswer {
                 });
                 by_slip.fold(self.drag[direction] * g, |sum, by| sum + by)
             };
-            for (a, &i) in rows.iter().enumerate() {
-                stiffness[i * m + k] += point.rows.normal()[a] * pressure;
+            for (a, along) in point.rows.normal().iter().enumerate() {
+                add(a, b, along * pressure);
             }
             for direction in (0..directions).filter(|_| drags) {
-                let (by, force) = (drag(direction), point.rows.force(direction));
-                for (a, &i) in rows.iter().enumerate() {
-                    stiffness[i * m + k] += force[a] * by;
+                let by = drag(direction);
+                for (a, along) in point.rows.force(direction).iter().enumerate() {
+                    add(a, b, along * by);
                 }
             }
         }
@@ -128,8 +122,8 @@ impl LawContext<'_> {
         limit.is_finite().then(|| limit * sliding.slip.direction())
     }
 
-    /// An integration point with its laws inserted: among many integration points of one
-    /// element none has a multiplier of its own.
+    /// An integration point with its laws inserted, less what the augmentation stiffness carries:
+    /// among many integration points of one element none has a multiplier of its own.
     pub(super) fn integration_point(
         &self,
         integration_point: IntegrationPoint<'_>,
@@ -137,25 +131,50 @@ impl LawContext<'_> {
         values: &[f64],
     ) -> PointAnswer {
         let (normal, slip) = point.values(|k| values[integration_point.rows[k]]);
+        let mut answer = self.inserted(point, (normal, slip), &HeldMultiplier::NONE);
+        answer.normal -= point.stiffness * normal;
+        answer.slope -= point.stiffness;
+        if let Some(sliding) = &point.sliding {
+            answer.tangential = answer.tangential - sliding.stiffness * slip;
+            answer.drag_by_slip =
+                answer.drag_by_slip + TangentialMap::isotropic(-sliding.stiffness);
+        }
+        answer
+    }
+
+    /// The laws of a point, inserted about held multipliers, where overclosure and slip have
+    /// changed by so much.
+    pub(super) fn inserted(
+        &self,
+        point: &LinearPoint,
+        (normal, slip): (f64, Tangential),
+        held: &HeldMultiplier,
+    ) -> PointAnswer {
         let laws = &self.laws[point.pair];
+        let overclosure = point.overclosure + normal;
         let asked =
-            laws.complementarity_of_pressure(0.0, point.overclosure + normal, f64::INFINITY);
+            laws.complementarity_of_pressure(held.pressure, overclosure, held.normal_stiffness);
         let mut answer = PointAnswer {
             pressure: asked.value,
-            normal: asked.value - point.stiffness * normal,
-            slope: asked.by_value - point.stiffness,
+            normal: asked.value,
+            slope: asked.by_value,
             ..PointAnswer::default()
         };
         if let Some(sliding) = &point.sliding {
+            answer.traction = sliding.traction;
+            answer.tangential = sliding.traction;
+            if held.tangential_stiffness.is_infinite() && laws.friction.needs_multiplier() {
+                return answer; // a slip that is prescribed
+            }
             let limit = if self.symmetrised { point.pressure } else { asked.value };
-            let values = (sliding.traction, sliding.slip + slip, limit);
-            let drag = self.complementarity_of_traction(laws, values, sliding, f64::INFINITY);
+            let values = (held.traction, sliding.slip + slip, limit);
+            let kappa = held.tangential_stiffness;
+            let drag = self.complementarity_of_traction(laws, values, sliding, kappa);
             let by_pressure = if self.symmetrised { Tangential::ZERO } else { drag.by_pressure };
-            let lent = TangentialMap::isotropic(-sliding.stiffness);
             answer.traction = drag.value;
-            answer.tangential = drag.value - sliding.stiffness * slip;
+            answer.tangential = drag.value;
             answer.drag = asked.by_value * by_pressure;
-            answer.drag_by_slip = drag.by_value + lent;
+            answer.drag_by_slip = drag.by_value;
         }
         answer
     }

@@ -33,6 +33,9 @@ impl LinearisedContact {
         // of the solution before nothing is left: neither its end nor its matrix
         self.compliance.clear();
         self.solved = true;
+        if enforcement.inserts_laws() {
+            return self.solve_inserted(points, stiffness, correction);
+        }
         if enforcement == Enforcement::MatrixFree {
             return self.solve_matrix_free(points, context, stiffness, correction);
         }

@@ -104,7 +104,8 @@ impl System<'_> {
             for (a, &i) in integration_point.rows.iter().enumerate() {
                 residual[i] -= point.area * point.force_at(a, answer.normal, answer.tangential);
             }
-            answer.add_slope(&point, integration_point.rows, m, stiffness);
+            let rows = integration_point.rows;
+            answer.add_slope(&point, |a, b, slope| stiffness[rows[a] * m + rows[b]] += slope);
         }
         for i in (0..m).filter(is_interface) {
             let row = &mut jacobian[i * m..(i + 1) * m];

@@ -6,7 +6,7 @@ use crate::linearised::{LawContext, LinearPoint, LinearRows, Sliding, Stiffness}
 use crate::moments;
 use crate::problem::Problem;
 use crate::state::{PointState, State};
-use slideline_linalg::SolveError;
+use slideline_linalg::{FactorReport, SolveError};
 use slideline_mech::contact::enforcement::Enforcement;
 use slideline_mech::contact::tangential::Tangential;
 
@@ -40,16 +40,13 @@ impl Scratch {
             }
             self.assemble(plan, committed);
             self.choose_enforcement(plan, committed);
-            let Self { values, augmented, systems, points, .. } = self;
-            let (symmetrised, solver) = (plan.symmetrised(), solver(systems));
-            let pattern = plan.pattern;
-            match (Stiffness { pattern, values, augmented, solver, symmetrised }).factor(points) {
+            match self.factor_assembled(plan, committed) {
                 Ok(report) => {
                     let negative = report.negative_pivots.unwrap_or(0);
                     self.negative_pivots = self.negative_pivots.max(negative);
                     return Ok(());
                 }
-                Err(SolveError::Singular { .. }) if !self.augment_all => {
+                Err(SolveError::Singular { .. }) if !self.augment_all && !plan.inserts_laws() => {
                     self.augment_all = true;
                     self.evaluation.look.forget();
                     self.evaluate(plan, committed, self.dt);
@@ -57,6 +54,20 @@ impl Scratch {
                 Err(fault) => return Err(fault),
             }
         }
+    }
+
+    fn factor_assembled(
+        &mut self,
+        plan: &Problem<'_>,
+        committed: &State,
+    ) -> Result<FactorReport, SolveError> {
+        if plan.inserts_laws() {
+            return self.factor_inserted(plan, committed);
+        }
+        let Self { values, augmented, systems, points, .. } = self;
+        let (symmetrised, solver) = (plan.symmetrised(), solver(systems));
+        let pattern = plan.pattern;
+        Stiffness { pattern, values, augmented, solver, symmetrised }.factor(points)
     }
 
     /// Contact points as the condensed problem wants them.

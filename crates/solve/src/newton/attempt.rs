@@ -1,5 +1,6 @@
 //! One attempt at an increment: iterations until a verdict.
 
+use super::multipliers::MOST_MOVES;
 use super::outcome::{Outcome, Progress};
 use super::scratch::Scratch;
 use super::search;
@@ -61,6 +62,14 @@ pub fn attempt(
                 Some(missed) => progress.end_with(missed),
                 None => progress.end(verdict, None),
             };
+        }
+        if work.move_multipliers(plan, progress.allowed_force()) {
+            progress.moves += 1;
+            progress.begin_anew();
+            if work.moves > MOST_MOVES {
+                work.complete(plan, committed);
+                return progress.end(Verdict::TooSlow, None);
+            }
         }
     }
 }

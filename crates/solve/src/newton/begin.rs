@@ -42,6 +42,7 @@ impl Scratch {
             self.tractions[place] = point.traction;
             self.was_closed[place] = point.closed;
         }
+        self.hold_multipliers(plan);
         if committed.increment_time.0 == 0.0 {
             self.spread_prescribed(plan, committed, target);
         }

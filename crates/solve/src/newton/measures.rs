@@ -3,7 +3,7 @@
 
 use super::outcome::Progress;
 use super::scratch::Scratch;
-use crate::convergence::{Field, FieldHistory, Measures, judge, largest_nodal};
+use crate::convergence::{Field, Measures, judge, largest_nodal};
 use crate::observe::reports::{ContactChange, IterationReport};
 use crate::problem::Problem;
 use crate::state::State;
@@ -37,6 +37,7 @@ impl Scratch {
             step_length: self.step_length,
             enforcement: self.enforcement,
             solutions: self.contact.solutions(),
+            moves: self.moves,
             converged: false,
         };
         let flux = [self.evaluation.flux.mean_force(), self.evaluation.flux.mean_moment()];
@@ -46,9 +47,7 @@ impl Scratch {
         self.iteration_history.note(&self.evaluation.points);
         if report.severe {
             progress.severe += 1;
-            progress.since_change = 0;
-            progress.force = FieldHistory::default();
-            progress.moment = FieldHistory::default();
+            progress.begin_anew();
         } else {
             progress.equilibrium += 1;
             progress.since_change += 1;
@@ -155,7 +154,9 @@ impl Scratch {
         for (place, point) in self.evaluation.points.iter().enumerate() {
             if point.closed {
                 let laws = &plan.contact.laws[plan.contact.points[place].pair];
-                let slope = laws.normal.pressure(-point.opening).map_or(0.0, |(_, slope)| slope);
+                // a hard law that is inserted has the slope of what stands before it
+                let held = self.held.of.get(place).map_or(0.0, |held| held.normal_stiffness);
+                let slope = laws.normal.pressure(-point.opening).map_or(held, |(_, slope)| slope);
                 largest = largest.max(point.area * (point.pressure.abs() + slope * reach));
             }
         }

@@ -29,6 +29,8 @@ pub(super) struct Progress {
     pub(super) severe: u32,
     pub(super) equilibrium: u32,
     pub(super) since_change: u32,
+    /// Iterations after which multipliers were moved: they tell nothing of the increment.
+    pub(super) moves: u32,
     pub(super) force: FieldHistory,
     pub(super) moment: FieldHistory,
     pub(super) last: Option<IterationReport>,
@@ -39,6 +41,17 @@ impl Progress {
     pub(super) fn end(self, verdict: Verdict, fault: Option<SolveError>) -> Outcome {
         let (severe, equilibrium) = (self.severe as usize, self.equilibrium as usize);
         Outcome { verdict, severe, equilibrium, fault, last: self.last, missed: None }
+    }
+
+    /// What the last iteration may leave of a force [F].
+    pub(super) fn allowed_force(&self) -> f64 {
+        self.last.as_ref().map_or(0.0, |report| report.force.allowed)
+    }
+
+    /// The equations have changed: what was before tells nothing of convergence.
+    pub(super) fn begin_anew(&mut self) {
+        self.since_change = 0;
+        (self.force, self.moment) = (FieldHistory::default(), FieldHistory::default());
     }
 
     /// Equilibrium was found beyond contact that was passed through.
@@ -59,7 +72,8 @@ impl Progress {
             return Some(Verdict::Broken);
         }
         if report.converged {
-            return Some(Verdict::Converged { iterations: self.equilibrium });
+            let iterations = self.equilibrium.saturating_sub(self.moves);
+            return Some(Verdict::Converged { iterations });
         }
         if report.severe {
             return (self.severe > limits.i_s).then_some(Verdict::Discontinuous);

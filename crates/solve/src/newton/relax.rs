@@ -85,7 +85,8 @@ impl Scratch {
                 if settled {
                     return Verdict::Converged { iterations: progress.equilibrium };
                 }
-                if small {
+                let moved = self.move_multipliers(plan, progress.allowed_force());
+                if small && !moved {
                     break;
                 }
             }

@@ -8,7 +8,7 @@ use crate::contact::{
 use crate::evaluate::{Evaluation, zero};
 use crate::iteration_history::IterationHistory;
 use crate::linear_systems::LinearSystems;
-use crate::linearised::{LinearPoints, LinearisedContact};
+use crate::linearised::{HeldMultipliers, LinearPoints, LinearisedContact};
 use crate::memory;
 use crate::observe::reports::ContactChange;
 use crate::plan::{Coupling, Numbering};
@@ -95,6 +95,12 @@ pub struct Scratch {
     pub(super) arrived: Vec<f64>,
     pub(super) pressures: Vec<f64>,
     pub(super) tractions: Vec<Tangential>,
+    /// Multipliers about which laws are inserted, a contact point each; none where they are not.
+    pub(super) held: HeldMultipliers,
+    /// How often they were moved in this attempt.
+    pub(super) moves: usize,
+    /// Largest change of a contact force when they were moved last [F].
+    pub(super) last_move: f64,
     pub(super) points: LinearPoints,
     pub(super) contact: LinearisedContact,
     pub(super) geometry: GeometryScratch,
@@ -213,6 +219,7 @@ impl Scratch {
         zero(&mut self.pressures, points);
         self.tractions.clear();
         self.tractions.resize(points, Tangential::ZERO);
+        self.held.fit(points);
         zero(&mut self.correction, equations);
         self.points.clear(plan.contact.directions);
         self.points.reserve(points, ROWS);

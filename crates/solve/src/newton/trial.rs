@@ -16,6 +16,7 @@ impl Scratch {
             stresses: &self.stresses,
             pressures: &self.pressures,
             tractions: &self.tractions,
+            held: &self.held.of,
             dashpots: &self.dashpots,
             ambient: Ambient {
                 temperatures: &self.temperatures,
@@ -50,6 +51,7 @@ impl Scratch {
             stresses: &self.stresses,
             pressures: &self.pressures,
             tractions: &self.tractions,
+            held: &self.held.of,
             dashpots: &self.dashpots,
             ambient: Ambient {
                 temperatures: &self.temperatures,
@@ -60,6 +62,9 @@ impl Scratch {
             dt,
         };
         evaluate(plan, committed, &trial, &mut self.evaluation);
+        if plan.inserts_laws() {
+            self.follow_inserted_laws();
+        }
     }
 
     /// Looks at the points that iterations have left alone; says whether none of
@@ -72,6 +77,7 @@ impl Scratch {
             stresses: &self.stresses,
             pressures: &self.pressures,
             tractions: &self.tractions,
+            held: &self.held.of,
             dashpots: &self.dashpots,
             ambient: Ambient {
                 temperatures: &self.temperatures,

@@ -36,6 +36,8 @@ pub struct IterationReport {
     /// Solutions with the factored stiffness that this took, where contact was
     /// solved without its matrix.
     pub solutions: usize,
+    /// How often the attempt has moved its multipliers, where laws are inserted about them.
+    pub moves: usize,
     /// Whether everything has converged.
     pub converged: bool,
 }

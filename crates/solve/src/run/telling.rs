@@ -119,7 +119,7 @@ impl Analysis<'_> {
         from: Option<&Checkpoint<'_>>,
         work: &mut Scratch,
     ) -> Result<(), Left> {
-        if let Some(said) = work.objection() {
+        if let Some(said) = work.objection().or_else(|| diagnose::not_insertable(plan)) {
             self.tell(Event::Diagnosed(&said))?;
             return Err(Left::Failed(Box::new(said)));
         }

@@ -2,7 +2,8 @@
 //!
 //! ```text
 //!   inserted:    p = p(h) goes straight into the equations                      (penalty)
-//!   multiplier:  lambda is an unknown; lambda = P(h + lambda/kappa)             (mixed, Lagrange)
+//!   held:        p = P(h + lambda/kappa), lambda follows p from time to time    (augmented)
+//!   multiplier:  lambda is an unknown; lambda = P(h + lambda/kappa)             (dense, matrix-free)
 //! ```
 //!
 //! Either way a law asks for a value of the multiplier: [`Complementarity`]. The equation lambda less
@@ -12,9 +13,10 @@
 
 use super::tangential::{Tangential, TangentialMap};
 
-/// How the contact problem of a Newton iteration is solved, laws kept in all of them.
+/// How contact is solved in a Newton iteration.
 ///
-/// The converged result is the same: only the way there and its cost differ.
+/// The converged result is the same: only the way there and its cost differ. The first two keep the
+/// laws in every iteration, the other two linearise them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Enforcement {
     /// Multipliers, with the matrix of the condensed problem formed and eliminated.
@@ -22,6 +24,12 @@ pub enum Enforcement {
     Dense,
     /// Multipliers, by products with that matrix alone (GMRES).
     MatrixFree,
+    /// No multipliers: the laws are inserted and linearised with everything else. Only for laws that
+    /// are functions of overclosure and slip.
+    Penalty,
+    /// Laws inserted in their Moreau-Yosida form about multipliers that are held, and moved to what
+    /// was found until the laws are met (augmented Lagrangian, Uzawa).
+    Augmented,
 }
 
 impl Enforcement {
@@ -30,8 +38,39 @@ impl Enforcement {
         match self {
             Self::Dense => "dense",
             Self::MatrixFree => "matrix-free",
+            Self::Penalty => "penalty",
+            Self::Augmented => "augmented",
         }
     }
+
+    /// Whether the laws stand in the equations of the structure, and not in a problem of their own.
+    pub fn inserts_laws(self) -> bool {
+        matches!(self, Self::Penalty | Self::Augmented)
+    }
+}
+
+/// Multipliers about which laws are inserted, with the stiffness that stands between them and the
+/// laws: infinite where a law is inserted as it is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HeldMultiplier {
+    /// Pressure [F/L2].
+    pub pressure: f64,
+    /// Traction [F/L2].
+    pub traction: Tangential,
+    /// kappa along the normal [F/L3].
+    pub normal_stiffness: f64,
+    /// kappa along the tangents [F/L3].
+    pub tangential_stiffness: f64,
+}
+
+impl HeldMultiplier {
+    /// Laws inserted as they are.
+    pub const NONE: Self = Self {
+        pressure: 0.0,
+        traction: Tangential::ZERO,
+        normal_stiffness: f64::INFINITY,
+        tangential_stiffness: f64::INFINITY,
+    };
 }
 
 /// What a normal law says a pressure should be, with derivatives.
