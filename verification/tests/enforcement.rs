@@ -249,7 +249,7 @@ fn penalty_refuses_laws_that_are_no_functions() {
     for (name, deck, what) in [("hard", hard, "hard contact"), ("stick", stick, "exact stick")] {
         let found = attempt(&format!("refused_{name}"), &deck, Some(Enforcement::Penalty));
         assert_eq!(found.status, Status::NotConverged);
-        let named = |said: &String| said.contains("SL0421") && said.contains(what);
+        let named = |said: &String| said.contains("SL0422") && said.contains(what);
         assert!(found.said.iter().any(named), "{:?}", found.said);
         assert_eq!((found.iterations, found.reactions.len()), (0, 0));
     }

@@ -222,7 +222,7 @@ fn off_axis_tension() {
         let q: Vec<f64> = nodes.iter().flat_map(|x| place(x).into_iter().take(d)).collect();
         let points = kind.1.points.len();
         let width = if d == 2 { 4 } else { 6 };
-        let mut results = vec![0.0; (2 * width + 3) * points + 3];
+        let mut results = vec![0.0; (2 * width + 4) * points + 3];
         let (cell, rule, kinematics, formulation) = *kind;
         let mut state = vec![0.0; states((cell, rule), (kinematics, formulation), &ply())];
         if kinematics == PlaneStress {

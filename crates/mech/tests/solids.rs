@@ -302,7 +302,7 @@ fn homogeneous_deformations() {
             let at = respond(&*own, &q, &zero, strains);
             let points = kind.1.points.len();
             let width = if d == 2 { 4 } else { 6 };
-            let mut results = vec![0.0; points * (2 * width + 3) + 3];
+            let mut results = vec![0.0; points * (2 * width + 4) + 3];
             own.results(0, &q, &at.state, &strains.into(), &mut results);
             for k in 0..points * width {
                 let error = (results[k] - results[k % width]).abs();
@@ -470,7 +470,7 @@ fn across_the_plane() {
         for strains in [Strains::Exact, Strains::Linear] {
             let zero = vec![0.0; state_count(&kind, &material)];
             let state = respond(&*own, &q, &zero, strains).state;
-            let mut results = [0.0; 4 * (2 * 4 + 3) + 3];
+            let mut results = [0.0; 4 * (2 * 4 + 4) + 3];
             own.results(0, &q, &state, &strains.into(), &mut results);
             for k in 0..4 {
                 let across = results[if plane == PlaneStress { 4 * k + 2 } else { 16 + 4 * k + 2 }];
