@@ -660,7 +660,7 @@ fn forms_without_effect() {
     assert!(errors(&read).is_empty(), "{:#?}", errors(&read));
     let notes = read.diagnostics.iter().filter(|found| found.code.0 == "SL0257").count();
     assert_eq!(notes, 5, "{:#?}", read.diagnostics);
-    let over: &[(&str, &str)] = &[("200.0, 0.3", "200.0, 0.3, 0.0, 1.0\n100.0, 0.3, 0.0, 2.0")];
+    let over: &[(&str, &str)] = &[("200.0, 0.3", "200.0, 0.3, 0.0, 1.0\n100.0, 0.3, 9.0, 2.0")];
     assert_eq!(codes(&deck(&linear, over), A), ["SL0209"]);
     let beam = |more: &str| {
         let section = format!("*BEAM SECTION, ELSET=R, MATERIAL=M, SECTION=RECT{more}\n1.0, 1.0\n");
@@ -676,9 +676,9 @@ fn forms_without_effect() {
 #[test]
 fn values_behind_names() {
     let parameters = "*PARAMETER\n# a comment\nE = 2.0e2; \nnu = 3.0/10 # behind it\nset = 'ALL'\n\
-                      load = -sqrt(E*E)\nnode = 2*3\n*MATERIAL, NAME=M";
+                      load = -sqrt(E*E)\nnode = 2*3\n*NODE\n1,";
     let exchanged: &[(&str, &str)] = &[
-        ("*MATERIAL, NAME=M", parameters),
+        ("*NODE\n1,", parameters),
         ("200.0, 0.3", "<E>, <nu>"),
         ("B, MATERIAL=M\n2.0", "B, MATERIAL=M\n<E>"),
     ];
@@ -702,4 +702,43 @@ fn values_behind_names() {
         &[&[("3.0/10", "3/10")], exchanged].concat().into_iter().rev().collect::<Vec<_>>(),
     );
     assert_eq!(codes(&broken, A), ["SL0286"]);
+}
+
+/// Requirement: foam and deformation plasticity neither yield nor relax nor creep, and are no beams:
+/// refused, not passed over. Source: Abaqus manual, the laws that they go with.
+#[test]
+fn laws_that_stand_alone() {
+    let foam = "*HYPERFOAM\n1.0, 4.0, 0.2";
+    let metal = "*DEFORMATION PLASTICITY\n200.0, 0.3, 1.0, 4.0, 0.5";
+    let load = step("*CLOAD\n6, 1, 1.0");
+    for law in [foam, metal] {
+        let with = |more: &str| {
+            let law = format!("{law}\n{more}");
+            codes(&deck(&load, &[("*ELASTIC\n200.0, 0.3\n", law.as_str())]), A)
+        };
+        assert!(with("").is_empty(), "{law}: {:?}", with(""));
+        assert_eq!(with("*PLASTIC\n1.0, 0.0\n"), ["SL0309"], "{law}");
+        assert_eq!(with("*VISCOELASTIC, TIME=PRONY\n0.5, 0.0, 1.0\n"), ["SL0309"], "{law}");
+        assert_eq!(with("*CREEP, LAW=TIME\n1e-9, 3.0, 0.0\n"), ["SL0309"], "{law}");
+        assert_eq!(with("*ELASTIC\n200.0, 0.3\n"), ["SL0242"], "{law}");
+        let beam = format!(
+            "*ELEMENT, TYPE=B21, ELSET=R\n9, 3, 6\n*BEAM SECTION, ELSET=R, MATERIAL=M, SECTION=RECT\n\
+             1.0, 1.0\n{load}"
+        );
+        let law = format!("{law}\n");
+        let found = codes(&deck(&beam, &[("*ELASTIC\n200.0, 0.3\n", law.as_str())]), A);
+        assert_eq!(found, ["SL0309"], "{law}");
+    }
+    for wrong in [
+        "*HYPERFOAM\n1.0, 0.0, 0.2",
+        "*HYPERFOAM\n1.0, 4.0, 0.5",
+        "*HYPERFOAM\n-1.0, 4.0, 0.2",
+        "*DEFORMATION PLASTICITY\n200.0, 0.3, 0.0, 4.0, 0.5",
+        "*DEFORMATION PLASTICITY\n200.0, 0.3, 1.0, 0.5, 0.5",
+        "*DEFORMATION PLASTICITY\n200.0, 0.3, 1.0, 4.0, 0.0",
+    ] {
+        let law = format!("{wrong}\n");
+        let found = codes(&deck(&load, &[("*ELASTIC\n200.0, 0.3\n", law.as_str())]), A);
+        assert_eq!(found, ["SL0234"], "{wrong}");
+    }
 }
