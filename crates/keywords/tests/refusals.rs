@@ -660,6 +660,9 @@ fn forms_without_effect() {
     assert!(errors(&read).is_empty(), "{:#?}", errors(&read));
     let notes = read.diagnostics.iter().filter(|found| found.code.0 == "SL0257").count();
     assert_eq!(notes, 5, "{:#?}", read.diagnostics);
+    let short = step("*CLOAD\n6, 1, 1.0\n*EL PRINT, POS=CENTROIDAL\nS");
+    assert!(codes(&deck(&short, &[]), A).is_empty());
+    assert_eq!(codes(&deck(&short.replace("POS=", "PO="), &[]), A), ["SL0202"]);
     let over: &[(&str, &str)] = &[("200.0, 0.3", "200.0, 0.3, 0.0, 1.0\n100.0, 0.3, 9.0, 2.0")];
     assert_eq!(codes(&deck(&linear, over), A), ["SL0209"]);
     let beam = |more: &str| {

@@ -170,7 +170,9 @@ fn takes_time_soundly(material: &crate::draft::Material, draft: &mut Draft) -> b
     };
     let is_linear = matches!(elasticity, Elasticity::Isotropic(_) | Elasticity::Unread);
     let refused = match (&material.relaxation, &material.creep) {
-        (Some((_, own)), _) if !relaxes => Some((own, format!("relaxes and {}", elasticity.word()))),
+        (Some((_, own)), _) if !relaxes => {
+            Some((own, format!("relaxes and {}", elasticity.word())))
+        }
         (Some((_, own)), _) => {
             let beside = other.into_iter().flatten().next();
             beside.map(|(name, _)| (own, format!("relaxes, and has *{name}")))

@@ -8,10 +8,10 @@
 //! The law of [storakers1986]: a bar of one term keeps the ratio nu of its logarithmic strains at any
 //! strain. docs/theory.md eqs. (3.99) and (3.100).
 
-use super::principal::Axes;
-use super::tensor::{Matrix, left};
 use super::answer::Answer;
 use super::elastic::Elastic;
+use super::principal::Axes;
+use super::tensor::{Matrix, left};
 
 /// One term of the energy.
 #[derive(Debug, Clone, Copy, PartialEq)]

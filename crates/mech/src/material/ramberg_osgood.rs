@@ -19,7 +19,6 @@ use super::tensor::{
     trace,
 };
 
-
 /// A metal after Ramberg and Osgood.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RambergOsgood {
