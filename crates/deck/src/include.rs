@@ -127,9 +127,9 @@ fn outside(deck: &str, path: &Path) -> bool {
     }
 }
 
-/// A path as the including file names it.
+/// A path as the including file names it; folders may be written as on Windows.
 fn beside(including: &str, input: &str) -> PathBuf {
-    folder_of(including).join(input)
+    folder_of(including).join(input.replace('\\', std::path::MAIN_SEPARATOR_STR))
 }
 
 /// `a/./b/../c` as `a/c`, so that one file has one name.

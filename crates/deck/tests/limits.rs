@@ -106,6 +106,8 @@ fn an_include_ends_whatever_it_names() {
     folder.write("deck/part.inp", "1, 0.\n");
     assert_eq!(codes(&folder.deck("part.inp")), [""; 0]);
     assert_eq!(codes(&folder.deck("./../deck/part.inp")), [""; 0]);
+    // a deck that was written on Windows
+    assert_eq!(codes(&folder.deck("..\\deck\\part.inp")), [""; 0]);
     for (input, words) in [("..", "it is a folder"), ("part.inp/x", ""), ("none", "")] {
         let parsed = folder.deck(input);
         assert_eq!(codes(&parsed), ["SL0120"], "{input}");

@@ -115,6 +115,7 @@ catalogue! {
     "SL0283" "too few test data"
     "SL0284" "a fit that finds no law"
     "SL0285" "a rubber fitted to test data"
+    "SL0286" "a parameter without a value"
     "SL0301" "a deck without a step"
     "SL0302" "a step that is not closed"
     "SL0303" "an element on an undefined node"

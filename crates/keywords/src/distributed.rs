@@ -32,6 +32,8 @@ pub(crate) enum Kind {
     Pressure(Option<usize>),
     /// Traction of this direction.
     Traction([f64; 3]),
+    /// Traction along a face, where this direction points when it is laid onto it.
+    Shear([f64; 3]),
     /// Force per length of a line along an axis of the model, 0 to 2.
     Line(usize),
     /// Force per volume.
@@ -64,6 +66,7 @@ pub(crate) struct Key {
 enum What {
     Pressure(usize),
     Traction(usize),
+    Shear(usize),
     Line(usize),
     Body(Along),
     Gravity([u64; 3]),
@@ -80,6 +83,7 @@ impl Distributed {
         let what = match self.kind {
             Kind::Pressure(_) => What::Pressure(face),
             Kind::Traction(_) => What::Traction(face),
+            Kind::Shear(_) => What::Shear(face),
             Kind::Line(axis) => What::Line(axis),
             Kind::Body(along) => What::Body(along),
             Kind::Gravity(direction) => What::Gravity(bits(direction)),

@@ -16,6 +16,7 @@ use slideline_model::{
 use crate::axes::{Orientation, Transform};
 use crate::constraints::{Coupling, Equation, Link, PreTension, ShapeMpc, Tie};
 use crate::distributed::Distributed;
+use crate::expression::Values;
 use crate::log::{Log, MAX_LABEL, Target};
 use crate::motion::Frame;
 use crate::rule::Subject;
@@ -89,8 +90,12 @@ pub(crate) struct Draft {
     pub earlier_steps: usize,
     /// Boundary conditions before the first step.
     pub initial: Vec<Boundary>,
+    /// Thickness at nodes.
+    pub thicknesses: Vec<NodalThickness>,
     /// Temperatures before the first step.
     pub initial_temperatures: Vec<Heat>,
+    /// Values of names.
+    pub parameters: Values,
     pub steps: Vec<StepDraft>,
     pub in_step: bool,
     pub owner: Owner,
@@ -181,6 +186,16 @@ pub(crate) struct Interface {
     pub set: String,
     pub set_span: Span,
     pub interaction: Interaction,
+}
+
+/// A line of `*NODAL THICKNESS`.
+#[derive(Clone, Debug)]
+pub(crate) struct NodalThickness {
+    pub target: Target,
+    pub target_span: Span,
+    /// Out of the plane [L].
+    pub thickness: f64,
+    pub origin: Span,
 }
 
 /// A line of `*BOUNDARY` or `*CLOAD`.

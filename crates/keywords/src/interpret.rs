@@ -13,7 +13,7 @@ use crate::reading::{Match, Reading, note_abbreviation, resolve};
 use crate::registry::REGISTRY;
 use crate::rule::Level;
 use crate::unsupported::{self, Other, Treatment};
-use crate::{finish, traps};
+use crate::{finish, parameters, traps};
 
 /// What a deck means.
 #[derive(Clone, Debug)]
@@ -73,8 +73,9 @@ fn read_cards(cards: &[Cow<'_, Card>], draft: &mut Draft, steps: usize) -> bool 
         if draft.steps.len() >= steps && !draft.in_step {
             break;
         }
-        if let Some(keyword) = find_keyword(card, draft) {
-            read_card(card, keyword, draft, &mut stray_history);
+        let card = parameters::put_in(card, draft);
+        if let Some(keyword) = find_keyword(&card, draft) {
+            read_card(&card, keyword, draft, &mut stray_history);
         }
     }
     stray_history

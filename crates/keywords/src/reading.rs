@@ -202,10 +202,13 @@ impl<'a> Reading<'a> {
     }
 }
 
-/// Whether a parameter is one that changes no result.
+/// Whether a parameter is one that changes no result, spelt out or by its first three letters or
+/// more.
 fn is_without_effect(word: &Word, keyword: Form) -> bool {
+    const FEWEST: usize = 3;
     let name = normalise(&word.raw);
-    keyword.without_effect.iter().any(|known| normalise(known) == name)
+    let is_it = |known: String| known == name || (name.len() >= FEWEST && known.starts_with(&name));
+    keyword.without_effect.iter().any(|known| is_it(normalise(known)))
 }
 
 /// The rule a parameter follows: exact, a unique beginning, or the nearest

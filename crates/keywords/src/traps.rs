@@ -141,7 +141,7 @@ fn without_furniture<'d>(
     let keyword = normalise(&card.keyword.raw);
     let known = resolve(&keyword, REGISTRY, |keyword| keyword.name());
     let (Match::Exact(keyword) | Match::Abbreviation(keyword)) = known else { return card };
-    if matches!(keyword.name(), "HEADING" | "STEP") {
+    if matches!(keyword.name(), "HEADING" | "STEP" | "PARAMETER") {
         return card;
     }
     let prose = |line: &DataLine| is_furniture(line, names);

@@ -45,7 +45,7 @@ fn what_the_page_names_is_refused() {
         ("masses", "TYPE=B21", "TYPE=MASS"),
         ("gap elements", MODEL, "*GAP\n*STEP"),
         ("initial stresses", MODEL, "*INITIAL CONDITIONS, TYPE=STRESS\n*STEP"),
-        ("`*PARAMETER`", MODEL, "*PARAMETER\nw = 1.\n*STEP"),
+        ("`*PARAMETER DEPENDENCE`", MODEL, "*PARAMETER DEPENDENCE\nw = 1.\n*STEP"),
         ("dynamics", HISTORY, "*DYNAMIC\n*END STEP"),
         ("frequencies", HISTORY, "*FREQUENCY\n*END STEP"),
         ("linear buckling", HISTORY, "*BUCKLE\n*END STEP"),

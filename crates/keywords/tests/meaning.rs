@@ -335,7 +335,7 @@ fn one_cause_gives_one_message() {
            *NSET, NSET=S, INTERNAL, INSTANCE=A-1\n1, 2\n*END ASSEMBLY\n\
            *STEP\n*STATIC\n*BOUNDARY\nS, 1, 2\n*END STEP\n";
     assert_eq!(codes(&deck, "*STEP\n", "*STEP, NLGEOM\n"), ["SL0228", "SL0271"]);
-    let parameters = "*PARAMETER\nw = 2.\n*BEAM SECTION";
+    let parameters = "*PARAMETER DEPENDENCE\nw = 2.\n*BEAM SECTION";
     let deck = BEAM.replace("*BEAM SECTION", parameters).replace("210.0E9, 0.3", "<w>, 0.3");
     assert_eq!(codes(&deck, "5, 1, 1.0", "5, 1, <w>"), ["SL0221"]);
     let mut solids = String::from(

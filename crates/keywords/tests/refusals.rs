@@ -102,7 +102,7 @@ type Case<'a> = (&'a [(&'a str, &'a str)], &'a str, bool);
 #[test]
 fn loads_stay_in_the_plane() {
     let ring: &[(&str, &str)] = &[("CPS4", "CAX4")];
-    let cases: [Case<'_>; 14] = [
+    let cases: [Case<'_>; 15] = [
         (&[], "*DLOAD\nALL, BX, 1.0", true),
         (&[], "*DLOAD\nALL, BZ, 1.0", false),
         (&[], "*DLOAD\nALL, BR, 1.0", false),
@@ -110,6 +110,7 @@ fn loads_stay_in_the_plane() {
         (&[], "*DLOAD\nALL, GRAV, 9.81, 0.0, -1.0, 0.1", false),
         (&[], "*DLOAD\n, GRAV, 9.81, 0.0, 0.0, -1.0", false),
         (&[], "*DSLOAD\nTOP, TRVEC, 1.0, 1.0, 0.0, 1.0", false),
+        (&[], "*DSLOAD\nTOP, TRSHR, 1.0, 1.0, 0.0, 1.0", false),
         (&[], "*DLOAD\nALL, CENTRIF, 4.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0", false),
         (&[], "*DLOAD\nALL, CENTRIF, 4.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0", true),
         (ring, "*DLOAD\nALL, BR, 1.0", true),
@@ -589,4 +590,158 @@ fn shapes_are_kept() {
     }
     let large = of("STRAIGHT, 1, 2, 9\n").replace("*STEP", "*STEP, NLGEOM");
     assert_eq!(codes(&large, A), ["SL0221"]);
+}
+
+/// Requirement: `TIME DELAY` has a load follow its curve later by that time, and is refused where
+/// there is no curve to be late; two delays of one curve are two curves. Source: CalculiX manual,
+/// `*CLOAD`.
+#[test]
+fn a_delay_shifts_the_curve() {
+    let curve = "*AMPLITUDE, NAME=UP\n0.0, 0.0, 1.0, 1.0\n";
+    let cards = "*CLOAD, AMPLITUDE=UP, TIME DELAY=0.25\n6, 1, 1.0\n*BOUNDARY, AMPLITUDE=UP, TIME \
+                 DELAY=0.5\n3, 1, 1, 0.1\n*DLOAD, AMPLITUDE=UP, TIME DELAY=0.25\nALL, BX, 1.0";
+    let model = model(&deck(&format!("{curve}{}", step(cards)), &[]), C);
+    let step = &model.steps[0];
+    let at = |place: Option<usize>| {
+        let curve = place.and_then(|place| model.amplitudes.get(place)).expect("a curve");
+        [0.2, 0.5, 1.0].map(|time| curve.at(time))
+    };
+    assert_eq!(at(step.loads[0].amplitude), [0.0, 0.25, 0.75]);
+    let moved = step.prescribed.iter().find(|own| own.value == 0.1).expect("a motion");
+    assert_eq!(at(moved.amplitude), [0.0, 0.0, 0.5]);
+    assert_eq!(at(step.distributed.forces[0].amplitude), [0.0, 0.25, 0.75]);
+    assert_eq!(model.amplitudes.len(), 3);
+    for wrong in
+        ["*CLOAD, TIME DELAY=0.25\n6, 1, 1.0", "*CLOAD, AMPLITUDE=UP, TIME DELAY=1.0\n6, 1, 1.0"]
+    {
+        assert_eq!(codes(&deck(&self::step(wrong), &[]), C), ["SL0321"], "{wrong}");
+    }
+}
+
+/// Requirement: nodes give plane solids their thickness where the section has none; one that is not
+/// even, or another one than the section's, is refused, and Abaqus gives it to shells alone. Source:
+/// CalculiX manual, `*NODAL THICKNESS`.
+#[test]
+fn nodes_give_a_thickness() {
+    let bare: &[(&str, &str)] = &[("MATERIAL=M\n2.0", "MATERIAL=M")];
+    let with = |lines: &str| format!("*NODAL THICKNESS\n{lines}\n{}", step("*CLOAD\n6, 1, 1.0"));
+    let even = with("LEFT, 0.5\nRIGHT, 0.5\n2, 0.5\n5, 0.5");
+    let thicknesses = |model: &Model| -> Vec<f64> {
+        let of = |block: &slideline_model::ElementBlock| match &block.section {
+            slideline_model::Section::Solid(own) => own.thickness,
+            _ => f64::NAN,
+        };
+        model.blocks.iter().map(of).collect()
+    };
+    assert_eq!(thicknesses(&model(&deck(&even, bare), C)), [0.5, 0.5]);
+    assert_eq!(thicknesses(&model(&deck(&even, bare), A)), [1.0, 1.0]);
+    assert_eq!(codes(&deck(&even, &[]), C), ["SL0242"]);
+    assert!(codes(&deck(&with("LEFT, 2.0\nRIGHT, 2.0\n2, 2.0\n5, 2.0"), &[]), C).is_empty());
+    for uneven in ["LEFT, 0.5", "LEFT, 0.5\nRIGHT, 0.7\n2, 0.5\n5, 0.5"] {
+        assert_eq!(codes(&deck(&with(uneven), bare), C), ["SL0221"], "{uneven}");
+    }
+}
+
+/// Requirement: forms that change no result are taken with a note, and those beside them that do
+/// are refused: turning forces in a step that turns, temperatures at points of a beam's section,
+/// constants over fields. Source: decks of other people.
+#[test]
+fn forms_without_effect() {
+    let load = "*CLOAD, FOLLOWER\n6, 1, 1.0";
+    assert_eq!(codes(&deck(&step(load), &[]), A), ["SL0221"]);
+    let linear = step(load).replace(", NLGEOM", "");
+    let forms: &[(&str, &str)] = &[
+        ("*MATERIAL, NAME=M", "*CONSTRAINT CONTROLS, PRINT=YES\n*MATERIAL, NAME=M"),
+        ("ELSET=A, MATERIAL=M\n2.0", "ELSET=A, MATERIAL=M\n2.0, 5"),
+        ("200.0, 0.3", "200.0, 0.3,, 1.0"),
+        ("*END STEP", "*ELEMENT MATRIX OUTPUT, ELSET=ALL, STIFFNESS=YES\n*END STEP"),
+    ];
+    let read = interpret(&deck(&linear, forms), A);
+    assert!(errors(&read).is_empty(), "{:#?}", errors(&read));
+    let notes = read.diagnostics.iter().filter(|found| found.code.0 == "SL0257").count();
+    assert_eq!(notes, 5, "{:#?}", read.diagnostics);
+    let short = step("*CLOAD\n6, 1, 1.0\n*EL PRINT, POS=CENTROIDAL\nS");
+    assert!(codes(&deck(&short, &[]), A).is_empty());
+    assert_eq!(codes(&deck(&short.replace("POS=", "PO="), &[]), A), ["SL0202"]);
+    let over: &[(&str, &str)] = &[("200.0, 0.3", "200.0, 0.3, 0.0, 1.0\n100.0, 0.3, 9.0, 2.0")];
+    assert_eq!(codes(&deck(&linear, over), A), ["SL0209"]);
+    let beam = |more: &str| {
+        let section = format!("*BEAM SECTION, ELSET=R, MATERIAL=M, SECTION=RECT{more}\n1.0, 1.0\n");
+        let beam = "*ELEMENT, TYPE=B21, ELSET=R\n9, 3, 6\n";
+        deck(&format!("{beam}{section}{linear}"), &[])
+    };
+    assert!(codes(&beam(", TEMPERATURE=GRADIENTS, LUMPED=NO"), A).is_empty());
+    assert_eq!(codes(&beam(", TEMPERATURE=VALUES"), A), ["SL0221"]);
+}
+
+/// Requirement: `<name>` stands for the value of the last *PARAMETER above, in data and behind `=`,
+/// with arithmetic; a name without a value is one error. Source: Abaqus manual, parametric input.
+#[test]
+fn values_behind_names() {
+    let parameters = "*PARAMETER\n# a comment\nE = 2.0e2; \nnu = 3.0/10 # behind it\nset = 'ALL'\n\
+                      load = -sqrt(E*E)\nnode = 2*3\n*NODE\n1,";
+    let exchanged: &[(&str, &str)] = &[
+        ("*NODE\n1,", parameters),
+        ("200.0, 0.3", "<E>, <nu>"),
+        ("B, MATERIAL=M\n2.0", "B, MATERIAL=M\n<E>"),
+    ];
+    let cards = "*CLOAD\n<node>, 1, <load>\n*PARAMETER\nload = load/4\n*CLOAD\n3, 1, <load>\n*EL PRINT, ELSET=<set>\nS";
+    let plain = [("B, MATERIAL=M\n2.0", "B, MATERIAL=M\n200.0")];
+    let same = "*CLOAD\n6, 1, -200.0\n*CLOAD\n3, 1, -50.0\n*EL PRINT, ELSET=ALL\nS";
+    let (own, other) =
+        (model(&deck(&step(cards), exchanged), A), model(&deck(&step(same), &plain), A));
+    let sections = |model: &Model| {
+        model.blocks.iter().map(|block| format!("{:?}", block.section)).collect::<Vec<_>>()
+    };
+    assert_eq!(sections(&own), sections(&other));
+    let loads = |model: &Model| {
+        model.steps[0].loads.iter().map(|own| (own.node, own.dof, own.value)).collect::<Vec<_>>()
+    };
+    assert_eq!(loads(&own), loads(&other));
+    let missing = deck(&step("*CLOAD\n6, 1, <Load>\n3, 1, <Load>"), exchanged);
+    assert_eq!(codes(&missing, A), ["SL0286"]);
+    let broken = deck(
+        &step(cards),
+        &[&[("3.0/10", "3/10")], exchanged].concat().into_iter().rev().collect::<Vec<_>>(),
+    );
+    assert_eq!(codes(&broken, A), ["SL0286"]);
+}
+
+/// Requirement: foam and deformation plasticity neither yield nor relax nor creep, and are no beams:
+/// refused, not passed over. Source: Abaqus manual, the laws that they go with.
+#[test]
+fn laws_that_stand_alone() {
+    let foam = "*HYPERFOAM\n1.0, 4.0, 0.2";
+    let metal = "*DEFORMATION PLASTICITY\n200.0, 0.3, 1.0, 4.0, 0.5";
+    let load = step("*CLOAD\n6, 1, 1.0");
+    for law in [foam, metal] {
+        let with = |more: &str| {
+            let law = format!("{law}\n{more}");
+            codes(&deck(&load, &[("*ELASTIC\n200.0, 0.3\n", law.as_str())]), A)
+        };
+        assert!(with("").is_empty(), "{law}: {:?}", with(""));
+        assert_eq!(with("*PLASTIC\n1.0, 0.0\n"), ["SL0309"], "{law}");
+        assert_eq!(with("*VISCOELASTIC, TIME=PRONY\n0.5, 0.0, 1.0\n"), ["SL0309"], "{law}");
+        assert_eq!(with("*CREEP, LAW=TIME\n1e-9, 3.0, 0.0\n"), ["SL0309"], "{law}");
+        assert_eq!(with("*ELASTIC\n200.0, 0.3\n"), ["SL0242"], "{law}");
+        let beam = format!(
+            "*ELEMENT, TYPE=B21, ELSET=R\n9, 3, 6\n*BEAM SECTION, ELSET=R, MATERIAL=M, SECTION=RECT\n\
+             1.0, 1.0\n{load}"
+        );
+        let law = format!("{law}\n");
+        let found = codes(&deck(&beam, &[("*ELASTIC\n200.0, 0.3\n", law.as_str())]), A);
+        assert_eq!(found, ["SL0309"], "{law}");
+    }
+    for wrong in [
+        "*HYPERFOAM\n1.0, 0.0, 0.2",
+        "*HYPERFOAM\n1.0, 4.0, 0.5",
+        "*HYPERFOAM\n-1.0, 4.0, 0.2",
+        "*DEFORMATION PLASTICITY\n200.0, 0.3, 0.0, 4.0, 0.5",
+        "*DEFORMATION PLASTICITY\n200.0, 0.3, 1.0, 0.5, 0.5",
+        "*DEFORMATION PLASTICITY\n200.0, 0.3, 1.0, 4.0, 0.0",
+    ] {
+        let law = format!("{wrong}\n");
+        let found = codes(&deck(&load, &[("*ELASTIC\n200.0, 0.3\n", law.as_str())]), A);
+        assert_eq!(found, ["SL0234"], "{wrong}");
+    }
 }

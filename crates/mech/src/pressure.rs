@@ -103,6 +103,24 @@ impl Face {
         }
     }
 
+    /// Forces of a traction of size one along the face, where a unit vector points when it is laid
+    /// onto it; false where it stands across at a point. Adds to `force` [L2], docs/theory.md
+    /// eq. (4.8).
+    pub fn rub(&self, along: [f64; 3], x: &[[f64; 3]], force: &mut [[f64; 3]]) -> bool {
+        self.points().all(|at| {
+            let normal = self.normal(&at, x);
+            let area = dot(normal, normal).sqrt();
+            let part = dot(normal, along) / (area * area);
+            let laid: [f64; 3] = std::array::from_fn(|k| along[k] - part * normal[k]);
+            let size = dot(laid, laid).sqrt();
+            for (own, shape) in force.iter_mut().zip(at.shapes) {
+                let factor = at.weight * shape * area / size;
+                own.iter_mut().zip(laid).for_each(|(f, t)| *f += factor * t);
+            }
+            size > ACROSS
+        })
+    }
+
     /// Outward normal times the area of a point of the reference cell.
     fn normal(&self, at: &At, x: &[[f64; 3]]) -> [f64; 3] {
         let [a, b] = tangents(at, x);
@@ -275,6 +293,13 @@ fn edge_point(nodes: usize, point: usize, thickness: f64) -> At {
     edge_at(nodes, xi, weight * thickness)
 }
 
+/// What of a unit vector lies along a face, below which it stands across but for rounding [1].
+const ACROSS: f64 = 1e-8;
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
 fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
@@ -389,6 +414,29 @@ mod tests {
             let sum: f64 = pulled.iter().map(|f| f[1]).sum();
             assert!((sum - 2.0 * pi * 4.0 * 2.5).abs() < 1e-12, "{nodes} {sum}");
         }
+    }
+
+    /// Requirement: a traction along a face has the size of its area and the direction laid onto it,
+    /// at every point of a bent one; a direction across the face has none. Tolerance: rounding.
+    #[test]
+    fn a_traction_along_a_face() {
+        let quad = Face::Area(&QUAD8, &QUAD_9);
+        let slope = 0.75; // the face rises along x: tangent (4, 0, 3)/5, area 4 * 5/4
+        let x: Vec<_> = QUAD8.places.iter().map(|&[a, b, _]| [a, b, slope * a]).collect();
+        let mut force = [[0.0; 3]; 8];
+        assert!(quad.rub([1.0, 0.0, 0.0], &x, &mut force));
+        let sums = [0, 1, 2].map(|k| force.iter().map(|f| f[k]).sum::<f64>());
+        for (sum, exact) in sums.into_iter().zip([4.0, 0.0, 3.0]) {
+            assert!((sum - exact).abs() < 1e-13, "{sums:?}");
+        }
+        assert!(!quad.rub([-0.6, 0.0, 0.8], &x, &mut force));
+        // an arc of three nodes: along it all the way
+        let arc = Face::of(2, 3, 1.0).unwrap_or(quad);
+        let x = [[-1.0, 0.0, 0.0], [0.0, 0.5, 0.0], [1.0, 0.0, 0.0]];
+        let mut force = [[0.0; 3]; 3];
+        assert!(arc.rub([1.0, 0.0, 0.0], &x, &mut force));
+        let sums = [0, 1].map(|k| force.iter().map(|f| f[k]).sum::<f64>());
+        assert!((sums[0] - 2.0).abs() < 1e-13 && sums[1].abs() < 1e-13, "{sums:?}");
     }
 
     /// Requirement: on flat faces the sum is pressure times area, inwards.

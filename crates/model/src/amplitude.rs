@@ -67,6 +67,22 @@ pub enum Curve {
     },
 }
 
+impl Curve {
+    /// The same curve, later by a time [T].
+    pub fn delayed(&self, by: f64) -> Self {
+        let mut later = self.clone();
+        match &mut later {
+            Self::Tabular(points) | Self::SmoothStep(points) => {
+                points.iter_mut().for_each(|(time, _)| *time += by);
+            }
+            Self::Periodic { start, .. }
+            | Self::Modulated { start, .. }
+            | Self::Decay { start, .. } => *start += by,
+        }
+        later
+    }
+}
+
 impl Amplitude {
     /// A table over the time of a step.
     pub fn tabular(name: &str, points: Vec<(f64, f64)>, origin: Span) -> Self {
@@ -140,6 +156,27 @@ mod tests {
         assert_eq!([0.0, 1.0, 2.0, 3.0, 9.0].map(|t| ramp.at(t)), [2.0, 2.0, 4.0, 6.0, 6.0]);
         let total = Amplitude { begins: 1.0, ..ramp };
         assert_eq!([0.0, 1.0, 2.0].map(|t| total.at(t)), [2.0, 4.0, 6.0]);
+    }
+
+    /// Requirement: a delayed curve has every value later by its delay, whatever its kind.
+    #[test]
+    fn a_delayed_curve_comes_later() {
+        let curves = [
+            Curve::Tabular(vec![(1.0, 2.0), (3.0, 6.0)]),
+            Curve::SmoothStep(vec![(1.0, 2.0), (3.0, 6.0)]),
+            Curve::Periodic { frequency: 2.0, start: 1.0, mean: 0.25, terms: vec![(0.5, 1.0)] },
+            Curve::Modulated { mean: 1.0, swing: 2.0, start: 0.5, frequencies: (3.0, 5.0) },
+            Curve::Decay { mean: 1.0, swing: 2.0, start: 0.5, time: 4.0 },
+        ];
+        for curve in curves {
+            let later = curve.delayed(0.75);
+            let own = Amplitude { curve, ..Amplitude::tabular("A", vec![], Span::default()) };
+            let later = Amplitude { curve: later, ..own.clone() };
+            for time in [0.0, 0.3, 0.5, 1.0, 1.7, 2.6, 4.0] {
+                let difference = later.at(time + 0.75) - own.at(time);
+                assert!(difference.abs() < 1e-14, "{:?} at {time}", own.curve);
+            }
+        }
     }
 
     /// Requirement: the smooth step is at rest at its points and half way in the middle; the

@@ -229,6 +229,18 @@ fn told(material: &Material) -> String {
             format!("E = {}, nu = {}", general(elastic.modulus, 9), general(elastic.poisson, 9))
         }
         (Material::Anisotropic(_), _) => "anisotropic elasticity".to_owned(),
+        (Material::Foam(_), Some(elastic)) => format!(
+            "foam; at small strain E = {}, nu = {}",
+            general(elastic.modulus, 9),
+            general(elastic.poisson, 9)
+        ),
+        (Material::RambergOsgood(metal), _) => format!(
+            "E = {}, nu = {}, deformation plasticity from {} with exponent {}",
+            general(metal.elastic.modulus, 9),
+            general(metal.elastic.poisson, 9),
+            general(metal.stress, 9),
+            general(metal.exponent, 9)
+        ),
         (Material::Rubber(_), Some(elastic)) => format!(
             "rubber of shear modulus {} and bulk modulus {} at small strain",
             general(elastic.shear_modulus(), 9),

@@ -186,6 +186,8 @@ pub(crate) struct Summary<'a> {
     noise: Option<Value>,
     /// How many states were written, the start among them.
     states: usize,
+    /// Whether a step has begun.
+    begun: bool,
 }
 
 impl<'a> Summary<'a> {
@@ -215,6 +217,7 @@ impl<'a> Summary<'a> {
             names: Default::default(),
             noise: None,
             states: 0,
+            begun: false,
         }
     }
 
@@ -255,7 +258,8 @@ impl<'a> Summary<'a> {
     /// Takes note of everything but the end.
     pub fn watch(&mut self, event: &Event<'_>) {
         match event {
-            Event::StepBegin(step) if self.curves.is_empty() => {
+            Event::StepBegin(step) if !self.begun => {
+                self.begun = true;
                 let any = step.model.steps.iter().any(|step| step.output.has_states());
                 self.states += usize::from(any && !step.resumed);
                 self.list_curves(step);

@@ -159,6 +159,26 @@ impl Observer for StopAfter {
     }
 }
 
+/// Requirement: a job of two steps in which only loads move anything lists its start once, and its
+/// report is written. Source: a deck of somebody else, which ended with SL0702.
+#[test]
+fn steps_of_loads_alone_have_one_start() {
+    let load = |size: f64| format!("*STEP\n*STATIC\n0.5, 1.0\n*CLOAD\n3, 1, {size}\n*END STEP\n");
+    let deck = format!(
+        "*NODE\n1, 0., 0.\n2, 1., 0.\n3, 1., 1.\n4, 0., 1.\n*ELEMENT, TYPE=CPS4, ELSET=E\n1, 1, 2, 3, 4\n\
+         *SOLID SECTION, ELSET=E, MATERIAL=M\n*MATERIAL, NAME=M\n*ELASTIC\n1000., 0.3\n\
+         *BOUNDARY\n1, 1, 2\n4, 1\n2, 2\n{}{}",
+        load(1.0),
+        load(2.0)
+    );
+    let folder = folder("loads-alone");
+    let read = Job::read_text("loads", &deck, &ReadOptions::default());
+    let outcome = run(&read, &options(&folder), &mut Quiet);
+    assert_eq!(outcome.status, Status::Completed, "{:#?} {outcome:#?}", read.diagnostics);
+    let list = std::fs::read_to_string(folder.join("loads.pvd")).unwrap();
+    assert_eq!(list.matches("<DataSet ").count(), 5);
+}
+
 #[test]
 fn an_observer_may_stop_a_run() {
     let folder = folder("stop");

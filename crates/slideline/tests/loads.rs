@@ -112,6 +112,16 @@ fn pressure_on_a_side() {
     }
 }
 
+/// Requirement: a traction along a surface pulls where its direction points when laid onto it, with
+/// its whole size. Source: Abaqus manual, `*DSLOAD` (TRSHR). Tolerance: rounding.
+#[test]
+fn traction_along_a_side() {
+    let end = run("", "*DSLOAD\nRIGHT, TRSHR, 5., 7., 0.5, 0.\n");
+    let across: f64 = [1, 2, 3].map(|node| end.reaction[&node][1]).iter().sum();
+    let along: f64 = [1, 4, 7].map(|node| end.reaction[&node][0]).iter().sum();
+    assert!((across + 5.0 * 3.0).abs() < 1e-9 && along.abs() < 1e-9, "{across} {along}");
+}
+
 /// Requirement: pressure that follows its faces converges quadratically at large strain, and on all
 /// free sides of a body it leaves no resultant: reactions along a side are q times its current
 /// length.

@@ -1,4 +1,5 @@
-//! Rubber from test data, through decks: what is read, drawn, and answered by elements.
+//! Rubber from test data, foam and metals of a curved law, through decks: what is read, drawn, and
+//! answered by elements.
 
 #![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
 
@@ -164,4 +165,60 @@ fn the_order_of_the_data_does_not_matter() {
         "*UNIAXIAL TEST DATA\n0.58, 1.17\n0.23, 0.24\n*UNIAXIAL TEST DATA\n0.41, 0.61\n0.14, 0.12\n",
     );
     assert!(one.iter().zip(two).all(|(a, b)| (a / b - 1.0).abs() < 1e-9), "{one:?} {two:?}");
+}
+
+/// Requirement: a cube of foam that is crushed or pulled along one axis has the nominal stress
+/// 2 mu/(alpha l) (l^alpha - J^(-alpha beta)) and J = l^(1 - 2 nu), in both dialects; two equal terms
+/// of half the size are one. Source: docs/theory.md eq. (3.100). Tolerance: that of the equilibrium.
+#[test]
+fn a_cube_of_foam() {
+    let (shear, power) = (0.4, 8.0);
+    for dialect in [Dialect::Abaqus, Dialect::Calculix] {
+        for (poisson, strain) in [(0.0, -0.6), (0.25, -0.3), (0.25, 0.4)] {
+            let stretch = 1.0 + strain;
+            let beta = poisson / (1.0 - 2.0 * poisson);
+            let volume = f64::powf(stretch, 1.0 - 2.0 * poisson);
+            let expected = 2.0 * shear / (power * stretch)
+                * (f64::powf(stretch, power) - volume.powf(-power * beta));
+            let one = format!("*HYPERFOAM\n{shear}, {power}, {poisson}\n");
+            let (half, two) = (0.5 * shear, format!("{power}, {poisson}, {poisson}"));
+            let two = format!("*HYPERFOAM, N=2\n{half}, {power}, {half}, {two}\n");
+            for (terms, law) in [(1, one), (2, two)] {
+                let read = read(&deck(&law, &motion(Mode::Uniaxial, strain)), dialect);
+                let name = format!("foam-{terms}-{poisson}-{strain}-{dialect:?}");
+                let force = total(&run(&name, &read)(".history.csv"));
+                assert!((force / expected - 1.0).abs() < 1e-6, "{name}: {force} {expected}");
+            }
+        }
+    }
+}
+
+/// Requirement: a cube by deformation plasticity that is pulled far beyond its yield stress answers
+/// with the stress of E e = s + alpha (s/s0)^(n-1) s, e the logarithmic strain in Abaqus' dialect and
+/// Green's in CalculiX'. Source: docs/theory.md eq. (3.101), by bisection. Tolerance: that of the
+/// equilibrium.
+#[test]
+fn a_cube_by_deformation_plasticity() {
+    let (modulus, yields, exponent, offset) = (200.0, 0.3, 5.0, 0.4);
+    let stress = |strain: f64| {
+        let (mut low, mut high) = (0.0, modulus * strain);
+        for _ in 0..100 {
+            let middle = 0.5 * (low + high);
+            let bent = offset * f64::powf(middle / yields, exponent - 1.0) * middle;
+            if middle + bent < modulus * strain { low = middle } else { high = middle }
+        }
+        low
+    };
+    let law = format!("*DEFORMATION PLASTICITY\n{modulus}, 0.3, {yields}, {exponent}, {offset}\n");
+    for strain in [1e-3, 0.02, 0.2] {
+        let stretch = 1.0 + strain;
+        let abaqus = stress(f64::ln(stretch)) / stretch;
+        let calculix = stress(strain + 0.5 * strain * strain) * stretch;
+        for (dialect, expected) in [(Dialect::Abaqus, abaqus), (Dialect::Calculix, calculix)] {
+            let read = read(&deck(&law, &motion(Mode::Uniaxial, strain)), dialect);
+            let name = format!("deformation-{strain}-{dialect:?}");
+            let force = total(&run(&name, &read)(".history.csv"));
+            assert!((force / expected - 1.0).abs() < 1e-5, "{name}: {force} {expected}");
+        }
+    }
 }

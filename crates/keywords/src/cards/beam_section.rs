@@ -24,8 +24,14 @@ impl Keyword for BeamSection {
             Rule::required("ELSET"),
             Rule::required("MATERIAL"),
             Rule::value("POISSON"),
+            Rule::value("TEMPERATURE"),
         ];
         RULES
+    }
+
+    fn without_effect(&self) -> &'static [&'static str] {
+        // inertia
+        &["LUMPED", "ROTARY INERTIA"]
     }
 
     fn level(&self) -> Level {
@@ -45,6 +51,7 @@ impl Keyword for BeamSection {
         let kind = card.choice("SECTION", SHAPES, &mut draft.log);
         let named = card.name("ELSET").zip(card.name("MATERIAL"));
         let Some((kind, (set, material))) = kind.zip(named) else { return };
+        temperatures(card, draft);
         let poisson = poisson(card, draft);
         // the third one, points of a section that is integrated, changes no elastic beam
         draft.log.at_most_lines(card.data(), 3, self.name());
@@ -68,6 +75,16 @@ impl Keyword for BeamSection {
             orientation: None,
             origin: card.span(),
         });
+    }
+}
+
+/// Temperatures are given as a value and its slopes, as `GRADIENTS` says.
+fn temperatures(card: &Reading<'_>, draft: &mut Draft) {
+    if card.choice("TEMPERATURE", &["GRADIENTS", "VALUES"], &mut draft.log) == Some("VALUES") {
+        let message = "TEMPERATURE=VALUES of *BEAM SECTION is not supported";
+        let error = Diagnostic::error(Code("SL0221"), message).at(card.span_of("TEMPERATURE"));
+        let help = "leave it out, and give *TEMPERATURE as value and slope: TEMPERATURE=GRADIENTS";
+        draft.log.push(error.help(help));
     }
 }
 

@@ -23,6 +23,7 @@ impl Keyword for Boundary {
             Rule::value("OPT"),
             Rule::value("TYPE"),
             Rule::value("AMPLITUDE"),
+            Rule::value("TIME DELAY"),
             Rule::flag("FIXED"),
         ];
         RULES
@@ -57,7 +58,7 @@ impl Keyword for Boundary {
             let message = format!("*BOUNDARY, TYPE={kind} is not supported: DISPLACEMENT only");
             draft.log.error("SL0221", message, card.span_of("TYPE"));
         }
-        let amplitude = card.name("AMPLITUDE").map(|name| (name, card.span_of("AMPLITUDE")));
+        let amplitude = crate::curves::of_card(card, draft);
         let mut lines = Vec::new();
         for line in card.data() {
             if let Some(mut line) = condition(line, draft) {

@@ -1,6 +1,7 @@
 //! `*CLOAD`: concentrated forces and moments.
 
 use slideline_deck::DataLine;
+use slideline_diag::{Code, Diagnostic};
 
 use crate::draft::Boundary;
 use crate::draft::Draft;
@@ -16,7 +17,12 @@ impl Keyword for Cload {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] = &[Rule::value("OP"), Rule::value("AMPLITUDE")];
+        const RULES: &[Rule] = &[
+            Rule::value("OP"),
+            Rule::value("AMPLITUDE"),
+            Rule::value("TIME DELAY"),
+            Rule::maybe("FOLLOWER"),
+        ];
         RULES
     }
 
@@ -37,8 +43,9 @@ impl Keyword for Cload {
     }
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
+        follower(card, draft);
         let new = card.choice("OP", &["MOD", "NEW"], &mut draft.log) == Some("NEW");
-        let amplitude = card.name("AMPLITUDE").map(|name| (name, card.span_of("AMPLITUDE")));
+        let amplitude = crate::curves::of_card(card, draft);
         let mut lines = Vec::new();
         for line in card.data() {
             if let Some(mut load) = load(line, draft) {
@@ -51,6 +58,22 @@ impl Keyword for Cload {
             step.loads.extend(lines);
         }
     }
+}
+
+/// Forces that turn with their node: in a step without NLGEOM nothing turns.
+fn follower(card: &Reading<'_>, draft: &mut Draft) {
+    if card.yes("FOLLOWER", &mut draft.log) != Some(true) {
+        return;
+    }
+    let span = card.span_of("FOLLOWER");
+    if draft.step().is_some_and(|step| !step.nlgeom) {
+        let message = "FOLLOWER has no effect in a step without NLGEOM: nothing turns there";
+        draft.log.note("SL0257", message, span);
+        return;
+    }
+    let error = Diagnostic::error(Code("SL0221"), "FOLLOWER of *CLOAD is not supported").at(span);
+    let help = "forces keep their direction: leave FOLLOWER out where the node hardly turns";
+    draft.log.push(error.help(help));
 }
 
 fn load(line: &DataLine, draft: &mut Draft) -> Option<Boundary> {

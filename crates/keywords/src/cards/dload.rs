@@ -17,7 +17,8 @@ impl Keyword for Dload {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] = &[Rule::value("OP"), Rule::value("AMPLITUDE")];
+        const RULES: &[Rule] =
+            &[Rule::value("OP"), Rule::value("AMPLITUDE"), Rule::value("TIME DELAY")];
         RULES
     }
 
@@ -45,7 +46,7 @@ pub(super) fn take(
     draft: &mut Draft,
 ) {
     let new = card.choice("OP", &["MOD", "NEW"], &mut draft.log) == Some("NEW");
-    let amplitude = card.name("AMPLITUDE").map(|name| (name, card.span_of("AMPLITUDE")));
+    let amplitude = crate::curves::of_card(card, draft);
     let mut lines = Vec::new();
     for line in card.data() {
         if let Some(mut load) = line_of(line, draft) {

@@ -18,8 +18,12 @@ impl Keyword for Dsload {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] =
-            &[Rule::value("OP"), Rule::value("AMPLITUDE"), Rule::value("FOLLOWER")];
+        const RULES: &[Rule] = &[
+            Rule::value("OP"),
+            Rule::value("AMPLITUDE"),
+            Rule::value("TIME DELAY"),
+            Rule::value("FOLLOWER"),
+        ];
         RULES
     }
 
@@ -37,9 +41,11 @@ impl Keyword for Dsload {
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
         let follower = card.yes("FOLLOWER", &mut draft.log);
-        let pulls = |line: &DataLine| line.field(1).is_some_and(|f| normalise(&f.text) == "TRVEC");
+        let pulls = |line: &DataLine| {
+            line.field(1).is_some_and(|f| ["TRVEC", "TRSHR"].contains(&&*normalise(&f.text)))
+        };
         if follower != Some(false) && card.data().iter().any(pulls) {
-            let message = "TRVEC keeps its direction and the undeformed area here";
+            let message = "tractions keep their direction and the undeformed area here";
             draft.log.note("SL0253", message, card.span());
         }
         take(card, line_of, draft);
@@ -58,8 +64,9 @@ fn line_of(line: &DataLine, draft: &mut Draft) -> Option<Distributed> {
             Kind::Pressure(None)
         }
         "TRVEC" => Kind::Traction(direction(line, 3, draft)?),
+        "TRSHR" => Kind::Shear(direction(line, 3, draft)?),
         _ => {
-            unknown(line, "P, TRVEC", draft);
+            unknown(line, "P, TRVEC, TRSHR", draft);
             return None;
         }
     };

@@ -80,7 +80,14 @@ fn isotropic(card: &Reading<'_>, draft: &mut Draft) -> Option<Table<material::El
     card.first_line("E, nu", &mut draft.log)?;
     let mut table = Table::new();
     for line in card.data() {
-        draft.log.at_most(line, 3);
+        match (card.data(), line.field(2)) {
+            // one line holds for all temperatures and all values of fields
+            ([_], None) if line.fields.len() > 3 => {
+                let message = "values of fields have no effect without DEPENDENCIES";
+                draft.log.note("SL0257", message, line.fields[3].span);
+            }
+            _ => draft.log.at_most(line, 3),
+        }
         let elastic = constants(line, draft)?;
         let temperature = draft.log.number_or(line, 2, 0.0)?;
         if !draft.log.ascends(table.last().map(|last| last.0), temperature, line, 2) {
@@ -91,7 +98,8 @@ fn isotropic(card: &Reading<'_>, draft: &mut Draft) -> Option<Table<material::El
     Some(table)
 }
 
-fn constants(line: &DataLine, draft: &mut Draft) -> Option<material::Elastic> {
+/// E and nu, the first two values of a line.
+pub(super) fn constants(line: &DataLine, draft: &mut Draft) -> Option<material::Elastic> {
     let modulus = draft.log.number(line, 0, "Young's modulus E");
     let poisson = draft.log.number_or(line, 1, 0.0);
     let (modulus, poisson) = (modulus?, poisson?);

@@ -52,13 +52,16 @@ impl Keyword for SolidSection {
     }
 }
 
-/// The thickness out of the plane [L], 1 by default.
-fn thickness(card: &Reading<'_>, draft: &mut Draft) -> Option<f64> {
-    let Some(line) = card.data().first() else { return Some(1.0) };
-    draft.log.at_most(line, 1);
+/// The thickness out of the plane [L], if it is given; `None` after an error.
+fn thickness(card: &Reading<'_>, draft: &mut Draft) -> Option<Option<f64>> {
+    let Some(line) = card.data().first() else { return Some(None) };
     draft.log.at_most_lines(card.data(), 1, "SOLID SECTION");
-    let thickness = draft.log.number_or(line, 0, 1.0)?;
-    if thickness <= 0.0 {
+    if let Some(more) = line.fields.get(1) {
+        let message = "numbers behind the thickness have no effect on solids and are ignored";
+        draft.log.note("SL0257", message, more.span);
+    }
+    let thickness = draft.log.maybe_number(line, 0)?;
+    if thickness.is_some_and(|own| own <= 0.0) {
         let message = "the thickness of the section must be positive";
         draft.log.error("SL0210", message, line.fields[0].span);
         return None;

@@ -14,7 +14,8 @@ impl Keyword for Temperature {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] = &[Rule::value("OP"), Rule::value("AMPLITUDE")];
+        const RULES: &[Rule] =
+            &[Rule::value("OP"), Rule::value("AMPLITUDE"), Rule::value("TIME DELAY")];
         RULES
     }
 
@@ -32,7 +33,7 @@ impl Keyword for Temperature {
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
         let new = card.choice("OP", &["MOD", "NEW"], &mut draft.log) == Some("NEW");
-        let amplitude = card.name("AMPLITUDE").map(|name| (name, card.span_of("AMPLITUDE")));
+        let amplitude = crate::curves::of_card(card, draft);
         let mut lines = temperatures::lines(card, draft);
         lines.iter_mut().for_each(|line| line.amplitude.clone_from(&amplitude));
         if let Some(step) = draft.step() {

@@ -4,8 +4,9 @@ use slideline_diag::Span;
 use slideline_mech::element::BeamHeat;
 use slideline_mech::material::hyperelastic::{Form, Mode};
 use slideline_mech::material::{
-    Anisotropic, BackStress, CreepHardening, Creeping, Elastic, Expanding, Expansion, Graded,
-    Growth, Hardening, LargeStrain, Plastic, PowerLaw, Relaxation, Rubber, Viscoelastic,
+    Anisotropic, BackStress, CreepHardening, Creeping, Elastic, Expanding, Expansion, Foam, Graded,
+    Growth, Hardening, LargeStrain, Plastic, PowerLaw, RambergOsgood, Relaxation, Rubber,
+    Viscoelastic,
 };
 use slideline_mech::orientation::Orientation;
 use slideline_model::{self as model, BeamSection, Dialect, Limit, Shape, ShearRule, SolidSection};
@@ -35,9 +36,8 @@ pub(crate) enum Body {
         first_axis: [f64; 3],
         elastic: Option<(Elastic, f64)>,
     },
-    Solid {
-        thickness: f64,
-    },
+    /// Thickness out of the plane, of a truss its area; one where it is not given.
+    Solid { thickness: Option<f64> },
 }
 
 impl Body {
@@ -71,6 +71,7 @@ impl Body {
                 model::Section::Beam(section)
             }
             Self::Solid { thickness } => {
+                let thickness = thickness.unwrap_or(1.0);
                 let material = material.solid(dialect)?;
                 model::Section::Solid(SolidSection { thickness, material, orientation })
             }
@@ -143,6 +144,9 @@ pub(crate) enum Elasticity {
     Rubber(Table<Rubber>),
     /// Rubber that its test data will give.
     Tested(Wanted),
+    Foam(Foam),
+    /// Deformation plasticity.
+    Deformation(RambergOsgood),
     /// A card that could not be read, which has been said.
     Unread,
 }
@@ -154,6 +158,8 @@ impl Elasticity {
             Self::Isotropic(_) | Self::Unread => "is isotropic",
             Self::Anisotropic(_) | Self::Ply(_) => "is not isotropic",
             Self::Rubber(_) | Self::Tested(_) => "is rubber",
+            Self::Foam(_) => "is foam",
+            Self::Deformation(_) => "has *DEFORMATION PLASTICITY",
         }
     }
 }
@@ -227,7 +233,7 @@ impl Material {
             (Dialect::Calculix, _) | (_, Elasticity::Anisotropic(_) | Elasticity::Ply(_)) => {
                 Growth::Green
             }
-            (_, Elasticity::Rubber(_)) => Growth::Length,
+            (_, Elasticity::Rubber(_) | Elasticity::Foam(_)) => Growth::Length,
             _ => Growth::Logarithmic,
         };
         Some(match self.expansion()? {
@@ -309,6 +315,11 @@ impl Material {
                     graded(table.iter().map(|(at, e)| (*at, row(e))))
                 }
             },
+            Elasticity::Foam(own) => Some(model::Material::Foam(own.clone())),
+            Elasticity::Deformation(own) => {
+                let own = RambergOsgood { strain: large, ..*own };
+                Some(model::Material::RambergOsgood(Box::new(own)))
+            }
             Elasticity::Unread | Elasticity::Tested(_) => None,
         }
     }

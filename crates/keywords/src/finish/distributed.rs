@@ -122,15 +122,36 @@ fn on_face(own: &SolidFace, line: &Distributed, draft: &mut Draft) -> Option<((u
     let number = own.face.map_or(0, |face| face + 1);
     let what = match line.kind {
         Kind::Traction(direction) => {
-            let x: Vec<[f64; 3]> =
-                own.nodes.iter().map(|&node| draft.model.nodes.get(node).position).collect();
+            let x = places(&own.nodes, draft);
             let mut forces = vec![[0.0; 3]; x.len()];
             face.pull(direction, &x, &mut forces);
+            What::Forces(shares(&own.nodes, &forces, draft))
+        }
+        Kind::Shear(direction) => {
+            let x = places(&own.nodes, draft);
+            let mut forces = vec![[0.0; 3]; x.len()];
+            if !face.rub(direction, &x, &mut forces) {
+                across(line, draft);
+                return None;
+            }
             What::Forces(shares(&own.nodes, &forces, draft))
         }
         _ => What::Pressure(face, own.nodes.clone()),
     };
     Some(((own.element, line.key(number, draft.dialect)), what))
+}
+
+/// Complains about a traction along a face whose direction stands across it.
+fn across(line: &Distributed, draft: &mut Draft) {
+    let message = "the direction of TRSHR stands across the face: it has no part along it";
+    let error = Diagnostic::error(Code("SL0232"), message).at(line.origin);
+    let help = "give a direction along the face, or a traction of any direction: TRVEC";
+    draft.consequence(Subject::Steps, error.help(help));
+}
+
+/// Where nodes are [L].
+fn places(nodes: &[NodeIndex], draft: &Draft) -> Vec<[f64; 3]> {
+    nodes.iter().map(|&node| draft.model.nodes.get(node).position).collect()
 }
 
 /// Forces on nodes, those that are zero or out of a plane model left out.
@@ -168,7 +189,9 @@ fn leaves(kind: Kind, row: &ElementType, dialect: Dialect) -> Option<&'static st
         Kind::Body(along) if axis(along, row, dialect).is_some() => None,
         Kind::Body(Along::Radius) => Some("has no radius"),
         Kind::Body(_) => Some("takes no load out of its plane"),
-        Kind::Traction([_, _, z]) => (z.abs() > NOUGHT).then_some("takes no load out of its plane"),
+        Kind::Traction([_, _, z]) | Kind::Shear([_, _, z]) => {
+            (z.abs() > NOUGHT).then_some("takes no load out of its plane")
+        }
         Kind::Gravity([x, _, z]) if ring => {
             (x.abs().max(z.abs()) > NOUGHT).then_some("takes gravity along its axis alone")
         }
@@ -206,7 +229,7 @@ fn on_volume(index: usize, line: &Distributed, draft: &mut Draft) -> Option<((us
     let ElementKind::Structural(row) = element.kind else { return None };
     let everything = matches!(&line.on, On::Elements(Target::Set(set), _) if set.is_empty());
     let nodes = face_nodes(index, None, draft)?;
-    let x: Vec<[f64; 3]> = nodes.iter().map(|&node| draft.model.nodes.get(node).position).collect();
+    let x = places(&nodes, draft);
     let (thickness, material) = section(index, draft).unwrap_or((1.0, String::new()));
     let density = match kind {
         Kind::Body(_) | Kind::Line(_) => 1.0,
@@ -276,7 +299,7 @@ fn density(material: &str, draft: &Draft) -> Option<f64> {
 fn section(index: usize, draft: &mut Draft) -> Option<(f64, String)> {
     let section = section_of(index, draft)?;
     let thickness = match section.body {
-        Body::Solid { thickness, .. } => thickness,
+        Body::Solid { thickness } => thickness.unwrap_or(1.0),
         Body::Beam { shape, .. } => shape.area(),
     };
     Some((thickness, section.material.clone()))

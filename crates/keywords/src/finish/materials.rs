@@ -158,10 +158,21 @@ fn takes_time_soundly(material: &crate::draft::Material, draft: &mut Draft) -> b
         yielding.and_then(|(own, card)| own.as_ref().filter(|own| moves(own)).and(Some(card)));
     let other =
         [&material.hardening.as_ref().map(|own| own.1), &material.creep.as_ref().map(|own| own.1)];
-    let directed = matches!(elasticity, Elasticity::Anisotropic(_) | Elasticity::Ply(_));
+    let relaxes = match elasticity {
+        Elasticity::Anisotropic(_)
+        | Elasticity::Ply(_)
+        | Elasticity::Foam(_)
+        | Elasticity::Deformation(_) => false,
+        Elasticity::Isotropic(_)
+        | Elasticity::Rubber(_)
+        | Elasticity::Tested(_)
+        | Elasticity::Unread => true,
+    };
     let is_linear = matches!(elasticity, Elasticity::Isotropic(_) | Elasticity::Unread);
     let refused = match (&material.relaxation, &material.creep) {
-        (Some((_, own)), _) if directed => Some((own, "relaxes and is not isotropic".to_owned())),
+        (Some((_, own)), _) if !relaxes => {
+            Some((own, format!("relaxes and {}", elasticity.word())))
+        }
         (Some((_, own)), _) => {
             let beside = other.into_iter().flatten().next();
             beside.map(|(name, _)| (own, format!("relaxes, and has *{name}")))

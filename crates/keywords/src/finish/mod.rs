@@ -27,6 +27,7 @@ mod steps;
 mod surface_pairs;
 mod surfaces;
 mod temperatures;
+mod thicknesses;
 mod ties;
 mod unknown;
 
@@ -44,6 +45,7 @@ pub(crate) fn finish(draft: &mut Draft, steps_doubted: bool) -> Model {
     nodes::elements(draft);
     let parted = pre_tension::cut(draft);
     rubber::rubbers(draft);
+    thicknesses::of_nodes(draft);
     sections::sections(draft);
     springs::springs(draft);
     faces::check(draft);

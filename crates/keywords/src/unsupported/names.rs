@@ -20,7 +20,7 @@ pub(super) const GROUPS: &[Group] = &[
     (
         Parameters,
         "write the numbers themselves in place of the names in <...>",
-        &["PARAMETER", "PARAMETER DEPENDENCE", "PARAMETER SHAPE VARIATION", "DESIGN PARAMETER"],
+        &["PARAMETER DEPENDENCE", "PARAMETER SHAPE VARIATION", "DESIGN PARAMETER"],
     ),
     (
         Ignored,
@@ -52,7 +52,7 @@ pub(super) const GROUPS: &[Group] = &[
     ),
     (
         Ignored,
-        "there are no temperatures",
+        "temperatures are given here, not computed",
         &[
             "CONDUCTIVITY",
             "SPECIFIC HEAT",
@@ -86,7 +86,14 @@ pub(super) const GROUPS: &[Group] = &[
             "RADIATION PRINT",
             "RADIATION FILE",
             "SURFACE OUTPUT",
+            "ELEMENT MATRIX OUTPUT",
+            "ELEMENT OPERATOR OUTPUT",
         ],
+    ),
+    (
+        Ignored,
+        "it says how constraints are checked and printed, and all are checked here anyway",
+        &["CONSTRAINT CONTROLS"],
     ),
     (
         Ignored,
@@ -195,7 +202,8 @@ pub(super) const GROUPS: &[Group] = &[
     ),
     (
         Unsupported,
-        "materials are *ELASTIC, *PLASTIC, *HYPERELASTIC, *VISCOELASTIC and *CREEP",
+        "materials are *ELASTIC, *PLASTIC, *DEFORMATION PLASTICITY, *HYPERELASTIC, *HYPERFOAM, \
+         *VISCOELASTIC and *CREEP",
         &[
             "ACOUSTIC MEDIUM",
             "ANISOTROPIC HYPERELASTIC",
@@ -212,7 +220,6 @@ pub(super) const GROUPS: &[Group] = &[
             "DAMAGE EVOLUTION",
             "DAMAGE INITIATION",
             "DAMAGE STABILIZATION",
-            "DEFORMATION PLASTICITY",
             "DEPVAR",
             "DRUCKER PRAGER",
             "DRUCKER PRAGER HARDENING",
@@ -222,7 +229,6 @@ pub(super) const GROUPS: &[Group] = &[
             "FAIL STRESS",
             "FLUID CONSTANTS",
             "FOAM HARDENING",
-            "HYPERFOAM",
             "HYPOELASTIC",
             "HYSTERESIS",
             "JOINTED MATERIAL",
@@ -281,7 +287,6 @@ pub(super) const GROUPS: &[Group] = &[
             "REBAR LAYER",
             "SECTION POINTS",
             "SHEAR CENTER",
-            "NODAL THICKNESS",
             "USER SECTION",
             "SECTION ORIGIN",
             "CENTROID",
@@ -353,7 +358,6 @@ pub(super) const GROUPS: &[Group] = &[
             "AQUA",
             "WAVE",
             "WIND",
-            "CONSTRAINT CONTROLS",
             "CO-SIMULATION",
             "CO-SIMULATION REGION",
             "CONTOUR INTEGRAL",
@@ -366,7 +370,6 @@ pub(super) const GROUPS: &[Group] = &[
             "DESIGN RESPONSE",
             "DESIGN VARIABLES",
             "DISPLAY BODY",
-            "ELEMENT OPERATOR OUTPUT",
             "ENRICHMENT",
             "ENRICHMENT ACTIVATION",
             "FILTER",

@@ -14,12 +14,12 @@ const GROUPS: &[Group] = &[
     (
         "BOUNDARY",
         "give the values of this deck on data lines",
-        &["SUBMODEL", "STEP", "DATA SET", "USER", "TIME DELAY", "SECTOR", "PHANTOM", "BLADE"],
+        &["SUBMODEL", "STEP", "DATA SET", "USER", "SECTOR", "PHANTOM", "BLADE"],
     ),
     (
         "CLOAD",
-        "forces keep their direction; write the values on data lines and their time as *AMPLITUDE",
-        &["FOLLOWER", "USER", "TIME DELAY", "SUBMODEL", "STEP", "DATA SET", "SECTOR"],
+        "write the values on data lines and their time as *AMPLITUDE",
+        &["USER", "SUBMODEL", "STEP", "DATA SET", "SECTOR"],
     ),
     (
         "CONTACT PAIR",
@@ -30,7 +30,7 @@ const GROUPS: &[Group] = &[
     (
         "DLOAD",
         "write the values on data lines and their time as *AMPLITUDE",
-        &["USER", "TIME DELAY", "SUBMODEL", "STEP", "DATA SET", "SECTOR", "CYCLIC MODE"],
+        &["USER", "SUBMODEL", "STEP", "DATA SET", "SECTOR", "CYCLIC MODE"],
     ),
     (
         "DSLOAD",

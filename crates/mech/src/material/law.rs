@@ -4,8 +4,10 @@ use super::answer::Law;
 use super::creep::Creeping;
 use super::elastic::{Anisotropic, Elastic, LargeStrain};
 use super::expansion::Expanding;
+use super::foam::Foam;
 use super::hyperelastic::Rubber;
 use super::plastic::Plastic;
+use super::ramberg_osgood::RambergOsgood;
 use super::viscoelastic::Viscoelastic;
 use std::sync::Arc;
 
@@ -18,6 +20,10 @@ pub enum Material {
     Anisotropic(Box<Anisotropic>),
     /// Rubber.
     Rubber(Rubber),
+    /// Foam of rubber.
+    Foam(Foam),
+    /// Metal by deformation plasticity.
+    RambergOsgood(Box<RambergOsgood>),
     /// Metal that yields.
     Plastic(Plastic),
     /// Somebody else's.
@@ -38,6 +44,8 @@ impl PartialEq for Material {
             (Self::Elastic(a, large), Self::Elastic(b, other)) => a == b && large == other,
             (Self::Anisotropic(a), Self::Anisotropic(b)) => a == b,
             (Self::Rubber(a), Self::Rubber(b)) => a == b,
+            (Self::Foam(a), Self::Foam(b)) => a == b,
+            (Self::RambergOsgood(a), Self::RambergOsgood(b)) => a == b,
             (Self::Plastic(a), Self::Plastic(b)) => a == b,
             (Self::User(a), Self::User(b)) => Arc::ptr_eq(a, b),
             (Self::Graded(a), Self::Graded(b)) => a == b,

@@ -13,7 +13,11 @@ impl Material {
     /// Number of state variables of a point.
     pub fn states(&self) -> usize {
         match self {
-            Self::Elastic(..) | Self::Anisotropic(_) | Self::Rubber(_) => 0,
+            Self::Elastic(..)
+            | Self::Anisotropic(_)
+            | Self::Rubber(_)
+            | Self::Foam(_)
+            | Self::RambergOsgood(_) => 0,
             Self::Plastic(plastic) => plastic.states(),
             Self::User(law) => law.states(),
             Self::Graded(graded) => graded.rows().map(Self::states).max().unwrap_or(0),
@@ -39,6 +43,10 @@ impl Material {
             (Self::Anisotropic(elastic), true) => elastic.green(gradient),
             (Self::Rubber(rubber), false) => rubber.small().small(&symmetric(gradient)),
             (Self::Rubber(rubber), true) => rubber.large(gradient),
+            (Self::Foam(foam), false) => foam.small().small(&symmetric(gradient)),
+            (Self::Foam(foam), true) => foam.large(gradient),
+            (Self::RambergOsgood(metal), false) => metal.small(&symmetric(gradient)),
+            (Self::RambergOsgood(metal), true) => metal.large(gradient),
             (Self::Plastic(plastic), false) => {
                 plastic.small(&symmetric(gradient), committed, state)
             }
@@ -143,6 +151,8 @@ impl Material {
             | Self::Elastic(..)
             | Self::Anisotropic(_)
             | Self::Rubber(_)
+            | Self::Foam(_)
+            | Self::RambergOsgood(_)
             | Self::User(_) => None,
         }
     }
@@ -161,6 +171,8 @@ impl Material {
             Self::Viscoelastic(own) => own.law.rubber(temperature, then),
             Self::Elastic(..)
             | Self::Anisotropic(_)
+            | Self::Foam(_)
+            | Self::RambergOsgood(_)
             | Self::Plastic(_)
             | Self::User(_)
             | Self::Creeping(_) => None,
@@ -171,7 +183,11 @@ impl Material {
     pub fn dissipates(&self) -> bool {
         match self {
             Self::Plastic(_) | Self::User(_) | Self::Viscoelastic(_) | Self::Creeping(_) => true,
-            Self::Elastic(..) | Self::Anisotropic(_) | Self::Rubber(_) => false,
+            Self::Elastic(..)
+            | Self::Anisotropic(_)
+            | Self::Rubber(_)
+            | Self::Foam(_)
+            | Self::RambergOsgood(_) => false,
             Self::Graded(graded) => graded.rows().any(Self::dissipates),
             Self::Expanding(expanding) => expanding.law.dissipates(),
         }
@@ -184,6 +200,8 @@ impl Material {
             Self::Plastic(_)
             | Self::User(_)
             | Self::Rubber(_)
+            | Self::Foam(_)
+            | Self::RambergOsgood(_)
             | Self::Viscoelastic(_)
             | Self::Creeping(_) => false,
             Self::Graded(graded) => graded.rows().all(Self::is_linear),
@@ -204,6 +222,8 @@ impl Material {
         let of = |elastic: &Elastic| elastic.bulk_modulus() + 4.0 / 3.0 * elastic.shear_modulus();
         match self {
             Self::Elastic(elastic, _) | Self::Plastic(Plastic { elastic, .. }) => of(elastic),
+            Self::RambergOsgood(metal) => of(&metal.elastic),
+            Self::Foam(foam) => of(&foam.small()),
             Self::Anisotropic(elastic) => elastic.stiffest(),
             Self::Rubber(rubber) => rubber.bulk_modulus() + 4.0 / 3.0 * rubber.shear_modulus(),
             Self::User(law) => law.stiffest(),
@@ -222,6 +242,8 @@ impl Material {
             }
             Self::Anisotropic(elastic) => (3..6).map(|k| elastic.moduli[k][k]).sum::<f64>() / 3.0,
             Self::Rubber(rubber) => rubber.shear_modulus(),
+            Self::Foam(foam) => foam.shear_modulus(),
+            Self::RambergOsgood(metal) => metal.elastic.shear_modulus(),
             Self::User(law) => law.shear_modulus(),
             Self::Graded(graded) => graded.rows().map(Self::shear_modulus).fold(0.0, f64::max),
             Self::Expanding(expanding) => expanding.law.shear_modulus(),
@@ -236,6 +258,8 @@ impl Material {
         match self {
             Self::Elastic(elastic, _) | Self::Plastic(Plastic { elastic, .. }) => Some(*elastic),
             Self::Rubber(rubber) => Some(rubber.small()),
+            Self::Foam(foam) => Some(foam.small()),
+            Self::RambergOsgood(metal) => Some(metal.elastic),
             Self::Anisotropic(_) | Self::User(_) => None,
             Self::Graded(graded) => graded.rows().next()?.elastic(),
             Self::Expanding(expanding) => expanding.law.elastic(),

@@ -18,6 +18,18 @@ fn moving(metal: &Plastic, parts: &[[f64; 2]]) -> Plastic {
     Plastic { back_stresses: parts.iter().map(part).collect(), ..metal.clone() }
 }
 
+/// A foam of three terms, one of which does not grow sideways.
+fn foam() -> Foam {
+    let term = |[shear, power, poisson]: [f64; 3]| Term { shear, power, poisson };
+    Foam { terms: [[1.1, 3.0, 0.2], [0.4, -2.0, 0.0], [0.3, 7.0, 0.3]].map(term).to_vec() }
+}
+
+/// A metal by deformation plasticity that bends at the strains of the tests.
+fn ramberg_osgood(strain: LargeStrain) -> Material {
+    let own = RambergOsgood { elastic: STEEL, stress: 0.4, exponent: 3.5, offset: 0.6, strain };
+    Material::RambergOsgood(Box::new(own))
+}
+
 /// Every material, elastic ones first.
 fn all() -> Vec<(&'static str, Material)> {
     let table = vec![[0.2, 0.0], [0.5, 0.3], [0.6, 2.0]];
@@ -44,6 +56,9 @@ fn all() -> Vec<(&'static str, Material)> {
                 volume: VOLUME,
             }),
         ),
+        ("foam", Material::Foam(foam())),
+        ("Ramberg-Osgood", ramberg_osgood(LargeStrain::Logarithmic)),
+        ("Ramberg-Osgood in Green's strain", ramberg_osgood(LargeStrain::Green)),
         ("plastic", Material::Plastic(plastic.clone())),
         ("plastic, moving", Material::Plastic(moving(&plastic, &[[2.0, 0.0]]))),
     ]
@@ -340,6 +355,53 @@ fn closed_forms() {
         let green = bound * (h[0][0] + 0.5 * h[0][0] * h[0][0]) * stretch * stretch;
         let tau = STEEL.green(&h).stress[0];
         assert!((tau - green).abs() < 1e-14 * green.abs(), "{tau} {green}");
+    }
+}
+
+/// Requirement: a foam of one term that is pulled along one axis keeps the ratio of its logarithmic
+/// strains, whatever its size, and its stress is 2 mu/alpha (l^alpha - J^(-alpha beta)); small moduli
+/// are those of the terms. Source: [storakers1986], eq. (3.100). Tolerance: rounding.
+#[test]
+fn a_foam_keeps_poissons_ratio() {
+    let (shear, power) = (1.3, 4.0);
+    for poisson in [0.0, 0.25, 0.4, -0.2] {
+        let own = Foam { terms: vec![Term { shear, power, poisson }] };
+        let small = own.small();
+        assert!((small.poisson - poisson).abs() < 1e-15, "{poisson}: {small:?}");
+        assert!((small.modulus - 2.0 * shear * (1.0 + poisson)).abs() < 1e-14);
+        for log in [-0.9, -0.1, 1e-9, 0.3, 0.8_f64] {
+            let across = (-poisson * log).exp_m1();
+            let h = [[log.exp_m1(), 0.0, 0.0], [0.0, across, 0.0], [0.0, 0.0, across]];
+            let answer = own.large(&h);
+            let beta = poisson / (1.0 - 2.0 * poisson);
+            let volume = (1.0 - 2.0 * poisson) * log;
+            let exact =
+                2.0 * shear / power * ((power * log).exp() - (-power * beta * volume).exp());
+            let exact = [exact, 0.0, 0.0, 0.0, 0.0, 0.0];
+            near(&answer.stress, &exact, 1e-14 * (1.0 + exact[0].abs()), "foam");
+        }
+    }
+}
+
+/// Requirement: deformation plasticity along one axis is E eps = s + alpha (s/s0)^(n-1) s with the
+/// sides as its constant volume asks, whatever the size of the stress; a large exponent leaves a
+/// small stress elastic. Source: Abaqus and CalculiX manuals; the inverse law, which needs no
+/// solution. Tolerance: rounding times the ratio of the strains.
+#[test]
+fn deformation_plasticity_along_one_axis() {
+    for (exponent, offset) in [(1.0, 0.7), (3.0, 0.5), (12.0, 0.2)] {
+        let elastic = STEEL;
+        let strain = LargeStrain::Logarithmic;
+        let own = RambergOsgood { elastic, stress: 0.4, exponent, offset, strain };
+        for stress in [1e-6, -0.1, 0.4, 0.7, -1.1_f64] {
+            let bent = offset * (stress.abs() / 0.4).powf(exponent - 1.0) * stress;
+            let along = (stress + bent) / elastic.modulus;
+            let across = -(elastic.poisson * stress + 0.5 * bent) / elastic.modulus;
+            let answer = own.small(&[along, across, across, 0.0, 0.0, 0.0]);
+            let exact = [stress, 0.0, 0.0, 0.0, 0.0, 0.0];
+            let scale = elastic.modulus * along.abs() + stress.abs();
+            near(&answer.stress, &exact, 4e-15 * scale, "Ramberg-Osgood");
+        }
     }
 }
 

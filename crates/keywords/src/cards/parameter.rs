@@ -1,0 +1,70 @@
+//! `*PARAMETER`: values behind names.
+
+use slideline_deck::DataLine;
+use slideline_diag::{Code, Diagnostic};
+
+use crate::draft::Draft;
+use crate::expression::{evaluate, is_name};
+use crate::keyword::{Keyword, Level, Rule, Subject};
+use crate::reading::Reading;
+
+/// `*PARAMETER`.
+pub(crate) struct Parameter;
+
+impl Keyword for Parameter {
+    fn name(&self) -> &'static str {
+        "PARAMETER"
+    }
+
+    fn parameters(&self) -> &'static [Rule] {
+        &[]
+    }
+
+    fn level(&self) -> Level {
+        Level::Both
+    }
+
+    fn subject(&self) -> Subject {
+        Subject::Other
+    }
+
+    fn page(&self) -> &'static str {
+        page!("PARAMETER")
+    }
+
+    fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
+        for line in card.data() {
+            define(line, draft);
+        }
+    }
+}
+
+/// `name = expression`; a comment may follow behind #.
+fn define(line: &DataLine, draft: &mut Draft) {
+    let text = line.text.split('#').next().unwrap_or_default().trim().trim_end_matches(';');
+    if text.is_empty() {
+        return;
+    }
+    let named = text.split_once('=').map(|(name, value)| (name.trim(), value.trim()));
+    let Some((name, value)) = named.filter(|(name, _)| is_name(name)) else {
+        let message = "a parameter is `name = value`, its name of letters, digits and _";
+        broken(message.to_owned(), line, draft);
+        return;
+    };
+    match evaluate(value, &draft.parameters) {
+        Ok(value) => drop(draft.parameters.insert(name.to_owned(), value)),
+        Err(why) => {
+            // one that is used is not complained about once more
+            draft.log.first_time(&format!("parameter {name}"));
+            broken(format!("the parameter {name} has no value: {why}"), line, draft);
+        }
+    }
+}
+
+fn broken(message: String, line: &DataLine, draft: &mut Draft) {
+    draft.log.has_parameters = true;
+    draft.mark_all_incomplete();
+    let error = Diagnostic::error(Code("SL0286"), message).at(line.span);
+    let help = "numbers, names of lines above, + - * / **, brackets and functions such as sqrt";
+    draft.log.push(error.help(format!("a value is made of {help}")));
+}

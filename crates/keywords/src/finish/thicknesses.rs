@@ -1,0 +1,69 @@
+//! Thickness that nodes give to the plane solids around them.
+
+use std::collections::HashMap;
+
+use slideline_diag::{Code, Diagnostic, Span};
+
+use crate::draft::{Body, Draft, ElementKind, Section};
+use crate::rule::Subject;
+
+/// The thickness of every section of plane solids whose nodes have one: it must be even.
+pub(super) fn of_nodes(draft: &mut Draft) {
+    if draft.thicknesses.is_empty() {
+        return;
+    }
+    let mut at: HashMap<u64, (f64, Span)> = HashMap::new();
+    for line in std::mem::take(&mut draft.thicknesses) {
+        for node in draft.nodes_of(&line.target, line.target_span) {
+            at.insert(draft.model.nodes.label(node), (line.thickness, line.origin));
+        }
+    }
+    for place in 0..draft.sections.len() {
+        let section = draft.sections[place].clone();
+        let Body::Solid { thickness: given } = section.body else { continue };
+        let Some(found) = of_section(&section, &at, draft) else { continue };
+        match (found, given) {
+            (Ok((thickness, _)), None) => {
+                draft.sections[place].body = Body::Solid { thickness: Some(thickness) };
+            }
+            (Ok((thickness, origin)), Some(given)) if given != thickness => {
+                let message =
+                    format!("the nodes give a thickness of {thickness}, the section {given}");
+                let error = Diagnostic::error(Code("SL0242"), message).at(section.origin);
+                let error = error.label(origin, "of the nodes").help("leave one of them out");
+                draft.consequence(Subject::Sections, error);
+            }
+            (Ok(_), Some(_)) => {}
+            (Err(origin), _) => {
+                let message =
+                    "a thickness that changes over the elements of a section is not supported";
+                let error = Diagnostic::error(Code("SL0221"), message).at(origin);
+                let error = error.label(section.origin, "the section");
+                let help = "give every thickness a *SOLID SECTION of its own elements";
+                draft.consequence(Subject::Sections, error.help(help));
+            }
+        }
+    }
+}
+
+/// The thickness of the nodes of the plane solids of a section; `Err`: a node that has another one
+/// or none, `None`: none of them has one.
+fn of_section(
+    section: &Section,
+    at: &HashMap<u64, (f64, Span)>,
+    draft: &Draft,
+) -> Option<Result<(f64, Span), Span>> {
+    let labels = draft.element_sets.labels(&section.set)?;
+    let elements = labels.iter().filter_map(|label| draft.element_by_label.get(label));
+    let plane = elements.map(|&index| &draft.elements[index]).filter(|element| {
+        matches!(element.kind, ElementKind::Structural(row)
+            if row.joins() && !row.is_spatial() && !row.is_ring() && !row.is_truss())
+    });
+    let nodes: Vec<u64> = plane.flat_map(|element| element.nodes()).copied().collect();
+    let first = nodes.iter().find_map(|node| at.get(node))?;
+    let other = nodes.iter().find(|node| at.get(node).is_none_or(|own| own.0 != first.0));
+    Some(match other {
+        Some(node) => Err(at.get(node).unwrap_or(first).1),
+        None => Ok(*first),
+    })
+}
