@@ -1,7 +1,7 @@
 //! `*DEFORMATION PLASTICITY`: a metal under growing loads.
 
 use slideline_diag::{Code, Diagnostic};
-use slideline_mech::material::{self, LargeStrain, RambergOsgood};
+use slideline_mech::material::RambergOsgood;
 
 use crate::draft::{Draft, Elasticity};
 use crate::keyword::{Keyword, Level, Rule, Subject};
@@ -65,8 +65,7 @@ fn read(card: &Reading<'_>, draft: &mut Draft) -> Option<RambergOsgood> {
     } else if exponent < 1.0 {
         "the exponent must be at least 1"
     } else {
-        let strain = LargeStrain::default();
-        return Some(material::RambergOsgood { elastic, stress, exponent, offset, strain });
+        return Some(RambergOsgood { elastic, stress, exponent, offset });
     };
     draft.log.error("SL0234", message, line.span);
     None

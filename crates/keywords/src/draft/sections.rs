@@ -316,10 +316,7 @@ impl Material {
                 }
             },
             Elasticity::Foam(own) => Some(model::Material::Foam(own.clone())),
-            Elasticity::Deformation(own) => {
-                let own = RambergOsgood { strain: large, ..*own };
-                Some(model::Material::RambergOsgood(Box::new(own)))
-            }
+            Elasticity::Deformation(own) => Some(model::Material::RambergOsgood(Box::new(*own))),
             Elasticity::Unread | Elasticity::Tested(_) => None,
         }
     }

@@ -12,12 +12,9 @@
 //! docs/theory.md eqs. (3.101) to (3.103).
 
 use super::answer::Answer;
-use super::elastic::{Elastic, LargeStrain};
+use super::elastic::Elastic;
 use super::logarithmic;
-use super::tensor::{
-    Matrix, Symmetric, add_dyad, add_unit, carried, contract, deformation, deviator, pushed, right,
-    trace,
-};
+use super::tensor::{Matrix, Symmetric, add_dyad, add_unit, contract, deviator, trace};
 
 /// A metal after Ramberg and Osgood.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,8 +27,6 @@ pub struct RambergOsgood {
     pub exponent: f64,
     /// Yield offset alpha [1].
     pub offset: f64,
-    /// Which strain the law is of where strains are large.
-    pub strain: LargeStrain,
 }
 
 /// Newton's steps to a stress, from above: the curve is convex, and the first one is near.
@@ -92,16 +87,8 @@ impl RambergOsgood {
         Answer { stress: own, moduli, energy, dissipation: 0.0 }
     }
 
-    /// Answer to a deformation: the law of small strain in logarithmic or in Green's strain.
+    /// Answer to a deformation: the law of small strain in logarithmic strain.
     pub fn large(&self, gradient: &Matrix) -> Answer {
-        match self.strain {
-            LargeStrain::Logarithmic => logarithmic::answer(gradient, |strain| self.small(strain)),
-            LargeStrain::Green => {
-                let own = self.small(&right(gradient).map(|entry| 0.5 * entry));
-                let f = deformation(gradient);
-                let stress = carried(&f, &own.stress);
-                Answer { stress, moduli: pushed(&f, &own.moduli), ..own }
-            }
-        }
+        logarithmic::answer(gradient, |strain| self.small(strain))
     }
 }

@@ -25,8 +25,8 @@ fn foam() -> Foam {
 }
 
 /// A metal by deformation plasticity that bends at the strains of the tests.
-fn ramberg_osgood(strain: LargeStrain) -> Material {
-    let own = RambergOsgood { elastic: STEEL, stress: 0.4, exponent: 3.5, offset: 0.6, strain };
+fn ramberg_osgood() -> Material {
+    let own = RambergOsgood { elastic: STEEL, stress: 0.4, exponent: 3.5, offset: 0.6 };
     Material::RambergOsgood(Box::new(own))
 }
 
@@ -57,8 +57,7 @@ fn all() -> Vec<(&'static str, Material)> {
             }),
         ),
         ("foam", Material::Foam(foam())),
-        ("Ramberg-Osgood", ramberg_osgood(LargeStrain::Logarithmic)),
-        ("Ramberg-Osgood in Green's strain", ramberg_osgood(LargeStrain::Green)),
+        ("Ramberg-Osgood", ramberg_osgood()),
         ("plastic", Material::Plastic(plastic.clone())),
         ("plastic, moving", Material::Plastic(moving(&plastic, &[[2.0, 0.0]]))),
     ]
@@ -202,9 +201,11 @@ proptest! {
                     let strain = symmetric(&l);
                     answer.moduli.map(|row| (0..6).map(|k| row[k] * COUNTS[k] * strain[k]).sum())
                 };
-                // a difference across the corner where yield begins is none
+                // a difference across a corner, where yield begins or its table bends, is none:
+                // there the differences to both sides are not the same
                 let plastic = name.starts_with("plastic");
-                let corner = plastic && (up.dissipation == 0.0) != (down.dissipation == 0.0);
+                let bend = |k: usize| up.stress[k] - 2.0 * answer.stress[k] + down.stress[k];
+                let corner = plastic && (0..6).any(|k| bend(k).abs() > 3e-5 * step);
                 if !corner {
                     near(&difference, &exact, 2e-5, name);
                 }
@@ -391,8 +392,7 @@ fn a_foam_keeps_poissons_ratio() {
 fn deformation_plasticity_along_one_axis() {
     for (exponent, offset) in [(1.0, 0.7), (3.0, 0.5), (12.0, 0.2)] {
         let elastic = STEEL;
-        let strain = LargeStrain::Logarithmic;
-        let own = RambergOsgood { elastic, stress: 0.4, exponent, offset, strain };
+        let own = RambergOsgood { elastic, stress: 0.4, exponent, offset };
         for stress in [1e-6, -0.1, 0.4, 0.7, -1.1_f64] {
             let bent = offset * (stress.abs() / 0.4).powf(exponent - 1.0) * stress;
             let along = (stress + bent) / elastic.modulus;
