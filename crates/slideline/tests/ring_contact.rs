@@ -44,6 +44,8 @@ impl Last {
 fn solved(deck: &str, node: u64) -> Last {
     let read = Job::read_text("rings", deck, &ReadOptions::default());
     let model = read.model.unwrap_or_else(|| panic!("{:#?}", read.diagnostics));
+    // nothing is thick out of the plane
+    assert!(read.diagnostics.iter().all(|said| said.code.0 != "SL0255"));
     let mut last = Last { node, ..Last::default() };
     let ending = slideline::solve(&model, &SolveOptions::default(), &mut last);
     assert!(matches!(ending, Ending::Completed(_)), "{ending:?}");

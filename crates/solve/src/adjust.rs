@@ -9,6 +9,7 @@ use crate::commit::initial_contact;
 use crate::observe::ContactRow;
 use slideline_diag::{Code, Diagnostic};
 use slideline_model::{Adjust, ContactPair, Model, NodeIndex};
+use std::collections::{HashMap, HashSet};
 
 /// Most moves of a node: a curved master is met by Newton's method.
 const MOST: usize = 20;
@@ -26,60 +27,69 @@ pub fn adjust(model: &mut Model) -> Vec<Diagnostic> {
 fn adjust_pair(place: usize, model: &mut Model) -> Option<Diagnostic> {
     let positions = model.nodes.iter().flat_map(|node| node.position);
     let reach = positions.fold(0.0, |largest: f64, x| largest.max(x.abs()));
-    let pair = &model.contact_pairs[place];
-    let moves = |row: &&ContactRow| {
-        let open = row.opening;
-        row.pair == place
-            && open.is_finite()
-            && match &pair.adjust {
-                Adjust::Nothing => false,
-                Adjust::Within(distance) => open <= *distance,
-                Adjust::Nodes(nodes) => nodes.contains(&row.node),
-            }
-    };
-    let rows = initial_contact(model);
-    let moved: Vec<NodeIndex> = rows.iter().filter(moves).map(|row| row.node).collect();
-    let before: Vec<[f64; 3]> = moved.iter().map(|&node| model.nodes.position(node)).collect();
+    let mut rows = asked_for(&model.contact_pairs[place].adjust, facing(place, model));
+    let moved: HashMap<NodeIndex, [f64; 3]> =
+        rows.iter().map(|row| (row.node, model.nodes.position(row.node))).collect();
     for _ in 0..MOST {
-        let mut largest = 0.0_f64;
-        for row in initial_contact(model) {
-            if row.pair != place || !row.opening.is_finite() || !moved.contains(&row.node) {
-                continue;
-            }
-            largest = largest.max(row.opening.abs());
+        let largest = rows.iter().map(|row| row.opening.abs()).fold(0.0, f64::max);
+        if largest <= CLOSE * reach {
+            break;
+        }
+        for row in &rows {
             let at = model.nodes.position(row.node);
             let onto = std::array::from_fn(|k| at[k] - row.opening * row.normal[k]);
             model.nodes.place(row.node, onto);
         }
-        if largest <= CLOSE * reach {
-            break;
+        rows = facing(place, model);
+        rows.retain(|row| moved.contains_key(&row.node));
+    }
+    said(&model.contact_pairs[place], model, &moved)
+}
+
+/// The contact points of a pair that face its master.
+fn facing(place: usize, model: &Model) -> Vec<ContactRow> {
+    let mut rows = initial_contact(model);
+    rows.retain(|row| row.pair == place && row.opening.is_finite());
+    rows
+}
+
+/// Those of them that are to begin on it.
+fn asked_for(adjust: &Adjust, mut rows: Vec<ContactRow>) -> Vec<ContactRow> {
+    match adjust {
+        Adjust::Nothing => rows.clear(),
+        Adjust::Within(distance) => rows.retain(|row| row.opening <= *distance),
+        Adjust::Nodes(nodes) => {
+            let asked: HashSet<NodeIndex> = nodes.iter().copied().collect();
+            rows.retain(|row| asked.contains(&row.node));
         }
     }
-    said(&model.contact_pairs[place], model, (&moved, &before))
+    rows
 }
 
 /// How many nodes were moved, and the furthest one.
 fn said(
     pair: &ContactPair,
     model: &Model,
-    (moved, before): (&[NodeIndex], &[[f64; 3]]),
+    moved: &HashMap<NodeIndex, [f64; 3]>,
 ) -> Option<Diagnostic> {
     let way = |(&node, before): (&NodeIndex, &[f64; 3])| {
         let now = model.nodes.position(node);
         let way = (0..3).map(|k| (now[k] - before[k]).powi(2)).sum::<f64>().sqrt();
         (way, node)
     };
-    let ways = moved.iter().zip(before).map(way).filter(|(way, _)| *way > 0.0);
-    let (count, (furthest, node)) = ways.fold((0, (0.0, 0)), |(count, most), own| {
-        (count + 1, if own.0 > most.0 { own } else { most })
-    });
-    let label = model.nodes.name(node);
+    let ways: Vec<(f64, NodeIndex)> = moved.iter().map(way).filter(|(way, _)| *way > 0.0).collect();
+    // of nodes that went equally far the first one
+    let further =
+        |a: &&(f64, NodeIndex), b: &&(f64, NodeIndex)| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1));
+    let (furthest, node) = *ways.iter().max_by(further)?;
     let message = format!(
-        "ADJUST moved {count} slave node{} of {} onto the master, node {label} by {furthest:.4e}",
-        if count == 1 { "" } else { "s" },
+        "ADJUST moved {} slave node{} of {} onto the master, node {} by {furthest:.4e}",
+        ways.len(),
+        if ways.len() == 1 { "" } else { "s" },
         pair.name,
+        model.nodes.name(node),
     );
     let help = "the nodes are moved before the first step, without strain; check that no element \
                 is out of shape where the way is long";
-    (count > 0).then(|| Diagnostic::note(Code("SL0417"), message).at(pair.origin).help(help))
+    Some(Diagnostic::note(Code("SL0417"), message).at(pair.origin).help(help))
 }

@@ -290,7 +290,10 @@ pub(super) fn stretches(
     let note = Diagnostic::note(Code("SL0254"), message).at(origin);
     draft.consequence(
         Subject::Contact,
-        note.help("half the distance to both neighbours, times the thickness"),
+        note.help(match draft.model.is_of_rings() {
+            true => "half the distance to both neighbours, times the way round the axis",
+            false => "half the distance to both neighbours, times the thickness",
+        }),
     );
     if joined {
         return beams;

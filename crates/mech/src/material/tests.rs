@@ -435,6 +435,35 @@ fn forms_agree() {
     (0..6).for_each(|k| near(&exact[k], &elastic[k], 1e-13, "isotropic constants"));
 }
 
+/// Requirement: the thickness of a sheet of linear elasticity leaves no stress across, at small and at
+/// large strain in both measures, about turns as well; where no thickness does, there is none.
+/// Tolerance: rounding.
+#[test]
+fn a_sheet_has_no_stress_across() {
+    let (sin, cos) = 0.7_f64.sin_cos();
+    let stretched = [[1.3, 0.2], [-0.1, 0.8]];
+    let of = |i: usize, k: usize| [[cos, -sin], [sin, cos]][i][k];
+    let turned = |i: usize, j: usize| (0..2).map(|k| of(i, k) * stretched[k][j]).sum::<f64>();
+    for strain in [LargeStrain::Logarithmic, LargeStrain::Green] {
+        let law = Material::Elastic(STEEL, strain);
+        for large in [false, true] {
+            let mut h = [[0.0; 3]; 3];
+            for i in 0..2 {
+                for j in 0..2 {
+                    h[i][j] = turned(i, j) - f64::from(i == j);
+                }
+            }
+            h[2][2] = law.across(&h, large).unwrap_or(f64::NAN);
+            let (answer, _) = respond(&law, &h, large, &[]);
+            let size = answer.stress.iter().fold(0.0_f64, |size, s| size.max(s.abs()));
+            assert!(size > 0.1 && answer.stress[2].abs() < 1e-14 * size, "{strain:?} {large}");
+        }
+    }
+    let torn = [[3.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0; 3]];
+    assert_eq!(Material::Elastic(STEEL, LargeStrain::Green).across(&torn, true), None);
+    assert_eq!(Material::Foam(foam()).across(&torn, true), None);
+}
+
 #[test]
 fn moduli_of_the_1995_beam() {
     let material = Elastic { modulus: 6.9e9, poisson: 0.3 };

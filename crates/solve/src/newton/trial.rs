@@ -44,24 +44,9 @@ impl Scratch {
         dt: f64,
         evaluate: fn(&Problem<'_>, &State, &Trial<'_>, &mut Evaluation),
     ) {
-        let trial = Trial {
-            u: &self.u,
-            load: &self.load,
-            faces: &self.faces,
-            stresses: &self.stresses,
-            pressures: &self.pressures,
-            tractions: &self.tractions,
-            held: &self.held.of,
-            dashpots: &self.dashpots,
-            ambient: Ambient {
-                temperatures: &self.temperatures,
-                turns: &self.turns,
-                clock: self.clock,
-            },
-            time: committed.total_time + dt,
-            dt,
-        };
-        evaluate(plan, committed, &trial, &mut self.evaluation);
+        self.write_evaluation(|work, into| {
+            evaluate(plan, committed, &work.trial(committed, dt), into)
+        });
         if plan.inserts_laws() {
             self.follow_inserted_laws();
         }
@@ -70,23 +55,17 @@ impl Scratch {
     /// Looks at the points that iterations have left alone; says whether none of
     /// them touches.
     pub(super) fn complete(&mut self, plan: &Problem<'_>, committed: &State) -> bool {
-        let trial = Trial {
-            u: &self.u,
-            load: &self.load,
-            faces: &self.faces,
-            stresses: &self.stresses,
-            pressures: &self.pressures,
-            tractions: &self.tractions,
-            held: &self.held.of,
-            dashpots: &self.dashpots,
-            ambient: Ambient {
-                temperatures: &self.temperatures,
-                turns: &self.turns,
-                clock: self.clock,
-            },
-            time: committed.total_time + self.dt,
-            dt: self.dt,
-        };
-        complete(plan, committed, &trial, &mut self.evaluation)
+        let dt = self.dt;
+        self.write_evaluation(|work, into| {
+            complete(plan, committed, &work.trial(committed, dt), into)
+        })
+    }
+
+    /// Lends the evaluation out to be written while the trial is read.
+    fn write_evaluation<R>(&mut self, write: impl FnOnce(&Self, &mut Evaluation) -> R) -> R {
+        let mut evaluation = std::mem::take(&mut self.evaluation);
+        let written = write(self, &mut evaluation);
+        self.evaluation = evaluation;
+        written
     }
 }

@@ -141,7 +141,7 @@ impl Analysis<'_> {
         mut control: Control,
         work: &mut Scratch,
     ) -> Result<Option<Control>, Left> {
-        let (step, limits) = (plan.step, plan.step.controls.effective_time());
+        let step = plan.step;
         loop {
             let mut target = Target {
                 step: number,
@@ -150,8 +150,6 @@ impl Analysis<'_> {
                 step_time: control.target(&step.procedure),
                 dt: control.target(&step.procedure) - control.time,
             };
-            let after =
-                |verdict| control.after(verdict, &step.procedure, &limits, step.max_increments);
             let mut outcome = self.attempt(plan, &target, work)?;
             if work.outside {
                 work.take_back(outcome);
@@ -169,7 +167,8 @@ impl Analysis<'_> {
                     self.fail(plan, (&target, &outcome), Some(target.dt))?;
                     target.attempt += 1;
                     outcome = self.last_resorts(plan, (&mut target, &cause), work)?;
-                    decision = begin_again(after(outcome.verdict), &step.procedure);
+                    let found = self.decide(plan, (&control, &target), &mut outcome, work);
+                    decision = begin_again(found, &step.procedure);
                 }
                 diagnosis = Some(Box::new(cause));
             }
