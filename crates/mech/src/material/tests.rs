@@ -447,12 +447,12 @@ fn a_sheet_has_no_stress_across() {
     for strain in [LargeStrain::Logarithmic, LargeStrain::Green] {
         let law = Material::Elastic(STEEL, strain);
         for large in [false, true] {
-            let mut h = [[0.0; 3]; 3];
-            for i in 0..2 {
-                for j in 0..2 {
-                    h[i][j] = turned(i, j) - f64::from(i == j);
-                }
-            }
+            let gradient = |i: usize, j: usize| match i < 2 && j < 2 {
+                true => turned(i, j) - f64::from(i == j),
+                false => 0.0,
+            };
+            let mut h: [[f64; 3]; 3] =
+                std::array::from_fn(|i| std::array::from_fn(|j| gradient(i, j)));
             h[2][2] = law.across(&h, large).unwrap_or(f64::NAN);
             let (answer, _) = respond(&law, &h, large, &[]);
             let size = answer.stress.iter().fold(0.0_f64, |size, s| size.max(s.abs()));
