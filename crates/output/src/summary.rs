@@ -87,8 +87,14 @@ impl Memory {
                 solid.push(Quantity::Field("PEEQ"), point, &mut plastic);
                 let own = plastic.first().copied().filter(|own| *own > 0.0);
                 own.into_iter().for_each(|own| keep_larger(&mut self.plastic, at(own)));
-                let strain = solid.principal_strain(point);
-                if solid.is_linear() {
+                let largest = self.principal.map_or(0.0, |(largest, ..)| largest);
+                // most points are far below the largest
+                let counts = solid.is_linear() && !(solid.strain_bound(point) <= largest);
+                let strain = match counts || limits.clone().next().is_some() {
+                    true => solid.principal_strain(point),
+                    false => 0.0,
+                };
+                if counts {
                     keep_larger(&mut self.principal, at(strain));
                 }
                 let beyond = solid.unstable_strain(point);

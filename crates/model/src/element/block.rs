@@ -48,6 +48,15 @@ impl ElementBlock {
         (self.kind.states)(&self.section)
     }
 
+    /// Whether the way to a state is part of it: what is stored of a state is more than a first
+    /// guess at the next one, as the thickness of a sheet is.
+    pub fn remembers(&self) -> bool {
+        match &self.section {
+            Section::Solid(section) => section.material.states() > 0,
+            _ => self.states() > 0,
+        }
+    }
+
     /// The type in a deck's words.
     pub fn word(&self) -> &'static str {
         self.kind.name()

@@ -190,6 +190,12 @@ impl<'a> Solid<'a> {
         largest(self.principal_strains(point))
     }
 
+    /// What no principal strain at a point exceeds: the size of the strain [1].
+    pub fn strain_bound(&self, point: usize) -> f64 {
+        let square = |(k, e): (usize, &f64)| if k < 3 { e * e } else { 0.5 * e * e };
+        self.field("E", point).iter().enumerate().map(square).sum::<f64>().sqrt()
+    }
+
     /// Principal strains at a point [1].
     fn principal_strains(&self, point: usize) -> [f64; 3] {
         let mut strain = [0.0; 6];
@@ -203,8 +209,8 @@ impl<'a> Solid<'a> {
     pub fn unstable_strain(&self, point: usize) -> Option<f64> {
         let Section::Solid(section) = &self.block.section else { return None };
         let step = self.frame.model.steps.get(self.frame.step.wrapping_sub(1))?;
-        if !step.nlgeom {
-            return None; // it is linear then
+        if !step.nlgeom || section.material.is_linear() {
+            return None;
         }
         let strains = self.principal_strains(point);
         let logs = match self.frame.model.dialect {

@@ -21,7 +21,7 @@ use crate::stabilise;
 use crate::state::State;
 use crate::target::Target;
 use slideline_diag::{Code, Diagnostic, Place};
-use slideline_model::NodeIndex;
+use slideline_model::{ElementBlock, NodeIndex};
 
 /// Part of the energy turned over from which on a jump is looked for.
 const NOTABLE: f64 = 0.01;
@@ -226,18 +226,30 @@ impl Part {
         rest.dissipation -= beyond.dissipation;
         rest.left -= beyond.left;
         let mut landed = back.to;
-        let mut done = 0.0;
-        for dof in 0..plan.dofs.len() {
-            let force = |state: &State| state.load[dof] + state.reaction[dof];
-            let mean = 0.5 * (force(&limit) + force(&landed));
-            done += mean * (landed.displacement[dof] - limit.displacement[dof]);
-        }
-        let kept = |state: &State| state.energy.of_the_model();
+        let done = done_between(plan, &limit, &landed);
         landed.books.left = done - (kept(&landed) - kept(&limit));
         (landed.books.opening, landed.books.opening_dissipation) = (0.0, 0.0);
         landed.energy.external_work = limit.energy.external_work + done;
         landed.energy.friction_dissipation = limit.energy.friction_dissipation;
         Some(Self { from: limit, to: landed, end, dt: 0.0, rest })
+    }
+
+    /// Its second half without a walk: from the end of the first to its own, where nothing that
+    /// the way leaves behind stands between them and both halves leave what a smooth path leaves.
+    fn known_half(&self, plan: &Problem<'_>, first: &Self, work: &mut Scratch) -> Option<Self> {
+        let (middle, end) = (&first.to, &self.to);
+        let states = [&self.from, middle, end];
+        let forgets = !plan.model.blocks.iter().any(ElementBlock::remembers);
+        let apart = |state: &&State| {
+            state.temperatures.is_empty() && state.points.iter().all(|point| !point.closed)
+        };
+        let left = done_between(plan, middle, end) - (kept(end) - kept(middle));
+        let smooth = (first.left() + left).abs() <= FALLS * self.left().abs();
+        (smooth && forgets && states.iter().all(apart)).then(|| {
+            let (from, mut to) = (work.copy(middle), work.copy(end));
+            to.books.left = left;
+            Self { from, to, end: self.end, dt: first.dt, rest: self.rest }
+        })
     }
 
     /// Its half that leaves more over, and what both leave [F L]; `None` where a
@@ -251,7 +263,9 @@ impl Part {
         let dt = 0.5 * self.dt;
         let aim = |step_time: f64| Target { step_time, dt, ..*target };
         let first = Self::walk(plan, &self.from, &aim(self.end - dt), self.rest, work)?;
-        let Some(second) = Self::walk(plan, &first.to, &aim(self.end), self.rest, work) else {
+        let known = self.known_half(plan, &first, work);
+        let walked = || Self::walk(plan, &first.to, &aim(self.end), self.rest, work);
+        let Some(second) = known.or_else(walked) else {
             first.spare(work);
             return None;
         };
@@ -278,6 +292,21 @@ impl Part {
         let mut dofs = 0..plan.dofs.len().min(self.from.load.len());
         dofs.any(|dof| change(self, dof).abs() > 0.5 * change(whole, dof).abs())
     }
+}
+
+/// Work of loads and supports from one state to another by the trapezoidal rule [F L].
+fn done_between(plan: &Problem<'_>, from: &State, to: &State) -> f64 {
+    let force = |state: &State, dof: usize| state.load[dof] + state.reaction[dof];
+    let done = |dof: usize| {
+        let mean = 0.5 * (force(from, dof) + force(to, dof));
+        mean * (to.displacement[dof] - from.displacement[dof])
+    };
+    (0..plan.dofs.len()).map(done).sum()
+}
+
+/// Energy that a state keeps [F L].
+fn kept(state: &State) -> f64 {
+    state.energy.of_the_model()
 }
 
 /// Looks for a jump between two states that an increment joins.
