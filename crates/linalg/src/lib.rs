@@ -31,6 +31,7 @@ mod band_lu;
 mod banded;
 mod border;
 mod choice;
+mod conjugate;
 mod dense;
 mod dense_fronts;
 mod error;

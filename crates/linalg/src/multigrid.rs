@@ -17,18 +17,19 @@ mod aggregates;
 mod hierarchy;
 mod rows;
 
+use crate::conjugate::{Conjugate, Definite};
 use crate::error::{FactorReport, SolveError};
+use crate::krylov::Stop;
 use crate::pattern::{Matrix, Pattern};
 use crate::sparse::Sparse;
 use crate::system::{BackEnd, Description, Kind, LinearSystem};
-use hierarchy::Hierarchy;
+use hierarchy::{Hierarchy, Room};
 use rayon::ThreadPool;
 use std::sync::Arc;
 
-/// Part of the right-hand side that the residual of a solution may be [1].
-const TOLERANCE: f64 = 1e-11;
-/// Iterations after which the direct factorisation is the better choice.
-const MOST_ITERATIONS: usize = 120;
+/// Part of the right-hand side that the residual of a solution may be, and the iterations after
+/// which the direct factorisation is the better choice.
+const ENOUGH: Stop = Stop { tolerance: 1e-11, iterations: 120 };
 /// Seconds of a factorisation with one solution, for each entry of the pattern (measured).
 const SECONDS: f64 = 1e-6;
 /// Bytes for each entry of the pattern.
@@ -71,9 +72,11 @@ impl Multigrid {
     /// Solves by iteration; false where that does not get to the tolerance.
     fn iterate(&self, b: &mut [f64]) -> bool {
         let Some(hierarchy) = &self.hierarchy else { return false };
+        let mut cycle = Cycle { hierarchy, room: hierarchy.room() };
+        let mut solve = || Conjugate::default().solve(b, ENOUGH, &mut cycle);
         match &self.pool {
-            Some(pool) => pool.install(|| conjugate_gradients(hierarchy, b)),
-            None => conjugate_gradients(hierarchy, b),
+            Some(pool) => pool.install(solve),
+            None => solve(),
         }
     }
 
@@ -87,47 +90,21 @@ impl Multigrid {
     }
 }
 
-/// Solves in place from zero; false, and the right-hand side as it was, where that fails.
-fn conjugate_gradients(hierarchy: &Hierarchy, b: &mut [f64]) -> bool {
-    let n = b.len();
-    let size = norm(b);
-    if size == 0.0 {
-        return true;
-    }
-    let mut work = hierarchy.room();
-    let (mut x, mut residual) = (vec![0.0; n], b.to_vec());
-    let (mut z, mut product) = (vec![0.0; n], vec![0.0; n]);
-    hierarchy.precondition(&residual, &mut z, &mut work);
-    let mut direction = z.clone();
-    let mut descent = dot(&residual, &z);
-    for _ in 0..MOST_ITERATIONS {
-        hierarchy.multiply(&direction, &mut product);
-        let curvature = dot(&direction, &product);
-        if !(curvature > 0.0 && descent > 0.0) {
-            return false;
-        }
-        let step = descent / curvature;
-        x.iter_mut().zip(&direction).for_each(|(x, d)| *x += step * d);
-        residual.iter_mut().zip(&product).for_each(|(r, p)| *r -= step * p);
-        if norm(&residual) <= TOLERANCE * size {
-            b.copy_from_slice(&x);
-            return true;
-        }
-        hierarchy.precondition(&residual, &mut z, &mut work);
-        let next = dot(&residual, &z);
-        let along = next / descent;
-        descent = next;
-        direction.iter_mut().zip(&z).for_each(|(d, z)| *d = z + along * *d);
-    }
-    false
+/// The finest matrix of a hierarchy and a cycle as what is near its inverse.
+struct Cycle<'a> {
+    hierarchy: &'a Hierarchy,
+    room: Room,
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
+impl Definite for Cycle<'_> {
+    fn multiply(&mut self, x: &[f64], y: &mut [f64]) {
+        self.hierarchy.multiply(x, y);
+    }
 
-fn norm(a: &[f64]) -> f64 {
-    dot(a, a).sqrt()
+    fn precondition(&mut self, r: &[f64], z: &mut [f64]) -> bool {
+        self.hierarchy.precondition(r, z, &mut self.room);
+        true
+    }
 }
 
 impl LinearSystem for Multigrid {

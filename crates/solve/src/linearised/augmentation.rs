@@ -44,6 +44,18 @@ impl Stiffness<'_> {
         self.refactor()
     }
 
+    /// Takes K_0 without factoring it, where the factors at hand are those of a matrix near it and
+    /// that pays; false: it is to be factored.
+    ///
+    /// Errors: the solver's.
+    pub fn follow(&mut self) -> Result<bool, SolveError> {
+        self.augmented.copy_from_slice(self.values);
+        if self.symmetrised {
+            symmetrise(self.pattern, self.augmented);
+        }
+        self.solver.follow(self.pattern, self.augmented)
+    }
+
     /// Factors K_0 with the slopes of laws that are inserted: `answers`, a point each.
     ///
     /// Errors: the solver's.

@@ -185,6 +185,11 @@ impl LinearPoints {
         self.operator.directions()
     }
 
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.points.is_empty()
+    }
+
     /// Number of points.
     pub fn len(&self) -> usize {
         self.points.len()

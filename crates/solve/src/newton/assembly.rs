@@ -6,7 +6,7 @@ use crate::linearised::{LawContext, LinearPoint, LinearRows, Sliding, Stiffness}
 use crate::moments;
 use crate::problem::Problem;
 use crate::state::{PointState, State};
-use slideline_linalg::{FactorReport, SolveError};
+use slideline_linalg::SolveError;
 use slideline_mech::contact::enforcement::Enforcement;
 use slideline_mech::contact::tangential::Tangential;
 
@@ -41,9 +41,8 @@ impl Scratch {
             self.assemble(plan, committed);
             self.choose_enforcement(plan, committed);
             match self.factor_assembled(plan, committed) {
-                Ok(report) => {
-                    let negative = report.negative_pivots.unwrap_or(0);
-                    self.negative_pivots = self.negative_pivots.max(negative);
+                Ok(()) => {
+                    self.count_negative_pivots();
                     return Ok(());
                 }
                 Err(SolveError::Singular { .. }) if !self.augment_all && !plan.inserts_laws() => {
@@ -56,18 +55,31 @@ impl Scratch {
         }
     }
 
+    /// Takes note of the directions in which the structure gave way.
+    pub(super) fn count_negative_pivots(&mut self) {
+        let negative = solver(&mut self.systems).negative_pivots();
+        self.negative_pivots = self.negative_pivots.max(negative);
+    }
+
+    /// Factors what was assembled; after the first iteration of an attempt and where no point asks
+    /// for more than one solution, the factors of the iteration before may do.
     fn factor_assembled(
         &mut self,
         plan: &Problem<'_>,
         committed: &State,
-    ) -> Result<FactorReport, SolveError> {
+    ) -> Result<(), SolveError> {
         if plan.inserts_laws() {
-            return self.factor_inserted(plan, committed);
+            return self.factor_inserted(plan, committed).map(|_| ());
         }
+        let near = std::mem::replace(&mut self.factored, true) && self.points.is_empty();
         let Self { values, augmented, systems, points, .. } = self;
         let (symmetrised, solver) = (plan.symmetrised(), solver(systems));
         let pattern = plan.pattern;
-        Stiffness { pattern, values, augmented, solver, symmetrised }.factor(points)
+        let mut stiffness = Stiffness { pattern, values, augmented, solver, symmetrised };
+        match near && stiffness.follow()? {
+            true => Ok(()),
+            false => stiffness.factor(points).map(|_| ()),
+        }
     }
 
     /// Contact points as the condensed problem wants them.

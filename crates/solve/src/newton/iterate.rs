@@ -36,7 +36,9 @@ impl Scratch {
             self;
         let (pattern, symmetrised, solver) = (plan.pattern, plan.symmetrised(), solver(systems));
         let mut stiffness = Stiffness { pattern, values, augmented, solver, symmetrised };
-        contact.solve(points, &context, (*enforcement, &mut stiffness), correction)
+        contact.solve(points, &context, (*enforcement, &mut stiffness), correction)?;
+        self.count_negative_pivots();
+        Ok(())
     }
 
     /// Factors and solves the linearised problem. Where the way without the matrix

@@ -110,6 +110,8 @@ pub struct Scratch {
     /// Most negative pivots of a symmetric factorisation in this attempt:
     /// directions in which the structure gives way.
     pub negative_pivots: usize,
+    /// Whether the factors at hand are of an iteration of this attempt.
+    pub(super) factored: bool,
     /// What the iterations of this attempt showed of every contact point.
     pub iteration_history: IterationHistory,
     /// Whether corrections are shortened until they lessen the residual.
