@@ -384,3 +384,63 @@ fn respond_is_solve() {
         assert_eq!(further, checked);
     }
 }
+
+/// Bricks of three dofs a node, and a definite matrix on them.
+fn bricks(side: usize) -> (Pattern, Vec<f64>) {
+    let node = |[x, y, z]: [usize; 3]| x + side * (y + side * z);
+    let cells = (0..(side - 1).pow(3))
+        .map(|c| [c % (side - 1), c / (side - 1) % (side - 1), c / (side - 1).pow(2)]);
+    let clique = |[x, y, z]: [usize; 3]| -> Vec<usize> {
+        let corners = (0..8).map(|c| node([x + (c & 1), y + (c >> 1 & 1), z + (c >> 2)]));
+        corners.flat_map(|corner| 3 * corner..3 * corner + 3).collect()
+    };
+    let cliques: Vec<Vec<usize>> = cells.map(clique).collect();
+    let pattern = Pattern::from_cliques(3 * side.pow(3), cliques.iter());
+    let rows = (0..pattern.size()).map(|i| (i, pattern.row(i)));
+    let own = |i: usize, row: &[usize]| {
+        let size = row.len() as f64 + 1e-3;
+        row.iter().map(|&j| if i == j { size } else { -1.0 }).collect::<Vec<f64>>()
+    };
+    let values = rows.flat_map(|(i, row)| own(i, row)).collect();
+    (pattern, values)
+}
+
+/// Requirement: a matrix near the one factored last is solved with its factors, to the residual
+/// promised; one that is far or not definite is factored, and solved as if it always had been.
+#[test]
+fn a_matrix_near_the_last_is_not_factored() {
+    let (pattern, values) = bricks(14);
+    let mut solver = analyse(&pattern, Kind::Symmetric);
+    assert_eq!(solver.follow(&pattern, &values), Ok(false), "nothing was factored");
+    solver.refactor(&pattern, &values).unwrap();
+    let changed = |by: f64| -> Vec<f64> {
+        let spread = |i: usize, j: usize| 1.0 + by * ((i * j % 17) as f64 / 17.0);
+        let rows = (0..pattern.size()).flat_map(|i| pattern.row(i).iter().map(move |&j| (i, j)));
+        rows.zip(&values)
+            .map(|((i, j), v)| if i == j { v * (1.0 + by) } else { v * spread(i, j) })
+            .collect()
+    };
+    let x: Vec<f64> = (0..pattern.size()).map(|i| (i % 11) as f64 - 5.0).collect();
+    let mut solve = |values: &[f64]| {
+        assert_eq!(solver.follow(&pattern, values), Ok(true));
+        let matrix = Matrix::new(&pattern, values);
+        let (mut b, mut left) = (vec![0.0; x.len()], vec![0.0; x.len()]);
+        matrix.multiply(&x, &mut b);
+        let mut solution = b.clone();
+        solver.solve(&mut solution).unwrap();
+        matrix.multiply(&solution, &mut left);
+        let norm = |v: &[f64]| v.iter().map(|v| v * v).sum::<f64>().sqrt();
+        left.iter_mut().zip(&b).for_each(|(left, b)| *left -= b);
+        (norm(&left) / norm(&b), solver.negative_pivots())
+    };
+    let (left, negative) = solve(&changed(0.1));
+    assert!(left < 1e-8 && left > 1e-14 && negative == 0, "{left:e}");
+    let upside_down: Vec<f64> = values.iter().map(|v| -v).collect();
+    let (left, negative) = solve(&upside_down);
+    assert!(left < 1e-12 && negative == pattern.size(), "{left:e} {negative}");
+    assert_eq!(solver.follow(&pattern, &values), Ok(false), "the last one was not definite");
+    let (plane, of_plane) = grid(60);
+    let mut solver = analyse(&plane, Kind::Symmetric);
+    solver.refactor(&plane, &of_plane).unwrap();
+    assert_eq!(solver.follow(&plane, &of_plane), Ok(false), "it is as cheap to factor");
+}

@@ -3,7 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
 
 use slideline::linalg::{
-    Analyse, DenseLu, Description, FactorReport, Kind, LinearSystem, Matrix, Pattern, SolveError,
+    Analyse, BuiltIn, DenseLu, Description, FactorReport, Kind, LinearSystem, Matrix, Pattern,
+    SolveError,
 };
 use slideline::model::Dof;
 use slideline::observe::Ending;
@@ -121,5 +122,111 @@ fn a_deck_runs_on_an_external_linear_system() {
     assert_eq!(own.len(), other.len());
     for (a, b) in own.iter().flatten().zip(other.iter().flatten()) {
         assert!((a - b).abs() <= 1e-9 * peak, "{a} {b}");
+    }
+}
+
+/// The system of the program with a count of its factorisations; it may hide what it is.
+#[derive(Default)]
+struct Counted {
+    hidden: bool,
+    factored: Arc<AtomicUsize>,
+}
+
+struct CountedSystem {
+    own: Box<dyn LinearSystem>,
+    hidden: bool,
+    factored: Arc<AtomicUsize>,
+}
+
+impl Analyse for Counted {
+    fn analyse(&self, pattern: &Pattern, kind: Kind) -> Result<Box<dyn LinearSystem>, SolveError> {
+        let own = BuiltIn::default().analyse(pattern, kind)?;
+        Ok(Box::new(CountedSystem { own, hidden: self.hidden, factored: self.factored.clone() }))
+    }
+}
+
+impl LinearSystem for CountedSystem {
+    fn description(&self) -> Description {
+        let own = self.own.description();
+        match self.hidden {
+            true => Description::external("hidden", own.kind, own.equations),
+            false => own,
+        }
+    }
+    fn scatter(&mut self, matrix: Matrix<'_>) {
+        self.own.scatter(matrix);
+    }
+    fn factor(&mut self, matrix: Matrix<'_>, size: &[f64]) -> Result<FactorReport, SolveError> {
+        self.factored.fetch_add(1, Ordering::Relaxed);
+        self.own.factor(matrix, size)
+    }
+    fn solve(&mut self, block: &mut [f64], columns: usize) -> Result<(), SolveError> {
+        self.own.solve(block, columns)
+    }
+    fn solve_transpose(&mut self, block: &mut [f64], columns: usize) -> Result<(), SolveError> {
+        self.own.solve_transpose(block, columns)
+    }
+}
+
+/// A cube of bricks, held below, sheared and pressed above.
+fn cube(side: usize) -> String {
+    let node = |x: usize, y: usize, z: usize| 1 + x + (side + 1) * (y + (side + 1) * z);
+    let all = |n: usize| (0..n.pow(3)).map(move |c| (c % n, c / n % n, c / (n * n)));
+    let mut text = "*NODE, NSET=ALL\n".to_owned();
+    for (x, y, z) in all(side + 1) {
+        text += &format!("{}, {x}., {y}., {z}.\n", node(x, y, z));
+    }
+    text += "*ELEMENT, TYPE=C3D8, ELSET=BODY\n";
+    for (e, (x, y, z)) in all(side).enumerate() {
+        let corners = [
+            (0, 0, 0),
+            (1, 0, 0),
+            (1, 1, 0),
+            (0, 1, 0),
+            (0, 0, 1),
+            (1, 0, 1),
+            (1, 1, 1),
+            (0, 1, 1),
+        ];
+        let nodes = corners.map(|(i, j, k)| node(x + i, y + j, z + k).to_string());
+        text += &format!("{}, {}\n", e + 1, nodes.join(", "));
+    }
+    let layer = (side + 1).pow(2);
+    let top = (side + 1).pow(3) - layer;
+    text += &format!(
+        "*NSET, NSET=BELOW, GENERATE\n1, {layer}\n*NSET, NSET=ABOVE, GENERATE\n{}, {}\n",
+        top + 1,
+        top + layer
+    );
+    text +=
+        "*MATERIAL, NAME=STEEL\n*ELASTIC\n2.1E5, 0.3\n*SOLID SECTION, ELSET=BODY, MATERIAL=STEEL\n";
+    let part = side as f64 / 10.0;
+    text + &format!(
+        "*BOUNDARY\nBELOW, 1, 3\n*STEP, NLGEOM\n*STATIC, DIRECT\n0.5, 1.\n*BOUNDARY\n\
+         ABOVE, 1, 1, {part}\nABOVE, 2, 2\nABOVE, 3, 3, {}\n*NODE PRINT, NSET=ABOVE\nRF\n*END STEP\n",
+        -0.5 * part
+    )
+}
+
+/// Requirement: in a large solid the iterations of an increment share the factors of its first one,
+/// and the history is that of a run in which every iteration has its own, to 1e-10 of its peak.
+#[test]
+fn iterations_of_an_increment_share_factors() {
+    let read = Job::read_text("cube", &cube(13), &ReadOptions::default());
+    let model = read.model.unwrap_or_else(|| panic!("{:#?}", read.diagnostics));
+    let run = |hidden: bool| {
+        let system = Counted { hidden, ..Counted::default() };
+        let factored = system.factored.clone();
+        let linear_systems = LinearSystems::external(Arc::new(system));
+        let options = SolveOptions { linear_systems, ..SolveOptions::default() };
+        (history(&model, &options), factored.load(Ordering::Relaxed))
+    };
+    let ((shared, few), (own, many)) = (run(false), run(true));
+    // one before the first increment, and one in each
+    assert!(few == 3 && many > few + 1, "{few} {many}");
+    let peak = own.iter().flatten().fold(0.0_f64, |a, b| a.max(b.abs()));
+    assert_eq!(own.len(), shared.len());
+    for (a, b) in own.iter().flatten().zip(shared.iter().flatten()) {
+        assert!((a - b).abs() <= 1e-10 * peak, "{a} {b}");
     }
 }

@@ -1,4 +1,5 @@
 use super::*;
+use crate::conjugate::norm;
 use crate::residual::worst_residual;
 
 /// Springs between the neighbours of a cubic grid, along the way between them: a body whose rigid
