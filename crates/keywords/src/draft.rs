@@ -14,6 +14,7 @@ use slideline_model::{
 };
 
 use crate::axes::{Orientation, Transform};
+use crate::changes::ModelChange;
 use crate::constraints::{Coupling, Equation, Link, PreTension, ShapeMpc, Tie};
 use crate::distributed::Distributed;
 use crate::expression::Values;
@@ -233,6 +234,7 @@ pub(crate) struct StepDraft {
     pub controls: Option<Controls>,
     pub restart: Option<SavedStates>,
     pub stabilisation: Option<slideline_model::Stabilisation>,
+    pub changes: Vec<ModelChange>,
     pub prints: Vec<(NodePrint, Option<Span>)>,
     pub element_prints: Vec<(ElementPrint, Option<Span>)>,
     pub contact_prints: Vec<(ContactPrint, Option<Span>)>,

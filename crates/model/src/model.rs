@@ -110,13 +110,6 @@ impl Model {
         Dof::of_rigid_body(self.is_in_space())
     }
 
-    /// What their hoop strain holds of rings: a node and a direction of every element's rigid motions.
-    pub fn rings(&self) -> impl Iterator<Item = (NodeIndex, Dof)> {
-        let rings = self.blocks.iter().filter(|block| block.kind.is_ring());
-        let first = rings.flat_map(|block| &block.elements).map(|element| element.nodes[0]);
-        first.flat_map(|node| [(node, Dof::U1), (node, Dof::UR3)])
-    }
-
     /// Number of state variables of all elements.
     pub fn element_states(&self) -> usize {
         self.blocks.iter().map(|block| block.states() * block.elements.len()).sum()

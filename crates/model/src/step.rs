@@ -4,6 +4,7 @@ use crate::controls::Controls;
 use crate::load::{Distributed, Load};
 use crate::node::{Dof, NodeIndex};
 use crate::output::OutputRequests;
+use crate::presence::Presence;
 use crate::stabilisation::Stabilisation;
 use slideline_diag::Span;
 use slideline_mech::element::Temperature;
@@ -37,6 +38,8 @@ pub struct Step {
     pub temperatures: Vec<NodalTemperature>,
     /// Tolerances and limits.
     pub controls: Controls,
+    /// Elements and contact pairs that are absent, and elements that begin.
+    pub presence: Presence,
     /// Stabilisation of contact, where the deck asks for it.
     pub stabilisation: Option<Stabilisation>,
     /// What to write.

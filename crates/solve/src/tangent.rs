@@ -540,6 +540,7 @@ pub(crate) mod tests {
             loads: vec![],
             temperatures: vec![],
             controls: Controls::default(),
+            presence: Default::default(),
             stabilisation: None,
             distributed: Default::default(),
             output: OutputRequests::default(),

@@ -54,6 +54,7 @@ pub(crate) mod interface;
 pub(crate) mod kinematic;
 pub(crate) mod kinematic_coupling;
 pub(crate) mod material;
+pub(crate) mod model_change;
 pub(crate) mod mpc;
 pub(crate) mod ncopy;
 pub(crate) mod nfill;

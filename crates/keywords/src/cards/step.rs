@@ -84,6 +84,7 @@ impl Keyword for Step {
             controls: None,
             restart: None,
             stabilisation: None,
+            changes: Vec::new(),
             prints: Vec::new(),
             element_prints: Vec::new(),
             contact_prints: Vec::new(),

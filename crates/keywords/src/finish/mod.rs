@@ -13,6 +13,7 @@ mod links;
 mod lookup;
 mod master_chain;
 mod materials;
+mod model_changes;
 mod nodes;
 mod orientations;
 mod pre_tension;

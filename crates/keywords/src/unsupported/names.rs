@@ -45,12 +45,6 @@ pub(super) const GROUPS: &[Group] = &[
         &["SECTION CONTROLS", "HOURGLASS STIFFNESS"],
     ),
     (
-        Unsupported,
-        "elements and contact pairs act in all steps: write a deck for each state of the model, or \
-         hold what is removed clear of the rest by *BOUNDARY",
-        &["MODEL CHANGE"],
-    ),
-    (
         Ignored,
         "temperatures are given here, not computed",
         &[

@@ -229,6 +229,7 @@ fn new_nodes_have_the_mean_of_temperatures() {
         distributed: crate::Distributed::default(),
         temperatures,
         controls: crate::Controls::default(),
+        presence: Presence::default(),
         stabilisation: None,
         output: crate::OutputRequests::default(),
         origin: Span::default(),

@@ -87,6 +87,7 @@ fn step() -> Step {
         loads: vec![],
         temperatures: vec![],
         controls: Controls::default(),
+        presence: Default::default(),
         stabilisation: None,
         distributed: Default::default(),
         output: OutputRequests::default(),
