@@ -24,7 +24,8 @@ impl Bodies {
             dependent: vec![None; count],
             flexible: vec![false; count],
         };
-        for (_, element) in presence.elements(model).filter(|(block, _)| block.kind.joins()) {
+        for (_, element) in presence.elements(&model.blocks).filter(|(block, _)| block.kind.joins())
+        {
             let first = element.nodes[0];
             for &node in element.nodes {
                 bodies.join(first, node);
@@ -54,7 +55,8 @@ impl Bodies {
     }
 
     fn find_flexible(&mut self, model: &Model, presence: &Presence) {
-        for (_, element) in presence.elements(model).filter(|(block, _)| block.kind.joins()) {
+        for (_, element) in presence.elements(&model.blocks).filter(|(block, _)| block.kind.joins())
+        {
             if element.ends().iter().any(|&node| self.dependent[node].is_none()) {
                 let body = self.of_node(element.nodes[0]);
                 self.flexible[body] = true;

@@ -128,7 +128,7 @@ impl<'a> Holds<'a> {
     /// Rings are held along their radius and against turns by their own hoop strain.
     fn rings(&mut self) {
         let mut held = std::collections::BTreeSet::new();
-        for (node, dof) in self.presence.rings(self.start.model) {
+        for (node, dof) in self.presence.rings(&self.start.model.blocks) {
             if held.insert((self.bodies.of_node(node), dof)) {
                 self.hold(node, dof);
             }
@@ -137,7 +137,7 @@ impl<'a> Holds<'a> {
 
     fn springs(&mut self) {
         let model = self.start.model;
-        for (block, spring) in self.presence.elements(model) {
+        for (block, spring) in self.presence.elements(&model.blocks) {
             let Some(springs) = block.springs() else { continue };
             match springs.section.way {
                 SpringWay::Dof(dof) if spring.nodes.len() == 1 => {

@@ -94,6 +94,11 @@ impl Model {
         self.initial_temperatures.get(node).copied().unwrap_or_default()
     }
 
+    /// Whether some element or contact pair is absent in some step.
+    pub fn is_changed(&self) -> bool {
+        self.steps.iter().any(|step| !step.presence.is_whole())
+    }
+
     /// Whether an element moves out of the plane.
     pub fn is_in_space(&self) -> bool {
         let outside = |block: &ElementBlock| block.kind.dofs.iter().any(|dof| !dof.is_plane());

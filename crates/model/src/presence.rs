@@ -7,7 +7,6 @@
 //! ```
 
 use crate::element::block::{Element, ElementBlock};
-use crate::model::Model;
 use crate::node::{Dof, NodeIndex};
 use slideline_diag::Span;
 
@@ -45,13 +44,12 @@ impl Presence {
         self.absent.is_empty() && self.begun.is_empty() && self.absent_pairs.is_empty()
     }
 
-    /// The elements that are there, of blocks in the order of the model.
+    /// The elements of the blocks of a model that are there, in their order.
     pub fn elements<'a>(
         &'a self,
-        model: &'a Model,
+        blocks: &'a [ElementBlock],
     ) -> impl Iterator<Item = (&'a ElementBlock, Element<'a>)> {
-        let blocks = model.blocks.iter().enumerate();
-        blocks.flat_map(move |(block, own)| {
+        blocks.iter().enumerate().flat_map(move |(block, own)| {
             let elements = own.elements.iter().enumerate();
             let there = elements.filter(move |&(member, _)| self.has((block, member)));
             there.map(move |(_, element)| (own, element))
@@ -60,15 +58,11 @@ impl Presence {
 
     /// What their hoop strain holds of the rings that are there: a node and a direction of every
     /// element's rigid motions.
-    pub fn rings<'a>(&'a self, model: &'a Model) -> impl Iterator<Item = (NodeIndex, Dof)> + 'a {
-        let rings = self.elements(model).filter(|(block, _)| block.kind.is_ring());
+    pub fn rings<'a>(
+        &'a self,
+        blocks: &'a [ElementBlock],
+    ) -> impl Iterator<Item = (NodeIndex, Dof)> + 'a {
+        let rings = self.elements(blocks).filter(|(block, _)| block.kind.is_ring());
         rings.flat_map(|(_, own)| [(own.nodes[0], Dof::U1), (own.nodes[0], Dof::UR3)])
-    }
-}
-
-impl Model {
-    /// Whether some element or contact pair is absent in some step.
-    pub fn is_changed(&self) -> bool {
-        self.steps.iter().any(|step| !step.presence.is_whole())
     }
 }

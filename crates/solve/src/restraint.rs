@@ -36,13 +36,13 @@ impl Restraint {
             .flat_map(|node| model.nodes.position(node))
             .fold(0.0_f64, |size, x| size.max(x.abs()));
         let held = step.prescribed.iter().map(|prescribed| (prescribed.node, prescribed.dof));
-        let springs = presence.elements(model).filter_map(|(block, spring)| {
+        let springs = presence.elements(&model.blocks).filter_map(|(block, spring)| {
             let section = block.springs()?.section;
             let SpringWay::Dof(dof) = section.way else { return None };
             let to_ground = section.law.stiffest() != 0.0 && spring.nodes.len() == 1;
             to_ground.then_some((spring.nodes[0], dof))
         });
-        let held = held.chain(springs).chain(presence.rings(model));
+        let held = held.chain(springs).chain(presence.rings(&model.blocks));
         let held: Vec<(NodeIndex, Dof)> = held.collect();
         let mut rows: HashMap<NodeIndex, Vec<Motion>> = HashMap::new();
         for (node, dof) in held {
@@ -92,7 +92,7 @@ impl Bodies {
     fn of(model: &Model, presence: &Presence) -> Self {
         let parent = (0..model.nodes.len()).collect();
         let mut new = Self { parent, used: Vec::new(), turns: Default::default() };
-        let joining = || presence.elements(model).filter(|(block, _)| block.kind.joins());
+        let joining = || presence.elements(&model.blocks).filter(|(block, _)| block.kind.joins());
         let corners = joining().map(|(_, element)| element.nodes.len()).sum::<usize>();
         let further = model.rigid_links.len() + model.contact_pairs.len();
         let mut turning = Vec::with_capacity(corners + further);

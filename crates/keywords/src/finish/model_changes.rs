@@ -302,7 +302,7 @@ fn bare_nodes(presence: &Presence, draft: &Draft) -> HashSet<NodeIndex> {
         model.blocks.get(block).map(|own| own.elements.get(member).nodes)
     });
     let mut bare: HashSet<NodeIndex> = absent.flatten().copied().collect();
-    presence.elements(model).flat_map(|(_, element)| element.nodes).for_each(|node| {
+    presence.elements(&model.blocks).flat_map(|(_, element)| element.nodes).for_each(|node| {
         bare.remove(node);
     });
     model.rigid_links.iter().for_each(|link| {

@@ -8,6 +8,15 @@ use crate::state::{PointState, State};
 use slideline_model::Presence;
 use std::borrow::Cow;
 
+/// Energy of contact that is let go [F L].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Released {
+    /// That of the normal laws.
+    pub laws: f64,
+    /// That of elastic slip.
+    pub slip: f64,
+}
+
 impl Contact {
     /// The contact of a step.
     pub fn of_step(&self, presence: &Presence) -> Cow<'_, Self> {
@@ -33,25 +42,25 @@ impl Contact {
     }
 
     /// Adds `factor` times the forces of the points of some pairs in a committed state [F], and
-    /// lets these points forget what they did; the energy that their laws held, and their elastic
-    /// slip [F L].
+    /// lets these points forget what they did; the energy that they held.
     pub fn release(
         &self,
         pairs: &[usize],
         (state, factor): (&mut State, f64),
         force: &mut [f64],
-    ) -> [f64; 2] {
+    ) -> Released {
+        let mut held = Released::default();
         if pairs.is_empty() {
-            return [0.0; 2];
+            return held;
         }
         let (mut positions, mut kinematics) = (MasterPositions::default(), self.nowhere());
         let at = (&state.displacement[..], &state.points[..]);
         self.meet(at, &[], &mut positions, &mut kinematics);
-        let mut held = [0.0; 2];
         for (place, point) in self.points.iter().enumerate() {
             if pairs.contains(&point.pair) {
-                let [law, slip] = self.push_out(place, (state, factor), &kinematics, force);
-                held = [held[0] + law, held[1] + slip];
+                let own = self.push_out(place, (state, factor), &kinematics, force);
+                held.laws += own.laws;
+                held.slip += own.slip;
                 let own = point.state_variables..point.state_variables + point.state_size;
                 state.state_variables[own].fill(0.0);
                 state.points[place] = PointState::default();
@@ -66,15 +75,16 @@ impl Contact {
         (state, factor): (&State, f64),
         kinematics: &ContactKinematics,
         force: &mut [f64],
-    ) -> [f64; 2] {
+    ) -> Released {
         let now = &state.points[place];
         if !now.closed {
-            return [0.0; 2];
+            return Released::default();
         }
         let tangential = now.area * now.traction;
         let normal = now.area * now.pressure;
         kinematics.at(place).push(factor * normal, factor * tangential, force);
         let law = &self.laws[self.points[place].pair].normal;
-        [now.area * law.energy(-now.opening), 0.5 * tangential.dot(now.elastic_slip)]
+        let laws = now.area * law.energy(-now.opening);
+        Released { laws, slip: 0.5 * tangential.dot(now.elastic_slip) }
     }
 }

@@ -68,10 +68,10 @@ impl Analysis<'_> {
         let energy = &mut self.committed.energy;
         energy.strain_energy += returned.stored - removed.stored;
         energy.material_dissipation += returned.dissipated - removed.dissipated;
-        energy.contact_energy -= held[0];
-        energy.friction_elastic -= held[1];
+        energy.contact_energy -= held.laws;
+        energy.friction_elastic -= held.slip;
         let gone = removed.stored + removed.dissipated - returned.stored - returned.dissipated;
-        energy.removed_energy += gone + held[0] + held[1];
+        energy.removed_energy += gone + held.laws + held.slip;
         Ok(())
     }
 
