@@ -526,3 +526,34 @@ fn both_dialects_change_the_model_alike() {
         [Dialect::Abaqus, Dialect::Calculix].map(|dialect| walked(&model(&deck, dialect)).rows);
     assert_eq!(end(&one, 2).motion, end(&other, 2).motion);
 }
+
+/// Requirement: files say what is absent: the cells of the states, the energy that left; tables have
+/// rows of what is there.
+#[test]
+fn files_leave_out_what_is_absent() {
+    let print = "*EL PRINT, ELSET=ALL\nS\n*ELEMENT OUTPUT, ELSET=ALL\nS\n";
+    let deck = square(false)
+        + &step(false, 1, &(SIDE.to_owned() + print))
+        + &step(false, 1, &format!("{LEAVE}UP\n"));
+    let folder = std::env::temp_dir().join(format!("model_change_{}", std::process::id()));
+    let _ = std::fs::remove_dir_all(&folder);
+    let read = Job::read_text("parts", &deck, &ReadOptions::default());
+    let options = slideline::RunOptions { out: Some(folder.clone()), ..Default::default() };
+    let done = slideline::run(&read, &options, &mut slideline::Quiet);
+    assert!(done.is_ok(), "{done:?}");
+    let text = |name: &str| std::fs::read_to_string(folder.join(name)).unwrap();
+    let energy = text("parts.energy.csv");
+    assert!(energy.lines().next().unwrap().contains("released_energy,removed_energy"), "{energy}");
+    let rows = text("parts.element.csv");
+    let of = |increment: &str| {
+        let named = rows.lines().filter(|line| line.starts_with(increment));
+        named.map(|line| line.split(',').nth(3).unwrap().to_owned()).collect::<Vec<_>>()
+    };
+    assert_eq!(of("1,1,").iter().filter(|own| *own == "3").count(), 4, "{rows}");
+    assert!(!of("2,1,").contains(&"3".to_owned()) && of("2,1,").contains(&"1".to_owned()), "{rows}");
+    let state = std::fs::read(folder.join("parts_0001.vtu")).unwrap();
+    assert!(state.windows(13).any(|own| own == b"Name=\"active\""), "no field");
+    let page = text("parts.html");
+    assert!(page.contains("\"changed\":[0,0,1]"), "frames of the report");
+    std::fs::remove_dir_all(&folder).unwrap();
+}
