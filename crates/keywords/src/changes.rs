@@ -1,6 +1,7 @@
 //! What `*MODEL CHANGE` cards ask for.
 
 use slideline_diag::Span;
+use slideline_model::Interaction;
 
 use crate::instances::Target;
 use crate::surfaces::Named;
@@ -30,4 +31,23 @@ pub(crate) enum Changed {
     Elements(Vec<(Target, Span)>),
     /// Slave and master surface of contact pairs, and the line.
     Pairs(Vec<([Named; 2], Span)>),
+}
+
+/// A `*CHANGE FRICTION` card with the law that follows it.
+#[derive(Clone, Debug)]
+pub(crate) struct FrictionChange {
+    pub of: FrictionOf,
+    /// `RESET`: the law of the model again.
+    pub reset: bool,
+    /// What a `*FRICTION` behind it fills in.
+    pub interaction: Interaction,
+}
+
+/// Whose friction changes.
+#[derive(Clone, Debug)]
+pub(crate) enum FrictionOf {
+    /// All pairs of a `*SURFACE INTERACTION`.
+    Interaction(Named),
+    /// The pair of an `*INTERFACE`.
+    Elements(Named),
 }

@@ -14,7 +14,7 @@ use slideline_model::{
 };
 
 use crate::axes::{Orientation, Transform};
-use crate::changes::ModelChange;
+use crate::changes::{FrictionChange, ModelChange};
 use crate::constraints::{Coupling, Equation, Link, PreTension, ShapeMpc, Tie};
 use crate::distributed::Distributed;
 use crate::expression::Values;
@@ -66,6 +66,8 @@ pub(crate) struct Draft {
     pub named_surfaces: Vec<NamedSurface>,
     pub interactions: Vec<NamedInteraction>,
     pub pairings: Vec<Pairing>,
+    /// Contact pairs of the model by the name of their surface interaction.
+    pub pairs_of_interaction: HashMap<String, Vec<usize>>,
     pub bodies: Vec<RigidBody>,
     pub links: Vec<Link>,
     pub equations: Vec<Equation>,
@@ -139,6 +141,8 @@ pub(crate) enum Owner {
     Nobody,
     Interface(usize),
     Interaction(usize),
+    /// `*CHANGE FRICTION` of the step that is open.
+    FrictionChange,
     Material(usize),
     Section(usize),
     Coupling(usize),
@@ -235,6 +239,7 @@ pub(crate) struct StepDraft {
     pub restart: Option<SavedStates>,
     pub stabilisation: Option<slideline_model::Stabilisation>,
     pub changes: Vec<ModelChange>,
+    pub frictions: Vec<FrictionChange>,
     pub prints: Vec<(NodePrint, Option<Span>)>,
     pub element_prints: Vec<(ElementPrint, Option<Span>)>,
     pub contact_prints: Vec<(ContactPrint, Option<Span>)>,
@@ -375,6 +380,10 @@ impl Draft {
             Owner::Interaction(index) => {
                 let named = self.interactions.get_mut(index)?;
                 return Some((&mut named.interaction, "*SURFACE INTERACTION"));
+            }
+            Owner::FrictionChange if keyword == "FRICTION" => {
+                let change = self.steps.last_mut()?.frictions.last_mut()?;
+                return Some((&mut change.interaction, "*CHANGE FRICTION"));
             }
             Owner::Broken => return None,
             _ => {}

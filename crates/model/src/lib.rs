@@ -64,7 +64,9 @@ pub use slideline_mech::element::{SpringLaw, Temperature};
 pub use slideline_mech::material::Material;
 pub use slideline_mech::section::Shape;
 pub use stabilisation::Stabilisation;
-pub use step::{Extrapolation, NodalTemperature, Passage, Prescribed, Static, Step};
+pub use step::{
+    ChangedFriction, Extrapolation, NodalTemperature, Passage, Prescribed, Static, Step,
+};
 pub use tested::Tested;
 pub use transform::Transform;
 pub use vocabulary::Vocabulary;

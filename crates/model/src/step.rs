@@ -1,5 +1,6 @@
 //! Steps: what is prescribed, and how the way there is walked.
 
+use crate::contact::Friction;
 use crate::controls::Controls;
 use crate::load::{Distributed, Load};
 use crate::node::{Dof, NodeIndex};
@@ -40,6 +41,8 @@ pub struct Step {
     pub controls: Controls,
     /// Elements and contact pairs that are absent, and elements that begin.
     pub presence: Presence,
+    /// Friction of contact pairs that is not that of their interactions, by ascending pairs.
+    pub frictions: Vec<ChangedFriction>,
     /// Stabilisation of contact, where the deck asks for it.
     pub stabilisation: Option<Stabilisation>,
     /// What to write.
@@ -103,6 +106,20 @@ impl Passage {
             Self::LongTerm => f64::INFINITY,
         }
     }
+}
+
+/// Friction of a contact pair in a step.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChangedFriction {
+    /// The pair, by its place in the model.
+    pub pair: usize,
+    /// The law at the end of the step before; its coefficients lead to those of the law of this
+    /// step over the step, unless values act at once.
+    pub from: Friction,
+    /// The law of this step.
+    pub to: Friction,
+    /// Where it was said.
+    pub origin: Span,
 }
 
 /// A prescribed motion.

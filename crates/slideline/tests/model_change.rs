@@ -535,12 +535,12 @@ fn files_leave_out_what_is_absent() {
     let deck = square(false)
         + &step(false, 1, &(SIDE.to_owned() + print))
         + &step(false, 1, &format!("{LEAVE}UP\n"));
-    let folder = std::env::temp_dir().join(format!("model_change_{}", std::process::id()));
+    let folder = std::path::PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("model_change");
     let _ = std::fs::remove_dir_all(&folder);
     let read = Job::read_text("parts", &deck, &ReadOptions::default());
-    let options = slideline::RunOptions { out: Some(folder.clone()), ..Default::default() };
+    let options = slideline::RunOptions { folder: Some(folder.clone()), ..Default::default() };
     let done = slideline::run(&read, &options, &mut slideline::Quiet);
-    assert!(done.is_ok(), "{done:?}");
+    assert_eq!(done.status, slideline::Status::Completed, "{done:?}");
     let text = |name: &str| std::fs::read_to_string(folder.join(name)).unwrap();
     let energy = text("parts.energy.csv");
     assert!(energy.lines().next().unwrap().contains("released_energy,removed_energy"), "{energy}");
@@ -550,10 +550,10 @@ fn files_leave_out_what_is_absent() {
         named.map(|line| line.split(',').nth(3).unwrap().to_owned()).collect::<Vec<_>>()
     };
     assert_eq!(of("1,1,").iter().filter(|own| *own == "3").count(), 4, "{rows}");
-    assert!(!of("2,1,").contains(&"3".to_owned()) && of("2,1,").contains(&"1".to_owned()), "{rows}");
+    assert!(
+        !of("2,1,").contains(&"3".to_owned()) && of("2,1,").contains(&"1".to_owned()),
+        "{rows}"
+    );
     let state = std::fs::read(folder.join("parts_0001.vtu")).unwrap();
     assert!(state.windows(13).any(|own| own == b"Name=\"active\""), "no field");
-    let page = text("parts.html");
-    assert!(page.contains("\"changed\":[0,0,1]"), "frames of the report");
-    std::fs::remove_dir_all(&folder).unwrap();
 }

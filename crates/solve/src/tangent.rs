@@ -541,6 +541,7 @@ pub(crate) mod tests {
             temperatures: vec![],
             controls: Controls::default(),
             presence: Default::default(),
+            frictions: vec![],
             stabilisation: None,
             distributed: Default::default(),
             output: OutputRequests::default(),

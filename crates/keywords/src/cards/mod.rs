@@ -14,6 +14,7 @@ pub(crate) mod beam_general_section;
 pub(crate) mod beam_section;
 pub(crate) mod biaxial_test_data;
 pub(crate) mod boundary;
+pub(crate) mod change_friction;
 pub(crate) mod cload;
 pub(crate) mod contact_controls;
 pub(crate) mod contact_file;

@@ -85,6 +85,7 @@ impl Keyword for Step {
             restart: None,
             stabilisation: None,
             changes: Vec::new(),
+            frictions: Vec::new(),
             prints: Vec::new(),
             element_prints: Vec::new(),
             contact_prints: Vec::new(),

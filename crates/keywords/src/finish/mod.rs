@@ -8,6 +8,7 @@ mod distributed;
 mod distributing;
 mod equations;
 mod faces;
+mod frictions;
 mod line_loads;
 mod links;
 mod lookup;

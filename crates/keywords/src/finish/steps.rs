@@ -9,6 +9,7 @@ use slideline_model::{
     OutputRequests, Passage, Prescribed, PrintTarget, Request, SavedStates, Static, Step,
 };
 
+use super::frictions::Frictions;
 use super::model_changes::Absent;
 use super::standing::{Curved, InForce, Standing};
 use super::{resting, temperatures};
@@ -23,6 +24,7 @@ struct Carried {
     temperatures: InForce<NodalTemperature, NodeIndex>,
     distributed: resting::InForce,
     absent: Absent,
+    frictions: Frictions,
     controls: Controls,
     restart: Option<SavedStates>,
     prints: Vec<NodePrint>,
@@ -40,7 +42,8 @@ impl Carried {
         let points = self.contact_prints.iter().map(|print| print.nodes.len());
         let printed: usize = nodes.chain(elements).chain(points).sum();
         let temperatures = self.temperatures.list.len();
-        let loads = self.loads.len() + self.distributed.size() + self.absent.size();
+        let loads =
+            self.loads.len() + self.distributed.size() + self.absent.size() + self.frictions.size();
         self.prescribed.list.len() + loads + temperatures + printed
     }
 }
@@ -136,6 +139,7 @@ fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
     }
     carried.loads.take(loads(&step.loads, draft));
     let presence = carried.absent.change(&step, draft);
+    let frictions = carried.frictions.change(&step, draft);
     heat(&step, carried, draft);
     distribute(&step, carried, draft);
     carried.controls = step.controls.unwrap_or(carried.controls);
@@ -168,6 +172,7 @@ fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
         controls: carried.controls,
         distributed: carried.distributed.loads(at_once, draft),
         presence,
+        frictions,
         stabilisation: step.stabilisation,
         output: OutputRequests {
             restart: carried.restart,

@@ -125,9 +125,8 @@ pub(super) const GROUPS: &[Group] = &[
     ),
     (
         Unsupported,
-        "friction and pressure laws are properties of the model: *FRICTION and *SURFACE BEHAVIOR \
-         before the first step",
-        &["CHANGE FRICTION", "CHANGE SURFACE BEHAVIOR", "CHANGE CONTACT TYPE"],
+        "pressure laws are properties of the model: *SURFACE BEHAVIOR before the first step",
+        &["CHANGE SURFACE BEHAVIOR", "CHANGE CONTACT TYPE"],
     ),
     (
         Unsupported,

@@ -230,6 +230,7 @@ fn new_nodes_have_the_mean_of_temperatures() {
         temperatures,
         controls: crate::Controls::default(),
         presence: Presence::default(),
+        frictions: vec![],
         stabilisation: None,
         output: crate::OutputRequests::default(),
         origin: Span::default(),

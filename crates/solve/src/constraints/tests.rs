@@ -88,6 +88,7 @@ fn step() -> Step {
         temperatures: vec![],
         controls: Controls::default(),
         presence: Default::default(),
+        frictions: vec![],
         stabilisation: None,
         distributed: Default::default(),
         output: OutputRequests::default(),

@@ -89,7 +89,7 @@ impl Analysis<'_> {
     ) -> Result<(), Left> {
         let (model, plan, values) = (self.model, self.plan, self.values);
         let step = &model.steps[number - 1];
-        let contact = &*values.contact.of_step(&step.presence);
+        let contact = &*values.contact.of_step(model, step);
         // where an element cannot begin, that was said before the step
         let begun = self.begun_kernels(step, &start.references).ok().flatten();
         let kernels = begun.as_ref().unwrap_or(&values.kernels);
@@ -159,6 +159,10 @@ impl Analysis<'_> {
                 step_time: control.target(&step.procedure),
                 dt: control.target(&step.procedure) - control.time,
             };
+            // friction that changes over the step is that of the end of the increment
+            let changed = plan.contact.at(target.step_time / step.procedure.period);
+            let contact = changed.as_ref().unwrap_or(plan.contact);
+            let plan = &Problem { contact, ..*plan };
             let mut outcome = self.attempt(plan, &target, work)?;
             if work.outside {
                 work.take_back(outcome);
