@@ -1,6 +1,6 @@
 //! Which nodes move together: bodies joined by elements, rigid links and equations.
 
-use slideline_model::{Master, Model, NodeIndex};
+use slideline_model::{Master, Model, NodeIndex, Presence};
 
 /// Nodes in bodies: two nodes of one body cannot move apart rigidly.
 pub struct Bodies {
@@ -15,8 +15,8 @@ pub struct Bodies {
 }
 
 impl Bodies {
-    /// Bodies of a model.
-    pub fn of(model: &Model) -> Self {
+    /// Bodies of what there is of a model.
+    pub fn of(model: &Model, presence: &Presence) -> Self {
         let count = model.nodes.len();
         let mut bodies = Self {
             parent: (0..count).collect(),
@@ -24,13 +24,12 @@ impl Bodies {
             dependent: vec![None; count],
             flexible: vec![false; count],
         };
-        for block in model.blocks.iter().filter(|block| block.kind.joins()) {
-            for element in &block.elements {
-                let first = element.nodes[0];
-                for &node in element.nodes {
-                    bodies.join(first, node);
-                    bodies.active[node] = true;
-                }
+        for (_, element) in presence.elements(&model.blocks).filter(|(block, _)| block.kind.joins())
+        {
+            let first = element.nodes[0];
+            for &node in element.nodes {
+                bodies.join(first, node);
+                bodies.active[node] = true;
             }
         }
         for link in &model.rigid_links {
@@ -45,22 +44,22 @@ impl Bodies {
                 bodies.join(constraint.dependent.0, node);
             }
         }
-        for pair in &model.contact_pairs {
+        let pairs = model.contact_pairs.iter().enumerate();
+        for (_, pair) in pairs.filter(|&(place, _)| presence.has_pair(place)) {
             if let Master::RigidSurface(surface) = &pair.master {
                 bodies.active[surface.reference] = true;
             }
         }
-        bodies.find_flexible(model);
+        bodies.find_flexible(model, presence);
         bodies
     }
 
-    fn find_flexible(&mut self, model: &Model) {
-        for block in model.blocks.iter().filter(|block| block.kind.joins()) {
-            for element in &block.elements {
-                if element.ends().iter().any(|&node| self.dependent[node].is_none()) {
-                    let body = self.of_node(element.nodes[0]);
-                    self.flexible[body] = true;
-                }
+    fn find_flexible(&mut self, model: &Model, presence: &Presence) {
+        for (_, element) in presence.elements(&model.blocks).filter(|(block, _)| block.kind.joins())
+        {
+            if element.ends().iter().any(|&node| self.dependent[node].is_none()) {
+                let body = self.of_node(element.nodes[0]);
+                self.flexible[body] = true;
             }
         }
     }

@@ -9,10 +9,11 @@
 //! Beams resist every deformation, so the null space of the undeformed
 //! stiffness holds rigid motions of whole bodies only, and a few rows find it.
 
+use crate::bodies::Bodies;
 use crate::finding::{Finding, Place};
 use crate::start::{Start, arc_of, circle_of, length, less, spacing};
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{ContactPair, Dof, Master, NodeIndex, SpringWay, Step};
+use slideline_model::{ContactPair, Dof, Master, NodeIndex, Presence, SpringWay, Step};
 use std::collections::BTreeMap;
 
 /// Pivots below this count as zero; rows are of length one [1].
@@ -26,7 +27,9 @@ const STRAIGHT: f64 = 0.2;
 pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
     let mut told = Vec::new();
     for (number, step) in start.model.steps.iter().enumerate() {
-        let mut holds = Holds::new(start);
+        let changed = (!step.presence.is_whole()).then(|| Bodies::of(start.model, &step.presence));
+        let bodies = changed.as_ref().unwrap_or(&start.bodies);
+        let mut holds = Holds::new(start, (bodies, &step.presence));
         holds.supports(step);
         holds.springs();
         holds.rings();
@@ -59,6 +62,9 @@ type Motion = [f64; 3];
 
 struct Holds<'a> {
     start: &'a Start<'a>,
+    /// Who moves with whom in the step, and what is there.
+    bodies: &'a Bodies,
+    presence: &'a Presence,
     /// First unknown of every body.
     column: BTreeMap<NodeIndex, usize>,
     rows: Vec<Vec<f64>>,
@@ -66,14 +72,14 @@ struct Holds<'a> {
 }
 
 impl<'a> Holds<'a> {
-    fn new(start: &'a Start<'a>) -> Self {
+    fn new(start: &'a Start<'a>, (bodies, presence): (&'a Bodies, &'a Presence)) -> Self {
         let mut column = BTreeMap::new();
-        for node in (0..start.model.nodes.len()).filter(|&node| start.bodies.active[node]) {
+        for node in (0..start.model.nodes.len()).filter(|&node| bodies.active[node]) {
             let next = 3 * column.len();
-            column.entry(start.bodies.of_node(node)).or_insert(next);
+            column.entry(bodies.of_node(node)).or_insert(next);
         }
         let size = if start.reach > 0.0 { start.reach } else { 1.0 };
-        Self { start, column, rows: Vec::new(), size }
+        Self { start, bodies, presence, column, rows: Vec::new(), size }
     }
 
     fn width(&self) -> usize {
@@ -83,7 +89,7 @@ impl<'a> Holds<'a> {
     /// Adds `sign` times the motion of `point` with the body of `node` along
     /// `way`; rotations are scaled with the size of the model.
     fn add(&self, row: &mut [f64], node: NodeIndex, point: [f64; 3], way: [f64; 3], sign: f64) {
-        let body = self.start.bodies.of_node(node);
+        let body = self.bodies.of_node(node);
         let Some(&first) = self.column.get(&body) else { return };
         let arm = less(point, self.start.model.nodes.position(body));
         row[first] += sign * way[0];
@@ -110,7 +116,7 @@ impl<'a> Holds<'a> {
             Dof::U1 => self.add(&mut row, node, at, [1.0, 0.0, 0.0], 1.0),
             Dof::U2 => self.add(&mut row, node, at, [0.0, 1.0, 0.0], 1.0),
             Dof::UR3 => {
-                if let Some(&first) = self.column.get(&self.start.bodies.of_node(node)) {
+                if let Some(&first) = self.column.get(&self.bodies.of_node(node)) {
                     row[first + 2] = 1.0;
                 }
             }
@@ -122,8 +128,8 @@ impl<'a> Holds<'a> {
     /// Rings are held along their radius and against turns by their own hoop strain.
     fn rings(&mut self) {
         let mut held = std::collections::BTreeSet::new();
-        for (node, dof) in self.start.model.rings() {
-            if held.insert((self.start.bodies.of_node(node), dof)) {
+        for (node, dof) in self.presence.rings(&self.start.model.blocks) {
+            if held.insert((self.bodies.of_node(node), dof)) {
                 self.hold(node, dof);
             }
         }
@@ -131,27 +137,26 @@ impl<'a> Holds<'a> {
 
     fn springs(&mut self) {
         let model = self.start.model;
-        for block in model.blocks.iter().filter_map(|block| block.springs()) {
-            for spring in block.elements {
-                match block.section.way {
-                    SpringWay::Dof(dof) if spring.nodes.len() == 1 => {
-                        self.hold(spring.nodes[0], dof);
-                    }
-                    SpringWay::Dof(dof) if dof.is_rotation() => {}
-                    SpringWay::Dof(dof) => {
-                        let mut way = [0.0; 3];
-                        way[dof as usize] = 1.0;
-                        let at = model.nodes.position(spring.nodes[0]);
-                        self.between(spring.ends(), at, way);
-                    }
-                    SpringWay::Line { .. } => {
-                        let ends = spring.ends().map(|node| model.nodes.position(node));
-                        let way = less(ends[1], ends[0]);
-                        let long = length(way);
-                        if long > 0.0 {
-                            let way = way.map(|x| x / long);
-                            self.between(spring.ends(), ends[0], way);
-                        }
+        for (block, spring) in self.presence.elements(&model.blocks) {
+            let Some(springs) = block.springs() else { continue };
+            match springs.section.way {
+                SpringWay::Dof(dof) if spring.nodes.len() == 1 => {
+                    self.hold(spring.nodes[0], dof);
+                }
+                SpringWay::Dof(dof) if dof.is_rotation() => {}
+                SpringWay::Dof(dof) => {
+                    let mut way = [0.0; 3];
+                    way[dof as usize] = 1.0;
+                    let at = model.nodes.position(spring.nodes[0]);
+                    self.between(spring.ends(), at, way);
+                }
+                SpringWay::Line { .. } => {
+                    let ends = spring.ends().map(|node| model.nodes.position(node));
+                    let way = less(ends[1], ends[0]);
+                    let long = length(way);
+                    if long > 0.0 {
+                        let way = way.map(|x| x / long);
+                        self.between(spring.ends(), ends[0], way);
                     }
                 }
             }
@@ -171,7 +176,8 @@ impl<'a> Holds<'a> {
     /// others of a round body touch nothing when these do.
     fn contact(&mut self, touching: bool) {
         let model = self.start.model;
-        for (place, pair) in model.contact_pairs.iter().enumerate() {
+        let pairs = model.contact_pairs.iter().enumerate();
+        for (place, pair) in pairs.filter(|&(place, _)| self.presence.has_pair(place)) {
             let begins = pair.interaction.normal.contact_begins();
             let Some(nearest) = self.start.nearest(place).copied() else { continue };
             if touching && nearest.opening > -begins + 1e-9 * self.size {

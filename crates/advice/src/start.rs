@@ -8,7 +8,8 @@
 use crate::bodies::Bodies;
 use crate::moments::Rehearsal;
 use slideline_model::{
-    ContactPair, Dof, Master, Model, NodeIndex, Prescribed, ProfilePoint, Step, SurfaceSegment,
+    ContactPair, Dof, Master, Model, NodeIndex, Prescribed, Presence, ProfilePoint, Step,
+    SurfaceSegment,
 };
 use slideline_solve::observe::ContactRow;
 
@@ -32,7 +33,7 @@ impl<'a> Start<'a> {
     pub fn of(model: &'a Model) -> Self {
         Self {
             model,
-            bodies: Bodies::of(model),
+            bodies: Bodies::of(model, &Presence::default()),
             points: slideline_solve::initial_contact(model),
             reach: reach(model),
             rehearsals: Vec::new(),

@@ -63,6 +63,8 @@ pub(crate) struct Draft {
     pub named_surfaces: Vec<NamedSurface>,
     pub interactions: Vec<NamedInteraction>,
     pub pairings: Vec<Pairing>,
+    /// Contact pairs of the model by the name of their surface interaction.
+    pub pairs_of_interaction: HashMap<String, Vec<usize>>,
     pub bodies: Vec<RigidBody>,
     pub links: Vec<Link>,
     pub equations: Vec<Equation>,
@@ -136,6 +138,8 @@ pub(crate) enum Owner {
     Nobody,
     Interface(usize),
     Interaction(usize),
+    /// `*CHANGE FRICTION` of the step that is open.
+    FrictionChange,
     Material(usize),
     Section(usize),
     Coupling(usize),
@@ -281,6 +285,10 @@ impl Draft {
             Owner::Interaction(index) => {
                 let named = self.interactions.get_mut(index)?;
                 return Some((&mut named.interaction, "*SURFACE INTERACTION"));
+            }
+            Owner::FrictionChange if keyword == "FRICTION" => {
+                let change = self.steps.last_mut()?.frictions.last_mut()?;
+                return Some((&mut change.interaction, "*CHANGE FRICTION"));
             }
             Owner::Broken => return None,
             _ => {}

@@ -13,6 +13,7 @@
 
 mod axes;
 mod cards;
+mod changes;
 mod constraints;
 mod curves;
 mod distributed;

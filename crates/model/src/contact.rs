@@ -161,6 +161,17 @@ pub enum Master {
     Faces(MasterFaces),
 }
 
+impl Master {
+    /// Nodes of a master that deforms; none of a rigid surface.
+    pub fn deforming_nodes(&self) -> Vec<NodeIndex> {
+        match self {
+            Self::RigidSurface(_) => Vec::new(),
+            Self::SlideLine(line) => line.nodes.clone(),
+            Self::Faces(faces) => faces.nodes(),
+        }
+    }
+}
+
 /// A point of a profile, in the plane of the profile [L].
 pub type ProfilePoint = [f64; 2];
 

@@ -23,6 +23,7 @@ mod model;
 mod node;
 mod numbering;
 mod output;
+mod presence;
 mod refine;
 mod stabilisation;
 mod step;
@@ -54,6 +55,7 @@ pub use output::{
     ContactPrint, ContactVariable, ElementPrint, ElementVariable, NodePrint, NodeVariable,
     OutputRequests, PrintTarget, Request, SECTION_POINTS, SavedStates, Totals,
 };
+pub use presence::{ElementIndex, Presence};
 pub use refine::refine;
 pub use slideline_mech::axes::{Axes, System};
 pub use slideline_mech::contact::normal::NormalLaw;
@@ -62,7 +64,9 @@ pub use slideline_mech::element::{SpringLaw, Temperature};
 pub use slideline_mech::material::Material;
 pub use slideline_mech::section::Shape;
 pub use stabilisation::Stabilisation;
-pub use step::{Extrapolation, NodalTemperature, Passage, Prescribed, Static, Step};
+pub use step::{
+    ChangedFriction, Extrapolation, NodalTemperature, Passage, Prescribed, Static, Step,
+};
 pub use tested::Tested;
 pub use transform::Transform;
 pub use vocabulary::Vocabulary;

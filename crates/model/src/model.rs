@@ -94,6 +94,11 @@ impl Model {
         self.initial_temperatures.get(node).copied().unwrap_or_default()
     }
 
+    /// Whether some element or contact pair is absent in some step.
+    pub fn is_changed(&self) -> bool {
+        self.steps.iter().any(|step| !step.presence.is_whole())
+    }
+
     /// Whether an element moves out of the plane.
     pub fn is_in_space(&self) -> bool {
         let outside = |block: &ElementBlock| block.kind.dofs.iter().any(|dof| !dof.is_plane());
@@ -108,13 +113,6 @@ impl Model {
     /// The directions in which a rigid body of the model moves.
     pub fn directions(&self) -> &'static [Dof] {
         Dof::of_rigid_body(self.is_in_space())
-    }
-
-    /// What their hoop strain holds of rings: a node and a direction of every element's rigid motions.
-    pub fn rings(&self) -> impl Iterator<Item = (NodeIndex, Dof)> {
-        let rings = self.blocks.iter().filter(|block| block.kind.is_ring());
-        let first = rings.flat_map(|block| &block.elements).map(|element| element.nodes[0]);
-        first.flat_map(|node| [(node, Dof::U1), (node, Dof::UR3)])
     }
 
     /// Number of state variables of all elements.

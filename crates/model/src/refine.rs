@@ -21,6 +21,7 @@ use crate::contact::{ContactElement, Master};
 use crate::element::block::{Element, Elements};
 use crate::model::Model;
 use crate::node::{Dof, Node, NodeIndex, RigidLink};
+use crate::presence::{ElementIndex, Presence};
 use crate::step::{Prescribed, Step};
 use edge::{Edge, edge, refusal, unknown_cell};
 use slideline_diag::{Diagnostic, Span};
@@ -130,8 +131,15 @@ impl Halving {
 
     fn elements(&mut self) -> Result<(), Box<Diagnostic>> {
         let mut blocks = std::mem::take(&mut self.model.blocks);
-        for block in blocks.iter_mut().filter(|block| block.kind.joins()) {
+        // where the parts of every element begin
+        let mut begin: Vec<Vec<usize>> = Vec::with_capacity(blocks.len());
+        for block in &mut blocks {
+            if !block.kind.joins() {
+                begin.push((0..=block.elements.len()).collect());
+                continue;
+            }
             let mut parts = Elements::new(block.kind.cell.nodes);
+            let mut own = vec![0];
             for element in &block.elements {
                 match block.kind.cell {
                     _ if block.kind.is_beam() || block.kind.is_space_beam() => {
@@ -140,11 +148,29 @@ impl Halving {
                     cell if *cell == QUAD4 => self.quarter(element, &mut parts),
                     _ => return Err(unknown_cell(block.word(), block.origin)),
                 }
+                own.push(parts.len());
             }
+            begin.push(own);
             block.elements = parts;
         }
         self.model.blocks = blocks;
+        self.presence(&begin);
         Ok(())
+    }
+
+    /// The parts of an element that is absent are, and those of one that begins begin.
+    fn presence(&mut self, begin: &[Vec<usize>]) {
+        let parts = |&(block, member): &ElementIndex| {
+            let own = begin.get(block).map_or(&[][..], Vec::as_slice);
+            let first = own.get(member).copied().unwrap_or_default();
+            (first..own.get(member + 1).copied().unwrap_or(first)).map(move |part| (block, part))
+        };
+        for step in &mut self.model.steps {
+            let Presence { absent, begun, .. } = &mut step.presence;
+            for list in [absent, begun] {
+                *list = list.iter().flat_map(parts).collect();
+            }
+        }
     }
 
     /// A quadrilateral in four.

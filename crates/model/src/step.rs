@@ -1,9 +1,11 @@
 //! Steps: what is prescribed, and how the way there is walked.
 
+use crate::contact::Friction;
 use crate::controls::Controls;
 use crate::load::{Distributed, Load};
 use crate::node::{Dof, NodeIndex};
 use crate::output::OutputRequests;
+use crate::presence::Presence;
 use crate::stabilisation::Stabilisation;
 use slideline_diag::Span;
 use slideline_mech::element::Temperature;
@@ -37,6 +39,10 @@ pub struct Step {
     pub temperatures: Vec<NodalTemperature>,
     /// Tolerances and limits.
     pub controls: Controls,
+    /// Elements and contact pairs that are absent, and elements that begin.
+    pub presence: Presence,
+    /// Friction of contact pairs that is not that of their interactions, by ascending pairs.
+    pub frictions: Vec<ChangedFriction>,
     /// Stabilisation of contact, where the deck asks for it.
     pub stabilisation: Option<Stabilisation>,
     /// What to write.
@@ -100,6 +106,20 @@ impl Passage {
             Self::LongTerm => f64::INFINITY,
         }
     }
+}
+
+/// Friction of a contact pair in a step.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChangedFriction {
+    /// The pair, by its place in the model.
+    pub pair: usize,
+    /// The law at the end of the step before; its coefficients lead to those of the law of this
+    /// step over the step, unless values act at once.
+    pub from: Friction,
+    /// The law of this step.
+    pub to: Friction,
+    /// Where it was said.
+    pub origin: Span,
 }
 
 /// A prescribed motion.

@@ -7,8 +7,8 @@ use slideline_solve::observe::{Energies, Frame, StepReport};
 /// A column and what stands in it [F L].
 pub(crate) type Column = (&'static str, fn(&Energies) -> f64);
 
-/// The columns of a run: contact stabilisation, materials that do not give all back and heat have
-/// one where they may act.
+/// The columns of a run: contact stabilisation, what is removed, materials that do not give all back
+/// and heat have one where they may act.
 pub(crate) fn columns(report: &StepReport<'_>) -> Vec<Column> {
     let mut columns: Vec<Column> = vec![
         ("external_work", |energy| energy.external_work),
@@ -20,6 +20,7 @@ pub(crate) fn columns(report: &StepReport<'_>) -> Vec<Column> {
         ("balance", |energy| energy.balance),
         ("stabilisation", |energy| energy.stabilisation),
         ("released_energy", |energy| energy.released_energy),
+        ("removed_energy", |energy| energy.removed_energy),
         ("material_dissipation", |energy| energy.material_dissipation),
         ("thermal_work", |energy| energy.thermal_work),
     ];
@@ -31,6 +32,7 @@ pub(crate) fn columns(report: &StepReport<'_>) -> Vec<Column> {
     columns.retain(|(name, _)| match *name {
         "material_dissipation" => takes,
         "stabilisation" => report.may_stabilise(),
+        "removed_energy" => report.model.is_changed(),
         "thermal_work" => report.model.has_temperatures(),
         _ => true,
     });

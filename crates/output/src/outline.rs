@@ -8,7 +8,8 @@
 //! ```
 
 use slideline_model::{
-    Dof, Kinematics, Master, Model, NodeIndex, ProfilePoint, RigidSurface, SurfaceSegment,
+    Dof, ElementIndex, Kinematics, Master, Model, NodeIndex, Presence, ProfilePoint, RigidSurface,
+    SurfaceSegment,
 };
 use slideline_results::NodeField;
 use slideline_results::element::regions;
@@ -30,9 +31,31 @@ pub(crate) enum Kind {
     Solid = 4,
 }
 
+/// What of a model a piece belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Owner {
+    Element(ElementIndex),
+    /// A contact pair, by its place in the model.
+    Pair(usize),
+    /// A body that is always there.
+    Body,
+}
+
+impl Owner {
+    /// Whether it is there in a step.
+    pub fn is_there(self, presence: &Presence) -> bool {
+        match self {
+            Self::Element(own) => presence.has(own),
+            Self::Pair(pair) => presence.has_pair(pair),
+            Self::Body => true,
+        }
+    }
+}
+
 /// A piece between points.
 pub(crate) struct Piece {
     pub kind: Kind,
+    pub owner: Owner,
     /// Number of its element; 0 for a rigid surface.
     pub label: u64,
     /// Its type and its places among the points, as VTK numbers them.
@@ -43,8 +66,8 @@ pub(crate) struct Piece {
 
 impl Piece {
     /// All curves are lines (some readers know no poly-lines).
-    fn line(kind: Kind, label: u64, points: [usize; 2]) -> Self {
-        Self { kind, label, vtk: (3, points.to_vec()), frd: (11, points.to_vec()) }
+    fn line((kind, owner): (Kind, Owner), label: u64, points: [usize; 2]) -> Self {
+        Self { kind, owner, label, vtk: (3, points.to_vec()), frd: (11, points.to_vec()) }
     }
 }
 
@@ -148,18 +171,23 @@ impl Drawing {
                 Kinematics::Spring => Kind::Spring,
                 Kinematics::Solid { .. } | Kinematics::Truss | Kinematics::Other => Kind::Solid,
             };
-            for element in &block.elements {
+            for (member, element) in block.elements.iter().enumerate() {
+                let owner = Owner::Element((number, member));
                 pieces.extend(block.kind.cell.pieces.iter().map(|piece| {
                     let of = |places: &[usize]| {
                         places.iter().map(|&p| point(element.nodes[p])).collect()
                     };
                     let vtk = (piece.vtk, of(piece.nodes));
-                    Piece { kind, label: element.label, vtk, frd: (piece.frd, of(piece.frd_nodes)) }
+                    let frd = (piece.frd, of(piece.frd_nodes));
+                    Piece { kind, owner, label: element.label, vtk, frd }
                 }));
             }
         }
-        let slaves = model.contact_pairs.iter().flat_map(|pair| &pair.elements);
-        pieces.extend(slaves.map(|e| Piece::line(Kind::SlaveSurface, e.label, e.nodes)));
+        for (place, pair) in model.contact_pairs.iter().enumerate() {
+            let own = (Kind::SlaveSurface, Owner::Pair(place));
+            let elements = pair.elements.iter();
+            pieces.extend(elements.map(|element| Piece::line(own, element.label, element.nodes)));
+        }
         let outlines = outlines(model);
         let mut labels: Vec<u64> = model.nodes.iter().map(|node| node.label).collect();
         let mut next = labels.iter().max().unwrap_or(&0) + 1;
@@ -169,7 +197,8 @@ impl Drawing {
             labels.extend(next..end);
             next = end;
             let chords = (begin + 1..labels.len()).map(|end| [end - 1, end]);
-            pieces.extend(chords.map(|ends| Piece::line(Kind::RigidSurface, 0, ends)));
+            let own = (Kind::RigidSurface, Owner::Body);
+            pieces.extend(chords.map(|ends| Piece::line(own, 0, ends)));
         }
         Self { regions, copy_of, copies, pieces, labels, outlines }
     }

@@ -18,6 +18,7 @@ use crate::observe::reports::Totals;
 use crate::observe::results::Energies;
 use crate::start::Start;
 use crate::state::State;
+use crate::structure::Reference;
 use serde::{Deserialize, Serialize};
 use slideline_mech::element::Temperature;
 use slideline_model::{ContactPair, Model};
@@ -132,6 +133,8 @@ impl Checkpoint<'_> {
             && state.elements.len() == model.element_states()
             && state.elements.iter().all(|value| value.is_finite())
             && [&state.temperatures[..], &self.start.temperatures].into_iter().all(fit)
+            && self.start.references.iter().all(Reference::is_sound)
+            && self.start.references.is_sorted_by(|a, b| a.element < b.element)
             && [0, dofs].contains(&state.damping.len())
             && state.damping.iter().all(|value| value.is_finite())
     }
@@ -170,6 +173,12 @@ mod tests {
                 displacement: Cow::Owned(vec![0.5; 6]),
                 released: Cow::Owned(vec![0.125; 6]),
                 temperatures: Cow::Owned(vec![Temperature { value: 20.0, slope: 0.5 }; 2]),
+                references: Cow::Owned(vec![Reference {
+                    element: 4,
+                    displacement: vec![0.25, -1.0],
+                    turned: vec![[1.0, 0.0, 0.0, 0.0]],
+                    temperatures: vec![Temperature { value: 3.0, slope: 0.0 }],
+                }]),
             },
             control: Some(Control { time: 0.3, dt: 0.1, committed: 7, attempts: 2, quick: 1 }),
         }

@@ -15,6 +15,7 @@
 //! where T turns with the unknowns, f . d2u/dq2 is added: docs/theory.md
 //! eqs (4.1) to (4.4).
 
+mod deserted;
 mod following;
 mod linear;
 mod motion;

@@ -24,6 +24,7 @@ mod pairs;
 mod placing;
 mod positions;
 mod prepare;
+mod presence;
 mod search;
 mod segment;
 mod shear;

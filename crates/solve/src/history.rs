@@ -44,7 +44,8 @@ impl Problem<'_> {
             let Some(dof) = dofs.find(own.node, own.dof) else { continue };
             load[dof] += self.applied(step_time, own, |before| &before.distributed.forces);
         }
-        // A support that is released lets go over the step (manual).
+        // A support that is released lets go over the step (manual), and so does what is removed,
+        // eq. (9.6).
         for (value, &reaction) in load.iter_mut().zip(&*self.start.released) {
             *value += self.at(step_time, reaction, 0.0, None);
         }

@@ -47,6 +47,8 @@ pub struct Numbering {
     pub steps: Vec<StepNumbering>,
     /// Which of them every step of the model is.
     pub of_step: Vec<usize>,
+    /// Whether each element is absent, of every step; empty where none is.
+    pub absent: Vec<Vec<bool>>,
 }
 
 /// What steps with the same unknowns share.
@@ -89,6 +91,7 @@ impl Plan {
             model.contact_pairs.iter().map(|pair| point_count(pair) * state_size(pair)).sum();
         Self(Arc::new(Numbering {
             outline: Outline::of(model),
+            absent: model.steps.iter().map(|own| elements.absent(&own.presence.absent)).collect(),
             elastic: elements.touched(dofs.len()),
             dofs,
             elements,

@@ -95,6 +95,8 @@ impl<'a> Problem<'a> {
             kernels: &values.kernels,
             dependent: &numbering.dependent,
             entries: &coupling.entries,
+            absent: &plan.absent[index],
+            references: &start.references,
             initial: &model.initial_temperatures,
             nlgeom: step.nlgeom,
             stiffest: values.kernels.stiffest,

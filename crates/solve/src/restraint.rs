@@ -11,7 +11,7 @@
 //! structure has reached a limit of its strength, or numbers one of theirs.
 
 use slideline_linalg::reduce_rows;
-use slideline_model::{Dof, Model, NodeIndex, SpringWay, Step};
+use slideline_model::{Dof, Master, Model, NodeIndex, Presence, SpringWay, Step};
 use std::collections::HashMap;
 
 /// The bodies of a model and how a step restrains them.
@@ -30,19 +30,19 @@ impl Restraint {
     /// That of a step. Rotations count with the size of the model, so that the
     /// units of length decide nothing.
     pub fn of(model: &Model, step: &Step) -> Self {
-        let mut bodies = Bodies::of(model);
+        let presence = &step.presence;
+        let mut bodies = Bodies::of(model, presence);
         let size = (0..model.nodes.len())
             .flat_map(|node| model.nodes.position(node))
             .fold(0.0_f64, |size, x| size.max(x.abs()));
         let held = step.prescribed.iter().map(|prescribed| (prescribed.node, prescribed.dof));
-        let springs = model.blocks.iter().filter_map(|block| block.springs());
-        let springs = springs.filter(|springs| springs.section.law.stiffest() != 0.0);
-        let springs = springs.filter_map(|springs| {
-            let SpringWay::Dof(dof) = springs.section.way else { return None };
-            let to_ground = springs.elements.iter().filter(|spring| spring.nodes.len() == 1);
-            Some(to_ground.map(move |spring| (spring.nodes[0], dof)))
+        let springs = presence.elements(&model.blocks).filter_map(|(block, spring)| {
+            let section = block.springs()?.section;
+            let SpringWay::Dof(dof) = section.way else { return None };
+            let to_ground = section.law.stiffest() != 0.0 && spring.nodes.len() == 1;
+            to_ground.then_some((spring.nodes[0], dof))
         });
-        let held = held.chain(springs.flatten()).chain(model.rings());
+        let held = held.chain(springs).chain(presence.rings(&model.blocks));
         let held: Vec<(NodeIndex, Dof)> = held.collect();
         let mut rows: HashMap<NodeIndex, Vec<Motion>> = HashMap::new();
         for (node, dof) in held {
@@ -89,19 +89,16 @@ struct Bodies {
 }
 
 impl Bodies {
-    fn of(model: &Model) -> Self {
+    fn of(model: &Model, presence: &Presence) -> Self {
         let parent = (0..model.nodes.len()).collect();
         let mut new = Self { parent, used: Vec::new(), turns: Default::default() };
-        let joining = || model.blocks.iter().filter(|block| block.kind.joins());
-        let corners = joining().flat_map(|block| &block.elements);
-        let corners = corners.map(|element| element.nodes.len()).sum::<usize>();
+        let joining = || presence.elements(&model.blocks).filter(|(block, _)| block.kind.joins());
+        let corners = joining().map(|(_, element)| element.nodes.len()).sum::<usize>();
         let further = model.rigid_links.len() + model.contact_pairs.len();
         let mut turning = Vec::with_capacity(corners + further);
-        for block in joining() {
-            for element in &block.elements {
-                element.nodes.windows(2).for_each(|w| new.join(w[0], w[1]));
-                turning.extend(element.nodes);
-            }
+        for (_, element) in joining() {
+            element.nodes.windows(2).for_each(|w| new.join(w[0], w[1]));
+            turning.extend(element.nodes);
         }
         // what an equation or a tie joins is taken as one body: it may hold
         for constraint in &model.linear_constraints {
@@ -113,12 +110,12 @@ impl Bodies {
             new.join(link.master, link.dependent);
             turning.push(link.master);
         }
-        for pair in &model.contact_pairs {
+        let pairs = model.contact_pairs.iter().enumerate();
+        for (_, pair) in pairs.filter(|&(place, _)| presence.has_pair(place)) {
             new.used.extend(pair.slave_nodes());
-            match &pair.master {
-                slideline_model::Master::RigidSurface(surface) => turning.push(surface.reference),
-                slideline_model::Master::SlideLine(line) => new.used.extend(&line.nodes),
-                slideline_model::Master::Faces(faces) => new.used.extend(faces.nodes()),
+            new.used.extend(pair.master.deforming_nodes());
+            if let Master::RigidSurface(surface) = &pair.master {
+                turning.push(surface.reference);
             }
         }
         for &node in &turning {

@@ -3,6 +3,7 @@
 pub(crate) mod analysis;
 mod committing;
 mod jump;
+mod model_change;
 pub(crate) mod options;
 mod recovery;
 mod shown;

@@ -11,6 +11,7 @@
 
 use crate::constraints::ConstraintNumbering;
 use crate::state::State;
+use crate::structure::Reference;
 use serde::{Deserialize, Serialize};
 use slideline_mech::element::Temperature;
 use std::borrow::Cow;
@@ -20,16 +21,19 @@ use std::borrow::Cow;
 pub struct Start<'a> {
     /// Displacements and rotations [L or 1].
     pub displacement: Cow<'a, [f64]>,
-    /// Reactions of supports that the step releases; they ramp off over it
-    /// [F or F L].
+    /// Reactions of supports that the step releases, and forces of what it removes; they ramp off
+    /// over it [F or F L].
     pub released: Cow<'a, [f64]>,
     /// Temperatures, a node each; empty: those before the first step [theta].
     pub temperatures: Cow<'a, [Temperature]>,
+    /// Where elements begin that were added free of strain, in this step or before, by ascending
+    /// element.
+    pub references: Cow<'a, [Reference]>,
 }
 
 impl Start<'_> {
     /// Takes what a step begins from out of the state before it. Of the reactions, those of
-    /// dofs that the step leaves free become loads that ramp off.
+    /// dofs that the step leaves free become loads that ramp off. The references stay.
     pub fn take(&mut self, state: &State, constraints: &ConstraintNumbering) {
         let into = |list: &mut Cow<'_, [f64]>, from: &[f64]| {
             let list = list.to_mut();
@@ -52,6 +56,7 @@ impl Start<'_> {
             displacement: Cow::Owned(self.displacement.clone().into_owned()),
             released: Cow::Owned(self.released.clone().into_owned()),
             temperatures: Cow::Owned(self.temperatures.clone().into_owned()),
+            references: Cow::Owned(self.references.clone().into_owned()),
         }
     }
 
@@ -61,6 +66,7 @@ impl Start<'_> {
             displacement: Cow::Borrowed(&self.displacement),
             released: Cow::Borrowed(&self.released),
             temperatures: Cow::Borrowed(&self.temperatures),
+            references: Cow::Borrowed(&self.references),
         }
     }
 }

@@ -19,6 +19,8 @@ mod evaluate;
 mod flux;
 mod kernels;
 mod numbering;
+mod presence;
+mod reference;
 mod stresses;
 mod sums;
 #[cfg(test)]
@@ -30,3 +32,5 @@ pub use evaluate::{FailedElement, Gather, Product};
 pub use flux::Flux;
 pub use kernels::Kernels;
 pub use numbering::ElementNumbering;
+pub use presence::Held;
+pub use reference::Reference;

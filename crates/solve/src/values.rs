@@ -52,7 +52,7 @@ impl Values {
         if let Some(node) = outside.filter(|_| !model.is_in_space()) {
             return Err(mismatch(Part::OutOfPlane(node.label)));
         }
-        self.kernels.take(&plan.elements, model).map_err(Part::Section).map_err(mismatch)?;
+        self.kernels.take(&plan.elements, model, &[]).map_err(Part::Section).map_err(mismatch)?;
         if let Some(step) = plan.steps.first() {
             self.motion.take(&step.constraints, model);
         }

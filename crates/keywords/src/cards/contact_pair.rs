@@ -92,7 +92,8 @@ impl Keyword for ContactPair {
 /// `SMOOTH` of a contact pair where it is absent (manual).
 const DEFAULT_SMOOTH: f64 = 0.2;
 
-fn surface(line: &DataLine, at: usize, what: &str, log: &mut Log) -> Option<Named> {
+/// A surface named at a place of a line; complains where it is missing.
+pub(super) fn surface(line: &DataLine, at: usize, what: &str, log: &mut Log) -> Option<Named> {
     let Some(field) = line.field(at) else {
         let span = line.fields.get(at).map_or(line.end(), |field| field.span);
         log.error("SL0119", format!("{what} is missing"), span);

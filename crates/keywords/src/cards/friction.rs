@@ -32,7 +32,7 @@ impl Keyword for Friction {
     }
 
     fn level(&self) -> Level {
-        Level::Model
+        Level::Both
     }
 
     fn subject(&self) -> Subject {

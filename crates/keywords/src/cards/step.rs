@@ -84,6 +84,8 @@ impl Keyword for Step {
             controls: None,
             restart: None,
             stabilisation: None,
+            changes: Vec::new(),
+            frictions: Vec::new(),
             prints: Vec::new(),
             element_prints: Vec::new(),
             contact_prints: Vec::new(),

@@ -1,6 +1,7 @@
 //! Cards and lines as they were read: what they name is not yet looked up.
 
 use super::heat::Heat;
+use crate::changes::{FrictionChange, ModelChange};
 use crate::distributed::Distributed;
 use crate::log::Target;
 use slideline_diag::Span;
@@ -87,6 +88,8 @@ pub(crate) struct StepDraft {
     pub controls: Option<Controls>,
     pub restart: Option<SavedStates>,
     pub stabilisation: Option<Stabilisation>,
+    pub changes: Vec<ModelChange>,
+    pub frictions: Vec<FrictionChange>,
     pub prints: Vec<(NodePrint, Option<Span>)>,
     pub element_prints: Vec<(ElementPrint, Option<Span>)>,
     pub contact_prints: Vec<(ContactPrint, Option<Span>)>,

@@ -5,6 +5,7 @@
 //!   element 7, face 2 --- pressure
 //! ```
 
+use std::collections::HashSet;
 use std::rc::Rc;
 
 use slideline_diag::Span;
@@ -21,6 +22,8 @@ pub(super) struct InForce {
     standing: Standing<(usize, Key), Entry>,
     /// The first pressure or force of each in the lists of the step before.
     first: Vec<usize>,
+    /// Those on elements that are absent: they act again when these come back.
+    waiting: Vec<((usize, Key), Entry)>,
 }
 
 #[derive(Clone)]
@@ -40,12 +43,14 @@ impl Curved for Entry {
 impl InForce {
     /// What a further step copies.
     pub fn size(&self) -> usize {
-        self.standing.len()
+        self.standing.len() + self.waiting.len()
     }
 
     /// Values that stand, with their amplitudes.
     pub fn values(&mut self) -> impl Iterator<Item = (&mut f64, &mut Option<usize>)> {
-        self.standing.iter_mut().map(|entry| (&mut entry.value, &mut entry.amplitude))
+        let waiting = self.waiting.iter_mut().map(|(_, entry)| entry);
+        let all = self.standing.iter_mut().chain(waiting);
+        all.map(|entry| (&mut entry.value, &mut entry.amplitude))
     }
 
     /// `OP=NEW` of `*DLOAD` and of `*DSLOAD`: each removes its own, in CalculiX both.
@@ -53,6 +58,17 @@ impl InForce {
         let both = dialect == Dialect::Calculix && (elements || surfaces);
         let gone = |key: &Key| both || if key.of_surface { surfaces } else { elements };
         self.standing.remove(|(_, key)| gone(key));
+        self.waiting.retain(|((_, key), _)| !gone(key));
+    }
+
+    /// Lets the loads on absent elements wait, and those act again whose elements are back.
+    pub fn wait(&mut self, absent: impl Fn(usize) -> bool) {
+        let back = self.waiting.extract_if(.., |((element, _), _)| !absent(*element));
+        self.standing.take(back.collect());
+        let gone = |&(element, _): &(usize, Key)| absent(element);
+        let standing = self.standing.keyed().filter(|(key, _)| gone(key));
+        self.waiting.extend(standing.map(|(key, entry)| (key, entry.clone())));
+        self.standing.remove(gone);
     }
 
     /// The loads of a step, with those that ramp off where they do not vanish `at_once`.
@@ -92,6 +108,8 @@ impl InForce {
                 new.push((place, Entry { what, value, amplitude, origin: line.origin }));
             }
         }
+        let named: HashSet<(usize, Key)> = new.iter().map(|(place, _)| *place).collect();
+        self.waiting.retain(|(place, _)| !named.contains(place));
         self.standing.take(new);
     }
 }

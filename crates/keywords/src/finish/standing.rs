@@ -72,6 +72,11 @@ impl<K: Eq + Hash + Copy, T: Clone + Curved> Standing<K, T> {
         self.list.iter().map(|item| (&item.load, item.before.as_ref()))
     }
 
+    /// All of them, with what they rest on.
+    pub fn keyed(&self) -> impl Iterator<Item = (K, &T)> {
+        self.list.iter().map(|item| (item.key, &item.load))
+    }
+
     /// All of them, to be changed.
     pub fn iter_mut(&mut self) -> impl Iterator<Item = &mut T> {
         self.list.iter_mut().map(|item| &mut item.load)

@@ -9,6 +9,8 @@ use slideline_model::{
     OutputRequests, Passage, Prescribed, PrintTarget, Request, SavedStates, Static, Step,
 };
 
+use super::frictions::Frictions;
+use super::model_changes::Absent;
 use super::standing::{Curved, InForce, Standing};
 use super::{resting, temperatures};
 use crate::draft::{Boundary, Draft, StepDraft};
@@ -21,6 +23,8 @@ struct Carried {
     loads: Standing<(NodeIndex, Dof), Load>,
     temperatures: InForce<NodalTemperature, NodeIndex>,
     distributed: resting::InForce,
+    absent: Absent,
+    frictions: Frictions,
     controls: Controls,
     restart: Option<SavedStates>,
     prints: Vec<NodePrint>,
@@ -38,7 +42,8 @@ impl Carried {
         let points = self.contact_prints.iter().map(|print| print.nodes.len());
         let printed: usize = nodes.chain(elements).chain(points).sum();
         let temperatures = self.temperatures.list.len();
-        let loads = self.loads.len() + self.distributed.size();
+        let loads =
+            self.loads.len() + self.distributed.size() + self.absent.size() + self.frictions.size();
         self.prescribed.list.len() + loads + temperatures + printed
     }
 }
@@ -133,6 +138,8 @@ fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
         prescribe(line, &mut carried.prescribed, draft);
     }
     carried.loads.take(loads(&step.loads, draft));
+    let presence = carried.absent.change(&step, draft);
+    let frictions = carried.frictions.change(&step, draft);
     heat(&step, carried, draft);
     distribute(&step, carried, draft);
     carried.controls = step.controls.unwrap_or(carried.controls);
@@ -149,6 +156,8 @@ fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
         creep_tolerance: None,
         origin: None,
     };
+    let loads = concentrated(&mut carried.loads, at_once, draft);
+    carried.absent.loads(&presence, &loads, draft);
     Step {
         title: step.title,
         nlgeom: step.nlgeom,
@@ -158,10 +167,12 @@ fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
         at_once,
         procedure: step.procedure.unwrap_or(default),
         prescribed: carried.prescribed.list.clone(),
-        loads: concentrated(&mut carried.loads, at_once, draft),
+        loads,
         temperatures: carried.temperatures.list.clone(),
         controls: carried.controls,
         distributed: carried.distributed.loads(at_once, draft),
+        presence,
+        frictions,
         stabilisation: step.stabilisation,
         output: OutputRequests {
             restart: carried.restart,
@@ -195,6 +206,7 @@ fn distribute(step: &StepDraft, carried: &mut Carried, draft: &mut Draft) {
     });
     let lines: Vec<_> = lines.collect();
     carried.distributed.take(&lines, step.nlgeom, draft);
+    carried.distributed.wait(|element| carried.absent.contains(element));
 }
 
 /// The concentrated loads of a step, with those that ramp off where they do not vanish `at_once`.

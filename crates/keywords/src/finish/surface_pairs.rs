@@ -157,6 +157,9 @@ fn pair(pairing: &Pairing, draft: &mut Draft) {
         origin: pairing.origin,
     };
     both_sides(&pair, pairing.origin, draft);
+    let place = draft.model.contact_pairs.len();
+    let named = pairing.interaction.name.clone();
+    draft.pairs_of_interaction.entry(named).or_default().push(place);
     draft.model.contact_pairs.push(pair);
 }
 

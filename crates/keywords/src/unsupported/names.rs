@@ -45,12 +45,6 @@ pub(super) const GROUPS: &[Group] = &[
         &["SECTION CONTROLS", "HOURGLASS STIFFNESS"],
     ),
     (
-        Unsupported,
-        "elements and contact pairs act in all steps: write a deck for each state of the model, or \
-         hold what is removed clear of the rest by *BOUNDARY",
-        &["MODEL CHANGE"],
-    ),
-    (
         Ignored,
         "temperatures are given here, not computed",
         &[
@@ -131,9 +125,8 @@ pub(super) const GROUPS: &[Group] = &[
     ),
     (
         Unsupported,
-        "friction and pressure laws are properties of the model: *FRICTION and *SURFACE BEHAVIOR \
-         before the first step",
-        &["CHANGE FRICTION", "CHANGE SURFACE BEHAVIOR", "CHANGE CONTACT TYPE"],
+        "pressure laws are properties of the model: *SURFACE BEHAVIOR before the first step",
+        &["CHANGE SURFACE BEHAVIOR", "CHANGE CONTACT TYPE"],
     ),
     (
         Unsupported,

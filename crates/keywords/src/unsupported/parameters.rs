@@ -17,6 +17,11 @@ const GROUPS: &[Group] = &[
         &["SUBMODEL", "STEP", "DATA SET", "USER", "SECTOR", "PHANTOM", "BLADE"],
     ),
     (
+        "CHANGE FRICTION",
+        "the coefficient runs straight over the step, or is there at once with *STEP, AMPLITUDE=STEP",
+        &["AMPLITUDE"],
+    ),
+    (
         "CLOAD",
         "write the values on data lines and their time as *AMPLITUDE",
         &["USER", "SUBMODEL", "STEP", "DATA SET", "SECTOR"],

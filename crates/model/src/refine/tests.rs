@@ -229,6 +229,8 @@ fn new_nodes_have_the_mean_of_temperatures() {
         distributed: crate::Distributed::default(),
         temperatures,
         controls: crate::Controls::default(),
+        presence: Presence::default(),
+        frictions: vec![],
         stabilisation: None,
         output: crate::OutputRequests::default(),
         origin: Span::default(),

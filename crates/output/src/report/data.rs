@@ -4,6 +4,7 @@ use super::contact::{Contacts, Point, runs};
 use super::iterations::Attempt;
 use super::overlay::Overlay;
 use super::results::Results;
+use super::skin::Triangle;
 use crate::json::{Map, Members as _, Value, json, text};
 use crate::reading::history::with_start;
 use crate::reading::summary::Driven;
@@ -188,16 +189,25 @@ fn frames(results: &Results) -> Value {
         "states": frames.states,
         "displacement": singles(frames.displacement.iter().flatten().copied()),
         "sections": singles(frames.sections.iter().flatten().copied()),
-        "skin": singles(frames.skin.iter().flat_map(|(points, mark)| {
-            let [a, b, c] = points.map(|point| point as f32);
-            [a, b, c, f32::from(*mark)]
-        })),
+        "skin": skin(&frames.skin),
+        "changed": frames.changed,
+        "changes": frames.changes.iter().map(|own| {
+            json!({"skin": skin(&own.skin), "gone": frames.gone(own)})
+        }).collect::<Value>(),
         "space": frames.in_space,
         "depth": singles(frames.depth.iter().map(|z| *z as f32)),
         "depth_moved": singles(frames.depth_moved.iter().flatten().copied()),
         "fields": fields(results),
         "strained": strained.and_then(|strain| strain.count("element")),
     })
+}
+
+/// Triangles: their points and a mark.
+fn skin(triangles: &[Triangle]) -> String {
+    singles(triangles.iter().flat_map(|(points, mark)| {
+        let [a, b, c] = points.map(|point| point as f32);
+        [a, b, c, f32::from(*mark)]
+    }))
 }
 
 /// What the surface of solids can be coloured by: nodal values, frame by frame. Plastic strain

@@ -8,6 +8,8 @@ use crate::report::skin::{Triangle, is_volume, surface};
 
 /// Kind of a solid, as files number it.
 const SOLID: i32 = 4;
+/// The field that says which cells are there.
+const ACTIVE: &str = "active";
 /// Most states that are drawn.
 const MOST: usize = 201;
 /// Most numbers that displacements may take.
@@ -29,8 +31,13 @@ pub(crate) struct Frames {
     pub elements: Vec<i64>,
     /// Index of each pair's cell among those of the files.
     of_cell: Vec<usize>,
-    /// The surface of solids.
+    /// The surface of solids, all of them there.
     pub skin: Vec<Triangle>,
+    /// Where a step removes something: what is drawn without it.
+    pub changes: Vec<Changed>,
+    /// Of every frame the number of those that it is drawn by, from 1; 0: all is there. Empty
+    /// where nothing is ever removed.
+    pub changed: Vec<usize>,
     /// Whether solids fill space.
     pub in_space: bool,
     /// z of the undeformed points, where they do.
@@ -55,6 +62,15 @@ pub(crate) struct Frames {
     pub strain: Option<(f64, i64, usize)>,
 }
 
+/// What is drawn while something is absent.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Changed {
+    /// Whether each cell of the files is there.
+    there: Vec<bool>,
+    /// The surface of the solids that are.
+    pub skin: Vec<Triangle>,
+}
+
 impl Frames {
     /// Reads as many as can be drawn of the states `written`, ascending, that
     /// are among those `drawable`.
@@ -65,9 +81,10 @@ impl Frames {
     ) -> Result<Self, Problem> {
         let mut frames = Self::default();
         let Some(&first) = written.first() else { return Ok(frames) };
-        frames.topology(job, first)?;
         let candidates: Vec<usize> =
             written.iter().copied().filter(|state| drawable(*state)).collect();
+        frames.presence(job, first, &candidates)?;
+        frames.topology(job, first)?;
         let numbers = frames.reference.len() + frames.depth.len();
         for place in chosen(candidates.len().saturating_sub(1), numbers) {
             if let Some(&state) = candidates.get(place) {
@@ -80,6 +97,28 @@ impl Frames {
 
     fn open(&self, job: &JobFiles, state: usize) -> Result<StateFile, Problem> {
         StateFile::open(&job.folder().join(job.state_name(state)))
+    }
+
+    /// Finds what is absent in the states, where the first one tells.
+    fn presence(&mut self, job: &JobFiles, first: usize, all: &[usize]) -> Result<(), Problem> {
+        if self.open(job, first)?.short(ACTIVE).is_err() {
+            return Ok(());
+        }
+        for &state in all {
+            let there = there(&self.open(job, state)?)?;
+            let known = self.changes.iter().any(|own| own.there == there);
+            if !known && there.contains(&false) {
+                self.changes.push(Changed { there, skin: Vec::new() });
+            }
+        }
+        Ok(())
+    }
+
+    /// Pairs of points whose cell is absent, of what is drawn while something is.
+    pub fn gone(&self, changed: &Changed) -> Vec<usize> {
+        let cells = self.of_cell.iter().enumerate();
+        let gone = cells.filter(|(_, cell)| changed.there.get(**cell) == Some(&false));
+        gone.map(|(pair, _)| pair).collect()
     }
 
     fn topology(&mut self, job: &JobFiles, state: usize) -> Result<(), Problem> {
@@ -97,7 +136,7 @@ impl Frames {
             && types.len() == kinds.len()
             && elements.len() == kinds.len()
             && connectivity.iter().all(inside);
-        let mut cells: Vec<(u8, &[i64])> = Vec::new();
+        let mut cells: Vec<(usize, (u8, &[i64]))> = Vec::new();
         let mut begin = 0;
         for (cell, (end, (&kind, &element))) in
             ends.iter().zip(kinds.iter().zip(&elements)).enumerate()
@@ -106,7 +145,7 @@ impl Frames {
             let points = connectivity.get(begin..end).unwrap_or_default();
             let shape = types.get(cell).copied().unwrap_or_default();
             if kind == SOLID {
-                cells.push((shape, points));
+                cells.push((cell, (shape, points)));
             }
             // what fills space is drawn by its surface
             let edges = if is_volume(shape) { &[][..] } else { outline::edges(shape) };
@@ -114,10 +153,15 @@ impl Frames {
             begin = end;
         }
         if fits {
-            self.skin = surface(cells.iter().copied(), &self.labels);
-            self.in_space = cells.iter().any(|(shape, _)| is_volume(*shape));
-            let inner = cells.iter().filter(|(shape, _)| is_volume(*shape));
-            self.keep(&still, inner.flat_map(|(_, points)| points.iter().copied()));
+            self.skin = surface(cells.iter().map(|(_, own)| *own), &self.labels);
+            for changed in &mut self.changes {
+                let there = |(cell, _): &&(usize, _)| changed.there.get(*cell) != Some(&false);
+                let own = cells.iter().filter(there).map(|(_, own)| *own);
+                changed.skin = surface(own, &self.labels);
+            }
+            self.in_space = cells.iter().any(|(_, (shape, _))| is_volume(*shape));
+            let inner = cells.iter().filter(|(_, (shape, _))| is_volume(*shape));
+            self.keep(&still, inner.flat_map(|(_, (_, points))| points.iter().copied()));
         }
         let path = job.folder().join(job.state_name(state));
         let whole = fits && begin == connectivity.len();
@@ -133,8 +177,9 @@ impl Frames {
                 *own = false;
             }
         }
-        let drawn = self.skin.iter().flat_map(|(points, _)| points).copied();
-        for point in drawn.chain(self.cells.iter().map(|&point| place(point))) {
+        let skins = self.changes.iter().map(|own| &own.skin).chain([&self.skin]);
+        let drawn: Vec<usize> = skins.flatten().flat_map(|(points, _)| *points).collect();
+        for point in drawn.into_iter().chain(self.cells.iter().map(|&point| place(point))) {
             if let Some(own) = is_kept.get_mut(point) {
                 *own = true;
             }
@@ -143,7 +188,8 @@ impl Frames {
         let mut number = vec![0; is_kept.len()];
         self.kept.iter().enumerate().for_each(|(new, &old)| number[old] = new);
         self.labels = self.kept.iter().filter_map(|&old| self.labels.get(old).copied()).collect();
-        self.skin.iter_mut().for_each(|(points, _)| *points = points.map(|old| number[old]));
+        let skins = self.changes.iter_mut().map(|own| &mut own.skin).chain([&mut self.skin]);
+        skins.flatten().for_each(|(points, _)| *points = points.map(|old| number[old]));
         let new = |old: &i64| number.get(place(*old)).map_or(0, |new| *new as i64);
         self.cells = self.cells.iter().map(new).collect();
         self.reference = self.along(still, &[0, 1]);
@@ -200,6 +246,11 @@ impl Frames {
         let values = beams.flat_map(|cell| [moment[cell] as f32, outer(cell) as f32]);
         self.sections.push(values.collect());
         self.states.push(state);
+        if !self.changes.is_empty() {
+            let there = there(&file)?;
+            let known = self.changes.iter().position(|own| own.there == there);
+            self.changed.push(known.map_or(0, |known| known + 1));
+        }
         let short = |values: Vec<f64>| values.into_iter().map(|value| value as f32).collect();
         self.displacement.push(short(self.along(&moved, &[0, 1])));
         if self.in_space {
@@ -215,6 +266,11 @@ impl Frames {
         }
         Ok(())
     }
+}
+
+/// Whether each cell of a state is there.
+fn there(file: &StateFile) -> Result<Vec<bool>, Problem> {
+    Ok(file.short(ACTIVE)?.into_iter().map(|own| own != 0).collect())
 }
 
 /// Numbers of the states that a job has, of at most `last` increments. A job

@@ -152,7 +152,17 @@ impl Grid {
         for (name, column) in columns.iter().chain(&own) {
             text.push_floats(name, 1, column);
         }
+        self.push_presence(text, frame);
         text.push(&self.labels[1]);
+    }
+
+    /// Which cells are there, in models that some step changes.
+    fn push_presence(&self, text: &mut Text, frame: &Frame<'_>) {
+        let step = frame.model.steps.get(frame.step.wrapping_sub(1));
+        let Some(step) = step.filter(|_| frame.model.is_changed()) else { return };
+        let pieces = self.drawing.pieces.iter();
+        let there = pieces.map(|piece| i32::from(piece.owner.is_there(&step.presence)));
+        text.push_short("active", &there.collect::<Vec<_>>());
     }
 
     /// Means over the element of all fields that are not those of a beam, each under

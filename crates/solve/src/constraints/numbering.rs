@@ -1,5 +1,6 @@
 //! Roles of all dofs, equations of the unknowns, and which dofs the others follow.
 
+use super::deserted::deserted;
 use super::linear::{self, LinearConstraint};
 use super::rigid::{self, RigidLink};
 use crate::dofs::DofMap;
@@ -8,7 +9,7 @@ use slideline_model::{Dof, Model, NodeIndex, Step};
 /// What a dof is in a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
-    /// Nothing uses it; it stays zero.
+    /// Nothing uses it that is there; it stays where it is.
     Inactive,
     /// Unknown; its equation.
     Free(usize),
@@ -26,6 +27,8 @@ pub struct ConstraintNumbering {
     pub roles: Vec<Role>,
     /// Dof of every equation.
     pub dof_of_equation: Vec<usize>,
+    /// Dofs that only absent elements and contact pairs use, ascending.
+    pub deserted: Vec<usize>,
     pub(super) rigid: Vec<RigidLink>,
     pub(super) linear: Vec<LinearConstraint>,
     /// How many linear constraints come before the rigid bodies.
@@ -50,6 +53,7 @@ impl ConstraintNumbering {
         let mut new = Self {
             roles: vec![Role::Inactive; dofs.len()],
             dof_of_equation: Vec::new(),
+            deserted: Vec::new(),
             rigid,
             linear,
             leading,
@@ -65,6 +69,14 @@ impl ConstraintNumbering {
             .filter(|(dof, _)| dofs.is_active(*dof))
             .for_each(|(_, role)| *role = Role::Free(0));
         new.add_rows();
+        let rows = new.dependent_dofs.iter().zip(new.row_start.windows(2));
+        let rows = rows.map(|(&dof, row)| (dof, &new.row_dofs[row[0]..row[1]]));
+        new.deserted = deserted((model, step), dofs, rows);
+        for &dof in &new.deserted {
+            if matches!(new.roles[dof], Role::Free(_)) {
+                new.roles[dof] = Role::Inactive;
+            }
+        }
         for (place, prescribed) in step.prescribed.iter().enumerate() {
             if let Some(dof) = dofs.named(prescribed.node, prescribed.dof) {
                 new.roles[dof] = Role::Prescribed(place);

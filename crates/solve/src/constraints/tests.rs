@@ -87,6 +87,8 @@ fn step() -> Step {
         loads: vec![],
         temperatures: vec![],
         controls: Controls::default(),
+        presence: Default::default(),
+        frictions: vec![],
         stabilisation: None,
         distributed: Default::default(),
         output: OutputRequests::default(),

@@ -24,14 +24,15 @@ pub fn laws(model: &Model, pair: &ContactPair, length: f64, users: &UserFriction
         _ => None,
     };
     let normal = normal(model, pair, length).into_owned();
-    Laws { normal, friction: friction(pair, length), onset: model.friction_onset, user }
+    let friction = friction((pair, &pair.interaction.friction), length);
+    Laws { normal, friction, onset: model.friction_onset, user }
 }
 
-/// The friction law likewise.
-pub(super) fn friction(pair: &ContactPair, length: f64) -> FrictionLaw {
+/// A friction law of a pair likewise.
+pub(super) fn friction((pair, law): (&ContactPair, &Friction), length: f64) -> FrictionLaw {
     let integrated = pair.formulation == Formulation::SurfaceToSurface;
     let elastic = |fraction: f64| Stick::Elastic { slip: fraction * length };
-    match &pair.interaction.friction {
+    match law {
         Friction::Frictionless => FrictionLaw::None,
         friction if !friction.acts() => FrictionLaw::None,
         Friction::Coulomb { coefficient, limit, decay, stick } => FrictionLaw::Coulomb {

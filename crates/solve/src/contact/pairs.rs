@@ -3,6 +3,7 @@
 use super::master::MasterSurface;
 use super::segment::{SEGMENT_POINTS, SlaveSegment};
 use crate::dofs::Translations;
+use slideline_mech::contact::friction::FrictionLaw;
 use slideline_mech::contact::pair::Laws;
 use slideline_model::{ContactPair, Formulation, NodeIndex};
 
@@ -48,6 +49,8 @@ pub struct Contact {
     pub slave_nodes: Vec<Vec<NodeIndex>>,
     /// Laws, a pair each.
     pub laws: Vec<Laws>,
+    /// Friction that changes over the step: pair, law at its start and at its end.
+    pub(super) changing: Vec<(usize, [FrictionLaw; 2])>,
     /// Elements along which contact is integrated.
     pub segments: Vec<SlaveSegment>,
     /// Number of state values of user friction laws.

@@ -18,6 +18,7 @@ impl Contact {
             points: Vec::new(),
             slave_nodes: model.contact_pairs.iter().map(ContactPair::slave_nodes).collect(),
             laws: Vec::new(),
+            changing: Vec::new(),
             segments: Vec::new(),
             state_size: 0,
             directions: if model.is_in_space() { 2 } else { 1 },

@@ -149,7 +149,7 @@ impl Contact {
         if own.normal != *normal {
             own.normal = normal.into_owned();
         }
-        own.friction = laws::friction(pair, length);
+        own.friction = laws::friction((pair, &pair.interaction.friction), length);
         own.onset = model.friction_onset;
         if matches!(pair.interaction.friction, slideline_model::Friction::User { .. }) {
             *own = laws::laws(model, pair, length, users);

@@ -3,7 +3,7 @@
 use super::outcome::Outcome;
 use super::relaxation::Relaxation;
 use crate::contact::{
-    Candidates, ContactKinematics, GeometryScratch, MasterPositions, SweepScratch,
+    Candidates, Contact, ContactKinematics, GeometryScratch, MasterPositions, SweepScratch,
 };
 use crate::evaluate::{Evaluation, zero};
 use crate::iteration_history::IterationHistory;
@@ -135,11 +135,11 @@ impl Scratch {
     pub fn couple<'s>(
         &mut self,
         (plan, own): (&Numbering, usize),
-        (values, kind): (&Values, Kind),
+        (values, contact, kind): (&Values, &Contact, Kind),
         states: (impl Iterator<Item = &'s [f64]>, &[PointState]),
         linear_systems: &LinearSystems,
     ) -> Coupling {
-        values.contact.candidates(states, &mut self.positions, &mut self.near);
+        contact.candidates(states, &mut self.positions, &mut self.near);
         let (systems, near) = (&mut self.systems, &self.near[..]);
         let fits = |system: &System| {
             (system.step, system.kind) == (own, kind) && *system.coupling.near == *near
@@ -151,7 +151,7 @@ impl Scratch {
                 let step = &plan.steps[own];
                 let constraints = &step.constraints;
                 let coupling = step.coupling.clone().unwrap_or_else(|| {
-                    let contact = (&values.contact, near);
+                    let contact = (contact, near);
                     Coupling::new(&plan.elements, &step.dependent, constraints, contact)
                 });
                 let solver = Solver::analyse(&coupling.pattern, kind, linear_systems.factory());

@@ -202,6 +202,9 @@ pub struct Energies {
     pub stabilisation: f64,
     /// Released where the structure jumped to another equilibrium.
     pub released_energy: f64,
+    /// What removed elements and contact pairs held when they left, less what those brought that
+    /// came back with strain.
+    pub removed_energy: f64,
     /// External work and work of heat minus the change of everything else since the first
     /// converged state.
     pub balance: f64,
@@ -218,12 +221,13 @@ impl Energies {
         self.external_work + self.thermal_work
     }
 
-    /// What is stored, dissipated or released: where the work went.
+    /// What is stored, dissipated, released or removed: where the work went.
     pub fn taken(&self) -> f64 {
         self.of_the_model()
             + self.friction_elastic
             + self.friction_dissipation
             + self.stabilisation
             + self.released_energy
+            + self.removed_energy
     }
 }

@@ -1,7 +1,8 @@
 //! What of a model decides its numbering, as a row of numbers.
 
 use slideline_model::{
-    ContactFace, ContactPair, ElementBlock, Formulation, Friction, Master, Model, Section, Step,
+    ContactFace, ContactPair, ElementBlock, Formulation, Friction, Master, Model, Presence,
+    Section, Step,
 };
 use std::fmt;
 
@@ -28,7 +29,7 @@ pub enum Part {
     OutOfPlane(u64),
     /// The number of steps.
     Steps,
-    /// Prescribed dofs or kinematics of a step, by its number from 1.
+    /// Prescribed dofs, kinematics, or what is absent of a step, by its number from 1.
     Step(usize),
 }
 
@@ -61,7 +62,9 @@ impl fmt::Display for PlanMismatch {
                 write!(f, "node {label}, whose z is not zero though all elements are plane")
             }
             Part::Steps => f.write_str("the number of steps"),
-            Part::Step(number) => write!(f, "the prescribed dofs or NLGEOM of step {number}"),
+            Part::Step(number) => {
+                write!(f, "the prescribed dofs, NLGEOM or what is absent of step {number}")
+            }
         }?;
         f.write_str("; make a plan of this model")
     }
@@ -188,4 +191,11 @@ fn draw_step(step: &Step, note: &mut impl FnMut(usize)) {
     for prescribed in &step.prescribed {
         [prescribed.node, prescribed.dof as usize].into_iter().for_each(&mut *note);
     }
+    let Presence { absent, begun, absent_pairs, .. } = &step.presence;
+    for list in [absent, begun] {
+        note(list.len());
+        list.iter().flat_map(|&(block, member)| [block, member]).for_each(&mut *note);
+    }
+    note(absent_pairs.len());
+    absent_pairs.iter().for_each(|&pair| note(pair));
 }

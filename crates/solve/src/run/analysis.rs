@@ -32,6 +32,7 @@ impl Room {
         let states = (state_variables, elements);
         self.committed.begin(plan.dofs.len(), points, states);
         self.trial.begin(plan.dofs.len(), points, states);
+        self.start.references.to_mut().clear();
     }
 }
 

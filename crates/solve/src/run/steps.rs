@@ -8,6 +8,7 @@ use crate::newton::Scratch;
 use crate::observe::{Ending, Event};
 use crate::problem::{self, Problem};
 use crate::start::Start;
+use crate::structure::Structure;
 use crate::target::Target;
 use slideline_model::Static;
 
@@ -37,6 +38,7 @@ impl Analysis<'_> {
     /// The rest of the step of a checkpoint, then the others.
     pub fn go_on(&mut self, from: &Checkpoint<'_>, work: &mut Scratch) -> Ending {
         self.committed.clone_from(from.state.as_ref());
+        self.start.references = from.start.references.clone().into_owned().into();
         if from.last_of_step() && !self.resumes {
             return self.ending(from.step + 1, work);
         }
@@ -66,7 +68,8 @@ impl Analysis<'_> {
         let mut start = std::mem::take(self.start);
         let own = self.plan.of_step[number - 1];
         start.take(self.committed, &self.plan.steps[own].constraints);
-        let walked = self.all_increments(number, (&start, None), work);
+        let changed = self.change_model(number, &mut start);
+        let walked = changed.and_then(|()| self.all_increments(number, (&start, None), work));
         *self.start = start;
         walked
     }
@@ -86,7 +89,11 @@ impl Analysis<'_> {
     ) -> Result<(), Left> {
         let (model, plan, values) = (self.model, self.plan, self.values);
         let step = &model.steps[number - 1];
-        let kind = problem::kind(model, step, &values.contact);
+        let contact = &*values.contact.of_step(model, step);
+        // where an element cannot begin, that was said before the step
+        let begun = self.begun_kernels(step, &start.references).ok().flatten();
+        let kernels = begun.as_ref().unwrap_or(&values.kernels);
+        let kind = problem::kind(model, step, contact);
         let at_once = Control::begin(&step.procedure);
         let mut control = from.map_or(Some(at_once), |from| from.control);
         // within an increment what it has touched on its way stays
@@ -97,19 +104,21 @@ impl Analysis<'_> {
             let states = here.chain(self.reached[..count].iter().map(Vec::as_slice));
             let own = (plan, plan.of_step[number - 1]);
             let states = (states, &self.committed.points[..]);
-            let coupling = work.couple(own, (values, kind), states, self.means.linear_systems);
+            let coupling =
+                work.couple(own, (values, contact, kind), states, self.means.linear_systems);
             let means = self.means;
             let at = (model, number - 1);
             let problem = Problem::new(at, (plan, values), &coupling, start, means);
             let is_lenient = count > MOST_REACHED;
-            let problem = Problem { is_lenient, enforcement: self.enforcement, ..problem };
+            let structure = Structure { kernels, ..problem.structure };
+            let enforcement = self.enforcement;
+            let problem = Problem { is_lenient, enforcement, contact, structure, ..problem };
             work.fit(&problem);
             work.tell_motions(&problem);
             if begun || from.is_some() {
                 crate::commit::recall_points(self.committed, work);
             } else {
                 let (positions, kinematics) = work.places();
-                let contact = &values.contact;
                 crate::commit::locate_points(contact, self.committed, positions, kinematics);
             }
             if !begun {
@@ -150,6 +159,10 @@ impl Analysis<'_> {
                 step_time: control.target(&step.procedure),
                 dt: control.target(&step.procedure) - control.time,
             };
+            // friction that changes over the step is that of the end of the increment
+            let changed = plan.contact.at(target.step_time / step.procedure.period);
+            let contact = changed.as_ref().unwrap_or(plan.contact);
+            let plan = &Problem { contact, ..*plan };
             let mut outcome = self.attempt(plan, &target, work)?;
             if work.outside {
                 work.take_back(outcome);

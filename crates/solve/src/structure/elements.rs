@@ -4,6 +4,7 @@ use super::block::Block;
 use super::contributions::Contributions;
 use super::kernels::Kernels;
 use super::numbering::ElementNumbering;
+use super::reference::Reference;
 use slideline_mech::element::{Kernel, MOST_NODES, Strains, Surroundings, Temperature};
 use slideline_mech::material::Clock;
 use slideline_mech::turn::Turn;
@@ -20,6 +21,10 @@ pub struct Structure<'a> {
     /// Index of each tangent entry among the matrix values, element by element and row
     /// by row; `u32::MAX`: none.
     pub entries: &'a [u32],
+    /// Whether each element is absent; empty: none is.
+    pub absent: &'a [bool],
+    /// Where the elements begin that were added free of strain, by ascending element.
+    pub references: &'a [Reference],
     /// Temperatures of all nodes before the first step; empty: all are zero.
     pub initial: &'a [Temperature],
     /// Whether displacements may be large.
@@ -106,6 +111,31 @@ impl Structure<'_> {
         (&self.numbering.blocks[at], self.kernels.of(at))
     }
 
+    /// Whether an element is there.
+    pub(super) fn has(&self, element: usize) -> bool {
+        !self.absent.get(element).is_some_and(|&absent| absent)
+    }
+
+    /// The elements that are there, each with its block and kernel.
+    pub(super) fn present(&self) -> impl Iterator<Item = (&Block, &dyn Kernel, usize)> {
+        self.elements().filter(|&(.., element)| self.has(element))
+    }
+
+    /// Where an element begins that was added free of strain.
+    fn reference(&self, element: usize) -> Option<&Reference> {
+        let at = self.references.binary_search_by_key(&element, |own| own.element).ok()?;
+        self.references.get(at)
+    }
+
+    /// Reads the variables of an element from displacements and rotations of all dofs, counted
+    /// from where it begins.
+    pub(super) fn read(&self, block: &Block, element: usize, u: &[f64], q: &mut [f64]) {
+        q.iter_mut().zip(self.own(block, element)).for_each(|(q, &dof)| *q = u[dof]);
+        if let Some(reference) = self.reference(element) {
+            reference.take_from(q, block, self.nlgeom);
+        }
+    }
+
     /// The dofs of an element.
     pub(super) fn own(&self, block: &Block, element: usize) -> &[usize] {
         &self.numbering.own[block.own(element)]
@@ -121,17 +151,22 @@ impl Structure<'_> {
     ) -> &'n AtNodes {
         (into.heated, into.turning) = (0, 0);
         let nodes = &self.numbering.nodes[block.nodes(element)];
+        let reference = self.reference(element);
         if !ambient.temperatures.is_empty() {
             let of = |list: &[Temperature], node: usize| list.get(node).copied();
             for &node in nodes {
                 into.now[into.heated] = of(ambient.temperatures, node).unwrap_or_default();
-                into.initial[into.heated] = of(self.initial, node).unwrap_or_default();
+                let begun = reference.and_then(|own| own.temperatures.get(into.heated).copied());
+                let initial = begun.or_else(|| of(self.initial, node));
+                into.initial[into.heated] = initial.unwrap_or_default();
                 into.heated += 1;
             }
         }
-        if !ambient.turns.is_empty() && block.turns_in_space() {
+        if block.turns_in_space() && (!ambient.turns.is_empty() || reference.is_some()) {
             for &node in nodes {
-                into.turns[into.turning] = ambient.turns.get(node).copied().unwrap_or_default();
+                let turn = ambient.turns.get(node).copied().unwrap_or_default();
+                let seen = reference.map_or(turn, |own| own.turn(into.turning, &turn));
+                into.turns[into.turning] = seen;
                 into.turning += 1;
             }
         }

@@ -159,14 +159,17 @@ impl Structure<'_> {
             let width = block.variables;
             let q = &mut variables[..width];
             for element in elements {
-                let own = self.own(block, element);
-                q.iter_mut().zip(own).for_each(|(q, &dof)| *q = at.u[dof]);
+                let Some((energy, into)) = part.take(width, block.states) else { return };
+                let committed = &at.state[block.state(element)];
+                if !self.has(element) {
+                    *energy = absent(committed, into);
+                    continue;
+                }
+                self.read(block, element, at.u, q);
                 let strains = match at.stresses {
                     Some(stresses) => Strains::Mixed(&stresses[block.stresses(element)]),
                     None => self.strains(),
                 };
-                let Some((energy, into)) = part.take(width, block.states) else { return };
-                let committed = &at.state[block.state(element)];
                 let nodal = self.at_nodes(block, element, &at.ambient, &mut nodes);
                 let under = nodal.under(strains, at.ambient.clock);
                 *energy = ask(kernel, (block.number(element), q), (committed, &under), into);
@@ -249,8 +252,18 @@ impl Structure<'_> {
     }
 }
 
+/// What an absent element answers: nothing; its state waits.
+fn absent(committed: &[f64], into: Response<'_>) -> Result<f64, Failure> {
+    into.force.fill(0.0);
+    if let Some(tangent) = into.tangent {
+        tangent.fill(0.0);
+    }
+    into.state.copy_from_slice(committed);
+    Ok(0.0)
+}
+
 /// The answer of an element; all of it is finite, and zero where there is none.
-fn ask(
+pub(super) fn ask(
     kernel: &dyn Kernel,
     (number, q): (usize, &[f64]),
     (committed, under): (&[f64], &Surroundings<'_>),

@@ -1,6 +1,8 @@
 //! The kernels of all blocks: positions, sections and materials of the elements.
 
+use super::block::Block;
 use super::numbering::ElementNumbering;
+use super::reference::Reference;
 use slideline_mech::element::Kernel;
 use slideline_model::{Model, Undeformed};
 
@@ -18,10 +20,16 @@ pub struct Kernels {
 
 impl Kernels {
     /// Takes the elements of a model that the numbering is of, in the room of those
-    /// before.
+    /// before. Those with a reference stand where they begin, the others where the deck has them.
     ///
-    /// Errors: the index in the model of a block whose section is not one of its type.
-    pub fn take(&mut self, numbering: &ElementNumbering, model: &Model) -> Result<(), usize> {
+    /// Errors: the index in the model of a block whose section is not one of its type, or of one
+    /// with an element that cannot begin there.
+    pub fn take(
+        &mut self,
+        numbering: &ElementNumbering,
+        model: &Model,
+        references: &[Reference],
+    ) -> Result<(), usize> {
         let known = self.blocks.len() == numbering.blocks.len();
         (self.stiffest, self.stiffest_length) = (0.0, 0.0);
         for numbered in &numbering.blocks {
@@ -30,6 +38,7 @@ impl Kernels {
             let elements = numbered.members.iter().map(|&at| block.elements.get(at));
             let corners = elements.flat_map(|element| element.nodes);
             self.nodes.extend(corners.map(|&node| model.nodes.get(node).position));
+            self.begin_at(numbered, references);
             let (section, nodes) = (&block.section, &self.nodes[..]);
             let (kind, dialect) = (block.kind, model.dialect);
             let undeformed = Undeformed { kind, section, dialect, nodes };
@@ -45,6 +54,20 @@ impl Kernels {
             self.blocks.push(kernel);
         }
         Ok(())
+    }
+
+    /// Moves the elements of a block that have a reference to where they begin.
+    fn begin_at(&mut self, block: &Block, references: &[Reference]) {
+        let own = references.partition_point(|own| own.element < block.elements.start);
+        let within = |own: &&Reference| own.element < block.elements.end;
+        for reference in references[own..].iter().take_while(within) {
+            let first = block.width * block.number(reference.element);
+            let nodes = self.nodes.iter_mut().skip(first).take(block.width);
+            for (number, position) in nodes.enumerate() {
+                let moved = reference.translation(number, block.dofs);
+                position.iter_mut().zip(moved).for_each(|(x, u)| *x += u);
+            }
+        }
     }
 
     /// What the elements of a block add to the scales.

@@ -26,12 +26,11 @@ impl Structure<'_> {
         }
         let mut nodes = AtNodes::default();
         let (mut q, mut moved) = ([0.0; MOST_VARIABLES], [0.0; MOST_VARIABLES]);
-        for (block, kernel, element) in self.elements() {
+        for (block, kernel, element) in self.present() {
             let own = self.own(block, element);
             let (q, moved) = (&mut q[..own.len()], &mut moved[..own.len()]);
-            for ((q, moved), &dof) in q.iter_mut().zip(&mut *moved).zip(own) {
-                (*q, *moved) = (u[dof], change[dof]);
-            }
+            self.read(block, element, u, q);
+            moved.iter_mut().zip(own).for_each(|(moved, &dof)| *moved = change[dof]);
             let into = &mut into[block.stresses(element)];
             let nodal = self.at_nodes(block, element, ambient, &mut nodes);
             let under = nodal.under(self.strains(), ambient.clock);
@@ -45,7 +44,7 @@ impl Structure<'_> {
         if stresses.is_empty() {
             return;
         }
-        for (block, kernel, element) in self.elements() {
+        for (block, kernel, element) in self.present() {
             let own = &mut stresses[block.stresses(element)];
             kernel.tighten(block.number(element), reach, own);
         }
@@ -63,11 +62,11 @@ impl Structure<'_> {
         let mut nodes = AtNodes::default();
         let ambient = Ambient { turns, ..Ambient::default() };
         let (mut q, mut own_force) = ([0.0; MOST_VARIABLES], [0.0; MOST_VARIABLES]);
-        for &element in self.dependent {
+        for &element in self.dependent.iter().filter(|&&element| self.has(element)) {
             let (block, kernel) = self.element(element);
             let own = self.own(block, element);
             let (q, force) = (&mut q[..own.len()], &mut own_force[..own.len()]);
-            q.iter_mut().zip(own).for_each(|(q, &dof)| *q = u[dof]);
+            self.read(block, element, u, q);
             let estimated = stresses.filter(|_| self.nlgeom).is_some_and(|stresses| {
                 let stresses = &stresses[block.stresses(element)];
                 let turns = self.at_nodes(block, element, &ambient, &mut nodes).turns();

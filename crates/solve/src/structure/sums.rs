@@ -14,6 +14,7 @@ impl Structure<'_> {
         let blocks = self.numbering.blocks.iter();
         let turning = blocks.filter(|block| block.translations < block.dofs.len());
         let elements = turning.flat_map(|block| block.elements.clone().map(move |e| (block, e)));
+        let elements = elements.filter(|&(_, element)| self.has(element));
         let bend = |(block, element): (&Block, usize)| block.bend(self.own(block, element), &of);
         elements.map(bend).fold(0.0, f64::max)
     }
@@ -40,7 +41,7 @@ impl Structure<'_> {
     /// elements, with the number of nodal vectors counted: the flux q.
     pub fn flux(&self, from: &Contributions) -> Flux {
         let mut flux = Flux::default();
-        for (block, _, element) in self.elements() {
+        for (block, _, element) in self.present() {
             block.count(&from.force[block.own(element)], &mut flux);
         }
         flux
@@ -49,7 +50,7 @@ impl Structure<'_> {
     /// By how much the creep strains of the increment that led to a state differ at most, taken by
     /// the conditions at its two ends [1].
     pub fn creep_difference(&self, state: &[f64]) -> f64 {
-        let each = self.elements().filter(|(block, ..)| block.states > 0);
+        let each = self.present().filter(|(block, ..)| block.states > 0);
         let own = each.map(|(block, kernel, element)| {
             kernel.creep_difference(block.number(element), &state[block.state(element)])
         });
@@ -64,9 +65,8 @@ impl Structure<'_> {
         let mut sum = 0.0;
         for (block, kernel) in blocks {
             let q = &mut variables[..block.variables];
-            for element in block.elements.clone() {
-                let own = self.own(block, element);
-                q.iter_mut().zip(own).for_each(|(q, &dof)| *q = u[dof]);
+            for element in block.elements.clone().filter(|&element| self.has(element)) {
+                self.read(block, element, u, q);
                 let (number, state) = (block.number(element), &state[block.state(element)]);
                 let nodal = self.at_nodes(block, element, &ambient, &mut nodes);
                 let under = nodal.under(self.strains(), ambient.clock);
@@ -76,7 +76,7 @@ impl Structure<'_> {
         sum
     }
 
-    /// Results of all elements, block by block; room that `into` has is used again.
+    /// Results of the elements that are there, block by block; room that `into` has is used again.
     pub fn results(
         &self,
         u: &[f64],
@@ -89,13 +89,14 @@ impl Structure<'_> {
         let blocks = self.numbering.blocks.iter().zip(self.kernels.iter());
         for ((block, kernel), into) in blocks.zip(into) {
             into.block = block.block;
-            into.members.clone_from(&block.members);
-            into.values.resize(block.results * block.elements.len(), 0.0);
+            let there = || block.elements.clone().filter(|&element| self.has(element));
+            into.members.clear();
+            into.members.extend(there().map(|element| block.members[block.number(element)]));
+            into.values.resize(block.results * into.members.len(), 0.0);
             let q = &mut variables[..block.variables];
             let values = into.values.chunks_exact_mut(block.results.max(1));
-            for (element, values) in block.elements.clone().zip(values) {
-                let own = self.own(block, element);
-                q.iter_mut().zip(own).for_each(|(q, &dof)| *q = u[dof]);
+            for (element, values) in there().zip(values) {
+                self.read(block, element, u, q);
                 let (number, state) = (block.number(element), &state[block.state(element)]);
                 let nodal = self.at_nodes(block, element, &ambient, &mut nodes);
                 let under = nodal.under(self.strains(), ambient.clock);

@@ -43,6 +43,8 @@ fn step() -> Step {
         loads: vec![],
         temperatures: vec![],
         controls: Controls::default(),
+        presence: Default::default(),
+        frictions: vec![],
         stabilisation: None,
         distributed: Default::default(),
         output: OutputRequests::default(),
@@ -100,6 +102,8 @@ impl Built {
 
     fn structure(&self) -> Structure<'_> {
         Structure {
+            absent: &[],
+            references: &[],
             initial: &[],
             numbering: &self.elements,
             kernels: &self.kernels,
@@ -172,7 +176,7 @@ fn build(model: &Model, nlgeom: bool) -> Built {
     let entries = elements.entries(&dependent, &constraints, &pattern);
     let (mut motion, mut kernels) = (Motion::default(), Kernels::default());
     motion.take(&constraints, model);
-    kernels.take(&elements, model).unwrap();
+    kernels.take(&elements, model, &[]).unwrap();
     Built { dofs, constraints, motion, elements, kernels, dependent, entries, pattern, nlgeom }
 }
 

@@ -150,6 +150,8 @@ pub(crate) fn model(line: bool) -> Model {
         loads: vec![],
         temperatures: vec![],
         controls: Controls::default(),
+        presence: Default::default(),
+        frictions: vec![],
         stabilisation: None,
         distributed: Default::default(),
         output: OutputRequests::default(),

@@ -36,6 +36,7 @@ class Shape {
     for (const pair of data.pairs) if (pair.master === "slide line") of.push(new Set(pair.nodes));
     f.kinds.forEach((kind, k) => {
       const ends = [f.cells[2 * k], f.cells[2 * k + 1]];
+      ends.pair = k;
       const labels = ends.map((end) => f.labels[end]);
       if (kind === 3) this.lines.masters.push(ends);
       else if (kind === 2) this.lines.slaves.push(ends);
@@ -225,10 +226,21 @@ class Shape {
     draw(this.rule, "text", { class: "soft", x: this.W - 14, y: this.H - 26, "text-anchor": "end" }, (field ? field.name : "|stress|") + " " + show(most, 3));
   }
 
+  // Pairs of points whose element is absent in a frame, if any is.
+  gone(frame) {
+    const own = data.frames.changed[frame];
+    if (!own) return null;
+    this.hidden = this.hidden || data.frames.changes.map((one) => new Set(one.gone));
+    return this.hidden[own - 1];
+  }
+
   path(lines, frame, scale) {
     const out = [];
     let last = -1;
-    for (const [a, b] of lines) {
+    const gone = this.gone(frame);
+    for (const ends of lines) {
+      if (gone && gone.has(ends.pair)) continue;
+      const [a, b] = ends;
       if (a !== last) { const p = this.place(this.at(a, frame, scale)); out.push("M" + p[0].toFixed(2) + " " + p[1].toFixed(2)); }
       const q = this.place(this.at(b, frame, scale));
       out.push("L" + q[0].toFixed(2) + " " + q[1].toFixed(2));
@@ -239,8 +251,9 @@ class Shape {
 
   // Beams as thick as they are, at least two pixels, coloured by their stress.
   body(frame) {
-    const paths = STRESS.map(() => []);
+    const paths = STRESS.map(() => []), gone = this.gone(frame);
     this.beams.forEach((cell, k) => {
+      if (gone && gone.has(cell)) return;
       const a = this.place(this.at(data.frames.cells[2 * cell], frame, this.scale)), b = this.place(this.at(data.frames.cells[2 * cell + 1], frame, this.scale));
       const d = [b[0] - a[0], b[1] - a[1]], length = Math.hypot(d[0], d[1]);
       if (!(length > 0)) return;

@@ -2,10 +2,11 @@
 // space are painted from back to front and turn with the pointer.
 class Skin {
   constructor(shape, parent) {
-    const f = data.frames, own = singles(f.skin);
+    const f = data.frames;
     this.shape = shape;
-    this.triangles = own.length / 4;
-    this.corners = own;
+    // all solids, then what is left of them while something is absent
+    this.skins = [f.skin, ...f.changes.map((own) => own.skin)].map(singles);
+    this.take(0);
     this.space = f.space;
     this.fields = f.fields.map((field) => ({ name: field.name, values: singles(field.values) }));
     this.field = 0;
@@ -18,6 +19,12 @@ class Skin {
     });
     this.depths();
     this.choice();
+  }
+
+  // The surface that a frame is drawn by.
+  take(frame) {
+    this.corners = this.skins[data.frames.changed[frame] || 0];
+    this.triangles = this.corners.length / 4;
   }
 
   depths() {
@@ -91,6 +98,7 @@ class Skin {
     const pen = this.canvas.getContext("2d"), shape = this.shape;
     pen.setTransform(this.fine, 0, 0, this.fine, 0, 0);
     pen.clearRect(0, 0, this.canvas.width, this.canvas.height);
+    this.take(frame);
     if (!this.triangles || !shape.states.length) return;
     const points = shape.size / 2, screen = new Float32Array(2 * points), depth = new Float32Array(points);
     for (let p = 0; p < points; p++) {

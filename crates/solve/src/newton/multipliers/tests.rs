@@ -54,7 +54,7 @@ fn work(
 ) -> Scratch {
     let mut work = Scratch::default();
     let states = (std::iter::once(&committed.displacement[..]), &committed.points[..]);
-    let values = (&prepared.values, plan.kind());
+    let values = (&prepared.values, plan.contact, plan.kind());
     work.couple((&prepared.plan, 0), values, states, &prepared.linear_systems);
     work.fit(plan);
     // stresses of the law: the tangent is that of the residual
