@@ -68,6 +68,9 @@ impl Analysis<'_> {
         let mut start = std::mem::take(self.start);
         let own = self.plan.of_step[number - 1];
         start.take(self.committed, &self.plan.steps[own].constraints);
+        if number == 1 {
+            self.begin_stressed(&mut start);
+        }
         let changed = self.change_model(number, &mut start);
         let walked = changed.and_then(|()| self.all_increments(number, (&start, None), work));
         *self.start = start;
