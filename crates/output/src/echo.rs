@@ -262,6 +262,9 @@ fn told(material: &Material) -> String {
                 rows.first().map_or("", String::as_str)
             )
         }
+        (Material::Prestressed(own), _) => {
+            format!("{}, under stress at the start", told(&own.law))
+        }
         (Material::Expanding(own), _) => {
             format!("{}; {}", told(&own.law), expands(&own.expansion))
         }
@@ -549,6 +552,7 @@ fn step_echo(text: &mut String, model: &Model, number: usize, step: &Step) {
         step.max_increments
     );
     states_echo(text, &step.output.states_every);
+    changes(text, model, step);
     let fixed = step.prescribed.iter().filter(|motion| !motion.moves()).count();
     line!(text, "  {fixed} dofs held");
     let moving: Vec<&Prescribed> = step.prescribed.iter().filter(|own| own.moves()).collect();
@@ -582,6 +586,29 @@ fn step_echo(text: &mut String, model: &Model, number: usize, step: &Step) {
         );
     }
     distributed(text, model, step);
+}
+
+/// What is absent, what begins, and other friction.
+fn changes(text: &mut String, model: &Model, step: &Step) {
+    let count =
+        |count: usize, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
+    let presence = &step.presence;
+    for (list, how) in [(&presence.absent, "absent"), (&presence.begun, "added free of strain")] {
+        if !list.is_empty() {
+            line!(text, "  {} {how}", count(list.len(), "element"));
+        }
+    }
+    for &pair in &presence.absent_pairs {
+        line!(text, "  the contact of {} is absent", model.contact_pairs[pair].name);
+    }
+    for own in &step.frictions {
+        let name = &model.contact_pairs[own.pair].name;
+        match own.to.coefficients() {
+            [mu, _] if mu > 0.0 => line!(text, "  friction of {name}: {}", general(mu, 9)),
+            _ if own.to.acts() => line!(text, "  friction of {name}: another law"),
+            _ => line!(text, "  no friction of {name}"),
+        }
+    }
 }
 
 /// `node 7`, or `nodes 7 to 9`.
