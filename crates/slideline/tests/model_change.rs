@@ -255,7 +255,7 @@ fn kinds() -> Vec<Kind> {
         let dofs = match row.kinematics {
             Kinematics::Spring if name == "SPRINGA" => vec![1, 2],
             Kinematics::Spring => vec![2],
-            _ => row.dofs.iter().map(|dof| dof.number() as usize).collect(),
+            _ => row.dofs.iter().map(|dof| dof.number()).collect(),
         };
         all.push(Kind { name, nodes, section, dofs });
     }

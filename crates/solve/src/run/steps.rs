@@ -29,6 +29,17 @@ fn begin_again(decision: Decision, procedure: &Static) -> Decision {
     }
 }
 
+/// What the next attempt aims at.
+fn aim(step: usize, control: &Control, procedure: &Static) -> Target {
+    Target {
+        step,
+        increment: control.committed + 1,
+        attempt: control.attempts as usize + 1,
+        step_time: control.target(procedure),
+        dt: control.target(procedure) - control.time,
+    }
+}
+
 impl Analysis<'_> {
     /// All steps.
     pub fn steps(&mut self, work: &mut Scratch) -> Ending {
@@ -155,13 +166,7 @@ impl Analysis<'_> {
     ) -> Result<Option<Control>, Left> {
         let step = plan.step;
         loop {
-            let mut target = Target {
-                step: number,
-                increment: control.committed + 1,
-                attempt: control.attempts as usize + 1,
-                step_time: control.target(&step.procedure),
-                dt: control.target(&step.procedure) - control.time,
-            };
+            let mut target = aim(number, &control, &step.procedure);
             // friction that changes over the step is that of the end of the increment
             let changed = plan.contact.at(target.step_time / step.procedure.period);
             let contact = changed.as_ref().unwrap_or(plan.contact);
