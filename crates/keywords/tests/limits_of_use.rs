@@ -44,7 +44,7 @@ fn what_the_page_names_is_refused() {
         ("heat conduction", HISTORY, "*HEAT TRANSFER\n*END STEP"),
         ("masses", "TYPE=B21", "TYPE=MASS"),
         ("gap elements", MODEL, "*GAP\n*STEP"),
-        ("initial stresses", MODEL, "*INITIAL CONDITIONS, TYPE=STRESS\n*STEP"),
+        ("initial strains", MODEL, "*INITIAL CONDITIONS, TYPE=PLASTIC STRAIN\n*STEP"),
         ("`*PARAMETER DEPENDENCE`", MODEL, "*PARAMETER DEPENDENCE\nw = 1.\n*STEP"),
         ("dynamics", HISTORY, "*DYNAMIC\n*END STEP"),
         ("frequencies", HISTORY, "*FREQUENCY\n*END STEP"),

@@ -44,6 +44,9 @@ pub(super) fn told(material: &Material) -> String {
                 rows.first().map_or("", String::as_str)
             )
         }
+        (Material::Prestressed(own), _) => {
+            format!("{}, under stress at the start", told(&own.law))
+        }
         (Material::Expanding(own), _) => {
             format!("{}; {}", told(&own.law), expands(&own.expansion))
         }

@@ -20,6 +20,7 @@ pub(super) fn step_echo(text: &mut String, model: &Model, step_number: usize, st
         step.max_increments
     );
     states_echo(text, &step.output.states_every);
+    changes(text, model, step);
     let fixed = step.prescribed.iter().filter(|motion| !motion.moves()).count();
     line!(text, "  {fixed} dofs held");
     let moving: Vec<&Prescribed> = step.prescribed.iter().filter(|own| own.moves()).collect();
@@ -101,4 +102,27 @@ fn distributed(text: &mut String, model: &Model, step: &Step) {
 fn amplitude(model: &Model, place: Option<usize>) -> String {
     let amplitude = place.and_then(|place| model.amplitudes.get(place));
     amplitude.map_or_else(String::new, |amplitude| format!(" times amplitude {}", amplitude.name))
+}
+
+/// What is absent, what begins, and other friction.
+fn changes(text: &mut String, model: &Model, step: &Step) {
+    let count =
+        |count: usize, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
+    let presence = &step.presence;
+    for (list, how) in [(&presence.absent, "absent"), (&presence.begun, "added free of strain")] {
+        if !list.is_empty() {
+            line!(text, "  {} {how}", count(list.len(), "element"));
+        }
+    }
+    for &pair in &presence.absent_pairs {
+        line!(text, "  the contact of {} is absent", model.contact_pairs[pair].name);
+    }
+    for own in &step.frictions {
+        let name = &model.contact_pairs[own.pair].name;
+        match own.to.coefficients() {
+            [mu, _] if mu > 0.0 => line!(text, "  friction of {name}: {}", number(mu)),
+            _ if own.to.acts() => line!(text, "  friction of {name}: another law"),
+            _ => line!(text, "  no friction of {name}"),
+        }
+    }
 }
