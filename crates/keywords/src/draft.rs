@@ -1,5 +1,6 @@
 //! The model while it is read: objects by name, references not yet resolved.
 
+mod cards;
 mod elements;
 mod heat;
 mod sections;
@@ -8,21 +9,18 @@ use std::collections::HashMap;
 
 use slideline_deck::DataLine;
 use slideline_diag::{Code, Diagnostic, Span};
-use slideline_model::{
-    ContactPrint, Controls, Dialect, Dof, ElementPrint, Extrapolation, Interaction, Model, Node,
-    NodeIndex, NodePrint, Nodes, PrintTarget, ProfilePoint, SavedStates, Static, SurfaceSegment,
-};
+use slideline_model::{Dialect, Dof, Interaction, Model, Node, NodeIndex, Nodes, SavedStates};
 
 use crate::axes::{Orientation, Transform};
 use crate::constraints::{Coupling, Equation, Link, PreTension, ShapeMpc, Tie};
-use crate::distributed::Distributed;
 use crate::expression::Values;
-use crate::log::{Log, MAX_LABEL, Target};
+use crate::log::{Log, MAX_LABEL};
 use crate::motion::Frame;
 use crate::rule::Subject;
 use crate::scopes::Parts;
 use crate::sets::Sets;
 use crate::surfaces::{Named, NamedInteraction, NamedSurface, Pairing, RigidBody};
+pub(crate) use cards::{Boundary, Interface, NodalThickness, Shape, Spring, StepDraft, Surface};
 pub(crate) use elements::{Element, ElementKind, MOST_NODES};
 pub(crate) use heat::Heat;
 pub(crate) use sections::{
@@ -153,96 +151,6 @@ impl Owner {
             _ => None,
         }
     }
-}
-
-#[derive(Clone, Debug)]
-pub(crate) struct Spring {
-    pub set: String,
-    pub set_span: Span,
-    /// `NONLINEAR`: a table of force and relative displacement.
-    pub nonlinear: bool,
-    /// The numbers of its lines.
-    pub lines: Vec<(Vec<f64>, Span)>,
-    pub origin: Span,
-}
-
-/// `*RIGID SURFACE` or `*SLIDE LINE`, named by its element set.
-#[derive(Clone, Debug)]
-pub(crate) struct Surface {
-    pub set: String,
-    pub set_span: Span,
-    pub shape: Shape,
-    pub origin: Span,
-}
-
-#[derive(Clone, Debug)]
-pub(crate) enum Shape {
-    Rigid { start: ProfilePoint, segments: Vec<SurfaceSegment> },
-    Line { nodes: Vec<(u64, Span)>, smooth: f64, extension: f64 },
-}
-
-#[derive(Clone, Debug)]
-pub(crate) struct Interface {
-    pub set: String,
-    pub set_span: Span,
-    pub interaction: Interaction,
-}
-
-/// A line of `*NODAL THICKNESS`.
-#[derive(Clone, Debug)]
-pub(crate) struct NodalThickness {
-    pub target: Target,
-    pub target_span: Span,
-    /// Out of the plane [L].
-    pub thickness: f64,
-    pub origin: Span,
-}
-
-/// A line of `*BOUNDARY` or `*CLOAD`.
-#[derive(Clone, Debug)]
-pub(crate) struct Boundary {
-    pub target: Target,
-    pub target_span: Span,
-    pub dofs: Vec<Dof>,
-    pub value: f64,
-    pub amplitude: Option<(String, Span)>,
-    /// `FIXED`: it stays where the step before left it.
-    pub fixed: bool,
-    pub origin: Span,
-}
-
-#[derive(Clone, Debug)]
-pub(crate) struct StepDraft {
-    pub title: String,
-    pub nlgeom: bool,
-    pub max_increments: usize,
-    pub unsymmetric: Option<bool>,
-    pub extrapolation: Extrapolation,
-    /// `AMPLITUDE=STEP`; unsaid it is that of the procedure.
-    pub at_once: Option<bool>,
-    pub procedure: Option<Static>,
-    pub new_boundary: bool,
-    pub new_loads: bool,
-    /// `OP=NEW` of `*DLOAD` and of `*DSLOAD`.
-    pub new_distributed: [bool; 2],
-    pub distributed: Vec<Distributed>,
-    pub boundary: Vec<Boundary>,
-    pub loads: Vec<Boundary>,
-    pub new_temperatures: bool,
-    pub temperatures: Vec<Heat>,
-    pub controls: Option<Controls>,
-    pub restart: Option<SavedStates>,
-    pub stabilisation: Option<slideline_model::Stabilisation>,
-    pub prints: Vec<(NodePrint, Option<Span>)>,
-    pub element_prints: Vec<(ElementPrint, Option<Span>)>,
-    pub contact_prints: Vec<(ContactPrint, Option<Span>)>,
-    /// File and `FREQUENCY` of the last `*OUTPUT`, which rules the requests
-    /// below it.
-    pub output: Option<(PrintTarget, usize)>,
-    /// How often each card wants states.
-    pub states_every: Vec<usize>,
-    pub contact_changes: bool,
-    pub origin: Span,
 }
 
 impl Draft {

@@ -1,0 +1,172 @@
+//! Blocks of elements with their sections.
+
+use super::materials::{expands, told};
+use super::words::{extremes, range};
+use crate::number::general;
+use slideline_mech::element::{BeamHeat, solid};
+use slideline_model::{
+    BeamSection, Dialect, ElementBlock, ElementType, Kinematics, Model, NodeIndex, Section, Shape,
+    SolidSection, SpringLaw, SpringSection, SpringWay,
+};
+use std::fmt::Write as _;
+
+/// Elements of one section.
+pub(super) fn block(text: &mut String, model: &Model, block: &ElementBlock) {
+    match &block.section {
+        Section::Beam(section) => beams(text, model, block, section),
+        Section::Spring(section) => springs(text, block, section),
+        Section::Solid(section) => solids(text, block, section, model.dialect),
+        Section::Properties(_) => elements(text, block),
+    }
+}
+
+fn beams(text: &mut String, model: &Model, block: &ElementBlock, section: &BeamSection) {
+    let word = block.word();
+    line!(text, "\nBEAMS {}  {} elements {word}", block.name, block.elements.len());
+    line!(
+        text,
+        "  section {}; E = {}, nu = {}, G = {}",
+        shape(&section.shape),
+        general(section.material.modulus, 9),
+        general(section.material.poisson, 9),
+        general(section.material.shear_modulus(), 9)
+    );
+    if block.kind.is_space_beam() {
+        in_space(text, block, section);
+        return;
+    }
+    let stiffness = |length: f64| section.stiffness(length, block.kind.cell.nodes == 3);
+    let lengths: Vec<f64> =
+        block.elements.iter().map(|element| distance(model, element.ends())).collect();
+    let Some((short, long)) = extremes(&lengths) else { return };
+    let (of_short, of_long) = (stiffness(short), stiffness(long));
+    line!(
+        text,
+        "  EA = {}, EI = {}, element length {}",
+        general(of_short.axial, 9),
+        general(of_short.bending, 9),
+        range(short, long)
+    );
+    transverse_shear(text, block.kind, section, [of_short.shear, of_long.shear]);
+    if let Some(heat) = &section.heat {
+        warmed(text, heat);
+    }
+    if section.poisson != 0.0 {
+        line!(
+            text,
+            "  POISSON = {} is read; the section stays constant all the same",
+            general(section.poisson, 9)
+        );
+    }
+}
+
+/// What temperature does to beams.
+fn warmed(text: &mut String, heat: &BeamHeat) {
+    if heat.elastic.len() > 1 {
+        let moduli: Vec<f64> = heat.elastic.iter().map(|row| row.1.modulus).collect();
+        let (low, high) = extremes(&moduli).unwrap_or_default();
+        line!(text, "  E over {} temperatures: {}", moduli.len(), range(low, high));
+    }
+    if let Some(expansion) = &heat.expansion {
+        line!(text, "  {}", expands(expansion));
+    }
+}
+
+/// Stiffnesses of beams in space that do not depend on their lengths.
+fn in_space(text: &mut String, block: &ElementBlock, section: &BeamSection) {
+    let stiffness = section.space_stiffness(0.0, block.kind.cell.nodes == 3);
+    let [first, mixed, second] = stiffness.bending.map(|value| general(value, 9));
+    line!(text, "  EA = {}, E I11 = {first}, E I22 = {second}", general(stiffness.axial, 9));
+    if stiffness.bending[1] != 0.0 {
+        line!(text, "  E I12 = {mixed}");
+    }
+    let [k13, k23] = stiffness.shear.map(|value| general(value, 9));
+    line!(text, "  G J = {}, K13 = {k13}, K23 = {k23}", general(stiffness.torsion, 9));
+    let [x, y, z] = section.first_axis.map(|part| general(part, 9));
+    line!(text, "  axis 1 of the section along ({x}, {y}, {z}), as far as across the beam");
+}
+
+/// The name and the size of a section.
+fn shape(shape: &Shape) -> String {
+    let (width, height) = (general(shape.width(), 9), general(shape.height(), 9));
+    let size = match shape {
+        Shape::Rectangle { .. } => return format!("RECT: width {width}, height {height}"),
+        Shape::General { .. } => String::new(),
+        _ => format!("width {width}, height {height}, "),
+    };
+    let (area, second_moment) = (general(shape.area(), 9), general(shape.second_moment(), 9));
+    format!("{}: {size}A = {area}, I = {second_moment}", shape.name())
+}
+
+fn transverse_shear(
+    text: &mut String,
+    kind: &ElementType,
+    section: &BeamSection,
+    range_of: [f64; 2],
+) {
+    if kind.kinematics == (Kinematics::Beam { sheared: false }) {
+        line!(text, "  rigid in transverse shear");
+        return;
+    }
+    let shear = match section.shear.stiffness {
+        Some(given) => format!("K23 = {} as given", general(given, 9)),
+        None => format!("k G A with k = {}", section.shape.shear_factor()),
+    };
+    line!(
+        text,
+        "  transverse shear stiffness K = {}: f_p times {shear}, SCF = {}{}",
+        range(range_of[0], range_of[1]),
+        general(section.shear.slenderness_compensation, 9),
+        if kind.cell.nodes == 3 { " times 1e-4 (second order)" } else { "" }
+    );
+}
+
+fn distance(model: &Model, [first, second]: [NodeIndex; 2]) -> f64 {
+    let (a, b) = (model.nodes.position(first), model.nodes.position(second));
+    (b[0] - a[0]).hypot(b[1] - a[1])
+}
+
+/// Solids of one section.
+fn solids(text: &mut String, block: &ElementBlock, section: &SolidSection, dialect: Dialect) {
+    let (word, count) = (block.word(), block.elements.len());
+    line!(text, "\nSOLIDS {}  {count} elements {word}", block.name);
+    let material = told(&section.material);
+    if block.kind.is_truss() {
+        line!(text, "  area {}; {material}", general(section.thickness, 9));
+    } else if block.kind.is_spatial() {
+        line!(text, "  {material}");
+    } else {
+        line!(text, "  thickness {}; {material}", general(section.thickness, 9));
+    }
+    let Kinematics::Solid { formulation, .. } = block.kind.kinematics else { return };
+    match formulation[usize::from(dialect == Dialect::Calculix)] {
+        solid::Formulation::Hourglass => {
+            line!(text, "  hourglass control: stiffness of elastic bending");
+        }
+        solid::Formulation::SoftHourglass => {
+            line!(text, "  hourglass control: .032 E V sum (dN/dX)^2, as CalculiX");
+        }
+        _ => {}
+    }
+}
+
+/// Elements of a type that somebody else has defined.
+fn elements(text: &mut String, block: &ElementBlock) {
+    let (word, count) = (block.word(), block.elements.len());
+    line!(text, "\nELEMENTS {}  {count} elements {word}", block.name);
+}
+
+fn springs(text: &mut String, block: &ElementBlock, section: &SpringSection) {
+    let kind = match section.way {
+        SpringWay::Dof(dof) if block.kind.cell.nodes == 1 => {
+            format!("to the ground, dof {}", dof.number())
+        }
+        SpringWay::Dof(dof) => format!("between two nodes, dof {}", dof.number()),
+        SpringWay::Line { .. } => "along the line between two nodes".to_owned(),
+    };
+    let law = match &section.law {
+        SpringLaw::Linear(stiffness) => format!("stiffness {}", general(*stiffness, 9)),
+        SpringLaw::Table(table) => format!("a table of {} forces", table.len()),
+    };
+    line!(text, "\nSPRINGS {}  {} elements {kind}, {law}", block.name, block.elements.len());
+}

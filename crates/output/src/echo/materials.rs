@@ -1,0 +1,60 @@
+//! Materials in words.
+
+use super::words::{extremes, range};
+use crate::number::general;
+use slideline_mech::material::Expansion;
+use slideline_model::Material;
+
+/// A material in words.
+pub(super) fn told(material: &Material) -> String {
+    match (material, material.elastic()) {
+        (Material::Elastic(elastic, _), _) => {
+            format!("E = {}, nu = {}", general(elastic.modulus, 9), general(elastic.poisson, 9))
+        }
+        (Material::Anisotropic(_), _) => "anisotropic elasticity".to_owned(),
+        (Material::Foam(_), Some(elastic)) => format!(
+            "foam; at small strain E = {}, nu = {}",
+            general(elastic.modulus, 9),
+            general(elastic.poisson, 9)
+        ),
+        (Material::RambergOsgood(metal), _) => format!(
+            "E = {}, nu = {}, deformation plasticity from {} with exponent {}",
+            general(metal.elastic.modulus, 9),
+            general(metal.elastic.poisson, 9),
+            general(metal.stress, 9),
+            general(metal.exponent, 9)
+        ),
+        (Material::Rubber(_), Some(elastic)) => format!(
+            "rubber of shear modulus {} and bulk modulus {} at small strain",
+            general(elastic.shear_modulus(), 9),
+            general(elastic.bulk_modulus(), 9),
+        ),
+        (Material::Plastic(plastic), _) => format!(
+            "E = {}, nu = {}, yields at {}{}",
+            general(plastic.elastic.modulus, 9),
+            general(plastic.elastic.poisson, 9),
+            general(plastic.table.first().map_or(0.0, |line| line[0]), 9),
+            if plastic.back_stresses.is_empty() { "" } else { ", the yield surface moves" },
+        ),
+        (Material::Graded(graded), _) => {
+            let rows: Vec<String> = graded.rows().map(told).collect();
+            let last = rows.last().map_or("", String::as_str);
+            format!(
+                "over {} temperatures, from {} to {last}",
+                rows.len(),
+                rows.first().map_or("", String::as_str)
+            )
+        }
+        (Material::Expanding(own), _) => {
+            format!("{}; {}", told(&own.law), expands(&own.expansion))
+        }
+        _ => "a material of the embedding program".to_owned(),
+    }
+}
+
+/// How something expands, in words.
+pub(super) fn expands(expansion: &Expansion) -> String {
+    let coefficients: Vec<f64> = expansion.table.iter().flat_map(|row| row.1).collect();
+    let (low, high) = extremes(&coefficients).unwrap_or_default();
+    format!("expands by {} from {} on", range(low, high), general(expansion.zero, 9))
+}

@@ -1,0 +1,105 @@
+//! Steps: increments, motions and loads.
+
+use super::words::{extremes, named, range};
+use crate::number::general;
+use slideline_model::{Load, Model, NodeIndex, Prescribed, Step};
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+
+pub(super) fn step_echo(text: &mut String, model: &Model, number: usize, step: &Step) {
+    line!(text, "\nSTEP {number}  {}", step.title.replace('\n', " / "));
+    let time = &step.procedure;
+    line!(
+        text,
+        "  {}static, period {}, increments {} (first), {} to {}{}, at most {}",
+        if step.nlgeom { "geometrically nonlinear, " } else { "linear kinematics, " },
+        general(time.period, 9),
+        general(time.initial, 9),
+        general(time.minimum, 9),
+        general(time.maximum, 9),
+        if time.direct { ", fixed" } else { "" },
+        step.max_increments
+    );
+    states_echo(text, &step.output.states_every);
+    let fixed = step.prescribed.iter().filter(|motion| !motion.moves()).count();
+    line!(text, "  {fixed} dofs held");
+    let moving: Vec<&Prescribed> = step.prescribed.iter().filter(|own| own.moves()).collect();
+    let alike = |a: &&Prescribed, b: &&Prescribed| {
+        (a.dof, a.value, a.amplitude, a.origin) == (b.dof, b.value, b.amplitude, b.origin)
+    };
+    for row in moving.chunk_by(alike) {
+        let nodes: Vec<NodeIndex> = row.iter().map(|motion| motion.node).collect();
+        line!(
+            text,
+            "  {} {} goes to {}{}",
+            named(model, &nodes),
+            row[0].dof.name(),
+            general(row[0].value, 9),
+            amplitude(model, row[0].amplitude)
+        );
+    }
+    let alike = |a: &Load, b: &Load| {
+        (a.dof, a.value, a.amplitude, a.origin) == (b.dof, b.value, b.amplitude, b.origin)
+    };
+    for row in step.loads.chunk_by(alike) {
+        let nodes: Vec<NodeIndex> = row.iter().map(|load| load.node).collect();
+        line!(
+            text,
+            "  {} load along {} goes to {}{}{}",
+            named(model, &nodes),
+            row[0].dof.name(),
+            general(row[0].value, 9),
+            amplitude(model, row[0].amplitude),
+            if nodes.len() > 1 { ", each" } else { "" }
+        );
+    }
+    distributed(text, model, step);
+}
+
+/// How often states are written, where the deck says so.
+fn states_echo(text: &mut String, every: &[usize]) {
+    let words = |every: &usize| match every {
+        0 => "never".to_owned(),
+        1 => "every increment".to_owned(),
+        many => format!("every {many} increments and at the end"),
+    };
+    if !every.is_empty() {
+        let words: Vec<String> = every.iter().map(words).collect();
+        line!(text, "  states {}", words.join(", "));
+    }
+}
+
+/// Pressures and forces that are spread over faces and volumes, card by card.
+fn distributed(text: &mut String, model: &Model, step: &Step) {
+    for row in step.distributed.pressures.chunk_by(|a, b| a.origin == b.origin) {
+        let values: Vec<f64> = row.iter().map(|pressure| pressure.value).collect();
+        let Some((least, most)) = extremes(&values) else { continue };
+        line!(
+            text,
+            "  pressure on {} faces goes to {}{}",
+            row.len(),
+            range(least, most),
+            amplitude(model, row[0].amplitude)
+        );
+    }
+    for row in step.distributed.forces.chunk_by(|a, b| a.origin == b.origin) {
+        let mut sum = [0.0; 3];
+        for load in row {
+            if let Some(sum) = sum.get_mut(load.dof.number() - 1) {
+                *sum += load.value;
+            }
+        }
+        line!(
+            text,
+            "  distributed force on {} nodes goes to {} in all{}",
+            row.iter().map(|load| load.node).collect::<BTreeSet<NodeIndex>>().len(),
+            sum.map(|sum| general(sum, 9).to_string()).join(", "),
+            amplitude(model, row[0].amplitude)
+        );
+    }
+}
+
+fn amplitude(model: &Model, place: Option<usize>) -> String {
+    let amplitude = place.and_then(|place| model.amplitudes.get(place));
+    amplitude.map_or_else(String::new, |amplitude| format!(" times amplitude {}", amplitude.name))
+}
