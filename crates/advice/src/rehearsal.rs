@@ -9,8 +9,9 @@
 use crate::moments::{Carrier, Moment, Rehearsal};
 use crate::motion::motion;
 use crate::start::{Start, length, less};
+use slideline_mech::contact::gap::Linear;
 use slideline_mech::contact::pair::{Body, RigidSurface, chain_overclosure};
-use slideline_mech::contact::search::chain::{Chain, flat};
+use slideline_mech::contact::search::chain::{Chain, Nearby, flat};
 use slideline_mech::contact::search::rigid::{RigidSegment, beyond_end};
 use slideline_model::{ContactPair, Formulation, Master, NodeIndex, Step};
 
@@ -88,7 +89,7 @@ fn fill_gaps(start: &mut Start<'_>) {
         let (point, still) = (start.model.nodes.position(row.node), Body::STILL);
         let Some(Facade::Body(surface, _)) = facade(start, pair) else { continue };
         let facing = surface.closest(&still, point);
-        if let Some(gap) = facing.and_then(|facing| surface.gap(&still, &facing, point)) {
+        if let Some(gap) = facing.and_then(|facing| surface.gap::<Linear>(&still, &facing, point)) {
             row.opening = -gap.overclosure();
             row.normal = gap.normal();
             row.along = gap.along()[0];
@@ -197,8 +198,8 @@ fn meet(facade: &Facade, chain: &[[f64; 3]], master: &Body, point: [f64; 3]) -> 
             let at = master.to_body(point);
             let still = Body { reference: master.reference, dofs: [0.0; 3] };
             let facing = surface.closest(&still, at);
-            if let Some((facing, gap)) =
-                facing.and_then(|facing| Some((facing, surface.gap(&still, &facing, at)?)))
+            if let Some((facing, gap)) = facing
+                .and_then(|facing| Some((facing, surface.gap::<Linear>(&still, &facing, at)?)))
             {
                 let overclosure = gap.overclosure();
                 let radius = match surface.segments().get(facing.segment) {
@@ -217,7 +218,7 @@ fn meet(facade: &Facade, chain: &[[f64; 3]], master: &Body, point: [f64; 3]) -> 
             }
         }
         Facade::Line(line, _) => {
-            let piece = line.closest(chain, None, point);
+            let piece = line.closest(chain, Nearby::Positions, point);
             let gap = piece.and_then(|piece| chain_overclosure(line, &piece, chain, point));
             if let Some([overclosure, along]) = gap {
                 return Met::Facing { overclosure, along, trusted: true };

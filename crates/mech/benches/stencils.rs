@@ -5,9 +5,9 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use slideline_mech::contact::gap::Gap;
 use slideline_mech::contact::gap::circle::{Circle, Side};
 use slideline_mech::contact::gap::curve::{Along, Weights, point_to_curve};
+use slideline_mech::contact::gap::{Gap, Quadratic};
 use slideline_mech::differentiate::Second;
 use slideline_mech::element::cell::{Cell, HEX8, HEX20, QUAD4, QUAD8, TET10};
 use slideline_mech::element::quadrature::{HEX_8, HEX_27, QUAD_4, QUAD_9, Quadrature, TET_4};
@@ -61,7 +61,7 @@ fn gaps(criterion: &mut Criterion) {
     });
     let circle = Circle { radius: 9e-3, side: Side::Convex };
     criterion.bench_function("gap circle", |bench| {
-        bench.iter(|| circle.gap(black_box([8.9e-3, 1e-3]), [0.0, 0.0], 0.1, 0.0));
+        bench.iter(|| circle.gap::<Quadratic>(black_box([8.9e-3, 1e-3]), [0.0, 0.0], 0.1, 0.0));
     });
 }
 

@@ -46,11 +46,11 @@ fn compare<const N: usize>(gap: &Gap<N>, h: &Second<N>, sigma: &Second<N>, lengt
             1e-11
         ));
         for (j, column) in s[0].iter().zip(&s[1]).enumerate() {
-            let (a, b) = (gap.hessian[i][j], h.hessian[i][j]);
+            let (a, b) = (gap.second.hessian[i][j], h.hessian[i][j]);
             assert!(close(a, b, by_h, tolerance), "h {i} {j}: {a} {b}");
             let growth = (g[0] * column.0 + g[1] * column.1) / at_slave;
             let (a, b) =
-                (gap.direction_derivative[i][j], (s[i][j] - direction * growth) / at_slave);
+                (gap.second.direction_derivative[i][j], (s[i][j] - direction * growth) / at_slave);
             let by_drag = (1.0 + direction.abs()) * by_s / at_slave;
             assert!(close(a, b, by_drag, tolerance), "s {i} {j}: {a} {b}");
         }
@@ -72,8 +72,8 @@ fn differences<const N: usize>(q: &[f64; N], length: f64, kernel: impl Fn(&[f64;
         for i in 0..N {
             let h = slope(up.gradient[i], down.gradient[i]);
             let s = slope(up.direction[i], down.direction[i]);
-            assert!(close(h, gap.hessian[i][j], 30.0 / length, 1e-7));
-            assert!(close(s, gap.direction_derivative[i][j], 300.0 / length, 1e-7));
+            assert!(close(h, gap.second.hessian[i][j], 30.0 / length, 1e-7));
+            assert!(close(s, gap.second.direction_derivative[i][j], 300.0 / length, 1e-7));
         }
     }
 }

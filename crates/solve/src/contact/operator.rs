@@ -70,11 +70,22 @@ impl ContactOperator {
         self.values.reserve(points * unknowns * rows(self.directions.max(1)));
     }
 
-    /// Adds a point with zero rows over these unknowns.
-    pub fn push(&mut self, unknowns: &[usize]) {
+    /// Adds a point with its rows over these unknowns, given unknown by unknown.
+    pub fn push_columns(&mut self, unknowns: &[usize], columns: &[f64]) {
         self.slots.push((self.unknowns.len(), unknowns.len()));
         self.unknowns.extend_from_slice(unknowns);
-        self.values.resize(self.unknowns.len() * rows(self.directions), 0.0);
+        let count = rows(self.directions);
+        for row in 0..count {
+            self.values.extend(columns.chunks_exact(count).map(|column| column[row]));
+        }
+    }
+
+    /// The same, given row by row.
+    #[cfg(test)]
+    pub fn push_rows(&mut self, unknowns: &[usize], rows: &[f64]) {
+        self.slots.push((self.unknowns.len(), unknowns.len()));
+        self.unknowns.extend_from_slice(unknowns);
+        self.values.extend_from_slice(rows);
     }
 
     /// The rows of a point.
@@ -122,6 +133,12 @@ impl<'a> OperatorRows<'a> {
     /// Number of tangential directions.
     pub fn directions(&self) -> usize {
         self.directions
+    }
+
+    /// All derivatives by an unknown: overclosure, slips, forces.
+    pub fn column(&self, unknown: usize) -> impl Iterator<Item = f64> + use<'a> {
+        let (values, width) = (self.values, self.width());
+        (0..rows(self.directions)).map(move |row| values[row * width + unknown])
     }
 
     /// dh/du of each unknown [1].

@@ -3,7 +3,7 @@
 use super::Beam21;
 use crate::element::beam_strains::{BeamSectionForces, BeamStrains};
 use crate::element::kernel::{Element, Scale};
-use crate::element::mixed::{Mixed, estimate, line, tighten};
+use crate::element::mixed::{Mixed, estimate, tighten};
 
 /// Cosine and sine of the angle of the section, mean rotation included.
 pub(in crate::element) struct Frame {
@@ -13,9 +13,19 @@ pub(in crate::element) struct Frame {
 
 impl Beam21 {
     pub(in crate::element) fn frame(&self, mean: f64) -> Frame {
-        let (s, c) = mean.sin_cos();
+        self.frame_turned(mean.sin_cos())
+    }
+
+    fn frame_turned(&self, (s, c): (f64, f64)) -> Frame {
         let [ex, ey] = self.direction;
         Frame { c: ex * c - ey * s, s: ey * c + ex * s }
+    }
+
+    /// Strains, and the frame of the section.
+    fn strains_and_frame(&self, q: &[f64; 6]) -> (BeamStrains, Frame) {
+        let mean = (q[2] + q[5]) * 0.5;
+        let turned = mean.sin_cos();
+        (self.strains_turned(q, mean, turned), self.frame_turned(turned))
     }
 
     /// Internal force dW/dq: F2 = (cN - sV, sN + cV), F1 = -F2, moments -M + b and M + b with
@@ -36,9 +46,9 @@ impl Beam21 {
     /// Writes the internal force dW/dq into `force`: (F, F, F L) of node 1, then of node 2; returns
     /// the strain energy [F L].
     pub fn force(&self, q: &[f64; 6], force: &mut [f64; 6]) -> f64 {
-        let strains = self.strains(q);
+        let (strains, frame) = self.strains_and_frame(q);
         let forces = self.forces_of(&strains);
-        self.end_forces(&self.frame(0.5 * (q[2] + q[5])), &strains, &forces, force);
+        self.end_forces(&frame, &strains, &forces, force);
         self.energy_of(&strains, &forces)
     }
 
@@ -62,9 +72,8 @@ impl Beam21 {
         force: &mut [f64; 6],
         tangent: &mut [f64; 36],
     ) -> f64 {
-        let strains = self.strains(q);
+        let (strains, frame) = self.strains_and_frame(q);
         let forces = self.forces_of(&strains);
-        let frame = self.frame(0.5 * (q[2] + q[5]));
         self.end_forces(&frame, &strains, &forces, force);
         self.material_tangent(&frame, &strains, tangent);
         self.geometric_tangent(&frame, &strains, stresses.unwrap_or(&forces), tangent);
@@ -164,15 +173,23 @@ impl Mixed<6, 36, 3> for Beam21 {
     }
 
     fn force_of_stresses(&self, q: &[f64; 6], stresses: &[f64; 3]) -> [f64; 6] {
-        let (strains, frame) = (self.strains(q), self.frame(0.5 * (q[2] + q[5])));
+        let (strains, frame) = self.strains_and_frame(q);
         let mut force = [0.0; 6];
         self.end_forces(&frame, &strains, &(*stresses).into(), &mut force);
         force
     }
 
     fn stresses_after(&self, q: &[f64; 6], change: &[f64; 6]) -> [f64; 3] {
-        let strains = self.strains_of(&line(q, change));
-        self.forces_of(&strains.arrived()).into()
+        let (strains, frame) = self.strains_and_frame(q);
+        let by = self
+            .rows(&frame, &strains)
+            .map(|row| row.iter().zip(change).map(|(b, dq)| b * dq).sum::<f64>());
+        let arrived = BeamStrains {
+            axial: strains.axial + by[0],
+            shear: strains.shear + by[1],
+            curvature: strains.curvature + by[2],
+        };
+        self.forces_of(&arrived).into()
     }
 }
 

@@ -61,15 +61,19 @@ impl Beam21 {
     /// element's frame, where d = (1, 0) + (u2 - u1)/l. cos p - 1 is written -2 sin^2(p/2), so that
     /// small strains keep all their digits. [semantics: B21, strains]
     pub fn strains_of<R: Real>(&self, q: &[R; 6]) -> BeamStrains<R> {
+        let mean = (q[2] + q[5]) * R::from_f64(0.5);
+        self.strains_turned(q, mean, (mean.sin(), mean.cos()))
+    }
+
+    /// The same with the mean rotation of both ends, its sine and its cosine.
+    fn strains_turned<R: Real>(&self, q: &[R; 6], mean: R, (s, c): (R, R)) -> BeamStrains<R> {
         let number = R::from_f64;
         let (ex, ey) = (number(self.direction[0]), number(self.direction[1]));
         let inverse = number(self.inverse);
         let (wx, wy) = ((q[3] - q[0]) * inverse, (q[4] - q[1]) * inverse);
         let (along, across) = (ex * wx + ey * wy, ex * wy - ey * wx);
-        let mean = (q[2] + q[5]) * number(0.5);
         let half = (mean * number(0.5)).sin();
         let versine = number(2.0) * half * half;
-        let (s, c) = (mean.sin(), mean.cos());
         BeamStrains {
             axial: c * along + s * across - versine,
             shear: c * across - s * along - s,
