@@ -3,7 +3,7 @@
 use super::Beam21;
 use crate::element::beam_strains::{BeamSectionForces, BeamStrains};
 use crate::element::kernel::{Element, Scale};
-use crate::element::mixed::{Mixed, estimate, tighten};
+use crate::element::mixed::{Mixed, estimate, line, tighten};
 
 /// Cosine and sine of the angle of the section, mean rotation included.
 pub(in crate::element) struct Frame {
@@ -180,16 +180,8 @@ impl Mixed<6, 36, 3> for Beam21 {
     }
 
     fn stresses_after(&self, q: &[f64; 6], change: &[f64; 6]) -> [f64; 3] {
-        let (strains, frame) = self.strains_and_frame(q);
-        let by = self
-            .rows(&frame, &strains)
-            .map(|row| row.iter().zip(change).map(|(b, dq)| b * dq).sum::<f64>());
-        let arrived = BeamStrains {
-            axial: strains.axial + by[0],
-            shear: strains.shear + by[1],
-            curvature: strains.curvature + by[2],
-        };
-        self.forces_of(&arrived).into()
+        let strains = self.strains_of(&line(q, change));
+        self.forces_of(&strains.arrived()).into()
     }
 }
 
