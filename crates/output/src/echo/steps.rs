@@ -1,22 +1,21 @@
 //! Steps: increments, motions and loads.
 
-use super::words::{extremes, named, range};
-use crate::number::general;
+use super::words::{extremes, named, number, range};
 use slideline_model::{Load, Model, NodeIndex, Prescribed, Step};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-pub(super) fn step_echo(text: &mut String, model: &Model, number: usize, step: &Step) {
-    line!(text, "\nSTEP {number}  {}", step.title.replace('\n', " / "));
+pub(super) fn step_echo(text: &mut String, model: &Model, step_number: usize, step: &Step) {
+    line!(text, "\nSTEP {step_number}  {}", step.title.replace('\n', " / "));
     let time = &step.procedure;
     line!(
         text,
         "  {}static, period {}, increments {} (first), {} to {}{}, at most {}",
         if step.nlgeom { "geometrically nonlinear, " } else { "linear kinematics, " },
-        general(time.period, 9),
-        general(time.initial, 9),
-        general(time.minimum, 9),
-        general(time.maximum, 9),
+        number(time.period),
+        number(time.initial),
+        number(time.minimum),
+        number(time.maximum),
         if time.direct { ", fixed" } else { "" },
         step.max_increments
     );
@@ -34,7 +33,7 @@ pub(super) fn step_echo(text: &mut String, model: &Model, number: usize, step: &
             "  {} {} goes to {}{}",
             named(model, &nodes),
             row[0].dof.name(),
-            general(row[0].value, 9),
+            number(row[0].value),
             amplitude(model, row[0].amplitude)
         );
     }
@@ -48,7 +47,7 @@ pub(super) fn step_echo(text: &mut String, model: &Model, number: usize, step: &
             "  {} load along {} goes to {}{}{}",
             named(model, &nodes),
             row[0].dof.name(),
-            general(row[0].value, 9),
+            number(row[0].value),
             amplitude(model, row[0].amplitude),
             if nodes.len() > 1 { ", each" } else { "" }
         );
@@ -93,7 +92,7 @@ fn distributed(text: &mut String, model: &Model, step: &Step) {
             text,
             "  distributed force on {} nodes goes to {} in all{}",
             row.iter().map(|load| load.node).collect::<BTreeSet<NodeIndex>>().len(),
-            sum.map(|sum| general(sum, 9).to_string()).join(", "),
+            sum.map(|sum| number(sum).to_string()).join(", "),
             amplitude(model, row[0].amplitude)
         );
     }
