@@ -66,9 +66,9 @@ impl Analysis<'_> {
         let mut start = std::mem::take(self.start);
         let own = self.plan.of_step[number - 1];
         start.take(self.committed, &self.plan.steps[own].constraints);
-        let walked = self.all_increments(number, (&start, None), work);
+        let done = self.all_increments(number, (&start, None), work);
         *self.start = start;
-        walked
+        done
     }
 
     /// What is left of a step.
