@@ -22,7 +22,7 @@ fn beam(criterion: &mut Criterion) {
     let stiffness = BeamStiffness { axial: 258_750.0, shear: 57_033.0, bending: 0.0485 };
     let element = Beam21::new([[0.0, 0.0], [1e-4, 2e-3]], stiffness);
     let q = [1e-4, 2e-4, 0.1, 3e-4, -1e-4, 0.2];
-    criterion.bench_function("b21 twin", |bench| {
+    criterion.bench_function("b21 closed form", |bench| {
         let (mut force, mut tangent) = ([0.0; 6], [0.0; 36]);
         bench.iter(|| element.force_and_tangent(black_box(&q), &mut force, &mut tangent));
     });
@@ -35,13 +35,13 @@ fn finer_beams(criterion: &mut Criterion) {
     let stiffness = BeamStiffness { axial: 258_750.0, shear: 57_033.0, bending: 0.0485 };
     let quadratic = Beam22::new([[0.0, 0.0], [5e-5, 1e-3], [1e-4, 2e-3]], stiffness);
     let q = [1e-4, 2e-4, 0.1, 2e-4, 0.0, 0.15, 3e-4, -1e-4, 0.2];
-    criterion.bench_function("b22 twin", |bench| {
+    criterion.bench_function("b22 closed form", |bench| {
         let (mut force, mut tangent) = ([0.0; 9], [0.0; 81]);
         bench.iter(|| quadratic.force_and_tangent(black_box(&q), &mut force, &mut tangent));
     });
     let cubic = Beam23::new([[0.0, 0.0], [1e-4, 2e-3]], stiffness);
     let q = [1e-4, 2e-4, 0.1, 3e-4, -1e-4, 0.2];
-    criterion.bench_function("b23 twin", |bench| {
+    criterion.bench_function("b23 closed form", |bench| {
         let (mut force, mut tangent) = ([0.0; 6], [0.0; 36]);
         bench.iter(|| cubic.force_and_tangent(black_box(&q), &mut force, &mut tangent));
     });

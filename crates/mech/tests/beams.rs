@@ -50,7 +50,7 @@ fn b23() -> Beam23 {
 }
 
 /// Force and tangent are the derivatives of the energy, to round-off.
-fn twin<const N: usize, const NN: usize>(element: &impl Element<N, NN>, q: &[f64; N]) {
+fn closed_form<const N: usize, const NN: usize>(element: &impl Element<N, NN>, q: &[f64; N]) {
     let (mut force, mut tangent) = ([0.0; N], [0.0; NN]);
     let energy = element.evaluate(q, &mut force, &mut tangent);
     let exact = element.derived(q);
@@ -164,9 +164,9 @@ proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn b22_twin_is_its_energy(q in motion::<9>(3.0)) { twin(&b22(), &q); }
+    fn b22_follows_from_its_energy(q in motion::<9>(3.0)) { closed_form(&b22(), &q); }
     #[test]
-    fn b23_twin_is_its_energy(q in motion::<6>(1.0)) { twin(&b23(), &q); }
+    fn b23_follows_from_its_energy(q in motion::<6>(1.0)) { closed_form(&b23(), &q); }
     #[test]
     fn b22_by_differences(q in motion::<9>(1.0)) { differences(&b22(), &q); }
     #[test]

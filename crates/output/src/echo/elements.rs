@@ -74,14 +74,14 @@ fn warmed(text: &mut String, heat: &BeamHeat) {
 /// Stiffnesses of beams in space that do not depend on their lengths.
 fn in_space(text: &mut String, block: &ElementBlock, section: &BeamSection) {
     let stiffness = section.space_stiffness(0.0, block.kind.cell.nodes == 3);
-    let [first, mixed, second] = stiffness.bending.map(|value| number(value));
+    let [first, mixed, second] = stiffness.bending.map(number);
     line!(text, "  EA = {}, E I11 = {first}, E I22 = {second}", number(stiffness.axial));
     if stiffness.bending[1] != 0.0 {
         line!(text, "  E I12 = {mixed}");
     }
-    let [k13, k23] = stiffness.shear.map(|value| number(value));
+    let [k13, k23] = stiffness.shear.map(number);
     line!(text, "  G J = {}, K13 = {k13}, K23 = {k23}", number(stiffness.torsion));
-    let [x, y, z] = section.first_axis.map(|part| number(part));
+    let [x, y, z] = section.first_axis.map(number);
     line!(text, "  axis 1 of the section along ({x}, {y}, {z}), as far as across the beam");
 }
 

@@ -256,8 +256,8 @@ impl LinearRows<'_> {
 
     /// Normal and tangential forces per area at its equation `k`, put together [F/L2].
     pub(super) fn force_at(&self, k: usize, normal: f64, tangential: Tangential) -> f64 {
-        let drag = |direction: usize| tangential[direction] * self.rows.force(direction)[k];
-        (0..self.rows.directions()).map(drag).fold(normal * self.rows.normal()[k], |a, b| a + b)
+        let along = |direction: usize| tangential[direction] * self.rows.force(direction)[k];
+        (0..self.rows.directions()).map(along).fold(normal * self.rows.normal()[k], |a, b| a + b)
     }
 
     /// Overclosure and slip by the values of its equations.

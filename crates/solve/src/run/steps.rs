@@ -85,7 +85,7 @@ impl Analysis<'_> {
         let changed = self.change_model(number, &mut start);
         let walked = changed.and_then(|()| self.all_increments(number, (&start, None), work));
         *self.start = start;
-        walked
+        done
     }
 
     /// What is left of a step.

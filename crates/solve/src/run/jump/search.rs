@@ -17,6 +17,9 @@ const HALVINGS: usize = 8;
 /// Halvings that are made at least: by then the rest of a smooth path has
 /// fallen to a 32nd.
 const FEWEST: usize = 5;
+/// Part of what an increment left over that its halves leave where no jump is:
+/// the rule's error falls by four.
+const FALLS: f64 = 0.4;
 
 /// Looks for a jump between two states that an increment joins.
 pub(super) fn find(
