@@ -83,7 +83,7 @@ impl Analysis<'_> {
             self.begin_stressed(&mut start);
         }
         let changed = self.change_model(number, &mut start);
-        let walked = changed.and_then(|()| self.all_increments(number, (&start, None), work));
+        let done = changed.and_then(|()| self.all_increments(number, (&start, None), work));
         *self.start = start;
         done
     }
