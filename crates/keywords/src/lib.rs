@@ -12,6 +12,7 @@
 //! complaints about what it caused.
 
 mod axes;
+mod beam_shape;
 mod cards;
 mod constraints;
 mod curves;
@@ -33,6 +34,7 @@ mod registry;
 mod requests;
 mod rule;
 mod scopes;
+mod section_places;
 mod sets;
 mod surfaces;
 mod temperatures;

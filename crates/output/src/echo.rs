@@ -108,6 +108,10 @@ fn beams(text: &mut String, model: &Model, block: &ElementBlock, section: &BeamS
         general(of_short.bending, 9),
         range(short, long)
     );
+    if of_short.centroid.abs() > ROUNDING * section.shape.height() {
+        let place = general(of_short.centroid, 9);
+        line!(text, "  centroid {place} away from the axis, along the normal of the beam");
+    }
     transverse_shear(text, block.kind, section, [of_short.shear, of_long.shear]);
     if let Some(heat) = &section.heat {
         warmed(text, heat);
@@ -143,8 +147,28 @@ fn in_space(text: &mut String, block: &ElementBlock, section: &BeamSection) {
     }
     let [k13, k23] = stiffness.shear.map(|value| general(value, 9));
     line!(text, "  G J = {}, K13 = {k13}, K23 = {k23}", general(stiffness.torsion, 9));
+    away_from_axis(text, section);
     let [x, y, z] = section.first_axis.map(|part| general(part, 9));
     line!(text, "  axis 1 of the section along ({x}, {y}, {z}), as far as across the beam");
+}
+
+/// Part of the size of a section that counts as nothing [1].
+const ROUNDING: f64 = 1e-12;
+
+/// Where the centroid and the shear centre are that are not the axis of the beam.
+fn away_from_axis(text: &mut String, section: &BeamSection) {
+    let places =
+        [("centroid", section.shape.centroid()), ("shear centre", section.shape.shear_center())];
+    let size = section.shape.width() + section.shape.height();
+    let beside = |place: &[f64; 2]| place[0].hypot(place[1]) > ROUNDING * size;
+    for (name, [first, second]) in places.into_iter().filter(|(_, place)| beside(place)) {
+        line!(
+            text,
+            "  {name} at {} along axis 1 and {} along axis 2 of the section",
+            general(first, 9),
+            general(second, 9)
+        );
+    }
 }
 
 /// The name and the size of a section.

@@ -9,6 +9,7 @@ use crate::outline::edges;
 use crate::reading::history::{Energies, History, NodeHistory};
 use crate::reading::summary::{SCHEMA, driven};
 use crate::record::record;
+use crate::section::space_beams;
 use crate::understood::understood;
 use crate::verdict;
 use crate::vtu::state_is_due;
@@ -17,7 +18,7 @@ use serde::{Deserialize, Serialize};
 use slideline_diag::{Diagnostic, Severity, Sources};
 use slideline_measures::NoiseSummary;
 use slideline_mech::element::cell::Piece;
-use slideline_model::{Dialect, ElementBlock, Limit, NodeIndex};
+use slideline_model::{Dialect, Limit, NodeIndex, Section};
 use slideline_results::element::{Quantity, mises, solids};
 use slideline_results::{NodeComponent, place};
 use slideline_solve::Checkpoint;
@@ -66,10 +67,12 @@ impl Memory {
     /// Takes in strains of beams, and what of their allowable that is.
     fn follow_beams(&mut self, frame: &Frame<'_>, allowable: &BTreeMap<u64, f64>) {
         let time = frame.total_time;
-        for beam in frame.beams {
-            keep_larger(&mut self.strain, (beam.fibre_strain, beam.label, time));
-            if let Some(allowable) = allowable.get(&beam.label) {
-                keep_larger(&mut self.used, (beam.fibre_strain / allowable, beam.label, time));
+        let plane = frame.beams.iter().map(|beam| (beam.fibre_strain, beam.label));
+        let space = space_beams(frame).map(|beam| (beam.fibre_strain(), beam.element.label));
+        for (strain, label) in plane.chain(space) {
+            keep_larger(&mut self.strain, (strain, label, time));
+            if let Some(allowable) = allowable.get(&label) {
+                keep_larger(&mut self.used, (strain / allowable, label, time));
             }
         }
     }
@@ -329,10 +332,11 @@ impl<'a> Summary<'a> {
         self.names = (step.model.heading.clone(), pairs.collect());
         for allowable in &step.model.allowables {
             let block = step.model.blocks.get(allowable.block);
-            let Some(block) = block.and_then(ElementBlock::beams) else { continue };
+            let Some(block) = block else { continue };
+            let Section::Beam(section) = &block.section else { continue };
             let strain = match allowable.limit {
                 Limit::Strain(strain) => strain,
-                Limit::Stress(stress) => stress / block.section.material.modulus,
+                Limit::Stress(stress) => stress / section.material.modulus,
             };
             self.allowable.extend(block.elements.iter().map(|own| (own.label, strain)));
         }
