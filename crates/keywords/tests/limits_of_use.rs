@@ -38,7 +38,8 @@ fn what_the_page_names_is_refused() {
     let cases = [
         ("contact of beams in space", "TYPE=B21", "TYPE=B31"),
         ("shells", MODEL, "*SHELL SECTION\n*STEP"),
-        ("arbitrary sections", "SECTION=RECT", "SECTION=ARBITRARY"),
+        ("restrained warping", "TYPE=B21", "TYPE=B31OS"),
+        ("`*NORMAL`", MODEL, "*NORMAL\n1, 2, 0., 0., 1.\n*STEP"),
         ("(`*TRS`)", MODEL, "*TRS\n*STEP"),
         ("rubber that softens", MODEL, "*MULLINS EFFECT\n*STEP"),
         ("heat conduction", HISTORY, "*HEAT TRANSFER\n*END STEP"),

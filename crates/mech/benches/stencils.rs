@@ -19,7 +19,8 @@ use slideline_mech::material::{Elastic, LargeStrain, Material, Plastic};
 use slideline_mech::section::BeamStiffness;
 
 fn beam(criterion: &mut Criterion) {
-    let stiffness = BeamStiffness { axial: 258_750.0, shear: 57_033.0, bending: 0.0485 };
+    let stiffness =
+        BeamStiffness { axial: 258_750.0, shear: 57_033.0, bending: 0.0485, centroid: 0.0 };
     let element = Beam21::new([[0.0, 0.0], [1e-4, 2e-3]], stiffness);
     let q = [1e-4, 2e-4, 0.1, 3e-4, -1e-4, 0.2];
     criterion.bench_function("b21 closed form", |bench| {
@@ -32,7 +33,8 @@ fn beam(criterion: &mut Criterion) {
 }
 
 fn finer_beams(criterion: &mut Criterion) {
-    let stiffness = BeamStiffness { axial: 258_750.0, shear: 57_033.0, bending: 0.0485 };
+    let stiffness =
+        BeamStiffness { axial: 258_750.0, shear: 57_033.0, bending: 0.0485, centroid: 0.0 };
     let quadratic = Beam22::new([[0.0, 0.0], [5e-5, 1e-3], [1e-4, 2e-3]], stiffness);
     let q = [1e-4, 2e-4, 0.1, 2e-4, 0.0, 0.15, 3e-4, -1e-4, 0.2];
     criterion.bench_function("b22 closed form", |bench| {

@@ -64,7 +64,7 @@ pub use slideline_mech::contact::normal::NormalLaw;
 pub use slideline_mech::contact::onset::Onset;
 pub use slideline_mech::element::{SpringLaw, Temperature};
 pub use slideline_mech::material::Material;
-pub use slideline_mech::section::Shape;
+pub use slideline_mech::section::{Fault, Profile, Shape, Wall};
 pub use stabilisation::Stabilisation;
 pub use step::{
     ChangedFriction, Extrapolation, NodalTemperature, Passage, Prescribed, Static, Step,

@@ -1,6 +1,6 @@
 //! Stress before the first step, `*INITIAL CONDITIONS, TYPE=STRESS`.
 //!
-//! Source: docs/theory.md sections 3.14 and 9.2. Closed forms of bars; elements of every kind against
+//! Source: docs/theory.md sections 3.15 and 9.2. Closed forms of bars; elements of every kind against
 //! the same elements in a deck of their own, strained from where they are free of stress.
 
 #![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands

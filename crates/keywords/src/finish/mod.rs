@@ -60,7 +60,6 @@ pub(crate) fn finish(draft: &mut Draft, steps_doubted: bool) -> Model {
     links::links(draft);
     temperatures::initial(draft);
     steps::steps(draft, steps_doubted);
-    temperatures::beams_in_space(draft);
     renumber(&mut draft.model);
     std::mem::take(&mut draft.model)
 }

@@ -5,7 +5,7 @@
 //! ```
 //!
 //! Every point keeps its own H0, which is symmetric: the first of its state variables. docs/theory.md
-//! section 3.14.
+//! section 3.15.
 
 use super::answer::{Answer, Conditions};
 use super::tensor::{COUNTS, INDEX, Matrix, Symmetric, dilation};
@@ -31,7 +31,7 @@ fn full(strain: &[f64]) -> Matrix {
 }
 
 /// Answer of the `law` from where it is free of stress, of a displacement gradient from the
-/// undeformed body, eq. (3.104).
+/// undeformed body, eq. (3.110).
 pub(super) fn respond(
     gradient: &Matrix,
     under: &Conditions,

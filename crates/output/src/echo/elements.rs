@@ -46,6 +46,10 @@ fn beams(text: &mut String, model: &Model, block: &ElementBlock, section: &BeamS
         number(of_short.bending),
         range(short, long)
     );
+    if of_short.centroid.abs() > ROUNDING * section.shape.height() {
+        let place = number(of_short.centroid);
+        line!(text, "  centroid {place} away from the axis, along the normal of the beam");
+    }
     transverse_shear(text, block.kind, section, [of_short.shear, of_long.shear]);
     if let Some(heat) = &section.heat {
         warmed(text, heat);
@@ -81,8 +85,28 @@ fn in_space(text: &mut String, block: &ElementBlock, section: &BeamSection) {
     }
     let [k13, k23] = stiffness.shear.map(number);
     line!(text, "  G J = {}, K13 = {k13}, K23 = {k23}", number(stiffness.torsion));
+    away_from_axis(text, section);
     let [x, y, z] = section.first_axis.map(number);
     line!(text, "  axis 1 of the section along ({x}, {y}, {z}), as far as across the beam");
+}
+
+/// Part of the size of a section that counts as nothing [1].
+const ROUNDING: f64 = 1e-12;
+
+/// Where the centroid and the shear centre are that are not the axis of the beam.
+fn away_from_axis(text: &mut String, section: &BeamSection) {
+    let places =
+        [("centroid", section.shape.centroid()), ("shear centre", section.shape.shear_center())];
+    let size = section.shape.width() + section.shape.height();
+    let beside = |place: &[f64; 2]| place[0].hypot(place[1]) > ROUNDING * size;
+    for (name, [first, second]) in places.into_iter().filter(|(_, place)| beside(place)) {
+        line!(
+            text,
+            "  {name} at {} along axis 1 and {} along axis 2 of the section",
+            number(first),
+            number(second)
+        );
+    }
 }
 
 /// The name and the size of a section.

@@ -18,12 +18,151 @@ pub(crate) use memory::Memory;
 use memory::{Peak, keep_larger};
 use slideline_diag::{Diagnostic, Severity, Sources};
 use slideline_measures::NoiseSummary;
-use slideline_model::{Dialect, ElementBlock, Limit, NodeIndex};
+use slideline_model::{Dialect, Limit, NodeIndex, Section};
 use slideline_results::NodeComponent;
 use slideline_solve::Checkpoint;
 use slideline_solve::observe::{Ending, Event, Frame, StepReport, Totals};
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::{Duration, Instant};
+
+/// Smallest and largest value of a curve, each with its time.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+struct Peak {
+    least: (f64, f64),
+    most: (f64, f64),
+}
+
+/// A value, the number of whom it belongs to, and its total time.
+type Largest = Option<(f64, u64, f64)>;
+
+/// What a summary remembers of the events of a run.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+pub(crate) struct Memory {
+    /// Wall time of the runs that this one goes on from; with its own, where
+    /// it is saved.
+    before: Duration,
+    /// JSON text of each.
+    warnings: Vec<String>,
+    peaks: Vec<Option<Peak>>,
+    /// Largest fibre strain of a beam.
+    strain: Largest,
+    /// Largest strain over the allowable one.
+    used: Largest,
+    /// Largest normal force of a contact pair.
+    normal: Largest,
+    /// Largest turn or strain of an element under linear kinematics.
+    linear: Largest,
+    /// Largest Mises stress at a point of a solid.
+    mises: Largest,
+    /// Largest equivalent plastic strain there.
+    plastic: Largest,
+    /// Largest principal strain there, where the law is linear.
+    principal: Largest,
+    /// Largest nominal strain where a rubber is beyond its stability.
+    unstable: Largest,
+}
+
+impl Memory {
+    /// Takes in strains of beams, and what of their allowable that is.
+    fn follow_beams(&mut self, frame: &Frame<'_>, allowable: &BTreeMap<u64, f64>) {
+        let time = frame.total_time;
+        let plane = frame.beams.iter().map(|beam| (beam.fibre_strain, beam.label));
+        let space = space_beams(frame).map(|beam| (beam.fibre_strain(), beam.element.label));
+        for (strain, label) in plane.chain(space) {
+            keep_larger(&mut self.strain, (strain, label, time));
+            if let Some(allowable) = allowable.get(&label) {
+                keep_larger(&mut self.used, (strain / allowable, label, time));
+            }
+        }
+    }
+
+    /// Takes in stresses and strains of solids, and what of their allowables that is.
+    fn follow_solids(&mut self, frame: &Frame<'_>) {
+        let mut plastic = Vec::new();
+        for solid in solids(frame) {
+            let at = |value| (value, solid.element.label, frame.total_time);
+            let limits = frame.model.allowables.iter().filter(|own| own.block == solid.number);
+            for point in 0..solid.points() {
+                let stress = mises(solid.stress(point));
+                keep_larger(&mut self.mises, at(stress));
+                plastic.clear();
+                solid.push(Quantity::Field("PEEQ"), point, &mut plastic);
+                let own = plastic.first().copied().filter(|own| *own > 0.0);
+                own.into_iter().for_each(|own| keep_larger(&mut self.plastic, at(own)));
+                let strain = solid.principal_strain(point);
+                if solid.is_linear() {
+                    keep_larger(&mut self.principal, at(strain));
+                }
+                let beyond = solid.unstable_strain(point);
+                beyond.into_iter().for_each(|own| keep_larger(&mut self.unstable, at(own)));
+                for limit in limits.clone() {
+                    let used = match limit.limit {
+                        Limit::Strain(limit) => strain / limit,
+                        Limit::Stress(limit) => stress / limit,
+                    };
+                    keep_larger(&mut self.used, at(used));
+                }
+            }
+        }
+    }
+
+    /// Takes in how far elements turn under linear kinematics.
+    fn follow_turns(&mut self, frame: &Frame<'_>) {
+        let time = frame.total_time;
+        let step = frame.model.steps.get(frame.step.wrapping_sub(1));
+        if step.is_some_and(|step| !step.nlgeom) {
+            let most = most_turned(frame).map(|(most, label)| (most, label, time));
+            most.into_iter().for_each(|most| keep_larger(&mut self.linear, most));
+        }
+    }
+}
+
+/// How far the element that turns or strains most does so: the change of an edge over its length,
+/// and the element. Springs and rigid parts do not count.
+fn most_turned(frame: &Frame<'_>) -> Option<(f64, u64)> {
+    let mut most: Option<(f64, u64)> = None;
+    for results in frame.elements {
+        let Some(block) = frame.model.blocks.get(results.block).filter(|own| own.kind.joins())
+        else {
+            continue;
+        };
+        let edges: Vec<[usize; 2]> = block.kind.cell.pieces.iter().flat_map(ends).collect();
+        for &member in &results.members {
+            let element = block.elements.get(member);
+            for ends in &edges {
+                let [a, b] = ends.map(|end| element.nodes[end]);
+                let (still, now) = (
+                    [a, b].map(|node| frame.model.nodes.position(node)),
+                    [a, b].map(|node| place(frame, node)),
+                );
+                let [mut length, mut change] = [0.0; 2];
+                for axis in 0..3 {
+                    let before = still[1][axis] - still[0][axis];
+                    length += before * before;
+                    change += (now[1][axis] - now[0][axis] - before).powi(2);
+                }
+                let turned = (change / length).sqrt();
+                if length > 0.0 && most.is_none_or(|(most, _)| turned > most) {
+                    most = Some((turned, element.label));
+                }
+            }
+        }
+    }
+    most
+}
+
+/// First and last node of every edge of a piece.
+fn ends(piece: &Piece) -> impl Iterator<Item = [usize; 2]> + use<'_> {
+    let edges = edges(piece.vtk).iter();
+    edges.filter_map(|edge| Some([piece.nodes[*edge.first()?], piece.nodes[*edge.last()?]]))
+}
+
+/// Keeps the larger one; what is no number is the largest.
+fn keep_larger(largest: &mut Largest, now: (f64, u64, f64)) {
+    if largest.is_none_or(|(value, ..)| now.0 > value || now.0.is_nan()) {
+        *largest = Some(now);
+    }
+}
 
 /// Collects what `JOB.json` says and writes it at both ends of a run.
 pub(crate) struct Summary<'a> {
@@ -192,10 +331,11 @@ impl<'a> Summary<'a> {
         self.names = (step.model.heading.clone(), pairs.collect());
         for allowable in &step.model.allowables {
             let block = step.model.blocks.get(allowable.block);
-            let Some(block) = block.and_then(ElementBlock::beams) else { continue };
+            let Some(block) = block else { continue };
+            let Section::Beam(section) = &block.section else { continue };
             let strain = match allowable.limit {
                 Limit::Strain(strain) => strain,
-                Limit::Stress(stress) => stress / block.section.material.modulus,
+                Limit::Stress(stress) => stress / section.material.modulus,
             };
             self.allowable.extend(block.elements.iter().map(|own| (own.label, strain)));
         }

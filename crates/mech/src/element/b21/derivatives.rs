@@ -94,7 +94,7 @@ impl Beam21 {
 
     /// l B' D B, written over `tangent`.
     fn material_tangent(&self, frame: &Frame, strains: &BeamStrains, tangent: &mut [f64; 36]) {
-        let rows = self.rows(frame, strains);
+        let rows = self.stiffness.at_centroid(self.rows(frame, strains));
         let weights = [self.stiffness.axial, self.stiffness.shear, self.stiffness.bending];
         let scaled: [[f64; 6]; 3] =
             std::array::from_fn(|r| std::array::from_fn(|i| self.length * weights[r] * rows[r][i]));

@@ -81,17 +81,11 @@ impl Beam21 {
         }
     }
 
-    /// Strain energy W = l/2 (EA eps^2 + K gam^2 + EI kap^2) [F L] of the displacements
+    /// Strain energy W = l/2 (EA eps^2 + K gam^2 + EI kap^2), eps at the centroid, [F L] of the displacements
     /// q = (u1x, u1y, f1, u2x, u2y, f2). [semantics: B21, energy]
     pub fn energy<R: Real>(&self, q: &[R; 6]) -> R {
-        let strains = self.strains_of(q);
-        let number = R::from_f64;
-        let axial = strains.axial - number(self.free.axial);
-        let curvature = strains.curvature - number(self.free.curvature);
-        let sum = number(self.stiffness.axial) * axial * axial
-            + number(self.stiffness.shear) * strains.shear * strains.shear
-            + number(self.stiffness.bending) * curvature * curvature;
-        number(0.5 * self.length) * sum
+        R::from_f64(0.5 * self.length)
+            * self.stiffness.twice_energy(&self.strains_of(q), &self.free)
     }
 
     /// Strains at the integration point.
@@ -99,18 +93,13 @@ impl Beam21 {
         self.strains_of(q)
     }
 
-    /// Section forces N = EA eps, V = K gam, M = EI kap.
+    /// Section forces N = EA eps, V = K gam, M = EI kap where the axis is the centroid.
     pub fn section_forces(&self, q: &[f64; 6]) -> BeamSectionForces {
         self.forces_of(&self.strains(q))
     }
 
     fn forces_of(&self, strains: &BeamStrains) -> BeamSectionForces {
-        let strains = strains.less(&self.free);
-        BeamSectionForces {
-            axial: self.stiffness.axial * strains.axial,
-            shear: self.stiffness.shear * strains.shear,
-            moment: self.stiffness.bending * strains.curvature,
-        }
+        self.stiffness.forces(&strains.less(&self.free))
     }
 
     fn energy_of(&self, strains: &BeamStrains, forces: &BeamSectionForces) -> f64 {
