@@ -4,7 +4,7 @@
 use slideline::mech::contact::friction::{FrictionLaw, Stick};
 use slideline::mech::contact::normal::NormalLaw;
 use slideline::mech::contact::pair::{AnyGap, Body, RigidSurface, chain_gap};
-use slideline::mech::contact::search::chain::{Chain, raised};
+use slideline::mech::contact::search::chain::{Chain, Nearby, raised};
 use slideline::mech::contact::search::rigid::RigidSegment;
 use slideline::mech::contact::tangential::Tangential;
 
@@ -57,7 +57,7 @@ fn chain(nodes: &[[f64; 2]], smoothing: f64, point: [f64; 2]) {
     let nodes: Vec<_> = nodes.iter().copied().map(raised).collect();
     let (nodes, point) = (&nodes[..], raised(point));
     let Some(chain) = Chain::new(nodes, smoothing, 0.1) else { return };
-    let Some(piece) = chain.closest(nodes, None, point) else { return };
+    let Some(piece) = chain.closest(nodes, Nearby::Positions, point) else { return };
     assert!(piece.nodes().end <= nodes.len() && !piece.parameter.is_nan(), "{piece:?}");
     if let Some(gap) = chain_gap(&chain, &piece, nodes, point) {
         finite(&gap);

@@ -173,8 +173,8 @@ fn pairs(start: &Start<'_>, findings: &mut Vec<Finding>) {
             (Master::Faces(one), Master::Faces(other)) => one.nodes() == other.nodes(),
             _ => false,
         };
-        let twin = all[..place].iter().find(|a| same_shape(a) && sorted(a) == sorted(b));
-        if let Some(a) = twin {
+        let same = all[..place].iter().find(|a| same_shape(a) && sorted(a) == sorted(b));
+        if let Some(a) = same {
             let message = format!(
                 "contact pairs {} and {} have the same slaves and masters of the same shape at the \
                  same place: their pressure counts twice",

@@ -1,4 +1,4 @@
-//! The prescribed motions walked through without solving: where contact
+//! The prescribed motions gone through without solving: where contact
 //! would be in every increment, were the flexible parts not to deflect.
 //!
 //! ```text
@@ -9,24 +9,25 @@
 use crate::moments::{Carrier, Moment, Rehearsal};
 use crate::motion::motion;
 use crate::start::{Start, length, less};
+use slideline_mech::contact::gap::Linear;
 use slideline_mech::contact::pair::{Body, RigidSurface, chain_overclosure};
-use slideline_mech::contact::search::chain::{Chain, flat};
+use slideline_mech::contact::search::chain::{Chain, Nearby, flat};
 use slideline_mech::contact::search::rigid::{RigidSegment, beyond_end};
 use slideline_model::{ContactPair, Formulation, Master, NodeIndex, Step};
 
-/// Increments of a step that are walked at most.
+/// Increments of a step that are gone through at most.
 const MOST: usize = 400;
 /// Gaps that are computed at most.
 const EFFORT: usize = 4_000_000;
 
 /// A master, ready to be asked.
-enum Facade {
+enum MasterSurface {
     Body(RigidSurface, NodeIndex),
     Line(Chain, Vec<NodeIndex>),
 }
 
-/// What a slave meets.
-enum Met {
+/// Where a slave stands against its master.
+enum Position {
     Facing {
         overclosure: f64,
         along: f64,
@@ -41,17 +42,17 @@ enum Met {
 pub fn rehearse(start: &mut Start<'_>) {
     fill_gaps(start);
     let pairs = start.model.contact_pairs.iter();
-    start.rehearsals = pairs.map(|pair| walked(start, pair)).collect();
+    start.rehearsals = pairs.map(|pair| rehearsed(start, pair)).collect();
 }
 
 /// Walks a pair through all steps; `None` where its motions are not
 /// prescribed in full.
-fn walked(start: &Start<'_>, pair: &ContactPair) -> Option<Rehearsal> {
+fn rehearsed(start: &Start<'_>, pair: &ContactPair) -> Option<Rehearsal> {
     let slaves = pair.slave_nodes();
-    let facade = facade(start, pair)?;
-    let pieces = match &facade {
-        Facade::Body(surface, _) => surface.segments().len(),
-        Facade::Line(_, nodes) => nodes.len(),
+    let master_surface = master_surface(start, pair)?;
+    let pieces = match &master_surface {
+        MasterSurface::Body(surface, _) => surface.segments().len(),
+        MasterSurface::Line(_, nodes) => nodes.len(),
     };
     let most = (EFFORT / (slaves.len() * pieces * start.model.steps.len()).max(1)).min(MOST);
     let places = arc_places(start, pair, &slaves);
@@ -62,7 +63,8 @@ fn walked(start: &Start<'_>, pair: &ContactPair) -> Option<Rehearsal> {
         let before = usize::from(number > 0);
         for k in before..=count {
             let time = (number, k as f64 / count as f64);
-            let moment = walk(start, pair, (&facade, &slaves, &places), time, &mut carried)?;
+            let moment =
+                moment_at(start, pair, (&master_surface, &slaves, &places), time, &mut carried)?;
             rehearsal.moments.push(moment);
         }
     }
@@ -86,9 +88,9 @@ fn fill_gaps(start: &mut Start<'_>) {
             continue;
         }
         let (point, still) = (start.model.nodes.position(row.node), Body::STILL);
-        let Some(Facade::Body(surface, _)) = facade(start, pair) else { continue };
+        let Some(MasterSurface::Body(surface, _)) = master_surface(start, pair) else { continue };
         let facing = surface.closest(&still, point);
-        if let Some(gap) = facing.and_then(|facing| surface.gap(&still, &facing, point)) {
+        if let Some(gap) = facing.and_then(|facing| surface.gap::<Linear>(&still, &facing, point)) {
             row.opening = -gap.overclosure();
             row.normal = gap.normal();
             row.along = gap.along()[0];
@@ -98,16 +100,19 @@ fn fill_gaps(start: &mut Start<'_>) {
     start.points = filled;
 }
 
-fn facade(start: &Start<'_>, pair: &ContactPair) -> Option<Facade> {
+fn master_surface(start: &Start<'_>, pair: &ContactPair) -> Option<MasterSurface> {
     match &pair.master {
         // parts of solids bend: nothing is led along
         Master::Faces(_) => None,
         Master::RigidSurface(surface) => {
-            Some(Facade::Body(slideline_solve::rigid_surface(surface)?, surface.reference))
+            Some(MasterSurface::Body(slideline_solve::rigid_surface(surface)?, surface.reference))
         }
         Master::SlideLine(line) => {
             let at: Vec<_> = line.nodes.iter().map(|&n| start.model.nodes.position(n)).collect();
-            Some(Facade::Line(Chain::new(&at, line.smooth, line.extension)?, line.nodes.clone()))
+            Some(MasterSurface::Line(
+                Chain::new(&at, line.smooth, line.extension)?,
+                line.nodes.clone(),
+            ))
         }
     }
 }
@@ -125,10 +130,10 @@ fn arc_places(start: &Start<'_>, pair: &ContactPair, slaves: &[NodeIndex]) -> Ve
     places
 }
 
-fn walk(
+fn moment_at(
     start: &Start<'_>,
     pair: &ContactPair,
-    (facade, slaves, places): (&Facade, &[NodeIndex], &[f64]),
+    (master_surface, slaves, places): (&MasterSurface, &[NodeIndex], &[f64]),
     time: (usize, f64),
     carried: &mut [bool],
 ) -> Option<Moment> {
@@ -137,9 +142,9 @@ fn walk(
     let one_body = slaves.iter().all(|&s| start.bodies.of_node(s) == start.bodies.of_node(first));
     let common = moved(first)?;
     let place = |node: NodeIndex, body: &Body| body.to_space(start.model.nodes.position(node));
-    let chain: Vec<[f64; 3]> = match facade {
-        Facade::Body(..) => Vec::new(),
-        Facade::Line(_, nodes) => {
+    let chain: Vec<[f64; 3]> = match master_surface {
+        MasterSurface::Body(..) => Vec::new(),
+        MasterSurface::Line(_, nodes) => {
             let mut last = None; // neighbours belong to one body, mostly
             let at = |&node: &NodeIndex| {
                 let own = start.bodies.of_node(node);
@@ -153,9 +158,9 @@ fn walk(
             nodes.iter().map(at).collect::<Option<_>>()?
         }
     };
-    let master = match facade {
-        Facade::Body(_, reference) => moved(*reference)?,
-        Facade::Line(..) => common,
+    let master = match master_surface {
+        MasterSurface::Body(_, reference) => moved(*reference)?,
+        MasterSurface::Line(..) => common,
     };
     let reach = -pair.interaction.normal.contact_begins();
     let mut moment = Moment { step: time.0, carrier: None, off: None, range: None };
@@ -164,8 +169,8 @@ fn walk(
     let mut off: Option<(f64, bool)> = None;
     for (k, &slave) in slaves.iter().enumerate() {
         let body = if one_body { common } else { moved(slave)? };
-        match meet(facade, &chain, &master, place(slave, &body)) {
-            Met::Facing { overclosure, along, trusted } => {
+        match position(master_surface, &chain, &master, place(slave, &body)) {
+            Position::Facing { overclosure, along, trusted } => {
                 let (low, high) = moment.range.unwrap_or((overclosure, overclosure));
                 moment.range = Some((low.min(overclosure), high.max(overclosure)));
                 if overclosure > -reach {
@@ -176,10 +181,10 @@ fn walk(
                     }
                 }
             }
-            Met::Off(beyond, at_start) if carried[k] => {
+            Position::Off(beyond, at_start) if carried[k] => {
                 off = off.filter(|&(most, _)| most >= beyond).or(Some((beyond, at_start)));
             }
-            Met::Off(..) | Met::Nothing => {}
+            Position::Off(..) | Position::Nothing => {}
         }
     }
     if moment.carrier.is_none() {
@@ -191,14 +196,19 @@ fn walk(
     Some(moment)
 }
 
-fn meet(facade: &Facade, chain: &[[f64; 3]], master: &Body, point: [f64; 3]) -> Met {
-    match facade {
-        Facade::Body(surface, _) => {
+fn position(
+    master_surface: &MasterSurface,
+    chain: &[[f64; 3]],
+    master: &Body,
+    point: [f64; 3],
+) -> Position {
+    match master_surface {
+        MasterSurface::Body(surface, _) => {
             let at = master.to_body(point);
             let still = Body { reference: master.reference, dofs: [0.0; 3] };
             let facing = surface.closest(&still, at);
-            if let Some((facing, gap)) =
-                facing.and_then(|facing| Some((facing, surface.gap(&still, &facing, at)?)))
+            if let Some((facing, gap)) = facing
+                .and_then(|facing| Some((facing, surface.gap::<Linear>(&still, &facing, at)?)))
             {
                 let overclosure = gap.overclosure();
                 let radius = match surface.segments().get(facing.segment) {
@@ -206,28 +216,28 @@ fn meet(facade: &Facade, chain: &[[f64; 3]], master: &Body, point: [f64; 3]) -> 
                     _ => f64::INFINITY,
                 };
                 let trusted = overclosure < 0.5 * radius;
-                return Met::Facing { overclosure, along: gap.along()[0], trusted };
+                return Position::Facing { overclosure, along: gap.along()[0], trusted };
             }
             let size = surface.segments().iter().map(RigidSegment::length).fold(0.0, f64::max);
             match beyond_end(surface.segments(), flat(at)) {
                 Some(end) if end.depth > 0.0 && end.depth < 0.5 * size => {
-                    Met::Off(end.beyond, end.at_start)
+                    Position::Off(end.beyond, end.at_start)
                 }
-                _ => Met::Nothing,
+                _ => Position::Nothing,
             }
         }
-        Facade::Line(line, _) => {
-            let piece = line.closest(chain, None, point);
+        MasterSurface::Line(line, _) => {
+            let piece = line.closest(chain, Nearby::Positions, point);
             let gap = piece.and_then(|piece| chain_overclosure(line, &piece, chain, point));
             if let Some([overclosure, along]) = gap {
-                return Met::Facing { overclosure, along, trusted: true };
+                return Position::Facing { overclosure, along, trusted: true };
             }
             match line.beyond_end(chain, point) {
                 Some(overclosure) if overclosure > 0.0 => {
                     let (beyond, at_start) = beyond_chain(chain, point);
-                    Met::Off(beyond, at_start)
+                    Position::Off(beyond, at_start)
                 }
-                _ => Met::Nothing,
+                _ => Position::Nothing,
             }
         }
     }

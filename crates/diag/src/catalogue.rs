@@ -162,6 +162,7 @@ catalogue! {
     "SL0381" "a model change that does not fit"
     "SL0382" "a contact pair on absent elements"
     "SL0383" "a load on absent elements"
+    "SL0385" "an initial stress that the material does not bear"
     "SL0400" "a contact pair as it was understood"
     "SL0401" "hard contact that is integrated"
     "SL0402" "an initial overclosure"

@@ -22,7 +22,7 @@ use crate::sets::Sets;
 use crate::surfaces::{Named, NamedInteraction, NamedSurface, Pairing, RigidBody};
 pub(crate) use cards::{Boundary, Interface, NodalThickness, Shape, Spring, StepDraft, Surface};
 pub(crate) use elements::{Element, ElementKind, MOST_NODES};
-pub(crate) use heat::Heat;
+pub(crate) use heat::{Heat, StressLine};
 pub(crate) use sections::{
     Allowable, Body, Card, CreepLaw, Elasticity, Kind, Material, Section, Table, Test, Wanted,
     Yielding,
@@ -94,6 +94,8 @@ pub(crate) struct Draft {
     pub thicknesses: Vec<NodalThickness>,
     /// Temperatures before the first step.
     pub initial_temperatures: Vec<Heat>,
+    /// Stresses before the first step.
+    pub initial_stresses: Vec<StressLine>,
     /// Values of names.
     pub parameters: Values,
     pub steps: Vec<StepDraft>,

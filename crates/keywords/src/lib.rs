@@ -12,6 +12,7 @@
 //! complaints about what it caused.
 
 mod axes;
+mod beam_shape;
 mod cards;
 mod changes;
 mod constraints;
@@ -34,6 +35,7 @@ mod registry;
 mod requests;
 mod rule;
 mod scopes;
+mod section_places;
 mod sets;
 mod surfaces;
 mod temperatures;

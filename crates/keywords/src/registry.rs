@@ -4,17 +4,18 @@ use slideline_deck::normalise;
 
 use crate::cards::{
     allowable, amplitude, assembly, beam_general_section, beam_section, biaxial_test_data,
-    boundary, change_friction, cload, contact_controls, contact_file, contact_output, contact_pair,
-    contact_print, controls, coupling, creep, cyclic_hardening, deformation_plasticity, density,
-    distributing, distributing_coupling, dload, dsload, el_file, el_print, elastic, elcopy,
-    element, element_output, elgen, elset, end_assembly, end_instance, end_part, end_step,
-    equation, expansion, friction, heading, hyperelastic, hyperfoam, initial_conditions, instance,
-    interface, kinematic, kinematic_coupling, material, model_change, mpc, ncopy, nfill, ngen,
-    nmap, nodal_thickness, node, node_file, node_output, node_print, nset, orientation, output,
-    parameter, part, physical_constants, planar_test_data, plastic, pre_tension_section, print,
-    restart, rigid_body, rigid_surface, slide_line, solid_section, spring, static_, step, surface,
-    surface_behavior, surface_contact, surface_interaction, system, temperature, tie, transform,
-    transverse_shear, uniaxial_test_data, visco, viscoelastic, volumetric_test_data,
+    boundary, centroid, change_friction, cload, contact_controls, contact_file, contact_output,
+    contact_pair, contact_print, controls, coupling, creep, cyclic_hardening,
+    deformation_plasticity, density, distributing, distributing_coupling, dload, dsload, el_file,
+    el_print, elastic, elcopy, element, element_output, elgen, elset, end_assembly, end_instance,
+    end_part, end_step, equation, expansion, friction, heading, hyperelastic, hyperfoam,
+    initial_conditions, instance, interface, kinematic, kinematic_coupling, material, model_change,
+    mpc, ncopy, nfill, ngen, nmap, nodal_thickness, node, node_file, node_output, node_print, nset,
+    orientation, output, parameter, part, physical_constants, planar_test_data, plastic,
+    pre_tension_section, print, restart, rigid_body, rigid_surface, shear_center, slide_line,
+    solid_section, spring, static_, step, surface, surface_behavior, surface_contact,
+    surface_interaction, system, temperature, tie, transform, transverse_shear, uniaxial_test_data,
+    visco, viscoelastic, volumetric_test_data,
 };
 use crate::keyword::Keyword;
 use crate::reading::{Match, resolve};
@@ -45,6 +46,8 @@ pub(crate) const REGISTRY: &[&'static dyn Keyword] = &[
     &elcopy::Elcopy,
     &beam_section::BeamSection,
     &beam_general_section::BeamGeneralSection,
+    &centroid::Centroid,
+    &shear_center::ShearCenter,
     &transverse_shear::TransverseShearStiffness,
     &orientation::Orientation,
     &solid_section::SolidSection,

@@ -36,5 +36,5 @@ pub use shape::{
     stroke_roughness, strokes,
 };
 pub use stroke::{Stroke, Taken, WayOut, stroke};
-pub use verdict::{COARSE_PEAK, Colour, Evidence, Verdict, verdict};
+pub use verdict::{COARSE_PEAK, Colour, RunMeasures, Verdict, verdict};
 pub use work::{work, work_ratio};

@@ -34,7 +34,7 @@ impl Colour {
 
 /// What is held against the rules.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Evidence {
+pub struct RunMeasures {
     /// Why the run did not complete; none where it did.
     pub unfinished: Option<String>,
     /// Largest part of contact forces or moments that one side does not feel [-].
@@ -88,8 +88,8 @@ const PENETRATION: f64 = 3.0;
 type Rule = (Colour, Option<String>);
 
 /// Judges a run: the table of rules. [docs/report.md: verdict]
-pub fn verdict(evidence: &Evidence) -> Verdict {
-    let rules = wrong(evidence).into_iter().chain(doubtful(evidence));
+pub fn verdict(measures: &RunMeasures) -> Verdict {
+    let rules = wrong(measures).into_iter().chain(doubtful(measures));
     let mut reasons: Vec<(Colour, String)> =
         rules.filter_map(|(colour, reason)| Some((colour, reason?))).collect();
     reasons.sort_by_key(|(colour, _)| std::cmp::Reverse(*colour));
@@ -103,23 +103,23 @@ fn above(value: Option<f64>, limit: f64) -> Option<f64> {
 }
 
 /// What makes a result wrong; energy is red far out of balance, amber before.
-fn wrong(evidence: &Evidence) -> [Rule; 5] {
+fn wrong(measures: &RunMeasures) -> [Rule; 5] {
     let energy = |left: f64| {
         format!("energy: {} % of it does not balance; use shorter increments", percent(left))
     };
-    let lost = above(evidence.energy, ENERGY[1]);
+    let lost = above(measures.energy, ENERGY[1]);
     [
-        (Colour::Red, evidence.unfinished.clone()),
+        (Colour::Red, measures.unfinished.clone()),
         (
             Colour::Red,
-            above(evidence.pair_imbalance, UNBALANCED)
+            above(measures.pair_imbalance, UNBALANCED)
                 .map(|_| "the two sides of a contact pair do not feel the same force".to_owned()),
         ),
         (Colour::Red, lost.map(energy)),
-        (Colour::Amber, above(evidence.energy, ENERGY[0]).xor(lost).map(energy)),
+        (Colour::Amber, above(measures.energy, ENERGY[0]).xor(lost).map(energy)),
         (
             Colour::Red,
-            above(evidence.utilisation, 1.0).map(|used| {
+            above(measures.utilisation, 1.0).map(|used| {
                 format!(
                     "allowable: the part is at {} % of it; beyond it elastic results are not valid",
                     percent(used)
@@ -130,8 +130,8 @@ fn wrong(evidence: &Evidence) -> [Rule; 5] {
 }
 
 /// What makes a result doubtful.
-fn doubtful(evidence: &Evidence) -> [Rule; 7] {
-    let strain = above(evidence.strain, STRAIN).filter(|_| evidence.utilisation.is_none());
+fn doubtful(measures: &RunMeasures) -> [Rule; 7] {
+    let strain = above(measures.strain, STRAIN).filter(|_| measures.utilisation.is_none());
     [
         strain.map(|strain| {
             format!(
@@ -139,29 +139,29 @@ fn doubtful(evidence: &Evidence) -> [Rule; 7] {
                 percent(strain)
             )
         }),
-        evidence.unstable.map(|strain| {
+        measures.unstable.map(|strain| {
             format!(
                 "rubber: strained by {} % where its law is unstable (SL0420)",
                 percent(strain)
             )
         }),
-        above(evidence.linear, LINEAR).map(|turned| {
+        above(measures.linear, LINEAR).map(|turned| {
             format!(
                 "kinematics: an element turns or strains by {} % in a step without NLGEOM (SL0247)",
                 percent(turned)
             )
         }),
-        above(evidence.noise, NOISE)
+        above(measures.noise, NOISE)
             .map(|rough| format!("noise: the reaction is rough by {} % of its peak", percent(rough))),
-        above(evidence.peak_step, COARSE_PEAK).map(|step| {
+        above(measures.peak_step, COARSE_PEAK).map(|step| {
             format!(
                 "increments: next to its peak the force changes by {} %, so the true peak may be higher",
                 percent(step)
             )
         }),
-        above(evidence.penetration, PENETRATION)
+        above(measures.penetration, PENETRATION)
             .map(|ratio| format!("overlap: the contact is pressed in by {ratio:.1} times c0")),
-        warned(&evidence.said),
+        warned(&measures.said),
     ]
     .map(|reason| (Colour::Amber, reason))
 }
@@ -203,8 +203,8 @@ fn warned(said: &[String]) -> Option<String> {
 mod tests {
     use super::*;
 
-    fn clean() -> Evidence {
-        Evidence {
+    fn clean() -> RunMeasures {
+        RunMeasures {
             unfinished: None,
             pair_imbalance: Some(1e-14),
             energy: Some(0.01),
@@ -224,40 +224,44 @@ mod tests {
     #[test]
     fn every_row_of_the_table() {
         assert_eq!(verdict(&clean()), Verdict { colour: Colour::Green, reasons: Vec::new() });
-        assert_eq!(verdict(&Evidence::default()).colour, Colour::Green);
+        assert_eq!(verdict(&RunMeasures::default()).colour, Colour::Green);
         let nan = Some(f64::NAN);
-        let rows: Vec<(Colour, &str, Evidence)> = vec![
+        let rows: Vec<(Colour, &str, RunMeasures)> = vec![
             (
                 Colour::Red,
                 "not converged",
-                Evidence { unfinished: Some("not converged".into()), ..clean() },
+                RunMeasures { unfinished: Some("not converged".into()), ..clean() },
             ),
-            (Colour::Red, "two sides", Evidence { pair_imbalance: Some(1e-5), ..clean() }),
-            (Colour::Red, "two sides", Evidence { pair_imbalance: nan, ..clean() }),
-            (Colour::Red, "energy: 58 %", Evidence { energy: Some(0.58), ..clean() }),
-            (Colour::Red, "energy", Evidence { energy: nan, ..clean() }),
-            (Colour::Amber, "energy: 6 %", Evidence { energy: Some(0.06), ..clean() }),
-            (Colour::Red, "at 120 % of it", Evidence { utilisation: Some(1.2), ..clean() }),
-            (Colour::Red, "allowable", Evidence { utilisation: nan, ..clean() }),
+            (Colour::Red, "two sides", RunMeasures { pair_imbalance: Some(1e-5), ..clean() }),
+            (Colour::Red, "two sides", RunMeasures { pair_imbalance: nan, ..clean() }),
+            (Colour::Red, "energy: 58 %", RunMeasures { energy: Some(0.58), ..clean() }),
+            (Colour::Red, "energy", RunMeasures { energy: nan, ..clean() }),
+            (Colour::Amber, "energy: 6 %", RunMeasures { energy: Some(0.06), ..clean() }),
+            (Colour::Red, "at 120 % of it", RunMeasures { utilisation: Some(1.2), ..clean() }),
+            (Colour::Red, "allowable", RunMeasures { utilisation: nan, ..clean() }),
             (
                 Colour::Amber,
                 "*ALLOWABLE",
-                Evidence { strain: Some(0.06), utilisation: None, ..clean() },
+                RunMeasures { strain: Some(0.06), utilisation: None, ..clean() },
             ),
-            (Colour::Amber, "rubber: ", Evidence { unstable: Some(2.0), ..clean() }),
-            (Colour::Amber, "NLGEOM", Evidence { linear: Some(0.2), ..clean() }),
-            (Colour::Amber, "noise: ", Evidence { noise: Some(0.02), ..clean() }),
-            (Colour::Amber, "increments: ", Evidence { peak_step: Some(0.2), ..clean() }),
-            (Colour::Amber, "overlap: ", Evidence { penetration: Some(4.0), ..clean() }),
-            (Colour::Amber, "warning: SL0402", Evidence { said: vec!["SL0402".into()], ..clean() }),
+            (Colour::Amber, "rubber: ", RunMeasures { unstable: Some(2.0), ..clean() }),
+            (Colour::Amber, "NLGEOM", RunMeasures { linear: Some(0.2), ..clean() }),
+            (Colour::Amber, "noise: ", RunMeasures { noise: Some(0.02), ..clean() }),
+            (Colour::Amber, "increments: ", RunMeasures { peak_step: Some(0.2), ..clean() }),
+            (Colour::Amber, "overlap: ", RunMeasures { penetration: Some(4.0), ..clean() }),
+            (
+                Colour::Amber,
+                "warning: SL0402",
+                RunMeasures { said: vec!["SL0402".into()], ..clean() },
+            ),
         ];
-        for (colour, reason, evidence) in rows {
-            let found = verdict(&evidence);
+        for (colour, reason, measures) in rows {
+            let found = verdict(&measures);
             assert_eq!((found.colour, found.reasons.len()), (colour, 1), "{reason}: {found:?}");
             assert!(found.reasons[0].1.contains(reason), "{reason}: {found:?}");
         }
         // strain is judged by its allowable where there is one
-        let strained = Evidence { strain: Some(0.06), utilisation: Some(0.9), ..clean() };
+        let strained = RunMeasures { strain: Some(0.06), utilisation: Some(0.9), ..clean() };
         assert_eq!(verdict(&strained).colour, Colour::Green);
     }
 
@@ -266,7 +270,7 @@ mod tests {
     #[test]
     fn the_worst_row_rules() {
         let said = ["SL0405", "SL0403", "SL0405"].map(str::to_owned).to_vec();
-        let found = verdict(&Evidence { noise: Some(0.05), energy: Some(0.9), said, ..clean() });
+        let found = verdict(&RunMeasures { noise: Some(0.05), energy: Some(0.9), said, ..clean() });
         let colours: Vec<Colour> = found.reasons.iter().map(|(colour, _)| *colour).collect();
         assert_eq!(found.colour, Colour::Red);
         assert_eq!(colours, [Colour::Red, Colour::Amber, Colour::Amber]);

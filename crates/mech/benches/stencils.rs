@@ -5,9 +5,9 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use slideline_mech::contact::gap::Gap;
 use slideline_mech::contact::gap::circle::{Circle, Side};
 use slideline_mech::contact::gap::curve::{Along, Weights, point_to_curve};
+use slideline_mech::contact::gap::{Gap, Quadratic};
 use slideline_mech::differentiate::Second;
 use slideline_mech::element::cell::{Cell, HEX8, HEX20, QUAD4, QUAD8, TET10};
 use slideline_mech::element::quadrature::{HEX_8, HEX_27, QUAD_4, QUAD_9, Quadrature, TET_4};
@@ -19,10 +19,11 @@ use slideline_mech::material::{Elastic, LargeStrain, Material, Plastic};
 use slideline_mech::section::BeamStiffness;
 
 fn beam(criterion: &mut Criterion) {
-    let stiffness = BeamStiffness { axial: 258_750.0, shear: 57_033.0, bending: 0.0485 };
+    let stiffness =
+        BeamStiffness { axial: 258_750.0, shear: 57_033.0, bending: 0.0485, centroid: 0.0 };
     let element = Beam21::new([[0.0, 0.0], [1e-4, 2e-3]], stiffness);
     let q = [1e-4, 2e-4, 0.1, 3e-4, -1e-4, 0.2];
-    criterion.bench_function("b21 twin", |bench| {
+    criterion.bench_function("b21 closed form", |bench| {
         let (mut force, mut tangent) = ([0.0; 6], [0.0; 36]);
         bench.iter(|| element.force_and_tangent(black_box(&q), &mut force, &mut tangent));
     });
@@ -32,16 +33,17 @@ fn beam(criterion: &mut Criterion) {
 }
 
 fn finer_beams(criterion: &mut Criterion) {
-    let stiffness = BeamStiffness { axial: 258_750.0, shear: 57_033.0, bending: 0.0485 };
+    let stiffness =
+        BeamStiffness { axial: 258_750.0, shear: 57_033.0, bending: 0.0485, centroid: 0.0 };
     let quadratic = Beam22::new([[0.0, 0.0], [5e-5, 1e-3], [1e-4, 2e-3]], stiffness);
     let q = [1e-4, 2e-4, 0.1, 2e-4, 0.0, 0.15, 3e-4, -1e-4, 0.2];
-    criterion.bench_function("b22 twin", |bench| {
+    criterion.bench_function("b22 closed form", |bench| {
         let (mut force, mut tangent) = ([0.0; 9], [0.0; 81]);
         bench.iter(|| quadratic.force_and_tangent(black_box(&q), &mut force, &mut tangent));
     });
     let cubic = Beam23::new([[0.0, 0.0], [1e-4, 2e-3]], stiffness);
     let q = [1e-4, 2e-4, 0.1, 3e-4, -1e-4, 0.2];
-    criterion.bench_function("b23 twin", |bench| {
+    criterion.bench_function("b23 closed form", |bench| {
         let (mut force, mut tangent) = ([0.0; 6], [0.0; 36]);
         bench.iter(|| cubic.force_and_tangent(black_box(&q), &mut force, &mut tangent));
     });
@@ -61,7 +63,7 @@ fn gaps(criterion: &mut Criterion) {
     });
     let circle = Circle { radius: 9e-3, side: Side::Convex };
     criterion.bench_function("gap circle", |bench| {
-        bench.iter(|| circle.gap(black_box([8.9e-3, 1e-3]), [0.0, 0.0], 0.1, 0.0));
+        bench.iter(|| circle.gap::<Quadratic>(black_box([8.9e-3, 1e-3]), [0.0, 0.0], 0.1, 0.0));
     });
 }
 

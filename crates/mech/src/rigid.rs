@@ -150,6 +150,11 @@ impl Attachment {
         }
     }
 
+    /// Whether it is a point whose two variables are the dofs from there on.
+    fn is_at(&self, dof: usize) -> bool {
+        matches!(self, Self::Point { map: PointMap::Free, first } if *first == dof)
+    }
+
     /// Derivatives of variable `component` of this attachment by the dofs.
     fn row(&self, component: usize, dofs: &[f64]) -> Row {
         let spin = |r: [f64; 2]| if component == 0 { -r[1] } else { r[0] };
@@ -220,6 +225,14 @@ pub fn push_gradients(
     (gradients, n): (&[&[f64]], usize),
     (into, width): (&mut [f64], usize),
 ) {
+    let values = gradients.iter().flat_map(|list| list.chunks_exact(n));
+    let is_copied = |(own, attachment): (usize, &Attachment)| attachment.is_at(2 * own);
+    if n == 2 * attachments.len() && attachments.iter().enumerate().all(is_copied) {
+        for (into, gradient) in into.chunks_exact_mut(width).zip(values) {
+            into.iter_mut().zip(gradient).for_each(|(into, by)| *into += by);
+        }
+        return;
+    }
     let mut variable = 0;
     for attachment in attachments {
         for component in 0..attachment.variables() {
@@ -227,8 +240,7 @@ pub fn push_gradients(
                 return;
             }
             let row = attachment.row(component, dofs);
-            let values = gradients.iter().flat_map(|list| list.chunks_exact(n));
-            for (into, gradient) in into.chunks_exact_mut(width).zip(values) {
+            for (into, gradient) in into.chunks_exact_mut(width).zip(values.clone()) {
                 for &(dof, coefficient) in row.pairs() {
                     into[dof] += coefficient * gradient[variable];
                 }

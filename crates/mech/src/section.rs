@@ -1,4 +1,4 @@
-//! Beam sections and the three stiffnesses a plane beam needs.
+//! Beam sections and the stiffnesses that beams need of them.
 //!
 //! ```text
 //!      +---------------+  -          ___          +-------+        =======  b2, t2
@@ -10,12 +10,18 @@
 //! ```
 //!
 //! Axis 2 is in the plane of bending, axis 1 out of it. Beams in space bend about both and twist:
-//! `section/space.rs`.
+//! `section/space.rs`. The axis of a beam need not be the centroid of its section:
+//! `section/profile.rs`.
 
 mod plane;
+mod profile;
 mod shape;
 mod space;
+mod trapezoid;
+mod walls;
 
 pub use plane::{BeamStiffness, TransverseShear, stiffness};
+pub use profile::Profile;
 pub use shape::Shape;
 pub use space::{SpaceStiffness, space_stiffness};
+pub use walls::{Fault, Wall};

@@ -7,7 +7,7 @@
 //! ```
 
 use crate::element::cell::{Cell, line3_shapes, line3_slopes};
-use crate::element::quadrature::{GAUSS_4, GAUSS_4_MEAN};
+use crate::element::quadrature::{GAUSS_4, GAUSS_4_MEAN, Quadrature};
 
 /// The most nodes of a cell.
 const MOST: usize = 20;
@@ -45,9 +45,10 @@ fn for_each_point(cell: &Cell, mut at: impl FnMut([f64; 3], f64)) {
 }
 
 /// Forces on the nodes at `x` [L] of a force per volume that depends on the place [F/L3]; an area
-/// has a thickness [L]. `None` for a cell without volume.
+/// has a thickness [L]. Exact on straight edges, or by the points of a rule. `None` for a cell
+/// without volume.
 pub fn spread(
-    cell: &Cell,
+    (cell, rule): (&Cell, Option<&Quadrature>),
     thickness: f64,
     x: &[[f64; 3]],
     body: impl Fn([f64; 3]) -> [f64; 3],
@@ -56,7 +57,7 @@ pub fn spread(
         return None;
     }
     let mut forces = vec![[0.0; 3]; cell.nodes];
-    for_each_point(cell, |place, weight| {
+    let mut add = |place: [f64; 3], weight: f64| {
         let (mut shapes, mut slopes) = ([0.0; MOST], [[0.0; 3]; MOST]);
         (cell.shapes)(&place, &mut shapes[..cell.nodes]);
         (cell.slopes)(&place, &mut slopes[..cell.nodes]);
@@ -83,7 +84,11 @@ pub fn spread(
         for (own, shape) in forces.iter_mut().zip(shapes) {
             own.iter_mut().zip(force).for_each(|(f, b)| *f += weight * volume * shape * b);
         }
-    });
+    };
+    match rule {
+        Some(rule) => rule.points.iter().zip(rule.weights).for_each(|(at, &w)| add(*at, w)),
+        None => for_each_point(cell, add),
+    }
     Some(forces)
 }
 
@@ -139,12 +144,12 @@ mod tests {
         ];
         for (cell, volume, centre) in cells {
             let x: Vec<[f64; 3]> = cell.places.iter().map(|&[a, b, c]| [2.0 + a, b, c]).collect();
-            let forces = spread(cell, 1.0, &x, |[x, ..]| [1.0, x, 0.0]).unwrap_or_default();
+            let forces = spread((cell, None), 1.0, &x, |[x, ..]| [1.0, x, 0.0]).unwrap_or_default();
             let sum = [0, 1].map(|k| forces.iter().map(|f| f[k]).sum::<f64>());
             assert!((sum[0] - volume).abs() < 1e-14, "{}: {sum:?}", cell.name);
             assert!((sum[1] - volume * (2.0 + centre)).abs() < 1e-13, "{}: {sum:?}", cell.name);
         }
-        assert!(spread(&LINE2, 1.0, &[[0.0; 3]; 2], |_| [0.0; 3]).is_none());
+        assert!(spread((&LINE2, None), 1.0, &[[0.0; 3]; 2], |_| [0.0; 3]).is_none());
     }
 
     /// Requirement: of a uniform force per length both ends take half, ends and middle a sixth and
@@ -200,7 +205,8 @@ mod tests {
                 vec![(4.0, ends[node - corners].to_vec())]
             };
             for power in 0..=2 {
-                let forces = spread(cell, 1.0, &x, |[x, ..]| [f64::powi(x, power), 0.0, 0.0]);
+                let forces =
+                    spread((cell, None), 1.0, &x, |[x, ..]| [f64::powi(x, power), 0.0, 0.0]);
                 for (node, force) in forces.unwrap_or_default().iter().enumerate() {
                     let mut exact = 0.0;
                     let count = corners.pow(power as u32);
@@ -221,7 +227,7 @@ mod tests {
         // a uniform force on the quadratic triangle and tetrahedron, known by heart
         let uniform = |cell: &Cell| {
             let x = cell.places.to_vec();
-            spread(cell, 1.0, &x, |_| [1.0, 0.0, 0.0]).unwrap_or_default()
+            spread((cell, None), 1.0, &x, |_| [1.0, 0.0, 0.0]).unwrap_or_default()
         };
         let (six, ten) = (uniform(&TRI6), uniform(&TET10));
         assert!(six[0][0].abs() < 1e-15 && (six[3][0] - 1.0 / 6.0).abs() < 1e-15);

@@ -8,13 +8,13 @@ use slideline_mech::element::solid::{
     Formulation, Interpolation, Kinematics, Recipe, Solids, Told, states,
 };
 use slideline_mech::element::{
-    Bar, Beam21, Beam22, Beam23, BeamHeat, HeatedBeams, Kernel, Response, Strains, Surroundings,
-    Temperature, Trusses,
+    Bar, Beam21, Beam22, Beam23, BeamHeat, HeatedBeams, Kernel, Response, SpaceBeam, SpaceBeams,
+    Strains, Surroundings, Temperature, Trusses,
 };
 use slideline_mech::material::{
     Clock, Elastic, Expanding, Expansion, Graded, Growth, LargeStrain, Material,
 };
-use slideline_mech::section::BeamStiffness;
+use slideline_mech::section::{BeamStiffness, SpaceStiffness};
 use std::sync::Arc;
 
 const COLD: Elastic = Elastic { modulus: 200.0, poisson: 0.3 };
@@ -115,7 +115,7 @@ fn beams() {
         elastic: vec![(0.0, COLD), (90.0, HOT)],
         given_shear: false,
     };
-    let stiffness = BeamStiffness { axial: 50.0, shear: 15.0, bending: 2.0 };
+    let stiffness = BeamStiffness { axial: 50.0, shear: 15.0, bending: 2.0, centroid: 0.1 };
     let ends = [[0.0, 0.1], [1.2, 0.5]];
     let b21 = HeatedBeams::new([Beam21::new(ends, stiffness)].into_iter(), heat());
     check("B21", &b21, (2, 0, true));
@@ -124,6 +124,30 @@ fn beams() {
     let nodes = [[0.0, 0.1], [0.6, 0.35], [1.2, 0.5]];
     let b22 = HeatedBeams::new([Beam22::new(nodes, stiffness)].into_iter(), heat());
     check("B22", &b22, (3, 0, true));
+}
+
+/// Requirement: the same of beams in space. Source: docs/theory.md eq. (3.109).
+#[test]
+fn beams_in_space() {
+    let heat = BeamHeat {
+        expansion: Some(even()),
+        elastic: vec![(0.0, COLD), (90.0, HOT)],
+        given_shear: false,
+    };
+    let section = SpaceStiffness {
+        axial: 50.0,
+        shear: [15.0, 12.0],
+        torsion: 1.5,
+        bending: [2.0, 0.3, 1.0],
+        centroid: [0.1, -0.2],
+        shear_center: [0.2, 0.1],
+    };
+    let (nodes, first) = ([[0.0, 0.1, 0.0], [0.6, 0.35, 0.2], [1.2, 0.5, 0.5]], [0.0, 0.3, -1.0]);
+    let two = SpaceBeam::new([nodes[0], nodes[2]], first, &section).into_iter();
+    let two: SpaceBeams<2, 1> = two.collect();
+    check("B31", &two.heated(Some(heat.clone())), (2, 0, true));
+    let three: SpaceBeams<3, 2> = SpaceBeam::new(nodes, first, &section).into_iter().collect();
+    check("B32", &three.heated(Some(heat)), (3, 0, true));
 }
 
 /// Requirement: the same of trusses.

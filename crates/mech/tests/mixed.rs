@@ -5,7 +5,8 @@ use proptest::prelude::*;
 use slideline_mech::element::{Beam21, Beam22, Beam23, Mixed};
 use slideline_mech::section::BeamStiffness;
 
-const SEED: BeamStiffness = BeamStiffness { axial: 258_750.0, shear: 84_591.0, bending: 0.0485 };
+const SEED: BeamStiffness =
+    BeamStiffness { axial: 258_750.0, shear: 84_591.0, bending: 0.0485, centroid: 0.0 };
 
 fn b21() -> Beam21 {
     Beam21::new([[0.01, 0.02], [0.011, 0.022]], SEED)

@@ -8,8 +8,14 @@ use slideline_mech::rotation;
 use slideline_mech::section::{BeamStiffness, SpaceStiffness};
 use slideline_mech::turn::Turn;
 
-const SECTION: SpaceStiffness =
-    SpaceStiffness { axial: 900.0, shear: [310.0, 270.0], torsion: 3.1, bending: [4.2, 0.7, 2.6] };
+const SECTION: SpaceStiffness = SpaceStiffness {
+    axial: 900.0,
+    shear: [310.0, 270.0],
+    torsion: 3.1,
+    bending: [4.2, 0.7, 2.6],
+    centroid: [0.03, -0.05],
+    shear_center: [0.06, 0.02],
+};
 /// Displacements and rotations of three nodes, of order one.
 const MOVED: [f64; 18] = [
     0.1, -0.2, 0.3, 0.5, -0.8, 0.3, 0.2, 0.1, -0.1, 0.7, -0.5, 0.6, -0.2, 0.4, 0.2, 0.2, -0.9, 1.1,
@@ -198,8 +204,13 @@ fn forces_and_moments_balance() {
 /// section forces with their signs. 1e-12.
 #[test]
 fn in_the_plane_they_are_the_plane_beams() {
-    let section = SpaceStiffness { bending: [4.2, 0.0, 2.6], ..SECTION };
-    let plane = BeamStiffness { axial: 900.0, shear: 270.0, bending: 4.2 };
+    let section = SpaceStiffness {
+        bending: [4.2, 0.0, 2.6],
+        centroid: [0.0, 0.05],
+        shear_center: [0.0, 0.04],
+        ..SECTION
+    };
+    let plane = BeamStiffness { axial: 900.0, shear: 270.0, bending: 4.2, centroid: 0.05 };
     let at = [[1.0, 2.0], [1.4, 2.3], [1.7, 2.4]];
     let in_space = at.map(|[x, y]| [x, y, 0.0]);
     let q: [f64; 9] = [0.1, -0.2, 0.5, 0.2, 0.1, 0.7, -0.2, 0.4, 1.1];

@@ -18,6 +18,7 @@ mod controls;
 mod dialect;
 mod driven;
 mod element;
+mod initial_stress;
 mod load;
 mod model;
 mod node;
@@ -47,6 +48,7 @@ pub use element::section::{
     BeamSection, Section, ShearRule, SolidSection, SpringSection, SpringWay,
 };
 pub use element::table::{MOST_NODES, TYPES, element_type, types};
+pub use initial_stress::InitialStress;
 pub use load::{Distributed, Load, Pressure};
 pub use model::Model;
 pub use node::{Dof, LinearConstraint, Node, NodeIndex, NodeSet, Nodes, RigidLink};
@@ -62,7 +64,7 @@ pub use slideline_mech::contact::normal::NormalLaw;
 pub use slideline_mech::contact::onset::Onset;
 pub use slideline_mech::element::{SpringLaw, Temperature};
 pub use slideline_mech::material::Material;
-pub use slideline_mech::section::Shape;
+pub use slideline_mech::section::{Fault, Profile, Shape, Wall};
 pub use stabilisation::Stabilisation;
 pub use step::{
     ChangedFriction, Extrapolation, NodalTemperature, Passage, Prescribed, Static, Step,

@@ -4,6 +4,7 @@ use crate::amplitude::Amplitude;
 use crate::contact::ContactPair;
 use crate::dialect::Dialect;
 use crate::element::block::{Allowable, ElementBlock};
+use crate::initial_stress::InitialStress;
 use crate::node::{Dof, LinearConstraint, NodeIndex, NodeSet, Nodes, RigidLink};
 use crate::step::Step;
 use crate::tested::Tested;
@@ -42,6 +43,8 @@ pub struct Model {
     pub friction_onset: Onset,
     /// Temperatures before the first step, a node each; empty: all are zero.
     pub initial_temperatures: Vec<Temperature>,
+    /// Stresses before the first step; a later one counts where two are of one point.
+    pub initial_stresses: Vec<InitialStress>,
     /// Named amplitudes.
     pub amplitudes: Vec<Amplitude>,
     /// Steps, in order.

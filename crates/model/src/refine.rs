@@ -19,6 +19,7 @@ mod temperatures;
 
 use crate::contact::{ContactElement, Master};
 use crate::element::block::{Element, Elements};
+use crate::initial_stress::InitialStress;
 use crate::model::Model;
 use crate::node::{Dof, Node, NodeIndex, RigidLink};
 use crate::presence::{ElementIndex, Presence};
@@ -158,13 +159,22 @@ impl Halving {
         Ok(())
     }
 
-    /// The parts of an element that is absent are, and those of one that begins begin.
+    /// The parts of an element that is absent are, those of one that begins begin, and those of one
+    /// under stress are.
     fn presence(&mut self, begin: &[Vec<usize>]) {
         let parts = |&(block, member): &ElementIndex| {
             let own = begin.get(block).map_or(&[][..], Vec::as_slice);
             let first = own.get(member).copied().unwrap_or_default();
             (first..own.get(member + 1).copied().unwrap_or(first)).map(move |part| (block, part))
         };
+        let stresses = std::mem::take(&mut self.model.initial_stresses);
+        self.model.initial_stresses = stresses
+            .into_iter()
+            .flat_map(|own| {
+                let of = own.clone();
+                parts(&own.element).map(move |element| InitialStress { element, ..of.clone() })
+            })
+            .collect();
         for step in &mut self.model.steps {
             let Presence { absent, begun, .. } = &mut step.presence;
             for list in [absent, begun] {

@@ -9,7 +9,7 @@
 //! ```
 
 use crate::rows::{Rows, Sheet};
-use crate::section::{axial_stresses, beams, outer_mises, space_beams};
+use crate::section::{axial_stresses, beams, most_points, outer_mises, space_beams};
 use slideline_model::{
     Dialect, ElementPrint, ElementType, ElementVariable, Model, PrintTarget, types,
 };
@@ -50,6 +50,8 @@ pub(crate) struct Beams {
     beside_solids: bool,
     /// Whether its beams stand in space.
     in_space: bool,
+    /// The most points of their sections.
+    points: usize,
 }
 
 impl Rows for Beams {
@@ -68,7 +70,10 @@ impl Rows for Beams {
         let wanted = (has_beams || self.in_space) && asked(report.model).next().is_some();
         if self.in_space {
             let fields = types::B31.fields.iter().flat_map(|field| field.components);
-            return wanted.then(|| fields.fold("element".to_owned(), |all, name| all + "," + name));
+            self.points = most_points(report.model);
+            let stresses = (1..=self.points).map(|point| format!("S11_{point}"));
+            let names = fields.map(|name| (*name).to_owned()).chain(stresses);
+            return wanted.then(|| names.fold("element".to_owned(), |all, name| all + "," + &name));
         }
         let columns = "element,SF1,SF2,SM1,SE1,SE2,SK1,S11_1,S11_2,S11_3,S11_4,S11_5,MISES";
         wanted.then(|| columns.to_owned())
@@ -77,11 +82,12 @@ impl Rows for Beams {
     fn rows(&self, sheet: &mut Sheet<'_>, frame: &Frame<'_>) {
         let due = due(frame);
         if self.in_space {
-            for (element, values) in space_beams(frame) {
-                if is_named(&due, element.label) {
-                    sheet.row().cell(element.label);
-                    sheet.numbers(values.iter().copied()).end();
-                }
+            for beam in space_beams(frame).filter(|beam| is_named(&due, beam.element.label)) {
+                // what a section of fewer points than another one has not is zero
+                let mut stresses = beam.stresses();
+                stresses.resize(self.points, 0.0);
+                sheet.row().cell(beam.element.label);
+                sheet.numbers(beam.values.iter().copied()).numbers(stresses).end();
             }
             return;
         }

@@ -144,19 +144,19 @@ impl Drawing {
             let whole: f64 = lengths.sum();
             let step = whole / NORMALS as f64;
             let mut next = 0.5 * step;
-            let mut walked = 0.0;
+            let mut passed = 0.0;
             for ends in line.windows(2) {
                 let length = distance(ends[0], ends[1]);
                 let Some([x, y]) = direction(ends[0], ends[1]) else { continue };
-                while next <= walked + length && step > 0.0 {
-                    let along = next - walked;
+                while next <= passed + length && step > 0.0 {
+                    let along = next - passed;
                     let foot = [ends[0][0] + along * x, ends[0][1] + along * y];
                     // counter-clockwise in the plane is clockwise where y points down
                     let tip = [foot[0] + ARROW * y, foot[1] - ARROW * x];
                     self.scene.arrow(foot, tip, Pen::solid(1.2).colour(MASTER));
                     next += step;
                 }
-                walked += length;
+                passed += length;
             }
         }
     }

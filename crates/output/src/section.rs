@@ -8,11 +8,13 @@
 //!     1 o-------   y = -height/2
 //! ```
 
-use slideline_model::{BeamSection, Dof, Element, NodeIndex, SECTION_POINTS};
+use slideline_model::{
+    BeamSection, Dof, Element, ElementBlock, Model, NodeIndex, SECTION_POINTS, Section, types,
+};
 use slideline_solve::observe::{BeamRow, Frame};
 use std::collections::BTreeMap;
 
-/// Axial stress at the section points [F/L2]: N/A - y M/I. A positive moment
+/// Axial stress at the section points [F/L2]: N/A - y M/I, y from the centroid. A positive moment
 /// turns the beam counter-clockwise along its way, which shortens the fibres
 /// on the side of the normal. Derived: plane sections. The points are evenly spaced over the
 /// height of the section.
@@ -21,11 +23,9 @@ pub(crate) fn axial_stresses(
     section: &BeamSection,
 ) -> [f64; SECTION_POINTS] {
     let shape = &section.shape;
-    let (area, second_moment) = (shape.area(), shape.second_moment());
-    [0.0, 0.25, 0.5, 0.75, 1.0].map(|place| {
-        let y = place * shape.height() - shape.centroid();
-        force / area - y * moment / second_moment
-    })
+    let (bottom, height) = (shape.bottom(), shape.height());
+    [0.0, 0.25, 0.5, 0.75, 1.0]
+        .map(|place| shape.stress_in_plane([force, moment], bottom + place * height))
 }
 
 /// Mises stress of the outer fibres [F/L2], where the shear stress of a
@@ -110,15 +110,61 @@ pub(crate) fn beams<'a>(
     })
 }
 
+/// A beam in space with its results.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SpaceBeam<'a> {
+    /// The element.
+    pub element: Element<'a>,
+    section: &'a BeamSection,
+    /// Values in the order of the fields of its type.
+    pub values: &'a [f64],
+}
+
+impl SpaceBeam<'_> {
+    /// The value of a component of a field.
+    pub fn value(&self, field: &str, component: usize) -> f64 {
+        let first = types::B31.field(field).map_or(0, |(_, first)| first);
+        self.values.get(first + component).copied().unwrap_or_default()
+    }
+
+    /// Axial stress at the points of the section [F/L2]: docs/theory.md eq. (3.108).
+    pub fn stresses(&self) -> Vec<f64> {
+        let forces = [self.value("SF", 0), self.value("SM", 0), self.value("SM", 1)];
+        let shape = &self.section.shape;
+        shape.points().into_iter().map(|at| shape.stress(forces, at)).collect()
+    }
+
+    /// Largest strain of a fibre [1].
+    pub fn fibre_strain(&self) -> f64 {
+        let strains = [self.value("SE", 0), self.value("SK", 0), self.value("SK", 1)];
+        self.section.shape.largest_strain(strains)
+    }
+}
+
 /// All beams in space of a frame with their results.
-pub(crate) fn space_beams<'a>(
-    frame: &'a Frame<'a>,
-) -> impl Iterator<Item = (Element<'a>, &'a [f64])> {
-    let blocks = frame.elements.iter().filter(|results| {
-        let block = frame.model.blocks.get(results.block);
-        block.is_some_and(|block| block.kind.is_space_beam())
+pub(crate) fn space_beams<'a>(frame: &'a Frame<'a>) -> impl Iterator<Item = SpaceBeam<'a>> {
+    let blocks = frame.elements.iter().filter_map(|results| {
+        let block = frame.model.blocks.get(results.block)?;
+        Some((results, of_space(block)?))
     });
-    blocks.flat_map(|results| results.elements(frame.model))
+    blocks.flat_map(|(results, section)| {
+        let elements = results.elements(frame.model);
+        elements.map(move |(element, values)| SpaceBeam { element, section, values })
+    })
+}
+
+/// The section of beams in space; `None`: other elements.
+fn of_space(block: &ElementBlock) -> Option<&BeamSection> {
+    match &block.section {
+        Section::Beam(section) if block.kind.is_space_beam() => Some(section),
+        _ => None,
+    }
+}
+
+/// The most points at which stress is told of a beam in space of a model.
+pub(crate) fn most_points(model: &Model) -> usize {
+    let sections = model.blocks.iter().filter_map(of_space);
+    sections.map(|section| section.shape.points().len()).max().unwrap_or(0)
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 //! [`slideline_measures::verdict`].
 //!
 //! ```text
-//!   JOB.json  JOB.energy.csv  JOB.history.csv --> Evidence --> colour, reasons
+//!   JOB.json  JOB.energy.csv  JOB.history.csv --> RunMeasures --> colour, reasons
 //!                                             `-> strokes  --> forces in and out
 //! ```
 
@@ -10,7 +10,7 @@ use crate::job::JobFiles;
 use crate::json::{Members as _, Value, json};
 use crate::reading::history::{Energies, History};
 use crate::reading::summary::{Driven, driven, raw};
-use slideline_measures::{Evidence, Stroke, Taken, Verdict, WayOut, stroke, verdict};
+use slideline_measures::{RunMeasures, Stroke, Taken, Verdict, WayOut, stroke, verdict};
 
 /// Codes of advice that cast no doubt, or that the measures of the run decide:
 /// a start within the layer of a softened law, bodies that contact will hold,
@@ -47,11 +47,11 @@ pub(crate) fn judge(
     // what does most work is what the part is about
     let size = |stroke: &Stroke| stroke.work[0].abs() + stroke.work[1].abs();
     strokes.sort_by(|a, b| size(&b.1).total_cmp(&size(&a.1)));
-    let verdict = verdict(&evidence(summary, energies, strokes.first().map(|(_, own)| own)));
+    let verdict = verdict(&measures(summary, energies, strokes.first().map(|(_, own)| own)));
     Judged { verdict, strokes }
 }
 
-fn evidence(summary: &Value, energies: Option<&Energies>, first: Option<&Stroke>) -> Evidence {
+fn measures(summary: &Value, energies: Option<&Energies>, first: Option<&Stroke>) -> RunMeasures {
     let noise = summary.get("noise");
     let pairs = noise.map_or(&[][..], |noise| noise.list("pairs"));
     let largest = |key: &str| pairs.iter().filter_map(|pair| pair.number(key)).reduce(worse);
@@ -59,7 +59,7 @@ fn evidence(summary: &Value, energies: Option<&Energies>, first: Option<&Stroke>
     let strains = ["fibre_strain", "principal_strain"];
     let strains = strains.iter().filter_map(|key| summary.get(key)?.number("max"));
     let peaks = first.map(|own| [own.push, own.pull]).into_iter().flatten().flatten();
-    Evidence {
+    RunMeasures {
         unfinished: unfinished(summary),
         pair_imbalance: imbalance.into_iter().flatten().reduce(worse),
         energy: energies.and_then(out_of_balance),

@@ -267,6 +267,25 @@ fn every_keyword_has_a_page_and_a_deck() {
 }
 
 /// A heading that a reader sees first: every crate says what it is for.
+/// Requirement: files that the page names are there, and every example of the library is run by a
+/// test of its name.
+#[test]
+fn what_is_added_from_outside_is_there_and_tested() {
+    let page = quoted(&read(&root().join("ARCHITECTURE.md")).replace("```", ""));
+    let named = page.iter().filter(|own| own.ends_with(".rs") && own.starts_with("crates/"));
+    let missing: Vec<&String> = named.clone().filter(|own| !root().join(own).is_file()).collect();
+    assert!(named.count() > 3 && missing.is_empty(), "{missing:?}");
+    let mut examples = Vec::new();
+    collect(&folder("slideline").join("examples"), &mut examples);
+    for example in examples {
+        let name = example.file_name().unwrap().to_string_lossy();
+        let test = read(&folder("slideline").join("tests").join(&*name));
+        assert!(test.contains(&format!("../examples/{name}")), "{name}");
+        let shown = page.iter().any(|own| own.ends_with(&format!("examples/{name}")));
+        assert!(shown, "ARCHITECTURE.md does not name {name}");
+    }
+}
+
 #[test]
 fn every_crate_has_a_description() {
     for name in crates() {

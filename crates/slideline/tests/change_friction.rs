@@ -93,7 +93,8 @@ fn the_coefficient_runs_over_the_step() {
 fn friction_begins_and_ends() {
     let (on, off) = (change("*FRICTION\n0.3\n"), change("*FRICTION\n0.\n"));
     let at_once = format!(", AMPLITUDE=STEP{on}");
-    let cases: [(Dialect, [&str; 3], [fn(f64) -> f64; 3]); 3] = [
+    type Coefficients = [fn(f64) -> f64; 3];
+    let cases: [(Dialect, [&str; 3], Coefficients); 3] = [
         (Dialect::Abaqus, ["\n", &on, &off], [|_| 0.0, |t| 0.3 * t, |t| 0.3 - 0.3 * t]),
         (Dialect::Abaqus, ["\n", &at_once, &off], [|_| 0.0, |_| 0.3, |t| 0.3 - 0.3 * t]),
         (Dialect::Calculix, ["\n", &on, &off], [|_| 0.0, |_| 0.3, |_| 0.0]),

@@ -255,7 +255,7 @@ fn kinds() -> Vec<Kind> {
         let dofs = match row.kinematics {
             Kinematics::Spring if name == "SPRINGA" => vec![1, 2],
             Kinematics::Spring => vec![2],
-            _ => row.dofs.iter().map(|dof| dof.number() as usize).collect(),
+            _ => row.dofs.iter().map(|dof| dof.number()).collect(),
         };
         all.push(Kind { name, nodes, section, dofs });
     }
@@ -556,4 +556,78 @@ fn files_leave_out_what_is_absent() {
     );
     let state = std::fs::read(folder.join("parts_0001.vtu")).unwrap();
     assert!(state.windows(13).any(|own| own == b"Name=\"active\""), "no field");
+}
+
+/// Requirement: an element that begins warm is free of stress there, and expands from there. Closed
+/// form: E A alpha (T - T0) between walls, 1e-11.
+#[test]
+fn an_element_that_begins_warm_expands_from_there() {
+    let deck = BARS.replace("*ELASTIC\n1000., 0.", "*ELASTIC\n1000., 0.\n*EXPANSION\n1.E-3")
+        + "*NSET, NSET=N\n1, 2, 3\n"
+        + &step(false, 1, &format!("{LEAVE}ALL\n*BOUNDARY\n2, 1\n*TEMPERATURE\nN, 50.\n"))
+        + &step(false, 1, &format!("{BEGIN}RIGHT\n"))
+        + &step(false, 2, &format!("{RETURN}LEFT\n*TEMPERATURE\nN, 80.\n"));
+    let rows = run(&deck);
+    assert!(end(&rows, 2).reaction.iter().all(|own| *own == 0.0));
+    // the left one has been there from the start
+    near(end(&rows, 3).reaction[0], 100.0 * 1e-3 * 80.0, 1e-11, "left");
+    near(end(&rows, 3).reaction[12], -100.0 * 1e-3 * 30.0, 1e-11, "right");
+}
+
+/// Requirement: what only absent elements have held is named, before the run and by the run, with a
+/// step and a node of it.
+#[test]
+fn what_has_lost_its_hold_is_named() {
+    let mut deck = "*NODE\n".to_owned();
+    for node in 0..=6 {
+        let _ = writeln!(deck, "{}, {node}., 0.", node + 1);
+    }
+    deck += "*ELEMENT, TYPE=B21, ELSET=B\n1, 1, 2\n*ELGEN, ELSET=B\n1, 6\n*ELSET, ELSET=JOINT\n3\n\
+        *BEAM SECTION, SECTION=RECT, ELSET=B, MATERIAL=M\n1., 0.5\n*MATERIAL, NAME=M\n*ELASTIC\n\
+        1000., 0.\n*BOUNDARY\n1, 1, 6\n";
+    deck += &step(true, 1, "*CLOAD\n7, 2, 0.01\n");
+    deck += &step(true, 1, &format!("{LEAVE}JOINT\n"));
+    let read = Job::read_text("loose", &deck, &ReadOptions::default());
+    let said = slideline::advise(&read);
+    let loose = said.iter().find(|own| own.code.0 == "SL0409").unwrap();
+    assert!(loose.message.starts_with("from step 2 on the body of node 4"), "{loose:?}");
+    let mut rows = Rows::default();
+    match solve(&read.model.unwrap(), &SolveOptions::default(), &mut rows) {
+        Ending::NotConverged(_, why) => {
+            assert_eq!(why.code.0, "SL0503", "{why:?}");
+            let named = (4..=7).any(|node| why.message.contains(&format!("node {node} ")));
+            assert!(named, "{}", why.message);
+        }
+        other => panic!("{other:?}"),
+    }
+}
+
+/// Requirement: sets and elements of instances are named as elsewhere, the cards in any order; and
+/// contact elements stand for their pair.
+#[test]
+fn instances_and_contact_elements_are_named_as_elsewhere() {
+    let deck =
+        "*PART, NAME=P\n*NODE\n1, 0., 0.\n2, 1., 0.\n3, 2., 0.\n*ELEMENT, TYPE=T2D2, ELSET=E\n\
+        1, 1, 2\n2, 2, 3\n*SOLID SECTION, ELSET=E, MATERIAL=M\n1.\n*END PART\n*ASSEMBLY, NAME=A\n\
+        *INSTANCE, NAME=I, PART=P\n*END INSTANCE\n*INSTANCE, NAME=J, PART=P\n0., 5., 0.\n\
+        *END INSTANCE\n*END ASSEMBLY\n*MATERIAL, NAME=M\n*ELASTIC\n1000., 0.\n*BOUNDARY\n\
+        I.1, 1, 2\nI.2, 2\nI.3, 1, 2\nJ.1, 1, 2\nJ.2, 2\nJ.3, 1, 2\n"
+            .to_owned()
+            + &step(true, 1, "*CLOAD\nI.2, 1, 3.\n")
+            + &step(true, 1, &format!("{LEAVE}J.E, I.2\n"));
+    let presence = model(&deck, Dialect::Abaqus).steps[1].presence.clone();
+    assert_eq!(presence.absent.len(), 3, "{presence:?}");
+    let rows = run(&deck);
+    assert_eq!(end(&rows, 2).results.iter().sum::<usize>(), 1);
+    let irs = "*NODE\n1, 0., 0.\n2, 1., 0.\n9, 0., 1.\n*ELEMENT, TYPE=B21, ELSET=B\n1, 1, 2\n\
+        *BEAM SECTION, SECTION=RECT, ELSET=B, MATERIAL=M\n1., 0.5\n*MATERIAL, NAME=M\n*ELASTIC\n\
+        1000., 0.\n*RIGID SURFACE, TYPE=SEGMENTS, ELSET=C\nSTART, -9., -1.\nLINE, 9., -1.\n\
+        *ELEMENT, TYPE=IRS21, ELSET=C\n11, 1, 2, 9\n*INTERFACE, ELSET=C\n1.\n*BOUNDARY\n1, 1, 6\n\
+        9, 1, 6\n"
+        .to_owned()
+        + &step(true, 1, &format!("{LEAVE}C\n"))
+        + &step(true, 1, "*MODEL CHANGE, ADD\n11\n");
+    let model = model(&irs, Dialect::Abaqus);
+    let absent = model.steps.iter().map(|step| step.presence.absent_pairs.clone());
+    assert_eq!(absent.collect::<Vec<_>>(), [vec![0], vec![]]);
 }

@@ -103,10 +103,10 @@ impl Sum {
         let (normal, tangential) = (now.area * now.pressure, now.area * now.traction);
         let rows = kinematics.rows;
         for (k, &own) in rows.unknowns.iter().enumerate() {
-            let drag = |direction: usize| tangential[direction] * rows.force(direction)[k];
+            let along = |direction: usize| tangential[direction] * rows.force(direction)[k];
             let value = (0..rows.directions())
-                .map(drag)
-                .fold(normal * rows.normal()[k], |sum, drag| sum + drag);
+                .map(along)
+                .fold(normal * rows.normal()[k], |sum, own| sum + own);
             let (node, dof) = plan.dofs.name(own);
             let position = plan.model.nodes.get(node).position;
             let moved = plan.dofs.translation(&state.displacement, node);

@@ -110,7 +110,7 @@ pub fn locate_points(
     positions: &mut MasterPositions,
     kinematics: &mut ContactKinematics,
 ) {
-    contact.meet((&committed.displacement, &committed.points), &[], positions, kinematics);
+    contact.locate((&committed.displacement, &committed.points), &[], positions, kinematics);
     for (point, kinematics) in committed.points.iter_mut().zip(kinematics.points()) {
         point.opening = -kinematics.overclosure;
         point.along = kinematics.faces.then_some(kinematics.along);

@@ -17,15 +17,6 @@ use crate::observe::reports::FieldReport;
 use serde::{Deserialize, Serialize};
 use slideline_model::FieldControls;
 
-/// The two fields of a structure.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Field {
-    /// Forces and displacements.
-    Force,
-    /// Moments and rotations.
-    Moment,
-}
-
 /// What a field remembers from iteration to iteration.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FieldHistory {
@@ -151,35 +142,33 @@ pub fn judge(
     report.converged = report.residual <= report.allowed && (small_step || promised || tiny);
 }
 
-/// The largest nodal vector of a field in `value`, and where its largest
-/// component stands. Only dofs accepted by `counts` take part; one that is no number is the largest.
+/// The largest nodal vector of displacements or forces and that of rotations or moments, and where
+/// the largest component of each stands. Only dofs that `value` gives a value take part; one that is
+/// no number is the largest.
 pub fn largest_nodal(
     dofs: &DofMap,
-    field: Field,
-    value: &[f64],
-    counts: impl Fn(usize) -> bool,
-) -> (f64, Option<usize>) {
-    let mut largest = (0.0_f64, None);
+    value: impl Fn(usize) -> Option<f64>,
+) -> [(f64, Option<usize>); 2] {
+    let mut largest = [(0.0_f64, None); 2];
     for node in 0..dofs.nodes() {
-        let mut square = 0.0;
-        let mut component = (0.0, None);
+        let mut square = [0.0; 2];
+        let mut component = [(0.0, None); 2];
         for dof in dofs.named_of_node(node) {
-            if dofs.is_rotation(dof) != (field == Field::Moment) || !counts(dof) {
-                continue;
-            }
-            square += value[dof] * value[dof];
-            if value[dof].abs() > component.0 || value[dof].is_nan() {
-                component = (value[dof].abs(), Some(dof));
+            let Some(value) = value(dof) else { continue };
+            let field = usize::from(dofs.is_rotation(dof));
+            square[field] += value * value;
+            if value.abs() > component[field].0 || value.is_nan() {
+                component[field] = (value.abs(), Some(dof));
             }
         }
-        if square.is_nan() {
-            return (f64::NAN, component.1);
-        }
-        if square > largest.0 {
-            largest = (square, component.1);
+        for field in 0..2 {
+            let (now, most) = (square[field], largest[field].0);
+            if now > most || now.is_nan() && !most.is_nan() {
+                largest[field] = (now, component[field].1);
+            }
         }
     }
-    (largest.0.sqrt(), largest.1)
+    largest.map(|(square, at)| (square.sqrt(), at))
 }
 
 #[cfg(test)]

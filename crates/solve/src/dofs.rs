@@ -124,6 +124,9 @@ impl DofMap {
 
     /// The dofs of a node along the axes in which they are named: its own, or those of the model.
     pub fn named_of_node(&self, node: NodeIndex) -> Range<usize> {
+        if self.turned.is_empty() {
+            return self.of_node(node);
+        }
         match self.place.get(&node) {
             Some(&place) => self.first_turned[place]..self.first_turned[place + 1],
             None => self.of_node(node),

@@ -91,7 +91,7 @@ impl FaceLoads {
         (pressures, u): (&[f64], &[f64]),
         values: &mut [f64],
     ) {
-        if !self.nonlinear {
+        if !self.nonlinear || self.faces.is_empty() {
             return;
         }
         let symmetric = kind == Kind::Symmetric;

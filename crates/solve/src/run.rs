@@ -2,6 +2,7 @@
 
 pub(crate) mod analysis;
 mod committing;
+mod initial_stress;
 mod jump;
 mod model_change;
 pub(crate) mod options;

@@ -72,12 +72,12 @@ impl Dashpots {
             };
             let normal = dashpot.normal * along(rows.normal());
             push(rows.normal(), normal);
-            let mut drag = Tangential::ZERO;
+            let mut tangential = Tangential::ZERO;
             for direction in 0..rows.directions() {
-                drag.0[direction] = dashpot.tangential * along(rows.slip(direction));
-                push(rows.slip(direction), drag[direction]);
+                tangential.0[direction] = dashpot.tangential * along(rows.slip(direction));
+                push(rows.slip(direction), tangential[direction]);
             }
-            size(normal.hypot(drag.size()));
+            size(normal.hypot(tangential.size()));
         }
     }
 

@@ -219,14 +219,14 @@ impl Place<'_> {
         plan.contact.geometric_tangent(place, at, &kinematics, forces, scratch);
         let (geometry, rows) = (&scratch.tangent, kinematics.rows);
         let a = rows.normal();
-        let drag = |i: usize, j: usize, k: usize| {
+        let by_friction = |i: usize, j: usize, k: usize| {
             let by_slip = |l: usize| traction.d_tau_d_slip.at(k, l) * rows.slip(l)[j];
             let by_slip: f64 = (0..rows.directions()).map(by_slip).sum();
             rows.force(k)[i] * (by_slip + traction.d_tau_d_pressure[k] * slope * a[j])
         };
         let entry = |i: usize, j: usize| {
-            let drags: f64 = (0..rows.directions()).map(|k| drag(i, j, k)).sum();
-            geometry[rows.width() * i + j] + now.area * (slope * a[i] * a[j] + drags)
+            let friction: f64 = (0..rows.directions()).map(|k| by_friction(i, j, k)).sum();
+            geometry[rows.width() * i + j] + now.area * (slope * a[i] * a[j] + friction)
         };
         plan.scatter(&evaluation.rows, rows.unknowns, entry, values);
     }
@@ -380,7 +380,7 @@ impl<'a> Differences<'a> {
         let _energy = plan.structure.gather_force(&self.contributions, &mut self.force);
         self.kinematics.copy_from(&evaluation.kinematics);
         let at = (&self.u[..], &committed.points[..]);
-        plan.contact.meet_in_place(at, &mut self.positions, &mut self.kinematics);
+        plan.contact.locate_in_place(at, &mut self.positions, &mut self.kinematics);
         self.place.add_contact_force(&self.kinematics, &self.u, &mut self.force);
         plan.constraints.linearise((&self.u, trial.ambient.turns), &mut self.rows);
         plan.constraints.carry(&self.rows, &mut self.force);

@@ -57,7 +57,7 @@ impl Workspace {
         model: &Model,
         observer: &mut dyn Observer,
     ) -> Result<Ending, PlanMismatch> {
-        self.walk(model, observer, |mut analysis, scratch| analysis.steps(scratch))
+        self.analyse(model, observer, |mut analysis, scratch| analysis.steps(scratch))
     }
 
     /// Goes on from a checkpoint of the model; see [`resume`](crate::resume) and
@@ -69,13 +69,13 @@ impl Workspace {
         observer: &mut dyn Observer,
         (totals, resumes): (Totals, bool),
     ) -> Result<Ending, PlanMismatch> {
-        self.walk(model, observer, |mut analysis, scratch| {
+        self.analyse(model, observer, |mut analysis, scratch| {
             (analysis.totals, analysis.resumes) = (totals, resumes);
             analysis.go_on(from, scratch)
         })
     }
 
-    fn walk(
+    fn analyse(
         &mut self,
         model: &Model,
         observer: &mut dyn Observer,

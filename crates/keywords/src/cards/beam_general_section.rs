@@ -3,7 +3,8 @@
 use slideline_mech::material::Elastic;
 use slideline_model::{Shape, ShearRule};
 
-use super::beam_section::{SHAPES, first_axis, poisson, shape};
+use super::beam_section::{first_axis, poisson};
+use crate::beam_shape::{SHAPES, shape};
 use crate::draft::Draft;
 use crate::draft::{Body, Owner, Section};
 use crate::keyword::{Keyword, Level, Rule, Subject};
@@ -12,7 +13,17 @@ use crate::reading::Reading;
 /// `*BEAM GENERAL SECTION`.
 pub(crate) struct BeamGeneralSection;
 
-const KINDS: &[&str] = &["GENERAL", SHAPES[0], SHAPES[1], SHAPES[2], SHAPES[3], SHAPES[4]];
+const GENERAL: &str = "GENERAL";
+
+const KINDS: [&str; SHAPES.len() + 1] = {
+    let mut kinds = [GENERAL; SHAPES.len() + 1];
+    let mut place = 0;
+    while place < SHAPES.len() {
+        kinds[place + 1] = SHAPES[place];
+        place += 1;
+    }
+    kinds
+};
 
 impl Keyword for BeamGeneralSection {
     fn name(&self) -> &'static str {
@@ -47,27 +58,29 @@ impl Keyword for BeamGeneralSection {
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
         draft.owner = Owner::Broken;
-        let kind = match card.choice("SECTION", KINDS, &mut draft.log) {
+        let kind = match card.choice("SECTION", &KINDS, &mut draft.log) {
             None if card.has("SECTION") => return,
-            kind => kind.unwrap_or(KINDS[0]),
+            kind => kind.unwrap_or(GENERAL),
         };
         let Some(set) = card.name("ELSET") else { return };
         let poisson = poisson(card, draft);
-        draft.log.at_most_lines(card.data(), 3, self.name());
         let Some(line) = card.first_line("A, I11, I12, I22, J", &mut draft.log) else { return };
-        let shape = if kind == "GENERAL" { general(line, draft) } else { shape(kind, line, draft) };
+        let shape = match kind {
+            GENERAL => general(line, draft).map(|shape| (shape, 1)),
+            _ => shape(kind, card.data(), draft),
+        };
+        let Some((shape, lines)) = shape else { return };
+        draft.log.at_most_lines(card.data(), lines + 2, self.name());
         let material = card.name("MATERIAL");
         let elastic = match material {
             Some(_) => None,
-            None => moduli(card, draft),
+            None => moduli((card, lines), draft),
         };
         // a line of moduli comes last
         let sizes_and_axis = card.data().len() - usize::from(elastic.is_some());
-        let direction = card.data().get(1).filter(|_| sizes_and_axis > 1);
+        let direction = card.data().get(lines).filter(|_| sizes_and_axis > lines);
         let first_axis = first_axis(direction, draft);
-        let (Some(shape), Some(poisson), Some(first_axis)) = (shape, poisson, first_axis) else {
-            return;
-        };
+        let (Some(poisson), Some(first_axis)) = (poisson, first_axis) else { return };
         if elastic.is_none() && material.is_none() {
             return; // its moduli could not be read
         }
@@ -97,13 +110,14 @@ fn general(line: &slideline_deck::DataLine, draft: &mut Draft) -> Option<Shape> 
         return None;
     }
     let second_moments = [second_moment, mixed, across];
-    Some(Shape::General { area, second_moments, torsion })
+    let [centroid, shear_center] = [[0.0; 2]; 2];
+    Some(Shape::General { area, second_moments, torsion, centroid, shear_center })
 }
 
 /// E, G and the coefficient of expansion of the last line; a blank line before it is not kept by the
 /// deck.
-fn moduli(card: &Reading<'_>, draft: &mut Draft) -> Option<(Elastic, f64)> {
-    let Some(line) = card.data().last().filter(|_| card.data().len() > 1) else {
+fn moduli((card, sizes): (&Reading<'_>, usize), draft: &mut Draft) -> Option<(Elastic, f64)> {
+    let Some(line) = card.data().last().filter(|_| card.data().len() > sizes) else {
         draft.log.error("SL0208", "the moduli E and G are missing: the third line", card.span());
         return None;
     };

@@ -2,9 +2,9 @@
 
 use slideline_deck::DataLine;
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{BeamSection as ModelSection, Dialect, Shape, ShearRule};
-use std::f64::consts::PI;
+use slideline_model::{BeamSection as ModelSection, ShearRule};
 
+use crate::beam_shape::{SHAPES, shape};
 use crate::draft::Draft;
 use crate::draft::{Body, Owner, Section};
 use crate::keyword::{Keyword, Level, Rule, Subject};
@@ -48,16 +48,18 @@ impl Keyword for BeamSection {
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
         draft.owner = Owner::Broken;
-        let kind = card.choice("SECTION", SHAPES, &mut draft.log);
+        let kind = card.choice("SECTION", &SHAPES, &mut draft.log);
         let named = card.name("ELSET").zip(card.name("MATERIAL"));
         let Some((kind, (set, material))) = kind.zip(named) else { return };
         temperatures(card, draft);
         let poisson = poisson(card, draft);
-        // the third one, points of a section that is integrated, changes no elastic beam
-        draft.log.at_most_lines(card.data(), 3, self.name());
-        let Some(line) = card.first_line("the size of the section", &mut draft.log) else { return };
-        let Some(shape) = shape(kind, line, draft) else { return };
-        let first_axis = first_axis(card.data().get(1), draft);
+        if card.first_line("the size of the section", &mut draft.log).is_none() {
+            return;
+        }
+        let Some((shape, lines)) = shape(kind, card.data(), draft) else { return };
+        // the last one, points of a section that is integrated, changes no elastic beam
+        draft.log.at_most_lines(card.data(), lines + 2, self.name());
+        let first_axis = first_axis(card.data().get(lines), draft);
         let (Some(poisson), Some(first_axis)) = (poisson, first_axis) else { return };
         draft.owner = Owner::Section(draft.sections.len());
         draft.sections.push(Section {
@@ -97,115 +99,6 @@ pub(super) fn first_axis(line: Option<&DataLine>, draft: &mut Draft) -> Option<[
         *part = draft.log.number_or(line, at, 0.0)?;
     }
     Some(if axis == [0.0; 3] { ModelSection::FIRST_AXIS } else { axis })
-}
-
-/// The shapes of sections.
-pub(super) const SHAPES: &[&str] = &["RECT", "CIRC", "PIPE", "BOX", "I"];
-
-/// A section from its sizes.
-pub(super) fn shape(kind: &str, line: &DataLine, draft: &mut Draft) -> Option<Shape> {
-    let elliptical = kind == "CIRC" && draft.dialect == Dialect::Calculix;
-    let names: &[&str] = match kind {
-        _ if elliptical => &["thickness along axis 1", "thickness along axis 2"],
-        "CIRC" => &["radius"],
-        "PIPE" => &["outer radius", "thickness of the wall"],
-        "BOX" => {
-            &["width a", "height b", "thickness t1", "thickness t2", "thickness t3", "thickness t4"]
-        }
-        "I" => &[
-            "distance l",
-            "height h",
-            "width b1",
-            "width b2",
-            "thickness t1",
-            "thickness t2",
-            "thickness t3",
-        ],
-        _ => &["width", "height"],
-    };
-    draft.log.at_most(line, names.len());
-    let mut sizes = Vec::with_capacity(names.len());
-    for (at, name) in names.iter().enumerate() {
-        // one thickness of an ellipse alone is that of a circle
-        let same = sizes.first().copied().filter(|_| elliptical);
-        let value = match same {
-            Some(first) => draft.log.number_or(line, at, first)?,
-            None => draft.log.number(line, at, &format!("the {name}"))?,
-        };
-        // a T is an I without a flange, and the axis may be at the bottom
-        let least = if kind == "I" { value >= 0.0 } else { value > 0.0 };
-        if !least {
-            let message = format!("the {name} of the section must be positive");
-            draft.log.error("SL0210", message, line.fields[at].span);
-            return None;
-        }
-        sizes.push(value);
-    }
-    let made = made(kind, &sizes);
-    if let Err(fault) = &made {
-        let error = Diagnostic::error(Code("SL0210"), *fault).at(line.span);
-        draft.log.push(error.help("docs/keywords/BEAM-SECTION.md shows the sizes of each shape"));
-    }
-    let shape = made.ok()?;
-    let (width, height) = (shape.width(), shape.height());
-    if kind == "RECT" && height > 5.0 * width {
-        let message = format!("the section is {} times as high as wide", (height / width).round());
-        let warning = Diagnostic::warning(Code("SL0233"), message).at(line.span);
-        let help = "first the width out of the plane, then the height in the plane: swapped?";
-        draft.log.push(warning.help(help));
-    }
-    Some(shape)
-}
-
-fn made(kind: &str, sizes: &[f64]) -> Result<Shape, &'static str> {
-    match *sizes {
-        [radius] => Ok(Shape::Circle(radius)),
-        [radius, wall] if kind == "PIPE" => {
-            if wall > radius {
-                return Err("the wall is thicker than the radius");
-            }
-            Ok(Shape::Pipe { radius, wall })
-        }
-        [along_1, along_2] if kind == "CIRC" => Ok(ellipse(0.5 * along_1, 0.5 * along_2)),
-        [width, height] => Ok(Shape::Rectangle { width, height }),
-        [a, b, right, top, left, bottom] => {
-            if right + left >= a || top + bottom >= b {
-                return Err("the walls leave no room inside");
-            }
-            if right != left || top != bottom {
-                return Err("opposite walls must be alike: the axis runs through the centroid");
-            }
-            Ok(Shape::Box { size: [a, b], walls: [right, top] })
-        }
-        [origin, height, bottom, top, low, high, web] => {
-            let shape = Shape::Flanged { height, widths: [bottom, top], walls: [low, high, web] };
-            if low + high >= height || web <= 0.0 || shape.area() <= 0.0 {
-                return Err("flanges and web do not make an I of this height");
-            }
-            // sizes are written with six digits or so
-            if (origin - shape.centroid()).abs() > 1e-5 * height {
-                return Err(
-                    "the axis must run through the centroid: l is its distance from the bottom",
-                );
-            }
-            Ok(shape)
-        }
-        _ => Err("these are not the sizes of a section"),
-    }
-}
-
-/// An ellipse of half axes a and b [L], which CalculiX calls CIRC; a circle is one.
-fn ellipse(a: f64, b: f64) -> Shape {
-    if a == b {
-        return Shape::Circle(a);
-    }
-    let area = PI * a * b;
-    let torsion = area * a * a * b * b / (a * a + b * b);
-    Shape::General {
-        area,
-        second_moments: [0.25 * area * b * b, 0.0, 0.25 * area * a * a],
-        torsion,
-    }
 }
 
 pub(super) fn poisson(card: &Reading<'_>, draft: &mut Draft) -> Option<f64> {

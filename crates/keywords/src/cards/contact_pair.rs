@@ -2,7 +2,7 @@
 
 use slideline_deck::{DataLine, normalise};
 use slideline_diag::{Code, Diagnostic, Span};
-use slideline_model::Formulation;
+use slideline_model::{Dialect, Formulation};
 
 use super::slide_line::{extension, smooth};
 use crate::draft::Draft;
@@ -60,7 +60,11 @@ impl Keyword for ContactPair {
             _ => Formulation::NodeToSurface,
         };
         let adjust = adjust(card, formulation, &mut draft.log);
-        let smooth = smooth(card, DEFAULT_SMOOTH, draft);
+        let default = match draft.dialect {
+            Dialect::Abaqus => DEFAULT_SMOOTH,
+            Dialect::Calculix => 0.0,
+        };
+        let smooth = smooth(card, default, draft);
         let extension = extension(card, draft);
         let Some(name) = card.name("INTERACTION") else { return };
         let interaction = Named { name, span: card.span_of("INTERACTION") };
@@ -89,7 +93,7 @@ impl Keyword for ContactPair {
     }
 }
 
-/// `SMOOTH` of a contact pair where it is absent (manual).
+/// `SMOOTH` of a contact pair where it is absent (manual); faces of CalculiX stay as they are.
 const DEFAULT_SMOOTH: f64 = 0.2;
 
 /// A surface named at a place of a line; complains where it is missing.

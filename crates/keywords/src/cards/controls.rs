@@ -86,7 +86,7 @@ fn field(data: &[DataLine], controls: &mut FieldControls, draft: &mut Draft) {
     if line.field(0).is_some() && line.field(4).is_none() {
         controls.r_p = 4.0 * positive(line, 0, draft).unwrap_or(controls.r_n);
     }
-    let slots: [(usize, &mut f64); 6] = [
+    let targets: [(usize, &mut f64); 6] = [
         (0, &mut controls.r_n),
         (1, &mut controls.c_n),
         (4, &mut controls.r_p),
@@ -94,8 +94,8 @@ fn field(data: &[DataLine], controls: &mut FieldControls, draft: &mut Draft) {
         (6, &mut controls.c_epsilon),
         (7, &mut controls.r_l),
     ];
-    for (at, slot) in slots {
-        set(slot, positive(line, at, draft));
+    for (at, target) in targets {
+        set(target, positive(line, at, draft));
     }
     controls.initial_flux = positive(line, 2, draft).or(controls.initial_flux);
     controls.fixed_flux = positive(line, 3, draft).or(controls.fixed_flux);
@@ -106,7 +106,7 @@ fn field(data: &[DataLine], controls: &mut FieldControls, draft: &mut Draft) {
 fn time(data: &[DataLine], controls: &mut TimeIncrementation, draft: &mut Draft) {
     draft.log.at_most_lines(data, 2, "CONTROLS, PARAMETERS=TIME INCREMENTATION");
     if let Some(line) = data.first() {
-        let slots: [&mut u32; 8] = [
+        let targets: [&mut u32; 8] = [
             &mut controls.i_0,
             &mut controls.i_r,
             &mut controls.i_p,
@@ -116,26 +116,26 @@ fn time(data: &[DataLine], controls: &mut TimeIncrementation, draft: &mut Draft)
             &mut controls.i_s,
             &mut controls.i_a,
         ];
-        for (at, slot) in slots.into_iter().enumerate() {
-            set(slot, count(line, at, draft));
+        for (at, target) in targets.into_iter().enumerate() {
+            set(target, count(line, at, draft));
         }
     }
     if let Some(line) = data.get(1) {
-        let slots: [(usize, &mut f64); 4] = [
+        let targets: [(usize, &mut f64); 4] = [
             (0, &mut controls.d_f),
             (1, &mut controls.d_c),
             (2, &mut controls.d_b),
             (6, &mut controls.d_d),
         ];
-        for (at, slot) in slots {
-            set(slot, positive(line, at, draft));
+        for (at, target) in targets {
+            set(target, positive(line, at, draft));
         }
     }
 }
 
-fn set<T>(slot: &mut T, value: Option<T>) {
+fn set<T>(target: &mut T, value: Option<T>) {
     if let Some(value) = value {
-        *slot = value;
+        *target = value;
     }
 }
 

@@ -2,6 +2,7 @@
 
 use slideline_deck::{DataLine, Field};
 use slideline_diag::{Code, Diagnostic};
+use slideline_model::Dialect;
 
 use crate::draft;
 use crate::draft::Draft;
@@ -72,6 +73,14 @@ fn continues(line: &DataLine, fields: &[&Field], kind: ElementKind) -> bool {
         && (line.text.ends_with(',') || kind.node_count() >= slideline_deck::MAX_VALUES_PER_LINE)
 }
 
+/// CalculiX' decks may give its incompatible modes nodes of their own, which it does not read.
+fn surplus(line: &DataLine, draft: &mut Draft) {
+    if draft.log.first_time("nodes of incompatible modes") {
+        let message = "the nodes of a C3D8I behind the eighth are not used";
+        draft.log.note("SL0253", message, line.span);
+    }
+}
+
 fn kind(card: &Reading<'_>, draft: &mut Draft) -> Option<ElementKind> {
     let name = card.name("TYPE")?;
     let found = ElementKind::all().find(|kind| kind.is_called(&name));
@@ -104,8 +113,14 @@ fn element(
     let label = draft.log.label(line, 0, "the element number")?;
     let count = kind.node_count();
     let given = fields.iter().skip(1).filter(|field| !field.text.is_empty());
-    let given: Vec<&&Field> = given.collect();
-    if given.len() != count {
+    let mut given: Vec<&&Field> = given.collect();
+    if given.len() > count && kind.name() == "C3D8I" && draft.dialect == Dialect::Calculix {
+        surplus(line, draft);
+        given.truncate(count);
+    }
+    let may_point = kind.is_space_beam() && draft.dialect == Dialect::Abaqus;
+    let pointing = usize::from(may_point && given.len() == count + 1);
+    if given.len() != count + pointing {
         let nodes = if count == 1 { "node" } else { "nodes" };
         let here = given.len();
         let message = format!("a {} element has {count} {nodes}, here are {here}", kind.name());

@@ -39,12 +39,12 @@ impl Keyword for Static {
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
         let passage = if card.has("LONG TERM") { Passage::LongTerm } else { Passage::Still };
-        walk(self.name(), card, (passage, None), draft);
+        procedure(self.name(), card, (passage, None), draft);
     }
 }
 
-/// Takes in how a step is walked.
-pub(super) fn walk(
+/// Takes in how a step is analysed.
+pub(super) fn procedure(
     name: &str,
     card: &Reading<'_>,
     (passage, creep_tolerance): (Passage, Option<f64>),

@@ -2,6 +2,7 @@
 
 use slideline_deck::{DataLine, normalise};
 use slideline_diag::{Code, Diagnostic};
+use slideline_model::Dialect;
 
 use super::rigid_surface;
 use crate::draft::Draft;
@@ -42,12 +43,20 @@ impl Keyword for Surface {
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
         let Some(name) = card.name("NAME") else { return };
         let named = Named { name, span: card.span_of("NAME") };
-        if let Some(old) = draft.named_surfaces.iter().find(|old| old.named.name == named.name) {
+        let kind = card.choice("TYPE", &["ELEMENT", "NODE", "SEGMENTS"], &mut draft.log);
+        let is_nodal = kind == Some("NODE");
+        let own = |old: &NamedSurface| old.named.name == named.name;
+        let old = draft.named_surfaces.iter().position(own);
+        if let Some(old) = old.filter(|&old| is_twin(is_nodal, old, draft)) {
+            if is_nodal {
+                return;
+            }
+            draft.named_surfaces.remove(old);
+        } else if let Some(old) = old.and_then(|old| draft.named_surfaces.get(old)) {
             let message = format!("the surface {} is defined twice", named.name);
             let error = Diagnostic::error(Code("SL0250"), message).at(named.span);
             draft.log.push(error.label(old.origin, "defined here first"));
         }
-        let kind = card.choice("TYPE", &["ELEMENT", "NODE", "SEGMENTS"], &mut draft.log);
         if card.has("TYPE") && kind.is_none() {
             return;
         }
@@ -61,6 +70,13 @@ impl Keyword for Surface {
             draft.named_surfaces.push(NamedSurface { named, extent, origin: card.span() });
         }
     }
+}
+
+/// Whether a surface is the same as an earlier one of its name, once of nodes and once of faces: in
+/// CalculiX both have names of their own, and what faces say holds for their nodes.
+fn is_twin(is_nodal: bool, old: usize, draft: &Draft) -> bool {
+    let other = draft.named_surfaces.get(old).map(|old| matches!(old.extent, Extent::Nodes(_)));
+    draft.dialect == Dialect::Calculix && other == Some(!is_nodal)
 }
 
 fn without_fillets(card: &Reading<'_>, draft: &mut Draft) {

@@ -3,7 +3,7 @@
 use slideline_diag::{Code, Diagnostic};
 use slideline_model::Passage;
 
-use super::static_::walk;
+use super::static_::procedure;
 use crate::draft::Draft;
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
@@ -51,6 +51,6 @@ impl Keyword for Visco {
             let note = Diagnostic::note(Code("SL0257"), message).at(card.span_of("CREEP"));
             draft.log.push(note);
         }
-        walk(self.name(), card, (Passage::Passing, tolerance), draft);
+        procedure(self.name(), card, (Passage::Passing, tolerance), draft);
     }
 }

@@ -101,6 +101,11 @@ impl ElementKind {
         self.name() == "MASS"
     }
 
+    /// Whether it is a beam in space.
+    pub fn is_space_beam(self) -> bool {
+        matches!(self, Self::Structural(row) if row.is_space_beam())
+    }
+
     /// Whether it names the reference node of a `*DISTRIBUTING COUPLING`.
     pub fn is_reference(self) -> bool {
         self.name().starts_with("DCOUP")
@@ -143,7 +148,8 @@ pub(crate) const MOST_NODES: usize =
 pub(crate) struct Element {
     pub label: u64,
     pub kind: ElementKind,
-    /// Its nodes first, then zeros.
+    /// Its nodes first, then zeros; behind those of a beam in space the node that axis 1 of its
+    /// section points to, if there is one.
     pub nodes: [u64; MOST_NODES],
     pub origin: Span,
 }
@@ -152,5 +158,11 @@ impl Element {
     /// Labels of its nodes.
     pub fn nodes(&self) -> &[u64] {
         &self.nodes[..self.kind.node_count()]
+    }
+
+    /// The label of the node that axis 1 of its section points to, seen from its first node.
+    pub fn pointed_at(&self) -> Option<u64> {
+        let behind = self.nodes.get(self.kind.node_count()).copied();
+        behind.filter(|&label| label != 0 && self.kind.is_space_beam())
     }
 }

@@ -1,4 +1,4 @@
-//! Temperatures of nodes as lines of cards give them.
+//! What lines of cards give before and in steps: temperatures of nodes, stresses of elements.
 
 use slideline_diag::Span;
 use slideline_model::Temperature;
@@ -14,5 +14,16 @@ pub(crate) struct Heat {
     /// Where a slope through a beam was given.
     pub slope: Option<Span>,
     pub amplitude: Option<(String, Span)>,
+    pub origin: Span,
+}
+
+/// A line of `*INITIAL CONDITIONS, TYPE=STRESS`.
+#[derive(Clone, Debug)]
+pub(crate) struct StressLine {
+    pub target: Target,
+    pub target_span: Span,
+    /// The integration point, from 0; `None`: all.
+    pub point: Option<usize>,
+    pub values: Vec<f64>,
     pub origin: Span,
 }

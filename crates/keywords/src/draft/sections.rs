@@ -25,7 +25,7 @@ pub(crate) struct Section {
 }
 
 /// What a section says of the body around its nodes.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) enum Body {
     /// Elasticity and expansion are its own in a `*BEAM GENERAL SECTION`, else those of the material.
     Beam {
@@ -42,7 +42,7 @@ pub(crate) enum Body {
 
 impl Body {
     /// The card that gives it.
-    pub fn card(self) -> &'static str {
+    pub fn card(&self) -> &'static str {
         match self {
             Self::Beam { .. } => "*BEAM SECTION",
             Self::Solid { .. } => "*SOLID SECTION",

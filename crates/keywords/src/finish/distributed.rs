@@ -1,9 +1,10 @@
 //! Loads on faces and volumes: pressures stay pressures, the rest becomes forces on nodes.
 
 use slideline_diag::{Code, Diagnostic, Span};
+use slideline_mech::element::quadrature::Quadrature;
 use slideline_mech::pressure::Face;
 use slideline_mech::volume;
-use slideline_model::{Dialect, Dof, ElementType, NodeIndex};
+use slideline_model::{Dialect, Dof, ElementType, Kinematics, NodeIndex};
 
 use super::faces::{self, SolidFace, face_nodes};
 use super::line_loads;
@@ -261,7 +262,7 @@ fn on_volume(index: usize, line: &Distributed, draft: &mut Draft) -> Option<((us
     let forces = match kind {
         _ if is_line => Some(line_loads::spread(kind, thickness, &x, body)),
         Kind::Line(_) => None,
-        _ => volume::spread(row.cell, thickness, &x, weighted),
+        _ => volume::spread((row.cell, own_rule(row, draft)), thickness, &x, weighted),
     };
     let Some(forces) = forces else {
         if row.joins() {
@@ -274,6 +275,15 @@ fn on_volume(index: usize, line: &Distributed, draft: &mut Draft) -> Option<((us
     };
     let what = What::Forces(shares(&nodes, &forces, draft));
     Some(((index, line.key(0, draft.dialect)), what))
+}
+
+/// CalculiX takes forces per volume at the points of the stiffness, which in reduced elements does
+/// not see all of one that grows with the place.
+fn own_rule(row: &ElementType, draft: &Draft) -> Option<&'static Quadrature> {
+    match row.kinematics {
+        Kinematics::Solid { rule, .. } if draft.dialect == Dialect::Calculix => Some(rule),
+        _ => None,
+    }
 }
 
 /// The force per volume of a unit load at a place [F/L3].
@@ -298,7 +308,7 @@ fn density(material: &str, draft: &Draft) -> Option<f64> {
 /// Thickness, of a line its area, and material of the section that an element belongs to.
 fn section(index: usize, draft: &mut Draft) -> Option<(f64, String)> {
     let section = section_of(index, draft)?;
-    let thickness = match section.body {
+    let thickness = match &section.body {
         Body::Solid { thickness } => thickness.unwrap_or(1.0),
         Body::Beam { shape, .. } => shape.area(),
     };

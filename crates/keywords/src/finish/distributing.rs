@@ -5,7 +5,8 @@
 //!    o   R   o        mean rotation: of the least squares of w |u_i - rigid motion|^2
 //!      o   o
 //! ```
-//! docs/theory.md section 4.2. The rotation is that of small turns of the cloud.
+//! docs/theory.md section 4.2. The rotation is that of small turns of the cloud. The older card follows the
+//! mean displacement alone in CalculiX: a force on its node is spread without its lever arm.
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{Dof, NodeIndex};
@@ -14,19 +15,31 @@ use super::equations::{add, solve};
 use crate::draft::Draft;
 use crate::rule::Subject;
 
+/// What of a cloud its reference node follows.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Mean {
+    /// The mean displacement, wherever the reference node is.
+    Displacement,
+    /// The rigid motion that fits the cloud best.
+    Motion,
+}
+
 /// Makes the reference node follow the cloud; dofs of it that a step prescribes stay its own, and
 /// dofs of the cloud follow instead.
 pub(super) fn distribute(
-    reference: NodeIndex,
+    (reference, mean): (NodeIndex, Mean),
     dofs: [bool; 6],
     cloud: &[(NodeIndex, f64)],
     origin: Span,
     draft: &mut Draft,
 ) {
     let directions = draft.model.directions();
-    let wanted: Vec<Dof> =
-        directions.iter().copied().filter(|dof| dof.is_rotation() || dofs[*dof as usize]).collect();
-    let Some(rows) = rows(reference, &wanted, cloud, draft) else {
+    let follows = |dof: &Dof| match dof.is_rotation() {
+        true => mean == Mean::Motion,
+        false => dofs[*dof as usize],
+    };
+    let wanted: Vec<Dof> = directions.iter().copied().filter(follows).collect();
+    let Some(rows) = rows((reference, mean), &wanted, cloud, draft) else {
         let message = "the nodes of *DISTRIBUTING do not define a rotation: they are too few or \
                        lie on one line";
         let error = Diagnostic::error(Code("SL0347"), message).at(origin);
@@ -57,7 +70,7 @@ pub(super) fn distribute(
 /// One equation for each dof of the reference node: its own dof with factor -1 first, then the
 /// displacements of the cloud. `None` where the cloud has no rotation.
 fn rows(
-    reference: NodeIndex,
+    (reference, mean): (NodeIndex, Mean),
     wanted: &[Dof],
     cloud: &[(NodeIndex, f64)],
     draft: &Draft,
@@ -69,7 +82,10 @@ fn rows(
         cloud.iter().map(|&(node, weight)| weight * at(node)[k]).sum::<f64>() / total
     });
     let arm = |node: NodeIndex| -> [f64; 3] { std::array::from_fn(|k| at(node)[k] - centre[k]) };
-    let inverse = inertia(cloud.iter().map(|&(node, weight)| (arm(node), weight)), axes)?;
+    let inverse = match mean {
+        Mean::Motion => inertia(cloud.iter().map(|&(node, w)| (arm(node), w)), axes)?,
+        Mean::Displacement => [[0.0; 3]; 3],
+    };
     let lever = arm(reference);
     let mut rows = Vec::with_capacity(wanted.len());
     for (place, &dof) in wanted.iter().enumerate() {

@@ -4,8 +4,9 @@
 use std::collections::HashSet;
 
 use slideline_diag::{Code, Diagnostic, Span};
-use slideline_model::{Dof, NodeIndex, RigidLink};
+use slideline_model::{Dialect, Dof, NodeIndex, RigidLink};
 
+use super::distributing::{Mean, distribute};
 use super::equations;
 use super::faces::nodes_of_surface;
 use crate::constraints::{Coupling, CouplingKind, Link, LinkKind, Points};
@@ -206,7 +207,9 @@ fn couple(coupling: &Coupling, draft: &mut Draft) {
             }
         }
         CouplingKind::Distributing(dofs) => {
-            super::distributing::distribute(master, dofs, &nodes, origin, draft);
+            let older = coupling.of_element && draft.dialect == Dialect::Calculix;
+            let mean = if older { Mean::Displacement } else { Mean::Motion };
+            distribute((master, mean), dofs, &nodes, origin, draft);
         }
         CouplingKind::Open => {
             let message = "*COUPLING does not say how: *KINEMATIC or *DISTRIBUTING must follow";

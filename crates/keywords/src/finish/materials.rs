@@ -75,7 +75,7 @@ pub(super) fn material(
 ) -> Option<slideline_model::Section> {
     if let Body::Beam { elastic: Some(_), .. } = section.body {
         let own = crate::draft::Material::new(String::new(), section.origin);
-        return section.body.of(&own, orientation, draft.dialect);
+        return section.body.clone().of(&own, orientation, draft.dialect);
     }
     let found = draft.materials.iter().find(|material| material.name == section.material).cloned();
     let Some(material) = found else {
@@ -118,7 +118,7 @@ pub(super) fn material(
             .consequence(Subject::Sections, error.help("give beams a material of *ELASTIC: E, nu"));
         return None;
     }
-    section.body.of(&material, orientation, draft.dialect)
+    section.body.clone().of(&material, orientation, draft.dialect)
 }
 
 /// Whether what hardens a metal goes together; complains if not.

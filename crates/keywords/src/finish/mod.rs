@@ -9,6 +9,7 @@ mod distributing;
 mod equations;
 mod faces;
 mod frictions;
+mod initial_stresses;
 mod line_loads;
 mod links;
 mod lookup;
@@ -49,6 +50,7 @@ pub(crate) fn finish(draft: &mut Draft, steps_doubted: bool) -> Model {
     rubber::rubbers(draft);
     thicknesses::of_nodes(draft);
     sections::sections(draft);
+    initial_stresses::stresses(draft);
     springs::springs(draft);
     faces::check(draft);
     axes::transforms(draft);
@@ -58,7 +60,6 @@ pub(crate) fn finish(draft: &mut Draft, steps_doubted: bool) -> Model {
     links::links(draft);
     temperatures::initial(draft);
     steps::steps(draft, steps_doubted);
-    temperatures::beams_in_space(draft);
     renumber(&mut draft.model);
     std::mem::take(&mut draft.model)
 }

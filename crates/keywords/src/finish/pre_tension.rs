@@ -192,10 +192,10 @@ fn part(
         return None;
     }
     let next = draft.model.nodes.iter().map(|node| node.label).max().unwrap_or(0) + 1;
-    let mut twin: HashMap<u64, u64> = HashMap::new();
+    let mut copy_of: HashMap<u64, u64> = HashMap::new();
     let mut pairs = Vec::with_capacity(nodes.len());
     for (label, other) in (next..).zip(nodes) {
-        twin.insert(draft.model.nodes.label(other), label);
+        copy_of.insert(draft.model.nodes.label(other), label);
         let position = draft.model.nodes.position(other);
         pairs.push((other, draft.model.nodes.insert(Node { label, position, origin })));
     }
@@ -207,7 +207,7 @@ fn part(
                 continue;
             }
             let node = &mut draft.elements[index].nodes[place];
-            *node = twin.get(node).copied().unwrap_or(*node);
+            *node = copy_of.get(node).copied().unwrap_or(*node);
         }
     }
     Some(pairs)

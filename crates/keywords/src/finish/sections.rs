@@ -4,7 +4,7 @@ use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::element::b22::axis_runs_forward;
 use slideline_mech::element::solid::smallest_jacobian;
 use slideline_model::{
-    Allowable, ElementBlock, ElementType, Elements, Kinematics, NodeIndex, TYPES,
+    Allowable, Dialect, ElementBlock, ElementType, Elements, Kinematics, NodeIndex, TYPES,
 };
 
 use super::materials::{in_plane_stress, lines_have_no_axes, material, no_material};
@@ -15,13 +15,15 @@ use crate::rule::Subject;
 /// Section cards with their elements and their material.
 pub(super) fn sections(draft: &mut Draft) {
     let mut owner = vec![None; draft.elements.len()];
-    for section in draft.sections.clone() {
-        let Some(found) = draft.elements_of(&section.set, section.set_span) else { continue };
+    let sections = draft.sections.clone();
+    for (section, found) in sections.iter().zip(named(&sections, draft)) {
+        let Some(found) = found else { continue };
         let orientation = super::orientations::of_section(section.orientation.as_ref(), draft);
         let mut claimed: Vec<(&'static ElementType, Elements)> = Vec::new();
+        let mut pointing: Vec<space::Pointing> = Vec::new();
         for index in found {
             let element = draft.elements[index];
-            let Some(row) = claim(&element, &mut owner[index], &section, draft) else { continue };
+            let Some(row) = claim(&element, &mut owner[index], section, draft) else { continue };
             if !claimed.iter().any(|(kind, _)| *kind == row) {
                 claimed.push((row, Elements::new(row.cell.nodes)));
             }
@@ -30,17 +32,22 @@ pub(super) fn sections(draft: &mut Draft) {
                     let at = (&nodes[..], section.set_span);
                     super::orientations::suits(&own, (&element, row), at, draft)
                 })
-                && space::is_sound(&section, (&element, row), &nodes, draft)
-                && let Some((_, elements)) = claimed.iter_mut().find(|(kind, _)| *kind == row)
+                && let Some(direction) = space::direction(&element, &nodes, draft)
+                && space::is_sound((section, direction), (&element, row), &nodes, draft)
             {
-                elements.push(element.label, &nodes, element.origin);
+                let own = match direction {
+                    Some(direction) => space::pointing(direction, row, &mut pointing),
+                    None => claimed.iter_mut().find(|(kind, _)| *kind == row).map(|own| &mut own.1),
+                };
+                let label = element.label;
+                own.into_iter().for_each(|own| own.push(label, &nodes, element.origin));
             }
         }
         let Some(orientation) = orientation else { continue };
-        in_plane_stress(&section, &claimed, draft);
-        lines_have_no_axes(&section, &claimed, draft);
-        if let Some(made) = material(&section, orientation, draft) {
-            blocks(&section, &made, claimed, draft);
+        in_plane_stress(section, &claimed, draft);
+        lines_have_no_axes(section, &claimed, draft);
+        if let Some(made) = material(section, orientation, draft) {
+            blocks(section, &made, (claimed, pointing), draft);
         }
     }
     allowables(draft);
@@ -52,16 +59,36 @@ pub(super) fn sections(draft: &mut Draft) {
     }
 }
 
+/// The elements that each section names; in CalculiX a later section takes those of an earlier one.
+fn named(sections: &[Section], draft: &mut Draft) -> Vec<Option<Vec<usize>>> {
+    let mut found: Vec<Option<Vec<usize>>> =
+        sections.iter().map(|section| draft.elements_of(&section.set, section.set_span)).collect();
+    if draft.dialect != Dialect::Calculix {
+        return found;
+    }
+    let mut later = vec![false; draft.elements.len()];
+    for (section, own) in sections.iter().zip(&mut found).rev() {
+        let Some(own) = own else { continue };
+        let count = own.len();
+        own.retain(|&index| !std::mem::replace(&mut later[index], true));
+        if own.len() < count {
+            let message = format!("a later section takes {} of these elements", count - own.len());
+            draft.log.note("SL0253", message, section.set_span);
+        }
+    }
+    found
+}
+
 /// A block for every type of element in a section's set, in the order of the
 /// table; one without elements where there are none at all.
 fn blocks(
     section: &Section,
     made: &slideline_model::Section,
-    mut claimed: Vec<(&'static ElementType, Elements)>,
+    (mut claimed, pointing): (Vec<(&'static ElementType, Elements)>, Vec<space::Pointing>),
     draft: &mut Draft,
 ) {
     claimed.retain(|(_, elements)| !elements.is_empty());
-    let none = claimed.is_empty();
+    let none = claimed.is_empty() && pointing.is_empty();
     let of_card =
         TYPES.into_iter().filter(|row| row.kinematics.card() == Some(section.body.card()));
     for (place, row) in of_card.enumerate() {
@@ -73,6 +100,8 @@ fn blocks(
         if own.is_some() || (none && place == 0) {
             draft.model.blocks.push(block);
         }
+        let turned = pointing.iter().filter(|own| own.kind == row);
+        draft.model.blocks.extend(turned.map(|own| own.block(section, made)));
     }
 }
 
@@ -101,6 +130,9 @@ fn claim(
     draft: &mut Draft,
 ) -> Option<&'static ElementType> {
     let card = section.body.card();
+    if element.kind.is_reference() && draft.dialect == Dialect::Calculix {
+        return None; // a section is no harm to it there
+    }
     let row = match element.kind {
         ElementKind::Structural(row) if row.kinematics.card() == Some(card) => row,
         kind => {

@@ -2,25 +2,80 @@
 
 use slideline_diag::{Code, Diagnostic};
 use slideline_mech::element::space_beam::section_axes;
-use slideline_model::{ElementType, NodeIndex, Shape};
+use slideline_model::{ElementBlock, ElementType, Elements, NodeIndex, Shape};
 
 use crate::draft::{Body, Draft, Element, Section};
 use crate::rule::Subject;
 
+/// Elements of a section whose axis 1 has a direction of their own.
+pub(super) struct Pointing {
+    first_axis: [f64; 3],
+    pub kind: &'static ElementType,
+    elements: Elements,
+}
+
+impl Pointing {
+    /// The block of the elements.
+    pub fn block(&self, section: &Section, made: &slideline_model::Section) -> ElementBlock {
+        let mut own = made.clone();
+        if let slideline_model::Section::Beam(beam) = &mut own {
+            beam.first_axis = self.first_axis;
+        }
+        let mut block = ElementBlock::new(self.kind, &section.set, own, section.origin);
+        block.elements = self.elements.clone();
+        block
+    }
+}
+
+/// The elements of that direction and type.
+pub(super) fn pointing<'a>(
+    first_axis: [f64; 3],
+    kind: &'static ElementType,
+    all: &'a mut Vec<Pointing>,
+) -> Option<&'a mut Elements> {
+    let known = all.iter().position(|own| own.first_axis == first_axis && own.kind == kind);
+    let place = known.unwrap_or_else(|| {
+        all.push(Pointing { first_axis, kind, elements: Elements::new(kind.cell.nodes) });
+        all.len() - 1
+    });
+    all.get_mut(place).map(|own| &mut own.elements)
+}
+
+/// The direction to the node that axis 1 of an element's section points to, if it names one; `None`
+/// after an error.
+pub(super) fn direction(
+    element: &Element,
+    nodes: &[NodeIndex],
+    draft: &mut Draft,
+) -> Option<Option<[f64; 3]>> {
+    let (Some(label), Some(&first)) = (element.pointed_at(), nodes.first()) else {
+        return Some(None);
+    };
+    let Some(node) = draft.model.nodes.find(label) else {
+        let message = format!("node {label}, which axis 1 of this beam points to, is not defined");
+        let error = Diagnostic::error(Code("SL0303"), message).at(element.origin);
+        draft.consequence(Subject::Nodes, error);
+        return None;
+    };
+    let [to, from] = [node, first].map(|node| draft.model.nodes.position(node));
+    Some(Some(std::array::from_fn(|k| to[k] - from[k])))
+}
+
 /// Complains about a beam in space whose section has no axes or no stiffness in space; notes what
 /// of a section a plane beam does not use. False if the element cannot be.
 pub(super) fn is_sound(
-    section: &Section,
+    (section, own): (&Section, Option<[f64; 3]>),
     (element, row): (&Element, &ElementType),
     nodes: &[NodeIndex],
     draft: &mut Draft,
 ) -> bool {
-    let Body::Beam { shape, first_axis, .. } = section.body else { return true };
+    let Body::Beam { shape, first_axis, .. } = &section.body else { return true };
     if !row.is_space_beam() {
-        note_mixed_moment(section, &shape, draft);
+        note_mixed_moment(section, shape, draft);
         return true;
     }
-    has_axes(section, element, (nodes, first_axis), draft) && resists(section, &shape, draft)
+    has_axes(section, element, (nodes, own.unwrap_or(*first_axis)), draft)
+        && resists(section, shape, draft)
 }
 
 /// Directions of the axis at the ends of the elements: chords of its parts.
@@ -67,10 +122,15 @@ fn resists(section: &Section, shape: &Shape, draft: &mut Draft) -> bool {
     sound
 }
 
+/// Part of I11 below which I12 is rounding [1].
+const NO_MOMENT: f64 = 1e-9;
+
 /// A plane beam bends about axis 1 alone.
 fn note_mixed_moment(section: &Section, shape: &Shape, draft: &mut Draft) {
-    let Shape::General { second_moments: [_, mixed, _], .. } = *shape else { return };
-    if mixed != 0.0 && draft.log.first_time(&format!("I12 of {}", section.set)) {
+    let [_, mixed, _] = shape.second_moments();
+    if mixed.abs() > NO_MOMENT * shape.second_moment()
+        && draft.log.first_time(&format!("I12 of {}", section.set))
+    {
         let message = format!("I12 = {mixed} is not used: the beam stays in its plane");
         let note = Diagnostic::note(Code("SL0253"), message).at(section.origin);
         draft.log.push(note);

@@ -53,7 +53,7 @@ impl<T: Place> Place for Option<T> {
 
 impl Place for Element {
     fn placed(mut self, by: &Placement) -> Self {
-        let count = self.kind.node_count();
+        let count = self.kind.node_count() + usize::from(self.pointed_at().is_some());
         self.label = by.label(self.label);
         self.nodes[..count].iter_mut().for_each(|node| *node = by.label(*node));
         self

@@ -52,7 +52,11 @@ const GROUPS: &[Group] = &[
         "give the coefficients of one of its forms, or TEST DATA INPUT and test data",
         &["MARLOW", "VAN DER WAALS", "USER", "PROPERTIES", "BETA", "ALL"],
     ),
-    ("INITIAL CONDITIONS", "write the values on data lines", &["USER", "FILE", "STEP", "INC"]),
+    (
+        "INITIAL CONDITIONS",
+        "write the values on data lines",
+        &["USER", "FILE", "STEP", "INC", "GEOSTATIC", "SECTION POINTS", "REBAR"],
+    ),
     ("ELCOPY", "copy by numbers, and give *NCOPY the place", &["REFLECT", "SHIFT ELEMENT"]),
     ("NCOPY", "copy with SHIFT: a translation and a rotation", &["REFLECT", "POLE", "ORIENTATION"]),
     ("NFILL", "the nodes stand at equal distances", &["BIAS", "SINGULAR", "TWO STEP"]),

@@ -1,7 +1,8 @@
 //! Strains and section forces of plane beams.
 
 use super::mixed::arrival;
-use crate::differentiate::Second;
+use crate::differentiate::{Real, Second};
+use crate::section::BeamStiffness;
 
 /// Strains of a plane beam at its integration point.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,6 +44,38 @@ impl BeamStrains {
         let own =
             [forces.axial, forces.shear, forces.moment, self.axial, self.shear, self.curvature];
         into.iter_mut().zip(own).for_each(|(into, value)| *into = value);
+    }
+}
+
+impl BeamStiffness {
+    /// Section forces about the axis of strains that the free beam does not have:
+    /// docs/theory.md eq. (3.104).
+    pub(super) fn forces(&self, strains: &BeamStrains) -> BeamSectionForces {
+        let axial = self.axial * (strains.axial - self.centroid * strains.curvature);
+        BeamSectionForces {
+            axial,
+            shear: self.shear * strains.shear,
+            moment: self.bending * strains.curvature - self.centroid * axial,
+        }
+    }
+
+    /// Twice the energy of such strains by length [F].
+    pub(super) fn twice_energy<R: Real>(&self, strains: &BeamStrains<R>, free: &BeamStrains) -> R {
+        let number = R::from_f64;
+        let curvature = strains.curvature - number(free.curvature);
+        let axial = strains.axial - number(free.axial) - number(self.centroid) * curvature;
+        number(self.axial) * axial * axial
+            + number(self.shear) * strains.shear * strains.shear
+            + number(self.bending) * curvature * curvature
+    }
+
+    /// Rows of the derivatives of the strains, that of the axial strain at the centroid.
+    pub(super) fn at_centroid<const N: usize>(
+        &self,
+        [axial, shear, curvature]: [[f64; N]; 3],
+    ) -> [[f64; N]; 3] {
+        let moved = std::array::from_fn(|i| axial[i] - self.centroid * curvature[i]);
+        [moved, shear, curvature]
     }
 }
 

@@ -1,4 +1,4 @@
-//! Plane beams that expand, or whose moduli depend on temperature.
+//! Beams that expand, or whose moduli depend on temperature.
 //!
 //! ```text
 //!    y ^   /   T(y) = T + y dT/dy      mean of both fibres:     axial strain of the free beam
@@ -16,7 +16,7 @@ use super::kernel::{
     Element, Failure, Kernel, Response, Scale, Strains, Surroundings, Temperature,
 };
 use crate::material::{Elastic, Expansion, between};
-use crate::section::BeamStiffness;
+use crate::section::{BeamStiffness, SpaceStiffness};
 use crate::turn::Turn;
 
 /// What temperature does to the beams of a section.
@@ -39,22 +39,50 @@ impl BeamHeat {
 
     /// The stiffnesses of an element at a temperature.
     pub(super) fn stiffness(&self, cold: &BeamStiffness, temperature: f64) -> BeamStiffness {
-        let Some((first, (low, high, part))) =
-            self.elastic.first().zip(between(&self.elastic, temperature))
-        else {
-            return *cold;
-        };
-        let elastic = low.towards(high, part);
-        let stretch = elastic.modulus / first.1.modulus;
-        let shear = elastic.shear_modulus() / first.1.shear_modulus();
+        let [stretch, shear] = self.softer(temperature);
         BeamStiffness {
             axial: stretch * cold.axial,
             shear: if self.given_shear { cold.shear } else { shear * cold.shear },
             bending: stretch * cold.bending,
+            centroid: cold.centroid,
         }
     }
 
-    /// Strains of the free element, of two fibres at the radius of gyration of the section:
+    /// The same of an element in space.
+    pub(super) fn space_stiffness(
+        &self,
+        cold: &SpaceStiffness,
+        temperature: f64,
+    ) -> SpaceStiffness {
+        let [stretch, shear] = self.softer(temperature);
+        SpaceStiffness {
+            axial: stretch * cold.axial,
+            shear: if self.given_shear { cold.shear } else { cold.shear.map(|k| shear * k) },
+            torsion: shear * cold.torsion,
+            bending: cold.bending.map(|moment| stretch * moment),
+            ..*cold
+        }
+    }
+
+    /// Young's modulus and the shear modulus at a temperature as parts of those of the elements.
+    fn softer(&self, temperature: f64) -> [f64; 2] {
+        let Some((first, (low, high, part))) =
+            self.elastic.first().zip(between(&self.elastic, temperature))
+        else {
+            return [1.0; 2];
+        };
+        let elastic = low.towards(high, part);
+        [elastic.modulus / first.1.modulus, elastic.shear_modulus() / first.1.shear_modulus()]
+    }
+
+    /// Thermal strain of the free element between two temperatures [1].
+    pub(super) fn strain(&self, now: f64, initial: f64) -> f64 {
+        let Some(expansion) = &self.expansion else { return 0.0 };
+        let [strain, ..] = expansion.strains(now, initial);
+        strain
+    }
+
+    /// Strains of the free element, of two fibres at the radius of gyration about the centroid:
     /// docs/theory.md eq. (3.63).
     pub(super) fn free(
         &self,
@@ -62,18 +90,15 @@ impl BeamHeat {
         now: Temperature,
         initial: Temperature,
     ) -> BeamStrains {
-        let Some(expansion) = &self.expansion else { return BeamStrains::ZERO };
         let gyration = (section.bending / section.axial).sqrt();
-        let [below, above] = [-gyration, gyration].map(|y| {
+        let [below, above] = [-gyration, gyration].map(|from_centroid| {
+            let y = section.centroid + from_centroid;
             let [now, before] = [now, initial].map(|at| at.value + y * at.slope);
-            let [strain, ..] = expansion.strains(now, before);
-            strain
+            self.strain(now, before)
         });
-        BeamStrains {
-            axial: 0.5 * (below + above),
-            shear: 0.0,
-            curvature: 0.5 * (below - above) / gyration,
-        }
+        let curvature = 0.5 * (below - above) / gyration;
+        let axial = 0.5 * (below + above) + section.centroid * curvature;
+        BeamStrains { axial, shear: 0.0, curvature }
     }
 }
 

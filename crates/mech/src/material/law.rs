@@ -7,6 +7,7 @@ use super::expansion::Expanding;
 use super::foam::Foam;
 use super::hyperelastic::Rubber;
 use super::plastic::Plastic;
+use super::prestressed::Prestressed;
 use super::ramberg_osgood::RambergOsgood;
 use super::viscoelastic::Viscoelastic;
 use std::sync::Arc;
@@ -36,6 +37,8 @@ pub enum Material {
     Viscoelastic(Box<Viscoelastic<Material>>),
     /// One that creeps.
     Creeping(Box<Creeping<Material>>),
+    /// One that is under stress before it deforms.
+    Prestressed(Box<Prestressed<Material>>),
 }
 
 impl PartialEq for Material {
@@ -52,6 +55,7 @@ impl PartialEq for Material {
             (Self::Expanding(a), Self::Expanding(b)) => a == b,
             (Self::Viscoelastic(a), Self::Viscoelastic(b)) => a == b,
             (Self::Creeping(a), Self::Creeping(b)) => a == b,
+            (Self::Prestressed(a), Self::Prestressed(b)) => a == b,
             _ => false,
         }
     }

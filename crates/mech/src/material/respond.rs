@@ -6,8 +6,15 @@ use super::elastic::{Elastic, LargeStrain};
 use super::hyperelastic::Rubber;
 use super::law::Material;
 use super::plastic::{self, Plastic};
-use super::tensor::{Matrix, symmetric};
+use super::prestressed;
+use super::tensor::{Matrix, Symmetric, symmetric};
 use super::viscoelastic::{self, Elasticity};
+
+/// State variables of a point that begins under stress: those of that, and those of its law.
+fn parted(state: &[f64]) -> [&[f64]; 2] {
+    let (first, rest) = state.split_at(prestressed::STATES.min(state.len()));
+    [first, rest]
+}
 
 impl Material {
     /// Number of state variables of a point.
@@ -24,6 +31,43 @@ impl Material {
             Self::Expanding(expanding) => expanding.law.states(),
             Self::Viscoelastic(own) => own.states(),
             Self::Creeping(_) => creep::STATES,
+            Self::Prestressed(own) => prestressed::STATES + own.law.states(),
+        }
+    }
+
+    /// State variables that begin a point under a Cauchy stress [F/L2]; `None`: it keeps none, or
+    /// bears no such stress.
+    pub fn strain_before(&self, stress: &Symmetric, under: &Conditions) -> Option<Symmetric> {
+        match self {
+            Self::Prestressed(own) => own.law.strain_to(stress, under),
+            _ => None,
+        }
+    }
+
+    /// The symmetric displacement gradient that a Cauchy stress [F/L2] belongs to; `None`: it bears
+    /// no such stress.
+    pub fn strain_to(&self, stress: &Symmetric, under: &Conditions) -> Option<Symmetric> {
+        if let Self::Prestressed(own) = self {
+            return own.law.strain_to(stress, under);
+        }
+        let rest = vec![0.0; self.states()];
+        prestressed::before(stress, under.large, |gradient| {
+            self.respond(gradient, under, &rest, &mut rest.clone())
+        })
+    }
+
+    /// Whether points of it may begin under stress.
+    pub fn begins_under_stress(&self) -> bool {
+        matches!(self, Self::Prestressed(_))
+    }
+
+    /// Whether its stress fades, or is somebody else's.
+    pub fn relaxes(&self) -> bool {
+        match self {
+            Self::Viscoelastic(_) | Self::User(_) => true,
+            Self::Expanding(own) => own.law.relaxes(),
+            Self::Prestressed(own) => own.law.relaxes(),
+            _ => false,
         }
     }
 
@@ -74,6 +118,16 @@ impl Material {
                 };
                 own.respond(metal, gradient, under, (committed, state))
             }),
+            (Self::Prestressed(own), _) => {
+                let [first, rest] = parted(committed);
+                let Some((kept, trial)) = state.split_at_mut_checked(first.len()) else {
+                    return Answer::default();
+                };
+                kept.copy_from_slice(first);
+                prestressed::respond(gradient, under, first, |all| {
+                    own.law.respond(all, under, rest, trial)
+                })
+            }
         }
     }
 
@@ -98,6 +152,7 @@ impl Material {
             Self::Graded(graded) => graded.rows().next()?.plastic_strain(state),
             Self::Expanding(expanding) => expanding.law.plastic_strain(state),
             Self::Creeping(_) => state.get(plastic::PEEQ).copied(),
+            Self::Prestressed(own) => own.law.plastic_strain(parted(state)[1]),
             _ => None,
         }
     }
@@ -107,6 +162,7 @@ impl Material {
         match self {
             Self::Creeping(_) => creep::strain(state),
             Self::Expanding(expanding) => expanding.law.creep_strain(state),
+            Self::Prestressed(own) => own.law.creep_strain(parted(state)[1]),
             _ => None,
         }
     }
@@ -118,6 +174,7 @@ impl Material {
             Self::Creeping(_) => creep::difference(state),
             Self::Viscoelastic(_) => viscoelastic::difference(state),
             Self::Expanding(expanding) => expanding.law.creep_difference(state),
+            Self::Prestressed(own) => own.law.creep_difference(parted(state)[1]),
             _ => None,
         }
     }
@@ -127,6 +184,7 @@ impl Material {
         match self {
             Self::Creeping(_) => true,
             Self::Expanding(expanding) => expanding.law.creeps(),
+            Self::Prestressed(own) => own.law.creeps(),
             _ => false,
         }
     }
@@ -136,6 +194,7 @@ impl Material {
         match self {
             Self::Creeping(_) | Self::Viscoelastic(_) => true,
             Self::Expanding(expanding) => expanding.law.takes_time(),
+            Self::Prestressed(own) => own.law.takes_time(),
             _ => false,
         }
     }
@@ -147,6 +206,7 @@ impl Material {
             Self::Graded(graded) => graded.at(temperature, |own| own.metal(temperature)).flatten(),
             Self::Expanding(expanding) => expanding.law.metal(temperature),
             Self::Creeping(own) => own.metal.of_temperature(temperature, Self::elastic),
+            Self::Prestressed(own) => own.law.metal(temperature),
             Self::Viscoelastic(_)
             | Self::Elastic(..)
             | Self::Anisotropic(_)
@@ -169,6 +229,7 @@ impl Material {
                 .flatten(),
             Self::Expanding(expanding) => expanding.law.rubber(temperature, then),
             Self::Viscoelastic(own) => own.law.rubber(temperature, then),
+            Self::Prestressed(own) => own.law.rubber(temperature, then),
             Self::Elastic(..)
             | Self::Anisotropic(_)
             | Self::Foam(_)
@@ -190,6 +251,7 @@ impl Material {
             | Self::RambergOsgood(_) => false,
             Self::Graded(graded) => graded.rows().any(Self::dissipates),
             Self::Expanding(expanding) => expanding.law.dissipates(),
+            Self::Prestressed(own) => own.law.dissipates(),
         }
     }
 
@@ -203,6 +265,7 @@ impl Material {
             | Self::Foam(_)
             | Self::RambergOsgood(_)
             | Self::Viscoelastic(_)
+            | Self::Prestressed(_)
             | Self::Creeping(_) => false,
             Self::Graded(graded) => graded.rows().all(Self::is_linear),
             Self::Expanding(expanding) => expanding.law.is_linear(),
@@ -213,6 +276,7 @@ impl Material {
     pub fn thermal_volume(&self, under: &Conditions) -> f64 {
         match self {
             Self::Expanding(expanding) => expanding.volume(under),
+            Self::Prestressed(own) => own.law.thermal_volume(under),
             _ => 1.0,
         }
     }
@@ -231,6 +295,7 @@ impl Material {
             Self::Expanding(expanding) => expanding.law.stiffest(),
             Self::Viscoelastic(own) => own.law.stiffest(),
             Self::Creeping(own) => own.metal.stiffest(),
+            Self::Prestressed(own) => own.law.stiffest(),
         }
     }
 
@@ -249,6 +314,7 @@ impl Material {
             Self::Expanding(expanding) => expanding.law.shear_modulus(),
             Self::Viscoelastic(own) => own.law.shear_modulus(),
             Self::Creeping(own) => own.metal.shear_modulus(),
+            Self::Prestressed(own) => own.law.shear_modulus(),
         }
     }
 
@@ -265,6 +331,7 @@ impl Material {
             Self::Expanding(expanding) => expanding.law.elastic(),
             Self::Viscoelastic(own) => own.law.elastic(),
             Self::Creeping(own) => own.metal.elastic(),
+            Self::Prestressed(own) => own.law.elastic(),
         }
     }
 }

@@ -10,8 +10,10 @@ pub struct BeamStiffness {
     pub axial: f64,
     /// Transverse shear stiffness K [F].
     pub shear: f64,
-    /// EI [F L2].
+    /// EI about the centroid [F L2].
     pub bending: f64,
+    /// Place of the centroid on the normal of the beam, counted from its axis [L].
+    pub centroid: f64,
 }
 
 /// How the transverse shear stiffness is found (`*TRANSVERSE SHEAR STIFFNESS`).
@@ -61,7 +63,8 @@ pub fn stiffness(
     } else {
         full / (1.0 + shear.slenderness * length * length * area / (12.0 * second_moment))
     };
-    BeamStiffness { axial: material.modulus * area, shear: reduced, bending }
+    let centroid = section.centroid()[1];
+    BeamStiffness { axial: material.modulus * area, shear: reduced, bending, centroid }
 }
 
 #[cfg(test)]

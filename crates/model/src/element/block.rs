@@ -9,6 +9,7 @@ use super::section::{BeamSection, Section, SpringSection, SpringWay};
 use crate::node::{Dof, NodeIndex};
 use slideline_diag::Span;
 use slideline_mech::axes::Axes;
+use slideline_mech::element::solid;
 
 /// Elements that share type and section: the solver dispatches once a block.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,6 +55,19 @@ impl ElementBlock {
         match &self.section {
             Section::Solid(section) => section.material.states() > 0,
             _ => self.states() > 0,
+        }
+    }
+
+    /// Number of state variables of an integration point; those of the element as a whole stand
+    /// behind those of its points.
+    pub fn point_states(&self) -> usize {
+        let plane_stress = solid::Kinematics::PlaneStress;
+        match (&self.section, self.kind.kinematics) {
+            (Section::Solid(section), Kinematics::Truss) => section.material.uniaxial_states(),
+            (Section::Solid(section), Kinematics::Solid { strains, .. }) => {
+                section.material.states() + usize::from(strains == plane_stress)
+            }
+            _ => 0,
         }
     }
 

@@ -65,7 +65,8 @@ pub(super) fn space_beam<const N: usize, const P: usize>(
         let length = nodes.windows(2).map(|ends| distance(ends[0], ends[1])).sum();
         SpaceBeam::new(nodes, section.first_axis, &section.space_stiffness(length, N == 3))
     });
-    Some(Box::new(elements.collect::<Option<SpaceBeams<N, P>>>()?))
+    let heat = section.heat.as_deref().cloned();
+    Some(Box::new(elements.collect::<Option<SpaceBeams<N, P>>>()?.heated(heat)))
 }
 
 pub(super) fn spring1(block: &Undeformed<'_>, room: Kept) -> Kept {

@@ -1,6 +1,6 @@
 //! Contact pairs: who is slave, who is master, the laws between them, and how they start.
 
-use super::words::labels;
+use super::words::{labels, number};
 use crate::number::general;
 use slideline_model::{ContactPair, Formulation, Friction, Master, Model, NormalLaw, StickRule};
 use slideline_solve::observe::{ContactRow, Frame};
@@ -19,7 +19,7 @@ pub fn pair_echo(model: &Model, pair: &ContactPair) -> String {
     line!(text, "  slave    {} nodes ({nodes}), {sampled}", slaves.len());
     line!(text, "  master   {}", master(model, &pair.master));
     let interaction = &pair.interaction;
-    line!(text, "  width    {}", general(interaction.width, 9));
+    line!(text, "  width    {}", number(interaction.width));
     line!(text, "  normal   {}", normal_law(&interaction.normal));
     line!(text, "  friction {}", friction_law(&interaction.friction));
     text
@@ -39,21 +39,20 @@ fn master(model: &Model, master: &Master) -> String {
             faces.nodes().len(),
             labels(model, &faces.nodes()),
             if faces.smooth { "smoothed" } else { "not smoothed" },
-            general(faces.extension, 9)
+            number(faces.extension)
         ),
         Master::SlideLine(chain) => format!(
             "slide line of {} nodes ({}), SMOOTH = {}, EXTENSION ZONE = {}",
             chain.nodes.len(),
             labels(model, &chain.nodes),
-            general(chain.smooth, 9),
-            general(chain.extension, 9)
+            number(chain.smooth),
+            number(chain.extension)
         ),
     }
 }
 
 /// The normal law in words, the dialect's formula named.
 pub fn normal_law(law: &NormalLaw) -> String {
-    let number = |value: f64| general(value, 9);
     match law {
         NormalLaw::Hard => "hard: no penetration, no tension".to_owned(),
         NormalLaw::Linear { stiffness } => format!("linear: p = K h, K = {}", number(*stiffness)),
@@ -80,7 +79,6 @@ pub fn normal_law(law: &NormalLaw) -> String {
 
 /// The friction law in words.
 pub fn friction_law(friction: &Friction) -> String {
-    let number = |value: f64| general(value, 9);
     match friction {
         Friction::Frictionless => "none".to_owned(),
         Friction::Coulomb { coefficient, limit, decay, stick } => {

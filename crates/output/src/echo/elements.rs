@@ -1,8 +1,7 @@
 //! Blocks of elements with their sections.
 
 use super::materials::{expands, told};
-use super::words::{extremes, range};
-use crate::number::general;
+use super::words::{extremes, number, range};
 use slideline_mech::element::{BeamHeat, solid};
 use slideline_model::{
     BeamSection, Dialect, ElementBlock, ElementType, Kinematics, Model, NodeIndex, Section, Shape,
@@ -27,9 +26,9 @@ fn beams(text: &mut String, model: &Model, block: &ElementBlock, section: &BeamS
         text,
         "  section {}; E = {}, nu = {}, G = {}",
         shape(&section.shape),
-        general(section.material.modulus, 9),
-        general(section.material.poisson, 9),
-        general(section.material.shear_modulus(), 9)
+        number(section.material.modulus),
+        number(section.material.poisson),
+        number(section.material.shear_modulus())
     );
     if block.kind.is_space_beam() {
         in_space(text, block, section);
@@ -43,10 +42,14 @@ fn beams(text: &mut String, model: &Model, block: &ElementBlock, section: &BeamS
     line!(
         text,
         "  EA = {}, EI = {}, element length {}",
-        general(of_short.axial, 9),
-        general(of_short.bending, 9),
+        number(of_short.axial),
+        number(of_short.bending),
         range(short, long)
     );
+    if of_short.centroid.abs() > ROUNDING * section.shape.height() {
+        let place = number(of_short.centroid);
+        line!(text, "  centroid {place} away from the axis, along the normal of the beam");
+    }
     transverse_shear(text, block.kind, section, [of_short.shear, of_long.shear]);
     if let Some(heat) = &section.heat {
         warmed(text, heat);
@@ -55,7 +58,7 @@ fn beams(text: &mut String, model: &Model, block: &ElementBlock, section: &BeamS
         line!(
             text,
             "  POISSON = {} is read; the section stays constant all the same",
-            general(section.poisson, 9)
+            number(section.poisson)
         );
     }
 }
@@ -75,26 +78,46 @@ fn warmed(text: &mut String, heat: &BeamHeat) {
 /// Stiffnesses of beams in space that do not depend on their lengths.
 fn in_space(text: &mut String, block: &ElementBlock, section: &BeamSection) {
     let stiffness = section.space_stiffness(0.0, block.kind.cell.nodes == 3);
-    let [first, mixed, second] = stiffness.bending.map(|value| general(value, 9));
-    line!(text, "  EA = {}, E I11 = {first}, E I22 = {second}", general(stiffness.axial, 9));
+    let [first, mixed, second] = stiffness.bending.map(number);
+    line!(text, "  EA = {}, E I11 = {first}, E I22 = {second}", number(stiffness.axial));
     if stiffness.bending[1] != 0.0 {
         line!(text, "  E I12 = {mixed}");
     }
-    let [k13, k23] = stiffness.shear.map(|value| general(value, 9));
-    line!(text, "  G J = {}, K13 = {k13}, K23 = {k23}", general(stiffness.torsion, 9));
-    let [x, y, z] = section.first_axis.map(|part| general(part, 9));
+    let [k13, k23] = stiffness.shear.map(number);
+    line!(text, "  G J = {}, K13 = {k13}, K23 = {k23}", number(stiffness.torsion));
+    away_from_axis(text, section);
+    let [x, y, z] = section.first_axis.map(number);
     line!(text, "  axis 1 of the section along ({x}, {y}, {z}), as far as across the beam");
+}
+
+/// Part of the size of a section that counts as nothing [1].
+const ROUNDING: f64 = 1e-12;
+
+/// Where the centroid and the shear centre are that are not the axis of the beam.
+fn away_from_axis(text: &mut String, section: &BeamSection) {
+    let places =
+        [("centroid", section.shape.centroid()), ("shear centre", section.shape.shear_center())];
+    let size = section.shape.width() + section.shape.height();
+    let beside = |place: &[f64; 2]| place[0].hypot(place[1]) > ROUNDING * size;
+    for (name, [first, second]) in places.into_iter().filter(|(_, place)| beside(place)) {
+        line!(
+            text,
+            "  {name} at {} along axis 1 and {} along axis 2 of the section",
+            number(first),
+            number(second)
+        );
+    }
 }
 
 /// The name and the size of a section.
 fn shape(shape: &Shape) -> String {
-    let (width, height) = (general(shape.width(), 9), general(shape.height(), 9));
+    let (width, height) = (number(shape.width()), number(shape.height()));
     let size = match shape {
         Shape::Rectangle { .. } => return format!("RECT: width {width}, height {height}"),
         Shape::General { .. } => String::new(),
         _ => format!("width {width}, height {height}, "),
     };
-    let (area, second_moment) = (general(shape.area(), 9), general(shape.second_moment(), 9));
+    let (area, second_moment) = (number(shape.area()), number(shape.second_moment()));
     format!("{}: {size}A = {area}, I = {second_moment}", shape.name())
 }
 
@@ -109,14 +132,14 @@ fn transverse_shear(
         return;
     }
     let shear = match section.shear.stiffness {
-        Some(given) => format!("K23 = {} as given", general(given, 9)),
+        Some(given) => format!("K23 = {} as given", number(given)),
         None => format!("k G A with k = {}", section.shape.shear_factor()),
     };
     line!(
         text,
         "  transverse shear stiffness K = {}: f_p times {shear}, SCF = {}{}",
         range(range_of[0], range_of[1]),
-        general(section.shear.slenderness_compensation, 9),
+        number(section.shear.slenderness_compensation),
         if kind.cell.nodes == 3 { " times 1e-4 (second order)" } else { "" }
     );
 }
@@ -132,11 +155,11 @@ fn solids(text: &mut String, block: &ElementBlock, section: &SolidSection, diale
     line!(text, "\nSOLIDS {}  {count} elements {word}", block.name);
     let material = told(&section.material);
     if block.kind.is_truss() {
-        line!(text, "  area {}; {material}", general(section.thickness, 9));
+        line!(text, "  area {}; {material}", number(section.thickness));
     } else if block.kind.is_spatial() {
         line!(text, "  {material}");
     } else {
-        line!(text, "  thickness {}; {material}", general(section.thickness, 9));
+        line!(text, "  thickness {}; {material}", number(section.thickness));
     }
     let Kinematics::Solid { formulation, .. } = block.kind.kinematics else { return };
     match formulation[usize::from(dialect == Dialect::Calculix)] {
@@ -165,7 +188,7 @@ fn springs(text: &mut String, block: &ElementBlock, section: &SpringSection) {
         SpringWay::Line { .. } => "along the line between two nodes".to_owned(),
     };
     let law = match &section.law {
-        SpringLaw::Linear(stiffness) => format!("stiffness {}", general(*stiffness, 9)),
+        SpringLaw::Linear(stiffness) => format!("stiffness {}", number(*stiffness)),
         SpringLaw::Table(table) => format!("a table of {} forces", table.len()),
     };
     line!(text, "\nSPRINGS {}  {} elements {kind}, {law}", block.name, block.elements.len());

@@ -1,7 +1,6 @@
 //! Materials in words.
 
-use super::words::{extremes, range};
-use crate::number::general;
+use super::words::{extremes, number, range};
 use slideline_mech::material::Expansion;
 use slideline_model::Material;
 
@@ -9,31 +8,31 @@ use slideline_model::Material;
 pub(super) fn told(material: &Material) -> String {
     match (material, material.elastic()) {
         (Material::Elastic(elastic, _), _) => {
-            format!("E = {}, nu = {}", general(elastic.modulus, 9), general(elastic.poisson, 9))
+            format!("E = {}, nu = {}", number(elastic.modulus), number(elastic.poisson))
         }
         (Material::Anisotropic(_), _) => "anisotropic elasticity".to_owned(),
         (Material::Foam(_), Some(elastic)) => format!(
             "foam; at small strain E = {}, nu = {}",
-            general(elastic.modulus, 9),
-            general(elastic.poisson, 9)
+            number(elastic.modulus),
+            number(elastic.poisson)
         ),
         (Material::RambergOsgood(metal), _) => format!(
             "E = {}, nu = {}, deformation plasticity from {} with exponent {}",
-            general(metal.elastic.modulus, 9),
-            general(metal.elastic.poisson, 9),
-            general(metal.stress, 9),
-            general(metal.exponent, 9)
+            number(metal.elastic.modulus),
+            number(metal.elastic.poisson),
+            number(metal.stress),
+            number(metal.exponent)
         ),
         (Material::Rubber(_), Some(elastic)) => format!(
             "rubber of shear modulus {} and bulk modulus {} at small strain",
-            general(elastic.shear_modulus(), 9),
-            general(elastic.bulk_modulus(), 9),
+            number(elastic.shear_modulus()),
+            number(elastic.bulk_modulus()),
         ),
         (Material::Plastic(plastic), _) => format!(
             "E = {}, nu = {}, yields at {}{}",
-            general(plastic.elastic.modulus, 9),
-            general(plastic.elastic.poisson, 9),
-            general(plastic.table.first().map_or(0.0, |line| line[0]), 9),
+            number(plastic.elastic.modulus),
+            number(plastic.elastic.poisson),
+            number(plastic.table.first().map_or(0.0, |line| line[0])),
             if plastic.back_stresses.is_empty() { "" } else { ", the yield surface moves" },
         ),
         (Material::Graded(graded), _) => {
@@ -44,6 +43,9 @@ pub(super) fn told(material: &Material) -> String {
                 rows.len(),
                 rows.first().map_or("", String::as_str)
             )
+        }
+        (Material::Prestressed(own), _) => {
+            format!("{}, under stress at the start", told(&own.law))
         }
         (Material::Expanding(own), _) => {
             format!("{}; {}", told(&own.law), expands(&own.expansion))
@@ -56,5 +58,5 @@ pub(super) fn told(material: &Material) -> String {
 pub(super) fn expands(expansion: &Expansion) -> String {
     let coefficients: Vec<f64> = expansion.table.iter().flat_map(|row| row.1).collect();
     let (low, high) = extremes(&coefficients).unwrap_or_default();
-    format!("expands by {} from {} on", range(low, high), general(expansion.zero, 9))
+    format!("expands by {} from {} on", range(low, high), number(expansion.zero))
 }

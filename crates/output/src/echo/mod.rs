@@ -7,12 +7,12 @@ mod steps;
 mod words;
 
 use crate::ledger::onset_word;
-use crate::number::general;
 pub use contact::{friction_law, gap, normal_law, pair_echo};
 use slideline_model::{Dof, Model, NodeIndex};
 use slideline_solve::observe::{ContactRow, Frame};
 use std::fmt::Write as _;
 pub use words::labels;
+use words::number;
 
 /// Everything that was understood of a deck, with the state in which it
 /// starts.
@@ -55,7 +55,7 @@ fn nodes(text: &mut String, model: &Model) {
             values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
         if high > low {
             let name = ["x", "y", "z"][axis];
-            line!(text, "  {name} from {} to {}", general(low, 9), general(high, 9));
+            line!(text, "  {name} from {} to {}", number(low), number(high));
         }
     }
 }
@@ -87,11 +87,11 @@ fn constraints(text: &mut String, model: &Model) {
     for own in all.iter().take(MOST_EQUATIONS) {
         let name = |node: NodeIndex, dof: Dof| format!("{}.{}", model.nodes.name(node), dof.name());
         let terms = own.terms.iter().map(|&(node, dof, factor)| {
-            format!("{} {} {}", sign(factor), general(factor.abs(), 9), name(node, dof))
+            format!("{} {} {}", sign(factor), number(factor.abs()), name(node, dof))
         });
         let mut terms: Vec<String> = terms.collect();
         if own.constant != 0.0 || terms.is_empty() {
-            terms.push(format!("{} {}", sign(own.constant), general(own.constant.abs(), 9)));
+            terms.push(format!("{} {}", sign(own.constant), number(own.constant.abs())));
         }
         line!(text, "  {} = {}", name(own.dependent.0, own.dependent.1), terms.join(" "));
     }

@@ -1,26 +1,26 @@
 //! Steps: increments, motions and loads.
 
-use super::words::{extremes, named, range};
-use crate::number::general;
+use super::words::{extremes, named, number, range};
 use slideline_model::{Load, Model, NodeIndex, Prescribed, Step};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-pub(super) fn step_echo(text: &mut String, model: &Model, number: usize, step: &Step) {
-    line!(text, "\nSTEP {number}  {}", step.title.replace('\n', " / "));
+pub(super) fn step_echo(text: &mut String, model: &Model, step_number: usize, step: &Step) {
+    line!(text, "\nSTEP {step_number}  {}", step.title.replace('\n', " / "));
     let time = &step.procedure;
     line!(
         text,
         "  {}static, period {}, increments {} (first), {} to {}{}, at most {}",
         if step.nlgeom { "geometrically nonlinear, " } else { "linear kinematics, " },
-        general(time.period, 9),
-        general(time.initial, 9),
-        general(time.minimum, 9),
-        general(time.maximum, 9),
+        number(time.period),
+        number(time.initial),
+        number(time.minimum),
+        number(time.maximum),
         if time.direct { ", fixed" } else { "" },
         step.max_increments
     );
     states_echo(text, &step.output.states_every);
+    changes(text, model, step);
     let fixed = step.prescribed.iter().filter(|motion| !motion.moves()).count();
     line!(text, "  {fixed} dofs held");
     let moving: Vec<&Prescribed> = step.prescribed.iter().filter(|own| own.moves()).collect();
@@ -34,7 +34,7 @@ pub(super) fn step_echo(text: &mut String, model: &Model, number: usize, step: &
             "  {} {} goes to {}{}",
             named(model, &nodes),
             row[0].dof.name(),
-            general(row[0].value, 9),
+            number(row[0].value),
             amplitude(model, row[0].amplitude)
         );
     }
@@ -48,7 +48,7 @@ pub(super) fn step_echo(text: &mut String, model: &Model, number: usize, step: &
             "  {} load along {} goes to {}{}{}",
             named(model, &nodes),
             row[0].dof.name(),
-            general(row[0].value, 9),
+            number(row[0].value),
             amplitude(model, row[0].amplitude),
             if nodes.len() > 1 { ", each" } else { "" }
         );
@@ -93,7 +93,7 @@ fn distributed(text: &mut String, model: &Model, step: &Step) {
             text,
             "  distributed force on {} nodes goes to {} in all{}",
             row.iter().map(|load| load.node).collect::<BTreeSet<NodeIndex>>().len(),
-            sum.map(|sum| general(sum, 9).to_string()).join(", "),
+            sum.map(|sum| number(sum).to_string()).join(", "),
             amplitude(model, row[0].amplitude)
         );
     }
@@ -102,4 +102,27 @@ fn distributed(text: &mut String, model: &Model, step: &Step) {
 fn amplitude(model: &Model, place: Option<usize>) -> String {
     let amplitude = place.and_then(|place| model.amplitudes.get(place));
     amplitude.map_or_else(String::new, |amplitude| format!(" times amplitude {}", amplitude.name))
+}
+
+/// What is absent, what begins, and other friction.
+fn changes(text: &mut String, model: &Model, step: &Step) {
+    let count =
+        |count: usize, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
+    let presence = &step.presence;
+    for (list, how) in [(&presence.absent, "absent"), (&presence.begun, "added free of strain")] {
+        if !list.is_empty() {
+            line!(text, "  {} {how}", count(list.len(), "element"));
+        }
+    }
+    for &pair in &presence.absent_pairs {
+        line!(text, "  the contact of {} is absent", model.contact_pairs[pair].name);
+    }
+    for own in &step.frictions {
+        let name = &model.contact_pairs[own.pair].name;
+        match own.to.coefficients() {
+            [mu, _] if mu > 0.0 => line!(text, "  friction of {name}: {}", number(mu)),
+            _ if own.to.acts() => line!(text, "  friction of {name}: another law"),
+            _ => line!(text, "  no friction of {name}"),
+        }
+    }
 }

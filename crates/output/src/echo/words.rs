@@ -1,7 +1,12 @@
-//! Ranges of numbers and names of nodes.
+//! Numbers, their ranges, and names of nodes.
 
-use crate::number::general;
+use crate::number::{Numeral, general};
 use slideline_model::{Model, NodeIndex};
+
+/// A number with the digits of an echo.
+pub(super) fn number(value: f64) -> Numeral {
+    general(value, 9)
+}
 
 pub(super) fn extremes(values: &[f64]) -> Option<(f64, f64)> {
     let first = *values.first()?;
@@ -10,7 +15,7 @@ pub(super) fn extremes(values: &[f64]) -> Option<(f64, f64)> {
 
 /// `a`, or `a to b` where they differ by more than rounding.
 pub(super) fn range(low: f64, high: f64) -> String {
-    let (low, high) = (general(low, 9), general(high, 9));
+    let (low, high) = (number(low), number(high));
     if low == high { low.to_string() } else { format!("{low} to {high}") }
 }
 

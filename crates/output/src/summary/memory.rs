@@ -1,6 +1,7 @@
 //! What a summary remembers of the states of a run: the largest of everything.
 
 use crate::outline::edges;
+use crate::section::space_beams;
 use serde::{Deserialize, Serialize};
 use slideline_mech::element::cell::Piece;
 use slideline_model::Limit;
@@ -51,10 +52,12 @@ impl Memory {
     /// Takes in strains of beams, and what of their allowable that is.
     pub(super) fn follow_beams(&mut self, frame: &Frame<'_>, allowable: &BTreeMap<u64, f64>) {
         let time = frame.total_time;
-        for beam in frame.beams {
-            keep_larger(&mut self.strain, (beam.fibre_strain, beam.label, time));
-            if let Some(allowable) = allowable.get(&beam.label) {
-                keep_larger(&mut self.used, (beam.fibre_strain / allowable, beam.label, time));
+        let plane = frame.beams.iter().map(|beam| (beam.fibre_strain, beam.label));
+        let space = space_beams(frame).map(|beam| (beam.fibre_strain(), beam.element.label));
+        for (strain, label) in plane.chain(space) {
+            keep_larger(&mut self.strain, (strain, label, time));
+            if let Some(allowable) = allowable.get(&label) {
+                keep_larger(&mut self.used, (strain / allowable, label, time));
             }
         }
     }

@@ -7,10 +7,10 @@ use crate::file::{WriteError, replace};
 use crate::job::JobFiles;
 use crate::json::{Map, Value, joined, json, text};
 use crate::ledger::onset_word;
+use crate::model_object::model_object;
 use crate::reading::history::{Energies, History, NodeHistory};
 use crate::reading::summary::{SCHEMA, driven};
 use crate::record::record;
-use crate::understood::understood;
 use crate::verdict;
 use crate::vtu::state_is_due;
 use crate::{energy, history};
@@ -18,7 +18,7 @@ pub(crate) use memory::Memory;
 use memory::{Peak, keep_larger};
 use slideline_diag::{Diagnostic, Severity, Sources};
 use slideline_measures::NoiseSummary;
-use slideline_model::{Dialect, ElementBlock, Limit, NodeIndex};
+use slideline_model::{Dialect, Limit, NodeIndex, Section};
 use slideline_results::NodeComponent;
 use slideline_solve::Checkpoint;
 use slideline_solve::observe::{Ending, Event, Frame, StepReport, Totals};
@@ -40,7 +40,7 @@ pub(crate) struct Summary<'a> {
     energies: (Vec<energy::Column>, Energies),
     dropped_work: f64,
     totals: Totals,
-    understood: Option<Value>,
+    model_object: Option<Value>,
     /// Allowable strains of beams.
     allowable: BTreeMap<u64, f64>,
     /// What the deck calls itself, and its pairs.
@@ -75,7 +75,7 @@ impl<'a> Summary<'a> {
             energies: Default::default(),
             dropped_work: 0.0,
             totals: Totals::default(),
-            understood: None,
+            model_object: None,
             allowable: BTreeMap::new(),
             names: Default::default(),
             noise: None,
@@ -187,15 +187,16 @@ impl<'a> Summary<'a> {
     }
 
     fn list_curves(&mut self, step: &StepReport<'_>) {
-        self.understood.get_or_insert_with(|| understood(step.model));
+        self.model_object.get_or_insert_with(|| model_object(step.model));
         let pairs = step.model.contact_pairs.iter().map(|pair| pair.name.clone());
         self.names = (step.model.heading.clone(), pairs.collect());
         for allowable in &step.model.allowables {
             let block = step.model.blocks.get(allowable.block);
-            let Some(block) = block.and_then(ElementBlock::beams) else { continue };
+            let Some(block) = block else { continue };
+            let Section::Beam(section) = &block.section else { continue };
             let strain = match allowable.limit {
                 Limit::Strain(strain) => strain,
-                Limit::Stress(stress) => stress / block.section.material.modulus,
+                Limit::Stress(stress) => stress / section.material.modulus,
             };
             self.allowable.extend(block.elements.iter().map(|own| (own.label, strain)));
         }
@@ -213,7 +214,7 @@ impl<'a> Summary<'a> {
         }
         if self.energies.1.columns.is_empty() {
             let names = columns.iter().map(|column| column.name().to_owned()).collect();
-            let driven = self.understood.as_ref().map(driven).unwrap_or_default();
+            let driven = self.model_object.as_ref().map(driven).unwrap_or_default();
             let nodes = driven.into_iter().flat_map(|own| own.nodes).collect::<BTreeSet<u64>>();
             let nodes = nodes.into_iter().map(|node| NodeHistory::new(node, columns.len()));
             self.history.1 = History { columns: names, nodes: nodes.collect() };
@@ -297,8 +298,8 @@ impl<'a> Summary<'a> {
         if let Some(noise) = &self.noise {
             object["noise"] = noise.clone();
         }
-        if let Some(understood) = &self.understood {
-            object = joined(object, understood.clone());
+        if let Some(model_object) = &self.model_object {
+            object = joined(object, model_object.clone());
         }
         if status == Status::InputError {
             object["errors"] = said(Severity::Error, facts.diagnostics, facts.sources).into();

@@ -2,7 +2,7 @@
 
 use super::table::{Row, Table, head, title};
 use crate::section::{axial_stresses, outer_mises, space_beams};
-use slideline_model::{BeamSection, Element, ElementPrint, ElementVariable, types};
+use slideline_model::{BeamSection, ElementPrint, ElementVariable, types};
 use slideline_solve::observe::{BlockResults, Frame};
 
 /// The tables of the beams of a request, with their titles: of those in the plane, of those in
@@ -17,25 +17,44 @@ pub(super) fn tables(frame: &Frame<'_>, print: &ElementPrint) -> Vec<(&'static s
 /// The table of beams in space: what they have at their middle; `None` where the request wants
 /// nothing of that.
 fn in_space(frame: &Frame<'_>, print: &ElementPrint) -> Option<(&'static str, Table)> {
-    let wanted: Vec<(&[&str], usize)> = print
-        .variables
-        .iter()
-        .filter_map(|&variable| types::B31.field(field(variable)))
-        .map(|(field, first)| (field.components, first))
-        .collect();
-    if wanted.is_empty() {
+    let mut names: Vec<&'static str> = Vec::new();
+    for &variable in &print.variables {
+        names.extend(columns_in_space(variable));
+    }
+    if names.is_empty() {
         return None;
     }
+    let pointed = print.variables.contains(&ElementVariable::S);
+    let mut rows = Vec::new();
     let named = |label: u64| print.elements.binary_search(&label).is_ok();
-    let row = |(beam, values): (Element<'_>, &[f64])| {
-        let own = wanted.iter().flat_map(|(names, first)| &values[*first..first + names.len()]);
-        let head = head(&beam.label.to_string(), None);
-        Row { head, label: beam.label, values: own.copied().collect(), summed: None }
-    };
-    let rows = space_beams(frame).filter(|(beam, _)| named(beam.label)).map(row).collect();
-    let names = wanted.iter().flat_map(|(names, _)| names.iter().copied()).collect();
-    let table = Table { head: head("ELEMENT", None), names, rows };
+    for beam in space_beams(frame).filter(|beam| named(beam.element.label)) {
+        let label = beam.element.label;
+        let stresses = if pointed { beam.stresses() } else { vec![0.0] };
+        for (point, stress) in stresses.into_iter().enumerate() {
+            let number = pointed.then(|| (point + 1).to_string());
+            let of = |&variable: &ElementVariable| -> Vec<f64> {
+                let name = field(variable);
+                let width = columns_in_space(variable).len();
+                match variable {
+                    ElementVariable::S => vec![stress],
+                    _ => (0..width).map(|place| beam.value(name, place)).collect(),
+                }
+            };
+            let head = head(&label.to_string(), number.as_deref());
+            let values = print.variables.iter().flat_map(of).collect();
+            rows.push(Row { head, label, values, summed: None });
+        }
+    }
+    let table = Table { head: head("ELEMENT", pointed.then_some("POINT")), names, rows };
     Some((title(print, "ELEMENTS all beams in space"), table))
+}
+
+/// Columns of a variable of beams in space; none where they lack it.
+fn columns_in_space(variable: ElementVariable) -> &'static [&'static str] {
+    match variable {
+        ElementVariable::S => &["S11"],
+        _ => types::B31.field(field(variable)).map_or(&[], |(field, _)| field.components),
+    }
 }
 
 /// The table of the beams of a request, with its title; `None` where it wants nothing that beams

@@ -2,7 +2,7 @@
 
 use super::array::Text;
 use crate::outline::{Drawing, Kind, SPACE};
-use crate::section::{axial_stresses, beams, outer_mises};
+use crate::section::{axial_stresses, beams, outer_mises, space_beams};
 use slideline_model::{Dof, Model};
 use slideline_results::element::{self, AtNodes, nodal_results, solids};
 use slideline_results::{NodeField, contact_component, shown};
@@ -145,6 +145,15 @@ impl Grid {
             ];
             for ((_, column), value) in columns.iter_mut().zip(values) {
                 column[cells.clone()].fill(value);
+            }
+        }
+        let mut places = self.cells_of.iter();
+        for beam in space_beams(frame) {
+            let Some(cells) = find(&mut places, beam.element.label) else { continue };
+            let own = [("axial_force", beam.value("SF", 0)), ("fibre_strain", beam.fibre_strain())];
+            for (name, value) in own {
+                let columns = columns.iter_mut().filter(|(column, _)| *column == name);
+                columns.for_each(|(_, column)| column[cells.clone()].fill(value));
             }
         }
         let [.., (_, mises)] = &mut columns;

@@ -184,9 +184,33 @@ impl RigidLink {
         followed
     }
 
-    /// Their coefficients at displacements `u`, in the same order; the dependent node has an arm
-    /// and perhaps axes of its own.
-    pub fn coefficients(
+    /// Adds the coefficients of all components that follow, in the order of [`Self::followed`]; the
+    /// dependent node has an arm and perhaps axes of its own.
+    pub fn push_coefficients(
+        &self,
+        (arm, axes): (Arm, Option<&Axes>),
+        at: (&[f64], &[Turn]),
+        into: &mut Vec<f64>,
+    ) {
+        if let (Body::Plane { pose }, None) = (self.body, axes) {
+            let [x, y] = in_plane(arm).current_arm(&[0.0, 0.0, at.0[pose[2]]]);
+            for (component, _) in self.dependent_dofs() {
+                match component {
+                    0 => into.extend([1.0, -y]),
+                    1 => into.extend([1.0, x]),
+                    _ => into.push(1.0),
+                }
+            }
+            return;
+        }
+        for (component, _) in self.dependent_dofs() {
+            let count = self.followed(component).into_iter().flatten().count();
+            into.extend(&self.coefficients((arm, axes), component, at)[..count]);
+        }
+    }
+
+    /// Those of a component at displacements `u`.
+    fn coefficients(
         &self,
         (arm, axes): (Arm, Option<&Axes>),
         component: usize,

@@ -23,10 +23,7 @@ impl Constraints<'_> {
         }
         for (link, &arm) in self.rigid.iter().zip(&self.motion.arms) {
             let axes = self.axes_of(link);
-            for (component, _) in link.dependent_dofs() {
-                let count = link.followed(component).into_iter().flatten().count();
-                list.extend(&link.coefficients((arm, axes), component, at)[..count]);
-            }
+            link.push_coefficients((arm, axes), at, list);
         }
         for row in linear {
             list.extend(self.motion.linear(row).0);

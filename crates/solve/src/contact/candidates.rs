@@ -107,8 +107,8 @@ impl Contact {
         };
         let Carrier::Node { position, dofs } = &point.carrier else { return None };
         let at = dofs.displace(*position, u);
-        let own = &positions.nodes[*offset..offset + nodes.len()];
-        let piece = chain.closest(own, positions.tree(point.pair), at)?;
+        let (own, nearby) = positions.chain(point.pair, *offset..offset + nodes.len())?;
+        let piece = chain.closest(own, nearby, at)?;
         let part = piece.nodes();
         let distance =
             own[part.clone()].iter().map(|&node| distance(at, node)).fold(f64::MAX, f64::min);

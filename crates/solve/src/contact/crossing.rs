@@ -161,7 +161,7 @@ impl Contact {
                 continue;
             }
             let xi = self.resting_place(place);
-            let way = [0, 1].map(|end| self.slave(point, xi, &u[end]).position);
+            let way = [0, 1].map(|end| self.place(point, xi, &u[end]));
             if apart(&way, &room) {
                 continue;
             }

@@ -77,7 +77,7 @@ impl Contact {
     }
 
     /// Where a slave node stands against the faces of its master.
-    pub(super) fn meet_face(
+    pub(super) fn locate_face(
         &self,
         place: usize,
         (u, before): (&[f64], Option<&PointState>),
@@ -86,11 +86,11 @@ impl Contact {
     ) {
         let mut room = std::mem::take(&mut into.room);
         let mut unknowns = std::mem::take(&mut into.unknowns);
-        self.meet_face_in(place, (u, before), positions, (&mut room, &mut unknowns), into);
+        self.locate_face_in(place, (u, before), positions, (&mut room, &mut unknowns), into);
         (into.room, into.unknowns) = (room, unknowns);
     }
 
-    fn meet_face_in(
+    fn locate_face_in(
         &self,
         place: usize,
         (u, before): (&[f64], Option<&PointState>),

@@ -10,6 +10,7 @@ use super::facing::Facing;
 use super::operator::{ContactOperator, OperatorRows, OperatorRowsMut};
 use super::shear::{Shear, TURNS};
 use super::stencil::Stencil;
+use slideline_mech::contact::gap::Linear;
 use slideline_mech::contact::pair::{AnyGap, FaceRoom, Footing};
 use slideline_mech::contact::tangential::Tangential;
 use slideline_mech::rigid::push_gradients;
@@ -132,7 +133,7 @@ impl PointKinematics {
 
 impl PointKinematics {
     /// Takes a gap in.
-    pub(super) fn take(&mut self, gap: &AnyGap, facing: Facing) {
+    pub(super) fn take(&mut self, gap: &AnyGap<Linear>, facing: Facing) {
         self.faces = true;
         self.overclosure = gap.overclosure();
         self.along = gap.along();
@@ -186,7 +187,7 @@ impl PointRowsMut<'_> {
     }
 
     /// Pushes the gradients of a gap from kernel variables to dofs.
-    pub fn take(&mut self, gap: &AnyGap, stencil: &Stencil<'_>, u: &[f64]) {
+    pub fn take(&mut self, gap: &AnyGap<Linear>, stencil: &Stencil<'_>, u: &[f64]) {
         let further = stencil.shear.map_or(&[][..], |shear| &shear.further);
         let (direct, from) = (stencil.dofs(), gap.derivatives());
         let count = direct.len() + further.len();

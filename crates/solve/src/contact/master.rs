@@ -4,8 +4,9 @@ use super::facing::Facing;
 use super::positions::MasterPositions;
 use super::stencil::Stencil;
 use crate::dofs::{DofMap, Translations, rigid_dofs};
+use slideline_mech::contact::gap::Order;
 use slideline_mech::contact::pair::{AnyGap, Body, RigidSurface, chain_attachments, chain_gap};
-use slideline_mech::contact::search::chain::{Chain, ChainTree};
+use slideline_mech::contact::search::chain::Chain;
 use slideline_mech::contact::search::rigid::RigidSegment;
 use slideline_mech::rigid::{Attachment, PointMap};
 use slideline_mech::surface::mesh::{FaceMesh, MeshFace};
@@ -125,11 +126,11 @@ impl MasterSurface {
         }
     }
 
-    /// What a point faces; `positions` are those of all chains.
+    /// What a point of the pair of that index faces, with masters at `positions`.
     pub fn search(
         &self,
         u: &[f64],
-        (positions, tree): (&[[f64; 3]], Option<&ChainTree>),
+        (positions, pair): (&MasterPositions, usize),
         point: [f64; 3],
     ) -> Option<Facing> {
         match self {
@@ -138,21 +139,21 @@ impl MasterSurface {
                 surface.closest(&self.placed_body(u), point).map(Facing::Surface)
             }
             Self::Line { chain, nodes, offset } => {
-                let positions = positions.get(*offset..offset + nodes.len())?;
-                chain.closest(positions, tree, point).map(Facing::Piece)
+                let (own, nearby) = positions.chain(pair, *offset..offset + nodes.len())?;
+                chain.closest(own, nearby, point).map(Facing::Piece)
             }
         }
     }
 
     /// The gap of the point of a stencil to what it faces; the master's part is
     /// added to the stencil. `slave` tells how the point follows its own dofs.
-    pub fn gap(
+    pub fn gap<O: Order>(
         &self,
         facing: &Facing,
         slave: Attachment,
         (u, positions): (&[f64], &[[f64; 3]]),
         stencil: &mut Stencil<'_>,
-    ) -> Option<AnyGap> {
+    ) -> Option<AnyGap<O>> {
         match (self, facing) {
             (Self::Body { dofs, surface, .. }, Facing::Surface(facing)) => {
                 let body = self.placed_body(u);

@@ -18,7 +18,7 @@
 pub struct ContactOperator {
     directions: usize,
     /// Where the unknowns of every point begin, and how many they are.
-    slots: Vec<(usize, usize)>,
+    ranges: Vec<(usize, usize)>,
     unknowns: Vec<usize>,
     /// The rows, point by point and row by row.
     values: Vec<f64>,
@@ -45,7 +45,7 @@ impl ContactOperator {
     /// Becomes an operator of points that follow at most `room` unknowns each, and none yet.
     pub fn fit(&mut self, points: usize, room: usize, directions: usize) {
         self.clear(directions);
-        self.slots.extend((0..points).map(|place| (place * room, 0)));
+        self.ranges.extend((0..points).map(|place| (place * room, 0)));
         self.unknowns.resize(points * room, 0);
         self.values.resize(points * room * rows(directions), 0.0);
     }
@@ -58,28 +58,39 @@ impl ContactOperator {
     /// Forgets all points, and how many directions they have.
     pub fn clear(&mut self, directions: usize) {
         self.directions = directions;
-        self.slots.clear();
+        self.ranges.clear();
         self.unknowns.clear();
         self.values.clear();
     }
 
     /// Room for so many points of so many unknowns each.
     pub fn reserve(&mut self, points: usize, unknowns: usize) {
-        self.slots.reserve(points);
+        self.ranges.reserve(points);
         self.unknowns.reserve(points * unknowns);
         self.values.reserve(points * unknowns * rows(self.directions.max(1)));
     }
 
-    /// Adds a point with zero rows over these unknowns.
-    pub fn push(&mut self, unknowns: &[usize]) {
-        self.slots.push((self.unknowns.len(), unknowns.len()));
+    /// Adds a point with its rows over these unknowns, given unknown by unknown.
+    pub fn push_columns(&mut self, unknowns: &[usize], columns: &[f64]) {
+        self.ranges.push((self.unknowns.len(), unknowns.len()));
         self.unknowns.extend_from_slice(unknowns);
-        self.values.resize(self.unknowns.len() * rows(self.directions), 0.0);
+        let count = rows(self.directions);
+        for row in 0..count {
+            self.values.extend(columns.chunks_exact(count).map(|column| column[row]));
+        }
+    }
+
+    /// The same, given row by row.
+    #[cfg(test)]
+    pub fn push_rows(&mut self, unknowns: &[usize], rows: &[f64]) {
+        self.ranges.push((self.unknowns.len(), unknowns.len()));
+        self.unknowns.extend_from_slice(unknowns);
+        self.values.extend_from_slice(rows);
     }
 
     /// The rows of a point.
     pub fn rows(&self, place: usize) -> OperatorRows<'_> {
-        let (begin, width) = self.slots[place];
+        let (begin, width) = self.ranges[place];
         OperatorRows {
             directions: self.directions,
             unknowns: &self.unknowns[begin..][..width],
@@ -89,11 +100,11 @@ impl ContactOperator {
 
     /// The rows of a point, to be written.
     pub fn rows_mut(&mut self, place: usize) -> OperatorRowsMut<'_> {
-        let (begin, _) = self.slots[place];
-        let end = self.slots.get(place + 1).map_or(self.unknowns.len(), |(next, _)| *next);
+        let (begin, _) = self.ranges[place];
+        let end = self.ranges.get(place + 1).map_or(self.unknowns.len(), |(next, _)| *next);
         let count = rows(self.directions);
         OperatorRowsMut {
-            width: &mut self.slots[place].1,
+            width: &mut self.ranges[place].1,
             unknowns: &mut self.unknowns[begin..end],
             values: &mut self.values[begin * count..end * count],
         }
@@ -102,7 +113,7 @@ impl ContactOperator {
     /// Takes over another operator, room kept.
     pub fn copy_from(&mut self, other: &Self) {
         self.directions = other.directions;
-        self.slots.clone_from(&other.slots);
+        self.ranges.clone_from(&other.ranges);
         self.unknowns.clone_from(&other.unknowns);
         self.values.clone_from(&other.values);
     }
@@ -122,6 +133,12 @@ impl<'a> OperatorRows<'a> {
     /// Number of tangential directions.
     pub fn directions(&self) -> usize {
         self.directions
+    }
+
+    /// All derivatives by an unknown: overclosure, slips, forces.
+    pub fn column(&self, unknown: usize) -> impl Iterator<Item = f64> + use<'a> {
+        let (values, width) = (self.values, self.width());
+        (0..rows(self.directions)).map(move |row| values[row * width + unknown])
     }
 
     /// dh/du of each unknown [1].

@@ -29,6 +29,7 @@ impl Contact {
     /// Positions of all deforming masters at displacements `u`, written.
     pub fn place_masters(&self, u: &[f64], into: &mut MasterPositions) {
         into.nodes.clear();
+        into.reaches.clear();
         into.trees.resize(self.masters.len(), None);
         into.face_trees.resize(self.masters.len(), None);
         let trees = into.trees.iter_mut().zip(&mut into.face_trees);
@@ -43,10 +44,13 @@ impl Contact {
             }
             let MasterSurface::Line { chain, nodes, offset } = master else { continue };
             into.nodes.extend(nodes.iter().map(|(at, dofs)| dofs.displace(*at, u)));
+            let own = &into.nodes[*offset..];
             if chain.segments() < LONG {
+                into.reaches.resize(*offset, 0.0);
+                into.reaches.extend((0..chain.segments()).map(|index| chain.reach(own, index)));
+                into.reaches.push(0.0);
                 continue;
             }
-            let own = &into.nodes[*offset..];
             match tree {
                 Some(tree) => chain.fit(tree, own),
                 None => *tree = Some(chain.tree(own)),

@@ -5,14 +5,17 @@
 //!         trees of the long ones, fitted: a search looks at what is near
 //! ```
 
-use slideline_mech::contact::search::chain::ChainTree;
+use slideline_mech::contact::search::chain::{ChainTree, Nearby};
 use slideline_mech::contact::search::faces::FaceTree;
+use std::ops::Range;
 
 /// Positions of the nodes of all deforming masters in one configuration.
 #[derive(Clone, Debug, Default)]
 pub struct MasterPositions {
     /// Positions, chain after chain [L].
     pub nodes: Vec<[f64; 3]>,
+    /// How far the segments behind the nodes of short chains reach [L]; zero at other nodes.
+    pub(super) reaches: Vec<f64>,
     /// A tree a pair, where its master is long.
     pub(super) trees: Vec<Option<ChainTree>>,
     /// A tree a pair, where its master is made of faces.
@@ -25,6 +28,16 @@ impl MasterPositions {
         self.trees.get(pair).and_then(Option::as_ref)
     }
 
+    /// The nodes of the chain of a pair, which stand at `own` among all, and what is known of its
+    /// segments; `None`: they are not placed.
+    pub fn chain(&self, pair: usize, own: Range<usize>) -> Option<(&[[f64; 3]], Nearby<'_>)> {
+        let nearby = match self.tree(pair) {
+            Some(tree) => Nearby::Tree(tree),
+            None => Nearby::Reaches(self.reaches.get(own.clone())?),
+        };
+        Some((self.nodes.get(own)?, nearby))
+    }
+
     /// The tree over the faces of the master of a pair.
     pub fn face_tree(&self, pair: usize) -> Option<&FaceTree> {
         self.face_trees.get(pair).and_then(Option::as_ref)
@@ -33,5 +46,6 @@ impl MasterPositions {
 
 /// Distance of two places [L].
 pub(super) fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    (b[0] - a[0]).hypot(b[1] - a[1]).hypot(b[2] - a[2])
+    let way = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
+    (way[0] * way[0] + way[1] * way[1] + way[2] * way[2]).sqrt()
 }

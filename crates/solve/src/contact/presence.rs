@@ -96,7 +96,7 @@ impl Contact {
         }
         let (mut positions, mut kinematics) = (MasterPositions::default(), self.nowhere());
         let at = (&state.displacement[..], &state.points[..]);
-        self.meet(at, &[], &mut positions, &mut kinematics);
+        self.locate(at, &[], &mut positions, &mut kinematics);
         for (place, point) in self.points.iter().enumerate() {
             if pairs.contains(&point.pair) {
                 let own = self.push_out(place, (state, factor), &kinematics, force);

@@ -6,6 +6,7 @@ use super::pairs::{Carrier, Contact, SlavePoint};
 use super::positions::MasterPositions;
 use super::segment::SlaveSegment;
 use super::stencil::Stencil;
+use slideline_mech::contact::gap::Linear;
 use slideline_mech::contact::pair::AnyGap;
 use slideline_mech::rigid::{Attachment, PointMap};
 
@@ -21,6 +22,17 @@ impl Contact {
             Carrier::IntegrationPoint { segment } => {
                 let segment = &self.segments[*segment];
                 segment.stencil(&segment.ends(u), xi)
+            }
+        }
+    }
+
+    /// Where a slave point stands [L].
+    pub(super) fn place(&self, point: &SlavePoint, xi: f64, u: &[f64]) -> [f64; 3] {
+        match &point.carrier {
+            Carrier::Node { position, dofs } => dofs.displace(*position, u),
+            Carrier::IntegrationPoint { segment } => {
+                let segment = &self.segments[*segment];
+                segment.line.bent(&segment.ends(u)).position(xi)
             }
         }
     }
@@ -43,11 +55,10 @@ impl Contact {
         u: &[f64],
         positions: &MasterPositions,
         stencil: &mut Stencil<'_>,
-    ) -> Option<(AnyGap, Facing)> {
+    ) -> Option<(AnyGap<Linear>, Facing)> {
         let slave = self.attachment(point, xi);
-        let tree = positions.tree(point.pair);
         let master = &self.masters[point.pair];
-        let facing = master.search(u, (&positions.nodes, tree), stencil.position)?;
+        let facing = master.search(u, (positions, point.pair), stencil.position)?;
         let gap = master.gap(&facing, slave, (u, &positions.nodes), stencil)?;
         Some((gap, facing))
     }

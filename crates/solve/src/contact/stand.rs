@@ -32,7 +32,7 @@ impl Contact {
     /// Where every point stands at displacements `u`, with slips since the states `before`, of
     /// which there may be none. `positions` is scratch. Points that `idle` names are left as they
     /// are.
-    pub fn meet(
+    pub fn locate(
         &self,
         (u, before): (&[f64], &[PointState]),
         idle: &[bool],
@@ -44,17 +44,17 @@ impl Contact {
             let is_idle = idle.get(place).is_some_and(|&idle| idle);
             if !is_idle && !point.is_integration_point() {
                 into.at_mut(place).point.area = point.area;
-                self.meet_one(place, (u, before), positions, into);
+                self.locate_one(place, (u, before), positions, into);
             }
         }
         for segment in &self.segments {
-            self.meet_segment(segment, u, into);
+            self.locate_segment(segment, u, into);
         }
     }
 
-    /// As [`Contact::meet`], with integration points left where they stand on their
+    /// As [`Contact::locate`], with integration points left where they stand on their
     /// elements.
-    pub fn meet_in_place(
+    pub fn locate_in_place(
         &self,
         at: (&[f64], &[PointState]),
         positions: &mut MasterPositions,
@@ -63,14 +63,14 @@ impl Contact {
         self.place_masters(at.0, positions);
         for (place, point) in self.points.iter().enumerate() {
             if into.points()[place].faces || !point.is_integration_point() {
-                self.meet_one(place, at, positions, into);
+                self.locate_one(place, at, positions, into);
             }
         }
     }
 
     /// Where the points that `idle` names stand at displacements `u`, for which
     /// the masters are placed already.
-    pub fn meet_idle(
+    pub fn locate_idle(
         &self,
         at: (&[f64], &[PointState]),
         idle: &[bool],
@@ -78,7 +78,7 @@ impl Contact {
         into: &mut ContactKinematics,
     ) {
         for place in (0..self.points.len()).filter(|&place| idle[place]) {
-            self.meet_one(place, at, positions, into);
+            self.locate_one(place, at, positions, into);
         }
     }
 
@@ -90,7 +90,7 @@ impl Contact {
             let own = into.at_mut(place);
             own.point.area = point.area;
             own.point.xi = self.resting_place(place);
-            self.meet_one(place, (u, &[]), positions, into);
+            self.locate_one(place, (u, &[]), positions, into);
         }
     }
 
@@ -132,7 +132,7 @@ impl Contact {
         beyond.is_some_and(|overclosure| overclosure > begins - slack)
     }
 
-    fn meet_one(
+    fn locate_one(
         &self,
         place: usize,
         (u, before): (&[f64], &[PointState]),
@@ -141,15 +141,15 @@ impl Contact {
     ) {
         let point = &self.points[place];
         if let MasterSurface::Faces { .. } = &self.masters[point.pair] {
-            self.meet_face(place, (u, before.get(place)), positions, into);
+            self.locate_face(place, (u, before.get(place)), positions, into);
             return;
         }
         let mut into = into.at_mut(place);
         let stencil = self.slave(point, into.point.xi, u);
-        self.meet_stencil(point, stencil, (u, positions), &mut into);
+        self.locate_stencil(point, stencil, (u, positions), &mut into);
     }
 
-    fn meet_stencil(
+    fn locate_stencil(
         &self,
         point: &SlavePoint,
         mut stencil: Stencil<'_>,
@@ -168,7 +168,7 @@ impl Contact {
 
     /// Integration points follow the closed part of their cells; those of cells that
     /// contact cannot reach in an iteration face nothing.
-    fn meet_segment(&self, segment: &SlaveSegment, u: &[f64], into: &mut ContactKinematics) {
+    fn locate_segment(&self, segment: &SlaveSegment, u: &[f64], into: &mut ContactKinematics) {
         let own = segment.first..segment.first + SEGMENT_POINTS;
         own.for_each(|place| into.at_mut(place).turn_away());
         let begins = self.laws[segment.pair].normal.contact_begins();
@@ -187,7 +187,7 @@ impl Contact {
             let mut into = into.at_mut(place);
             (into.point.xi, into.point.area) = (xi, area);
             let (point, stencil) = (&self.points[place], segment.stencil(&ends, xi));
-            self.meet_stencil(point, stencil, (u, &none), &mut into);
+            self.locate_stencil(point, stencil, (u, &none), &mut into);
         });
     }
 }

@@ -5,6 +5,7 @@ use super::kinematics::{GeometryScratch, PointRows};
 use super::pairs::Contact;
 use super::positions::MasterPositions;
 use crate::state::PointState;
+use slideline_mech::contact::gap::Quadratic;
 use slideline_mech::contact::tangential::Tangential;
 use slideline_mech::rigid::push_forward;
 
@@ -37,15 +38,16 @@ impl Contact {
         let Some(facing) = &kinematics.facing else { return };
         let slave = self.attachment(point, kinematics.xi);
         let master = &self.masters[point.pair];
-        let Some(gap) = master.gap(facing, slave, (u, &positions.nodes), &mut stencil) else {
+        let Some(gap) = master.gap::<Quadratic>(facing, slave, (u, &positions.nodes), &mut stencil)
+        else {
             return;
         };
         let (from, n) = (gap.derivatives(), gap.width());
         let mut gradient = [0.0; MOST_VARIABLES];
         let mut hessian = [0.0; MOST_VARIABLES * MOST_VARIABLES];
         combine(&mut gradient[..n], normal, (from.gradient, from.direction), tangential);
-        let derivatives = (from.hessian, from.direction_derivative);
-        combine(&mut hessian[..n * n], normal, derivatives, tangential);
+        let [second, of_direction] = gap.second_derivatives();
+        combine(&mut hessian[..n * n], normal, (second, of_direction), tangential);
         let width = stencil.width();
         force.clear();
         force.resize(width, 0.0);

@@ -24,10 +24,10 @@ impl LinearisedContact {
             match row.unknown {
                 Unknown::Multiplier { point, kind, .. } => {
                     let point = points.at(point);
-                    let (local, lent) = (stiffness.local(&point), point.augmentation());
+                    let (local, augmentation) = (stiffness.local(&point), point.augmentation());
                     let (own, augmentation) = match kind {
-                        Kind::Tangential(_) => (local.tangential, lent.tangential),
-                        Kind::Normal => (local.normal, lent.normal),
+                        Kind::Tangential(_) => (local.tangential, augmentation.tangential),
+                        Kind::Normal => (local.normal, augmentation.normal),
                     };
                     row.free = row.start + point.dot(kind, &work.base);
                     (row.own, row.augmentation, row.kappa, row.felt) =
@@ -144,11 +144,11 @@ impl LinearisedContact {
         }
         for (integration_point, answer) in self.integration_points.iter().zip(&work.answers) {
             let point = points.at(integration_point.point);
-            let (local, lent) = (stiffness.local(&point), point.augmentation());
-            let by_slip = |direction| answer.drag_by_slip.at(direction, direction);
+            let (local, augmentation) = (stiffness.local(&point), point.augmentation());
+            let by_slip = |direction| answer.tangential_by_slip.at(direction, direction);
             let least = (0..points.directions()).map(by_slip).fold(f64::INFINITY, f64::min);
-            let normal = within(answer.slope + lent.normal, local.normal, 0.0);
-            let tangential = within(least + lent.tangential, local.tangential, 0.0);
+            let normal = within(answer.slope + augmentation.normal, local.normal, 0.0);
+            let tangential = within(least + augmentation.tangential, local.tangential, 0.0);
             wanted.push((integration_point.point, Augmentation { normal, tangential }));
         }
         wanted

@@ -87,18 +87,18 @@ impl Stiffness<'_> {
     }
 
     fn augment(&mut self, point: &LinearRows<'_>) {
-        let lent = point.augmentation();
-        if lent == Augmentation::default() {
+        let augmentation = point.augmentation();
+        if augmentation == Augmentation::default() {
             return;
         }
         let (rows, directions) = (point.rows, 0..point.rows.directions());
         for (i, &row) in rows.unknowns.iter().enumerate() {
             for (j, &column) in rows.unknowns.iter().enumerate() {
                 let Some(at) = self.pattern.position(row, column) else { continue };
-                let normal = lent.normal * rows.normal()[i] * rows.normal()[j];
-                let drag = |k: usize| lent.tangential * rows.force(k)[i] * rows.slip(k)[j];
+                let normal = augmentation.normal * rows.normal()[i] * rows.normal()[j];
+                let along = |k: usize| augmentation.tangential * rows.force(k)[i] * rows.slip(k)[j];
                 self.augmented[at] +=
-                    point.area * directions.clone().map(drag).fold(normal, |sum, own| sum + own);
+                    point.area * directions.clone().map(along).fold(normal, |sum, own| sum + own);
             }
         }
     }

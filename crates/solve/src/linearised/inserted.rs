@@ -107,7 +107,7 @@ impl HeldMultipliers {
             if point.sliding.is_some() && point.slides() {
                 let mut softest = most.tangential;
                 for k in 0..points.directions() {
-                    let slope = answer.drag_by_slip.at(k, k);
+                    let slope = answer.tangential_by_slip.at(k, k);
                     softest = softest.min(own(Kind::Tangential(k), slope)?);
                 }
                 held.tangential_stiffness = softest;

@@ -18,45 +18,50 @@ pub(super) struct PointAnswer {
     /// Slope of the normal part by overclosure [F/L3].
     pub slope: f64,
     /// Slopes of the tangential part by overclosure and by slip [F/L3].
-    pub drag: Tangential,
-    pub drag_by_slip: TangentialMap,
+    pub tangential_by_overclosure: Tangential,
+    pub tangential_by_slip: TangentialMap,
 }
 
 impl PointAnswer {
     /// Whether it neither presses nor would with a little more closing.
     pub(super) fn is_idle(&self) -> bool {
         let idle = self.normal == 0.0 && self.tangential == Tangential::ZERO;
-        idle && self.slope == 0.0 && !self.drags()
+        idle && self.slope == 0.0 && !self.rubs()
     }
 
     /// Whether its tangential part follows anything.
-    fn drags(&self) -> bool {
-        self.drag != Tangential::ZERO || self.drag_by_slip != TangentialMap::ZERO
+    fn rubs(&self) -> bool {
+        self.tangential_by_overclosure != Tangential::ZERO
+            || self.tangential_by_slip != TangentialMap::ZERO
     }
 
     /// Change of the normal and the tangential part by one of overclosure and slip.
     pub(super) fn change(&self, normal: f64, slip: Tangential) -> (f64, Tangential) {
-        (self.slope * normal, normal * self.drag + self.drag_by_slip.apply(slip))
+        (
+            self.slope * normal,
+            normal * self.tangential_by_overclosure + self.tangential_by_slip.apply(slip),
+        )
     }
 
     /// Hands over the derivative of its force by the displacements of its equations,
     /// A (a dp/du + d dtau/du), entry by entry, with the places of both among them.
     pub(super) fn add_slope(&self, point: &LinearRows<'_>, mut add: impl FnMut(usize, usize, f64)) {
-        let (drags, directions) = (self.drags(), point.rows.directions());
+        let (rubs, directions) = (self.rubs(), point.rows.directions());
         for b in 0..point.rows.width() {
             let g = point.area * point.rows.normal()[b];
             let pressure = self.slope * g;
-            let drag = |direction: usize| {
+            let tangential = |direction: usize| {
                 let by_slip = (0..directions).map(|slip| {
-                    self.drag_by_slip.at(direction, slip) * (point.area * point.rows.slip(slip)[b])
+                    self.tangential_by_slip.at(direction, slip)
+                        * (point.area * point.rows.slip(slip)[b])
                 });
-                by_slip.fold(self.drag[direction] * g, |sum, by| sum + by)
+                by_slip.fold(self.tangential_by_overclosure[direction] * g, |sum, by| sum + by)
             };
             for (a, along) in point.rows.normal().iter().enumerate() {
                 add(a, b, along * pressure);
             }
-            for direction in (0..directions).filter(|_| drags) {
-                let by = drag(direction);
+            for direction in (0..directions).filter(|_| rubs) {
+                let by = tangential(direction);
                 for (a, along) in point.rows.force(direction).iter().enumerate() {
                     add(a, b, along * by);
                 }
@@ -136,8 +141,8 @@ impl LawContext<'_> {
         answer.slope -= point.stiffness;
         if let Some(sliding) = &point.sliding {
             answer.tangential = answer.tangential - sliding.stiffness * slip;
-            answer.drag_by_slip =
-                answer.drag_by_slip + TangentialMap::isotropic(-sliding.stiffness);
+            answer.tangential_by_slip =
+                answer.tangential_by_slip + TangentialMap::isotropic(-sliding.stiffness);
         }
         answer
     }
@@ -169,12 +174,13 @@ impl LawContext<'_> {
             let limit = if self.symmetrised { point.pressure } else { asked.value };
             let values = (held.traction, sliding.slip + slip, limit);
             let kappa = held.tangential_stiffness;
-            let drag = self.complementarity_of_traction(laws, values, sliding, kappa);
-            let by_pressure = if self.symmetrised { Tangential::ZERO } else { drag.by_pressure };
-            answer.traction = drag.value;
-            answer.tangential = drag.value;
-            answer.drag = asked.by_value * by_pressure;
-            answer.drag_by_slip = drag.by_value;
+            let asked_along = self.complementarity_of_traction(laws, values, sliding, kappa);
+            let by_pressure =
+                if self.symmetrised { Tangential::ZERO } else { asked_along.by_pressure };
+            answer.traction = asked_along.value;
+            answer.tangential = asked_along.value;
+            answer.tangential_by_overclosure = asked.by_value * by_pressure;
+            answer.tangential_by_slip = asked_along.by_value;
         }
         answer
     }

@@ -135,44 +135,34 @@ impl LinearPoints {
         rows: OperatorRows<'_>,
         (constraints, following): (&Constraints, &Rows),
     ) {
-        let directions = self.operator.directions();
-        let count = 1 + 2 * directions;
+        let count = 1 + 2 * self.operator.directions();
         self.unknowns.clear();
         self.columns.clear();
         let Self { unknowns, columns, .. } = self;
         for (k, &dof) in rows.unknowns.iter().enumerate() {
             constraints.for_each_equation(following, dof, &mut |equation, factor: f64| {
-                let known = unknowns.iter().position(|&own| own == equation);
-                let at = known.unwrap_or_else(|| {
-                    unknowns.push(equation);
-                    columns.resize(unknowns.len() * count, 0.0);
-                    unknowns.len() - 1
-                });
-                let column = &mut columns[at * count..][..count];
-                column[0] += factor * rows.normal()[k];
-                for direction in 0..directions {
-                    column[1 + direction] += factor * rows.slip(direction)[k];
-                    column[1 + directions + direction] += factor * rows.force(direction)[k];
+                let own = rows.column(k).map(|value| factor * value);
+                match unknowns.iter().position(|&own| own == equation) {
+                    Some(known) => {
+                        let column = &mut columns[known * count..][..count];
+                        column.iter_mut().zip(own).for_each(|(sum, value)| *sum += value);
+                    }
+                    None => {
+                        unknowns.push(equation);
+                        columns.extend(own);
+                    }
                 }
             });
         }
-        let width = self.unknowns.len();
         self.points.push(point);
-        self.operator.push(&self.unknowns);
-        let mut into = self.operator.rows_mut(self.points.len() - 1);
-        for (row, into) in into.values().chunks_exact_mut(width.max(1)).enumerate() {
-            for (value, column) in into.iter_mut().zip(self.columns.chunks_exact(count)) {
-                *value = column[row];
-            }
-        }
+        self.operator.push_columns(&self.unknowns, &self.columns);
     }
 
     /// Adds a point with its rows over equations, row by row.
     #[cfg(test)]
     pub fn push_rows(&mut self, point: LinearPoint, equations: &[usize], rows: &[f64]) {
         self.points.push(point);
-        self.operator.push(equations);
-        self.operator.rows_mut(self.points.len() - 1).values().copy_from_slice(rows);
+        self.operator.push_rows(equations, rows);
     }
 
     /// A point with its rows.
@@ -266,8 +256,8 @@ impl LinearRows<'_> {
 
     /// Normal and tangential forces per area at its equation `k`, put together [F/L2].
     pub(super) fn force_at(&self, k: usize, normal: f64, tangential: Tangential) -> f64 {
-        let drag = |direction: usize| tangential[direction] * self.rows.force(direction)[k];
-        (0..self.rows.directions()).map(drag).fold(normal * self.rows.normal()[k], |a, b| a + b)
+        let along = |direction: usize| tangential[direction] * self.rows.force(direction)[k];
+        (0..self.rows.directions()).map(along).fold(normal * self.rows.normal()[k], |a, b| a + b)
     }
 
     /// Overclosure and slip by the values of its equations.

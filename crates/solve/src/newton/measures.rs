@@ -3,8 +3,8 @@
 
 use super::outcome::Progress;
 use super::scratch::Scratch;
-use crate::convergence::{Field, Measures, judge, largest_nodal};
-use crate::observe::reports::{ContactChange, IterationReport};
+use crate::convergence::{Measures, judge, largest_nodal};
+use crate::observe::reports::{ContactChange, FieldReport, IterationReport};
 use crate::problem::Problem;
 use crate::state::State;
 use crate::target::Target;
@@ -22,6 +22,7 @@ impl Scratch {
         target: &Target,
         progress: &mut Progress,
     ) -> IterationReport {
+        let [force, moment] = self.measure(plan, committed);
         let mut report = IterationReport {
             step: target.step,
             increment: target.increment,
@@ -31,8 +32,8 @@ impl Scratch {
             equilibrium: 0,
             contact_changes: self.empty_changes(progress),
             closed: self.evaluation.points.iter().filter(|point| point.closed).count(),
-            force: self.measure(plan, committed, Field::Force),
-            moment: self.measure(plan, committed, Field::Moment),
+            force,
+            moment,
             contact_defect: self.evaluation.penetration.max(self.evaluation.stick_slip),
             step_length: self.step_length,
             enforcement: self.enforcement,
@@ -88,29 +89,22 @@ impl Scratch {
         std::mem::take(&mut self.changes)
     }
 
-    pub(super) fn measure(
-        &mut self,
-        plan: &Problem<'_>,
-        committed: &State,
-        field: Field,
-    ) -> crate::observe::FieldReport {
+    /// Residuals, corrections and increments of both fields.
+    fn measure(&self, plan: &Problem<'_>, committed: &State) -> [FieldReport; 2] {
         let dofs = plan.dofs;
-        for dof in 0..dofs.len() {
-            self.residual[dof] = self.evaluation.unbalanced(dof);
-            self.increment[dof] = self.u[dof] - committed.displacement[dof];
-        }
-        let free = |dof: usize| plan.constraints.equation(dof).is_some();
-        let (residual, at) = largest_nodal(dofs, field, &self.residual, free);
-        let (correction, moved) = largest_nodal(dofs, field, &self.correction_dofs, free);
-        let (increment, _) = largest_nodal(dofs, field, &self.increment, |_| true);
-        crate::observe::FieldReport {
-            residual,
-            residual_at: at.map(|dof| dofs.name(dof)),
-            correction,
-            correction_at: moved.map(|dof| dofs.name(dof)),
-            increment,
-            ..crate::observe::FieldReport::default()
-        }
+        let free = |dof: usize| plan.constraints.equation(dof);
+        let unbalanced = |dof| free(dof).map(|_| self.evaluation.unbalanced(dof));
+        let residual = largest_nodal(dofs, unbalanced);
+        let correction = largest_nodal(dofs, |dof| free(dof).map(|_| self.correction_dofs[dof]));
+        let increment = largest_nodal(dofs, |dof| Some(self.u[dof] - committed.displacement[dof]));
+        [0, 1].map(|field| FieldReport {
+            residual: residual[field].0,
+            residual_at: residual[field].1.map(|dof| dofs.name(dof)),
+            correction: correction[field].0,
+            correction_at: correction[field].1.map(|dof| dofs.name(dof)),
+            increment: increment[field].0,
+            ..FieldReport::default()
+        })
     }
 
     /// What rounding leaves of a residual: 50 eps EA max|u| / l of the

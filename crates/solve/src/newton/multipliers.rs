@@ -12,7 +12,7 @@
 
 use super::assembly::context;
 use super::scratch::{Scratch, solver};
-use crate::convergence::{Field, largest_nodal};
+use crate::convergence::largest_nodal;
 use crate::linearised::Stiffness;
 use crate::problem::Problem;
 use crate::state::State;
@@ -125,8 +125,9 @@ impl Scratch {
         for (dof, force) in residual.iter_mut().enumerate() {
             *force += evaluation.structure[dof] + evaluation.damping[dof];
         }
-        let free = |dof: usize| plan.constraints.equation(dof).is_some();
-        largest_nodal(plan.dofs, Field::Force, residual, free).0
+        let free = |dof: usize| plan.constraints.equation(dof).map(|_| residual[dof]);
+        let [(force, _), _] = largest_nodal(plan.dofs, free);
+        force
     }
 }
 

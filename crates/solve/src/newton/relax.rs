@@ -70,8 +70,8 @@ impl Scratch {
             self.note_anchor();
             let before = self.evaluation.points.clone();
             for _ in 0..ITERATIONS {
-                let walked = self.iterate(plan, committed, target.dt);
-                if walked.is_err() || self.evaluation.failed.is_some() {
+                let iterated = self.iterate(plan, committed, target.dt);
+                if iterated.is_err() || self.evaluation.failed.is_some() {
                     break;
                 }
                 if !self.complete(plan, committed) {

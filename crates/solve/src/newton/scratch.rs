@@ -88,7 +88,6 @@ pub struct Scratch {
     pub clock: Clock,
     /// Pressures on faces [F/L2].
     pub(super) faces: Vec<f64>,
-    pub(super) increment: Vec<f64>,
     /// Stresses of the elements as the linear solutions arrive at them.
     pub(super) stresses: Vec<f64>,
     pub(super) still: Vec<f64>,
@@ -208,7 +207,6 @@ impl Scratch {
             &mut self.correction_dofs,
             &mut self.residual,
             &mut self.turning,
-            &mut self.increment,
             &mut self.still,
         ];
         by_dof.into_iter().for_each(|list| zero(list, dofs));

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 use slideline_mech::contact::tangential::Tangential;
-use slideline_model::{BeamSection, Element, Model, NodeIndex};
+use slideline_model::{BeamSection, Element, Model, NodeIndex, Shape};
 
 /// Contact status of a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -140,15 +140,16 @@ impl BeamRow {
             shear_force: at(1),
             bending_moment: at(2),
             strains,
-            fibre_strain: strains[0].abs() + strains[2].abs() * outermost(section),
+            fibre_strain: fibre_strain(strains[0], strains[2], &section.shape),
         }
     }
 }
 
-/// Distance of the outermost fibre from the axis [L].
-fn outermost(section: &BeamSection) -> f64 {
-    let (height, centroid) = (section.shape.height(), section.shape.centroid());
-    centroid.max(height - centroid)
+/// Largest strain of a fibre [1] of the strain of the axis and its curvature.
+fn fibre_strain(axial: f64, curvature: f64, shape: &Shape) -> f64 {
+    let bottom = shape.bottom();
+    let at = |height: f64| (axial - height * curvature).abs();
+    at(bottom).max(at(bottom + shape.height()))
 }
 
 /// Results of the elements of a block. Elements that belong to one rigid body have

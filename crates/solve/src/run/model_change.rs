@@ -115,7 +115,7 @@ impl Analysis<'_> {
     }
 
     /// Forces and energy of elements in the committed state, by the kinematics of a step.
-    fn exerted(
+    pub(super) fn exerted(
         &self,
         (step, start): (usize, &Start<'_>),
         elements: &[usize],

@@ -178,7 +178,7 @@ impl Analysis<'_> {
         if stop != StopReason::Fixed {
             return shown;
         }
-        match walk_shorter(plan, committed, target, work) {
+        match solve_shorter(plan, committed, target, work) {
             Shorter::Reached(needed) => diagnose::step_too_large(plan, committed, outcome, needed),
             Shorter::Lost { committed, outcome, dt } => {
                 let (committed, outcome) = (&committed, &outcome);
@@ -201,7 +201,7 @@ enum Shorter {
 const SHORTEST: f64 = 1.0 / 256.0;
 
 /// Walks an increment that failed in shorter ones, unseen.
-fn walk_shorter(
+fn solve_shorter(
     plan: &Problem<'_>,
     committed: &State,
     target: &Target,

@@ -29,6 +29,17 @@ fn begin_again(decision: Decision, procedure: &Static) -> Decision {
     }
 }
 
+/// What the next attempt aims at.
+fn aim(step: usize, control: &Control, procedure: &Static) -> Target {
+    Target {
+        step,
+        increment: control.committed + 1,
+        attempt: control.attempts as usize + 1,
+        step_time: control.target(procedure),
+        dt: control.target(procedure) - control.time,
+    }
+}
+
 impl Analysis<'_> {
     /// All steps.
     pub fn steps(&mut self, work: &mut Scratch) -> Ending {
@@ -68,10 +79,13 @@ impl Analysis<'_> {
         let mut start = std::mem::take(self.start);
         let own = self.plan.of_step[number - 1];
         start.take(self.committed, &self.plan.steps[own].constraints);
+        if number == 1 {
+            self.begin_stressed(&mut start);
+        }
         let changed = self.change_model(number, &mut start);
-        let walked = changed.and_then(|()| self.all_increments(number, (&start, None), work));
+        let done = changed.and_then(|()| self.all_increments(number, (&start, None), work));
         *self.start = start;
-        walked
+        done
     }
 
     /// What is left of a step.
@@ -152,13 +166,7 @@ impl Analysis<'_> {
     ) -> Result<Option<Control>, Left> {
         let step = plan.step;
         loop {
-            let mut target = Target {
-                step: number,
-                increment: control.committed + 1,
-                attempt: control.attempts as usize + 1,
-                step_time: control.target(&step.procedure),
-                dt: control.target(&step.procedure) - control.time,
-            };
+            let mut target = aim(number, &control, &step.procedure);
             // friction that changes over the step is that of the end of the increment
             let changed = plan.contact.at(target.step_time / step.procedure.period);
             let contact = changed.as_ref().unwrap_or(plan.contact);

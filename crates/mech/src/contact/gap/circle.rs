@@ -5,7 +5,7 @@
 //!              travel clockwise                  travel counter-clockwise
 //! ```
 
-use super::Gap;
+use super::{Gap, Order, Second};
 
 /// On which side of the arc its material lies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,13 +39,13 @@ impl Circle {
     /// Variables: (slave x, y, centre x, y, rotation). h = r - |x_s - c| (convex); sigma = -r
     /// (theta - rotation) along the travel (convex; concave: + r), wrapped to within pi r of
     /// `reference`. `None` where the point is on the centre. [semantics: circle]
-    pub fn gap(
+    pub fn gap<O: Order>(
         &self,
         point: [f64; 2],
         centre: [f64; 2],
         rotation: f64,
         reference: f64,
-    ) -> Option<Gap<5>> {
+    ) -> Option<Gap<5, O>> {
         let d = [point[0] - centre[0], point[1] - centre[1]];
         let distance = d[0].hypot(d[1]);
         if !(distance > 0.0 && distance.is_finite()) {
@@ -59,9 +59,8 @@ impl Circle {
             along: travel * self.radius * angle,
             gradient: [0.0; 5],
             slip_gradient: [0.0; 5],
-            hessian: [[0.0; 5]; 5],
             direction: [0.0; 5],
-            direction_derivative: [[0.0; 5]; 5],
+            second: O::second(|| second(e, distance, travel)),
             normal: [-travel * e[0], -travel * e[1]],
             tangent: [-travel * e[1], travel * e[0]],
             position: [centre[0] + self.radius * e[0], centre[1] + self.radius * e[1]],
@@ -69,8 +68,14 @@ impl Circle {
         };
         gap.slip_gradient[4] = -travel * self.radius;
         gap.direction[4] = -travel * distance;
-        fill_derivatives(&mut gap, e, distance, travel, self.radius);
-        gap.checked()
+        let t = [-e[1], e[0]];
+        let slip = travel * self.radius / distance;
+        for i in 0..4 {
+            gap.gradient[i] = travel * sign(i) * e[i % 2];
+            gap.slip_gradient[i] = slip * sign(i) * t[i % 2];
+            gap.direction[i] = travel * sign(i) * t[i % 2];
+        }
+        gap.is_finite().then_some(gap)
     }
 
     fn wrapped_angle(&self, angle: f64, reference: f64) -> f64 {
@@ -81,22 +86,24 @@ impl Circle {
     }
 }
 
+/// Of the variables of the slave and of the centre.
+fn sign(variable: usize) -> f64 {
+    if variable < 2 { 1.0 } else { -1.0 }
+}
+
 /// d|d| = e.dx, D d|d| = (t.dx)(t.Dx)/|d|, d theta = t.dx/|d|, dx relative to the centre; the direction is
 /// t.dx and turns with D t = -e (t.Dx)/|d|, its lever about the centre is |d|.
-fn fill_derivatives(gap: &mut Gap<5>, e: [f64; 2], distance: f64, travel: f64, radius: f64) {
+fn second(e: [f64; 2], distance: f64, travel: f64) -> Second<5> {
     let t = [-e[1], e[0]];
-    let sign = |i: usize| if i < 2 { 1.0 } else { -1.0 };
-    let slip = travel * radius / distance;
+    let mut second = Second::ZERO;
     for i in 0..4 {
-        gap.gradient[i] = travel * sign(i) * e[i % 2];
-        gap.slip_gradient[i] = slip * sign(i) * t[i % 2];
-        gap.direction[i] = travel * sign(i) * t[i % 2];
-        gap.direction_derivative[4][i] = -travel * sign(i) * e[i % 2];
+        second.direction_derivative[4][i] = -travel * sign(i) * e[i % 2];
         for j in 0..4 {
             let both = travel * sign(i) * sign(j) / distance;
             let (a, b) = (i % 2, j % 2);
-            gap.hessian[i][j] = both * t[a] * t[b];
-            gap.direction_derivative[i][j] = -both * e[a] * t[b];
+            second.hessian[i][j] = both * t[a] * t[b];
+            second.direction_derivative[i][j] = -both * e[a] * t[b];
         }
     }
+    second
 }

@@ -9,7 +9,7 @@
 //!
 //! Variables: N = 2 + 2 K, ordered (slave x, y, X_0 x, y, X_1 x, y, ...).
 
-use super::Gap;
+use super::{Gap, Order, Second};
 
 /// Weights N_k of the control points at one parameter with their derivatives by xi.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -164,13 +164,13 @@ fn variable<const K: usize>(weights: &Weights<K>, index: usize) -> Variable {
 /// The direction is d sigma/|d sigma/dx_s|; |d sigma/dx_s| = sigma' |a|/|F_xi|.
 /// D dg = -(n.v1) Dxi - (n.V1) dxi - b dxi Dxi + (g/m)(n.v1 + b dxi)(n.V1 + b Dxi).
 /// `None` for a degenerate curve or a point on its centre of curvature. [semantics: closest point]
-pub fn point_to_curve<const K: usize, const N: usize>(
+pub fn point_to_curve<const K: usize, const N: usize, O: Order>(
     point: [f64; 2],
     control: &[[f64; 2]; K],
     weights: &Weights<K>,
     along: &Along,
     xi: f64,
-) -> Option<Gap<N>> {
+) -> Option<Gap<N, O>> {
     const { assert!(N == 2 + 2 * K) }
     let curve = local(control, weights);
     let a = curve.first;
@@ -186,21 +186,34 @@ pub fn point_to_curve<const K: usize, const N: usize>(
     if slope.abs() <= 1e-9 * metric {
         return None;
     }
-    let mut gap = Gap {
-        overclosure: -dot(normal, apart),
+    let variables: [Variable; N] = std::array::from_fn(|i| variable(weights, i));
+    let (mut gradient, mut slip_gradient) = ([0.0; N], [0.0; N]);
+    let mut by = [0.0; N]; // xi_i
+    for (i, v) in variables.iter().enumerate() {
+        let c = v.component;
+        by[i] = -(v.relative * curve.first[c] + v.tangent * apart[c]) / slope;
+        gradient[i] = -v.relative * normal[c];
+        slip_gradient[i] = along.first * by[i];
+    }
+    // Length of d sigma/dx_s.
+    let length = slip_gradient[0].hypot(slip_gradient[1]);
+    let scale = if length > 0.0 { 1.0 / length } else { 0.0 };
+    let direction = slip_gradient.map(|slip| scale * slip);
+    let overclosure = -dot(normal, apart);
+    let bent = Bent { curve: &curve, normal, apart, open: -overclosure, slope, metric };
+    let gap = Gap {
+        overclosure,
         along: along.value,
-        gradient: [0.0; N],
-        slip_gradient: [0.0; N],
-        hessian: [[0.0; N]; N],
-        direction: [0.0; N],
-        direction_derivative: [[0.0; N]; N],
+        gradient,
+        slip_gradient,
+        direction,
+        second: O::second(|| bent.second((&variables, &by), along, (scale, &direction))),
         normal,
         tangent,
         position: curve.position,
         parameter: xi,
     };
-    fill_derivatives(&mut gap, weights, &curve, along, (apart, slope, metric));
-    gap.checked()
+    gap.is_finite().then_some(gap)
 }
 
 /// Overclosure of a point against the curve at the parameter of its projection [L], without
@@ -217,61 +230,67 @@ pub fn overclosure<const K: usize>(
     (size > 0.0 && size.is_finite()).then(|| -dot(normal, apart))
 }
 
-fn fill_derivatives<const K: usize, const N: usize>(
-    gap: &mut Gap<N>,
-    weights: &Weights<K>,
-    curve: &Local,
-    along: &Along,
-    (apart, slope, metric): ([f64; 2], f64, f64),
-) {
-    let normal = gap.normal;
-    let open = -gap.overclosure;
-    let bend = dot(normal, curve.second);
-    let slope_xi = dot(apart, curve.third) - 3.0 * dot(curve.first, curve.second);
-    let variables: [Variable; N] = std::array::from_fn(|i| variable(weights, i));
-    let mut xi = [0.0; N]; // xi_i
-    let mut change = [0.0; N]; // F_i,xi
-    let mut turn = [0.0; N]; // n.v1_i
-    let mut tilt = [0.0; N]; // n.v1_i + b xi_i
-    for (i, v) in variables.iter().enumerate() {
-        let c = v.component;
-        xi[i] = -(v.relative * curve.first[c] + v.tangent * apart[c]) / slope;
-        change[i] = v.relative * curve.second[c] + v.curvature * apart[c]
-            - 2.0 * v.tangent * curve.first[c];
-        turn[i] = v.tangent * normal[c];
-        tilt[i] = turn[i] + bend * xi[i];
-        gap.gradient[i] = -v.relative * normal[c];
-        gap.slip_gradient[i] = along.first * xi[i];
-    }
-    // Length of d sigma/dx_s and the derivative of its logarithm.
-    let size = gap.slip_gradient[0].hypot(gap.slip_gradient[1]);
-    let scale = if size > 0.0 { 1.0 / size } else { 0.0 };
-    let mut growth = [0.0; N];
-    for (j, v) in variables.iter().enumerate() {
-        let c = v.component;
-        let stretch =
-            (v.tangent * curve.first[c] + dot(curve.first, curve.second) * xi[j]) / metric;
-        let turn = (change[j] + slope_xi * xi[j]) / slope;
-        growth[j] = along.second / along.first * xi[j] + stretch - turn;
-        gap.direction[j] = scale * gap.slip_gradient[j];
-    }
-    for i in 0..N {
-        for j in i..N {
-            let (p, q) = (&variables[i], &variables[j]);
-            let mixed = if p.component == q.component {
-                p.relative * q.tangent + p.tangent * q.relative
-            } else {
-                0.0
-            };
-            let xi_ij =
-                -(mixed + change[i] * xi[j] + change[j] * xi[i] + slope_xi * xi[i] * xi[j]) / slope;
-            let g_ij = -turn[i] * xi[j] - turn[j] * xi[i] - bend * xi[i] * xi[j]
-                + open / metric * tilt[i] * tilt[j];
-            let s_ij = along.first * xi_ij + along.second * xi[i] * xi[j];
-            gap.hessian[i][j] = -g_ij;
-            gap.hessian[j][i] = -g_ij;
-            gap.direction_derivative[i][j] = scale * s_ij - gap.direction[i] * growth[j];
-            gap.direction_derivative[j][i] = scale * s_ij - gap.direction[j] * growth[i];
+/// A point against a curve, as second derivatives ask for it.
+struct Bent<'a> {
+    curve: &'a Local,
+    normal: [f64; 2],
+    apart: [f64; 2],
+    /// g.
+    open: f64,
+    /// F_xi.
+    slope: f64,
+    /// m.
+    metric: f64,
+}
+
+impl Bent<'_> {
+    /// Second derivatives, of the derivatives `xi` of the parameter and the direction, which is
+    /// `scale` d sigma/dq.
+    fn second<const N: usize>(
+        &self,
+        (variables, xi): (&[Variable; N], &[f64; N]),
+        along: &Along,
+        (scale, direction): (f64, &[f64; N]),
+    ) -> Second<N> {
+        let Self { curve, normal, apart, open, slope, metric } = *self;
+        let bend = dot(normal, curve.second);
+        let slope_xi = dot(apart, curve.third) - 3.0 * dot(curve.first, curve.second);
+        let mut change = [0.0; N]; // F_i,xi
+        let mut turn = [0.0; N]; // n.v1_i
+        let mut tilt = [0.0; N]; // n.v1_i + b xi_i
+        let mut growth = [0.0; N]; // of the logarithm of |d sigma/dx_s|
+        for (i, v) in variables.iter().enumerate() {
+            let c = v.component;
+            change[i] = v.relative * curve.second[c] + v.curvature * apart[c]
+                - 2.0 * v.tangent * curve.first[c];
+            turn[i] = v.tangent * normal[c];
+            tilt[i] = turn[i] + bend * xi[i];
+            let stretch =
+                (v.tangent * curve.first[c] + dot(curve.first, curve.second) * xi[i]) / metric;
+            let turning = (change[i] + slope_xi * xi[i]) / slope;
+            growth[i] = along.second / along.first * xi[i] + stretch - turning;
         }
+        let mut second = Second::ZERO;
+        for i in 0..N {
+            for j in i..N {
+                let (p, q) = (&variables[i], &variables[j]);
+                let mixed = if p.component == q.component {
+                    p.relative * q.tangent + p.tangent * q.relative
+                } else {
+                    0.0
+                };
+                let xi_ij =
+                    -(mixed + change[i] * xi[j] + change[j] * xi[i] + slope_xi * xi[i] * xi[j])
+                        / slope;
+                let g_ij = -turn[i] * xi[j] - turn[j] * xi[i] - bend * xi[i] * xi[j]
+                    + open / metric * tilt[i] * tilt[j];
+                let s_ij = along.first * xi_ij + along.second * xi[i] * xi[j];
+                second.hessian[i][j] = -g_ij;
+                second.hessian[j][i] = -g_ij;
+                second.direction_derivative[i][j] = scale * s_ij - direction[i] * growth[j];
+                second.direction_derivative[j][i] = scale * s_ij - direction[j] * growth[i];
+            }
+        }
+        second
     }
 }

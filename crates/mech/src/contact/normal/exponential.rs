@@ -12,21 +12,35 @@ const LARGEST_EXPONENT: f64 = 23.0;
 /// b c0 = ln 100.
 const STEEPNESS: f64 = 2.0 * LN_10;
 
-/// Pressure, slope, energy of xi (exp(xi) - 1)/(e - 1), xi = 1 + x. [semantics: softened contact]
-pub(super) fn dimensionless(x: f64) -> (f64, f64, f64) {
+/// 1/(e - 1).
+const SCALE: f64 = 1.0 / (E - 1.0);
+
+/// Pressure and slope of xi (exp(xi) - 1)/(e - 1), xi = 1 + x. [semantics: softened contact]
+pub(super) fn dimensionless(x: f64) -> (f64, f64) {
     if x > LINEAR_FROM {
-        let (p, slope, w) = curve(LINEAR_FROM);
-        let d = x - LINEAR_FROM;
-        return (p + slope * d, slope, w + p * d + 0.5 * slope * d * d);
+        let (p, slope) = curve(LINEAR_FROM);
+        return (p + slope * (x - LINEAR_FROM), slope);
     }
-    if x > -1.0 { curve(x) } else { (0.0, 0.0, 0.0) }
+    if x > -1.0 { curve(x) } else { (0.0, 0.0) }
 }
 
-fn curve(x: f64) -> (f64, f64, f64) {
+fn curve(x: f64) -> (f64, f64) {
     let xi = 1.0 + x;
-    let (growth, scale) = (xi.exp_m1(), 1.0 / (E - 1.0));
-    let p = xi * growth;
-    let slope = growth + xi * (growth + 1.0);
+    let growth = xi.exp_m1();
+    (SCALE * (xi * growth), SCALE * (growth + xi * (growth + 1.0)))
+}
+
+/// Energy of the same law.
+pub(super) fn energy(x: f64) -> f64 {
+    if x > LINEAR_FROM {
+        let ((p, slope), d) = (curve(LINEAR_FROM), x - LINEAR_FROM);
+        return energy_of_curve(LINEAR_FROM) + p * d + 0.5 * slope * d * d;
+    }
+    if x > -1.0 { energy_of_curve(x) } else { 0.0 }
+}
+
+fn energy_of_curve(x: f64) -> f64 {
+    let xi = 1.0 + x;
     // w = (xi-1) e^xi + 1 - xi^2/2; its series sum xi^n (n-1)/n! - xi^2/2 where that cancels.
     let w = if xi < 0.5 {
         let mut term = xi * xi * xi / 6.0; // xi^n/n!
@@ -40,12 +54,12 @@ fn curve(x: f64) -> (f64, f64, f64) {
     } else {
         (xi - 1.0) * xi.exp() + 1.0 - 0.5 * xi * xi
     };
-    (scale * p, scale * slope, scale * w)
+    SCALE * w
 }
 
 /// x and dx/dp at the pressure y > 0 (in p0): Newton on xi (exp(xi) - 1) = y (e - 1), convex.
 pub(super) fn inverse(y: f64) -> (f64, f64) {
-    let (top, top_slope, _) = curve(LINEAR_FROM);
+    let (top, top_slope) = curve(LINEAR_FROM);
     if y >= top {
         return (LINEAR_FROM + (y - top) / top_slope, 1.0 / top_slope);
     }

@@ -67,7 +67,7 @@ impl NormalLaw {
                 Some(if h > 0.0 { (stiffness * h, *stiffness) } else { (0.0, 0.0) })
             }
             Self::Exponential { clearance, pressure } => {
-                let (p, slope, _) = exponential::dimensionless(h / clearance);
+                let (p, slope) = exponential::dimensionless(h / clearance);
                 Some((pressure * p, pressure / clearance * slope))
             }
             Self::CalculixExponential { clearance, pressure } => {
@@ -90,7 +90,7 @@ impl NormalLaw {
             Self::Hard => 0.0,
             Self::Linear { stiffness } => 0.5 * stiffness * h.max(0.0).powi(2),
             Self::Exponential { clearance, pressure } => {
-                pressure * clearance * exponential::dimensionless(h / clearance).2
+                pressure * clearance * exponential::energy(h / clearance)
             }
             Self::CalculixExponential { clearance, pressure } => {
                 pressure * clearance * exponential::calculix(h / clearance).2

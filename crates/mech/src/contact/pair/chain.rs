@@ -1,5 +1,6 @@
 //! Search and gap put together for chains: the gap of a point against the piece that faces it.
 
+use super::super::gap::Order;
 use super::super::gap::curve::{Along, Weights, overclosure, point_to_curve};
 use super::super::search::chain::{Chain, Piece, PieceKind, flat};
 use super::stencil::{AnyGap, StencilAttachments};
@@ -7,12 +8,12 @@ use crate::rigid::Attachment;
 
 /// Gap of `point` against the piece of a chain that faces it; variables (slave, nodes of
 /// [`Piece::nodes`]). `None` for degenerate positions.
-pub fn chain_gap(
+pub fn chain_gap<O: Order>(
     chain: &Chain,
     piece: &Piece,
     positions: &[[f64; 3]],
     point: [f64; 3],
-) -> Option<AnyGap> {
+) -> Option<AnyGap<O>> {
     let (k, xi, point) = (piece.index, piece.parameter, flat(point));
     let at = |node: usize| positions.get(node).copied().map(flat);
     match piece.kind {
@@ -28,8 +29,7 @@ pub fn chain_gap(
             let f = chain.smoothing;
             let (a1, a2) = (f * chain.reference_length(before), f * chain.reference_length(k));
             let along = Along::corner(chain.arc_coordinate(k), a1, a2, xi);
-            point_to_curve(point, &control, &Weights::corner(xi, f), &along, xi)
-                .map(AnyGap::Quadratic)
+            point_to_curve(point, &control, &Weights::corner(xi, f), &along, xi).map(AnyGap::Curved)
         }
     }
 }

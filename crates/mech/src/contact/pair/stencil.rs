@@ -1,6 +1,6 @@
 //! Gaps of any kind, and where their variables are attached.
 
-use super::super::gap::Gap;
+use super::super::gap::{Gap, Order, Quadratic};
 use super::super::search::chain::raised;
 use super::super::tangential::Tangential;
 use crate::rigid::Attachment;
@@ -8,13 +8,13 @@ use crate::rigid::Attachment;
 /// A gap of any of the kernels.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[allow(clippy::large_enum_variant)] // a box would allocate in the Newton loop
-pub enum AnyGap {
+pub enum AnyGap<O: Order = Quadratic> {
     /// Circle or vertex: (slave x, y, centre x, y, body rotation).
-    Circle(Gap<5>),
+    Circle(Gap<5, O>),
     /// Straight: (slave, two control points).
-    Straight(Gap<6>),
+    Straight(Gap<6, O>),
     /// Corner or parabola: (slave, three control points).
-    Quadratic(Gap<8>),
+    Curved(Gap<8, O>),
 }
 
 /// Evaluates an expression for the gap inside an [`AnyGap`].
@@ -23,12 +23,12 @@ macro_rules! each {
         match $any {
             AnyGap::Circle($gap) => $body,
             AnyGap::Straight($gap) => $body,
-            AnyGap::Quadratic($gap) => $body,
+            AnyGap::Curved($gap) => $body,
         }
     };
 }
 
-impl AnyGap {
+impl<O: Order> AnyGap<O> {
     /// Overclosure h [L].
     pub fn overclosure(&self) -> f64 {
         each!(self, gap => gap.overclosure)
@@ -64,10 +64,19 @@ impl AnyGap {
         each!(self, gap => Derivatives {
             gradient: &gap.gradient,
             slip_gradient: &gap.slip_gradient,
-            hessian: gap.hessian.as_flattened(),
             direction: &gap.direction,
-            direction_derivative: gap.direction_derivative.as_flattened(),
         })
+    }
+}
+
+impl AnyGap {
+    /// Second derivatives by the variables, row-major: d2h/dq2, and those of the directions of the
+    /// tangential force, which are not symmetric [1/L].
+    pub fn second_derivatives(&self) -> [&[f64]; 2] {
+        each!(self, gap => [
+            gap.second.hessian.as_flattened(),
+            gap.second.direction_derivative.as_flattened(),
+        ])
     }
 }
 
@@ -78,12 +87,8 @@ pub struct Derivatives<'a> {
     pub gradient: &'a [f64],
     /// d sigma/dq, n each [1].
     pub slip_gradient: &'a [f64],
-    /// d2h/dq2, n x n row-major [1/L].
-    pub hessian: &'a [f64],
     /// Directions of the tangential force, n each [1].
     pub direction: &'a [f64],
-    /// Their derivatives, n x n row-major each, not symmetric [1/L].
-    pub direction_derivative: &'a [f64],
 }
 
 /// Where the attachments of a stencil go, slave first.

@@ -2,6 +2,7 @@
 
 use super::super::gap::circle::{Circle, Side};
 use super::super::gap::curve::{Along, Weights, point_to_curve};
+use super::super::gap::{Linear, Order};
 use super::super::search::chain::{flat, raised};
 use super::super::search::rigid::{self, Facing, Part, RigidSegment};
 use super::super::search::sweep::{Crossing, cross_rigid};
@@ -125,7 +126,7 @@ impl RigidSurface {
                 Some(if outside == convex { -distance } else { distance })
             }
             (Part::Vertex { convex }, _) => Some(if convex { -distance } else { distance }),
-            _ => self.gap(body, &facing, point).map(|gap| gap.overclosure()),
+            _ => self.gap::<Linear>(body, &facing, point).map(|gap| gap.overclosure()),
         }
     }
 
@@ -142,7 +143,12 @@ impl RigidSurface {
     }
 
     /// Gap of `point` (in space) against what it faces.
-    pub fn gap(&self, body: &Body, facing: &Facing, point: [f64; 3]) -> Option<AnyGap> {
+    pub fn gap<O: Order>(
+        &self,
+        body: &Body,
+        facing: &Facing,
+        point: [f64; 3],
+    ) -> Option<AnyGap<O>> {
         let point = flat(point);
         let segment = self.segments.get(facing.segment)?;
         let start = *self.starts.get(facing.segment)?;
@@ -169,7 +175,7 @@ impl RigidSurface {
                 let control = rest.map(|p| body.carry(p));
                 let weights = Weights::quadratic(xi);
                 let along = parabola_along(&rest, &weights, start + segment.arc_length(xi));
-                point_to_curve(point, &control, &weights, &along, xi).map(AnyGap::Quadratic)
+                point_to_curve(point, &control, &weights, &along, xi).map(AnyGap::Curved)
             }
         }
     }
@@ -214,13 +220,13 @@ impl RigidSurface {
 }
 
 /// Gap against a circle of the body, sigma shifted by `shift` and wrapped near `reference`.
-fn circle_gap(
+fn circle_gap<O: Order>(
     body: &Body,
     centre: [f64; 2],
     (radius, convex): (f64, bool),
     point: [f64; 2],
     (shift, reference): (f64, f64),
-) -> Option<AnyGap> {
+) -> Option<AnyGap<O>> {
     let circle = Circle { radius, side: if convex { Side::Convex } else { Side::Concave } };
     let mut gap = circle.gap(point, body.carry(centre), body.dofs[2], reference)?;
     gap.along += shift;

@@ -17,6 +17,26 @@ use super::{INSIDE, Point, TIE, cross, dot, project_line, project_quadratic, sub
 /// A tree over the segments of a chain.
 pub type ChainTree = BoxTree<2>;
 
+/// What tells which segments of a chain come near a point.
+#[derive(Debug, Clone, Copy)]
+pub enum Nearby<'a> {
+    /// Nothing but the positions of the nodes.
+    Positions,
+    /// [`Chain::reach`] of every segment at the positions [L].
+    Reaches(&'a [f64]),
+    /// A tree of the segments, fitted to the positions.
+    Tree(&'a ChainTree),
+}
+
+impl<'a> Nearby<'a> {
+    fn tree(self) -> Option<&'a ChainTree> {
+        match self {
+            Self::Tree(tree) => Some(tree),
+            _ => None,
+        }
+    }
+}
+
 /// The place of a point in the plane of the chain.
 pub fn flat([x, y, _]: [f64; 3]) -> Point {
     [x, y]
@@ -152,11 +172,11 @@ impl Chain {
     /// The piece nearest by |g| that faces `point`, for the current `positions` of the nodes. `None`
     /// if the point faces no piece: see [`Chain::beyond_end`]. A number of positions other than that
     /// of the nodes gives `None`. With a tree of the parts, fitted to the positions, only those near
-    /// are looked at; the answer is the same. [semantics: search]
+    /// are looked at; the answer is the same whatever is known. [semantics: search]
     pub fn closest(
         &self,
         positions: &[[f64; 3]],
-        tree: Option<&ChainTree>,
+        nearby: Nearby<'_>,
         point: [f64; 3],
     ) -> Option<Piece> {
         let point = flat(point);
@@ -164,7 +184,7 @@ impl Chain {
             return None;
         }
         let mut best: Option<Candidate> = None;
-        let nearest = match tree {
+        let nearest = match nearby.tree() {
             Some(tree) => self.nearest_by_tree(positions, tree, point)?,
             None => nearest_node(positions, point)?,
         };
@@ -172,30 +192,39 @@ impl Chain {
         for index in around.clone() {
             self.consider(positions, point, index, &mut best);
         }
-        let limit = best_limit(best.as_ref());
-        let mut rest = |index: usize| {
-            if !around.contains(&index)
-                && self.may_be_nearer(positions, point, index, best.as_ref())
-            {
+        let first_limit = best_limit(best.as_ref());
+        let mut limit = first_limit;
+        let mut rest = |index: usize, reach: f64| {
+            let apart = sub(point, flat(positions[index]));
+            let near = reach + limit;
+            if dot(apart, apart) <= near * near && !around.contains(&index) {
                 self.consider(positions, point, index, &mut best);
+                limit = best_limit(best.as_ref());
             }
         };
-        match tree.filter(|_| limit.is_finite()) {
-            Some(tree) => {
+        match nearby {
+            Nearby::Tree(tree) if first_limit.is_finite() => {
                 // in the order of the parts, as without the tree: ties are decided by it
                 let (mut from, mut found) = (0, [usize::MAX; AT_ONCE]);
                 loop {
                     found.fill(usize::MAX);
-                    tree.within(point, limit, |part| insert(&mut found, part, from));
+                    tree.within(point, first_limit, |part| insert(&mut found, part, from));
                     let full = found[AT_ONCE - 1] != usize::MAX;
-                    found.iter().take_while(|&&part| part != usize::MAX).for_each(|&p| rest(p));
+                    let parts = found.iter().take_while(|&&part| part != usize::MAX);
+                    parts.for_each(|&part| rest(part, self.reach(positions, part)));
                     if !full {
                         break;
                     }
                     from = found[AT_ONCE - 1] + 1;
                 }
             }
-            None => (0..self.lengths.len()).for_each(rest),
+            Nearby::Reaches(reaches) => {
+                let own = reaches.iter().take(self.lengths.len()).enumerate();
+                own.for_each(|(index, &reach)| rest(index, reach));
+            }
+            Nearby::Tree(_) | Nearby::Positions => {
+                (0..self.lengths.len()).for_each(|index| rest(index, self.reach(positions, index)))
+            }
         }
         best.map(|candidate| candidate.piece)
     }
@@ -278,24 +307,10 @@ impl Chain {
         }
     }
 
-    /// Whether segment `index`, its extension and the corner at its first node can come closer than
-    /// the best so far: all of them lie in the circle about the first node that holds the segments
-    /// before and after it, prolonged.
-    fn may_be_nearer(
-        &self,
-        positions: &[[f64; 3]],
-        point: Point,
-        index: usize,
-        best: Option<&Candidate>,
-    ) -> bool {
-        let apart = sub(point, flat(positions[index]));
-        let limit = self.reach(positions, index) + best_limit(best);
-        dot(apart, apart) <= limit * limit
-    }
-
     /// Radius of the circle about the first node of segment `index` that holds it, its extension and
-    /// the segment before [L].
-    fn reach(&self, positions: &[[f64; 3]], index: usize) -> f64 {
+    /// the segment before with the corner between them [L]: none of them comes nearer to a point
+    /// than that circle.
+    pub fn reach(&self, positions: &[[f64; 3]], index: usize) -> f64 {
         let node = flat(positions[index]);
         let square = |p: [f64; 3]| dot(sub(flat(p), node), sub(flat(p), node));
         let mut reach = square(positions[index + 1]);

@@ -13,9 +13,19 @@ pub(in crate::element) struct Frame {
 
 impl Beam21 {
     pub(in crate::element) fn frame(&self, mean: f64) -> Frame {
-        let (s, c) = mean.sin_cos();
+        self.frame_turned(mean.sin_cos())
+    }
+
+    fn frame_turned(&self, (s, c): (f64, f64)) -> Frame {
         let [ex, ey] = self.direction;
         Frame { c: ex * c - ey * s, s: ey * c + ex * s }
+    }
+
+    /// Strains, and the frame of the section.
+    fn strains_and_frame(&self, q: &[f64; 6]) -> (BeamStrains, Frame) {
+        let mean = (q[2] + q[5]) * 0.5;
+        let turned = mean.sin_cos();
+        (self.strains_turned(q, mean, turned), self.frame_turned(turned))
     }
 
     /// Internal force dW/dq: F2 = (cN - sV, sN + cV), F1 = -F2, moments -M + b and M + b with
@@ -36,9 +46,9 @@ impl Beam21 {
     /// Writes the internal force dW/dq into `force`: (F, F, F L) of node 1, then of node 2; returns
     /// the strain energy [F L].
     pub fn force(&self, q: &[f64; 6], force: &mut [f64; 6]) -> f64 {
-        let strains = self.strains(q);
+        let (strains, frame) = self.strains_and_frame(q);
         let forces = self.forces_of(&strains);
-        self.end_forces(&self.frame(0.5 * (q[2] + q[5])), &strains, &forces, force);
+        self.end_forces(&frame, &strains, &forces, force);
         self.energy_of(&strains, &forces)
     }
 
@@ -62,9 +72,8 @@ impl Beam21 {
         force: &mut [f64; 6],
         tangent: &mut [f64; 36],
     ) -> f64 {
-        let strains = self.strains(q);
+        let (strains, frame) = self.strains_and_frame(q);
         let forces = self.forces_of(&strains);
-        let frame = self.frame(0.5 * (q[2] + q[5]));
         self.end_forces(&frame, &strains, &forces, force);
         self.material_tangent(&frame, &strains, tangent);
         self.geometric_tangent(&frame, &strains, stresses.unwrap_or(&forces), tangent);
@@ -85,7 +94,7 @@ impl Beam21 {
 
     /// l B' D B, written over `tangent`.
     fn material_tangent(&self, frame: &Frame, strains: &BeamStrains, tangent: &mut [f64; 36]) {
-        let rows = self.rows(frame, strains);
+        let rows = self.stiffness.at_centroid(self.rows(frame, strains));
         let weights = [self.stiffness.axial, self.stiffness.shear, self.stiffness.bending];
         let scaled: [[f64; 6]; 3] =
             std::array::from_fn(|r| std::array::from_fn(|i| self.length * weights[r] * rows[r][i]));
@@ -164,7 +173,7 @@ impl Mixed<6, 36, 3> for Beam21 {
     }
 
     fn force_of_stresses(&self, q: &[f64; 6], stresses: &[f64; 3]) -> [f64; 6] {
-        let (strains, frame) = (self.strains(q), self.frame(0.5 * (q[2] + q[5])));
+        let (strains, frame) = self.strains_and_frame(q);
         let mut force = [0.0; 6];
         self.end_forces(&frame, &strains, &(*stresses).into(), &mut force);
         force

@@ -61,15 +61,19 @@ impl Beam21 {
     /// element's frame, where d = (1, 0) + (u2 - u1)/l. cos p - 1 is written -2 sin^2(p/2), so that
     /// small strains keep all their digits. [semantics: B21, strains]
     pub fn strains_of<R: Real>(&self, q: &[R; 6]) -> BeamStrains<R> {
+        let mean = (q[2] + q[5]) * R::from_f64(0.5);
+        self.strains_turned(q, mean, (mean.sin(), mean.cos()))
+    }
+
+    /// The same with the mean rotation of both ends, its sine and its cosine.
+    fn strains_turned<R: Real>(&self, q: &[R; 6], mean: R, (s, c): (R, R)) -> BeamStrains<R> {
         let number = R::from_f64;
         let (ex, ey) = (number(self.direction[0]), number(self.direction[1]));
         let inverse = number(self.inverse);
         let (wx, wy) = ((q[3] - q[0]) * inverse, (q[4] - q[1]) * inverse);
         let (along, across) = (ex * wx + ey * wy, ex * wy - ey * wx);
-        let mean = (q[2] + q[5]) * number(0.5);
         let half = (mean * number(0.5)).sin();
         let versine = number(2.0) * half * half;
-        let (s, c) = (mean.sin(), mean.cos());
         BeamStrains {
             axial: c * along + s * across - versine,
             shear: c * across - s * along - s,
@@ -77,17 +81,11 @@ impl Beam21 {
         }
     }
 
-    /// Strain energy W = l/2 (EA eps^2 + K gam^2 + EI kap^2) [F L] of the displacements
+    /// Strain energy W = l/2 (EA eps^2 + K gam^2 + EI kap^2), eps at the centroid, [F L] of the displacements
     /// q = (u1x, u1y, f1, u2x, u2y, f2). [semantics: B21, energy]
     pub fn energy<R: Real>(&self, q: &[R; 6]) -> R {
-        let strains = self.strains_of(q);
-        let number = R::from_f64;
-        let axial = strains.axial - number(self.free.axial);
-        let curvature = strains.curvature - number(self.free.curvature);
-        let sum = number(self.stiffness.axial) * axial * axial
-            + number(self.stiffness.shear) * strains.shear * strains.shear
-            + number(self.stiffness.bending) * curvature * curvature;
-        number(0.5 * self.length) * sum
+        R::from_f64(0.5 * self.length)
+            * self.stiffness.twice_energy(&self.strains_of(q), &self.free)
     }
 
     /// Strains at the integration point.
@@ -95,18 +93,13 @@ impl Beam21 {
         self.strains_of(q)
     }
 
-    /// Section forces N = EA eps, V = K gam, M = EI kap.
+    /// Section forces N = EA eps, V = K gam, M = EI kap where the axis is the centroid.
     pub fn section_forces(&self, q: &[f64; 6]) -> BeamSectionForces {
         self.forces_of(&self.strains(q))
     }
 
     fn forces_of(&self, strains: &BeamStrains) -> BeamSectionForces {
-        let strains = strains.less(&self.free);
-        BeamSectionForces {
-            axial: self.stiffness.axial * strains.axial,
-            shear: self.stiffness.shear * strains.shear,
-            moment: self.stiffness.bending * strains.curvature,
-        }
+        self.stiffness.forces(&strains.less(&self.free))
     }
 
     fn energy_of(&self, strains: &BeamStrains, forces: &BeamSectionForces) -> f64 {

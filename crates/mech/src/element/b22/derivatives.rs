@@ -112,7 +112,7 @@ impl Beam22 {
 
     /// Adds l_g B' D B to the upper triangle.
     fn add_material(&self, station: &Station, turned: &Turned, tangent: &mut [f64; 81]) {
-        let rows = rows(station, turned);
+        let rows = self.stiffness.at_centroid(rows(station, turned));
         let stiffness = [self.stiffness.axial, self.stiffness.shear, self.stiffness.bending];
         for i in 0..9 {
             let scaled: [f64; 3] =

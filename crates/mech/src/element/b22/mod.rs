@@ -130,15 +130,9 @@ impl Beam22 {
     /// displacements q = (ux, uy, f) of first end, middle, second end: docs/theory.md eq. (3.11).
     /// [semantics: B21, energy]
     pub fn energy<R: Real>(&self, q: &[R; 9]) -> R {
-        let number = R::from_f64;
         let of = |station: &Station| {
-            let strains = station.strains(q);
-            let axial = strains.axial - number(station.free.axial);
-            let curvature = strains.curvature - number(station.free.curvature);
-            let sum = number(self.stiffness.axial) * axial * axial
-                + number(self.stiffness.shear) * strains.shear * strains.shear
-                + number(self.stiffness.bending) * curvature * curvature;
-            number(0.5 * station.length) * sum
+            let twice = self.stiffness.twice_energy(&station.strains(q), &station.free);
+            R::from_f64(0.5 * station.length) * twice
         };
         of(&self.stations[0]) + of(&self.stations[1])
     }
@@ -172,11 +166,7 @@ impl Beam22 {
 
     /// Those of the strains that the free element does not have.
     fn forces_of(&self, strains: &BeamStrains) -> BeamSectionForces {
-        BeamSectionForces {
-            axial: self.stiffness.axial * strains.axial,
-            shear: self.stiffness.shear * strains.shear,
-            moment: self.stiffness.bending * strains.curvature,
-        }
+        self.stiffness.forces(strains)
     }
 }
 

@@ -55,13 +55,7 @@ impl Beam23 {
 
     /// Section forces of linear kinematics at the middle.
     pub fn linear_section_forces(&self, q: &[f64; 6]) -> BeamSectionForces {
-        let strains = self.chord.linear_strains(q).less(&self.chord.free);
-        let stiffness = &self.chord.stiffness;
-        BeamSectionForces {
-            axial: stiffness.axial * strains.axial,
-            shear: stiffness.shear * strains.shear,
-            moment: stiffness.bending * strains.curvature,
-        }
+        self.chord.stiffness.forces(&self.chord.linear_strains(q).less(&self.chord.free))
     }
 
     /// Force and tangent of a step without NLGEOM: those of the Hermite beam, which is a B21 with
@@ -98,8 +92,10 @@ impl Mixed<6, 36, 3> for Beam23 {
         let law = self.energy_of(&stretch, &psi, &curvature);
         let frame = self.chord.frame(0.5 * (q[2] + q[5]));
         self.chord.end_forces(&frame, &strains, &forces(&law), force);
-        let elastic = stretch.value - self.chord.free.axial;
-        let own = [elastic * self.chord.stiffness.axial, psi.value * self.chord.stiffness.shear];
+        let bent =
+            BeamStrains { axial: stretch.value, shear: psi.value, curvature: strains.curvature };
+        let own = self.chord.stiffness.forces(&bent.less(&self.chord.free));
+        let own = [own.axial, own.shear];
         let beyond = [stresses[0] - own[0], stresses[1] - own[1]];
         let hessian = std::array::from_fn(|i| {
             std::array::from_fn(|j| {
@@ -131,12 +127,12 @@ impl Mixed<6, 36, 3> for Beam23 {
     fn stresses_after(&self, q: &[f64; 6], change: &[f64; 6]) -> [f64; 3] {
         let chord = self.chord.strains_of(&line(q, change));
         let (stretch, psi) = self.stretch_and_lean(&chord);
-        let stiffness = &self.chord.stiffness;
-        [
-            stiffness.axial * (arrival(&stretch) - self.chord.free.axial),
-            stiffness.shear * arrival(&psi),
-            stiffness.bending * (arrival(&chord.curvature) - self.chord.free.curvature),
-        ]
+        let arrived = BeamStrains {
+            axial: arrival(&stretch),
+            shear: arrival(&psi),
+            curvature: arrival(&chord.curvature),
+        };
+        self.chord.stiffness.forces(&arrived.less(&self.chord.free)).into()
     }
 }
 

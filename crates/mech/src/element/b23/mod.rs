@@ -50,7 +50,7 @@ impl Beam23 {
         chord.stiffness = if length > 0.0 {
             BeamStiffness { shear: 12.0 * stiffness.bending / (length * length), ..stiffness }
         } else {
-            BeamStiffness { axial: 0.0, shear: 0.0, bending: 0.0 }
+            BeamStiffness { axial: 0.0, shear: 0.0, bending: 0.0, centroid: 0.0 }
         };
         Self { chord }
     }
@@ -98,13 +98,8 @@ impl Beam23 {
 
     /// The same of eps, psi and kap.
     fn energy_of<R: Real>(&self, &stretch: &R, &psi: &R, &curvature: &R) -> R {
-        let stiffness = &self.chord.stiffness;
-        let number = R::from_f64;
-        let stretch = stretch - number(self.chord.free.axial);
-        let curvature = curvature - number(self.chord.free.curvature);
-        number(0.5 * stiffness.axial) * stretch * stretch
-            + number(0.5 * stiffness.shear) * psi * psi
-            + number(0.5 * stiffness.bending) * curvature * curvature
+        let strains = BeamStrains { axial: stretch, shear: psi, curvature };
+        R::from_f64(0.5) * self.chord.stiffness.twice_energy(&strains, &self.chord.free)
     }
 
     /// Strain energy W = l/2 (EA eps^2 + EI kap^2 + 12 EI psi^2/l^2) [F L] of the displacements
@@ -125,7 +120,10 @@ impl Beam23 {
         let chord = self.chord.strains(q);
         let (axial, psi) = self.stretch_and_lean(&chord);
         let slope = if self.length() > 0.0 { 6.0 * psi / self.length() } else { 0.0 };
-        BeamStrains { axial, shear: 0.0, curvature: chord.curvature - slope * xi }
+        let beyond = -slope * xi;
+        // the axial force is one over the element, the strain at the centroid therefore too
+        let axial = axial + self.chord.stiffness.centroid * beyond;
+        BeamStrains { axial, shear: 0.0, curvature: chord.curvature + beyond }
     }
 
     /// Section forces at the middle: N = EA eps, M = EI kap, and V = -dM/ds = 12 EI psi/l^2, which
@@ -133,12 +131,8 @@ impl Beam23 {
     pub fn section_forces(&self, q: &[f64; 6]) -> BeamSectionForces {
         let chord = self.chord.strains(q);
         let (stretch, psi) = self.stretch_and_lean(&chord);
-        let stiffness = &self.chord.stiffness;
-        BeamSectionForces {
-            axial: stiffness.axial * (stretch - self.chord.free.axial),
-            shear: stiffness.shear * psi,
-            moment: stiffness.bending * (chord.curvature - self.chord.free.curvature),
-        }
+        let strains = BeamStrains { axial: stretch, shear: psi, curvature: chord.curvature };
+        self.chord.stiffness.forces(&strains.less(&self.chord.free))
     }
 }
 

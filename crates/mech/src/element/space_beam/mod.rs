@@ -18,6 +18,7 @@ mod station;
 pub use station::Strains as SpaceStrains;
 
 use super::cell::{line3_shapes, line3_slopes};
+use super::heated::{BeamHeat, weighted};
 use super::kernel::{Failure, Kernel, Response, Scale, Strains, Surroundings};
 use super::quadrature::GAUSS_2;
 use crate::axes::PLAIN;
@@ -31,16 +32,20 @@ use station::{MOST, Station};
 #[derive(Clone, Debug)]
 pub struct SpaceBeams<const N: usize, const P: usize> {
     elements: Vec<SpaceBeam<N, P>>,
+    /// What temperature does to them; `None`: nothing.
+    heat: Option<BeamHeat>,
 }
 
 /// One of them.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct SpaceBeam<const N: usize, const P: usize> {
     stations: [Station<N>; P],
     /// Section stiffness, in the order of [`SpaceStrains`].
     section: [[f64; 6]; 6],
-    /// Smallest bending stiffness [F L2].
-    bending: f64,
+    /// What it is made of.
+    stiffness: SpaceStiffness,
+    /// Axial strain of the free element at each point, hot as it is [1].
+    free: [f64; P],
 }
 
 /// Shape functions of a line and their derivatives by xi, which runs from -1 to 1.
@@ -99,8 +104,21 @@ impl<const N: usize, const P: usize> SpaceBeam<N, P> {
                 ..plain
             }
         });
-        let (section, bending) = (section.matrix(), section.least_bending());
-        sound.then_some(Self { stations, section, bending })
+        let (stiffness, free) = (*section, [0.0; P]);
+        sound.then_some(Self { stations, section: section.matrix(), stiffness, free })
+    }
+
+    /// The same element at its temperatures: those of the integration points by the shape
+    /// functions, the stiffness at their mean. docs/theory.md eq. (3.109).
+    fn warmed(&self, heat: &BeamHeat, under: &Surroundings<'_>) -> Self {
+        let at = |nodes, station: &Station<N>| weighted(&station.shapes, nodes).value;
+        let free = std::array::from_fn(|point| {
+            let station = &self.stations[point];
+            heat.strain(at(under.temperatures, station), at(under.initial, station))
+        });
+        let sum: f64 = self.stations.iter().map(|own| at(under.temperatures, own)).sum();
+        let stiffness = heat.space_stiffness(&self.stiffness, sum / P as f64);
+        Self { free, section: stiffness.matrix(), stiffness, ..*self }
     }
 
     /// Undeformed length of the axis [L], by the integration points.
@@ -108,7 +126,13 @@ impl<const N: usize, const P: usize> SpaceBeam<N, P> {
         self.stations.iter().map(|station| station.length).sum()
     }
 
-    /// Section forces of strains: N, V1, V2 [F], torque, M1, M2 [F L] about t, n1, n2.
+    /// Strains at a point that the free element does not have.
+    fn elastic(&self, point: usize, mut strains: SpaceStrains) -> SpaceStrains {
+        strains[0] -= self.free[point];
+        strains
+    }
+
+    /// Section forces of such strains: N, V1, V2 [F], torque, M1, M2 [F L] about t, n1, n2.
     fn forces(&self, strains: &SpaceStrains) -> [f64; 6] {
         self.section.map(|row| row.iter().zip(strains).map(|(d, e)| d * e).sum())
     }
@@ -122,7 +146,8 @@ impl<const N: usize, const P: usize> SpaceBeam<N, P> {
     fn linear(&self, q: &[f64], force: &mut [f64], tangent: Option<&mut [f64]>) -> f64 {
         let mut change = Change::default();
         for (point, station) in self.stations.iter().enumerate() {
-            let (strains, rows) = (self.linear_strains(point, q), station.linear());
+            let strains = self.elastic(point, self.linear_strains(point, q));
+            let rows = station.linear();
             let stresses = self.forces(&strains);
             change.energy += 0.5 * station.length * product(&stresses, &strains);
             for (row, stress) in rows.iter().zip(stresses) {
@@ -150,7 +175,7 @@ impl<const N: usize, const P: usize> SpaceBeam<N, P> {
         let mut carried = [[0.0; 3]; N];
         for (point, station) in self.stations.iter().enumerate() {
             let sensed = station.sense(q, posture);
-            let strains = sensed.strains();
+            let strains = self.elastic(point, sensed.strains());
             let stresses = self.forces(&strains);
             let rates = station.rates(posture);
             change.energy += 0.5 * station.length * product(&stresses, &strains);
@@ -184,7 +209,7 @@ impl<const N: usize, const P: usize> SpaceBeam<N, P> {
         turned[..6 * N].copy_from_slice(&change[..6 * N]);
         change::spin(&mut turned, posture);
         let stations = self.stations.iter().zip(into.as_chunks_mut::<6>().0);
-        for (station, into) in stations {
+        for (point, (station, into)) in stations.enumerate() {
             let sensed = station.sense(q, posture);
             let rates = station.rates(posture);
             let moved = rates.map(|row| row.iter().zip(turned).map(|(r, t)| r * t).sum::<f64>());
@@ -193,7 +218,7 @@ impl<const N: usize, const P: usize> SpaceBeam<N, P> {
                 *value +=
                     sensed.gradient(strain).iter().zip(moved).map(|(g, m)| g * m).sum::<f64>();
             }
-            *into = self.forces(&strains);
+            *into = self.forces(&self.elastic(point, strains));
         }
     }
 }
@@ -209,7 +234,19 @@ fn estimate(stresses: Option<&[f64]>, point: usize) -> Option<[f64; 6]> {
 
 impl<const N: usize, const P: usize> FromIterator<SpaceBeam<N, P>> for SpaceBeams<N, P> {
     fn from_iter<I: IntoIterator<Item = SpaceBeam<N, P>>>(elements: I) -> Self {
-        Self { elements: elements.into_iter().collect() }
+        Self { elements: elements.into_iter().collect(), heat: None }
+    }
+}
+
+impl<const N: usize, const P: usize> SpaceBeams<N, P> {
+    /// The same under temperatures that count.
+    pub fn heated(self, heat: Option<BeamHeat>) -> Self {
+        Self { heat, ..self }
+    }
+
+    fn warmed(&self, element: usize, under: &Surroundings<'_>) -> SpaceBeam<N, P> {
+        let element = &self.elements[element];
+        self.heat.as_ref().map_or(*element, |heat| element.warmed(heat, under))
     }
 }
 
@@ -234,7 +271,7 @@ impl<const N: usize, const P: usize> Kernel for SpaceBeams<N, P> {
         under: &Surroundings<'_>,
         into: Response<'_>,
     ) -> Result<f64, Failure> {
-        let element = &self.elements[element];
+        let element = self.warmed(element, under);
         let Response { force, tangent, .. } = into;
         let estimated = match under.strains {
             Strains::Linear => return Ok(element.linear(q, force, tangent)),
@@ -277,12 +314,14 @@ impl<const N: usize, const P: usize> Kernel for SpaceBeams<N, P> {
         under: &Surroundings<'_>,
         into: &mut [f64],
     ) {
-        self.elements[element].arrive(q, change, &Posture::new(q, under.turns), into);
+        self.warmed(element, under).arrive(q, change, &Posture::new(q, under.turns), into);
     }
 
     fn tighten(&self, element: usize, reach: f64, stresses: &mut [f64]) {
         let element = &self.elements[element];
-        super::mixed::tighten::<6>((element.section[0][0], element.bending), reach, stresses);
+        let stiffness = &element.stiffness;
+        let own = (stiffness.axial, stiffness.least_bending());
+        super::mixed::tighten::<6>(own, reach, stresses);
     }
 
     fn scale(&self, element: usize) -> Scale {
@@ -301,18 +340,22 @@ impl<const N: usize, const P: usize> Kernel for SpaceBeams<N, P> {
         under: &Surroundings<'_>,
         into: &mut [f64],
     ) {
-        let element = &self.elements[element];
+        let element = self.warmed(element, under);
         let posture = under.is_large().then(|| Posture::new(q, under.turns));
-        let mut middle = [0.0; 6];
+        let (mut middle, mut elastic) = ([0.0; 6], [0.0; 6]);
         for (point, station) in element.stations.iter().enumerate() {
             let strains = match &posture {
                 Some(posture) => station.sense(q, posture).strains(),
                 None => element.linear_strains(point, q),
             };
-            middle.iter_mut().zip(strains).for_each(|(sum, own)| *sum += own / P as f64);
+            let mean = |into: &mut SpaceStrains, own: SpaceStrains| {
+                into.iter_mut().zip(own).for_each(|(sum, own)| *sum += own / P as f64);
+            };
+            mean(&mut middle, strains);
+            mean(&mut elastic, element.elastic(point, strains));
         }
         let told = |[n, v1, v2, t, m1, m2]: [f64; 6]| [n, v2, v1, -m1, m2, t];
-        let values = [told(element.forces(&middle)), told(middle)];
+        let values = [told(element.forces(&elastic)), told(middle)];
         into.iter_mut().zip(values.as_flattened()).for_each(|(into, value)| *into = *value);
     }
 }

@@ -56,7 +56,7 @@ impl Part {
     }
 
     /// A part from a state on; `None` where it has no end.
-    fn walk(
+    fn solve(
         plan: &Problem<'_>,
         from: &State,
         aim: &Target,
@@ -92,7 +92,7 @@ impl Part {
         while dt > SHORTEST * self.dt {
             let aim = Target { step_time: limit.step_time + dt, dt, ..*target };
             let nearer = match aim.step_time < self.end {
-                true => Self::walk(plan, &limit, &aim, rest, work),
+                true => Self::solve(plan, &limit, &aim, rest, work),
                 false => None,
             };
             match nearer.filter(|nearer| nearer.left().abs() <= enough) {
@@ -107,7 +107,7 @@ impl Part {
         let back = Target { step_time: end, dt: end - self.end, ..*target };
         // Not guessed from the increment that jumped: that would lead back.
         let from = State { increment_time: (0.0, 0.0), ..self.to.clone() };
-        let back = Self::walk(plan, &from, &back, Rest::default(), work)?;
+        let back = Self::solve(plan, &from, &back, Rest::default(), work)?;
         let beyond = Rest::default().with(&back);
         rest.work -= beyond.work;
         rest.dissipation -= beyond.dissipation;
@@ -148,10 +148,10 @@ impl Part {
     ) -> Option<(Self, f64)> {
         let dt = 0.5 * self.dt;
         let aim = |step_time: f64| Target { step_time, dt, ..*target };
-        let first = Self::walk(plan, &self.from, &aim(self.end - dt), self.rest, work)?;
+        let first = Self::solve(plan, &self.from, &aim(self.end - dt), self.rest, work)?;
         let known = self.known_half(plan, &first, work);
-        let walked = || Self::walk(plan, &first.to, &aim(self.end), self.rest, work);
-        let Some(second) = known.or_else(walked) else {
+        let solved = || Self::solve(plan, &first.to, &aim(self.end), self.rest, work);
+        let Some(second) = known.or_else(solved) else {
             first.spare(work);
             return None;
         };

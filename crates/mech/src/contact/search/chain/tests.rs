@@ -1,4 +1,4 @@
-use super::{Chain, PieceKind, raised};
+use super::{Chain, Nearby, PieceKind, raised};
 
 fn zigzag() -> Vec<[f64; 3]> {
     [[0.0, 0.0], [1.0, 0.0], [2.0, 0.5], [3.5, 0.0]].map(raised).to_vec()
@@ -8,7 +8,7 @@ fn zigzag() -> Vec<[f64; 3]> {
 #[test]
 fn kinds_along_the_chain() {
     let chain = Chain::new(&zigzag(), 0.25, 0.1).unwrap();
-    let at = |x: f64, y: f64| chain.closest(&zigzag(), None, [x, y, 0.0]).unwrap();
+    let at = |x: f64, y: f64| chain.closest(&zigzag(), Nearby::Positions, [x, y, 0.0]).unwrap();
     assert_eq!((at(0.5, 0.1).index, at(0.5, 0.1).kind), (0, PieceKind::Straight));
     assert_eq!((at(1.0, 0.1).index, at(1.0, 0.1).kind), (1, PieceKind::Corner));
     assert_eq!(at(1.0, 0.1).nodes(), 0..3);
@@ -22,7 +22,7 @@ fn kinds_along_the_chain() {
 fn sliding_off_the_end() {
     let chain = Chain::new(&zigzag(), 0.25, 0.1).unwrap();
     let x = zigzag();
-    assert!(chain.closest(&x, None, [-0.11, 0.02, 0.0]).is_none());
+    assert!(chain.closest(&x, Nearby::Positions, [-0.11, 0.02, 0.0]).is_none());
     assert!((chain.beyond_end(&x, [-0.11, 0.02, 0.0]).unwrap() + 0.02).abs() < 1e-15);
     assert!(chain.beyond_end(&x, [3.9, -0.1, 0.0]).is_some());
     assert!(chain.beyond_end(&x, [-7.0, 0.0, 0.0]).is_some());
@@ -42,7 +42,7 @@ fn no_hole() {
                 let s = f64::from(i) / 2000.0;
                 for offset in [-0.1, -0.01, 0.0, 0.01, 0.1] {
                     let p = [a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1]) + offset, 0.0];
-                    let piece = chain.closest(&x, None, p);
+                    let piece = chain.closest(&x, Nearby::Positions, p);
                     assert!(piece.is_some_and(|q| q.parameter.is_finite()), "{smoothing} {p:?}");
                 }
             }
@@ -71,13 +71,19 @@ fn the_tree_changes_no_answer() {
         for k in 0..4000 {
             let (a, b) = (f64::from(k) * 0.37, f64::from(k) * 0.61);
             let p = [6.0 * a.sin(), 5.0 * b.cos(), 0.0];
-            let (slow, quick) = (chain.closest(&x, None, p), chain.closest(&x, Some(&tree), p));
+            let (slow, quick) = (
+                chain.closest(&x, Nearby::Positions, p),
+                chain.closest(&x, Nearby::Tree(&tree), p),
+            );
             assert_eq!(slow, quick, "{p:?}");
             facing += i32::from(slow.is_some());
             none += i32::from(slow.is_none());
         }
         for node in &x {
-            assert_eq!(chain.closest(&x, None, *node), chain.closest(&x, Some(&tree), *node));
+            assert_eq!(
+                chain.closest(&x, Nearby::Positions, *node),
+                chain.closest(&x, Nearby::Tree(&tree), *node)
+            );
         }
     }
     let x: Vec<[f64; 3]> = (0..70).map(|k| [f64::from(k), 0.1 * f64::from(k % 2), 0.0]).collect();
@@ -85,7 +91,8 @@ fn the_tree_changes_no_answer() {
     let tree = chain.tree(&x);
     for k in 0..400 {
         let p = [-10.0 + 0.25 * f64::from(k), 3.0 * f64::from(k).sin(), 0.0];
-        let (slow, quick) = (chain.closest(&x, None, p), chain.closest(&x, Some(&tree), p));
+        let (slow, quick) =
+            (chain.closest(&x, Nearby::Positions, p), chain.closest(&x, Nearby::Tree(&tree), p));
         assert_eq!(slow, quick, "{p:?}");
         none += i32::from(slow.is_none());
     }
@@ -106,7 +113,7 @@ fn pieces_tile_the_chain() {
             let s = s - f64::from(segment);
             let (a, b) = (x[segment as usize], x[segment as usize + 1]);
             let p = [a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1]), 0.0];
-            let piece = chain.closest(&x, None, p).unwrap();
+            let piece = chain.closest(&x, Nearby::Positions, p).unwrap();
             let (index, t) = (piece.index, piece.parameter);
             let along = match piece.kind {
                 PieceKind::Straight => {
@@ -136,7 +143,7 @@ fn degenerate_input() {
     assert!(Chain::new(&[[0.0; 3]; 2], 0.0, 0.1).is_none());
     assert!(Chain::new(&zigzag(), 0.5, 0.1).is_none());
     let chain = Chain::new(&zigzag(), 0.2, 0.1).unwrap();
-    assert!(chain.closest(&[[1.0, 1.0, 0.0]; 4], None, [1.0, 1.0, 0.0]).is_none());
-    assert!(chain.closest(&zigzag()[..2], None, [1.0, 1.0, 0.0]).is_none());
-    assert!(chain.closest(&zigzag(), None, [f64::NAN, 1.0, 0.0]).is_none());
+    assert!(chain.closest(&[[1.0, 1.0, 0.0]; 4], Nearby::Positions, [1.0, 1.0, 0.0]).is_none());
+    assert!(chain.closest(&zigzag()[..2], Nearby::Positions, [1.0, 1.0, 0.0]).is_none());
+    assert!(chain.closest(&zigzag(), Nearby::Positions, [f64::NAN, 1.0, 0.0]).is_none());
 }

@@ -22,7 +22,7 @@ use std::collections::HashSet;
 /// | `pairs` | `[{"name","slave":[..],"master","nodes":[..],"normal","friction"}]` |
 /// | `instances` | `[{"name","first"}]`: `first` + n is the number of node or element n |
 /// | `settings` | `[{"card","name","value","default"}]` |
-pub(crate) fn understood(model: &Model) -> Value {
+pub(crate) fn model_object(model: &Model) -> Value {
     let driven = model.driven().into_iter().map(|own| {
         let nodes: Vec<u64> = own.nodes.iter().map(|&node| model.nodes.label(node)).collect();
         let (motion, reaction) = (own.dof.name(), own.dof.reaction_name());
