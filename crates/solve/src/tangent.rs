@@ -15,6 +15,7 @@
 
 use crate::constraints::Rows;
 use crate::contact::{
+    Before,
     ContactKinematics, GeometryScratch, MasterPositions, PointKinematics, PointRows,
 };
 use crate::evaluate::{Evaluation, Trial};
@@ -379,7 +380,7 @@ impl<'a> Differences<'a> {
         turn_moments(plan, trial.load, at, |dof, beyond| self.force[dof] -= beyond);
         let _energy = plan.structure.gather_force(&self.contributions, &mut self.force);
         self.kinematics.copy_from(&evaluation.kinematics);
-        let at = (&self.u[..], &committed.points[..]);
+        let at = (&self.u[..], Before::of(committed));
         plan.contact.meet_in_place(at, &mut self.positions, &mut self.kinematics);
         self.place.add_contact_force(&self.kinematics, &self.u, &mut self.force);
         plan.constraints.linearise((&self.u, trial.ambient.turns), &mut self.rows);
@@ -479,7 +480,7 @@ pub(crate) mod tests {
         };
         let (elements, master) = if line {
             let nodes = beam.clone();
-            let line = SlideLine { nodes, smooth: 0.3, extension: 0.1, origin: AT };
+            let line = SlideLine { nodes, middles: Vec::new(), smooth: 0.3, extension: 0.1, origin: AT };
             (pairs(&rim), Master::SlideLine(line))
         } else {
             let end = [4.2, 1.0];
@@ -507,7 +508,7 @@ pub(crate) mod tests {
         let formulation = Formulation::NodeToSurface;
         let origin = AT;
         let pair = ContactPair {
-            adjust: slideline_model::Adjust::Nothing,
+            adjust: slideline_model::Adjust::Nothing, corners: Vec::new(),
             name,
             formulation,
             vocabulary: slideline_model::Vocabulary::Elements,

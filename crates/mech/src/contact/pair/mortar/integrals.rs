@@ -10,10 +10,11 @@
 //!
 //! docs/theory.md eqs. (5.29) to (5.33)
 
-use super::curve::{Curve, MOST_CONTROLS, Place, Shapes, add_scaled, cross, sub, zero};
+use super::curve::{Curve, MOST_CONTROLS, Place, Shapes, add_scaled, cross, shapes, sub, zero};
 use super::dual::{self, Matrix};
 use super::face::{MortarFace, field, field_slope};
 use super::normals::MeanNormal;
+use super::reference::Reference;
 use crate::differentiate::Real;
 
 /// Where a segment ends on its slave face.
@@ -107,7 +108,7 @@ const THREE: &[(f64, f64)] = &[
     (0.5, 8.0 / 18.0),
     (0.887_298_334_620_741_7, 5.0 / 18.0),
 ];
-pub(super) const FIVE: &[(f64, f64)] = &[
+const FIVE: &[(f64, f64)] = &[
     (0.046_910_077_030_668_0, 0.118_463_442_528_094_54),
     (0.230_765_344_947_158_45, 0.239_314_335_249_683_23),
     (0.5, 0.284_444_444_444_444_44),
@@ -254,4 +255,17 @@ pub(super) fn across<R: Real>(
     let (apart, normal) = (sub(slave.blend(&own.value), point), field(ends, t));
     let slope = cross(slave.blend(&own.slope), normal) + cross(apart, field_slope(ends));
     (cross(apart, normal), slope)
+}
+
+impl Reference {
+    /// Areas of its nodes where it is covered as a whole [L2].
+    pub fn areas(&self) -> [f64; MOST_CONTROLS] {
+        let mut areas = [0.0; MOST_CONTROLS];
+        for &(t, weight) in FIVE {
+            let own = shapes(self.count(), 1.0, t);
+            let [area, _] = self.measure(t);
+            areas.iter_mut().zip(own.value).for_each(|(sum, shape)| *sum += weight * area * shape);
+        }
+        areas
+    }
 }

@@ -1,0 +1,328 @@
+//! Rows of slave nodes whose contact is spread over their faces.
+//!
+//! ```text
+//!   overclosure  e = -n . r / D             r: weighted gap, D: area
+//!   slip         T . (r / D - r_c / D_c)    r_c: by the weights of the last commit
+//!   force        A p de + A tau (drag)
+//! ```
+//!
+//! docs/theory.md eqs. (5.34) to (5.38)
+
+use super::super::before::Before;
+use super::super::kinematics::{ContactKinematics, PointRowsMut};
+use super::super::master::MasterSurface;
+use super::super::pairs::{Carrier, Contact};
+use super::place::{FaceState, MortarRoom};
+use super::slave::{Control, Mortar};
+use slideline_mech::contact::pair::Body;
+use slideline_mech::contact::pair::mortar::{Direction, FIRST_MASTER, MOST_CONTROLS, Place};
+use slideline_mech::contact::tangential::Tangential;
+
+/// Part of its area that a node must have left to carry contact [1].
+const LEAST_AREA: f64 = 1e-3;
+/// No column.
+const NONE: usize = usize::MAX;
+
+/// A side of a pair.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Side {
+    Slave,
+    Master,
+}
+
+/// Where faces of a pair stand now and stood at the last commit, with scratch.
+#[derive(Clone, Debug, Default)]
+pub struct MortarRooms {
+    /// Now.
+    pub now: MortarRoom,
+    /// At the last commit.
+    pub before: MortarRoom,
+    pulled: Vec<Place<f64>>,
+    columns: Vec<usize>,
+    unknowns: Vec<usize>,
+    weights: Vec<(Control, f64)>,
+}
+
+/// What a point sums over its faces.
+#[derive(Clone, Copy, Debug, Default)]
+struct Sums {
+    area: f64,
+    gap: [f64; 3],
+    normal: [f64; 3],
+}
+
+/// A pair at work.
+pub(super) struct At<'a> {
+    pub contact: &'a Contact,
+    pub mortar: &'a Mortar,
+    pub body: Body,
+}
+
+impl Contact {
+    /// Where all points of the mortars stand at displacements `u`, with slips since `before`.
+    pub(in super::super) fn meet_mortars(
+        &self,
+        u: &[f64],
+        before: Before<'_>,
+        into: &mut ContactKinematics,
+    ) {
+        let mut rooms = std::mem::take(&mut into.mortars);
+        rooms.resize_with(self.mortars.len(), MortarRooms::default);
+        for (mortar, rooms) in self.mortars.iter().zip(&mut rooms) {
+            self.place_mortar(mortar, u, &mut rooms.now);
+            let has_history = !before.u.is_empty() && !before.points.is_empty();
+            if has_history {
+                self.place_mortar(mortar, before.u, &mut rooms.before);
+            }
+            rooms.columns.resize(u.len(), NONE);
+            let body = self.masters[mortar.pair].placed_body(u);
+            let at = At { contact: self, mortar, body };
+            for point in 0..mortar.of_point.len() {
+                let place = mortar.first + point;
+                let along = before.points.get(place).filter(|_| has_history).map(|p| p.along);
+                at.meet_point(point, u, along, rooms, into);
+            }
+        }
+        into.mortars = rooms;
+    }
+}
+
+impl At<'_> {
+    /// Where a point stands; `along`: its slip coordinates at the last commit, if there was one and
+    /// it faced something then.
+    fn meet_point(
+        &self,
+        point: usize,
+        u: &[f64],
+        along: Option<Option<Tangential>>,
+        rooms: &mut MortarRooms,
+        into: &mut ContactKinematics,
+    ) {
+        let place = self.mortar.first + point;
+        let whole = self.contact.points[place].area;
+        let sums = self.sums(point, &rooms.now);
+        self.list_unknowns(point, rooms);
+        into.make_room(rooms.unknowns.len());
+        let mut into = into.at_mut(place);
+        if let Carrier::Node { position, dofs } = &self.contact.points[place].carrier {
+            into.point.position = dofs.displace(*position, u);
+        }
+        into.point.area = whole;
+        if sums.area < LEAST_AREA * whole || sums.area <= 0.0 {
+            into.turn_away_in_place();
+        } else {
+            self.take_rows(point, sums, along.flatten(), rooms, &mut into);
+        }
+        for &dof in &rooms.unknowns {
+            rooms.columns[dof] = NONE;
+        }
+    }
+
+    /// Area, weighted gap and normal of a point in a configuration.
+    fn sums(&self, point: usize, room: &MortarRoom) -> Sums {
+        let mut sums = Sums::default();
+        for &(face, node) in self.mortar.of_point[point].iter().flatten() {
+            let state = &room.faces[face];
+            let count = self.mortar.faces[face].count;
+            let [x, y] = state.integrals.normal(node, count);
+            sums.normal = [x, y, 0.0];
+            if state.is_covered {
+                sums.area += state.integrals.areas[node];
+                let [x, y] = state.integrals.gap(node, &state.face(self.mortar, face));
+                sums.gap = [sums.gap[0] + x, sums.gap[1] + y, 0.0];
+            }
+        }
+        sums
+    }
+
+    /// Fills in the dofs that a point follows, its own first, and the weights of the masters at the
+    /// last commit.
+    fn list_unknowns(&self, point: usize, rooms: &mut MortarRooms) {
+        let MortarRooms { now, before, columns, unknowns, weights, .. } = rooms;
+        unknowns.clear();
+        weights.clear();
+        let note = |columns: &mut Vec<usize>, unknowns: &mut Vec<usize>, dof: usize| {
+            if columns[dof] == NONE {
+                columns[dof] = unknowns.len();
+                unknowns.push(dof);
+            }
+        };
+        if let Carrier::Node { dofs, .. } = &self.contact.points[self.mortar.first + point].carrier {
+            dofs.as_slice().iter().for_each(|&dof| note(columns, unknowns, dof));
+        }
+        for &(face, node) in self.mortar.of_point[point].iter().flatten() {
+            let state = &now.faces[face];
+            for place in 0..FIRST_MASTER + MOST_CONTROLS * state.curves.len() {
+                let Some((side, control)) = self.control(face, place, (state, now)) else { continue };
+                self.follow(side, control, |dof, _| note(columns, unknowns, dof));
+            }
+            let state = match before.faces.get(face) {
+                Some(state) if state.is_covered => state,
+                _ => continue,
+            };
+            let count = self.mortar.faces[face].count;
+            state.integrals.weights(node, count, |segment, control, weight| {
+                let curve = &before.curves[state.near[state.segments[segment].curve]];
+                if control < curve.count && weight != 0.0 {
+                    let control = curve.controls[control];
+                    weights.push((control, weight));
+                    self.follow(Side::Master, control, |dof, _| note(columns, unknowns, dof));
+                }
+            });
+        }
+    }
+
+    /// The control point at a place of a face; `None` where there is none.
+    pub(super) fn control(
+        &self,
+        face: usize,
+        place: usize,
+        (state, room): (&FaceState, &MortarRoom),
+    ) -> Option<(Side, Control)> {
+        let Some(of_master) = place.checked_sub(FIRST_MASTER) else {
+            let control = *self.mortar.controls(face).get(place)?;
+            return control.map(|control| (Side::Slave, control));
+        };
+        let curve = &room.curves[*state.near.get(of_master / MOST_CONTROLS)?];
+        let control = of_master % MOST_CONTROLS;
+        (control < curve.count).then(|| (Side::Master, curve.controls[control]))
+    }
+
+    /// The dofs that a control point follows, each with the derivative of its place.
+    pub(super) fn follow(&self, side: Side, control: Control, mut add: impl FnMut(usize, [f64; 3])) {
+        let master = &self.contact.masters[self.mortar.pair];
+        if let (Control::Body(_), MasterSurface::Body { dofs, .. }) = (control, master) {
+            let [turn, _] = control.turning(&self.body);
+            let by = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], turn];
+            dofs.iter().zip(by).for_each(|(&dof, by)| add(dof, by));
+            return;
+        }
+        for (node, weight) in control.nodes() {
+            let dofs = match side {
+                Side::Slave => self.mortar.dofs[node],
+                Side::Master => master.nodes()[node].1,
+            };
+            for (axis, &dof) in dofs.as_slice().iter().enumerate() {
+                let mut by = [0.0; 3];
+                by[axis] = weight;
+                add(dof, by);
+            }
+        }
+    }
+
+    fn take_rows(
+        &self,
+        point: usize,
+        sums: Sums,
+        along: Option<Tangential>,
+        rooms: &mut MortarRooms,
+        into: &mut PointRowsMut<'_>,
+    ) {
+        let [nx, ny, _] = sums.normal;
+        let tangent = [-ny, nx, 0.0];
+        let gap = dot(sums.normal, sums.gap) / sums.area;
+        into.point.faces = true;
+        into.point.facing = None;
+        into.point.footing = None;
+        into.point.overclosure = -gap;
+        into.point.area = sums.area;
+        into.point.normal = sums.normal.map(|x| -x);
+        let width = rooms.unknowns.len();
+        let rows = into.rows.start(&rooms.unknowns);
+        let (row, rest) = rows.split_at_mut(width);
+        let (slip, force) = rest.split_at_mut(width);
+        let by_area = 1.0 / sums.area;
+        let normal = Direction { normal: by_area, tangent: 0.0, area: 0.0 };
+        self.pull(point, Asked::Gradient(normal), rooms, row);
+        self.pull(point, Asked::Drag(by_area), rooms, force);
+        let area: f64 = rooms.weights.iter().map(|(_, weight)| weight).sum();
+        let Some(origin) = along.filter(|_| area > 0.0) else {
+            slip.copy_from_slice(force);
+            into.point.along = along.unwrap_or(Tangential::ZERO);
+            return;
+        };
+        let across = dot(tangent, sums.gap) * by_area;
+        let direction = Direction { normal: 0.0, tangent: by_area, area: -across * by_area };
+        self.pull(point, Asked::Gradient(direction), rooms, slip);
+        let before = self.add_before(point, (tangent, area), rooms, slip);
+        into.point.along = origin + Tangential::along(across - dot(tangent, before));
+    }
+
+    /// Adds the part of the slip by the weights of the last commit to its row, and gives the mean gap
+    /// by them as a vector [L].
+    fn add_before(
+        &self,
+        point: usize,
+        (tangent, area): ([f64; 3], f64),
+        rooms: &mut MortarRooms,
+        row: &mut [f64],
+    ) -> [f64; 3] {
+        let Some(&(face, node)) = self.mortar.of_point[point].iter().flatten().next() else {
+            return [0.0; 3];
+        };
+        let control = self.mortar.faces[face].controls[node];
+        let own = control.place(rooms.now.nodes(), &self.body);
+        let mut gap = own.map(|x| -x);
+        let MortarRooms { now, columns, weights, .. } = rooms;
+        let mut add = |dof: usize, by: [f64; 3], factor: f64| {
+            row[columns[dof]] += factor * dot(tangent, by);
+        };
+        self.follow(Side::Slave, control, |dof, by| add(dof, by, 1.0));
+        for &(control, weight) in weights.iter() {
+            let part = weight / area;
+            let at = control.place(now.masters(), &self.body);
+            gap.iter_mut().zip(at).for_each(|(sum, x)| *sum += part * x);
+            self.follow(Side::Master, control, |dof, by| add(dof, by, -part));
+        }
+        self.pull(point, Asked::Normal((face, node), [-gap[1], gap[0]]), rooms, row);
+        gap
+    }
+
+    /// Adds derivatives by the places of a point's faces to a row.
+    fn pull(&self, point: usize, asked: Asked, rooms: &mut MortarRooms, row: &mut [f64]) {
+        for &(face, node) in self.mortar.of_point[point].iter().flatten() {
+            let state = &rooms.now.faces[face];
+            let places = FIRST_MASTER + MOST_CONTROLS * state.curves.len();
+            rooms.pulled.clear();
+            rooms.pulled.resize(places, Place::default());
+            let of_face = state.face(self.mortar, face);
+            let (whole, into) = ((&of_face, &state.segments[..]), &mut rooms.pulled[..]);
+            match asked {
+                Asked::Normal(at, by) if at == (face, node) => {
+                    state.integrals.pull_normal(&of_face, node, by, into);
+                }
+                Asked::Gradient(direction) if state.is_covered => {
+                    state.integrals.pull(whole, node, &direction, into);
+                }
+                Asked::Drag(factor) if state.is_covered => {
+                    state.integrals.drag(whole, node, factor, into);
+                }
+                _ => continue,
+            }
+            for (place, &[x, y]) in rooms.pulled.iter().enumerate() {
+                if [x, y] == Place::default() {
+                    continue;
+                }
+                let Some((side, control)) = self.control(face, place, (state, &rooms.now)) else {
+                    continue;
+                };
+                self.follow(side, control, |dof, by| {
+                    row[rooms.columns[dof]] += dot([x, y, 0.0], by);
+                });
+            }
+        }
+    }
+}
+
+/// Which derivatives are asked for.
+#[derive(Clone, Copy)]
+enum Asked {
+    Gradient(Direction<f64>),
+    Drag(f64),
+    /// What a derivative by the normal of a node of a face is.
+    Normal((usize, usize), Place<f64>),
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}

@@ -1,0 +1,72 @@
+//! How the rows of a point that is spread over faces turn with these.
+
+use super::super::kinematics::{GeometryScratch, PointRows};
+use super::super::pairs::Contact;
+use super::rows::{At, MortarRooms};
+use slideline_mech::contact::pair::mortar::{FIRST_MASTER, FaceTangent, MOST_CONTROLS, SweepRoom};
+use slideline_mech::contact::tangential::Tangential;
+
+/// Scratch of a tangent.
+#[derive(Clone, Debug, Default)]
+pub struct MortarScratch {
+    sweep: SweepRoom,
+    of_face: FaceTangent,
+    /// Places with the columns that they follow, and how.
+    entries: Vec<(usize, usize, [f64; 3])>,
+}
+
+impl Contact {
+    /// Adds the geometric tangent of a point of a mortar, as
+    /// [`Contact::geometric_tangent`].
+    pub(in super::super) fn tangent_of_mortar(
+        &self,
+        (own, place): (usize, usize),
+        (u, rooms): (&[f64], &MortarRooms),
+        kinematics: &PointRows<'_>,
+        (normal, tangential): (f64, Tangential),
+        scratch: &mut GeometryScratch,
+    ) {
+        let mortar = &self.mortars[own];
+        let body = self.masters[mortar.pair].placed_body(u);
+        let at = At { contact: self, mortar, body };
+        let GeometryScratch { tangent, mortar: room, .. } = scratch;
+        let m = kinematics.rows.width();
+        let area = kinematics.area;
+        for &(face, node) in mortar.of_point[place - mortar.first].iter().flatten() {
+            let state = &rooms.now.faces[face];
+            if !state.is_covered {
+                continue;
+            }
+            let of_face = state.face(mortar, face);
+            let forces = (normal / area, tangential[0] / area);
+            room.sweep.tangent((&of_face, &state.segments), node, forces, &mut room.of_face);
+            let places = FIRST_MASTER + MOST_CONTROLS * state.curves.len();
+            room.entries.clear();
+            for place in 0..places {
+                let Some((side, control)) = at.control(face, place, (state, &rooms.now)) else {
+                    continue;
+                };
+                let [_, bend] = control.turning(&body);
+                let force = room.of_face.force[place];
+                at.follow(side, control, |dof, by| {
+                    let column = kinematics.rows.unknowns.iter().position(|&own| own == dof);
+                    let Some(column) = column else { return };
+                    room.entries.push((place, column, by));
+                    // of a body the third dof turns: its second derivative
+                    if bend != [0.0; 3] && by[0] != 1.0 && by[1] != 1.0 {
+                        tangent[column * m + column] += force[0] * bend[0] + force[1] * bend[1];
+                    }
+                });
+            }
+            let wide = 2 * places;
+            let derivative = &room.of_face.derivative;
+            for &(i, row, left) in &room.entries {
+                for &(j, column, right) in &room.entries {
+                    let block = |a: usize, b: usize| derivative[(2 * i + a) * wide + 2 * j + b];
+                    let half = |b: usize| left[0] * block(0, b) + left[1] * block(1, b);
+                    tangent[row * m + column] += half(0) * right[0] + half(1) * right[1];
+                }
+            }
+        }
+    }
+}
