@@ -58,7 +58,7 @@ impl Patch {
 *CONTACT PAIR, INTERACTION=I, TYPE=SURFACE TO SURFACE
 {slave}, {master}
 *BOUNDARY\nBASE, 1, 2\n{held}*STEP{nlgeom}\n*STATIC\n1.0, 1.0
-*BOUNDARY\nHEAD, 1, 1, {:?}\nHEAD, 2, 2, {:?}\n*END STEP\n",
+*BOUNDARY\nHEAD, 1, 1, {:?}\nHEAD, 2, 2, {:?}\n*CONTROLS, PARAMETERS=FIELD\n1e-11\n*END STEP\n",
             SQUEEZE * s,
             -SQUEEZE * c
         )

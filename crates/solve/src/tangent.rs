@@ -15,8 +15,7 @@
 
 use crate::constraints::Rows;
 use crate::contact::{
-    Before,
-    ContactKinematics, GeometryScratch, MasterPositions, PointKinematics, PointRows,
+    Before, ContactKinematics, GeometryScratch, MasterPositions, PointKinematics, PointRows,
 };
 use crate::evaluate::{Evaluation, Trial};
 use crate::moments::{self, turn_moments};
@@ -237,7 +236,7 @@ impl Place<'_> {
     fn add_contact_force(&self, kinematics: &ContactKinematics, u: &[f64], force: &mut [f64]) {
         for (place, kinematics) in kinematics.iter().enumerate().filter(|(_, m)| m.faces) {
             let ((pressure, traction), _) = self.law(place, &kinematics);
-            let area = self.evaluation.points[place].area;
+            let area = kinematics.area;
             kinematics.push(area * pressure, area * traction.tau, force);
         }
         self.trial.dashpots.press(u, &self.committed.displacement, force, |_| {});

@@ -3,7 +3,7 @@
 #![allow(dead_code)] // every test uses a part
 
 use slideline::observe::{ContactRow, Ending, Frame};
-use slideline::{Event, Job, Observer, ReadOptions, SolveOptions, Stop};
+use slideline::{Event, Job, Observer, ReadOptions, SolveOptions, Stop, TangentCheck};
 use std::fmt::Write as _;
 use std::ops::ControlFlow;
 
@@ -24,12 +24,27 @@ pub struct Last {
     /// Sum of reactions over the nodes from `watched` on, of every increment.
     pub watched: u64,
     pub curve: Vec<[f64; 2]>,
+    /// Largest disagreement of a tangent with differences.
+    pub off: f64,
+    pub told: String,
+    /// Largest imbalance of force and moment over the increments, over the force.
+    pub worst: f64,
+    /// Energies.
+    pub balance: f64,
+    pub work: f64,
 }
 
 impl Observer for Last {
     fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
-        if let Event::Committed(frame) = event {
-            self.take(frame);
+        match event {
+            Event::Committed(frame) => self.take(frame),
+            Event::Tangent(report) => {
+                if report.off > self.off {
+                    self.told = format!("{report:?}");
+                }
+                self.off = self.off.max(report.off);
+            }
+            _ => {}
         }
         ControlFlow::Continue(())
     }
@@ -61,6 +76,10 @@ impl Last {
         let pair = &frame.pairs[0];
         self.imbalance = [pair.force_imbalance, pair.moment_imbalance];
         self.force = pair.force;
+        let size = pair.force[0].hypot(pair.force[1]);
+        let off = self.imbalance[0].max(self.imbalance[1]);
+        self.worst = self.worst.max(if size > 0.0 { off / size } else { off });
+        (self.balance, self.work) = (frame.energy.balance, frame.energy.external_work);
         self.iterations.push(frame.severe_iterations + frame.equilibrium_iterations);
     }
 }
@@ -72,10 +91,22 @@ pub fn solved(deck: &str) -> Last {
 
 /// The same with the sum of reactions of nodes from a label on.
 pub fn watched(deck: &str, from: u64) -> Last {
+    run(deck, from, &SolveOptions::default())
+}
+
+/// The same with every tangent held against differences; with the largest disagreement.
+pub fn checked(deck: &str, from: u64) -> (Last, f64) {
+    let options = SolveOptions { check_tangent: TangentCheck::Every, ..SolveOptions::default() };
+    let last = run(deck, from, &options);
+    let off = last.off;
+    (last, off)
+}
+
+pub fn run(deck: &str, from: u64, options: &SolveOptions) -> Last {
     let read = Job::read_text("mortar", deck, &ReadOptions::default());
     let model = read.model.unwrap_or_else(|| panic!("{:#?}", read.diagnostics));
     let mut last = Last { watched: from, ..Last::default() };
-    let ending = slideline::solve(&model, &SolveOptions::default(), &mut last);
+    let ending = slideline::solve(&model, options, &mut last);
     assert!(matches!(ending, Ending::Completed(_)), "{ending:?}\n{deck}");
     last
 }
