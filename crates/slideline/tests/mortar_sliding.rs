@@ -72,6 +72,48 @@ fn report(slider: &Slider) -> (Last, f64) {
 }
 
 #[test]
+fn debug() {
+    let slider = Slider {
+        kinds: [Kind::Cpe4; 2], upper_is_slave: false, law: "", friction: "*FRICTION\n0.3\n",
+        way: 0.5, press: 0.03, increments: 0.01, ring: false,
+    };
+    let read = slideline::Job::read_text("m", &slider.deck(), &slideline::ReadOptions::default());
+    let model = read.model.unwrap();
+    struct See;
+    impl slideline::Observer for See {
+        fn event(&mut self, event: slideline::Event<'_>) -> std::ops::ControlFlow<slideline::Stop> {
+            if let slideline::Event::Committed(frame) = event {
+                println!("time {} its {}", frame.total_time, frame.severe_iterations + frame.equilibrium_iterations);
+                for row in frame.contact {
+                    if row.ever_closed { println!("   x {:.4} {:?} p {:.3} tau {:.3} open {:.2e} slip {:.3e} along {:.4} area {:.4}", row.position[0], row.status, row.pressure, row.shear[0], row.opening, row.slip[0], row.along, row.area); }
+                }
+            }
+            std::ops::ControlFlow::Continue(())
+        }
+    }
+    let ending = slideline::solve(&model, &slideline::SolveOptions::default(), &mut See);
+    println!("{ending:?}");
+}
+
+#[test]
+fn scan() {
+    for (kinds, law) in [(Kind::Cpe4, ""), (Kind::Cpe4, "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n1e5\n")] {
+    for friction in ["*FRICTION\n0.1\n", "*FRICTION\n0.2\n", "*FRICTION\n0.3\n", "*FRICTION, LAGRANGE\n0.3\n", "*FRICTION, SLIP TOLERANCE=0.05\n0.3\n"] {
+        for increments in [0.1, 0.02] {
+        let slider = Slider { kinds: [kinds; 2], upper_is_slave: false, law, friction,
+            way: 0.5, press: 0.03, increments, ring: false };
+        let read = slideline::Job::read_text("m", &slider.deck(), &slideline::ReadOptions::default());
+        let model = read.model.unwrap();
+        let mut last = Last::default();
+        let ending = slideline::solve(&model, &slideline::SolveOptions::default(), &mut last);
+        println!("{kinds:?} {law} {friction} {increments}: {}", format!("{ending:?}").chars().take(260).collect::<String>());
+        println!("    {:?}", last.iterations);
+        }
+    }
+    }
+}
+
+#[test]
 fn probe() {
     let soft = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=EXPONENTIAL\n0.01, 20.0\n";
     for kinds in [[Kind::Cpe4; 2], [Kind::Cpe8; 2]] {

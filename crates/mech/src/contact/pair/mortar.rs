@@ -9,12 +9,11 @@
 //!                                            face bounds a segment
 //! ```
 //!
-//! On every face the multipliers have dual shape functions: the weighted gap of a node holds its own
-//! position alone. [docs/theory.md, section 5.10]
+//! Gaps are weighted with the shape functions of the slave, none of which is negative.
+//! [docs/theory.md, section 5.10]
 
 mod cover;
 mod curve;
-mod dual;
 mod face;
 mod integrals;
 mod normals;

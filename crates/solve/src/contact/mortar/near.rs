@@ -22,7 +22,7 @@ impl Contact {
             if !state.is_covered {
                 continue;
             }
-            let [x, y] = state.integrals.gap(node, &state.face(mortar, face));
+            let [x, y] = state.integrals.gaps[node];
             if x.hypot(y) > reach * state.integrals.areas[node] {
                 continue;
             }

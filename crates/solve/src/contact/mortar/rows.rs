@@ -3,7 +3,7 @@
 //! ```text
 //!   overclosure  e = -n . r / D             r: weighted gap, D: area
 //!   slip         T . (r / D - r_c / D_c)    r_c: by the weights of the last commit
-//!   force        A p de + A tau (drag)
+//!   force        D p de + D tau (drag)
 //! ```
 //!
 //! docs/theory.md eqs. (5.34) to (5.38)
@@ -19,7 +19,7 @@ use slideline_mech::contact::pair::mortar::{Direction, FIRST_MASTER, MOST_CONTRO
 use slideline_mech::contact::tangential::Tangential;
 
 /// Part of its area that a node must have left to carry contact [1].
-const LEAST_AREA: f64 = 1e-3;
+const LEAST_AREA: f64 = 5e-2;
 /// No column.
 const NONE: usize = usize::MAX;
 
@@ -40,7 +40,9 @@ pub struct MortarRooms {
     pulled: Vec<Place<f64>>,
     columns: Vec<usize>,
     unknowns: Vec<usize>,
-    weights: Vec<(Control, f64)>,
+    /// Weights of control points in the weighted gap of a point at the last commit [L2], and its area.
+    weights: Vec<(Side, Control, f64)>,
+    area_before: f64,
 }
 
 /// What a point sums over its faces.
@@ -59,6 +61,17 @@ pub(super) struct At<'a> {
 }
 
 impl Contact {
+    /// Whether the pressure of a pair is a function of its overclosure.
+    fn is_soft(&self, pair: usize) -> bool {
+        self.laws[pair].normal.pressure(0.0).is_some()
+    }
+
+    /// Whether the tangent of some pair is not symmetric even without friction: where faces are
+    /// covered in part, pressures change with areas that move. docs/theory.md eq. (5.39)
+    pub fn has_soft_mortar(&self) -> bool {
+        self.mortars.iter().any(|mortar| self.is_soft(mortar.pair))
+    }
+
     /// Where all points of the mortars stand at displacements `u`, with slips since `before`.
     pub(in super::super) fn meet_mortars(
         &self,
@@ -128,7 +141,7 @@ impl At<'_> {
             sums.normal = [x, y, 0.0];
             if state.is_covered {
                 sums.area += state.integrals.areas[node];
-                let [x, y] = state.integrals.gap(node, &state.face(self.mortar, face));
+                let [x, y] = state.integrals.gaps[node];
                 sums.gap = [sums.gap[0] + x, sums.gap[1] + y, 0.0];
             }
         }
@@ -138,9 +151,10 @@ impl At<'_> {
     /// Fills in the dofs that a point follows, its own first, and the weights of the masters at the
     /// last commit.
     fn list_unknowns(&self, point: usize, rooms: &mut MortarRooms) {
-        let MortarRooms { now, before, columns, unknowns, weights, .. } = rooms;
+        let MortarRooms { now, before, columns, unknowns, weights, area_before, .. } = rooms;
         unknowns.clear();
         weights.clear();
+        *area_before = 0.0;
         let note = |columns: &mut Vec<usize>, unknowns: &mut Vec<usize>, dof: usize| {
             if columns[dof] == NONE {
                 columns[dof] = unknowns.len();
@@ -160,15 +174,13 @@ impl At<'_> {
                 Some(state) if state.is_covered => state,
                 _ => continue,
             };
-            let count = self.mortar.faces[face].count;
-            state.integrals.weights(node, count, |segment, control, weight| {
-                let curve = &before.curves[state.near[state.segments[segment].curve]];
-                if control < curve.count && weight != 0.0 {
-                    let control = curve.controls[control];
-                    weights.push((control, weight));
-                    self.follow(Side::Master, control, |dof, _| note(columns, unknowns, dof));
-                }
+            let of_face = state.face(self.mortar, face);
+            state.integrals.weights((&of_face, &state.segments), node, |place, weight| {
+                let Some((side, control)) = self.control(face, place, (state, before)) else { return };
+                weights.push((side, control, weight));
+                self.follow(side, control, |dof, _| note(columns, unknowns, dof));
             });
+            *area_before += state.integrals.areas[node];
         }
     }
 
@@ -232,10 +244,11 @@ impl At<'_> {
         let (row, rest) = rows.split_at_mut(width);
         let (slip, force) = rest.split_at_mut(width);
         let by_area = 1.0 / sums.area;
-        let normal = Direction { normal: by_area, tangent: 0.0, area: 0.0 };
+        let depth = self.depth(-gap);
+        let normal = Direction { normal: by_area, tangent: 0.0, area: -depth * by_area };
         self.pull(point, Asked::Gradient(normal), rooms, row);
         self.pull(point, Asked::Drag(by_area), rooms, force);
-        let area: f64 = rooms.weights.iter().map(|(_, weight)| weight).sum();
+        let area = rooms.area_before;
         let Some(origin) = along.filter(|_| area > 0.0) else {
             slip.copy_from_slice(force);
             into.point.along = along.unwrap_or(Tangential::ZERO);
@@ -248,6 +261,11 @@ impl At<'_> {
         into.point.along = origin + Tangential::along(across - dot(tangent, before));
     }
 
+    /// What of an overclosure counts where the area changes: under a hard law there is none [L].
+    pub(super) fn depth(&self, overclosure: f64) -> f64 {
+        if self.contact.is_soft(self.mortar.pair) { overclosure } else { 0.0 }
+    }
+
     /// Adds the part of the slip by the weights of the last commit to its row, and gives the mean gap
     /// by them as a vector [L].
     fn add_before(
@@ -257,24 +275,19 @@ impl At<'_> {
         rooms: &mut MortarRooms,
         row: &mut [f64],
     ) -> [f64; 3] {
-        let Some(&(face, node)) = self.mortar.of_point[point].iter().flatten().next() else {
+        let Some(&at) = self.mortar.of_point[point].iter().flatten().next() else {
             return [0.0; 3];
         };
-        let control = self.mortar.faces[face].controls[node];
-        let own = control.place(rooms.now.nodes(), &self.body);
-        let mut gap = own.map(|x| -x);
+        let mut gap = [0.0; 3];
         let MortarRooms { now, columns, weights, .. } = rooms;
-        let mut add = |dof: usize, by: [f64; 3], factor: f64| {
-            row[columns[dof]] += factor * dot(tangent, by);
-        };
-        self.follow(Side::Slave, control, |dof, by| add(dof, by, 1.0));
-        for &(control, weight) in weights.iter() {
+        for &(side, control, weight) in weights.iter() {
             let part = weight / area;
-            let at = control.place(now.masters(), &self.body);
-            gap.iter_mut().zip(at).for_each(|(sum, x)| *sum += part * x);
-            self.follow(Side::Master, control, |dof, by| add(dof, by, -part));
+            let nodes = if side == Side::Slave { now.nodes() } else { now.masters() };
+            let place = control.place(nodes, &self.body);
+            gap.iter_mut().zip(place).for_each(|(sum, x)| *sum += part * x);
+            self.follow(side, control, |dof, by| row[columns[dof]] -= part * dot(tangent, by));
         }
-        self.pull(point, Asked::Normal((face, node), [-gap[1], gap[0]]), rooms, row);
+        self.pull(point, Asked::Normal(at, [-gap[1], gap[0]]), rooms, row);
         gap
     }
 

@@ -2,8 +2,11 @@
 
 use super::super::kinematics::{GeometryScratch, PointRows};
 use super::super::pairs::Contact;
+use super::place::FaceState;
 use super::rows::{At, MortarRooms};
-use slideline_mech::contact::pair::mortar::{FIRST_MASTER, FaceTangent, MOST_CONTROLS, SweepRoom};
+use slideline_mech::contact::pair::mortar::{
+    Direction, FIRST_MASTER, FaceTangent, MOST_CONTROLS, Place, SweepRoom,
+};
 use slideline_mech::contact::tangential::Tangential;
 
 /// Scratch of a tangent.
@@ -13,6 +16,9 @@ pub struct MortarScratch {
     of_face: FaceTangent,
     /// Places with the columns that they follow, and how.
     entries: Vec<(usize, usize, [f64; 3])>,
+    /// Derivative of the area by the columns [L].
+    by_area: Vec<f64>,
+    pulled: Vec<Place<f64>>,
 }
 
 impl Contact {
@@ -32,13 +38,15 @@ impl Contact {
         let GeometryScratch { tangent, mortar: room, .. } = scratch;
         let m = kinematics.rows.width();
         let area = kinematics.area;
+        room.by_area.clear();
+        room.by_area.resize(m, 0.0);
         for &(face, node) in mortar.of_point[place - mortar.first].iter().flatten() {
             let state = &rooms.now.faces[face];
             if !state.is_covered {
                 continue;
             }
             let of_face = state.face(mortar, face);
-            let forces = (normal / area, tangential[0] / area);
+            let forces = (normal / area, at.depth(kinematics.overclosure), tangential[0] / area);
             room.sweep.tangent((&of_face, &state.segments), node, forces, &mut room.of_face);
             let places = FIRST_MASTER + MOST_CONTROLS * state.curves.len();
             room.entries.clear();
@@ -58,6 +66,9 @@ impl Contact {
                     }
                 });
             }
+            if at.depth(1.0) > 0.0 {
+                at.note_area((state, face, node), (kinematics, rooms), room);
+            }
             let wide = 2 * places;
             let derivative = &room.of_face.derivative;
             for &(i, row, left) in &room.entries {
@@ -67,6 +78,41 @@ impl Contact {
                     tangent[row * m + column] += half(0) * right[0] + half(1) * right[1];
                 }
             }
+        }
+        // the area of a face that is covered in part changes too
+        let pressure = normal / area;
+        let by_overclosure = kinematics.rows.normal();
+        for (row, &by_area) in tangent.chunks_exact_mut(m).zip(&room.by_area) {
+            for (entry, &by) in row.iter_mut().zip(by_overclosure) {
+                *entry -= pressure * by_area * by;
+            }
+        }
+    }
+}
+
+impl At<'_> {
+    /// Adds the derivative of the area of a node of a face that is covered in part.
+    fn note_area(
+        &self,
+        (state, face, node): (&FaceState, usize, usize),
+        (kinematics, rooms): (&PointRows<'_>, &MortarRooms),
+        room: &mut MortarScratch,
+    ) {
+        let MortarScratch { pulled, by_area, .. } = room;
+        pulled.clear();
+        pulled.resize(FIRST_MASTER + MOST_CONTROLS * state.curves.len(), Place::default());
+        let direction = Direction { normal: 0.0, tangent: 0.0, area: 1.0 };
+        let of_face = state.face(self.mortar, face);
+        state.integrals.pull((&of_face, &state.segments), node, &direction, pulled);
+        for (place, [x, y]) in pulled.iter().enumerate() {
+            let Some((side, control)) = self.control(face, place, (state, &rooms.now)) else {
+                continue;
+            };
+            self.follow(side, control, |dof, by| {
+                if let Some(column) = kinematics.rows.unknowns.iter().position(|&own| own == dof) {
+                    by_area[column] += x * by[0] + y * by[1];
+                }
+            });
         }
     }
 }

@@ -1,18 +1,15 @@
 //! The mortar integrals of a slave face over what is covered of it.
 //!
 //! ```text
-//!   M_kl = int N_k N_l dA     D_k = int N_k dA     H_k = int N_k y dA     Phi = D M^-1 N
-//!
 //!       n(t)                   y: the place of the master on the line through x(t) along n(t)
-//!   o----+----o                weighted gap of node j: r_j = sum_k A_jk H_k - D_j x_j,
-//!       x(t)                                           A = D M^-1
+//!   o----+----o                area of node j          D_j = int N_j dA
+//!       x(t)                   weighted gap of node j  r_j = int N_j (y - x) dA
 //! ```
 //!
 //! docs/theory.md eqs. (5.29) to (5.33)
 
 use super::curve::{Curve, MOST_CONTROLS, Place, Shapes, add_scaled, cross, shapes, sub, zero};
-use super::dual::{self, Matrix};
-use super::face::{MortarFace, field, field_slope};
+use super::face::{FIRST_MASTER, MortarFace, OWN, field, field_slope};
 use super::normals::MeanNormal;
 use super::reference::Reference;
 use crate::differentiate::Real;
@@ -65,9 +62,10 @@ pub(super) struct Station<R> {
     /// Parameter of the face, and shape functions of the curve where it is faced.
     pub t: R,
     pub master: Shapes<R>,
-    /// The faced place y and its derivative by the parameter of the curve [L].
-    pub faced: Place<R>,
+    /// Derivative of the faced place by the parameter of the curve [L].
     pub along: Place<R>,
+    /// Derivative of x by the parameter of the face [L].
+    pub own_along: Place<R>,
     /// x - y [L], and the normal field.
     pub apart: Place<R>,
     pub normal: Place<R>,
@@ -83,22 +81,18 @@ pub struct Integrals<R> {
     pub(super) middle: Option<MeanNormal<R>>,
     pub(super) spans: Vec<[R; 2]>,
     pub(super) stations: Vec<Station<R>>,
-    pub(super) inverse: Matrix<R>,
-    /// Rows of dual shape functions by shape functions [1].
-    pub(super) dual: Matrix<R>,
     /// D [L2].
     pub areas: [R; MOST_CONTROLS],
-    /// H [L3].
-    pub(super) faced: [Place<R>; MOST_CONTROLS],
+    /// r [L3].
+    pub gaps: [Place<R>; MOST_CONTROLS],
 }
 
 impl<R: Real> Default for Integrals<R> {
     fn default() -> Self {
         let (spans, stations) = (Vec::new(), Vec::new());
-        let (inverse, dual) = (dual::zeros(), dual::zeros());
         let areas = [R::from_f64(0.0); MOST_CONTROLS];
-        let faced = [zero(); MOST_CONTROLS];
-        Self { ends: None, middle: None, spans, stations, inverse, dual, areas, faced }
+        let gaps = [zero(); MOST_CONTROLS];
+        Self { ends: None, middle: None, spans, stations, areas, gaps }
     }
 }
 
@@ -153,7 +147,7 @@ impl<R: Real> Integrals<R> {
             let Some(eta) = master.crossed(at, normal) else { return false };
             let other = master.shapes(eta);
             let (faced, along) = (master.blend(&other.value), master.blend(&other.slope));
-            let apart = sub(at, faced);
+            let (apart, own_along) = (sub(at, faced), slave.blend(&own.slope));
             self.stations.push(Station {
                 segment: place,
                 fraction,
@@ -162,11 +156,11 @@ impl<R: Real> Integrals<R> {
                 measure: face.reference.measure(t),
                 t,
                 master: other,
-                faced,
                 along,
+                own_along,
                 apart,
                 normal,
-                by_slave: cross(slave.blend(&own.slope), normal) + cross(apart, field_slope(ends)),
+                by_slave: cross(own_along, normal) + cross(apart, field_slope(ends)),
                 by_master: -cross(along, normal),
             });
         }
@@ -174,25 +168,22 @@ impl<R: Real> Integrals<R> {
     }
 
     fn sum(&mut self, count: usize) {
-        let mut mass: Matrix<R> = dual::zeros();
         self.areas = [R::from_f64(0.0); MOST_CONTROLS];
-        self.faced = [zero(); MOST_CONTROLS];
+        self.gaps = [zero(); MOST_CONTROLS];
         for station in &self.stations {
-            let [begin, end] = self.spans[station.segment];
-            let area = R::from_f64(station.weight) * (end - begin) * station.measure[0];
-            for k in 0..count {
-                let own = station.slave.value[k] * area;
-                self.areas[k] = self.areas[k] + own;
-                self.faced[k] = add_scaled(self.faced[k], own, station.faced);
-                for (l, entry) in mass[k][..count].iter_mut().enumerate() {
-                    *entry = *entry + own * station.slave.value[l];
-                }
+            let area = self.area(station);
+            for (node, &shape) in station.slave.value[..count].iter().enumerate() {
+                let own = shape * area;
+                self.areas[node] = self.areas[node] + own;
+                self.gaps[node] = add_scaled(self.gaps[node], -own, station.apart);
             }
         }
-        self.inverse = dual::inverse(&mass, count);
-        for k in 0..count {
-            self.dual[k] = self.inverse[k].map(|entry| self.areas[k] * entry);
-        }
+    }
+
+    /// Area of a station [L2].
+    fn area(&self, station: &Station<R>) -> R {
+        let [begin, end] = self.spans[station.segment];
+        R::from_f64(station.weight) * (end - begin) * station.measure[0]
     }
 
     /// Outward normal at a node of the face [1].
@@ -206,27 +197,23 @@ impl<R: Real> Integrals<R> {
         }
     }
 
-    /// Weighted gap of a node as a vector, from the slave to the master [L3].
-    pub fn gap(&self, node: usize, face: &MortarFace<'_, R>) -> Place<R> {
-        let own = self.dual[node][..face.reference.count()].iter().zip(self.faced);
-        let faced = own.fold(zero(), |sum, (&by, faced)| add_scaled(sum, by, faced));
-        add_scaled(faced, -self.areas[node], face.places.own[node])
-    }
-
-    /// Dual shape function of a node at a station.
-    pub(super) fn multiplier(&self, node: usize, station: &Station<R>, count: usize) -> R {
-        dual::along(&self.dual[node], &station.slave.value, count)
-    }
-
-    /// Weights of the master's control points in the weighted gap of a node: `add(segment, control,
-    /// weight)` [L2].
-    pub fn weights(&self, node: usize, count: usize, mut add: impl FnMut(usize, usize, R)) {
+    /// Weights of places in the weighted gap of a node, negative for those of the slave:
+    /// `add(place, weight)` [L2].
+    pub fn weights(
+        &self,
+        (face, segments): (&MortarFace<'_, R>, &[Segment]),
+        node: usize,
+        mut add: impl FnMut(usize, R),
+    ) {
+        let count = face.reference.count();
         for station in &self.stations {
-            let [begin, end] = self.spans[station.segment];
-            let area = R::from_f64(station.weight) * (end - begin) * station.measure[0];
-            let own = self.multiplier(node, station, count) * area;
+            let own = station.slave.value[node] * self.area(station);
+            let curve = segments[station.segment].curve;
+            for (control, &shape) in station.slave.value[..count].iter().enumerate() {
+                add(OWN + control, -(own * shape));
+            }
             for (control, &shape) in station.master.value.iter().enumerate() {
-                add(station.segment, control, own * shape);
+                add(FIRST_MASTER + MOST_CONTROLS * curve + control, own * shape);
             }
         }
     }

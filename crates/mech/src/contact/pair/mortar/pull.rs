@@ -3,14 +3,13 @@
 //! ```text
 //!   psi = d . r_j + beta D_j,   d = -a n_j + b T_j        a, b, beta: numbers
 //!
-//!   d psi = d . (A dH - D dx_j) + ... + what bounds, projections, normals and duals do
+//!   d psi = int N_j d . (dy - dx) dA + what bounds, projections and normals do
 //! ```
 //!
 //! Generic in the number type: with numbers that carry derivatives it gives second ones.
 //! docs/theory.md eqs. (5.34) to (5.37)
 
 use super::curve::{MOST_CONTROLS, Place, add_scaled, dot, scale, zero};
-use super::dual;
 use super::face::{FIRST_MASTER, MortarFace, OWN};
 use super::integrals::{Bound, Integrals, Segment, Station, across};
 use crate::differentiate::Real;
@@ -59,17 +58,11 @@ impl<R: Real> Integrals<R> {
         let Some(ends) = self.ends else { return };
         let count = face.reference.count();
         let d = direction.of(self.normal(node, count));
-        let own = face.places.own[node];
-        // nodal values of d . y projected on the shape functions
-        let loads = self.faced.map(|faced| dot(d, faced));
-        let projected: [R; MOST_CONTROLS] =
-            std::array::from_fn(|k| dual::along(&self.inverse[k], &loads, count));
-        let by_area = direction.area - dot(d, own) + projected[node];
-        into[OWN + node] = add_scaled(into[OWN + node], -self.areas[node], d);
         let mut chain = Chain { face, into, by_ends: [zero(); 2] };
         let mut by_bounds = [R::from_f64(0.0); 2];
         for (k, station) in self.stations.iter().enumerate() {
-            let by = self.by_bounds(station, (node, d), (by_area, &projected), &mut chain, segments);
+            let at = (station, segments[station.segment].curve);
+            let by = self.by_bounds(at, node, (d, direction.area), &mut chain);
             by_bounds = [by_bounds[0] + by[0], by_bounds[1] + by[1]];
             let last = self.stations.get(k + 1).is_none_or(|next| next.segment != station.segment);
             if last {
@@ -85,7 +78,7 @@ impl<R: Real> Integrals<R> {
         for (end, by) in by_ends.into_iter().enumerate() {
             face.pull_end(end, &ends[end], by, into);
         }
-        self.pull_normal(face, node, direction.by_normal(self.gap(node, face)), into);
+        self.pull_normal(face, node, direction.by_normal(self.gaps[node]), into);
     }
 
     /// Adds what a derivative by the normal of a node is by places.
@@ -106,29 +99,26 @@ impl<R: Real> Integrals<R> {
         }
     }
 
-    /// Adds the derivatives of a station, and gives those by the bounds of its segment.
+    /// Adds the derivatives of a station that faces a curve, and gives those by the bounds of its
+    /// segment.
     fn by_bounds(
         &self,
-        station: &Station<R>,
-        (node, d): (usize, Place<R>),
-        (by_area, projected): (R, &[R; MOST_CONTROLS]),
+        (station, curve): (&Station<R>, usize),
+        node: usize,
+        (d, by_area): (Place<R>, R),
         chain: &mut Chain<'_, R>,
-        segments: &[Segment],
     ) -> [R; 2] {
-        let count = chain.face.reference.count();
-        let (value, slope) = (&station.slave.value, &station.slave.slope);
         let [begin, end] = self.spans[station.segment];
         let [area, area_slope] = station.measure;
-        let (phi, phi_slope) =
-            (self.multiplier(node, station, count), dual::along(&self.dual[node], slope, count));
-        let (v, v_slope) = (dual::along(projected, value, count), dual::along(projected, slope, count));
-        let faced = dot(d, station.faced);
-        let inner = by_area * value[node] + phi * (faced - v);
-        let inner_slope = by_area * slope[node] + phi_slope * (faced - v) - phi * v_slope;
+        let (shape, slope) = (station.slave.value[node], station.slave.slope[node]);
+        let height = by_area - dot(d, station.apart);
+        let inner = shape * height;
+        let inner_slope = slope * height - shape * dot(d, station.own_along);
         let whole = R::from_f64(station.weight) * (end - begin);
-        let by_eta = whole * phi * area * dot(d, station.along);
-        chain.move_master(segments[station.segment].curve, station, scale(whole * phi * area, d));
-        let turned = chain.project(segments[station.segment].curve, station, by_eta / station.by_master);
+        let force = scale(whole * shape * area, d);
+        chain.move_master(curve, station, force);
+        chain.move_slave(&station.slave.value, force);
+        let turned = chain.project(curve, station, dot(force, station.along) / station.by_master);
         let by_t = whole * (inner_slope * area + inner * area_slope) - turned;
         let by_span = R::from_f64(station.weight) * inner * area;
         let fraction = R::from_f64(station.fraction);
@@ -144,15 +134,12 @@ impl<R: Real> Integrals<R> {
         factor: R,
         into: &mut [Place<R>],
     ) {
-        let count = face.reference.count();
-        let n = self.normal(node, count);
+        let n = self.normal(node, face.reference.count());
         let t = [-(factor * n[1]), factor * n[0]];
-        into[OWN + node] = add_scaled(into[OWN + node], self.areas[node], t);
-        self.weights(node, count, |segment, control, weight| {
-            let place = FIRST_MASTER + MOST_CONTROLS * segments[segment].curve + control;
+        self.weights((face, segments), node, |place, weight| {
             into[place] = add_scaled(into[place], -weight, t);
         });
-        let r = self.gap(node, face);
+        let r = self.gaps[node];
         self.pull_normal(face, node, [-(factor * r[1]), factor * r[0]], into);
     }
 }
@@ -167,15 +154,20 @@ impl<R: Real> Chain<'_, R> {
         }
     }
 
+    /// Takes a force on a place of the slave with these shape functions off.
+    fn move_slave(&mut self, shapes: &[R; MOST_CONTROLS], force: Place<R>) {
+        for (k, &shape) in shapes[..self.face.reference.count()].iter().enumerate() {
+            self.into[OWN + k] = add_scaled(self.into[OWN + k], -shape, force);
+        }
+    }
+
     /// What a derivative by the parameter of the curve is by places, of a station that keeps its
     /// place on the slave: `by` is divided by that of the projection. Gives the part by the
     /// parameter of the slave, to be taken off.
     fn project(&mut self, curve: usize, station: &Station<R>, by: R) -> R {
         self.turn(station.t, station.apart, by);
         let across = [by * station.normal[1], -(by * station.normal[0])];
-        for (k, &shape) in station.slave.value[..self.face.reference.count()].iter().enumerate() {
-            self.into[OWN + k] = add_scaled(self.into[OWN + k], -shape, across);
-        }
+        self.move_slave(&station.slave.value, across);
         self.move_master(curve, station, across);
         by * station.by_slave
     }
@@ -205,9 +197,7 @@ impl<R: Real> Chain<'_, R> {
         let normal = super::face::field(ends, t);
         self.turn(t, apart, by);
         let force = [by * normal[1], -(by * normal[0])];
-        for (k, &shape) in own.value[..slave.count].iter().enumerate() {
-            self.into[OWN + k] = add_scaled(self.into[OWN + k], -shape, force);
-        }
+        self.move_slave(&own.value, force);
         let place = FIRST_MASTER + MOST_CONTROLS * curve + other.last_control(end);
         self.into[place] = add_scaled(self.into[place], R::from_f64(1.0), force);
     }

@@ -32,13 +32,14 @@ pub struct SweepRoom {
 }
 
 impl SweepRoom {
-    /// The force of a node of a face and its derivative: `pressure` times the gradient of its
-    /// weighted overclosure and `traction` times the direction of its drag [F/L2].
+    /// The force of a node of a face and its derivative: `pressure` times the gradient of weighted
+    /// overclosure less `overclosure` times the area, and `traction` times the direction of its drag
+    /// [F/L2, L].
     pub fn tangent(
         &mut self,
         (face, segments): (&MortarFace<'_, f64>, &[Segment]),
         node: usize,
-        (pressure, traction): (f64, f64),
+        (pressure, overclosure, traction): (f64, f64, f64),
         into: &mut FaceTangent,
     ) {
         let places = FIRST_MASTER + MOST_CONTROLS * face.curves.len();
@@ -48,7 +49,7 @@ impl SweepRoom {
         into.derivative.clear();
         into.derivative.resize(columns * columns, 0.0);
         for first in (0..places).step_by(MOST_CONTROLS) {
-            self.sweep((face, segments), node, (pressure, traction), first);
+            self.sweep((face, segments), node, (pressure, overclosure, traction), first);
             for (place, force) in self.force.iter().enumerate() {
                 into.force[place] = force.map(|own| own.value);
                 for (axis, own) in force.iter().enumerate() {
@@ -64,7 +65,7 @@ impl SweepRoom {
         &mut self,
         (face, segments): (&MortarFace<'_, f64>, &[Segment]),
         node: usize,
-        (pressure, traction): (f64, f64),
+        (pressure, overclosure, traction): (f64, f64, f64),
         first: usize,
     ) {
         let seeded = |place: usize, at: Place<f64>| -> Place<Number> {
@@ -92,8 +93,9 @@ impl SweepRoom {
         if !self.integrals.take(&face, segments) {
             return;
         }
-        let [nothing, pressure] = [0.0, pressure].map(Number::constant);
-        let direction = Direction { normal: pressure, tangent: nothing, area: nothing };
+        let [nothing, normal, area] =
+            [0.0, pressure, -pressure * overclosure].map(Number::constant);
+        let direction = Direction { normal, tangent: nothing, area };
         self.integrals.pull((&face, segments), node, &direction, &mut self.force);
         if traction != 0.0 {
             let traction = Number::constant(traction);
