@@ -90,14 +90,9 @@ impl Contact {
 }
 
 impl MortarRoom {
-    /// Where the slave nodes stand [L].
-    pub fn nodes(&self) -> &[[f64; 3]] {
-        &self.nodes
-    }
-
-    /// Where the nodes of the master stand [L].
-    pub fn masters(&self) -> &[[f64; 3]] {
-        &self.masters
+    /// Where the curves of the master stand.
+    pub fn placed(&self) -> &[Curve<f64>] {
+        &self.placed
     }
 
     fn place_face(&mut self, mortar: &Mortar, face: usize) {

@@ -2,7 +2,8 @@
 //!
 //! ```text
 //!   overclosure  e = -n . r / D             r: weighted gap, D: area
-//!   slip         T . (r / D - r_c / D_c)    r_c: by the weights of the last commit
+//!   slip         T_c . (r_b / D - r_c / D_c)   r_b: places of the last commit by the weights of
+//!                                              now, r_c: by those of then
 //!   force        D p de + D tau (drag)
 //! ```
 //!
@@ -15,11 +16,13 @@ use super::super::pairs::{Carrier, Contact};
 use super::place::{FaceState, MortarRoom};
 use super::slave::{Control, Mortar};
 use slideline_mech::contact::pair::Body;
-use slideline_mech::contact::pair::mortar::{Direction, FIRST_MASTER, MOST_CONTROLS, Place};
+use slideline_mech::contact::pair::mortar::{
+    Curve, Direction, FIRST_MASTER, MOST_CONTROLS, MortarFace, Place,
+};
 use slideline_mech::contact::tangential::Tangential;
 
 /// Part of its area that a node must have left to carry contact [1].
-const LEAST_AREA: f64 = 5e-2;
+const LEAST_AREA: f64 = 1e-3;
 /// No column.
 const NONE: usize = usize::MAX;
 
@@ -40,9 +43,8 @@ pub struct MortarRooms {
     pulled: Vec<Place<f64>>,
     columns: Vec<usize>,
     unknowns: Vec<usize>,
-    /// Weights of control points in the weighted gap of a point at the last commit [L2], and its area.
-    weights: Vec<(Side, Control, f64)>,
-    area_before: f64,
+    /// Curves that a face faces now, where they stood then.
+    carried: Vec<Curve<f64>>,
 }
 
 /// What a point sums over its faces.
@@ -124,7 +126,7 @@ impl At<'_> {
         if sums.area < LEAST_AREA * whole || sums.area <= 0.0 {
             into.turn_away_in_place();
         } else {
-            self.take_rows(point, sums, along.flatten(), rooms, &mut into);
+            self.take_rows(point, sums, along, rooms, &mut into);
         }
         for &dof in &rooms.unknowns {
             rooms.columns[dof] = NONE;
@@ -151,10 +153,8 @@ impl At<'_> {
     /// Fills in the dofs that a point follows, its own first, and the weights of the masters at the
     /// last commit.
     fn list_unknowns(&self, point: usize, rooms: &mut MortarRooms) {
-        let MortarRooms { now, before, columns, unknowns, weights, area_before, .. } = rooms;
+        let MortarRooms { now, columns, unknowns, .. } = rooms;
         unknowns.clear();
-        weights.clear();
-        *area_before = 0.0;
         let note = |columns: &mut Vec<usize>, unknowns: &mut Vec<usize>, dof: usize| {
             if columns[dof] == NONE {
                 columns[dof] = unknowns.len();
@@ -164,23 +164,12 @@ impl At<'_> {
         if let Carrier::Node { dofs, .. } = &self.contact.points[self.mortar.first + point].carrier {
             dofs.as_slice().iter().for_each(|&dof| note(columns, unknowns, dof));
         }
-        for &(face, node) in self.mortar.of_point[point].iter().flatten() {
+        for &(face, _) in self.mortar.of_point[point].iter().flatten() {
             let state = &now.faces[face];
             for place in 0..FIRST_MASTER + MOST_CONTROLS * state.curves.len() {
                 let Some((side, control)) = self.control(face, place, (state, now)) else { continue };
                 self.follow(side, control, |dof, _| note(columns, unknowns, dof));
             }
-            let state = match before.faces.get(face) {
-                Some(state) if state.is_covered => state,
-                _ => continue,
-            };
-            let of_face = state.face(self.mortar, face);
-            state.integrals.weights((&of_face, &state.segments), node, |place, weight| {
-                let Some((side, control)) = self.control(face, place, (state, before)) else { return };
-                weights.push((side, control, weight));
-                self.follow(side, control, |dof, _| note(columns, unknowns, dof));
-            });
-            *area_before += state.integrals.areas[node];
         }
     }
 
@@ -226,12 +215,10 @@ impl At<'_> {
         &self,
         point: usize,
         sums: Sums,
-        along: Option<Tangential>,
+        along: Option<Option<Tangential>>,
         rooms: &mut MortarRooms,
         into: &mut PointRowsMut<'_>,
     ) {
-        let [nx, ny, _] = sums.normal;
-        let tangent = [-ny, nx, 0.0];
         let gap = dot(sums.normal, sums.gap) / sums.area;
         into.point.faces = true;
         into.point.facing = None;
@@ -248,17 +235,13 @@ impl At<'_> {
         let normal = Direction { normal: by_area, tangent: 0.0, area: -depth * by_area };
         self.pull(point, Asked::Gradient(normal), rooms, row);
         self.pull(point, Asked::Drag(by_area), rooms, force);
-        let area = rooms.area_before;
-        let Some(origin) = along.filter(|_| area > 0.0) else {
+        let Some(along) = along else {
             slip.copy_from_slice(force);
-            into.point.along = along.unwrap_or(Tangential::ZERO);
+            into.point.along = Tangential::ZERO;
             return;
         };
-        let across = dot(tangent, sums.gap) * by_area;
-        let direction = Direction { normal: 0.0, tangent: by_area, area: -across * by_area };
-        self.pull(point, Asked::Gradient(direction), rooms, slip);
-        let before = self.add_before(point, (tangent, area), rooms, slip);
-        into.point.along = origin + Tangential::along(across - dot(tangent, before));
+        let way = self.add_slip(point, sums.area, rooms, slip);
+        into.point.along = along.unwrap_or(Tangential::ZERO) + Tangential::along(way);
     }
 
     /// What of an overclosure counts where the area changes: under a hard law there is none [L].
@@ -266,29 +249,46 @@ impl At<'_> {
         if self.contact.is_soft(self.mortar.pair) { overclosure } else { 0.0 }
     }
 
-    /// Adds the part of the slip by the weights of the last commit to its row, and gives the mean gap
-    /// by them as a vector [L].
-    fn add_before(
+    /// Slip of a point since the last commit [L]; its derivative is added to the row.
+    fn add_slip(&self, point: usize, area: f64, rooms: &mut MortarRooms, row: &mut [f64]) -> f64 {
+        let then = self.sums(point, &rooms.before);
+        let [nx, ny, _] = then.normal;
+        let tangent = [-ny, nx];
+        let way = self.carry(point, tangent, None, rooms, row) / area;
+        self.carry(point, tangent, Some((1.0 / area, -way / area)), rooms, row);
+        let offset = -ny * then.gap[0] + nx * then.gap[1];
+        way - if then.area > 0.0 { offset / then.area } else { 0.0 }
+    }
+
+    /// The weighted way of what faces a point now, summed over its faces; its derivative is added to
+    /// the row with these factors.
+    fn carry(
         &self,
         point: usize,
-        (tangent, area): ([f64; 3], f64),
+        tangent: Place<f64>,
+        factors: Option<(f64, f64)>,
         rooms: &mut MortarRooms,
         row: &mut [f64],
-    ) -> [f64; 3] {
-        let Some(&at) = self.mortar.of_point[point].iter().flatten().next() else {
-            return [0.0; 3];
-        };
-        let mut gap = [0.0; 3];
-        let MortarRooms { now, columns, weights, .. } = rooms;
-        for &(side, control, weight) in weights.iter() {
-            let part = weight / area;
-            let nodes = if side == Side::Slave { now.nodes() } else { now.masters() };
-            let place = control.place(nodes, &self.body);
-            gap.iter_mut().zip(place).for_each(|(sum, x)| *sum += part * x);
-            self.follow(side, control, |dof, by| row[columns[dof]] -= part * dot(tangent, by));
+    ) -> f64 {
+        let mut whole = 0.0;
+        for &(face, node) in self.mortar.of_point[point].iter().flatten() {
+            let state = &rooms.now.faces[face];
+            if !state.is_covered {
+                continue;
+            }
+            rooms.carried.clear();
+            rooms.carried.extend(state.near.iter().map(|&curve| rooms.before.placed()[curve]));
+            let reference = &self.mortar.faces[face].reference;
+            let places = &rooms.before.faces[face].places;
+            let before = MortarFace { reference, places, curves: &rooms.carried };
+            rooms.pulled.clear();
+            rooms.pulled.resize(FIRST_MASTER + MOST_CONTROLS * state.curves.len(), Place::default());
+            let of_face = state.face(self.mortar, face);
+            let (at, then) = ((&of_face, &state.segments[..]), (&before, node));
+            whole += state.integrals.carried(at, then, tangent, factors, &mut rooms.pulled);
+            self.add_pulled(face, (&rooms.now, &rooms.pulled), &rooms.columns, row);
         }
-        self.pull(point, Asked::Normal(at, [-gap[1], gap[0]]), rooms, row);
-        gap
+        whole
     }
 
     /// Adds derivatives by the places of a point's faces to a row.
@@ -301,9 +301,6 @@ impl At<'_> {
             let of_face = state.face(self.mortar, face);
             let (whole, into) = ((&of_face, &state.segments[..]), &mut rooms.pulled[..]);
             match asked {
-                Asked::Normal(at, by) if at == (face, node) => {
-                    state.integrals.pull_normal(&of_face, node, by, into);
-                }
                 Asked::Gradient(direction) if state.is_covered => {
                     state.integrals.pull(whole, node, &direction, into);
                 }
@@ -312,17 +309,26 @@ impl At<'_> {
                 }
                 _ => continue,
             }
-            for (place, &[x, y]) in rooms.pulled.iter().enumerate() {
-                if [x, y] == Place::default() {
-                    continue;
-                }
-                let Some((side, control)) = self.control(face, place, (state, &rooms.now)) else {
-                    continue;
-                };
-                self.follow(side, control, |dof, by| {
-                    row[rooms.columns[dof]] += dot([x, y, 0.0], by);
-                });
+            self.add_pulled(face, (&rooms.now, &rooms.pulled), &rooms.columns, row);
+        }
+    }
+
+    /// Adds derivatives by the places of a face to a row.
+    fn add_pulled(
+        &self,
+        face: usize,
+        (room, pulled): (&MortarRoom, &[Place<f64>]),
+        columns: &[usize],
+        row: &mut [f64],
+    ) {
+        for (place, &[x, y]) in pulled.iter().enumerate() {
+            if [x, y] == Place::default() {
+                continue;
             }
+            let Some((side, control)) = self.control(face, place, (&room.faces[face], room)) else {
+                continue;
+            };
+            self.follow(side, control, |dof, by| row[columns[dof]] += dot([x, y, 0.0], by));
         }
     }
 }
@@ -332,8 +338,6 @@ impl At<'_> {
 enum Asked {
     Gradient(Direction<f64>),
     Drag(f64),
-    /// What a derivative by the normal of a node of a face is.
-    Normal((usize, usize), Place<f64>),
 }
 
 fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {

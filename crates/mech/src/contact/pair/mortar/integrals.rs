@@ -181,7 +181,7 @@ impl<R: Real> Integrals<R> {
     }
 
     /// Area of a station [L2].
-    fn area(&self, station: &Station<R>) -> R {
+    pub(super) fn area(&self, station: &Station<R>) -> R {
         let [begin, end] = self.spans[station.segment];
         R::from_f64(station.weight) * (end - begin) * station.measure[0]
     }

@@ -9,7 +9,7 @@
 //! Generic in the number type: with numbers that carry derivatives it gives second ones.
 //! docs/theory.md eqs. (5.34) to (5.37)
 
-use super::curve::{MOST_CONTROLS, Place, add_scaled, dot, scale, zero};
+use super::curve::{MOST_CONTROLS, Place, add_scaled, dot, scale, sub, zero};
 use super::face::{FIRST_MASTER, MortarFace, OWN};
 use super::integrals::{Bound, Integrals, Segment, Station, across};
 use crate::differentiate::Real;
@@ -39,6 +39,13 @@ impl<R: Real> Direction<R> {
     }
 }
 
+/// What is integrated beside the shape function, with its slopes by the parameters of both sides.
+struct Heights<R> {
+    height: R,
+    own_slope: R,
+    other_slope: R,
+}
+
 /// Derivatives on their way from integrals to places.
 struct Chain<'a, R> {
     face: &'a MortarFace<'a, R>,
@@ -64,13 +71,9 @@ impl<R: Real> Integrals<R> {
             let at = (station, segments[station.segment].curve);
             let by = self.by_bounds(at, node, (d, direction.area), &mut chain);
             by_bounds = [by_bounds[0] + by[0], by_bounds[1] + by[1]];
-            let last = self.stations.get(k + 1).is_none_or(|next| next.segment != station.segment);
-            if last {
-                for (end, by) in by_bounds.into_iter().enumerate() {
-                    let bound = &segments[station.segment].bounds[end];
-                    let at = self.spans[station.segment][end];
-                    chain.move_bound((bound, at), by, &ends);
-                }
+            if self.ends_segment(k) {
+                let segment = (&segments[station.segment], self.spans[station.segment]);
+                chain.move_bounds(segment, by_bounds, &ends);
                 by_bounds = [R::from_f64(0.0); 2];
             }
         }
@@ -108,21 +111,83 @@ impl<R: Real> Integrals<R> {
         (d, by_area): (Place<R>, R),
         chain: &mut Chain<'_, R>,
     ) -> [R; 2] {
+        let force = scale(station.slave.value[node] * self.area(station), d);
+        chain.move_master(curve, station, force);
+        chain.move_slave(&station.slave.value, force);
+        let heights = Heights {
+            height: by_area - dot(d, station.apart),
+            own_slope: -dot(d, station.own_along),
+            other_slope: dot(d, station.along),
+        };
+        self.by_bounds_of((station, curve), node, &heights, chain)
+    }
+
+    /// The same for a height over the face of which values and slopes by both parameters are known:
+    /// what moves the station.
+    fn by_bounds_of(
+        &self,
+        (station, curve): (&Station<R>, usize),
+        node: usize,
+        heights: &Heights<R>,
+        chain: &mut Chain<'_, R>,
+    ) -> [R; 2] {
         let [begin, end] = self.spans[station.segment];
         let [area, area_slope] = station.measure;
         let (shape, slope) = (station.slave.value[node], station.slave.slope[node]);
-        let height = by_area - dot(d, station.apart);
-        let inner = shape * height;
-        let inner_slope = slope * height - shape * dot(d, station.own_along);
+        let inner = shape * heights.height;
+        let inner_slope = slope * heights.height + shape * heights.own_slope;
         let whole = R::from_f64(station.weight) * (end - begin);
-        let force = scale(whole * shape * area, d);
-        chain.move_master(curve, station, force);
-        chain.move_slave(&station.slave.value, force);
-        let turned = chain.project(curve, station, dot(force, station.along) / station.by_master);
+        let by_eta = whole * shape * area * heights.other_slope;
+        let turned = chain.project(curve, station, by_eta / station.by_master);
         let by_t = whole * (inner_slope * area + inner * area_slope) - turned;
         let by_span = R::from_f64(station.weight) * inner * area;
         let fraction = R::from_f64(station.fraction);
         [(R::from_f64(1.0) - fraction) * by_t - by_span, fraction * by_t + by_span]
+    }
+
+    /// Whether a station is the last one of its segment.
+    fn ends_segment(&self, station: usize) -> bool {
+        let own = self.stations[station].segment;
+        self.stations.get(station + 1).is_none_or(|next| next.segment != own)
+    }
+
+    /// Weighted distance along `tangent` of what faces a node now, where it stood before: places of
+    /// the master less those of the slave at the last commit, by the weights of now [L3]. Adds its
+    /// derivative and that of the area, `factors` times, to `into`.
+    pub fn carried(
+        &self,
+        (face, segments): (&MortarFace<'_, R>, &[Segment]),
+        (before, node): (&MortarFace<'_, R>, usize),
+        tangent: Place<R>,
+        factors: Option<(R, R)>,
+        into: &mut [Place<R>],
+    ) -> R {
+        let mut whole = R::from_f64(0.0);
+        let Some(ends) = self.ends else { return whole };
+        let mut chain = Chain { face, into, by_ends: [zero(); 2] };
+        let mut by_bounds = [R::from_f64(0.0); 2];
+        for (k, station) in self.stations.iter().enumerate() {
+            let curve = segments[station.segment].curve;
+            let (slave, master) = (before.curve(), &before.curves[curve]);
+            let way = sub(master.blend(&station.master.value), slave.blend(&station.slave.value));
+            whole = whole + station.slave.value[node] * self.area(station) * dot(tangent, way);
+            let Some((factor, by_area)) = factors else { continue };
+            let height = factor * dot(tangent, way) + by_area;
+            let own_slope = -(factor * dot(tangent, slave.blend(&station.slave.slope)));
+            let other_slope = factor * dot(tangent, master.blend(&station.master.slope));
+            let heights = Heights { height, own_slope, other_slope };
+            let by = self.by_bounds_of((station, curve), node, &heights, &mut chain);
+            by_bounds = [by_bounds[0] + by[0], by_bounds[1] + by[1]];
+            if self.ends_segment(k) {
+                chain.move_bounds((&segments[station.segment], self.spans[station.segment]), by_bounds, &ends);
+                by_bounds = [R::from_f64(0.0); 2];
+            }
+        }
+        let Chain { into, by_ends, .. } = chain;
+        for (end, by) in by_ends.into_iter().enumerate() {
+            face.pull_end(end, &ends[end], by, into);
+        }
+        whole
     }
 
     /// Adds the force of a tangential force on a node, `factor` times: as the slip follows places
@@ -180,6 +245,18 @@ impl<R: Real> Chain<'_, R> {
         self.by_ends[1] = add_scaled(self.by_ends[1], t, across);
     }
 
+    /// What derivatives by both bounds of a segment are by places.
+    fn move_bounds(
+        &mut self,
+        (segment, span): (&Segment, [R; 2]),
+        by: [R; 2],
+        ends: &[super::normals::MeanNormal<R>; 2],
+    ) {
+        for (end, by) in by.into_iter().enumerate() {
+            self.move_bound((&segment.bounds[end], span[end]), by, ends);
+        }
+    }
+
     /// What a derivative by a bound is by places.
     fn move_bound(
         &mut self,
@@ -193,7 +270,7 @@ impl<R: Real> Chain<'_, R> {
         let (_, slope) = across(&slave, ends, point, t);
         let by = by / slope;
         let own = slave.shapes(t);
-        let apart = super::curve::sub(slave.blend(&own.value), point);
+        let apart = sub(slave.blend(&own.value), point);
         let normal = super::face::field(ends, t);
         self.turn(t, apart, by);
         let force = [by * normal[1], -(by * normal[0])];

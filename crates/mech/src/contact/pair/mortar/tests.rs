@@ -211,6 +211,48 @@ fn gradients_are_those_of_differences() {
     assert!(partly > 40 && several > 100, "{partly} {several}");
 }
 
+/// Requirement: the distance that what faces a node now had before, by the weights of now, follows
+/// places as differences say; a common motion of all places changes nothing. Tolerance: that of
+/// differences.
+#[test]
+fn ways_since_the_last_commit_are_those_of_differences() {
+    let step = 1e-6;
+    let tangent = [0.8, -0.6];
+    let mut random = Random(3);
+    for (number, case) in cases().enumerate() {
+        let mut before = case.clone();
+        for place in &mut before.places {
+            let [x, y] = random.place(0.05);
+            *place = [place[0] + x, place[1] + y];
+        }
+        let (places, curves) = before.face();
+        let own = MortarFace { reference: &case.reference, places: &places, curves: &curves };
+        for node in 0..case.count() {
+            let way = |now: &Case, factors: Option<(f64, f64)>| {
+                now.with(|face, segments, integrals| {
+                    let mut into = vec![[0.0; 2]; now.places.len()];
+                    let at = (&own, node);
+                    let way = integrals.carried((face, segments), at, tangent, factors, &mut into);
+                    (way, integrals.areas[node], now.by_node(into))
+                })
+            };
+            let (whole, _, pulled) = way(&case, Some((1.3, 0.4)));
+            let turned = case.turned(0.4, [1.0, 2.0]);
+            assert!((way(&turned, None).0 - whole).abs() < 1e-11);
+            for (place, own) in pulled.iter().enumerate() {
+                for (axis, own) in own.iter().enumerate() {
+                    let psi = |by: f64| {
+                        let (way, area, _) = way(&case.moved(place, axis, by), None);
+                        1.3 * way + 0.4 * area
+                    };
+                    let exact = (psi(step) - psi(-step)) / (2.0 * step);
+                    assert!((own - exact).abs() < 1e-6, "{number} {node} {place}: {own} {exact}");
+                }
+            }
+        }
+    }
+}
+
 /// Requirement: the tangent is the derivative of the force, with normal and tangential parts, in the
 /// same configurations; that of the normal part is symmetric. Tolerance: that of the differences.
 #[test]
