@@ -24,7 +24,7 @@ mod sweep;
 pub use cover::Cover;
 pub use curve::{Curve, MOST_CONTROLS, Place};
 pub use face::{FIRST_MASTER, FacePlaces, MortarFace};
-pub use integrals::{Bound, Integrals, Segment};
+pub use integrals::{Bound, Integrals, Segment, Shares};
 pub use pull::Direction;
 pub use reference::Reference;
 pub use sweep::{FaceTangent, SweepRoom};

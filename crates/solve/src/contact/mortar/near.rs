@@ -19,11 +19,9 @@ impl Contact {
         let mut range: Option<Range<usize>> = None;
         for &(face, node) in mortar.of_point[point].iter().flatten() {
             let state = &room.faces[face];
-            if !state.is_covered {
-                continue;
-            }
-            let [x, y] = state.integrals.gaps[node];
-            if x.hypot(y) > reach * state.integrals.areas[node] {
+            let Some(shares) = state.shares[node] else { continue };
+            let [x, y] = state.integrals.gap_of(shares);
+            if x.hypot(y) > reach * state.integrals.area_of(shares) {
                 continue;
             }
             for &curve in &state.near {

@@ -5,7 +5,7 @@ use super::curves::{MasterCurve, curves};
 use super::slave::{Control, Mortar};
 use slideline_mech::contact::pair::Body;
 use slideline_mech::contact::pair::mortar::{
-    Bound, Cover, Curve, FacePlaces, Integrals, MortarFace, Segment,
+    Bound, Cover, Curve, FacePlaces, Integrals, MOST_CONTROLS, MortarFace, Segment, Shares,
 };
 
 /// A slave face in a configuration.
@@ -23,6 +23,8 @@ pub struct FaceState {
     pub integrals: Integrals<f64>,
     /// Whether there are any.
     pub is_covered: bool,
+    /// Of every node whose shape functions it has; `None`: it carries no contact here.
+    pub shares: [Option<Shares>; MOST_CONTROLS],
 }
 
 impl Default for FaceState {
@@ -34,6 +36,7 @@ impl Default for FaceState {
             segments: Vec::new(),
             integrals: Integrals::default(),
             is_covered: false,
+            shares: [None; MOST_CONTROLS],
         }
     }
 }
@@ -58,7 +61,12 @@ pub struct MortarRoom {
     masters: Vec<[f64; 3]>,
     cover: Cover,
     used: Vec<usize>,
+    areas: Vec<f64>,
 }
+
+/// Part of the area of the node of a face that has most of it, which a node must have to carry
+/// contact of its own there [1].
+const LEAST_AREA: f64 = 0.05;
 
 impl Contact {
     /// Places the faces of the mortar of a pair at displacements `u`.
@@ -86,10 +94,41 @@ impl Contact {
         for face in 0..mortar.faces.len() {
             room.place_face(mortar, face);
         }
+        room.share_out(mortar);
     }
 }
 
 impl MortarRoom {
+    /// Gives the shape functions of nodes that have next to nothing of a face left to the node that
+    /// has most of it.
+    fn share_out(&mut self, mortar: &Mortar) {
+        self.areas.clear();
+        self.areas.resize(mortar.of_point.len(), 0.0);
+        for (own, state) in mortar.faces.iter().zip(&self.faces) {
+            if state.is_covered {
+                let points = own.points[..own.count].iter();
+                points.zip(state.integrals.areas).for_each(|(&point, area)| self.areas[point] += area);
+            }
+        }
+        for (own, state) in mortar.faces.iter().zip(&mut self.faces) {
+            state.shares = [None; MOST_CONTROLS];
+            if !state.is_covered {
+                continue;
+            }
+            let area = |node: usize| self.areas[own.points[node]];
+            let most = (0..own.count).max_by(|&a, &b| area(a).total_cmp(&area(b))).unwrap_or(0);
+            let mut given = Shares::of(most);
+            for node in (0..own.count).filter(|&node| node != most) {
+                if area(node) < LEAST_AREA * area(most) {
+                    given.has[node] = true;
+                } else {
+                    state.shares[node] = Some(Shares::of(node));
+                }
+            }
+            state.shares[most] = Some(given);
+        }
+    }
+
     /// Where the curves of the master stand.
     pub fn placed(&self) -> &[Curve<f64>] {
         &self.placed

@@ -7,7 +7,7 @@
 //!   force        D p de + D tau (drag)
 //! ```
 //!
-//! docs/theory.md eqs. (5.34) to (5.38)
+//! docs/theory.md eqs. (5.24) to (5.28)
 
 use super::super::before::Before;
 use super::super::kinematics::{ContactKinematics, PointRowsMut};
@@ -21,8 +21,6 @@ use slideline_mech::contact::pair::mortar::{
 };
 use slideline_mech::contact::tangential::Tangential;
 
-/// Part of its area that a node must have left to carry contact [1].
-const LEAST_AREA: f64 = 1e-3;
 /// No column.
 const NONE: usize = usize::MAX;
 
@@ -69,7 +67,7 @@ impl Contact {
     }
 
     /// Whether the tangent of some pair is not symmetric even without friction: where faces are
-    /// covered in part, pressures change with areas that move. docs/theory.md eq. (5.39)
+    /// covered in part, pressures change with areas that move. docs/theory.md eq. (5.29)
     pub fn has_soft_mortar(&self) -> bool {
         self.mortars.iter().any(|mortar| self.is_soft(mortar.pair))
     }
@@ -123,7 +121,7 @@ impl At<'_> {
             into.point.position = dofs.displace(*position, u);
         }
         into.point.area = whole;
-        if sums.area < LEAST_AREA * whole || sums.area <= 0.0 {
+        if sums.area <= 0.0 {
             into.turn_away_in_place();
         } else {
             self.take_rows(point, sums, along, rooms, &mut into);
@@ -141,9 +139,9 @@ impl At<'_> {
             let count = self.mortar.faces[face].count;
             let [x, y] = state.integrals.normal(node, count);
             sums.normal = [x, y, 0.0];
-            if state.is_covered {
-                sums.area += state.integrals.areas[node];
-                let [x, y] = state.integrals.gaps[node];
+            if let Some(shares) = state.shares[node] {
+                sums.area += state.integrals.area_of(shares);
+                let [x, y] = state.integrals.gap_of(shares);
                 sums.gap = [sums.gap[0] + x, sums.gap[1] + y, 0.0];
             }
         }
@@ -273,9 +271,7 @@ impl At<'_> {
         let mut whole = 0.0;
         for &(face, node) in self.mortar.of_point[point].iter().flatten() {
             let state = &rooms.now.faces[face];
-            if !state.is_covered {
-                continue;
-            }
+            let Some(shares) = state.shares[node] else { continue };
             rooms.carried.clear();
             rooms.carried.extend(state.near.iter().map(|&curve| rooms.before.placed()[curve]));
             let reference = &self.mortar.faces[face].reference;
@@ -284,7 +280,7 @@ impl At<'_> {
             rooms.pulled.clear();
             rooms.pulled.resize(FIRST_MASTER + MOST_CONTROLS * state.curves.len(), Place::default());
             let of_face = state.face(self.mortar, face);
-            let (at, then) = ((&of_face, &state.segments[..]), (&before, node));
+            let (at, then) = ((&of_face, &state.segments[..]), (&before, shares));
             whole += state.integrals.carried(at, then, tangent, factors, &mut rooms.pulled);
             self.add_pulled(face, (&rooms.now, &rooms.pulled), &rooms.columns, row);
         }
@@ -295,19 +291,17 @@ impl At<'_> {
     fn pull(&self, point: usize, asked: Asked, rooms: &mut MortarRooms, row: &mut [f64]) {
         for &(face, node) in self.mortar.of_point[point].iter().flatten() {
             let state = &rooms.now.faces[face];
+            let Some(shares) = state.shares[node] else { continue };
             let places = FIRST_MASTER + MOST_CONTROLS * state.curves.len();
             rooms.pulled.clear();
             rooms.pulled.resize(places, Place::default());
             let of_face = state.face(self.mortar, face);
             let (whole, into) = ((&of_face, &state.segments[..]), &mut rooms.pulled[..]);
             match asked {
-                Asked::Gradient(direction) if state.is_covered => {
-                    state.integrals.pull(whole, node, &direction, into);
+                Asked::Gradient(direction) => {
+                    state.integrals.pull(whole, shares, &direction, into);
                 }
-                Asked::Drag(factor) if state.is_covered => {
-                    state.integrals.drag(whole, node, factor, into);
-                }
-                _ => continue,
+                Asked::Drag(factor) => state.integrals.drag(whole, shares, factor, into),
             }
             self.add_pulled(face, (&rooms.now, &rooms.pulled), &rooms.columns, row);
         }

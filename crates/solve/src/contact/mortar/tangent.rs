@@ -5,7 +5,7 @@ use super::super::pairs::Contact;
 use super::place::FaceState;
 use super::rows::{At, MortarRooms};
 use slideline_mech::contact::pair::mortar::{
-    Direction, FIRST_MASTER, FaceTangent, MOST_CONTROLS, Place, SweepRoom,
+    Direction, FIRST_MASTER, FaceTangent, MOST_CONTROLS, Place, Shares, SweepRoom,
 };
 use slideline_mech::contact::tangential::Tangential;
 
@@ -42,12 +42,10 @@ impl Contact {
         room.by_area.resize(m, 0.0);
         for &(face, node) in mortar.of_point[place - mortar.first].iter().flatten() {
             let state = &rooms.now.faces[face];
-            if !state.is_covered {
-                continue;
-            }
+            let Some(shares) = state.shares[node] else { continue };
             let of_face = state.face(mortar, face);
             let forces = (normal / area, at.depth(kinematics.overclosure), tangential[0] / area);
-            room.sweep.tangent((&of_face, &state.segments), node, forces, &mut room.of_face);
+            room.sweep.tangent((&of_face, &state.segments), shares, forces, &mut room.of_face);
             let places = FIRST_MASTER + MOST_CONTROLS * state.curves.len();
             room.entries.clear();
             for place in 0..places {
@@ -67,7 +65,7 @@ impl Contact {
                 });
             }
             if at.depth(1.0) > 0.0 {
-                at.note_area((state, face, node), (kinematics, rooms), room);
+                at.note_area((state, face, shares), (kinematics, rooms), room);
             }
             let wide = 2 * places;
             let derivative = &room.of_face.derivative;
@@ -94,7 +92,7 @@ impl At<'_> {
     /// Adds the derivative of the area of a node of a face that is covered in part.
     fn note_area(
         &self,
-        (state, face, node): (&FaceState, usize, usize),
+        (state, face, shares): (&FaceState, usize, Shares),
         (kinematics, rooms): (&PointRows<'_>, &MortarRooms),
         room: &mut MortarScratch,
     ) {
@@ -103,7 +101,7 @@ impl At<'_> {
         pulled.resize(FIRST_MASTER + MOST_CONTROLS * state.curves.len(), Place::default());
         let direction = Direction { normal: 0.0, tangent: 0.0, area: 1.0 };
         let of_face = state.face(self.mortar, face);
-        state.integrals.pull((&of_face, &state.segments), node, &direction, pulled);
+        state.integrals.pull((&of_face, &state.segments), shares, &direction, pulled);
         for (place, [x, y]) in pulled.iter().enumerate() {
             let Some((side, control)) = self.control(face, place, (state, &rooms.now)) else {
                 continue;

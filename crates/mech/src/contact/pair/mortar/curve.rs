@@ -7,7 +7,7 @@
 //!    `-o---o-'       node, an arc: rational   and every part of the face has positive integrals
 //! ```
 //!
-//! docs/theory.md eq. (5.28)
+//! docs/theory.md eq. (5.20)
 
 use crate::differentiate::Real;
 

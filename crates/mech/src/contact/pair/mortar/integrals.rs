@@ -6,7 +6,7 @@
 //!       x(t)                   weighted gap of node j  r_j = int N_j (y - x) dA
 //! ```
 //!
-//! docs/theory.md eqs. (5.29) to (5.33)
+//! docs/theory.md eqs. (5.21) to (5.24)
 
 use super::curve::{Curve, MOST_CONTROLS, Place, Shapes, add_scaled, cross, shapes, sub, zero};
 use super::face::{FIRST_MASTER, MortarFace, OWN, field, field_slope};
@@ -47,6 +47,16 @@ pub struct Segment {
     pub curve: usize,
     /// Where it begins and ends.
     pub bounds: [Bound; 2],
+}
+
+/// A node of a face and the nodes whose shape functions weight its gap: its own, and those of nodes
+/// that so little of the face is left to that they carry no contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Shares {
+    /// The node.
+    pub node: usize,
+    /// Whose shape functions it has.
+    pub has: [bool; MOST_CONTROLS],
 }
 
 /// A place of integration.
@@ -197,17 +207,27 @@ impl<R: Real> Integrals<R> {
         }
     }
 
+    /// Area of a node [L2].
+    pub fn area_of(&self, shares: Shares) -> R {
+        shares.nodes().fold(R::from_f64(0.0), |sum, k| sum + self.areas[k])
+    }
+
+    /// Weighted gap of a node as a vector, from the slave to the master [L3].
+    pub fn gap_of(&self, shares: Shares) -> Place<R> {
+        shares.nodes().fold(zero(), |sum, k| add_scaled(sum, R::from_f64(1.0), self.gaps[k]))
+    }
+
     /// Weights of places in the weighted gap of a node, negative for those of the slave:
     /// `add(place, weight)` [L2].
     pub fn weights(
         &self,
         (face, segments): (&MortarFace<'_, R>, &[Segment]),
-        node: usize,
+        shares: Shares,
         mut add: impl FnMut(usize, R),
     ) {
         let count = face.reference.count();
         for station in &self.stations {
-            let own = station.slave.value[node] * self.area(station);
+            let own = shares.sum(&station.slave.value) * self.area(station);
             let curve = segments[station.segment].curve;
             for (control, &shape) in station.slave.value[..count].iter().enumerate() {
                 add(OWN + control, -(own * shape));
@@ -216,6 +236,23 @@ impl<R: Real> Integrals<R> {
                 add(FIRST_MASTER + MOST_CONTROLS * curve + control, own * shape);
             }
         }
+    }
+}
+
+impl Shares {
+    /// A node with its own shape function alone.
+    pub fn of(node: usize) -> Self {
+        Self { node, has: std::array::from_fn(|k| k == node) }
+    }
+
+    /// Those whose shape functions are its own.
+    fn nodes(self) -> impl Iterator<Item = usize> {
+        (0..MOST_CONTROLS).filter(move |&k| self.has[k])
+    }
+
+    /// Their sum.
+    pub(super) fn sum<R: Real>(self, of_nodes: &[R; MOST_CONTROLS]) -> R {
+        self.nodes().fold(R::from_f64(0.0), |sum, k| sum + of_nodes[k])
     }
 }
 

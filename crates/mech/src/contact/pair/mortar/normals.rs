@@ -6,7 +6,7 @@
 //!    leg 1       leg 2
 //! ```
 //!
-//! docs/theory.md eq. (5.30)
+//! docs/theory.md eq. (5.22)
 
 use super::curve::{Place, add_scaled, dot, scale, zero};
 use crate::differentiate::Real;

@@ -7,11 +7,11 @@
 //! ```
 //!
 //! Generic in the number type: with numbers that carry derivatives it gives second ones.
-//! docs/theory.md eqs. (5.34) to (5.37)
+//! docs/theory.md eqs. (5.26) and (5.27)
 
 use super::curve::{MOST_CONTROLS, Place, add_scaled, dot, scale, sub, zero};
 use super::face::{FIRST_MASTER, MortarFace, OWN};
-use super::integrals::{Bound, Integrals, Segment, Station, across};
+use super::integrals::{Bound, Integrals, Segment, Shares, Station, across};
 use crate::differentiate::Real;
 
 /// Which derivative is asked for.
@@ -58,18 +58,18 @@ impl<R: Real> Integrals<R> {
     pub fn pull(
         &self,
         (face, segments): (&MortarFace<'_, R>, &[Segment]),
-        node: usize,
+        shares: Shares,
         direction: &Direction<R>,
         into: &mut [Place<R>],
     ) {
         let Some(ends) = self.ends else { return };
         let count = face.reference.count();
-        let d = direction.of(self.normal(node, count));
+        let d = direction.of(self.normal(shares.node, count));
         let mut chain = Chain { face, into, by_ends: [zero(); 2] };
         let mut by_bounds = [R::from_f64(0.0); 2];
         for (k, station) in self.stations.iter().enumerate() {
             let at = (station, segments[station.segment].curve);
-            let by = self.by_bounds(at, node, (d, direction.area), &mut chain);
+            let by = self.by_bounds(at, shares, (d, direction.area), &mut chain);
             by_bounds = [by_bounds[0] + by[0], by_bounds[1] + by[1]];
             if self.ends_segment(k) {
                 let segment = (&segments[station.segment], self.spans[station.segment]);
@@ -81,7 +81,7 @@ impl<R: Real> Integrals<R> {
         for (end, by) in by_ends.into_iter().enumerate() {
             face.pull_end(end, &ends[end], by, into);
         }
-        self.pull_normal(face, node, direction.by_normal(self.gaps[node]), into);
+        self.pull_normal(face, shares.node, direction.by_normal(self.gap_of(shares)), into);
     }
 
     /// Adds what a derivative by the normal of a node is by places.
@@ -107,11 +107,11 @@ impl<R: Real> Integrals<R> {
     fn by_bounds(
         &self,
         (station, curve): (&Station<R>, usize),
-        node: usize,
+        shares: Shares,
         (d, by_area): (Place<R>, R),
         chain: &mut Chain<'_, R>,
     ) -> [R; 2] {
-        let force = scale(station.slave.value[node] * self.area(station), d);
+        let force = scale(shares.sum(&station.slave.value) * self.area(station), d);
         chain.move_master(curve, station, force);
         chain.move_slave(&station.slave.value, force);
         let heights = Heights {
@@ -119,7 +119,7 @@ impl<R: Real> Integrals<R> {
             own_slope: -dot(d, station.own_along),
             other_slope: dot(d, station.along),
         };
-        self.by_bounds_of((station, curve), node, &heights, chain)
+        self.by_bounds_of((station, curve), shares, &heights, chain)
     }
 
     /// The same for a height over the face of which values and slopes by both parameters are known:
@@ -127,13 +127,13 @@ impl<R: Real> Integrals<R> {
     fn by_bounds_of(
         &self,
         (station, curve): (&Station<R>, usize),
-        node: usize,
+        shares: Shares,
         heights: &Heights<R>,
         chain: &mut Chain<'_, R>,
     ) -> [R; 2] {
         let [begin, end] = self.spans[station.segment];
         let [area, area_slope] = station.measure;
-        let (shape, slope) = (station.slave.value[node], station.slave.slope[node]);
+        let (shape, slope) = (shares.sum(&station.slave.value), shares.sum(&station.slave.slope));
         let inner = shape * heights.height;
         let inner_slope = slope * heights.height + shape * heights.own_slope;
         let whole = R::from_f64(station.weight) * (end - begin);
@@ -157,7 +157,7 @@ impl<R: Real> Integrals<R> {
     pub fn carried(
         &self,
         (face, segments): (&MortarFace<'_, R>, &[Segment]),
-        (before, node): (&MortarFace<'_, R>, usize),
+        (before, shares): (&MortarFace<'_, R>, Shares),
         tangent: Place<R>,
         factors: Option<(R, R)>,
         into: &mut [Place<R>],
@@ -170,13 +170,14 @@ impl<R: Real> Integrals<R> {
             let curve = segments[station.segment].curve;
             let (slave, master) = (before.curve(), &before.curves[curve]);
             let way = sub(master.blend(&station.master.value), slave.blend(&station.slave.value));
-            whole = whole + station.slave.value[node] * self.area(station) * dot(tangent, way);
+            let own = shares.sum(&station.slave.value);
+            whole = whole + own * self.area(station) * dot(tangent, way);
             let Some((factor, by_area)) = factors else { continue };
             let height = factor * dot(tangent, way) + by_area;
             let own_slope = -(factor * dot(tangent, slave.blend(&station.slave.slope)));
             let other_slope = factor * dot(tangent, master.blend(&station.master.slope));
             let heights = Heights { height, own_slope, other_slope };
-            let by = self.by_bounds_of((station, curve), node, &heights, &mut chain);
+            let by = self.by_bounds_of((station, curve), shares, &heights, &mut chain);
             by_bounds = [by_bounds[0] + by[0], by_bounds[1] + by[1]];
             if self.ends_segment(k) {
                 chain.move_bounds((&segments[station.segment], self.spans[station.segment]), by_bounds, &ends);
@@ -195,17 +196,17 @@ impl<R: Real> Integrals<R> {
     pub fn drag(
         &self,
         (face, segments): (&MortarFace<'_, R>, &[Segment]),
-        node: usize,
+        shares: Shares,
         factor: R,
         into: &mut [Place<R>],
     ) {
-        let n = self.normal(node, face.reference.count());
+        let n = self.normal(shares.node, face.reference.count());
         let t = [-(factor * n[1]), factor * n[0]];
-        self.weights((face, segments), node, |place, weight| {
+        self.weights((face, segments), shares, |place, weight| {
             into[place] = add_scaled(into[place], -weight, t);
         });
-        let r = self.gaps[node];
-        self.pull_normal(face, node, [-(factor * r[1]), factor * r[0]], into);
+        let r = self.gap_of(shares);
+        self.pull_normal(face, shares.node, [-(factor * r[1]), factor * r[0]], into);
     }
 }
 

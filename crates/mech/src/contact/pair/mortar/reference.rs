@@ -2,7 +2,7 @@
 //!
 //! Pressures are forces on undeformed area, as everywhere in contact here, so that the measure of
 //! an integral over a slave face does not change as it deforms.
-//! [docs/theory.md, eq. (5.29)]
+//! [docs/theory.md, eq. (5.21)]
 
 use super::super::super::points::Across;
 use super::curve::{Curve, Place, dot};

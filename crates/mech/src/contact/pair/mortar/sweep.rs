@@ -6,7 +6,7 @@
 
 use super::curve::{Curve, MOST_CONTROLS, Place};
 use super::face::{AFTER, FIRST_MASTER, FacePlaces, MortarFace, OWN};
-use super::integrals::{Integrals, Segment};
+use super::integrals::{Integrals, Segment, Shares};
 use super::pull::Direction;
 use crate::first_order::First;
 
@@ -38,7 +38,7 @@ impl SweepRoom {
     pub fn tangent(
         &mut self,
         (face, segments): (&MortarFace<'_, f64>, &[Segment]),
-        node: usize,
+        shares: Shares,
         (pressure, overclosure, traction): (f64, f64, f64),
         into: &mut FaceTangent,
     ) {
@@ -49,7 +49,7 @@ impl SweepRoom {
         into.derivative.clear();
         into.derivative.resize(columns * columns, 0.0);
         for first in (0..places).step_by(MOST_CONTROLS) {
-            self.sweep((face, segments), node, (pressure, overclosure, traction), first);
+            self.sweep((face, segments), shares, (pressure, overclosure, traction), first);
             for (place, force) in self.force.iter().enumerate() {
                 into.force[place] = force.map(|own| own.value);
                 for (axis, own) in force.iter().enumerate() {
@@ -64,7 +64,7 @@ impl SweepRoom {
     fn sweep(
         &mut self,
         (face, segments): (&MortarFace<'_, f64>, &[Segment]),
-        node: usize,
+        shares: Shares,
         (pressure, overclosure, traction): (f64, f64, f64),
         first: usize,
     ) {
@@ -96,10 +96,10 @@ impl SweepRoom {
         let [nothing, normal, area] =
             [0.0, pressure, -pressure * overclosure].map(Number::constant);
         let direction = Direction { normal, tangent: nothing, area };
-        self.integrals.pull((&face, segments), node, &direction, &mut self.force);
+        self.integrals.pull((&face, segments), shares, &direction, &mut self.force);
         if traction != 0.0 {
             let traction = Number::constant(traction);
-            self.integrals.drag((&face, segments), node, traction, &mut self.force);
+            self.integrals.drag((&face, segments), shares, traction, &mut self.force);
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::curve::{Curve, Place, cross, dot};
 use super::face::{FIRST_MASTER, FacePlaces, MortarFace};
-use super::integrals::{Integrals, Segment};
+use super::integrals::{Integrals, Segment, Shares};
 use super::pull::Direction;
 use super::reference::Reference;
 use super::sweep::{FaceTangent, SweepRoom};
@@ -39,6 +39,15 @@ impl Case {
         self.reference.count()
     }
 
+    /// The shape functions of a node; of some cases a neighbour's too.
+    fn shares(&self, node: usize) -> Shares {
+        let mut shares = Shares::of(node);
+        if self.open[0] {
+            shares.has[(node + 1) % self.count()] = true;
+        }
+        shares
+    }
+
     fn face(&self) -> (FacePlaces<f64>, Vec<Curve<f64>>) {
         let p = &self.places;
         let places = FacePlaces {
@@ -72,15 +81,15 @@ impl Case {
         self.with(|_, _, integrals| {
             let n = integrals.normal(node, self.count());
             let t = [-n[1], n[0]];
-            let r = integrals.gaps[node];
-            -by.normal * dot(n, r) + by.tangent * dot(t, r) + by.area * integrals.areas[node]
+            let r = integrals.gap_of(self.shares(node));
+            -by.normal * dot(n, r) + by.tangent * dot(t, r) + by.area * integrals.area_of(self.shares(node))
         })
     }
 
     fn pulled(&self, node: usize, by: &Direction<f64>) -> Vec<Place<f64>> {
         self.with(|face, segments, integrals| {
             let mut into = vec![[0.0; 2]; self.places.len()];
-            integrals.pull((face, segments), node, by, &mut into);
+            integrals.pull((face, segments), self.shares(node), by, &mut into);
             self.by_node(into)
         })
     }
@@ -90,7 +99,7 @@ impl Case {
         let mut into = self.pulled(node, &by);
         self.with(|face, segments, integrals| {
             let mut own = vec![[0.0; 2]; self.places.len()];
-            integrals.drag((face, segments), node, traction, &mut own);
+            integrals.drag((face, segments), self.shares(node), traction, &mut own);
             self.by_node(own)
         })
         .into_iter()
@@ -231,9 +240,9 @@ fn ways_since_the_last_commit_are_those_of_differences() {
             let way = |now: &Case, factors: Option<(f64, f64)>| {
                 now.with(|face, segments, integrals| {
                     let mut into = vec![[0.0; 2]; now.places.len()];
-                    let at = (&own, node);
+                    let at = (&own, now.shares(node));
                     let way = integrals.carried((face, segments), at, tangent, factors, &mut into);
-                    (way, integrals.areas[node], now.by_node(into))
+                    (way, integrals.area_of(now.shares(node)), now.by_node(into))
                 })
             };
             let (whole, _, pulled) = way(&case, Some((1.3, 0.4)));
@@ -266,7 +275,7 @@ fn tangents_are_those_of_differences() {
         let columns = 2 * case.places.len();
         for node in 0..case.count() {
             let forces = (0.8, 0.3, if number % 2 == 0 { 0.5 } else { 0.0 });
-            room.tangent((&face, &segments), node, forces, &mut tangent);
+            room.tangent((&face, &segments), case.shares(node), forces, &mut tangent);
             let force = case.force(node, forces);
             let sums = by_node(&case, &tangent.derivative);
             let largest = tangent.derivative.iter().fold(1.0_f64, |m, x| m.max(x.abs()));
