@@ -118,8 +118,7 @@ impl<const N: usize> Real for First<N> {
         if self.value < 0.0 { -self } else { self }
     }
     fn powi(self, power: i32) -> Self {
-        let slope =
-            if power == 0 { 0.0 } else { f64::from(power) * self.value.powi(power - 1) };
+        let slope = if power == 0 { 0.0 } else { f64::from(power) * self.value.powi(power - 1) };
         self.chain(self.value.powi(power), slope)
     }
 }

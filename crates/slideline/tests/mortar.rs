@@ -4,7 +4,7 @@
 
 mod mortar_decks;
 
-use mortar_decks::{Block, Kind, Last, TOP_LEFT, solved};
+use mortar_decks::{Block, Kind, Last, solved};
 
 /// Two blocks, one upon the other, compressed by a hundredth of their height: the number of faces
 /// of both at the interface, kinds of their elements, which is slave, and how the whole is turned.
@@ -30,9 +30,11 @@ impl Patch {
         let mut deck = String::from("*HEADING\npatch\n");
         let lower = Block { base: 0, cells: [self.faces[0], 3], kind: self.kinds[0] };
         let upper = Block { base: 10_000, cells: [self.faces[1], 2], kind: self.kinds[1] };
-        let place = |from: f64| move |[x, y]: [f64; 2]| {
-            let bump = |t: f64| t * (1.0 - t);
-            [x + 0.25 * bump(x) * bump(y), from + 0.5 * (y + 0.6 * bump(x) * bump(y))]
+        let place = |from: f64| {
+            move |[x, y]: [f64; 2]| {
+                let bump = |t: f64| t * (1.0 - t);
+                [x + 0.25 * bump(x) * bump(y), from + 0.5 * (y + 0.6 * bump(x) * bump(y))]
+            }
         };
         lower.write(&mut deck, "LOWER", |at| self.turn(place(0.0)(at)));
         upper.write(&mut deck, "UPPER", |at| self.turn(place(0.5)(at)));
@@ -95,7 +97,8 @@ fn balanced(last: &Last) {
 #[test]
 fn a_uniform_pressure_passes_faces_that_do_not_match() {
     use Kind::{Cpe3, Cpe4, Cpe6, Cpe8, Cps4};
-    let kinds = [[Cpe4, Cpe4], [Cps4, Cps4], [Cpe8, Cpe8], [Cpe3, Cpe3], [Cpe6, Cpe6], [Cpe4, Cpe8]];
+    let kinds =
+        [[Cpe4, Cpe4], [Cps4, Cps4], [Cpe8, Cpe8], [Cpe3, Cpe3], [Cpe6, Cpe6], [Cpe4, Cpe8]];
     for kinds in kinds {
         for upper_is_slave in [true, false] {
             for (angle, held) in [(0.0, false), (0.0, true), (0.7, false), (-2.0, false)] {
@@ -104,5 +107,4 @@ fn a_uniform_pressure_passes_faces_that_do_not_match() {
             }
         }
     }
-    let _ = TOP_LEFT;
 }

@@ -179,7 +179,8 @@ mod tests {
             origin: at,
         };
         let pair = ContactPair {
-            adjust: slideline_model::Adjust::Nothing, corners: Vec::new(),
+            adjust: slideline_model::Adjust::Nothing,
+            corners: Vec::new(),
             name: "P".to_owned(),
             formulation: slideline_model::Formulation::SurfaceToSurface,
             vocabulary: slideline_model::Vocabulary::Elements,

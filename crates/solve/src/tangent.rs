@@ -479,7 +479,8 @@ pub(crate) mod tests {
         };
         let (elements, master) = if line {
             let nodes = beam.clone();
-            let line = SlideLine { nodes, middles: Vec::new(), smooth: 0.3, extension: 0.1, origin: AT };
+            let line =
+                SlideLine { nodes, middles: Vec::new(), smooth: 0.3, extension: 0.1, origin: AT };
             (pairs(&rim), Master::SlideLine(line))
         } else {
             let end = [4.2, 1.0];
@@ -507,7 +508,8 @@ pub(crate) mod tests {
         let formulation = Formulation::NodeToSurface;
         let origin = AT;
         let pair = ContactPair {
-            adjust: slideline_model::Adjust::Nothing, corners: Vec::new(),
+            adjust: slideline_model::Adjust::Nothing,
+            corners: Vec::new(),
             name,
             formulation,
             vocabulary: slideline_model::Vocabulary::Elements,

@@ -33,9 +33,13 @@ pub(super) struct Slaves {
 pub(super) type Parts = Option<(Slaves, Master)>;
 
 /// Says why the sides make no pair.
-pub(super) fn refuse(span: Span, message: impl Into<String>, help: &str, draft: &mut Draft) -> Parts {
+pub(super) fn refuse(
+    span: Span,
+    message: impl Into<String>,
+    help: &str,
+    draft: &mut Draft,
+) -> Parts {
     let error = Diagnostic::error(Code("SL0332"), message).at(span);
     draft.consequence(Subject::Contact, error.help(help));
     None
 }
-

@@ -40,7 +40,8 @@ pub(super) fn spread(
             return None;
         }
         (Found::Rigid(surface), Found::Facets(facets)) => {
-            let message = format!("contact is integrated over {master_name}, named slave or master");
+            let message =
+                format!("contact is integrated over {master_name}, named slave or master");
             let note = Diagnostic::note(Code("SL0335"), message).at(pairing.origin);
             draft.log.push(note.help("the order of the two surfaces does not change the result"));
             (facets, Found::Rigid(surface), &sides.slave)
@@ -48,7 +49,8 @@ pub(super) fn spread(
         (Found::Facets(facets), master) => (facets, master, &sides.master),
         (Found::Nodes(_) | Found::Rigid(_), _) => {
             let message = format!("contact cannot be integrated over the nodes of {slave_name}");
-            let help = "define the slave by elements with their faces, or give TYPE=NODE TO SURFACE";
+            let help =
+                "define the slave by elements with their faces, or give TYPE=NODE TO SURFACE";
             return refuse(pairing.slave.span, message, help, draft);
         }
     };

@@ -379,4 +379,3 @@ fn in_order(elements: Vec<ContactElement>) -> Vec<ContactElement> {
         Err(_) => elements,
     }
 }
-

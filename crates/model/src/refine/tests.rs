@@ -49,7 +49,8 @@ fn pair(nodes: &[NodeIndex], master: Master) -> ContactPair {
         formulation: Formulation::NodeToSurface,
         vocabulary: crate::Vocabulary::Elements,
         elements: elements.collect(),
-        adjust: crate::Adjust::Nothing, corners: Vec::new(),
+        adjust: crate::Adjust::Nothing,
+        corners: Vec::new(),
         faces: Vec::new(),
         master,
         interaction: Interaction {

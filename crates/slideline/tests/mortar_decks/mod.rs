@@ -7,8 +7,6 @@ use slideline::{Event, Job, Observer, ReadOptions, SolveOptions, Stop, TangentCh
 use std::fmt::Write as _;
 use std::ops::ControlFlow;
 
-pub const TOP_LEFT: usize = 0;
-
 /// What the last increment left.
 #[derive(Default)]
 pub struct Last {

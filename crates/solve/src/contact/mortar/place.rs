@@ -70,12 +70,7 @@ const LEAST_AREA: f64 = 0.05;
 
 impl Contact {
     /// Places the faces of the mortar of a pair at displacements `u`.
-    pub fn place_mortar(
-        &self,
-        mortar: &Mortar,
-        u: &[f64],
-        room: &mut MortarRoom,
-    ) {
+    pub fn place_mortar(&self, mortar: &Mortar, u: &[f64], room: &mut MortarRoom) {
         let master = &self.masters[mortar.pair];
         let body = master.placed_body(u);
         curves(master, &mut room.curves);
@@ -107,7 +102,9 @@ impl MortarRoom {
         for (own, state) in mortar.faces.iter().zip(&self.faces) {
             if state.is_covered {
                 let points = own.points[..own.count].iter();
-                points.zip(state.integrals.areas).for_each(|(&point, area)| self.areas[point] += area);
+                points
+                    .zip(state.integrals.areas)
+                    .for_each(|(&point, area)| self.areas[point] += area);
             }
         }
         for (own, state) in mortar.faces.iter().zip(&mut self.faces) {

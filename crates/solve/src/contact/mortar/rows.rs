@@ -159,13 +159,16 @@ impl At<'_> {
                 unknowns.push(dof);
             }
         };
-        if let Carrier::Node { dofs, .. } = &self.contact.points[self.mortar.first + point].carrier {
+        if let Carrier::Node { dofs, .. } = &self.contact.points[self.mortar.first + point].carrier
+        {
             dofs.as_slice().iter().for_each(|&dof| note(columns, unknowns, dof));
         }
         for &(face, _) in self.mortar.of_point[point].iter().flatten() {
             let state = &now.faces[face];
             for place in 0..FIRST_MASTER + MOST_CONTROLS * state.curves.len() {
-                let Some((side, control)) = self.control(face, place, (state, now)) else { continue };
+                let Some((side, control)) = self.control(face, place, (state, now)) else {
+                    continue;
+                };
                 self.follow(side, control, |dof, _| note(columns, unknowns, dof));
             }
         }
@@ -188,7 +191,12 @@ impl At<'_> {
     }
 
     /// The dofs that a control point follows, each with the derivative of its place.
-    pub(super) fn follow(&self, side: Side, control: Control, mut add: impl FnMut(usize, [f64; 3])) {
+    pub(super) fn follow(
+        &self,
+        side: Side,
+        control: Control,
+        mut add: impl FnMut(usize, [f64; 3]),
+    ) {
         let master = &self.contact.masters[self.mortar.pair];
         if let (Control::Body(_), MasterSurface::Body { dofs, .. }) = (control, master) {
             let [turn, _] = control.turning(&self.body);
@@ -278,7 +286,9 @@ impl At<'_> {
             let places = &rooms.before.faces[face].places;
             let before = MortarFace { reference, places, curves: &rooms.carried };
             rooms.pulled.clear();
-            rooms.pulled.resize(FIRST_MASTER + MOST_CONTROLS * state.curves.len(), Place::default());
+            rooms
+                .pulled
+                .resize(FIRST_MASTER + MOST_CONTROLS * state.curves.len(), Place::default());
             let of_face = state.face(self.mortar, face);
             let (at, then) = ((&of_face, &state.segments[..]), (&before, shares));
             whole += state.integrals.carried(at, then, tangent, factors, &mut rooms.pulled);

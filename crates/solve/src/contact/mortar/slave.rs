@@ -1,10 +1,10 @@
 //! The faces of a slave surface, and how control points follow nodes.
 
+use crate::dofs::{DofMap, Translations};
 use slideline_mech::contact::pair::Body;
 use slideline_mech::contact::pair::mortar::Reference;
 use slideline_mech::contact::points::Across;
 use slideline_mech::rigid::PointMap;
-use crate::dofs::{DofMap, Translations};
 use slideline_model::{ContactPair, Lumping, NodeIndex};
 use std::collections::HashMap;
 
@@ -92,7 +92,8 @@ impl Mortar {
         first: usize,
         (nodes, dofs): (&[NodeIndex], &DofMap),
     ) -> Self {
-        let place_of: HashMap<_, _> = nodes.iter().enumerate().map(|(k, &node)| (node, k)).collect();
+        let place_of: HashMap<_, _> =
+            nodes.iter().enumerate().map(|(k, &node)| (node, k)).collect();
         let mut faces: Vec<SlaveFace> = Vec::new();
         let mut elements = pair.elements.iter();
         let face = |nodes: &[NodeIndex]| {
@@ -143,7 +144,9 @@ impl Mortar {
         };
         for next in 0..self.faces.len() {
             let node = self.faces[next].points[0];
-            let Some(&before) = ending.get(&node).filter(|&&before| before != next) else { continue };
+            let Some(&before) = ending.get(&node).filter(|&&before| before != next) else {
+                continue;
+            };
             match corners.iter().position(|&corner| corner == node) {
                 Some(corner) => self.faces[next].points[0] = nodes + corner,
                 None => {

@@ -76,7 +76,8 @@ impl Cover {
             return;
         }
         for (end, at) in [first, last].into_iter().enumerate() {
-            if 0.0 < at && at < 1.0 {
+            // an end that stands upon one of the face moves no bound: both sides of it are one
+            if SAME < at && at < 1.0 - SAME {
                 self.bounds.push(Bound::Projected { curve: place, end, at });
             }
         }
@@ -135,11 +136,7 @@ impl Cover {
 
 /// Where a point projects on a face along its normals: infinite beyond an end, `None` behind the
 /// focus of the normals.
-fn projected(
-    point: Place<f64>,
-    slave: &Curve<f64>,
-    ends: &[MeanNormal<f64>; 2],
-) -> Option<f64> {
+fn projected(point: Place<f64>, slave: &Curve<f64>, ends: &[MeanNormal<f64>; 2]) -> Option<f64> {
     let off = |t: f64| across(slave, ends, point, t);
     let (first, last) = (off(0.0).0, off(1.0).0);
     match (first > 0.0, last < 0.0) {

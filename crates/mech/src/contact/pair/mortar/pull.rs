@@ -180,7 +180,11 @@ impl<R: Real> Integrals<R> {
             let by = self.by_bounds_of((station, curve), shares, &heights, &mut chain);
             by_bounds = [by_bounds[0] + by[0], by_bounds[1] + by[1]];
             if self.ends_segment(k) {
-                chain.move_bounds((&segments[station.segment], self.spans[station.segment]), by_bounds, &ends);
+                chain.move_bounds(
+                    (&segments[station.segment], self.spans[station.segment]),
+                    by_bounds,
+                    &ends,
+                );
                 by_bounds = [R::from_f64(0.0); 2];
             }
         }

@@ -89,7 +89,8 @@ impl SweepRoom {
         }));
         let face = MortarFace { reference: face.reference, places: &places, curves: &self.curves };
         self.force.clear();
-        self.force.resize(FIRST_MASTER + MOST_CONTROLS * self.curves.len(), [Number::constant(0.0); 2]);
+        self.force
+            .resize(FIRST_MASTER + MOST_CONTROLS * self.curves.len(), [Number::constant(0.0); 2]);
         if !self.integrals.take(&face, segments) {
             return;
         }

@@ -14,7 +14,8 @@ struct Random(u64);
 
 impl Random {
     fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     }
 
@@ -82,7 +83,9 @@ impl Case {
             let n = integrals.normal(node, self.count());
             let t = [-n[1], n[0]];
             let r = integrals.gap_of(self.shares(node));
-            -by.normal * dot(n, r) + by.tangent * dot(t, r) + by.area * integrals.area_of(self.shares(node))
+            -by.normal * dot(n, r)
+                + by.tangent * dot(t, r)
+                + by.area * integrals.area_of(self.shares(node))
         })
     }
 
@@ -287,7 +290,10 @@ fn tangents_are_those_of_differences() {
                     let at = |list: &[Place<f64>]| list[row / 2][row % 2];
                     let exact = (at(&above) - at(&below)) / (2.0 * step);
                     let own = sums[row * columns + column];
-                    assert!((own - exact).abs() < 1e-5 * largest, "{number} {row} {column} {own} {exact}");
+                    assert!(
+                        (own - exact).abs() < 1e-5 * largest,
+                        "{number} {row} {column} {own} {exact}"
+                    );
                     let other = sums[column * columns + row];
                     let is_symmetric = (own - other).abs() < 1e-11 * largest;
                     assert!(forces.2 != 0.0 || is_symmetric, "{number} {own} {other}");
@@ -403,4 +409,53 @@ fn only_what_faces_the_slave_counts() {
     assert_eq!(step.len(), 1);
     assert!((step[0].bounds[1].at() - 0.6).abs() < 1e-14);
     assert_eq!(step[0].bounds[0], Bound::End(0));
+}
+
+/// Requirement: forces do not jump where the end of one curve and the beginning of the next pass a
+/// node between two faces.
+#[test]
+fn forces_are_continuous_where_ends_pass_a_node() {
+    let (c, s) = (15.0_f64.to_radians().cos(), 30.0_f64.to_radians());
+    let arc = |from: f64, to: f64, shift: f64| {
+        let at = |angle: f64, by: f64| {
+            [5.0 * angle.sin() * by + shift, 5.0 - 5.0 * angle.cos() * by - 1e-3, 0.0]
+        };
+        Curve::new(&[at(from, 1.0), at(0.5 * (from + to), 1.0 / c), at(to, 1.0)], c)
+    };
+    let node = |x: f64| [x, 0.0, 0.0];
+    let nodes = [0.04, 0.02, 0.0, -0.02, -0.04].map(node);
+    let force = |shift: f64| {
+        let curves = [arc(s, 0.0, shift), arc(0.0, -s, shift)];
+        let (mut sum, mut area) = ([[0.0; 2]; 5], 0.0);
+        for face in 1..3 {
+            let own = [nodes[face], nodes[face + 1]];
+            let reference = Reference::new(&own, Across::Width(1.0));
+            let after = nodes.get(face + 2).copied();
+            let places = FacePlaces::new(Some(nodes[face - 1]), &own, after);
+            let face_of = MortarFace { reference: &reference, places: &places, curves: &curves };
+            let mut cover = Cover::default();
+            let segments = cover.find(&face_of).to_vec();
+            let mut integrals = Integrals::default();
+            assert!(integrals.take(&face_of, &segments));
+            let mut into = vec![[0.0; 2]; FIRST_MASTER + 6];
+            let by = Direction { normal: 1.0, tangent: 0.0, area: 0.0 };
+            let shares = Shares::of(2 - face);
+            integrals.pull((&face_of, &segments), shares, &by, &mut into);
+            area += integrals.area_of(shares);
+            for (slot, own) in [(0, face - 1), (1, face), (2, face + 1), (4, face + 2)] {
+                if let Some(sum) = sum.get_mut(own) {
+                    *sum = [sum[0] + into[slot][0], sum[1] + into[slot][1]];
+                }
+            }
+        }
+        assert!((area - 0.02).abs() < 1e-14, "{area}");
+        sum
+    };
+    let middle = force(0.0);
+    for shift in [-1e-5, -1e-7, -1e-9, -1e-15, 1e-15, 1e-9, 1e-7, 1e-5] {
+        for (own, other) in force(shift).iter().zip(&middle) {
+            let off = (own[0] - other[0]).abs() + (own[1] - other[1]).abs();
+            assert!(off < 2.0 * shift.abs() + 1e-14, "{shift} {own:?} {other:?}");
+        }
+    }
 }
