@@ -3,8 +3,8 @@
 //!
 //! ```text
 //!        curves of the master           row of node j: nodes of both faces, of their
-//!     ---o------o------o---             neighbours, which turn the normals, of what faces them,
-//!   o------o---(j)---o------o           and of what faced them at the last commit
+//!     ---o------o------o---             neighbours, which turn the normals,
+//!   o------o---(j)---o------o           and of what faces them
 //! ```
 //!
 //! docs/theory.md section 5.10
@@ -12,11 +12,11 @@
 mod curves;
 mod near;
 mod place;
+mod rooms;
 mod rows;
 mod slave;
 mod tangent;
 
 pub use place::MortarRoom;
-pub use rows::MortarRooms;
+pub use rooms::{MortarRooms, MortarScratch};
 pub use slave::Mortar;
-pub use tangent::MortarScratch;

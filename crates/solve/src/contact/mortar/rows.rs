@@ -14,10 +14,11 @@ use super::super::kinematics::{ContactKinematics, PointRowsMut};
 use super::super::master::MasterSurface;
 use super::super::pairs::{Carrier, Contact};
 use super::place::{FaceState, MortarRoom};
+use super::rooms::MortarRooms;
 use super::slave::{Control, Mortar};
 use slideline_mech::contact::pair::Body;
 use slideline_mech::contact::pair::mortar::{
-    Curve, Direction, FIRST_MASTER, MOST_CONTROLS, MortarFace, Place,
+    Direction, FIRST_MASTER, MOST_CONTROLS, MortarFace, Place,
 };
 use slideline_mech::contact::tangential::Tangential;
 
@@ -29,20 +30,6 @@ const NONE: usize = usize::MAX;
 pub(super) enum Side {
     Slave,
     Master,
-}
-
-/// Where faces of a pair stand now and stood at the last commit, with scratch.
-#[derive(Clone, Debug, Default)]
-pub struct MortarRooms {
-    /// Now.
-    pub now: MortarRoom,
-    /// At the last commit.
-    pub before: MortarRoom,
-    pulled: Vec<Place<f64>>,
-    columns: Vec<usize>,
-    unknowns: Vec<usize>,
-    /// Curves that a face faces now, where they stood then.
-    carried: Vec<Curve<f64>>,
 }
 
 /// What a point sums over its faces.

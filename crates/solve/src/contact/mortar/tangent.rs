@@ -3,23 +3,12 @@
 use super::super::kinematics::{GeometryScratch, PointRows};
 use super::super::pairs::Contact;
 use super::place::FaceState;
-use super::rows::{At, MortarRooms};
+use super::rooms::{MortarRooms, MortarScratch};
+use super::rows::At;
 use slideline_mech::contact::pair::mortar::{
-    Direction, FIRST_MASTER, FaceTangent, MOST_CONTROLS, Place, Shares, SweepRoom,
+    Direction, FIRST_MASTER, MOST_CONTROLS, Place, Shares,
 };
 use slideline_mech::contact::tangential::Tangential;
-
-/// Scratch of a tangent.
-#[derive(Clone, Debug, Default)]
-pub struct MortarScratch {
-    sweep: SweepRoom,
-    of_face: FaceTangent,
-    /// Places with the columns that they follow, and how.
-    entries: Vec<(usize, usize, [f64; 3])>,
-    /// Derivative of the area by the columns [L].
-    by_area: Vec<f64>,
-    pulled: Vec<Place<f64>>,
-}
 
 impl Contact {
     /// Adds the geometric tangent of a point of a mortar, as
