@@ -12,7 +12,7 @@
 //! change no result.
 
 use super::master::MasterSurface;
-use super::mortar::MortarRoom;
+use super::mortar::place::MortarRoom;
 use super::pairs::{Carrier, Contact};
 use super::positions::{MasterPositions, distance};
 use crate::state::PointState;

@@ -7,7 +7,7 @@
 //! ```
 
 use super::facing::Facing;
-use super::mortar::{MortarRooms, MortarScratch};
+use super::mortar::rooms::{MortarRooms, MortarScratch};
 use super::operator::{ContactOperator, OperatorRows, OperatorRowsMut};
 use super::shear::{Shear, TURNS};
 use super::stencil::Stencil;

@@ -9,14 +9,10 @@
 //!
 //! docs/theory.md section 5.10
 
-mod curves;
-mod near;
-mod place;
-mod rooms;
-mod rows;
-mod slave;
-mod tangent;
-
-pub use place::MortarRoom;
-pub use rooms::{MortarRooms, MortarScratch};
-pub use slave::Mortar;
+pub mod curves;
+pub mod near;
+pub mod place;
+pub mod rooms;
+pub mod rows;
+pub mod slave;
+pub mod tangent;

@@ -1,7 +1,7 @@
 //! All contact pairs of a model: slave points, masters and laws.
 
 use super::master::MasterSurface;
-use super::mortar::Mortar;
+use super::mortar::slave::Mortar;
 use super::segment::{SEGMENT_POINTS, SlaveSegment};
 use crate::dofs::Translations;
 use slideline_mech::contact::pair::Laws;

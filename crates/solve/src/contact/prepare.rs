@@ -2,7 +2,7 @@
 
 use super::laws::{self, mean_length, state_size};
 use super::master::MasterSurface;
-use super::mortar::Mortar;
+use super::mortar::slave::Mortar;
 use super::pairs::{Carrier, Contact, SlavePoint};
 use super::segment::{CELLS, SEGMENT_POINTS, SlaveSegment};
 use super::shear::{Shear, sheared_beams};

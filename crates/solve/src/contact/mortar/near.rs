@@ -9,7 +9,7 @@ use std::ops::Range;
 impl Contact {
     /// Nodes of the master chain that the faces of a point of a mortar face, where these are near:
     /// within `reach` [L].
-    pub(in super::super) fn near_mortar(
+    pub fn near_mortar(
         &self,
         mortar: &Mortar,
         point: usize,
@@ -37,12 +37,7 @@ impl Contact {
     }
 
     /// Nodes of the slave surface that a point of a mortar follows: `note(place)`.
-    pub(in super::super) fn slaves_of_mortar(
-        &self,
-        mortar: &Mortar,
-        point: usize,
-        mut note: impl FnMut(usize),
-    ) {
+    pub fn slaves_of_mortar(&self, mortar: &Mortar, point: usize, mut note: impl FnMut(usize)) {
         for &(face, _) in mortar.of_point[point].iter().flatten() {
             let controls = mortar.controls(face);
             let nodes = controls.into_iter().flatten().flat_map(Control::nodes);

@@ -60,12 +60,7 @@ impl Contact {
     }
 
     /// Where all points of the mortars stand at displacements `u`, with slips since `before`.
-    pub(in super::super) fn meet_mortars(
-        &self,
-        u: &[f64],
-        before: Before<'_>,
-        into: &mut ContactKinematics,
-    ) {
+    pub fn meet_mortars(&self, u: &[f64], before: Before<'_>, into: &mut ContactKinematics) {
         let mut rooms = std::mem::take(&mut into.mortars);
         rooms.resize_with(self.mortars.len(), MortarRooms::default);
         for (mortar, rooms) in self.mortars.iter().zip(&mut rooms) {

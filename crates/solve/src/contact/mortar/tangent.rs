@@ -13,7 +13,7 @@ use slideline_mech::contact::tangential::Tangential;
 impl Contact {
     /// Adds the geometric tangent of a point of a mortar, as
     /// [`Contact::geometric_tangent`].
-    pub(in super::super) fn tangent_of_mortar(
+    pub fn tangent_of_mortar(
         &self,
         (own, place): (usize, usize),
         (u, rooms): (&[f64], &MortarRooms),
