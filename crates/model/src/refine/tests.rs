@@ -76,7 +76,13 @@ fn two_beams() -> Model {
 }
 
 fn slide_line(nodes: Vec<NodeIndex>) -> Master {
-    Master::SlideLine(SlideLine { nodes, smooth: 0.2, extension: 0.1, origin: Span::default() })
+    Master::SlideLine(SlideLine {
+        nodes,
+        middles: Vec::new(),
+        smooth: 0.2,
+        extension: 0.1,
+        origin: Span::default(),
+    })
 }
 
 #[test]

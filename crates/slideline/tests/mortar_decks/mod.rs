@@ -177,7 +177,10 @@ impl Block {
     }
 
     fn exists(&self, i: usize, j: usize) -> bool {
-        !self.kind.is_quadratic() || self.kind.is_triangle() || i % 2 == 0 || j % 2 == 0
+        !self.kind.is_quadratic()
+            || self.kind.is_triangle()
+            || i.is_multiple_of(2)
+            || j.is_multiple_of(2)
     }
 
     fn unit(&self, i: usize, j: usize) -> [f64; 2] {

@@ -158,7 +158,7 @@ fn case(random: &mut Random, number: usize) -> Case {
     places.resize(FIRST_MASTER, [0.0; 2]);
     let controls: Vec<[f64; 3]> =
         places[1..1 + count].iter().map(|&[x, y]| [1.3 * x + 2.0, 0.9 * y, 0.0]).collect();
-    let across = if number % 3 == 0 { Across::Ring } else { Across::Width(0.7) };
+    let across = if number.is_multiple_of(3) { Across::Ring } else { Across::Width(0.7) };
     let reference = Reference::new(&controls, across);
     // sometimes the master begins or ends over the face
     let begin = if number % 4 == 1 { 0.8 } else { 1.6 };
