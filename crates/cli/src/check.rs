@@ -233,6 +233,10 @@ fn why(read: &Read, pair: &ContactPair) -> &'static str {
             "nodes of the first surface of *CONTACT PAIR are slaves, the rigid surface, named \
              second, is the master"
         }
+        (_, _, Formulation::Mortar) => {
+            "contact is integrated over the faces of the slave, the first surface of *CONTACT PAIR \
+             that is made of faces"
+        }
         (Master::SlideLine(_), true, _) => {
             "nodes of the first surface of *CONTACT PAIR are slaves, the beams of the second \
              one are the master"

@@ -19,6 +19,7 @@ pub mod axes;
 pub mod contact;
 pub mod differentiate;
 pub mod element;
+pub mod first_order;
 pub mod material;
 pub mod orientation;
 pub mod pressure;

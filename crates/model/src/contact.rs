@@ -21,6 +21,9 @@ pub struct ContactPair {
     /// In space, the faces that the slave nodes belong to; their shares are the
     /// tributary areas.
     pub faces: Vec<ContactFace>,
+    /// Slave nodes at which the surface turns sharply: the faces that meet there are apart, with a
+    /// contact point each ([`Formulation::Mortar`]).
+    pub corners: Vec<NodeIndex>,
     /// The surface that is slid upon.
     pub master: Master,
     /// Laws and width.
@@ -72,6 +75,9 @@ pub enum Formulation {
     /// positions and rotations of their nodes, against an analytic rigid
     /// surface (`TYPE=SURFACE TO SURFACE`).
     SurfaceToSurface,
+    /// Over the faces of solids, weighted with dual functions of the slave nodes
+    /// (`TYPE=SURFACE TO SURFACE`).
+    Mortar,
 }
 
 /// ISL21 or IRS21: a stretch of slave surface between two slave nodes.
@@ -228,6 +234,8 @@ pub struct SlideLine {
     /// Nodes in order of travel; the outward normal stands 90 degrees
     /// counter-clockwise of it.
     pub nodes: Vec<NodeIndex>,
+    /// Which of them are middle nodes of faces with three nodes, where that matters; empty: none.
+    pub middles: Vec<bool>,
     /// `SMOOTH`: fraction of each segment taken by the corner's parabola [1].
     pub smooth: f64,
     /// `EXTENSION ZONE`: prolongation of the end segments, as a fraction of

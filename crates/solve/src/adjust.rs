@@ -11,8 +11,8 @@ use slideline_diag::{Code, Diagnostic};
 use slideline_model::{Adjust, ContactPair, Model, NodeIndex};
 use std::collections::{HashMap, HashSet};
 
-/// Most moves of a node: a curved master is met by Newton's method.
-const MOST: usize = 20;
+/// Most moves of a node: a curved master is met by Newton's method, mean gaps of faces one by one.
+const MOST: usize = 100;
 /// Gaps that are left, over the size of the model [1].
 const CLOSE: f64 = 1e-13;
 

@@ -2,7 +2,7 @@
 
 use crate::account::account;
 use crate::constraints::Role;
-use crate::contact::{Contact, ContactKinematics, MasterPositions};
+use crate::contact::{Before, Contact, ContactKinematics, MasterPositions};
 use crate::dofs::DofMap;
 use crate::newton::Scratch;
 use crate::observe::results::ContactRow;
@@ -110,7 +110,7 @@ pub fn locate_points(
     positions: &mut MasterPositions,
     kinematics: &mut ContactKinematics,
 ) {
-    contact.locate((&committed.displacement, &committed.points), &[], positions, kinematics);
+    contact.locate((&committed.displacement, Before::of(committed)), &[], positions, kinematics);
     for (point, kinematics) in committed.points.iter_mut().zip(kinematics.points()) {
         point.opening = -kinematics.overclosure;
         point.along = kinematics.faces.then_some(kinematics.along);

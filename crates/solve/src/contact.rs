@@ -9,6 +9,7 @@
 //! Geometry only; pressures and tractions come from the laws, in
 //! [`crate::linearised`] and [`crate::evaluate`].
 
+mod before;
 mod behind;
 mod candidates;
 mod cliques;
@@ -19,6 +20,7 @@ mod idle;
 mod kinematics;
 mod laws;
 mod master;
+mod mortar;
 mod operator;
 mod pairs;
 mod placing;
@@ -34,6 +36,7 @@ mod stencil;
 mod tangent;
 mod values;
 
+pub use before::Before;
 pub use candidates::{Candidates, coupled_parts};
 pub use cliques::Cliques;
 pub use crossing::{Missed, Sweep, SweepScratch};

@@ -9,7 +9,7 @@
 mod encounter;
 
 use crate::constraints::Rows;
-use crate::contact::{ContactKinematics, Look, MasterPositions};
+use crate::contact::{Before, ContactKinematics, Look, MasterPositions};
 use crate::moments::turn_moments;
 use crate::observe::results::Status;
 use crate::problem::Problem;
@@ -196,7 +196,7 @@ fn balance(plan: &Problem<'_>, committed: &State, trial: &Trial<'_>, into: &mut 
     plan.constraints.carry(&into.rows, &mut into.structure);
     let Evaluation { kinematics, positions, look, .. } = into;
     plan.contact.find_idle(kinematics, (trial.u, trial.pressures), look);
-    plan.contact.locate((trial.u, &committed.points), &look.idle, positions, kinematics);
+    plan.contact.locate((trial.u, Before::of(committed)), &look.idle, positions, kinematics);
     let start = (&committed.displacement[..], &committed.points[..]);
     plan.contact.turn_away_from_behind(start, trial.u, kinematics);
     if !look.idle.contains(&true) {
@@ -222,7 +222,7 @@ pub fn look_at(plan: &Problem<'_>, committed: &State, into: &mut Evaluation) {
         return;
     }
     let Evaluation { kinematics, positions, look, .. } = into;
-    plan.contact.locate((u, &committed.points), &[], positions, kinematics);
+    plan.contact.locate((u, Before::of(committed)), &[], positions, kinematics);
     plan.contact.turn_away_from_behind((u, &committed.points), u, kinematics);
     look.note(u);
 }
@@ -240,7 +240,7 @@ pub fn complete(
         return true;
     }
     let Evaluation { kinematics, positions, look, .. } = into;
-    plan.contact.locate_idle((trial.u, &committed.points), &look.idle, positions, kinematics);
+    plan.contact.locate_idle((trial.u, Before::of(committed)), &look.idle, positions, kinematics);
     let start = (&committed.displacement[..], &committed.points[..]);
     plan.contact.turn_away_from_behind(start, trial.u, kinematics);
     let mut open = true;

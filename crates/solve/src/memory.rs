@@ -180,6 +180,7 @@ mod tests {
         };
         let pair = ContactPair {
             adjust: slideline_model::Adjust::Nothing,
+            corners: Vec::new(),
             name: "P".to_owned(),
             formulation: slideline_model::Formulation::SurfaceToSurface,
             vocabulary: slideline_model::Vocabulary::Elements,

@@ -221,12 +221,12 @@ impl<'a> Problem<'a> {
 }
 
 /// The symmetry of the tangent of a step: none where there is friction, a pressure that follows its
-/// face, or a moment about a fixed axis in space, unless the deck says otherwise.
+/// face, softened contact spread over faces, or a moment about a fixed axis in space, unless the deck says otherwise.
 pub fn kind(model: &Model, step: &Step, contact: &Contact) -> Kind {
     let rubs = || contact.laws.iter().any(Laws::has_friction);
     let turns = || model.is_in_space() && step.loads.iter().any(|load| load.dof.is_rotation());
     let follows = step.nlgeom && (!step.distributed.pressures.is_empty() || turns());
-    if step.unsymmetric.unwrap_or_else(|| follows || rubs()) {
+    if step.unsymmetric.unwrap_or_else(|| follows || rubs() || contact.has_soft_mortar()) {
         Kind::Unsymmetric
     } else {
         Kind::Symmetric

@@ -22,7 +22,9 @@ pub fn contact_rows(
     rows.clear();
     for (place, pair) in numbered.0.contact_pairs.iter().enumerate() {
         match pair.formulation {
-            Formulation::NodeToSurface => node_rows(contact, state, place, rows),
+            Formulation::NodeToSurface | Formulation::Mortar => {
+                node_rows(contact, state, place, rows)
+            }
             Formulation::SurfaceToSurface => {
                 gather_rows(numbered, contact, (state, place), gathered);
                 rows.extend(gathered.drain(..).map(Gathered::finish));

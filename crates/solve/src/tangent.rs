@@ -15,7 +15,7 @@
 
 use crate::constraints::Rows;
 use crate::contact::{
-    ContactKinematics, GeometryScratch, MasterPositions, PointKinematics, PointRows,
+    Before, ContactKinematics, GeometryScratch, MasterPositions, PointKinematics, PointRows,
 };
 use crate::evaluate::{Evaluation, Trial};
 use crate::moments::{self, turn_moments};
@@ -236,7 +236,7 @@ impl Place<'_> {
     fn add_contact_force(&self, kinematics: &ContactKinematics, u: &[f64], force: &mut [f64]) {
         for (place, kinematics) in kinematics.iter().enumerate().filter(|(_, m)| m.faces) {
             let ((pressure, traction), _) = self.law(place, &kinematics);
-            let area = self.evaluation.points[place].area;
+            let area = kinematics.area;
             kinematics.push(area * pressure, area * traction.tau, force);
         }
         self.trial.dashpots.press(u, &self.committed.displacement, force, |_| {});
@@ -379,7 +379,7 @@ impl<'a> Differences<'a> {
         turn_moments(plan, trial.load, at, |dof, beyond| self.force[dof] -= beyond);
         let _energy = plan.structure.gather_force(&self.contributions, &mut self.force);
         self.kinematics.copy_from(&evaluation.kinematics);
-        let at = (&self.u[..], &committed.points[..]);
+        let at = (&self.u[..], Before::of(committed));
         plan.contact.locate_in_place(at, &mut self.positions, &mut self.kinematics);
         self.place.add_contact_force(&self.kinematics, &self.u, &mut self.force);
         plan.constraints.linearise((&self.u, trial.ambient.turns), &mut self.rows);

@@ -1,7 +1,7 @@
 //! `*CONTACT PAIR`: which surfaces meet, and how their contact is sampled.
 
 use slideline_deck::{DataLine, normalise};
-use slideline_diag::{Code, Diagnostic, Span};
+use slideline_diag::Span;
 use slideline_model::{Dialect, Formulation};
 
 use super::slide_line::{extension, smooth};
@@ -54,12 +54,13 @@ impl Keyword for ContactPair {
             let message = "SMALL SLIDING: sliding is finite here, of which small sliding is a part";
             draft.log.note("SL0257", message, card.span_of("SMALL SLIDING"));
         }
-        let known = &["NODE TO SURFACE", "SURFACE TO SURFACE"];
+        let known =
+            &["NODE TO SURFACE", "SURFACE TO SURFACE", "MORTAR", "LINMORTAR", "PGLINMORTAR"];
         let formulation = match card.choice("TYPE", known, &mut draft.log) {
-            Some("SURFACE TO SURFACE") => Formulation::SurfaceToSurface,
-            _ => Formulation::NodeToSurface,
+            None | Some("NODE TO SURFACE") => Formulation::NodeToSurface,
+            Some(_) => Formulation::SurfaceToSurface,
         };
-        let adjust = adjust(card, formulation, &mut draft.log);
+        let adjust = adjust(card, &mut draft.log);
         let default = match draft.dialect {
             Dialect::Abaqus => DEFAULT_SMOOTH,
             Dialect::Calculix => 0.0,
@@ -107,16 +108,9 @@ pub(super) fn surface(line: &DataLine, at: usize, what: &str, log: &mut Log) -> 
 }
 
 /// A distance, or the name of a set of nodes.
-fn adjust(card: &Reading<'_>, formulation: Formulation, log: &mut Log) -> Option<(Adjusted, Span)> {
+fn adjust(card: &Reading<'_>, log: &mut Log) -> Option<(Adjusted, Span)> {
     let word = card.word("ADJUST")?;
     let span = card.span_of("ADJUST");
-    if formulation == Formulation::SurfaceToSurface {
-        let message = "ADJUST of *CONTACT PAIR, TYPE=SURFACE TO SURFACE is not supported";
-        let help = "leave it out: contact that is integrated resolves an overclosure at the start \
-                    in the first increment, with strain; or give TYPE=NODE TO SURFACE";
-        log.push(Diagnostic::error(Code("SL0221"), message).at(span).help(help));
-        return None;
-    }
     if !word.raw.starts_with(|first: char| first.is_ascii_digit() || "+-.".contains(first)) {
         return Some((Adjusted::Set(Target::Set(normalise(&word.raw))), span));
     }

@@ -126,6 +126,7 @@ fn pair(surface: &Surface, strayed: bool, in_pair: &mut HashMap<usize, Span>, dr
             formulation,
             vocabulary: Vocabulary::Elements,
             adjust: slideline_model::Adjust::Nothing,
+            corners: Vec::new(),
             faces: Vec::new(),
             elements,
             master,
@@ -191,6 +192,7 @@ fn master(surface: &Surface, reference: Option<u64>, draft: &mut Draft) -> Optio
         })),
         Shape::Line { nodes, smooth, extension } => Some(Master::SlideLine(SlideLine {
             nodes: chain(nodes, surface, draft)?,
+            middles: Vec::new(),
             smooth: *smooth,
             extension: *extension,
             origin: surface.origin,

@@ -9,7 +9,7 @@
 //! ```
 
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{ContactElement, SlideLine};
+use slideline_model::{ContactElement, Formulation, SlideLine};
 
 use super::chain::{Broken, Chain, Facet, Travel};
 use crate::draft::Draft;
@@ -24,6 +24,7 @@ pub(super) fn slide_line(
     draft: &mut Draft,
 ) -> Option<SlideLine> {
     let facets = one_face_each(pairing, facets, draft)?;
+    let middles: Vec<_> = facets.iter().filter_map(|facet| facet.middle).collect();
     let facets: Vec<Facet> = facets.iter().flat_map(Facet::parts).collect();
     let mut chain = match Chain::find(&facets) {
         Ok(chain) => chain,
@@ -51,8 +52,20 @@ pub(super) fn slide_line(
             return None;
         }
     }
-    let (smooth, extension) = (pairing.smooth, pairing.extension);
-    Some(SlideLine { nodes: chain.nodes, smooth, extension, origin: surface.origin })
+    let middle: std::collections::HashSet<_> = middles.into_iter().collect();
+    let middles = match pairing.formulation {
+        Formulation::SurfaceToSurface if !middle.is_empty() => {
+            chain.nodes.iter().map(|node| middle.contains(node)).collect()
+        }
+        _ => Vec::new(),
+    };
+    let smooth = match pairing.formulation {
+        Formulation::NodeToSurface => pairing.smooth,
+        // what is integrated needs no smooth corners
+        _ => 0.0,
+    };
+    let (nodes, extension, origin) = (chain.nodes, pairing.extension, surface.origin);
+    Some(SlideLine { nodes, middles, smooth, extension, origin })
 }
 
 /// A master turns one face to its slaves.

@@ -9,8 +9,9 @@
 //!     slave: rigid    -                        -
 //!   SURFACE TO SURFACE
 //!     slave: beams    along the beams          -
+//!     slave: faces    over the faces           over the faces, of beams and of solids
 //!     slave: nodes    -                        -
-//!     slave: rigid    -                        along the beams
+//!     slave: rigid    -                        along the beams, over the faces
 //! ```
 
 use std::collections::HashSet;
@@ -18,16 +19,19 @@ use std::collections::HashSet;
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{
     Adjust, ContactElement, ContactFace, ContactPair, Formulation, Interaction, Master,
-    MasterFaces, NodeIndex, NormalLaw, Section, Vocabulary,
+    MasterFaces, NodeIndex, Section, Vocabulary,
 };
 
 use super::chain::{Chain, Facet};
 use super::contact::both_sides;
 use super::master_chain::slide_line;
+use super::remarks::remarks;
+use super::sides::{Parts, Sides, Slaves, is_of_solids, refuse};
+use super::spread::{corners, spread};
 use super::surfaces::{Found, between_nodes, contact_elements, faces_between, found, stretches};
 use crate::draft::Draft;
 use crate::rule::Subject;
-use crate::surfaces::{Adjusted, NamedSurface, Pairing};
+use crate::surfaces::{Adjusted, Pairing};
 
 pub(super) fn pairs(draft: &mut Draft) {
     bodies(draft);
@@ -109,12 +113,6 @@ fn interaction(pairing: &Pairing, draft: &mut Draft) -> Option<Interaction> {
     None
 }
 
-/// Both surfaces of a pair.
-struct Sides {
-    slave: NamedSurface,
-    master: NamedSurface,
-}
-
 fn pair(pairing: &Pairing, draft: &mut Draft) {
     let interaction = interaction(pairing, draft);
     let slave = draft.surface(&pairing.slave);
@@ -129,8 +127,13 @@ fn pair(pairing: &Pairing, draft: &mut Draft) {
     let thickness = thickness_of(pairing, &first, draft);
     let of_solids = [&first, &second].into_iter().any(is_of_solids);
     let vocabulary = if of_solids { Vocabulary::Faces } else { Vocabulary::Surfaces };
-    let parts = match pairing.formulation {
+    let formulation = match pairing.formulation {
+        Formulation::SurfaceToSurface if of_solids => Formulation::Mortar,
+        given => given,
+    };
+    let parts = match formulation {
         Formulation::NodeToSurface => at_nodes(pairing, &sides, (first, second), draft),
+        Formulation::Mortar => spread(pairing, &sides, (first, second), draft),
         Formulation::SurfaceToSurface => along(pairing, &sides, (first, second), draft),
     };
     let Some((slaves, master)) = parts else { return };
@@ -144,13 +147,18 @@ fn pair(pairing: &Pairing, draft: &mut Draft) {
         Some((Adjusted::Within(distance), _)) => Adjust::Within(*distance),
         Some((Adjusted::Set(set), span)) => Adjust::Nodes(draft.nodes_of(set, *span)),
     };
-    remarks(pairing, &master, &interaction, draft);
+    remarks((pairing, formulation), &master, &interaction, draft);
+    let corners = match formulation {
+        Formulation::Mortar => corners(&slaves.elements, draft),
+        _ => Vec::new(),
+    };
     let pair = ContactPair {
         name: format!("{}/{}", pairing.slave.name, pairing.master.name),
-        formulation: pairing.formulation,
+        formulation,
         vocabulary,
         elements: slaves.elements,
         faces: slaves.faces,
+        corners,
         master,
         interaction,
         adjust,
@@ -213,24 +221,6 @@ fn width(pairing: &Pairing, of_solids: Option<f64>, draft: &mut Draft) -> f64 {
         1.0
     })
 }
-
-/// Whether a side is made of faces of solids.
-fn is_of_solids(side: &Found) -> bool {
-    match side {
-        Found::Facets(facets) => facets.iter().any(|facet| facet.face.is_some()),
-        Found::Faces(_) => true,
-        _ => false,
-    }
-}
-
-/// What carries the points of a pair.
-#[derive(Default)]
-struct Slaves {
-    elements: Vec<ContactElement>,
-    faces: Vec<ContactFace>,
-}
-
-type Parts = Option<(Slaves, Master)>;
 
 /// Contact sampled at the slave's nodes.
 fn at_nodes(
@@ -325,10 +315,11 @@ fn along(
     (slave, master): (Found, Found),
     draft: &mut Draft,
 ) -> Parts {
-    if is_of_solids(&slave) || is_of_solids(&master) {
-        let message = "SURFACE TO SURFACE on faces of solids is not supported";
-        let error = Diagnostic::error(Code("SL0221"), message).at(pairing.origin);
-        let help = "give TYPE=NODE TO SURFACE; contact is then sampled at the nodes of the slave";
+    if let Some((_, span)) = &pairing.adjust {
+        let message = "ADJUST of contact that is integrated along beams is not supported";
+        let help = "leave it out: an overclosure at the start is resolved in the first increment, \
+                    with strain; or give TYPE=NODE TO SURFACE";
+        let error = Diagnostic::error(Code("SL0221"), message).at(*span);
         draft.consequence(Subject::Contact, error.help(help));
         return None;
     }
@@ -374,12 +365,6 @@ fn along(
     Some((Slaves { elements, ..Slaves::default() }, Master::RigidSurface(surface)))
 }
 
-fn refuse(span: Span, message: impl Into<String>, help: &str, draft: &mut Draft) -> Parts {
-    let error = Diagnostic::error(Code("SL0332"), message).at(span);
-    draft.consequence(Subject::Contact, error.help(help));
-    None
-}
-
 /// Along the chain where the beams are one, else as they were named. Each
 /// element keeps its own direction.
 fn in_order(elements: Vec<ContactElement>) -> Vec<ContactElement> {
@@ -395,38 +380,5 @@ fn in_order(elements: Vec<ContactElement>) -> Vec<ContactElement> {
     match Chain::find(&facets) {
         Ok(chain) => chain.steps.iter().map(|&(place, _)| elements[place]).collect(),
         Err(_) => elements,
-    }
-}
-
-/// What is worth knowing about a pair that can be solved.
-fn remarks(pairing: &Pairing, master: &Master, interaction: &Interaction, draft: &mut Draft) {
-    let rigid = matches!(master, Master::RigidSurface(_));
-    if let Some((name, span)) = pairing.chain_parameter.filter(|_| rigid) {
-        let message = format!("{name} changes nothing here: the master is analytical");
-        let note = Diagnostic::note(Code("SL0253"), message).at(span);
-        draft.consequence(Subject::Contact, note);
-    }
-    if pairing.formulation == Formulation::NodeToSurface {
-        return;
-    }
-    if !pairing.no_thickness {
-        let message = "contact acts on the centre line of the beams: their thickness is not \
-                       counted";
-        let note = Diagnostic::note(Code("SL0336"), message).at(pairing.origin);
-        let help = "NO THICKNESS on *CONTACT PAIR says the same; to count it, move the rigid \
-                    surface by half the thickness";
-        draft.log.push(note.help(help));
-    }
-    if interaction.normal == NormalLaw::Hard {
-        let message = "integrated hard contact is imposed by a penalty";
-        let advice = Diagnostic::advice(Code("SL0401"), message).at(pairing.origin);
-        let advice = match interaction.normal_origin {
-            Some(span) => advice.label(span, "hard contact is requested here"),
-            None => advice.label(interaction.origin, "no law is given here: contact is hard"),
-        };
-        let help = "give the stiffness of the contact: *SURFACE BEHAVIOR, \
-                    PRESSURE-OVERCLOSURE=EXPONENTIAL with c0 a small fraction of the thickness of \
-                    the beam";
-        draft.log.push(advice.help(help));
     }
 }

@@ -20,6 +20,7 @@ use super::tangential::{Tangential, TangentialMap};
 mod body;
 mod chain;
 mod faces;
+pub mod mortar;
 mod nose;
 mod stencil;
 mod surface;

@@ -50,6 +50,7 @@ fn pair(nodes: &[NodeIndex], master: Master) -> ContactPair {
         vocabulary: crate::Vocabulary::Elements,
         elements: elements.collect(),
         adjust: crate::Adjust::Nothing,
+        corners: Vec::new(),
         faces: Vec::new(),
         master,
         interaction: Interaction {
@@ -75,7 +76,13 @@ fn two_beams() -> Model {
 }
 
 fn slide_line(nodes: Vec<NodeIndex>) -> Master {
-    Master::SlideLine(SlideLine { nodes, smooth: 0.2, extension: 0.1, origin: Span::default() })
+    Master::SlideLine(SlideLine {
+        nodes,
+        middles: Vec::new(),
+        smooth: 0.2,
+        extension: 0.1,
+        origin: Span::default(),
+    })
 }
 
 #[test]

@@ -14,6 +14,7 @@ pub fn pair_echo(model: &Model, pair: &ContactPair) -> String {
     let sampled = match pair.formulation {
         Formulation::NodeToSurface => "sampled at the nodes",
         Formulation::SurfaceToSurface => "integrated along their elements",
+        Formulation::Mortar => "spread over their faces",
     };
     let nodes = labels(model, &slaves);
     line!(text, "  slave    {} nodes ({nodes}), {sampled}", slaves.len());

@@ -69,7 +69,7 @@ impl Contact {
     ) {
         for (place, point) in self.points.iter().enumerate() {
             let before = &before[place];
-            let aside = before.along.is_none() && !before.closed && !point.is_integration_point();
+            let aside = before.along.is_none() && !before.closed && point.is_node();
             let now = kinematics.points()[place];
             if aside && now.faces && now.overclosure > 0.0 {
                 let start = self.slave(point, 0.0, from).position;

@@ -12,6 +12,7 @@
 //! change no result.
 
 use super::master::MasterSurface;
+use super::mortar::place::MortarRoom;
 use super::pairs::{Carrier, Contact};
 use super::positions::{MasterPositions, distance};
 use crate::state::PointState;
@@ -48,7 +49,9 @@ impl Contact {
     /// Whether a pair has so many couplings that only those near are taken in.
     pub fn is_selective(&self, pair: usize) -> bool {
         let points = self.slave_nodes[pair].len();
+        let is_spread = self.mortars.iter().any(|mortar| mortar.pair == pair);
         match &self.masters[pair] {
+            MasterSurface::Line { .. } if is_spread => true,
             MasterSurface::Line { nodes, .. } => points * nodes.len() > MANY,
             MasterSurface::Faces { .. } => true,
             _ => false,
@@ -78,8 +81,13 @@ impl Contact {
             _ if self.is_selective(point.pair) => Candidates::Nodes(0..0),
             _ => Candidates::All,
         }));
+        let mut rooms: Vec<MortarRoom> = Vec::new();
         for u in states {
             self.place_masters(u, positions);
+            rooms.resize_with(self.mortars.len(), MortarRoom::default);
+            for (mortar, room) in self.mortars.iter().zip(&mut rooms) {
+                self.place_mortar(mortar, u, room);
+            }
             for (place, own) in all.iter_mut().enumerate() {
                 match own {
                     Candidates::All => {}
@@ -88,7 +96,7 @@ impl Contact {
                         self.near_faces(place, (u, NEAR, before), positions, faces);
                     }
                     Candidates::Nodes(range) => {
-                        let Some(near) = self.near(place, u, positions) else { continue };
+                        let Some(near) = self.near(place, u, (positions, &rooms)) else { continue };
                         *range = match Range::is_empty(range) {
                             true => near,
                             false => range.start.min(near.start)..range.end.max(near.end),
@@ -100,9 +108,20 @@ impl Contact {
     }
 
     /// Nodes about the part that a point faces, where it is near.
-    fn near(&self, place: usize, u: &[f64], positions: &MasterPositions) -> Option<Range<usize>> {
+    fn near(
+        &self,
+        place: usize,
+        u: &[f64],
+        (positions, rooms): (&MasterPositions, &[MortarRoom]),
+    ) -> Option<Range<usize>> {
         let point = &self.points[place];
-        let MasterSurface::Line { chain, nodes, offset } = &self.masters[point.pair] else {
+        if let Some(own) = point.mortar {
+            let (mortar, reach) = (&self.mortars[own], NEAR * self.spacing[point.pair]);
+            let part = self.near_mortar(mortar, place - mortar.first, (&rooms[own], reach))?;
+            let nodes = self.masters[point.pair].nodes().len();
+            return Some(part.start.saturating_sub(BESIDE)..(part.end + BESIDE).min(nodes));
+        }
+        let MasterSurface::Line { chain, nodes, offset, .. } = &self.masters[point.pair] else {
             return None;
         };
         let Carrier::Node { position, dofs } = &point.carrier else { return None };

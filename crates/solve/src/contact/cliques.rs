@@ -48,6 +48,10 @@ impl Contact {
         }
         for (place, point) in self.points.iter().enumerate() {
             let Carrier::Node { dofs: own, .. } = &point.carrier else { continue };
+            if let Some(mortar) = point.mortar {
+                self.add_mortar_clique((mortar, place), near, constraints, &mut cliques);
+                continue;
+            }
             match &self.masters[point.pair] {
                 MasterSurface::Nothing => {}
                 MasterSurface::Faces { mesh, nodes, .. } => {
@@ -79,5 +83,35 @@ impl Contact {
             }
         }
         cliques
+    }
+
+    /// What a point that is spread over faces couples: their nodes, and those of the master that
+    /// are near.
+    fn add_mortar_clique(
+        &self,
+        (own, place): (usize, usize),
+        near: &[Candidates],
+        constraints: &ConstraintNumbering,
+        cliques: &mut Cliques,
+    ) {
+        let mortar = &self.mortars[own];
+        let mut all: Vec<usize> = Vec::new();
+        self.slaves_of_mortar(mortar, place - mortar.first, |node| {
+            all.extend_from_slice(mortar.dofs[node].as_slice());
+        });
+        match &self.masters[mortar.pair] {
+            MasterSurface::Body { dofs, .. } => all.extend_from_slice(dofs),
+            MasterSurface::Line { nodes, .. } => {
+                let Some(Candidates::Nodes(range)) = near.get(place) else { return };
+                if range.is_empty() {
+                    return;
+                }
+                all.extend(nodes[range.clone()].iter().flat_map(|(_, dofs)| dofs.as_slice()));
+            }
+            MasterSurface::Faces { .. } | MasterSurface::Nothing => return,
+        }
+        all.sort_unstable();
+        all.dedup();
+        cliques.add(constraints, &all);
     }
 }

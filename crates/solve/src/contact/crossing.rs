@@ -191,7 +191,7 @@ impl Contact {
                         events.push((place, event));
                     });
                 }
-                MasterSurface::Line { chain, nodes, offset } => {
+                MasterSurface::Line { chain, nodes, offset, .. } => {
                     let range = *offset..offset + nodes.len();
                     let positions = (&chains[0].nodes[range.clone()], &chains[1].nodes[range]);
                     chain.near_way(chains[0].tree(pair), (way[0], way[1]), near);

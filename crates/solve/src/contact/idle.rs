@@ -87,7 +87,7 @@ impl Contact {
     fn stays_open(&self, place: usize, kinematics: &PointRows<'_>, u: &[f64], look: &Look) -> bool {
         let point = &self.points[place];
         let Carrier::Node { position, dofs } = &point.carrier else { return false };
-        if !kinematics.faces {
+        if !kinematics.faces || point.mortar.is_some() {
             return false;
         }
         let master = &self.masters[point.pair];

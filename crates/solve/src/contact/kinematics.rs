@@ -7,6 +7,7 @@
 //! ```
 
 use super::facing::Facing;
+use super::mortar::rooms::{MortarRooms, MortarScratch};
 use super::operator::{ContactOperator, OperatorRows, OperatorRowsMut};
 use super::shear::{Shear, TURNS};
 use super::stencil::Stencil;
@@ -23,6 +24,7 @@ pub struct ContactKinematics {
     operator: ContactOperator,
     pub(super) room: FaceRoom,
     pub(super) unknowns: Vec<usize>,
+    pub(super) mortars: Vec<MortarRooms>,
 }
 
 /// A slave point against its master.
@@ -54,6 +56,8 @@ pub struct PointRows<'a> {
     point: &'a PointKinematics,
     /// Its rows.
     pub rows: OperatorRows<'a>,
+    /// Where the faces of all mortars stand.
+    pub(super) mortars: &'a [MortarRooms],
 }
 
 impl Deref for PointRows<'_> {
@@ -87,7 +91,8 @@ impl ContactKinematics {
 
     /// A point with its rows.
     pub fn at(&self, place: usize) -> PointRows<'_> {
-        PointRows { point: &self.points[place], rows: self.operator.rows(place) }
+        let (point, rows) = (&self.points[place], self.operator.rows(place));
+        PointRows { point, rows, mortars: &self.mortars }
     }
 
     pub(super) fn at_mut(&mut self, place: usize) -> PointRowsMut<'_> {
@@ -113,6 +118,12 @@ impl ContactKinematics {
     pub fn copy_from(&mut self, other: &Self) {
         self.points.clone_from(&other.points);
         self.operator.copy_from(&other.operator);
+        self.mortars.clone_from(&other.mortars);
+    }
+
+    /// Makes room for so many dofs at every point.
+    pub(super) fn make_room(&mut self, unknowns: usize) {
+        self.operator.make_room(unknowns);
     }
 }
 
@@ -231,4 +242,5 @@ pub struct GeometryScratch {
     pub(super) force: Vec<f64>,
     pub(super) room: FaceRoom,
     pub(super) kernel: Vec<f64>,
+    pub(super) mortar: MortarScratch,
 }

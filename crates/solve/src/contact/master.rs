@@ -33,6 +33,8 @@ pub enum MasterSurface {
         nodes: Vec<([f64; 3], Translations)>,
         /// Place of its first position in the scratch.
         offset: usize,
+        /// Which of its nodes are middle nodes of faces; empty: none is.
+        middles: Vec<bool>,
     },
     /// Faces in space, and where the positions of their nodes begin in the scratch.
     Faces {
@@ -56,7 +58,10 @@ impl MasterSurface {
         let reference: Vec<_> = line.nodes.iter().map(at).collect();
         let nodes = line.nodes.iter().map(|node| (at(node), dofs.translations(*node)));
         match Chain::new(&reference, line.smooth, line.extension) {
-            Some(chain) => MasterSurface::Line { chain, nodes: nodes.collect(), offset },
+            Some(chain) => {
+                let middles = line.middles.clone();
+                MasterSurface::Line { chain, nodes: nodes.collect(), offset, middles }
+            }
             None => MasterSurface::Nothing,
         }
     }
@@ -138,7 +143,7 @@ impl MasterSurface {
             Self::Body { surface, .. } => {
                 surface.closest(&self.placed_body(u), point).map(Facing::Surface)
             }
-            Self::Line { chain, nodes, offset } => {
+            Self::Line { chain, nodes, offset, .. } => {
                 let (own, nearby) = positions.chain(pair, *offset..offset + nodes.len())?;
                 chain.closest(own, nearby, point).map(Facing::Piece)
             }
@@ -163,7 +168,7 @@ impl MasterSurface {
                 stencil.add_from(dofs, u);
                 Some(gap)
             }
-            (Self::Line { chain, nodes, offset }, Facing::Piece(piece)) => {
+            (Self::Line { chain, nodes, offset, .. }, Facing::Piece(piece)) => {
                 let positions = positions.get(*offset..offset + nodes.len())?;
                 let gap = chain_gap(chain, piece, positions, stencil.position)?;
                 let mut control = [slave; 3];
@@ -216,7 +221,7 @@ impl MasterSurface {
         match self {
             Self::Nothing | Self::Faces { .. } => None,
             Self::Body { surface, .. } => surface.beyond_end(&self.placed_body(u), point),
-            Self::Line { chain, nodes, offset } => {
+            Self::Line { chain, nodes, offset, .. } => {
                 chain.beyond_end(positions.get(*offset..offset + nodes.len())?, point)
             }
         }

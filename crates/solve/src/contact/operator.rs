@@ -50,6 +50,23 @@ impl ContactOperator {
         self.values.resize(points * room * rows(directions), 0.0);
     }
 
+    /// Makes room for so many unknowns at every point, of which all have the same room.
+    pub fn make_room(&mut self, unknowns: usize) {
+        let points = self.ranges.len();
+        let room = self.unknowns.len() / points.max(1);
+        if unknowns <= room {
+            return;
+        }
+        let before = std::mem::take(self);
+        self.fit(points, 2 * unknowns, before.directions);
+        for place in 0..points {
+            let from = before.rows(place);
+            if from.width() > 0 {
+                self.rows_mut(place).start(from.unknowns).copy_from_slice(from.values);
+            }
+        }
+    }
+
     /// Tangential directions of a point.
     pub fn directions(&self) -> usize {
         self.directions

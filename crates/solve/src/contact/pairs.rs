@@ -1,6 +1,7 @@
 //! All contact pairs of a model: slave points, masters and laws.
 
 use super::master::MasterSurface;
+use super::mortar::slave::Mortar;
 use super::segment::{SEGMENT_POINTS, SlaveSegment};
 use crate::dofs::Translations;
 use slideline_mech::contact::friction::FrictionLaw;
@@ -20,11 +21,18 @@ pub struct SlavePoint {
     pub state_variables: usize,
     /// How many they are.
     pub state_size: usize,
+    /// The mortar that it belongs to, where it is spread over its faces.
+    pub(super) mortar: Option<usize>,
     /// How it is carried.
     pub(super) carrier: Carrier,
 }
 
 impl SlavePoint {
+    /// Whether it is a slave node that meets its master by itself.
+    pub(super) fn is_node(&self) -> bool {
+        !self.is_integration_point() && self.mortar.is_none()
+    }
+
     /// Whether it is an integration point of integrated contact.
     pub fn is_integration_point(&self) -> bool {
         matches!(self.carrier, Carrier::IntegrationPoint { .. })
@@ -58,6 +66,8 @@ pub struct Contact {
     /// Tangential directions of a point: one in the plane.
     pub directions: usize,
     pub(super) masters: Vec<MasterSurface>,
+    /// Slave surfaces whose contact is spread over their faces.
+    pub(super) mortars: Vec<Mortar>,
     /// Distance of neighbouring slave points, a pair each [L].
     pub(super) spacing: Vec<f64>,
     /// Slave points that contact elements join, a list a pair.
@@ -73,6 +83,7 @@ pub struct Contact {
 pub fn point_count(pair: &ContactPair) -> usize {
     match pair.formulation {
         Formulation::NodeToSurface => pair.slave_nodes().len(),
+        Formulation::Mortar => pair.slave_nodes().len() + pair.corners.len(),
         Formulation::SurfaceToSurface => pair.elements.len() * SEGMENT_POINTS,
     }
 }

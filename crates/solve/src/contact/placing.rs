@@ -42,7 +42,7 @@ impl Contact {
                     None => *face_tree = Some(faces::tree(mesh, own)),
                 }
             }
-            let MasterSurface::Line { chain, nodes, offset } = master else { continue };
+            let MasterSurface::Line { chain, nodes, offset, .. } = master else { continue };
             into.nodes.extend(nodes.iter().map(|(at, dofs)| dofs.displace(*at, u)));
             let own = &into.nodes[*offset..];
             if chain.segments() < LONG {

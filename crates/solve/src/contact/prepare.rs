@@ -2,6 +2,7 @@
 
 use super::laws::{self, mean_length, state_size};
 use super::master::MasterSurface;
+use super::mortar::slave::Mortar;
 use super::pairs::{Carrier, Contact, SlavePoint};
 use super::segment::{CELLS, SEGMENT_POINTS, SlaveSegment};
 use super::shear::{Shear, sheared_beams};
@@ -23,6 +24,7 @@ impl Contact {
             state_size: 0,
             directions: if model.is_in_space() { 2 } else { 1 },
             masters: Vec::new(),
+            mortars: Vec::new(),
             spacing: Vec::new(),
             edges: Vec::new(),
             opposed: Vec::new(),
@@ -33,6 +35,7 @@ impl Contact {
             contact.edges.push(Vec::new());
             match pair.formulation {
                 Formulation::NodeToSurface => contact.add_nodes(dofs, place, pair),
+                Formulation::Mortar => contact.add_mortar(dofs, place, pair),
                 Formulation::SurfaceToSurface => contact.add_segments(model, dofs, place, pair),
             }
             let length = mean_length(model, pair);
@@ -84,6 +87,21 @@ impl Contact {
         }
     }
 
+    /// Adds the slave nodes of a pair whose contact is spread over their faces, and the points that
+    /// corners add.
+    fn add_mortar(&mut self, dofs: &DofMap, place: usize, pair: &ContactPair) {
+        let first = self.points.len();
+        self.add_nodes(dofs, place, pair);
+        for &node in &pair.corners {
+            let carrier = Carrier::Node { position: [0.0; 3], dofs: dofs.translations(node) };
+            self.add_point(place, pair, node, carrier);
+        }
+        let own = self.mortars.len();
+        self.points[first..].iter_mut().for_each(|point| point.mortar = Some(own));
+        let nodes = (&self.slave_nodes[place][..], dofs);
+        self.mortars.push(Mortar::new((place, pair), first, nodes));
+    }
+
     /// Adds a point without its numbers.
     fn add_point(
         &mut self,
@@ -95,7 +113,8 @@ impl Contact {
         let (state_variables, state_size) = (self.state_size, state_size(pair));
         self.state_size += state_size;
         let (pair, area) = (pair_place, 0.0);
-        let point = SlavePoint { pair, node, area, state_variables, state_size, carrier };
+        let mortar = None;
+        let point = SlavePoint { pair, node, area, state_variables, state_size, mortar, carrier };
         self.points.push(point);
     }
 

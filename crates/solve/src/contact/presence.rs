@@ -7,6 +7,7 @@
 //!      |        \__________/           and stays
 //! ```
 
+use super::before::Before;
 use super::kinematics::ContactKinematics;
 use super::laws::{friction, mean_length};
 use super::master::MasterSurface;
@@ -95,7 +96,7 @@ impl Contact {
             return held;
         }
         let (mut positions, mut kinematics) = (MasterPositions::default(), self.nowhere());
-        let at = (&state.displacement[..], &state.points[..]);
+        let at = (&state.displacement[..], Before::of(state));
         self.locate(at, &[], &mut positions, &mut kinematics);
         for (place, point) in self.points.iter().enumerate() {
             if pairs.contains(&point.pair) {

@@ -22,6 +22,10 @@ impl Contact {
         if !kinematics.faces {
             return Tangential::ZERO;
         }
+        if point.mortar.is_some() {
+            // what slides in from beyond an end has slid
+            return kinematics.along - history.along.unwrap_or(Tangential::ZERO);
+        }
         let period = self.period(point);
         if !point.is_integration_point() {
             return pair::slip(history, kinematics.along, period);

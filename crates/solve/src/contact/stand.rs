@@ -1,5 +1,6 @@
 //! Where slave points stand against their masters in one configuration.
 
+use super::before::Before;
 use super::kinematics::{ContactKinematics, PointKinematics, PointRowsMut};
 use super::master::MasterSurface;
 use super::pairs::{Carrier, Contact, SlavePoint};
@@ -34,17 +35,18 @@ impl Contact {
     /// are.
     pub fn locate(
         &self,
-        (u, before): (&[f64], &[PointState]),
+        (u, before): (&[f64], Before<'_>),
         idle: &[bool],
         positions: &mut MasterPositions,
         into: &mut ContactKinematics,
     ) {
         self.place_masters(u, positions);
+        self.locate_mortars(u, before, into);
         for (place, point) in self.points.iter().enumerate() {
             let is_idle = idle.get(place).is_some_and(|&idle| idle);
-            if !is_idle && !point.is_integration_point() {
+            if !is_idle && point.is_node() {
                 into.at_mut(place).point.area = point.area;
-                self.locate_one(place, (u, before), positions, into);
+                self.locate_one(place, (u, before.points), positions, into);
             }
         }
         for segment in &self.segments {
@@ -56,14 +58,16 @@ impl Contact {
     /// elements.
     pub fn locate_in_place(
         &self,
-        at: (&[f64], &[PointState]),
+        (u, before): (&[f64], Before<'_>),
         positions: &mut MasterPositions,
         into: &mut ContactKinematics,
     ) {
-        self.place_masters(at.0, positions);
+        self.place_masters(u, positions);
+        self.locate_mortars(u, before, into);
         for (place, point) in self.points.iter().enumerate() {
-            if into.points()[place].faces || !point.is_integration_point() {
-                self.locate_one(place, at, positions, into);
+            let is_there = into.points()[place].faces || point.is_node();
+            if is_there && point.mortar.is_none() {
+                self.locate_one(place, (u, before.points), positions, into);
             }
         }
     }
@@ -72,13 +76,13 @@ impl Contact {
     /// the masters are placed already.
     pub fn locate_idle(
         &self,
-        at: (&[f64], &[PointState]),
+        (u, before): (&[f64], Before<'_>),
         idle: &[bool],
         positions: &MasterPositions,
         into: &mut ContactKinematics,
     ) {
         for place in (0..self.points.len()).filter(|&place| idle[place]) {
-            self.locate_one(place, at, positions, into);
+            self.locate_one(place, (u, before.points), positions, into);
         }
     }
 
@@ -86,7 +90,9 @@ impl Contact {
     /// integration points where their cells, wholly closed, have them.
     pub fn stand(&self, u: &[f64], positions: &mut MasterPositions, into: &mut ContactKinematics) {
         self.place_masters(u, positions);
-        for (place, point) in self.points.iter().enumerate() {
+        self.locate_mortars(u, Before::NOTHING, into);
+        let alone = |(_, point): &(usize, &SlavePoint)| point.mortar.is_none();
+        for (place, point) in self.points.iter().enumerate().filter(alone) {
             let own = into.at_mut(place);
             own.point.area = point.area;
             own.point.xi = self.resting_place(place);

@@ -30,6 +30,15 @@ impl Contact {
             self.tangent_of_face(facing, (kinematics, before, positions), forces, scratch);
             return;
         }
+        if let Some(own) = point.mortar {
+            let m = kinematics.rows.width();
+            scratch.tangent.clear();
+            scratch.tangent.resize(m * m, 0.0);
+            let rooms = &kinematics.mortars[own];
+            let forces = (normal, tangential);
+            self.tangent_of_mortar((own, place), (u, rooms), kinematics, forces, scratch);
+            return;
+        }
         let mut stencil = self.slave(point, kinematics.xi, u);
         let m = kinematics.rows.width();
         let GeometryScratch { tangent, direct, force, .. } = scratch;

@@ -36,16 +36,30 @@ impl Contact {
             let elements = elements.map(|(element, &edge)| {
                 (edge, element.lumping.shares(), element.nodes.map(position))
             });
-            let across = match model.is_of_rings() {
-                true => Across::Ring,
-                false => Across::Width(pair.interaction.width),
-            };
-            tributary_areas(elements, across, |point, area| points[point].area += area);
+            let across = across(model, pair);
+            if pair.formulation != Formulation::Mortar {
+                tributary_areas(elements, across, |point, area| points[point].area += area);
+            }
         }
+        self.take_mortars(model);
         for (place, pair) in
             model.contact_pairs.iter().enumerate().filter(|p| !p.1.faces.is_empty())
         {
             self.take_face_areas(model, place, pair);
+        }
+    }
+
+    /// Positions and areas of slave nodes whose contact is spread over their faces.
+    fn take_mortars(&mut self, model: &Model) {
+        let Self { points, mortars, slave_nodes, .. } = self;
+        for mortar in mortars {
+            let nodes = slave_nodes[mortar.pair].iter();
+            let positions = nodes.map(|&node| model.nodes.get(node).position);
+            let pair = &model.contact_pairs[mortar.pair];
+            let first = mortar.first;
+            mortar.take(positions, across(model, pair), |point, area| {
+                points[first + point].area += area;
+            });
         }
     }
 
@@ -154,6 +168,14 @@ impl Contact {
         if matches!(pair.interaction.friction, slideline_model::Friction::User { .. }) {
             *own = laws::laws(model, pair, length, users);
         }
+    }
+}
+
+/// How far the contact of a pair of the plane reaches across it.
+fn across(model: &Model, pair: &ContactPair) -> Across {
+    match model.is_of_rings() {
+        true => Across::Ring,
+        false => Across::Width(pair.interaction.width),
     }
 }
 

@@ -156,7 +156,13 @@ fn draw_block(block: &ElementBlock, note: &mut impl FnMut(usize)) {
 }
 
 fn draw_pair(pair: &ContactPair, note: &mut impl FnMut(usize)) {
-    note(usize::from(pair.formulation == Formulation::SurfaceToSurface));
+    note(match pair.formulation {
+        Formulation::NodeToSurface => 0,
+        Formulation::SurfaceToSurface => 1,
+        Formulation::Mortar => 2,
+    });
+    note(pair.corners.len());
+    pair.corners.iter().for_each(|&node| note(node));
     note(match &pair.interaction.friction {
         Friction::User { state_size, .. } => *state_size,
         _ => 0,
@@ -168,8 +174,9 @@ fn draw_pair(pair: &ContactPair, note: &mut impl FnMut(usize)) {
     match &pair.master {
         Master::RigidSurface(surface) => [0, surface.reference].into_iter().for_each(note),
         Master::SlideLine(line) => {
-            [1, line.nodes.len()].into_iter().for_each(&mut *note);
+            [1, line.nodes.len(), line.middles.len()].into_iter().for_each(&mut *note);
             line.nodes.iter().for_each(|&node| note(node));
+            line.middles.iter().for_each(|&is_middle| note(usize::from(is_middle)));
         }
         Master::Faces(faces) => {
             [2, faces.faces.len(), usize::from(faces.smooth)].into_iter().for_each(&mut *note);

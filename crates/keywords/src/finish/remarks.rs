@@ -1,0 +1,50 @@
+//! What is worth knowing about a contact pair that can be solved.
+
+use slideline_diag::{Code, Diagnostic};
+use slideline_model::{Formulation, Interaction, Master, NormalLaw};
+
+use crate::draft::Draft;
+use crate::rule::Subject;
+use crate::surfaces::Pairing;
+
+/// What is worth knowing about a pair that can be solved.
+pub(super) fn remarks(
+    (pairing, formulation): (&Pairing, Formulation),
+    master: &Master,
+    interaction: &Interaction,
+    draft: &mut Draft,
+) {
+    let why = match (master, formulation) {
+        (_, Formulation::Mortar) => Some("contact is integrated over the faces as they are"),
+        (Master::RigidSurface(_), _) => Some("the master is analytical"),
+        _ => None,
+    };
+    if let (Some((name, span)), Some(why)) = (pairing.chain_parameter, why) {
+        let message = format!("{name} changes nothing here: {why}");
+        let note = Diagnostic::note(Code("SL0253"), message).at(span);
+        draft.consequence(Subject::Contact, note);
+    }
+    if formulation != Formulation::SurfaceToSurface {
+        return;
+    }
+    if !pairing.no_thickness {
+        let message = "contact acts on the centre line of the beams: their thickness is not \
+                       counted";
+        let note = Diagnostic::note(Code("SL0336"), message).at(pairing.origin);
+        let help = "NO THICKNESS on *CONTACT PAIR says the same; to count it, move the rigid \
+                    surface by half the thickness";
+        draft.log.push(note.help(help));
+    }
+    if interaction.normal == NormalLaw::Hard {
+        let message = "integrated hard contact is imposed by a penalty";
+        let advice = Diagnostic::advice(Code("SL0401"), message).at(pairing.origin);
+        let advice = match interaction.normal_origin {
+            Some(span) => advice.label(span, "hard contact is requested here"),
+            None => advice.label(interaction.origin, "no law is given here: contact is hard"),
+        };
+        let help = "give the stiffness of the contact: *SURFACE BEHAVIOR, \
+                    PRESSURE-OVERCLOSURE=EXPONENTIAL with c0 a small fraction of the thickness of \
+                    the beam";
+        draft.log.push(advice.help(help));
+    }
+}

@@ -1,0 +1,122 @@
+//! Contact that is integrated over faces of plane solids: mortar.
+//!
+//! ```text
+//!      o-----o-----o      the master: faces, beams, or an analytical surface
+//!    o----o-----o         the slave: faces of solids, which meet smoothly, or at corners
+//!                \
+//! ```
+
+use std::collections::HashMap;
+
+use slideline_diag::{Code, Diagnostic};
+use slideline_model::{ContactElement, Master, NodeIndex};
+
+use super::chain::Facet;
+use super::master_chain::slide_line;
+use super::sides::{Parts, Sides, Slaves, refuse};
+use super::surfaces::{Found, between_nodes};
+use crate::draft::Draft;
+use crate::rule::Subject;
+use crate::surfaces::Pairing;
+
+/// Turn of a surface from which on its faces are apart: 45 degrees, as of masters in space.
+const SHARP: f64 = std::f64::consts::FRAC_1_SQRT_2;
+
+/// Contact spread over the faces of the slave.
+pub(super) fn spread(
+    pairing: &Pairing,
+    sides: &Sides,
+    (slave, master): (Found, Found),
+    draft: &mut Draft,
+) -> Parts {
+    let (slave_name, master_name) = (&pairing.slave.name, &pairing.master.name);
+    let (facets, master, surface) = match (slave, master) {
+        (Found::Faces(_), _) | (_, Found::Faces(_)) => {
+            let message = "SURFACE TO SURFACE on faces of solids in space is not supported";
+            let error = Diagnostic::error(Code("SL0221"), message).at(pairing.origin);
+            let help =
+                "give TYPE=NODE TO SURFACE; contact is then sampled at the nodes of the slave";
+            draft.consequence(Subject::Contact, error.help(help));
+            return None;
+        }
+        (Found::Rigid(surface), Found::Facets(facets)) => {
+            let message =
+                format!("contact is integrated over {master_name}, named slave or master");
+            let note = Diagnostic::note(Code("SL0335"), message).at(pairing.origin);
+            draft.log.push(note.help("the order of the two surfaces does not change the result"));
+            (facets, Found::Rigid(surface), &sides.slave)
+        }
+        (Found::Facets(facets), master) => (facets, master, &sides.master),
+        (Found::Nodes(_) | Found::Rigid(_), _) => {
+            let message = format!("contact cannot be integrated over the nodes of {slave_name}");
+            let help =
+                "define the slave by elements with their faces, or give TYPE=NODE TO SURFACE";
+            return refuse(pairing.slave.span, message, help, draft);
+        }
+    };
+    if let Some(beam) = facets.iter().find(|facet| facet.face.is_none()) {
+        let message = format!(
+            "element {} of {slave_name} is a beam: SURFACE TO SURFACE against faces of solids is \
+             integrated over faces of solids",
+            beam.label
+        );
+        let help = "name the solids first, as the slave, or give TYPE=NODE TO SURFACE";
+        return refuse(pairing.slave.span, message, help, draft);
+    }
+    sound(&facets, pairing, draft)?;
+    let elements = between_nodes(&facets);
+    let master = match master {
+        Found::Rigid(surface) => Master::RigidSurface(surface),
+        Found::Facets(facets) => {
+            Master::SlideLine(slide_line(pairing, surface, (&facets, &elements), draft)?)
+        }
+        Found::Nodes(_) | Found::Faces(_) => {
+            let message = format!("the node surface {master_name} has no segments to slide on");
+            let help = "give the master as elements, or name it first with TYPE=NODE TO SURFACE";
+            return refuse(pairing.master.span, message, help, draft);
+        }
+    };
+    Some((Slaves { elements, ..Slaves::default() }, master))
+}
+
+/// Faces of a slave meet two by two, one after the other: none is there twice, none is folded back
+/// upon another.
+fn sound(facets: &[Facet], pairing: &Pairing, draft: &mut Draft) -> Option<()> {
+    let (mut begins, mut ends) = (HashMap::new(), HashMap::new());
+    for facet in facets {
+        let [from, to] = facet.nodes;
+        let twice = [begins.insert(from, facet), ends.insert(to, facet)].into_iter().flatten();
+        let folded = begins.get(&to).copied().filter(|other| other.nodes[1] == from);
+        for other in twice.chain(folded) {
+            if (other.label, other.face) == (facet.label, facet.face) {
+                continue;
+            }
+            let message = format!(
+                "the faces of elements {} and {} of {} lie on one another or make a branch",
+                other.label, facet.label, pairing.slave.name
+            );
+            let help = "a slave surface is the outside of its bodies: each node joins two faces at \
+                        most";
+            refuse(pairing.slave.span, message, help, draft);
+            return None;
+        }
+    }
+    Some(())
+}
+
+/// Slave nodes at which the surface turns sharply.
+pub(super) fn corners(elements: &[ContactElement], draft: &Draft) -> Vec<NodeIndex> {
+    let direction = |element: &ContactElement| {
+        let [a, b] = element.nodes.map(|node| draft.model.nodes.position(node));
+        let (x, y) = (b[0] - a[0], b[1] - a[1]);
+        let size = x.hypot(y);
+        (x / size, y / size)
+    };
+    let ending: HashMap<_, _> =
+        elements.iter().map(|element| (element.nodes[1], direction(element))).collect();
+    let turns = |element: &&ContactElement| {
+        let (x, y) = direction(element);
+        ending.get(&element.nodes[0]).is_some_and(|(u, v)| u * x + v * y < SHARP)
+    };
+    elements.iter().filter(turns).map(|element| element.nodes[0]).collect()
+}

@@ -1,0 +1,160 @@
+//! What faces a slave face: its segments.
+//!
+//! ```text
+//!     ====o===o=======        curves, the nearest one on the line along n counts; one that
+//!      |  |   |    |          turns its back there hides what lies behind it
+//!   o--+--+---+----o--o
+//! ```
+
+use super::curve::{Curve, Place, dot, sub};
+use super::face::{MortarFace, field};
+use super::integrals::{Bound, Segment, across};
+use super::normals::MeanNormal;
+
+/// Part of a face below which bounds are one [1].
+const SAME: f64 = 1e-11;
+/// Part of a face that must be covered for any contact on it [1].
+const LEAST: f64 = 1e-4;
+/// Most iterations towards a projection.
+const MOST: usize = 60;
+
+/// The segments of a face, in a list that is used again.
+#[derive(Debug, Clone, Default)]
+pub struct Cover {
+    segments: Vec<Segment>,
+    gaps: Vec<f64>,
+    bounds: Vec<Bound>,
+    spans: Vec<Span>,
+}
+
+/// What a curve covers of the face, seen along the normals.
+#[derive(Debug, Clone, Copy)]
+struct Span {
+    curve: usize,
+    from: f64,
+    to: f64,
+    faces: bool,
+}
+
+impl Cover {
+    /// The segments of a face, in its order.
+    pub fn find(&mut self, face: &MortarFace<'_, f64>) -> &[Segment] {
+        self.segments.clear();
+        self.gaps.clear();
+        self.bounds.clear();
+        self.spans.clear();
+        let Some(ends) = face.end_normals() else { return &self.segments };
+        let slave = face.curve();
+        for (place, curve) in face.curves.iter().enumerate() {
+            self.add_span((place, curve), &slave, &ends);
+        }
+        self.bounds.extend([Bound::End(0), Bound::End(1)]);
+        self.bounds.sort_by(|a, b| a.at().total_cmp(&b.at()));
+        for k in 1..self.bounds.len() {
+            let bounds = [self.bounds[k - 1], self.bounds[k]];
+            if bounds[1].at() - bounds[0].at() > SAME {
+                self.add_segment(bounds, face, &ends);
+            }
+        }
+        self.drop_far(&slave);
+        &self.segments
+    }
+
+    /// Notes what a curve covers, and its ends that lie on the face.
+    fn add_span(
+        &mut self,
+        (place, curve): (usize, &Curve<f64>),
+        slave: &Curve<f64>,
+        ends: &[MeanNormal<f64>; 2],
+    ) {
+        let [Some(first), Some(last)] = [0, 1].map(|end| projected(curve.end(end), slave, ends))
+        else {
+            return;
+        };
+        let (from, to) = (first.min(last), first.max(last));
+        if to <= 0.0 || from >= 1.0 {
+            return;
+        }
+        for (end, at) in [first, last].into_iter().enumerate() {
+            // an end that stands upon one of the face moves no bound: both sides of it are one
+            if SAME < at && at < 1.0 - SAME {
+                self.bounds.push(Bound::Projected { curve: place, end, at });
+            }
+        }
+        self.spans.push(Span { curve: place, from, to, faces: first < last });
+    }
+
+    /// Adds the segment between neighbouring bounds, where the nearest curve faces the slave.
+    fn add_segment(
+        &mut self,
+        bounds: [Bound; 2],
+        face: &MortarFace<'_, f64>,
+        ends: &[MeanNormal<f64>; 2],
+    ) {
+        let middle = 0.5 * (bounds[0].at() + bounds[1].at());
+        let (slave, normal) = (face.curve(), field(ends, middle));
+        let at = slave.blend(&slave.shapes(middle).value);
+        let mut nearest: Option<(f64, Span)> = None;
+        for span in self.spans.iter().filter(|span| span.from < middle && middle < span.to) {
+            let curve = &face.curves[span.curve];
+            let Some(eta) = curve.crossed(at, normal) else { continue };
+            let gap = dot(sub(curve.blend(&curve.shapes(eta).value), at), normal);
+            if nearest.is_none_or(|(known, _)| gap.abs() < known.abs()) {
+                nearest = Some((gap, *span));
+            }
+        }
+        let Some((gap, span)) = nearest.filter(|(_, span)| span.faces) else { return };
+        match self.segments.last_mut() {
+            Some(last) if last.curve == span.curve && last.bounds[1] == bounds[0] => {
+                last.bounds[1] = bounds[1];
+            }
+            _ => {
+                self.segments.push(Segment { curve: span.curve, bounds });
+                self.gaps.push(gap / dot(normal, normal).sqrt());
+            }
+        }
+    }
+
+    /// Leaves out what lies further than the length of the face behind the nearest part, as the
+    /// foot of a step, and a cover that is next to nothing.
+    fn drop_far(&mut self, slave: &Curve<f64>) {
+        let chord = sub(slave.end(1), slave.end(0));
+        let nearest = self.gaps.iter().copied().fold(f64::INFINITY, f64::min);
+        let limit = nearest + dot(chord, chord).sqrt();
+        let gaps = &self.gaps;
+        let mut place = 0;
+        self.segments.retain(|_| {
+            place += 1;
+            gaps[place - 1] <= limit
+        });
+        let part = |segment: &Segment| segment.bounds[1].at() - segment.bounds[0].at();
+        if self.segments.iter().map(part).sum::<f64>() < LEAST {
+            self.segments.clear();
+        }
+    }
+}
+
+/// Where a point projects on a face along its normals: infinite beyond an end, `None` behind the
+/// focus of the normals.
+fn projected(point: Place<f64>, slave: &Curve<f64>, ends: &[MeanNormal<f64>; 2]) -> Option<f64> {
+    let off = |t: f64| across(slave, ends, point, t);
+    let (first, last) = (off(0.0).0, off(1.0).0);
+    match (first > 0.0, last < 0.0) {
+        (false, false) => return None,
+        (false, true) => return Some(f64::NEG_INFINITY),
+        (true, false) => return Some(f64::INFINITY),
+        (true, true) => {}
+    }
+    let (mut low, mut high) = (0.0, 1.0);
+    let mut t = first / (first - last);
+    for _ in 0..MOST {
+        let (value, slope) = off(t);
+        let newton = t - value / slope;
+        if (newton - t).abs() <= f64::EPSILON {
+            return Some(newton);
+        }
+        *(if value > 0.0 { &mut low } else { &mut high }) = t;
+        t = if low < newton && newton < high { newton } else { 0.5 * (low + high) };
+    }
+    Some(t)
+}

@@ -1,0 +1,163 @@
+//! Faces of the plane as curves over control points.
+//!
+//! ```text
+//!   o---------o      a straight face          1 - t, t
+//!        x
+//!   o   / \   o      a face with a middle     (1 - t)^2, 2 t (1 - t), t^2: none is negative,
+//!    `-o---o-'       node, an arc: rational   and every part of the face has positive integrals
+//! ```
+//!
+//! docs/theory.md eq. (5.20)
+
+use crate::differentiate::Real;
+
+/// A place or a direction in the plane.
+pub type Place<R> = [R; 2];
+
+/// Most control points of a face.
+pub const MOST_CONTROLS: usize = 3;
+
+/// A curve over two or three control points.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Curve<R> {
+    /// Its control points [L]; of a straight face the first two.
+    pub controls: [Place<R>; MOST_CONTROLS],
+    /// How many they are.
+    pub count: usize,
+    /// Weight of the middle one: the cosine of half its angle makes an arc [1].
+    pub weight: f64,
+}
+
+/// Shape functions of the control points and their derivatives by the parameter [1].
+#[derive(Debug, Clone, Copy)]
+pub struct Shapes<R> {
+    /// The functions.
+    pub value: [R; MOST_CONTROLS],
+    /// Their derivatives.
+    pub slope: [R; MOST_CONTROLS],
+}
+
+/// a - b.
+pub fn sub<R: Real>(a: Place<R>, b: Place<R>) -> Place<R> {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+/// a + factor b.
+pub fn add_scaled<R: Real>(a: Place<R>, factor: R, b: Place<R>) -> Place<R> {
+    [a[0] + factor * b[0], a[1] + factor * b[1]]
+}
+
+/// factor a.
+pub fn scale<R: Real>(factor: R, a: Place<R>) -> Place<R> {
+    [factor * a[0], factor * a[1]]
+}
+
+/// a . b.
+pub fn dot<R: Real>(a: Place<R>, b: Place<R>) -> R {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+/// e3 . (a x b).
+pub fn cross<R: Real>(a: Place<R>, b: Place<R>) -> R {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+/// The zero vector.
+pub fn zero<R: Real>() -> Place<R> {
+    [R::from_f64(0.0); 2]
+}
+
+/// Shape functions of so many control points; a middle one of another weight than 1 makes them
+/// rational.
+pub fn shapes<R: Real>(count: usize, weight: f64, t: R) -> Shapes<R> {
+    let (nothing, one, two) = (R::from_f64(0.0), R::from_f64(1.0), R::from_f64(2.0));
+    let rest = one - t;
+    if count == 2 {
+        return Shapes { value: [rest, t, nothing], slope: [-one, one, nothing] };
+    }
+    let w = R::from_f64(weight);
+    let value = [rest * rest, w * two * t * rest, t * t];
+    let slope = [-(two * rest), w * two * (rest - t), two * t];
+    if weight == 1.0 {
+        return Shapes { value, slope };
+    }
+    let sum = value[0] + value[1] + value[2];
+    let by_t = (slope[0] + slope[1] + slope[2]) / sum;
+    let value = value.map(|own| own / sum);
+    let slope = std::array::from_fn(|k| slope[k] / sum - value[k] * by_t);
+    Shapes { value, slope }
+}
+
+impl<R: Real> Curve<R> {
+    /// Its shape functions at a parameter.
+    pub fn shapes(&self, t: R) -> Shapes<R> {
+        shapes(self.count, self.weight, t)
+    }
+
+    /// The control points blended [L].
+    pub fn blend(&self, by: &[R; MOST_CONTROLS]) -> Place<R> {
+        let own = self.controls[..self.count].iter().zip(by);
+        own.fold(zero(), |sum, (&control, &by)| add_scaled(sum, by, control))
+    }
+
+    /// Its first (0) or last (1) point [L].
+    pub fn end(&self, end: usize) -> Place<R> {
+        self.controls[self.last_control(end)]
+    }
+
+    /// The control point that is its first (0) or last (1) point.
+    pub fn last_control(&self, end: usize) -> usize {
+        end * (self.count - 1)
+    }
+
+    /// The same curve without derivatives.
+    pub fn values(&self) -> Curve<f64> {
+        let controls = self.controls.map(|place| place.map(|x| x.value()));
+        Curve { controls, count: self.count, weight: self.weight }
+    }
+
+    /// The parameter of the place on the line through `from` along `direction`, near the curve;
+    /// `None` where the curve runs along the line or stays aside.
+    pub fn crossed(&self, from: Place<R>, direction: Place<R>) -> Option<R> {
+        let values = (from.map(|x| x.value()), direction.map(|x| x.value()));
+        let start = self.values().crossed_by_value(values)?;
+        let mut t = R::from_f64(start);
+        // from the value to its derivatives: twice, to second order
+        for _ in 0..2 {
+            let own = self.shapes(t);
+            let off = cross(sub(self.blend(&own.value), from), direction);
+            t = t - off / cross(self.blend(&own.slope), direction);
+        }
+        Some(t)
+    }
+}
+
+/// Most iterations towards the place on a line.
+const MOST: usize = 40;
+
+impl Curve<f64> {
+    fn crossed_by_value(&self, (from, direction): (Place<f64>, Place<f64>)) -> Option<f64> {
+        let chord = sub(self.end(1), self.end(0));
+        let along = cross(chord, direction);
+        let mut t = cross(sub(from, self.end(0)), direction) / along;
+        if self.count == 2 || !t.is_finite() {
+            return t.is_finite().then_some(t);
+        }
+        t = t.clamp(0.0, 1.0);
+        for _ in 0..MOST {
+            let own = self.shapes(t);
+            let off = cross(sub(self.blend(&own.value), from), direction);
+            let step = off / cross(self.blend(&own.slope), direction);
+            // no further than about the curve
+            let next = (t - step).clamp(-1.0, 2.0);
+            let moved = (next - t).abs();
+            t = next;
+            if moved <= 4.0 * f64::EPSILON {
+                return Some(t);
+            }
+        }
+        let own = self.shapes(t);
+        let off = cross(sub(self.blend(&own.value), from), direction).abs();
+        (off <= 1e-10 * along.abs()).then_some(t)
+    }
+}
