@@ -77,7 +77,8 @@ impl Memory {
                 own.into_iter().for_each(|own| keep_larger(&mut self.plastic, at(own)));
                 let largest = self.principal.map_or(0.0, |(largest, ..)| largest);
                 // most points are far below the largest
-                let counts = solid.is_linear() && !(solid.strain_bound(point) <= largest);
+                let bound = solid.strain_bound(point);
+                let counts = solid.is_linear() && (bound > largest || bound.is_nan());
                 let strain = match counts || limits.clone().next().is_some() {
                     true => solid.principal_strain(point),
                     false => 0.0,
