@@ -17,7 +17,16 @@ pub struct FactorReport {
     pub smallest_pivot: usize,
 }
 
+/// Pivot ratio from which on positive pivots alone say that L D L' is good: the factorisation of a
+/// definite matrix is stable in every order.
+const DEFINITE: f64 = 1e-6;
+
 impl FactorReport {
+    /// Whether it is that of a definite matrix, far from a singular one.
+    pub(crate) fn is_definite(&self) -> bool {
+        self.negative_pivots == Some(0) && self.smallest_pivot_ratio >= DEFINITE
+    }
+
     /// Report of a factorisation without equations.
     pub(crate) const EMPTY: Self =
         Self { negative_pivots: Some(0), smallest_pivot_ratio: 1.0, smallest_pivot: 0 };

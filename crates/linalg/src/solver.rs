@@ -1,24 +1,17 @@
 //! The checks around every factorisation and solution.
 
-use crate::conjugate::{Conjugate, Definite};
+use crate::conjugate::Conjugate;
 use crate::error::{FactorReport, SolveError};
-use crate::krylov::Stop;
+use crate::followed::{Followed, NEAR, pays};
 use crate::pattern::{Matrix, Pattern};
+use crate::refused::Refused;
 use crate::residual::worst_of;
-use crate::system::{Analyse, BackEnd, Description, Kind, LinearSystem};
+use crate::system::{Analyse, Description, Kind, LinearSystem};
 
 /// Backward error above which one step of iterative refinement is done.
 const REFINE_ABOVE: f64 = 1e-10;
 /// Backward error above which a refined solution is refused.
 const REFUSE_ABOVE: f64 = 1e-6;
-/// Pivot ratio from which on a matrix without negative pivots counts as definite.
-const DEFINITE: f64 = 1e-6;
-/// Operations of a factorisation for each entry of the factors from which on iterations with
-/// factors that are near take less time [1]: a factorisation of so many takes as long as five of
-/// them (measured).
-const WORTH: f64 = 400.0;
-/// How far they go, and after how many the factorisation is the better choice.
-const NEAR: Stop = Stop { tolerance: 1e-8, iterations: 12 };
 /// Right-hand sides below this lose digits in products, the format having no smaller exponents.
 const SMALLEST: f64 = f64::MIN_POSITIVE / (f64::EPSILON * f64::EPSILON * f64::EPSILON);
 /// What they are raised by, a power of two.
@@ -44,46 +37,6 @@ pub struct Solver {
     /// Whether the factors are those of a matrix near the one taken last.
     follows: bool,
     conjugate: Conjugate,
-}
-
-/// A matrix with the factors of one near it.
-struct Followed<'a> {
-    matrix: Matrix<'a>,
-    factors: &'a mut dyn LinearSystem,
-}
-
-impl Definite for Followed<'_> {
-    fn multiply(&mut self, x: &[f64], y: &mut [f64]) {
-        self.matrix.multiply(x, y);
-    }
-
-    fn precondition(&mut self, r: &[f64], z: &mut [f64]) -> bool {
-        z.copy_from_slice(r);
-        self.factors.solve(z, 1).is_ok()
-    }
-}
-
-/// A system whose analysis failed.
-struct Refused {
-    fault: SolveError,
-    kind: Kind,
-    equations: usize,
-}
-
-impl LinearSystem for Refused {
-    fn description(&self) -> Description {
-        Description::external("analysis failed", self.kind, self.equations)
-    }
-    fn scatter(&mut self, _matrix: Matrix<'_>) {}
-    fn factor(&mut self, _: Matrix<'_>, _: &[f64]) -> Result<FactorReport, SolveError> {
-        Err(self.fault)
-    }
-    fn solve(&mut self, _block: &mut [f64], _columns: usize) -> Result<(), SolveError> {
-        Err(self.fault)
-    }
-    fn solve_transpose(&mut self, _: &mut [f64], _: usize) -> Result<(), SolveError> {
-        Err(self.fault)
-    }
 }
 
 /// Which of the two systems is solved.
@@ -193,14 +146,8 @@ impl Solver {
     ///
     /// Errors: those of [`Solver::refactor`] but for singular matrices.
     pub fn follow(&mut self, pattern: &Pattern, values: &[f64]) -> Result<bool, SolveError> {
-        let definite = |report: FactorReport| {
-            report.negative_pivots == Some(0) && report.smallest_pivot_ratio >= DEFINITE
-        };
-        let Description { back_end, kind, predicted_operations, predicted_entries, .. } =
-            self.system.description();
-        let pays = predicted_operations >= WORTH * predicted_entries;
-        let symmetric = back_end == BackEnd::Sparse && kind == Kind::Symmetric;
-        if !(symmetric && pays && self.report.is_some_and(definite)) {
+        let definite = self.report.is_some_and(|report| report.is_definite());
+        if !(definite && pays(&self.system.description())) {
             return Ok(false);
         }
         self.take_matrix(pattern, values)?;

@@ -27,9 +27,6 @@ use std::sync::Arc;
 const LARGEST_TRIAL_ERROR: f64 = 1e-8;
 /// Pivot ratio below which partial pivoting decides whether the system is singular.
 const SUSPICIOUS: f64 = 1e-13;
-/// Pivot ratio from which on positive pivots alone say that L D L' is good: the factorisation of a
-/// definite matrix is stable in every order.
-const DEFINITE: f64 = 1e-6;
 /// And below which it is taken as singular where partial pivoting is beyond reach.
 const SINGULAR: f64 = 1e-14;
 /// Largest number of entries the banded stand-in may have (8 bytes each).
@@ -242,7 +239,7 @@ impl LinearSystem for Sparse {
         let symmetric = self.kind == Kind::Symmetric;
         let found = report(factors, pivots, symmetric.then_some(pivots.negative));
         self.held = Held::Factors;
-        if symmetric && pivots.negative == 0 && pivots.smallest_ratio >= DEFINITE {
+        if found.is_definite() {
             return Ok(found);
         }
         let mut judged = self.trial(matrix, row_size, found);

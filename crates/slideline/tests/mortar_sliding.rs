@@ -81,7 +81,8 @@ fn every(friction: &[&'static str], laws: &[&'static str], act: impl Fn(&Slider)
 /// Requirement: assembled tangents are derivatives of the residual, with the laws, at every converged
 /// state: hard and softened, elastic and exact stick, linear and quadratic faces, of rings, with the
 /// slave below covered in part; forces and moments of the pair balance to rounding; at most five
-/// iterations an increment, on quadratic faces twenty. Tolerance: that of differences.
+/// iterations an increment. Quadratic faces with hard friction, the wide side being the slave, take up to
+/// 19 (measured; the aim is five as well). Tolerance: that of differences.
 #[test]
 fn sliding_blocks_have_exact_tangents_and_balance() {
     let friction = ["", "*FRICTION\n0.3\n", "*FRICTION, LAGRANGE\n0.3\n"];
@@ -96,7 +97,7 @@ fn sliding_blocks_have_exact_tangents_and_balance() {
 }
 
 /// Requirement: the force does not depend on which side is the slave, to one per cent of it on this
-/// coarse mesh.
+/// coarse mesh of quadratic faces (measured: 0.54 %, the difference of two meshes as slave).
 #[test]
 fn roles_change_little() {
     let force = |upper_is_slave: bool, friction: &'static str| -> Last {

@@ -20,6 +20,7 @@ mod nodes;
 mod orientations;
 mod pre_tension;
 mod remarks;
+mod requests;
 mod resting;
 mod rubber;
 mod sections;

@@ -5,14 +5,14 @@ use std::collections::{HashMap, HashSet};
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{
-    ContactPrint, Controls, Dof, ElementPrint, Load, NodalTemperature, NodeIndex, NodePrint,
-    OutputRequests, Passage, Prescribed, PrintTarget, Request, SavedStates, Static, Step,
+    Controls, Dof, Load, NodalTemperature, NodeIndex, OutputRequests, Passage, Prescribed, Static,
+    Step,
 };
 
 use super::frictions::Frictions;
 use super::model_changes::Absent;
 use super::standing::{Curved, InForce, Standing};
-use super::{resting, temperatures};
+use super::{requests, resting, temperatures};
 use crate::draft::{Boundary, Draft, StepDraft};
 use crate::rule::Subject;
 
@@ -26,21 +26,13 @@ struct Carried {
     absent: Absent,
     frictions: Frictions,
     controls: Controls,
-    restart: Option<SavedStates>,
-    prints: Vec<NodePrint>,
-    element_prints: Vec<ElementPrint>,
-    contact_prints: Vec<ContactPrint>,
-    contact_changes: bool,
-    states_every: Vec<usize>,
+    output: OutputRequests,
 }
 
 impl Carried {
     /// What a further step copies.
     fn size(&self) -> usize {
-        let nodes = self.prints.iter().map(|print| print.nodes.len());
-        let elements = self.element_prints.iter().map(|print| print.elements.len());
-        let points = self.contact_prints.iter().map(|print| print.nodes.len());
-        let printed: usize = nodes.chain(elements).chain(points).sum();
+        let printed = requests::size(&self.output);
         let temperatures = self.temperatures.list.len();
         let loads =
             self.loads.len() + self.distributed.size() + self.absent.size() + self.frictions.size();
@@ -66,7 +58,10 @@ impl Curved for Load {
 
 pub(super) fn steps(draft: &mut Draft, doubted: bool) {
     presence(draft, doubted);
-    let mut carried = Carried { restart: draft.restart, ..Carried::default() };
+    let mut carried = Carried {
+        output: OutputRequests { restart: draft.restart, ..OutputRequests::default() },
+        ..Carried::default()
+    };
     for line in std::mem::take(&mut draft.initial) {
         prescribe(&line, &mut carried.prescribed, draft);
     }
@@ -143,9 +138,7 @@ fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
     heat(&step, carried, draft);
     distribute(&step, carried, draft);
     carried.controls = step.controls.unwrap_or(carried.controls);
-    carried.restart = step.restart.or(carried.restart);
-    carried.contact_changes |= step.contact_changes;
-    carry_requests(carried, &step, draft);
+    requests::renew(&mut carried.output, &step, draft);
     let default = Static {
         initial: 1.0,
         period: 1.0,
@@ -174,14 +167,7 @@ fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
         presence,
         frictions,
         stabilisation: step.stabilisation,
-        output: OutputRequests {
-            restart: carried.restart,
-            node_prints: carried.prints.clone(),
-            element_prints: carried.element_prints.clone(),
-            contact_prints: carried.contact_prints.clone(),
-            contact_changes: carried.contact_changes,
-            states_every: carried.states_every.clone(),
-        },
+        output: carried.output.clone(),
         origin: step.origin,
     }
 }
@@ -358,62 +344,4 @@ fn no_motion(dof: Dof, span: Span, draft: &mut Draft) {
     let message = format!("a load on dof {} has no effect in a plane model", dof.number());
     let error = Diagnostic::error(Code("SL0251"), message).at(span);
     draft.consequence(Subject::Elements, error.help("the plane has the dofs 1, 2 and 6"));
-}
-
-/// Requests of a kind for a file stand until a step makes new ones of that
-/// kind for that file.
-fn carry_requests(carried: &mut Carried, step: &StepDraft, draft: &mut Draft) {
-    let asked = step.prints.iter().cloned().map(|(mut print, span)| {
-        print.nodes = nodes_to_print(&print.request.set, span, draft);
-        print
-    });
-    renew(&mut carried.prints, asked.collect(), |print| &print.request);
-    let asked = step.element_prints.iter().cloned().map(|(mut print, span)| {
-        print.elements = elements_to_print(&print.request.set, span, draft);
-        print
-    });
-    renew(&mut carried.element_prints, asked.collect(), |print| &print.request);
-    let asked = step.contact_prints.iter().cloned().map(|(mut print, span)| {
-        print.nodes = nodes_to_print(&print.request.set, span, draft);
-        print
-    });
-    renew(&mut carried.contact_prints, asked.collect(), |print| &print.request);
-    if !step.states_every.is_empty() {
-        carried.states_every.clone_from(&step.states_every);
-    }
-}
-
-fn renew<P>(standing: &mut Vec<P>, new: Vec<P>, request: fn(&P) -> &Request) {
-    let targets: Vec<PrintTarget> = new.iter().map(|print| request(print).target).collect();
-    standing.retain(|print| !targets.contains(&request(print).target));
-    standing.extend(new);
-}
-
-/// The nodes of a set, each once; without a set all nodes.
-fn nodes_to_print(set: &str, span: Option<Span>, draft: &mut Draft) -> Vec<NodeIndex> {
-    let mut nodes = match span {
-        Some(span) => draft.nodes_of(&crate::log::Target::Set(set.to_owned()), span),
-        None => {
-            let all = 0..draft.model.nodes.len();
-            if draft.expand(all.len(), Span::default()) { all.collect() } else { Vec::new() }
-        }
-    };
-    let mut seen = HashSet::new();
-    nodes.retain(|node| seen.insert(*node));
-    nodes
-}
-
-/// Labels of the elements with results of an element set, ascending; without a set
-/// of all.
-fn elements_to_print(set: &str, span: Option<Span>, draft: &mut Draft) -> Vec<u64> {
-    let asked: Option<HashSet<u64>> = span.map(|span| {
-        let found = draft.elements_of(set, span);
-        found.unwrap_or_default().into_iter().map(|index| draft.elements[index].label).collect()
-    });
-    let blocks = draft.model.blocks.iter().filter(|block| !block.kind.fields.is_empty());
-    let all = blocks.flat_map(|block| &block.elements).map(|element| element.label);
-    let mut labels: Vec<u64> =
-        all.filter(|label| asked.as_ref().is_none_or(|asked| asked.contains(label))).collect();
-    labels.sort_unstable();
-    labels
 }

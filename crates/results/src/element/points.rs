@@ -192,8 +192,7 @@ impl<'a> Solid<'a> {
 
     /// What no principal strain at a point exceeds: the size of the strain [1].
     pub fn strain_bound(&self, point: usize) -> f64 {
-        let square = |(k, e): (usize, &f64)| if k < 3 { e * e } else { 0.5 * e * e };
-        self.field("E", point).iter().enumerate().map(square).sum::<f64>().sqrt()
+        size(self.field("E", point))
     }
 
     /// Principal strains at a point [1].
@@ -291,4 +290,31 @@ pub(super) fn principal(tensor: [f64; 6]) -> [f64; 3] {
     let (mut values, _) = eigen(&tensor);
     values.sort_by(f64::total_cmp);
     values
+}
+
+/// Size of a strain with its shears as angles: the root of the sum of squares of its principal
+/// values, of which none is larger [1].
+fn size(strain: &[f64]) -> f64 {
+    let square = |(k, e): (usize, &f64)| if k < 3 { e * e } else { 0.5 * e * e };
+    strain.iter().enumerate().map(square).sum::<f64>().sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Requirement: the size of a strain is that of its principal values, so that none exceeds it.
+    /// Tolerance: rounding.
+    #[test]
+    fn no_principal_strain_exceeds_the_size() {
+        for k in 0..50 {
+            let strain: [f64; 6] =
+                std::array::from_fn(|i| f64::from((k * 31 + i as i32 * 17) % 23) / 11.0 - 1.0);
+            let mut tensor = strain;
+            tensor[3..].iter_mut().for_each(|shear| *shear *= 0.5);
+            let values = principal(tensor);
+            let square: f64 = values.iter().map(|value| value * value).sum();
+            assert!((square.sqrt() - size(&strain)).abs() < 1e-12, "{strain:?}");
+        }
+    }
 }

@@ -1,0 +1,80 @@
+//! Requests for output: they stand until a step makes others.
+//!
+//! ```text
+//!   step 1   *NODE PRINT A      .dat: A
+//!   step 2                      .dat: A
+//!   step 3   *NODE PRINT B      .dat: B        of a kind and a file, the new ones alone
+//! ```
+
+use crate::draft::{Draft, StepDraft};
+use slideline_diag::Span;
+use slideline_model::{NodeIndex, OutputRequests, PrintTarget, Request};
+use std::collections::HashSet;
+
+/// What a further step copies.
+pub(super) fn size(standing: &OutputRequests) -> usize {
+    let nodes = standing.node_prints.iter().map(|print| print.nodes.len());
+    let elements = standing.element_prints.iter().map(|print| print.elements.len());
+    let points = standing.contact_prints.iter().map(|print| print.nodes.len());
+    nodes.chain(elements).chain(points).sum()
+}
+
+/// Requests of a kind for a file stand until a step makes new ones of that
+/// kind for that file.
+pub(super) fn renew(standing: &mut OutputRequests, step: &StepDraft, draft: &mut Draft) {
+    standing.restart = step.restart.or(standing.restart);
+    standing.contact_changes |= step.contact_changes;
+    let asked = step.prints.iter().cloned().map(|(mut print, span)| {
+        print.nodes = nodes_to_print(&print.request.set, span, draft);
+        print
+    });
+    replace(&mut standing.node_prints, asked.collect(), |print| &print.request);
+    let asked = step.element_prints.iter().cloned().map(|(mut print, span)| {
+        print.elements = elements_to_print(&print.request.set, span, draft);
+        print
+    });
+    replace(&mut standing.element_prints, asked.collect(), |print| &print.request);
+    let asked = step.contact_prints.iter().cloned().map(|(mut print, span)| {
+        print.nodes = nodes_to_print(&print.request.set, span, draft);
+        print
+    });
+    replace(&mut standing.contact_prints, asked.collect(), |print| &print.request);
+    if !step.states_every.is_empty() {
+        standing.states_every.clone_from(&step.states_every);
+    }
+}
+
+fn replace<P>(standing: &mut Vec<P>, new: Vec<P>, request: fn(&P) -> &Request) {
+    let targets: Vec<PrintTarget> = new.iter().map(|print| request(print).target).collect();
+    standing.retain(|print| !targets.contains(&request(print).target));
+    standing.extend(new);
+}
+
+/// The nodes of a set, each once; without a set all nodes.
+fn nodes_to_print(set: &str, span: Option<Span>, draft: &mut Draft) -> Vec<NodeIndex> {
+    let mut nodes = match span {
+        Some(span) => draft.nodes_of(&crate::log::Target::Set(set.to_owned()), span),
+        None => {
+            let all = 0..draft.model.nodes.len();
+            if draft.expand(all.len(), Span::default()) { all.collect() } else { Vec::new() }
+        }
+    };
+    let mut seen = HashSet::new();
+    nodes.retain(|node| seen.insert(*node));
+    nodes
+}
+
+/// Labels of the elements with results of an element set, ascending; without a set
+/// of all.
+fn elements_to_print(set: &str, span: Option<Span>, draft: &mut Draft) -> Vec<u64> {
+    let asked: Option<HashSet<u64>> = span.map(|span| {
+        let found = draft.elements_of(set, span);
+        found.unwrap_or_default().into_iter().map(|index| draft.elements[index].label).collect()
+    });
+    let blocks = draft.model.blocks.iter().filter(|block| !block.kind.fields.is_empty());
+    let all = blocks.flat_map(|block| &block.elements).map(|element| element.label);
+    let mut labels: Vec<u64> =
+        all.filter(|label| asked.as_ref().is_none_or(|asked| asked.contains(label))).collect();
+    labels.sort_unstable();
+    labels
+}
