@@ -85,7 +85,9 @@ def fetch(folder):
     subprocess.run(["apt-get", "download", "calculix-ccx-test"], cwd=folder, check=True)
     package = glob.glob(os.path.join(folder, "calculix-ccx-test*.deb"))[0]
     subprocess.run(["dpkg", "-x", package, folder], check=True)
-    return os.path.join(folder, "usr/share/doc/calculix-ccx-test/examples/test")
+    decks = os.path.join(folder, "usr/share/doc/calculix-ccx-test/examples/test")
+    subprocess.run(["gunzip", *glob.glob(os.path.join(decks, "*.inp.gz"))], check=True)  # the larger ones
+    return decks
 
 
 def reference(stem):

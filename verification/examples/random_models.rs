@@ -10,9 +10,9 @@
 //! comment; the result files of the last model stay in DIR of `--files`.
 //! `--class pressed` are the models of a body pressed into a beam.
 
-use slideline_verification::random::classes::{CLASSES, Case};
-use slideline_verification::random::trial::{Ending, Table, Verdict, sweep};
-use slideline_verification::random::{Tally, judge, model};
+use slideline_verification::random::classes::CLASSES;
+use slideline_verification::random::trial::{Ending, Label, Table, Verdict, sweep};
+use slideline_verification::random::{Tally, judge, model, solids};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
@@ -55,28 +55,37 @@ fn main() -> std::io::Result<()> {
     if given.class.as_deref() == Some("pressed") {
         return pressed(&given);
     }
-    let known = |name: &String| CLASSES.iter().any(|class| class.name == name);
-    if given.class.as_ref().is_some_and(|name| !known(name)) {
-        let names: Vec<_> = CLASSES.iter().map(|class| class.name).collect();
+    let solids = solids::CLASSES.iter().map(|class| class.name);
+    let names: Vec<_> = CLASSES.iter().map(|class| class.name).chain(solids).collect();
+    if given.class.as_ref().is_some_and(|name| !names.contains(&name.as_str())) {
         return Err(std::io::Error::other(format!("classes: pressed, {}", names.join(", "))));
     }
     let wanted = |name: &str| given.class.as_ref().is_none_or(|class| class == name);
-    let classes: Vec<_> = CLASSES.iter().filter(|class| wanted(class.name)).collect();
-    let each = given.count.div_ceil(classes.len() as u64);
+    let wanted: Vec<_> = names.iter().filter(|name| wanted(name)).collect();
+    let each = given.count.div_ceil(wanted.len() as u64);
     let passing = std::env::temp_dir().join(format!("slideline-random-{}", std::process::id()));
     let folder = given.files.clone().unwrap_or(passing);
     std::fs::create_dir_all(&folder)?;
     let (began, mut table) = (Instant::now(), Table::default());
-    for class in classes {
-        let numbers = given.seed..given.seed + each;
-        sweep(class, numbers, (&folder, given.limit), |case, verdict| {
-            table.add(case, verdict);
-            if let Some(why) = remarkable(verdict) {
-                println!("{} {} {:?}: {why}", case.class, case.number, case.draft.promise);
-                if let Some(keep) = &given.keep {
-                    store(keep, case, &why);
-                }
+    let mut tell = |label: Label, verdict: &Verdict, text: &dyn Fn() -> String| {
+        table.add(label, verdict);
+        if let Some(why) = remarkable(verdict) {
+            let posed = if label.well_posed { "" } else { " (not well-posed)" };
+            println!("{} {}{posed}: {why}", label.class, label.number);
+            if let Some(keep) = &given.keep {
+                store(keep, label, &format!("** {}\n{}", why.replace('\n', " "), text()));
             }
+        }
+    };
+    let (numbers, run) = (given.seed..given.seed + each, (folder.as_path(), given.limit));
+    for class in CLASSES.iter().filter(|class| wanted.contains(&&class.name)) {
+        sweep(class, numbers.clone(), run, |case, verdict| {
+            tell(case.label(), verdict, &|| case.text());
+        });
+    }
+    for class in solids::CLASSES.iter().filter(|class| wanted.contains(&&class.name)) {
+        solids::sweep(class, numbers.clone(), run, |case, verdict| {
+            tell(case.label(), verdict, &|| case.text());
         });
     }
     if given.files.is_none() {
@@ -100,11 +109,9 @@ fn remarkable(verdict: &Verdict) -> Option<String> {
     (!lines.is_empty()).then(|| lines.join("; "))
 }
 
-fn store(keep: &std::path::Path, case: &Case, why: &str) {
-    let path = keep.join(format!("{}_{}.inp", case.class, case.number));
-    let text = format!("** {}\n{}", why.replace('\n', " "), case.text());
-    let stored = std::fs::create_dir_all(keep).and_then(|()| std::fs::write(path, text));
-    if let Err(error) = stored {
+fn store(keep: &std::path::Path, label: Label, text: &str) {
+    let path = keep.join(format!("{}_{}.inp", label.class, label.number));
+    if let Err(error) = std::fs::create_dir_all(keep).and_then(|()| std::fs::write(path, text)) {
         eprintln!("{}: {error}", keep.display());
     }
 }

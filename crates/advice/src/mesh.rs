@@ -53,6 +53,7 @@ fn stand_apart(start: &Start<'_>, a: NodeIndex, b: NodeIndex) -> bool {
         let master = |node| match &pair.master {
             Master::SlideLine(line) => line.nodes.contains(&node),
             Master::Faces(faces) => faces.faces.iter().any(|face| face.nodes.contains(&node)),
+            Master::Itself(surface) => surface.nodes().any(|own| own == node),
             Master::RigidSurface(_) => false,
         };
         slave(a) && master(b) || slave(b) && master(a)

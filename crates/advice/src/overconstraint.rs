@@ -30,7 +30,7 @@ fn straight(start: &Start<'_>, pair: &ContactPair) -> f64 {
     let at = |node| start.model.nodes.position(node);
     match &pair.master {
         // their slaves are faces, in no order
-        Master::Faces(_) => 0.0,
+        Master::Faces(_) | Master::Itself(_) => 0.0,
         Master::SlideLine(line) => {
             let sides = line.nodes.windows(2).map(|w| length(less(at(w[1]), at(w[0]))));
             sides.fold(0.0, f64::max)
@@ -77,7 +77,7 @@ fn say(start: &Start<'_>, pair: &ContactPair, nodes: [NodeIndex; 3], sagitta: f6
     let what = match &pair.master {
         Master::SlideLine(_) => "slide line",
         Master::RigidSurface(_) => "rigid surface",
-        Master::Faces(_) => "surface",
+        Master::Faces(_) | Master::Itself(_) => "surface",
     };
     let message = format!(
         "hard contact and rigid links can contradict each other: slaves {a}, {b} and {c} of {} fit \

@@ -171,6 +171,7 @@ fn pairs(start: &Start<'_>, findings: &mut Vec<Finding>) {
             }
             (Master::SlideLine(one), Master::SlideLine(other)) => one.nodes == other.nodes,
             (Master::Faces(one), Master::Faces(other)) => one.nodes() == other.nodes(),
+            (Master::Itself(_), Master::Itself(_)) => true,
             _ => false,
         };
         let same = all[..place].iter().find(|a| same_shape(a) && sorted(a) == sorted(b));

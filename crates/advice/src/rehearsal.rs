@@ -103,7 +103,7 @@ fn fill_gaps(start: &mut Start<'_>) {
 fn master_surface(start: &Start<'_>, pair: &ContactPair) -> Option<MasterSurface> {
     match &pair.master {
         // parts of solids bend: nothing is led along
-        Master::Faces(_) => None,
+        Master::Faces(_) | Master::Itself(_) => None,
         Master::RigidSurface(surface) => {
             Some(MasterSurface::Body(slideline_solve::rigid_surface(surface)?, surface.reference))
         }

@@ -311,5 +311,6 @@ fn master_node(pair: &ContactPair) -> NodeIndex {
         Master::RigidSurface(surface) => surface.reference,
         Master::SlideLine(line) => line.nodes.first().copied().unwrap_or_default(),
         Master::Faces(faces) => faces.first_node().unwrap_or_default(),
+        Master::Itself(surface) => surface.nodes().next().unwrap_or_default(),
     }
 }

@@ -45,6 +45,13 @@ fn say(start: &Start<'_>, pair: &ContactPair, behind: usize, facing: usize) -> F
                  name faces on the far side?",
             ));
         }
+        Master::Itself(surface) => {
+            let said = wrong_side(start, pair, behind, facing).at(surface.origin);
+            return Finding::said(said.help(
+                "faces of solids look outward: do parts of the surface stand in one another at the \
+                 start?",
+            ));
+        }
         Master::SlideLine(line) => (line.origin, pair.vocabulary.turn_chain().to_owned()),
         Master::RigidSurface(surface) => (
             surface.origin,
@@ -59,12 +66,12 @@ fn say(start: &Start<'_>, pair: &ContactPair, behind: usize, facing: usize) -> F
     let text = match &pair.master {
         Master::SlideLine(line) => reversed(start, pair, line),
         Master::RigidSurface(surface) => SurfacePoints::of(surface).backwards().lines(),
-        Master::Faces(_) => String::new(),
+        Master::Faces(_) | Master::Itself(_) => String::new(),
     };
     match &pair.master {
         // of a modern pair another card names the line
         Master::SlideLine(_) if pair.vocabulary == Vocabulary::Surfaces => Finding::said(said),
-        Master::Faces(_) => Finding::said(said),
+        Master::Faces(_) | Master::Itself(_) => Finding::said(said),
         Master::SlideLine(_) => Finding::with(said, Place::Instead(origin), text),
         Master::RigidSurface(_) => Finding::with(said, Place::Data(origin), text),
     }

@@ -128,6 +128,8 @@ impl<'a> Start<'a> {
             Master::RigidSurface(surface) => surface.reference,
             Master::SlideLine(line) => line.nodes.first().copied().unwrap_or(row.node),
             Master::Faces(faces) => faces.first_node().unwrap_or(row.node),
+            // its other parts go with it
+            Master::Itself(_) => row.node,
         };
         let centre = arc_of(self.model, pair, row.node).map_or(row.position, |(centre, _)| centre);
         let slave = self.carried(step, before, row.node, centre);

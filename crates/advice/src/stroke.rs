@@ -58,7 +58,7 @@ fn rehearsed(
                 let text = prolonged(surface, at_start, start.size());
                 Finding::with(said, Place::Data(surface.origin), text)
             }
-            Master::SlideLine(_) | Master::Faces(_) => Finding::said(said),
+            _ => Finding::said(said),
         });
     } else if rehearsal.moments.first().is_some_and(|moment| moment.carrier.is_some()) {
         findings.extend(drifts_off(start, pair));
@@ -84,8 +84,8 @@ fn drifts_off(start: &Start<'_>, pair: &ContactPair) -> Option<Finding> {
 
 /// Where something floats, the nearest slave is led along straight.
 fn estimated(start: &Start<'_>, place: usize, pair: &ContactPair, findings: &mut Vec<Finding>) {
-    if matches!(pair.master, Master::Faces(_)) {
-        return; // a surface in space has no one way along
+    if matches!(pair.master, Master::Faces(_) | Master::Itself(_)) {
+        return; // there is no one way along
     }
     let Some(nearest) = start.nearest(place) else { return };
     // tangent: 90 degrees clockwise of the master's outward normal
@@ -103,7 +103,7 @@ fn estimated(start: &Start<'_>, place: usize, pair: &ContactPair, findings: &mut
         let turn = start.rotation(number, nearest.node) * fraction(step);
         let wander = match &pair.master {
             Master::RigidSurface(_) if slave_side => each,
-            Master::RigidSurface(_) | Master::Faces(_) => 0.0,
+            Master::RigidSurface(_) | Master::Faces(_) | Master::Itself(_) => 0.0,
             Master::SlideLine(_) => arc_of(start.model, pair, nearest.node)
                 .map_or(0.0, |(_, radius)| radius * turn.abs()),
         };
@@ -126,7 +126,9 @@ fn fraction(step: &Step) -> f64 {
 /// Length of the pieces that the contact point passes [L].
 fn pieces(start: &Start<'_>, pair: &ContactPair) -> f64 {
     match &pair.master {
-        Master::RigidSurface(_) | Master::Faces(_) => spacing(start.model, pair),
+        Master::RigidSurface(_) | Master::Faces(_) | Master::Itself(_) => {
+            spacing(start.model, pair)
+        }
         Master::SlideLine(line) => line_length(start, line) / (line.nodes.len().max(2) - 1) as f64,
     }
 }
@@ -206,6 +208,11 @@ fn off_the_end(pair: &ContactPair, number: usize, beyond: f64) -> Diagnostic {
             "surface",
             "name the faces beyond its edge too, or end the motion earlier on *BOUNDARY".to_owned(),
             faces.origin,
+        ),
+        Master::Itself(surface) => (
+            "surface",
+            "name the faces beyond its end too, or end the motion earlier on *BOUNDARY".to_owned(),
+            surface.origin,
         ),
         Master::SlideLine(line) => (
             "slide line",

@@ -225,6 +225,10 @@ fn why(read: &Read, pair: &ContactPair) -> &'static str {
     });
     let modern = card.is_some_and(|card| card.keyword.name == "CONTACTPAIR");
     match (&pair.master, modern, pair.formulation) {
+        (Master::Itself(_), ..) => {
+            "a surface that *CONTACT PAIR names alone meets itself: of two of its nodes that meet, the \
+             sharper one is the slave, or the first along the surface"
+        }
         (Master::RigidSurface(_), true, Formulation::SurfaceToSurface) => {
             "contact is integrated along the first surface of *CONTACT PAIR, the slave; the \
              rigid surface, named second, is the master"
@@ -240,6 +244,10 @@ fn why(read: &Read, pair: &ContactPair) -> &'static str {
         (Master::SlideLine(_), true, _) => {
             "nodes of the first surface of *CONTACT PAIR are slaves, the beams of the second \
              one are the master"
+        }
+        (Master::Faces(faces), ..) if faces.swept.is_some() => {
+            "nodes of the first surface of *CONTACT PAIR are slaves, the analytical surface is the \
+             master"
         }
         (Master::Faces(_), ..) => {
             "nodes of the first surface of *CONTACT PAIR are slaves, the faces of the second one \
@@ -310,6 +318,9 @@ fn pair_object(model: &Model, pair: &ContactPair, points: &[ContactRow]) -> Valu
             json!({"kind": "rigid_surface", "reference_node": label(surface.reference)})
         }
         Master::SlideLine(chain) => json!({"kind": "slide_line", "nodes": labels(&chain.nodes)}),
+        Master::Itself(surface) => {
+            json!({"kind": "itself", "nodes": labels(&surface.nodes().collect::<Vec<_>>())})
+        }
         Master::Faces(faces) => json!({"kind": "faces", "nodes": labels(&faces.nodes())}),
     };
     let gaps = points.iter().map(|row| {

@@ -19,7 +19,9 @@ use crate::motion::Frame;
 use crate::rule::Subject;
 use crate::scopes::Parts;
 use crate::sets::Sets;
-use crate::surfaces::{Named, NamedInteraction, NamedSurface, Pairing, RigidBody};
+use crate::surfaces::{
+    Clearance, GeneralContact, Named, NamedInteraction, NamedSurface, Pairing, RigidBody,
+};
 pub(crate) use cards::{Boundary, Interface, NodalThickness, Shape, Spring, StepDraft, Surface};
 pub(crate) use elements::{Element, ElementKind, MOST_NODES};
 pub(crate) use heat::{Heat, StressLine};
@@ -63,6 +65,10 @@ pub(crate) struct Draft {
     pub named_surfaces: Vec<NamedSurface>,
     pub interactions: Vec<NamedInteraction>,
     pub pairings: Vec<Pairing>,
+    /// `*CONTACT`.
+    pub general: Option<GeneralContact>,
+    /// `*CLEARANCE`.
+    pub clearances: Vec<Clearance>,
     /// Contact pairs of the model by the name of their surface interaction.
     pub pairs_of_interaction: HashMap<String, Vec<usize>>,
     pub bodies: Vec<RigidBody>,

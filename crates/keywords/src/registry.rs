@@ -4,8 +4,9 @@ use slideline_deck::normalise;
 
 use crate::cards::{
     allowable, amplitude, assembly, beam_general_section, beam_section, biaxial_test_data,
-    boundary, centroid, change_friction, cload, contact_controls, contact_file, contact_output,
-    contact_pair, contact_print, controls, coupling, creep, cyclic_hardening,
+    boundary, centroid, change_friction, clearance, cload, contact, contact_controls,
+    contact_exclusions, contact_file, contact_inclusions, contact_output, contact_pair,
+    contact_print, contact_property_assignment, controls, coupling, creep, cyclic_hardening,
     deformation_plasticity, density, distributing, distributing_coupling, dload, dsload, el_file,
     el_print, elastic, elcopy, element, element_output, elgen, elset, end_assembly, end_instance,
     end_part, end_step, equation, expansion, friction, heading, hyperelastic, hyperfoam,
@@ -79,6 +80,11 @@ pub(crate) const REGISTRY: &[&'static dyn Keyword] = &[
     &surface_contact::SurfaceContact,
     &surface_behavior::SurfaceBehavior,
     &contact_pair::ContactPair,
+    &clearance::Clearance,
+    &contact::Contact,
+    &contact_inclusions::ContactInclusions,
+    &contact_exclusions::ContactExclusions,
+    &contact_property_assignment::ContactPropertyAssignment,
     &contact_controls::ContactControls,
     &mpc::Mpc,
     &tie::Tie,

@@ -9,7 +9,9 @@
 //! ```
 
 use slideline_diag::Span;
-use slideline_model::{Formulation, Interaction, ProfilePoint, SurfaceSegment};
+use slideline_model::{
+    Formulation, Friction, Interaction, NodeIndex, NormalLaw, ProfilePoint, SurfaceSegment, Sweep,
+};
 
 use crate::log::Target;
 
@@ -33,7 +35,34 @@ pub(crate) struct NamedSurface {
 pub(crate) enum Extent {
     Elements(Vec<Stretch>),
     Nodes(Vec<(Target, Span)>),
-    Rigid { start: ProfilePoint, segments: Vec<SurfaceSegment> },
+    Rigid {
+        start: ProfilePoint,
+        segments: Vec<SurfaceSegment>,
+    },
+    /// A profile that sweeps a surface in space.
+    Swept {
+        start: ProfilePoint,
+        segments: Vec<SurfaceSegment>,
+        axes: SweptAxes,
+    },
+}
+
+impl Extent {
+    /// Whether it is an analytical surface, which belongs to a rigid body.
+    pub fn is_analytical(&self) -> bool {
+        matches!(self, Self::Rigid { .. } | Self::Swept { .. })
+    }
+}
+
+/// The frame of an analytical surface in space.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SweptAxes {
+    pub sweep: Sweep,
+    /// Its origin [L].
+    pub origin: [f64; 3],
+    /// Three directions at right angles: those of the profile and of the way, or two across the
+    /// axis and the axis.
+    pub directions: [[f64; 3]; 3],
 }
 
 /// Elements, and which of their faces.
@@ -71,6 +100,23 @@ pub(crate) struct NamedInteraction {
     pub interaction: Interaction,
     /// Thickness out of the plane [L], where the card gives it.
     pub thickness: Option<f64>,
+    /// `PRESSURE-OVERCLOSURE=TIED`: its pairs are ties.
+    pub is_tied: bool,
+}
+
+impl NamedInteraction {
+    /// Hard contact without friction.
+    pub fn plain(named: Named) -> Self {
+        let interaction = Interaction {
+            width: 1.0,
+            normal: NormalLaw::Hard,
+            friction: Friction::Frictionless,
+            origin: named.span,
+            normal_origin: None,
+            friction_origin: None,
+        };
+        Self { named, interaction, thickness: None, is_tied: false }
+    }
 }
 
 /// A data line of `*CONTACT PAIR`.
@@ -82,14 +128,52 @@ pub(crate) struct Pairing {
     pub formulation: Formulation,
     pub smooth: f64,
     pub extension: f64,
+    /// Whether the first surface stands alone: it meets itself.
+    pub alone: bool,
     /// `SMOOTH` or `EXTENSION ZONE`, where the card gives one.
     pub chain_parameter: Option<(&'static str, Span)>,
     /// `ADJUST`, and where it was said.
     pub adjust: Option<(Adjusted, Span)>,
     /// `NO THICKNESS` was said.
     pub no_thickness: bool,
+    /// `TIED`: the slaves do not leave the master.
+    pub is_tied: bool,
     /// The data line.
     pub origin: Span,
+}
+
+/// `*CLEARANCE`: the gap at which the slaves of a pair begin.
+#[derive(Clone, Debug)]
+pub(crate) struct Clearance {
+    pub slave: Named,
+    pub master: Named,
+    /// [L], negative for an overclosure.
+    pub value: f64,
+    pub origin: Span,
+}
+
+/// `*CONTACT` with the cards that belong to it.
+#[derive(Clone, Debug)]
+pub(crate) struct GeneralContact {
+    pub inclusions: Vec<Two>,
+    pub exclusions: Vec<Two>,
+    /// Where which surface interaction acts; the last that fits counts.
+    pub properties: Vec<(Two, Named)>,
+    pub origin: Span,
+}
+
+/// Two surfaces of a line; without a name all outer faces.
+#[derive(Clone, Debug)]
+pub(crate) struct Two {
+    pub first: Option<Named>,
+    pub second: Option<Named>,
+}
+
+impl Two {
+    /// Whether the line means contact within its first surface.
+    pub fn is_alone(&self) -> bool {
+        self.second.is_none()
+    }
 }
 
 /// `ADJUST`: a distance or a set of nodes.
@@ -111,5 +195,7 @@ pub(crate) struct RigidBody {
     pub pinned: Option<Named>,
     pub elements: Option<Named>,
     pub surface: Option<Named>,
+    /// Nodes that carry its analytical surface in space.
+    pub markers: Option<[NodeIndex; 4]>,
     pub origin: Span,
 }

@@ -77,6 +77,7 @@ fn bare(pair: &ContactPair) -> ContactPair {
         Master::RigidSurface(surface) => surface.origin = here,
         Master::SlideLine(line) => line.origin = here,
         Master::Faces(faces) => faces.origin = here,
+        Master::Itself(surface) => surface.origin = here,
     }
     let interaction = &mut pair.interaction;
     interaction.origin = here;
@@ -272,8 +273,8 @@ fn parts_that_no_surface_can_take() {
     assert_eq!(refused("INTERACTION=SLIDING\nCIRCLE, BEAM"), ["SL0332"]);
     assert_eq!(refused("INTERACTION=SLIDING, TYPE=SURFACE TO SURFACE\nCIRCLE, CIRCLE"), ["SL0332"]);
     assert_eq!(refused("INTERACTION=SLIDING, TYPE=SURFACE TO SURFACE\nBEAM, BEAM"), ["SL0221"]);
-    assert_eq!(refused("INTERACTION=SLIDING\nBEAM, BEAM"), ["SL0319"]);
-    assert_eq!(refused("INTERACTION=SLIDING\nBEAM"), ["SL0119"]);
+    assert_eq!(refused("INTERACTION=SLIDING\nBEAM, BEAM"), ["SL0221"]);
+    assert_eq!(refused("INTERACTION=SLIDING\nBEAM"), ["SL0221"]);
     let nodes = "INTERACTION=SLIDING\nCAM, BEAM";
     let refused = |card: &str| pair(NODES, nodes, card);
     assert_eq!(refused("INTERACTION=SLIDING\nBEAM, CAM"), ["SL0332"]);

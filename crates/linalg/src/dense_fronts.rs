@@ -14,6 +14,7 @@
 //! work is matrix products.
 
 use crate::kernel::widened;
+use crate::precision::Real;
 use faer::linalg::matmul::{matmul, triangular};
 use faer::linalg::triangular_solve::solve_unit_lower_triangular_in_place;
 use faer::prelude::{Reborrow, ReborrowMut};
@@ -28,11 +29,6 @@ const TILE: usize = 512;
 /// Part of the largest candidate from which on the diagonal is kept as pivot: a front keeps its
 /// order, and nearly symmetric matrices their structure of errors.
 const KEPT: f64 = 0.1;
-/// Pivot, relative to the size of its equation, below which it is replaced.
-const TINY: f64 = f64::EPSILON;
-/// What it is replaced by, relative to the size of the equation: half of all digits, the best
-/// compromise between growth and error [li1998].
-const REPLACEMENT: f64 = 1.5e-8;
 
 /// Pivots so far.
 #[derive(Clone, Copy, Debug)]
@@ -54,24 +50,30 @@ impl Pivots {
         Self { negative: self.negative + other.negative, ..smallest }
     }
 
-    /// Notes a pivot of the equation at position `at`; returns it, or its replacement.
-    fn note(&mut self, pivot: f64, size: f64, at: usize) -> f64 {
+    /// Notes a pivot of the equation at position `at`; returns it, or where it is no more than
+    /// rounding what replaces it: half of all digits of the equation's size, the best compromise
+    /// between growth and error [li1998]. What is no number counts as negative.
+    fn note<T: Real>(&mut self, entry: T, size: f64, at: usize) -> T {
+        let pivot = entry.to_double();
         let ratio = pivot.abs() / size;
         let usual = ratio >= self.smallest_ratio;
         if !usual {
             (self.smallest_ratio, self.smallest) = (ratio, at);
         }
-        self.negative += usize::from(pivot < 0.0);
-        if ratio > TINY { pivot } else { (REPLACEMENT * size).copysign(pivot) }
+        self.negative += usize::from(pivot < 0.0 || pivot.is_nan());
+        match ratio > T::ROUNDING {
+            true => entry,
+            false => T::from_double((T::HALF * size).copysign(pivot)),
+        }
     }
 }
 
 /// A front at work: its columns are at positions from `first` on.
-pub(crate) struct DenseFront<'a> {
-    pub panel: &'a mut [f64],
+pub(crate) struct DenseFront<'a, T> {
+    pub panel: &'a mut [T],
     /// Empty for symmetric fronts.
-    pub above: &'a mut [f64],
-    pub update: &'a mut [f64],
+    pub above: &'a mut [T],
+    pub update: &'a mut [T],
     pub columns: usize,
     pub rows: usize,
     /// Position of the first column.
@@ -80,7 +82,7 @@ pub(crate) struct DenseFront<'a> {
     pub threads: bool,
 }
 
-impl DenseFront<'_> {
+impl<T: Real> DenseFront<'_, T> {
     fn height(&self) -> usize {
         self.columns + self.rows
     }
@@ -142,11 +144,12 @@ impl DenseFront<'_> {
         let candidates = &self.panel[j * height + j..j * height + self.columns];
         let (mut best, mut largest) = (0, 0.0);
         for (p, entry) in candidates.iter().enumerate() {
-            if entry.abs() > largest {
-                (best, largest) = (p, entry.abs());
+            let size = entry.to_double().abs();
+            if size > largest {
+                (best, largest) = (p, size);
             }
         }
-        if best == 0 || candidates[0].abs() >= KEPT * largest {
+        if best == 0 || candidates[0].to_double().abs() >= KEPT * largest {
             return j;
         }
         for column in self.panel.chunks_exact_mut(height) {
@@ -161,7 +164,7 @@ impl DenseFront<'_> {
         let (head, tail) = self.panel.split_at_mut((j + 1) * height);
         let column = &mut head[j * height + j..];
         column[0] = pivots.note(column[0], size, self.first + j);
-        let inverse = 1.0 / column[0];
+        let inverse = T::ONE / column[0];
         let column = &mut column[1..];
         column.iter_mut().for_each(|l| *l *= inverse);
         for target in tail.chunks_exact_mut(height).take(to - j - 1) {
@@ -171,7 +174,7 @@ impl DenseFront<'_> {
 
     /// A = L D L' of the columns without exchanges, then the lower triangle of F22. `scratch` has
     /// room for columns times the height.
-    pub fn factor_ldlt(&mut self, size: &[f64], scratch: &mut [f64], pivots: &mut Pivots) {
+    pub fn factor_ldlt(&mut self, size: &[f64], scratch: &mut [T], pivots: &mut Pivots) {
         self.ldlt_of_columns(0, self.columns, size, scratch, pivots);
         let (k, r) = (self.columns, self.rows);
         if r == 0 {
@@ -188,7 +191,7 @@ impl DenseFront<'_> {
         from: usize,
         to: usize,
         size: &[f64],
-        scratch: &mut [f64],
+        scratch: &mut [T],
         pivots: &mut Pivots,
     ) {
         if to - from <= NARROW {
@@ -221,11 +224,11 @@ impl DenseFront<'_> {
         let (head, tail) = self.panel.split_at_mut((j + 1) * height);
         let column = &mut head[j * height + j..j * height + to];
         column[0] = pivots.note(column[0], size, self.first + j);
-        let inverse = 1.0 / column[0];
+        let inverse = T::ONE / column[0];
         let column = &mut column[1..];
         for (p, target) in tail.chunks_exact_mut(height).take(to - j - 1).enumerate() {
             let factor = column[p] * inverse;
-            for (t, l) in target[j + 1 + p..to].iter_mut().zip(&column[p..]) {
+            for (t, &l) in target[j + 1 + p..to].iter_mut().zip(&column[p..]) {
                 *t -= factor * l;
             }
         }
@@ -239,33 +242,34 @@ impl DenseFront<'_> {
         let height = self.height();
         let panel = &mut self.panel[from * height..to * height];
         let whole = to + (height - to) / ROWS * ROWS;
-        let mut square = [[0.0; NARROW]; NARROW];
+        let mut square = [[T::ZERO; NARROW]; NARROW];
         for (p, column) in panel.chunks_exact(height).enumerate() {
             (p..to - from).for_each(|j| square[j][p] = column[from + j]);
         }
         for row in (to..whole).step_by(ROWS) {
             match to - from {
-                NARROW => eliminate_rows::<ROWS>(panel, height, row, (&square, NARROW)),
-                width => eliminate_rows::<ROWS>(panel, height, row, (&square, width)),
+                NARROW => eliminate_rows::<T, ROWS>(panel, height, row, (&square, NARROW)),
+                width => eliminate_rows::<T, ROWS>(panel, height, row, (&square, width)),
             }
         }
         let width = to - from;
-        (whole..height).for_each(|row| eliminate_rows::<1>(panel, height, row, (&square, width)));
+        (whole..height)
+            .for_each(|row| eliminate_rows::<T, 1>(panel, height, row, (&square, width)));
     }
 }
 
 /// Rows of narrow columns from `row` on; `square` holds L, and D on its diagonal.
 #[inline(always)]
-fn eliminate_rows<const M: usize>(
-    panel: &mut [f64],
+fn eliminate_rows<T: Real, const M: usize>(
+    panel: &mut [T],
     height: usize,
     row: usize,
-    (square, width): (&[[f64; NARROW]; NARROW], usize),
+    (square, width): (&[[T; NARROW]; NARROW], usize),
 ) {
-    let mut entries = [[0.0; M]; NARROW];
+    let mut entries = [[T::ZERO; M]; NARROW];
     for j in 0..width {
         let at = j * height + row;
-        let mut own = [0.0; M];
+        let mut own = [T::ZERO; M];
         own.copy_from_slice(&panel[at..at + M]);
         for p in 0..j {
             for lane in 0..M {
@@ -273,7 +277,7 @@ fn eliminate_rows<const M: usize>(
             }
         }
         entries[j] = own;
-        let inverse = 1.0 / square[j][j];
+        let inverse = T::ONE / square[j][j];
         panel[at..at + M].iter_mut().zip(own).for_each(|(l, entry)| *l = entry * inverse);
     }
 }
@@ -284,36 +288,36 @@ fn middle(from: usize, to: usize) -> usize {
 }
 
 /// target[1..] -= target[0] * column.
-fn subtract_from(target: &mut [f64], column: &[f64]) {
+fn subtract_from<T: Real>(target: &mut [T], column: &[T]) {
     let factor = target[0];
-    if factor != 0.0 {
-        target[1..].iter_mut().zip(column).for_each(|(t, l)| *t -= factor * l);
+    if factor != T::ZERO {
+        target[1..].iter_mut().zip(column).for_each(|(t, &l)| *t -= factor * l);
     }
 }
 
 /// D L' for the columns `of` and the rows `over` of L, transposed in scratch.
-fn weigh<'a>(
-    panel: &[f64],
+fn weigh<'a, T: Real>(
+    panel: &[T],
     height: usize,
     of: (usize, usize),
     over: (usize, usize),
-    scratch: &'a mut [f64],
-) -> MatRef<'a, f64> {
+    scratch: &'a mut [T],
+) -> MatRef<'a, T> {
     let (count, width) = (of.1 - of.0, over.1 - over.0);
     let scratch = &mut scratch[..count * width];
     for (target, j) in scratch.chunks_exact_mut(width).zip(of.0..of.1) {
         let column = &panel[j * height..(j + 1) * height];
         let pivot = column[j];
-        target.iter_mut().zip(&column[over.0..over.1]).for_each(|(t, l)| *t = pivot * l);
+        target.iter_mut().zip(&column[over.0..over.1]).for_each(|(t, &l)| *t = pivot * l);
     }
     MatRef::from_column_major_slice(scratch, width, count).transpose()
 }
 
 /// target -= left * right, the lower triangle of it, in parts that threads may share.
-fn subtract_lower(
-    target: MatMut<'_, f64>,
-    left: MatRef<'_, f64>,
-    right: MatRef<'_, f64>,
+fn subtract_lower<T: Real>(
+    target: MatMut<'_, T>,
+    left: MatRef<'_, T>,
+    right: MatRef<'_, T>,
     threads: bool,
 ) {
     use triangular::BlockStructure::{Rectangular, TriangularLower};
@@ -340,21 +344,21 @@ fn subtract_lower(
         Rectangular,
         right,
         Rectangular,
-        -1.0,
+        -T::ONE,
         Par::Seq,
     );
 }
 
 /// target -= left * right, in parts that threads may share: the same parts on any number of them.
-fn subtract_product(
-    target: MatMut<'_, f64>,
-    left: MatRef<'_, f64>,
-    right: MatRef<'_, f64>,
+fn subtract_product<T: Real>(
+    target: MatMut<'_, T>,
+    left: MatRef<'_, T>,
+    right: MatRef<'_, T>,
     threads: bool,
 ) {
     let (rows, columns) = (target.nrows(), target.ncols());
     if rows.max(columns) <= TILE {
-        return matmul(target, Accum::Add, left, right, -1.0, Par::Seq);
+        return matmul(target, Accum::Add, left, right, -T::ONE, Par::Seq);
     }
     if rows >= columns {
         let (upper, lower) = target.split_at_row_mut(halved(rows));

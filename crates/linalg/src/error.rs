@@ -10,8 +10,9 @@ pub struct FactorReport {
     pub negative_pivots: Option<usize>,
     /// Smallest pivot relative to the size of what it was left over from, dimensionless: 1 means no
     /// cancellation, 1e-16 that nothing but rounding is left. The size is the sum of magnitudes of
-    /// the diagonal's terms (banded symmetric) or of the equation's row (all others); the sparse
-    /// unsymmetric factorisation estimates it from one solution.
+    /// the diagonal's terms (banded symmetric), the diagonal (single precision) or the sum of
+    /// magnitudes of the equation's row (all others); the sparse unsymmetric factorisation estimates
+    /// it from one solution.
     pub smallest_pivot_ratio: f64,
     /// Equation of that pivot, in the caller's numbering.
     pub smallest_pivot: usize,

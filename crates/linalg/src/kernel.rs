@@ -1,5 +1,7 @@
 //! Loops over contiguous memory that all factorisations share.
 
+use crate::precision::Real;
+
 /// Length of the blocks in which rows are subtracted; storages are padded to whole blocks.
 pub(crate) const BLOCK: usize = 4;
 
@@ -33,10 +35,10 @@ pub(crate) fn widened<R>(work: impl FnOnce() -> R) -> R {
 
 /// target -= sum of factor * column, column after column for every entry.
 #[inline(always)]
-pub(crate) fn subtract_columns<const M: usize>(
-    target: &mut [f64],
-    columns: [&[f64]; M],
-    factors: [f64; M],
+pub(crate) fn subtract_columns<T: Real, const M: usize>(
+    target: &mut [T],
+    columns: [&[T]; M],
+    factors: [T; M],
 ) {
     let length = target.len();
     let columns = columns.map(|column| &column[..length]);
@@ -51,11 +53,11 @@ pub(crate) fn subtract_columns<const M: usize>(
 
 /// Scalar products of several columns with the same array, in interleaved parts like [`dot`].
 #[inline(always)]
-pub(crate) fn dot_columns<const M: usize>(columns: [&[f64]; M], x: &[f64]) -> [f64; M] {
+pub(crate) fn dot_columns<T: Real, const M: usize>(columns: [&[T]; M], x: &[T]) -> [T; M] {
     const PART: usize = 2 * BLOCK;
     let (blocks, rest) = x.as_chunks::<PART>();
     let columns = columns.map(|column| column[..x.len()].as_chunks::<PART>());
-    let mut part = [[0.0; PART]; M];
+    let mut part = [[T::ZERO; PART]; M];
     for (b, x) in blocks.iter().enumerate() {
         for (part, (column, _)) in part.iter_mut().zip(&columns) {
             let column = &column[b];
@@ -68,22 +70,22 @@ pub(crate) fn dot_columns<const M: usize>(columns: [&[f64]; M], x: &[f64]) -> [f
         let p = &part[m];
         let near = (p[0] + p[4]) + (p[1] + p[5]);
         let sum = near + ((p[2] + p[6]) + (p[3] + p[7]));
-        columns[m].1.iter().zip(rest).fold(sum, |sum, (l, x)| sum + l * x)
+        columns[m].1.iter().zip(rest).fold(sum, |sum, (&l, &x)| sum + l * x)
     })
 }
 
 /// Scalar product of equally long arrays, in interleaved parts to shorten the chain of additions.
-pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
+pub(crate) fn dot<T: Real>(a: &[T], b: &[T]) -> T {
     let (a_blocks, a_rest) = a.as_chunks::<BLOCK>();
     let (b_blocks, b_rest) = b.as_chunks::<BLOCK>();
-    let mut part = [0.0; BLOCK];
+    let mut part = [T::ZERO; BLOCK];
     for (p, q) in a_blocks.iter().zip(b_blocks) {
         for k in 0..BLOCK {
             part[k] += p[k] * q[k];
         }
     }
     let mut sum = (part[0] + part[1]) + (part[2] + part[3]);
-    for (p, q) in a_rest.iter().zip(b_rest) {
+    for (&p, &q) in a_rest.iter().zip(b_rest) {
         sum += p * q;
     }
     sum

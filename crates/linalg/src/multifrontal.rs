@@ -19,6 +19,7 @@ use crate::error::SolveError;
 use crate::fronts::{Front, Tree};
 use crate::kernel::widened;
 use crate::pattern::Pattern;
+use crate::precision::Real;
 use crate::system::Kind;
 use layout::{Layout, Part, Storage, entry_positions};
 use rayon::ThreadPool;
@@ -26,44 +27,43 @@ use rayon::iter::{IndexedParallelIterator, IntoParallelRefMutIterator, ParallelI
 use std::sync::Arc;
 
 /// A multifrontal factorisation.
-pub(crate) struct Multifrontal {
-    layout: Layout,
+pub(crate) struct Multifrontal<T = f64> {
+    layout: Arc<Layout>,
     /// Where each entry of the matrix goes in the factor; entries above the diagonal of a symmetric
     /// matrix go to a place behind it.
-    entry: Vec<u32>,
+    entry: Arc<[u32]>,
     pool: Option<Arc<ThreadPool>>,
     /// Empty until something is scattered.
-    factor: Vec<f64>,
+    factor: Vec<T>,
     /// Of the subtrees that threads take, one after the other, then of the fronts above them.
-    rooms: Vec<Room>,
+    rooms: Vec<Room<T>>,
     exchange: Vec<u32>,
     /// Sizes of the equations in the order of elimination.
     size: Vec<f64>,
     /// Right-hand sides in the order of elimination.
-    x: Vec<f64>,
+    x: Vec<T>,
     /// Rows of one front of them.
-    rows: Vec<f64>,
+    rows: Vec<T>,
 }
 
 /// What the factorisation of fronts one after the other needs beside the factor.
-#[derive(Default)]
-struct Room {
-    stack: Vec<f64>,
-    scratch: Vec<f64>,
+struct Room<T> {
+    stack: Vec<T>,
+    scratch: Vec<T>,
 }
 
 /// Fronts that are factored one after the other, with what is written.
-struct Share<'a> {
+struct Share<'a, T> {
     /// Their part of the factor, and where it begins.
-    factor: &'a mut [f64],
+    factor: &'a mut [T],
     factor_start: usize,
     /// Their exchanges, and the position of the first.
     exchange: &'a mut [u32],
     first: usize,
-    room: &'a mut Room,
+    room: &'a mut Room<T>,
 }
 
-impl Multifrontal {
+impl<T: Real> Multifrontal<T> {
     /// Lays the factorisation out; `None` where it is beyond 32-bit places.
     pub fn new(
         pattern: &Pattern,
@@ -75,19 +75,29 @@ impl Multifrontal {
         if layout.length >= u32::MAX as usize {
             return None;
         }
-        let n = pattern.size();
+        let entry = entry_positions(pattern, &layout).into();
+        Some(Self::with(Arc::new(layout), entry, pool))
+    }
+
+    /// The same factorisation in another precision.
+    pub fn in_precision<U: Real>(&self) -> Multifrontal<U> {
+        Multifrontal::with(self.layout.clone(), self.entry.clone(), self.pool.clone())
+    }
+
+    fn with(layout: Arc<Layout>, entry: Arc<[u32]>, pool: Option<Arc<ThreadPool>>) -> Self {
+        let n = layout.fronts.order.len();
         let largest = layout.fronts.front.iter().map(|front| front.rows).max().unwrap_or(0);
-        Some(Self {
-            entry: entry_positions(pattern, &layout),
+        Self {
+            layout,
+            entry,
             pool,
             factor: Vec::new(),
             rooms: Vec::new(),
             exchange: vec![0; n],
             size: vec![0.0; n],
-            x: vec![0.0; n],
-            rows: vec![0.0; largest],
-            layout,
-        })
+            x: vec![T::ZERO; n],
+            rows: vec![T::ZERO; largest],
+        }
     }
 
     /// Caller's equation at a position of the order of elimination.
@@ -100,7 +110,7 @@ impl Multifrontal {
         let rooms = self.layout.parts.iter().chain([&self.layout.above]);
         let values =
             self.layout.length + rooms.map(|part| part.stack + part.scratch).sum::<usize>();
-        8.0 * values as f64 + 4.0 * self.entry.len() as f64
+        size_of::<T>() as f64 * values as f64 + 4.0 * self.entry.len() as f64
     }
 
     /// Takes the memory of the factors, once.
@@ -110,7 +120,7 @@ impl Multifrontal {
         }
         zeros(&mut self.factor, self.layout.length + 1)?;
         for part in self.layout.parts.iter().chain([&self.layout.above]) {
-            let mut room = Room::default();
+            let mut room = Room { stack: Vec::new(), scratch: Vec::new() };
             zeros(&mut room.stack, part.stack)?;
             zeros(&mut room.scratch, part.scratch)?;
             self.rooms.push(room);
@@ -118,25 +128,30 @@ impl Multifrontal {
         Ok(())
     }
 
-    /// Takes the values of a matrix.
+    /// Gives the memory of the factors back.
+    pub fn release(&mut self) {
+        (self.factor, self.rooms) = (Vec::new(), Vec::new());
+    }
+
+    /// Takes the values of a matrix, in the order of its entries.
     ///
     /// Errors: [`SolveError::OutOfMemory`].
-    pub fn scatter(&mut self, values: &[f64]) -> Result<(), SolveError> {
+    pub fn scatter(&mut self, values: impl Iterator<Item = T>) -> Result<(), SolveError> {
         if let Err(fault) = self.make_room() {
-            (self.factor, self.rooms) = (Vec::new(), Vec::new());
+            self.release();
             return Err(fault);
         }
-        self.factor.fill(0.0);
-        for (&value, &at) in values.iter().zip(&self.entry) {
+        self.factor.fill(T::ZERO);
+        for (value, &at) in values.zip(&*self.entry) {
             self.factor[at as usize] = value;
         }
         Ok(())
     }
 
     /// Factors what was scattered. Small pivots are replaced; the smallest tells.
-    pub fn factor(&mut self, row_size: &[f64]) -> Pivots {
+    pub fn factor(&mut self, row_size: impl Fn(usize) -> f64) -> Pivots {
         for (size, &equation) in self.size.iter_mut().zip(&self.layout.fronts.order) {
-            *size = row_size[equation];
+            *size = row_size(equation);
         }
         match self.pool.clone() {
             Some(pool) => pool.install(|| self.factor_all()),
@@ -147,7 +162,7 @@ impl Multifrontal {
     fn factor_all(&mut self) -> Pivots {
         let Self { layout, factor, rooms, exchange, size, .. } = self;
         let (rooms, above) = rooms.split_at_mut(layout.parts.len());
-        let (layout, size) = (&*layout, &size[..]);
+        let (layout, size) = (&**layout, &size[..]);
         let mut pivots = Pivots::NONE;
         if !layout.parts.is_empty() {
             let mut shares = cut(layout, (&mut factor[..], &mut exchange[..]), rooms);
@@ -162,11 +177,11 @@ impl Multifrontal {
 }
 
 /// Gives every part of the fronts its share.
-fn cut<'a>(
+fn cut<'a, T>(
     layout: &Layout,
-    (mut factor, mut exchange): (&'a mut [f64], &'a mut [u32]),
-    rooms: &'a mut [Room],
-) -> Vec<Share<'a>> {
+    (mut factor, mut exchange): (&'a mut [T], &'a mut [u32]),
+    rooms: &'a mut [Room<T>],
+) -> Vec<Share<'a, T>> {
     let (mut factor_start, mut first) = (0, 0);
     let mut shares = Vec::with_capacity(rooms.len());
     for (part, room) in layout.parts.iter().zip(rooms) {
@@ -185,7 +200,13 @@ fn cut<'a>(
 impl Layout {
     /// Factors fronts one after the other; those that were factored before have left what they
     /// hand up in rooms of their own.
-    fn factor(&self, part: &Part, size: &[f64], share: &mut Share<'_>, others: &[Room]) -> Pivots {
+    fn factor<T: Real>(
+        &self,
+        part: &Part,
+        size: &[f64],
+        share: &mut Share<'_, T>,
+        others: &[Room<T>],
+    ) -> Pivots {
         let mut pivots = Pivots::NONE;
         let mut next = part.fronts.start;
         let end = part.fronts.end;
@@ -197,12 +218,12 @@ impl Layout {
         pivots
     }
 
-    fn factor_front(
+    fn factor_front<T: Real>(
         &self,
         f: usize,
         size: &[f64],
-        share: &mut Share<'_>,
-        (others, pivots): (&[Room], &mut Pivots),
+        share: &mut Share<'_, T>,
+        (others, pivots): (&[Room<T>], &mut Pivots),
     ) {
         let Front { first, columns, rows, .. } = self.fronts.front[f];
         let Storage { panel, above, end, work, update } = self.storage[f];
@@ -210,7 +231,7 @@ impl Layout {
         let (waiting, own) = stack.split_at_mut(work);
         let own = &mut own[..rows * rows];
         for j in 0..rows {
-            own[j * rows + self.first_row(j)..(j + 1) * rows].fill(0.0);
+            own[j * rows + self.first_row(j)..(j + 1) * rows].fill(T::ZERO);
         }
         let start = share.factor_start;
         let (panel, above) = share.factor[panel - start..end - start].split_at_mut(above - panel);
@@ -258,14 +279,14 @@ impl Layout {
 }
 
 /// So many zeros.
-fn zeros(list: &mut Vec<f64>, count: usize) -> Result<(), SolveError> {
+fn zeros<T: Real>(list: &mut Vec<T>, count: usize) -> Result<(), SolveError> {
     list.try_reserve_exact(count).map_err(|_| SolveError::OutOfMemory)?;
-    list.resize(count, 0.0);
+    list.resize(count, T::ZERO);
     Ok(())
 }
 
 /// Adds a child's Schur complement.
-fn extend(front: &mut DenseFront<'_>, update: &[f64], in_parent: &[u32]) {
+fn extend<T: Real>(front: &mut DenseFront<'_, T>, update: &[T], in_parent: &[u32]) {
     let (k, r) = (front.columns, front.rows);
     let split = in_parent.partition_point(|&at| (at as usize) < k);
     for (column, &to) in update.chunks_exact(in_parent.len().max(1)).zip(in_parent) {
@@ -284,9 +305,9 @@ fn extend(front: &mut DenseFront<'_>, update: &[f64], in_parent: &[u32]) {
 
 /// Adds the lower triangle of a child's Schur complement, column after column.
 #[inline(always)]
-fn extend_symmetric(
-    front: &mut DenseFront<'_>,
-    update: &[f64],
+fn extend_symmetric<T: Real>(
+    front: &mut DenseFront<'_, T>,
+    update: &[T],
     (in_parent, together): (&[u32], &[u32]),
 ) {
     let (k, r) = (front.columns, front.rows);
@@ -304,14 +325,14 @@ fn extend_symmetric(
         while i < column.len() {
             let (at, count) = (in_parent[j + i] as usize - offset, together[j + i] as usize);
             let own = target[at..at + count].iter_mut().zip(&column[i..i + count]);
-            own.for_each(|(sum, value)| *sum += value);
+            own.for_each(|(sum, &value)| *sum += value);
             i += count;
         }
     }
 }
 
-fn add_at(target: &mut [f64], at: &[u32], source: &[f64], offset: usize) {
-    for (&at, value) in at.iter().zip(source) {
+fn add_at<T: Real>(target: &mut [T], at: &[u32], source: &[T], offset: usize) {
+    for (&at, &value) in at.iter().zip(source) {
         target[at as usize - offset] += value;
     }
 }
@@ -357,14 +378,14 @@ mod tests {
         (pattern, values)
     }
 
-    fn factored(pattern: &Pattern, values: &[f64], kind: Kind) -> (Multifrontal, Pivots) {
+    fn factored(pattern: &Pattern, values: &[f64], kind: Kind) -> (Multifrontal<f64>, Pivots) {
         let natural: Vec<usize> = (0..pattern.size()).rev().collect();
         let tree = Tree::new(pattern, &natural);
-        let mut factors = Multifrontal::new(pattern, kind, &tree, None).unwrap();
+        let mut factors = Multifrontal::<f64>::new(pattern, kind, &tree, None).unwrap();
         let matrix = Matrix::new(pattern, values);
         let size: Vec<f64> = (0..pattern.size()).map(|i| matrix.row_size(i)).collect();
-        factors.scatter(values).unwrap();
-        let pivots = factors.factor(&size);
+        factors.scatter(values.iter().copied()).unwrap();
+        let pivots = factors.factor(|i| size[i]);
         (factors, pivots)
     }
 
@@ -415,9 +436,9 @@ mod tests {
             let factored = |threads: usize| {
                 let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
                 let pool = (threads > 0).then(|| Arc::new(pool));
-                let mut factors = Multifrontal::new(&pattern, kind, &tree, pool).unwrap();
-                factors.scatter(&values).unwrap();
-                let pivots = factors.factor(&size);
+                let mut factors = Multifrontal::<f64>::new(&pattern, kind, &tree, pool).unwrap();
+                factors.scatter(values.iter().copied()).unwrap();
+                let pivots = factors.factor(|i| size[i]);
                 (factors.layout.parts.len(), factors.factor, factors.exchange, pivots)
             };
             let (parts, alone, exchange, pivots) = factored(0);
@@ -462,12 +483,12 @@ mod tests {
                 let mut reference = values.clone();
                 let natural: Vec<usize> = (0..pattern.size()).rev().collect();
                 let tree = Tree::new(&pattern, &natural);
-                let mut factors = Multifrontal::new(&pattern, kind, &tree, None).unwrap();
+                let mut factors = Multifrontal::<f64>::new(&pattern, kind, &tree, None).unwrap();
                 reference.iter_mut().for_each(|v| *v *= 2.0);
-                factors.scatter(&reference).unwrap();
-                factors.factor(&vec![60.0; pattern.size()]);
-                factors.scatter(&values).unwrap();
-                let pivots = factors.factor(&vec![60.0; pattern.size()]);
+                factors.scatter(reference.iter().copied()).unwrap();
+                factors.factor(|_| 60.0);
+                factors.scatter(values.iter().copied()).unwrap();
+                let pivots = factors.factor(|_| 60.0);
                 assert_eq!(factors.equation(pivots.smallest), missing, "{kind:?}");
                 assert!(
                     pivots.smallest_ratio < 1e-16 && factors.factor.iter().all(|l| l.is_finite())

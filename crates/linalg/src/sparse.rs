@@ -19,6 +19,7 @@ use crate::ordering::{Layout, behind_neighbours};
 use crate::orders::best_tree;
 use crate::pattern::{Matrix, Pattern};
 use crate::residual::worst_residual;
+use crate::single::Single;
 use crate::system::{BackEnd, Description, Kind, LinearSystem};
 use rayon::ThreadPool;
 use std::sync::Arc;
@@ -39,6 +40,7 @@ const AFFORDABLE: (f64, f64) = (1e9, 5.0);
 enum Held {
     Nothing,
     Factors,
+    Single,
     Pivoted,
     Banded,
 }
@@ -55,6 +57,8 @@ pub(crate) struct Sparse {
     zero_diagonal: Vec<bool>,
     /// None when an order that zero diagonals asked for could not be analysed.
     factors: Option<Box<Multifrontal>>,
+    /// The same in single precision, where it was asked for.
+    single: Option<Box<Single>>,
     /// L U of symmetric values that L D L' is not fit for.
     pivoted: Option<Box<Multifrontal>>,
     banded: Option<Box<Banded>>,
@@ -79,6 +83,7 @@ impl Sparse {
             diagonal: (0..n).filter_map(|i| pattern.position(i, i)).collect(),
             zero_diagonal: vec![false; n],
             factors,
+            single: None,
             pivoted: None,
             banded: None,
             trial: vec![0.0; n],
@@ -105,7 +110,7 @@ impl Sparse {
             return;
         }
         self.zero_diagonal = flags().collect();
-        self.pivoted = None;
+        (self.single, self.pivoted) = (None, None);
         let tree = self.tree(matrix.pattern);
         let factors = Multifrontal::new(matrix.pattern, self.kind, &tree, self.pool.clone());
         self.factors = factors.map(Box::new);
@@ -129,8 +134,8 @@ impl Sparse {
             self.pivoted = Some(Box::new(pivoted.ok_or(SolveError::OutOfMemory)?));
         }
         let Some(pivoted) = &mut self.pivoted else { return Err(SolveError::OutOfMemory) };
-        pivoted.scatter(matrix.values)?;
-        let pivots = pivoted.factor(row_size);
+        pivoted.scatter(matrix.values.iter().copied())?;
+        let pivots = pivoted.factor(|i| row_size[i]);
         self.held = Held::Pivoted;
         Ok(report(pivoted, pivots, None))
     }
@@ -206,6 +211,11 @@ impl Sparse {
         transposed: bool,
     ) -> Result<(), SolveError> {
         let factors = match self.held {
+            Held::Single => {
+                let Some(single) = &mut self.single else { return Err(SolveError::NotFactored) };
+                block.chunks_exact_mut(block.len() / columns).for_each(|b| single.solve(b));
+                return Ok(());
+            }
             Held::Factors => &mut self.factors,
             Held::Pivoted => &mut self.pivoted,
             Held::Banded => {
@@ -227,7 +237,11 @@ impl LinearSystem for Sparse {
     fn scatter(&mut self, matrix: Matrix<'_>) {
         self.held = Held::Nothing;
         self.follow_zero_diagonals(matrix);
-        let scattered = self.factors.as_mut().map(|factors| factors.scatter(matrix.values));
+        if let Some(single) = &mut self.single {
+            single.release();
+        }
+        let values = matrix.values.iter().copied();
+        let scattered = self.factors.as_mut().map(|factors| factors.scatter(values));
         if let Some(Err(_)) = scattered {
             self.factors = None; // there is no memory for them
         }
@@ -235,7 +249,7 @@ impl LinearSystem for Sparse {
 
     fn factor(&mut self, matrix: Matrix<'_>, row_size: &[f64]) -> Result<FactorReport, SolveError> {
         let Some(factors) = &mut self.factors else { return Err(SolveError::OutOfMemory) };
-        let pivots = factors.factor(row_size);
+        let pivots = factors.factor(|i| row_size[i]);
         let symmetric = self.kind == Kind::Symmetric;
         let found = report(factors, pivots, symmetric.then_some(pivots.negative));
         self.held = Held::Factors;
@@ -254,6 +268,21 @@ impl LinearSystem for Sparse {
             }
         }
         self.factor_banded(matrix, row_size, judged)
+    }
+
+    fn factor_single(&mut self, matrix: Matrix<'_>) -> Option<FactorReport> {
+        self.held = Held::Nothing;
+        let definite = self.diagonal.iter().all(|&at| matrix.values[at] > 0.0);
+        if self.kind != Kind::Symmetric || !definite {
+            return None;
+        }
+        self.follow_zero_diagonals(matrix);
+        let factors = self.factors.as_mut()?;
+        factors.release();
+        let single = self.single.get_or_insert_with(|| Box::new(Single::new(factors)));
+        let report = single.factor(matrix, &self.diagonal)?;
+        self.held = Held::Single;
+        Some(report)
     }
 
     fn solve(&mut self, block: &mut [f64], columns: usize) -> Result<(), SolveError> {

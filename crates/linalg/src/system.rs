@@ -135,6 +135,13 @@ pub trait LinearSystem: Send {
     /// numbering; [`SolveError::OutOfMemory`], [`SolveError::External`].
     fn factor(&mut self, matrix: Matrix<'_>, row_size: &[f64]) -> Result<FactorReport, SolveError>;
 
+    /// Factors a symmetric matrix in single precision, where that is sound: it has no pivot near
+    /// zero. [`LinearSystem::solve`] then gives solutions with the error of that precision, which
+    /// are near enough for an iteration. `None`: [`LinearSystem::factor`] is to be asked.
+    fn factor_single(&mut self, _matrix: Matrix<'_>) -> Option<FactorReport> {
+        None
+    }
+
     /// Solves A X = B in place for a block of `columns` right-hand sides, of which the owned rows
     /// are read; all rows of X are returned on every process.
     ///

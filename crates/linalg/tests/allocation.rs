@@ -11,7 +11,7 @@ use stats_alloc::{INSTRUMENTED_SYSTEM, StatsAlloc};
 
 mod common;
 
-use common::grid;
+use common::{bricks, grid};
 
 #[global_allocator]
 static COUNTER: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
@@ -49,6 +49,17 @@ fn nothing_is_allocated_the_second_time() {
             assert_eq!(allocations(|| round(&pattern)), 0, "{kind:?} {back_end:?}");
         }
     }
+    let (space, of_space) = bricks(14);
+    let mut solver = analyse_with(&space, Kind::Symmetric, BackEnd::Sparse);
+    solver.expect_few(true);
+    let mut rhs = vec![1.0; space.size()];
+    let mut round = || {
+        assert!(solver.refactor(&space, &of_space).is_ok() && solver.solve(&mut rhs).is_ok());
+        assert_eq!(solver.follow(&space, &of_space), Ok(true));
+        assert!(solver.solve(&mut rhs).is_ok());
+    };
+    round();
+    assert_eq!(allocations(round), 0, "single precision");
     let mut lu = DenseLu::default();
     let mut rhs = [1.0; 20];
     let mut eliminate = || {

@@ -7,6 +7,7 @@ mod common;
 
 use common::*;
 use slideline_linalg::*;
+use std::sync::Arc;
 
 const BOTH: [BackEnd; 2] = [BackEnd::Banded, BackEnd::Sparse];
 
@@ -385,26 +386,6 @@ fn respond_is_solve() {
     }
 }
 
-/// Bricks of three dofs a node, and a definite matrix on them.
-fn bricks(side: usize) -> (Pattern, Vec<f64>) {
-    let node = |[x, y, z]: [usize; 3]| x + side * (y + side * z);
-    let cells = (0..(side - 1).pow(3))
-        .map(|c| [c % (side - 1), c / (side - 1) % (side - 1), c / (side - 1).pow(2)]);
-    let clique = |[x, y, z]: [usize; 3]| -> Vec<usize> {
-        let corners = (0..8).map(|c| node([x + (c & 1), y + (c >> 1 & 1), z + (c >> 2)]));
-        corners.flat_map(|corner| 3 * corner..3 * corner + 3).collect()
-    };
-    let cliques: Vec<Vec<usize>> = cells.map(clique).collect();
-    let pattern = Pattern::from_cliques(3 * side.pow(3), cliques.iter());
-    let rows = (0..pattern.size()).map(|i| (i, pattern.row(i)));
-    let own = |i: usize, row: &[usize]| {
-        let size = row.len() as f64 + 1e-3;
-        row.iter().map(|&j| if i == j { size } else { -1.0 }).collect::<Vec<f64>>()
-    };
-    let values = rows.flat_map(|(i, row)| own(i, row)).collect();
-    (pattern, values)
-}
-
 /// Requirement: a matrix near the one factored last is solved with its factors, to the residual
 /// promised; one that is far or not definite is factored, and solved as if it always had been.
 #[test]
@@ -443,4 +424,68 @@ fn a_matrix_near_the_last_is_not_factored() {
     let mut solver = analyse(&plane, Kind::Symmetric);
     solver.refactor(&plane, &of_plane).unwrap();
     assert_eq!(solver.follow(&plane, &of_plane), Ok(false), "it is as cheap to factor");
+}
+
+/// Requirement: where few solutions are wanted, a large definite matrix is solved as exactly as
+/// without, with the same bits on any number of threads; one that is indefinite or singular is
+/// reported as without; transposed and many right-hand sides too. Tolerance: residual 1e-11.
+#[test]
+fn few_solutions_are_as_exact_as_many() {
+    let (pattern, values) = bricks(14);
+    let n = pattern.size();
+    let pool = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        OnThreads { pool: Arc::new(pool) }
+    };
+    let solver = |threads: usize, few: bool| {
+        let mut solver = match threads {
+            0 => analyse(&pattern, Kind::Symmetric),
+            _ => Solver::analyse(&pattern, Kind::Symmetric, &pool(threads)),
+        };
+        solver.expect_few(few);
+        solver
+    };
+    let b: Vec<f64> = (0..3 * n).map(|i| 1e-40 * ((i % 11) as f64 - 5.0)).collect();
+    let matrix = Matrix::new(&pattern, &values);
+    let left = |x: &[f64], b: &[f64]| {
+        let mut product = vec![0.0; n];
+        matrix.multiply(x, &mut product);
+        let norm = |v: &[f64]| v.iter().map(|v| 1e80 * v * v).sum::<f64>().sqrt();
+        product.iter_mut().zip(b).for_each(|(product, b)| *product -= b);
+        norm(&product) / norm(b)
+    };
+    let mut bits = Vec::new();
+    for threads in [0, 1, 2] {
+        let mut solver = solver(threads, true);
+        let report = solver.refactor(&pattern, &values).unwrap();
+        assert_eq!(report.negative_pivots, Some(0));
+        let mut x = b.clone();
+        solver.solve(&mut x[..n]).unwrap();
+        solver.solve_many(&mut x[n..], 2).unwrap();
+        for (x, b) in x.chunks(n).zip(b.chunks(n)) {
+            assert!(left(x, b) < 1e-11, "{threads}: {:e}", left(x, b));
+        }
+        bits.push(x.iter().map(|x| x.to_bits()).collect::<Vec<u64>>());
+        let mut transposed = b[..n].to_vec();
+        solver.solve_transpose(&mut transposed).unwrap();
+        assert!(left(&transposed, &b[..n]) < 1e-12);
+    }
+    assert!(bits[0] == bits[1] && bits[1] == bits[2]);
+    let mut without = solver(0, false);
+    without.refactor(&pattern, &values).unwrap();
+    let mut exact = b[..n].to_vec();
+    without.solve(&mut exact).unwrap();
+    let same = exact.iter().zip(&bits[0]).all(|(x, bits)| x.to_bits() == *bits);
+    assert!(!same, "these are other factors");
+    let upside_down: Vec<f64> = values.iter().map(|v| -v).collect();
+    // without what exceeds the rest of a row nothing resists the same motion of all
+    let mut floating = values.clone();
+    for i in 0..n {
+        let at = pattern.position(i, i).unwrap();
+        floating[at] = (pattern.row(i).len() - 1) as f64;
+    }
+    for values in [&upside_down, &floating] {
+        let [few, many] = [true, false].map(|few| solver(0, few).refactor(&pattern, values));
+        assert_eq!(few, many);
+    }
 }

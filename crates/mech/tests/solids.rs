@@ -489,6 +489,28 @@ fn outcome(kernel: &dyn Kernel, q: &[f64], committed: &[f64]) -> Result<f64, Fai
     kernel.respond(0, q, committed, &Strains::Exact.into(), into)
 }
 
+/// Requirement: an element that is carried along without strain has an answer, also where strains go
+/// to nothing at all: what it solves for inside (modes, the strain across the plane) has nothing to
+/// be held against then.
+#[test]
+fn carried_along_without_strain() {
+    for kind in kinds() {
+        for (law, material) in materials() {
+            let nodes = nodes(kind.0, 0.1);
+            let zero = vec![0.0; state_count(&kind, &material)];
+            let own = kernel(&kind, &material, &nodes);
+            let moved = |size: f64| -> Vec<f64> {
+                (0..nodes.len() * kind.0.dimension).map(|k| size * noise(k)).collect()
+            };
+            let committed = respond(&*own, &moved(1e-10), &zero, Strains::Exact).state;
+            for size in [1e-30, 1e-160, 1e-316, 0.0] {
+                let ended = outcome(&*own, &moved(size), &committed);
+                assert!(ended.is_ok(), "{} {law} {size:e}", name(&kind));
+            }
+        }
+    }
+}
+
 /// Requirement: an element that is turned inside out at a point has no answer and says why, of
 /// whatever material and however it is turned: mirrored along an axis, a
 /// ring mirrored across its axis; one whose nodes run the wrong way round is told before.

@@ -1,10 +1,13 @@
 //! Contact pairs: which points meet which master, under which laws.
 
+use crate::friction::Friction;
 use crate::node::NodeIndex;
 use crate::vocabulary::Vocabulary;
 use slideline_diag::Span;
 use slideline_mech::contact::normal::NormalLaw;
 use slideline_mech::element::cell::{Cell, QUAD4, QUAD8, TRI3, TRI6};
+use slideline_mech::surface::mesh::MeshFace;
+pub use slideline_mech::surface::swept::Sweep;
 
 /// Points, a master, and what happens between them.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,6 +24,8 @@ pub struct ContactPair {
     /// In space, the faces that the slave nodes belong to; their shares are the
     /// tributary areas.
     pub faces: Vec<ContactFace>,
+    /// The nodes of `faces` that are slaves; empty: all of them.
+    pub slaves: Vec<NodeIndex>,
     /// Slave nodes at which the surface turns sharply: the faces that meet there are apart, with a
     /// contact point each ([`Formulation::Mortar`]).
     pub corners: Vec<NodeIndex>,
@@ -44,6 +49,8 @@ pub enum Adjust {
     Within(f64),
     /// These.
     Nodes(Vec<NodeIndex>),
+    /// `*CLEARANCE`: all of them begin at this gap [L], negative for an overclosure.
+    Clearance(f64),
 }
 
 impl ContactPair {
@@ -57,10 +64,26 @@ impl ContactPair {
         nodes
     }
 
-    /// Nodes of the contact elements and faces, as often as these name them.
+    /// Nodes of the contact elements and faces, as often as these name them; where the slaves are
+    /// listed, these. Contact that is spread over faces in space has its points at the corners of
+    /// these.
     pub fn slave_places(&self) -> impl Iterator<Item = NodeIndex> + '_ {
         let ends = self.elements.iter().flat_map(|element| element.nodes);
-        ends.chain(self.faces.iter().flat_map(|face| face.nodes.iter().copied()))
+        let is_spread = self.formulation == Formulation::Mortar;
+        let of_face = move |face: &'_ ContactFace| match face.cell() {
+            Some(cell) if is_spread => cell.faces.len(),
+            _ => face.nodes.len(),
+        };
+        let nodes = move |face: &ContactFace| face.nodes[..of_face(face)].to_vec();
+        let faces = if self.slaves.is_empty() { &self.faces[..] } else { &[] };
+        ends.chain(faces.iter().flat_map(nodes)).chain(self.slaves.iter().copied())
+    }
+
+    /// Its faces as those of a mesh, over the nodes of the model.
+    pub fn mesh_faces(&self) -> Vec<MeshFace> {
+        let of_mesh =
+            |face: &ContactFace| Some(MeshFace { cell: face.cell()?, nodes: face.nodes.clone() });
+        self.faces.iter().filter_map(of_mesh).collect()
     }
 }
 
@@ -75,8 +98,8 @@ pub enum Formulation {
     /// positions and rotations of their nodes, against an analytic rigid
     /// surface (`TYPE=SURFACE TO SURFACE`).
     SurfaceToSurface,
-    /// Over the faces of solids, weighted with dual functions of the slave nodes
-    /// (`TYPE=SURFACE TO SURFACE`).
+    /// Over the faces of solids, weighted with functions of the slave nodes, in space of their
+    /// corners (`TYPE=SURFACE TO SURFACE`).
     Mortar,
 }
 
@@ -165,6 +188,8 @@ pub enum Master {
     SlideLine(SlideLine),
     /// Faces of solids or of rigid meshes in space (`*SURFACE`).
     Faces(MasterFaces),
+    /// The slave surface itself, of faces of solids in the plane.
+    Itself(OwnSurface),
 }
 
 impl Master {
@@ -174,6 +199,7 @@ impl Master {
             Self::RigidSurface(_) => Vec::new(),
             Self::SlideLine(line) => line.nodes.clone(),
             Self::Faces(faces) => faces.nodes(),
+            Self::Itself(surface) => surface.nodes().collect(),
         }
     }
 }
@@ -245,6 +271,35 @@ pub struct SlideLine {
     pub origin: Span,
 }
 
+/// A surface that meets itself.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OwnSurface {
+    /// Its stretches of neighbouring nodes; no node is in two.
+    pub runs: Vec<SurfaceRun>,
+    /// `SMOOTH`: fraction of each face taken by the corner's parabola [1].
+    pub smooth: f64,
+    /// `EXTENSION ZONE`: prolongation of open ends, as a fraction of their faces [1].
+    pub extension: f64,
+    /// The card.
+    pub origin: Span,
+}
+
+/// Neighbouring nodes of a surface, each once.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SurfaceRun {
+    /// In order of travel; the outside stands 90 degrees counter-clockwise of it.
+    pub nodes: Vec<NodeIndex>,
+    /// Whether the last node is joined to the first.
+    pub is_closed: bool,
+}
+
+impl OwnSurface {
+    /// Its nodes, run after run.
+    pub fn nodes(&self) -> impl Iterator<Item = NodeIndex> + '_ {
+        self.runs.iter().flat_map(|run| run.nodes.iter().copied())
+    }
+}
+
 /// Faces that points slide on, in space.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MasterFaces {
@@ -255,8 +310,27 @@ pub struct MasterFaces {
     pub smooth: bool,
     /// Prolongation of the open ends of the surface, as a fraction of their faces [1].
     pub extension: f64,
+    /// The analytical surface on a rigid body that it is; each of the faces then has the four
+    /// markers of the body.
+    pub swept: Option<SweptSurface>,
     /// The card.
     pub origin: Span,
+}
+
+/// An analytical surface in space (`TYPE=CYLINDER`, `TYPE=REVOLUTION`).
+#[derive(Clone, Debug, PartialEq)]
+pub struct SweptSurface {
+    /// How its profile sweeps it.
+    pub sweep: Sweep,
+    /// The body's reference node.
+    pub reference: NodeIndex,
+    /// First point of the profile, in the frame of the markers [L].
+    pub start: ProfilePoint,
+    /// Segments, each from the end of the one before; the outward normal stands 90 degrees
+    /// counter-clockwise of travel.
+    pub segments: Vec<SurfaceSegment>,
+    /// Distance of the markers from the first one [L].
+    pub length: f64,
 }
 
 impl MasterFaces {
@@ -294,85 +368,5 @@ impl Interaction {
     /// Whether there is any friction.
     pub fn has_friction(&self) -> bool {
         self.friction.acts()
-    }
-}
-
-/// The friction law as the deck says it.
-#[derive(Clone, Debug, PartialEq, Default)]
-pub enum Friction {
-    /// None.
-    #[default]
-    Frictionless,
-    /// Coulomb's law.
-    Coulomb {
-        /// Coefficient mu [1] (the static one, with decay).
-        coefficient: f64,
-        /// `TAUMAX` [F/L2].
-        limit: Option<f64>,
-        /// Decay from static to kinetic.
-        decay: Option<Decay>,
-        /// How sticking is imposed.
-        stick: StickRule,
-    },
-    /// No slip while closed.
-    Rough,
-    /// A law of the embedding program.
-    User {
-        /// Its name.
-        name: String,
-        /// Constants of the card.
-        properties: Vec<f64>,
-        /// Number of state variables a point keeps (`DEPVAR`).
-        state_size: usize,
-    },
-}
-
-impl Friction {
-    /// Whether a closed point can feel it at any slip rate. A Coulomb law is none only where both
-    /// its coefficients are zero: with decay the static one alone says nothing.
-    pub fn acts(&self) -> bool {
-        match self {
-            Self::Frictionless => false,
-            Self::Coulomb { .. } => self.coefficients().iter().any(|&mu| mu != 0.0),
-            Self::Rough | Self::User { .. } => true,
-        }
-    }
-
-    /// Coulomb's coefficients at rest and in fast sliding [1]; the same without decay, zero for a
-    /// law that has none.
-    pub fn coefficients(&self) -> [f64; 2] {
-        match *self {
-            Self::Coulomb { coefficient, decay: Some(decay), .. } if decay.rate > 0.0 => {
-                [coefficient, decay.kinetic]
-            }
-            Self::Coulomb { coefficient, .. } => [coefficient; 2],
-            Self::Frictionless | Self::Rough | Self::User { .. } => [0.0; 2],
-        }
-    }
-}
-
-/// mu = mu_k + (mu_s - mu_k) exp(-d_c |slip rate|).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Decay {
-    /// Kinetic coefficient mu_k [1].
-    pub kinetic: f64,
-    /// Decay constant d_c [T/L].
-    pub rate: f64,
-}
-
-/// How sticking is imposed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum StickRule {
-    /// Elastic slip of this fraction of the average contact element length [1].
-    SlipTolerance(f64),
-    /// Elastic slip [L].
-    ElasticSlip(f64),
-    /// Exactly, by a multiplier.
-    Lagrange,
-}
-
-impl Default for StickRule {
-    fn default() -> Self {
-        Self::SlipTolerance(0.005)
     }
 }

@@ -18,6 +18,7 @@ mod controls;
 mod dialect;
 mod driven;
 mod element;
+mod friction;
 mod initial_stress;
 mod load;
 mod model;
@@ -34,8 +35,9 @@ mod vocabulary;
 
 pub use amplitude::{Amplitude, Curve};
 pub use contact::{
-    Adjust, ContactElement, ContactFace, ContactPair, Decay, Formulation, Friction, Interaction,
-    Lumping, Master, MasterFaces, ProfilePoint, RigidSurface, SlideLine, StickRule, SurfaceSegment,
+    Adjust, ContactElement, ContactFace, ContactPair, Formulation, Interaction, Lumping, Master,
+    MasterFaces, OwnSurface, ProfilePoint, RigidSurface, SlideLine, SurfaceRun, SurfaceSegment,
+    Sweep, SweptSurface,
 };
 pub use controls::{Controls, FieldControls, TimeIncrementation};
 pub use dialect::Dialect;
@@ -48,6 +50,7 @@ pub use element::section::{
     BeamSection, Section, ShearRule, SolidSection, SpringSection, SpringWay,
 };
 pub use element::table::{MOST_NODES, TYPES, element_type, types};
+pub use friction::{Decay, Friction, StickRule};
 pub use initial_stress::InitialStress;
 pub use load::{Distributed, Load, Pressure};
 pub use model::Model;

@@ -1,7 +1,7 @@
 //! Steps: what is prescribed, and how the way there is walked.
 
-use crate::contact::Friction;
 use crate::controls::Controls;
+use crate::friction::Friction;
 use crate::load::{Distributed, Load};
 use crate::node::{Dof, NodeIndex};
 use crate::output::OutputRequests;

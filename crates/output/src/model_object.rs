@@ -121,6 +121,7 @@ fn pairs(model: &Model) -> Value {
             Master::RigidSurface(surface) => ("rigid surface", labels(&[surface.reference])),
             Master::SlideLine(chain) => ("slide line", labels(&chain.nodes)),
             Master::Faces(faces) => ("faces", labels(&faces.nodes())),
+            Master::Itself(surface) => ("itself", labels(&surface.nodes().collect::<Vec<_>>())),
         };
         json!({
             "name": pair.name,
@@ -196,6 +197,7 @@ fn friction(list: &mut Settings, card: &str, friction: &Friction, given: bool) {
             StickRule::ElasticSlip(slip) => {
                 (format!("ELASTIC SLIP = {}", general(*slip, 9)), false)
             }
+            StickRule::Slope(slope) => (format!("slope = {}", general(*slope, 9)), false),
             StickRule::Lagrange => ("LAGRANGE".to_owned(), false),
         };
         list.say(card, "stick", &word, default);

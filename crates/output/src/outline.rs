@@ -280,7 +280,7 @@ fn copies(
 fn outlines(model: &Model) -> Vec<Outline> {
     let masters = model.contact_pairs.iter().filter_map(|pair| match &pair.master {
         Master::RigidSurface(surface) => Some(surface),
-        Master::SlideLine(_) | Master::Faces(_) => None,
+        Master::SlideLine(_) | Master::Faces(_) | Master::Itself(_) => None,
     });
     masters.map(outline).collect()
 }

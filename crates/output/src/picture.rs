@@ -60,9 +60,10 @@ pub fn picture(model: &Model, points: &[ContactRow]) -> Scene {
 
 /// Lines of the masters of a model, undeformed, in their direction of travel.
 fn master_lines(model: &Model) -> Vec<Vec<[f64; 3]>> {
-    let chains = model.contact_pairs.iter().filter_map(|pair| match &pair.master {
-        Master::SlideLine(chain) => Some(&chain.nodes),
-        Master::RigidSurface(_) | Master::Faces(_) => None,
+    let chains = model.contact_pairs.iter().flat_map(|pair| match &pair.master {
+        Master::SlideLine(chain) => vec![&chain.nodes],
+        Master::Itself(surface) => surface.runs.iter().map(|run| &run.nodes).collect(),
+        Master::RigidSurface(_) | Master::Faces(_) => Vec::new(),
     });
     let chains = chains.map(|nodes| nodes.iter().map(|&node| model.nodes.position(node)).collect());
     let profiles = outline::chains(model);

@@ -97,6 +97,28 @@ fn nodes_near_the_master_are_moved_onto_it() {
     assert!(places[1][1] == -0.003 && said.is_empty());
 }
 
+/// Requirement: with *CLEARANCE nodes begin at the gap that is asked for, above the master or within it;
+/// what is further from it than half a face stays, and that is said.
+#[test]
+fn a_clearance_is_the_gap_at_the_start() {
+    for value in [0.02, -0.01, 0.0] {
+        let card =
+            format!("*CLEARANCE, SLAVE=UNDERSIDE, MASTER=GROUND, VALUE={value:?}\n*BOUNDARY");
+        let deck = block("", PLANE).replacen("*BOUNDARY", &card, 1);
+        let (places, said) = underside(&deck);
+        for place in &places {
+            assert!((place[1] - value).abs() < 1e-12, "{place:?} beside {value}");
+        }
+        assert!(said.len() == 1 && said[0].contains("*CLEARANCE moved"), "{said:?}");
+    }
+    let far = block("", PLANE)
+        .replace("*BOUNDARY", "*CLEARANCE, SLAVE=UNDERSIDE, MASTER=GROUND, VALUE=2.0\n*BOUNDARY");
+    let read = Job::read_text("block", &far, &ReadOptions::default());
+    assert!(read.diagnostics.iter().any(|said| said.code.0 == "SL0418"));
+    let (places, _) = underside(&far);
+    assert_eq!(places[3][1], 0.3);
+}
+
 #[derive(Default)]
 struct Largest(f64, f64);
 

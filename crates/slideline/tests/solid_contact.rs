@@ -214,6 +214,28 @@ fn a_block_slides_over_a_block() {
     assert!(last.iterations <= 24, "{}", last.iterations);
 }
 
+/// Requirement: where the end of a master has passed over a slave node, which then stands behind it
+/// without having met it, a further step that moves next to nothing changes next to nothing. Source:
+/// a step is a division of time, not of mechanics. Tolerance: what the motion does.
+#[test]
+fn a_further_step_catches_no_node_that_stands_behind() {
+    let swapped = blocks(0.3, 0.0).replace("DOWNWARD, UPWARD", "UPWARD, DOWNWARD");
+    let further = "*STEP, NLGEOM
+*STATIC
+1.0, 1.0
+*BOUNDARY
+TOP, 1, 1, 0.3001
+TOP, 2, 2, -0.02
+*END STEP
+";
+    let before = solved(&swapped, 118);
+    let after = solved(&format!("{swapped}{further}"), 118);
+    let [a, b] = [&before, &after].map(|last| last.force[1].abs());
+    assert!(a > 0.0 && (a - b).abs() < 2e-3 * a, "{a} {b}");
+    let closed = |last: &Last| last.contact.iter().filter(|row| row.pressure > 0.0).count();
+    assert_eq!(closed(&before), closed(&after));
+}
+
 /// Requirement: the same blocks are read with contact spread over their faces, and slide at mu times
 /// the force that presses them.
 #[test]

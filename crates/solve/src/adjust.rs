@@ -1,4 +1,4 @@
-//! Slave nodes that begin on their master: `ADJUST`.
+//! Slave nodes that begin on their master, `ADJUST`, or at a gap from it, `*CLEARANCE`.
 //!
 //! ```text
 //!      o  o  o          the nodes near the master move along its normal onto it,
@@ -6,6 +6,7 @@
 //! ```
 
 use crate::commit::initial_contact;
+use crate::contact::mean_length;
 use crate::observe::ContactRow;
 use slideline_diag::{Code, Diagnostic};
 use slideline_model::{Adjust, ContactPair, Model, NodeIndex};
@@ -13,6 +14,8 @@ use std::collections::{HashMap, HashSet};
 
 /// Most moves of a node: a curved master is met by Newton's method, mean gaps of faces one by one.
 const MOST: usize = 100;
+/// Longest way to a clearance, over the mean length of the faces [1].
+const FAR: f64 = 0.5;
 /// Gaps that are left, over the size of the model [1].
 const CLOSE: f64 = 1e-13;
 
@@ -21,29 +24,59 @@ pub fn adjust(model: &mut Model) -> Vec<Diagnostic> {
     let asked = |pair: &ContactPair| pair.adjust != Adjust::Nothing;
     let pairs: Vec<usize> =
         (0..model.contact_pairs.len()).filter(|&p| asked(&model.contact_pairs[p])).collect();
-    pairs.into_iter().filter_map(|pair| adjust_pair(pair, model)).collect()
+    pairs.into_iter().flat_map(|pair| adjust_pair(pair, model)).collect()
 }
 
-fn adjust_pair(place: usize, model: &mut Model) -> Option<Diagnostic> {
+fn adjust_pair(place: usize, model: &mut Model) -> Vec<Diagnostic> {
     let positions = model.nodes.iter().flat_map(|node| node.position);
     let reach = positions.fold(0.0, |largest: f64, x| largest.max(x.abs()));
-    let mut rows = asked_for(&model.contact_pairs[place].adjust, facing(place, model));
+    let pair = &model.contact_pairs[place];
+    let (goal, reach_of_faces) = (goal(&pair.adjust), FAR * mean_length(model, pair));
+    let mut rows = asked_for(&pair.adjust, facing(place, model));
+    let all = rows.len();
+    if let Adjust::Clearance(_) = pair.adjust {
+        rows.retain(|row| (row.opening - goal).abs() <= reach_of_faces);
+    }
+    let left = all - rows.len();
     let moved: HashMap<NodeIndex, [f64; 3]> =
         rows.iter().map(|row| (row.node, model.nodes.position(row.node))).collect();
     for _ in 0..MOST {
-        let largest = rows.iter().map(|row| row.opening.abs()).fold(0.0, f64::max);
+        let largest = rows.iter().map(|row| (row.opening - goal).abs()).fold(0.0, f64::max);
         if largest <= CLOSE * reach {
             break;
         }
         for row in &rows {
             let at = model.nodes.position(row.node);
-            let onto = std::array::from_fn(|k| at[k] - row.opening * row.normal[k]);
+            let way = row.opening - goal;
+            let onto = std::array::from_fn(|k| at[k] - way * row.normal[k]);
             model.nodes.place(row.node, onto);
         }
         rows = facing(place, model);
         rows.retain(|row| moved.contains_key(&row.node));
     }
-    said(&model.contact_pairs[place], model, &moved)
+    let pair = &model.contact_pairs[place];
+    said(pair, model, &moved).into_iter().chain(too_far(pair, (left, all))).collect()
+}
+
+/// The gap at which slave nodes begin [L].
+fn goal(adjust: &Adjust) -> f64 {
+    match adjust {
+        Adjust::Clearance(gap) => *gap,
+        _ => 0.0,
+    }
+}
+
+/// Slave nodes that are left where they are, as the way to their clearance is long.
+fn too_far(pair: &ContactPair, (left, all): (usize, usize)) -> Option<Diagnostic> {
+    let message = format!(
+        "{left} of {all} slave nodes of {} are further from their *CLEARANCE than half a face and \
+         stay where they are",
+        pair.name
+    );
+    let warning = Diagnostic::warning(Code("SL0418"), message).at(pair.origin);
+    let help = "nodes are moved to their clearance: name the faces that lie along one another, and \
+                draw them near it";
+    (left > 0).then(|| warning.help(help))
 }
 
 /// The contact points of a pair that face its master.
@@ -53,10 +86,11 @@ fn facing(place: usize, model: &Model) -> Vec<ContactRow> {
     rows
 }
 
-/// Those of them that are to begin on it.
+/// Those of them that are to begin on it, or at a gap from it.
 fn asked_for(adjust: &Adjust, mut rows: Vec<ContactRow>) -> Vec<ContactRow> {
     match adjust {
         Adjust::Nothing => rows.clear(),
+        Adjust::Clearance(_) => {}
         Adjust::Within(distance) => rows.retain(|row| row.opening <= *distance),
         Adjust::Nodes(nodes) => {
             let asked: HashSet<NodeIndex> = nodes.iter().copied().collect();
@@ -82,8 +116,12 @@ fn said(
     let further =
         |a: &&(f64, NodeIndex), b: &&(f64, NodeIndex)| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1));
     let (furthest, node) = *ways.iter().max_by(further)?;
+    let (card, goal) = match pair.adjust {
+        Adjust::Clearance(_) => ("*CLEARANCE", "to its gap from"),
+        _ => ("ADJUST", "onto"),
+    };
     let message = format!(
-        "ADJUST moved {} slave node{} of {} onto the master, node {} by {furthest:.4e}",
+        "{card} moved {} slave node{} of {} {goal} the master, node {} by {furthest:.4e}",
         ways.len(),
         if ways.len() == 1 { "" } else { "s" },
         pair.name,

@@ -12,7 +12,7 @@ use crate::state::State;
 use crate::target::Target;
 use crate::users::UserFrictions;
 use slideline_mech::turn::Turn;
-use slideline_model::Model;
+use slideline_model::{Model, Presence};
 
 /// Writes the state after an increment into `trial` (every field).
 pub fn commit(
@@ -103,14 +103,18 @@ fn count_slip(plan: &Problem<'_>, committed: &State, work: &Scratch, trial: &mut
 
 /// Fills in where the contact points of a committed state stand, without
 /// touching their history: the gaps of the start, and the origin of slip for
-/// points that close in the first increment. `positions` is scratch.
+/// points that close in the first increment. `before` is what the step before had of the model,
+/// `positions` is scratch.
 pub fn locate_points(
     contact: &Contact,
+    before: Option<&Presence>,
     committed: &mut State,
-    positions: &mut MasterPositions,
-    kinematics: &mut ContactKinematics,
+    (positions, kinematics): (&mut MasterPositions, &mut ContactKinematics),
 ) {
     contact.locate((&committed.displacement, Before::of(committed)), &[], positions, kinematics);
+    if let Some(before) = before {
+        contact.stay_behind(before, &committed.points, kinematics);
+    }
     for (point, kinematics) in committed.points.iter_mut().zip(kinematics.points()) {
         point.opening = -kinematics.overclosure;
         point.along = kinematics.faces.then_some(kinematics.along);
@@ -134,7 +138,8 @@ pub fn initial_contact(model: &Model) -> Vec<ContactRow> {
     let points = contact.points.len();
     let mut state = State::undeformed(dofs.len(), points, (contact.state_size, 0));
     let mut kinematics = contact.nowhere();
-    locate_points(&contact, &mut state, &mut MasterPositions::default(), &mut kinematics);
+    let places = (&mut MasterPositions::default(), &mut kinematics);
+    locate_points(&contact, None, &mut state, places);
     contact_rows((model, &dofs), &contact, &state, (&mut rows, &mut Vec::new()));
     rows
 }

@@ -21,6 +21,7 @@ mod kinematics;
 mod laws;
 mod master;
 mod mortar;
+mod mortar_faces;
 mod operator;
 mod pairs;
 mod placing;

@@ -333,6 +333,9 @@ fn of_bodies(model: &Model, mut call: impl FnMut(bool, (NodeIndex, Dof))) {
             Master::SlideLine(line) => {
                 line.nodes.iter().flat_map(|&node| point(model, node)).for_each(&mut note);
             }
+            Master::Itself(surface) => {
+                surface.nodes().flat_map(|node| point(model, node)).for_each(&mut note);
+            }
             Master::Faces(faces) => {
                 let nodes = faces.faces.iter().flat_map(|face| face.nodes.iter().copied());
                 nodes.flat_map(|node| point(model, node)).for_each(&mut note);

@@ -104,6 +104,10 @@ fn couplings(pair: &ContactPair) -> (f64, &ContactPair) {
             let parts = crate::contact::coupled_parts(points, line.nodes.len() as f64);
             (POINT + COUPLING * parts) * points
         }
+        Master::Itself(surface) => {
+            let parts = crate::contact::coupled_parts(points, surface.nodes().count() as f64);
+            (POINT + COUPLING * parts) * points
+        }
         Master::Faces(_) => (POINT + COUPLING * FACE_NODES) * points,
     };
     (bytes, pair)
@@ -181,6 +185,7 @@ mod tests {
         let pair = ContactPair {
             adjust: slideline_model::Adjust::Nothing,
             corners: Vec::new(),
+            slaves: Vec::new(),
             name: "P".to_owned(),
             formulation: slideline_model::Formulation::SurfaceToSurface,
             vocabulary: slideline_model::Vocabulary::Elements,

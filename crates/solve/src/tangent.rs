@@ -202,6 +202,7 @@ pub fn assembled(place: &Place<'_>) -> Vec<f64> {
     for point in 0..plan.contact.points.len() {
         place.add_point(point, &mut scratch, &mut values);
     }
+    place.add_faces(&mut scratch, &mut values);
     values
 }
 
@@ -229,6 +230,21 @@ impl Place<'_> {
             geometry[rows.width() * i + j] + now.area * (slope * a[i] * a[j] + friction)
         };
         plan.scatter(&evaluation.rows, rows.unknowns, entry, values);
+    }
+
+    /// Adds the geometry of faces in space that contact is spread over.
+    fn add_faces(&self, scratch: &mut GeometryScratch, values: &mut [f64]) {
+        let Place { plan, evaluation, .. } = self;
+        let forces = |place: usize| {
+            let (kinematics, now) = (evaluation.kinematics.at(place), &evaluation.points[place]);
+            let ((pressure, traction), _) = self.law(place, &kinematics);
+            now.closed.then(|| (now.area * pressure, now.area * traction.tau))
+        };
+        let kinematics = &evaluation.kinematics;
+        plan.contact.tangents_of_faces(kinematics, forces, scratch, |dofs, tangent| {
+            let at = |i: usize, j: usize| tangent[dofs.len() * i + j];
+            plan.scatter(&evaluation.rows, dofs, at, values);
+        });
     }
 
     /// Adds the forces of points as they stand at displacements `u`, and those

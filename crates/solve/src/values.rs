@@ -84,7 +84,7 @@ impl Values {
 fn surface_points(model: &Model) -> impl Iterator<Item = f64> {
     let surfaces = model.contact_pairs.iter().filter_map(|pair| match &pair.master {
         Master::RigidSurface(surface) => Some(surface),
-        Master::SlideLine(_) | Master::Faces(_) => None,
+        Master::SlideLine(_) | Master::Faces(_) | Master::Itself(_) => None,
     });
     surfaces.flat_map(|surface| {
         let ends = surface.segments.iter().flat_map(|segment| match *segment {

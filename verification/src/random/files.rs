@@ -69,13 +69,15 @@ pub struct Files {
 }
 
 /// A table with a header.
-struct Rows {
+pub(super) struct Rows {
     columns: HashMap<String, usize>,
-    cells: Vec<Vec<String>>,
+    /// Its rows.
+    pub cells: Vec<Vec<String>>,
 }
 
 impl Rows {
-    fn read(path: &Path) -> Option<Self> {
+    /// Reads a file; none where there is no table.
+    pub fn read(path: &Path) -> Option<Self> {
         let text = std::fs::read_to_string(path).ok()?;
         let mut lines = text.lines();
         let split = |line: &str| line.split(',').map(str::to_owned).collect::<Vec<_>>();
@@ -83,19 +85,23 @@ impl Rows {
         Some(Self { columns, cells: lines.map(split).collect() })
     }
 
-    fn text(&self, row: usize, column: &str) -> &str {
+    /// What stands in a row.
+    pub fn text(&self, row: usize, column: &str) -> &str {
         self.columns.get(column).map_or("", |&at| self.cells[row][at].as_str())
     }
 
-    fn number(&self, row: usize, column: &str) -> f64 {
+    /// A number of a row, NaN where there is none.
+    pub fn number(&self, row: usize, column: &str) -> f64 {
         self.text(row, column).parse().unwrap_or(f64::NAN)
     }
 
-    fn whole(&self, row: usize, column: &str) -> usize {
+    /// A whole number of a row, 0 where there is none.
+    pub fn whole(&self, row: usize, column: &str) -> usize {
         self.text(row, column).parse().unwrap_or(0)
     }
 
-    fn key(&self, row: usize) -> (usize, usize) {
+    /// Step and increment of a row.
+    pub fn key(&self, row: usize) -> (usize, usize) {
         (self.whole(row, "step"), self.whole(row, "increment"))
     }
 }
@@ -143,7 +149,7 @@ pub fn read(case: &Case, folder: &Path, job: &str) -> Option<Files> {
 }
 
 /// The first text member of that name.
-fn member<'a>(json: &'a str, name: &str) -> &'a str {
+pub(super) fn member<'a>(json: &'a str, name: &str) -> &'a str {
     let mark = format!("\"{name}\":\"");
     json.split(mark.as_str()).nth(1).and_then(|rest| rest.split('"').next()).unwrap_or("")
 }

@@ -14,10 +14,12 @@ pub mod classes;
 mod deck;
 mod files;
 mod judge;
+mod label;
 mod passing;
 mod physics;
 mod sequence;
 mod shapes;
+pub mod solids;
 pub mod trial;
 
 pub use deck::{Kind, Model, model};

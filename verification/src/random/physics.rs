@@ -66,10 +66,14 @@ fn energy(files: &Files) -> f64 {
 
 /// What is missing of the energy, at worst, in all that was turned over [1].
 pub fn missing(files: &Files) -> f64 {
-    let missing = files.states.iter().map(|s| s.energy.balance.abs()).fold(0.0, f64::max);
+    missing_of(files.states.iter().map(|state| state.energy))
+}
+
+/// The same of the energies of the increments.
+pub fn missing_of(energies: impl Iterator<Item = Energy> + Clone) -> f64 {
+    let missing = energies.clone().map(|energy| energy.balance.abs()).fold(0.0, f64::max);
     let (mut turned_over, mut before) = (0.0, [0.0; 2]);
-    for state in &files.states {
-        let Energy { work, balance, .. } = state.energy;
+    for Energy { work, balance, .. } in energies {
         let now = [work, work - balance];
         turned_over += (now[0] - before[0]).abs().max((now[1] - before[1]).abs());
         before = now;
@@ -111,7 +115,7 @@ fn law(case: &Case, point: &Point, most: f64) -> Option<(&'static str, String)> 
         }
         return None;
     }
-    let (expected, slope) = pressure(&draft.normal, -open);
+    let (expected, slope) = law_of(&draft.normal, -open);
     // a gap is a difference of coordinates
     let rounding = 1e-13 * slope * 10.0;
     ((p - expected).abs() > 1e-6 * most.max(expected) + rounding)
@@ -119,7 +123,7 @@ fn law(case: &Case, point: &Point, most: f64) -> Option<(&'static str, String)> 
 }
 
 /// Pressure of a softened law and its slope.
-fn pressure(normal: &Normal, h: f64) -> (f64, f64) {
+pub fn law_of(normal: &Normal, h: f64) -> (f64, f64) {
     match normal {
         Normal::Hard => (0.0, 0.0),
         Normal::Linear(k) => (k * h.max(0.0), *k),

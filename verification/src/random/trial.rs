@@ -1,6 +1,8 @@
 //! Runs models of the classes, files and all, and judges what they left.
 
-use super::classes::{Case, Class, Promise};
+pub use super::label::Label;
+
+use super::classes::{Case, Class};
 use super::files::{self, Files};
 use super::{passing, physics};
 use slideline::observe::{Event, Observer, Stop};
@@ -88,36 +90,54 @@ pub fn attempt(case: &Case, folder: &Path, limit: Duration) -> Verdict {
     verdict
 }
 
-/// Runs once; files as well, where there are.
-fn once(case: &Case, folder: &Path, limit: Duration) -> (Verdict, Option<Files>) {
+/// A run of the job "model", before its files are read.
+#[derive(Debug)]
+pub struct Ran {
+    /// What was said; none after a panic.
+    said: Option<Vec<String>>,
+    stopped: bool,
+    seconds: f64,
+    work: [usize; 2],
+}
+
+impl Ran {
+    /// Its ending, with status and diagnosis of its files where there are.
+    pub fn verdict(self, told: Option<(&str, Option<(String, String)>)>) -> Verdict {
+        let ending = match (self.said, told) {
+            (None, _) => Ending::Panic,
+            _ if self.stopped => Ending::TimeUp,
+            (Some(said), None) => Ending::Unreadable(said.concat()),
+            (_, Some(("completed", _))) => Ending::Completed,
+            (_, Some((_, diagnosis))) => {
+                let (code, why) = diagnosis.unwrap_or_default();
+                Ending::Diagnosed(code, why)
+            }
+        };
+        Verdict { ending, violations: Vec::new(), seconds: self.seconds, work: self.work }
+    }
+}
+
+/// Runs a deck in a folder as the job "model", no longer than the limit.
+pub fn run_text(text: &str, folder: &Path, limit: Duration) -> Ran {
     let began = Instant::now();
     let mut clock = Clock { end: began + limit, stopped: false, work: [0; 2] };
-    let text = case.text();
     let ran = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
-        let read = Job::read_text("model", &text, &ReadOptions::default());
+        let read = Job::read_text("model", text, &ReadOptions::default());
         let options = RunOptions { folder: Some(folder.to_owned()), ..RunOptions::default() };
         let outcome = run(&read, &options, &mut clock);
-        read.diagnostics.into_iter().chain(outcome.diagnostics).collect::<Vec<_>>()
+        let said = read.diagnostics.into_iter().chain(outcome.diagnostics);
+        said.map(|said| format!("{}: {}", said.code.0, said.message)).collect()
     }));
-    let mut verdict = Verdict {
-        ending: Ending::Panic,
-        violations: Vec::new(),
-        seconds: began.elapsed().as_secs_f64(),
-        work: clock.work,
-    };
-    let Ok(said) = ran else { return (verdict, None) };
+    let seconds = began.elapsed().as_secs_f64();
+    Ran { said: ran.ok(), stopped: clock.stopped, seconds, work: clock.work }
+}
+
+/// Runs once; files as well, where there are.
+fn once(case: &Case, folder: &Path, limit: Duration) -> (Verdict, Option<Files>) {
+    let ran = run_text(&case.text(), folder, limit);
     let files = files::read(case, folder, "model");
-    verdict.ending = match &files {
-        _ if clock.stopped => Ending::TimeUp,
-        None => Ending::Unreadable(
-            said.iter().map(|said| format!("{}: {}", said.code.0, said.message)).collect(),
-        ),
-        Some(files) if files.status == "completed" => Ending::Completed,
-        Some(files) => {
-            let (code, why) = files.diagnosis.clone().unwrap_or_default();
-            Ending::Diagnosed(code, why)
-        }
-    };
+    let told = files.as_ref().map(|files| (files.status.as_str(), files.diagnosis.clone()));
+    let mut verdict = ran.verdict(told);
     if let (Ending::Completed, Some(files)) = (&verdict.ending, &files) {
         verdict.violations = physics::violations(case, files);
         let crossed = passing::violations(case, files);
@@ -174,8 +194,7 @@ pub struct Counts {
 
 impl Counts {
     /// Takes a verdict in.
-    pub fn add(&mut self, case: &Case, verdict: &Verdict) {
-        let well_posed = case.draft.promise == Promise::WellPosed;
+    pub fn add(&mut self, Label { number, well_posed, .. }: Label, verdict: &Verdict) {
         self.models[0] += 1;
         self.models[1] += usize::from(well_posed);
         match failure(verdict) {
@@ -186,7 +205,7 @@ impl Counts {
             *self.violations.entry(kind).or_default() += 1;
         }
         if verdict.seconds > self.slowest.0 {
-            self.slowest = (verdict.seconds, case.number);
+            self.slowest = (verdict.seconds, number);
         }
         (0..2).for_each(|k| self.work[k] += verdict.work[k]);
     }
@@ -209,8 +228,8 @@ pub struct Table(pub BTreeMap<&'static str, Counts>);
 
 impl Table {
     /// Takes a verdict in.
-    pub fn add(&mut self, case: &Case, verdict: &Verdict) {
-        self.0.entry(case.class).or_default().add(case, verdict);
+    pub fn add(&mut self, label: Label, verdict: &Verdict) {
+        self.0.entry(label.class).or_default().add(label, verdict);
     }
 
     /// Well-posed models, and those that completed.

@@ -32,6 +32,14 @@ const WRITTEN: &[(&str, &str)] = &[
     ("index", include_str!("../../../../docs/guide/index.md")),
     ("getting-started", include_str!("../../../../docs/guide/getting-started.md")),
     ("snap-fit", include_str!("../../../../docs/guide/snap-fit.md")),
+    ("field/index", include_str!("../../../../docs/field/index.md")),
+    ("field/hook", include_str!("../../../../docs/field/hook.md")),
+    ("field/annular", include_str!("../../../../docs/field/annular.md")),
+    ("field/rail_clip", include_str!("../../../../docs/field/rail_clip.md")),
+    ("field/cam_latch", include_str!("../../../../docs/field/cam_latch.md")),
+    ("field/o_ring", include_str!("../../../../docs/field/o_ring.md")),
+    ("field/press_fit", include_str!("../../../../docs/field/press_fit.md")),
+    ("field/battery_contact", include_str!("../../../../docs/field/battery_contact.md")),
     ("paper", include_str!("../../../../docs/guide/paper.md")),
     ("limits-of-use", include_str!("../../../../docs/limits-of-use.md")),
     ("files", include_str!("../../../../docs/files.md")),
@@ -46,6 +54,16 @@ const WRITTEN: &[(&str, &str)] = &[
 const IMAGES: &[(&str, &[u8])] = &[
     ("images/methods.png", include_bytes!("../../../../docs/images/methods.png")),
     ("images/friction-dropped.png", include_bytes!("../../../../docs/images/friction-dropped.png")),
+    ("images/field/hook.png", include_bytes!("../../../../docs/images/field/hook.png")),
+    ("images/field/annular.png", include_bytes!("../../../../docs/images/field/annular.png")),
+    ("images/field/rail_clip.png", include_bytes!("../../../../docs/images/field/rail_clip.png")),
+    ("images/field/cam_latch.png", include_bytes!("../../../../docs/images/field/cam_latch.png")),
+    ("images/field/o_ring.png", include_bytes!("../../../../docs/images/field/o_ring.png")),
+    ("images/field/press_fit.png", include_bytes!("../../../../docs/images/field/press_fit.png")),
+    (
+        "images/field/battery_contact.png",
+        include_bytes!("../../../../docs/images/field/battery_contact.png"),
+    ),
 ];
 
 /// Writes the pages.

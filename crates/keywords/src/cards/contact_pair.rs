@@ -29,6 +29,7 @@ impl Keyword for ContactPair {
             Rule::flag("NO THICKNESS"),
             Rule::value("ADJUST"),
             Rule::flag("SMALL SLIDING"),
+            Rule::flag("TIED"),
         ];
         RULES
     }
@@ -76,8 +77,16 @@ impl Keyword for ContactPair {
         for line in card.data() {
             draft.log.at_most(line, 2);
             let slave = surface(line, 0, "the slave surface", &mut draft.log);
-            let master = surface(line, 1, "the master surface", &mut draft.log);
-            let Some((slave, master)) = slave.zip(master) else { continue };
+            let Some(slave) = slave else { continue };
+            // one surface alone meets itself
+            let alone = line.field(1).is_none();
+            let master = match alone {
+                true => slave.clone(),
+                false => match surface(line, 1, "the master surface", &mut draft.log) {
+                    Some(master) => master,
+                    None => continue,
+                },
+            };
             draft.pairings.push(Pairing {
                 slave,
                 master,
@@ -85,9 +94,11 @@ impl Keyword for ContactPair {
                 formulation,
                 smooth,
                 extension,
+                alone,
                 chain_parameter: given.map(|name| (name, card.span_of(name))),
                 adjust: adjust.clone(),
                 no_thickness: card.has("NO THICKNESS"),
+                is_tied: card.has("TIED"),
                 origin: line.span,
             });
         }

@@ -2,7 +2,7 @@
 
 use slideline_deck::DataLine;
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{self as model, Decay, StickRule};
+use slideline_model::{self as model, Decay, Dialect, StickRule};
 
 use crate::draft::Draft;
 use crate::keyword::{Keyword, Level, Rule, Subject};
@@ -109,8 +109,8 @@ fn law(card: &Reading<'_>, draft: &mut Draft) -> Option<model::Friction> {
 
 fn coulomb(card: &Reading<'_>, draft: &mut Draft) -> Option<model::Friction> {
     let limit = positive(card, "TAUMAX", true, draft);
-    let stick = stick_rule(card, draft);
     let line = card.first_line("the coefficient of friction", &mut draft.log)?;
+    let stick = stick_rule(card, line, draft);
     if let Some(second) = card.data().get(1) {
         let message = "a coefficient that depends on slip rate, pressure or temperature \
                        is not supported: one data line";
@@ -121,13 +121,7 @@ fn coulomb(card: &Reading<'_>, draft: &mut Draft) -> Option<model::Friction> {
         draft.log.at_most(line, 3);
         Some(decay(line, coefficient, draft)?)
     } else {
-        let stick_slope = draft.dialect == slideline_model::Dialect::Calculix;
-        draft.log.at_most(line, if stick_slope { 2 } else { 1 });
-        if let Some(field) = line.field(1).filter(|_| stick_slope) {
-            let message = "the stick slope is not used: sticking gives way by the elastic slip \
-                           of *FRICTION, SLIP TOLERANCE";
-            draft.log.note("SL0253", message, field.span);
-        }
+        draft.log.at_most(line, if draft.dialect == Dialect::Calculix { 2 } else { 1 });
         None
     };
     let coefficient = coefficient?;
@@ -168,9 +162,22 @@ fn decay(line: &DataLine, fixed: Option<f64>, draft: &mut Draft) -> Option<Decay
     Some(Decay { kinetic, rate })
 }
 
-fn stick_rule(card: &Reading<'_>, draft: &mut Draft) -> Option<StickRule> {
+/// How sticking is imposed; CalculiX has its stick slope behind the coefficient.
+fn stick_rule(card: &Reading<'_>, line: &DataLine, draft: &mut Draft) -> Option<StickRule> {
     if card.has("LAGRANGE") {
         return Some(StickRule::Lagrange);
+    }
+    if draft.dialect == Dialect::Calculix
+        && line.field(1).is_some()
+        && !card.has("EXPONENTIAL DECAY")
+    {
+        let slope = draft.log.number(line, 1, "the stick slope")?;
+        if slope <= 0.0 {
+            let message = "the stick slope, traction by slip, must be positive";
+            draft.log.error("SL0210", message, line.fields[1].span);
+            return None;
+        }
+        return Some(StickRule::Slope(slope));
     }
     if let Some(slip) = positive(card, "ELASTIC SLIP", false, draft)? {
         return Some(StickRule::ElasticSlip(slip));

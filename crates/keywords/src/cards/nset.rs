@@ -33,7 +33,7 @@ impl Keyword for Nset {
     }
 
     fn without_effect(&self) -> &'static [&'static str] {
-        &["SORTED"]
+        &["SORTED", "FREQUENCY"]
     }
 
     fn level(&self) -> Level {

@@ -76,6 +76,7 @@ impl Keyword for RigidBody {
             pinned,
             elements,
             surface,
+            markers: None,
             origin,
         });
     }

@@ -52,34 +52,50 @@ pub(crate) fn segments(
     card: &Reading<'_>,
     draft: &mut Draft,
 ) -> Option<(ProfilePoint, Vec<SurfaceSegment>)> {
+    card.first_line("START, x, y", &mut draft.log)?;
+    profile(card, card.data(), draft)
+}
+
+/// The same on lines that follow others of the card.
+pub(super) fn profile(
+    card: &Reading<'_>,
+    lines: &[DataLine],
+    draft: &mut Draft,
+) -> Option<Profile> {
     let errors = draft.log.errors();
     let radius = card.number("FILLET RADIUS", &mut draft.log)?.filter(|&radius| radius != 0.0);
     if radius.is_some_and(|radius| radius < 0.0) {
         let span = card.span_of("FILLET RADIUS");
         draft.log.error("SL0210", "FILLET RADIUS must not be negative", span);
     }
-    let start = start(card.first_line("START, x, y", &mut draft.log)?, draft)?;
+    let Some((first, rest)) = lines.split_first() else {
+        draft.log.error("SL0237", "the profile START, x, y is missing", card.span());
+        return None;
+    };
+    let start = start(first, draft)?;
     let mut segments = Vec::new();
     let mut from = Some(start);
-    for line in &card.data()[1..] {
+    for line in rest {
         let segment = segment(line, from, draft);
         from = segment.map(|segment| end_of(&segment));
         segments.extend(segment);
     }
-    if card.data().len() < 2 {
+    if rest.is_empty() {
         draft.log.error("SL0237", "a rigid surface needs at least one segment", card.span());
         return None;
     }
     let profile = (start, segments);
     match radius {
-        Some(radius) if draft.log.errors() == errors => with_fillets(card, &profile, radius, draft),
+        Some(radius) if draft.log.errors() == errors => {
+            with_fillets((card, lines), &profile, radius, draft)
+        }
         _ => Some(profile),
     }
 }
 
 /// The profile with its corners rounded; complains about a corner that the arc does not fit.
 fn with_fillets(
-    card: &Reading<'_>,
+    (card, lines): (&Reading<'_>, &[DataLine]),
     profile: &Profile,
     radius: f64,
     draft: &mut Draft,
@@ -89,7 +105,6 @@ fn with_fillets(
         Err(misfit) => misfit,
     };
     let at = misfit.segment.checked_sub(1).map_or(profile.0, |before| profile.1[before].end());
-    let lines = card.data();
     let before = if misfit.segment == 0 { lines.last() } else { lines.get(misfit.segment) };
     let message = format!(
         "an arc of radius {radius} does not fit the corner at ({}, {}): a segment is too short, \

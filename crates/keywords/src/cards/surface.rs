@@ -4,7 +4,7 @@ use slideline_deck::{DataLine, normalise};
 use slideline_diag::{Code, Diagnostic};
 use slideline_model::Dialect;
 
-use super::rigid_surface;
+use super::{rigid_surface, swept_surface};
 use crate::draft::Draft;
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
@@ -43,7 +43,8 @@ impl Keyword for Surface {
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
         let Some(name) = card.name("NAME") else { return };
         let named = Named { name, span: card.span_of("NAME") };
-        let kind = card.choice("TYPE", &["ELEMENT", "NODE", "SEGMENTS"], &mut draft.log);
+        let kinds = &["ELEMENT", "NODE", "SEGMENTS", "CYLINDER", "REVOLUTION"];
+        let kind = card.choice("TYPE", kinds, &mut draft.log);
         let is_nodal = kind == Some("NODE");
         let own = |old: &NamedSurface| old.named.name == named.name;
         let old = draft.named_surfaces.iter().position(own);
@@ -63,6 +64,8 @@ impl Keyword for Surface {
         let extent = match kind {
             Some("SEGMENTS") => rigid_surface::segments(card, draft)
                 .map(|(start, segments)| Extent::Rigid { start, segments }),
+            Some("CYLINDER") => swept_surface::drawn_along(card, draft),
+            Some("REVOLUTION") => swept_surface::turned_about(card, draft),
             Some("NODE") => nodes(card, draft),
             _ => elements(card, draft),
         };
@@ -81,7 +84,7 @@ fn is_twin(is_nodal: bool, old: usize, draft: &Draft) -> bool {
 
 fn without_fillets(card: &Reading<'_>, draft: &mut Draft) {
     if card.has("FILLET RADIUS") {
-        let message = "FILLET RADIUS belongs to TYPE=SEGMENTS";
+        let message = "FILLET RADIUS belongs to TYPE=SEGMENTS, CYLINDER and REVOLUTION";
         draft.log.error("SL0215", message, card.span_of("FILLET RADIUS"));
     }
 }

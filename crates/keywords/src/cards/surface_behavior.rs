@@ -3,7 +3,7 @@
 use slideline_model::{Dialect, NormalLaw};
 
 use super::surface_contact::{exponential, set_law};
-use crate::draft::Draft;
+use crate::draft::{Draft, Owner};
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
 
@@ -18,6 +18,10 @@ impl Keyword for SurfaceBehavior {
     fn parameters(&self) -> &'static [Rule] {
         const RULES: &[Rule] = &[Rule::value("PRESSURE-OVERCLOSURE")];
         RULES
+    }
+
+    fn without_effect(&self) -> &'static [&'static str] {
+        &["AUGMENTED LAGRANGE", "PENALTY", "DIRECT"]
     }
 
     fn level(&self) -> Level {
@@ -39,11 +43,12 @@ impl Keyword for SurfaceBehavior {
         if draft.owning_interaction(self.name(), card.span()).is_none() {
             return;
         }
-        let known = &["HARD", "LINEAR", "EXPONENTIAL", "TABULAR"];
+        let known = &["HARD", "LINEAR", "EXPONENTIAL", "TABULAR", "TIED"];
         let law = match card.choice("PRESSURE-OVERCLOSURE", known, &mut draft.log) {
             Some("LINEAR") => linear(card, draft),
             Some("EXPONENTIAL") => exponential(card, draft),
             Some("TABULAR") => tabular(card, draft),
+            Some("TIED") => tied(card, draft),
             _ if card.has("PRESSURE-OVERCLOSURE")
                 && card.word("PRESSURE-OVERCLOSURE").is_none() =>
             {
@@ -59,6 +64,21 @@ impl Keyword for SurfaceBehavior {
         };
         set_law(self.name(), card, law, draft);
     }
+}
+
+/// CalculiX: the pairs of the interaction are ties. Its stiffness is that of a penalty.
+fn tied(card: &Reading<'_>, draft: &mut Draft) -> Option<NormalLaw> {
+    let Owner::Interaction(place) = draft.owner else {
+        let message = "TIED belongs to a *SURFACE INTERACTION";
+        draft.log.error("SL0215", message, card.span_of("PRESSURE-OVERCLOSURE"));
+        return None;
+    };
+    draft.interactions[place].is_tied = true;
+    if let Some(line) = card.data().first() {
+        let message = "the stiffness of tied contact has no effect: surfaces are tied exactly";
+        draft.log.note("SL0257", message, line.span);
+    }
+    Some(NormalLaw::Hard)
 }
 
 /// `K`; CalculiX adds the largest pull of its rounded law.

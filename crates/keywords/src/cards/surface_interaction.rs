@@ -1,7 +1,6 @@
 //! `*SURFACE INTERACTION`: thickness and laws of a contact, by name.
 
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{Friction, Interaction, NormalLaw};
 
 use crate::draft::{Draft, Owner};
 use crate::keyword::{Keyword, Level, Rule, Subject};
@@ -42,17 +41,13 @@ impl Keyword for SurfaceInteraction {
             draft.log.push(error.label(old.interaction.origin, "defined here first"));
         }
         let thickness = thickness(card, draft);
-        let interaction = Interaction {
-            width: thickness.unwrap_or(1.0),
-            normal: NormalLaw::Hard,
-            friction: Friction::Frictionless,
-            origin: card.span(),
-            normal_origin: None,
-            friction_origin: None,
-        };
+        let mut own = NamedInteraction::plain(named);
+        own.interaction.width = thickness.unwrap_or(1.0);
+        own.interaction.origin = card.span();
+        own.thickness = thickness;
         // The laws that follow are read in any case: one error for one slip.
         draft.owner = Owner::Interaction(draft.interactions.len());
-        draft.interactions.push(NamedInteraction { named, interaction, thickness });
+        draft.interactions.push(own);
     }
 }
 

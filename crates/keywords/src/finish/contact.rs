@@ -127,6 +127,7 @@ fn pair(surface: &Surface, strayed: bool, in_pair: &mut HashMap<usize, Span>, dr
             vocabulary: Vocabulary::Elements,
             adjust: slideline_model::Adjust::Nothing,
             corners: Vec::new(),
+            slaves: Vec::new(),
             faces: Vec::new(),
             elements,
             master,
@@ -232,6 +233,8 @@ fn chain(nodes: &[(u64, Span)], surface: &Surface, draft: &mut Draft) -> Option<
 pub(super) fn both_sides(pair: &ContactPair, span: Span, draft: &mut Draft) {
     let slaves = pair.slave_nodes();
     let own = match &pair.master {
+        // its faces meet others alone
+        Master::Itself(_) => None,
         Master::RigidSurface(rigid) => slaves.contains(&rigid.reference).then_some(rigid.reference),
         Master::SlideLine(line) => {
             let masters: std::collections::HashSet<_> = line.nodes.iter().collect();

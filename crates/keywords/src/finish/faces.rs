@@ -37,7 +37,7 @@ pub(super) fn faces(surface: &NamedSurface, user: Span, draft: &mut Draft) -> Ve
             wrong_kind(surface, "is made of nodes and has no faces", user, draft);
             return Vec::new();
         }
-        Extent::Rigid { .. } => {
+        Extent::Rigid { .. } | Extent::Swept { .. } => {
             wrong_kind(surface, "is analytical and has no faces of elements", user, draft);
             return Vec::new();
         }
@@ -115,7 +115,7 @@ pub(super) fn nodes_of_surface(
                 nodes.extend(draft.nodes_of(target, *span));
             }
         }
-        Extent::Rigid { .. } => {
+        Extent::Rigid { .. } | Extent::Swept { .. } => {
             wrong_kind(surface, "is analytical and has no nodes", user, draft);
         }
     }

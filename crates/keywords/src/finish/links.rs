@@ -67,6 +67,8 @@ fn tie_body(body: &RigidBody, draft: &mut Draft) {
         let pinned = draft.nodes_of(&Target::Set(set.name.clone()), set.span);
         nodes.extend(pinned.into_iter().map(|node| (node, RigidLink::PINNED)));
     }
+    let markers = body.markers.into_iter().flatten();
+    nodes.extend(markers.map(|node| (node, RigidLink::PINNED)));
     let Some(master) = reference else { return };
     let mut seen = HashSet::from([master]);
     seen.extend(turn);

@@ -1,7 +1,7 @@
 //! Both sides of a contact pair while it is put together.
 
 use slideline_diag::{Code, Diagnostic, Span};
-use slideline_model::{ContactElement, ContactFace, Master};
+use slideline_model::{ContactElement, ContactFace, Master, NodeIndex};
 
 use super::surfaces::Found;
 use crate::draft::Draft;
@@ -28,6 +28,8 @@ pub(super) fn is_of_solids(side: &Found) -> bool {
 pub(super) struct Slaves {
     pub elements: Vec<ContactElement>,
     pub faces: Vec<ContactFace>,
+    /// The nodes of the faces that are slaves; empty: all.
+    pub nodes: Vec<NodeIndex>,
 }
 
 pub(super) type Parts = Option<(Slaves, Master)>;

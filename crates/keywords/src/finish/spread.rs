@@ -1,7 +1,7 @@
-//! Contact that is integrated over faces of plane solids: mortar.
+//! Contact that is integrated over faces of solids: mortar.
 //!
 //! ```text
-//!      o-----o-----o      the master: faces, beams, or an analytical surface
+//!      o-----o-----o      the master: faces; in the plane beams or an analytical surface too
 //!    o----o-----o         the slave: faces of solids, which meet smoothly, or at corners
 //!                \
 //! ```
@@ -9,14 +9,14 @@
 use std::collections::HashMap;
 
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{ContactElement, Master, NodeIndex};
+use slideline_mech::surface::mesh::{MeshFace, smooth_groups};
+use slideline_model::{ContactElement, ContactFace, Master, MasterFaces, NodeIndex};
 
 use super::chain::Facet;
 use super::master_chain::slide_line;
 use super::sides::{Parts, Sides, Slaves, refuse};
 use super::surfaces::{Found, between_nodes};
 use crate::draft::Draft;
-use crate::rule::Subject;
 use crate::surfaces::Pairing;
 
 /// Turn of a surface from which on its faces are apart: 45 degrees, as of masters in space.
@@ -31,13 +31,20 @@ pub(super) fn spread(
 ) -> Parts {
     let (slave_name, master_name) = (&pairing.slave.name, &pairing.master.name);
     let (facets, master, surface) = match (slave, master) {
-        (Found::Faces(_), _) | (_, Found::Faces(_)) => {
-            let message = "SURFACE TO SURFACE on faces of solids in space is not supported";
-            let error = Diagnostic::error(Code("SL0221"), message).at(pairing.origin);
-            let help =
-                "give TYPE=NODE TO SURFACE; contact is then sampled at the nodes of the slave";
-            draft.consequence(Subject::Contact, error.help(help));
-            return None;
+        (Found::Faces(slave), Found::Faces(master)) => {
+            return in_space(pairing, sides, (slave, master), draft);
+        }
+        (Found::Faces(_), _) => {
+            let message = format!("{slave_name} is made of faces in space, {master_name} is not");
+            let help = "contact in space is between faces of solids: give the master as elements \
+                        with their faces";
+            return refuse(pairing.master.span, message, help, draft);
+        }
+        (Found::Facets(_) | Found::Rigid(_), Found::Faces(_)) => {
+            let message = format!("{slave_name} is not made of faces in space, {master_name} is");
+            let help = "contact in space is between faces of solids: give the slave as elements \
+                        with their faces";
+            return refuse(pairing.slave.span, message, help, draft);
         }
         (Found::Rigid(surface), Found::Facets(facets)) => {
             let message =
@@ -47,7 +54,7 @@ pub(super) fn spread(
             (facets, Found::Rigid(surface), &sides.slave)
         }
         (Found::Facets(facets), master) => (facets, master, &sides.master),
-        (Found::Nodes(_) | Found::Rigid(_), _) => {
+        (Found::Nodes(_) | Found::Rigid(_) | Found::Swept(_), _) => {
             let message = format!("contact cannot be integrated over the nodes of {slave_name}");
             let help =
                 "define the slave by elements with their faces, or give TYPE=NODE TO SURFACE";
@@ -70,13 +77,38 @@ pub(super) fn spread(
         Found::Facets(facets) => {
             Master::SlideLine(slide_line(pairing, surface, (&facets, &elements), draft)?)
         }
-        Found::Nodes(_) | Found::Faces(_) => {
+        Found::Nodes(_) | Found::Faces(_) | Found::Swept(_) => {
             let message = format!("the node surface {master_name} has no segments to slide on");
             let help = "give the master as elements, or name it first with TYPE=NODE TO SURFACE";
             return refuse(pairing.master.span, message, help, draft);
         }
     };
     Some((Slaves { elements, ..Slaves::default() }, master))
+}
+
+/// Contact spread over the faces of a slave in space.
+fn in_space(
+    pairing: &Pairing,
+    sides: &Sides,
+    (faces, master): (Vec<ContactFace>, Vec<ContactFace>),
+    draft: &mut Draft,
+) -> Parts {
+    let mut known: HashMap<Vec<NodeIndex>, u64> = HashMap::new();
+    for face in &faces {
+        let mut key = face.nodes.clone();
+        key.sort_unstable();
+        let Some(other) = known.insert(key, face.label) else { continue };
+        let message = format!(
+            "the faces of elements {other} and {} of {} lie on one another",
+            face.label, pairing.slave.name
+        );
+        let help = "a slave surface is the outside of its bodies: name every face once";
+        return refuse(pairing.slave.span, message, help, draft);
+    }
+    let (origin, extension) = (sides.master.origin, pairing.extension);
+    let master =
+        Master::Faces(MasterFaces { faces: master, swept: None, smooth: false, extension, origin });
+    Some((Slaves { faces, ..Slaves::default() }, master))
 }
 
 /// Faces of a slave meet two by two, one after the other: none is there twice, none is folded back
@@ -102,6 +134,25 @@ fn sound(facets: &[Facet], pairing: &Pairing, draft: &mut Draft) -> Option<()> {
         }
     }
     Some(())
+}
+
+/// Slave nodes of a surface in space at which it turns sharply, as often as faces that meet there
+/// are apart from the first ones.
+pub(super) fn sharp_edges(faces: &[ContactFace], draft: &Draft) -> Vec<NodeIndex> {
+    let of_mesh =
+        |face: &ContactFace| Some(MeshFace { cell: face.cell()?, nodes: face.nodes.clone() });
+    let mesh: Vec<MeshFace> = faces.iter().filter_map(of_mesh).collect();
+    let groups = smooth_groups(&mesh, |node| draft.model.nodes.position(node));
+    let (mut first, mut others) = (HashMap::new(), Vec::new());
+    for (face, groups) in mesh.iter().zip(groups) {
+        for (&node, group) in face.nodes.iter().zip(groups).take(face.cell.faces.len()) {
+            let own = *first.entry(node).or_insert(group);
+            if own != group && !others.contains(&(node, group)) {
+                others.push((node, group));
+            }
+        }
+    }
+    others.into_iter().map(|(node, _)| node).collect()
 }
 
 /// Slave nodes at which the surface turns sharply.

@@ -18,23 +18,28 @@ use std::collections::HashSet;
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{
-    Adjust, ContactElement, ContactFace, ContactPair, Formulation, Interaction, Master,
-    MasterFaces, NodeIndex, Section, Vocabulary,
+    Adjust, ContactElement, ContactPair, Formulation, Interaction, Master, Section, Vocabulary,
 };
 
 use super::chain::{Chain, Facet};
+use super::clearances::clearances;
 use super::contact::both_sides;
+use super::general_contact;
+use super::in_space::{self, at_nodes_in_space};
 use super::master_chain::slide_line;
+use super::own_surface::own_surface;
 use super::remarks::remarks;
 use super::sides::{Parts, Sides, Slaves, is_of_solids, refuse};
-use super::spread::{corners, spread};
-use super::surfaces::{Found, between_nodes, contact_elements, faces_between, found, stretches};
+use super::spread::{corners, sharp_edges, spread};
+use super::surfaces::{Found, between_nodes, contact_elements, found, stretches};
+use super::tied_pairs::{is_tied, tie};
 use crate::draft::Draft;
 use crate::rule::Subject;
-use crate::surfaces::{Adjusted, Pairing};
+use crate::surfaces::{Adjusted, NamedSurface, Pairing};
 
 pub(super) fn pairs(draft: &mut Draft) {
     bodies(draft);
+    general_contact::pairings(draft);
     let pairings = std::mem::take(&mut draft.pairings);
     for (place, pairing) in pairings.iter().enumerate() {
         let same = |other: &&Pairing| {
@@ -48,8 +53,12 @@ pub(super) fn pairs(draft: &mut Draft) {
             draft.consequence(Subject::Contact, error.label(first.origin, "the first one"));
             continue;
         }
-        pair(pairing, draft);
+        match is_tied(pairing, draft) && interaction(pairing, draft).is_some() {
+            true => tie(pairing, draft),
+            false => pair(pairing, draft),
+        }
     }
+    clearances(draft);
     unused(&pairings, draft);
 }
 
@@ -59,10 +68,10 @@ fn bodies(draft: &mut Draft) {
     for body in draft.bodies.clone() {
         let Some(named) = body.surface else { continue };
         let Some(surface) = draft.surface(&named) else { continue };
-        if !matches!(surface.extent, crate::surfaces::Extent::Rigid { .. }) {
+        if !surface.extent.is_analytical() {
             let message = format!("the surface {} is not analytical", named.name);
             let error = Diagnostic::error(Code("SL0332"), message).at(named.span);
-            let help = "only *SURFACE, TYPE=SEGMENTS is; nodes and elements belong to the body by \
+            let help = "only *SURFACE of TYPE=SEGMENTS, CYLINDER or REVOLUTION is; nodes and elements belong to the body by \
                         TIE NSET= and ELSET=";
             draft.consequence(Subject::Contact, error.label(surface.origin, "here").help(help));
         }
@@ -95,7 +104,7 @@ fn unused(pairings: &[Pairing], draft: &mut Draft) {
     }
 }
 
-fn interaction(pairing: &Pairing, draft: &mut Draft) -> Option<Interaction> {
+pub(super) fn interaction(pairing: &Pairing, draft: &mut Draft) -> Option<Interaction> {
     let named = &pairing.interaction;
     let list = &draft.interactions;
     let found = list.iter().find(|entry| entry.named.name == named.name);
@@ -120,6 +129,10 @@ fn pair(pairing: &Pairing, draft: &mut Draft) {
     let (Some(interaction), Some(slave), Some(master)) = (interaction, slave, master) else {
         return;
     };
+    if pairing.slave.name == pairing.master.name {
+        itself(pairing, &slave, interaction, draft);
+        return;
+    }
     let first = found(&slave, pairing.slave.span, draft);
     let second = found(&master, pairing.master.span, draft);
     let (Some(first), Some(second)) = (first, second) else { return };
@@ -127,7 +140,13 @@ fn pair(pairing: &Pairing, draft: &mut Draft) {
     let thickness = thickness_of(pairing, &first, draft);
     let of_solids = [&first, &second].into_iter().any(is_of_solids);
     let vocabulary = if of_solids { Vocabulary::Faces } else { Vocabulary::Surfaces };
+    let ((first, second), sides) = analytical_second(pairing, (first, second), sides);
     let formulation = match pairing.formulation {
+        Formulation::SurfaceToSurface if matches!(second, Found::Swept(_)) => {
+            let message = "contact with an analytical surface in space is sampled at the nodes";
+            draft.log.push(Diagnostic::note(Code("SL0396"), message).at(pairing.origin));
+            Formulation::NodeToSurface
+        }
         Formulation::SurfaceToSurface if of_solids => Formulation::Mortar,
         given => given,
     };
@@ -136,7 +155,27 @@ fn pair(pairing: &Pairing, draft: &mut Draft) {
         Formulation::Mortar => spread(pairing, &sides, (first, second), draft),
         Formulation::SurfaceToSurface => along(pairing, &sides, (first, second), draft),
     };
-    let Some((slaves, master)) = parts else { return };
+    let Some(parts) = parts else { return };
+    put_together((pairing, formulation), parts, (interaction, thickness, vocabulary), draft);
+}
+
+/// A surface that meets itself, at its nodes.
+fn itself(pairing: &Pairing, surface: &NamedSurface, interaction: Interaction, draft: &mut Draft) {
+    let Some(found) = found(surface, pairing.slave.span, draft) else { return };
+    let thickness = thickness_of(pairing, &found, draft);
+    let Some(parts) = own_surface(pairing, surface, found, draft) else { return };
+    let formulation = Formulation::NodeToSurface;
+    let law = (interaction, thickness, Vocabulary::Faces);
+    put_together((pairing, formulation), parts, law, draft);
+}
+
+/// The pair of these slaves and this master.
+fn put_together(
+    (pairing, formulation): (&Pairing, Formulation),
+    (slaves, master): (Slaves, Master),
+    (interaction, thickness, vocabulary): (Interaction, Option<f64>, Vocabulary),
+    draft: &mut Draft,
+) {
     let width = match slaves.faces.is_empty() {
         true => width(pairing, thickness, draft),
         false => 1.0,
@@ -149,15 +188,21 @@ fn pair(pairing: &Pairing, draft: &mut Draft) {
     };
     remarks((pairing, formulation), &master, &interaction, draft);
     let corners = match formulation {
-        Formulation::Mortar => corners(&slaves.elements, draft),
+        Formulation::Mortar if slaves.faces.is_empty() => corners(&slaves.elements, draft),
+        Formulation::Mortar => sharp_edges(&slaves.faces, draft),
         _ => Vec::new(),
     };
+    let name = match &master {
+        Master::Itself(_) => pairing.slave.name.clone(),
+        _ => format!("{}/{}", pairing.slave.name, pairing.master.name),
+    };
     let pair = ContactPair {
-        name: format!("{}/{}", pairing.slave.name, pairing.master.name),
+        name,
         formulation,
         vocabulary,
         elements: slaves.elements,
         faces: slaves.faces,
+        slaves: slaves.nodes,
         corners,
         master,
         interaction,
@@ -169,6 +214,20 @@ fn pair(pairing: &Pairing, draft: &mut Draft) {
     let named = pairing.interaction.name.clone();
     draft.pairs_of_interaction.entry(named).or_default().push(place);
     draft.model.contact_pairs.push(pair);
+}
+
+/// Both sides with an analytical surface of space as the master, where the order is left open: it
+/// has no nodes to carry points.
+fn analytical_second(
+    pairing: &Pairing,
+    (first, second): (Found, Found),
+    sides: Sides,
+) -> ((Found, Found), Sides) {
+    let turns = matches!(first, Found::Swept(_)) && !matches!(second, Found::Swept(_));
+    match turns && pairing.formulation == Formulation::SurfaceToSurface {
+        true => ((second, first), Sides { slave: sides.master, master: sides.slave }),
+        false => ((first, second), sides),
+    }
 }
 
 /// Thickness of the solids whose faces are slaves [L]; `None` for others. Complains where they
@@ -230,9 +289,14 @@ fn at_nodes(
     draft: &mut Draft,
 ) -> Parts {
     let (slave_name, master_name) = (&pairing.slave.name, &pairing.master.name);
-    if let Found::Faces(faces) = master {
-        return at_nodes_in_space(pairing, sides, (slave, faces), draft);
-    }
+    let master = match master {
+        Found::Faces(faces) => {
+            let faces = in_space::faces_of(pairing, sides, faces);
+            return at_nodes_in_space(pairing, (slave, faces), draft);
+        }
+        Found::Swept(surface) => return at_nodes_in_space(pairing, (slave, surface), draft),
+        plane => plane,
+    };
     let elements = match slave {
         Found::Faces(_) => {
             let message = format!("{slave_name} is made of faces in space, {master_name} is not");
@@ -247,7 +311,7 @@ fn at_nodes(
             return refuse(pairing.slave.span, message, help, draft);
         }
         Found::Nodes(nodes) => stretches(&sides.slave, &nodes, draft),
-        Found::Rigid(_) => {
+        Found::Rigid(_) | Found::Swept(_) => {
             let message = format!(
                 "the analytical surface {slave_name} has no nodes and cannot be the slave of \
                  NODE TO SURFACE"
@@ -261,51 +325,13 @@ fn at_nodes(
         Found::Facets(facets) => {
             Master::SlideLine(slide_line(pairing, &sides.master, (&facets, &elements), draft)?)
         }
-        Found::Faces(_) | Found::Nodes(_) => {
+        Found::Faces(_) | Found::Swept(_) | Found::Nodes(_) => {
             let message = format!("the node surface {master_name} has no segments to slide on");
             let help = "name it first, as the slave, or give the master as elements";
             return refuse(pairing.master.span, message, help, draft);
         }
     };
     Some((Slaves { elements, ..Slaves::default() }, master))
-}
-
-/// Contact of nodes with faces in space.
-fn at_nodes_in_space(
-    pairing: &Pairing,
-    sides: &Sides,
-    (slave, master): (Found, Vec<ContactFace>),
-    draft: &mut Draft,
-) -> Parts {
-    let name = &pairing.slave.name;
-    let help = "contact in space is between faces of solids: give the slave as elements with their \
-                faces, or as nodes of such faces";
-    let faces = match slave {
-        Found::Faces(faces) => faces,
-        Found::Nodes(nodes) => {
-            let faces = faces_between(&nodes, pairing.slave.span, draft);
-            let covered: HashSet<NodeIndex> =
-                faces.iter().flat_map(|face| face.nodes.iter().copied()).collect();
-            if let Some(&node) = nodes.iter().find(|node| !covered.contains(node)) {
-                let node = draft.model.nodes.label(node);
-                let message = format!(
-                    "node {node} of {name} has no area: no face of a solid has all its nodes in \
-                     the surface"
-                );
-                return refuse(pairing.slave.span, message, help, draft);
-            }
-            faces
-        }
-        Found::Facets(_) | Found::Rigid(_) => {
-            let message =
-                format!("{name} is not made of faces in space, {} is", pairing.master.name);
-            return refuse(pairing.slave.span, message, help, draft);
-        }
-    };
-    let (smooth, extension) = (pairing.smooth > 0.0, pairing.extension);
-    let origin = sides.master.origin;
-    let master = Master::Faces(MasterFaces { faces: master, smooth, extension, origin });
-    Some((Slaves { faces, ..Slaves::default() }, master))
 }
 
 /// Contact integrated along beams that meet an analytical surface.

@@ -5,12 +5,14 @@ use std::collections::HashSet;
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::element::solid::Kinematics as Strains;
 use slideline_model::{
-    ContactElement, ContactFace, Kinematics, Lumping, NodeIndex, ProfilePoint, RigidSurface,
-    SurfaceSegment,
+    ContactElement, ContactFace, Kinematics, Lumping, MasterFaces, NodeIndex, ProfilePoint,
+    RigidSurface, SurfaceSegment,
 };
 
 use super::chain::Facet;
 use super::faces::{elements_of, free_faces, of_stretch};
+use super::owners::owner;
+use super::swept::swept;
 use crate::draft::{Draft, Element, ElementKind};
 use crate::log::Target;
 use crate::rule::Subject;
@@ -23,6 +25,8 @@ pub(super) enum Found {
     Faces(Vec<ContactFace>),
     Nodes(Vec<NodeIndex>),
     Rigid(RigidSurface),
+    /// An analytical surface in space.
+    Swept(MasterFaces),
 }
 
 impl Draft {
@@ -41,20 +45,6 @@ impl Draft {
             self.consequence(Subject::Contact, error.help(help));
         }
         found
-    }
-
-    /// The single node a rigid body moves with.
-    pub(super) fn reference_of(&mut self, target: &Target, span: Span) -> Option<NodeIndex> {
-        let nodes = self.nodes_of(target, span);
-        if nodes.len() > 1 {
-            let message = format!("REF NODE must be one node, but this set has {}", nodes.len());
-            let error = Diagnostic::error(Code("SL0317"), message).at(span);
-            self.consequence(Subject::Links, error);
-        }
-        match *nodes {
-            [node] => Some(node),
-            _ => None,
-        }
     }
 
     /// The end nodes of a beam and its middle node, if it has one; `None`
@@ -77,6 +67,9 @@ pub(super) fn found(surface: &NamedSurface, user: Span, draft: &mut Draft) -> Op
         Extent::Nodes(targets) => nodes(surface, targets, draft).map(Found::Nodes),
         Extent::Rigid { start, segments } => {
             rigid(surface, *start, segments, user, draft).map(Found::Rigid)
+        }
+        Extent::Swept { start, segments, axes } => {
+            swept(surface, (*start, segments, axes), user, draft).map(Found::Swept)
         }
     }
 }
@@ -117,14 +110,31 @@ fn spatial_faces(surface: &NamedSurface, draft: &mut Draft) -> Option<Vec<Contac
     Some(found)
 }
 
-/// The free faces of volumes all of whose nodes are `nodes`: what the nodes of a surface stand for.
-pub(super) fn faces_between(nodes: &[NodeIndex], span: Span, draft: &Draft) -> Vec<ContactFace> {
+/// Which nodes a face has in common with a surface of nodes.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Touching {
+    AllNodes,
+    AnyNode,
+}
+
+/// The free faces of volumes that have all their nodes, or any of them, among `nodes`: what the
+/// nodes of a surface stand for.
+pub(super) fn faces_between(
+    nodes: &[NodeIndex],
+    touching: Touching,
+    span: Span,
+    draft: &Draft,
+) -> Vec<ContactFace> {
     let members: HashSet<NodeIndex> = nodes.iter().copied().collect();
     let all: Vec<usize> = (0..draft.elements.len()).collect();
     let free = free_faces(&all, span, draft).into_iter();
-    let whole =
-        free.filter(|face| face.nodes.len() > 2 && face.nodes.iter().all(|n| members.contains(n)));
-    whole
+    let is_member = |node: &NodeIndex| members.contains(node);
+    let touches = |nodes: &[NodeIndex]| match touching {
+        Touching::AllNodes => nodes.iter().all(is_member),
+        Touching::AnyNode => nodes.iter().any(is_member),
+    };
+    let touched = free.filter(|face| face.nodes.len() > 2 && touches(&face.nodes));
+    touched
         .map(|face| {
             let element = draft.elements[face.element];
             ContactFace { label: element.label, nodes: face.nodes, origin: element.origin }
@@ -237,21 +247,7 @@ fn rigid(
     user: Span,
     draft: &mut Draft,
 ) -> Option<RigidSurface> {
-    let name = &surface.named.name;
-    let owns = |body: &&crate::surfaces::RigidBody| {
-        body.surface.as_ref().is_some_and(|named| named.name == *name)
-    };
-    let Some(body) = draft.bodies.iter().find(owns).cloned() else {
-        if draft.is_complete(Subject::Contact) {
-            let message = format!("the analytical surface {name} belongs to no rigid body");
-            let error = Diagnostic::error(Code("SL0333"), message).at(user);
-            let error = error.label(surface.origin, "the surface");
-            let help = format!("add *RIGID BODY, ANALYTICAL SURFACE={name}, REF NODE=...");
-            draft.consequence(Subject::Links, error.help(help));
-        }
-        return None;
-    };
-    let reference = draft.reference_of(&body.reference, body.reference_span)?;
+    let (_, reference) = owner(surface, user, draft)?;
     let (segments, origin) = (segments.to_vec(), surface.origin);
     Some(RigidSurface { reference, start, segments, origin })
 }

@@ -101,7 +101,7 @@ impl Place for NamedSurface {
             Extent::Nodes(targets) => {
                 targets.iter_mut().for_each(|(target, _)| *target = target.clone().placed(by));
             }
-            Extent::Rigid { .. } => {}
+            Extent::Rigid { .. } | Extent::Swept { .. } => {}
         }
         self
     }
@@ -279,6 +279,12 @@ impl Draft {
         by: &Placement,
         motion: &Motion,
     ) {
+        for surface in &mut *surfaces {
+            if let Extent::Swept { axes, .. } = &mut surface.extent {
+                axes.origin = motion.point(axes.origin);
+                axes.directions = axes.directions.map(|way| motion.direction(way));
+            }
+        }
         let rigid = shapes.iter_mut().filter_map(|surface| match &mut surface.shape {
             Shape::Rigid { start, segments } => Some((start, segments, surface.origin)),
             Shape::Line { .. } => None,

@@ -103,10 +103,6 @@ pub(super) const GROUPS: &[Group] = &[
         Unsupported,
         "write contact with *SURFACE, *SURFACE INTERACTION and *CONTACT PAIR, one for each pair",
         &[
-            "CONTACT",
-            "CONTACT INCLUSIONS",
-            "CONTACT EXCLUSIONS",
-            "CONTACT PROPERTY ASSIGNMENT",
             "CONTACT FORMULATION",
             "CONTACT INITIALIZATION ASSIGNMENT",
             "CONTACT INITIALIZATION DATA",
@@ -117,7 +113,6 @@ pub(super) const GROUPS: &[Group] = &[
             "CONTACT INTERFERENCE",
             "CONTACT PERMEABILITY",
             "CONTACT RESPONSE",
-            "CLEARANCE",
             "COHESIVE BEHAVIOR",
             "NORMAL",
             "IMPERMEABLE CONTACT",

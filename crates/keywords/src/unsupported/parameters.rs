@@ -27,11 +27,15 @@ const GROUPS: &[Group] = &[
         &["USER", "SUBMODEL", "STEP", "DATA SET", "SECTOR"],
     ),
     (
+        "CLEARANCE",
+        "give MASTER, SLAVE and VALUE: one gap for the slaves of a pair",
+        &["CPSET", "TABULAR", "BOLT", "INPUT"],
+    ),
+    (
         "CONTACT PAIR",
         "leave it out: every pair is told apart by its two surfaces",
         &["GEOMETRIC CORRECTION", "WEIGHT", "OP"],
     ),
-    ("CONTACT PAIR", "use *TIE for surfaces that stick together", &["TIED"]),
     (
         "DLOAD",
         "write the values on data lines and their time as *AMPLITUDE",

@@ -12,34 +12,29 @@ use super::Multifrontal;
 use super::layout::Storage;
 use crate::fronts::Front;
 use crate::kernel::{dot, dot_columns, subtract_columns, widened};
+use crate::precision::Real;
 
 impl Multifrontal {
     /// Solves in place for a block of right-hand sides.
     pub fn solve(&mut self, block: &mut [f64], columns: usize, transposed: bool) {
-        let n = self.layout.fronts.order.len();
+        let n = self.layout.fronts.order.len().max(1);
+        if columns == 1 {
+            return self.solve_one(block, |_, b| b, |_, x| x, transposed);
+        }
         self.x.resize(self.x.len().max(n * columns), 0.0);
         let largest = self.layout.fronts.front.iter().map(|front| front.rows).max().unwrap_or(0);
         self.rows.resize(self.rows.len().max(largest * columns), 0.0);
         let mut x = std::mem::take(&mut self.x);
         let mut rows = std::mem::take(&mut self.rows);
-        for (b, x) in block.chunks_exact(n.max(1)).zip(x.chunks_exact_mut(n.max(1))) {
+        for (b, x) in block.chunks_exact(n).zip(x.chunks_exact_mut(n)) {
             x.iter_mut().zip(&self.layout.fronts.order).for_each(|(x, &equation)| *x = b[equation]);
         }
         let transposed = transposed && !self.layout.symmetric;
         let (x_used, work) = (&mut x[..n * columns], &mut rows[..]);
-        for f in 0..self.layout.storage.len() {
-            match columns {
-                1 => self.forward_one(f, x_used, work, transposed),
-                _ => self.forward(f, x_used, work, transposed),
-            }
-        }
-        for f in (0..self.layout.storage.len()).rev() {
-            match columns {
-                1 => self.backward_one(f, x_used, work, transposed),
-                _ => self.backward(f, x_used, work, transposed),
-            }
-        }
-        for (b, x) in block.chunks_exact_mut(n.max(1)).zip(x.chunks_exact(n.max(1))) {
+        let fronts = 0..self.layout.storage.len();
+        fronts.clone().for_each(|f| self.forward(f, x_used, work, transposed));
+        fronts.rev().for_each(|f| self.backward(f, x_used, work, transposed));
+        for (b, x) in block.chunks_exact_mut(n).zip(x.chunks_exact(n)) {
             x.iter().zip(&self.layout.fronts.order).for_each(|(x, &equation)| b[equation] = *x);
         }
         (self.x, self.rows) = (x, rows);
@@ -71,35 +66,6 @@ impl Multifrontal {
             for (&row, p) in self.layout.fronts.rows_of(front).iter().zip(product) {
                 x[row as usize] -= p;
             }
-        }
-    }
-
-    /// As [`Multifrontal::forward`] for one right-hand side, for which matrix products do not pay.
-    fn forward_one(&self, f: usize, x: &mut [f64], work: &mut [f64], transposed: bool) {
-        let front = &self.layout.fronts.front[f];
-        let (k, r) = (front.columns, front.rows);
-        let (panel, above) = self.blocks(f);
-        if !transposed {
-            self.exchange_rows(front, x, false);
-        }
-        let work = &mut work[..r];
-        work.fill(0.0);
-        let own = &mut x[front.first..front.first + k];
-        if transposed {
-            for (j, column) in panel.chunks_exact(k + r).enumerate() {
-                own[j] = (own[j] - dot(&column[..j], &own[..j])) / column[j];
-            }
-            for (sum, column) in work.iter_mut().zip(above.chunks_exact(k)) {
-                *sum = -dot(column, own);
-            }
-        } else {
-            widened(
-                #[inline(always)]
-                || eliminate_below(panel, own, work),
-            );
-        }
-        for (&row, sum) in self.layout.fronts.rows_of(front).iter().zip(&*work) {
-            x[row as usize] += sum;
         }
     }
 
@@ -135,8 +101,82 @@ impl Multifrontal {
         }
     }
 
+    fn divide(&self, front: &Front, l11: MatRef<'_, f64>, x: &mut [f64]) {
+        for x in x.chunks_exact_mut(self.layout.fronts.order.len()) {
+            for (j, x) in x[front.first..front.first + front.columns].iter_mut().enumerate() {
+                *x /= l11[(j, j)];
+            }
+        }
+    }
+
+    fn parts(&self, f: usize) -> Parts<'_> {
+        let Front { columns, rows, .. } = self.layout.fronts.front[f];
+        let (panel, above) = self.blocks(f);
+        let panel = MatRef::from_column_major_slice(panel, columns + rows, columns);
+        let (l11, l21) = panel.split_at_row(columns);
+        let rows = if self.layout.symmetric { 0 } else { rows };
+        let above = MatRef::from_column_major_slice(above, columns, rows);
+        Parts { l11, l21, above }
+    }
+}
+
+impl<T: Real> Multifrontal<T> {
+    /// Solves in place for one right-hand side: `enter` makes a number of an equation's entry,
+    /// `leave` an entry of the solution.
+    pub fn solve_one(
+        &mut self,
+        b: &mut [f64],
+        enter: impl Fn(usize, f64) -> T,
+        leave: impl Fn(usize, T) -> f64,
+        transposed: bool,
+    ) {
+        let mut x = std::mem::take(&mut self.x);
+        let mut rows = std::mem::take(&mut self.rows);
+        let used = &mut x[..self.layout.fronts.order.len()];
+        for (x, &equation) in used.iter_mut().zip(&self.layout.fronts.order) {
+            *x = enter(equation, b[equation]);
+        }
+        let transposed = transposed && !self.layout.symmetric;
+        let fronts = 0..self.layout.storage.len();
+        fronts.clone().for_each(|f| self.forward_one(f, used, &mut rows, transposed));
+        fronts.rev().for_each(|f| self.backward_one(f, used, &mut rows, transposed));
+        for (&x, &equation) in used.iter().zip(&self.layout.fronts.order) {
+            b[equation] = leave(equation, x);
+        }
+        (self.x, self.rows) = (x, rows);
+    }
+
+    /// As [`Multifrontal::forward`] for one right-hand side, for which matrix products do not pay.
+    fn forward_one(&self, f: usize, x: &mut [T], work: &mut [T], transposed: bool) {
+        let front = &self.layout.fronts.front[f];
+        let (k, r) = (front.columns, front.rows);
+        let (panel, above) = self.blocks(f);
+        if !transposed {
+            self.exchange_rows(front, x, false);
+        }
+        let work = &mut work[..r];
+        work.fill(T::ZERO);
+        let own = &mut x[front.first..front.first + k];
+        if transposed {
+            for (j, column) in panel.chunks_exact(k + r).enumerate() {
+                own[j] = (own[j] - dot(&column[..j], &own[..j])) / column[j];
+            }
+            for (sum, column) in work.iter_mut().zip(above.chunks_exact(k)) {
+                *sum = -dot(column, own);
+            }
+        } else {
+            widened(
+                #[inline(always)]
+                || eliminate_below(panel, own, work),
+            );
+        }
+        for (&row, &sum) in self.layout.fronts.rows_of(front).iter().zip(&*work) {
+            x[row as usize] += sum;
+        }
+    }
+
     /// As [`Multifrontal::backward`] for one right-hand side.
-    fn backward_one(&self, f: usize, x: &mut [f64], work: &mut [f64], transposed: bool) {
+    fn backward_one(&self, f: usize, x: &mut [T], work: &mut [T], transposed: bool) {
         let front = &self.layout.fronts.front[f];
         let (k, r) = (front.columns, front.rows);
         let (panel, above) = self.blocks(f);
@@ -147,8 +187,8 @@ impl Multifrontal {
         let own = &mut x[front.first..front.first + k];
         let from_below = self.layout.symmetric || transposed;
         if !from_below {
-            for (known, column) in work.iter().zip(above.chunks_exact(k)) {
-                own.iter_mut().zip(column).for_each(|(x, u)| *x -= u * known);
+            for (&known, column) in work.iter().zip(above.chunks_exact(k)) {
+                own.iter_mut().zip(column).for_each(|(x, &u)| *x -= u * known);
             }
         }
         if from_below {
@@ -164,7 +204,7 @@ impl Multifrontal {
             for (j, column) in panel.chunks_exact(k + r).enumerate().rev() {
                 let x_j = own[j] / column[j];
                 own[j] = x_j;
-                own[..j].iter_mut().zip(column).for_each(|(x, u)| *x -= u * x_j);
+                own[..j].iter_mut().zip(column).for_each(|(x, &u)| *x -= u * x_j);
             }
         }
         if transposed {
@@ -172,16 +212,8 @@ impl Multifrontal {
         }
     }
 
-    fn divide(&self, front: &Front, l11: MatRef<'_, f64>, x: &mut [f64]) {
-        for x in x.chunks_exact_mut(self.layout.fronts.order.len()) {
-            for (j, x) in x[front.first..front.first + front.columns].iter_mut().enumerate() {
-                *x /= l11[(j, j)];
-            }
-        }
-    }
-
     /// Replays the exchanges of a front, or undoes them.
-    fn exchange_rows(&self, front: &Front, x: &mut [f64], undo: bool) {
+    fn exchange_rows(&self, front: &Front, x: &mut [T], undo: bool) {
         let exchange = &self.exchange[front.first..front.first + front.columns];
         if self.layout.symmetric || exchange.iter().enumerate().all(|(j, &row)| row as usize == j) {
             return;
@@ -197,19 +229,9 @@ impl Multifrontal {
     }
 
     /// The panel of a front and what is above its update.
-    fn blocks(&self, f: usize) -> (&[f64], &[f64]) {
+    fn blocks(&self, f: usize) -> (&[T], &[T]) {
         let Storage { panel, above, end, .. } = self.layout.storage[f];
         (&self.factor[panel..above], &self.factor[above..end])
-    }
-
-    fn parts(&self, f: usize) -> Parts<'_> {
-        let Front { columns, rows, .. } = self.layout.fronts.front[f];
-        let (panel, above) = self.blocks(f);
-        let panel = MatRef::from_column_major_slice(panel, columns + rows, columns);
-        let (l11, l21) = panel.split_at_row(columns);
-        let rows = if self.layout.symmetric { 0 } else { rows };
-        let above = MatRef::from_column_major_slice(above, columns, rows);
-        Parts { l11, l21, above }
     }
 }
 
@@ -218,21 +240,21 @@ const TOGETHER: usize = 4;
 
 /// Columns of a panel from `first` on, each from the row behind the last of them on.
 #[inline(always)]
-fn columns_below<const M: usize>(panel: &[f64], height: usize, first: usize) -> [&[f64]; M] {
+fn columns_below<T: Real, const M: usize>(panel: &[T], height: usize, first: usize) -> [&[T]; M] {
     std::array::from_fn(|m| &panel[(first + m) * height + first + M..(first + m + 1) * height])
 }
 
 /// Eliminates a front's unknowns from its own equations and from the rows below (unit lower
 /// triangle): what is to be added to these.
 #[inline(always)]
-fn eliminate_below(panel: &[f64], own: &mut [f64], below: &mut [f64]) {
+fn eliminate_below<T: Real>(panel: &[T], own: &mut [T], below: &mut [T]) {
     let whole = own.len() / TOGETHER * TOGETHER;
-    (0..whole).step_by(TOGETHER).for_each(|j| eliminate::<TOGETHER>(panel, own, below, j));
-    (whole..own.len()).for_each(|j| eliminate::<1>(panel, own, below, j));
+    (0..whole).step_by(TOGETHER).for_each(|j| eliminate::<T, TOGETHER>(panel, own, below, j));
+    (whole..own.len()).for_each(|j| eliminate::<T, 1>(panel, own, below, j));
 }
 
 #[inline(always)]
-fn eliminate<const M: usize>(panel: &[f64], own: &mut [f64], below: &mut [f64], first: usize) {
+fn eliminate<T: Real, const M: usize>(panel: &[T], own: &mut [T], below: &mut [T], first: usize) {
     let height = own.len() + below.len();
     let (known, behind) = own[first..].split_at_mut(M);
     for m in 0..M {
@@ -241,25 +263,25 @@ fn eliminate<const M: usize>(panel: &[f64], own: &mut [f64], below: &mut [f64], 
             known[i] -= column[i] * known[m];
         }
     }
-    let known: [f64; M] = std::array::from_fn(|m| known[m]);
-    let columns = columns_below::<M>(panel, height, first);
+    let known: [T; M] = std::array::from_fn(|m| known[m]);
+    let columns = columns_below::<T, M>(panel, height, first);
     subtract_columns(behind, columns, known);
     subtract_columns(below, columns.map(|column| &column[behind.len()..]), known);
 }
 
 /// Finds a front's unknowns, those below being known (unit lower triangle, transposed).
 #[inline(always)]
-fn find_from_below(panel: &[f64], own: &mut [f64], below: &[f64]) {
+fn find_from_below<T: Real>(panel: &[T], own: &mut [T], below: &[T]) {
     let whole = own.len() / TOGETHER * TOGETHER;
-    (whole..own.len()).rev().for_each(|j| find::<1>(panel, own, below, j));
-    (0..whole).step_by(TOGETHER).rev().for_each(|j| find::<TOGETHER>(panel, own, below, j));
+    (whole..own.len()).rev().for_each(|j| find::<T, 1>(panel, own, below, j));
+    (0..whole).step_by(TOGETHER).rev().for_each(|j| find::<T, TOGETHER>(panel, own, below, j));
 }
 
 #[inline(always)]
-fn find<const M: usize>(panel: &[f64], own: &mut [f64], below: &[f64], first: usize) {
+fn find<T: Real, const M: usize>(panel: &[T], own: &mut [T], below: &[T], first: usize) {
     let height = own.len() + below.len();
     let (unknown, behind) = own[first..].split_at_mut(M);
-    let columns = columns_below::<M>(panel, height, first);
+    let columns = columns_below::<T, M>(panel, height, first);
     let of_own = dot_columns(columns, behind);
     let of_rows = dot_columns(columns.map(|column| &column[behind.len()..]), below);
     for m in (0..M).rev() {

@@ -87,6 +87,26 @@ pub fn grid(side: usize) -> (Pattern, Vec<f64>) {
     (pattern, values)
 }
 
+/// Bricks of three dofs a node, and a definite matrix on them.
+pub fn bricks(side: usize) -> (Pattern, Vec<f64>) {
+    let node = |[x, y, z]: [usize; 3]| x + side * (y + side * z);
+    let cells = (0..(side - 1).pow(3))
+        .map(|c| [c % (side - 1), c / (side - 1) % (side - 1), c / (side - 1).pow(2)]);
+    let clique = |[x, y, z]: [usize; 3]| -> Vec<usize> {
+        let corners = (0..8).map(|c| node([x + (c & 1), y + (c >> 1 & 1), z + (c >> 2)]));
+        corners.flat_map(|corner| 3 * corner..3 * corner + 3).collect()
+    };
+    let cliques: Vec<Vec<usize>> = cells.map(clique).collect();
+    let pattern = Pattern::from_cliques(3 * side.pow(3), cliques.iter());
+    let rows = (0..pattern.size()).map(|i| (i, pattern.row(i)));
+    let own = |i: usize, row: &[usize]| {
+        let size = row.len() as f64 + 1e-3;
+        row.iter().map(|&j| if i == j { size } else { -1.0 }).collect::<Vec<f64>>()
+    };
+    let values = rows.flat_map(|(i, row)| own(i, row)).collect();
+    (pattern, values)
+}
+
 /// Largest error relative to the largest component.
 pub fn error(x: &[f64], reference: &[f64]) -> f64 {
     let scale = reference.iter().fold(0.0f64, |m, v| m.max(v.abs()));

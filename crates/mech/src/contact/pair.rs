@@ -21,6 +21,7 @@ mod body;
 mod chain;
 mod faces;
 pub mod mortar;
+pub mod mortar_faces;
 mod nose;
 mod stencil;
 mod surface;

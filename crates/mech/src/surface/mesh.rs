@@ -8,11 +8,13 @@
 //!    o-----o-----o
 //! ```
 //!
-//! Nodes are numbered within the mesh.
+//! Nodes are numbered within the mesh. An analytical surface has its charts for faces, all of them over
+//! the four markers of its body.
 
 use super::patch::{MOST_CORNERS, MOST_NODES, Patch};
 use super::star::{Corner, Star, StarNormal};
-use crate::element::cell::Cell;
+use super::swept::Swept;
+use crate::element::cell::{Cell, QUAD4};
 use crate::vector::{Vector, cross, dot, scale, size, sub};
 use std::collections::HashMap;
 
@@ -46,6 +48,7 @@ struct Joined {
 pub struct FaceMesh {
     faces: Vec<MeshFace>,
     joined: Vec<Joined>,
+    swept: Option<Swept>,
 }
 
 /// A smoothed face in its place, with the normals that smooth it.
@@ -63,7 +66,8 @@ impl FaceMesh {
     pub fn new(faces: Vec<MeshFace>, reference: &[Vector], smooth: bool) -> Self {
         let neighbours = neighbours(&faces);
         let around = faces_around(&faces);
-        let normals: Vec<_> = faces.iter().map(|face| normal(face, reference)).collect();
+        let normals: Vec<_> =
+            faces.iter().map(|face| normal(face, |node| reference[node])).collect();
         let joins = |a: usize, b: usize| dot(normals[a], normals[b]) > CREASE;
         let joined = (0..faces.len())
             .map(|own| {
@@ -91,7 +95,29 @@ impl FaceMesh {
                 Joined { neighbours: neighbours[own], around: beside, stencil, stars }
             })
             .collect();
-        Self { faces, joined }
+        Self { faces, joined, swept: None }
+    }
+
+    /// An analytical surface on the four markers of its body.
+    pub fn analytical(swept: Swept) -> Self {
+        let markers = || vec![0, 1, 2, 3];
+        let joined = || Joined {
+            neighbours: [None; MOST_CORNERS],
+            around: Vec::new(),
+            stencil: markers(),
+            stars: Vec::new(),
+        };
+        let charts = 0..swept.charts();
+        Self {
+            faces: charts.clone().map(|_| MeshFace { cell: &QUAD4, nodes: markers() }).collect(),
+            joined: charts.map(|_| joined()).collect(),
+            swept: Some(swept),
+        }
+    }
+
+    /// The analytical surface that it is.
+    pub fn swept(&self) -> Option<&Swept> {
+        self.swept.as_ref()
     }
 
     /// The faces.
@@ -135,6 +161,9 @@ impl FaceMesh {
             let own = self.star(face, corner).normal(&into.positions)?;
             *normal = own.normal;
             into.normals.push(own);
+        }
+        if let Some(swept) = &self.swept {
+            return Some(Patch::on_markers(swept.chart(face), &into.positions));
         }
         let own = &self.faces[face];
         let nodes = &into.positions[..own.nodes.len().min(MOST_NODES)];
@@ -187,8 +216,8 @@ fn faces_around(faces: &[MeshFace]) -> HashMap<usize, Vec<(usize, usize)>> {
 }
 
 /// Unit normal in the middle of a face; zero of one without area.
-fn normal(face: &MeshFace, reference: &[Vector]) -> Vector {
-    let at = |k: usize| reference[face.nodes[k]];
+fn normal(face: &MeshFace, position: impl Fn(usize) -> Vector) -> Vector {
+    let at = |k: usize| position(face.nodes[k]);
     let sides = match face.cell.faces.len() {
         3 => [sub(at(1), at(0)), sub(at(2), at(0))],
         _ => [sub(at(2), at(0)), sub(at(3), at(1))],
@@ -198,6 +227,49 @@ fn normal(face: &MeshFace, reference: &[Vector]) -> Vector {
         whole if whole > 0.0 => scale(area, 1.0 / whole),
         _ => [0.0; 3],
     }
+}
+
+/// The faces that a face is joined with round a node without crossing a crease, itself first; `at`
+/// are all faces there.
+fn group(
+    own: usize,
+    at: &[(usize, usize)],
+    neighbours: &[[Option<usize>; MOST_CORNERS]],
+    joins: impl Fn(usize, usize) -> bool,
+) -> Vec<usize> {
+    let mut group = vec![own];
+    let mut open = vec![own];
+    while let Some(face) = open.pop() {
+        for next in neighbours[face].iter().flatten() {
+            let here = at.iter().any(|(other, _)| other == next);
+            if here && !group.contains(next) && joins(face, *next) {
+                group.push(*next);
+                open.push(*next);
+            }
+        }
+    }
+    group
+}
+
+/// Which faces belong together at each corner of each face, no crease between them: the lowest one
+/// of them. `position` gives undeformed positions of nodes [L].
+pub fn smooth_groups(
+    faces: &[MeshFace],
+    position: impl Fn(usize) -> Vector,
+) -> Vec<[usize; MOST_CORNERS]> {
+    let neighbours = neighbours(faces);
+    let around = faces_around(faces);
+    let normals: Vec<_> = faces.iter().map(|face| normal(face, &position)).collect();
+    let joins = |a: usize, b: usize| dot(normals[a], normals[b]) > CREASE;
+    let lowest = |face: usize, corner: usize| {
+        let at = &around[&faces[face].nodes[corner]];
+        group(face, at, &neighbours, joins).into_iter().min().unwrap_or(face)
+    };
+    let of_face = |(place, face): (usize, &MeshFace)| {
+        let corners = face.cell.faces.len();
+        std::array::from_fn(|corner| if corner < corners { lowest(place, corner) } else { place })
+    };
+    faces.iter().enumerate().map(of_face).collect()
 }
 
 /// The stars at the corners of a face, as (next, previous) nodes of the faces that it is joined
@@ -212,17 +284,7 @@ fn stars(
     let corners = faces[own].cell.faces.len();
     let star = |corner: usize| {
         let at = &around[&faces[own].nodes[corner]];
-        let mut group = vec![own];
-        let mut open = vec![own];
-        while let Some(face) = open.pop() {
-            for next in neighbours[face].iter().flatten() {
-                let here = at.iter().any(|(other, _)| other == next);
-                if here && !group.contains(next) && joins(face, *next) {
-                    group.push(*next);
-                    open.push(*next);
-                }
-            }
-        }
+        let group = group(own, at, neighbours, &joins);
         // in the order of the faces: both sides of an edge sum alike
         at.iter()
             .filter(|(face, _)| group.contains(face))

@@ -1,4 +1,4 @@
-//! Surfaces of space as faces: their places, tangents and normals.
+//! Surfaces of space as faces: their places, tangents and normals; analytical ones too.
 //!
 //! ```text
 //!     o-------o-------o      a face is a patch over its nodes;
@@ -6,6 +6,8 @@
 //!     o-------o-------o      meet there, may smooth it
 //! ```
 
+pub mod jet;
 pub mod mesh;
 pub mod patch;
 pub mod star;
+pub mod swept;

@@ -1,4 +1,5 @@
-//! A face of a deforming surface in space, flat or smoothed by the normals at its corners.
+//! A face of a surface in space: flat, smoothed by the normals at its corners, or analytical over
+//! the markers of a rigid body.
 //!
 //! ```text
 //!      N_4       N_3        X = sum N_i P_i - sum phi_ab ((P_b - P_a) . N_a) N_a
@@ -9,7 +10,9 @@
 //!
 //! [docs/theory.md, eq. (5.15)] [vlachos2001] [coons1967]
 
-use crate::element::cell::Cell;
+use super::jet::Jet;
+use super::swept::Chart;
+use crate::element::cell::{Cell, QUAD4};
 use crate::vector::{Vector, add, cross, dot, scale, size, sub};
 
 /// The most nodes of a face.
@@ -29,6 +32,8 @@ pub struct Patch {
     nodes: [Vector; MOST_NODES],
     /// Normals at the corners [1], where the face is smoothed.
     normals: Option<[Vector; MOST_CORNERS]>,
+    /// Of an analytical surface, whose nodes are the markers of its body.
+    chart: Option<Chart>,
 }
 
 /// Weights of the nodes, and of the bends of its edges: of a place, or derivatives of them.
@@ -60,13 +65,20 @@ impl Place {
 impl Patch {
     /// The face of a cell with three or four corners; `normals` are unit vectors.
     pub fn new(cell: &'static Cell, nodes: &[Vector], normals: Option<&[Vector]>) -> Self {
-        let mut own = Self { cell, nodes: [[0.0; 3]; MOST_NODES], normals: None };
+        let mut own = Self { cell, nodes: [[0.0; 3]; MOST_NODES], normals: None, chart: None };
         own.nodes.iter_mut().zip(nodes).for_each(|(own, node)| *own = *node);
         if let Some(given) = normals {
             let mut all = [[0.0; 3]; MOST_CORNERS];
             all.iter_mut().zip(given).for_each(|(own, normal)| *own = *normal);
             own.normals = Some(all);
         }
+        own
+    }
+
+    /// A part of an analytical surface on the markers of its body.
+    pub fn on_markers(chart: Chart, markers: &[Vector]) -> Self {
+        let mut own = Self::new(&QUAD4, markers, None);
+        own.chart = Some(chart);
         own
     }
 
@@ -92,7 +104,10 @@ impl Patch {
             first: [Weights::default(); 2],
             second: [Weights::default(); 3],
         };
-        self.shapes(at, &mut place);
+        match &self.chart {
+            Some(chart) => markers(chart, at, &mut place),
+            None => self.shapes(at, &mut place),
+        }
         if self.normals.is_some() {
             self.bends(at, &mut place);
         }
@@ -236,58 +251,23 @@ impl Patch {
     }
 }
 
+/// Weights of the four markers: those of the axes are coordinates over the markers' distance, that of
+/// the origin is what is left of 1. [docs/theory.md, section 5.9]
+fn markers(chart: &Chart, at: [f64; 2], place: &mut Place) {
+    let along = chart.coordinates(at);
+    let origin = along.iter().fold(Jet::constant(1.0), |left, own| left.plus(own.times(-1.0)));
+    for (node, jet) in [origin].iter().chain(&along).enumerate() {
+        place.value.shapes[node] = jet.value;
+        for (first, slope) in place.first.iter_mut().zip(jet.first) {
+            first.shapes[node] = slope;
+        }
+        for (second, bend) in place.second.iter_mut().zip(jet.second) {
+            second.shapes[node] = bend;
+        }
+    }
+}
+
 /// A block by its entries.
 fn block_of(entry: impl Fn(usize, usize) -> f64) -> [Vector; 3] {
     std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)))
-}
-
-/// A function of two coordinates with its first and second derivatives (11, 22, 12).
-#[derive(Debug, Clone, Copy)]
-struct Jet {
-    value: f64,
-    first: [f64; 2],
-    second: [f64; 3],
-}
-
-impl Jet {
-    fn constant(value: f64) -> Self {
-        Self { value, first: [0.0; 2], second: [0.0; 3] }
-    }
-
-    fn coordinate(value: f64, axis: usize) -> Self {
-        let mut own = Self::constant(value);
-        own.first[axis] = 1.0;
-        own
-    }
-
-    fn plus(self, other: Self) -> Self {
-        Self {
-            value: self.value + other.value,
-            first: std::array::from_fn(|k| self.first[k] + other.first[k]),
-            second: std::array::from_fn(|k| self.second[k] + other.second[k]),
-        }
-    }
-
-    fn times(self, factor: f64) -> Self {
-        Self {
-            value: factor * self.value,
-            first: self.first.map(|d| factor * d),
-            second: self.second.map(|d| factor * d),
-        }
-    }
-
-    fn by(self, other: Self) -> Self {
-        let (f, g) = (self, other);
-        let second = |k: usize, a: usize, b: usize| {
-            f.second[k] * g.value
-                + f.first[a] * g.first[b]
-                + f.first[b] * g.first[a]
-                + f.value * g.second[k]
-        };
-        Self {
-            value: f.value * g.value,
-            first: std::array::from_fn(|k| f.first[k] * g.value + f.value * g.first[k]),
-            second: [second(0, 0, 0), second(1, 1, 1), second(2, 0, 1)],
-        }
-    }
 }

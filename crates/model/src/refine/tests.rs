@@ -51,6 +51,7 @@ fn pair(nodes: &[NodeIndex], master: Master) -> ContactPair {
         elements: elements.collect(),
         adjust: crate::Adjust::Nothing,
         corners: Vec::new(),
+        slaves: Vec::new(),
         faces: Vec::new(),
         master,
         interaction: Interaction {

@@ -2,7 +2,9 @@
 
 use super::words::{labels, number};
 use crate::number::general;
-use slideline_model::{ContactPair, Formulation, Friction, Master, Model, NormalLaw, StickRule};
+use slideline_model::{
+    ContactPair, Formulation, Friction, Master, MasterFaces, Model, NormalLaw, StickRule, Sweep,
+};
 use slideline_solve::observe::{ContactRow, Frame};
 use std::fmt::Write as _;
 
@@ -34,6 +36,16 @@ fn master(model: &Model, master: &Master) -> String {
             if surface.segments.len() == 1 { "" } else { "s" },
             model.nodes.label(surface.reference)
         ),
+        Master::Faces(MasterFaces { swept: Some(swept), .. }) => format!(
+            "analytical surface of {} segment{} {}, moving with node {}",
+            swept.segments.len(),
+            if swept.segments.len() == 1 { "" } else { "s" },
+            match swept.sweep {
+                Sweep::Along => "drawn along a line",
+                Sweep::Around => "turned about an axis",
+            },
+            model.nodes.label(swept.reference)
+        ),
         Master::Faces(faces) => format!(
             "{} faces of {} nodes ({}), {}, EXTENSION ZONE = {}",
             faces.faces.len(),
@@ -41,6 +53,13 @@ fn master(model: &Model, master: &Master) -> String {
             labels(model, &faces.nodes()),
             if faces.smooth { "smoothed" } else { "not smoothed" },
             number(faces.extension)
+        ),
+        Master::Itself(surface) => format!(
+            "the slave surface itself, in {} stretch{}, SMOOTH = {}, EXTENSION ZONE = {}",
+            surface.runs.len(),
+            if surface.runs.len() == 1 { "" } else { "es" },
+            number(surface.smooth),
+            number(surface.extension)
         ),
         Master::SlideLine(chain) => format!(
             "slide line of {} nodes ({}), SMOOTH = {}, EXTENSION ZONE = {}",
@@ -102,6 +121,9 @@ pub fn friction_law(friction: &Friction) -> String {
                 ),
                 StickRule::ElasticSlip(slip) => {
                     format!(", sticks within an elastic slip of {}", number(*slip))
+                }
+                StickRule::Slope(slope) => {
+                    format!(", sticks with a slope of {}", number(*slope))
                 }
                 StickRule::Lagrange => ", sticks exactly (LAGRANGE)".to_owned(),
             });

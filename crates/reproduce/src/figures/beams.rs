@@ -67,7 +67,7 @@ pub(super) fn body(
     let model = &curve.model;
     for pair in &model.contact_pairs {
         match &pair.master {
-            Master::Faces(_) => {} // the paper's models are plane
+            Master::Faces(_) | Master::Itself(_) => {} // the paper's models are plane
             Master::RigidSurface(surface) => {
                 view.circle(scene, places[surface.reference], 9e-3, Pen::solid(1.1));
             }

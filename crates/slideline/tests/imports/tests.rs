@@ -29,7 +29,7 @@ fn there_and_back(name: &str, back: &str) -> Vec<String> {
 fn circles_by_paths_of_every_kind() {
     let ways = [
         ("root", "use crate::b::Own;"),
-        ("parent", "use super::b::Own;"),
+        ("beside", "use super::b::Own;"),
         ("tree", "use super::{a, b::{self, Own}};"),
         ("no_use", "fn back() -> crate::b::Own {\n    crate::b::Own\n}"),
         ("own_name", "use own_name::b::Own;"),

@@ -44,6 +44,7 @@ fn contact() -> ContactPair {
         vocabulary: Vocabulary::Elements,
         adjust: slideline_model::Adjust::Nothing,
         corners: Vec::new(),
+        slaves: Vec::new(),
         faces: Vec::new(),
         elements: vec![element([3, 4]), element([4, 5])],
         master: Master::RigidSurface(RigidSurface {

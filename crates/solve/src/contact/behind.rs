@@ -1,15 +1,22 @@
 //! Points that stand behind a master, or have no room between two.
 
-use super::kinematics::ContactKinematics;
+use super::kinematics::{ContactKinematics, PointKinematics};
 use super::master::MasterSurface;
-use super::pairs::Contact;
+use super::pairs::{Contact, SlavePoint};
 use super::positions::distance;
 use crate::state::PointState;
 use slideline_mech::contact::search::pass::cross_faces;
-use slideline_mech::contact::search::sweep::cross_chain;
+use slideline_mech::contact::search::sweep::{cross_chain, cross_parts};
+use slideline_model::Presence;
 
 /// Parts of a segment whose ends are held against another body.
 const OUTLINE: usize = 64;
+
+/// Whether a slave node that faced nothing before lies behind what it faces now.
+fn stands_behind(point: &SlavePoint, before: &PointState, now: &PointKinematics) -> bool {
+    let aside = before.along.is_none() && !before.closed && point.is_node();
+    aside && now.faces && now.overclosure > 0.0
+}
 
 impl Contact {
     /// Two rigid masters of the same slave nodes that stand deeper in one another
@@ -68,14 +75,28 @@ impl Contact {
         kinematics: &mut ContactKinematics,
     ) {
         for (place, point) in self.points.iter().enumerate() {
-            let before = &before[place];
-            let aside = before.along.is_none() && !before.closed && point.is_node();
             let now = kinematics.points()[place];
-            if aside && now.faces && now.overclosure > 0.0 {
+            if stands_behind(point, &before[place], &now) {
                 let start = self.slave(point, 0.0, from).position;
-                if !self.enters(point.pair, (start, now.position), (from, u)) {
+                if !self.enters(point, (start, now.position), (from, u)) {
                     kinematics.at_mut(place).turn_away_in_place();
                 }
+            }
+        }
+    }
+
+    /// Turns slave nodes away that stood behind their master when the step before ended: to begin a
+    /// step takes them to no front. Pairs that were absent from that step meet anew.
+    pub fn stay_behind(
+        &self,
+        presence: &Presence,
+        before: &[PointState],
+        kinematics: &mut ContactKinematics,
+    ) {
+        for (place, point) in self.points.iter().enumerate() {
+            let now = kinematics.points()[place];
+            if presence.has_pair(point.pair) && stands_behind(point, &before[place], &now) {
+                kinematics.at_mut(place).turn_away_in_place();
             }
         }
     }
@@ -83,12 +104,12 @@ impl Contact {
     /// Whether a way crosses a master from its front.
     fn enters(
         &self,
-        pair: usize,
+        point: &SlavePoint,
         (start, end): ([f64; 3], [f64; 3]),
         (from, to): (&[f64], &[f64]),
     ) -> bool {
         let mut inward = false;
-        let master = &self.masters[pair];
+        let master = &self.masters[point.pair];
         match master {
             MasterSurface::Nothing => {}
             MasterSurface::Faces { mesh, nodes, .. } => {
@@ -105,6 +126,16 @@ impl Contact {
                 let local = |at: [f64; 3], u: &[f64]| master.placed_body(u).to_body(at);
                 let way = (local(start, from), local(end, to));
                 surface.crossings(way, |crossing, _| inward |= crossing.inward);
+            }
+            MasterSurface::Line { nodes, itself: Some(own), .. } => {
+                let positions = |u: &[f64]| -> Vec<_> {
+                    nodes.iter().map(|(at, dofs)| dofs.displace(*at, u)).collect()
+                };
+                let (before, after) = (positions(from), positions(to));
+                let parts = (0..nodes.len() - 1).filter(|&part| own.stops(point.seat, part));
+                cross_parts((&before, &after), parts, (start, end), |crossing| {
+                    inward |= crossing.inward;
+                });
             }
             MasterSurface::Line { chain, nodes, .. } => {
                 let positions = |u: &[f64]| {

@@ -13,6 +13,7 @@
 
 use super::master::MasterSurface;
 use super::mortar::place::MortarRoom;
+use super::mortar_faces::place::FaceRoom;
 use super::pairs::{Carrier, Contact};
 use super::positions::{MasterPositions, distance};
 use crate::state::PointState;
@@ -45,6 +46,17 @@ pub enum Candidates {
     Faces(Vec<usize>),
 }
 
+impl Candidates {
+    /// Whether there are any.
+    pub fn is_any(&self) -> bool {
+        match self {
+            Self::All => true,
+            Self::Nodes(range) => !range.is_empty(),
+            Self::Faces(faces) => !faces.is_empty(),
+        }
+    }
+}
+
 impl Contact {
     /// Whether a pair has so many couplings that only those near are taken in.
     pub fn is_selective(&self, pair: usize) -> bool {
@@ -52,6 +64,7 @@ impl Contact {
         let is_spread = self.mortars.iter().any(|mortar| mortar.pair == pair);
         match &self.masters[pair] {
             MasterSurface::Line { .. } if is_spread => true,
+            MasterSurface::Line { itself: Some(_), .. } => true,
             MasterSurface::Line { nodes, .. } => points * nodes.len() > MANY,
             MasterSurface::Faces { .. } => true,
             _ => false,
@@ -82,15 +95,28 @@ impl Contact {
             _ => Candidates::All,
         }));
         let mut rooms: Vec<MortarRoom> = Vec::new();
+        let mut face_rooms: Vec<FaceRoom> = Vec::new();
         for u in states {
             self.place_masters(u, positions);
             rooms.resize_with(self.mortars.len(), MortarRoom::default);
             for (mortar, room) in self.mortars.iter().zip(&mut rooms) {
                 self.place_mortar(mortar, u, room);
             }
+            face_rooms.resize_with(self.face_mortars.len(), FaceRoom::default);
+            for (mortar, room) in self.face_mortars.iter().zip(&mut face_rooms) {
+                self.place_face_mortar(mortar, u, room);
+            }
             for (place, own) in all.iter_mut().enumerate() {
+                let point = &self.points[place];
                 match own {
                     Candidates::All => {}
+                    Candidates::Faces(faces) if point.mortar.is_some() => {
+                        let own = point.mortar.unwrap_or_default();
+                        let (mortar, reach) =
+                            (&self.face_mortars[own], NEAR * self.spacing[point.pair]);
+                        let at = (&face_rooms[own], reach);
+                        self.near_face_mortar(mortar, place - mortar.first, at, faces);
+                    }
                     Candidates::Faces(faces) => {
                         let before = before.get(place).and_then(|point| point.footing.as_ref());
                         self.near_faces(place, (u, NEAR, before), positions, faces);
@@ -121,13 +147,12 @@ impl Contact {
             let nodes = self.masters[point.pair].nodes().len();
             return Some(part.start.saturating_sub(BESIDE)..(part.end + BESIDE).min(nodes));
         }
-        let MasterSurface::Line { chain, nodes, offset, .. } = &self.masters[point.pair] else {
-            return None;
-        };
+        let master = &self.masters[point.pair];
+        let MasterSurface::Line { nodes, offset, .. } = master else { return None };
         let Carrier::Node { position, dofs } = &point.carrier else { return None };
         let at = dofs.displace(*position, u);
-        let (own, nearby) = positions.chain(point.pair, *offset..offset + nodes.len())?;
-        let piece = chain.closest(own, nearby, at)?;
+        let own = positions.nodes.get(*offset..offset + nodes.len())?;
+        let piece = master.piece((positions, point.pair), (at, point.seat))?;
         let part = piece.nodes();
         let distance =
             own[part.clone()].iter().map(|&node| distance(at, node)).fold(f64::MAX, f64::min);

@@ -94,8 +94,24 @@ impl Contact {
         constraints: &ConstraintNumbering,
         cliques: &mut Cliques,
     ) {
-        let mortar = &self.mortars[own];
+        let pair = self.points[place].pair;
         let mut all: Vec<usize> = Vec::new();
+        if let MasterSurface::Faces { mesh, nodes, .. } = &self.masters[pair] {
+            let Some(Candidates::Faces(faces)) = near.get(place).filter(|own| own.is_any()) else {
+                return;
+            };
+            let mortar = &self.face_mortars[own];
+            self.slaves_of_face_mortar(mortar, place - mortar.first, |node| {
+                all.extend_from_slice(mortar.dofs[node].as_slice());
+            });
+            let of_faces = faces.iter().flat_map(|&face| &mesh.faces()[face].nodes);
+            all.extend(of_faces.flat_map(|&node| nodes[node].1.as_slice()));
+            all.sort_unstable();
+            all.dedup();
+            cliques.add(constraints, &all);
+            return;
+        }
+        let mortar = &self.mortars[own];
         self.slaves_of_mortar(mortar, place - mortar.first, |node| {
             all.extend_from_slice(mortar.dofs[node].as_slice());
         });

@@ -191,20 +191,20 @@ impl Contact {
                         events.push((place, event));
                     });
                 }
-                MasterSurface::Line { chain, nodes, offset, .. } => {
+                MasterSurface::Line { chain, nodes, offset, itself, .. } => {
                     let range = *offset..offset + nodes.len();
                     let positions = (&chains[0].nodes[range.clone()], &chains[1].nodes[range]);
                     chain.near_way(chains[0].tree(pair), (way[0], way[1]), near);
-                    cross_parts(positions, near.iter().copied(), (way[0], way[1]), |crossing| {
+                    let stops = |&part: &usize| {
+                        itself.as_ref().is_none_or(|own| own.stops(point.seat, part))
+                    };
+                    let parts = near.iter().copied().filter(stops);
+                    cross_parts(positions, parts, (way[0], way[1]), |crossing| {
                         let start = chain.arc_coordinate(crossing.segment);
                         let own = crossing.parameter * chain.reference_length(crossing.segment);
                         let (normal, inward) = (crossing.normal, crossing.inward);
-                        let fraction = share(crossing.fraction);
-                        let at = way[0];
-                        events.push((
-                            place,
-                            Event { fraction, along: start + own, normal, at, inward },
-                        ));
+                        let (fraction, along) = (share(crossing.fraction), start + own);
+                        events.push((place, Event { fraction, along, normal, at: way[0], inward }));
                     });
                 }
             }
@@ -235,8 +235,16 @@ impl Contact {
             }
         }
         let from = entered?;
-        let is_line = matches!(self.masters[self.points[place].pair], MasterSurface::Line { .. });
-        if is_line && sweep.now[place].along.is_some() {
+        let (master, now) = (&self.masters[self.points[place].pair], &sweep.now[place]);
+        if master.own().is_some() {
+            // what it meets in front of it is another part of its surface; smoothed corners lie a
+            // little behind the faces
+            let point = &self.points[place];
+            let met = master.met_itself((&chains[1], point.pair), point.seat);
+            let beyond = met.is_none_or(|depth| depth < -CUT * self.spacing[point.pair]);
+            return (beyond && from.fraction > 0.0).then_some(from.fraction);
+        }
+        if matches!(master, MasterSurface::Line { .. }) && now.along.is_some() {
             return None; // it faces the line, whose corners are smoothed, on the side it stands
         }
         match self.faces(place, (sweep.to, sweep.now), &chains[1], 1.0) {

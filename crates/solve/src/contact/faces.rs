@@ -192,6 +192,11 @@ impl Contact {
             return;
         };
         let Some(placed) = self.placed_faces(point.pair, positions) else { return };
+        if placed.mesh.swept().is_some() {
+            // all parts of an analytical surface follow the same markers
+            into.extend(into.is_empty().then_some(facing.face));
+            return;
+        }
         let nodes = &placed.mesh.faces()[facing.face].nodes;
         let distances = nodes.iter().map(|&node| distance(at, placed.positions[node]));
         let corner = |k: usize| placed.positions[nodes[k]];

@@ -8,6 +8,7 @@
 
 use super::facing::Facing;
 use super::mortar::rooms::{MortarRooms, MortarScratch};
+use super::mortar_faces::rooms::{FaceMortarRooms, FaceScratch};
 use super::operator::{ContactOperator, OperatorRows, OperatorRowsMut};
 use super::shear::{Shear, TURNS};
 use super::stencil::Stencil;
@@ -25,6 +26,7 @@ pub struct ContactKinematics {
     pub(super) room: FaceRoom,
     pub(super) unknowns: Vec<usize>,
     pub(super) mortars: Vec<MortarRooms>,
+    pub(super) face_mortars: Vec<FaceMortarRooms>,
 }
 
 /// A slave point against its master.
@@ -58,6 +60,7 @@ pub struct PointRows<'a> {
     pub rows: OperatorRows<'a>,
     /// Where the faces of all mortars stand.
     pub(super) mortars: &'a [MortarRooms],
+    pub(super) face_mortars: &'a [FaceMortarRooms],
 }
 
 impl Deref for PointRows<'_> {
@@ -86,13 +89,15 @@ impl ContactKinematics {
     pub fn forget(&mut self, points: usize, room: usize, directions: usize) {
         self.points.clear();
         self.points.resize(points, PointKinematics::NOWHERE);
+        self.mortars.iter_mut().for_each(MortarRooms::forget);
+        self.face_mortars.iter_mut().for_each(FaceMortarRooms::forget);
         self.operator.fit(points, room, directions);
     }
 
     /// A point with its rows.
     pub fn at(&self, place: usize) -> PointRows<'_> {
         let (point, rows) = (&self.points[place], self.operator.rows(place));
-        PointRows { point, rows, mortars: &self.mortars }
+        PointRows { point, rows, mortars: &self.mortars, face_mortars: &self.face_mortars }
     }
 
     pub(super) fn at_mut(&mut self, place: usize) -> PointRowsMut<'_> {
@@ -119,6 +124,7 @@ impl ContactKinematics {
         self.points.clone_from(&other.points);
         self.operator.copy_from(&other.operator);
         self.mortars.clone_from(&other.mortars);
+        self.face_mortars.clone_from(&other.face_mortars);
     }
 
     /// Makes room for so many dofs at every point.
@@ -243,4 +249,7 @@ pub struct GeometryScratch {
     pub(super) room: FaceRoom,
     pub(super) kernel: Vec<f64>,
     pub(super) mortar: MortarScratch,
+    pub(super) face_mortar: FaceScratch,
+    /// Columns of a point by dof.
+    pub(super) columns: Vec<usize>,
 }

@@ -44,6 +44,7 @@ pub(super) fn friction((pair, law): (&ContactPair, &Friction), length: f64) -> F
                 StickRule::Lagrange if integrated => elastic(0.005),
                 StickRule::Lagrange => Stick::Lagrange,
                 StickRule::ElasticSlip(slip) => Stick::Elastic { slip: *slip },
+                StickRule::Slope(stiffness) => Stick::Slope { stiffness: *stiffness },
                 StickRule::SlipTolerance(fraction) => elastic(*fraction),
             },
         },

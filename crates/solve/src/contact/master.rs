@@ -5,13 +5,21 @@ use super::positions::MasterPositions;
 use super::stencil::Stencil;
 use crate::dofs::{DofMap, Translations, rigid_dofs};
 use slideline_mech::contact::gap::Order;
-use slideline_mech::contact::pair::{AnyGap, Body, RigidSurface, chain_attachments, chain_gap};
-use slideline_mech::contact::search::chain::Chain;
+use slideline_mech::contact::pair::{
+    AnyGap, Body, RigidSurface, chain_attachments, chain_gap, chain_overclosure,
+};
+use slideline_mech::contact::search::chain::{Chain, Piece};
+use slideline_mech::contact::search::itself::{Itself, Placed, Run, listed};
 use slideline_mech::contact::search::rigid::RigidSegment;
 use slideline_mech::rigid::{Attachment, PointMap};
 use slideline_mech::surface::mesh::{FaceMesh, MeshFace};
-use slideline_model::{MasterFaces, Model, NodeIndex, SlideLine, SurfaceSegment};
+use slideline_mech::surface::swept::Swept;
+use slideline_model::{
+    MasterFaces, Model, NodeIndex, OwnSurface, ProfilePoint, SlideLine, SurfaceRun, SurfaceSegment,
+    SweptSurface,
+};
 use std::collections::HashMap;
+use std::ops::Range;
 
 /// A master, ready to be searched.
 #[derive(Clone, Debug)]
@@ -35,6 +43,8 @@ pub enum MasterSurface {
         offset: usize,
         /// Which of its nodes are middle nodes of faces; empty: none is.
         middles: Vec<bool>,
+        /// Which of its parts its own nodes may meet, where it meets itself.
+        itself: Option<Box<Itself>>,
     },
     /// Faces in space, and where the positions of their nodes begin in the scratch.
     Faces {
@@ -60,9 +70,39 @@ impl MasterSurface {
         match Chain::new(&reference, line.smooth, line.extension) {
             Some(chain) => {
                 let middles = line.middles.clone();
-                MasterSurface::Line { chain, nodes: nodes.collect(), offset, middles }
+                let (nodes, itself) = (nodes.collect(), None);
+                MasterSurface::Line { chain, nodes, offset, middles, itself }
             }
             None => MasterSurface::Nothing,
+        }
+    }
+
+    /// The surface that its own nodes meet.
+    pub fn itself(
+        model: &Model,
+        dofs: &DofMap,
+        surface: &OwnSurface,
+        offset: usize,
+    ) -> MasterSurface {
+        let list = listed_nodes(surface);
+        let nodes: Vec<_> = list
+            .iter()
+            .map(|&node| (model.nodes.get(node).position, dofs.translations(node)))
+            .collect();
+        match own_parts(model, surface, &list) {
+            Some((itself, chain)) => {
+                let (middles, itself) = (Vec::new(), Some(Box::new(itself)));
+                MasterSurface::Line { chain, nodes, offset, middles, itself }
+            }
+            None => MasterSurface::Nothing,
+        }
+    }
+
+    /// What a surface that meets itself knows of its parts.
+    pub fn own(&self) -> Option<&Itself> {
+        match self {
+            Self::Line { itself, .. } => itself.as_deref(),
+            _ => None,
         }
     }
 
@@ -95,7 +135,13 @@ impl MasterSurface {
             let nodes = face.nodes.iter().map(|node| place[node]).collect();
             Some(MeshFace { cell: face.cell()?, nodes })
         });
-        let mesh = FaceMesh::new(of_mesh.collect(), &reference, faces.smooth);
+        let mesh = match &faces.swept {
+            None => FaceMesh::new(of_mesh.collect(), &reference, faces.smooth),
+            Some(swept) => match swept_profile(swept) {
+                Some(swept) => FaceMesh::analytical(swept),
+                None => return MasterSurface::Nothing,
+            },
+        };
         let nodes = labels.iter().map(|node| (at(node), dofs.translations(*node))).collect();
         MasterSurface::Faces { mesh, nodes, offset, extension: faces.extension }
     }
@@ -131,23 +177,55 @@ impl MasterSurface {
         }
     }
 
-    /// What a point of the pair of that index faces, with masters at `positions`.
+    /// What a point of the pair of that index faces, with masters at `positions`; `seat` is its
+    /// place on a master that it belongs to.
     pub fn search(
         &self,
         u: &[f64],
         (positions, pair): (&MasterPositions, usize),
-        point: [f64; 3],
+        (point, seat): ([f64; 3], usize),
     ) -> Option<Facing> {
         match self {
             Self::Nothing | Self::Faces { .. } => None,
             Self::Body { surface, .. } => {
                 surface.closest(&self.placed_body(u), point).map(Facing::Surface)
             }
-            Self::Line { chain, nodes, offset, .. } => {
-                let (own, nearby) = positions.chain(pair, *offset..offset + nodes.len())?;
-                chain.closest(own, nearby, point).map(Facing::Piece)
-            }
+            Self::Line { .. } => self.piece((positions, pair), (point, seat)).map(Facing::Piece),
         }
+    }
+
+    /// The piece of a line that a point faces.
+    pub(super) fn piece(
+        &self,
+        (positions, pair): (&MasterPositions, usize),
+        (point, seat): ([f64; 3], usize),
+    ) -> Option<Piece> {
+        let Self::Line { chain, nodes, offset, itself, .. } = self else { return None };
+        let range = *offset..offset + nodes.len();
+        match itself {
+            None => {
+                let (own, nearby) = positions.chain(pair, range)?;
+                chain.closest(own, nearby, point)
+            }
+            Some(itself) => itself.closest(placed_itself((chain, range), (positions, pair))?, seat),
+        }
+    }
+
+    /// Overclosure of the node of a surface that meets itself against what it meets, whichever of
+    /// both is the slave [L]; `None` where it meets nothing.
+    pub(super) fn met_itself(
+        &self,
+        (positions, pair): (&MasterPositions, usize),
+        seat: usize,
+    ) -> Option<f64> {
+        let Self::Line { chain, nodes, offset, itself: Some(itself), .. } = self else {
+            return None;
+        };
+        let range = *offset..offset + nodes.len();
+        let placed = placed_itself((chain, range), (positions, pair))?;
+        let piece = itself.met(placed, seat)?;
+        let found = chain_overclosure(chain, &piece, placed.positions, placed.positions[seat])?;
+        Some(found[0])
     }
 
     /// The gap of the point of a stencil to what it faces; the master's part is
@@ -198,6 +276,9 @@ impl MasterSurface {
         };
         match self {
             Self::Nothing => {}
+            Self::Faces { mesh, .. } if mesh.swept().is_some() => {
+                return [[f64::NEG_INFINITY; 3], [f64::INFINITY; 3]];
+            }
             Self::Faces { nodes, offset, .. } => {
                 let range = *offset..offset + nodes.len();
                 let all = chains.iter().flat_map(|c| &c.nodes[range.clone()]);
@@ -221,11 +302,43 @@ impl MasterSurface {
         match self {
             Self::Nothing | Self::Faces { .. } => None,
             Self::Body { surface, .. } => surface.beyond_end(&self.placed_body(u), point),
+            // where the faces of a surface end, its part turns away
+            Self::Line { itself: Some(_), .. } => None,
             Self::Line { chain, nodes, offset, .. } => {
                 chain.beyond_end(positions.get(*offset..offset + nodes.len())?, point)
             }
         }
     }
+}
+
+/// The surface of a pair that meets itself where it stands.
+fn placed_itself<'a>(
+    (chain, range): (&'a Chain, Range<usize>),
+    (positions, pair): (&'a MasterPositions, usize),
+) -> Option<Placed<'a>> {
+    let (positions, tree) = (positions.nodes.get(range)?, positions.tree(pair)?);
+    Some(Placed { chain, positions, tree })
+}
+
+/// The nodes of a surface that meets itself in the order of its list.
+pub(super) fn listed_nodes(surface: &OwnSurface) -> Vec<NodeIndex> {
+    let nodes: Vec<NodeIndex> = surface.nodes().collect();
+    listed(&runs(surface)).into_iter().map(|number| nodes[number]).collect()
+}
+
+fn runs(surface: &OwnSurface) -> Vec<Run> {
+    let run = |own: &SurfaceRun| Run { nodes: own.nodes.len(), is_closed: own.is_closed };
+    surface.runs.iter().map(run).collect()
+}
+
+/// Its parts and its chain at the undeformed positions of a model.
+pub(super) fn own_parts(
+    model: &Model,
+    surface: &OwnSurface,
+    list: &[NodeIndex],
+) -> Option<(Itself, Chain)> {
+    let reference: Vec<_> = list.iter().map(|&node| model.nodes.get(node).position).collect();
+    Itself::new(&runs(surface), &reference, (surface.smooth, surface.extension))
 }
 
 /// The box about places.
@@ -247,12 +360,25 @@ pub fn placed(surface: &slideline_model::RigidSurface) -> Option<RigidSurface> {
     Some(RigidSurface::new(segments))
 }
 
+/// The profile of an analytical surface in space; `None` as of [`placed`].
+pub(super) fn swept_profile(surface: &SweptSurface) -> Option<Swept> {
+    let segments: Option<Vec<_>> = in_place(surface.start, &surface.segments).collect();
+    Some(Swept { segments: segments?, sweep: surface.sweep, length: surface.length })
+}
+
 /// Its segments one after the other; `None` in place of an impossible arc.
 pub(super) fn placed_segments(
     surface: &slideline_model::RigidSurface,
 ) -> impl Iterator<Item = Option<RigidSegment>> {
-    let mut from = surface.start;
-    surface.segments.iter().map(move |segment| {
+    in_place(surface.start, &surface.segments)
+}
+
+fn in_place(
+    start: ProfilePoint,
+    segments: &[SurfaceSegment],
+) -> impl Iterator<Item = Option<RigidSegment>> {
+    let mut from = start;
+    segments.iter().map(move |segment| {
         let placed = match *segment {
             SurfaceSegment::Line { end } => RigidSegment::Line { a: from, b: end },
             SurfaceSegment::Circle { end, centre } => RigidSegment::arc(from, end, centre)?,

@@ -2,6 +2,7 @@
 
 use super::master::MasterSurface;
 use super::mortar::slave::Mortar;
+use super::mortar_faces::slave::FaceMortar;
 use super::segment::{SEGMENT_POINTS, SlaveSegment};
 use crate::dofs::Translations;
 use slideline_mech::contact::friction::FrictionLaw;
@@ -21,8 +22,10 @@ pub struct SlavePoint {
     pub state_variables: usize,
     /// How many they are.
     pub state_size: usize,
-    /// The mortar that it belongs to, where it is spread over its faces.
+    /// The mortar that it belongs to, of the plane or of space, where it is spread over its faces.
     pub(super) mortar: Option<usize>,
+    /// Its place on a master that it belongs to; zero elsewhere.
+    pub(super) seat: usize,
     /// How it is carried.
     pub(super) carrier: Carrier,
 }
@@ -68,6 +71,8 @@ pub struct Contact {
     pub(super) masters: Vec<MasterSurface>,
     /// Slave surfaces whose contact is spread over their faces.
     pub(super) mortars: Vec<Mortar>,
+    /// The same in space.
+    pub(super) face_mortars: Vec<FaceMortar>,
     /// Distance of neighbouring slave points, a pair each [L].
     pub(super) spacing: Vec<f64>,
     /// Slave points that contact elements join, a list a pair.

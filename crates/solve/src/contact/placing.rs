@@ -19,10 +19,15 @@ impl Contact {
             tree.fit(|face| faces::way_bounds(mesh, (from, to), face));
         }
         for (master, tree) in self.masters.iter().zip(&mut into.trees) {
-            let (MasterSurface::Line { chain, offset, .. }, Some(tree)) = (master, tree) else {
+            let (MasterSurface::Line { chain, offset, itself, .. }, Some(tree)) = (master, tree)
+            else {
                 continue;
             };
-            chain.fit_ways(tree, &into.nodes[*offset..], &to.nodes[*offset..]);
+            let (from, to) = (&into.nodes[*offset..], &to.nodes[*offset..]);
+            match itself {
+                Some(own) => own.fit_ways(chain, tree, (from, to)),
+                None => chain.fit_ways(tree, from, to),
+            }
         }
     }
 
@@ -42,9 +47,16 @@ impl Contact {
                     None => *face_tree = Some(faces::tree(mesh, own)),
                 }
             }
-            let MasterSurface::Line { chain, nodes, offset, .. } = master else { continue };
+            let MasterSurface::Line { chain, nodes, offset, itself, .. } = master else { continue };
             into.nodes.extend(nodes.iter().map(|(at, dofs)| dofs.displace(*at, u)));
             let own = &into.nodes[*offset..];
+            if let Some(itself) = itself {
+                match tree {
+                    Some(tree) => itself.fit(chain, tree, own),
+                    None => *tree = Some(itself.tree(chain, own)),
+                }
+                continue;
+            }
             if chain.segments() < LONG {
                 into.reaches.resize(*offset, 0.0);
                 into.reaches.extend((0..chain.segments()).map(|index| chain.reach(own, index)));

@@ -3,6 +3,7 @@
 use super::laws::{self, mean_length, state_size};
 use super::master::MasterSurface;
 use super::mortar::slave::Mortar;
+use super::mortar_faces::slave::FaceMortar;
 use super::pairs::{Carrier, Contact, SlavePoint};
 use super::segment::{CELLS, SEGMENT_POINTS, SlaveSegment};
 use super::shear::{Shear, sheared_beams};
@@ -25,6 +26,7 @@ impl Contact {
             directions: if model.is_in_space() { 2 } else { 1 },
             masters: Vec::new(),
             mortars: Vec::new(),
+            face_mortars: Vec::new(),
             spacing: Vec::new(),
             edges: Vec::new(),
             opposed: Vec::new(),
@@ -35,7 +37,7 @@ impl Contact {
             contact.edges.push(Vec::new());
             match pair.formulation {
                 Formulation::NodeToSurface => contact.add_nodes(dofs, place, pair),
-                Formulation::Mortar => contact.add_mortar(dofs, place, pair),
+                Formulation::Mortar => contact.add_mortar(model, dofs, place, pair),
                 Formulation::SurfaceToSurface => contact.add_segments(model, dofs, place, pair),
             }
             let length = mean_length(model, pair);
@@ -48,15 +50,31 @@ impl Contact {
                 Master::Faces(faces) => {
                     MasterSurface::faces(model, dofs, faces, contact.chain_nodes)
                 }
+                Master::Itself(surface) => {
+                    MasterSurface::itself(model, dofs, surface, contact.chain_nodes)
+                }
             };
             contact.chain_nodes += master.nodes().len();
             contact.spacing.push(laws::spacing(model, length, &master));
             contact.masters.push(master);
+            contact.take_seats(place, pair);
         }
         contact.opposed = contact.opposed_pairs();
         contact.take_points(model);
         contact.take_segments(model);
         contact
+    }
+
+    /// Where the points of a surface that meets itself stand on it.
+    fn take_seats(&mut self, place: usize, pair: &ContactPair) {
+        let (Master::Itself(surface), Some(own)) = (&pair.master, self.masters[place].own()) else {
+            return;
+        };
+        let numbers = surface.nodes().enumerate().map(|(number, node)| (node, number));
+        let numbers: HashMap<_, _> = numbers.collect();
+        for point in self.points.iter_mut().filter(|point| point.pair == place) {
+            point.seat = numbers.get(&point.node).map_or(0, |&number| own.seat(number));
+        }
     }
 
     /// Pairs with rigid masters that share slave nodes.
@@ -89,17 +107,26 @@ impl Contact {
 
     /// Adds the slave nodes of a pair whose contact is spread over their faces, and the points that
     /// corners add.
-    fn add_mortar(&mut self, dofs: &DofMap, place: usize, pair: &ContactPair) {
+    fn add_mortar(&mut self, model: &Model, dofs: &DofMap, place: usize, pair: &ContactPair) {
         let first = self.points.len();
         self.add_nodes(dofs, place, pair);
         for &node in &pair.corners {
             let carrier = Carrier::Node { position: [0.0; 3], dofs: dofs.translations(node) };
             self.add_point(place, pair, node, carrier);
         }
-        let own = self.mortars.len();
+        let nodes = &self.slave_nodes[place][..];
+        let own = match pair.faces.is_empty() {
+            true => {
+                self.mortars.push(Mortar::new((place, pair), first, (nodes, dofs)));
+                self.mortars.len() - 1
+            }
+            false => {
+                let own = FaceMortar::new((place, pair), first, (nodes, model, dofs));
+                self.face_mortars.push(own);
+                self.face_mortars.len() - 1
+            }
+        };
         self.points[first..].iter_mut().for_each(|point| point.mortar = Some(own));
-        let nodes = (&self.slave_nodes[place][..], dofs);
-        self.mortars.push(Mortar::new((place, pair), first, nodes));
     }
 
     /// Adds a point without its numbers.
@@ -113,8 +140,9 @@ impl Contact {
         let (state_variables, state_size) = (self.state_size, state_size(pair));
         self.state_size += state_size;
         let (pair, area) = (pair_place, 0.0);
-        let mortar = None;
-        let point = SlavePoint { pair, node, area, state_variables, state_size, mortar, carrier };
+        let (mortar, seat) = (None, 0);
+        let point =
+            SlavePoint { pair, node, area, state_variables, state_size, mortar, seat, carrier };
         self.points.push(point);
     }
 

@@ -7,7 +7,8 @@ use super::positions::MasterPositions;
 use super::segment::SlaveSegment;
 use super::stencil::Stencil;
 use slideline_mech::contact::gap::Linear;
-use slideline_mech::contact::pair::AnyGap;
+use slideline_mech::contact::pair::{self, AnyGap, History};
+use slideline_mech::contact::tangential::Tangential;
 use slideline_mech::rigid::{Attachment, PointMap};
 
 impl Contact {
@@ -58,16 +59,27 @@ impl Contact {
     ) -> Option<(AnyGap<Linear>, Facing)> {
         let slave = self.attachment(point, xi);
         let master = &self.masters[point.pair];
-        let facing = master.search(u, (positions, point.pair), stencil.position)?;
+        let at = (stencil.position, point.seat);
+        let facing = master.search(u, (positions, point.pair), at)?;
         let gap = master.gap(&facing, slave, (u, &positions.nodes), stencil)?;
         Some((gap, facing))
     }
 
-    /// Length after which the slip coordinate of a point's master begins anew.
-    pub(super) fn period(&self, point: &SlavePoint) -> Option<f64> {
-        match &self.masters[point.pair] {
-            MasterSurface::Body { surface, .. } => surface.period(),
-            _ => None,
+    /// Change of the slip coordinates of a point from those of its history [L].
+    pub(super) fn change(
+        &self,
+        point: &SlavePoint,
+        history: &History,
+        along: Tangential,
+    ) -> Tangential {
+        match (&self.masters[point.pair], history.along) {
+            (MasterSurface::Line { chain, itself: Some(own), .. }, Some(from)) => {
+                Tangential([own.slip(chain, from[0], along[0]), 0.0])
+            }
+            (MasterSurface::Body { surface, .. }, _) => {
+                pair::slip(history, along, surface.period())
+            }
+            _ => pair::slip(history, along, None),
         }
     }
 

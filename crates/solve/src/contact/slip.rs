@@ -4,7 +4,7 @@ use super::kinematics::PointKinematics;
 use super::pairs::Contact;
 use super::positions::MasterPositions;
 use crate::state::PointState;
-use slideline_mech::contact::pair::{self, History};
+use slideline_mech::contact::pair::History;
 use slideline_mech::contact::tangential::Tangential;
 
 impl Contact {
@@ -26,15 +26,14 @@ impl Contact {
             // what slides in from beyond an end has slid
             return kinematics.along - history.along.unwrap_or(Tangential::ZERO);
         }
-        let period = self.period(point);
         if !point.is_integration_point() {
-            return pair::slip(history, kinematics.along, period);
+            return self.change(point, history, kinematics.along);
         }
         let mut stencil = self.slave(point, kinematics.xi, committed);
         let before =
             self.face(point, kinematics.xi, committed, &MasterPositions::default(), &mut stencil);
         let along = before.map(|(gap, _)| gap.along());
-        pair::slip(&History { along, ..*history }, kinematics.along, period)
+        self.change(point, &History { along, ..*history }, kinematics.along)
     }
 
     /// Change of the slip coordinates of a point that opened, between its
@@ -59,7 +58,7 @@ impl Contact {
         } else {
             (old.history(), new.along)
         };
-        let slip = |along| pair::slip(&history, along, self.period(point));
+        let slip = |along| self.change(point, &history, along);
         along.map_or(Tangential::ZERO, slip)
     }
 }

@@ -42,6 +42,7 @@ impl Contact {
     ) {
         self.place_masters(u, positions);
         self.locate_mortars(u, before, into);
+        self.locate_face_mortars(u, before, into);
         for (place, point) in self.points.iter().enumerate() {
             let is_idle = idle.get(place).is_some_and(|&idle| idle);
             if !is_idle && point.is_node() {
@@ -64,6 +65,7 @@ impl Contact {
     ) {
         self.place_masters(u, positions);
         self.locate_mortars(u, before, into);
+        self.locate_face_mortars(u, before, into);
         for (place, point) in self.points.iter().enumerate() {
             let is_there = into.points()[place].faces || point.is_node();
             if is_there && point.mortar.is_none() {
@@ -91,6 +93,7 @@ impl Contact {
     pub fn stand(&self, u: &[f64], positions: &mut MasterPositions, into: &mut ContactKinematics) {
         self.place_masters(u, positions);
         self.locate_mortars(u, Before::NOTHING, into);
+        self.locate_face_mortars(u, Before::NOTHING, into);
         let alone = |(_, point): &(usize, &SlavePoint)| point.mortar.is_none();
         for (place, point) in self.points.iter().enumerate().filter(alone) {
             let own = into.at_mut(place);

@@ -2,6 +2,7 @@
 
 use super::facing::Facing;
 use super::kinematics::{GeometryScratch, PointRows};
+use super::master::MasterSurface;
 use super::pairs::Contact;
 use super::positions::MasterPositions;
 use crate::state::PointState;
@@ -15,7 +16,9 @@ const MOST_VARIABLES: usize = 8;
 impl Contact {
     /// Tangent of the geometry of a point, normal * D dh + tangential *
     /// D direction, with `normal` and `tangential` forces [F]; row-major, as wide
-    /// as its rows. The point faces what it faced when it was met, with masters at `positions`.
+    /// as its rows. The point faces what it faced when it was met, with masters at `positions`. Of a
+    /// point that is spread over faces in space it is what turns with the point alone
+    /// ([`Contact::tangents_of_faces`]).
     pub fn geometric_tangent(
         &self,
         place: usize,
@@ -34,8 +37,13 @@ impl Contact {
             let m = kinematics.rows.width();
             scratch.tangent.clear();
             scratch.tangent.resize(m * m, 0.0);
-            let rooms = &kinematics.mortars[own];
             let forces = (normal, tangential);
+            if let MasterSurface::Faces { .. } = &self.masters[point.pair] {
+                let rooms = &kinematics.face_mortars[own];
+                self.tangent_of_face_mortar((own, place), rooms, kinematics, forces, scratch);
+                return;
+            }
+            let rooms = &kinematics.mortars[own];
             self.tangent_of_mortar((own, place), (u, rooms), kinematics, forces, scratch);
             return;
         }

@@ -8,7 +8,7 @@
 //! Which points there are, and which dofs they follow, stays.
 
 use super::laws;
-use super::master::{MasterSurface, placed_segments};
+use super::master::{MasterSurface, listed_nodes, own_parts, placed_segments, swept_profile};
 use super::pairs::{Carrier, Contact};
 use super::segment::SEGMENT_POINTS;
 use crate::dofs::DofMap;
@@ -17,6 +17,7 @@ use slideline_mech::contact::points::faces::tributary_areas as face_areas;
 use slideline_mech::contact::points::{
     Across, chord, integration_points::HermiteLine, tributary_areas,
 };
+use slideline_mech::surface::mesh::FaceMesh;
 use slideline_model::{ContactPair, Formulation, Master, Model, NodeIndex};
 use std::collections::HashMap;
 
@@ -42,16 +43,21 @@ impl Contact {
             }
         }
         self.take_mortars(model);
-        for (place, pair) in
-            model.contact_pairs.iter().enumerate().filter(|p| !p.1.faces.is_empty())
-        {
-            self.take_face_areas(model, place, pair);
+        let at_nodes = |pair: &ContactPair| pair.formulation != Formulation::Mortar;
+        for (place, pair) in model.contact_pairs.iter().enumerate() {
+            if at_nodes(pair) && !pair.faces.is_empty() {
+                self.take_face_areas(model, place, pair);
+            }
         }
     }
 
     /// Positions and areas of slave nodes whose contact is spread over their faces.
     fn take_mortars(&mut self, model: &Model) {
-        let Self { points, mortars, slave_nodes, .. } = self;
+        let Self { points, mortars, face_mortars, slave_nodes, .. } = self;
+        for mortar in face_mortars {
+            let first = mortar.first;
+            mortar.take(model, |point, area| points[first + point].area += area);
+        }
         for mortar in mortars {
             let nodes = slave_nodes[mortar.pair].iter();
             let positions = nodes.map(|&node| model.nodes.get(node).position);
@@ -73,7 +79,11 @@ impl Contact {
             let Some(cell) = face.cell() else { continue };
             let at: Vec<_> = face.nodes.iter().map(|&n| model.nodes.get(n).position).collect();
             let points = &mut self.points;
-            face_areas(cell, &at, |node, area| points[of_node[&face.nodes[node]]].area += area);
+            face_areas(cell, &at, |node, area| {
+                if let Some(&point) = of_node.get(&face.nodes[node]) {
+                    points[point].area += area;
+                }
+            });
         }
     }
 
@@ -121,6 +131,15 @@ impl Contact {
                 *reference = model.nodes.get(said.reference).position;
                 surface.take(placed_segments(said))
             }
+            (MasterSurface::Line { chain, nodes, itself, .. }, Master::Itself(surface)) => {
+                let list = listed_nodes(surface);
+                for ((position, _), &node) in nodes.iter_mut().zip(&list) {
+                    *position = model.nodes.get(node).position;
+                }
+                let Some((own, line)) = own_parts(model, surface, &list) else { return false };
+                (*chain, *itself) = (line, Some(Box::new(own)));
+                true
+            }
             (MasterSurface::Line { chain, nodes, .. }, Master::SlideLine(line)) => {
                 for ((position, _), &node) in nodes.iter_mut().zip(&line.nodes) {
                     *position = model.nodes.get(node).position;
@@ -129,8 +148,14 @@ impl Contact {
                 let lengths = ends.map(|ends| distance(model, [ends[0], ends[1]]));
                 chain.take(lengths, line.smooth, line.extension)
             }
-            (MasterSurface::Faces { nodes, extension, .. }, Master::Faces(faces)) => {
+            (MasterSurface::Faces { mesh, nodes, extension, .. }, Master::Faces(faces)) => {
                 *extension = faces.extension;
+                if let Some(said) = &faces.swept {
+                    let Some(swept) = swept_profile(said) else { return false };
+                    if mesh.swept() != Some(&swept) {
+                        *mesh = FaceMesh::analytical(swept);
+                    }
+                }
                 for ((position, _), node) in nodes.iter_mut().zip(faces.nodes()) {
                     *position = model.nodes.get(node).position;
                 }
@@ -138,6 +163,9 @@ impl Contact {
             }
             (MasterSurface::Nothing, Master::RigidSurface(said)) => {
                 matches!(MasterSurface::body(model, dofs, said), MasterSurface::Nothing)
+            }
+            (MasterSurface::Nothing, Master::Itself(surface)) => {
+                own_parts(model, surface, &listed_nodes(surface)).is_none()
             }
             (MasterSurface::Nothing, Master::SlideLine(line)) => {
                 let made = MasterSurface::chain(model, dofs, line, 0);

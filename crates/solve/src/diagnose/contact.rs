@@ -302,6 +302,12 @@ fn master_end(plan: &Problem<'_>, pair: &ContactPair, along: f64) -> End {
     match &pair.master {
         Master::SlideLine(line) => line_end(plan.model, line, pair, along),
         Master::RigidSurface(surface) => surface_end(surface, pair, along),
+        Master::Itself(surface) => End {
+            what: "the surface",
+            remedy: "name the faces beyond its end in *SURFACE too".to_owned(),
+            origin: surface.origin,
+            card: None,
+        },
         Master::Faces(faces) => End {
             what: "the surface",
             remedy: "name the faces beyond its edge in *SURFACE too, or prolong it with EXTENSION \

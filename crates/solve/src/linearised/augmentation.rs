@@ -24,7 +24,7 @@ pub struct Stiffness<'a> {
     pub pattern: &'a Pattern,
     /// K_0 [F/L and the like].
     pub values: &'a [f64],
-    /// K_s; written.
+    /// K_s; written. Empty: K_0 is factored as it is, which no point augments.
     pub augmented: &'a mut [f64],
     /// Factors of K_s.
     pub solver: &'a mut Solver,
@@ -37,7 +37,7 @@ impl Stiffness<'_> {
     ///
     /// Errors: the solver's.
     pub fn factor(&mut self, points: &LinearPoints) -> Result<FactorReport, SolveError> {
-        self.augmented.copy_from_slice(self.values);
+        self.begin();
         for point in points.with_rows() {
             self.augment(&point);
         }
@@ -49,11 +49,17 @@ impl Stiffness<'_> {
     ///
     /// Errors: the solver's.
     pub fn follow(&mut self) -> Result<bool, SolveError> {
-        self.augmented.copy_from_slice(self.values);
-        if self.symmetrised {
-            symmetrise(self.pattern, self.augmented);
+        self.begin();
+        self.finish();
+        let values = if self.augmented.is_empty() { self.values } else { &*self.augmented };
+        self.solver.follow(self.pattern, values)
+    }
+
+    /// K_0 as K_s begins.
+    fn begin(&mut self) {
+        if !self.augmented.is_empty() {
+            self.augmented.copy_from_slice(self.values);
         }
-        self.solver.follow(self.pattern, self.augmented)
     }
 
     /// Factors K_0 with the slopes of laws that are inserted: `answers`, a point each.
@@ -64,7 +70,7 @@ impl Stiffness<'_> {
         points: &LinearPoints,
         answers: &[PointAnswer],
     ) -> Result<FactorReport, SolveError> {
-        self.augmented.copy_from_slice(self.values);
+        self.begin();
         let Self { augmented, pattern, .. } = self;
         let pressing = points.with_rows().zip(answers).filter(|(_, answer)| !answer.is_idle());
         for (point, answer) in pressing {
@@ -80,10 +86,16 @@ impl Stiffness<'_> {
 
     /// Factors what stands in K_s.
     fn refactor(&mut self) -> Result<FactorReport, SolveError> {
+        self.finish();
+        let values = if self.augmented.is_empty() { self.values } else { &*self.augmented };
+        self.solver.refactor(self.pattern, values)
+    }
+
+    /// Leaves the symmetric part of K_s, where only that is wanted.
+    fn finish(&mut self) {
         if self.symmetrised {
             symmetrise(self.pattern, self.augmented);
         }
-        self.solver.refactor(self.pattern, self.augmented)
     }
 
     fn augment(&mut self, point: &LinearRows<'_>) {

@@ -1,8 +1,10 @@
 //! The tangent of an iteration: elements, geometry of contact, augmentation stiffness.
 
+use super::multipliers::context;
 use super::scratch::{Scratch, solver};
 use crate::contact::{SEGMENT_POINTS, SlavePoint};
-use crate::linearised::{LawContext, LinearPoint, LinearRows, Sliding, Stiffness};
+use crate::evaluate::evaluate_tangent;
+use crate::linearised::{LinearPoint, LinearRows, Sliding, Stiffness};
 use crate::moments;
 use crate::problem::Problem;
 use crate::state::{PointState, State};
@@ -130,7 +132,7 @@ impl Scratch {
     /// Elements and geometry of contact: the tangent without the stiffness that
     /// closed points are augmented with.
     pub(super) fn assemble(&mut self, plan: &Problem<'_>, committed: &State) {
-        self.values.copy_from_slice(&self.evaluation.tangent);
+        self.take_tangents(plan, committed);
         self.stiffen(plan);
         self.dashpots.stiffen(plan, &self.evaluation.rows, &mut self.values);
         plan.stiffen_by_faces(&self.evaluation.rows, (&self.faces, &self.u), &mut self.values);
@@ -144,6 +146,33 @@ impl Scratch {
             let place = self.points[k].place;
             self.add_geometry(plan, &committed.points[place], place);
         }
+        self.add_faces(plan);
+    }
+
+    /// Adds the geometry of faces in space that contact is spread over.
+    fn add_faces(&mut self, plan: &Problem<'_>) {
+        let Self { evaluation, pressures, tractions, geometry, values, .. } = self;
+        let kinematics = &evaluation.kinematics;
+        let forces = |place: usize| {
+            let area = kinematics.points()[place].area;
+            Some((area * pressures[place], area * tractions[place]))
+        };
+        plan.contact.tangents_of_faces(kinematics, forces, geometry, |dofs, tangent| {
+            let at = |i: usize, j: usize| tangent[dofs.len() * i + j];
+            plan.scatter(&evaluation.rows, dofs, at, values);
+        });
+    }
+
+    /// The tangents of the elements, as the matrix begins. With contact a copy of them: its
+    /// multipliers may move while the elements stay.
+    fn take_tangents(&mut self, plan: &Problem<'_>, committed: &State) {
+        if !plan.contact.points.is_empty() {
+            return self.values.copy_from_slice(&self.evaluation.tangent);
+        }
+        if self.evaluation.tangent.is_empty() {
+            self.evaluate_by(plan, committed, self.dt, evaluate_tangent);
+        }
+        self.values = std::mem::take(&mut self.evaluation.tangent);
     }
 
     /// Many rows are solved without their matrix, and augmented by their laws.
@@ -199,18 +228,6 @@ impl Scratch {
             evaluation.kinematics.at(linear.place).press(p, tau, turning);
         }
         plan.stiffen_by_turning(&evaluation.rows, (at, turning), &mut self.values);
-    }
-}
-
-pub(super) fn context<'a>(plan: &Problem<'a>, committed: &'a State, dt: f64) -> LawContext<'a> {
-    LawContext {
-        laws: &plan.contact.laws,
-        time: committed.total_time + dt,
-        dt,
-        committed: &committed.state_variables,
-        symmetrised: plan.symmetrised(),
-        rounding: 8.0 * f64::EPSILON * plan.reach,
-        units: plan.units,
     }
 }
 

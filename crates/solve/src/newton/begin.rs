@@ -1,7 +1,7 @@
 //! The first guess of an attempt.
 
 use super::scratch::{Scratch, solver};
-use crate::evaluate::look_at;
+use crate::evaluate::{Evaluation, look_at};
 use crate::predict;
 use crate::problem::Problem;
 use crate::stabilise;
@@ -70,6 +70,7 @@ impl Scratch {
     /// Without a last increment to repeat, what is prescribed on the
     /// structure is spread over it linearly, lest one element takes it all.
     fn spread_prescribed(&mut self, plan: &Problem<'_>, committed: &State, target: &Target) {
+        self.give_back();
         let change = &mut self.correction_dofs;
         for (dof, value) in change.iter_mut().enumerate() {
             *value = self.u[dof] - committed.displacement[dof];
@@ -82,9 +83,8 @@ impl Scratch {
         plan.constraints.linearise((from, &self.turns), &mut self.evaluation.rows);
         self.residual.fill(0.0);
         let product = Product { vector: change, into: &mut self.residual };
-        let gather = plan.gather(&self.evaluation.rows, &mut self.values);
-        let gather = Gather { product: Some(product), ..gather };
-        let contributions = &mut self.evaluation.contributions;
+        let Evaluation { rows, tangent, contributions, .. } = &mut self.evaluation;
+        let gather = Gather { product: Some(product), ..plan.gather(rows, tangent) };
         plan.structure.evaluate(&at, contributions, gather, plan.means.pool);
         plan.constraints.carry(&self.evaluation.rows, &mut self.residual);
         for (equation, &dof) in plan.constraints.dof_of_equation.iter().enumerate() {
@@ -94,7 +94,7 @@ impl Scratch {
             return;
         }
         let solver = solver(&mut self.systems);
-        let factored = solver.refactor(plan.pattern, &self.values);
+        let factored = solver.refactor(plan.pattern, &self.evaluation.tangent);
         if factored.is_ok() && solver.solve(&mut self.correction).is_ok() {
             for (equation, &dof) in plan.constraints.dof_of_equation.iter().enumerate() {
                 self.u[dof] += self.correction[equation];

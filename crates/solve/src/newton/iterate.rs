@@ -1,6 +1,6 @@
 //! One iteration: assemble, factor, solve, move, evaluate.
 
-use super::assembly::context;
+use super::multipliers::context;
 use super::scratch::{Scratch, solver};
 use crate::evaluate::Evaluation;
 use crate::linearised::Stiffness;

@@ -10,10 +10,9 @@
 //! docs/theory.md section 8.15. Penalty is the same without multipliers: nothing stands between
 //! trial and law, and nothing is moved.
 
-use super::assembly::context;
 use super::scratch::{Scratch, solver};
 use crate::convergence::largest_nodal;
-use crate::linearised::Stiffness;
+use crate::linearised::{LawContext, Stiffness};
 use crate::problem::Problem;
 use crate::state::State;
 use slideline_linalg::{FactorReport, SolveError};
@@ -128,6 +127,19 @@ impl Scratch {
         let free = |dof: usize| plan.constraints.equation(dof).map(|_| residual[dof]);
         let [(force, _), _] = largest_nodal(plan.dofs, free);
         force
+    }
+}
+
+/// What the laws of contact are asked with at an increment of that length [T].
+pub(super) fn context<'a>(plan: &Problem<'a>, committed: &'a State, dt: f64) -> LawContext<'a> {
+    LawContext {
+        laws: &plan.contact.laws,
+        time: committed.total_time + dt,
+        dt,
+        committed: &committed.state_variables,
+        symmetrised: plan.symmetrised(),
+        rounding: 8.0 * f64::EPSILON * plan.reach,
+        units: plan.units,
     }
 }
 

@@ -1,6 +1,6 @@
 //! What a diagnosis asks of an attempt that has failed.
 
-use super::assembly::context;
+use super::multipliers::context;
 use super::scratch::Scratch;
 use crate::iteration_history::IterationHistory;
 use crate::linearised::Contradiction;
@@ -104,7 +104,8 @@ impl Scratch {
     /// last: its null vector, by inverse iteration from an equation without
     /// pivot.
     pub fn null_mode(&self, plan: &Problem<'_>, equation: usize) -> Option<Vec<f64>> {
-        let mut values = self.augmented.clone();
+        let kept = [&self.augmented, &self.values, &self.evaluation.tangent];
+        let mut values = kept.into_iter().find(|values| !values.is_empty())?.clone();
         let unit = |e: usize| plan.units[e];
         let diagonal = || {
             let own = |e| plan.pattern.position(e, e).map(|at| (e, at));

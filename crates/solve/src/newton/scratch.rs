@@ -64,8 +64,10 @@ pub struct Scratch {
     pub(super) near: Vec<Candidates>,
     /// Positions of deforming masters.
     pub(super) positions: MasterPositions,
-    /// The tangent without augmentation, and with it.
+    /// The tangent without augmentation: without contact the room of the elements' tangents, which
+    /// goes back to the evaluation.
     pub(super) values: Vec<f64>,
+    /// The same with it; empty where there is none and the symmetric part is not asked for.
     pub(super) augmented: Vec<f64>,
     /// Whether contact couples what the pattern does not hold.
     pub outside: bool,
@@ -169,11 +171,14 @@ impl Scratch {
         system.coupling.clone()
     }
 
-    /// Tells a large linear system the rigid motions of its unknowns, that it may be solved by
-    /// iteration: not where contact asks for many solutions of every matrix.
-    pub fn tell_motions(&mut self, plan: &Problem<'_>) {
+    /// Tells the linear system whether few solutions of every matrix are wanted, that it may be
+    /// solved by iteration: not where contact asks for many. A large one is then told the rigid
+    /// motions of its unknowns too.
+    pub fn tell_use(&mut self, plan: &Problem<'_>) {
         let Some(system) = self.systems.last_mut() else { return };
-        if plan.constraints.equations() < LARGE || !plan.contact.points.is_empty() {
+        let few = plan.contact.points.is_empty();
+        system.solver.expect_few(few);
+        if plan.constraints.equations() < LARGE || !few {
             return;
         }
         system.solver.set_motions(&rigid_motions(plan));
@@ -195,11 +200,19 @@ impl Scratch {
         (&mut self.positions, &mut self.evaluation.kinematics)
     }
 
+    /// Gives the room of tangents that became the matrix back to the evaluation.
+    pub(super) fn give_back(&mut self) {
+        if self.evaluation.tangent.is_empty() {
+            self.evaluation.tangent = std::mem::take(&mut self.values);
+        }
+    }
+
     /// Makes room for a problem, as if nothing had been solved before; the coupling must be
     /// that of [`Scratch::couple`].
     pub fn fit(&mut self, plan: &Problem<'_>) {
         let (dofs, equations) = (plan.dofs.len(), plan.constraints.equations());
         let (points, entries) = (plan.contact.points.len(), plan.pattern.entries());
+        self.give_back();
         self.evaluation.fit(plan);
         let by_dof = [
             &mut self.u,
@@ -210,9 +223,9 @@ impl Scratch {
             &mut self.still,
         ];
         by_dof.into_iter().for_each(|list| zero(list, dofs));
-        for list in [&mut self.values, &mut self.augmented] {
-            zero(list, entries);
-        }
+        let is_changed = points > 0 || plan.symmetrised();
+        zero(&mut self.values, if points > 0 { entries } else { 0 });
+        zero(&mut self.augmented, if is_changed { entries } else { 0 });
         for list in [&mut self.stresses, &mut self.arrived] {
             zero(list, plan.structure.stress_room());
         }

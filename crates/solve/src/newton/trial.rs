@@ -44,6 +44,7 @@ impl Scratch {
         dt: f64,
         evaluate: fn(&Problem<'_>, &State, &Trial<'_>, &mut Evaluation),
     ) {
+        self.give_back();
         self.write_evaluation(|work, into| {
             evaluate(plan, committed, &work.trial(committed, dt), into)
         });

@@ -171,6 +171,8 @@ fn draw_pair(pair: &ContactPair, note: &mut impl FnMut(usize)) {
     pair.elements.iter().flat_map(|element| element.nodes).for_each(&mut *note);
     note(pair.faces.len());
     draw_faces(&pair.faces, note);
+    note(pair.slaves.len());
+    pair.slaves.iter().for_each(|&node| note(node));
     match &pair.master {
         Master::RigidSurface(surface) => [0, surface.reference].into_iter().for_each(note),
         Master::SlideLine(line) => {
@@ -178,9 +180,17 @@ fn draw_pair(pair: &ContactPair, note: &mut impl FnMut(usize)) {
             line.nodes.iter().for_each(|&node| note(node));
             line.middles.iter().for_each(|&is_middle| note(usize::from(is_middle)));
         }
+        Master::Itself(surface) => {
+            [3, surface.runs.len()].into_iter().for_each(&mut *note);
+            for run in &surface.runs {
+                [run.nodes.len(), usize::from(run.is_closed)].into_iter().for_each(&mut *note);
+                run.nodes.iter().for_each(|&node| note(node));
+            }
+        }
         Master::Faces(faces) => {
             [2, faces.faces.len(), usize::from(faces.smooth)].into_iter().for_each(&mut *note);
             draw_faces(&faces.faces, note);
+            note(faces.swept.as_ref().map_or(0, |swept| 1 + swept.reference));
         }
     }
 }

@@ -128,12 +128,12 @@ impl Analysis<'_> {
             let enforcement = self.enforcement;
             let problem = Problem { is_lenient, enforcement, contact, structure, ..problem };
             work.fit(&problem);
-            work.tell_motions(&problem);
+            work.tell_use(&problem);
             if begun || from.is_some() {
                 crate::commit::recall_points(self.committed, work);
             } else {
-                let (positions, kinematics) = work.places();
-                crate::commit::locate_points(contact, self.committed, positions, kinematics);
+                let before = number.checked_sub(2).map(|before| &model.steps[before].presence);
+                crate::commit::locate_points(contact, before, self.committed, work.places());
             }
             if !begun {
                 self.begin(&problem, number, from, work)?;

@@ -120,6 +120,7 @@ pub(crate) fn model(line: bool) -> Model {
     let pair = ContactPair {
         adjust: slideline_model::Adjust::Nothing,
         corners: Vec::new(),
+        slaves: Vec::new(),
         name,
         formulation,
         vocabulary: slideline_model::Vocabulary::Elements,
@@ -180,7 +181,7 @@ fn assembled_tangent_by_differences() {
         let mut evaluation = Evaluation::default();
         evaluation.fit(&plan);
         let (positions, kinematics) = (&mut MasterPositions::default(), &mut evaluation.kinematics);
-        crate::commit::locate_points(plan.contact, &mut committed, positions, kinematics);
+        crate::commit::locate_points(plan.contact, None, &mut committed, (positions, kinematics));
         let body = model.nodes.find(100).unwrap();
         let mut u: Vec<f64> =
             (0..dofs).map(|k| 0.02 * ((k * 7919 % 13) as f64 / 6.0 - 1.0)).collect();
@@ -236,7 +237,7 @@ fn idle_points_that_touch_are_found() {
         let mut evaluation = Evaluation::default();
         evaluation.fit(&plan);
         let (positions, kinematics) = (&mut MasterPositions::default(), &mut evaluation.kinematics);
-        crate::commit::locate_points(plan.contact, &mut committed, positions, kinematics);
+        crate::commit::locate_points(plan.contact, None, &mut committed, (positions, kinematics));
         let (none, untouched) = (vec![0.0; points], vec![Tangential::ZERO; points]);
         let stresses = vec![0.0; plan.structure.stress_room()];
         let (mut u, load) = (vec![0.0; dofs], vec![0.0; dofs]);

@@ -14,9 +14,10 @@ mod tips;
 mod write;
 
 pub use draft::{Chain, Draft, Friction, Normal, Pair, Promise, Side, Solid, Spring, Step, Stick};
-pub use write::{Placement, write};
+pub use write::{Placement, Units, laws as write_laws, line, write};
 
 use super::Sequence;
+use super::label::Label;
 
 /// A class: its name and how a model of it is drawn.
 #[derive(Clone, Copy)]
@@ -80,6 +81,12 @@ impl Case {
         draft.reversible |= unique && draft.friction.mu == 0.0;
         let placed = Placement::drawn(&draft, &mut s);
         Self { class: class.name, number, draft, placed }
+    }
+
+    /// What it is counted under.
+    pub fn label(&self) -> Label {
+        let well_posed = self.draft.promise == Promise::WellPosed;
+        Label { class: self.class, number: self.number, well_posed }
     }
 
     /// Its deck.

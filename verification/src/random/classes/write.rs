@@ -42,9 +42,8 @@ impl Placement {
     pub fn drawn(draft: &Draft, s: &mut Sequence) -> Self {
         let mut placed = Self::natural(draft);
         if s.below(2) == 0 {
-            placed.length = s.power(-9.0, 3.0);
-            placed.force = s.power(-12.0, 9.0) / 1e-6;
-            placed.time = s.power(-6.0, 4.0);
+            let Units { length, force, time } = Units::drawn(s);
+            (placed.length, placed.force, placed.time) = (length, force, time);
         }
         let quarters = s.below(4) as f64;
         let angle = match free_of_axes(draft) {
@@ -99,8 +98,46 @@ impl Placement {
         format!("{x:.16e}, {y:.16e}")
     }
 
-    /// A pressure in the units of the deck.
+    fn units(&self) -> Units {
+        Units { length: self.length, force: self.force, time: self.time }
+    }
+
     fn pressure(&self, natural: f64) -> f64 {
+        self.units().pressure(natural)
+    }
+}
+
+/// What natural units are in those of a deck.
+#[derive(Clone, Copy, Debug)]
+pub struct Units {
+    /// Length.
+    pub length: f64,
+    /// Force.
+    pub force: f64,
+    /// Period of a step.
+    pub time: f64,
+}
+
+impl Units {
+    /// Those of the draft.
+    pub const NATURAL: Self = Self { length: 1.0, force: 1.0, time: 1.0 };
+
+    /// Any, over many decades.
+    pub fn drawn(s: &mut Sequence) -> Self {
+        let length = s.power(-9.0, 3.0);
+        let force = s.power(-12.0, 9.0) / 1e-6;
+        Self { length, force, time: s.power(-6.0, 4.0) }
+    }
+
+    /// The nearest powers of two: numbers in them round as in natural units, so that a run must not
+    /// differ in a single bit.
+    pub fn exact(self) -> Self {
+        let near = |x: f64| x.log2().round().exp2();
+        Self { length: near(self.length), force: near(self.force), time: near(self.time) }
+    }
+
+    /// A pressure in the units of the deck.
+    pub fn pressure(&self, natural: f64) -> f64 {
         natural * self.force / (self.length * self.length)
     }
 }
@@ -137,7 +174,8 @@ pub fn write(draft: &Draft, placed: &Placement, name: &str) -> String {
     }
     springs(&mut text, draft, placed);
     if !draft.pairs.is_empty() {
-        laws(&mut text, draft, placed);
+        let of = (&draft.normal, &draft.friction, draft.width);
+        laws(&mut text, of, placed.units());
     }
     for (k, pair) in draft.pairs.iter().enumerate() {
         contact(&mut text, placed, (k, pair));
@@ -148,7 +186,8 @@ pub fn write(draft: &Draft, placed: &Placement, name: &str) -> String {
     text
 }
 
-fn line(text: &mut String, more: &str) {
+/// A line more.
+pub fn line(text: &mut String, more: &str) {
     text.push_str(more);
     text.push('\n');
 }
@@ -217,11 +256,12 @@ fn springs(text: &mut String, draft: &Draft, placed: &Placement) {
     }
 }
 
-fn laws(text: &mut String, draft: &Draft, placed: &Placement) {
-    let length = placed.length;
-    let pressure = |natural: f64| placed.pressure(natural);
-    line(text, &format!("*SURFACE INTERACTION, NAME=I0\n{:e}", draft.width * length));
-    let Friction { mu, stick } = draft.friction;
+/// The interaction I0: width, pressure, friction.
+pub fn laws(text: &mut String, (normal, friction, width): (&Normal, &Friction, f64), units: Units) {
+    let length = units.length;
+    let pressure = |natural: f64| units.pressure(natural);
+    line(text, &format!("*SURFACE INTERACTION, NAME=I0\n{:e}", width * length));
+    let Friction { mu, stick } = *friction;
     match stick {
         _ if mu == 0.0 => {}
         Stick::Default => line(text, &format!("*FRICTION\n{mu}")),
@@ -236,12 +276,12 @@ fn laws(text: &mut String, draft: &Draft, placed: &Placement) {
             line(text, &format!("*FRICTION, TAUMAX={:e}\n{mu}", pressure(most)));
         }
         Stick::Decay(kinetic, rate) => {
-            let rate = rate * placed.time / length;
+            let rate = rate * units.time / length;
             line(text, &format!("*FRICTION, EXPONENTIAL DECAY\n{mu}, {kinetic}, {rate:e}"));
         }
     }
     let word = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE";
-    match &draft.normal {
+    match normal {
         Normal::Hard => line(text, &format!("{word}=HARD")),
         Normal::Linear(k) => line(text, &format!("{word}=LINEAR\n{:e}", pressure(*k) / length)),
         Normal::Exponential(c, p) => {

@@ -3,7 +3,7 @@
 //! ```text
 //!   tau |      mu p ________          elastic stick: slope mu p / gamma_crit up to the limit
 //!       |          /                  Lagrange stick: vertical, a multiplier carries it
-//!   ----+---------/------- slip
+//!   ----+---------/------- slip       slope: lambda up to the limit, whatever the pressure
 //!       |   _____/
 //! ```
 //!
@@ -27,6 +27,11 @@ pub enum Stick {
         /// gamma_crit [L].
         slip: f64,
     },
+    /// Traction by the elastic slip with a slope of its own, whatever the pressure (CalculiX).
+    Slope {
+        /// The slope lambda > 0 [F/L3].
+        stiffness: f64,
+    },
     /// Exact, by a multiplier (`LAGRANGE`).
     Lagrange,
 }
@@ -36,6 +41,7 @@ impl Stick {
     pub fn stiffness(&self, limit: f64) -> f64 {
         match *self {
             Self::Elastic { slip } if slip > 0.0 => limit / slip,
+            Self::Slope { stiffness } => stiffness,
             Self::Elastic { .. } | Self::Lagrange => f64::INFINITY,
         }
     }
@@ -173,6 +179,14 @@ impl FrictionLaw {
                     sliding(&limit, trial, *critical)
                 }
             }
+            Self::Coulomb { coefficient, limit: top, decay, stick: Stick::Slope { stiffness } } => {
+                let limit = limit(*coefficient, *top, *decay, pressure, (slip, dt));
+                if stiffness * trial.size() <= limit.tau {
+                    held(*stiffness, trial)
+                } else {
+                    sliding(&limit, trial, limit.tau / stiffness)
+                }
+            }
             Self::Rough { stick: Stick::Elastic { slip: critical } } if *critical > 0.0 => {
                 let limit = Limit::of_pressure(pressure, 1.0);
                 sticking(&limit, trial, *critical)
@@ -220,6 +234,10 @@ impl FrictionLaw {
             return Projection::ZERO;
         }
         let (limit, critical, slides) = match self {
+            Self::Coulomb { coefficient, limit: top, decay, stick: Stick::Slope { stiffness } } => {
+                let limit = limit(*coefficient, *top, *decay, pressure, (slip, dt));
+                return resolve_slope(&limit, *stiffness, (elastic_slip + z / kappa, kappa));
+            }
             Self::Coulomb {
                 coefficient,
                 limit: top,
@@ -314,6 +332,29 @@ fn sticking(limit: &Limit, trial: Tangential, critical: f64) -> Traction {
         dissipated_slip: 0.0,
         status: Status::Stick,
     }
+}
+
+/// Sticking with a slope that no pressure changes.
+fn held(stiffness: f64, trial: Tangential) -> Traction {
+    Traction {
+        tau: stiffness * trial,
+        d_tau_d_slip: TangentialMap::isotropic(stiffness),
+        d_tau_d_pressure: Tangential::ZERO,
+        elastic_slip: trial,
+        dissipated_slip: 0.0,
+        status: Status::Stick,
+    }
+}
+
+/// Such a stick in series with the stiffness `kappa` of the structure. [derived, theory (8.9)]
+fn resolve_slope(limit: &Limit, stiffness: f64, (way, kappa): (Tangential, f64)) -> Projection {
+    let share = kappa / (kappa + stiffness);
+    let tau = (share * stiffness) * way;
+    if tau.size() > limit.tau {
+        return Projection::at_limit(limit, way, 1.0 / kappa);
+    }
+    let by_z = TangentialMap::isotropic(share * stiffness / kappa);
+    Projection { tau, by_z, status: Status::Stick, ..Projection::ZERO }
 }
 
 fn sliding(limit: &Limit, trial: Tangential, critical: f64) -> Traction {

@@ -17,7 +17,30 @@ fn laws() -> Vec<FrictionLaw> {
         coulomb(Some(2.5e5), None, stick),
         coulomb(None, Some(Decay { kinetic: 0.1, rate: 2e3 }), stick),
         FrictionLaw::Rough { stick },
+        slope(),
     ]
+}
+
+fn slope() -> FrictionLaw {
+    coulomb(None, None, Stick::Slope { stiffness: 6e10 })
+}
+
+/// Requirement: with a stick slope the traction is slope times elastic slip, whatever the pressure,
+/// up to mu p; the elastic slip then is mu p over the slope, the rest is dissipated. By hand.
+#[test]
+fn a_stick_slope_does_not_follow_the_pressure() {
+    for pressure in [1e6, 4e6] {
+        let stick = slope().update_by(pressure, 2e-6, 1e-6, 1.0);
+        assert_eq!((stick.status, stick.d_tau_d_pressure[0]), (Status::Stick, 0.0));
+        assert!((stick.tau[0] - 1.8e5).abs() < 1e-6);
+    }
+    let slip = slope().update_by(1e6, 9e-6, 1e-6, 1.0);
+    assert_eq!(slip.status, Status::Slip);
+    assert!((slip.tau[0] - 3e5).abs() < 1e-6 && (slip.elastic_slip[0] - 5e-6).abs() < 1e-18);
+    assert!((slip.dissipated_slip - 5e-6).abs() < 1e-18);
+    // felt through a structure: two springs in series
+    let felt = slope().resolve_by(1e6, (1e5, 3e10), 0.0, (0.0, 1.0));
+    assert!((felt.tau[0] - 1e5 * 6e10 / 9e10).abs() < 1e-6);
 }
 
 /// The laws in the plane, by numbers.

@@ -258,7 +258,7 @@ impl FacePoint {
 
 /// The first direction after an increment: turned with the normal, and with the face in its plane
 /// by as much as that turned below the place where the point stood.
-fn borne(turned: &Turned, before: &Footing, tangent: Vector) -> Vector {
+pub(super) fn borne(turned: &Turned, before: &Footing, tangent: Vector) -> Vector {
     let [first, second] = turned.directions;
     let now = [dot(tangent, first), dot(tangent, second)];
     let [c, s] = before.bearing;
@@ -273,7 +273,7 @@ fn borne(turned: &Turned, before: &Footing, tangent: Vector) -> Vector {
 }
 
 /// The first tangent of a face by the directions of a footing.
-fn bearing(footing: &Footing, tangent: Vector) -> [f64; 2] {
+pub(super) fn bearing(footing: &Footing, tangent: Vector) -> [f64; 2] {
     let by = footing.directions().map(|t| dot(t, tangent));
     let size = by[0].hypot(by[1]);
     if size > 0.0 { by.map(|value| value / size) } else { [1.0, 0.0] }

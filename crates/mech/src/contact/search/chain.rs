@@ -48,7 +48,7 @@ pub fn raised([x, y]: Point) -> [f64; 3] {
 }
 
 /// A box that holds two boxes.
-fn joined(a: Bounds<2>, b: Bounds<2>) -> Bounds<2> {
+pub(super) fn joined(a: Bounds<2>, b: Bounds<2>) -> Bounds<2> {
     ([0, 1].map(|axis| a.0[axis].min(b.0[axis])), [0, 1].map(|axis| a.1[axis].max(b.1[axis])))
 }
 
@@ -95,27 +95,39 @@ pub struct Chain {
 }
 
 /// A candidate: the piece, its distance, and how far its parameter lies outside [L].
-struct Candidate {
-    piece: Piece,
-    distance: f64,
-    outside: f64,
+pub(super) struct Candidate {
+    pub piece: Piece,
+    pub distance: f64,
+    pub outside: f64,
 }
 
 impl Chain {
     /// The chain through the undeformed positions of its nodes, in order. `None` for fewer than two
     /// nodes, a segment of zero length, or a fraction outside its range.
     pub fn new(reference: &[[f64; 3]], smoothing: f64, extension: f64) -> Option<Self> {
-        let segments = reference.len().checked_sub(1).filter(|&segments| segments > 0)?;
+        let lengths = reference.windows(2).map(|pair| {
+            let d = sub(flat(pair[1]), flat(pair[0]));
+            d[0].hypot(d[1])
+        });
+        if lengths.len() == 0 {
+            return None;
+        }
+        Self::of_lengths(lengths, smoothing, extension)
+    }
+
+    /// The chain of segments of these undeformed lengths [L]. `None` as for [`Chain::new`].
+    pub fn of_lengths(
+        lengths: impl ExactSizeIterator<Item = f64>,
+        smoothing: f64,
+        extension: f64,
+    ) -> Option<Self> {
+        let segments = lengths.len();
         let mut chain = Self {
             smoothing,
             extension,
             lengths: Vec::with_capacity(segments),
             arc: Vec::with_capacity(segments + 1),
         };
-        let lengths = reference.windows(2).map(|pair| {
-            let d = sub(flat(pair[1]), flat(pair[0]));
-            d[0].hypot(d[1])
-        });
         chain.take(lengths, smoothing, extension).then_some(chain)
     }
 
@@ -345,11 +357,21 @@ impl Chain {
     }
 
     fn straight(&self, positions: &[[f64; 3]], point: Point, index: usize) -> Option<Candidate> {
+        self.straight_within(positions, point, (index, self.range(index)))
+    }
+
+    /// The straight part `index` for a point, in this range of its parameter; beyond it only in the
+    /// wedge at its node.
+    pub(super) fn straight_within(
+        &self,
+        positions: &[[f64; 3]],
+        point: Point,
+        (index, (low, high)): (usize, (f64, f64)),
+    ) -> Option<Candidate> {
         let (a, b) = (flat(positions[index]), flat(positions[index + 1]));
         let parameter = project_line(a, b, point)?;
         let along = sub(b, a);
         let length = dot(along, along).sqrt();
-        let (low, high) = self.range(index);
         let over = (low - parameter).max(parameter - high);
         let outside = if over <= INSIDE { 0.0 } else { over * length };
         let before = parameter < low;
@@ -383,7 +405,11 @@ impl Chain {
     }
 
     /// Control points P0, X, P2 of the corner at node `index`.
-    fn corner_control(&self, positions: &[[f64; 3]], index: usize) -> Option<[Point; 3]> {
+    pub(super) fn corner_control(
+        &self,
+        positions: &[[f64; 3]],
+        index: usize,
+    ) -> Option<[Point; 3]> {
         let at = |node: usize| positions.get(node).copied().map(flat);
         let (a, x, b) = (at(index.checked_sub(1)?)?, at(index)?, at(index + 1)?);
         let f = self.smoothing;
@@ -391,7 +417,13 @@ impl Chain {
         Some([toward(a), x, toward(b)])
     }
 
-    fn corner(&self, positions: &[[f64; 3]], point: Point, index: usize) -> Option<Candidate> {
+    /// The smoothed corner at node `index` for a point.
+    pub(super) fn corner(
+        &self,
+        positions: &[[f64; 3]],
+        point: Point,
+        index: usize,
+    ) -> Option<Candidate> {
         if self.smoothing <= 0.0 || index == 0 {
             return None;
         }
@@ -422,7 +454,7 @@ fn nearest_node(positions: &[[f64; 3]], point: Point) -> Option<usize> {
 }
 
 /// Nearer by more than rounding.
-fn better(candidate: &Candidate, best: Option<&Candidate>) -> bool {
+pub(super) fn better(candidate: &Candidate, best: Option<&Candidate>) -> bool {
     let Some(best) = best else { return candidate.distance.is_finite() };
     let (new, old) = (candidate.distance + candidate.outside, best.distance + best.outside);
     (new - old).abs() > TIE * (new + old) && new < old

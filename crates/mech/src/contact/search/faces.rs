@@ -76,6 +76,10 @@ pub fn closest(
     (point, extension, before): (Vector, f64, Option<usize>),
     room: &mut PlacedFace,
 ) -> Option<FacePlace> {
+    if let Some(swept) = mesh.swept() {
+        let (face, at) = super::swept::closest(swept, positions, point)?;
+        return Some(FacePlace { face, at });
+    }
     let measure = |face: usize| nearest_of(mesh, positions, face, point).0;
     let (mut face, least) = tree.nearest(point, measure)?;
     let kept = before

@@ -5,13 +5,17 @@
 //!            |                 chain:  nodes of a deforming line, smoothed corners, end extensions
 //!    o---o---+--o---o
 //! ```
+//!
+//! [`itself`] is the search of a surface that meets itself.
 
 pub mod chain;
 pub mod faces;
+pub mod itself;
 pub mod pass;
 pub mod rigid;
 pub mod segment;
 pub mod sweep;
+pub mod swept;
 pub mod tree;
 
 type Point = [f64; 2];

@@ -16,7 +16,7 @@ use crate::vector::{Vector, add, cross, dot, scale, size, sub};
 const HALVINGS: usize = 60;
 
 /// Crossings of a point on its way with faces whose nodes go from `before` to `after`; faces are
-/// the triangles of their corners.
+/// the triangles of their corners, an analytical surface is crossed as it is.
 pub fn cross_faces(
     mesh: &FaceMesh,
     (before, after): (&[Vector], &[Vector]),
@@ -24,6 +24,10 @@ pub fn cross_faces(
     (from, to): (Vector, Vector),
     mut each: impl FnMut(Crossing),
 ) {
+    if let Some(swept) = mesh.swept() {
+        super::swept::cross(swept, (before, after), (from, to), each);
+        return;
+    }
     for face in faces {
         let own = &mesh.faces()[face];
         let triangles: &[[usize; 3]] = match own.cell.faces.len() {

@@ -13,7 +13,7 @@
 
 use super::centre::Centre;
 use super::gather;
-use super::place::{Apart, Place, apart, invert};
+use super::place::{Apart, NO_STRAIN, Place, apart, invert};
 use super::point::{Point, States, energy};
 use super::solids::Solids;
 use crate::element::kernel::{Failure, Response, Surroundings};
@@ -296,7 +296,7 @@ impl<const D: usize, const N: usize> Centre<D, N> {
             let elastic = largest(&point.stress) / largest(point.moduli.as_flattened());
             largest(point.gradient.as_flattened()).max(elastic)
         };
-        let strain = points.iter().map(strain_of).fold(0.0_f64, f64::max);
+        let strain = points.iter().map(strain_of).fold(NO_STRAIN, f64::max);
         let inverse = largest(self.inverse.as_flattened());
         largest(parameters).max(strain / (inverse * inverse))
     }

@@ -6,6 +6,11 @@ use crate::element::cell::Cell;
 use crate::element::quadrature::Quadrature;
 use crate::material::tensor::Matrix;
 
+/// Strain that no digit of a deformation knows of: the square of its rounding [1]. Where an element
+/// is carried along without strain, what is solved for in it goes to nothing, and this is all that
+/// its changes can be held against.
+pub(super) const NO_STRAIN: f64 = f64::EPSILON * f64::EPSILON;
+
 /// Shape functions of a point of the reference cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reference<const D: usize, const N: usize> {

@@ -5,6 +5,7 @@
 //!   c_ab = c_ab - c_a3 c_3b / c_33
 //! ```
 
+use super::place::NO_STRAIN;
 use crate::material::tensor::Matrix;
 use crate::material::{Answer, Conditions};
 use crate::orientation::Oriented;
@@ -41,7 +42,7 @@ pub(super) fn ask(
         let modulus = answer.moduli[2][2] + if under.large { 2.0 * stress } else { 0.0 };
         let step = -stress / modulus;
         let size = answer.stress.iter().fold(0.0_f64, |size, s| size.max(s.abs()));
-        let largest = gradient.as_flattened().iter().fold(0.0_f64, |most, h| most.max(h.abs()));
+        let largest = gradient.as_flattened().iter().fold(NO_STRAIN, |most, h| most.max(h.abs()));
         let made = modulus.abs() * largest + size;
         if !step.is_finite() {
             return None;

@@ -10,11 +10,20 @@ pub struct MortarRooms {
     pub now: MortarRoom,
     /// At the last commit.
     pub before: MortarRoom,
+    /// The displacements that `before` was placed at; empty: none yet.
+    pub(super) placed_at: Vec<f64>,
     pub(super) pulled: Vec<Place<f64>>,
     pub(super) columns: Vec<usize>,
     pub(super) unknowns: Vec<usize>,
     /// Curves that a face faces now, where they stood then.
     pub(super) carried: Vec<Curve<f64>>,
+}
+
+impl MortarRooms {
+    /// Forgets where the faces stood.
+    pub fn forget(&mut self) {
+        self.placed_at.clear();
+    }
 }
 
 /// Scratch of a tangent.

@@ -49,14 +49,16 @@ pub(super) struct At<'a> {
 
 impl Contact {
     /// Whether the pressure of a pair is a function of its overclosure.
-    fn is_soft(&self, pair: usize) -> bool {
+    pub(in crate::contact) fn is_soft(&self, pair: usize) -> bool {
         self.laws[pair].normal.pressure(0.0).is_some()
     }
 
     /// Whether the tangent of some pair is not symmetric even without friction: where faces are
     /// covered in part, pressures change with areas that move. docs/theory.md eq. (5.29)
     pub fn has_soft_mortar(&self) -> bool {
-        self.mortars.iter().any(|mortar| self.is_soft(mortar.pair))
+        let plane = self.mortars.iter().map(|mortar| mortar.pair);
+        let space = self.face_mortars.iter().map(|mortar| mortar.pair);
+        plane.chain(space).any(|pair| self.is_soft(pair))
     }
 
     /// Where all points of the mortars stand at displacements `u`, with slips since `before`.
@@ -66,8 +68,10 @@ impl Contact {
         for (mortar, rooms) in self.mortars.iter().zip(&mut rooms) {
             self.place_mortar(mortar, u, &mut rooms.now);
             let has_history = !before.u.is_empty() && !before.points.is_empty();
-            if has_history {
+            if has_history && rooms.placed_at != before.u {
                 self.place_mortar(mortar, before.u, &mut rooms.before);
+                rooms.placed_at.clear();
+                rooms.placed_at.extend_from_slice(before.u);
             }
             rooms.columns.resize(u.len(), NONE);
             let body = self.masters[mortar.pair].placed_body(u);

@@ -41,7 +41,7 @@ fn undeformed(plan: &Problem<'_>) -> State {
     let mut state = State::undeformed(dofs, points, (0, 0));
     let mut kinematics = plan.contact.nowhere();
     let positions = &mut crate::contact::MasterPositions::default();
-    crate::commit::locate_points(plan.contact, &mut state, positions, &mut kinematics);
+    crate::commit::locate_points(plan.contact, None, &mut state, (positions, &mut kinematics));
     state
 }
 

@@ -1,0 +1,33 @@
+//! `*CLEARANCE`: pairs whose slaves begin at a given gap.
+
+use slideline_diag::{Code, Diagnostic};
+use slideline_model::{Adjust, Formulation};
+
+use crate::draft::Draft;
+use crate::rule::Subject;
+use crate::surfaces::Clearance;
+
+/// `*CLEARANCE`: the pairs whose slaves begin at a given gap.
+pub(super) fn clearances(draft: &mut Draft) {
+    for clearance in std::mem::take(&mut draft.clearances) {
+        let Clearance { slave, master, value, origin } = clearance;
+        let name = format!("{}/{}", slave.name, master.name);
+        let Some(pair) = draft.model.contact_pairs.iter_mut().find(|pair| pair.name == name) else {
+            let message = format!("there is no contact pair of {} on {}", slave.name, master.name);
+            let error = Diagnostic::error(Code("SL0392"), message).at(origin);
+            let help = "SLAVE and MASTER are the surfaces of a line of *CONTACT PAIR";
+            draft.consequence(Subject::Contact, error.help(help));
+            continue;
+        };
+        if pair.adjust != Adjust::Nothing || pair.formulation == Formulation::SurfaceToSurface {
+            let message = format!("the slaves of {name} cannot begin at a clearance");
+            let error = Diagnostic::error(Code("SL0392"), message).at(origin);
+            let error = error.label(pair.origin, "the pair");
+            let help = "leave ADJUST, or another *CLEARANCE, of this pair out; contact that is \
+                        integrated along beams takes neither";
+            draft.consequence(Subject::Contact, error.help(help));
+            continue;
+        }
+        pair.adjust = Adjust::Clearance(value);
+    }
+}

@@ -1,0 +1,329 @@
+//! `*CONTACT`: contact between all parts of a model becomes pairs.
+//!
+//! ```text
+//!    inclusions      A with B, A with C, B with C       part by part, each once
+//!    - exclusions    A with C                           and what is tied or a pair already
+//!    x properties    A with B: OIL, B with C: DRY       the last that fits
+//! ```
+
+use slideline_diag::{Code, Diagnostic, Span};
+use slideline_model::Formulation;
+
+use super::faces::faces;
+use super::loops::open_chains;
+use super::skin::{Patch, Skin};
+use crate::draft::Draft;
+use crate::log::Target;
+use crate::rule::Subject;
+use crate::surfaces::{
+    Extent, GeneralContact, Named, NamedInteraction, NamedSurface, Pairing, Stretch, Two,
+};
+
+/// Ratio of stiffnesses from which on the stiffer part is the master, whatever the meshes [1].
+const STIFFER: f64 = 10.0;
+/// `EXTENSION ZONE` of the pairs, as of `*CONTACT PAIR` [1].
+const EXTENSION: f64 = 0.1;
+/// `SMOOTH` of the pairs likewise [1].
+const SMOOTH: f64 = 0.2;
+
+/// One side of a meeting.
+#[derive(Clone, Debug, PartialEq)]
+enum Side {
+    /// Faces of one part.
+    Faces(Patch),
+    /// An analytical surface.
+    Analytical(String),
+}
+
+/// Two sides that may touch.
+type Meeting = [Side; 2];
+
+/// Makes pairs of general contact.
+pub(super) fn pairings(draft: &mut Draft) {
+    let Some(general) = draft.general.take() else { return };
+    let skin = Skin::of(general.origin, draft);
+    let mut alone = Patch::new();
+    let mut meetings: Vec<Meeting> = Vec::new();
+    for two in &general.inclusions {
+        for meeting in include(two, &skin, &mut alone, draft) {
+            let known = meetings.clone();
+            meetings.extend(known.iter().fold(vec![meeting], outside));
+        }
+    }
+    for two in general.exclusions.iter().chain(&elsewhere(draft)) {
+        let Some(excluded) = sides(two, &skin, draft) else { continue };
+        for [first, second] in excluded {
+            meetings = outside(meetings, &[first, second]);
+        }
+    }
+    if !alone.is_empty() {
+        let message = "contact of a part with itself is left out of this general contact";
+        draft.log.push(Diagnostic::note(Code("SL0393"), message).at(general.origin));
+    }
+    let mut made = Made { general: &general, names: Vec::new(), count: 0 };
+    for (interaction, meeting) in with_properties(&general, meetings, &skin, draft) {
+        made.pair(interaction, meeting, &skin, draft);
+    }
+    if made.count == 0 {
+        let message = "this general contact has no two parts that could touch";
+        let warning = Diagnostic::warning(Code("SL0394"), message).at(general.origin);
+        let help = "it is between parts that share no node; *CONTACT INCLUSIONS names which, ALL \
+                    EXTERIOR takes all";
+        draft.consequence(Subject::Contact, warning.help(help));
+    }
+}
+
+/// The sides that a name, or no name, stands for: faces part by part, or analytical surfaces.
+fn side(named: Option<&Named>, skin: &Skin, draft: &mut Draft) -> Option<Vec<Side>> {
+    let by_parts = |patch: &Patch| {
+        skin.by_parts(patch).into_iter().map(|(_, own)| Side::Faces(own)).collect::<Vec<_>>()
+    };
+    let Some(named) = named else {
+        let owned = draft.bodies.iter().filter_map(|body| body.surface.as_ref());
+        let rigid = owned.map(|surface| Side::Analytical(surface.name.clone()));
+        return Some(by_parts(&skin.whole()).into_iter().chain(rigid).collect());
+    };
+    let surface = draft.surface(named)?;
+    if surface.extent.is_analytical() {
+        return Some(vec![Side::Analytical(named.name.clone())]);
+    }
+    let found = faces(&surface, named.span, draft);
+    Some(by_parts(&skin.patch(&found)))
+}
+
+/// All meetings of the sides of two names, each in one order.
+fn sides(two: &Two, skin: &Skin, draft: &mut Draft) -> Option<Vec<Meeting>> {
+    let first = side(two.first.as_ref(), skin, draft)?;
+    let second = match two.is_alone() {
+        true => first.clone(),
+        false => side(two.second.as_ref(), skin, draft)?,
+    };
+    let pairs = first.iter().flat_map(|a| second.iter().map(|b| [a.clone(), b.clone()]));
+    Some(pairs.collect())
+}
+
+/// Meetings of an inclusion between parts; what would meet itself is collected.
+fn include(two: &Two, skin: &Skin, alone: &mut Patch, draft: &mut Draft) -> Vec<Meeting> {
+    let all = sides(two, skin, draft).unwrap_or_default();
+    let mut kept: Vec<Meeting> = Vec::new();
+    for [first, second] in all {
+        match (&first, &second) {
+            (Side::Analytical(_), Side::Analytical(_)) => {}
+            (Side::Faces(a), Side::Faces(b)) if part(a, skin) == part(b, skin) => {
+                alone.extend(a.intersection(b));
+            }
+            (Side::Faces(a), Side::Faces(b)) if are_one_body(a, b, skin) => {}
+            _ if kept.contains(&[second.clone(), first.clone()]) => {}
+            _ => kept.push([first, second]),
+        }
+    }
+    kept
+}
+
+fn part(patch: &Patch, skin: &Skin) -> Option<usize> {
+    patch.first().map(|&face| skin.part_of[face])
+}
+
+/// Whether both parts are rigid: nothing can give way.
+fn are_one_body(a: &Patch, b: &Patch, skin: &Skin) -> bool {
+    let rigid = |patch| part(patch, skin).is_some_and(|part| skin.parts[part].body.is_some());
+    rigid(a) && rigid(b)
+}
+
+/// Surfaces that are tied, or a pair of their own: general contact leaves them to that.
+fn elsewhere(draft: &Draft) -> Vec<Two> {
+    let ties = draft.ties.iter().map(|tie| (&tie.slave, &tie.master));
+    let pairs = draft.pairings.iter().map(|pair| (&pair.slave, &pair.master));
+    let of_faces = |named: &Named| {
+        let same = |surface: &&NamedSurface| surface.named.name == named.name;
+        let found = draft.named_surfaces.iter().find(same);
+        found.is_some_and(|surface| !matches!(surface.extent, Extent::Nodes(_)))
+    };
+    ties.chain(pairs)
+        .filter(|(slave, master)| of_faces(slave) && of_faces(master))
+        .map(|(slave, master)| Two { first: Some(slave.clone()), second: Some(master.clone()) })
+        .collect()
+}
+
+/// What two sides have in common, and what of the first is not in the second.
+fn split(own: &Side, by: &Side) -> (Option<Side>, Option<Side>) {
+    match (own, by) {
+        (Side::Faces(own), Side::Faces(by)) => {
+            let some = |patch: Patch| (!patch.is_empty()).then_some(Side::Faces(patch));
+            let inside = own.intersection(by).copied().collect();
+            (some(inside), some(own.difference(by).copied().collect()))
+        }
+        (own, by) if own == by => (Some(own.clone()), None),
+        (own, _) => (None, Some(own.clone())),
+    }
+}
+
+/// What of a meeting is in another one, in its order, and what is not.
+fn cut(meeting: &Meeting, by: &Meeting) -> (Option<Meeting>, Vec<Meeting>) {
+    let (first, first_left) = split(&meeting[0], &by[0]);
+    let (second, second_left) = split(&meeting[1], &by[1]);
+    let (Some(first), Some(second)) = (first, second) else {
+        return (None, vec![meeting.clone()]);
+    };
+    let mut left = Vec::new();
+    left.extend(first_left.map(|other| [other, meeting[1].clone()]));
+    left.extend(second_left.map(|other| [first.clone(), other]));
+    (Some([first, second]), left)
+}
+
+/// What of meetings is not in another one, in either order.
+fn outside(meetings: Vec<Meeting>, by: &Meeting) -> Vec<Meeting> {
+    let turned = [by[1].clone(), by[0].clone()];
+    let left = meetings.iter().flat_map(|meeting| cut(meeting, by).1);
+    let left: Vec<Meeting> = left.collect();
+    left.iter().flat_map(|meeting| cut(meeting, &turned).1).collect()
+}
+
+/// The meetings with the interaction of the last property that fits; `None` without.
+fn with_properties(
+    general: &GeneralContact,
+    meetings: Vec<Meeting>,
+    skin: &Skin,
+    draft: &mut Draft,
+) -> Vec<(Option<Named>, Meeting)> {
+    let (mut found, mut left) = (Vec::new(), meetings);
+    for (two, interaction) in general.properties.iter().rev() {
+        let everywhere = two.first.is_none() && two.second.is_none();
+        if everywhere {
+            found.extend(left.drain(..).map(|meeting| (Some(interaction.clone()), meeting)));
+            break;
+        }
+        for by in sides(two, skin, draft).unwrap_or_default() {
+            let turned = [by[1].clone(), by[0].clone()];
+            for by in [by, turned] {
+                let mut rest = Vec::new();
+                for meeting in left {
+                    let (inside, others) = cut(&meeting, &by);
+                    found.extend(inside.map(|inside| (Some(interaction.clone()), inside)));
+                    rest.extend(others);
+                }
+                left = rest;
+            }
+        }
+    }
+    found.extend(left.into_iter().map(|meeting| (None, meeting)));
+    found
+}
+
+/// The surfaces and pairs that are made.
+struct Made<'a> {
+    general: &'a GeneralContact,
+    names: Vec<(Side, String)>,
+    count: usize,
+}
+
+impl Made<'_> {
+    /// Makes the pairs of a meeting; its roles follow from stiffness and mesh.
+    fn pair(
+        &mut self,
+        interaction: Option<Named>,
+        meeting: Meeting,
+        skin: &Skin,
+        draft: &mut Draft,
+    ) {
+        let ([slave, master], why) = roles(meeting, skin);
+        let masters = match &master {
+            Side::Faces(patch) if !draft.model.is_in_space() => {
+                let about = match &slave {
+                    Side::Faces(slave) => slave,
+                    Side::Analytical(_) => patch,
+                };
+                open_chains(patch, about, skin, draft).into_iter().map(Side::Faces).collect()
+            }
+            _ => vec![master],
+        };
+        let interaction = interaction.unwrap_or_else(|| self.plain(draft));
+        let slave = self.surface(slave, skin, draft);
+        for master in masters {
+            let master = self.surface(master, skin, draft);
+            let message = format!("general contact: {} on {}, {why}", slave.name, master.name);
+            let note = Diagnostic::note(Code("SL0395"), message).at(self.general.origin);
+            draft.log.push(note);
+            self.count += 1;
+            let formulation = match draft.model.is_in_space() {
+                true => Formulation::NodeToSurface,
+                false => Formulation::SurfaceToSurface,
+            };
+            draft.pairings.push(Pairing {
+                slave: slave.clone(),
+                master,
+                interaction: interaction.clone(),
+                formulation,
+                smooth: SMOOTH,
+                extension: EXTENSION,
+                chain_parameter: None,
+                adjust: None,
+                no_thickness: true,
+                is_tied: false,
+                alone: false,
+                origin: self.general.origin,
+            });
+        }
+    }
+
+    /// Hard contact without friction, where no property is given.
+    fn plain(&self, draft: &mut Draft) -> Named {
+        let named = Named { name: "GENERAL CONTACT".to_owned(), span: self.general.origin };
+        let known = draft.interactions.iter().any(|entry| entry.named.name == named.name);
+        if !known {
+            let own = NamedInteraction::plain(named.clone());
+            draft.interactions.push(own);
+        }
+        named
+    }
+
+    /// The surface of a side, by the name of its part.
+    fn surface(&mut self, side: Side, skin: &Skin, draft: &mut Draft) -> Named {
+        let span = self.general.origin;
+        let patch = match &side {
+            Side::Analytical(name) => return Named { name: name.clone(), span },
+            Side::Faces(patch) => patch,
+        };
+        if let Some((_, name)) = self.names.iter().find(|(known, _)| *known == side) {
+            return Named { name: name.clone(), span };
+        }
+        let own = part(patch, skin).map_or("", |part| skin.parts[part].name.as_str());
+        let taken =
+            |name: &str| draft.named_surfaces.iter().any(|surface| surface.named.name == name);
+        let mut names = (1..).map(|number| match number {
+            1 => own.to_owned(),
+            _ => format!("{own}:{number}"),
+        });
+        let name = names.find(|name| !taken(name)).unwrap_or_default();
+        let stretches = patch.iter().map(|&face| stretch(&skin.faces[face], span, draft)).collect();
+        let named = Named { name: name.clone(), span };
+        let extent = Extent::Elements(stretches);
+        draft.named_surfaces.push(NamedSurface { named: named.clone(), extent, origin: span });
+        self.names.push((side, name));
+        named
+    }
+}
+
+fn stretch(face: &super::faces::SolidFace, span: Span, draft: &Draft) -> Stretch {
+    let elements = Target::Label(draft.elements[face.element].label);
+    Stretch { elements, span, side: None, face: face.face }
+}
+
+/// Slave and master, and why.
+fn roles([first, second]: Meeting, skin: &Skin) -> (Meeting, &'static str) {
+    let (a, b) = match (&first, &second) {
+        (Side::Analytical(_), _) => return ([second, first], "which is analytical"),
+        (_, Side::Analytical(_)) => return ([first, second], "which is analytical"),
+        (Side::Faces(a), Side::Faces(b)) => (part(a, skin), part(b, skin)),
+    };
+    let (Some(a), Some(b)) = (a, b) else { return ([first, second], "as they come") };
+    let (a, b) = (&skin.parts[a], &skin.parts[b]);
+    let (turned, why) = match (a.body.is_some(), b.body.is_some()) {
+        (true, false) => (true, "which is rigid"),
+        (false, true) => (false, "which is rigid"),
+        _ if a.stiffness > STIFFER * b.stiffness => (true, "which is stiffer"),
+        _ if b.stiffness > STIFFER * a.stiffness => (false, "which is stiffer"),
+        _ => (b.size < a.size, "whose mesh is no finer"),
+    };
+    (if turned { [second, first] } else { [first, second] }, why)
+}

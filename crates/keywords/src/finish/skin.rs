@@ -1,0 +1,227 @@
+//! The outside of the solids of a model, part by part.
+//!
+//! ```text
+//!    +-----+
+//!    |  B  |        a part: elements that share nodes
+//!    +-----+-----+
+//!       |  A     |  its skin: the faces that only one element has
+//!       +--------+
+//! ```
+
+use std::collections::{BTreeSet, HashMap};
+
+use slideline_diag::Span;
+use slideline_model::{NodeIndex, Section};
+
+use super::faces::{SolidFace, free_faces};
+use crate::draft::{Draft, ElementKind};
+use crate::log::Target;
+
+/// Faces of the skin, by their places in it.
+pub(super) type Patch = BTreeSet<usize>;
+
+/// All outer faces of solids.
+pub(super) struct Skin {
+    /// The faces.
+    pub faces: Vec<SolidFace>,
+    /// The part that each belongs to.
+    pub part_of: Vec<usize>,
+    /// The parts.
+    pub parts: Vec<Part>,
+    places: HashMap<(usize, usize), usize>,
+}
+
+/// Elements that share nodes.
+#[derive(Default)]
+pub(super) struct Part {
+    /// Its name: of the set that has its elements and no others, or a number.
+    pub name: String,
+    /// The largest stiffness of its materials [F/L2].
+    pub stiffness: f64,
+    /// The mean length of the edges of its faces [L].
+    pub size: f64,
+    /// The rigid body that has all its nodes.
+    pub body: Option<usize>,
+    /// Places of its elements in the draft.
+    elements: Vec<usize>,
+}
+
+impl Skin {
+    /// The skin of the solids of a draft.
+    pub fn of(span: Span, draft: &mut Draft) -> Self {
+        let solids: Vec<usize> =
+            (0..draft.elements.len()).filter(|&k| is_solid(k, draft)).collect();
+        let roots = joined(&solids, draft);
+        let mut numbers: HashMap<usize, usize> = HashMap::new();
+        let mut parts: Vec<Part> = Vec::new();
+        for (&element, &root) in solids.iter().zip(&roots) {
+            let number = *numbers.entry(root).or_insert_with(|| {
+                parts.push(Part::default());
+                parts.len() - 1
+            });
+            parts[number].elements.push(element);
+        }
+        let part_of_element: HashMap<usize, usize> = parts
+            .iter()
+            .enumerate()
+            .flat_map(|(number, part)| part.elements.iter().map(move |&element| (element, number)))
+            .collect();
+        let faces = free_faces(&solids, span, draft);
+        let part_of = faces.iter().map(|face| part_of_element[&face.element]).collect();
+        let place = |(place, face): (usize, &SolidFace)| Some(((face.element, face.face?), place));
+        let places = faces.iter().enumerate().filter_map(place).collect();
+        let mut skin = Self { faces, part_of, parts, places };
+        skin.name(draft);
+        skin.measure(draft);
+        skin.find_bodies(draft);
+        skin
+    }
+
+    /// Those of some faces that are on the outside.
+    pub fn patch(&self, faces: &[SolidFace]) -> Patch {
+        let place = |face: &SolidFace| self.places.get(&(face.element, face.face?)).copied();
+        faces.iter().filter_map(place).collect()
+    }
+
+    /// All of it.
+    pub fn whole(&self) -> Patch {
+        (0..self.faces.len()).collect()
+    }
+
+    /// A patch by parts.
+    pub fn by_parts(&self, patch: &Patch) -> Vec<(usize, Patch)> {
+        let mut found: Vec<Patch> = vec![Patch::new(); self.parts.len()];
+        for &face in patch {
+            found[self.part_of[face]].insert(face);
+        }
+        found.into_iter().enumerate().filter(|(_, own)| !own.is_empty()).collect()
+    }
+
+    fn name(&mut self, draft: &Draft) {
+        let names: Vec<String> = draft.element_sets.names().map(str::to_owned).collect();
+        let sets: Vec<(String, BTreeSet<u64>)> = names
+            .into_iter()
+            .filter_map(|name| {
+                let labels = draft.element_sets.labels(&name)?.into_iter().collect();
+                Some((name, labels))
+            })
+            .collect();
+        for (number, part) in self.parts.iter_mut().enumerate() {
+            let label = |&element: &usize| draft.elements[element].label;
+            let own: BTreeSet<u64> = part.elements.iter().map(label).collect();
+            let same = sets.iter().find(|(_, labels)| *labels == own);
+            part.name = same.map_or_else(|| format!("PART-{}", number + 1), |own| own.0.clone());
+        }
+    }
+
+    fn measure(&mut self, draft: &Draft) {
+        let mut stiffness: HashMap<u64, f64> = HashMap::new();
+        for block in &draft.model.blocks {
+            let Section::Solid(section) = &block.section else { continue };
+            let own = section.material.stiffest();
+            stiffness.extend(block.elements.iter().map(|element| (element.label, own)));
+        }
+        for part in &mut self.parts {
+            let of = |&element: &usize| stiffness.get(&draft.elements[element].label).copied();
+            part.stiffness = part.elements.iter().filter_map(of).fold(0.0, f64::max);
+        }
+        let mut sums = vec![(0.0, 0.0); self.parts.len()];
+        for (face, &part) in self.faces.iter().zip(&self.part_of) {
+            let (sum, count) = &mut sums[part];
+            *sum += edge_length(face, draft);
+            *count += 1.0;
+        }
+        for (part, (sum, count)) in self.parts.iter_mut().zip(sums) {
+            part.size = sum / f64::max(count, 1.0);
+        }
+    }
+
+    /// Finds the parts that are rigid: all nodes of their faces are tied to one body.
+    fn find_bodies(&mut self, draft: &mut Draft) {
+        let mut body_of: HashMap<NodeIndex, usize> = HashMap::new();
+        for (number, body) in draft.bodies.clone().into_iter().enumerate() {
+            if let Some(set) = &body.tied {
+                let nodes = draft.nodes_of(&Target::Set(set.name.clone()), set.span);
+                body_of.extend(nodes.into_iter().map(|node| (node, number)));
+            }
+            if let Some(set) = &body.elements {
+                for element in draft.elements_of(&set.name, set.span).unwrap_or_default() {
+                    let labels = draft.elements[element].nodes().to_vec();
+                    let nodes =
+                        labels.into_iter().filter_map(|label| draft.model.nodes.find(label));
+                    body_of.extend(nodes.map(|node| (node, number)));
+                }
+            }
+        }
+        let mut bodies: Vec<Option<Option<usize>>> = vec![None; self.parts.len()];
+        for (face, &part) in self.faces.iter().zip(&self.part_of) {
+            for node in &face.nodes {
+                let own = body_of.get(node).copied();
+                let known = bodies[part].get_or_insert(own);
+                *known = known.filter(|&body| own == Some(body));
+            }
+        }
+        for (part, body) in self.parts.iter_mut().zip(bodies) {
+            part.body = body.flatten();
+        }
+    }
+}
+
+fn is_solid(element: usize, draft: &Draft) -> bool {
+    match draft.elements[element].kind {
+        ElementKind::Structural(row) => !row.cell.faces.is_empty(),
+        _ => false,
+    }
+}
+
+/// The mean length of the edges of a face [L].
+fn edge_length(face: &SolidFace, draft: &Draft) -> f64 {
+    let corners = match face.nodes.len() {
+        2 | 3 if face_is_edge(face, draft) => 2,
+        3 | 6 => 3,
+        _ => 4,
+    };
+    let at = |k: usize| draft.model.nodes.position(face.nodes[k % corners]);
+    // an edge with a middle node has it between its ends
+    let ends = |k: usize| match corners {
+        2 => [draft.model.nodes.position(face.nodes[0]), last(face, draft)],
+        _ => [at(k), at(k + 1)],
+    };
+    let count = if corners == 2 { 1 } else { corners };
+    let length = |[a, b]: [[f64; 3]; 2]| (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt();
+    (0..count).map(|k| length(ends(k))).sum::<f64>() / count as f64
+}
+
+fn last(face: &SolidFace, draft: &Draft) -> [f64; 3] {
+    face.nodes.last().map_or([0.0; 3], |&node| draft.model.nodes.position(node))
+}
+
+fn face_is_edge(face: &SolidFace, draft: &Draft) -> bool {
+    match draft.elements[face.element].kind {
+        ElementKind::Structural(row) => row.cell.dimension == 2,
+        _ => false,
+    }
+}
+
+/// For each element the first one of those that it is joined with through nodes.
+fn joined(elements: &[usize], draft: &Draft) -> Vec<usize> {
+    let mut parent: Vec<usize> = (0..elements.len()).collect();
+    let mut first: HashMap<u64, usize> = HashMap::new();
+    for (place, &element) in elements.iter().enumerate() {
+        for &node in draft.elements[element].nodes() {
+            let other = *first.entry(node).or_insert(place);
+            let (a, b) = (root(&mut parent, place), root(&mut parent, other));
+            parent[a.max(b)] = a.min(b);
+        }
+    }
+    (0..elements.len()).map(|place| root(&mut parent, place)).collect()
+}
+
+/// The first of those that a place is joined with.
+fn root(parent: &mut [usize], mut at: usize) -> usize {
+    while parent[at] != at {
+        parent[at] = parent[parent[at]];
+        at = parent[at];
+    }
+    at
+}

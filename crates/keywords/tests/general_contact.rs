@@ -1,0 +1,95 @@
+//! General contact: which pairs its cards make, with which roles and laws.
+
+#![allow(clippy::expect_used)] // a test may stop
+
+use slideline_deck::NoFiles;
+use slideline_diag::{Severity, Sources};
+use slideline_keywords::read;
+use slideline_model::{Dialect, Formulation, Master, Model};
+
+const PLANE: &str = include_str!("../../../corpus/keywords/CONTACT.inp");
+const NAMED: &str = include_str!("../../../corpus/keywords/CONTACT-PROPERTY-ASSIGNMENT.inp");
+
+fn model(deck: &str) -> Model {
+    let read = read(&mut Sources::default(), "a.inp", deck.as_bytes(), &NoFiles, Dialect::Abaqus);
+    let errors: Vec<_> =
+        read.diagnostics.iter().filter(|d| d.severity == Severity::Error).collect();
+    assert!(errors.is_empty(), "{errors:#?}");
+    read.model
+}
+
+fn names(model: &Model) -> Vec<&str> {
+    model.contact_pairs.iter().map(|pair| pair.name.as_str()).collect()
+}
+
+/// The contact cards of the deck in place of its own ones.
+fn with(cards: &str) -> String {
+    let (before, rest) = NAMED.split_once("*CONTACT\n").expect("general contact");
+    let (_, after) = rest.split_once("*STEP").expect("a step");
+    format!("{before}*CONTACT\n{cards}*STEP{after}")
+}
+
+/// Requirement: every two parts make a pair, none twice; the finer mesh is the slave, and outlines
+/// that are masters are open.
+#[test]
+fn every_two_parts_make_a_pair() {
+    let model = model(PLANE);
+    assert_eq!(names(&model), ["B/A", "C/A", "C/B:2"]);
+    for pair in &model.contact_pairs {
+        assert_eq!(pair.formulation, Formulation::Mortar);
+        assert_eq!(pair.elements.len(), 4, "the whole outline of the slave");
+        let Master::SlideLine(line) = &pair.master else { unreachable!("a chain") };
+        assert_eq!(line.nodes.len(), 4, "one face of the master's outline is left out");
+    }
+}
+
+/// Requirement: a part that is ten times as stiff is the master, however fine.
+#[test]
+fn the_stiffer_part_is_the_master() {
+    let stiff = PLANE.replace("*ELSET, ELSET=ALL\nA, B, C", "*ELSET, ELSET=ALL\nA, B").replace(
+        "*MATERIAL, NAME=RUBBER",
+        "*SOLID SECTION, ELSET=C, MATERIAL=STEEL\n1.0\n*MATERIAL, NAME=STEEL\n*ELASTIC\n\
+             1000., 0.3\n*MATERIAL, NAME=RUBBER",
+    );
+    let pairs = model(&stiff);
+    let on_steel: Vec<_> = names(&pairs).into_iter().filter(|name| name.ends_with("/C")).collect();
+    assert_eq!(on_steel.len(), 2, "{:?}", names(&pairs));
+}
+
+/// Requirement: exclusions take their pair away and no other, in either order of the names.
+#[test]
+fn exclusions_take_pairs_away() {
+    for excluded in ["SKIN-A, SKIN-C", "SKIN-C, SKIN-A"] {
+        let deck =
+            with(&format!("*CONTACT INCLUSIONS, ALL EXTERIOR\n*CONTACT EXCLUSIONS\n{excluded}\n"));
+        assert_eq!(names(&model(&deck)).len(), 2, "{excluded}");
+    }
+    let named = with("*CONTACT INCLUSIONS\nSKIN-A, SKIN-B\nSKIN-B, SKIN-A\n");
+    assert_eq!(names(&model(&named)), ["B/A"]);
+}
+
+/// Requirement: of faces that are excluded in part the others keep their contact.
+#[test]
+fn faces_are_excluded_alone() {
+    let cards = "*CONTACT INCLUSIONS\nSKIN-A, SKIN-B\n*CONTACT EXCLUSIONS\nSIDE, SKIN-A\n";
+    let deck = with(cards).replace("*CONTACT\n", "*SURFACE, NAME=SIDE\nB, S2\n*CONTACT\n");
+    let model = model(&deck);
+    assert_eq!(model.contact_pairs.len(), 1);
+    assert_eq!(model.contact_pairs[0].elements.len(), 3);
+}
+
+/// Requirement: the last property that fits counts; without one contact is hard and frictionless.
+#[test]
+fn the_last_property_that_fits_counts() {
+    let with_laws = model(NAMED);
+    let friction =
+        |pair: &slideline_model::ContactPair| pair.interaction.friction.coefficients()[0];
+    let found: Vec<f64> = with_laws.contact_pairs.iter().map(friction).collect();
+    let of = |name: &str| {
+        let place = names(&with_laws).iter().position(|own| own.starts_with(name)).expect("a pair");
+        found[place]
+    };
+    assert!((of("B/A") - 0.05).abs() < 1e-12 && (of("C/A") - 0.2).abs() < 1e-12, "{found:?}");
+    let bare = model(PLANE);
+    assert!(bare.contact_pairs.iter().all(|pair| friction(pair) == 0.0));
+}

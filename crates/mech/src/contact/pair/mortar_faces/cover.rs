@@ -1,0 +1,125 @@
+//! What faces a slave face.
+//!
+//! ```text
+//!     ====o====         of several pieces on a line the nearest counts; where that one turns
+//!      |  |  |          its back it hides what lies behind it, and what lies further behind
+//!   o--+--+--+--o       the nearest part than the piece is long is left out
+//! ```
+
+use super::clip::{Overlap, Polygon, Window};
+use super::face_places::FacePlaces;
+use super::places::{dot, sub};
+use super::shapes::{MOST_NODES, pieces};
+
+/// Cosine of the angle between normals up to which a piece faces another one [1].
+const STEEP: f64 = 0.2;
+/// Part of its own area that an overlap must have in common with a nearer one to be hidden [1].
+const HIDDEN: f64 = 0.5;
+/// Part of a piece by which the areas of overlaps may exceed it before any is hidden [1].
+const ROUNDING: f64 = 1e-6;
+
+/// A face that may face the slave.
+#[derive(Debug, Clone, Copy)]
+pub struct Faced {
+    /// Its number.
+    pub face: usize,
+    /// Numbers of its nodes.
+    pub nodes: [usize; MOST_NODES],
+    /// Where it stands.
+    pub places: FacePlaces<f64>,
+}
+
+impl Faced {
+    /// Numbers of its nodes.
+    pub fn nodes(&self) -> &[usize] {
+        &self.nodes[..self.places.count]
+    }
+}
+
+/// An overlap with its mean gap.
+#[derive(Debug, Clone, Copy)]
+struct Seen {
+    overlap: Overlap,
+    polygon: Polygon,
+    gap: f64,
+    faces: bool,
+}
+
+/// The overlaps of a face, in a list that is used again.
+#[derive(Debug, Clone, Default)]
+pub struct Cover {
+    seen: Vec<Seen>,
+}
+
+impl Cover {
+    /// Adds the overlaps of a slave face with faces that may face it.
+    pub fn find(
+        &mut self,
+        slave: &FacePlaces<f64>,
+        masters: &[Faced],
+        overlaps: &mut Vec<Overlap>,
+    ) {
+        for piece in 0..pieces(slave.count).len() {
+            let Some(window) = Window::new(slave, piece) else { continue };
+            self.seen.clear();
+            for (place, master) in masters.iter().enumerate() {
+                for master_piece in 0..pieces(master.places.count).len() {
+                    self.see((piece, place, master_piece), slave, &window, &master.places);
+                }
+            }
+            self.leave_out_far(&window);
+            self.hide(&window);
+            overlaps.extend(self.seen.iter().filter(|own| own.faces).map(|own| own.overlap));
+        }
+    }
+
+    fn see(
+        &mut self,
+        (piece, place, master_piece): (usize, usize, usize),
+        slave: &FacePlaces<f64>,
+        window: &Window,
+        master: &FacePlaces<f64>,
+    ) {
+        let Some(plane) = master.plane(master_piece) else { return };
+        let across = dot(plane.normal, window.normal);
+        if across.abs() < STEEP {
+            return;
+        }
+        let of_master = master.piece(master_piece);
+        let cut = window.cut((piece, place, master_piece), &of_master);
+        let Some((overlap, polygon)) = cut else { return };
+        // from the plane of one piece to that of the other, in the middle of the polygon
+        let [x, y] = polygon.middle();
+        let upon = window.in_space([x, y]);
+        let (from, own) = (of_master.nodes[0], slave.piece(piece).nodes[0]);
+        let height = dot(sub(own, upon), window.normal);
+        let gap = dot(sub(from, upon), plane.normal) / across - height;
+        self.seen.push(Seen { overlap, polygon, gap, faces: across < 0.0 });
+    }
+
+    fn leave_out_far(&mut self, window: &Window) {
+        let nearest = self.seen.iter().map(|own| own.gap.abs()).fold(f64::INFINITY, f64::min);
+        let limit = nearest + 2.0 * window.area.sqrt();
+        self.seen.retain(|own| own.gap.abs() <= limit);
+    }
+
+    /// Leaves out what is behind nearer pieces.
+    fn hide(&mut self, window: &Window) {
+        let whole: f64 = self.seen.iter().map(|own| own.polygon.area()).sum();
+        if whole <= (1.0 + ROUNDING) * window.area {
+            return;
+        }
+        self.seen.sort_by(|a, b| a.gap.abs().total_cmp(&b.gap.abs()));
+        let mut kept = 0;
+        for place in 0..self.seen.len() {
+            let own = self.seen[place];
+            let hidden =
+                |other: &Seen| own.polygon.common(&other.polygon) > HIDDEN * own.polygon.area();
+            if !self.seen[..kept].iter().any(hidden) {
+                self.seen[kept] = own;
+                kept += 1;
+            }
+        }
+        self.seen.truncate(kept);
+    }
+}

@@ -1,0 +1,296 @@
+//! Places of integration over an overlap.
+//!
+//! ```text
+//!        v3-------v2        a polygon on the cell of the slave, in triangles about its first
+//!       /   `.  .  \        corner; every place of integration faces one of the master along
+//!      v0-------`--v1       the normal of the piece
+//! ```
+//!
+//! docs/theory.md eqs. (5.30) to (5.33)
+
+use super::clip::{Corner, MOST, Overlap};
+use super::couple::Couple;
+use super::face_places::{FacePlaces, Plane};
+use super::places::{Place, add_scaled, cross, dot, flat_add, flat_cross, flat_sub, scale, sub};
+use super::shapes::{MOST_CORNERS, MOST_NODES, Shapes, corners, middle, pieces, place_of, shapes};
+use crate::differentiate::Real;
+
+/// Most iterations towards a projection.
+const MOST_STEPS: usize = 30;
+/// Step of a place on its cell below which it is found [1].
+const FOUND: f64 = 1e-13;
+/// Cells that a projection may lie away from its own one [1].
+const AWAY: f64 = 20.0;
+
+/// Rules over triangles: two coordinates and the weight, by twice the area.
+const THREE: &[[f64; 3]] = &[
+    [1.0 / 6.0, 1.0 / 6.0, 1.0 / 6.0],
+    [2.0 / 3.0, 1.0 / 6.0, 1.0 / 6.0],
+    [1.0 / 6.0, 2.0 / 3.0, 1.0 / 6.0],
+];
+/// Exact to the fourth degree. [dunavant1985]
+const SIX: &[[f64; 3]] = &[
+    [0.445_948_490_915_964_9, 0.445_948_490_915_964_9, 0.111_690_794_839_005_73],
+    [0.108_103_018_168_070_23, 0.445_948_490_915_964_9, 0.111_690_794_839_005_73],
+    [0.445_948_490_915_964_9, 0.108_103_018_168_070_23, 0.111_690_794_839_005_73],
+    [0.091_576_213_509_770_74, 0.091_576_213_509_770_74, 0.054_975_871_827_660_93],
+    [0.816_847_572_980_458_5, 0.091_576_213_509_770_74, 0.054_975_871_827_660_93],
+    [0.091_576_213_509_770_74, 0.816_847_572_980_458_5, 0.054_975_871_827_660_93],
+];
+
+/// Where a place is faced along a normal.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Met<R> {
+    /// Shape functions of what is faced.
+    pub shapes: Shapes<R>,
+    /// Its derivatives by the coordinates of the cell [L].
+    pub along: [Place<R>; 2],
+    /// From the place to it, along the normal [L].
+    pub gap: R,
+}
+
+/// A corner of an overlap upon the cell of the slave.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct OnCell<R> {
+    pub at: [R; 2],
+    /// Along the edge that it stands upon: 0 to 1.
+    pub along: R,
+}
+
+/// A place of integration.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Station<R> {
+    /// The corners of its triangle with their weights.
+    pub triangle: [usize; 3],
+    pub fractions: [f64; 3],
+    pub weight: f64,
+    /// Twice the area of the triangle on the cell [1].
+    pub twice: R,
+    /// Shape functions of the slave, and those of its corners alone.
+    pub slave: Shapes<R>,
+    pub corners: Shapes<R>,
+    /// Undeformed area by the coordinates, and its derivatives [L2].
+    pub measure: R,
+    pub measure_slope: [R; 2],
+    /// Derivatives of the place by the coordinates [L].
+    pub along: [Place<R>; 2],
+    pub met: Met<R>,
+}
+
+/// An overlap in a configuration.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Placed<R> {
+    pub plane: Plane<R>,
+    pub vertices: [OnCell<R>; MOST],
+}
+
+/// Undeformed area by the coordinates of the cell, at the nodes of a face [L2].
+pub fn reference_areas(face: &FacePlaces<f64>) -> [f64; MOST_NODES] {
+    std::array::from_fn(|node| match node < face.count {
+        true => {
+            let own = face.shapes(place_of(face.count, node));
+            let across = cross(face.blend(&own.slope[0]), face.blend(&own.slope[1]));
+            dot(across, across).sqrt()
+        }
+        false => 0.0,
+    })
+}
+
+impl FacePlaces<f64> {
+    /// Areas of the corners of a slave face that is covered as a whole, by its undeformed area at the
+    /// nodes [L2].
+    pub fn corner_areas(&self, measure: &[f64; MOST_NODES]) -> [f64; MOST_CORNERS] {
+        let mut areas = [0.0; MOST_CORNERS];
+        let count = corners(self.count);
+        for second in 1..count - 1 {
+            let at = [0, second, second + 1].map(|k| place_of(count, k));
+            let twice = flat_cross(flat_sub(at[1], at[0]), flat_sub(at[2], at[0]));
+            for &[b, c, weight] in SIX {
+                let here = flat_add(at[0], b, flat_sub(at[1], at[0]));
+                let here = flat_add(here, c, flat_sub(at[2], at[0]));
+                let of_node = measure.iter().zip(self.shapes(here).value);
+                let area = weight * twice * of_node.map(|(own, by)| own * by).sum::<f64>();
+                let own = shapes(count, here).value;
+                areas.iter_mut().zip(own).for_each(|(sum, by)| *sum += by * area);
+            }
+        }
+        areas
+    }
+}
+
+/// The place of a face on the line through `from` along `normal`, near the face; `None` where there
+/// is none.
+pub(super) fn meet<R: Real>(
+    face: &FacePlaces<R>,
+    from: Place<R>,
+    normal: Place<R>,
+) -> Option<Met<R>> {
+    let value = |place: Place<R>| place.map(|x| x.value());
+    let start = meet_by_value(&face.values(), value(from), value(normal))?;
+    let at = start.map(R::from_f64);
+    // from the value to its derivatives
+    let (_, step) = step(face, from, normal, at);
+    let at = flat_sub(at, step);
+    let own = face.shapes(at);
+    let along = own.slope.map(|slope| face.blend(&slope));
+    let gap = dot(sub(face.blend(&own.value), from), normal);
+    Some(Met { shapes: own, along, gap })
+}
+
+fn meet_by_value(face: &FacePlaces<f64>, from: Place<f64>, normal: Place<f64>) -> Option<[f64; 2]> {
+    let mut at = middle(face.count);
+    for _ in 0..MOST_STEPS {
+        let (across, by) = step(face, from, normal, at);
+        if across == 0.0 || !by[0].is_finite() || !by[1].is_finite() {
+            return None;
+        }
+        at = flat_sub(at, by);
+        if by[0].abs().max(by[1].abs()) <= FOUND {
+            return Some(at);
+        }
+        if at[0].abs().max(at[1].abs()) > AWAY {
+            return None;
+        }
+    }
+    None
+}
+
+/// Newton's step towards the line, to be taken off, with the determinant [L2].
+fn step<R: Real>(
+    face: &FacePlaces<R>,
+    from: Place<R>,
+    normal: Place<R>,
+    at: [R; 2],
+) -> (R, [R; 2]) {
+    let own = face.shapes(at);
+    let [first, second] = own.slope.map(|slope| face.blend(&slope));
+    let off = sub(face.blend(&own.value), from);
+    let across = dot(cross(first, second), normal);
+    let by = [dot(cross(off, second), normal), dot(cross(first, off), normal)];
+    (across, by.map(|own| own / across))
+}
+
+/// What `by` . d eta is by the vector that faced places move along: d eta . by = w . (d x - d y).
+pub(super) fn lift<R: Real>(along: &[Place<R>; 2], normal: Place<R>, by: [R; 2]) -> Place<R> {
+    let across = dot(cross(along[0], along[1]), normal);
+    let first = scale(by[0], cross(along[1], normal));
+    let whole = add_scaled(first, by[1], cross(normal, along[0]));
+    scale(R::from_f64(1.0) / across, whole)
+}
+
+impl<R: Real> Couple<'_, R> {
+    /// The overlap where it stands; `None` where a side has collapsed.
+    pub(super) fn place(&self, overlap: &Overlap) -> Option<Placed<R>> {
+        let plane = self.plane(overlap)?;
+        let nothing = R::from_f64(0.0);
+        let mut vertices = [OnCell { at: [nothing; 2], along: nothing }; MOST];
+        for (into, &corner) in vertices.iter_mut().zip(overlap.corners()) {
+            *into = self.on_cell(overlap, corner, &plane)?;
+        }
+        Some(Placed { plane, vertices })
+    }
+
+    fn on_cell(&self, overlap: &Overlap, corner: Corner, plane: &Plane<R>) -> Option<OnCell<R>> {
+        let piece = pieces(self.slave.count)[overlap.piece];
+        let of_node = |k: usize| place_of(self.slave.count, piece[k % piece.len()]);
+        let nothing = R::from_f64(0.0);
+        let upon = |edge: usize, along: R| {
+            let [from, to] = [of_node(edge), of_node(edge + 1)];
+            let way = flat_sub(to, from).map(R::from_f64);
+            OnCell { at: flat_add(from.map(R::from_f64), along, way), along }
+        };
+        let (own, master) = self.pieces(overlap);
+        let at = |k: usize| own.nodes[k % piece.len()];
+        Some(match corner {
+            Corner::Slave(k) => OnCell { at: of_node(k).map(R::from_f64), along: nothing },
+            Corner::Master(k) => {
+                let met = meet(&own, master.nodes[k], plane.normal)?;
+                let blended = |axis: usize| {
+                    let of = met.shapes.value.iter().take(piece.len()).enumerate();
+                    of.fold(nothing, |sum, (k, &by)| sum + by * R::from_f64(of_node(k)[axis]))
+                };
+                OnCell { at: [blended(0), blended(1)], along: nothing }
+            }
+            Corner::Upon { edge, master: k } => {
+                let (from, way) = (at(edge), sub(at(edge + 1), at(edge)));
+                upon(edge, dot(sub(master.nodes[k], from), way) / dot(way, way))
+            }
+            Corner::Crossing { edge, master: [c, d] } => {
+                let (from, way) = (at(edge), sub(at(edge + 1), at(edge)));
+                let other = sub(master.nodes[d], master.nodes[c]);
+                let off = dot(cross(sub(master.nodes[c], from), other), plane.normal);
+                upon(edge, off / dot(cross(way, other), plane.normal))
+            }
+        })
+    }
+
+    /// Both pieces of an overlap.
+    pub(super) fn pieces(&self, overlap: &Overlap) -> (FacePlaces<R>, FacePlaces<R>) {
+        (self.slave.piece(overlap.piece), self.master.piece(overlap.master_piece))
+    }
+
+    /// Calls with every place of integration; false where one faces nothing.
+    pub(super) fn stations(
+        &self,
+        overlap: &Overlap,
+        placed: &Placed<R>,
+        mut call: impl FnMut(&Station<R>),
+    ) -> bool {
+        let is_flat = self.slave.count == 3 && self.master.count == 3;
+        let rule = if is_flat { THREE } else { SIX };
+        for second in 1..overlap.corners().len() - 1 {
+            let triangle = [0, second, second + 1];
+            let at = triangle.map(|k| placed.vertices[k].at);
+            let twice = flat_cross(flat_sub(at[1], at[0]), flat_sub(at[2], at[0]));
+            for &[b, c, weight] in rule {
+                let fractions = [1.0 - b - c, b, c];
+                let here =
+                    fractions.iter().zip(at).fold([R::from_f64(0.0); 2], |sum, (&fraction, at)| {
+                        flat_add(sum, R::from_f64(fraction), at)
+                    });
+                let Some(station) = self.station(here, placed.plane.normal) else {
+                    return false;
+                };
+                call(&Station { triangle, fractions, weight, twice, ..station });
+            }
+        }
+        true
+    }
+
+    fn station(&self, at: [R; 2], normal: Place<R>) -> Option<Station<R>> {
+        let slave = self.slave.shapes(at);
+        let nothing = R::from_f64(0.0);
+        let measured = |by: &[R; MOST_NODES]| {
+            let of = self.measure.iter().zip(by);
+            of.fold(nothing, |sum, (&own, &by)| sum + by * R::from_f64(own))
+        };
+        Some(Station {
+            triangle: [0; 3],
+            fractions: [0.0; 3],
+            weight: 0.0,
+            twice: nothing,
+            corners: shapes(corners(self.slave.count), at),
+            measure: measured(&slave.value),
+            measure_slope: [measured(&slave.slope[0]), measured(&slave.slope[1])],
+            along: slave.slope.map(|slope| self.slave.blend(&slope)),
+            met: meet(self.master, self.slave.blend(&slave.value), normal)?,
+            slave,
+        })
+    }
+}
+
+impl<R: Real> Station<R> {
+    /// What a corner's function, weighted, is there: its part of the area [L2].
+    pub fn share(&self, corner: usize) -> R {
+        R::from_f64(self.weight) * self.twice * self.measure * self.corners.value[corner]
+    }
+
+    /// Values of the corners blended by their functions, and the derivatives of that.
+    pub fn blend(&self, of: &[R; MOST_CORNERS]) -> (R, [R; 2]) {
+        let sum = |by: &[R; MOST_NODES]| {
+            let own = of.iter().zip(by);
+            own.fold(R::from_f64(0.0), |sum, (&of, &by)| sum + of * by)
+        };
+        (sum(&self.corners.value), [sum(&self.corners.slope[0]), sum(&self.corners.slope[1])])
+    }
+}

@@ -1,0 +1,148 @@
+use super::super::chain::raised;
+use super::{Chain, ChainTree, Itself, Placed, Run, listed};
+
+type Plane = [f64; 2];
+
+/// A surface of runs at its undeformed place, to be searched where it stands.
+struct Surface {
+    own: Itself,
+    chain: Chain,
+    list: Vec<usize>,
+    runs: Vec<Run>,
+}
+
+impl Surface {
+    fn new(runs: &[(&[Plane], bool)]) -> Self {
+        let nodes: Vec<Plane> = runs.iter().flat_map(|(nodes, _)| nodes.to_vec()).collect();
+        let runs: Vec<Run> =
+            runs.iter().map(|&(nodes, is_closed)| Run { nodes: nodes.len(), is_closed }).collect();
+        let list = listed(&runs);
+        let reference: Vec<_> = list.iter().map(|&k| raised(nodes[k])).collect();
+        let (own, chain) = Itself::new(&runs, &reference, (0.2, 0.1)).unwrap();
+        Self { own, chain, list, runs }
+    }
+
+    /// What the node of a number meets at these positions: the numbers of the nodes of the piece.
+    fn met(&self, nodes: &[Plane], number: usize) -> Option<Vec<usize>> {
+        let at: Vec<_> = self.list.iter().map(|&k| raised(nodes[k])).collect();
+        let tree: ChainTree = self.own.tree(&self.chain, &at);
+        let placed = Placed { chain: &self.chain, positions: &at, tree: &tree };
+        let found = self.own.closest(placed, self.own.seat(number))?;
+        Some(found.nodes().map(|place| self.list[place]).collect())
+    }
+
+    fn count(&self) -> usize {
+        self.runs.iter().map(|run| run.nodes).sum()
+    }
+}
+
+/// The wall of a hole, travelled with the material on the right: counter-clockwise.
+fn hole(count: usize, (a, b): (f64, f64)) -> Vec<Plane> {
+    let angle = |k: usize| std::f64::consts::TAU * k as f64 / count as f64;
+    (0..count).map(|k| [a * angle(k).cos(), b * angle(k).sin()]).collect()
+}
+
+/// The rim of a disk: clockwise.
+fn rim(count: usize, axes: (f64, f64)) -> Vec<Plane> {
+    hole(count, axes).into_iter().rev().collect()
+}
+
+/// Requirement: in a flat hole every node of one side meets the other side and none of its own,
+/// the node first in order is the slave, and never are both; the seam changes nothing.
+#[test]
+fn sides_of_a_hole_meet_once() {
+    for seam in [0, 5, 10, 17] {
+        let turned = |mut nodes: Vec<Plane>| {
+            nodes.rotate_left(seam);
+            nodes
+        };
+        let (round, flat) = (turned(hole(40, (1.0, 1.0))), turned(hole(40, (1.4, 0.02))));
+        let hole = Surface::new(&[(&round, true)]);
+        let met: Vec<_> = (0..40).map(|k| hole.met(&flat, k)).collect();
+        let slaves = met.iter().filter(|met| met.is_some()).count();
+        assert!((16..=21).contains(&slaves), "{slaves}");
+        for (k, own) in met.iter().enumerate() {
+            for &other in own.iter().flatten() {
+                assert!(flat[k][1] * flat[other][1] <= 1e-12, "{k} meets its own side: {other}");
+            }
+            let nearest = |k: usize| {
+                let apart =
+                    |&node: &usize| (flat[k][0] - flat[node][0]).hypot(flat[k][1] - flat[node][1]);
+                let nodes = met[k].iter().flatten().copied();
+                nodes.min_by(|a, b| apart(a).total_cmp(&apart(b)))
+            };
+            let back = nearest(k).and_then(nearest);
+            assert!(back != Some(k), "{k} and {:?} are both slaves", nearest(k));
+        }
+    }
+}
+
+/// Requirement: nothing on the rim of a part meets the rim on its other side, from behind through
+/// the part: neither undeformed nor flattened to a fifth.
+#[test]
+fn a_part_does_not_meet_its_own_inside() {
+    let round = rim(40, (1.0, 1.0));
+    let part = Surface::new(&[(&round, true)]);
+    for flat in [1.0, 0.6, 0.2] {
+        let pressed = rim(40, (1.0 / flat, flat));
+        assert!((0..part.count()).all(|k| part.met(&pressed, k).is_none()), "{flat}");
+    }
+}
+
+/// Requirement: the same through the wall of a tube, whose hole and rim are two runs; when the
+/// tube is flat the sides of its hole meet, and nothing meets through both walls.
+#[test]
+fn walls_stand_between() {
+    let (inner, outer) = (hole(40, (1.0, 1.0)), rim(40, (1.1, 1.1)));
+    let tube = Surface::new(&[(&outer, true), (&inner, true)]);
+    let all = |a: Vec<Plane>, b: Vec<Plane>| [a, b].concat();
+    let flat = all(rim(40, (1.5, 0.11)), hole(40, (1.4, 0.01)));
+    for k in 0..40 {
+        assert_eq!(tube.met(&flat, k), None, "rim {k}");
+    }
+    let inside: Vec<_> = (40..80).filter_map(|k| tube.met(&flat, k)).collect();
+    assert!(inside.len() > 14 && inside.iter().flatten().all(|&node| node >= 40));
+}
+
+/// Requirement: of two runs that come near each other a node meets the other one, in front of it
+/// or sunk in up to half the thickness, and not deeper.
+#[test]
+fn runs_meet_one_another() {
+    let block = |y: f64| vec![[-2.0, y], [-2.0, y + 1.0], [2.0, y + 1.0], [2.0, y]];
+    let tip = |y: f64| vec![[1.0, y], [0.0, y - 1.0], [-1.0, y]];
+    let parts = Surface::new(&[(&block(0.0), true), (&tip(3.0), false)]);
+    let placed = |y: f64| [block(0.0), tip(y)].concat();
+    for (height, meets) in [(3.0, true), (2.001, true), (1.6, true), (1.4, false)] {
+        let met = parts.met(&placed(height), 5);
+        assert_eq!(met == Some(vec![1, 2]), meets, "{height}");
+    }
+}
+
+/// Requirement: slips go the short way round a closed run, and start anew on another one.
+#[test]
+fn slips_know_the_seam() {
+    let (one, two) = (hole(8, (1.0, 1.0)), hole(8, (3.0, 3.0)));
+    let own = Surface::new(&[(&one, true), (&two, true)]);
+    let side = own.chain.reference_length(1);
+    let [begin, end] = [1, 9].map(|place| own.chain.arc_coordinate(place));
+    let slip = |from: f64, to: f64| own.own.slip(&own.chain, from, to);
+    assert!((slip(end - 0.1 * side, begin + 0.2 * side) - 0.3 * side).abs() < 1e-12);
+    assert!((slip(begin + side, begin + 3.0 * side) - 2.0 * side).abs() < 1e-12);
+    assert_eq!(slip(begin + side, own.chain.arc_coordinate(15)), 0.0);
+}
+
+/// Requirement: runs too short for a surface and faces without length are refused.
+#[test]
+fn what_is_no_surface_is_refused() {
+    let make = |run: Run, nodes: &[Plane]| {
+        let list = listed(&[run]);
+        let at: Vec<_> = list.iter().map(|&k| raised(nodes[k])).collect();
+        Itself::new(&[run], &at, (0.2, 0.1)).is_some()
+    };
+    let line = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.5]];
+    assert!(make(Run { nodes: 3, is_closed: false }, &line));
+    assert!(!make(Run { nodes: 1, is_closed: false }, &line));
+    assert!(!make(Run { nodes: 2, is_closed: true }, &line));
+    assert!(!make(Run { nodes: 3, is_closed: false }, &[[0.0, 0.0], [0.0, 0.0], [1.0, 0.0]]));
+    assert!(Itself::new(&[], &[], (0.2, 0.1)).is_none());
+}

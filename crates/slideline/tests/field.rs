@@ -1,0 +1,105 @@
+//! Parts that people recognise, `corpus/field`: they run as they are, and their files say that they
+//! are right.
+
+#![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
+
+use slideline::observe::{Ending, Event, Observer, Stop};
+use slideline::{Job, ReadOptions, SolveOptions, solve};
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+
+/// Most iterations of an increment.
+const ITERATIONS: usize = 6;
+/// Part of a pair's force by which its two sides may differ.
+const IMBALANCE: f64 = 1e-9;
+/// Part of the largest energy that may be missing; the trapezoidal rule over the deck's own
+/// increments leaves 0.02 to 0.9 %.
+const ENERGY: f64 = 0.01;
+
+/// What a run leaves.
+#[derive(Default)]
+struct Watch {
+    attempts_given_up: usize,
+    increments: usize,
+    most_iterations: usize,
+    imbalance: f64,
+    largest_energy: f64,
+    missing_energy: f64,
+    closed: usize,
+}
+
+impl Observer for Watch {
+    fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
+        match event {
+            Event::AttemptFailed(_) => self.attempts_given_up += 1,
+            Event::Committed(frame) => {
+                self.increments += 1;
+                let iterations = frame.severe_iterations + frame.equilibrium_iterations;
+                self.most_iterations = self.most_iterations.max(iterations);
+                for pair in frame.pairs {
+                    let size = pair.force_imbalance.max(pair.moment_imbalance);
+                    self.imbalance = self.imbalance.max(size);
+                    self.closed = self.closed.max(pair.closed);
+                }
+                let energy = frame.energy;
+                let sizes =
+                    [energy.external_work, energy.strain_energy, energy.friction_dissipation];
+                let own = sizes.iter().fold(0.0_f64, |most, part| most.max(part.abs()));
+                self.largest_energy = self.largest_energy.max(own);
+                self.missing_energy = self.missing_energy.max(energy.balance.abs());
+            }
+            _ => {}
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+fn decks() -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../corpus/field");
+    let mut decks: Vec<PathBuf> =
+        std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    decks.sort();
+    decks
+}
+
+fn run(path: &Path) -> Watch {
+    let deck = std::fs::read_to_string(path).unwrap();
+    let read = Job::read_text("field", &deck, &ReadOptions::default());
+    let model = read.model.unwrap_or_else(|| panic!("{}: {:#?}", path.display(), read.diagnostics));
+    let mut watch = Watch::default();
+    let ending = solve(&model, &SolveOptions::default(), &mut watch);
+    assert!(matches!(ending, Ending::Completed(_)), "{}: {ending:?}", path.display());
+    watch
+}
+
+/// Requirement: every part goes in and out without an increment that is given up, with at most six
+/// iterations an increment; the forces of a pair balance to 1e-9; the energy to 1 % of the largest.
+#[test]
+fn parts_run_as_they_are() {
+    let decks = decks();
+    assert!(decks.len() >= 7, "{decks:?}");
+    for path in decks {
+        let watch = run(&path);
+        let name = path.display();
+        assert_eq!(watch.attempts_given_up, 0, "{name}");
+        assert!(watch.increments >= 100, "{name}: {}", watch.increments);
+        assert!(watch.most_iterations <= ITERATIONS, "{name}: {}", watch.most_iterations);
+        assert!(watch.closed > 0, "{name}: nothing touches");
+        assert!(watch.imbalance <= IMBALANCE, "{name}: {:e}", watch.imbalance);
+        let missing = watch.missing_energy / watch.largest_energy;
+        assert!(missing <= ENERGY, "{name}: {missing}");
+    }
+}
+
+/// Requirement: every part has a page and a picture.
+#[test]
+fn every_part_has_a_page() {
+    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs");
+    for path in decks() {
+        let name = path.file_stem().unwrap().to_str().unwrap();
+        let page = std::fs::read_to_string(docs.join(format!("field/{name}.md"))).unwrap();
+        assert!(page.contains(&format!("corpus/field/{name}.inp")), "{name}");
+        assert!(page.contains(&format!("../images/field/{name}.png")), "{name}");
+        assert!(docs.join(format!("images/field/{name}.png")).exists(), "{name}");
+    }
+}
