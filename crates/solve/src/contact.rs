@@ -38,7 +38,7 @@ mod tangent;
 mod values;
 
 pub use before::Before;
-pub use candidates::{Candidates, coupled_parts};
+pub use candidates::{Candidates, Reached, coupled_parts};
 pub use cliques::Cliques;
 pub use crossing::{Missed, Sweep, SweepScratch};
 pub use idle::Look;

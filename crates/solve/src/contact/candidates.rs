@@ -8,8 +8,8 @@
 //! ```
 //!
 //! The pattern of the tangent holds the couplings of candidates. A point that
-//! touches beyond them makes it anew; what touches decides, so that candidates
-//! change no result.
+//! touches beyond them makes it anew, with what it couples as it was met: what
+//! touches decides, so that candidates change no result.
 
 use super::master::MasterSurface;
 use super::mortar::place::MortarRoom;
@@ -21,7 +21,9 @@ use std::ops::Range;
 
 /// Couplings of a pair from which on only those near are taken in.
 const MANY: usize = 10_000;
-/// Parts on either side of what a point faces.
+/// Parts on either side of what a point faces. They are twice as many with every state of the
+/// increment at which the pattern was left: it is then left as often as a master has powers of two
+/// of parts, at most.
 const BESIDE: usize = 3;
 /// Gap up to which a point has candidates, in distances of neighbouring slave
 /// points.
@@ -44,6 +46,17 @@ pub enum Candidates {
     Nodes(Range<usize>),
     /// Faces.
     Faces(Vec<usize>),
+    /// Beyond those of all points: the dofs that one coupled where it left the pattern.
+    Met(Vec<usize>),
+}
+
+/// Where contact left the pattern of an increment.
+#[derive(Clone, Debug, Default)]
+pub struct Reached {
+    /// The displacements.
+    pub displacement: Vec<f64>,
+    /// Of every point that left it the dofs that it coupled.
+    pub met: Vec<Vec<usize>>,
 }
 
 impl Candidates {
@@ -53,6 +66,7 @@ impl Candidates {
             Self::All => true,
             Self::Nodes(range) => !range.is_empty(),
             Self::Faces(faces) => !faces.is_empty(),
+            Self::Met(dofs) => !dofs.is_empty(),
         }
     }
 }
@@ -76,11 +90,12 @@ impl Contact {
         (0..self.masters.len()).any(|pair| self.is_selective(pair))
     }
 
-    /// Candidates of all points that have not all nodes of their master, near in
-    /// one of the `states`, or where they stood `before`; none where every point has all. `positions` is scratch.
-    pub fn candidates<'s>(
+    /// Candidates of all points that have not all nodes of their master, near at displacements
+    /// `here` or where contact `reached`, or where they stood `before`, and what was met; none where
+    /// every point has all. `positions` is scratch.
+    pub fn candidates(
         &self,
-        (states, before): (impl Iterator<Item = &'s [f64]>, &[PointState]),
+        (here, reached, before): (&[f64], &[Reached], &[PointState]),
         positions: &mut MasterPositions,
         all: &mut Vec<Candidates>,
     ) {
@@ -96,7 +111,8 @@ impl Contact {
         }));
         let mut rooms: Vec<MortarRoom> = Vec::new();
         let mut face_rooms: Vec<FaceRoom> = Vec::new();
-        for u in states {
+        let beside = BESIDE << reached.len().saturating_sub(1).min(usize::BITS as usize / 2);
+        for u in std::iter::once(here).chain(reached.iter().map(|state| &state.displacement[..])) {
             self.place_masters(u, positions);
             rooms.resize_with(self.mortars.len(), MortarRoom::default);
             for (mortar, room) in self.mortars.iter().zip(&mut rooms) {
@@ -109,7 +125,7 @@ impl Contact {
             for (place, own) in all.iter_mut().enumerate() {
                 let point = &self.points[place];
                 match own {
-                    Candidates::All => {}
+                    Candidates::All | Candidates::Met(_) => {}
                     Candidates::Faces(faces) if point.mortar.is_some() => {
                         let own = point.mortar.unwrap_or_default();
                         let (mortar, reach) =
@@ -122,7 +138,9 @@ impl Contact {
                         self.near_faces(place, (u, NEAR, before), positions, faces);
                     }
                     Candidates::Nodes(range) => {
-                        let Some(near) = self.near(place, u, (positions, &rooms)) else { continue };
+                        let Some(near) = self.near((place, beside), u, (positions, &rooms)) else {
+                            continue;
+                        };
                         *range = match Range::is_empty(range) {
                             true => near,
                             false => range.start.min(near.start)..range.end.max(near.end),
@@ -131,12 +149,14 @@ impl Contact {
                 }
             }
         }
+        let met = reached.iter().flat_map(|state| &state.met);
+        all.extend(met.map(|dofs| Candidates::Met(dofs.clone())));
     }
 
-    /// Nodes about the part that a point faces, where it is near.
+    /// Nodes about the part that a point faces, so many on either side, where it is near.
     fn near(
         &self,
-        place: usize,
+        (place, beside): (usize, usize),
         u: &[f64],
         (positions, rooms): (&MasterPositions, &[MortarRoom]),
     ) -> Option<Range<usize>> {
@@ -145,7 +165,7 @@ impl Contact {
             let (mortar, reach) = (&self.mortars[own], NEAR * self.spacing[point.pair]);
             let part = self.near_mortar(mortar, place - mortar.first, (&rooms[own], reach))?;
             let nodes = self.masters[point.pair].nodes().len();
-            return Some(part.start.saturating_sub(BESIDE)..(part.end + BESIDE).min(nodes));
+            return Some(part.start.saturating_sub(beside)..(part.end + beside).min(nodes));
         }
         let master = &self.masters[point.pair];
         let MasterSurface::Line { nodes, offset, .. } = master else { return None };
@@ -157,7 +177,7 @@ impl Contact {
         let distance =
             own[part.clone()].iter().map(|&node| distance(at, node)).fold(f64::MAX, f64::min);
         let far = distance > NEAR * self.spacing[point.pair].max(apart_nodes(&own[part.clone()]));
-        (!far).then(|| part.start.saturating_sub(BESIDE)..(part.end + BESIDE).min(nodes.len()))
+        (!far).then(|| part.start.saturating_sub(beside)..(part.end + beside).min(nodes.len()))
     }
 }
 

@@ -82,6 +82,11 @@ impl Contact {
                 }
             }
         }
+        for own in near {
+            if let Candidates::Met(dofs) = own {
+                cliques.add(constraints, dofs);
+            }
+        }
         cliques
     }
 

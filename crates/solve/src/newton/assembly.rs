@@ -35,9 +35,8 @@ impl Scratch {
     ) -> Result<(), SolveError> {
         loop {
             self.linearise_points(plan, committed);
-            let counts = |point: &LinearRows<'_>| point.stiffness > 0.0 || point.pressure > 0.0;
-            self.outside = !self.points.with_rows().filter(counts).all(|point| plan.holds(point));
-            if self.outside {
+            self.note_met(plan);
+            if self.outside() {
                 return Ok(());
             }
             self.assemble(plan, committed);
@@ -55,6 +54,20 @@ impl Scratch {
                 Err(fault) => return Err(fault),
             }
         }
+    }
+
+    /// Takes note of what touches beyond the pattern.
+    fn note_met(&mut self, plan: &Problem<'_>) {
+        let Self { met, points, evaluation, .. } = self;
+        met.clear();
+        let counts = |point: &LinearRows<'_>| point.stiffness > 0.0 || point.pressure > 0.0;
+        let left = points.with_rows().filter(counts).filter(|&point| !plan.holds(point));
+        met.extend(left.map(|point| evaluation.kinematics.at(point.place).rows.unknowns.to_vec()));
+    }
+
+    /// Whether contact couples what the pattern does not hold.
+    pub fn outside(&self) -> bool {
+        !self.met.is_empty()
     }
 
     /// Takes note of the directions in which the structure gave way.

@@ -35,7 +35,7 @@ pub fn attempt(
             work.complete(plan, committed);
             return progress.end(Verdict::Broken, Some(fault));
         }
-        if work.outside || work.evaluation.fault.is_some() {
+        if work.outside() || work.evaluation.fault.is_some() {
             work.complete(plan, committed);
             return progress.end(Verdict::Broken, None);
         }

@@ -51,12 +51,12 @@ impl Scratch {
         dt: f64,
     ) -> Result<(), SolveError> {
         let mut done = self.factor(plan, committed);
-        if done.is_ok() && !self.outside {
+        if done.is_ok() && !self.outside() {
             done = self.contact_step(plan, committed, dt);
         }
         let free = self.enforcement == Enforcement::MatrixFree && plan.enforcement.is_none();
         let lost = done.is_err() || !self.contact.is_solved();
-        if self.outside || !free || !lost || self.points.len() > MOST_DENSE {
+        if self.outside() || !free || !lost || self.points.len() > MOST_DENSE {
             return done;
         }
         self.only_dense = true;
@@ -72,13 +72,13 @@ impl Scratch {
         dt: f64,
     ) -> Result<(), SolveError> {
         self.linear_step(plan, committed, dt)?;
-        if !self.outside && !self.leaves_idle(plan) {
+        if !self.outside() && !self.leaves_idle(plan) {
             // what was left alone may touch within this step
             self.evaluation.look.forget();
             self.evaluate(plan, committed, dt);
             self.linear_step(plan, committed, dt)?;
         }
-        if self.outside {
+        if self.outside() {
             return Ok(());
         }
         let length = self.limit_turns(plan);

@@ -3,7 +3,7 @@
 use super::outcome::Outcome;
 use super::relaxation::Relaxation;
 use crate::contact::{
-    Candidates, Contact, ContactKinematics, GeometryScratch, MasterPositions, SweepScratch,
+    Candidates, Contact, ContactKinematics, GeometryScratch, MasterPositions, Reached, SweepScratch,
 };
 use crate::evaluate::{Evaluation, zero};
 use crate::iteration_history::IterationHistory;
@@ -69,8 +69,8 @@ pub struct Scratch {
     pub(super) values: Vec<f64>,
     /// The same with it; empty where there is none and the symmetric part is not asked for.
     pub(super) augmented: Vec<f64>,
-    /// Whether contact couples what the pattern does not hold.
-    pub outside: bool,
+    /// The dofs of every point that couples what the pattern does not hold.
+    pub met: Vec<Vec<usize>>,
     /// How the condensed contact problem of the iteration is solved.
     pub(super) enforcement: Enforcement,
     /// Whether the rest of the attempt goes the dense way.
@@ -133,11 +133,11 @@ pub struct Scratch {
 impl Scratch {
     /// Finds the linear system of a step of the plan, with the contact that is near in these
     /// states, or analyses it. Gives the coupling of its unknowns.
-    pub fn couple<'s>(
+    pub fn couple(
         &mut self,
         (plan, own): (&Numbering, usize),
         (values, contact, kind): (&Values, &Contact, Kind),
-        states: (impl Iterator<Item = &'s [f64]>, &[PointState]),
+        states: (&[f64], &[Reached], &[PointState]),
         linear_systems: &LinearSystems,
     ) -> Coupling {
         contact.candidates(states, &mut self.positions, &mut self.near);
@@ -241,7 +241,8 @@ impl Scratch {
         self.was_closed.resize(points, false);
         self.iteration_history.fit(points);
         self.dashpots.forget(plan.contact);
-        (self.outside, self.only_dense, self.augment_all) = (false, false, false);
+        self.met.clear();
+        (self.only_dense, self.augment_all) = (false, false);
         (self.line_search, self.negative_pivots) = (false, 0);
         (self.step_length, self.dt, self.clock) = (1.0, 0.0, Clock::default());
         self.enforcement = Enforcement::default();

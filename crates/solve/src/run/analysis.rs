@@ -2,6 +2,7 @@
 
 use super::options::{Options, TangentCheck};
 use super::shown::Rows;
+use crate::contact::Reached;
 use crate::observe::reports::Totals;
 use crate::observe::{Ending, Event, Observer, Stop};
 use crate::plan::Numbering;
@@ -22,7 +23,7 @@ pub struct Room {
     pub(super) rows: Rows,
     pub(super) start: Start<'static>,
     /// States of an increment that the pattern follows.
-    pub(super) reached: Vec<Vec<f64>>,
+    pub(super) reached: Vec<Reached>,
 }
 
 impl Room {
@@ -46,7 +47,7 @@ pub struct Analysis<'a> {
     pub(super) committed: &'a mut State,
     pub(super) trial: &'a mut State,
     pub(super) start: &'a mut Start<'static>,
-    pub(super) reached: &'a mut Vec<Vec<f64>>,
+    pub(super) reached: &'a mut Vec<Reached>,
     /// Counts of the run so far.
     pub totals: Totals,
     /// Whether the observer has seen what came before.

@@ -2,6 +2,7 @@
 
 use super::analysis::{Analysis, Left};
 use crate::checkpoint::Checkpoint;
+use crate::contact::Reached;
 use crate::convergence::FluxAverage;
 use crate::increments::{Control, Decision, Verdict};
 use crate::newton::Scratch;
@@ -114,10 +115,9 @@ impl Analysis<'_> {
         let mut count = 0;
         let mut begun = false;
         loop {
-            let here = std::iter::once(&self.committed.displacement[..]);
-            let states = here.chain(self.reached[..count].iter().map(Vec::as_slice));
             let own = (plan, plan.of_step[number - 1]);
-            let states = (states, &self.committed.points[..]);
+            let (here, points) = (&self.committed.displacement[..], &self.committed.points[..]);
+            let states = (here, &self.reached[..count], points);
             let coupling =
                 work.couple(own, (values, contact, kind), states, self.means.linear_systems);
             let means = self.means;
@@ -146,10 +146,12 @@ impl Analysis<'_> {
             if outside.committed != from_here.committed {
                 count = 0;
             }
-            match self.reached.get_mut(count) {
-                Some(room) => room.clone_from(&work.u),
-                None => self.reached.push(work.u.clone()),
+            if count == self.reached.len() {
+                self.reached.push(Reached::default());
             }
+            let reached = &mut self.reached[count];
+            reached.displacement.clone_from(&work.u);
+            reached.met.clone_from(&work.met);
             count += 1;
             control = Some(outside);
         }
@@ -172,7 +174,7 @@ impl Analysis<'_> {
             let contact = changed.as_ref().unwrap_or(plan.contact);
             let plan = &Problem { contact, ..*plan };
             let mut outcome = self.attempt(plan, &target, work)?;
-            if work.outside {
+            if work.outside() {
                 work.take_back(outcome);
                 return Ok(Some(control));
             }

@@ -7,8 +7,8 @@ use super::slave::{Control, Mortar};
 use std::ops::Range;
 
 impl Contact {
-    /// Nodes of the master chain that the faces of a point of a mortar face, where these are near:
-    /// within `reach` [L].
+    /// Nodes of the master chain that the faces of a point of a mortar face, where it is near:
+    /// its gap within `reach` [L], however deep it has sunk in.
     pub fn near_mortar(
         &self,
         mortar: &Mortar,
@@ -16,21 +16,20 @@ impl Contact {
         (room, reach): (&MortarRoom, f64),
     ) -> Option<Range<usize>> {
         let MasterSurface::Line { .. } = &self.masters[mortar.pair] else { return None };
+        let sums = room.sums(mortar, point);
+        if sums.area <= 0.0 || sums.opening() > reach {
+            return None;
+        }
+        // all that its rows hold, also where a face has handed its functions on
+        let of_point = mortar.of_point[point].iter().flatten();
+        let curves = of_point.flat_map(|&(face, _)| &room.faces[face].near);
         let mut range: Option<Range<usize>> = None;
-        for &(face, node) in mortar.of_point[point].iter().flatten() {
-            let state = &room.faces[face];
-            let Some(shares) = state.shares[node] else { continue };
-            let [x, y] = state.integrals.gap_of(shares);
-            if x.hypot(y) > reach * state.integrals.area_of(shares) {
-                continue;
-            }
-            for &curve in &state.near {
-                let controls = room.curves[curve].controls;
-                let own = controls[..room.curves[curve].count].iter();
-                for node in own.flat_map(|control| control.nodes()).map(|(node, _)| node) {
-                    let known = range.get_or_insert(node..node + 1);
-                    *known = known.start.min(node)..known.end.max(node + 1);
-                }
+        for &curve in curves {
+            let controls = room.curves[curve].controls;
+            let own = controls[..room.curves[curve].count].iter();
+            for node in own.flat_map(|control| control.nodes()).map(|(node, _)| node) {
+                let known = range.get_or_insert(node..node + 1);
+                *known = known.start.min(node)..known.end.max(node + 1);
             }
         }
         range

@@ -64,6 +64,25 @@ pub struct MortarRoom {
     areas: Vec<f64>,
 }
 
+/// What a point sums over its faces.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Sums {
+    /// Area [L2].
+    pub area: f64,
+    /// Weighted gap [L3].
+    pub gap: [f64; 3],
+    /// Outward normal [1].
+    pub normal: [f64; 3],
+}
+
+impl Sums {
+    /// Mean gap along the normal, positive when open [L].
+    pub fn opening(&self) -> f64 {
+        let along = self.normal.iter().zip(self.gap).map(|(n, r)| n * r);
+        along.sum::<f64>() / self.area
+    }
+}
+
 /// Part of the area of the node of a face that has most of it, which a node must have to carry
 /// contact of its own there [1].
 const LEAST_AREA: f64 = 0.05;
@@ -124,6 +143,23 @@ impl MortarRoom {
             }
             state.shares[most] = Some(given);
         }
+    }
+
+    /// Area, weighted gap and normal of a point.
+    pub fn sums(&self, mortar: &Mortar, point: usize) -> Sums {
+        let mut sums = Sums::default();
+        for &(face, node) in mortar.of_point[point].iter().flatten() {
+            let state = &self.faces[face];
+            let count = mortar.faces[face].count;
+            let [x, y] = state.integrals.normal(node, count);
+            sums.normal = [x, y, 0.0];
+            if let Some(shares) = state.shares[node] {
+                sums.area += state.integrals.area_of(shares);
+                let [x, y] = state.integrals.gap_of(shares);
+                sums.gap = [sums.gap[0] + x, sums.gap[1] + y, 0.0];
+            }
+        }
+        sums
     }
 
     /// Where the curves of the master stand.

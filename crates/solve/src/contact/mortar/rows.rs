@@ -13,7 +13,7 @@ use super::super::before::Before;
 use super::super::kinematics::{ContactKinematics, PointRowsMut};
 use super::super::master::MasterSurface;
 use super::super::pairs::{Carrier, Contact};
-use super::place::{FaceState, MortarRoom};
+use super::place::{FaceState, MortarRoom, Sums};
 use super::rooms::MortarRooms;
 use super::slave::{Control, Mortar};
 use slideline_mech::contact::pair::Body;
@@ -30,14 +30,6 @@ const NONE: usize = usize::MAX;
 pub(super) enum Side {
     Slave,
     Master,
-}
-
-/// What a point sums over its faces.
-#[derive(Clone, Copy, Debug, Default)]
-struct Sums {
-    area: f64,
-    gap: [f64; 3],
-    normal: [f64; 3],
 }
 
 /// A pair at work.
@@ -99,7 +91,7 @@ impl At<'_> {
     ) {
         let place = self.mortar.first + point;
         let whole = self.contact.points[place].area;
-        let sums = self.sums(point, &rooms.now);
+        let sums = rooms.now.sums(self.mortar, point);
         self.list_unknowns(point, rooms);
         into.make_room(rooms.unknowns.len());
         let mut into = into.at_mut(place);
@@ -115,23 +107,6 @@ impl At<'_> {
         for &dof in &rooms.unknowns {
             rooms.columns[dof] = NONE;
         }
-    }
-
-    /// Area, weighted gap and normal of a point in a configuration.
-    fn sums(&self, point: usize, room: &MortarRoom) -> Sums {
-        let mut sums = Sums::default();
-        for &(face, node) in self.mortar.of_point[point].iter().flatten() {
-            let state = &room.faces[face];
-            let count = self.mortar.faces[face].count;
-            let [x, y] = state.integrals.normal(node, count);
-            sums.normal = [x, y, 0.0];
-            if let Some(shares) = state.shares[node] {
-                sums.area += state.integrals.area_of(shares);
-                let [x, y] = state.integrals.gap_of(shares);
-                sums.gap = [sums.gap[0] + x, sums.gap[1] + y, 0.0];
-            }
-        }
-        sums
     }
 
     /// Fills in the dofs that a point follows, its own first, and the weights of the masters at the
@@ -211,7 +186,7 @@ impl At<'_> {
         rooms: &mut MortarRooms,
         into: &mut PointRowsMut<'_>,
     ) {
-        let gap = dot(sums.normal, sums.gap) / sums.area;
+        let gap = sums.opening();
         into.point.faces = true;
         into.point.facing = None;
         into.point.footing = None;
@@ -243,7 +218,7 @@ impl At<'_> {
 
     /// Slip of a point since the last commit [L]; its derivative is added to the row.
     fn add_slip(&self, point: usize, area: f64, rooms: &mut MortarRooms, row: &mut [f64]) -> f64 {
-        let then = self.sums(point, &rooms.before);
+        let then = rooms.before.sums(self.mortar, point);
         let [nx, ny, _] = then.normal;
         let tangent = [-ny, nx];
         let way = self.carry(point, tangent, None, rooms, row) / area;

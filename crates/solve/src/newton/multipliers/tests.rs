@@ -53,7 +53,7 @@ fn work(
     (aside, down): (f64, f64),
 ) -> Scratch {
     let mut work = Scratch::default();
-    let states = (std::iter::once(&committed.displacement[..]), &committed.points[..]);
+    let states = (&committed.displacement[..], &[][..], &committed.points[..]);
     let values = (&prepared.values, plan.contact, plan.kind());
     work.couple((&prepared.plan, 0), values, states, &prepared.linear_systems);
     work.fit(plan);
