@@ -182,8 +182,8 @@ fn a_plane_presses_flat() {
 }
 
 /// Requirement: turned in space everything is the same, with friction, for all three tools.
-/// Tolerance: about an axis the first tangential direction is arbitrary, and where the normal turns in
-/// an increment the transport of slip feels it in second order: 7e-6 for the ball.
+/// Tolerance: that of the increments' convergence. When the turn of a direction in the plane was taken at
+/// another place than that of the tangent which it is compared with, the ball was off by 7e-6.
 #[test]
 fn tools_are_the_same_in_any_direction() {
     for tool in [plane, ball, roller] {
@@ -202,7 +202,7 @@ fn tools_are_the_same_in_any_direction() {
         assert!(size > 1.0);
         for k in 0..3 {
             let off = (oblique.force[k] - expected[k]).abs();
-            assert!(off < 3e-5 * size, "{:?} {expected:?}", oblique.force);
+            assert!(off < 1e-6 * size, "{:?} {expected:?}", oblique.force);
         }
         assert!(straight.imbalance.max(oblique.imbalance) < 1e-9);
         assert!(straight.most <= 8, "{} iterations", straight.most);

@@ -17,7 +17,7 @@ use super::super::search::faces::FacePlace;
 use super::super::tangential::Tangential;
 use crate::surface::mesh::{FaceMesh, PlacedFace};
 use crate::surface::patch::{Parts, Patch};
-use crate::vector::{Vector, cross, dot, sub};
+use crate::vector::{Vector, cross, dot, scale, size, sub};
 
 /// Where a point stood on a surface of faces when its state was committed.
 #[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize, serde::Deserialize)]
@@ -111,7 +111,7 @@ impl FacePoint {
         let footing = Footing {
             place,
             normal: gap.normal,
-            direction: borne(&turned, before, from.position(&at.first[0])),
+            direction: carried(before, (&from, before.place.at), &turned, gap.normal),
             bearing: [1.0, 0.0],
         };
         let bearing = bearing(&footing, tangent);
@@ -256,20 +256,31 @@ impl FacePoint {
     }
 }
 
-/// The first direction after an increment: turned with the normal, and with the face in its plane
-/// by as much as that turned below the place where the point stood.
-pub(super) fn borne(turned: &Turned, before: &Footing, tangent: Vector) -> Vector {
-    let [first, second] = turned.directions;
-    let now = [dot(tangent, first), dot(tangent, second)];
+/// The first direction across `normal` to which a tangent has the bearing that it had to the
+/// directions of a footing: what that is as the surface turns, in its plane too. `None` where the
+/// tangent is along the normal. [docs/theory.md, section 5.9]
+pub(super) fn borne(before: &Footing, tangent: Vector, normal: Vector) -> Option<Vector> {
+    let across = sub(tangent, scale(normal, dot(tangent, normal)));
+    let size = size(across);
     let [c, s] = before.bearing;
-    // the turn that takes the old bearing to the new one
-    let turn = [now[0] * c + now[1] * s, now[1] * c - now[0] * s];
-    let size = turn[0].hypot(turn[1]);
-    if size == 0.0 {
-        return first;
-    }
-    let [cosine, sine] = turn.map(|value| value / size);
-    std::array::from_fn(|axis| cosine * first[axis] + sine * second[axis])
+    let own = sub(scale(across, c), scale(cross(normal, across), s));
+    (size > 0.0).then(|| scale(own, 1.0 / size))
+}
+
+/// The first direction after an increment: it turns with the surface where the point stood, and from
+/// there to the place that it faces with the normal, the shortest way. What turns at one place alone is
+/// compared at that place: beside a tangent that stays as it is a direction that turns with the normal
+/// seems to turn in the plane, by as much as the tangent happens to lean.
+fn carried(
+    before: &Footing,
+    (patch, at): (&Patch, [f64; 2]),
+    turned: &Turned,
+    to: Vector,
+) -> Vector {
+    let first = turned.directions[0];
+    let Some((tangents, normal)) = patch.frame(&patch.place(at)) else { return first };
+    let Some(own) = borne(before, tangents[0], normal) else { return first };
+    Turned::new(normal, [own, cross(normal, own)], to).map_or(first, |own| own.directions[0])
 }
 
 /// The first tangent of a face by the directions of a footing.

@@ -29,7 +29,9 @@ impl Standing {
             Some((before, Turned::new(before.normal, before.directions(), normal)?))
         });
         let (turned, direction) = match kept {
-            Some((before, turned)) => (turned, borne(&turned, before, edge)),
+            Some((before, turned)) => {
+                (turned, borne(before, edge, normal).unwrap_or(turned.directions[0]))
+            }
             None => {
                 let turned = Turned::new(normal, directions_across(normal, edge), normal)?;
                 (turned, turned.directions[0])
