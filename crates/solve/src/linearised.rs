@@ -48,7 +48,7 @@ pub use condensed::LinearisedContact;
 pub use context::LawContext;
 pub use contradiction::Contradiction;
 pub use inserted::HeldMultipliers;
-pub use points::{LinearPoint, LinearPoints, LinearRows, Sliding};
+pub use points::{Augmentation, LinearPoint, LinearPoints, LinearRows, Sliding};
 
 #[cfg(test)]
 mod tests;

@@ -97,6 +97,13 @@ impl ContactOperator {
         }
     }
 
+    /// Lets nothing move a point along its tangents.
+    pub fn hold_slip(&mut self, place: usize) {
+        let (begin, width) = self.ranges[place];
+        let first = begin * rows(self.directions) + width;
+        self.values[first..][..self.directions * width].fill(0.0);
+    }
+
     /// The same, given row by row.
     #[cfg(test)]
     pub fn push_rows(&mut self, unknowns: &[usize], rows: &[f64]) {

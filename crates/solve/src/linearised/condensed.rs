@@ -92,7 +92,7 @@ impl LinearisedContact {
         context: &LawContext<'_>,
         touching: bool,
     ) -> bool {
-        if !point.moves(Kind::Normal) {
+        if !point.takes_part(&context.laws[point.pair]) {
             return false;
         }
         if touching {

@@ -2,8 +2,13 @@
 
 use crate::constraints::{Constraints, Rows};
 use crate::contact::{ContactOperator, OperatorRows};
+use slideline_mech::contact::pair::Laws;
 use slideline_mech::contact::tangential::Tangential;
 use std::ops::{Deref, Index, IndexMut};
+
+/// How far an unknown must move a point along its tangents, by its own motion, for it to slide [1]. A node
+/// whose share of a face is counted has 5 % of it; by turning, faces move points by their gaps.
+const LEAST_SLIDE: f64 = 1e-2;
 
 /// Friction at a point whose friction is called.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,7 +63,7 @@ impl LinearPoint {
     }
 
     /// Sets the augmentation along the normal and along the tangents [F/L3].
-    pub(super) fn set_augmentation(&mut self, augmentation: Augmentation) {
+    pub fn set_augmentation(&mut self, augmentation: Augmentation) {
         self.stiffness = augmentation.normal;
         if let Some(sliding) = &mut self.sliding {
             sliding.stiffness = augmentation.tangential;
@@ -158,6 +163,20 @@ impl LinearPoints {
         self.operator.push_columns(&self.unknowns, &self.columns);
     }
 
+    /// Takes the slip of the last point as prescribed, where its equations, in their natural `units`, move
+    /// it next to nothing: supports hold all that slides, and faces turn by what the rest moves.
+    pub fn hold_slip_of_last(&mut self, units: &[f64]) {
+        let last = self.points.len() - 1;
+        let rows = self.operator.rows(last);
+        let moved = |direction: usize| {
+            let by_unit = rows.unknowns.iter().zip(rows.slip(direction));
+            by_unit.fold(0.0_f64, |most, (&e, g)| most.max((g * units[e]).abs()))
+        };
+        if (0..rows.directions()).all(|direction| moved(direction) <= LEAST_SLIDE) {
+            self.operator.hold_slip(last);
+        }
+    }
+
     /// Adds a point with its rows over equations, row by row.
     #[cfg(test)]
     pub fn push_rows(&mut self, point: LinearPoint, equations: &[usize], rows: &[f64]) {
@@ -243,6 +262,14 @@ impl LinearRows<'_> {
         for (&equation, f) in self.rows.unknowns.iter().zip(self.force(of)) {
             into[equation] += self.area * multiplier * f;
         }
+    }
+
+    /// Whether contact has a say in its equations. Where supports hold it along its normal, they take
+    /// what a hard law cannot tell from their reaction; a softened law presses there by itself, and
+    /// friction acts where the point slides.
+    pub fn takes_part(&self, laws: &Laws) -> bool {
+        let rubs = || self.sliding.is_some() && self.slides();
+        self.moves(Kind::Normal) || (laws.pressure(self.overclosure, 0.0) > 0.0 && rubs())
     }
 
     pub(super) fn moves(&self, of: Kind) -> bool {

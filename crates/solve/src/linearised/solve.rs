@@ -36,6 +36,7 @@ impl LinearisedContact {
         if enforcement.inserts_laws() {
             return self.solve_inserted(points, stiffness, correction);
         }
+        self.rub_held(points, context, correction);
         if enforcement == Enforcement::MatrixFree {
             return self.solve_matrix_free(points, context, stiffness, correction);
         }
@@ -59,6 +60,17 @@ impl LinearisedContact {
         }
         self.back_substitute(points, context, correction);
         Ok(())
+    }
+
+    /// Takes the tractions of slips that are prescribed from what `correction` answers: there is no row to
+    /// bring them in.
+    fn rub_held(&self, points: &LinearPoints, context: &LawContext<'_>, correction: &mut [f64]) {
+        for point in points.with_rows() {
+            let Some(traction) = context.prescribed_sliding(&point) else { continue };
+            for direction in 0..points.directions() {
+                point.push(Kind::Tangential(direction), -traction[direction], correction);
+            }
+        }
     }
 
     /// Lets points join that touch already (`touching`), or that would touch

@@ -4,7 +4,7 @@ use super::multipliers::context;
 use super::scratch::{Scratch, solver};
 use crate::contact::{SEGMENT_POINTS, SlavePoint};
 use crate::evaluate::evaluate_tangent;
-use crate::linearised::{LinearPoint, LinearRows, Sliding, Stiffness};
+use crate::linearised::{Augmentation, LinearPoint, LinearRows, Sliding, Stiffness};
 use crate::moments;
 use crate::problem::Problem;
 use crate::state::{PointState, State};
@@ -139,6 +139,14 @@ impl Scratch {
             };
             let following = (&plan.constraints, &self.evaluation.rows);
             self.points.push(linear, kinematics.rows, following);
+            if laws.friction.needs_multiplier() {
+                self.points.hold_slip_of_last(plan.units);
+            }
+            // lent stiffness is taken back by the rows of the point alone
+            let added = self.points.len() - 1;
+            if !self.points.at(added).takes_part(laws) {
+                self.points[added].set_augmentation(Augmentation::default());
+            }
         }
     }
 
