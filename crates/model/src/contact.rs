@@ -74,9 +74,9 @@ impl ContactPair {
             Some(cell) if is_spread => cell.faces.len(),
             _ => face.nodes.len(),
         };
-        let nodes = move |face: &ContactFace| face.nodes[..of_face(face)].to_vec();
         let faces = if self.slaves.is_empty() { &self.faces[..] } else { &[] };
-        ends.chain(faces.iter().flat_map(nodes)).chain(self.slaves.iter().copied())
+        ends.chain(faces.iter().flat_map(move |face| face.nodes[..of_face(face)].iter().copied()))
+            .chain(self.slaves.iter().copied())
     }
 
     /// Its faces as those of a mesh, over the nodes of the model.

@@ -2,62 +2,12 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
 
-use slideline::observe::{ContactRow, Ending, Frame};
-use slideline::{Event, Job, Observer, ReadOptions, SolveOptions, Stop};
+mod space_decks;
+
+use space_decks::{solved, turn};
 use std::fmt::Write as _;
-use std::ops::ControlFlow;
-
-/// What the last increment left.
-#[derive(Default)]
-struct Last {
-    contact: Vec<ContactRow>,
-    force: [f64; 3],
-    imbalance: f64,
-    most: usize,
-}
-
-impl Observer for Last {
-    fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
-        if let Event::Committed(frame) = event {
-            self.take(frame);
-        }
-        ControlFlow::Continue(())
-    }
-}
-
-impl Last {
-    fn take(&mut self, frame: &Frame<'_>) {
-        let pair = &frame.pairs[0];
-        self.contact = frame.contact.to_vec();
-        self.force = pair.force;
-        self.imbalance = self.imbalance.max(pair.force_imbalance).max(pair.moment_imbalance);
-        self.most = self.most.max(frame.severe_iterations + frame.equilibrium_iterations);
-    }
-}
-
-fn solved(deck: &str) -> Last {
-    let read = Job::read_text("analytical", deck, &ReadOptions::default());
-    let model = read.model.unwrap_or_else(|| panic!("{:#?}", read.diagnostics));
-    let mut last = Last::default();
-    let ending = slideline::solve(&model, &SolveOptions::default(), &mut last);
-    assert!(matches!(ending, Ending::Completed(_)), "{ending:?}");
-    last
-}
 
 type Vector = [f64; 3];
-
-/// A rotation about an oblique axis.
-fn turned(x: Vector, angle: f64) -> Vector {
-    let axis = [1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0];
-    let (s, c) = angle.sin_cos();
-    let along: f64 = (0..3).map(|k| axis[k] * x[k]).sum();
-    let cross = [
-        axis[1] * x[2] - axis[2] * x[1],
-        axis[2] * x[0] - axis[0] * x[2],
-        axis[0] * x[1] - axis[1] * x[0],
-    ];
-    std::array::from_fn(|k| c * x[k] + s * cross[k] + (1.0 - c) * along * axis[k])
-}
 
 /// A block with its top at z = 0, clamped at its bottom, and a tool above it.
 struct Press {
@@ -75,7 +25,7 @@ struct Press {
 impl Press {
     fn deck(&self) -> String {
         let text = |x: Vector| {
-            let [x, y, z] = turned(x, self.angle);
+            let [x, y, z] = turn(x, self.angle);
             format!("{x:?}, {y:?}, {z:?}")
         };
         let [nx, ny, nz] = [0, 1, 2].map(|k| self.lines[k].len());
@@ -125,7 +75,7 @@ impl Press {
             (self.tool)(&text),
             self.friction,
         );
-        for (k, value) in turned(self.way, self.angle).into_iter().enumerate() {
+        for (k, value) in turn(self.way, self.angle).into_iter().enumerate() {
             let _ = writeln!(deck, "{reference}, {0}, {0}, {value:?}", k + 1);
         }
         deck.push_str("*END STEP\n");
@@ -178,7 +128,7 @@ fn a_plane_presses_flat() {
         assert!((row.normal[2] + 1.0).abs() < 1e-12);
         assert!((row.position[2] + 0.05).abs() < 1e-12, "it follows the plane: {row:?}");
     }
-    assert!(last.imbalance < 1e-9, "{}", last.imbalance);
+    assert!(last.worst < 1e-9, "{}", last.worst);
 }
 
 /// Requirement: turned in space everything is the same, with friction, for all three tools.
@@ -197,15 +147,15 @@ fn tools_are_the_same_in_any_direction() {
         };
         let straight = solved(&press(0.0).deck());
         let oblique = solved(&press(0.7).deck());
-        let expected = turned(straight.force, 0.7);
+        let expected = turn(straight.force(), 0.7);
         let size = expected.iter().map(|f| f * f).sum::<f64>().sqrt();
         assert!(size > 1.0);
         for k in 0..3 {
-            let off = (oblique.force[k] - expected[k]).abs();
-            assert!(off < 1e-6 * size, "{:?} {expected:?}", oblique.force);
+            let off = (oblique.force()[k] - expected[k]).abs();
+            assert!(off < 1e-6 * size, "{:?} {expected:?}", oblique.force());
         }
-        assert!(straight.imbalance.max(oblique.imbalance) < 1e-9);
-        assert!(straight.most <= 8, "{} iterations", straight.most);
+        assert!(straight.worst.max(oblique.worst) < 1e-9);
+        assert!(straight.most() <= 8, "{} iterations", straight.most());
     }
 }
 
@@ -239,7 +189,7 @@ fn a_ball_obeys_hertz() {
     };
     let last = solved(&press.deck());
     let hertz = 4.0 / 3.0 * 1000.0 / (1.0 - 0.09) * depth.powf(1.5);
-    let force = last.force[2].abs();
+    let force = last.force()[2].abs();
     assert!((force / hertz - 1.0).abs() < 0.12, "{force} beside {hertz}");
     let pole =
         last.contact.iter().find(|row| row.position[0].hypot(row.position[1]) < 1e-9).unwrap();

@@ -62,6 +62,11 @@ impl Last {
     pub fn force(&self) -> [f64; 3] {
         self.forces.last().copied().unwrap_or_default()
     }
+
+    /// Iterations of the increment that took most.
+    pub fn most(&self) -> usize {
+        self.iterations.iter().copied().max().unwrap_or(0)
+    }
 }
 
 pub fn size(v: [f64; 3]) -> f64 {
@@ -79,12 +84,17 @@ pub fn checked(deck: &str) -> Last {
 }
 
 pub fn run(deck: &str, options: &SolveOptions) -> Last {
+    let (ending, last) = ended(deck, options);
+    assert!(matches!(ending, Ending::Completed(_)), "{ending:?}\n{:?}", last.iterations);
+    last
+}
+
+/// How a deck ends, and what it left.
+pub fn ended(deck: &str, options: &SolveOptions) -> (Ending, Last) {
     let read = Job::read_text("mortar", deck, &ReadOptions::default());
     let model = read.model.unwrap_or_else(|| panic!("{:#?}", read.diagnostics));
     let mut last = Last::default();
-    let ending = slideline::solve(&model, options, &mut last);
-    assert!(matches!(ending, Ending::Completed(_)), "{ending:?}\n{:?}", last.iterations);
-    last
+    (slideline::solve(&model, options, &mut last), last)
 }
 
 /// A rotation about an oblique axis.
