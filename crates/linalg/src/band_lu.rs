@@ -24,8 +24,8 @@ pub(crate) struct BandLu {
     exchange: Vec<u32>,
     /// Number of entries of each row of U.
     length: Vec<u32>,
-    /// Size of each row's diagonal before elimination.
-    diagonal: Vec<f64>,
+    /// Inverse of the size of each row's diagonal before elimination.
+    inverse_diagonal: Vec<f64>,
 }
 
 /// Smallest pivot of a factorisation.
@@ -46,7 +46,7 @@ impl BandLu {
             multiplier: vec![0.0; n * half_bandwidth],
             exchange: vec![0; n],
             length: vec![0; n],
-            diagonal: vec![0.0; n],
+            inverse_diagonal: vec![0.0; n],
         }
     }
 
@@ -86,7 +86,7 @@ impl BandLu {
             self.length[j] = length as u32;
             if pivot_row != j {
                 self.exchange_rows(j, pivot_row, length);
-                self.diagonal.swap(j, pivot_row);
+                self.inverse_diagonal.swap(j, pivot_row);
             }
             let (pivot, size) = (self.row[self.place(j, j)].abs(), size(j));
             let usable = pivot > 0.0 && pivot.is_finite();
@@ -109,7 +109,7 @@ impl BandLu {
         let first = self.place(j, j);
         let merit = |p: usize| {
             let entry = self.row[first + p * step];
-            entry * entry / self.diagonal[j + p]
+            entry * entry * self.inverse_diagonal[j + p]
         };
         let (mut best, mut largest) = (0, merit(0));
         for p in 1..=below {
@@ -121,7 +121,7 @@ impl BandLu {
         j + best
     }
 
-    /// Magnitudes of the diagonal; where it is zero, of the row's largest entry.
+    /// Inverse magnitudes of the diagonal; where it is zero, of the row's largest entry.
     fn note_diagonal(&mut self) {
         for i in 0..self.n {
             let own = self.row[self.place(i, i)].abs();
@@ -130,7 +130,7 @@ impl BandLu {
             let largest =
                 || (first..=last).fold(0.0_f64, |a, j| a.max(self.row[self.place(i, j)].abs()));
             let size = if own > 0.0 { own } else { largest() };
-            self.diagonal[i] = if size > 0.0 { size } else { 1.0 };
+            self.inverse_diagonal[i] = if size > 0.0 { 1.0 / size } else { 1.0 };
         }
     }
 

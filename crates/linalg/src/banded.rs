@@ -22,6 +22,9 @@ const SUSPICIOUS: f64 = 1e-12;
 /// Pivot ratio of the scaled system below which it is singular: what a few hundred roundings leave.
 const SINGULAR: f64 = 1e-14;
 
+/// Right-hand sides that are left over and substituted together all the same.
+const PAIR: usize = 2;
+
 /// Which of its factorisations the back end holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Held {
@@ -248,15 +251,16 @@ impl Banded {
         if self.held == Held::Nothing {
             return Err(SolveError::NotFactored);
         }
-        if columns >= LANES {
+        if columns >= PAIR && self.work.len() < n * LANES {
             self.work.resize(n * LANES, 0.0);
         }
-        let whole = columns / LANES * LANES * n;
-        for lanes in block[..whole].chunks_exact_mut(n * LANES) {
-            self.solve_lanes::<LANES>(lanes, transposed);
-        }
-        for column in block[whole..].chunks_exact_mut(n) {
-            self.solve_lanes::<1>(column, transposed);
+        let mut whole = block.chunks_exact_mut(n * LANES);
+        (&mut whole).for_each(|lanes| self.solve_lanes::<LANES>(lanes, transposed));
+        let mut pairs = whole.into_remainder().chunks_exact_mut(n * PAIR);
+        (&mut pairs).for_each(|lanes| self.solve_lanes::<PAIR>(lanes, transposed));
+        match pairs.into_remainder() {
+            [] => {}
+            column => self.solve_lanes::<1>(column, transposed),
         }
         Ok(())
     }

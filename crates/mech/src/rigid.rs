@@ -19,6 +19,48 @@ pub enum PointMap {
     },
 }
 
+/// A rotation in the plane with what it makes of arms.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PlaneTurn {
+    angle: f64,
+    sine: f64,
+    cosine: f64,
+    /// 1 - cos phi = 2 sin^2(phi/2), so that small rotations keep their digits.
+    versine: f64,
+}
+
+impl PlaneTurn {
+    /// No rotation.
+    pub const NONE: Self = Self { angle: 0.0, sine: 0.0, cosine: 1.0, versine: 0.0 };
+
+    /// The rotation by an angle [1].
+    pub fn by(angle: f64) -> Self {
+        let (sine, cosine) = angle.sin_cos();
+        let half = (0.5 * angle).sin();
+        Self { angle, sine, cosine, versine: 2.0 * half * half }
+    }
+
+    /// Becomes the rotation by an angle, if it is not already: the parts of a body share it.
+    pub fn become_by(&mut self, angle: f64) -> &Self {
+        if angle != self.angle {
+            *self = Self::by(angle);
+        }
+        self
+    }
+
+    /// The arm R(phi) arm [L].
+    pub fn arm(&self, arm: [f64; 2]) -> [f64; 2] {
+        let (s, c) = (self.sine, self.cosine);
+        [c * arm[0] - s * arm[1], s * arm[0] + c * arm[1]]
+    }
+
+    /// By how much the end of an arm moves, its node by (x, y) [L].
+    pub fn displacement(&self, [x, y]: [f64; 2], arm: [f64; 2]) -> [f64; 2] {
+        let (s, versine) = (self.sine, self.versine);
+        [x - versine * arm[0] - s * arm[1], y + s * arm[0] - versine * arm[1]]
+    }
+}
+
 impl PointMap {
     /// Number of dofs the point follows: 2 or 3.
     pub fn width(&self) -> usize {
@@ -29,17 +71,12 @@ impl PointMap {
     }
 
     /// Displacement of the point [L] for the node's dofs (displacements; rotation in radians).
-    /// cos phi - 1 is written -2 sin^2(phi/2), so that small rotations keep their digits. Missing
-    /// dofs count as zero.
+    /// Missing dofs count as zero.
     pub fn displacement(&self, dofs: &[f64]) -> [f64; 2] {
         let at = |i: usize| dofs.get(i).copied().unwrap_or(0.0);
         match self {
             Self::Free => [at(0), at(1)],
-            Self::Arm { arm } => {
-                let half = (0.5 * at(2)).sin();
-                let (versine, s) = (2.0 * half * half, at(2).sin());
-                [at(0) - versine * arm[0] - s * arm[1], at(1) + s * arm[0] - versine * arm[1]]
-            }
+            Self::Arm { arm } => PlaneTurn::by(at(2)).displacement([at(0), at(1)], *arm),
         }
     }
 
@@ -47,10 +84,7 @@ impl PointMap {
     pub fn current_arm(&self, dofs: &[f64]) -> [f64; 2] {
         match self {
             Self::Free => [0.0, 0.0],
-            Self::Arm { arm } => {
-                let (s, c) = dofs.get(2).copied().unwrap_or(0.0).sin_cos();
-                [c * arm[0] - s * arm[1], s * arm[0] + c * arm[1]]
-            }
+            Self::Arm { arm } => PlaneTurn::by(dofs.get(2).copied().unwrap_or(0.0)).arm(*arm),
         }
     }
 

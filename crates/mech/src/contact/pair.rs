@@ -238,7 +238,8 @@ impl Laws {
             let (value, slope) = self.normal.pressure(overclosure).unwrap_or((0.0, 0.0));
             return Complementarity::inserted(value, slope);
         }
-        let (value, slope) = self.normal.resolvent(overclosure + pressure / kappa, kappa);
+        let (value, slope) =
+            self.normal.resolvent(overclosure + pressure / kappa, kappa, overclosure);
         Complementarity::multiplier(value, slope, kappa)
     }
 

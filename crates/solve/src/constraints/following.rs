@@ -4,6 +4,7 @@ use super::linear::LinearConstraint;
 use super::motion::Motion;
 use super::numbering::ConstraintNumbering;
 use super::rigid::RigidLink;
+use slideline_mech::rigid::PlaneTurn;
 use slideline_mech::turn::Turn;
 use slideline_model::Axes;
 use std::ops::Deref;
@@ -36,7 +37,10 @@ impl Constraints<'_> {
         };
         linear.by_ref().take(self.leading).for_each(|own| follow(own, u));
         let links = self.rigid.iter().zip(&self.motion.arms);
-        links.for_each(|(link, &arm)| link.enforce((arm, self.axes_of(link)), turns, u));
+        let mut turned = PlaneTurn::NONE;
+        links.for_each(|(link, &arm)| {
+            link.enforce((arm, self.axes_of(link)), (turns, &mut turned), u);
+        });
         linear.for_each(|own| follow(own, u));
     }
 

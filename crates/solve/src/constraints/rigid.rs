@@ -6,7 +6,7 @@
 
 use crate::dofs::DofMap;
 use slideline_mech::axes::{self, Axes};
-use slideline_mech::rigid::PointMap;
+use slideline_mech::rigid::PlaneTurn;
 use slideline_mech::rotation;
 use slideline_mech::turn::Turn;
 use slideline_model::{Dof, Model, NodeIndex};
@@ -126,8 +126,8 @@ impl Body {
 type Arm = [f64; 3];
 
 /// An arm in the plane.
-fn in_plane([x, y, _]: [f64; 3]) -> PointMap {
-    PointMap::Arm { arm: [x, y] }
+fn in_plane([x, y, _]: Arm) -> [f64; 2] {
+    [x, y]
 }
 
 impl RigidLink {
@@ -185,15 +185,16 @@ impl RigidLink {
     }
 
     /// Adds the coefficients of all components that follow, in the order of [`Self::followed`]; the
-    /// dependent node has an arm and perhaps axes of its own.
+    /// dependent node has an arm and perhaps axes of its own. `turned` is scratch that the links of
+    /// a body in the plane share.
     pub fn push_coefficients(
         &self,
         (arm, axes): (Arm, Option<&Axes>),
-        at: (&[f64], &[Turn]),
+        (at, turned): ((&[f64], &[Turn]), &mut PlaneTurn),
         into: &mut Vec<f64>,
     ) {
         if let (Body::Plane { pose }, None) = (self.body, axes) {
-            let [x, y] = in_plane(arm).current_arm(&[0.0, 0.0, at.0[pose[2]]]);
+            let [x, y] = turned.become_by(at.0[pose[2]]).arm(in_plane(arm));
             for (component, _) in self.dependent_dofs() {
                 match component {
                     0 => into.extend([1.0, -y]),
@@ -222,7 +223,7 @@ impl RigidLink {
         match self.body {
             Body::Plane { .. } if component >= 3 => [axis[2], 0.0, 0.0, 0.0, 0.0, 0.0],
             Body::Plane { pose } => {
-                let [x, y] = in_plane(arm).current_arm(&[0.0, 0.0, u[pose[2]]]);
+                let [x, y] = PlaneTurn::by(u[pose[2]]).arm(in_plane(arm));
                 [axis[0], axis[1], axis[1] * x - axis[0] * y, 0.0, 0.0, 0.0]
             }
             Body::Space { .. } if component >= 3 => [axis[0], axis[1], axis[2], 0.0, 0.0, 0.0],
@@ -241,7 +242,7 @@ impl RigidLink {
         match self.body {
             _ if component >= 3 => [1.0, 0.0, 0.0, 0.0, 0.0, 0.0],
             Body::Plane { pose } => {
-                let [x, y] = in_plane(arm).current_arm(&[0.0, 0.0, u[pose[2]]]);
+                let [x, y] = PlaneTurn::by(u[pose[2]]).arm(in_plane(arm));
                 [1.0, if component == 0 { -y } else { x }, 0.0, 0.0, 0.0, 0.0]
             }
             Body::Space { turn, .. } => {
@@ -252,13 +253,18 @@ impl RigidLink {
         }
     }
 
-    /// Moves the dependent node to where its master takes it.
-    pub fn enforce(&self, (arm, axes): (Arm, Option<&Axes>), turns: &[Turn], u: &mut [f64]) {
+    /// Moves the dependent node to where its master takes it; `turned` as for the coefficients.
+    pub fn enforce(
+        &self,
+        (arm, axes): (Arm, Option<&Axes>),
+        (turns, turned): (&[Turn], &mut PlaneTurn),
+        u: &mut [f64],
+    ) {
         let mut values = match self.body {
             Body::Plane { pose } => {
-                let pose = pose.map(|dof| u[dof]);
-                let [x, y] = in_plane(arm).displacement(&pose);
-                [x, y, 0.0, 0.0, 0.0, pose[2]]
+                let [x, y, angle] = pose.map(|dof| u[dof]);
+                let [x, y] = turned.become_by(angle).displacement([x, y], in_plane(arm));
+                [x, y, 0.0, 0.0, 0.0, angle]
             }
             Body::Space { shift, turn } => {
                 let (phi, arm, moved) = turn.at((u, turns), arm);
@@ -298,7 +304,7 @@ impl RigidLink {
         let force = axes.map_or(force, |axes| axes::vector(axes, force));
         match self.body {
             Body::Plane { pose: [.., turn] } => {
-                let [x, y] = in_plane(arm).current_arm(&[0.0, 0.0, at.0[turn]]);
+                let [x, y] = PlaneTurn::by(at.0[turn]).arm(in_plane(arm));
                 call(turn, turn, -(x * force[0] + y * force[1]));
             }
             Body::Space { turn, .. } => {

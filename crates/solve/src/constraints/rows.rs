@@ -3,6 +3,7 @@
 use super::following::Constraints;
 use super::numbering::{ConstraintNumbering, Role};
 use slideline_linalg::Pattern;
+use slideline_mech::rigid::PlaneTurn;
 use slideline_mech::turn::Turn;
 
 /// Coefficients of T at a configuration, in the order of the rows.
@@ -21,9 +22,10 @@ impl Constraints<'_> {
         for row in linear.by_ref().take(self.leading) {
             list.extend(self.motion.linear(row).0);
         }
+        let mut turned = PlaneTurn::NONE;
         for (link, &arm) in self.rigid.iter().zip(&self.motion.arms) {
             let axes = self.axes_of(link);
-            link.push_coefficients((arm, axes), at, list);
+            link.push_coefficients((arm, axes), (at, &mut turned), list);
         }
         for row in linear {
             list.extend(self.motion.linear(row).0);

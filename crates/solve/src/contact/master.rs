@@ -230,6 +230,7 @@ impl MasterSurface {
 
     /// The gap of the point of a stencil to what it faces; the master's part is
     /// added to the stencil. `slave` tells how the point follows its own dofs.
+    #[inline]
     pub fn gap<O: Order>(
         &self,
         facing: &Facing,

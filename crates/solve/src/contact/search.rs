@@ -13,6 +13,7 @@ use slideline_mech::rigid::{Attachment, PointMap};
 
 impl Contact {
     /// The slave's part of a stencil.
+    #[inline]
     pub(super) fn slave(&self, point: &SlavePoint, xi: f64, u: &[f64]) -> Stencil<'_> {
         match &point.carrier {
             Carrier::Node { position, dofs } => {
@@ -49,6 +50,7 @@ impl Contact {
     }
 
     /// What the point of a stencil faces; the master's part is added to it.
+    #[inline]
     pub(super) fn face(
         &self,
         point: &SlavePoint,

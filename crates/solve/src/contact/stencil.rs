@@ -24,6 +24,7 @@ pub struct Stencil<'a> {
 
 impl<'a> Stencil<'a> {
     /// The stencil of a slave point at `position`.
+    #[inline]
     pub fn new(position: [f64; 3]) -> Self {
         Self {
             position,

@@ -6,7 +6,6 @@
 use super::condensed::LinearisedContact;
 use super::context::LawContext;
 use super::points::{LinearPoints, LinearRows};
-use slideline_linalg::{SolveError, Solver};
 
 impl LinearisedContact {
     /// Lets an integration point join; its equations that none has touched yet
@@ -15,37 +14,28 @@ impl LinearisedContact {
         &mut self,
         (point, place): (&LinearRows<'_>, usize),
         context: &LawContext<'_>,
-        solver: &mut Solver,
         base: &[f64],
-    ) -> Result<(), SolveError> {
+    ) {
         for &equation in point.rows.unknowns {
             let row = match self.interface.get(&equation) {
                 Some(&known) => known,
                 None => {
                     let unit = context.units.get(equation).copied().unwrap_or(1.0);
-                    self.add_interface((equation, unit), solver, base)?
+                    self.add_interface((equation, unit), base)
                 }
             };
             self.integration_points.push_row(row);
         }
         self.integration_points.finish(place);
-        Ok(())
     }
 
-    fn add_interface(
-        &mut self,
-        (equation, unit): (usize, f64),
-        solver: &mut Solver,
-        base: &[f64],
-    ) -> Result<usize, SolveError> {
-        let n = base.len();
+    fn add_interface(&mut self, (equation, unit): (usize, f64), base: &[f64]) -> usize {
         let begin = self.response.len();
-        self.response.resize(begin + n, 0.0);
+        self.response.resize(begin + base.len(), 0.0);
         self.response[begin + equation] = 1.0;
-        solver.respond(&mut self.response[begin..])?;
         let place = self.push_interface(equation, unit);
         self.rows[place].free = base[equation];
-        Ok(place)
+        place
     }
 
     /// Starts the forces of the interface rows from the pressures and

@@ -74,7 +74,7 @@ impl LinearisedContact {
     }
 
     /// Lets points join that touch already (`touching`), or that would touch
-    /// by the present estimate; says whether any did.
+    /// by the present estimate; says whether any did. The responses to all of them are found at once.
     fn activate(
         &mut self,
         points: &LinearPoints,
@@ -87,6 +87,7 @@ impl LinearisedContact {
             self.move_by_rows(base);
         }
         let mut joined = false;
+        let before = self.rows.len();
         for (place, point) in points.with_rows().enumerate() {
             if self.in_rows[place] || !self.joins(&point, context, touching) {
                 continue;
@@ -94,16 +95,18 @@ impl LinearisedContact {
             self.in_rows[place] = true;
             joined = true;
             if point.integrated {
-                self.add_integration_point((&point, place), context, solver, base)?;
+                self.add_integration_point((&point, place), context, base);
                 continue;
             }
-            self.add_row(&point, place, Kind::Normal, solver, base)?;
+            self.add_row(&point, place, Kind::Normal, base);
             if point.sliding.is_some() && point.slides() {
                 for direction in 0..points.directions() {
-                    self.add_row(&point, place, Kind::Tangential(direction), solver, base)?;
+                    self.add_row(&point, place, Kind::Tangential(direction), base);
                 }
             }
         }
+        let n = base.len();
+        solver.solve_many(&mut self.response[before * n..], self.rows.len() - before)?;
         Ok(joined)
     }
 
@@ -119,25 +122,15 @@ impl LinearisedContact {
         }
     }
 
-    fn add_row(
-        &mut self,
-        point: &LinearRows<'_>,
-        place: usize,
-        kind: Kind,
-        solver: &mut Solver,
-        base: &[f64],
-    ) -> Result<(), SolveError> {
-        let n = base.len();
+    /// A row of a point, its column of loads where its response is to stand.
+    fn add_row(&mut self, point: &LinearRows<'_>, place: usize, kind: Kind, base: &[f64]) {
         let begin = self.response.len();
-        self.response.resize(begin + n, 0.0);
-        let response = &mut self.response[begin..];
-        point.push(kind, 1.0, response);
-        solver.respond(response)?;
+        self.response.resize(begin + base.len(), 0.0);
+        point.push(kind, 1.0, &mut self.response[begin..]);
         self.push_row(point, place, kind);
         if let Some(row) = self.rows.last_mut() {
             row.free = row.start + point.dot(kind, base);
         }
-        Ok(())
     }
 
     /// Fills C and the stiffness that each row feels.

@@ -77,10 +77,8 @@ impl Block {
     pub fn count(&self, force: &[f64], flux: &mut Flux) {
         for node in force.chunks_exact(self.dofs.len().max(1)) {
             let (forces, moments) = node.split_at(self.translations);
-            match *forces {
-                [] => {}
-                [x, y] => flux.force(x.hypot(y)),
-                _ => flux.force(forces.iter().map(|f| f * f).sum::<f64>().sqrt()),
+            if !forces.is_empty() {
+                flux.force(forces.iter().map(|f| f * f).sum::<f64>().sqrt());
             }
             moments.iter().for_each(|moment| flux.moment(moment.abs()));
         }

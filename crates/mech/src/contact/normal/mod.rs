@@ -150,8 +150,9 @@ impl NormalLaw {
     /// hard one (kappa max(z, 0)) and one that jumps (the jump is run through at slope kappa). `z` =
     /// h + p/kappa [L], `kappa` > 0 [F/L3]; an infinite kappa inserts the law (a hard one then has no
     /// finite answer and keeps slope and pressure infinite). Newton on h + p(h)/kappa - z, convex
-    /// with slope >= 1, so that it converges from anywhere.
-    pub fn resolvent(&self, z: f64, kappa: f64) -> (f64, f64) {
+    /// with slope >= 1, so that it converges from anywhere; it begins from an overclosure `near` the
+    /// one that is sought.
+    pub fn resolvent(&self, z: f64, kappa: f64, near: f64) -> (f64, f64) {
         match self {
             Self::Hard => {
                 if z > 0.0 {
@@ -161,11 +162,11 @@ impl NormalLaw {
                 }
             }
             Self::Tabular(pairs) => tabular::resolvent(pairs, z, kappa),
-            _ => self.resolvent_of_function(z, kappa),
+            _ => self.resolvent_of_function(z, kappa, near),
         }
     }
 
-    fn resolvent_of_function(&self, z: f64, kappa: f64) -> (f64, f64) {
+    fn resolvent_of_function(&self, z: f64, kappa: f64, near: f64) -> (f64, f64) {
         let begins = self.contact_begins();
         if !matches!(self, Self::CalculixLinear { .. }) {
             if z <= begins {
@@ -177,7 +178,7 @@ impl NormalLaw {
             }
         }
         let law = |h: f64| self.pressure(h).unwrap_or((0.0, 0.0));
-        let mut h = z;
+        let mut h = if near > begins && near < z { near } else { z };
         let (mut p, mut slope) = law(h);
         for _ in 0..100 {
             let step = (h - z + p / kappa) / (1.0 + slope / kappa);

@@ -114,7 +114,8 @@ fn inverse_law() {
     assert!(soft().overclosure(0.0).is_none());
 }
 
-/// Requirement: the resolvent solves p = p(z - p/kappa); its slope is dp/dz, within [0, kappa].
+/// Requirement: the resolvent solves p = p(z - p/kappa), wherever it begins; its slope is dp/dz, within
+/// [0, kappa].
 /// Tolerance: round-off of z times kappa; slopes by differences.
 #[test]
 fn resolvent_solves_its_equation() {
@@ -122,9 +123,14 @@ fn resolvent_solves_its_equation() {
         for kappa in [1e9, 1e12, 1e16] {
             for z in [-2.0, -0.9, -0.25, 0.3, 1.0, 5.0, 300.0] {
                 let z = z * C0;
-                let (p, slope) = law.resolvent(z, kappa);
+                let (p, slope) = law.resolvent(z, kappa, z);
                 assert!(slope >= 0.0 && slope <= kappa * (1.0 + 1e-14), "{law:?}");
                 let h = z - p / kappa;
+                for near in [h, 0.5 * (h + z), 2.0 * h - z, -0.99 * C0, 1e3 * C0, f64::NAN] {
+                    let (other, _) = law.resolvent(z, kappa, near);
+                    let rounding = 1e-13 * p.abs() + 8.0 * f64::EPSILON * kappa.min(slope) * C0;
+                    assert!((other - p).abs() <= rounding, "{law:?} {z} {near}: {other} {p}");
+                }
                 let (expected, by_h) = law.pressure(h).unwrap();
                 let rounding = 8.0 * f64::EPSILON * (z.abs() + C0) * by_h.max(1.0);
                 let on_jump = matches!(law, NormalLaw::CalculixExponential { .. })
@@ -138,7 +144,7 @@ fn resolvent_solves_its_equation() {
                 }
                 let step = 1e-6 * C0;
                 let (up, down) =
-                    (law.resolvent(z + step, kappa).0, law.resolvent(z - step, kappa).0);
+                    (law.resolvent(z + step, kappa, z).0, law.resolvent(z - step, kappa, z).0);
                 let difference = (up - down) / (2.0 * step);
                 assert!((difference - slope).abs() < 1e-6 * slope + 1e-7 * P0 / C0, "{law:?} {z}");
             }
@@ -152,11 +158,11 @@ fn limits_of_the_resolvent() {
     for law in laws() {
         let h = 0.3 * C0;
         let (p, slope) = law.pressure(h).unwrap();
-        let (q, by_z) = law.resolvent(h, f64::INFINITY);
+        let (q, by_z) = law.resolvent(h, f64::INFINITY, h);
         assert!((p - q).abs() < 1e-14 * p && (slope - by_z).abs() < 1e-13 * slope, "{law:?}");
     }
-    assert_eq!(NormalLaw::Hard.resolvent(2.0, 5.0), (10.0, 5.0));
-    assert_eq!(NormalLaw::Hard.resolvent(-2.0, 5.0), (0.0, 0.0));
+    assert_eq!(NormalLaw::Hard.resolvent(2.0, 5.0, 2.0), (10.0, 5.0));
+    assert_eq!(NormalLaw::Hard.resolvent(-2.0, 5.0, 0.0), (0.0, 0.0));
     assert_eq!(NormalLaw::Hard.pressure(1.0), None);
 }
 
@@ -166,7 +172,7 @@ fn resolvent_runs_through_a_jump() {
     let law = NormalLaw::CalculixExponential { clearance: C0, pressure: P0 };
     let kappa = 1e12;
     let z = -C0 + 0.005 * P0 / kappa;
-    let (p, slope) = law.resolvent(z, kappa);
+    let (p, slope) = law.resolvent(z, kappa, z);
     assert!((p - 0.005 * P0).abs() < 1e-9 * P0);
     assert_eq!(slope, kappa);
 }
@@ -187,6 +193,6 @@ fn degenerate_tables() {
         let law = NormalLaw::Tabular(pairs);
         let (p, slope) = law.pressure(0.5).unwrap();
         assert!(p.is_finite() && slope.is_finite() && law.energy(0.5).is_finite());
-        assert!(law.resolvent(0.5, 2.0).0.is_finite());
+        assert!(law.resolvent(0.5, 2.0, 0.5).0.is_finite());
     }
 }

@@ -8,6 +8,7 @@ use crate::rigid::Attachment;
 
 /// Gap of `point` against the piece of a chain that faces it; variables (slave, nodes of
 /// [`Piece::nodes`]). `None` for degenerate positions.
+#[inline]
 pub fn chain_gap<O: Order>(
     chain: &Chain,
     piece: &Piece,
@@ -64,6 +65,7 @@ pub fn chain_overclosure(
 }
 
 /// Attachments of a chain stencil: the slave, then the piece's nodes, given in order.
+#[inline]
 pub fn chain_attachments(slave: Attachment, nodes: &[Attachment]) -> StencilAttachments {
     let mut attachments = StencilAttachments::new(slave);
     for node in nodes {
