@@ -328,8 +328,11 @@ impl LinearSystem for Banded {
 }
 
 fn entry_places(pattern: &Pattern, place: impl Fn(usize, usize) -> usize) -> Vec<u32> {
-    let rows = (0..pattern.size()).flat_map(|i| pattern.row(i).iter().map(move |&j| (i, j)));
-    rows.map(|(i, j)| place(i, j) as u32).collect()
+    let mut places = Vec::with_capacity(pattern.entries());
+    for i in 0..pattern.size() {
+        places.extend(pattern.row(i).iter().map(|&j| place(i, j) as u32));
+    }
+    places
 }
 
 /// Every entry has a place, if only one behind the matrix: no branch that could be mispredicted.

@@ -40,6 +40,8 @@ impl DenseLu {
         let scale = self.matrix.iter().fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
         self.exchange.clear();
         self.dependent.clear();
+        self.exchange.reserve(n);
+        self.dependent.reserve(n);
         for k in 0..n {
             let size = |row: &usize| self.matrix[row * n + k].abs();
             let pivot = (k..n).max_by(|a, b| size(a).total_cmp(&size(b))).unwrap_or(k);

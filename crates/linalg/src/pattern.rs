@@ -70,7 +70,7 @@ impl Pattern {
     /// couples all its members with one another. Members outside `0..n` are ignored.
     pub fn from_cliques(n: usize, cliques: impl Iterator<Item = impl AsRef<[usize]>>) -> Self {
         let cliques = Cliques::new(n, cliques);
-        let (mut start, mut column) = (Vec::with_capacity(n + 1), Vec::new());
+        let (mut start, mut column) = (Vec::with_capacity(n + 1), Vec::with_capacity(16 * n));
         start.push(0);
         let mut row_of = vec![usize::MAX; n];
         for i in 0..n {

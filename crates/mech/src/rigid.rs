@@ -48,14 +48,14 @@ impl PlaneTurn {
         self
     }
 
-    /// The arm R(phi) arm [L].
-    pub fn arm(&self, arm: [f64; 2]) -> [f64; 2] {
+    /// The arm R(phi) arm [L]; what it has across the plane does not count.
+    pub fn arm(&self, arm: [f64; 3]) -> [f64; 2] {
         let (s, c) = (self.sine, self.cosine);
         [c * arm[0] - s * arm[1], s * arm[0] + c * arm[1]]
     }
 
-    /// By how much the end of an arm moves, its node by (x, y) [L].
-    pub fn displacement(&self, [x, y]: [f64; 2], arm: [f64; 2]) -> [f64; 2] {
+    /// By how much the end of an arm moves in the plane, its node by (x, y) [L].
+    pub fn displacement(&self, [x, y]: [f64; 2], arm: [f64; 3]) -> [f64; 2] {
         let (s, versine) = (self.sine, self.versine);
         [x - versine * arm[0] - s * arm[1], y + s * arm[0] - versine * arm[1]]
     }
@@ -76,7 +76,9 @@ impl PointMap {
         let at = |i: usize| dofs.get(i).copied().unwrap_or(0.0);
         match self {
             Self::Free => [at(0), at(1)],
-            Self::Arm { arm } => PlaneTurn::by(at(2)).displacement([at(0), at(1)], *arm),
+            Self::Arm { arm: [x, y] } => {
+                PlaneTurn::by(at(2)).displacement([at(0), at(1)], [*x, *y, 0.0])
+            }
         }
     }
 
@@ -84,7 +86,9 @@ impl PointMap {
     pub fn current_arm(&self, dofs: &[f64]) -> [f64; 2] {
         match self {
             Self::Free => [0.0, 0.0],
-            Self::Arm { arm } => PlaneTurn::by(dofs.get(2).copied().unwrap_or(0.0)).arm(*arm),
+            Self::Arm { arm: [x, y] } => {
+                PlaneTurn::by(dofs.get(2).copied().unwrap_or(0.0)).arm([*x, *y, 0.0])
+            }
         }
     }
 

@@ -56,8 +56,8 @@ pub enum Adjust {
 impl ContactPair {
     /// Slave nodes in order of first appearance, each once.
     pub fn slave_nodes(&self) -> Vec<NodeIndex> {
-        let most =
-            2 * self.elements.len() + self.faces.iter().map(|f| f.nodes.len()).sum::<usize>();
+        let of_faces = self.faces.iter().map(|f| f.nodes.len()).sum::<usize>();
+        let most = 2 * self.elements.len() + of_faces + self.slaves.len();
         let mut seen = std::collections::HashSet::with_capacity(most);
         let mut nodes = Vec::with_capacity(most);
         nodes.extend(self.slave_places().filter(|&node| seen.insert(node)));

@@ -20,6 +20,7 @@ pub fn contact_rows(
     (rows, gathered): (&mut Vec<ContactRow>, &mut Vec<Gathered>),
 ) {
     rows.clear();
+    rows.reserve(contact.points.len());
     for (place, pair) in numbered.0.contact_pairs.iter().enumerate() {
         match pair.formulation {
             Formulation::NodeToSurface | Formulation::Mortar => {

@@ -125,11 +125,6 @@ impl Body {
 /// The undeformed vector from a master to its dependent node [L].
 type Arm = [f64; 3];
 
-/// An arm in the plane.
-fn in_plane([x, y, _]: Arm) -> [f64; 2] {
-    [x, y]
-}
-
 impl RigidLink {
     /// The undeformed vector from the master to the dependent node [L].
     pub fn arm(&self, model: &Model) -> [f64; 3] {
@@ -194,7 +189,7 @@ impl RigidLink {
         into: &mut Vec<f64>,
     ) {
         if let (Body::Plane { pose }, None) = (self.body, axes) {
-            let [x, y] = turned.become_by(at.0[pose[2]]).arm(in_plane(arm));
+            let [x, y] = turned.become_by(at.0[pose[2]]).arm(arm);
             for (component, _) in self.dependent_dofs() {
                 match component {
                     0 => into.extend([1.0, -y]),
@@ -223,7 +218,7 @@ impl RigidLink {
         match self.body {
             Body::Plane { .. } if component >= 3 => [axis[2], 0.0, 0.0, 0.0, 0.0, 0.0],
             Body::Plane { pose } => {
-                let [x, y] = PlaneTurn::by(u[pose[2]]).arm(in_plane(arm));
+                let [x, y] = PlaneTurn::by(u[pose[2]]).arm(arm);
                 [axis[0], axis[1], axis[1] * x - axis[0] * y, 0.0, 0.0, 0.0]
             }
             Body::Space { .. } if component >= 3 => [axis[0], axis[1], axis[2], 0.0, 0.0, 0.0],
@@ -242,7 +237,7 @@ impl RigidLink {
         match self.body {
             _ if component >= 3 => [1.0, 0.0, 0.0, 0.0, 0.0, 0.0],
             Body::Plane { pose } => {
-                let [x, y] = PlaneTurn::by(u[pose[2]]).arm(in_plane(arm));
+                let [x, y] = PlaneTurn::by(u[pose[2]]).arm(arm);
                 [1.0, if component == 0 { -y } else { x }, 0.0, 0.0, 0.0, 0.0]
             }
             Body::Space { turn, .. } => {
@@ -263,7 +258,7 @@ impl RigidLink {
         let mut values = match self.body {
             Body::Plane { pose } => {
                 let [x, y, angle] = pose.map(|dof| u[dof]);
-                let [x, y] = turned.become_by(angle).displacement([x, y], in_plane(arm));
+                let [x, y] = turned.become_by(angle).displacement([x, y], arm);
                 [x, y, 0.0, 0.0, 0.0, angle]
             }
             Body::Space { shift, turn } => {
@@ -304,7 +299,7 @@ impl RigidLink {
         let force = axes.map_or(force, |axes| axes::vector(axes, force));
         match self.body {
             Body::Plane { pose: [.., turn] } => {
-                let [x, y] = PlaneTurn::by(at.0[turn]).arm(in_plane(arm));
+                let [x, y] = PlaneTurn::by(at.0[turn]).arm(arm);
                 call(turn, turn, -(x * force[0] + y * force[1]));
             }
             Body::Space { turn, .. } => {

@@ -40,7 +40,8 @@ impl Contact {
     /// Sets of unknowns that may couple: of deforming masters with many parts,
     /// only what is `near`.
     pub fn cliques(&self, near: &[Candidates], constraints: &ConstraintNumbering) -> Cliques {
-        let mut cliques = Cliques::default();
+        let points = self.points.len();
+        let mut cliques = Cliques::with_room(4 * points, 16 * points);
         for segment in &self.segments {
             if let MasterSurface::Body { dofs, .. } = &self.masters[segment.pair] {
                 cliques.add(constraints, segment.all_dofs().chain(dofs));

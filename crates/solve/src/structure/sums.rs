@@ -91,6 +91,7 @@ impl Structure<'_> {
             into.block = block.block;
             let there = || block.elements.clone().filter(|&element| self.has(element));
             into.members.clear();
+            into.members.reserve(block.elements.len());
             into.members.extend(there().map(|element| block.members[block.number(element)]));
             into.values.resize(block.results * into.members.len(), 0.0);
             let q = &mut variables[..block.variables];
