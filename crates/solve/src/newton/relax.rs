@@ -38,6 +38,10 @@ const AIMED: f64 = 0.7;
 const CHANGE: f64 = 8.0;
 /// The most steps.
 const STEPS: usize = 600;
+/// Steps of a round, and the part of their longest way that the state must get away in it [1]: downhill
+/// there is no way back, and a state that goes to and fro or stands still gets nowhere.
+const ROUND: usize = 40;
+const PROGRESS: f64 = 0.1;
 /// Newton iterations of a step.
 const ITERATIONS: usize = 4;
 
@@ -66,11 +70,18 @@ impl Scratch {
         (target, progress): (&Target, &mut Progress),
         watch: &mut dyn FnMut(&IterationReport),
     ) -> Verdict {
-        for _ in 0..STEPS {
+        for step in 0..STEPS {
             self.note_anchor();
+            if step.is_multiple_of(ROUND) && self.gets_nowhere(plan, step) {
+                return Verdict::TooSlow;
+            }
             let before = self.evaluation.points.clone();
             for _ in 0..ITERATIONS {
                 let iterated = self.iterate(plan, committed, target.dt);
+                if self.outside() {
+                    // nothing moves until the pattern has been made anew
+                    return Verdict::Broken;
+                }
                 if iterated.is_err() || self.evaluation.failed.is_some() {
                     break;
                 }
@@ -79,7 +90,7 @@ impl Scratch {
                 }
                 let report = self.judge(plan, committed, target, progress);
                 watch(&report);
-                let settled = report.converged && self.way(plan) <= LONGEST;
+                let settled = report.converged && self.way_of_step(plan) <= LONGEST;
                 let small = report.force.correction <= report.force.increment * SETTLED;
                 progress.last = Some(report);
                 if settled {
@@ -100,29 +111,40 @@ impl Scratch {
                 now: &self.evaluation.points,
             };
             let through = plan.contact.passed_through(&sweep, &mut self.sweep).is_some();
-            let way = self.way(plan);
-            let faulty = self.evaluation.fault.is_some() || self.evaluation.failed.is_some();
-            let lost = faulty || !self.contact.is_solved();
-            // the way is short in proportion to the stiffness
-            let aimed = way / (AIMED * LONGEST);
-            let by = if way.is_nan() || lost || through {
-                self.return_to_anchor(plan, committed, target.dt);
-                CHANGE * CHANGE
-            } else if way > LONGEST {
-                self.return_to_anchor(plan, committed, target.dt);
-                aimed.min(CHANGE * CHANGE)
-            } else {
-                aimed.clamp(1.0 / CHANGE, CHANGE)
-            };
-            self.relaxation.stiffness *= by;
+            self.follow_way(plan, committed, (target.dt, through));
             if self.relaxation.stiffness > GREATEST {
                 return Verdict::TooSlow;
             }
-            if self.relaxation.stiffness < LEAST {
-                self.relaxation.stiffness = LEAST;
-            }
         }
         Verdict::TooSlow
+    }
+
+    /// Whether the round of steps that ends with this one has gone nowhere; the next one begins.
+    fn gets_nowhere(&mut self, plan: &Problem<'_>, step: usize) -> bool {
+        let least = PROGRESS * ROUND as f64 * AIMED * LONGEST;
+        let stays = step > 0 && self.way(plan, &self.relaxation.round) < least;
+        self.relaxation.round.clone_from(&self.u);
+        stays
+    }
+
+    /// Chooses the stiffness of the next step by the way of this one; takes it back where it went too
+    /// far, or went `through` something.
+    fn follow_way(&mut self, plan: &Problem<'_>, committed: &State, (dt, through): (f64, bool)) {
+        let way = self.way_of_step(plan);
+        let faulty = self.evaluation.fault.is_some() || self.evaluation.failed.is_some();
+        let lost = faulty || !self.contact.is_solved();
+        // the way is short in proportion to the stiffness
+        let aimed = way / (AIMED * LONGEST);
+        let by = if way.is_nan() || lost || through {
+            self.return_to_anchor(plan, committed, dt);
+            CHANGE * CHANGE
+        } else if way > LONGEST {
+            self.return_to_anchor(plan, committed, dt);
+            aimed.min(CHANGE * CHANGE)
+        } else {
+            aimed.clamp(1.0 / CHANGE, CHANGE)
+        };
+        self.relaxation.stiffness = (self.relaxation.stiffness * by).max(LEAST);
     }
 
     fn note_anchor(&mut self) {
@@ -137,11 +159,15 @@ impl Scratch {
         self.evaluate(plan, committed, dt);
     }
 
-    /// Largest way since the beginning of the step in lengths of the stiffest
-    /// element, or turn [1].
-    fn way(&self, plan: &Problem<'_>) -> f64 {
+    /// Largest way since the beginning of the step, as [`Self::way`].
+    fn way_of_step(&self, plan: &Problem<'_>) -> f64 {
+        self.way(plan, &self.relaxation.anchor)
+    }
+
+    /// Largest way since a state in lengths of the stiffest element, or turn [1].
+    fn way(&self, plan: &Problem<'_>, from: &[f64]) -> f64 {
         let moved = |(equation, &dof): (usize, &usize)| {
-            let way = (self.u[dof] - self.relaxation.anchor[dof]).abs();
+            let way = (self.u[dof] - from[dof]).abs();
             way * if plan.units[equation] == 1.0 { 1.0 / plan.lever } else { 1.0 }
         };
         let ways = plan.constraints.dof_of_equation.iter().enumerate().map(moved);

@@ -17,6 +17,8 @@ pub(super) struct Relaxation {
     pub stiffness: f64,
     /// State at the beginning of the step, a dof each.
     pub anchor: Vec<f64>,
+    /// State at the beginning of the round of steps, a dof each.
+    pub round: Vec<f64>,
     /// Estimates of pressures, tractions and stresses there.
     pub(super) estimates: Estimates,
 }

@@ -111,7 +111,7 @@ impl Analysis<'_> {
 
     /// The last attempts at an increment that no shorter one replaces: with a
     /// line search, then, where contact acts and no cause forbids it, downhill to
-    /// another equilibrium.
+    /// another equilibrium. Where contact leaves the pattern they are to be made again.
     pub(super) fn last_resorts(
         &mut self,
         plan: &Problem<'_>,
@@ -122,6 +122,9 @@ impl Analysis<'_> {
         let searched = self.attempt(plan, target, work);
         work.line_search = false;
         let searched = searched?;
+        if work.outside() {
+            return Ok(searched);
+        }
         let acts = |point: &crate::state::PointState| point.ever_closed;
         let touched = self.committed.points.iter().chain(&work.evaluation.points).any(acts);
         // a jam or a contradiction has no other equilibrium to go to

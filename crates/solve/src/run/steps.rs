@@ -190,6 +190,10 @@ impl Analysis<'_> {
                     self.fail(plan, (&target, &outcome), Some(target.dt))?;
                     target.attempt += 1;
                     outcome = self.last_resorts(plan, (&mut target, &cause), work)?;
+                    if work.outside() {
+                        work.take_back(outcome);
+                        return Ok(Some(control));
+                    }
                     let found = self.decide(plan, (&control, &target), &mut outcome, work);
                     decision = begin_again(found, &step.procedure);
                 }
