@@ -47,7 +47,8 @@ def tables(path):
             name = heading.group(1)
             found[name] = {}
         elif name and re.match(r"\s*\d+\s", line):
-            words = line.split()
+            # ccx marks rows along axes of a material with a word behind the numbers
+            words = [word for word in line.split() if not word.isalpha()]
             keys = 2 if name == "stresses" else 1
             found[name][tuple(map(int, words[:keys]))] = [number(w) for w in words[keys:]]
         elif line.strip():

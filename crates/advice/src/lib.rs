@@ -10,6 +10,7 @@
 //! card mends it, a [`Suggestion`] that `check --fix` can write. Nothing here
 //! changes a model or a run.
 
+mod apart;
 mod bodies;
 mod finding;
 mod locking;
@@ -20,6 +21,7 @@ mod noise;
 mod overclosure;
 mod overconstraint;
 mod overlap;
+mod quadratic;
 mod rehearsal;
 mod rigid_motion;
 mod roles;
@@ -40,14 +42,18 @@ pub fn advise(model: &Model) -> Vec<Finding> {
     let mut start = start::Start::of(model);
     let mut findings = Vec::new();
     if model.is_in_space() {
-        // bodies, motions and meshes are judged in the plane alone
+        // motions and meshes are judged in the plane alone
+        overclosure::judge(&start, &mut findings);
+        sides::judge(&start, &mut findings);
+        quadratic::judge(&start, &mut findings);
+        apart::judge(&start, &mut findings);
         units::judge(&start, &mut findings);
         locking::judge(&start, &mut findings);
         time::judge(&start, &mut findings);
         return findings;
     }
     rehearsal::rehearse(&mut start);
-    let parts: [fn(&start::Start<'_>, &mut Vec<Finding>); 11] = [
+    let parts: [fn(&start::Start<'_>, &mut Vec<Finding>); 12] = [
         overclosure::judge,
         roles::judge,
         overconstraint::judge,
@@ -56,6 +62,7 @@ pub fn advise(model: &Model) -> Vec<Finding> {
         mesh::judge,
         rigid_motion::judge,
         overlap::judge,
+        apart::judge,
         units::judge,
         locking::judge,
         time::judge,

@@ -8,13 +8,16 @@ use slideline_model::{
 };
 use std::fmt::Write as _;
 
+/// Depth of a slave in contact element lengths that counts as behind: one, but for rounding [1].
+const LEAST: f64 = 1.0 - 1e-9;
+
 /// SL0407: most slaves lie deeper behind their master than a contact element
 /// is long. [semantics: wrong side]
 pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
     for (place, pair) in start.model.contact_pairs.iter().enumerate() {
         let spacing = spacing(start.model, pair);
         let facing = start.facing(place).count();
-        let behind = start.facing(place).filter(|row| row.opening < -spacing).count();
+        let behind = start.facing(place).filter(|row| row.opening <= -LEAST * spacing).count();
         if behind > 0 && 2 * behind >= facing {
             findings.push(say(start, pair, behind, facing));
         } else if opens(start, place, pair) {
@@ -50,6 +53,13 @@ fn say(start: &Start<'_>, pair: &ContactPair, behind: usize, facing: usize) -> F
             return Finding::said(said.help(
                 "faces of solids look outward: do parts of the surface stand in one another at the \
                  start?",
+            ));
+        }
+        Master::SlideLine(line) if pair.vocabulary == Vocabulary::Faces => {
+            let said = wrong_side(start, pair, behind, facing).at(line.origin);
+            return Finding::said(said.help(
+                "faces of solids look outward: do the parts overlap at the start, or does *SURFACE \
+                 name faces on the far side?",
             ));
         }
         Master::SlideLine(line) => (line.origin, pair.vocabulary.turn_chain().to_owned()),

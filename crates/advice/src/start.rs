@@ -99,7 +99,7 @@ impl<'a> Start<'a> {
     }
 
     /// The value of largest magnitude that a prescribed motion takes.
-    fn largest(&self, prescribed: &Prescribed) -> f64 {
+    pub fn largest(&self, prescribed: &Prescribed) -> f64 {
         let factors = prescribed.amplitude.and_then(|place| self.model.amplitudes.get(place));
         prescribed.value * factors.map_or(1.0, slideline_model::Amplitude::largest)
     }
@@ -183,14 +183,16 @@ pub fn arc_of(model: &Model, pair: &ContactPair, node: NodeIndex) -> Option<([f6
     Some(([here[0] + centre[0], here[1] + centre[1], here[2]], radius))
 }
 
-/// Average length of a pair's contact elements [L].
+/// Average length of a pair's contact elements, or of the edges of its faces [L].
 pub fn spacing(model: &Model, pair: &ContactPair) -> f64 {
-    let sum: f64 = pair
-        .elements
-        .iter()
-        .map(|e| length(less(model.nodes.position(e.nodes[1]), model.nodes.position(e.nodes[0]))))
-        .sum();
-    sum / pair.elements.len().max(1) as f64
+    let edges = pair.faces.iter().flat_map(|face| {
+        let corners = face.cell().map_or(0, |cell| cell.faces.len());
+        (0..corners).map(move |k| [face.nodes[k], face.nodes[(k + 1) % corners]])
+    });
+    let all = pair.elements.iter().map(|element| element.nodes).chain(edges);
+    let lengths = all.map(|[a, b]| length(less(model.nodes.position(b), model.nodes.position(a))));
+    let (sum, count) = lengths.fold((0.0, 0_usize), |(sum, count), own| (sum + own, count + 1));
+    sum / count.max(1) as f64
 }
 
 /// a - b.

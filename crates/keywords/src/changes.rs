@@ -43,6 +43,18 @@ pub(crate) struct FrictionChange {
     pub interaction: Interaction,
 }
 
+/// A data line of `*CONTACT INTERFERENCE`.
+#[derive(Clone, Debug)]
+pub(crate) struct InterferenceCard {
+    pub slave: Named,
+    pub master: Named,
+    /// [L]; none: `SHRINK`.
+    pub value: Option<f64>,
+    pub amplitude: Option<(String, Span)>,
+    /// The data line.
+    pub origin: Span,
+}
+
 /// Whose friction changes.
 #[derive(Clone, Debug)]
 pub(crate) enum FrictionOf {

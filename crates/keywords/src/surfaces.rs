@@ -112,6 +112,7 @@ impl NamedInteraction {
             normal: NormalLaw::Hard,
             friction: Friction::Frictionless,
             origin: named.span,
+            no_separation: false,
             normal_origin: None,
             friction_origin: None,
         };

@@ -354,6 +354,8 @@ pub struct Interaction {
     pub width: f64,
     /// Overclosure to pressure.
     pub normal: NormalLaw,
+    /// `NO SEPARATION`: what has closed stays closed.
+    pub no_separation: bool,
     /// Slip to shear traction.
     pub friction: Friction,
     /// The `*INTERFACE` card.

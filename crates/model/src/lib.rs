@@ -70,7 +70,8 @@ pub use slideline_mech::material::Material;
 pub use slideline_mech::section::{Fault, Profile, Shape, Wall};
 pub use stabilisation::Stabilisation;
 pub use step::{
-    ChangedFriction, Extrapolation, NodalTemperature, Passage, Prescribed, Static, Step,
+    Allowed, ChangedFriction, Extrapolation, Interference, NodalTemperature, Passage, Prescribed,
+    Static, Step,
 };
 pub use tested::Tested;
 pub use transform::Transform;

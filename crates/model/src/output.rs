@@ -1,5 +1,6 @@
 //! What the deck asks to be written.
 
+use crate::contact::ContactPair;
 use crate::node::NodeIndex;
 use slideline_diag::Span;
 
@@ -218,8 +219,19 @@ pub struct ContactPrint {
     pub request: Request,
     /// The nodes of the set.
     pub nodes: Vec<NodeIndex>,
+    /// `SLAVE` and `MASTER`: the pairs of these surfaces; empty: all.
+    pub surfaces: [String; 2],
     /// Columns.
     pub variables: Vec<ContactVariable>,
+}
+
+impl ContactPrint {
+    /// Whether it is of that pair.
+    pub fn wants(&self, pair: &ContactPair) -> bool {
+        let (slave, master) = pair.name.split_once('/').unwrap_or((&pair.name, &pair.name));
+        let is = |wanted: &String, own: &str| wanted.is_empty() || wanted == own;
+        is(&self.surfaces[0], slave) && is(&self.surfaces[1], master)
+    }
 }
 
 /// A quantity of a contact point.
@@ -231,6 +243,31 @@ pub enum ContactVariable {
     CDISP,
     /// Normal force CNORMF and shear force CSHEARF.
     CFORCE,
+    /// Sum of the forces of pressure on the slaves of a pair.
+    CFN,
+    /// Sum of the forces of friction on them.
+    CFS,
+    /// Sum of both.
+    CFT,
+    /// Moment of the forces of pressure about the origin.
+    CMN,
+    /// Moment of the forces of friction.
+    CMS,
+    /// Moment of both.
+    CMT,
+    /// Area of the closed points of a pair.
+    CAREA,
+    /// Energy of the contact laws of a pair.
+    CELS,
+    /// Number of closed points.
+    CNUM,
+}
+
+impl ContactVariable {
+    /// Whether it is one of a point, not a sum over many.
+    pub fn is_of_points(self) -> bool {
+        matches!(self, Self::CSTRESS | Self::CDISP | Self::CFORCE)
+    }
 }
 
 #[cfg(test)]

@@ -43,6 +43,8 @@ pub struct Step {
     pub presence: Presence,
     /// Friction of contact pairs that is not that of their interactions, by ascending pairs.
     pub frictions: Vec<ChangedFriction>,
+    /// Overclosures of contact pairs that are taken away over the step.
+    pub interferences: Vec<Interference>,
     /// Stabilisation of contact, where the deck asks for it.
     pub stabilisation: Option<Stabilisation>,
     /// What to write.
@@ -120,6 +122,30 @@ pub struct ChangedFriction {
     pub to: Friction,
     /// Where it was said.
     pub origin: Span,
+}
+
+/// `*CONTACT INTERFERENCE`: an overclosure that a contact pair is allowed, and that a step takes
+/// away.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Interference {
+    /// The pair, by its place in the model.
+    pub pair: usize,
+    /// What is allowed when the step begins.
+    pub allowed: Allowed,
+    /// Amplitude of what is allowed, by place in the model's list; without one it goes to zero
+    /// straight over the step.
+    pub amplitude: Option<usize>,
+    /// Where it was said.
+    pub origin: Span,
+}
+
+/// An overclosure that is allowed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Allowed {
+    /// `SHRINK`: what every point has in the undeformed model.
+    Initial,
+    /// The same everywhere [L].
+    Value(f64),
 }
 
 /// A prescribed motion.

@@ -12,7 +12,12 @@ pub(crate) fn columns(model: &Model) -> Vec<&'static str> {
         false => &["force_x", "force_y", "moment"],
     };
     let first = ["closed", "changes", "penetration", "deepest_node"];
-    let last = ["force_imbalance", "moment_imbalance", "area"];
+    let sums = ["force_imbalance", "moment_imbalance", "area"];
+    let parts: &[_] = match model.is_in_space() {
+        true => &["normal_x", "normal_y", "normal_z", "friction_x", "friction_y", "friction_z"],
+        false => &["normal_x", "normal_y", "friction_x", "friction_y"],
+    };
+    let last = sums.into_iter().chain(parts.iter().copied());
     first.into_iter().chain(forces.iter().copied()).chain(last).collect()
 }
 
@@ -41,7 +46,12 @@ impl Rows for Pairs {
                 true => sheet.numbers(row.force).numbers(row.moment),
                 false => sheet.numbers([row.force[0], row.force[1], row.moment[2]]),
             };
-            sheet.numbers([row.force_imbalance, row.moment_imbalance, row.area]).end();
+            sheet.numbers([row.force_imbalance, row.moment_imbalance, row.area]);
+            let components = if frame.model.is_in_space() { 3 } else { 2 };
+            for sum in [row.of_pressure, row.of_friction] {
+                sheet.numbers(sum.force.into_iter().take(components));
+            }
+            sheet.end();
         }
     }
 }

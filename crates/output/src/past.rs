@@ -123,5 +123,6 @@ fn row(table: &Table, in_space: bool, deepest: Option<NodeIndex>) -> Result<Pair
         force_imbalance: number(next)?,
         moment_imbalance: number(next + 1)?,
         area: number(next + 2)?,
+        ..PairRow::default()
     })
 }

@@ -196,3 +196,52 @@ LOWER, 1, 3
         assert!(place[2].abs() < 1e-13, "{label} {place:?}");
     }
 }
+
+/// Requirement: of quadratic faces that contact is spread over every node is moved by its own
+/// distance, middle nodes too: with corners 0.004 and middle nodes 0.012 away, 0.02 moves all of
+/// them and 0.01 the corners.
+#[test]
+fn nodes_of_quadratic_faces_are_moved_one_by_one() {
+    let moved = |distance: &str| -> Vec<f64> {
+        let mut deck = String::from(
+            "*NODE\n1, -1.0, -1.0, -1.0\n2, 2.0, -1.0, -1.0\n3, 2.0, 2.0, -1.0\n4, -1.0, 2.0, -1.0\n\
+             5, -1.0, -1.0, 0.0\n6, 2.0, -1.0, 0.0\n7, 2.0, 2.0, 0.0\n8, -1.0, 2.0, 0.0\n",
+        );
+        let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+        let middle = [[0.5, 0.0], [1.0, 0.5], [0.5, 1.0], [0.0, 0.5]];
+        let layers =
+            [(square, 0.004), (square, 1.0), (middle, 0.012), (middle, 1.0), (square, 0.5)];
+        let all = layers.iter().flat_map(|(places, z)| places.map(|[x, y]| [x, y, *z]));
+        for (n, [x, y, z]) in all.enumerate() {
+            deck += &format!("{}, {x:?}, {y:?}, {z:?}\n", 11 + n);
+        }
+        deck += "*ELEMENT, TYPE=C3D8, ELSET=LOWER
+1, 1, 2, 3, 4, 5, 6, 7, 8
+*ELEMENT, TYPE=C3D20, ELSET=UPPER
+2, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20,
+21, 22, 23, 24, 25, 26, 27, 28, 29, 30
+*MATERIAL, NAME=M
+*ELASTIC
+1000.0, 0.3
+*SOLID SECTION, ELSET=LOWER, MATERIAL=M
+*SOLID SECTION, ELSET=UPPER, MATERIAL=M
+*SURFACE, NAME=DOWN
+UPPER, S1
+*SURFACE, NAME=UP
+LOWER, S2
+*SURFACE INTERACTION, NAME=I
+";
+        deck += &format!(
+            "*CONTACT PAIR, INTERACTION=I, TYPE=SURFACE TO SURFACE, ADJUST={distance}\nDOWN, UP\n\
+             *STEP\n*STATIC\n1.0, 1.0\n*END STEP\n"
+        );
+        let read = Job::read_text("blocks", &deck, &ReadOptions::default());
+        let model = read.model.unwrap_or_else(|| panic!("{:#?}", read.diagnostics));
+        let height = |label| model.nodes.position(model.nodes.find(label).unwrap())[2];
+        (11..15).chain(19..23).map(height).collect()
+    };
+    assert!(moved("0.02").iter().all(|z| z.abs() < 1e-13), "{:?}", moved("0.02"));
+    let near = moved("0.01");
+    assert!(near[..4].iter().all(|z| z.abs() < 1e-13), "{near:?}");
+    assert!(near[4..].iter().all(|z| *z == 0.012), "{near:?}");
+}

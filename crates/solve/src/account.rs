@@ -42,6 +42,7 @@ pub fn account(plan: &Problem<'_>, committed: &State, work: &Scratch, trial: &mu
         let mean_load = 0.5 * (committed.load[dof] + trial.load[dof]);
         energy.external_work += (mean_reaction + mean_load) * trial.increment[dof];
     }
+    energy.external_work += plan.contact.interference_work(committed, trial);
     energy.thermal_work += thermal_work(plan, committed, work);
     for state in [committed, trial as &State] {
         let at = (&state.displacement[..], &committed.turns[..]);

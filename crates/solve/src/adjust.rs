@@ -9,7 +9,7 @@ use crate::commit::initial_contact;
 use crate::contact::mean_length;
 use crate::observe::ContactRow;
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{Adjust, ContactPair, Model, NodeIndex};
+use slideline_model::{Adjust, ContactPair, Formulation, Master, Model, NodeIndex};
 use std::collections::{HashMap, HashSet};
 
 /// Most moves of a node: a curved master is met by Newton's method, mean gaps of faces one by one.
@@ -28,6 +28,28 @@ pub fn adjust(model: &mut Model) -> Vec<Diagnostic> {
 }
 
 fn adjust_pair(place: usize, model: &mut Model) -> Vec<Diagnostic> {
+    let pair = &model.contact_pairs[place];
+    let of_nodes = matches!(pair.adjust, Adjust::Within(_) | Adjust::Nodes(_));
+    if !(of_nodes && pair.formulation == Formulation::Mortar) {
+        return move_slaves(place, model);
+    }
+    // nodes are moved, those in the middle of faces too, whatever contact is later spread over
+    let mut sampled = model.clone();
+    let own = &mut sampled.contact_pairs[place];
+    own.formulation = Formulation::NodeToSurface;
+    match &mut own.master {
+        Master::SlideLine(line) => line.smooth = 0.0,
+        Master::Faces(faces) => faces.smooth = false,
+        Master::RigidSurface(_) | Master::Itself(_) => {}
+    }
+    let said = move_slaves(place, &mut sampled);
+    for node in sampled.contact_pairs[place].slave_nodes() {
+        model.nodes.place(node, sampled.nodes.position(node));
+    }
+    said
+}
+
+fn move_slaves(place: usize, model: &mut Model) -> Vec<Diagnostic> {
     let positions = model.nodes.iter().flat_map(|node| node.position);
     let reach = positions.fold(0.0, |largest: f64, x| largest.max(x.abs()));
     let pair = &model.contact_pairs[place];

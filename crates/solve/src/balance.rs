@@ -22,7 +22,7 @@ pub fn pair_rows(
     (rows, sums): (&mut Vec<PairRow>, &mut Vec<Sum>),
 ) {
     rows.clear();
-    rows.resize(plan.contact.laws.len(), PairRow::default());
+    rows.resize(plan.contact.pair_count(), PairRow::default());
     for (place, row) in contact.iter().enumerate() {
         let is_closed = row.status != Status::Open;
         let was_closed = closed.get(place).is_some_and(|&closed| closed);
@@ -35,12 +35,15 @@ pub fn pair_rows(
     for (place, (point, now)) in points.filter(|(_, (_, now))| now.closed) {
         let row = &mut rows[point.pair];
         row.press(now);
+        let law = &plan.contact.laws_of(point.pair, now).normal;
+        row.energy += now.area * law.energy(-now.opening);
         if -now.opening > row.penetration {
             (row.penetration, row.deepest) = (-now.opening, Some(point.node));
         }
         sums[point.pair].add(plan, state, now, &work.evaluation.kinematics.at(place));
     }
     for (row, sum) in rows.iter_mut().zip(sums) {
+        row.take_means();
         (row.force_imbalance, row.moment_imbalance) = sum.imbalance();
     }
 }
@@ -59,6 +62,22 @@ impl PairRow {
         }
         for (sum, own) in self.moment.iter_mut().zip(cross(point.position, force)) {
             *sum += own;
+        }
+        let pressed = point.normal.map(|normal| p * normal);
+        self.of_pressure.add(pressed, point.position);
+        let rubbed = |k: usize| -tau[0] * first[k] - tau[1] * second[k];
+        self.of_friction.add(std::array::from_fn(rubbed), point.position);
+        for k in 0..3 {
+            self.centre[k] += point.area * point.position[k];
+            self.mean_normal[k] += point.area * point.normal[k];
+        }
+    }
+
+    /// Turns sums over the area into means.
+    fn take_means(&mut self) {
+        if self.area > 0.0 {
+            self.centre = self.centre.map(|sum| sum / self.area);
+            self.mean_normal = self.mean_normal.map(|sum| sum / self.area);
         }
     }
 }

@@ -124,6 +124,9 @@ pub fn locate_points(
         point.xi = kinematics.xi;
         point.footing = kinematics.footing;
     }
+    if before.is_none() {
+        contact.bond(&mut committed.points);
+    }
 }
 
 /// The contact points of an undeformed model, a row a slave node of every pair:

@@ -17,6 +17,7 @@ mod crossing;
 mod faces;
 mod facing;
 mod idle;
+mod interference;
 mod kinematics;
 mod laws;
 mod master;

@@ -248,7 +248,8 @@ pub fn complete(
         if into.look.idle[place] {
             let now = evaluate_point(plan, (committed, trial), place, into);
             // of a hard law the pressure is an estimate: the overclosure decides
-            let law = &plan.contact.laws[plan.contact.points[place].pair].normal;
+            let pair = plan.contact.points[place].pair;
+            let law = &plan.contact.laws_of(pair, &committed.points[place]).normal;
             open &= now.along.is_none() || -now.opening <= law.contact_begins();
             into.points[place] = now;
         }
@@ -269,8 +270,8 @@ fn evaluate_point(
     into: &mut Evaluation,
 ) -> PointState {
     let (point, kinematics) = (&plan.contact.points[place], &into.kinematics.points()[place]);
-    let laws = &plan.contact.laws[point.pair];
     let before = &committed.points[place];
+    let laws = plan.contact.laws_of(point.pair, before);
     let estimate = (trial.pressures[place], trial.tractions[place]);
     // Without friction the slip is only told, and found at the commit.
     let slip = match kinematics.faces && laws.has_friction() {
@@ -321,7 +322,8 @@ fn evaluate_contact(
             continue;
         }
         let now = evaluate_point(plan, (committed, trial), place, into);
-        let (laws, kinematics) = (&plan.contact.laws[point.pair], into.kinematics.at(place));
+        let laws = plan.contact.laws_of(point.pair, &committed.points[place]);
+        let kinematics = into.kinematics.at(place);
         let (normal, tangential) = (now.area * now.pressure, now.area * now.traction);
         if now.closed {
             kinematics.push(normal, tangential, &mut into.contact);

@@ -173,6 +173,7 @@ mod tests {
             normal: slideline_model::NormalLaw::Hard,
             friction: slideline_model::Friction::Frictionless,
             origin: at,
+            no_separation: false,
             normal_origin: None,
             friction_origin: None,
         };

@@ -19,7 +19,9 @@ pub use frame::{Frame, Nodal, Unconverged};
 pub use reports::{
     AttemptReport, ContactChange, FieldReport, IterationReport, TangentReport, Totals,
 };
-pub use results::{BeamRow, BlockResults, ContactRow, Energies, FrictionCall, PairRow, Status};
+pub use results::{
+    BeamRow, BlockResults, ContactRow, Energies, FrictionCall, PairRow, Resultant, Status,
+};
 use slideline_diag::Diagnostic;
 use slideline_linalg::Description;
 use slideline_model::Model;

@@ -264,7 +264,7 @@ impl Place<'_> {
     fn law(&self, place: usize, kinematics: &PointKinematics) -> ((f64, Traction), f64) {
         let Place { plan, committed, trial, evaluation } = self;
         let point = &plan.contact.points[place];
-        let laws: &Laws = &plan.contact.laws[point.pair];
+        let laws: &Laws = plan.contact.laws_of(point.pair, &committed.points[place]);
         let (before, now) = (&committed.points[place].history(), &evaluation.points[place]);
         let slip = plan.contact.slip(place, before, kinematics, &committed.displacement);
         let slope = match kinematics.faces {

@@ -62,6 +62,7 @@ impl Keyword for ChangeFriction {
             normal: NormalLaw::Hard,
             friction: Friction::Frictionless,
             origin: card.span(),
+            no_separation: false,
             normal_origin: None,
             friction_origin: None,
         };

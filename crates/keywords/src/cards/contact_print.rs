@@ -22,6 +22,9 @@ impl Keyword for ContactPrint {
             Rule::value("FREQUENCY"),
             Rule::maybe("TOTALS"),
             Rule::maybe("SUMMARY"),
+            Rule::value("SLAVE"),
+            Rule::value("MASTER"),
+            Rule::value("SET"),
         ];
         RULES
     }
@@ -43,6 +46,10 @@ impl Keyword for ContactPrint {
     }
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
+        if card.has("SET") {
+            let message = "SET changes nothing here: NSET names nodes";
+            draft.log.note("SL0253", message, card.span_of("SET"));
+        }
         request(card, Kind::Print, draft);
     }
 }
@@ -52,14 +59,16 @@ pub(crate) fn request(card: &Reading<'_>, kind: Kind, draft: &mut Draft) {
     let asked = requests::read(card, kind, &mut |_| false, draft);
     if let (Some(asked), Some(step)) = (asked, draft.step()) {
         let (request, variables) = (asked.request, asked.variables);
-        let print = model::ContactPrint { request, nodes: Vec::new(), variables };
+        let surfaces = ["SLAVE", "MASTER"].map(|side| card.name(side).unwrap_or_default());
+        let print = model::ContactPrint { request, nodes: Vec::new(), surfaces, variables };
         step.contact_prints.push((print, asked.set));
     }
 }
 
 impl Variable for ContactVariable {
     const KIND: &'static str = "contact variable";
-    const KNOWN: &'static str = "CSTRESS, CDISP, CFORCE";
+    const KNOWN: &'static str =
+        "CSTRESS, CDISP, CFORCE; of pairs CFN, CFS, CFT, CMN, CMS, CMT, CAREA, CNUM, CELS";
     const SET: &'static str = "NSET";
     const PRESELECTED: &'static [Self] = &[Self::CSTRESS, Self::CDISP];
 
@@ -69,6 +78,15 @@ impl Variable for ContactVariable {
             "CSTRESS" | "CSTR" | "CPRESS" | "CSHEAR1" => Some(Self::CSTRESS),
             "CDISP" | "CDIS" | "COPEN" | "CSLIP1" => Some(Self::CDISP),
             "CFORCE" | "CNORMF" | "CSHEARF" => Some(Self::CFORCE),
+            "CFN" | "CFNM" | "CFN1" | "CFN2" | "CFN3" => Some(Self::CFN),
+            "CFS" | "CFSM" | "CFS1" | "CFS2" | "CFS3" => Some(Self::CFS),
+            "CF" | "CFT" | "CFTM" | "CFT1" | "CFT2" | "CFT3" => Some(Self::CFT),
+            "CMN" | "CMNM" | "CMN1" | "CMN2" | "CMN3" => Some(Self::CMN),
+            "CMS" | "CMSM" | "CMS1" | "CMS2" | "CMS3" => Some(Self::CMS),
+            "CMT" | "CMTM" | "CMT1" | "CMT2" | "CMT3" => Some(Self::CMT),
+            "CAREA" => Some(Self::CAREA),
+            "CELS" => Some(Self::CELS),
+            "CNUM" => Some(Self::CNUM),
             _ => None,
         }
     }

@@ -52,6 +52,7 @@ impl Keyword for Interface {
             normal: NormalLaw::Hard,
             friction: Friction::Frictionless,
             origin: span,
+            no_separation: false,
             normal_origin: None,
             friction_origin: None,
         };

@@ -23,6 +23,7 @@ pub(crate) mod contact_controls;
 pub(crate) mod contact_exclusions;
 pub(crate) mod contact_file;
 pub(crate) mod contact_inclusions;
+pub(crate) mod contact_interference;
 pub(crate) mod contact_output;
 pub(crate) mod contact_pair;
 pub(crate) mod contact_print;

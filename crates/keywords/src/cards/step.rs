@@ -86,6 +86,7 @@ impl Keyword for Step {
             stabilisation: None,
             changes: Vec::new(),
             frictions: Vec::new(),
+            interferences: Vec::new(),
             prints: Vec::new(),
             element_prints: Vec::new(),
             contact_prints: Vec::new(),

@@ -53,6 +53,9 @@ impl Keyword for Surface {
                 return;
             }
             draft.named_surfaces.remove(old);
+        } else if let Some(old) = old.filter(|&old| is_extended(kind, old, draft)) {
+            extend(old, card, draft);
+            return;
         } else if let Some(old) = old.and_then(|old| draft.named_surfaces.get(old)) {
             let message = format!("the surface {} is defined twice", named.name);
             let error = Diagnostic::error(Code("SL0250"), message).at(named.span);
@@ -80,6 +83,22 @@ impl Keyword for Surface {
 fn is_twin(is_nodal: bool, old: usize, draft: &Draft) -> bool {
     let other = draft.named_surfaces.get(old).map(|old| matches!(old.extent, Extent::Nodes(_)));
     draft.dialect == Dialect::Calculix && other == Some(!is_nodal)
+}
+
+/// Whether a second card adds faces to a surface, as it does in CalculiX (measured with ccx 2.20).
+fn is_extended(kind: Option<&str>, old: usize, draft: &Draft) -> bool {
+    let old = draft.named_surfaces.get(old);
+    draft.dialect == Dialect::Calculix
+        && matches!(kind, None | Some("ELEMENT"))
+        && old.is_some_and(|old| matches!(old.extent, Extent::Elements(_)))
+}
+
+fn extend(old: usize, card: &Reading<'_>, draft: &mut Draft) {
+    let Some(Extent::Elements(further)) = elements(card, draft) else { return };
+    let old = draft.named_surfaces.get_mut(old);
+    if let Some(NamedSurface { extent: Extent::Elements(stretches), .. }) = old {
+        stretches.extend(further);
+    }
 }
 
 fn without_fillets(card: &Reading<'_>, draft: &mut Draft) {

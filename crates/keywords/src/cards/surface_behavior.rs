@@ -16,7 +16,7 @@ impl Keyword for SurfaceBehavior {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] = &[Rule::value("PRESSURE-OVERCLOSURE")];
+        const RULES: &[Rule] = &[Rule::value("PRESSURE-OVERCLOSURE"), Rule::flag("NO SEPARATION")];
         RULES
     }
 
@@ -62,7 +62,24 @@ impl Keyword for SurfaceBehavior {
                 Some(NormalLaw::Hard)
             }
         };
+        if card.has("NO SEPARATION") {
+            keep_closed(card, law.as_ref(), draft);
+        }
         set_law(self.name(), card, law, draft);
+    }
+}
+
+/// `NO SEPARATION`: what has closed carries tension from then on.
+fn keep_closed(card: &Reading<'_>, law: Option<&NormalLaw>, draft: &mut Draft) {
+    let span = card.span_of("NO SEPARATION");
+    if law.is_some_and(|law| law.bonded().is_none()) {
+        let message = "NO SEPARATION goes with a hard or a linear law";
+        draft.log.error("SL0215", message, span);
+        return;
+    }
+    let named = "SURFACE BEHAVIOR";
+    if let Some((interaction, _)) = draft.owning_interaction(named, card.span()) {
+        interaction.no_separation = true;
     }
 }
 

@@ -1,6 +1,7 @@
 //! What can be said only when the whole deck is known: references by name,
 //! and whether the parts make a model.
 
+mod amplitudes;
 mod axes;
 mod chain;
 mod clearances;
@@ -13,6 +14,9 @@ mod frictions;
 mod general_contact;
 mod in_space;
 mod initial_stresses;
+mod inner_faces;
+mod interferences;
+mod laws_of_pairs;
 mod line_loads;
 mod links;
 mod lookup;

@@ -1,7 +1,7 @@
 //! What is worth knowing about a contact pair that can be solved.
 
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{Formulation, Interaction, Master, NormalLaw};
+use slideline_model::{Dialect, Formulation, Interaction, Master, NormalLaw};
 
 use crate::draft::Draft;
 use crate::rule::Subject;
@@ -23,6 +23,15 @@ pub(super) fn remarks(
         let message = format!("{name} changes nothing here: {why}");
         let note = Diagnostic::note(Code("SL0253"), message).at(span);
         draft.consequence(Subject::Contact, note);
+    }
+    if draft.dialect == Dialect::Calculix && interaction.normal_origin.is_none() {
+        let message = format!(
+            "the surface interaction {} has no *SURFACE BEHAVIOR: contact is hard",
+            pairing.interaction.name
+        );
+        let warning = Diagnostic::warning(Code("SL0399"), message).at(interaction.origin);
+        let help = "CalculiX itself refuses such an interaction: give its law behind it";
+        draft.consequence(Subject::Contact, warning.help(help));
     }
     if formulation != Formulation::SurfaceToSurface {
         return;

@@ -7,8 +7,9 @@
 //! ```
 
 use crate::draft::{Draft, StepDraft};
-use slideline_diag::Span;
-use slideline_model::{NodeIndex, OutputRequests, PrintTarget, Request};
+use crate::rule::Subject;
+use slideline_diag::{Code, Diagnostic, Span};
+use slideline_model::{ContactPrint, NodeIndex, OutputRequests, PrintTarget, Request};
 use std::collections::HashSet;
 
 /// What a further step copies.
@@ -36,12 +37,27 @@ pub(super) fn renew(standing: &mut OutputRequests, step: &StepDraft, draft: &mut
     replace(&mut standing.element_prints, asked.collect(), |print| &print.request);
     let asked = step.contact_prints.iter().cloned().map(|(mut print, span)| {
         print.nodes = nodes_to_print(&print.request.set, span, draft);
+        without_pair(&print, draft);
         print
     });
     replace(&mut standing.contact_prints, asked.collect(), |print| &print.request);
     if !step.states_every.is_empty() {
         standing.states_every.clone_from(&step.states_every);
     }
+}
+
+/// Warns of a request for a pair that does not exist.
+fn without_pair(print: &ContactPrint, draft: &mut Draft) {
+    if draft.model.contact_pairs.iter().any(|pair| print.wants(pair))
+        || print.surfaces.iter().all(String::is_empty)
+    {
+        return;
+    }
+    let [slave, master] = &print.surfaces;
+    let message = format!("there is no contact pair of {slave} on {master}: nothing is printed");
+    let said = Diagnostic::warning(Code("SL0252"), message).at(print.request.origin);
+    let help = "SLAVE and MASTER are the surfaces of a line of *CONTACT PAIR";
+    draft.consequence(Subject::Contact, said.help(help));
 }
 
 fn replace<P>(standing: &mut Vec<P>, new: Vec<P>, request: fn(&P) -> &Request) {

@@ -9,7 +9,9 @@ use slideline_model::{
     Step,
 };
 
+use super::amplitudes::amplitude;
 use super::frictions::Frictions;
+use super::interferences::interferences;
 use super::model_changes::Absent;
 use super::standing::{Curved, InForce, Standing};
 use super::{requests, resting, temperatures};
@@ -135,6 +137,7 @@ fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
     carried.loads.take(loads(&step.loads, draft));
     let presence = carried.absent.change(&step, draft);
     let frictions = carried.frictions.change(&step, draft);
+    let interferences = interferences(&step, draft);
     heat(&step, carried, draft);
     distribute(&step, carried, draft);
     carried.controls = step.controls.unwrap_or(carried.controls);
@@ -166,6 +169,7 @@ fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
         distributed: carried.distributed.loads(at_once, draft),
         presence,
         frictions,
+        interferences,
         stabilisation: step.stabilisation,
         output: carried.output.clone(),
         origin: step.origin,
@@ -250,21 +254,6 @@ fn over_total_time(before: f64, carried: &mut Carried, draft: &mut Draft) {
     for own in &mut carried.temperatures.list {
         own.amplitude = own.amplitude.and_then(latest);
     }
-}
-
-fn amplitude((name, span): &(String, Span), draft: &mut Draft) -> Option<usize> {
-    let list = &draft.model.amplitudes;
-    let found = list.iter().rposition(|amplitude| amplitude.name == *name);
-    if found.is_none() {
-        let mut error =
-            Diagnostic::error(Code("SL0321"), format!("there is no amplitude {name}")).at(*span);
-        let names = list.iter().map(|amplitude| amplitude.name.as_str());
-        if let Some(near) = slideline_deck::nearest(name, names) {
-            error = error.help(format!("did you mean {near}?"));
-        }
-        draft.consequence(Subject::Amplitudes, error);
-    }
-    found
 }
 
 /// Dofs that the model does not have are passed over: `1, 1, 6` is common.

@@ -26,6 +26,8 @@ use super::clearances::clearances;
 use super::contact::both_sides;
 use super::general_contact;
 use super::in_space::{self, at_nodes_in_space};
+use super::inner_faces::warn_of_inner_faces;
+use super::laws_of_pairs::{as_read, refuse_bonds};
 use super::master_chain::slide_line;
 use super::own_surface::own_surface;
 use super::remarks::remarks;
@@ -59,6 +61,9 @@ pub(super) fn pairs(draft: &mut Draft) {
         }
     }
     clearances(draft);
+    if draft.log.errors() == 0 {
+        warn_of_inner_faces(&pairings, draft);
+    }
     unused(&pairings, draft);
 }
 
@@ -150,6 +155,7 @@ fn pair(pairing: &Pairing, draft: &mut Draft) {
         Formulation::SurfaceToSurface if of_solids => Formulation::Mortar,
         given => given,
     };
+    refuse_bonds(pairing, (formulation, &interaction), draft);
     let parts = match formulation {
         Formulation::NodeToSurface => at_nodes(pairing, &sides, (first, second), draft),
         Formulation::Mortar => spread(pairing, &sides, (first, second), draft),
@@ -186,6 +192,8 @@ fn put_together(
         Some((Adjusted::Within(distance), _)) => Adjust::Within(*distance),
         Some((Adjusted::Set(set), span)) => Adjust::Nodes(draft.nodes_of(set, *span)),
     };
+    let interaction =
+        Interaction { normal: as_read(pairing, &interaction.normal, draft), ..interaction };
     remarks((pairing, formulation), &master, &interaction, draft);
     let corners = match formulation {
         Formulation::Mortar if slaves.faces.is_empty() => corners(&slaves.elements, draft),

@@ -110,7 +110,6 @@ pub(super) const GROUPS: &[Group] = &[
             "CONTACT CONTROLS ASSIGNMENT",
             "SURFACE PROPERTY ASSIGNMENT",
             "SURFACE SMOOTHING",
-            "CONTACT INTERFERENCE",
             "CONTACT PERMEABILITY",
             "CONTACT RESPONSE",
             "COHESIVE BEHAVIOR",

@@ -92,7 +92,6 @@ const GROUPS: &[Group] = &[
         "name the faces themselves, with S1 to S6 or a set of elements",
         &["COMBINE", "CROP", "MAX RATIO", "REGION TYPE", "PROPERTY", "TRIM"],
     ),
-    ("SURFACE BEHAVIOR", "contact opens freely: leave it out", &["NO SEPARATION"]),
     ("TIE", "model the whole, not a sector of it", &["CYCLIC SYMMETRY", "MULTISTAGE"]),
     (
         "VISCO",

@@ -121,6 +121,20 @@ impl Laws {
         self.normal.pressure(overclosure).map_or(estimate, |(pressure, _)| pressure)
     }
 
+    /// The pressure that friction goes by [F/L2]: a rough surface that does not separate grips
+    /// under tension too, Coulomb's law does not.
+    fn gripping(&self, pressure: f64) -> f64 {
+        match (&self.friction, self.normal.is_bonded()) {
+            (FrictionLaw::Rough { .. }, true) => f64::INFINITY,
+            _ => pressure.max(0.0),
+        }
+    }
+
+    /// The traction at which sliding begins under a pressure [F/L2].
+    pub fn limit_traction(&self, pressure: f64, slip: Tangential, dt: f64) -> f64 {
+        self.friction.limit_traction(self.gripping(pressure), slip, dt)
+    }
+
     /// What a point does in a trial state; `state_variables` is that of a user law. [semantics: friction onset]
     pub fn respond(
         &self,
@@ -129,7 +143,8 @@ impl Laws {
         state_variables: &mut UserState<'_>,
     ) -> Response {
         let pressure = self.pressure(trial.overclosure, trial.pressure);
-        let closed = pressure != 0.0;
+        let stands = trial.overclosure > f64::NEG_INFINITY;
+        let closed = pressure != 0.0 || self.normal.is_bonded() && stands;
         let called = self.has_friction() && self.onset.called(history.closed, closed);
         let traction = match called {
             true => self.traction(pressure, history, trial, state_variables),
@@ -150,6 +165,7 @@ impl Laws {
             let point = FrictionPoint { pressure, slip, elastic_slip: history.elastic_slip };
             return self.ask_user(point, dt, state_variables);
         }
+        let pressure = self.gripping(pressure);
         if !self.friction.needs_multiplier() {
             return self.friction.update(pressure, slip, history.elastic_slip, dt);
         }
@@ -174,6 +190,7 @@ impl Laws {
         (traction, slip): (Tangential, Tangential),
         dt: f64,
     ) -> Option<f64> {
+        let pressure = self.gripping(pressure);
         let limit = self.friction.limit_traction(pressure, slip, dt);
         match &self.friction {
             FrictionLaw::Coulomb { stick, .. } if traction.size() < limit => {
@@ -252,7 +269,7 @@ impl Laws {
         (kappa, dt): (f64, f64),
         state_variables: &mut UserState<'_>,
     ) -> TangentialComplementarity {
-        let closed = pressure.max(0.0);
+        let closed = self.gripping(pressure);
         let of_pressure = if pressure > 0.0 { 1.0 } else { 0.0 };
         let projected = |projected: Projection| TangentialComplementarity {
             value: projected.tau,

@@ -24,6 +24,9 @@ pub fn pair_echo(model: &Model, pair: &ContactPair) -> String {
     let interaction = &pair.interaction;
     line!(text, "  width    {}", number(interaction.width));
     line!(text, "  normal   {}", normal_law(&interaction.normal));
+    if interaction.no_separation {
+        line!(text, "           what has closed stays closed and carries tension");
+    }
     line!(text, "  friction {}", friction_law(&interaction.friction));
     text
 }
@@ -93,6 +96,9 @@ pub fn normal_law(law: &NormalLaw) -> String {
             number(*stiffness),
             number(*tension)
         ),
+        NormalLaw::Bonded { stiffness } => {
+            format!("bonded: p = K h both ways, K = {}", number(*stiffness))
+        }
         NormalLaw::Tabular(pairs) => format!("table of {} points", pairs.len()),
     }
 }

@@ -45,7 +45,7 @@ fn push_title(text: &mut String, what: &str, request: &Request, frame: &Frame<'_
 }
 
 /// Fourteen places as Fortran's E14.7: the first digit stands behind the point.
-fn push_fortran(text: &mut String, value: f64) {
+pub(super) fn push_fortran(text: &mut String, value: f64) {
     let begin = text.len();
     let shown = format!("{:.6e}", value.abs());
     match shown
@@ -64,7 +64,7 @@ fn push_fortran(text: &mut String, value: f64) {
 }
 
 /// Numbers of thirteen places each, and the end of the line.
-fn push_numbers(text: &mut String, values: impl IntoIterator<Item = f64>) {
+pub(super) fn push_numbers(text: &mut String, values: impl IntoIterator<Item = f64>) {
     for value in values {
         text.push(' ');
         push_exponent(text, value, 6);

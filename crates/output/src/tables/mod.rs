@@ -12,6 +12,7 @@
 
 mod beams;
 mod calculix;
+mod pairs;
 mod solids;
 mod table;
 
@@ -68,8 +69,15 @@ pub(crate) fn push_elements(text: &mut String, frame: &Frame<'_>, print: &Elemen
     }
 }
 
-/// A table that `*CONTACT PRINT` asks for: a row a slave node of every pair.
+/// The tables that `*CONTACT PRINT` asks for: a row a slave node of every pair, and sums of pairs.
 pub(crate) fn push_contact(text: &mut String, frame: &Frame<'_>, print: &ContactPrint) {
+    if print.variables.iter().any(|variable| variable.is_of_points()) {
+        push_points(text, frame, print);
+    }
+    pairs::push(text, frame, print);
+}
+
+fn push_points(text: &mut String, frame: &Frame<'_>, print: &ContactPrint) {
     let in_space = frame.model.is_in_space();
     let columns = || {
         let all = print.variables.iter().flat_map(|&variable| contact_field(variable));
@@ -81,7 +89,11 @@ pub(crate) fn push_contact(text: &mut String, frame: &Frame<'_>, print: &Contact
         let head = format!("{pair:<16} {label:>10} {:<6}", row.status.word());
         Row { head, label, values, summed: None }
     };
-    let own = frame.contact.iter().filter(|row| print.nodes.contains(&row.node));
+    let wants = |row: &ContactRow| {
+        let pair = frame.model.contact_pairs.get(row.pair);
+        pair.is_some_and(|pair| print.wants(pair)) && print.nodes.contains(&row.node)
+    };
+    let own = frame.contact.iter().filter(|row| wants(row));
     let table = Table {
         head: format!("{:<16} {:>10} {:<6}", "PAIR", "NODE", "STATUS"),
         names: columns().map(|column| column.name).collect(),

@@ -101,6 +101,9 @@ impl Contact {
         cliques: &mut Cliques,
     ) {
         let pair = self.points[place].pair;
+        if matches!(self.masters[pair], MasterSurface::Nothing) {
+            return;
+        }
         let mut all: Vec<usize> = Vec::new();
         if let MasterSurface::Faces { mesh, nodes, .. } = &self.masters[pair] {
             let Some(Candidates::Faces(faces)) = near.get(place).filter(|own| own.is_any()) else {

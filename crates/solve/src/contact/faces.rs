@@ -118,6 +118,7 @@ impl Contact {
         let origin = before.and_then(|before| before.along).unwrap_or(Tangential::ZERO);
         into.point.faces = true;
         into.point.overclosure = -own.gap().gap;
+        into.point.allow(self.allowed_at(place));
         into.point.along = origin + own.slip;
         into.point.normal = own.gap().normal;
         into.point.facing = Some(Facing::Face(facing));

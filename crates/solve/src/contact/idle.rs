@@ -86,6 +86,10 @@ impl Contact {
 
     fn stays_open(&self, place: usize, kinematics: &PointRows<'_>, u: &[f64], look: &Look) -> bool {
         let point = &self.points[place];
+        // what may not separate is held wherever it goes, what is allowed changes with time
+        if self.keeps[point.pair] || !self.allowed.is_empty() {
+            return false;
+        }
         let Carrier::Node { position, dofs } = &point.carrier else { return false };
         if !kinematics.faces || point.mortar.is_some() {
             return false;

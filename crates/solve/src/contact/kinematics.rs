@@ -34,8 +34,10 @@ pub struct ContactKinematics {
 pub struct PointKinematics {
     /// Whether it faces its master at all.
     pub faces: bool,
-    /// Overclosure [L]; minus infinity where it faces nothing.
+    /// Overclosure beyond what is allowed [L]; minus infinity where it faces nothing.
     pub overclosure: f64,
+    /// What is allowed [L].
+    pub allowed: f64,
     /// Coordinates along the master [L].
     pub along: Tangential,
     /// Outward normal of the master [1].
@@ -138,6 +140,7 @@ impl PointKinematics {
     pub const NOWHERE: Self = Self {
         faces: false,
         overclosure: f64::NEG_INFINITY,
+        allowed: 0.0,
         along: Tangential::ZERO,
         normal: [0.0; 3],
         position: [0.0; 3],
@@ -149,6 +152,12 @@ impl PointKinematics {
 }
 
 impl PointKinematics {
+    /// Takes off what is allowed of an overclosure that was just found [L].
+    pub(super) fn allow(&mut self, allowed: f64) {
+        self.allowed = allowed;
+        self.overclosure -= allowed;
+    }
+
     /// Takes a gap in.
     pub(super) fn take(&mut self, gap: &AnyGap<Linear>, facing: Facing) {
         self.faces = true;

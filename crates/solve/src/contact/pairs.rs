@@ -5,9 +5,19 @@ use super::mortar::slave::Mortar;
 use super::mortar_faces::slave::FaceMortar;
 use super::segment::{SEGMENT_POINTS, SlaveSegment};
 use crate::dofs::Translations;
+use crate::state::PointState;
 use slideline_mech::contact::friction::FrictionLaw;
 use slideline_mech::contact::pair::Laws;
-use slideline_model::{ContactPair, Formulation, NodeIndex};
+use slideline_model::{Amplitude, ContactPair, Formulation, NodeIndex};
+
+/// What is allowed of overclosure at the points of a pair.
+#[derive(Clone, Debug)]
+pub(super) struct Allowance {
+    /// Points and their overclosures at the start of the step [L].
+    pub points: Vec<(usize, f64)>,
+    /// How they change over the step; without one straight to zero.
+    pub amplitude: Option<Amplitude>,
+}
 
 /// A slave point.
 #[derive(Clone, Debug)]
@@ -58,8 +68,16 @@ pub struct Contact {
     pub points: Vec<SlavePoint>,
     /// Slave nodes, a list a pair.
     pub slave_nodes: Vec<Vec<NodeIndex>>,
-    /// Laws, a pair each.
+    /// Laws, a pair each; then those of closed points that do not separate, a pair each.
     pub laws: Vec<Laws>,
+    /// Pairs whose closed points do not separate.
+    pub(super) keeps: Vec<bool>,
+    /// Overclosures that the step allows and takes away.
+    pub(super) allowances: Vec<Allowance>,
+    /// Overclosure that is allowed at every point; empty: none [L].
+    pub(super) allowed: Vec<f64>,
+    /// That of the increment before.
+    pub(super) allowed_before: Vec<f64>,
     /// Friction that changes over the step: pair, law at its start and at its end.
     pub(super) changing: Vec<(usize, [FrictionLaw; 2])>,
     /// Elements along which contact is integrated.
@@ -92,3 +110,47 @@ pub fn point_count(pair: &ContactPair) -> usize {
         Formulation::SurfaceToSurface => pair.elements.len() * SEGMENT_POINTS,
     }
 }
+
+impl Contact {
+    /// Number of pairs.
+    pub fn pair_count(&self) -> usize {
+        self.keeps.len()
+    }
+
+    /// The place among the laws of the law that a point of a pair obeys, of what it was at the last
+    /// commit.
+    pub fn law_of(&self, pair: usize, before: &PointState) -> usize {
+        match self.keeps[pair] && before.closed {
+            true => self.pair_count() + pair,
+            false => pair,
+        }
+    }
+
+    /// That law.
+    pub fn laws_of(&self, pair: usize, before: &PointState) -> &Laws {
+        &self.laws[self.law_of(pair, before)]
+    }
+
+    /// Fills in the laws of closed points that do not separate from those of their pairs.
+    pub(super) fn take_bonds(&mut self) {
+        let pairs = self.pair_count();
+        self.laws.truncate(pairs);
+        for pair in 0..pairs {
+            let own = &self.laws[pair];
+            let bonded = own.normal.bonded().filter(|_| self.keeps[pair]);
+            let normal = bonded.unwrap_or_else(|| own.normal.clone());
+            self.laws.push(Laws { normal, ..own.clone() });
+        }
+    }
+
+    /// Points of pairs that do not separate count as closed where they touch before anything moves.
+    pub fn bond(&self, points: &mut [PointState]) {
+        for (point, state) in self.points.iter().zip(points) {
+            let touches = -state.opening >= -TOUCH * self.spacing[point.pair];
+            state.closed |= self.keeps[point.pair] && state.along.is_some() && touches;
+        }
+    }
+}
+
+/// Gap that counts as none, in distances of neighbouring slave points [1].
+const TOUCH: f64 = 1e-6;

@@ -20,6 +20,10 @@ impl Contact {
             points: Vec::new(),
             slave_nodes: model.contact_pairs.iter().map(ContactPair::slave_nodes).collect(),
             laws: Vec::new(),
+            keeps: Vec::new(),
+            allowances: Vec::new(),
+            allowed: Vec::new(),
+            allowed_before: Vec::new(),
             changing: Vec::new(),
             segments: Vec::new(),
             state_size: 0,
@@ -42,6 +46,7 @@ impl Contact {
             }
             let length = mean_length(model, pair);
             contact.laws.push(laws::laws(model, pair, length, users));
+            contact.keeps.push(pair.interaction.no_separation);
             let master = match &pair.master {
                 Master::RigidSurface(surface) => MasterSurface::body(model, dofs, surface),
                 Master::SlideLine(line) => {
@@ -59,6 +64,7 @@ impl Contact {
             contact.masters.push(master);
             contact.take_seats(place, pair);
         }
+        contact.take_bonds();
         contact.opposed = contact.opposed_pairs();
         contact.take_points(model);
         contact.take_segments(model);
@@ -193,6 +199,7 @@ impl Contact {
             self.spacing[index] = laws::spacing(model, length, &self.masters[index]);
             self.take_laws((model, pair), (index, length), users);
         }
+        self.take_bonds();
         Ok(())
     }
 }

@@ -28,14 +28,17 @@ pub struct Released {
 }
 
 impl Contact {
-    /// The contact of a step.
-    pub fn of_step(&self, model: &Model, step: &Step) -> Cow<'_, Self> {
+    /// The contact of a step of a model with so many dofs.
+    pub fn of_step(&self, (model, dofs): (&Model, usize), step: &Step) -> Cow<'_, Self> {
         let presence = &step.presence;
-        if presence.absent_pairs.is_empty() && step.frictions.is_empty() {
+        let is_whole = presence.absent_pairs.is_empty();
+        if is_whole && step.frictions.is_empty() && step.interferences.is_empty() {
             return Cow::Borrowed(self);
         }
         let mut own = self.clone();
         own.change_friction(model, step);
+        own.take_bonds();
+        own.take_interferences((model, dofs), step);
         for &pair in &presence.absent_pairs {
             if let Some(master) = own.masters.get_mut(pair) {
                 *master = MasterSurface::Nothing;
@@ -71,14 +74,19 @@ impl Contact {
         }
     }
 
-    /// The same at a part of the step [1], where that makes a difference.
-    pub fn at(&self, part: f64) -> Option<Self> {
-        if self.changing.is_empty() {
+    /// The same at the end of an increment between two times of the step, of that length [T], where
+    /// that makes a difference.
+    pub fn at(&self, times: (f64, f64), period: f64) -> Option<Self> {
+        if self.changing.is_empty() && self.allowances.is_empty() {
             return None;
         }
         let mut own = self.clone();
         for (pair, laws) in std::mem::take(&mut own.changing) {
-            own.laws[pair].friction = between(laws, part.clamp(0.0, 1.0));
+            own.laws[pair].friction = between(laws, (times.1 / period).clamp(0.0, 1.0));
+        }
+        own.take_bonds();
+        if !own.allowances.is_empty() {
+            own.allow(times, period);
         }
         Some(own)
     }
@@ -125,7 +133,7 @@ impl Contact {
         let tangential = now.area * now.traction;
         let normal = now.area * now.pressure;
         kinematics.at(place).push(factor * normal, factor * tangential, force);
-        let law = &self.laws[self.points[place].pair].normal;
+        let law = &self.laws_of(self.points[place].pair, now).normal;
         let laws = now.area * law.energy(-now.opening);
         Released { laws, slip: 0.5 * tangential.dot(now.elastic_slip) }
     }

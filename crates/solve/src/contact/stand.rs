@@ -156,6 +156,9 @@ impl Contact {
         let mut into = into.at_mut(place);
         let stencil = self.slave(point, into.point.xi, u);
         self.locate_stencil(point, stencil, (u, positions), &mut into);
+        if into.point.faces {
+            into.point.allow(self.allowed_at(place));
+        }
     }
 
     fn locate_stencil(

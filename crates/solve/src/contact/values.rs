@@ -182,6 +182,7 @@ impl Contact {
         (index, length): (usize, f64),
         users: &UserFrictions,
     ) {
+        self.keeps[index] = pair.interaction.no_separation;
         let own = &mut self.laws[index];
         if own.user.is_some() {
             *own = laws::laws(model, pair, length, users);

@@ -180,7 +180,7 @@ impl LawContext<'_> {
     /// about the estimates with the augmentation as their slope [F/L2]:
     /// docs/theory.md eq. (8.29).
     pub(super) fn linearised(&self, point: &LinearPoint) -> (f64, Tangential) {
-        let laws = &self.laws[point.pair];
+        let laws = &self.laws[point.law];
         let carries = match laws.normal.overclosure(point.pressure) {
             Some((overclosure, _)) => overclosure,
             None => point.overclosure.min(laws.normal.contact_begins()),
@@ -200,7 +200,7 @@ impl LawContext<'_> {
     /// Slopes of the laws of a point at its estimates, no steeper and no softer than what it
     /// feels allows [F/L3].
     fn augmentation(&self, point: &LinearRows<'_>, stiffness: &Stiffness<'_>) -> Augmentation {
-        let laws = &self.laws[point.pair];
+        let laws = &self.laws[point.law];
         let (local, pressure) = (stiffness.local(point), point.pressure);
         let normal = match laws.normal.overclosure(pressure) {
             // a hard law has no slope: the point's own stiffness stands for it

@@ -92,13 +92,13 @@ impl LinearisedContact {
         context: &LawContext<'_>,
         touching: bool,
     ) -> bool {
-        if !point.takes_part(&context.laws[point.pair]) {
+        if !point.takes_part(&context.laws[point.law]) {
             return false;
         }
         if touching {
             return point.pressure > 0.0 || point.stiffness > 0.0;
         }
-        let begins = context.laws[point.pair].normal.contact_begins();
+        let begins = context.laws[point.law].normal.contact_begins();
         point.overclosure + point.dot(Kind::Normal, &self.moved) > begins
     }
 
@@ -137,7 +137,7 @@ impl LinearisedContact {
         for place in (0..points.len()).filter(|&place| !self.in_rows[place]) {
             let fixed = !points.at(place).moves(Kind::Normal);
             let point = &mut points[place];
-            let laws = &context.laws[point.pair];
+            let laws = &context.laws[point.law];
             point.pressure = if fixed { laws.pressure(point.overclosure, 0.0) } else { 0.0 };
             point.set_traction(Tangential::ZERO);
         }
@@ -175,7 +175,7 @@ pub(super) fn give_multiplier(
     match (kind, &mut point.sliding) {
         (Kind::Tangential(direction), Some(sliding)) => sliding.traction.0[direction] = multiplier,
         _ => {
-            let laws = &context.laws[point.pair];
+            let laws = &context.laws[point.law];
             point.pressure = laws.complementarity_of_pressure(multiplier, value, kappa).value;
         }
     }

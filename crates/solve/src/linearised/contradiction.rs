@@ -98,6 +98,6 @@ const DEPENDENT: f64 = 1e-6;
 impl LawContext<'_> {
     /// Whether no overclosure is allowed at the point.
     pub fn is_hard(&self, point: &LinearPoint) -> bool {
-        !point.integrated && self.laws[point.pair].normal.pressure(0.0).is_none()
+        !point.integrated && self.laws[point.law].normal.pressure(0.0).is_none()
     }
 }

@@ -142,10 +142,12 @@ impl LawContext<'_> {
         point: &LinearPoint,
         value: f64,
     ) -> Complementarity {
-        let laws = &self.laws[point.pair];
+        let laws = &self.laws[point.law];
         let stiff = STIFF * row.felt;
         match laws.normal.pressure(0.0) {
-            None if value > 0.0 => Complementarity::inserted(stiff * value, stiff),
+            None if value > 0.0 || laws.normal.is_bonded() => {
+                Complementarity::inserted(stiff * value, stiff)
+            }
             None => Complementarity::inserted(0.0, 0.0),
             Some(_) => laws.complementarity_of_pressure(0.0, value, f64::INFINITY),
         }
@@ -159,7 +161,7 @@ impl LawContext<'_> {
         point: &LinearPoint,
         slip: Tangential,
     ) -> TangentialComplementarity {
-        let laws = &self.laws[point.pair];
+        let laws = &self.laws[point.law];
         let Some(sliding) = &point.sliding else { return TangentialComplementarity::default() };
         if !laws.friction.needs_multiplier() {
             let values = (sliding.traction, slip, point.pressure);
@@ -167,7 +169,7 @@ impl LawContext<'_> {
             return TangentialComplementarity { by_pressure: Tangential::ZERO, ..answer };
         }
         let stiff = STIFF * row.felt;
-        let limit = laws.friction.limit_traction(point.pressure, sliding.slip, self.dt);
+        let limit = laws.limit_traction(point.pressure, sliding.slip, self.dt);
         let tau = stiff * slip;
         let (value, by_value) = match tau.size() <= limit {
             true => (tau, TangentialMap::isotropic(stiff)),

@@ -116,8 +116,8 @@ impl LinearisedContact {
     fn pivot_pressures(&mut self, points: &LinearPoints, context: &LawContext<'_>) -> bool {
         let hard = |row: &Row| {
             let Some((point, kind)) = row.point() else { return false };
-            let law = &context.laws[points[point].pair].normal;
-            kind == Kind::Normal && law.pressure(0.0).is_none()
+            let law = &context.laws[points[point].law].normal;
+            kind == Kind::Normal && law.pressure(0.0).is_none() && !law.is_bonded()
         };
         let candidates: Vec<usize> =
             (0..self.rows.len()).filter(|&i| hard(&self.rows[i])).collect();

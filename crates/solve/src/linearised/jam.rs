@@ -34,7 +34,7 @@ impl LinearisedContact {
         if way == Tangential::ZERO || pressure <= 0.0 || self.compliance.len() < m * m {
             return false;
         }
-        let law = &context.laws[points[place].pair].friction;
+        let law = &context.laws[points[place].law].friction;
         let limit = |pressure| law.limit_traction(pressure, Tangential::ZERO, context.dt);
         let mu = (limit(pressure * (1.0 + 1e-6)) - limit(pressure)) / (1e-6 * pressure);
         if !mu.is_finite() {

@@ -84,7 +84,7 @@ impl LawContext<'_> {
     ) {
         let Some((place, kind)) = rows[i].point() else { return };
         let (row, point) = (&rows[i], &points[place]);
-        let laws = &self.laws[point.pair];
+        let laws = &self.laws[point.law];
         let sliding = match (kind, &point.sliding) {
             (Kind::Normal, _) | (_, None) => {
                 let (multiplier, value) = asked(i);
@@ -117,13 +117,13 @@ impl LawContext<'_> {
     /// The traction of a slip that is prescribed, which leaves exact stick no choice: there
     /// is no row that would carry it to the limit. `None`: the point has its rows.
     pub(super) fn prescribed_sliding(&self, point: &LinearRows<'_>) -> Option<Tangential> {
-        let friction = &self.laws[point.pair].friction;
+        let laws = &self.laws[point.law];
         let sliding = point.sliding.as_ref()?;
-        let slides = !point.integrated && !point.slides() && friction.needs_multiplier();
+        let slides = !point.integrated && !point.slides() && laws.friction.needs_multiplier();
         if !slides || sliding.slip.size() <= self.rounding {
             return None;
         }
-        let limit = friction.limit_traction(point.pressure, sliding.slip, self.dt);
+        let limit = laws.limit_traction(point.pressure, sliding.slip, self.dt);
         limit.is_finite().then(|| limit * sliding.slip.direction())
     }
 
@@ -155,7 +155,7 @@ impl LawContext<'_> {
         (normal, slip): (f64, Tangential),
         held: &HeldMultiplier,
     ) -> PointAnswer {
-        let laws = &self.laws[point.pair];
+        let laws = &self.laws[point.law];
         let overclosure = point.overclosure + normal;
         let asked =
             laws.complementarity_of_pressure(held.pressure, overclosure, held.normal_stiffness);

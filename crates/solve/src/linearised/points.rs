@@ -30,8 +30,10 @@ pub struct Sliding {
 pub struct LinearPoint {
     /// Place of the point in the plan.
     pub place: usize,
-    /// Place of its pair among the laws.
+    /// Place of its pair in the model.
     pub pair: usize,
+    /// Place of its law among the laws.
+    pub law: usize,
     /// Area [L2].
     pub area: f64,
     /// Whether it is one of the many integration points of integrated contact.

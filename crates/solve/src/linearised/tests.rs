@@ -76,6 +76,7 @@ impl Floor {
             let point = LinearPoint {
                 place: k,
                 pair: 0,
+                law: 0,
                 area: self.areas[k],
                 integrated: false,
                 overclosure: -self.gaps[k],

@@ -111,7 +111,8 @@ impl Scratch {
                 continue;
             }
             let before = &committed.points[place];
-            let laws = &plan.contact.laws[point.pair];
+            let law = plan.contact.law_of(point.pair, before);
+            let laws = &plan.contact.laws[law];
             let touching = kinematics.faces
                 && (self.augment_all
                     || self.pressures[place] > 0.0
@@ -129,6 +130,7 @@ impl Scratch {
             let linear = LinearPoint {
                 place,
                 pair: point.pair,
+                law,
                 area: kinematics.area,
                 integrated: point.is_integration_point(),
                 overclosure: kinematics.overclosure,

@@ -147,7 +147,7 @@ impl Scratch {
         let mut largest = 0.0_f64;
         for (place, point) in self.evaluation.points.iter().enumerate() {
             if point.closed {
-                let laws = &plan.contact.laws[plan.contact.points[place].pair];
+                let laws = plan.contact.laws_of(plan.contact.points[place].pair, point);
                 // a hard law that is inserted has the slope of what stands before it
                 let held = self.held.of.get(place).map_or(0.0, |held| held.normal_stiffness);
                 let slope = laws.normal.pressure(-point.opening).map_or(held, |(_, slope)| slope);

@@ -85,6 +85,32 @@ pub struct ContactRow {
     pub dropped_work: f64,
 }
 
+/// A sum of forces.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Resultant {
+    /// The force [F].
+    pub force: [f64; 3],
+    /// Its moment about the origin [F L].
+    pub moment: [f64; 3],
+}
+
+impl Resultant {
+    /// Adds a force that acts at a place.
+    pub(crate) fn add(&mut self, force: [f64; 3], place: [f64; 3]) {
+        let [[x, y, z], [fx, fy, fz]] = [place, force];
+        let moment = [y * fz - z * fy, z * fx - x * fz, x * fy - y * fx];
+        self.force.iter_mut().zip(force).for_each(|(sum, own)| *sum += own);
+        self.moment.iter_mut().zip(moment).for_each(|(sum, own)| *sum += own);
+    }
+
+    /// Its moment about another place [F L].
+    pub fn moment_about(&self, place: [f64; 3]) -> [f64; 3] {
+        let mut own = *self;
+        own.add(self.force.map(|force| -force), place);
+        own.moment
+    }
+}
+
 /// A contact pair in a committed state.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct PairRow {
@@ -100,8 +126,18 @@ pub struct PairRow {
     pub force: [f64; 3],
     /// Their moment about the origin [F L].
     pub moment: [f64; 3],
+    /// What of both is of pressures.
+    pub of_pressure: Resultant,
+    /// What of both is of friction.
+    pub of_friction: Resultant,
+    /// Energy of the laws of its points [F L].
+    pub energy: f64,
     /// Area of its closed points [L2].
     pub area: f64,
+    /// Centre of that area [L]; zero without.
+    pub centre: [f64; 3],
+    /// Mean outward normal of the master over that area [1]; zero without.
+    pub mean_normal: [f64; 3],
     /// What is left of all forces on slaves, masters and reference nodes
     /// together, relative to the sum of their magnitudes [1]: rounding.
     pub force_imbalance: f64,

@@ -104,7 +104,7 @@ impl Analysis<'_> {
     ) -> Result<(), Left> {
         let (model, plan, values) = (self.model, self.plan, self.values);
         let step = &model.steps[number - 1];
-        let contact = &*values.contact.of_step(model, step);
+        let contact = &*values.contact.of_step((model, plan.dofs.len()), step);
         // where an element cannot begin, that was said before the step
         let begun = self.begun_kernels(step, &start.references).ok().flatten();
         let kernels = begun.as_ref().unwrap_or(&values.kernels);
@@ -169,8 +169,9 @@ impl Analysis<'_> {
         let step = plan.step;
         loop {
             let mut target = aim(number, &control, &step.procedure);
-            // friction that changes over the step is that of the end of the increment
-            let changed = plan.contact.at(target.step_time / step.procedure.period);
+            // what changes over the step is that of the end of the increment
+            let times = (self.committed.step_time, target.step_time);
+            let changed = plan.contact.at(times, step.procedure.period);
             let contact = changed.as_ref().unwrap_or(plan.contact);
             let plan = &Problem { contact, ..*plan };
             let mut outcome = self.attempt(plan, &target, work)?;

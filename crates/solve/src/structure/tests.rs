@@ -45,6 +45,7 @@ fn step() -> Step {
         controls: Controls::default(),
         presence: Default::default(),
         frictions: vec![],
+        interferences: vec![],
         stabilisation: None,
         distributed: Default::default(),
         output: OutputRequests::default(),

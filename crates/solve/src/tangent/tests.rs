@@ -111,6 +111,7 @@ pub(crate) fn model(line: bool) -> Model {
             stick: StickRule::ElasticSlip(0.05),
         },
         origin: AT,
+        no_separation: false,
         normal_origin: None,
         friction_origin: None,
     };
@@ -155,6 +156,7 @@ pub(crate) fn model(line: bool) -> Model {
         controls: Controls::default(),
         presence: Default::default(),
         frictions: vec![],
+        interferences: vec![],
         stabilisation: None,
         distributed: Default::default(),
         output: OutputRequests::default(),

@@ -54,15 +54,40 @@ pub enum NormalLaw {
     /// Pairs (pressure [F/L2], overclosure [L]) ascending in overclosure, pressures not descending,
     /// at least two; zero below the first, last slope continued.
     Tabular(Vec<(f64, f64)>),
+    /// What has closed and does not separate: p = stiffness h both ways; infinite: h = 0 under any
+    /// pressure or tension. docs/theory.md eq. (6.9)
+    Bonded {
+        /// Stiffness per area, or infinity [F/L3].
+        stiffness: f64,
+    },
 }
 
 impl NormalLaw {
+    /// The law of points that have closed and must not separate: of a hard or a linear law.
+    pub fn bonded(&self) -> Option<Self> {
+        match *self {
+            Self::Hard => Some(Self::Bonded { stiffness: f64::INFINITY }),
+            Self::Linear { stiffness } | Self::CalculixLinear { stiffness, .. } => {
+                Some(Self::Bonded { stiffness })
+            }
+            _ => None,
+        }
+    }
+
+    /// Whether it holds points against tension as it holds them against pressure.
+    pub fn is_bonded(&self) -> bool {
+        matches!(self, Self::Bonded { .. })
+    }
+
     /// Pressure [F/L2] and slope dp/dh [F/L3] at the overclosure h [L]. `None` for the hard law,
     /// whose pressure is not a function of h.
     pub fn pressure(&self, overclosure: f64) -> Option<(f64, f64)> {
         let h = overclosure;
         match self {
             Self::Hard => None,
+            Self::Bonded { stiffness } => {
+                stiffness.is_finite().then_some((stiffness * h, *stiffness))
+            }
             Self::Linear { stiffness } => {
                 Some(if h > 0.0 { (stiffness * h, *stiffness) } else { (0.0, 0.0) })
             }
@@ -88,6 +113,8 @@ impl NormalLaw {
         let h = overclosure;
         match self {
             Self::Hard => 0.0,
+            Self::Bonded { stiffness } if stiffness.is_infinite() => 0.0,
+            Self::Bonded { stiffness } => 0.5 * stiffness * h * h,
             Self::Linear { stiffness } => 0.5 * stiffness * h.max(0.0).powi(2),
             Self::Exponential { clearance, pressure } => {
                 pressure * clearance * exponential::energy(h / clearance)
@@ -109,13 +136,19 @@ impl NormalLaw {
     /// single overclosure carries it: p <= 0 (the CalculiX linear law goes down to -tension), or a
     /// level stretch of a table. Hard: (0, 0).
     pub fn overclosure(&self, pressure: f64) -> Option<(f64, f64)> {
-        let lowest = if let Self::CalculixLinear { tension, .. } = self { -tension } else { 0.0 };
+        let lowest = match self {
+            Self::CalculixLinear { tension, .. } => -tension,
+            Self::Bonded { .. } => f64::NEG_INFINITY,
+            _ => 0.0,
+        };
         if !(pressure > lowest && pressure.is_finite()) {
             return None;
         }
         match self {
             Self::Hard => Some((0.0, 0.0)),
-            Self::Linear { stiffness } => Some((pressure / stiffness, 1.0 / stiffness)),
+            Self::Linear { stiffness } | Self::Bonded { stiffness } => {
+                Some((pressure / stiffness, 1.0 / stiffness))
+            }
             Self::Exponential { clearance, pressure: p0 } => {
                 let (h, slope) = exponential::inverse(pressure / p0);
                 Some((clearance * h, clearance / p0 * slope))
@@ -133,7 +166,7 @@ impl NormalLaw {
 
     /// The overclosure above which contact carries pressure [L]: -c0 for both exponential laws (the
     /// CalculiX one has no spring beyond c0), the first overclosure of a table at zero pressure, 0
-    /// otherwise (the CalculiX linear law pulls below).
+    /// otherwise (the CalculiX linear law pulls below); minus infinity for what does not separate.
     pub fn contact_begins(&self) -> f64 {
         match self {
             Self::Exponential { clearance, .. } | Self::CalculixExponential { clearance, .. } => {
@@ -141,6 +174,7 @@ impl NormalLaw {
             }
             Self::Tabular(pairs) => tabular::begins(pairs),
             Self::Hard | Self::Linear { .. } | Self::CalculixLinear { .. } => 0.0,
+            Self::Bonded { .. } => f64::NEG_INFINITY,
         }
     }
 
@@ -162,6 +196,13 @@ impl NormalLaw {
                 }
             }
             Self::Tabular(pairs) => tabular::resolvent(pairs, z, kappa),
+            Self::Bonded { stiffness } => {
+                let slope = match stiffness.is_finite() {
+                    true => stiffness / (1.0 + stiffness / kappa),
+                    false => kappa,
+                };
+                (slope * z, slope)
+            }
             _ => self.resolvent_of_function(z, kappa, near),
         }
     }

@@ -191,6 +191,7 @@ impl At<'_> {
         into.point.facing = None;
         into.point.footing = None;
         into.point.overclosure = -gap;
+        into.point.allow(self.contact.allowed_at(self.mortar.first + point));
         into.point.area = sums.area;
         into.point.normal = sums.normal.map(|x| -x);
         let width = rooms.unknowns.len();

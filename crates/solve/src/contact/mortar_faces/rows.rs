@@ -11,6 +11,7 @@
 
 use super::super::before::Before;
 use super::super::kinematics::{ContactKinematics, PointRowsMut};
+use super::super::master::MasterSurface;
 use super::super::pairs::{Carrier, Contact};
 use super::gradients::{OverlapGradients, before, lists};
 use super::place::FaceRoom;
@@ -37,6 +38,10 @@ impl Contact {
         let mut all = std::mem::take(&mut into.face_mortars);
         all.resize_with(self.face_mortars.len(), FaceMortarRooms::default);
         for (mortar, rooms) in self.face_mortars.iter().zip(&mut all) {
+            if matches!(self.masters[mortar.pair], MasterSurface::Nothing) {
+                self.face_nothing(mortar, u, into);
+                continue;
+            }
             self.place_face_mortar(mortar, u, &mut rooms.now);
             let has_history = !before.u.is_empty() && !before.points.is_empty();
             if has_history && rooms.placed_at != before.u {
@@ -50,6 +55,18 @@ impl Contact {
             at.locate(u, history, rooms, into);
         }
         into.face_mortars = all;
+    }
+
+    /// The points of a mortar whose pair is absent.
+    fn face_nothing(&self, mortar: &FaceMortar, u: &[f64], into: &mut ContactKinematics) {
+        for place in mortar.first..mortar.first + mortar.of_point.len() {
+            let mut own = into.at_mut(place);
+            if let Carrier::Node { position, dofs } = &self.points[place].carrier {
+                own.point.position = dofs.displace(*position, u);
+            }
+            own.point.area = self.points[place].area;
+            own.turn_away_in_place();
+        }
     }
 }
 
@@ -189,6 +206,7 @@ impl At<'_> {
         into.point.faces = true;
         into.point.facing = None;
         into.point.overclosure = overclosure;
+        into.point.allow(self.contact.allowed_at(self.mortar.first + point));
         into.point.area = sums.area;
         into.point.normal = standing.footing.normal;
         let width = rooms.unknowns.len();

@@ -108,7 +108,7 @@ impl At<'_> {
         let [along_first, along_second] = tangential.0.map(|force| force / point.area);
         Acting {
             pressure: normal / point.area,
-            depth: self.depth(point.overclosure),
+            depth: self.depth(point.overclosure + point.allowed),
             traction: add(scale(first, along_first), scale(second, along_second)),
         }
     }

@@ -117,7 +117,7 @@ impl Jump {
             let mut points = plan.contact.points.iter().zip(&state.points);
             points.any(|(point, now)| point.pair == pair && now.closed)
         };
-        let pairs = 0..plan.contact.laws.len();
+        let pairs = 0..plan.contact.pair_count();
         let whole = part.rest.with(part);
         Self {
             released: part.left(),

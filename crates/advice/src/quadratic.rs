@@ -1,0 +1,38 @@
+//! Quadratic faces in space whose nodes carry contact one by one.
+//!
+//! ```text
+//!   o---o---o     a uniform pressure loads a corner by -1/12 of the face and a middle node by
+//!   |       |     1/3: areas of nodes, which are positive, cannot say that, and what is pressed
+//!   o---o---o     flat shows waves of stress
+//! ```
+//!
+//! In the plane the shares 1/6, 4/6, 1/6 are those of a uniform pressure.
+
+use crate::finding::Finding;
+use crate::start::Start;
+use slideline_diag::{Code, Diagnostic};
+use slideline_model::{ContactPair, Formulation, Master};
+
+/// SL0423: slaves of quadratic faces in space with `NODE TO SURFACE`.
+pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
+    findings.extend(start.model.contact_pairs.iter().filter_map(say));
+}
+
+fn say(pair: &ContactPair) -> Option<Finding> {
+    // an analytical surface in space meets nodes alone
+    let swept = matches!(&pair.master, Master::Faces(faces) if faces.swept.is_some());
+    if pair.formulation != Formulation::NodeToSurface || swept {
+        return None;
+    }
+    let quadratic = pair.faces.iter().filter(|face| face.nodes.len() > 4).count();
+    if quadratic == 0 {
+        return None;
+    }
+    let message = format!(
+        "{quadratic} slave faces of {} are quadratic, and their nodes carry contact one by one: a \
+         uniform pressure cannot be carried so, and stresses under the contact will be wavy",
+        pair.name
+    );
+    let said = Diagnostic::warning(Code("SL0423"), message).at(pair.origin);
+    Some(Finding::said(said.help("give *CONTACT PAIR, TYPE=SURFACE TO SURFACE")))
+}
