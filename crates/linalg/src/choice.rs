@@ -7,7 +7,7 @@ use crate::ordering::Layout;
 use crate::pattern::Pattern;
 use crate::solver::Solver;
 use crate::sparse::{LARGEST_BAND, Sparse};
-use crate::system::{Analyse, BackEnd, Kind, LinearSystem};
+use crate::system::{Analyse, BackEnd, Interface, Kind, LinearSystem};
 use rayon::ThreadPool;
 use std::sync::Arc;
 
@@ -26,7 +26,16 @@ pub struct BuiltIn {
 
 impl Analyse for BuiltIn {
     fn analyse(&self, pattern: &Pattern, kind: Kind) -> Result<Box<dyn LinearSystem>, SolveError> {
-        Ok(self.choose(pattern, kind, None))
+        Ok(self.choose(pattern, kind, &Interface::default(), None))
+    }
+
+    fn analyse_for(
+        &self,
+        pattern: &Pattern,
+        kind: Kind,
+        interface: &Interface<'_>,
+    ) -> Result<Box<dyn LinearSystem>, SolveError> {
+        Ok(self.choose(pattern, kind, interface, None))
     }
 }
 
@@ -40,7 +49,16 @@ pub struct OnThreads {
 
 impl Analyse for OnThreads {
     fn analyse(&self, pattern: &Pattern, kind: Kind) -> Result<Box<dyn LinearSystem>, SolveError> {
-        Ok(BuiltIn::default().choose(pattern, kind, Some(self.pool.clone())))
+        self.analyse_for(pattern, kind, &Interface::default())
+    }
+
+    fn analyse_for(
+        &self,
+        pattern: &Pattern,
+        kind: Kind,
+        interface: &Interface<'_>,
+    ) -> Result<Box<dyn LinearSystem>, SolveError> {
+        Ok(BuiltIn::default().choose(pattern, kind, interface, Some(self.pool.clone())))
     }
 }
 
@@ -49,21 +67,25 @@ impl BuiltIn {
         &self,
         pattern: &Pattern,
         kind: Kind,
+        interface: &Interface<'_>,
         pool: Option<Arc<ThreadPool>>,
     ) -> Box<dyn LinearSystem> {
+        let on = interface.equations;
         if self.back_end == Some(BackEnd::Sparse)
-            && let Some(sparse) = Sparse::new(pattern, kind, pool.clone())
+            && let Some(sparse) = Sparse::new(pattern, kind, on, pool.clone())
         {
             return Box::new(sparse);
         }
+        let of_factors = if interface.nearly_symmetric { Kind::Symmetric } else { kind };
         let layout = Layout::cheapest(pattern, kind);
         if self.back_end.is_none()
             && layout.operations(kind) > SMALL
-            && let Some(sparse) = Sparse::new(pattern, kind, pool.clone())
+            && let Some(sparse) = Sparse::new(pattern, of_factors, on, pool.clone())
             && (sparse_seconds(&sparse) < banded_seconds(&layout, kind)
                 || layout.entries(kind) > LARGEST_BAND)
         {
-            return match kind == Kind::Symmetric && iteration_pays(pattern, &sparse) {
+            let iterates = kind == Kind::Symmetric && on.is_empty();
+            return match iterates && iteration_pays(pattern, &sparse) {
                 true => Box::new(Multigrid::new(pattern, sparse, pool)),
                 false => Box::new(sparse),
             };
@@ -75,13 +97,16 @@ impl BuiltIn {
 /// Symbolic analysis, once for every pattern: orders the equations, predicts the work and chooses
 /// the back end.
 pub fn analyse(pattern: &Pattern, kind: Kind) -> Solver {
-    Solver::new(pattern, BuiltIn::default().choose(pattern, kind, None))
+    Solver::new(pattern, BuiltIn::default().choose(pattern, kind, &Interface::default(), None))
 }
 
 /// Like [`analyse`] with the back end prescribed, for comparisons and tests. Where the sparse
 /// library cannot analyse the pattern the banded back end is used.
 pub fn analyse_with(pattern: &Pattern, kind: Kind, back_end: BackEnd) -> Solver {
-    Solver::new(pattern, BuiltIn { back_end: Some(back_end) }.choose(pattern, kind, None))
+    Solver::new(
+        pattern,
+        BuiltIn { back_end: Some(back_end) }.choose(pattern, kind, &Interface::default(), None),
+    )
 }
 
 /// Whether an iteration is predicted to take less than half the time of a factorisation, which is

@@ -58,6 +58,26 @@ impl Tree {
     }
 }
 
+impl Tree {
+    /// Entries of the columns of some equations and of all above them.
+    pub fn entries_above(&self, equations: &[usize]) -> f64 {
+        let position = positions(self.order.len(), &self.order);
+        let mut is_on = vec![false; self.order.len()];
+        equations.iter().for_each(|&equation| is_on[position[equation]] = true);
+        let mut entries = 0.0;
+        for k in 0..is_on.len() {
+            if !is_on[k] {
+                continue;
+            }
+            entries += f64::from(self.count[k]);
+            if self.parent[k] != NONE {
+                is_on[self.parent[k] as usize] = true;
+            }
+        }
+        entries
+    }
+}
+
 /// Parent of each column in the elimination tree.
 fn elimination_tree(pattern: &Pattern, order: &[usize]) -> Vec<u32> {
     let n = order.len();

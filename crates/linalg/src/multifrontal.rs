@@ -12,6 +12,7 @@
 //! the fronts above, which are divided in the same way for any number of them.
 
 mod layout;
+mod path;
 mod substitution;
 
 use crate::dense_fronts::{DenseFront, Pivots};
@@ -21,7 +22,7 @@ use crate::kernel::widened;
 use crate::pattern::Pattern;
 use crate::precision::Real;
 use crate::system::Kind;
-use layout::{Layout, Part, Storage, entry_positions};
+use layout::{Layout, Part, Path, Storage, entry_positions};
 use rayon::ThreadPool;
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefMutIterator, ParallelIterator};
 use std::sync::Arc;
@@ -33,6 +34,8 @@ pub(crate) struct Multifrontal<T = f64> {
     /// matrix go to a place behind it.
     entry: Arc<[u32]>,
     pool: Option<Arc<ThreadPool>>,
+    /// Fronts of the equations that most solutions are wanted on; none: all.
+    path: Option<Arc<Path>>,
     /// Empty until something is scattered.
     factor: Vec<T>,
     /// Of the subtrees that threads take, one after the other, then of the fronts above them.
@@ -81,7 +84,15 @@ impl<T: Real> Multifrontal<T> {
 
     /// The same factorisation in another precision.
     pub fn in_precision<U: Real>(&self) -> Multifrontal<U> {
-        Multifrontal::with(self.layout.clone(), self.entry.clone(), self.pool.clone())
+        let other = Multifrontal::with(self.layout.clone(), self.entry.clone(), self.pool.clone());
+        Multifrontal { path: self.path.clone(), ..other }
+    }
+
+    /// The same for solutions that are wanted on these equations alone, none of them: on all.
+    pub fn with_path(mut self, interface: &[usize]) -> Self {
+        let path = || Arc::new(Path::new(&self.layout, interface));
+        self.path = (!interface.is_empty()).then(path);
+        self
     }
 
     fn with(layout: Arc<Layout>, entry: Arc<[u32]>, pool: Option<Arc<ThreadPool>>) -> Self {
@@ -91,6 +102,7 @@ impl<T: Real> Multifrontal<T> {
             layout,
             entry,
             pool,
+            path: None,
             factor: Vec::new(),
             rooms: Vec::new(),
             exchange: vec![0; n],

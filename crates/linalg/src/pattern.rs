@@ -112,6 +112,19 @@ impl Pattern {
         Self { rows: Arc::new(Rows { start: row_start, column }) }
     }
 
+    /// The pattern of some equations alone, given ascending.
+    pub(crate) fn among(&self, kept: &[usize]) -> Self {
+        let mut number = vec![usize::MAX; self.size()];
+        kept.iter().enumerate().for_each(|(new, &old)| number[old] = new);
+        let (mut start, mut column) = (Vec::with_capacity(kept.len() + 1), Vec::new());
+        start.push(0);
+        for &i in kept {
+            column.extend(self.row(i).iter().map(|&j| number[j]).filter(|&j| j != usize::MAX));
+            start.push(column.len());
+        }
+        Self { rows: Arc::new(Rows { start, column }) }
+    }
+
     /// Number of equations.
     pub fn size(&self) -> usize {
         self.rows.start.len() - 1
@@ -158,7 +171,7 @@ struct Cliques {
 
 impl Cliques {
     fn new(n: usize, cliques: impl Iterator<Item = impl AsRef<[usize]>>) -> Self {
-        let (mut member, mut end) = (Vec::new(), Vec::new());
+        let (mut member, mut end) = (Vec::with_capacity(4 * n), Vec::with_capacity(n));
         for clique in cliques {
             member.extend(clique.as_ref().iter().copied().filter(|&i| i < n));
             end.push(member.len());

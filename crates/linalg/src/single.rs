@@ -63,8 +63,9 @@ impl Single {
         sound
     }
 
-    /// Solves in place to the precision of the factors, whatever the size of the right-hand side.
-    pub fn solve(&mut self, b: &mut [f64]) {
+    /// Solves in place to the precision of the factors, whatever the size of the right-hand side:
+    /// on all equations, or on the interface alone.
+    pub fn solve(&mut self, b: &mut [f64], on_interface: bool) {
         let Self { factors, scale } = self;
         let sizes = b.iter().zip(&*scale).map(|(b, scale)| (b * scale).abs());
         let size = sizes.fold(0.0, f64::max);
@@ -73,7 +74,10 @@ impl Single {
         }
         let enter = |i: usize, b: f64| (b * scale[i] / size) as f32;
         let leave = |i: usize, x: f32| f64::from(x) * scale[i] * size;
-        factors.solve_one(b, enter, leave, false);
+        match on_interface {
+            true => factors.solve_on_path(b, enter, leave),
+            false => factors.solve_one(b, enter, leave, false),
+        }
     }
 }
 
@@ -121,7 +125,7 @@ mod tests {
     fn definite_matrices_are_factored_in_any_units() {
         let (pattern, values, _) = grid(30, 1.0, 30);
         let matrix = Matrix::new(&pattern, &values);
-        let mut sparse = Sparse::new(&pattern, Kind::Symmetric, None).unwrap();
+        let mut sparse = Sparse::new(&pattern, Kind::Symmetric, &[], None).unwrap();
         let report = sparse.factor_single(matrix).unwrap();
         assert!(report.negative_pivots == Some(0) && report.smallest_pivot_ratio > 0.05);
         let unit = |i: usize| unit(i, 30);
@@ -142,7 +146,7 @@ mod tests {
         for excess in [1e-7, -1e-3, -1.1, -5.3] {
             let (pattern, values, size) = grid(30, excess, 0);
             let matrix = Matrix::new(&pattern, &values);
-            let mut sparse = Sparse::new(&pattern, Kind::Symmetric, None).unwrap();
+            let mut sparse = Sparse::new(&pattern, Kind::Symmetric, &[], None).unwrap();
             assert_eq!(sparse.factor_single(matrix), None, "{excess}");
             sparse.scatter(matrix);
             let report = LinearSystem::factor(&mut sparse, matrix, &size).unwrap();

@@ -1,13 +1,15 @@
 //! The checks around every factorisation and solution.
 
-use crate::conjugate::Conjugate;
+mod near;
+
 use crate::error::{FactorReport, SolveError};
-use crate::followed::{EXACT, Followed, NEAR, pays, single_pays};
-use crate::krylov::Stop;
+use crate::followed::{EXACT, Followed, NEAR, single_pays};
+use crate::krylov::{Stop, gmres};
+use crate::near::{Near, Use};
 use crate::pattern::{Matrix, Pattern};
 use crate::refused::Refused;
 use crate::residual::worst_of;
-use crate::system::{Analyse, Description, Kind, LinearSystem};
+use crate::system::{Analyse, Description, Interface, Kind, LinearSystem};
 
 /// Backward error above which one step of iterative refinement is done.
 const REFINE_ABOVE: f64 = 1e-10;
@@ -35,12 +37,7 @@ pub struct Solver {
     unit: Vec<f64>,
     /// Whether the last checked solution needed no refinement.
     accurate: bool,
-    /// Whether few solutions of every matrix are wanted.
-    few: bool,
-    /// How far conjugate gradients go where the factors are those of the matrix taken last no more
-    /// than nearly.
-    nearly: Option<Stop>,
-    conjugate: Conjugate,
+    near: Near,
 }
 
 /// Which of the two systems is solved.
@@ -66,20 +63,35 @@ impl Solver {
             report: None,
             unit: Vec::new(),
             accurate: false,
-            few: false,
-            nearly: None,
-            conjugate: Conjugate::default(),
+            near: Near::default(),
         }
     }
 
     /// Analyses a pattern with a factory of systems, from this crate or from elsewhere. Where the
     /// analysis fails, every factorisation says so.
     pub fn analyse(pattern: &Pattern, kind: Kind, factory: &dyn Analyse) -> Self {
+        Self::analyse_for((pattern, kind), factory, &Interface::default())
+    }
+
+    /// The same where most solutions are wanted on an interface. Of a matrix that is nearly symmetric
+    /// the symmetric part is factored, where the factory chooses that.
+    pub fn analyse_for(
+        (pattern, kind): (&Pattern, Kind),
+        factory: &dyn Analyse,
+        interface: &Interface<'_>,
+    ) -> Self {
         let refused = |fault| Box::new(Refused { fault, kind, equations: pattern.size() });
-        match factory.analyse(pattern, kind) {
+        let mut solver = match factory.analyse_for(pattern, kind, interface) {
             Ok(system) => Self::new(pattern, system),
             Err(fault) => Self::new(pattern, refused(fault)),
+        };
+        let of_factors = solver.system.description().kind;
+        solver.near.halves = (kind, of_factors) == (Kind::Unsymmetric, Kind::Symmetric);
+        if !interface.equations.is_empty() {
+            solver.near.is_on_interface.resize(pattern.size(), false);
+            interface.equations.iter().for_each(|&i| solver.near.is_on_interface[i] = true);
         }
+        solver
     }
 
     /// Gives each unknown its natural unit u_i > 0. The system is factored and judged as U A U, in
@@ -113,13 +125,6 @@ impl Solver {
         self.system.take_motions(&own);
     }
 
-    /// Tells whether few solutions of every matrix are wanted. Large definite ones are then
-    /// factored in single precision, which takes half the memory and time, and solved by conjugate
-    /// gradients with these factors to a residual of 1e-12 of the right-hand side.
-    pub fn expect_few(&mut self, few: bool) {
-        self.few = few;
-    }
-
     /// U A U of the values given.
     fn take(&mut self, values: &[f64]) {
         if self.unit.is_empty() {
@@ -151,22 +156,6 @@ impl Solver {
         self.factor_taken()
     }
 
-    /// Takes a matrix near the one factored last without factoring it: solutions come from
-    /// conjugate gradients with the factors at hand, to a residual of 1e-8 of the right-hand side,
-    /// and where these fail from a factorisation after all. False where the matrix is to be
-    /// factored: where that is as cheap, or the factors are not those of a definite matrix.
-    ///
-    /// Errors: those of [`Solver::refactor`] but for singular matrices.
-    pub fn follow(&mut self, pattern: &Pattern, values: &[f64]) -> Result<bool, SolveError> {
-        let definite = self.report.is_some_and(|report| report.is_definite());
-        if !(definite && pays(&self.system.description())) {
-            return Ok(false);
-        }
-        self.take_matrix(pattern, values)?;
-        self.nearly = Some(NEAR);
-        Ok(true)
-    }
-
     /// Negative pivots of the last factorisation; none where it does not count them.
     pub fn negative_pivots(&self) -> usize {
         self.report.and_then(|report| report.negative_pivots).unwrap_or(0)
@@ -174,7 +163,8 @@ impl Solver {
 
     /// Takes the values of a matrix of the analysed pattern.
     fn take_matrix(&mut self, pattern: &Pattern, values: &[f64]) -> Result<(), SolveError> {
-        (self.accurate, self.nearly) = (false, None);
+        (self.accurate, self.near.stop) = (false, None);
+        self.near.skew.clear();
         if values.len() != self.values.len() {
             return Err(SolveError::Size { expected: self.values.len(), found: values.len() });
         }
@@ -182,30 +172,10 @@ impl Solver {
             return Err(SolveError::PatternChanged);
         }
         self.take(values);
-        self.measure_rows()
-    }
-
-    /// Factors the matrix taken last, in single precision where that does.
-    fn factor_taken(&mut self) -> Result<FactorReport, SolveError> {
-        if self.few && single_pays(&self.system.description()) {
-            let matrix = Matrix::new(&self.pattern, &self.values);
-            self.report = self.system.factor_single(matrix);
-            if let Some(report) = self.report {
-                self.nearly = Some(EXACT);
-                return Ok(report);
-            }
+        if self.near.halves {
+            self.near.skew.split(&self.pattern, &mut self.values);
         }
-        self.factor_in_double()
-    }
-
-    /// Factors the matrix taken last such that a substitution solves it.
-    fn factor_in_double(&mut self) -> Result<FactorReport, SolveError> {
-        (self.report, self.nearly) = (None, None);
-        let matrix = Matrix::new(&self.pattern, &self.values);
-        self.system.scatter(matrix);
-        let report = self.system.factor(matrix, &self.row_size)?;
-        self.report = Some(report);
-        Ok(report)
+        self.measure_rows()
     }
 
     /// The first row that any process names.
@@ -256,13 +226,16 @@ impl Solver {
         self.solve_side(rhs, Side::Transposed)
     }
 
-    fn solve_side(&mut self, rhs: &mut [f64], side: Side) -> Result<(), SolveError> {
+    /// Whether there are factors, and a right-hand side for them.
+    fn check(&self, rhs: &[f64]) -> Result<(), SolveError> {
         if rhs.len() != self.rhs.len() {
             return Err(SolveError::Size { expected: self.rhs.len(), found: rhs.len() });
         }
-        if self.report.is_none() {
-            return Err(SolveError::NotFactored);
-        }
+        self.report.map(|_| ()).ok_or(SolveError::NotFactored)
+    }
+
+    fn solve_side(&mut self, rhs: &mut [f64], side: Side) -> Result<(), SolveError> {
+        self.check(rhs)?;
         let infinite = self.system.owned_rows().find(|&i| !rhs[i].is_finite());
         if let [Some(equation)] = self.first_of_all([infinite]) {
             return Err(SolveError::NotFinite { equation });
@@ -273,8 +246,8 @@ impl Solver {
             self.leave(rhs, raised);
             return Ok(());
         }
-        if self.nearly.is_some() {
-            self.factor_in_double()?;
+        if self.near.stop.is_some() {
+            self.factor_exactly()?;
         }
         self.rhs.copy_from_slice(rhs);
         self.substitute(rhs, side)?;
@@ -364,17 +337,64 @@ impl Solver {
         solution.iter_mut().zip(&self.unit).for_each(|(x, u)| *x *= u);
     }
 
+    /// Factors the matrix taken last, nearly where that does.
+    fn factor_taken(&mut self) -> Result<FactorReport, SolveError> {
+        if self.near.wanted == Use::Many {
+            return self.factor_exactly();
+        }
+        if single_pays(&self.system.description()) {
+            let matrix = Matrix::new(&self.pattern, &self.values);
+            self.report = self.system.factor_single(matrix);
+            if let Some(report) = self.report {
+                self.near.stop = Some(EXACT);
+                return Ok(report);
+            }
+        }
+        if !self.near.skew.is_empty()
+            && let Ok(report) = self.factor_symmetric()
+        {
+            self.near.stop = Some(EXACT);
+            return Ok(report);
+        }
+        self.factor_exactly()
+    }
+
+    /// Factors the matrix taken last such that a substitution solves it.
+    ///
+    /// Errors: those of [`Solver::refactor`].
+    pub fn factor_exactly(&mut self) -> Result<FactorReport, SolveError> {
+        if self.near.skew.is_empty() {
+            return self.factor_symmetric();
+        }
+        (self.report, self.near.stop) = (None, None);
+        self.near.skew.join(&self.pattern, &mut self.values);
+        self.measure_rows()?;
+        let matrix = Matrix::new(&self.pattern, &self.values);
+        let report = self.system.factor_unsymmetric(matrix, &self.row_size)?;
+        self.report = Some(report);
+        Ok(report)
+    }
+
+    /// Factors the values taken last in double, without what is left beside the symmetric part.
+    fn factor_symmetric(&mut self) -> Result<FactorReport, SolveError> {
+        (self.report, self.near.stop) = (None, None);
+        let matrix = Matrix::new(&self.pattern, &self.values);
+        self.system.scatter(matrix);
+        let report = self.system.factor(matrix, &self.row_size)?;
+        self.report = Some(report);
+        Ok(report)
+    }
+
     /// Solves with factors that are near; where these are of another matrix and fail, with those of
-    /// this one in single precision. False where that fails too, or where factors in double are at
-    /// hand.
+    /// this one. False where that fails too, or where exact factors are at hand.
     fn solve_nearly(&mut self, x: &mut [f64]) -> Result<bool, SolveError> {
-        if self.nearly == Some(NEAR) {
+        if self.near.stop == Some(NEAR) {
             if self.iterate(x, NEAR) {
                 return Ok(true);
             }
             self.factor_taken()?;
         }
-        if self.nearly != Some(EXACT) {
+        if self.near.stop != Some(EXACT) {
             return Ok(false);
         }
         self.rhs.copy_from_slice(x);
@@ -385,11 +405,32 @@ impl Solver {
         Ok(solved)
     }
 
-    /// Conjugate gradients with the factors at hand; false where they fail.
+    /// Conjugate gradients with the factors at hand, GMRES where the matrix is not symmetric; false,
+    /// and the right-hand side as it was, where they fail.
     fn iterate(&mut self, x: &mut [f64], stop: Stop) -> bool {
         let matrix = Matrix::new(&self.pattern, &self.values);
-        let mut followed = Followed { matrix, factors: &mut *self.system };
-        self.conjugate.solve(x, stop, &mut followed)
+        let (near, system) = (&mut self.near, &mut *self.system);
+        if near.skew.is_empty() {
+            let mut followed = Followed { matrix, factors: system };
+            return near.conjugate.solve(x, stop, &mut followed);
+        }
+        let b = &mut self.correction[..];
+        b.copy_from_slice(x);
+        x.fill(0.0);
+        let (skew, krylov, mut failed) = (&near.skew, &mut near.krylov, false);
+        let product = |v: &[f64], into: &mut [f64]| {
+            matrix.multiply(v, into);
+            skew.add_product(1.0, v, into);
+        };
+        let nearly = |v: &[f64], into: &mut [f64]| {
+            into.copy_from_slice(v);
+            failed |= system.solve(into, 1).is_err();
+        };
+        let solved = gmres(product, nearly, b, x, stop, krylov).converged() && !failed;
+        if !solved {
+            x.copy_from_slice(b);
+        }
+        solved
     }
 
     fn substitute(&mut self, x: &mut [f64], side: Side) -> Result<(), SolveError> {
@@ -406,11 +447,9 @@ impl Solver {
             let size = |j: usize| self.column_size[j];
             return worst_of((0..x.len()).map(|j| (self.correction[j], size(j), self.rhs[j])), x);
         }
-        let matrix = Matrix::new(&self.pattern, &self.values);
-        let rows = self.system.owned_rows().map(|i| {
-            let b = self.rhs[i];
-            (b - matrix.row_times(i, x), self.row_size[i], b)
-        });
+        self.residual(x);
+        let owned = self.system.owned_rows();
+        let rows = owned.map(|i| (self.correction[i], self.row_size[i], self.rhs[i]));
         let mut worst = [worst_of(rows, x)];
         self.system.reduce_max(&mut worst);
         worst[0]
@@ -422,6 +461,7 @@ impl Solver {
         for i in self.system.owned_rows() {
             self.correction[i] = self.rhs[i] - matrix.row_times(i, x);
         }
+        self.near.skew.add_product(-1.0, x, &mut self.correction);
     }
 
     /// b - A' x, and the sums of magnitudes of the columns.

@@ -16,7 +16,7 @@ use crate::error::{FactorReport, SolveError};
 use crate::fronts::Tree;
 use crate::multifrontal::Multifrontal;
 use crate::ordering::{Layout, behind_neighbours};
-use crate::orders::best_tree;
+use crate::orders::best_tree_for;
 use crate::pattern::{Matrix, Pattern};
 use crate::residual::worst_residual;
 use crate::single::Single;
@@ -64,17 +64,24 @@ pub(crate) struct Sparse {
     banded: Option<Box<Banded>>,
     trial: Vec<f64>,
     held: Held,
+    /// Equations that most solutions are wanted on; none: all.
+    interface: Vec<usize>,
     pool: Option<Arc<ThreadPool>>,
 }
 
 impl Sparse {
     /// Symbolic analysis; `None` when the libraries cannot do it.
-    pub fn new(pattern: &Pattern, kind: Kind, pool: Option<Arc<ThreadPool>>) -> Option<Self> {
+    pub fn new(
+        pattern: &Pattern,
+        kind: Kind,
+        interface: &[usize],
+        pool: Option<Arc<ThreadPool>>,
+    ) -> Option<Self> {
         let n = pattern.size();
-        let tree = best_tree(pattern)?;
+        let tree = best_tree_for(pattern, interface)?;
         let (entries, operations) = tree.predicted();
         let factor = if kind == Kind::Symmetric { 1.0 } else { 2.0 };
-        let factors = Some(Box::new(Multifrontal::new(pattern, kind, &tree, pool.clone())?));
+        let factors = Multifrontal::new(pattern, kind, &tree, pool.clone())?.with_path(interface);
         Some(Self {
             kind,
             entries: factor * entries,
@@ -82,12 +89,13 @@ impl Sparse {
             order: tree.order,
             diagonal: (0..n).filter_map(|i| pattern.position(i, i)).collect(),
             zero_diagonal: vec![false; n],
-            factors,
+            factors: Some(Box::new(factors)),
             single: None,
             pivoted: None,
             banded: None,
             trial: vec![0.0; n],
             held: Held::Nothing,
+            interface: interface.to_vec(),
             pool,
         })
     }
@@ -111,14 +119,15 @@ impl Sparse {
         }
         self.zero_diagonal = flags().collect();
         (self.single, self.pivoted) = (None, None);
-        let tree = self.tree(matrix.pattern);
-        let factors = Multifrontal::new(matrix.pattern, self.kind, &tree, self.pool.clone());
-        self.factors = factors.map(Box::new);
+        self.factors = self.analyse(matrix.pattern, self.kind);
     }
 
-    /// Elimination tree in the order that the zero diagonals ask for.
-    fn tree(&self, pattern: &Pattern) -> Tree {
-        Tree::new(pattern, &behind_neighbours(pattern, &self.order, &self.zero_diagonal))
+    /// Factors in the order that the zero diagonals ask for.
+    fn analyse(&self, pattern: &Pattern, kind: Kind) -> Option<Box<Multifrontal>> {
+        let order = behind_neighbours(pattern, &self.order, &self.zero_diagonal);
+        let tree = Tree::new(pattern, &order);
+        let factors = Multifrontal::new(pattern, kind, &tree, self.pool.clone())?;
+        Some(Box::new(factors.with_path(&self.interface)))
     }
 
     /// Factors with pivoting among the columns of a front, in the order of the symmetric factors.
@@ -128,10 +137,8 @@ impl Sparse {
         row_size: &[f64],
     ) -> Result<FactorReport, SolveError> {
         if self.pivoted.is_none() {
-            let tree = self.tree(matrix.pattern);
-            let pool = self.pool.clone();
-            let pivoted = Multifrontal::new(matrix.pattern, Kind::Unsymmetric, &tree, pool);
-            self.pivoted = Some(Box::new(pivoted.ok_or(SolveError::OutOfMemory)?));
+            let pivoted = self.analyse(matrix.pattern, Kind::Unsymmetric);
+            self.pivoted = Some(pivoted.ok_or(SolveError::OutOfMemory)?);
         }
         let Some(pivoted) = &mut self.pivoted else { return Err(SolveError::OutOfMemory) };
         pivoted.scatter(matrix.values.iter().copied())?;
@@ -213,7 +220,7 @@ impl Sparse {
         let factors = match self.held {
             Held::Single => {
                 let Some(single) = &mut self.single else { return Err(SolveError::NotFactored) };
-                block.chunks_exact_mut(block.len() / columns).for_each(|b| single.solve(b));
+                block.chunks_exact_mut(block.len() / columns).for_each(|b| single.solve(b, false));
                 return Ok(());
             }
             Held::Factors => &mut self.factors,
@@ -293,6 +300,39 @@ impl LinearSystem for Sparse {
         self.solve_block(block, columns, true)
     }
 
+    fn solve_on_interface(&mut self, b: &mut [f64]) -> Result<(), SolveError> {
+        let factors = match self.held {
+            Held::Single => {
+                let Some(single) = &mut self.single else { return Err(SolveError::NotFactored) };
+                single.solve(b, true);
+                return Ok(());
+            }
+            Held::Factors => &mut self.factors,
+            Held::Pivoted => &mut self.pivoted,
+            Held::Banded | Held::Nothing => return self.solve_block(b, 1, false),
+        };
+        let Some(factors) = factors else { return Err(SolveError::NotFactored) };
+        factors.solve_on_path(b, |_, b| b, |_, x| x);
+        Ok(())
+    }
+
+    fn factor_unsymmetric(
+        &mut self,
+        matrix: Matrix<'_>,
+        row_size: &[f64],
+    ) -> Result<FactorReport, SolveError> {
+        self.held = Held::Nothing;
+        self.follow_zero_diagonals(matrix);
+        self.factors.iter_mut().for_each(|factors| factors.release());
+        self.single.iter_mut().for_each(|single| single.release());
+        let found = self.factor_pivoted(matrix, row_size)?;
+        let judged = self.trial(matrix, row_size, found);
+        if is_safe(judged) {
+            return Ok(judged.1);
+        }
+        self.factor_banded(matrix, row_size, judged)
+    }
+
     fn description(&self) -> Description {
         Description {
             back_end: BackEnd::Sparse,
@@ -345,7 +385,7 @@ mod tests {
             for i in 0..n {
                 values.extend(pattern.row(i).iter().map(|&j| if i == j { 60.0 } else { -1.0 }));
             }
-            let mut sparse = Sparse::new(&pattern, kind, None).unwrap();
+            let mut sparse = Sparse::new(&pattern, kind, &[], None).unwrap();
             refactor(&mut sparse, Matrix::new(&pattern, &values), &row_size).unwrap();
             assert!(sparse.held == Held::Factors, "{kind:?}");
             for (at, &j) in pattern.columns().iter().enumerate() {

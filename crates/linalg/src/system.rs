@@ -111,6 +111,29 @@ pub trait Analyse: Send + Sync {
     ///
     /// Errors: [`SolveError::OutOfMemory`], [`SolveError::External`].
     fn analyse(&self, pattern: &Pattern, kind: Kind) -> Result<Box<dyn LinearSystem>, SolveError>;
+
+    /// The same for systems most solutions of which are wanted on an interface alone.
+    ///
+    /// Errors: those of [`Analyse::analyse`].
+    fn analyse_for(
+        &self,
+        pattern: &Pattern,
+        kind: Kind,
+        _: &Interface<'_>,
+    ) -> Result<Box<dyn LinearSystem>, SolveError> {
+        self.analyse(pattern, kind)
+    }
+}
+
+/// Equations on which a problem of its own is solved, that of contact: many right-hand sides have
+/// entries there alone, and nothing else of their solutions is wanted.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Interface<'a> {
+    /// The equations, ascending.
+    pub equations: &'a [usize],
+    /// Whether an unsymmetric matrix is symmetric but for a little. It may be analysed as a
+    /// symmetric one then; [`crate::Solver`] gives it the symmetric part.
+    pub nearly_symmetric: bool,
 }
 
 /// An analysed linear system. It is used through [`crate::Solver`], which gives it matrices of the
@@ -147,6 +170,26 @@ pub trait LinearSystem: Send {
     ///
     /// Errors: [`SolveError::NotFactored`], [`SolveError::External`].
     fn solve(&mut self, block: &mut [f64], columns: usize) -> Result<(), SolveError>;
+
+    /// Solves A x = b in place where b is zero but on the interface that the analysis was told of, and
+    /// x is wanted there alone: elsewhere nothing need be left.
+    ///
+    /// Errors: those of [`LinearSystem::solve`].
+    fn solve_on_interface(&mut self, b: &mut [f64]) -> Result<(), SolveError> {
+        self.solve(b, 1)
+    }
+
+    /// Factors an unsymmetric matrix that was analysed as nearly symmetric.
+    ///
+    /// Errors: those of [`LinearSystem::factor`].
+    fn factor_unsymmetric(
+        &mut self,
+        matrix: Matrix<'_>,
+        row_size: &[f64],
+    ) -> Result<FactorReport, SolveError> {
+        self.scatter(matrix);
+        self.factor(matrix, row_size)
+    }
 
     /// Solves A' X = B likewise.
     ///

@@ -6,7 +6,7 @@
 use std::alloc::System;
 
 use slideline_linalg::krylov::{Stop, Workspace, gmres};
-use slideline_linalg::{BackEnd, DenseLu, Kind, Pattern, analyse_with};
+use slideline_linalg::{BackEnd, DenseLu, Kind, Pattern, Use, analyse_with};
 use stats_alloc::{INSTRUMENTED_SYSTEM, StatsAlloc};
 
 mod common;
@@ -51,7 +51,7 @@ fn nothing_is_allocated_the_second_time() {
     }
     let (space, of_space) = bricks(14);
     let mut solver = analyse_with(&space, Kind::Symmetric, BackEnd::Sparse);
-    solver.expect_few(true);
+    solver.set_use(Use::Few);
     let mut rhs = vec![1.0; space.size()];
     let mut round = || {
         assert!(solver.refactor(&space, &of_space).is_ok() && solver.solve(&mut rhs).is_ok());

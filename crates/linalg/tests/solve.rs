@@ -442,7 +442,7 @@ fn few_solutions_are_as_exact_as_many() {
             0 => analyse(&pattern, Kind::Symmetric),
             _ => Solver::analyse(&pattern, Kind::Symmetric, &pool(threads)),
         };
-        solver.expect_few(few);
+        solver.set_use(if few { Use::Few } else { Use::Many });
         solver
     };
     let b: Vec<f64> = (0..3 * n).map(|i| 1e-40 * ((i % 11) as f64 - 5.0)).collect();

@@ -39,6 +39,7 @@ mod matrix_free;
 mod pivoting;
 mod points;
 mod rows;
+mod settle;
 mod slopes;
 mod solve;
 mod system;

@@ -224,11 +224,18 @@ impl<'a> Problem<'a> {
 /// face, softened contact spread over faces, or a moment about a fixed axis in space, unless the deck says otherwise.
 pub fn kind(model: &Model, step: &Step, contact: &Contact) -> Kind {
     let rubs = || contact.laws.iter().any(Laws::has_friction);
+    let unsymmetric = || follows(model, step) || rubs() || contact.has_soft_mortar();
+    if step.unsymmetric.unwrap_or_else(unsymmetric) { Kind::Unsymmetric } else { Kind::Symmetric }
+}
+
+/// Whether an unsymmetric tangent is symmetric but for what contact makes of it: its laws are kept apart,
+/// and what is left is the turning of tractions.
+pub fn is_nearly_symmetric(model: &Model, step: &Step, contact: &Contact) -> bool {
+    kind(model, step, contact) == Kind::Unsymmetric && !follows(model, step)
+}
+
+/// Whether loads follow the motion.
+fn follows(model: &Model, step: &Step) -> bool {
     let turns = || model.is_in_space() && step.loads.iter().any(|load| load.dof.is_rotation());
-    let follows = step.nlgeom && (!step.distributed.pressures.is_empty() || turns());
-    if step.unsymmetric.unwrap_or_else(|| follows || rubs() || contact.has_soft_mortar()) {
-        Kind::Unsymmetric
-    } else {
-        Kind::Symmetric
-    }
+    step.nlgeom && (!step.distributed.pressures.is_empty() || turns())
 }

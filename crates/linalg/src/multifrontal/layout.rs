@@ -143,6 +143,37 @@ impl Layout {
     }
 }
 
+/// The fronts of some equations and all above them.
+pub(super) struct Path {
+    /// Ascending.
+    pub fronts: Vec<u32>,
+    /// Positions of the equations in the order of elimination, and the equations.
+    pub equations: Vec<(u32, u32)>,
+}
+
+impl Path {
+    pub fn new(layout: &Layout, interface: &[usize]) -> Self {
+        let fronts = &layout.fronts;
+        let position = positions(fronts.order.len(), &fronts.order);
+        let mut is_on = vec![false; fronts.front.len()];
+        for &equation in interface {
+            let at = position[equation];
+            is_on[fronts.front.partition_point(|front| front.first <= at) - 1] = true;
+        }
+        for f in 0..is_on.len() {
+            let parent = fronts.front[f].parent;
+            if is_on[f] && parent != NONE {
+                is_on[parent as usize] = true;
+            }
+        }
+        let place = |&equation: &usize| (position[equation] as u32, equation as u32);
+        Self {
+            fronts: (0..is_on.len()).filter(|&f| is_on[f]).map(|f| f as u32).collect(),
+            equations: interface.iter().map(place).collect(),
+        }
+    }
+}
+
 fn part_of(parts: &[Part], front: usize) -> Option<usize> {
     let at = parts.partition_point(|part| part.fronts.end <= front);
     parts.get(at).filter(|part| part.fronts.start <= front).map(|_| at)

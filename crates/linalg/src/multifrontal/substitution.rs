@@ -147,7 +147,7 @@ impl<T: Real> Multifrontal<T> {
     }
 
     /// As [`Multifrontal::forward`] for one right-hand side, for which matrix products do not pay.
-    fn forward_one(&self, f: usize, x: &mut [T], work: &mut [T], transposed: bool) {
+    pub(super) fn forward_one(&self, f: usize, x: &mut [T], work: &mut [T], transposed: bool) {
         let front = &self.layout.fronts.front[f];
         let (k, r) = (front.columns, front.rows);
         let (panel, above) = self.blocks(f);
@@ -176,7 +176,7 @@ impl<T: Real> Multifrontal<T> {
     }
 
     /// As [`Multifrontal::backward`] for one right-hand side.
-    fn backward_one(&self, f: usize, x: &mut [T], work: &mut [T], transposed: bool) {
+    pub(super) fn backward_one(&self, f: usize, x: &mut [T], work: &mut [T], transposed: bool) {
         let front = &self.layout.fronts.front[f];
         let (k, r) = (front.columns, front.rows);
         let (panel, above) = self.blocks(f);

@@ -247,7 +247,7 @@ fn factored(matrix: &Rows) -> Option<Solver> {
             values[pattern.position(i, j)?] = a;
         }
     }
-    let system: Box<dyn LinearSystem> = match Sparse::new(&pattern, Kind::Symmetric, None) {
+    let system: Box<dyn LinearSystem> = match Sparse::new(&pattern, Kind::Symmetric, &[], None) {
         Some(sparse) => Box::new(sparse),
         None => {
             let layout = Layout::cheapest(&pattern, Kind::Symmetric);

@@ -65,7 +65,7 @@ fn solved(threads: Option<usize>, spoil: impl Fn(&mut [f64], &Pattern)) -> (Vec<
     let pool = threads.map(|threads| {
         Arc::new(rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap())
     });
-    let direct = Sparse::new(&pattern, Kind::Symmetric, None).unwrap();
+    let direct = Sparse::new(&pattern, Kind::Symmetric, &[], None).unwrap();
     let mut system = Multigrid::new(&pattern, direct, pool);
     system.take_motions(&motions);
     let matrix = Matrix::new(&pattern, &values);

@@ -58,6 +58,7 @@ impl Contact {
                 continue;
             }
             if chain.segments() < LONG {
+                into.reaches.reserve(*offset + chain.segments() + 1 - into.reaches.len());
                 into.reaches.resize(*offset, 0.0);
                 into.reaches.extend((0..chain.segments()).map(|index| chain.reach(own, index)));
                 into.reaches.push(0.0);

@@ -30,9 +30,11 @@ impl LinearisedContact {
                         Kind::Normal => (local.normal, augmentation.normal),
                     };
                     row.free = row.start + point.dot(kind, &work.base);
-                    (row.own, row.augmentation, row.kappa, row.felt) =
-                        (own, augmentation, own, own);
+                    (row.own, row.augmentation, row.felt) = (own, augmentation, own);
+                    // what supports hold along its normal presses by the law alone
+                    row.kappa = if own > 0.0 { own } else { f64::INFINITY };
                     let felt = own + augmentation;
+                    let felt = if felt > 0.0 { felt } else { local.tangential };
                     row.weight = if felt > 0.0 { point.area / felt } else { point.area };
                 }
                 Unknown::Interface { equation } => {
@@ -47,7 +49,7 @@ impl LinearisedContact {
         share_among_directions(&mut self.rows);
     }
 
-    /// e = free - C q.
+    /// e = free - C (q - anchor).
     pub(super) fn displace(
         &mut self,
         points: &LinearPoints,
@@ -56,8 +58,15 @@ impl LinearisedContact {
         q: &[f64],
     ) -> Result<(), SolveError> {
         let MatrixFree { full, yielded, values, solves, base, .. } = work;
-        let mut c = Compliance { rows: &self.rows, points, full, solves, fault: None };
-        c.product(stiffness, q, yielded);
+        let on_interface = work.on_interface;
+        let rows = &self.rows;
+        let mut c = Compliance { rows, points, full, on_interface, solves, fault: None };
+        let anchor = &self.anchor;
+        c.push(|i| q[i] - anchor[i]);
+        match q != &anchor[..] {
+            true => c.respond(stiffness, yielded),
+            false => yielded.fill(0.0),
+        }
         let fault = c.fault;
         for ((value, row), y) in values.iter_mut().zip(&self.rows).zip(yielded) {
             *value = row.free - *y;
@@ -95,6 +104,7 @@ impl LinearisedContact {
         wanted.into_iter().for_each(|(place, new)| points[place].set_augmentation(new));
         stiffness.factor(points)?;
         work.find_base(stiffness)?;
+        self.anchor.fill(0.0);
         self.place_rows(points, stiffness, work);
         for (i, row) in self.rows.iter().enumerate() {
             if row.point().is_some() {

@@ -211,7 +211,7 @@ impl LawContext<'_> {
         let tangential = match &point.sliding {
             Some(sliding) if pressure > 0.0 => {
                 let at = (sliding.traction, sliding.slip);
-                let stick = laws.stick_stiffness(pressure, at, self.dt);
+                let stick = laws.stick_stiffness(pressure, at, self.dt).filter(|_| !point.turns());
                 stick.map_or(0.0, |slope| within(slope, local.tangential, 0.0))
             }
             _ => 0.0,

@@ -27,6 +27,11 @@ pub(super) struct MatrixFree {
     pub(super) slopes: Vec<RowSlopes>,
     pub(super) answers: Vec<PointAnswer>,
     pub(super) krylov: krylov::Workspace,
+    /// Forces on all equations that no multiplier balances, and what the factors make of them.
+    pub(super) pushed: Vec<f64>,
+    pub(super) correction: Vec<f64>,
+    /// Whether all rows lie on the interface that the stiffness was analysed for.
+    pub(super) on_interface: bool,
     /// Solutions with the factored stiffness in this iteration.
     pub solves: usize,
 }
@@ -50,11 +55,11 @@ impl MatrixFree {
         self.answers.resize(integration_points, PointAnswer::default());
     }
 
-    /// K_s^-1 of the right-hand side.
+    /// K_s^-1 of the right-hand side, with the factors at hand.
     pub(super) fn find_base(&mut self, stiffness: &mut Stiffness<'_>) -> Result<(), SolveError> {
         self.base.clone_from(&self.right_side);
         self.solves += 1;
-        stiffness.solver.solve(&mut self.base)
+        stiffness.solver.respond_on_interface(&mut self.base, false)
     }
 }
 
@@ -63,15 +68,17 @@ pub(super) struct Compliance<'a> {
     pub(super) rows: &'a [Row],
     pub(super) points: &'a LinearPoints,
     pub(super) full: &'a mut Vec<f64>,
+    pub(super) on_interface: bool,
     pub(super) solves: &'a mut usize,
     pub(super) fault: Option<SolveError>,
 }
 
 impl Compliance<'_> {
-    /// Forces of the multipliers `q` on the equations: F' A q.
-    fn push(&mut self, q: &[f64]) {
+    /// Forces of the multipliers `q` of the rows on the equations: F' A q.
+    pub(super) fn push(&mut self, q: impl Fn(usize) -> f64) {
         self.full.fill(0.0);
-        for (row, &q) in self.rows.iter().zip(q).filter(|(_, q)| **q != 0.0) {
+        for (i, row) in self.rows.iter().enumerate() {
+            let q = q(i);
             match row.unknown {
                 Unknown::Multiplier { point, kind, .. } => {
                     self.points.at(point).push(kind, q, self.full);
@@ -81,11 +88,17 @@ impl Compliance<'_> {
         }
     }
 
-    /// C q, into a value a row; the displacements are left in `full`.
+    /// C q with the factors at hand, into a value a row; the displacements of the rows are left in
+    /// `full`.
     pub(super) fn product(&mut self, stiffness: &mut Stiffness<'_>, q: &[f64], into: &mut [f64]) {
-        self.push(q);
+        self.push(|i| q[i]);
+        self.respond(stiffness, into);
+    }
+
+    /// What the forces in `full` move.
+    pub(super) fn respond(&mut self, stiffness: &mut Stiffness<'_>, into: &mut [f64]) {
         *self.solves += 1;
-        if let Err(fault) = stiffness.solver.respond(self.full) {
+        if let Err(fault) = stiffness.solver.respond_on_interface(self.full, self.on_interface) {
             self.fault = Some(fault);
         }
         for (value, row) in into.iter_mut().zip(self.rows) {

@@ -20,6 +20,8 @@ pub struct LinearisedContact {
     /// C = V W, row-major.
     pub(super) compliance: Vec<f64>,
     pub(super) unknown: Vec<f64>,
+    /// Multipliers at which the base of the matrix-free way stands.
+    pub(super) anchor: Vec<f64>,
     pub(super) residual: Vec<f64>,
     pub(super) step: Vec<f64>,
     pub(super) trial: Vec<f64>,

@@ -38,41 +38,19 @@ const SHORTEST: f64 = 1e-3;
 const FEW: usize = 6;
 
 impl LinearisedContact {
-    /// As [`LinearisedContact::solve`], without forming C.
-    pub(super) fn solve_matrix_free(
+    /// Rounds in which points join, `first` those that touch already; later with the same rows and
+    /// others at a base that has moved.
+    pub(super) fn rounds_matrix_free(
         &mut self,
         points: &mut LinearPoints,
         context: &LawContext<'_>,
         stiffness: &mut Stiffness<'_>,
-        correction: &mut [f64],
+        (work, first): (&mut MatrixFree, bool),
     ) -> Result<(), SolveError> {
-        let mut work = std::mem::take(&mut self.matrix_free);
-        work.solves = 0;
-        work.right_side.clear();
-        work.right_side.extend_from_slice(correction);
-        work.full.resize(correction.len(), 0.0);
-        let result = self.rounds_matrix_free(points, context, stiffness, &mut work);
-        if result.is_ok() {
-            correction.copy_from_slice(&self.moved);
-            self.back_substitute_matrix_free(points, context, &work);
-        }
-        self.matrix_free = work;
-        result
-    }
-
-    fn rounds_matrix_free(
-        &mut self,
-        points: &mut LinearPoints,
-        context: &LawContext<'_>,
-        stiffness: &mut Stiffness<'_>,
-        work: &mut MatrixFree,
-    ) -> Result<(), SolveError> {
-        work.find_base(stiffness)?;
-        self.moved.clone_from(&work.base);
-        let mut touching = true;
+        let (mut touching, mut again) = (first, !first && !self.rows.is_empty());
         for _ in 0..ROUNDS {
             let joined = self.activate_matrix_free(points, context, touching);
-            if joined {
+            if joined || again {
                 if touching {
                     self.guess(points, context);
                 }
@@ -80,7 +58,7 @@ impl LinearisedContact {
             } else if !touching {
                 break;
             }
-            touching = false;
+            (touching, again) = (false, false);
         }
         Ok(())
     }
@@ -165,6 +143,7 @@ impl LinearisedContact {
         work: &mut MatrixFree,
     ) -> Result<bool, SolveError> {
         work.make_room(self.rows.len(), self.integration_points.len());
+        self.anchor.resize(self.rows.len(), 0.0);
         self.place_rows(points, stiffness, work);
         let mut q = std::mem::take(&mut self.unknown);
         let result = self.newton_matrix_free(points, context, stiffness, work, &mut q);
@@ -261,7 +240,8 @@ impl LinearisedContact {
             work;
         let [v, w] = &mut work.trial;
         let rows = &self.rows;
-        let mut c = Compliance { rows, points, full, solves, fault: None };
+        let on_interface = work.on_interface;
+        let mut c = Compliance { rows, points, full, on_interface, solves, fault: None };
         let slopes =
             Slopes { rows, integration_points: &self.integration_points, points, slopes, answers };
         // in the norm of the energy: sqrt(weight) v
@@ -324,7 +304,7 @@ impl LinearisedContact {
     }
 
     /// Pressures and tractions of the points from the solution.
-    fn back_substitute_matrix_free(
+    pub(super) fn back_substitute_matrix_free(
         &mut self,
         points: &mut LinearPoints,
         context: &LawContext<'_>,

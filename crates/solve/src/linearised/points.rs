@@ -10,6 +10,9 @@ use std::ops::{Deref, Index, IndexMut};
 /// whose share of a face is counted has 5 % of it; by turning, faces move points by their gaps.
 const LEAST_SLIDE: f64 = 1e-2;
 
+/// Part by which forces and slips of a point may differ for its augmentation to count as symmetric [1].
+const TURNED: f64 = 0.01;
+
 /// Friction at a point whose friction is called.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sliding {
@@ -257,6 +260,20 @@ impl LinearRows<'_> {
             Kind::Normal => self.rows.normal(),
             Kind::Tangential(direction) => self.rows.force(direction),
         }
+    }
+
+    /// Whether its forces point elsewhere than its slips are measured.
+    pub(super) fn turns(&self) -> bool {
+        let differs = |d: usize| {
+            let (force, slip) = (self.rows.force(d), self.rows.slip(d));
+            let (mut off, mut size) = (0.0, 0.0);
+            for (f, s) in force.iter().zip(slip) {
+                off += (f - s) * (f - s);
+                size += f * f;
+            }
+            off > TURNED * TURNED * size
+        };
+        (0..self.rows.directions()).any(differs)
     }
 
     /// Adds the forces of a multiplier to a vector of all equations [F].

@@ -8,7 +8,7 @@ use crate::linearised::{Augmentation, LinearPoint, LinearRows, Sliding, Stiffnes
 use crate::moments;
 use crate::problem::Problem;
 use crate::state::{PointState, State};
-use slideline_linalg::SolveError;
+use slideline_linalg::{SolveError, Use};
 use slideline_mech::contact::enforcement::Enforcement;
 use slideline_mech::contact::tangential::Tangential;
 
@@ -19,6 +19,8 @@ pub const TOUCH: f64 = 1e-9;
 const NOTHING: f64 = 1e-3;
 /// Rows from which on the condensed contact problem is solved without its matrix.
 const DENSE_ROWS: f64 = 100.0;
+/// And where solutions read but a part of the factors (judged by blocks slid on foundations).
+const DENSE_ROWS_ON_INTERFACE: f64 = 24.0;
 /// Rows that a touching integration point adds to it: those of its element are shared.
 const INTEGRATED_ROWS: f64 = 6.0 / SEGMENT_POINTS as f64;
 /// Augmentation stiffness of a closed point, as a fraction of the stiffest element.
@@ -207,12 +209,21 @@ impl Scratch {
             false => 0.0,
         };
         let rows: f64 = self.points.iter().map(rows).sum();
-        let by_size = match rows < DENSE_ROWS || self.only_dense {
+        let few = match solver(&mut self.systems).answers_on_interface() {
+            true => DENSE_ROWS_ON_INTERFACE,
+            false => DENSE_ROWS,
+        };
+        let by_size = match rows < few || self.only_dense {
             true => Enforcement::Dense,
             false => Enforcement::MatrixFree,
         };
         self.enforcement = plan.enforcement.unwrap_or(by_size);
-        if self.enforcement == Enforcement::MatrixFree {
+        let is_free = self.enforcement == Enforcement::MatrixFree;
+        if !plan.contact.points.is_empty() {
+            let wanted = if is_free { Use::Interface } else { Use::Many };
+            solver(&mut self.systems).set_use(wanted);
+        }
+        if is_free {
             let context = context(plan, committed, self.dt);
             let Self { values, augmented, systems, points, .. } = self;
             let (pattern, symmetrised, solver) =

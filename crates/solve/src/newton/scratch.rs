@@ -17,7 +17,7 @@ use crate::stabilise::Dashpots;
 use crate::state::{PointState, State};
 use crate::values::Values;
 use slideline_diag::Diagnostic;
-use slideline_linalg::{Kind, Solver};
+use slideline_linalg::{Interface, Kind, Solver, Use};
 use slideline_mech::contact::enforcement::Enforcement;
 use slideline_mech::contact::tangential::Tangential;
 use slideline_mech::element::Temperature;
@@ -132,11 +132,13 @@ pub struct Scratch {
 
 impl Scratch {
     /// Finds the linear system of a step of the plan, with the contact that is near in these
-    /// states, or analyses it. Gives the coupling of its unknowns.
+    /// states, or analyses it: of a kind, and where that is unsymmetric nearly symmetric or not.
+    /// Gives the coupling of its unknowns.
     pub fn couple(
         &mut self,
         (plan, own): (&Numbering, usize),
-        (values, contact, kind): (&Values, &Contact, Kind),
+        (values, contact): (&Values, &Contact),
+        (kind, nearly_symmetric): (Kind, bool),
         states: (&[f64], &[Reached], &[PointState]),
         linear_systems: &LinearSystems,
     ) -> Coupling {
@@ -155,7 +157,9 @@ impl Scratch {
                     let contact = (contact, near);
                     Coupling::new(&plan.elements, &step.dependent, constraints, contact)
                 });
-                let solver = Solver::analyse(&coupling.pattern, kind, linear_systems.factory());
+                let interface = Interface { equations: &coupling.interface, nearly_symmetric };
+                let of = (&coupling.pattern, kind);
+                let solver = Solver::analyse_for(of, linear_systems.factory(), &interface);
                 let needed = memory::bytes(&solver.description());
                 let kept = systems.iter().map(|system| memory::bytes(&system.solver.description()));
                 let surplus = memory::to_drop(kept, needed);
@@ -177,7 +181,7 @@ impl Scratch {
     pub fn tell_use(&mut self, plan: &Problem<'_>) {
         let Some(system) = self.systems.last_mut() else { return };
         let few = plan.contact.points.is_empty();
-        system.solver.expect_few(few);
+        system.solver.set_use(if few { Use::Few } else { Use::Many });
         if plan.constraints.equations() < LARGE || !few {
             return;
         }

@@ -16,6 +16,8 @@ pub struct Coupling {
     pub entries: Arc<[u32]>,
     /// Parts of their masters that points may touch, where these are not all.
     pub near: Arc<[Candidates]>,
+    /// Unknowns that contact acts on, ascending.
+    pub interface: Arc<[usize]>,
 }
 
 impl Coupling {
@@ -39,6 +41,9 @@ impl Coupling {
         elements.cliques().for_each(|dofs| own.add(constraints, dofs));
         let pattern = Pattern::from_cliques(constraints.equations(), own.iter().chain(several));
         let entries = elements.entries(dependent, constraints, &pattern).into();
-        Self { pattern, entries, near: near.into() }
+        let mut interface: Vec<usize> = cliques.iter().flatten().copied().collect();
+        interface.sort_unstable();
+        interface.dedup();
+        Self { pattern, entries, near: near.into(), interface: interface.into() }
     }
 }

@@ -109,6 +109,7 @@ impl Analysis<'_> {
         let begun = self.begun_kernels(step, &start.references).ok().flatten();
         let kernels = begun.as_ref().unwrap_or(&values.kernels);
         let kind = problem::kind(model, step, contact);
+        let nearly = problem::is_nearly_symmetric(model, step, contact);
         let at_once = Control::begin(&step.procedure);
         let mut control = from.map_or(Some(at_once), |from| from.control);
         // within an increment what it has touched on its way stays
@@ -118,8 +119,13 @@ impl Analysis<'_> {
             let own = (plan, plan.of_step[number - 1]);
             let (here, points) = (&self.committed.displacement[..], &self.committed.points[..]);
             let states = (here, &self.reached[..count], points);
-            let coupling =
-                work.couple(own, (values, contact, kind), states, self.means.linear_systems);
+            let coupling = work.couple(
+                own,
+                (values, contact),
+                (kind, nearly),
+                states,
+                self.means.linear_systems,
+            );
             let means = self.means;
             let at = (model, number - 1);
             let problem = Problem::new(at, (plan, values), &coupling, start, means);
@@ -172,8 +178,7 @@ impl Analysis<'_> {
             // what changes over the step is that of the end of the increment
             let times = (self.committed.step_time, target.step_time);
             let changed = plan.contact.at(times, step.procedure.period);
-            let contact = changed.as_ref().unwrap_or(plan.contact);
-            let plan = &Problem { contact, ..*plan };
+            let plan = &Problem { contact: changed.as_ref().unwrap_or(plan.contact), ..*plan };
             let mut outcome = self.attempt(plan, &target, work)?;
             if work.outside() {
                 work.take_back(outcome);

@@ -54,8 +54,8 @@ fn work(
 ) -> Scratch {
     let mut work = Scratch::default();
     let states = (&committed.displacement[..], &[][..], &committed.points[..]);
-    let values = (&prepared.values, plan.contact, plan.kind());
-    work.couple((&prepared.plan, 0), values, states, &prepared.linear_systems);
+    let (values, symmetry) = ((&prepared.values, plan.contact), (plan.kind(), false));
+    work.couple((&prepared.plan, 0), values, symmetry, states, &prepared.linear_systems);
     work.fit(plan);
     // stresses of the law: the tangent is that of the residual
     (work.line_search, work.dt) = (true, 1.0);
