@@ -51,12 +51,19 @@ const TETRAHEDRA: [[usize; 4]; 6] =
 const WEDGES: [[usize; 6]; 2] = [[0, 1, 2, 4, 5, 6], [0, 2, 3, 4, 6, 7]];
 const TRIANGLES: [[usize; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
 
-type Edges = &'static [[usize; 2]];
-const OF_TRIANGLE: Edges = &[[0, 1], [1, 2], [2, 0]];
-const OF_SQUARE: Edges = &[[0, 1], [1, 2], [2, 3], [3, 0]];
-const OF_TETRAHEDRON: Edges = &[[0, 1], [1, 2], [2, 0], [0, 3], [1, 3], [2, 3]];
-const OF_WEDGE: Edges = &[[0, 1], [1, 2], [2, 0], [3, 4], [4, 5], [5, 3], [0, 3], [1, 4], [2, 5]];
-const OF_CUBE: Edges = &[
+/// Edges of a cell that carry middle nodes, in the order of these.
+pub type Edges = &'static [[usize; 2]];
+/// Those of a triangle.
+pub const OF_TRIANGLE: Edges = &[[0, 1], [1, 2], [2, 0]];
+/// Those of a quadrilateral.
+pub const OF_SQUARE: Edges = &[[0, 1], [1, 2], [2, 3], [3, 0]];
+/// Those of a tetrahedron.
+pub const OF_TETRAHEDRON: Edges = &[[0, 1], [1, 2], [2, 0], [0, 3], [1, 3], [2, 3]];
+/// Those of a wedge.
+pub const OF_WEDGE: Edges =
+    &[[0, 1], [1, 2], [2, 0], [3, 4], [4, 5], [5, 3], [0, 3], [1, 4], [2, 5]];
+/// Those of a brick.
+pub const OF_CUBE: Edges = &[
     [0, 1],
     [1, 2],
     [2, 3],

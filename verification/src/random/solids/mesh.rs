@@ -5,6 +5,7 @@
 //!   corner at even places, middle node half way between two corners
 //! ```
 
+use crate::solids::{Edges, OF_CUBE, OF_SQUARE, OF_TETRAHEDRON, OF_TRIANGLE, OF_WEDGE};
 use std::collections::HashMap;
 
 /// Shape of a cell.
@@ -113,26 +114,13 @@ impl Shape {
     }
 
     /// Edges that carry middle nodes, in the order of these.
-    fn edges(self) -> &'static [[usize; 2]] {
+    fn edges(self) -> Edges {
         match self {
-            Triangle => &[[0, 1], [1, 2], [2, 0]],
-            Quadrilateral => &[[0, 1], [1, 2], [2, 3], [3, 0]],
-            Tetrahedron => &[[0, 1], [1, 2], [2, 0], [0, 3], [1, 3], [2, 3]],
-            Wedge => &[[0, 1], [1, 2], [2, 0], [3, 4], [4, 5], [5, 3], [0, 3], [1, 4], [2, 5]],
-            Brick => &[
-                [0, 1],
-                [1, 2],
-                [2, 3],
-                [3, 0],
-                [4, 5],
-                [5, 6],
-                [6, 7],
-                [7, 4],
-                [0, 4],
-                [1, 5],
-                [2, 6],
-                [3, 7],
-            ],
+            Triangle => OF_TRIANGLE,
+            Quadrilateral => OF_SQUARE,
+            Tetrahedron => OF_TETRAHEDRON,
+            Wedge => OF_WEDGE,
+            Brick => OF_CUBE,
         }
     }
 
