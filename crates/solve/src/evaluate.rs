@@ -37,6 +37,9 @@ pub struct Trial<'a> {
     pub pressures: &'a [f64],
     /// Traction of every contact point likewise [F/L2].
     pub tractions: &'a [Tangential],
+    /// Face of its master on which every contact point stood in the last iteration, which holds it;
+    /// empty: that of the last commit does.
+    pub standing: &'a [Option<usize>],
     /// Multipliers about which laws are inserted, a contact point each; empty: they are not.
     pub held: &'a [HeldMultiplier],
     /// Dashpots of the increment, where contact is stabilised.
@@ -196,7 +199,8 @@ fn balance(plan: &Problem<'_>, committed: &State, trial: &Trial<'_>, into: &mut 
     plan.constraints.carry(&into.rows, &mut into.structure);
     let Evaluation { kinematics, positions, look, .. } = into;
     plan.contact.find_idle(kinematics, (trial.u, trial.pressures), look);
-    plan.contact.locate((trial.u, Before::of(committed)), &look.idle, positions, kinematics);
+    let before = Before::of(committed).held_by(trial.standing);
+    plan.contact.locate((trial.u, before), &look.idle, positions, kinematics);
     let start = (&committed.displacement[..], &committed.points[..]);
     plan.contact.turn_away_from_behind(start, trial.u, kinematics);
     if !look.idle.contains(&true) {
@@ -240,7 +244,8 @@ pub fn complete(
         return true;
     }
     let Evaluation { kinematics, positions, look, .. } = into;
-    plan.contact.locate_idle((trial.u, Before::of(committed)), &look.idle, positions, kinematics);
+    let before = Before::of(committed).held_by(trial.standing);
+    plan.contact.locate_idle((trial.u, before), &look.idle, positions, kinematics);
     let start = (&committed.displacement[..], &committed.points[..]);
     plan.contact.turn_away_from_behind(start, trial.u, kinematics);
     let mut open = true;

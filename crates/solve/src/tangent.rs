@@ -395,7 +395,7 @@ impl<'a> Differences<'a> {
         turn_moments(plan, trial.load, at, |dof, beyond| self.force[dof] -= beyond);
         let _energy = plan.structure.gather_force(&self.contributions, &mut self.force);
         self.kinematics.copy_from(&evaluation.kinematics);
-        let at = (&self.u[..], Before::of(committed));
+        let at = (&self.u[..], Before::of(committed).held_by(trial.standing));
         plan.contact.locate_in_place(at, &mut self.positions, &mut self.kinematics);
         self.place.add_contact_force(&self.kinematics, &self.u, &mut self.force);
         plan.constraints.linearise((&self.u, trial.ambient.turns), &mut self.rows);

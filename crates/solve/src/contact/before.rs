@@ -2,21 +2,35 @@
 
 use crate::state::{PointState, State};
 
-/// Displacements and contact points of the last commit; empty where there is none.
+/// Displacements and contact points of the last commit, empty where there is none, and the faces
+/// that hold points since.
 #[derive(Clone, Copy, Debug)]
 pub struct Before<'a> {
     /// Displacements, a dof each [L or 1].
     pub u: &'a [f64],
     /// Contact points.
     pub points: &'a [PointState],
+    /// Face of its master on which every point stood in the last iteration; empty: as at the commit.
+    pub faces: &'a [Option<usize>],
 }
 
 impl<'a> Before<'a> {
     /// No commit yet.
-    pub const NOTHING: Self = Self { u: &[], points: &[] };
+    pub const NOTHING: Self = Self { u: &[], points: &[], faces: &[] };
 
     /// That of a committed state.
     pub fn of(state: &'a State) -> Self {
-        Self { u: &state.displacement, points: &state.points }
+        Self { u: &state.displacement, points: &state.points, faces: &[] }
+    }
+
+    /// The same, with points held by the faces of the last iteration.
+    pub fn held_by(self, faces: &'a [Option<usize>]) -> Self {
+        Self { faces, ..self }
+    }
+
+    /// The face that holds a point: of the last iteration, or else of the last commit.
+    pub fn face(&self, place: usize) -> Option<usize> {
+        let committed = || Some(self.points.get(place)?.footing.as_ref()?.place.face);
+        self.faces.get(place).copied().flatten().or_else(committed)
     }
 }

@@ -7,6 +7,7 @@
 //!     o-----(+)-o----o
 //! ```
 
+use super::before::Before;
 use super::facing::Facing;
 use super::kinematics::{ContactKinematics, GeometryScratch, PointRows};
 use super::master::MasterSurface;
@@ -44,18 +45,18 @@ impl Contact {
     }
 
     /// The place of faces that faces a point in space, where open ends are prolonged by
-    /// `extension` of their faces, or as the pair says.
+    /// `extension` of their faces, or as the pair says; the face `before` holds it as long as it
+    /// hardly stands beyond an edge.
     pub(super) fn face_at(
         &self,
         pair: usize,
-        (point, extension, before): ([f64; 3], Option<f64>, Option<&Footing>),
+        (point, extension, before): ([f64; 3], Option<f64>, Option<usize>),
         positions: &MasterPositions,
         room: &mut FaceRoom,
     ) -> Option<FacePlace> {
         let placed = self.placed_faces(pair, positions)?;
         let tree = positions.face_tree(pair)?;
         let reach = extension.unwrap_or(placed.extension);
-        let before = before.map(|footing| footing.place.face);
         closest(placed.mesh, placed.positions, tree, (point, reach, before), room.face())
     }
 
@@ -80,7 +81,7 @@ impl Contact {
     pub(super) fn locate_face(
         &self,
         place: usize,
-        (u, before): (&[f64], Option<&PointState>),
+        (u, before): (&[f64], Before<'_>),
         positions: &MasterPositions,
         into: &mut ContactKinematics,
     ) {
@@ -93,7 +94,7 @@ impl Contact {
     fn locate_face_in(
         &self,
         place: usize,
-        (u, before): (&[f64], Option<&PointState>),
+        (u, before): (&[f64], Before<'_>),
         positions: &MasterPositions,
         (room, unknowns): (&mut FaceRoom, &mut Vec<usize>),
         into: &mut ContactKinematics,
@@ -103,8 +104,10 @@ impl Contact {
         let Carrier::Node { position, dofs } = &point.carrier else { return };
         let at = dofs.displace(*position, u);
         into.point.position = at;
+        let held = before.face(place);
+        let before = before.points.get(place);
         let footing = before.and_then(|before| before.footing.as_ref());
-        let facing = self.face_at(point.pair, (at, None, footing), positions, room);
+        let facing = self.face_at(point.pair, (at, None, held), positions, room);
         let found = facing.and_then(|facing| {
             let placed = self.placed_faces(point.pair, positions)?;
             let faces = (placed.mesh, placed.positions);

@@ -152,6 +152,11 @@ impl PointKinematics {
 }
 
 impl PointKinematics {
+    /// The face of its master on which it stands; `None` where it faces nothing, or no faces.
+    pub fn face(&self) -> Option<usize> {
+        self.footing.filter(|_| self.faces).map(|footing| footing.place.face)
+    }
+
     /// Takes off what is allowed of an overclosure that was just found [L].
     pub(super) fn allow(&mut self, allowed: f64) {
         self.allowed = allowed;

@@ -7,7 +7,6 @@ use super::pairs::{Carrier, Contact, SlavePoint};
 use super::positions::MasterPositions;
 use super::segment::{SEGMENT_POINTS, SlaveSegment};
 use super::stencil::Stencil;
-use crate::state::PointState;
 
 impl Contact {
     /// All points, facing nothing yet, each with room for the dofs it may follow.
@@ -47,7 +46,7 @@ impl Contact {
             let is_idle = idle.get(place).is_some_and(|&idle| idle);
             if !is_idle && point.is_node() {
                 into.at_mut(place).point.area = point.area;
-                self.locate_one(place, (u, before.points), positions, into);
+                self.locate_one(place, (u, before), positions, into);
             }
         }
         for segment in &self.segments {
@@ -69,7 +68,7 @@ impl Contact {
         for (place, point) in self.points.iter().enumerate() {
             let is_there = into.points()[place].faces || point.is_node();
             if is_there && point.mortar.is_none() {
-                self.locate_one(place, (u, before.points), positions, into);
+                self.locate_one(place, (u, before), positions, into);
             }
         }
     }
@@ -84,7 +83,7 @@ impl Contact {
         into: &mut ContactKinematics,
     ) {
         for place in (0..self.points.len()).filter(|&place| idle[place]) {
-            self.locate_one(place, (u, before.points), positions, into);
+            self.locate_one(place, (u, before), positions, into);
         }
     }
 
@@ -99,7 +98,7 @@ impl Contact {
             let own = into.at_mut(place);
             own.point.area = point.area;
             own.point.xi = self.resting_place(place);
-            self.locate_one(place, (u, &[]), positions, into);
+            self.locate_one(place, (u, Before::NOTHING), positions, into);
         }
     }
 
@@ -144,13 +143,13 @@ impl Contact {
     fn locate_one(
         &self,
         place: usize,
-        (u, before): (&[f64], &[PointState]),
+        (u, before): (&[f64], Before<'_>),
         positions: &MasterPositions,
         into: &mut ContactKinematics,
     ) {
         let point = &self.points[place];
         if let MasterSurface::Faces { .. } = &self.masters[point.pair] {
-            self.locate_face(place, (u, before.get(place)), positions, into);
+            self.locate_face(place, (u, before), positions, into);
             return;
         }
         let mut into = into.at_mut(place);

@@ -42,6 +42,7 @@ impl Scratch {
             self.pressures[place] = point.pressure;
             self.tractions[place] = point.traction;
             self.was_closed[place] = point.closed;
+            self.standing[place] = point.footing.map(|footing| footing.place.face);
         }
         self.hold_multipliers(plan);
         if committed.increment_time.0 == 0.0 {

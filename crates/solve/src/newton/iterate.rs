@@ -71,6 +71,7 @@ impl Scratch {
         committed: &State,
         dt: f64,
     ) -> Result<(), SolveError> {
+        self.stand();
         self.linear_step(plan, committed, dt)?;
         if !self.outside() && !self.leaves_idle(plan) {
             // what was left alone may touch within this step
@@ -89,6 +90,14 @@ impl Scratch {
             self.evaluate(plan, committed, dt);
         }
         Ok(())
+    }
+
+    /// Lets the faces on which points stand hold them in this iteration.
+    fn stand(&mut self) {
+        let points = self.evaluation.kinematics.points();
+        for (standing, point) in self.standing.iter_mut().zip(points) {
+            *standing = point.face();
+        }
     }
 
     /// Whether the whole correction leaves idle points open.

@@ -8,6 +8,7 @@ pub(super) struct Estimates {
     pub(super) pressures: Vec<f64>,
     pub(super) tractions: Vec<Tangential>,
     pub(super) stresses: Vec<f64>,
+    pub(super) standing: Vec<Option<usize>>,
 }
 
 /// What holds a state back on its way.
@@ -19,6 +20,6 @@ pub(super) struct Relaxation {
     pub anchor: Vec<f64>,
     /// State at the beginning of the round of steps, a dof each.
     pub round: Vec<f64>,
-    /// Estimates of pressures, tractions and stresses there.
+    /// What was estimated there.
     pub(super) estimates: Estimates,
 }

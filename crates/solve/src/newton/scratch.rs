@@ -96,6 +96,8 @@ pub struct Scratch {
     pub(super) arrived: Vec<f64>,
     pub(super) pressures: Vec<f64>,
     pub(super) tractions: Vec<Tangential>,
+    /// Face of its master on which every contact point stood where the iteration began.
+    pub(super) standing: Vec<Option<usize>>,
     /// Multipliers about which laws are inserted, a contact point each; none where they are not.
     pub(super) held: HeldMultipliers,
     /// How often they were moved in this attempt.
@@ -236,6 +238,8 @@ impl Scratch {
         zero(&mut self.pressures, points);
         self.tractions.clear();
         self.tractions.resize(points, Tangential::ZERO);
+        self.standing.clear();
+        self.standing.resize(points, None);
         self.held.fit(points);
         zero(&mut self.correction, equations);
         self.points.clear(plan.contact.directions);

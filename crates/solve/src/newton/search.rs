@@ -73,6 +73,7 @@ impl Scratch {
         self.pressures.copy_from_slice(&estimates.pressures);
         self.tractions.copy_from_slice(&estimates.tractions);
         self.stresses.copy_from_slice(&estimates.stresses);
+        self.standing.copy_from_slice(&estimates.standing);
     }
 
     /// The estimates that belong to the trial.
@@ -81,6 +82,7 @@ impl Scratch {
             pressures: self.pressures.clone(),
             tractions: self.tractions.clone(),
             stresses: self.stresses.clone(),
+            standing: self.standing.clone(),
         }
     }
 

@@ -16,6 +16,7 @@ impl Scratch {
             stresses: &self.stresses,
             pressures: &self.pressures,
             tractions: &self.tractions,
+            standing: &self.standing,
             held: &self.held.of,
             dashpots: &self.dashpots,
             ambient: Ambient {
