@@ -16,6 +16,7 @@ use crate::constraints::{Coupling, Equation, Link, PreTension, ShapeMpc, Tie};
 use crate::expression::Values;
 use crate::log::{Log, MAX_LABEL};
 use crate::motion::Frame;
+use crate::overrides::Overrides;
 use crate::rule::Subject;
 use crate::scopes::Parts;
 use crate::sets::Sets;
@@ -104,6 +105,8 @@ pub(crate) struct Draft {
     pub initial_stresses: Vec<StressLine>,
     /// Values of names.
     pub parameters: Values,
+    /// Values from outside the deck, for names that it defines.
+    pub overrides: Overrides,
     pub steps: Vec<StepDraft>,
     pub in_step: bool,
     pub owner: Owner,
