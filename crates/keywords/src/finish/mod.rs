@@ -4,6 +4,7 @@
 mod amplitudes;
 mod axes;
 mod chain;
+mod changed_sections;
 mod clearances;
 mod contact;
 mod distributed;
@@ -29,6 +30,7 @@ mod orientations;
 mod own_surface;
 mod owners;
 mod pre_tension;
+mod pressures;
 mod remarks;
 mod requests;
 mod resting;
