@@ -24,6 +24,7 @@ mod lookup;
 mod loops;
 mod master_chain;
 mod materials;
+mod middle_nodes;
 mod model_changes;
 mod nodes;
 mod orientations;

@@ -9,6 +9,7 @@ use slideline_model::{
 
 use super::changed_sections::parted;
 use super::materials::{in_plane_stress, lines_have_no_axes, material, no_material};
+use super::middle_nodes::past_the_quarter;
 use super::space_beams as space;
 use crate::draft::{Draft, Element, ElementKind, Section};
 use crate::rule::Subject;
@@ -250,6 +251,8 @@ fn solid_is_sound(
         let message = format!("element {}: {what}", element.label);
         let error = Diagnostic::error(Code("SL0346"), message).at(element.origin);
         draft.consequence(Subject::Nodes, error.help(help));
+    } else {
+        past_the_quarter(element, row, nodes, draft);
     }
     sound
 }
