@@ -23,6 +23,8 @@ pub(crate) enum Command {
     Run(RunArguments),
     /// Read, check and explain a deck without solving it.
     Check(CheckArguments),
+    /// Run one deck with many values of its parameters.
+    Sweep(crate::sweep::SweepArguments),
     /// Repeat the 1995 study: models, theory, figures, error table, one page.
     Reproduce(crate::reproduce::ReproduceArguments),
     /// Print closed-form and exact reference solutions as CSV.
@@ -174,7 +176,7 @@ fn setting(text: &str) -> Result<(String, String), String> {
     }
 }
 
-fn threads(text: &str) -> Result<usize, String> {
+pub(crate) fn threads(text: &str) -> Result<usize, String> {
     match text.parse() {
         Ok(count @ 1..=1024) => Ok(count),
         _ => Err("a whole number from 1 to 1024".to_owned()),

@@ -1,7 +1,7 @@
 //! The command line of slideline.
 //!
 //! ```text
-//!   slideline run | check | report | plot | reproduce | theory | explain | docs | completions
+//!   slideline run | check | sweep | report | plot | reproduce | theory | explain | docs | completions
 //!        |
 //!   standard output: progress or JSON      standard error: what is to be said
 //! ```
@@ -20,6 +20,7 @@ mod report;
 mod reproduce;
 mod run;
 mod screen;
+mod sweep;
 mod theory;
 
 use arguments::{Arguments, Command};
@@ -52,6 +53,7 @@ fn command() -> Exit {
     match arguments.command {
         Command::Run(arguments) => run::run(&arguments),
         Command::Check(arguments) => check::check(&arguments),
+        Command::Sweep(arguments) => sweep::sweep(&arguments),
         Command::Reproduce(arguments) => reproduce::reproduce(&arguments),
         Command::Theory(arguments) => theory::theory(&arguments),
         Command::Report(arguments) => report::report(&arguments),

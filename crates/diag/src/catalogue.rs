@@ -244,6 +244,13 @@ catalogue! {
     "SL0712" "a state that was not saved"
     "SL0801" "a value for a parameter that the deck does not have"
     "SL0802" "a parameter that cannot be set to this value"
+    "SL0803" "values of a study that cannot be"
+    "SL0804" "a response that cannot be read"
+    "SL0805" "a response of a node that the model does not have"
+    "SL0806" "a study file that cannot be read"
+    "SL0807" "a folder with another study"
+    "SL0808" "a part of a study that is damaged or missing"
+    "SL0809" "gradients of a study"
     "SL0901" "internal error"
     "SL0906" "the tangent is not the derivative of the residual"
 }

@@ -24,6 +24,7 @@ mod error_bars;
 mod further;
 mod job;
 mod mend;
+mod parametric;
 mod read;
 mod run;
 mod version;
@@ -36,6 +37,7 @@ pub use error_bars::{
 pub use further::From;
 pub use job::{Job, OldJob, ReadOptions};
 pub use mend::{Mend, try_mends};
+pub use parametric::Parametric;
 pub use read::Read;
 pub use run::{Outcome, Quiet, RunOptions, run};
 

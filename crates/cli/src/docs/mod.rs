@@ -45,6 +45,7 @@ const WRITTEN: &[(&str, &str)] = &[
     ("files", include_str!("../../../../docs/files.md")),
     ("report", include_str!("../../../../docs/report.md")),
     ("restart", include_str!("../../../../docs/restart.md")),
+    ("studies", include_str!("../../../../docs/studies.md")),
     ("reproduce", include_str!("../../../../docs/reproduce.md")),
     ("verification", include_str!("../../../../docs/verification.md")),
     ("user-friction", include_str!("../../../../docs/user-friction.md")),

@@ -23,6 +23,7 @@ const MENU: &[(&str, &str)] = &[
     ("paper", "The paper's problem"),
     ("files", "Result files"),
     ("report", "The report"),
+    ("studies", "Studies"),
     ("reproduce", "The 1995 study"),
     ("keywords/index", "Keywords"),
     ("errors/index", "Errors"),

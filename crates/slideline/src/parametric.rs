@@ -1,0 +1,48 @@
+//! One deck, many values of its parameters: it is parsed once.
+
+use crate::read::Read;
+use slideline_deck::Parsed;
+use slideline_diag::{Code, Diagnostic, Severity, has_errors};
+use slideline_keywords::{Setting, interpret_with};
+use slideline_model::{Dialect, Model, Onset};
+
+/// A deck whose cards were read, waiting for values.
+#[derive(Clone, Debug)]
+pub struct Parametric {
+    parsed: Parsed,
+    dialect: Dialect,
+    onset: Option<Onset>,
+}
+
+impl Parametric {
+    /// That of a deck that was read. `Err`: it goes on from the states of another job, whose
+    /// values are fixed.
+    pub fn of(read: &Read) -> Result<Self, Box<Diagnostic>> {
+        if read.from.is_some() {
+            let message = "a deck with *RESTART, READ cannot be run with other values: the state \
+                           that it goes on from has its own";
+            let help = "Put all steps into one deck.";
+            return Err(Box::new(Diagnostic::error(Code("SL0802"), message).help(help)));
+        }
+        Ok(Self {
+            parsed: Parsed { deck: read.deck.clone(), diagnostics: Vec::new() },
+            dialect: read.options.dialect.unwrap_or_default(),
+            onset: read.options.friction_onset,
+        })
+    }
+
+    /// The model with these values, that of [`Job::read`](crate::Job::read) with them as
+    /// [`ReadOptions::parameters`](crate::ReadOptions::parameters). `Err`: the errors.
+    pub fn model(&self, settings: &[Setting]) -> Result<Model, Vec<Diagnostic>> {
+        let interpreted = interpret_with(settings, &self.parsed, self.dialect);
+        let mut said = interpreted.diagnostics;
+        let mut model = interpreted.model;
+        model.friction_onset = self.onset.unwrap_or(model.friction_onset);
+        if !has_errors(&said) {
+            said.extend(slideline_solve::adjust(&mut model));
+            said.extend(slideline_solve::memory_objection(&model));
+        }
+        said.retain(|said| said.severity == Severity::Error);
+        if said.is_empty() { Ok(model) } else { Err(said) }
+    }
+}

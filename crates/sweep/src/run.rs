@@ -1,0 +1,48 @@
+//! All cases of a study, on several threads.
+
+use crate::case::{Row, Runner};
+use crate::study::Study;
+use slideline::Parametric;
+use std::ops::Range;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Runs cases of a study, in the order of their numbers whatever thread made them; their rows have
+/// the same bits on any number of threads. Each thread keeps one plan and one workspace as long as
+/// the outline of the models stays the same. Where `stops` says so, the cases so far that follow one
+/// another are returned. `told` is called after every case with the number of those that are done.
+pub fn run(
+    study: &Study,
+    deck: &Parametric,
+    cases: Range<u64>,
+    threads: usize,
+    (told, stops): (&(dyn Fn(u64) + Sync), &(dyn Fn() -> bool + Sync)),
+) -> Vec<Row> {
+    let end = cases.end.min(study.cases());
+    let (next, done) = (AtomicU64::new(cases.start), AtomicU64::new(0));
+    let work = || {
+        let mut runner = Runner::new(study, deck, stops);
+        let mut rows = Vec::new();
+        while !stops() {
+            let case = next.fetch_add(1, Ordering::Relaxed);
+            let Some(row) = (case < end).then(|| runner.row(case)).flatten() else { break };
+            rows.push(row);
+            told(done.fetch_add(1, Ordering::Relaxed) + 1);
+        }
+        rows
+    };
+    let mut rows = std::thread::scope(|scope| {
+        let others: Vec<_> = (1..threads.max(1)).map(|_| scope.spawn(work)).collect();
+        let mut rows = work();
+        for other in others {
+            match other.join() {
+                Ok(own) => rows.extend(own),
+                Err(fault) => std::panic::resume_unwind(fault),
+            }
+        }
+        rows
+    });
+    rows.sort_by_key(|row| row.case);
+    let together = rows.iter().zip(cases).take_while(|(row, case)| row.case == *case).count();
+    rows.truncate(together);
+    rows
+}

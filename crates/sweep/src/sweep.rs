@@ -1,0 +1,174 @@
+//! A study with its folder: the shards that are missing are run.
+
+use crate::case::{Row, Runner};
+use crate::folder::{Failure, Folder, identity, join_all};
+use crate::history::node_of;
+use crate::run::run;
+use crate::shard::Found;
+use crate::study_file::StudyFile;
+use slideline::diag::{Code, Diagnostic, Severity, Sources};
+use slideline::keywords::Setting;
+use slideline::{Job, Parametric, ReadOptions};
+use std::path::PathBuf;
+use std::time::Instant;
+
+/// Seconds that a shard should take on one thread [T].
+const SHARD_SECONDS: f64 = 4.0;
+/// Cases whose time says how many make a shard.
+const TRIALS: u64 = 8;
+
+/// How a study is run.
+#[derive(Clone, Debug)]
+pub struct SweepOptions {
+    /// Folder of the results.
+    pub folder: PathBuf,
+    /// Threads.
+    pub threads: usize,
+    /// The shards k with k mod the second = the first.
+    pub part: (u64, u64),
+    /// Whether to join the shards as `study.csv`.
+    pub csv: bool,
+}
+
+/// What came of it.
+#[derive(Clone, Debug, Default)]
+pub struct Outcome {
+    /// Cases run now.
+    pub done: u64,
+    /// Of those, how many failed.
+    pub failed: u64,
+    /// Cases that were there already.
+    pub kept: u64,
+    /// Whether the user ended it.
+    pub interrupted: bool,
+    /// What there is to say, such as damaged shards.
+    pub said: Vec<Diagnostic>,
+    /// The joined table.
+    pub csv: Option<PathBuf>,
+}
+
+/// Runs the cases of a study that are not there yet, shard by shard. `stops` is asked often whether
+/// to end; `told` hears after every case how many are done, and how many there are to be run now.
+///
+/// # Errors
+/// A deck or a study that is wrong, a folder of another study, a file that cannot be written; what
+/// was written is kept.
+pub fn sweep(
+    study: &StudyFile,
+    sources: &mut Sources,
+    options: &SweepOptions,
+    told: &(dyn Fn(u64, u64) + Sync),
+    stops: &(dyn Fn() -> bool + Sync),
+) -> Result<Outcome, Failure> {
+    let (deck, hash) = prepared(study, sources)?;
+    let size = || cases_a_shard(study, &deck);
+    let folder = Folder::open(&options.folder, study, identity(study, &hash), size)?;
+    let mut outcome = Outcome::default();
+    let missing = missing(&folder, study, options.part, &mut outcome);
+    let all: u64 = missing.iter().map(|&shard| folder.count(shard)).sum();
+    for shard in missing {
+        let before = outcome.done;
+        let told = |done| told(before + done, all);
+        let cases = folder.cases_of(shard);
+        let rows = run(&study.study, &deck, cases, options.threads, (&told, stops));
+        if (rows.len() as u64) < folder.count(shard) {
+            outcome.interrupted = true;
+            return Ok(outcome);
+        }
+        outcome.done += rows.len() as u64;
+        outcome.failed += rows.iter().filter(|row: &&Row| row.code.is_some()).count() as u64;
+        folder.write(study, shard, &rows)?;
+    }
+    if options.csv {
+        outcome.csv = join_all(&folder, study)?;
+        let others = outcome.csv.is_none().then(other_parts_missing);
+        outcome.said.extend(others);
+    }
+    Ok(outcome)
+}
+
+/// The deck, held against the study, and its hash.
+fn prepared(study: &StudyFile, sources: &mut Sources) -> Result<(Parametric, String), Failure> {
+    let read = Job::read(&study.deck, &ReadOptions::default());
+    let Some(model) = &read.model else {
+        *sources = read.sources.clone();
+        let errors = read.diagnostics.into_iter().filter(|said| said.severity == Severity::Error);
+        return Err(Failure::Input(errors.collect()));
+    };
+    let deck = Parametric::of(&read).map_err(|said| Failure::Input(vec![*said]))?;
+    let of_study = |said: &Diagnostic| ["SL0801", "SL0802"].contains(&said.code.0);
+    // other errors are those of one case
+    let said = deck.model(&first_case(study)).err().unwrap_or_default().into_iter();
+    let said = said.filter(of_study).chain(strange_nodes(study, model));
+    let said: Vec<Diagnostic> = said.collect();
+    if said.is_empty() { Ok((deck, read.deck_hash)) } else { Err(Failure::Input(said)) }
+}
+
+/// Values of the first case, with their places in the study.
+fn first_case(study: &StudyFile) -> Vec<Setting> {
+    let values = study.parameters.iter().zip(study.study.values(0));
+    let set = |((name, span), value): (&(String, _), crate::Number)| Setting {
+        name: name.clone(),
+        value: value.text(),
+        span: Some(*span),
+    };
+    values.map(set).collect()
+}
+
+/// Nodes of responses that the model does not have.
+fn strange_nodes(study: &StudyFile, model: &slideline::Model) -> Vec<Diagnostic> {
+    let strange = study.study.curves.iter().filter(|curve| node_of(curve, model).is_none());
+    let refuse = |curve: &crate::expression::Curve| {
+        let message = format!(
+            "a response names {0}, but the deck has no node {0} and no set {0} of one node",
+            curve.node
+        );
+        let help = "Name a node by its label, or a node set that has one member.";
+        Diagnostic::error(Code("SL0805"), message).help(help)
+    };
+    strange.map(refuse).collect()
+}
+
+/// How many cases a shard has so that it takes some seconds: by the time of the first cases.
+#[allow(clippy::cast_precision_loss, clippy::cast_sign_loss, clippy::cast_possible_truncation)]
+fn cases_a_shard(study: &StudyFile, deck: &Parametric) -> u64 {
+    let mut runner = Runner::new(&study.study, deck, &|| false);
+    runner.row(0); // makes the room
+    let trials = TRIALS.min(study.study.cases());
+    let (began, mut made) = (Instant::now(), 0);
+    while made < trials && began.elapsed().as_secs_f64() < SHARD_SECONDS {
+        runner.row(made);
+        made += 1;
+    }
+    let each = began.elapsed().as_secs_f64() / made as f64;
+    ((SHARD_SECONDS / each) as u64).clamp(1, study.study.cases())
+}
+
+/// Shards of a part that are not there; counts the cases of the others.
+fn missing(
+    folder: &Folder,
+    study: &StudyFile,
+    (own, parts): (u64, u64),
+    outcome: &mut Outcome,
+) -> Vec<u64> {
+    let mut missing = Vec::new();
+    for shard in (0..folder.shards()).filter(|shard| shard % parts == own) {
+        match folder.read(study, shard) {
+            Found::Rows(rows) => outcome.kept += rows.len() as u64,
+            Found::Missing => missing.push(shard),
+            Found::Damaged(why) => {
+                let message = format!("{} is damaged: {why}", folder.file(shard).display());
+                let said = Diagnostic::warning(Code("SL0808"), message);
+                outcome.said.push(said.help("Its cases are computed again."));
+                missing.push(shard);
+            }
+        }
+    }
+    missing
+}
+
+fn other_parts_missing() -> Diagnostic {
+    let message = "study.csv was not written: other parts of the study are missing";
+    let help = "Run the study once more with --csv when all parts are done.";
+    Diagnostic::warning(Code("SL0808"), message).help(help)
+}
