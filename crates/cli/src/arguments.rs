@@ -119,6 +119,10 @@ pub(crate) struct DeckArguments {
     /// OLDJOB.rst.
     #[arg(long, value_name = "OLDJOB", value_hint = ValueHint::FilePath)]
     oldjob: Option<PathBuf>,
+    /// A value for a parameter that the deck defines by *PARAMETER, in place
+    /// of its first value there; may be given for several parameters.
+    #[arg(long, value_name = "NAME=VALUE", value_parser = setting)]
+    set: Vec<(String, String)>,
     /// Which program's meaning applies where two differ [default: abaqus].
     #[arg(long, value_name = "PROGRAM")]
     dialect: Option<DialectArgument>,
@@ -137,6 +141,7 @@ impl DeckArguments {
                 OnsetArgument::Delayed => Onset::Delayed,
                 OnsetArgument::Matfru => Onset::Matfru,
             }),
+            parameters: self.set.clone(),
             old_job: self.oldjob.clone().map_or(OldJob::None, OldJob::Named),
         }
     }
@@ -158,6 +163,15 @@ enum DialectArgument {
     Abaqus,
     /// CalculiX.
     Calculix,
+}
+
+fn setting(text: &str) -> Result<(String, String), String> {
+    match text.split_once('=').map(|(name, value)| (name.trim(), value.trim())) {
+        Some((name, value)) if !name.is_empty() && !value.is_empty() => {
+            Ok((name.to_owned(), value.to_owned()))
+        }
+        _ => Err("a parameter is set by NAME=VALUE".to_owned()),
+    }
 }
 
 fn threads(text: &str) -> Result<usize, String> {

@@ -249,7 +249,9 @@ fn restart_command(read: &Read, outcome: &Outcome) -> Option<String> {
     } else {
         String::new()
     };
-    Some(format!("slideline run {deck} --restart{out}"))
+    let set = read.options.parameters.iter();
+    let set: String = set.map(|(name, value)| format!(" --set '{name}={value}'")).collect();
+    Some(format!("slideline run {deck} --restart{out}{set}"))
 }
 
 fn kept_files(read: &Read, outcome: &Outcome) -> String {

@@ -242,6 +242,8 @@ catalogue! {
     "SL0710" "result files that do not fit the saved state"
     "SL0711" "the previous job of a deck with *RESTART, READ"
     "SL0712" "a state that was not saved"
+    "SL0801" "a value for a parameter that the deck does not have"
+    "SL0802" "a parameter that cannot be set to this value"
     "SL0901" "internal error"
     "SL0906" "the tangent is not the derivative of the residual"
 }

@@ -43,6 +43,15 @@ pub(crate) struct FrictionChange {
     pub interaction: Interaction,
 }
 
+/// A `*CHANGE SURFACE BEHAVIOR` card with the law that follows it.
+#[derive(Clone, Debug)]
+pub(crate) struct PressureChange {
+    /// The surface interaction.
+    pub of: Named,
+    /// What a `*SURFACE BEHAVIOR` behind it fills in.
+    pub interaction: Interaction,
+}
+
 /// A data line of `*CONTACT INTERFERENCE`.
 #[derive(Clone, Debug)]
 pub(crate) struct InterferenceCard {

@@ -3,6 +3,8 @@
 mod cards;
 mod elements;
 mod heat;
+mod owner;
+mod properties;
 mod sections;
 
 use std::collections::HashMap;
@@ -16,6 +18,7 @@ use crate::constraints::{Coupling, Equation, Link, PreTension, ShapeMpc, Tie};
 use crate::expression::Values;
 use crate::log::{Log, MAX_LABEL};
 use crate::motion::Frame;
+use crate::overrides::Overrides;
 use crate::rule::Subject;
 use crate::scopes::Parts;
 use crate::sets::Sets;
@@ -25,6 +28,8 @@ use crate::surfaces::{
 pub(crate) use cards::{Boundary, Interface, NodalThickness, Shape, Spring, StepDraft, Surface};
 pub(crate) use elements::{Element, ElementKind, MOST_NODES};
 pub(crate) use heat::{Heat, StressLine};
+pub(crate) use owner::Owner;
+pub(crate) use properties::PropertyChange;
 pub(crate) use sections::{
     Allowable, Body, Card, CreepLaw, Elasticity, Kind, Material, Section, Table, Test, Wanted,
     Yielding,
@@ -104,6 +109,8 @@ pub(crate) struct Draft {
     pub initial_stresses: Vec<StressLine>,
     /// Values of names.
     pub parameters: Values,
+    /// Values from outside the deck, for names that it defines.
+    pub overrides: Overrides,
     pub steps: Vec<StepDraft>,
     pub in_step: bool,
     pub owner: Owner,
@@ -137,32 +144,6 @@ pub(crate) struct Contents {
     pub shape_mpcs: Vec<ShapeMpc>,
     /// Boundary conditions before the first step.
     pub initial: Vec<Boundary>,
-}
-
-/// The card that a suboption belongs to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub(crate) enum Owner {
-    #[default]
-    Nobody,
-    Interface(usize),
-    Interaction(usize),
-    /// `*CHANGE FRICTION` of the step that is open.
-    FrictionChange,
-    Material(usize),
-    Section(usize),
-    Coupling(usize),
-    /// The owner is broken or missing, and that has been said.
-    Broken,
-}
-
-impl Owner {
-    /// The section, if it is one.
-    pub fn section(self) -> Option<usize> {
-        match self {
-            Self::Section(index) => Some(index),
-            _ => None,
-        }
-    }
 }
 
 impl Draft {
@@ -297,6 +278,10 @@ impl Draft {
             Owner::FrictionChange if keyword == "FRICTION" => {
                 let change = self.steps.last_mut()?.frictions.last_mut()?;
                 return Some((&mut change.interaction, "*CHANGE FRICTION"));
+            }
+            Owner::PressureChange if keyword == "SURFACE BEHAVIOR" => {
+                let change = self.steps.last_mut()?.pressures.last_mut()?;
+                return Some((&mut change.interaction, "*CHANGE SURFACE BEHAVIOR"));
             }
             Owner::Broken => return None,
             _ => {}

@@ -10,6 +10,7 @@ use slideline_diag::Span;
 
 use crate::keyword::Keyword;
 use crate::log::Log;
+use crate::overrides::Setting;
 use crate::reading::{Match, Reading, resolve};
 use crate::registry::REGISTRY;
 
@@ -24,6 +25,8 @@ pub struct Earlier<'a> {
     /// How many steps there are after it, those of decks before it included;
     /// what it says behind them does not count.
     pub steps: usize,
+    /// Values that its parameters had from outside.
+    pub settings: &'a [Setting],
 }
 
 /// What `*RESTART, READ` asks for.

@@ -9,6 +9,7 @@ use slideline_model::{Dialect, Model};
 use crate::draft::{Draft, Owner};
 use crate::earlier::{Earlier, MAY_FOLLOW};
 use crate::keyword::Keyword;
+use crate::overrides::{Overrides, Setting};
 use crate::reading::{Match, Reading, note_abbreviation, resolve};
 use crate::registry::REGISTRY;
 use crate::rule::Level;
@@ -39,15 +40,26 @@ pub fn read(
 /// Gives a parsed deck its meaning. Total: any deck, every error in one pass,
 /// the syntax errors of `parsed` included.
 pub fn interpret(parsed: &Parsed, dialect: Dialect) -> Interpreted {
-    interpret_after(&[], parsed, dialect)
+    interpret_with(&[], parsed, dialect)
+}
+
+/// Gives a parsed deck its meaning, with values of `settings` for its parameters.
+pub fn interpret_with(settings: &[Setting], parsed: &Parsed, dialect: Dialect) -> Interpreted {
+    interpret_after(&[], settings, parsed, dialect)
 }
 
 /// Gives a deck with `*RESTART, READ` its meaning: the cards of the decks it
 /// goes on from, as far as they were walked, then its own.
-pub fn interpret_after(earlier: &[Earlier<'_>], parsed: &Parsed, dialect: Dialect) -> Interpreted {
+pub fn interpret_after(
+    earlier: &[Earlier<'_>],
+    settings: &[Setting],
+    parsed: &Parsed,
+    dialect: Dialect,
+) -> Interpreted {
     let mut draft = Draft::new(dialect);
     for (place, part) in earlier.iter().enumerate() {
         draft.goes_on = place > 0;
+        draft.overrides = Overrides::of(part.settings, &mut draft.log);
         let cards = traps::mend(&part.parsed.deck, &mut draft.log);
         read_cards(&cards, &mut draft, part.steps);
     }
@@ -57,8 +69,10 @@ pub fn interpret_after(earlier: &[Earlier<'_>], parsed: &Parsed, dialect: Dialec
     if slideline_diag::has_errors(&parsed.diagnostics) {
         draft.mark_all_incomplete();
     }
+    draft.overrides = Overrides::of(settings, &mut draft.log);
     let cards = traps::mend(&parsed.deck, &mut draft.log);
     let stray_history = read_cards(&cards, &mut draft, usize::MAX);
+    draft.overrides.complain_of_unmet(&draft.parameters, &mut draft.log);
     let nothing = cards.is_empty();
     let model = finish::finish(&mut draft, stray_history || nothing);
     let diagnostics = together(parsed, draft.log.into_diagnostics());

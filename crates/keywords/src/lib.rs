@@ -28,6 +28,7 @@ mod interpret;
 mod keyword;
 mod log;
 mod motion;
+mod overrides;
 mod parameters;
 mod parts;
 mod reading;
@@ -45,7 +46,8 @@ mod unsupported;
 
 pub use draft::{MAX_EXPANDED, MAX_GENERATED};
 pub use earlier::{Earlier, ReadRequest, read_request};
-pub use interpret::{Interpreted, interpret, interpret_after, read};
+pub use interpret::{Interpreted, interpret, interpret_after, interpret_with, read};
+pub use overrides::Setting;
 pub use registry::{Description, describe, keywords};
 pub use rule::{Level, Rule, Takes};
 pub use unsupported::not_read;

@@ -107,16 +107,21 @@ pub(crate) struct NamedInteraction {
 impl NamedInteraction {
     /// Hard contact without friction.
     pub fn plain(named: Named) -> Self {
-        let interaction = Interaction {
-            width: 1.0,
-            normal: NormalLaw::Hard,
-            friction: Friction::Frictionless,
-            origin: named.span,
-            no_separation: false,
-            normal_origin: None,
-            friction_origin: None,
-        };
+        let interaction = unsaid(named.span);
         Self { named, interaction, thickness: None, is_tied: false }
+    }
+}
+
+/// Hard contact without friction, of a card that says nothing yet.
+pub(crate) fn unsaid(origin: Span) -> Interaction {
+    Interaction {
+        width: 1.0,
+        normal: NormalLaw::Hard,
+        friction: Friction::Frictionless,
+        origin,
+        no_separation: false,
+        normal_origin: None,
+        friction_origin: None,
     }
 }
 

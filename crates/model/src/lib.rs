@@ -70,8 +70,8 @@ pub use slideline_mech::material::Material;
 pub use slideline_mech::section::{Fault, Profile, Shape, Wall};
 pub use stabilisation::Stabilisation;
 pub use step::{
-    Allowed, ChangedFriction, Extrapolation, Interference, NodalTemperature, Passage, Prescribed,
-    Static, Step,
+    Allowed, ChangedFriction, ChangedPressure, ChangedSection, Extrapolation, Interference,
+    NodalTemperature, Passage, Prescribed, Static, Step,
 };
 pub use tested::Tested;
 pub use transform::Transform;

@@ -1,6 +1,7 @@
 //! Steps: what is prescribed, and how the way there is walked.
 
 use crate::controls::Controls;
+use crate::element::section::Section;
 use crate::friction::Friction;
 use crate::load::{Distributed, Load};
 use crate::node::{Dof, NodeIndex};
@@ -8,6 +9,7 @@ use crate::output::OutputRequests;
 use crate::presence::Presence;
 use crate::stabilisation::Stabilisation;
 use slideline_diag::Span;
+use slideline_mech::contact::normal::NormalLaw;
 use slideline_mech::element::Temperature;
 
 /// One step of the history. Boundary conditions and loads are listed whole:
@@ -43,6 +45,10 @@ pub struct Step {
     pub presence: Presence,
     /// Friction of contact pairs that is not that of their interactions, by ascending pairs.
     pub frictions: Vec<ChangedFriction>,
+    /// Pressure laws of contact pairs that are not those of their interactions, by ascending pairs.
+    pub pressures: Vec<ChangedPressure>,
+    /// Sections of blocks that are not those of the model, by ascending blocks.
+    pub sections: Vec<ChangedSection>,
     /// Overclosures of contact pairs that are taken away over the step.
     pub interferences: Vec<Interference>,
     /// Stabilisation of contact, where the deck asks for it.
@@ -120,6 +126,31 @@ pub struct ChangedFriction {
     pub from: Friction,
     /// The law of this step.
     pub to: Friction,
+    /// Where it was said.
+    pub origin: Span,
+}
+
+/// The pressure law of a contact pair in a step, from its beginning on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChangedPressure {
+    /// The pair, by its place in the model.
+    pub pair: usize,
+    /// Overclosure to pressure.
+    pub normal: NormalLaw,
+    /// Whether what has closed stays closed.
+    pub no_separation: bool,
+    /// Where it was said.
+    pub origin: Span,
+}
+
+/// Section and material of a block in a step, from its beginning on. State variables go on with
+/// them: a material that keeps others is no successor.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChangedSection {
+    /// The block, by its place in the model.
+    pub block: usize,
+    /// What its elements are made of.
+    pub section: Section,
     /// Where it was said.
     pub origin: Span,
 }

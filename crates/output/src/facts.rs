@@ -23,6 +23,8 @@ pub struct Facts<'a> {
     /// How many of the texts, from the first on, are those of the job's own
     /// deck.
     pub own_texts: usize,
+    /// Values that parameters of the deck were given from outside.
+    pub parameters: &'a [(String, String)],
     /// The jobs that this one goes on from.
     pub earlier: Option<&'a Earlier>,
 }
@@ -32,6 +34,8 @@ pub struct Facts<'a> {
 pub struct Part {
     /// Name and text of the deck, then of what it includes.
     pub texts: Vec<(String, String)>,
+    /// Values that its parameters were given from outside.
+    pub parameters: Vec<(String, String)>,
     /// How many steps there are after it, those of parts before it included;
     /// what it says behind them does not count.
     pub steps: usize,

@@ -12,7 +12,7 @@ use crate::job::{Job, OldJob, ReadOptions};
 use crate::version::VERSION;
 use slideline_deck::{Parsed, Texts};
 use slideline_diag::{Code, Diagnostic, Sources};
-use slideline_keywords::{Interpreted, ReadRequest, interpret_after, read_request};
+use slideline_keywords::{Interpreted, ReadRequest, Setting, interpret_after, read_request};
 use slideline_model::{Dialect, Model, Onset};
 use slideline_output::restart::{Earlier, Origin, Part, SavedStates};
 use slideline_output::{JobFiles, onset_word};
@@ -82,7 +82,8 @@ fn named(
     let (step, increment) = (saved.checkpoint.step, saved.checkpoint.increment);
     let mut parts = states.earlier().map_or(Vec::new(), |earlier| earlier.parts.clone());
     parts.retain(|part| part.steps < step);
-    let own = Part { texts: states.texts().to_vec(), steps: step };
+    let (texts, parameters) = (states.texts().to_vec(), states.parameters().to_vec());
+    let own = Part { texts, parameters, steps: step };
     match states.earlier().and_then(|earlier| earlier.parts.get(parts.len())) {
         // the state is one of a step that an earlier deck describes
         Some(part) => parts.push(Part { steps: step, ..part.clone() }),
@@ -137,22 +138,39 @@ fn files(old: &Path) -> JobFiles {
 
 impl From {
     /// The meaning of the deck behind the earlier ones.
-    pub(crate) fn interpret(&self, parsed: &Parsed, sources: &mut Sources) -> Interpreted {
+    pub(crate) fn interpret(
+        &self,
+        settings: &[Setting],
+        parsed: &Parsed,
+        sources: &mut Sources,
+    ) -> Interpreted {
         let parts = self.earlier.parts.iter();
-        let earlier: Vec<(Parsed, usize)> = parts
+        let earlier: Vec<(Parsed, usize, Vec<Setting>)> = parts
             .map(|part| {
                 let (name, text) = part.texts.first().map_or(("", ""), |(n, t)| (n, t));
                 let loader = Texts(&part.texts);
                 let parsed = slideline_deck::parse(sources, name, text.as_bytes(), &loader);
-                (parsed, part.steps)
+                (parsed, part.steps, settings_of(part))
             })
             .collect();
         let earlier: Vec<_> = earlier
             .iter()
-            .map(|(parsed, steps)| slideline_keywords::Earlier { parsed, steps: *steps })
+            .map(|(parsed, steps, settings)| slideline_keywords::Earlier {
+                parsed,
+                steps: *steps,
+                settings,
+            })
             .collect();
-        interpret_after(&earlier, parsed, self.dialect)
+        interpret_after(&earlier, settings, parsed, self.dialect)
     }
+}
+
+/// The settings that an earlier deck was read with; they were accepted then.
+fn settings_of(part: &Part) -> Vec<Setting> {
+    let parameters = part.parameters.iter();
+    parameters
+        .map(|(name, value)| Setting { name: name.clone(), value: value.clone(), span: None })
+        .collect()
 }
 
 /// A deck whose meaning cannot be told, and what stands against it.

@@ -12,6 +12,9 @@ pub struct ReadOptions {
     pub dialect: Option<Dialect>,
     /// When friction is called, whatever the deck says.
     pub friction_onset: Option<Onset>,
+    /// Values for names that the deck defines by `*PARAMETER`, each in place of the first one that
+    /// the deck gives: a name and an expression of numbers, such as `("mu", "0.2")`.
+    pub parameters: Vec<(String, String)>,
     /// Whose states a deck with `*RESTART, READ` goes on from.
     pub old_job: OldJob,
 }

@@ -4,7 +4,8 @@ use crate::further::{self, From};
 use crate::job::{Job, ReadOptions};
 use sha2::{Digest, Sha256};
 use slideline_deck::{Deck, FromDisk, Loader, NoFiles, PathKind};
-use slideline_diag::{Code, Diagnostic, Sources, has_errors};
+use slideline_diag::{Code, Diagnostic, Sources, Span, has_errors};
+use slideline_keywords::Setting;
 use slideline_model::Model;
 use std::fmt::Write as _;
 use std::io::Read as _;
@@ -103,12 +104,13 @@ fn interpret(
 ) -> Read {
     let mut sources = Sources::default();
     let parsed = slideline_deck::parse(&mut sources, name, bytes, loader);
+    let settings = settings(&options.parameters, &mut sources);
     let found = further::find(&job, &parsed, options);
     let (interpreted, from) = match found {
-        Ok(Some(from)) => (from.interpret(&parsed, &mut sources), Some(from)),
+        Ok(Some(from)) => (from.interpret(&settings, &parsed, &mut sources), Some(from)),
         Ok(None) => {
             let dialect = options.dialect.unwrap_or_default();
-            (slideline_keywords::interpret(&parsed, dialect), None)
+            (slideline_keywords::interpret_with(&settings, &parsed, dialect), None)
         }
         Err(said) => (further::without_meaning(&parsed, *said), None),
     };
@@ -133,6 +135,17 @@ fn interpret(
         from,
         options: options.clone(),
     }
+}
+
+/// Settings of parameters, with a text each that complaints can point at.
+fn settings(given: &[(String, String)], sources: &mut Sources) -> Vec<Setting> {
+    let set = |(name, value): &(String, String)| {
+        let text = format!("{name}={value}");
+        let end = text.len();
+        let span = Span::new(sources.add("--set", text), 0, end);
+        Setting { name: name.clone(), value: value.clone(), span: Some(span) }
+    };
+    given.iter().map(set).collect()
 }
 
 /// SHA-256 over the length and the bytes of every file in reading order.

@@ -67,6 +67,7 @@ pub fn run(read: &Read, options: &RunOptions, observer: &mut dyn Observer) -> Ou
             None => read.options.friction_onset,
         },
         own_texts: read.deck.files.len(),
+        parameters: &read.options.parameters,
         earlier: read.from.as_ref().map(|from| &from.earlier),
     };
     if let Some(said) = would_destroy(read, &files).or_else(|| runs_already(&files)) {

@@ -48,54 +48,8 @@ const EDGES: [[usize; 2]; 12] = [
     [3, 7],
 ];
 
-/// A point on springs above two bricks whose upper faces slope down to x = 0.
-fn valley(write: &str) -> String {
-    let mut deck = format!("*HEADING\nvalley\n{write}");
-    let middles = EDGES.map(|[a, b]| [0, 1, 2].map(|k| 0.5 * (CORNERS[a][k] + CORNERS[b][k])));
-    let mut known: Vec<[f64; 3]> = Vec::new();
-    let mut bricks = Vec::new();
-    for side in [-0.5, 0.5] {
-        let places = CORNERS.iter().chain(&middles).map(|&[x, y, z]| {
-            let x = side + 0.5 * x;
-            // upper face at SLOPE |x|, lower one at -1, middle nodes half-way
-            [x, y, 0.5 * (1.0 + z) * SLOPE * x.abs() - 0.5 * (1.0 - z)]
-        });
-        let numbers = places.map(|place| match known.iter().position(|own| *own == place) {
-            Some(own) => own + 1,
-            None => {
-                known.push(place);
-                known.len()
-            }
-        });
-        bricks.push(numbers.map(|number| number.to_string()).collect::<Vec<_>>());
-    }
-    deck.push_str("*NODE, NSET=MASTER\n");
-    for (number, [x, y, z]) in known.iter().enumerate() {
-        let _ = writeln!(deck, "{}, {x:?}, {y:?}, {z:?}", number + 1);
-    }
-    // the point is the tip of a body that moves with it, led by springs from node 105
-    deck.push_str("*NODE\n");
-    for (number, [x, y, z]) in (101..).zip([
-        [0.0, 0.0, 0.0],
-        [0.1, 0.3, 0.2],
-        [-0.1, 0.3, 0.2],
-        [0.0, 0.1, 0.5],
-        [0.0, 0.0, 0.0],
-    ]) {
-        let _ = writeln!(deck, "{number}, {:?}, {:?}, {:?}", x - 0.3, y + 0.1, z + 0.2);
-    }
-    deck.push_str("*ELEMENT, TYPE=C3D20, ELSET=BRICKS\n");
-    for (number, brick) in bricks.iter().enumerate() {
-        let _ = writeln!(
-            deck,
-            "{}, {},\n{}",
-            number + 1,
-            brick[..10].join(", "),
-            brick[10..].join(", ")
-        );
-    }
-    deck.push_str(
-        "*SOLID SECTION, ELSET=BRICKS, MATERIAL=M
+/// Sections, springs of the point, surfaces and supports.
+const BETWEEN: &str = "*SOLID SECTION, ELSET=BRICKS, MATERIAL=M
 *MATERIAL, NAME=M
 *ELASTIC
 1000.0, 0.3
@@ -123,8 +77,52 @@ POINT, BED
 MASTER, 1, 3
 101, 2
 105, 2
-",
-    );
+";
+
+/// Where the nodes of the tip stand about the point, and the node that leads it.
+const TIP: [[f64; 3]; 5] =
+    [[0.0, 0.0, 0.0], [0.1, 0.3, 0.2], [-0.1, 0.3, 0.2], [0.0, 0.1, 0.5], [0.0, 0.0, 0.0]];
+
+/// Two bricks whose upper faces slope down to x = 0: the places of their nodes and the nodes of each.
+fn bricks() -> (Vec<[f64; 3]>, [[usize; 20]; 2]) {
+    let middles = EDGES.map(|[a, b]| [0, 1, 2].map(|k| 0.5 * (CORNERS[a][k] + CORNERS[b][k])));
+    let mut known: Vec<[f64; 3]> = Vec::new();
+    let bricks = [-0.5, 0.5].map(|side| {
+        let mut nodes = [0; 20];
+        for (node, &[x, y, z]) in nodes.iter_mut().zip(CORNERS.iter().chain(&middles)) {
+            let x = side + 0.5 * x;
+            // upper face at SLOPE |x|, lower one at -1, middle nodes half-way
+            let place = [x, y, 0.5 * (1.0 + z) * SLOPE * x.abs() - 0.5 * (1.0 - z)];
+            let own = known.iter().position(|other| *other == place).unwrap_or(known.len());
+            if own == known.len() {
+                known.push(place);
+            }
+            *node = own + 1;
+        }
+        nodes
+    });
+    (known, bricks)
+}
+
+/// A point on springs above these bricks: the tip of a body that moves with it, led by springs from
+/// node 105.
+fn valley(write: &str) -> String {
+    let mut deck = format!("*HEADING\nvalley\n{write}*NODE, NSET=MASTER\n");
+    let (places, bricks) = bricks();
+    for (number, [x, y, z]) in places.iter().enumerate() {
+        let _ = writeln!(deck, "{}, {x:?}, {y:?}, {z:?}", number + 1);
+    }
+    deck.push_str("*NODE\n");
+    for (number, [x, y, z]) in (101..).zip(TIP) {
+        let _ = writeln!(deck, "{number}, {:?}, {:?}, {:?}", x - 0.3, y + 0.1, z + 0.2);
+    }
+    deck.push_str("*ELEMENT, TYPE=C3D20, ELSET=BRICKS\n");
+    for (number, brick) in bricks.iter().enumerate() {
+        let nodes = brick.map(|node| node.to_string());
+        let [first, rest] = [&nodes[..10], &nodes[10..]].map(|nodes| nodes.join(", "));
+        let _ = writeln!(deck, "{}, {first},\n{rest}", number + 1);
+    }
+    deck.push_str(BETWEEN);
     for (node, dof) in (102..=104).flat_map(|node| (1..=3).map(move |dof| (node, dof))) {
         let _ = writeln!(deck, "*EQUATION\n2\n{node}, {dof}, 1.0, 101, {dof}, -1.0");
     }

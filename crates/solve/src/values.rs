@@ -52,7 +52,12 @@ impl Values {
         if let Some(node) = outside.filter(|_| !model.is_in_space()) {
             return Err(mismatch(Part::OutOfPlane(node.label)));
         }
-        self.kernels.take(&plan.elements, model, &[]).map_err(Part::Section).map_err(mismatch)?;
+        let unfit = |block| mismatch(Part::Section(block));
+        self.kernels.take(&plan.elements, model, (&[], &[])).map_err(unfit)?;
+        for step in model.steps.iter().filter(|step| !step.sections.is_empty()) {
+            let mut changed = Kernels::default();
+            changed.take(&plan.elements, model, (&[], &step.sections)).map_err(unfit)?;
+        }
         if let Some(step) = plan.steps.first() {
             self.motion.take(&step.constraints, model);
         }

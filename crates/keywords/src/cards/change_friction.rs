@@ -1,13 +1,12 @@
 //! `*CHANGE FRICTION`: another friction from a step on.
 
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{Friction, Interaction, NormalLaw};
 
 use crate::changes::{FrictionChange, FrictionOf};
 use crate::draft::{Draft, Owner};
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
-use crate::surfaces::Named;
+use crate::surfaces::{Named, unsaid};
 
 /// `*CHANGE FRICTION`.
 pub(crate) struct ChangeFriction;
@@ -57,15 +56,7 @@ impl Keyword for ChangeFriction {
             }
         };
         // the *FRICTION behind it fills in the law
-        let interaction = Interaction {
-            width: 1.0,
-            normal: NormalLaw::Hard,
-            friction: Friction::Frictionless,
-            origin: card.span(),
-            no_separation: false,
-            normal_origin: None,
-            friction_origin: None,
-        };
+        let interaction = unsaid(card.span());
         let reset = card.has("RESET");
         draft.owner = Owner::FrictionChange;
         if let Some(step) = draft.step() {

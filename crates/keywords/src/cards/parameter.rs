@@ -51,8 +51,11 @@ fn define(line: &DataLine, draft: &mut Draft) {
         broken(message.to_owned(), line, draft);
         return;
     };
+    let set = draft.overrides.take(name);
     match evaluate(value, &draft.parameters) {
-        Ok(value) => drop(draft.parameters.insert(name.to_owned(), value)),
+        Ok(value) => {
+            draft.parameters.insert(name.to_owned(), set.unwrap_or(value));
+        }
         Err(why) => {
             // one that is used is not complained about once more
             draft.log.first_time(&format!("parameter {name}"));

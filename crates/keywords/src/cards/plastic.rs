@@ -45,11 +45,7 @@ impl Keyword for Plastic {
         if draft.owning_material(self.name(), card.span()).is_none() {
             return;
         }
-        let given = card.word("HARDENING").is_some();
-        let kind = card.choice("HARDENING", KINDS, &mut draft.log);
-        let kind = if given { kind } else { Some("ISOTROPIC") };
-        let line = card.first_line("yield stress, plastic strain", &mut draft.log);
-        let yielding = kind.filter(|_| line.is_some()).and_then(|kind| yielding(kind, card, draft));
+        let yielding = read_yielding(card, draft);
         let own = (self.name(), card.span());
         draft.give_material(own, |material| &mut material.hardening, yielding);
     }
@@ -57,7 +53,16 @@ impl Keyword for Plastic {
 
 const KINDS: &[&str] = &["ISOTROPIC", "KINEMATIC", "COMBINED"];
 
-/// How a metal yields, by the kind of its hardening.
+/// How a metal yields, as a card says it; `None` after an error.
+pub(super) fn read_yielding(card: &Reading<'_>, draft: &mut Draft) -> Option<Yielding> {
+    let given = card.word("HARDENING").is_some();
+    let kind = card.choice("HARDENING", KINDS, &mut draft.log);
+    let kind = if given { kind } else { Some("ISOTROPIC") };
+    let line = card.first_line("yield stress, plastic strain", &mut draft.log);
+    kind.filter(|_| line.is_some()).and_then(|kind| yielding(kind, card, draft))
+}
+
+/// The same by the kind of its hardening.
 fn yielding(kind: &str, card: &Reading<'_>, draft: &mut Draft) -> Option<Yielding> {
     let of_parts = kind == "COMBINED" && draft.dialect == Dialect::Abaqus;
     for name in ["DATA TYPE", "NUMBER BACKSTRESSES"] {

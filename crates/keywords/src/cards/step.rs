@@ -86,6 +86,8 @@ impl Keyword for Step {
             stabilisation: None,
             changes: Vec::new(),
             frictions: Vec::new(),
+            pressures: Vec::new(),
+            properties: Vec::new(),
             interferences: Vec::new(),
             prints: Vec::new(),
             element_prints: Vec::new(),

@@ -25,7 +25,7 @@ impl Keyword for SurfaceBehavior {
     }
 
     fn level(&self) -> Level {
-        Level::Model
+        Level::Both
     }
 
     fn subject(&self) -> Subject {
@@ -83,7 +83,8 @@ fn keep_closed(card: &Reading<'_>, law: Option<&NormalLaw>, draft: &mut Draft) {
     }
 }
 
-/// CalculiX: the pairs of the interaction are ties. Its stiffness is that of a penalty.
+/// CalculiX: the pairs of the interaction are ties. Its stiffness is that of a penalty, which counts
+/// where the law changes in a step.
 fn tied(card: &Reading<'_>, draft: &mut Draft) -> Option<NormalLaw> {
     let Owner::Interaction(place) = draft.owner else {
         let message = "TIED belongs to a *SURFACE INTERACTION";
@@ -91,11 +92,10 @@ fn tied(card: &Reading<'_>, draft: &mut Draft) -> Option<NormalLaw> {
         return None;
     };
     draft.interactions[place].is_tied = true;
-    if let Some(line) = card.data().first() {
-        let message = "the stiffness of tied contact has no effect: surfaces are tied exactly";
-        draft.log.note("SL0257", message, line.span);
+    match card.data().is_empty() {
+        true => Some(NormalLaw::Hard),
+        false => linear(card, draft),
     }
-    Some(NormalLaw::Hard)
 }
 
 /// `K`; CalculiX adds the largest pull of its rounded law.

@@ -1,7 +1,8 @@
 //! Cards and lines as they were read: what they name is not yet looked up.
 
 use super::heat::Heat;
-use crate::changes::{FrictionChange, InterferenceCard, ModelChange};
+use super::properties::PropertyChange;
+use crate::changes::{FrictionChange, InterferenceCard, ModelChange, PressureChange};
 use crate::distributed::Distributed;
 use crate::log::Target;
 use slideline_diag::Span;
@@ -90,6 +91,8 @@ pub(crate) struct StepDraft {
     pub stabilisation: Option<Stabilisation>,
     pub changes: Vec<ModelChange>,
     pub frictions: Vec<FrictionChange>,
+    pub pressures: Vec<PressureChange>,
+    pub properties: Vec<PropertyChange>,
     pub interferences: Vec<InterferenceCard>,
     pub prints: Vec<(NodePrint, Option<Span>)>,
     pub element_prints: Vec<(ElementPrint, Option<Span>)>,

@@ -20,6 +20,11 @@ impl Frictions {
         self.0.len()
     }
 
+    /// A law of a pair that a card of the step that comes means without being about friction.
+    pub fn insert(&mut self, pair: usize, law: Friction, origin: Span) {
+        self.0.insert(pair, (law, origin));
+    }
+
     /// Follows the cards of a step: the laws in it.
     pub fn change(&mut self, step: &StepDraft, draft: &mut Draft) -> Vec<ChangedFriction> {
         let before: BTreeMap<usize, Friction> =
@@ -84,7 +89,8 @@ fn pairs(of: &FrictionOf, draft: &mut Draft) -> Vec<usize> {
     found
 }
 
-fn missing(named: &Named, what: &str, draft: &mut Draft) {
+/// Complains that no pair is meant.
+pub(super) fn missing(named: &Named, what: &str, draft: &mut Draft) {
     let message = format!("no contact pair has the {what} {}", named.name);
     let error = Diagnostic::error(Code("SL0328"), message).at(named.span);
     let names = draft.pairs_of_interaction.keys().map(String::as_str);

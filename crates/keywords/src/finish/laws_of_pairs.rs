@@ -9,11 +9,10 @@ use crate::surfaces::Pairing;
 
 /// The pressure law of a pair. In CalculiX a linear law of contact between faces presses alone,
 /// whatever pull its second number names (measured with ccx 2.20, docs/benchmarks.md).
-pub(super) fn as_read(pairing: &Pairing, law: &NormalLaw, draft: &Draft) -> NormalLaw {
+pub(super) fn as_read(formulation: Formulation, law: &NormalLaw, dialect: Dialect) -> NormalLaw {
     match *law {
         NormalLaw::CalculixLinear { stiffness, .. }
-            if draft.dialect == Dialect::Calculix
-                && pairing.formulation == Formulation::SurfaceToSurface =>
+            if dialect == Dialect::Calculix && formulation != Formulation::NodeToSurface =>
         {
             NormalLaw::Linear { stiffness }
         }

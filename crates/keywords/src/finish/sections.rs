@@ -7,7 +7,9 @@ use slideline_model::{
     Allowable, Dialect, ElementBlock, ElementType, Elements, Kinematics, NodeIndex, TYPES,
 };
 
+use super::changed_sections::parted;
 use super::materials::{in_plane_stress, lines_have_no_axes, material, no_material};
+use super::middle_nodes::past_the_quarter;
 use super::space_beams as space;
 use crate::draft::{Draft, Element, ElementKind, Section};
 use crate::rule::Subject;
@@ -16,12 +18,12 @@ use crate::rule::Subject;
 pub(super) fn sections(draft: &mut Draft) {
     let mut owner = vec![None; draft.elements.len()];
     let sections = draft.sections.clone();
-    for (section, found) in sections.iter().zip(named(&sections, draft)) {
-        let Some(found) = found else { continue };
+    let found = named(&sections, draft);
+    for (section, found) in &parted(&sections, found, draft) {
         let orientation = super::orientations::of_section(section.orientation.as_ref(), draft);
         let mut claimed: Vec<(&'static ElementType, Elements)> = Vec::new();
         let mut pointing: Vec<space::Pointing> = Vec::new();
-        for index in found {
+        for &index in found {
             let element = draft.elements[index];
             let Some(row) = claim(&element, &mut owner[index], section, draft) else { continue };
             if !claimed.iter().any(|(kind, _)| *kind == row) {
@@ -249,6 +251,8 @@ fn solid_is_sound(
         let message = format!("element {}: {what}", element.label);
         let error = Diagnostic::error(Code("SL0346"), message).at(element.origin);
         draft.consequence(Subject::Nodes, error.help(help));
+    } else {
+        past_the_quarter(element, row, nodes, draft);
     }
     sound
 }

@@ -10,9 +10,11 @@ use slideline_model::{
 };
 
 use super::amplitudes::amplitude;
+use super::changed_sections::ChangedSections;
 use super::frictions::Frictions;
 use super::interferences::interferences;
 use super::model_changes::Absent;
+use super::pressures::Pressures;
 use super::standing::{Curved, InForce, Standing};
 use super::{requests, resting, temperatures};
 use crate::draft::{Boundary, Draft, StepDraft};
@@ -27,6 +29,8 @@ struct Carried {
     distributed: resting::InForce,
     absent: Absent,
     frictions: Frictions,
+    pressures: Pressures,
+    sections: ChangedSections,
     controls: Controls,
     output: OutputRequests,
 }
@@ -36,8 +40,9 @@ impl Carried {
     fn size(&self) -> usize {
         let printed = requests::size(&self.output);
         let temperatures = self.temperatures.list.len();
-        let loads =
-            self.loads.len() + self.distributed.size() + self.absent.size() + self.frictions.size();
+        let loads = self.loads.len() + self.distributed.size();
+        let laws = self.frictions.size() + self.pressures.size() + self.sections.size();
+        let loads = loads + self.absent.size() + laws;
         self.prescribed.list.len() + loads + temperatures + printed
     }
 }
@@ -136,6 +141,8 @@ fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
     }
     carried.loads.take(loads(&step.loads, draft));
     let presence = carried.absent.change(&step, draft);
+    let sections = carried.sections.change(&step, draft);
+    let pressures = carried.pressures.change(&step, &mut carried.frictions, draft);
     let frictions = carried.frictions.change(&step, draft);
     let interferences = interferences(&step, draft);
     heat(&step, carried, draft);
@@ -169,6 +176,8 @@ fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
         distributed: carried.distributed.loads(at_once, draft),
         presence,
         frictions,
+        pressures,
+        sections,
         interferences,
         stabilisation: step.stabilisation,
         output: carried.output.clone(),

@@ -34,7 +34,7 @@ use super::remarks::remarks;
 use super::sides::{Parts, Sides, Slaves, is_of_solids, refuse};
 use super::spread::{corners, sharp_edges, spread};
 use super::surfaces::{Found, between_nodes, contact_elements, found, stretches};
-use super::tied_pairs::{is_tied, tie};
+use super::tied_pairs::{is_tied, tie, until_it_changes};
 use crate::draft::Draft;
 use crate::rule::Subject;
 use crate::surfaces::{Adjusted, NamedSurface, Pairing};
@@ -114,7 +114,7 @@ pub(super) fn interaction(pairing: &Pairing, draft: &mut Draft) -> Option<Intera
     let list = &draft.interactions;
     let found = list.iter().find(|entry| entry.named.name == named.name);
     if let Some(entry) = found {
-        return Some(entry.interaction.clone());
+        return Some(until_it_changes(entry));
     }
     let message = format!("there is no surface interaction {}", named.name);
     let error = Diagnostic::error(Code("SL0328"), message).at(named.span);
@@ -192,8 +192,8 @@ fn put_together(
         Some((Adjusted::Within(distance), _)) => Adjust::Within(*distance),
         Some((Adjusted::Set(set), span)) => Adjust::Nodes(draft.nodes_of(set, *span)),
     };
-    let interaction =
-        Interaction { normal: as_read(pairing, &interaction.normal, draft), ..interaction };
+    let normal = as_read(pairing.formulation, &interaction.normal, draft.dialect);
+    let interaction = Interaction { normal, ..interaction };
     remarks((pairing, formulation), &master, &interaction, draft);
     let corners = match formulation {
         Formulation::Mortar if slaves.faces.is_empty() => corners(&slaves.elements, draft),

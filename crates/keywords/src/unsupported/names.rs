@@ -119,8 +119,8 @@ pub(super) const GROUPS: &[Group] = &[
     ),
     (
         Unsupported,
-        "pressure laws are properties of the model: *SURFACE BEHAVIOR before the first step",
-        &["CHANGE SURFACE BEHAVIOR", "CHANGE CONTACT TYPE"],
+        "how contact is spread is a property of the model: TYPE of *CONTACT PAIR",
+        &["CHANGE CONTACT TYPE"],
     ),
     (
         Unsupported,
@@ -282,9 +282,6 @@ pub(super) const GROUPS: &[Group] = &[
             "USER ELEMENT",
             "UEL PROPERTY",
             "STIFFENER SECTION",
-            "CHANGE MATERIAL",
-            "CHANGE PLASTIC",
-            "CHANGE SOLID SECTION",
         ],
     ),
     (

@@ -61,13 +61,18 @@ impl Quadrature {
         rules.into_iter().find(|(full, _)| self == *full).map_or(self, |(_, reduced)| reduced)
     }
 
-    /// Writes values at the nodes of a cell from those at the points.
-    pub fn carry(&self, values: &[f64], cell: &Cell, nodes: &mut [f64]) {
+    /// Writes values at the nodes of a cell from those at the points, `components` values each,
+    /// node after node and point after point.
+    pub fn carry(&self, values: &[f64], components: usize, cell: &Cell, nodes: &mut [f64]) {
         let mut counts = [0.0; MOST_POINTS];
         let counts = &mut counts[..self.points.len()];
-        for (node, place) in nodes.iter_mut().zip(cell.places) {
+        let width = components.max(1);
+        for (node, place) in nodes.chunks_exact_mut(width).zip(cell.places) {
             (self.through)(place, counts);
-            *node = counts.iter().zip(values).map(|(count, value)| count * value).sum();
+            node.fill(0.0);
+            for (count, point) in counts.iter().zip(values.chunks_exact(width)) {
+                node.iter_mut().zip(point).for_each(|(sum, value)| *sum += count * value);
+            }
         }
     }
 }

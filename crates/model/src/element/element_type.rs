@@ -29,8 +29,9 @@ pub struct ElementType {
     pub states: fn(&Section) -> usize,
     /// Results it offers, in the order in which its kernel writes them.
     pub fields: &'static [Field],
-    /// Values at the nodes from those at the integration points, one component.
-    pub at_nodes: fn(points: &[f64], nodes: &mut [f64]),
+    /// Values at the nodes, node after node, from those at the integration points, point after
+    /// point: so many components each.
+    pub at_nodes: fn(points: &[f64], components: usize, nodes: &mut [f64]),
     /// Makes the kernel of a block; `None` for a section that is not its own. One that was
     /// made before may be taken apart for its room, and need not be.
     pub kernel: MakeKernel,
@@ -197,8 +198,14 @@ impl ElementType {
 }
 
 /// The mean of the integration points at every node.
-pub fn mean_at_nodes(points: &[f64], nodes: &mut [f64]) {
-    nodes.fill(points.iter().sum::<f64>() / points.len().max(1) as f64);
+pub fn mean_at_nodes(points: &[f64], components: usize, nodes: &mut [f64]) {
+    let width = components.max(1);
+    let count = (points.len() / width).max(1) as f64;
+    for node in nodes.chunks_exact_mut(width) {
+        for (component, mean) in node.iter_mut().enumerate() {
+            *mean = points.iter().skip(component).step_by(width).sum::<f64>() / count;
+        }
+    }
 }
 
 /// A result whose components are not named yet.

@@ -96,7 +96,9 @@ macro_rules! rows {
                         states((&$cell, &$rule), way, section)
                     },
                     fields: if $dimension == 2 { PLANE_FIELDS } else { SPACE_FIELDS },
-                    at_nodes: |points, nodes| $rule.carry(points, &$cell, nodes),
+                    at_nodes: |points, components, nodes| {
+                        $rule.carry(points, components, &$cell, nodes);
+                    },
                     kernel: kernels::solid::<$dimension, $nodes, $points>,
                 };
             )*

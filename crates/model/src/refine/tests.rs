@@ -240,6 +240,8 @@ fn new_nodes_have_the_mean_of_temperatures() {
         controls: crate::Controls::default(),
         presence: Presence::default(),
         frictions: vec![],
+        pressures: vec![],
+        sections: vec![],
         interferences: vec![],
         stabilisation: None,
         output: crate::OutputRequests::default(),

@@ -1,5 +1,6 @@
 //! Steps: increments, motions and loads.
 
+use super::contact::normal_law;
 use super::words::{extremes, named, number, range};
 use slideline_model::{Load, Model, NodeIndex, Prescribed, Step};
 use std::collections::BTreeSet;
@@ -116,6 +117,13 @@ fn changes(text: &mut String, model: &Model, step: &Step) {
     }
     for &pair in &presence.absent_pairs {
         line!(text, "  the contact of {} is absent", model.contact_pairs[pair].name);
+    }
+    for own in &step.sections {
+        line!(text, "  another section of {}", model.blocks[own.block].name);
+    }
+    for own in &step.pressures {
+        let (name, law) = (&model.contact_pairs[own.pair].name, normal_law(&own.normal));
+        line!(text, "  pressure of {name}: {law}");
     }
     for own in &step.frictions {
         let name = &model.contact_pairs[own.pair].name;

@@ -70,6 +70,11 @@ impl SavedStates {
         &self.states.preface.texts
     }
 
+    /// Values that the parameters of its deck were given from outside.
+    pub fn parameters(&self) -> &[(String, String)] {
+        &self.states.preface.circumstances.parameters
+    }
+
     /// Dialect and friction onset of the model, as words.
     pub fn reading(&self) -> [&str; 2] {
         let circumstances = &self.states.preface.circumstances;

@@ -13,6 +13,8 @@ pub(super) struct Circumstances {
     deck_hash: String,
     pub dialect: String,
     pub friction_onset: String,
+    /// Values that parameters of the deck were given from outside.
+    pub parameters: Vec<(String, String)>,
 }
 
 impl Circumstances {
@@ -22,6 +24,7 @@ impl Circumstances {
             deck_hash: facts.deck_hash.to_owned(),
             dialect: facts.dialect.map(Dialect::word).unwrap_or_default().to_owned(),
             friction_onset: facts.friction_onset.map(onset_word).unwrap_or_default().to_owned(),
+            parameters: facts.parameters.to_vec(),
         }
     }
 
@@ -32,6 +35,13 @@ impl Circumstances {
             ("the dialect", &self.dialect),
             ("the friction onset", &self.friction_onset),
         ]
+    }
+
+    /// Values from outside, as on the command line.
+    fn settings(&self) -> String {
+        let set: Vec<String> =
+            self.parameters.iter().map(|(name, value)| format!("{name}={value}")).collect();
+        if set.is_empty() { "none".to_owned() } else { set.join(" ") }
     }
 }
 
@@ -63,6 +73,10 @@ impl Preface {
         let mut fields = self.circumstances.fields().into_iter().zip(now.fields());
         if let Some(((what, was), (_, now))) = fields.find(|((_, was), (_, now))| was != now) {
             return Some(changed(what, was, now));
+        }
+        if self.circumstances.parameters != now.parameters {
+            let what = "the set of values given by --set";
+            return Some(changed(what, &self.circumstances.settings(), &now.settings()));
         }
         let origin = |earlier: Option<&Earlier>| {
             earlier.map_or_else(

@@ -294,6 +294,11 @@ impl<'a> Summary<'a> {
                 "job": origin.job, "step": origin.step, "increment": origin.increment,
             });
         }
+        if !facts.parameters.is_empty() {
+            let set = facts.parameters.iter();
+            let set = set.map(|(name, value)| (name.clone(), Value::from(value.as_str())));
+            object["parameters"] = Value::Object(set.collect());
+        }
         self.largest(&mut object);
         if let Some(noise) = &self.noise {
             object["noise"] = noise.clone();

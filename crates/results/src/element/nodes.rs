@@ -8,8 +8,8 @@
 //!   o---o---o
 //! ```
 
-use super::points::{Quantity, principal, solids};
-use slideline_model::{Dialect, Model, NodeIndex};
+use super::points::{principal, solids};
+use slideline_model::{Dialect, ElementType, Location, Model, NodeIndex};
 use slideline_solve::observe::Frame;
 
 /// Results at a node.
@@ -55,6 +55,42 @@ impl NodalResults {
     }
 }
 
+/// A component of a result: where it stands among the values of an element, and at a node.
+#[derive(Clone, Copy, Debug)]
+struct Column {
+    first: usize,
+    /// From one point to the next; zero where the element has one value.
+    stride: usize,
+    into: usize,
+}
+
+impl Column {
+    /// Its value at a point of an element.
+    fn value(&self, element: &[f64], point: usize) -> f64 {
+        element.get(self.first + self.stride * point).copied().unwrap_or_default()
+    }
+}
+
+/// Components of all results that nodes have.
+#[derive(Debug, Default)]
+struct Columns(Vec<Column>);
+
+impl Columns {
+    /// Those that elements of a type offer.
+    fn of(kind: &ElementType) -> Self {
+        let told = [("S", 0), ("E", 6), ("PEEQ", 12), ("ENER", 13), ("PENER", 14), ("CEEQ", 15)];
+        let mut columns = Vec::with_capacity(WIDTH);
+        for (name, into) in told {
+            let Some((field, first)) = kind.field(name) else { continue };
+            let width = field.components.len();
+            let stride = if field.location == Location::Centroid { 0 } else { width };
+            let component = |k| Column { first: first + k, stride, into: into + k };
+            columns.extend((0..width).map(component));
+        }
+        Self(columns)
+    }
+}
+
 /// Results at the nodes of all solids of a frame. `place` says for block and node where its values
 /// are summed, among `places`: those of one place are averaged.
 pub fn nodal_results(
@@ -63,33 +99,24 @@ pub fn nodal_results(
     place: impl Fn(usize, NodeIndex) -> usize,
 ) -> NodalResults {
     let mut sums: Vec<([f64; WIDTH], f64)> = vec![([0.0; WIDTH], 0.0); places];
-    let (mut values, mut points, mut nodes) = (Vec::new(), Vec::new(), Vec::new());
-    let told = ["S", "E", "PEEQ", "ENER", "PENER", "CEEQ"].map(Quantity::Field);
+    let (mut columns, mut of_block) = (Columns::default(), None);
+    let (mut points, mut nodes) = (Vec::new(), Vec::new());
     for solid in solids(frame).filter(|solid| solid.points() > 0) {
-        let kind = solid.block.kind;
-        // where among the values of a node the components of a field begin
-        let mut columns: Vec<usize> = Vec::new();
-        for (quantity, first) in told.into_iter().zip([0, 6, 12, 13, 14, 15]) {
-            let count = quantity.components(kind, frame.model.dialect).len();
-            columns.extend(first..first + count);
+        if of_block.replace(solid.number) != Some(solid.number) {
+            columns = Columns::of(solid.block.kind);
         }
-        values.clear();
+        let width = columns.0.len();
+        points.clear();
         for point in 0..solid.points() {
-            told.iter().for_each(|quantity| solid.push(*quantity, point, &mut values));
+            points.extend(columns.0.iter().map(|column| column.value(solid.values(), point)));
         }
-        nodes.resize(solid.element.nodes.len(), 0.0);
-        for (component, &column) in columns.iter().enumerate() {
-            points.clear();
-            points.extend(values.iter().skip(component).step_by(columns.len()));
-            (kind.at_nodes)(&points, &mut nodes);
-            for (&node, value) in solid.element.nodes.iter().zip(&nodes) {
-                if let Some((sum, _)) = sums.get_mut(place(solid.number, node)) {
-                    sum[column] += value;
+        nodes.resize(width * solid.element.nodes.len(), 0.0);
+        (solid.block.kind.at_nodes)(&points, width, &mut nodes);
+        for (&node, values) in solid.element.nodes.iter().zip(nodes.chunks_exact(width)) {
+            if let Some((sum, count)) = sums.get_mut(place(solid.number, node)) {
+                for (column, value) in columns.0.iter().zip(values) {
+                    sum[column.into] += value;
                 }
-            }
-        }
-        for &node in solid.element.nodes {
-            if let Some((_, count)) = sums.get_mut(place(solid.number, node)) {
                 *count += 1.0;
             }
         }

@@ -146,6 +146,11 @@ impl<'a> Solid<'a> {
         })
     }
 
+    /// All its values, field by field.
+    pub(super) fn values(&self) -> &'a [f64] {
+        self.values
+    }
+
     /// Number of integration points with a stress.
     pub fn points(&self) -> usize {
         stress_field(self.block.kind).map_or(0, |_| self.block.kind.points)

@@ -92,6 +92,8 @@ fn step() -> Step {
         controls: Controls::default(),
         presence: Default::default(),
         frictions: vec![],
+        pressures: vec![],
+        sections: vec![],
         interferences: vec![],
         stabilisation: None,
         distributed: Default::default(),

@@ -23,7 +23,7 @@ pub fn laws(model: &Model, pair: &ContactPair, length: f64, users: &UserFriction
         Friction::User { name, .. } => users.find(name),
         _ => None,
     };
-    let normal = normal(model, pair, length).into_owned();
+    let normal = normal((model, pair), &pair.interaction.normal, length).into_owned();
     let friction = friction((model, pair, &pair.interaction.friction), length);
     Laws { normal, friction, onset: model.friction_onset, user }
 }
@@ -70,9 +70,13 @@ pub(super) fn friction(
     }
 }
 
-/// The normal law likewise.
-pub(super) fn normal<'a>(model: &Model, pair: &'a ContactPair, length: f64) -> Cow<'a, NormalLaw> {
-    match &pair.interaction.normal {
+/// A normal law of a pair likewise.
+pub(super) fn normal<'a>(
+    (model, pair): (&Model, &ContactPair),
+    law: &'a NormalLaw,
+    length: f64,
+) -> Cow<'a, NormalLaw> {
+    match law {
         NormalLaw::Hard if pair.formulation == Formulation::SurfaceToSurface => {
             let stiffness = PENALTY * stiffest_face(model, pair, length);
             Cow::Owned(NormalLaw::Linear { stiffness })

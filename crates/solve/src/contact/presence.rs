@@ -1,5 +1,5 @@
-//! The contact of a step: pairs that are absent have nothing to slide on, and friction may be
-//! another one than that of the model.
+//! The contact of a step: pairs that are absent have nothing to slide on, and friction and
+//! pressure may follow other laws than those of the model.
 //!
 //! ```text
 //!   mu |  step 1   step 2   step 3
@@ -9,7 +9,7 @@
 
 use super::before::Before;
 use super::kinematics::ContactKinematics;
-use super::laws::{friction, mean_length};
+use super::laws::{friction, mean_length, normal};
 use super::master::MasterSurface;
 use super::pairs::Contact;
 use super::positions::MasterPositions;
@@ -32,10 +32,12 @@ impl Contact {
     pub fn of_step(&self, (model, dofs): (&Model, usize), step: &Step) -> Cow<'_, Self> {
         let presence = &step.presence;
         let is_whole = presence.absent_pairs.is_empty();
-        if is_whole && step.frictions.is_empty() && step.interferences.is_empty() {
+        let same_laws = step.frictions.is_empty() && step.pressures.is_empty();
+        if is_whole && same_laws && step.interferences.is_empty() {
             return Cow::Borrowed(self);
         }
         let mut own = self.clone();
+        own.change_pressure(model, step);
         own.change_friction(model, step);
         own.take_bonds();
         own.take_interferences((model, dofs), step);
@@ -54,6 +56,16 @@ impl Contact {
             own.chain_nodes += master.nodes().len();
         }
         Cow::Owned(own)
+    }
+
+    /// Pressure laws are there at once.
+    fn change_pressure(&mut self, model: &Model, step: &Step) {
+        for changed in &step.pressures {
+            let pair = &model.contact_pairs[changed.pair];
+            let law = normal((model, pair), &changed.normal, mean_length(model, pair));
+            self.laws[changed.pair].normal = law.into_owned();
+            self.keeps[changed.pair] = changed.no_separation;
+        }
     }
 
     /// Where friction leads from one law to another, both count until [`Contact::at`] has the time:

@@ -202,7 +202,7 @@ impl Contact {
             *own = laws::laws(model, pair, length, users);
             return;
         }
-        let normal = laws::normal(model, pair, length);
+        let normal = laws::normal((model, pair), &pair.interaction.normal, length);
         if own.normal != *normal {
             own.normal = normal.into_owned();
         }

@@ -18,7 +18,7 @@ use crate::structure::{Ambient, FailedElement, Held, Kernels, Reference, Structu
 use slideline_diag::{Code, Diagnostic};
 use slideline_mech::element::solid::smallest_jacobian;
 use slideline_mech::material::Clock;
-use slideline_model::{ElementIndex, Kinematics, Step};
+use slideline_model::{ChangedSection, ElementIndex, Kinematics, Step};
 
 /// What a step changes.
 struct Change {
@@ -90,30 +90,49 @@ impl Analysis<'_> {
         let all = 0..plan.elements.count();
         let index = |&own: &ElementIndex| plan.elements.index_of(own);
         let begun: Vec<usize> = new.begun.iter().filter_map(index).collect();
-        let returned = all.clone().filter(|own| was(own) && !is(own) && !begun.contains(own));
+        let other = self.other_sections((before, number - 1));
+        let other = |own: &usize| other.iter().any(|block| block.contains(own));
+        // another section: the element with the old one leaves, that with the new one comes
+        let returned =
+            all.clone().filter(|own| !begun.contains(own) && !is(own) && (was(own) || other(own)));
         let pairs = new.absent_pairs.iter().filter(|&&pair| old.has_pair(pair));
         Change {
             returned: returned.collect(),
-            removed: all.filter(|own| !was(own) && is(own)).collect(),
+            removed: all.filter(|own| !was(own) && (is(own) || other(own))).collect(),
             begun,
             pairs: pairs.copied().collect(),
         }
     }
 
-    /// The kernels of a step, where they are not those of the undeformed model.
+    /// The elements of the blocks that have another section in a step than in the one before.
+    fn other_sections(&self, (before, now): (usize, usize)) -> Vec<std::ops::Range<usize>> {
+        let [before, now] = [before, now].map(|step| &self.model.steps[step].sections);
+        let of = |list: &[ChangedSection], block: usize| {
+            let changed = list.iter().find(|own| own.block == block);
+            changed
+                .map_or_else(|| self.model.blocks[block].section.clone(), |own| own.section.clone())
+        };
+        let named = before.iter().chain(now).map(|own| own.block);
+        let other = named.filter(|&block| of(before, block) != of(now, block));
+        other.filter_map(|block| self.plan.elements.of_block(block)).collect()
+    }
+
+    /// The kernels of a step, where they are not those of the model: elements begin where they
+    /// stand, or have other sections.
     ///
     /// # Errors
     /// The block with an element that cannot begin where it stands.
-    pub(super) fn begun_kernels(
+    pub(super) fn own_kernels(
         &self,
         step: &Step,
         references: &[Reference],
     ) -> Result<Option<Kernels>, usize> {
-        if !step.nlgeom || references.is_empty() {
+        let references = if step.nlgeom { references } else { &[] };
+        if references.is_empty() && step.sections.is_empty() {
             return Ok(None);
         }
         let mut kernels = Kernels::default();
-        kernels.take(&self.plan.elements, self.model, references)?;
+        kernels.take(&self.plan.elements, self.model, (references, &step.sections))?;
         Ok(Some(kernels))
     }
 
@@ -129,8 +148,8 @@ impl Analysis<'_> {
             return Ok(sum);
         }
         let step = &self.model.steps[step];
-        let begun = self.begun_kernels(step, &start.references).ok().flatten();
-        let structure = self.structure(step, begun.as_ref(), &start.references);
+        let own = self.own_kernels(step, &start.references).ok().flatten();
+        let structure = self.structure(step, own.as_ref(), &start.references);
         let state = (&self.committed.displacement[..], &self.committed.elements[..]);
         let ambient = self.ambient();
         for &element in elements {
@@ -150,13 +169,13 @@ impl Analysis<'_> {
     fn structure<'b>(
         &'b self,
         step: &Step,
-        begun: Option<&'b Kernels>,
+        own: Option<&'b Kernels>,
         references: &'b [Reference],
     ) -> Structure<'b> {
         let kernels = &self.values.kernels;
         Structure {
             numbering: &self.plan.elements,
-            kernels: begun.unwrap_or(kernels),
+            kernels: own.unwrap_or(kernels),
             dependent: &[],
             entries: &[],
             absent: &[],

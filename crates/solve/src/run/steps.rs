@@ -106,8 +106,8 @@ impl Analysis<'_> {
         let step = &model.steps[number - 1];
         let contact = &*values.contact.of_step((model, plan.dofs.len()), step);
         // where an element cannot begin, that was said before the step
-        let begun = self.begun_kernels(step, &start.references).ok().flatten();
-        let kernels = begun.as_ref().unwrap_or(&values.kernels);
+        let own = self.own_kernels(step, &start.references).ok().flatten();
+        let kernels = own.as_ref().unwrap_or(&values.kernels);
         let kind = problem::kind(model, step, contact);
         let nearly = problem::is_nearly_symmetric(model, step, contact);
         let at_once = Control::begin(&step.procedure);

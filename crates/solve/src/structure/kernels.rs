@@ -4,7 +4,7 @@ use super::block::Block;
 use super::numbering::ElementNumbering;
 use super::reference::Reference;
 use slideline_mech::element::Kernel;
-use slideline_model::{Model, Undeformed};
+use slideline_model::{ChangedSection, Model, Undeformed};
 
 /// The elements of a model in their undeformed state, block by block as numbered.
 #[derive(Debug, Default)]
@@ -20,7 +20,8 @@ pub struct Kernels {
 
 impl Kernels {
     /// Takes the elements of a model that the numbering is of, in the room of those
-    /// before. Those with a reference stand where they begin, the others where the deck has them.
+    /// before. Those with a reference stand where they begin, the others where the deck has them;
+    /// blocks that change have another section than that of the model.
     ///
     /// Errors: the index in the model of a block whose section is not one of its type, or of one
     /// with an element that cannot begin there.
@@ -28,7 +29,7 @@ impl Kernels {
         &mut self,
         numbering: &ElementNumbering,
         model: &Model,
-        references: &[Reference],
+        (references, changed): (&[Reference], &[ChangedSection]),
     ) -> Result<(), usize> {
         let known = self.blocks.len() == numbering.blocks.len();
         (self.stiffest, self.stiffest_length) = (0.0, 0.0);
@@ -39,7 +40,9 @@ impl Kernels {
             let corners = elements.flat_map(|element| element.nodes);
             self.nodes.extend(corners.map(|&node| model.nodes.get(node).position));
             self.begin_at(numbered, references);
-            let (section, nodes) = (&block.section, &self.nodes[..]);
+            let other = changed.iter().find(|own| own.block == numbered.block);
+            let section = other.map_or(&block.section, |own| &own.section);
+            let nodes = &self.nodes[..];
             let (kind, dialect) = (block.kind, model.dialect);
             let undeformed = Undeformed { kind, section, dialect, nodes };
             let room = known.then(|| self.blocks.remove(0));

@@ -32,6 +32,11 @@ impl ElementNumbering {
         flags
     }
 
+    /// The indices of the elements of a block of the model; `None`: they are rigid as a whole.
+    pub fn of_block(&self, block: usize) -> Option<std::ops::Range<usize>> {
+        self.blocks.iter().find(|own| own.block == block).map(|own| own.elements.clone())
+    }
+
     /// The index of an element of the model; `None`: it is rigid as a whole.
     pub fn index_of(&self, (block, member): ElementIndex) -> Option<usize> {
         let own = self.blocks.iter().find(|own| own.block == block)?;

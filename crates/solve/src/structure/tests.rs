@@ -45,6 +45,8 @@ fn step() -> Step {
         controls: Controls::default(),
         presence: Default::default(),
         frictions: vec![],
+        pressures: vec![],
+        sections: vec![],
         interferences: vec![],
         stabilisation: None,
         distributed: Default::default(),
@@ -177,7 +179,7 @@ fn build(model: &Model, nlgeom: bool) -> Built {
     let entries = elements.entries(&dependent, &constraints, &pattern);
     let (mut motion, mut kernels) = (Motion::default(), Kernels::default());
     motion.take(&constraints, model);
-    kernels.take(&elements, model, &[]).unwrap();
+    kernels.take(&elements, model, (&[], &[])).unwrap();
     Built { dofs, constraints, motion, elements, kernels, dependent, entries, pattern, nlgeom }
 }
 

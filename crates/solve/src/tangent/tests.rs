@@ -157,6 +157,8 @@ pub(crate) fn model(line: bool) -> Model {
         controls: Controls::default(),
         presence: Default::default(),
         frictions: vec![],
+        pressures: vec![],
+        sections: vec![],
         interferences: vec![],
         stabilisation: None,
         distributed: Default::default(),

@@ -69,20 +69,22 @@ fn linear_functions_reach_the_nodes() {
     ];
     for (rule, cell) in pairs {
         let of = |at: &[f64; 3]| 2.0 + at[0] - 3.0 * at[1] + 0.5 * at[2];
-        let values: Vec<f64> = rule.points.iter().map(of).collect();
-        let mut nodes = vec![0.0; cell.nodes];
-        rule.carry(&values, cell, &mut nodes);
-        for (node, place) in nodes.iter().zip(cell.places) {
-            assert!((node - of(place)).abs() < 1e-14, "{} {}", rule.name, cell.name);
+        let other = |at: &[f64; 3]| 1.0 - at[0] + 2.0 * at[1];
+        let values: Vec<f64> = rule.points.iter().flat_map(|at| [of(at), other(at)]).collect();
+        let mut nodes = vec![f64::NAN; 2 * cell.nodes];
+        rule.carry(&values, 2, cell, &mut nodes);
+        for (node, place) in nodes.chunks_exact(2).zip(cell.places) {
+            assert!((node[0] - of(place)).abs() < 1e-14, "{} {}", rule.name, cell.name);
+            assert!((node[1] - other(place)).abs() < 1e-14, "{} {}", rule.name, cell.name);
         }
     }
     for (rule, cell) in [(&TRI_1, &TRI3), (&TET_1, &TET4), (&HEX_1, &HEX8), (&QUAD_1, &QUAD4)] {
         let mut nodes = vec![0.0; cell.nodes];
-        rule.carry(&[2.5], cell, &mut nodes);
+        rule.carry(&[2.5], 1, cell, &mut nodes);
         assert!(nodes.iter().all(|&node| node == 2.5));
     }
     let mut nodes = [0.0; 6];
-    WEDGE_AXIS_2.carry(&[-GAUSS_2, GAUSS_2], &WEDGE6, &mut nodes);
+    WEDGE_AXIS_2.carry(&[-GAUSS_2, GAUSS_2], 1, &WEDGE6, &mut nodes);
     assert!(nodes.iter().zip(WEDGE6.places).all(|(node, at)| (node - at[2]).abs() < 1e-15));
 }
 
