@@ -43,7 +43,7 @@ fn refused(card: &str) -> Vec<&'static str> {
 }
 
 fn coulomb(stick: StickRule) -> Friction {
-    Friction::Coulomb { coefficient: 0.3, limit: None, decay: None, stick }
+    Friction::Coulomb { coefficient: 0.3, second: None, limit: None, decay: None, stick }
 }
 
 #[test]

@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // test code throughout
 
 use proptest::prelude::*;
-use slideline_mech::contact::friction::{FrictionLaw, Stick};
+use slideline_mech::contact::friction::{Ellipse, FrictionLaw, Stick};
 use slideline_mech::contact::gap::Quadratic;
 use slideline_mech::contact::normal::NormalLaw;
 use slideline_mech::contact::onset::Onset;
@@ -112,6 +112,7 @@ fn rubbing() -> Laws {
         normal: NormalLaw::Linear { stiffness: 50.0 },
         friction: FrictionLaw::Coulomb {
             coefficient: 0.3,
+            ellipse: Ellipse::CIRCLE,
             limit: None,
             decay: None,
             stick: Stick::Elastic { slip: 0.01 },

@@ -10,6 +10,9 @@ pub enum Friction {
     Coulomb {
         /// Coefficient mu [1] (the static one, with decay).
         coefficient: f64,
+        /// Coefficient along the second axis of the surface, where it is another one than along the
+        /// first [1] (`ANISOTROPIC`).
+        second: Option<f64>,
         /// `TAUMAX` [F/L2].
         limit: Option<f64>,
         /// Decay from static to kinetic.
@@ -36,13 +39,20 @@ impl Friction {
     pub fn acts(&self) -> bool {
         match self {
             Self::Frictionless => false,
-            Self::Coulomb { .. } => self.coefficients().iter().any(|&mu| mu != 0.0),
+            Self::Coulomb { second, .. } => {
+                self.coefficients().iter().chain(second).any(|&mu| mu != 0.0)
+            }
             Self::Rough | Self::User { .. } => true,
         }
     }
 
-    /// Coulomb's coefficients at rest and in fast sliding [1]; the same without decay, zero for a
-    /// law that has none.
+    /// Whether it has a coefficient of its own along either axis of the surface.
+    pub fn is_directed(&self) -> bool {
+        matches!(self, Self::Coulomb { second: Some(_), .. })
+    }
+
+    /// Coulomb's coefficients along the first axis, at rest and in fast sliding [1]; the same without
+    /// decay, zero for a law that has none.
     pub fn coefficients(&self) -> [f64; 2] {
         match *self {
             Self::Coulomb { coefficient, decay: Some(decay), .. } if decay.rate > 0.0 => {

@@ -24,6 +24,7 @@ impl Keyword for Friction {
             Rule::flag("ROUGH"),
             Rule::value("TAUMAX"),
             Rule::flag("EXPONENTIAL DECAY"),
+            Rule::flag("ANISOTROPIC"),
             Rule::value("USER"),
             Rule::value("PROPERTIES"),
             Rule::value("DEPVAR"),
@@ -82,6 +83,10 @@ fn exclusions(card: &Reading<'_>, draft: &mut Draft) {
         ("ROUGH", "EXPONENTIAL DECAY"),
         ("USER", "TAUMAX"),
         ("USER", "EXPONENTIAL DECAY"),
+        ("ANISOTROPIC", "ROUGH"),
+        ("ANISOTROPIC", "USER"),
+        ("ANISOTROPIC", "TAUMAX"),
+        ("ANISOTROPIC", "EXPONENTIAL DECAY"),
     ] {
         if card.has(first) && card.has(second) {
             let message = format!("{first} and {second} exclude one another");
@@ -121,11 +126,16 @@ fn coulomb(card: &Reading<'_>, draft: &mut Draft) -> Option<model::Friction> {
         draft.log.at_most(line, 3);
         Some(decay(line, coefficient, draft)?)
     } else {
-        draft.log.at_most(line, if draft.dialect == Dialect::Calculix { 2 } else { 1 });
+        let two = card.has("ANISOTROPIC") || draft.dialect == Dialect::Calculix;
+        draft.log.at_most(line, if two { 2 } else { 1 });
         None
     };
+    let second = match card.has("ANISOTROPIC") {
+        true => Some(self::coefficient(line, 1, draft)?),
+        false => None,
+    };
     let coefficient = coefficient?;
-    let law = model::Friction::Coulomb { coefficient, limit: limit?, decay, stick: stick? };
+    let law = model::Friction::Coulomb { coefficient, second, limit: limit?, decay, stick: stick? };
     Some(if law.acts() { law } else { model::Friction::Frictionless })
 }
 
@@ -170,6 +180,7 @@ fn stick_rule(card: &Reading<'_>, line: &DataLine, draft: &mut Draft) -> Option<
     if draft.dialect == Dialect::Calculix
         && line.field(1).is_some()
         && !card.has("EXPONENTIAL DECAY")
+        && !card.has("ANISOTROPIC")
     {
         let slope = draft.log.number(line, 1, "the stick slope")?;
         if slope <= 0.0 {

@@ -130,7 +130,7 @@ impl Laws {
         }
     }
 
-    /// The traction at which sliding begins under a pressure [F/L2].
+    /// The traction on the circle at which sliding begins under a pressure [F/L2].
     pub fn limit_traction(&self, pressure: f64, slip: Tangential, dt: f64) -> f64 {
         self.friction.limit_traction(self.gripping(pressure), slip, dt)
     }
@@ -171,12 +171,14 @@ impl Laws {
         }
         // A slip that is none of rounding counts as sliding, although the estimate may stand a
         // rounding error below the limit.
-        let z = trial.traction + trial.stiffness * slip;
+        let ellipse = self.friction.ellipse();
+        let z = trial.traction + ellipse.carried(trial.stiffness, slip);
         let projected = self.friction.project(pressure, z, slip, dt);
+        let way = ellipse.way(ellipse.slip_on_circle(slip).size(), projected.tau);
         let sticks = projected.status == Status::Stick;
         Traction {
             tau: if sticks { trial.traction } else { projected.tau },
-            dissipated_slip: if sticks { 0.0 } else { slip.size() },
+            dissipated_slip: if sticks { 0.0 } else { way },
             status: projected.status,
             ..Traction::ZERO
         }
@@ -193,8 +195,10 @@ impl Laws {
         let pressure = self.gripping(pressure);
         let limit = self.friction.limit_traction(pressure, slip, dt);
         match &self.friction {
-            FrictionLaw::Coulomb { stick, .. } if traction.size() < limit => {
-                Some(stick.stiffness(limit))
+            FrictionLaw::Coulomb { stick, ellipse, .. }
+                if ellipse.traction_on_circle(traction).size() < limit =>
+            {
+                Some(ellipse.mean_stiffness(stick.stiffness(limit)))
             }
             FrictionLaw::Rough { stick } if pressure > 0.0 => Some(stick.stiffness(pressure)),
             _ => None,
@@ -271,18 +275,19 @@ impl Laws {
     ) -> TangentialComplementarity {
         let closed = self.gripping(pressure);
         let of_pressure = if pressure > 0.0 { 1.0 } else { 0.0 };
+        let ellipse = self.friction.ellipse();
         let projected = |projected: Projection| TangentialComplementarity {
             value: projected.tau,
             by_multiplier: projected.by_z,
-            by_value: kappa * projected.by_z + projected.by_slip,
+            by_value: ellipse.by_slip(kappa, projected.by_z) + projected.by_slip,
             by_pressure: of_pressure * projected.by_pressure,
         };
         if self.friction.needs_multiplier() {
-            let z = traction + kappa * slip;
+            let z = traction + ellipse.carried(kappa, slip);
             return projected(self.friction.project(closed, z, slip, dt));
         }
         if self.user.is_none() && kappa.is_finite() {
-            let z = (traction + kappa * slip, kappa);
+            let z = (traction + ellipse.carried(kappa, slip), kappa);
             return projected(self.friction.resolve(closed, z, elastic_slip, (slip, dt)));
         }
         let updated = if self.user.is_some() {

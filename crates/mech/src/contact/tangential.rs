@@ -53,6 +53,11 @@ impl Tangential {
         self.0[0] * other.0[0] + self.0[1] * other.0[1]
     }
 
+    /// Each component times that of another one.
+    pub fn along_each(self, other: Self) -> Self {
+        Self([self.0[0] * other.0[0], self.0[1] * other.0[1]])
+    }
+
     /// The map v -> self (other . v).
     pub fn outer(self, other: Self) -> TangentialMap {
         TangentialMap(self.0.map(|own| other.0.map(|value| own * value)))
@@ -80,6 +85,12 @@ impl TangentialMap {
             [factor * (1.0 - x * x), factor * (-x * y)],
             [factor * (-x * y), factor * (1.0 - y * y)],
         ])
+    }
+
+    /// The same with every row and every column times a factor of its own.
+    pub fn scaled(self, rows: Tangential, columns: Tangential) -> Self {
+        let row = |i: usize| Tangential(self.0[i]).along_each(rows.0[i] * columns).0;
+        Self([row(0), row(1)])
     }
 
     /// Its entry in a row and column.

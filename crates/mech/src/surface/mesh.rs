@@ -11,6 +11,7 @@
 //! Nodes are numbered within the mesh. An analytical surface has its charts for faces, all of them over
 //! the four markers of its body.
 
+use super::axes::{Bearing, axis, bearing_of_axis};
 use super::patch::{MOST_CORNERS, MOST_NODES, Patch};
 use super::star::{Corner, Star, StarNormal};
 use super::swept::Swept;
@@ -49,6 +50,9 @@ pub struct FaceMesh {
     faces: Vec<MeshFace>,
     joined: Vec<Joined>,
     swept: Option<Swept>,
+    /// Where friction has coefficients along the axes of the surface: how axis 1 stands to the first
+    /// tangent in the middle of each face; empty else [1].
+    axes: Vec<Bearing>,
 }
 
 /// A smoothed face in its place, with the normals that smooth it.
@@ -95,7 +99,7 @@ impl FaceMesh {
                 Joined { neighbours: neighbours[own], around: beside, stencil, stars }
             })
             .collect();
-        Self { faces, joined, swept: None }
+        Self { faces, joined, swept: None, axes: Vec::new() }
     }
 
     /// An analytical surface on the four markers of its body.
@@ -112,7 +116,35 @@ impl FaceMesh {
             faces: charts.clone().map(|_| MeshFace { cell: &QUAD4, nodes: markers() }).collect(),
             joined: charts.map(|_| joined()).collect(),
             swept: Some(swept),
+            axes: Vec::new(),
         }
+    }
+
+    /// No direction of its faces is special any more.
+    pub fn forget_axes(&mut self) {
+        self.axes.clear();
+    }
+
+    /// Notes the axes of its faces as they are undeformed, by the positions of its nodes [L]; those of
+    /// an analytical surface are its profile and what stands across it.
+    pub fn take_axes(&mut self, position: impl Fn(usize) -> Vector) {
+        if self.swept.is_some() {
+            return;
+        }
+        let of_face = |face: &MeshFace| {
+            let nodes: Vec<Vector> = face.nodes.iter().map(|&node| position(node)).collect();
+            let patch = Patch::new(face.cell, &nodes, None);
+            let (tangents, normal) = patch.frame(&patch.place(patch.middle()))?;
+            Some(bearing_of_axis(tangents[0], normal))
+        };
+        self.axes = self.faces.iter().map(|face| of_face(face).unwrap_or([1.0, 0.0])).collect();
+    }
+
+    /// Axis 1 in the middle of a face that stands like this, where it was noted [1].
+    pub fn axis(&self, face: usize, patch: &Patch) -> Option<Vector> {
+        let bearing = *self.axes.get(face)?;
+        let (tangents, normal) = patch.frame(&patch.place(patch.middle()))?;
+        Some(axis(bearing, tangents[0], normal))
     }
 
     /// The analytical surface that it is.

@@ -6,6 +6,7 @@
 //!     o-------o-------o      meet there, may smooth it
 //! ```
 
+pub mod axes;
 pub mod jet;
 pub mod mesh;
 pub mod patch;

@@ -92,6 +92,11 @@ impl Patch {
         self.cell.faces.len()
     }
 
+    /// The middle of the reference cell.
+    pub fn middle(&self) -> [f64; 2] {
+        if self.corners() == 3 { [1.0 / 3.0; 2] } else { [0.0; 2] }
+    }
+
     /// Vectors that a gap against it follows: the slave, nodes, normals.
     pub fn parts(&self) -> usize {
         1 + self.nodes() + if self.normals.is_some() { self.corners() } else { 0 }

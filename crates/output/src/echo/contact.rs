@@ -107,8 +107,12 @@ pub fn normal_law(law: &NormalLaw) -> String {
 pub fn friction_law(friction: &Friction) -> String {
     match friction {
         Friction::Frictionless => "none".to_owned(),
-        Friction::Coulomb { coefficient, limit, decay, stick } => {
+        Friction::Coulomb { coefficient, second, limit, decay, stick } => {
             let mut text = format!("Coulomb, mu = {}", number(*coefficient));
+            if let Some(second) = second {
+                // a String takes any text
+                let _ = write!(text, " along axis 1, {} along axis 2", number(*second));
+            }
             if let Some(decay) = decay {
                 let _ = write!(
                     text,

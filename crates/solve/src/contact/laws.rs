@@ -2,7 +2,7 @@
 
 use super::master::MasterSurface;
 use crate::users::UserFrictions;
-use slideline_mech::contact::friction::{Decay, FrictionLaw, Stick};
+use slideline_mech::contact::friction::{Decay, Ellipse, FrictionLaw, Stick};
 use slideline_mech::contact::normal::NormalLaw;
 use slideline_mech::contact::pair::Laws;
 use slideline_mech::contact::points::{average_length, chord};
@@ -24,30 +24,42 @@ pub fn laws(model: &Model, pair: &ContactPair, length: f64, users: &UserFriction
         _ => None,
     };
     let normal = normal((model, pair), &pair.interaction.normal, length).into_owned();
-    let friction = friction((pair, &pair.interaction.friction), length);
+    let friction = friction((model, pair, &pair.interaction.friction), length);
     Laws { normal, friction, onset: model.friction_onset, user }
 }
 
 /// A friction law of a pair likewise.
-pub(super) fn friction((pair, law): (&ContactPair, &Friction), length: f64) -> FrictionLaw {
+pub(super) fn friction(
+    (model, pair, law): (&Model, &ContactPair, &Friction),
+    length: f64,
+) -> FrictionLaw {
     let integrated = pair.formulation == Formulation::SurfaceToSurface;
     let elastic = |fraction: f64| Stick::Elastic { slip: fraction * length };
     match law {
         Friction::Frictionless => FrictionLaw::None,
         friction if !friction.acts() => FrictionLaw::None,
-        Friction::Coulomb { coefficient, limit, decay, stick } => FrictionLaw::Coulomb {
-            coefficient: *coefficient,
-            limit: *limit,
-            decay: decay.map(|decay| Decay { kinetic: decay.kinetic, rate: decay.rate }),
-            stick: match stick {
-                // Exact stick at every integration point would fix more than the nodes can follow.
-                StickRule::Lagrange if integrated => elastic(0.005),
-                StickRule::Lagrange => Stick::Lagrange,
-                StickRule::ElasticSlip(slip) => Stick::Elastic { slip: *slip },
-                StickRule::Slope(stiffness) => Stick::Slope { stiffness: *stiffness },
-                StickRule::SlipTolerance(fraction) => elastic(*fraction),
-            },
-        },
+        Friction::Coulomb { coefficient, second, limit, decay, stick } => {
+            // in the plane there is one direction
+            let second = second.filter(|_| model.is_in_space());
+            let (coefficient, ellipse) = match second {
+                Some(second) => Ellipse::of([*coefficient, second]),
+                None => (*coefficient, Ellipse::CIRCLE),
+            };
+            FrictionLaw::Coulomb {
+                coefficient,
+                ellipse,
+                limit: *limit,
+                decay: decay.map(|decay| Decay { kinetic: decay.kinetic, rate: decay.rate }),
+                stick: match stick {
+                    // Exact stick at every integration point would fix more than the nodes can follow.
+                    StickRule::Lagrange if integrated => elastic(0.005),
+                    StickRule::Lagrange => Stick::Lagrange,
+                    StickRule::ElasticSlip(slip) => Stick::Elastic { slip: *slip },
+                    StickRule::Slope(stiffness) => Stick::Slope { stiffness: *stiffness },
+                    StickRule::SlipTolerance(fraction) => elastic(*fraction),
+                },
+            }
+        }
         Friction::Rough if integrated => FrictionLaw::Rough { stick: elastic(0.005) },
         Friction::Rough => FrictionLaw::Rough { stick: Stick::Lagrange },
         Friction::User { name, properties, state_size } => FrictionLaw::User {
@@ -115,4 +127,13 @@ pub fn mean_length(model: &Model, pair: &ContactPair) -> f64 {
     });
     let elements = pair.elements.iter().map(|element| element.nodes);
     average_length(elements.chain(edges.flatten()).map(|ends| ends.map(position)))
+}
+
+/// Whether friction of a pair has a coefficient of its own along either axis of its surface, in some
+/// step.
+pub(super) fn is_directed(model: &Model, place: usize) -> bool {
+    let changed = model.steps.iter().flat_map(|step| &step.frictions);
+    let laws = changed.filter(|own| own.pair == place).flat_map(|own| [&own.from, &own.to]);
+    let own = &model.contact_pairs[place].interaction.friction;
+    laws.chain([own]).any(Friction::is_directed)
 }

@@ -62,6 +62,7 @@ impl Contact {
             contact.chain_nodes += master.nodes().len();
             contact.spacing.push(laws::spacing(model, length, &master));
             contact.masters.push(master);
+            contact.take_axes(model, place);
             contact.take_seats(place, pair);
         }
         contact.take_bonds();
@@ -195,6 +196,7 @@ impl Contact {
             if !self.take_master(model, dofs, index) {
                 return Err(index);
             }
+            self.take_axes(model, index);
             let length = mean_length(model, pair);
             self.spacing[index] = laws::spacing(model, length, &self.masters[index]);
             self.take_laws((model, pair), (index, length), users);

@@ -14,7 +14,7 @@ use super::master::MasterSurface;
 use super::pairs::Contact;
 use super::positions::MasterPositions;
 use crate::state::{PointState, State};
-use slideline_mech::contact::friction::{Decay, FrictionLaw};
+use slideline_mech::contact::friction::{Decay, Ellipse, FrictionLaw};
 use slideline_model::{Dialect, Model, Step};
 use std::borrow::Cow;
 
@@ -75,7 +75,8 @@ impl Contact {
         for changed in &step.frictions {
             let pair = &model.contact_pairs[changed.pair];
             let length = mean_length(model, pair);
-            let [from, to] = [&changed.from, &changed.to].map(|law| friction((pair, law), length));
+            let [from, to] =
+                [&changed.from, &changed.to].map(|law| friction((model, pair, law), length));
             let laws = &mut self.laws[changed.pair];
             if at_once || from == to || !is_between(&from, &to) {
                 laws.friction = to;
@@ -172,18 +173,18 @@ fn between([from, to]: [FrictionLaw; 2], part: f64) -> FrictionLaw {
     }
     let mean = |a: f64, b: f64| a + part * (b - a);
     match (from, to) {
-        (None, Coulomb { coefficient, limit, decay, stick }) => {
+        (None, Coulomb { coefficient, ellipse, limit, decay, stick }) => {
             let decay = decay.map(|own| Decay { kinetic: part * own.kinetic, ..own });
-            Coulomb { coefficient: part * coefficient, limit, decay, stick }
+            Coulomb { coefficient: part * coefficient, ellipse, limit, decay, stick }
         }
-        (Coulomb { coefficient, limit, decay, stick }, None) => {
+        (Coulomb { coefficient, ellipse, limit, decay, stick }, None) => {
             let left = 1.0 - part;
             let decay = decay.map(|own| Decay { kinetic: left * own.kinetic, ..own });
-            Coulomb { coefficient: left * coefficient, limit, decay, stick }
+            Coulomb { coefficient: left * coefficient, ellipse, limit, decay, stick }
         }
         (
-            Coulomb { coefficient: a, limit: first, decay: fading, stick },
-            Coulomb { coefficient: b, limit: last, decay: other, .. },
+            Coulomb { coefficient: a, ellipse: one, limit: first, decay: fading, stick },
+            Coulomb { coefficient: b, ellipse: two, limit: last, decay: other, .. },
         ) => {
             let still = |mu: f64, rate: f64| Decay { kinetic: mu, rate };
             let decays = match (fading, other) {
@@ -197,7 +198,14 @@ fn between([from, to]: [FrictionLaw; 2], part: f64) -> FrictionLaw {
                 rate: mean(one.rate, two.rate),
             });
             let limit = first.zip(last).map(|(first, last)| mean(first, last));
-            Coulomb { coefficient: mean(a, b), limit, decay, stick }
+            let (coefficient, ellipse) = match one == two {
+                true => (mean(a, b), one),
+                false => {
+                    let [one, two] = [one.coefficients(a), two.coefficients(b)];
+                    Ellipse::of([mean(one[0], two[0]), mean(one[1], two[1])])
+                }
+            };
+            Coulomb { coefficient, ellipse, limit, decay, stick }
         }
         (_, to) => to,
     }

@@ -57,6 +57,10 @@ impl Contact {
         for mortar in face_mortars {
             let first = mortar.first;
             mortar.take(model, |point, area| points[first + point].area += area);
+            mortar.axes.clear();
+            if laws::is_directed(model, mortar.pair) {
+                mortar.take_axes();
+            }
         }
         for mortar in mortars {
             let nodes = slave_nodes[mortar.pair].iter();
@@ -120,6 +124,16 @@ impl Contact {
                 let areas = segment.areas();
                 let own = &mut points[segment.first..][..SEGMENT_POINTS];
                 own.iter_mut().zip(areas).for_each(|(point, area)| point.area = area);
+            }
+        }
+    }
+
+    /// The axes of the faces of a master, where friction has coefficients along them.
+    pub(super) fn take_axes(&mut self, model: &Model, index: usize) {
+        if let MasterSurface::Faces { mesh, nodes, .. } = &mut self.masters[index] {
+            mesh.forget_axes();
+            if laws::is_directed(model, index) {
+                mesh.take_axes(|node| nodes[node].0);
             }
         }
     }
@@ -192,7 +206,7 @@ impl Contact {
         if own.normal != *normal {
             own.normal = normal.into_owned();
         }
-        own.friction = laws::friction((pair, &pair.interaction.friction), length);
+        own.friction = laws::friction((model, pair, &pair.interaction.friction), length);
         own.onset = model.friction_onset;
         if matches!(pair.interaction.friction, slideline_model::Friction::User { .. }) {
             *own = laws::laws(model, pair, length, users);

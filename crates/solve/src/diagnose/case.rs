@@ -119,3 +119,8 @@ pub(super) fn step_card(step: &Step, unsymmetric: Option<bool>, increments: usiz
     }
     card
 }
+
+/// What a second coefficient of friction adds to its card and to the data line.
+pub(super) fn second_coefficient(second: Option<f64>) -> (&'static str, String) {
+    second.map_or_else(Default::default, |second| (", ANISOTROPIC", format!(", {second:.4}")))
+}

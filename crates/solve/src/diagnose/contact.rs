@@ -1,6 +1,6 @@
 //! Causes that lie in contact.
 
-use super::case::{Case, step_card};
+use super::case::{Case, second_coefficient, step_card};
 use crate::constraints::Role;
 use crate::linearised::Contradiction;
 use crate::newton::TOUCH;
@@ -104,14 +104,15 @@ impl Case<'_> {
                  side",
             );
         Some(match (origin, &pair.interaction.friction) {
-            (Some(origin), Friction::Coulomb { coefficient, stick, decay, .. }) => {
+            (Some(origin), Friction::Coulomb { coefficient, second, stick, decay, .. }) => {
                 let exact = if *stick == StickRule::Lagrange { ", LAGRANGE" } else { "" };
                 let lower = 0.5 * coefficient;
                 let (decays, further) = decay.map_or_else(Default::default, |decay| {
                     let kinetic = 0.5 * decay.kinetic;
                     (", EXPONENTIAL DECAY", format!(", {kinetic:.4}, {:E}", decay.rate))
                 });
-                let card = format!("*FRICTION{exact}{decays}\n{lower:.4}{further}\n");
+                let (axes, more) = second_coefficient(second.map(|second| 0.5 * second));
+                let card = format!("*FRICTION{exact}{decays}{axes}\n{lower:.4}{more}{further}\n");
                 said.card(Place::Instead(origin), card)
             }
             _ => said,
@@ -225,9 +226,10 @@ impl Case<'_> {
              *FRICTION, ELASTIC SLIP={slip:.3E}"
         );
         match (&pair.interaction.friction, pair.interaction.friction_origin) {
-            (friction @ Friction::Coulomb { .. }, Some(origin)) => {
+            (friction @ Friction::Coulomb { second, .. }, Some(origin)) => {
                 let [_, mu] = friction.coefficients();
-                let card = format!("*FRICTION, ELASTIC SLIP={slip:.3E}\n{mu}\n");
+                let (axes, more) = second_coefficient(*second);
+                let card = format!("*FRICTION, ELASTIC SLIP={slip:.3E}{axes}\n{mu}{more}\n");
                 said.help(help).card(Place::Instead(origin), card)
             }
             _ => said.help(help),

@@ -99,7 +99,8 @@ impl Encounter<'_> {
         };
         if friction == FrictionCall::Dropped {
             let limit = self.laws.friction.limit_traction(response.pressure, slip, self.dt);
-            now.dropped_work = now.area * limit * slip.size();
+            let ellipse = self.laws.friction.ellipse();
+            now.dropped_work = now.area * limit * ellipse.slip_on_circle(slip).size();
         }
         now
     }

@@ -170,7 +170,8 @@ impl LawContext<'_> {
         }
         let stiff = STIFF * row.felt;
         let limit = laws.limit_traction(point.pressure, sliding.slip, self.dt);
-        let tau = stiff * slip;
+        let ellipse = laws.friction.ellipse();
+        let tau = stiff * ellipse.slip_on_circle(slip);
         let (value, by_value) = match tau.size() <= limit {
             true => (tau, TangentialMap::isotropic(stiff)),
             false => {
@@ -178,6 +179,10 @@ impl LawContext<'_> {
                 (limit * way, TangentialMap::across(way, stiff * limit / tau.size()))
             }
         };
-        TangentialComplementarity { value, by_value, ..TangentialComplementarity::default() }
+        TangentialComplementarity {
+            value: ellipse.traction(value),
+            by_value: ellipse.stiffness(by_value),
+            ..TangentialComplementarity::default()
+        }
     }
 }

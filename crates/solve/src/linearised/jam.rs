@@ -41,8 +41,10 @@ impl LinearisedContact {
             return false;
         }
         let (d, directions) = (way.direction(), 0..points.directions());
+        let ellipse = law.ellipse();
+        let pull = ellipse.traction(ellipse.slip_on_circle(way).direction());
         let c = |i: usize, j: usize| self.compliance[i * m + j];
-        let along = |row: usize| directions.clone().map(move |k| d[k] * c(row, first + k)).sum();
+        let along = |row: usize| directions.clone().map(move |k| pull[k] * c(row, first + k)).sum();
         let (nn, nt): (f64, f64) = (c(n, n), along(n));
         let tt: f64 = directions.clone().map(|k| d[k] * along(first + k)).sum();
         // what the augmentation stiffness of the point itself takes off its compliance

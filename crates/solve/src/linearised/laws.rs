@@ -124,7 +124,9 @@ impl LawContext<'_> {
             return None;
         }
         let limit = laws.limit_traction(point.pressure, sliding.slip, self.dt);
-        limit.is_finite().then(|| limit * sliding.slip.direction())
+        let ellipse = laws.friction.ellipse();
+        let way = ellipse.slip_on_circle(sliding.slip).direction();
+        limit.is_finite().then(|| ellipse.traction(limit * way))
     }
 
     /// An integration point with its laws inserted, less what the augmentation stiffness carries:

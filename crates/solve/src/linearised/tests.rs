@@ -10,7 +10,7 @@
 use super::*;
 use slideline_linalg::{BuiltIn, Kind as MatrixKind, Pattern, Solver};
 use slideline_mech::contact::enforcement::Enforcement;
-use slideline_mech::contact::friction::{FrictionLaw, Stick};
+use slideline_mech::contact::friction::{Ellipse, FrictionLaw, Stick};
 use slideline_mech::contact::normal::NormalLaw;
 use slideline_mech::contact::onset::Onset;
 use slideline_mech::contact::pair::Laws;
@@ -142,7 +142,13 @@ fn turned(vector: Tangential, angle: f64) -> Tangential {
 }
 
 fn coulomb(stick: Stick) -> FrictionLaw {
-    FrictionLaw::Coulomb { coefficient: 0.4, limit: None, decay: None, stick }
+    FrictionLaw::Coulomb {
+        coefficient: 0.4,
+        ellipse: Ellipse::CIRCLE,
+        limit: None,
+        decay: None,
+        stick,
+    }
 }
 
 /// Requirement: both ways find displacements in equilibrium with pressures and tractions, which obey

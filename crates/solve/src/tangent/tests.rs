@@ -106,6 +106,7 @@ pub(crate) fn model(line: bool) -> Model {
         normal: NormalLaw::Exponential { clearance: 0.1, pressure: 2.0 },
         friction: Friction::Coulomb {
             coefficient: 0.4,
+            second: None,
             limit: None,
             decay: None,
             stick: StickRule::ElasticSlip(0.05),

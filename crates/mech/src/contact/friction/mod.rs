@@ -9,52 +9,24 @@
 //!
 //! Tractions have the sense of the slip; the residual receives + A tau d sigma, which dissipates.
 //! Slips and tractions are vectors in the tangent plane ([`Tangential`]): in the plane the limit is
-//! an interval, in space a circle, and one formula serves both.
+//! an interval, in space a circle, and one formula serves both; two coefficients make it an ellipse,
+//! which is seen as a circle ([`Ellipse`]).
 
+mod ellipse;
+mod limit;
+mod projection;
 mod traction;
 mod user;
 
 pub use super::tangential::{Tangential, TangentialMap};
+pub use ellipse::Ellipse;
+pub use limit::{Decay, Stick};
+pub use projection::Projection;
 pub use traction::{Status, Traction};
 pub use user::{FrictionBatch, FrictionPoint, Registered, UserFriction, UserFrictionError};
 
-/// How sticking is carried.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Stick {
-    /// Elastic slip up to gamma_crit > 0 [L], stiffness tau_crit/gamma_crit (`SLIP TOLERANCE`,
-    /// `ELASTIC SLIP`).
-    Elastic {
-        /// gamma_crit [L].
-        slip: f64,
-    },
-    /// Traction by the elastic slip with a slope of its own, whatever the pressure (CalculiX).
-    Slope {
-        /// The slope lambda > 0 [F/L3].
-        stiffness: f64,
-    },
-    /// Exact, by a multiplier (`LAGRANGE`).
-    Lagrange,
-}
-
-impl Stick {
-    /// Slope of the traction by the slip up to a limit traction [F/L3]; infinite where it is exact.
-    pub fn stiffness(&self, limit: f64) -> f64 {
-        match *self {
-            Self::Elastic { slip } if slip > 0.0 => limit / slip,
-            Self::Slope { stiffness } => stiffness,
-            Self::Elastic { .. } | Self::Lagrange => f64::INFINITY,
-        }
-    }
-}
-
-/// Exponential decay mu = mu_k + (mu_s - mu_k) exp(-d_c |slip rate|); mu_s is the law's coefficient.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Decay {
-    /// Kinetic coefficient mu_k [1].
-    pub kinetic: f64,
-    /// Decay d_c [T/L].
-    pub rate: f64,
-}
+use limit::{Limit, limit};
+use projection::turning;
 
 /// Friction law. [semantics: friction]
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -64,8 +36,10 @@ pub enum FrictionLaw {
     None,
     /// Coulomb: tau_crit = min(mu p, limit).
     Coulomb {
-        /// Coefficient mu [1] (static coefficient where there is decay).
+        /// Coefficient mu [1] (static coefficient where there is decay), of the circle.
         coefficient: f64,
+        /// The limits along both directions over that of the circle.
+        ellipse: Ellipse,
         /// Largest traction tau_max [F/L2] (`TAUMAX`).
         limit: Option<f64>,
         /// Dependence on the slip rate.
@@ -90,45 +64,17 @@ pub enum FrictionLaw {
     },
 }
 
-/// The limit traction with its derivatives by pressure and by slip.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Limit {
-    tau: f64,
-    by_pressure: f64,
-    by_slip: Tangential,
-}
-
-impl Limit {
-    /// A limit that depends on the pressure alone.
-    fn of_pressure(tau: f64, by_pressure: f64) -> Self {
-        Self { tau, by_pressure, by_slip: Tangential::ZERO }
-    }
-}
-
-/// tau_crit = min(mu p, tau_max), mu from the mean slip rate of the increment.
-fn limit(
-    coefficient: f64,
-    largest: Option<f64>,
-    decay: Option<Decay>,
-    pressure: f64,
-    (slip, dt): (Tangential, f64),
-) -> Limit {
-    let (mu, mu_by_slip) = match decay {
-        Some(decay) if dt > 0.0 => {
-            let fading = (coefficient - decay.kinetic) * (-decay.rate * slip.size() / dt).exp();
-            (decay.kinetic + fading, (-decay.rate / dt * fading) * slip.direction())
-        }
-        _ => (coefficient, Tangential::ZERO),
-    };
-    match largest {
-        Some(top) if mu * pressure >= top => Limit::of_pressure(top, 0.0),
-        _ => Limit { tau: mu * pressure, by_pressure: mu, by_slip: pressure * mu_by_slip },
-    }
-}
-
 impl FrictionLaw {
-    /// The traction min(mu p, tau_max) at which sliding begins [F/L2], with mu at the mean rate of
-    /// the increment; infinite for a rough surface under pressure, zero for a user law.
+    /// How the limit differs by direction.
+    pub fn ellipse(&self) -> Ellipse {
+        match self {
+            Self::Coulomb { ellipse, .. } => *ellipse,
+            Self::None | Self::Rough { .. } | Self::User { .. } => Ellipse::CIRCLE,
+        }
+    }
+
+    /// The traction min(mu p, tau_max) on the circle at which sliding begins [F/L2], with mu at the
+    /// mean rate of the increment; infinite for a rough surface under pressure, zero for a user law.
     pub fn limit_traction(&self, pressure: f64, slip: Tangential, dt: f64) -> f64 {
         match self {
             _ if pressure.is_nan() || pressure <= 0.0 => 0.0,
@@ -164,6 +110,19 @@ impl FrictionLaw {
         if pressure.is_nan() || pressure <= 0.0 {
             return Traction::ZERO;
         }
+        let ellipse = self.ellipse();
+        let (slip, elastic_slip) =
+            (ellipse.slip_on_circle(slip), ellipse.slip_on_circle(elastic_slip));
+        ellipse.answer(self.update_on_circle(pressure, slip, elastic_slip, dt))
+    }
+
+    fn update_on_circle(
+        &self,
+        pressure: f64,
+        slip: Tangential,
+        elastic_slip: Tangential,
+        dt: f64,
+    ) -> Traction {
         let trial = elastic_slip + slip;
         match self {
             Self::Coulomb {
@@ -171,6 +130,7 @@ impl FrictionLaw {
                 limit: top,
                 decay,
                 stick: Stick::Elastic { slip: critical },
+                ..
             } => {
                 let limit = limit(*coefficient, *top, *decay, pressure, (slip, dt));
                 if trial.size() <= *critical && *critical > 0.0 {
@@ -179,7 +139,13 @@ impl FrictionLaw {
                     sliding(&limit, trial, *critical)
                 }
             }
-            Self::Coulomb { coefficient, limit: top, decay, stick: Stick::Slope { stiffness } } => {
+            Self::Coulomb {
+                coefficient,
+                limit: top,
+                decay,
+                stick: Stick::Slope { stiffness },
+                ..
+            } => {
                 let limit = limit(*coefficient, *top, *decay, pressure, (slip, dt));
                 if stiffness * trial.size() <= limit.tau {
                     held(*stiffness, trial)
@@ -204,17 +170,21 @@ impl FrictionLaw {
             return Projection::ZERO;
         }
         let limit = match self {
-            Self::Coulomb { coefficient, limit: top, decay, stick: Stick::Lagrange } => {
+            Self::Coulomb { coefficient, limit: top, decay, stick: Stick::Lagrange, .. } => {
                 limit(*coefficient, *top, *decay, pressure, (slip, dt))
             }
             Self::Rough { stick: Stick::Lagrange } => Limit::of_pressure(f64::INFINITY, 0.0),
             _ => return Projection::ZERO,
         };
-        if z.size() < limit.tau {
+        let ellipse = self.ellipse();
+        let on_circle = ellipse.traction_on_circle(z);
+        if on_circle.size() < limit.tau {
             let by_z = TangentialMap::isotropic(1.0);
-            return Projection { tau: z, by_z, status: Status::Stick, ..Projection::ZERO };
+            let tau = on_circle;
+            let status = Status::Stick;
+            return ellipse.projection(Projection { tau, by_z, status, ..Projection::ZERO });
         }
-        Projection::at_limit(&limit, z, 1.0)
+        ellipse.projection(Projection::at_limit(&limit, on_circle, 1.0))
     }
 
     /// Elastic stick felt through the structure's stiffness `kappa` [F/L3]: the traction for which
@@ -233,8 +203,27 @@ impl FrictionLaw {
         if pressure.is_nan() || pressure <= 0.0 {
             return Projection::ZERO;
         }
+        let ellipse = self.ellipse();
+        let z = (ellipse.traction_on_circle(z), ellipse.kappa_on_circle(kappa));
+        let elastic_slip = ellipse.slip_on_circle(elastic_slip);
+        ellipse.projection(self.resolve_on_circle(pressure, z, elastic_slip, (slip, dt)))
+    }
+
+    fn resolve_on_circle(
+        &self,
+        pressure: f64,
+        (z, kappa): (Tangential, f64),
+        elastic_slip: Tangential,
+        (slip, dt): (Tangential, f64),
+    ) -> Projection {
         let (limit, critical, slides) = match self {
-            Self::Coulomb { coefficient, limit: top, decay, stick: Stick::Slope { stiffness } } => {
+            Self::Coulomb {
+                coefficient,
+                limit: top,
+                decay,
+                stick: Stick::Slope { stiffness },
+                ..
+            } => {
                 let limit = limit(*coefficient, *top, *decay, pressure, (slip, dt));
                 return resolve_slope(&limit, *stiffness, (elastic_slip + z / kappa, kappa));
             }
@@ -243,6 +232,7 @@ impl FrictionLaw {
                 limit: top,
                 decay,
                 stick: Stick::Elastic { slip: critical },
+                ..
             } => (limit(*coefficient, *top, *decay, pressure, (slip, dt)), *critical, true),
             Self::Rough { stick: Stick::Elastic { slip: critical } } => {
                 (Limit::of_pressure(pressure, 1.0), *critical, false)
@@ -270,55 +260,6 @@ impl FrictionLaw {
             by_slip: by_stiffness.outer(limit.by_slip),
             status: Status::Stick,
         }
-    }
-}
-
-/// Answer of [`FrictionLaw::project`].
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Projection {
-    /// tau [F/L2].
-    pub tau: Tangential,
-    /// d tau/dz at fixed pressure [1].
-    pub by_z: TangentialMap,
-    /// d tau/dp at fixed z [1].
-    pub by_pressure: Tangential,
-    /// d tau/d slip at fixed z and p (decay only) [F/L3].
-    pub by_slip: TangentialMap,
-    /// Stick or slip.
-    pub status: Status,
-}
-
-impl Projection {
-    /// No traction.
-    pub const ZERO: Self = Self {
-        tau: Tangential::ZERO,
-        by_z: TangentialMap::ZERO,
-        by_pressure: Tangential::ZERO,
-        by_slip: TangentialMap::ZERO,
-        status: Status::Slip,
-    };
-
-    /// Sliding at the limit in the direction of `way`, which follows z by the factor `by_z`. In
-    /// space the traction turns with the way.
-    fn at_limit(limit: &Limit, way: Tangential, by_z: f64) -> Self {
-        let direction = way.direction();
-        Self {
-            tau: limit.tau * direction,
-            by_z: turning(limit, way, by_z),
-            by_pressure: limit.by_pressure * direction,
-            by_slip: direction.outer(limit.by_slip),
-            status: Status::Slip,
-        }
-    }
-}
-
-/// How a traction at its limit turns with the way that it opposes, times `factor`: zero in the plane.
-fn turning(limit: &Limit, way: Tangential, factor: f64) -> TangentialMap {
-    match way.size() {
-        size if size > 0.0 && limit.tau.is_finite() => {
-            TangentialMap::across(way.direction(), factor * limit.tau / size)
-        }
-        _ => TangentialMap::ZERO,
     }
 }
 

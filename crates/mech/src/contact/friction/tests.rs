@@ -1,9 +1,11 @@
-use super::{Decay, FrictionLaw, Projection, Status, Stick, Tangential, TangentialMap, Traction};
+use super::{
+    Decay, Ellipse, FrictionLaw, Projection, Status, Stick, Tangential, TangentialMap, Traction,
+};
 
 const CRITICAL: f64 = 4e-6;
 
 fn coulomb(limit: Option<f64>, decay: Option<Decay>, stick: Stick) -> FrictionLaw {
-    FrictionLaw::Coulomb { coefficient: 0.3, limit, decay, stick }
+    FrictionLaw::Coulomb { coefficient: 0.3, ellipse: Ellipse::CIRCLE, limit, decay, stick }
 }
 
 fn elastic() -> FrictionLaw {
@@ -128,6 +130,7 @@ fn nothing_from_nothing() {
     assert_eq!(FrictionLaw::None.update_by(1.0, 1.0, 0.0, 1.0).tau[0], 0.0);
     let zero = FrictionLaw::Coulomb {
         coefficient: 0.0,
+        ellipse: Ellipse::CIRCLE,
         limit: None,
         decay: None,
         stick: Stick::Elastic { slip: 0.0 },
@@ -180,8 +183,13 @@ fn loop_area() {
 fn stick_through_a_stiffness_is_the_law_where_both_balance() {
     let decay = Some(Decay { kinetic: 0.1, rate: 3.0 });
     let elastic = Stick::Elastic { slip: 0.02 };
-    let coulomb =
-        |limit, decay| FrictionLaw::Coulomb { coefficient: 0.4, limit, decay, stick: elastic };
+    let coulomb = |limit, decay| FrictionLaw::Coulomb {
+        coefficient: 0.4,
+        ellipse: Ellipse::CIRCLE,
+        limit,
+        decay,
+        stick: elastic,
+    };
     let laws =
         [coulomb(None, None), coulomb(Some(0.5), None), FrictionLaw::Rough { stick: elastic }];
     let (pressure, committed, dt) = (2.0, 0.004, 0.3);

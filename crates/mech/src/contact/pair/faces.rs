@@ -90,8 +90,9 @@ impl FacePoint {
         let patch = mesh.place(place.face, positions, &mut room.own)?;
         let gap = FaceGap::new(patch, place.at, point)?;
         let tangent = gap.tangents()[0];
+        let axis = mesh.axis(place.face, gap.patch());
         let anew = || {
-            let directions = directions_across(gap.normal, tangent);
+            let directions = directions_across(gap.normal, axis.unwrap_or(tangent));
             Turned::new(gap.normal, directions, gap.normal)
         };
         let kept = before.and_then(|before| {
@@ -101,6 +102,8 @@ impl FacePoint {
             let turned = anew()?;
             let direction = turned.directions[0];
             let footing = Footing { place, normal: gap.normal, direction, bearing: [1.0, 0.0] };
+            let bearing = axis.map_or(footing.bearing, |_| bearing(&footing, tangent));
+            let footing = Footing { bearing, ..footing };
             let (slip, way) = (Tangential::ZERO, [0.0; 3]);
             return Some(Self { gap, place, turned, slip, way, before: None, footing });
         };

@@ -1,12 +1,12 @@
 use super::*;
-use crate::contact::friction::{Decay, Stick};
+use crate::contact::friction::{Decay, Ellipse, Stick};
 
 fn soft() -> NormalLaw {
     NormalLaw::Exponential { clearance: 1e-5, pressure: 4.8e6 }
 }
 
 fn coulomb(stick: Stick, decay: Option<Decay>) -> FrictionLaw {
-    FrictionLaw::Coulomb { coefficient: 0.3, limit: None, decay, stick }
+    FrictionLaw::Coulomb { coefficient: 0.3, ellipse: Ellipse::CIRCLE, limit: None, decay, stick }
 }
 
 fn laws(friction: FrictionLaw) -> Laws {

@@ -4,7 +4,9 @@ use crate::dofs::{DofMap, Translations};
 use slideline_mech::contact::pair::mortar_faces::{
     FacePlaces, MOST_CORNERS, MOST_NODES, corners, reference_areas,
 };
+use slideline_mech::surface::axes::{Bearing, bearing_of_axis};
 use slideline_mech::surface::mesh::smooth_groups;
+use slideline_mech::vector::{Vector, add, cross, scale, size, sub};
 use slideline_model::{ContactPair, Model, NodeIndex};
 use std::collections::HashMap;
 
@@ -38,6 +40,9 @@ pub struct FaceMortar {
     pub nodes: Vec<NodeIndex>,
     /// Dofs of the nodes.
     pub dofs: Vec<Translations>,
+    /// Where friction has coefficients along the axes of the surface: how axis 1 stands to the first
+    /// edge that leaves a point; empty else [1].
+    pub axes: Vec<Bearing>,
 }
 
 impl SlaveFace {
@@ -100,9 +105,26 @@ impl FaceMortar {
             positions: Vec::new(),
             dofs: nodes.iter().map(|&node| dofs.translations(node)).collect(),
             nodes,
+            axes: Vec::new(),
         };
         own.part(model, pair, slaves.len());
         own
+    }
+
+    /// Notes the axes of the undeformed surface at its points.
+    pub fn take_axes(&mut self) {
+        let edges = |&(face, corner): &(usize, usize)| {
+            let own: &SlaveFace = &self.faces[face];
+            let at = |corner: usize| self.positions[own.nodes[corner]];
+            own.beside(corner).map(|other| sub(at(other), at(corner)))
+        };
+        let of_point = |corners: &Vec<(usize, usize)>| {
+            let sum = |sum, [next, last]: [Vector; 2]| add(sum, cross(next, last));
+            let across = corners.iter().map(edges).fold([0.0; 3], sum);
+            let [first, _] = corners.first().map(edges).unwrap_or_default();
+            bearing_of_axis(first, scale(across, -1.0 / size(across)))
+        };
+        self.axes = self.of_point.iter().map(of_point).collect();
     }
 
     /// Gives the faces beyond a sharp edge points of their own, and every point its faces.

@@ -80,7 +80,8 @@ impl FaceRoom {
         if whole <= 0.0 {
             return None;
         }
-        Standing::new(scale(across, -1.0 / whole), edge, before)
+        let axis = mortar.axes.get(point).copied();
+        Standing::new(scale(across, -1.0 / whole), (edge, axis), before)
     }
 
     /// What a derivative by the normal of a point, from the master to the slave, is by the nodes of

@@ -11,6 +11,7 @@
 use super::super::super::gap::face::{Turned, directions_across};
 use super::super::super::search::faces::FacePlace;
 use super::super::faces::{Footing, bearing, borne};
+use crate::surface::axes::{self, Bearing};
 use crate::vector::Vector;
 
 /// How a slave node stands.
@@ -23,8 +24,13 @@ pub struct Standing {
 
 impl Standing {
     /// A node with this normal, from the master to the slave, and an edge of the slave that leaves
-    /// it; `before`: how it stood at the last commit. `None` where the edge is along the normal.
-    pub fn new(normal: Vector, edge: Vector, before: Option<&Footing>) -> Option<Self> {
+    /// it; `axis`: how axis 1 of the surface stands to that edge, where friction has coefficients along
+    /// the axes; `before`: how it stood at the last commit. `None` where the edge is along the normal.
+    pub fn new(
+        normal: Vector,
+        (edge, axis): (Vector, Option<Bearing>),
+        before: Option<&Footing>,
+    ) -> Option<Self> {
         let kept = before.and_then(|before| {
             Some((before, Turned::new(before.normal, before.directions(), normal)?))
         });
@@ -33,7 +39,8 @@ impl Standing {
                 (turned, borne(before, edge, normal).unwrap_or(turned.directions[0]))
             }
             None => {
-                let turned = Turned::new(normal, directions_across(normal, edge), normal)?;
+                let near = axis.map_or(edge, |bearing| axes::axis(bearing, edge, normal));
+                let turned = Turned::new(normal, directions_across(normal, near), normal)?;
                 (turned, turned.directions[0])
             }
         };
