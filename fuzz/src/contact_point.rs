@@ -1,7 +1,7 @@
 //! A contact point never gives NaN for finite input of any size that a model
 //! can hold.
 
-use slideline::mech::contact::friction::{FrictionLaw, Stick};
+use slideline::mech::contact::friction::{Ellipse, FrictionLaw, Stick};
 use slideline::mech::contact::normal::NormalLaw;
 use slideline::mech::contact::pair::{AnyGap, Body, RigidSurface, chain_gap};
 use slideline::mech::contact::search::chain::{Chain, Nearby, raised};
@@ -43,7 +43,13 @@ fn laws(v: &[f64]) {
         assert!(p.is_finite() && slope.is_finite() && energy.is_finite(), "{law:?} at {}", v[2]);
         for stick in [Stick::Lagrange, Stick::Elastic { slip: length }] {
             let coefficient = v[3].abs().min(10.0);
-            let friction = FrictionLaw::Coulomb { coefficient, limit: None, decay: None, stick };
+            let friction = FrictionLaw::Coulomb {
+                coefficient,
+                ellipse: Ellipse::CIRCLE,
+                limit: None,
+                decay: None,
+                stick,
+            };
             let slip = Tangential([v[4], v[6]]);
             let before = Tangential([v[5].clamp(-length, length), 0.0]);
             let tau = friction.update(p, slip, before, 1.0).tau;
