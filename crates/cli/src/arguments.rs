@@ -57,7 +57,7 @@ pub(crate) struct RunArguments {
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub out: Option<PathBuf>,
     /// Threads; results do not depend on their number.
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = threads)]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = crate::threads::count)]
     pub threads: usize,
     /// Machine-readable progress: one JSON object a line on standard output.
     #[arg(long)]
@@ -173,12 +173,5 @@ fn setting(text: &str) -> Result<(String, String), String> {
             Ok((name.to_owned(), value.to_owned()))
         }
         _ => Err("a parameter is set by NAME=VALUE".to_owned()),
-    }
-}
-
-pub(crate) fn threads(text: &str) -> Result<usize, String> {
-    match text.parse() {
-        Ok(count @ 1..=1024) => Ok(count),
-        _ => Err("a whole number from 1 to 1024".to_owned()),
     }
 }

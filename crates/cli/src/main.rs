@@ -22,6 +22,7 @@ mod run;
 mod screen;
 mod sweep;
 mod theory;
+mod threads;
 
 use arguments::{Arguments, Command};
 use clap::{CommandFactory as _, Parser as _};

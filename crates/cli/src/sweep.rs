@@ -25,7 +25,7 @@ pub(crate) struct SweepArguments {
     #[arg(long, value_name = "I/N", default_value = "0/1", value_parser = part)]
     shard: (u64, u64),
     /// Threads; results do not depend on their number.
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = crate::arguments::threads)]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = crate::threads::count)]
     threads: usize,
     /// Join the shards as DIR/study.csv, in the order of the cases.
     #[arg(long)]

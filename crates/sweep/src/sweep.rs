@@ -107,7 +107,7 @@ fn prepared(study: &StudyFile, sources: &mut Sources) -> Result<(Parametric, Str
 /// Values of the first case, with their places in the study.
 fn first_case(study: &StudyFile) -> Vec<Setting> {
     let values = study.parameters.iter().zip(study.study.values(0));
-    let set = |((name, span), value): (&(String, _), crate::Number)| Setting {
+    let set = |((name, span), value): (&(String, _), crate::spread::Number)| Setting {
         name: name.clone(),
         value: value.text(),
         span: Some(*span),
