@@ -82,7 +82,7 @@ pub(crate) fn sweep(arguments: &SweepArguments) -> Exit {
             Exit::Input
         }
         Err(Failure::Output(said)) => {
-            render::to_standard_error([&said], &sources);
+            render::to_standard_error([&*said], &sources);
             Exit::Output
         }
     }

@@ -18,7 +18,7 @@ pub enum Failure {
     /// The study or its deck is wrong.
     Input(Vec<Diagnostic>),
     /// A file could not be written.
-    Output(Diagnostic),
+    Output(Box<Diagnostic>),
 }
 
 /// A folder whose study is known.
@@ -44,7 +44,7 @@ pub(crate) fn unwritten(path: &Path, reason: &dyn std::fmt::Display) -> Failure 
     let message = format!("results could not be written: {}: {reason}", path.display());
     let help = "Free disk space or choose another folder with --out. What was written is kept: the \
                 same command goes on from there.";
-    Failure::Output(Diagnostic::error(Code("SL0702"), message).help(help))
+    Failure::Output(Box::new(Diagnostic::error(Code("SL0702"), message).help(help)))
 }
 
 impl Folder {
