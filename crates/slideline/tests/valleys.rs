@@ -10,6 +10,7 @@
 
 mod space_decks;
 
+use slideline::mech::element::cell::HEX20;
 use slideline::observe::{Event, Observer, Stop};
 use slideline::{Job, Quiet, ReadOptions, RunOptions, Status};
 use space_decks::solved;
@@ -21,32 +22,6 @@ use std::path::{Path, PathBuf};
 const SLOPE: f64 = 0.5;
 /// Where the spring leads the point, and how deep below the bottom.
 const LED: [f64; 2] = [0.08, 0.12];
-
-/// Places of the nodes of a brick with middle nodes on its reference cell.
-const CORNERS: [[f64; 3]; 8] = [
-    [-1.0, -1.0, -1.0],
-    [1.0, -1.0, -1.0],
-    [1.0, 1.0, -1.0],
-    [-1.0, 1.0, -1.0],
-    [-1.0, -1.0, 1.0],
-    [1.0, -1.0, 1.0],
-    [1.0, 1.0, 1.0],
-    [-1.0, 1.0, 1.0],
-];
-const EDGES: [[usize; 2]; 12] = [
-    [0, 1],
-    [1, 2],
-    [2, 3],
-    [3, 0],
-    [4, 5],
-    [5, 6],
-    [6, 7],
-    [7, 4],
-    [0, 4],
-    [1, 5],
-    [2, 6],
-    [3, 7],
-];
 
 /// Sections, springs of the point, surfaces and supports.
 const BETWEEN: &str = "*SOLID SECTION, ELSET=BRICKS, MATERIAL=M
@@ -85,11 +60,10 @@ const TIP: [[f64; 3]; 5] =
 
 /// Two bricks whose upper faces slope down to x = 0: the places of their nodes and the nodes of each.
 fn bricks() -> (Vec<[f64; 3]>, [[usize; 20]; 2]) {
-    let middles = EDGES.map(|[a, b]| [0, 1, 2].map(|k| 0.5 * (CORNERS[a][k] + CORNERS[b][k])));
     let mut known: Vec<[f64; 3]> = Vec::new();
     let bricks = [-0.5, 0.5].map(|side| {
         let mut nodes = [0; 20];
-        for (node, &[x, y, z]) in nodes.iter_mut().zip(CORNERS.iter().chain(&middles)) {
+        for (node, &[x, y, z]) in nodes.iter_mut().zip(HEX20.places) {
             let x = side + 0.5 * x;
             // upper face at SLOPE |x|, lower one at -1, middle nodes half-way
             let place = [x, y, 0.5 * (1.0 + z) * SLOPE * x.abs() - 0.5 * (1.0 - z)];
