@@ -25,21 +25,14 @@ thread, files written.  Both solved the same problem if the force on the block a
 displacements of some nodes inside agree: the column `off %`, of the largest value.
 """
 
-import argparse
-import os
-import statistics
 import sys
-import tempfile
-from pathlib import Path
 
-from published import tables
-from solids import CORNERS, iterations, lines, off, timed
+from solids import AGREES, CORNERS, beside, cases_of, lines, off, options, table
 
 SIZES = {"5k": 5_000, "20k": 20_000, "79k": 79_000}
 SPACE_SIZES = {"5k": 4_700, "20k": 20_000, "79k": 79_000}
 PLANE = ["CPE4", "CPS4"]
 KINDS = ["CPE4", "C3D8"]
-AGREES = 2.0  # per cent
 MODULUS = 2.1e5
 # Length, width and height of the foundation and of the block, and the size of their elements.
 FOUNDATION, BLOCK = (24.0, 14.0, 6.0), (10.0, 8.0, 6.0)
@@ -157,70 +150,27 @@ def force(table):
 
 
 def compare(kind, size, arguments, folder):
-    """One line of the table."""
+    """One line of the table; whether both programs agree."""
     wanted = (SIZES if kind in PLANE else SPACE_SIZES)[size]
     element = size_for(kind, wanted)
     (folder / "job.inp").write_text(deck(kind, element, STIFF * arguments.stiffness, arguments.mu))
-    own = folder / "own"
-    ours = [os.path.abspath(arguments.program), "run", "job.inp", "--dialect", "calculix", "--no-html", "--quiet"]
-    ours += ["--threads", "1", "--out", str(own)]
-    pairs = []
-    for _ in range(arguments.pairs):
-        theirs = timed([arguments.ccx, "job"], folder, folder / "ccx.log")
-        pairs.append((timed(ours, folder, folder / "slideline.log"), theirs))
-    found = tables(str(folder / "job.dat")), tables(str(own / "job.dat"))
-    deviation = off(*found)
-    middle_of = lambda values: statistics.median(list(values))
-    own_time, their_time = middle_of(p[0][0] for p in pairs), middle_of(p[1][0] for p in pairs)
-    own_memory, their_memory = middle_of(p[0][2] for p in pairs), middle_of(p[1][2] for p in pairs)
-    counts = f"{iterations(own / 'job.sta')}/{iterations(folder / 'job.sta')}"
-    ratio = middle_of(theirs[0] / own[0] for own, theirs in pairs)
-    print(
-        f"{kind},{dofs_of(kind, element)},{counts},{own_time:.2f},{their_time:.2f},{ratio:.1f},"
-        f"{own_memory:.0f},{their_memory:.0f},{their_memory / own_memory:.1f},{deviation:.2f}",
-        flush=True,
-    )
+    found = beside(kind, dofs_of(kind, element), arguments, folder)
     if arguments.forces:
-        for name, table in zip(("ccx", "slideline"), found):
-            print(f"#   {name}: " + ", ".join(f"{value:.6g}" for value in force(table)), flush=True)
-    return deviation <= AGREES
+        for name, last in zip(("ccx", "slideline"), found):
+            print(f"#   {name}: " + ", ".join(f"{value:.6g}" for value in force(last)), flush=True)
+    return off(*found) <= AGREES
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--ccx", default="ccx", help="the program to compare with")
-    parser.add_argument("--program", default="target/release/slideline")
-    parser.add_argument("--short", action="store_true", help="the smallest of each, one pair")
-    parser.add_argument("--full", action="store_true", help="79,000 dofs in space too")
-    parser.add_argument("--only", help="elements, separated by commas")
-    parser.add_argument("--sizes", help="5k, 20k, 79k, separated by commas")
-    parser.add_argument("--pairs", type=int, default=3, help="pairs of runs")
+    parser = options(__doc__, ["5k", "20k", "79k"])
     parser.add_argument("--stiffness", type=float, default=1.0, help="of contact, times the usual one")
     parser.add_argument("--mu", type=float, default=0.2, help="coefficient of friction")
     parser.add_argument("--forces", action="store_true", help="print the forces on the block")
-    parser.add_argument("--keep", type=Path, help="folder for decks and results")
     arguments = parser.parse_args()
-    kinds = arguments.only.split(",") if arguments.only else KINDS
-    cases = [("5k", kind) for kind in kinds]
-    if not arguments.short:
-        cases += [("20k", kind) for kind in kinds]
-    if arguments.full:
-        cases += [("79k", kind) for kind in kinds if kind not in PLANE]
-    if arguments.sizes:
-        cases = [(size, kind) for size in arguments.sizes.split(",") for kind in kinds]
     if arguments.short:
         arguments.pairs = 1
-    same = True
-    with tempfile.TemporaryDirectory() as temporary:
-        base = arguments.keep or Path(temporary)
-        print("element,dofs,iterations ours/ccx,CPU s,ccx CPU s,ratio,MB,ccx MB,ratio,off %")
-        for size, kind in cases:
-            folder = base / f"{kind}_{size}"
-            folder.mkdir(parents=True, exist_ok=True)
-            same &= compare(kind, size, arguments, folder)
-    if not same:
-        print(f"error: results differ by more than {AGREES} %", file=sys.stderr)
-    return 0 if same else 1
+    space = [kind for kind in KINDS if kind not in PLANE]
+    return table(cases_of(arguments, KINDS, (space, "79k")), arguments, compare)
 
 
 if __name__ == "__main__":

@@ -163,10 +163,9 @@ def off(theirs, ours):
     return 100.0 * worst
 
 
-def compare(kind, size, arguments, folder):
-    """One line of the table."""
-    cells, dofs = cells_for(kind, SIZES[size])
-    (folder / "job.inp").write_text(deck(kind, cells, arguments.increments))
+def beside(kind, dofs, arguments, folder):
+    """Runs the deck of a folder in both programs in turns and prints its line of the table; the
+    last tables of CalculiX and of Slideline."""
     own = folder / "own"
     ours = [os.path.abspath(arguments.program), "run", "job.inp", "--dialect", "calculix", "--no-html", "--quiet"]
     ours += ["--threads", "1", "--out", str(own)]
@@ -174,7 +173,7 @@ def compare(kind, size, arguments, folder):
     for _ in range(arguments.pairs):
         theirs = timed([arguments.ccx, "job"], folder, folder / "ccx.log")
         pairs.append((timed(ours, folder, folder / "slideline.log"), theirs))
-    deviation = off(tables(str(folder / "job.dat")), tables(str(own / "job.dat")))
+    found = tables(str(folder / "job.dat")), tables(str(own / "job.dat"))
     middle_of = lambda values: statistics.median(list(values))
     own_time, their_time = middle_of(p[0][0] for p in pairs), middle_of(p[1][0] for p in pairs)
     own_memory, their_memory = middle_of(p[0][2] for p in pairs), middle_of(p[1][2] for p in pairs)
@@ -182,10 +181,59 @@ def compare(kind, size, arguments, folder):
     ratio = middle_of(theirs[0] / own[0] for own, theirs in pairs)
     print(
         f"{kind},{dofs},{counts},{own_time:.2f},{their_time:.2f},{ratio:.1f},"
-        f"{own_memory:.0f},{their_memory:.0f},{their_memory / own_memory:.1f},{deviation:.2f}",
+        f"{own_memory:.0f},{their_memory:.0f},{their_memory / own_memory:.1f},{off(*found):.2f}",
         flush=True,
     )
-    return deviation <= AGREES
+    return found
+
+
+def compare(kind, size, arguments, folder):
+    """One line of the table; whether both programs agree."""
+    cells, dofs = cells_for(kind, SIZES[size])
+    (folder / "job.inp").write_text(deck(kind, cells, arguments.increments))
+    return off(*beside(kind, dofs, arguments, folder)) <= AGREES
+
+
+def table(cases, arguments, compare):
+    """All lines; the exit code."""
+    same = True
+    with tempfile.TemporaryDirectory() as temporary:
+        base = arguments.keep or Path(temporary)
+        print("element,dofs,iterations ours/ccx,CPU s,ccx CPU s,ratio,MB,ccx MB,ratio,off %")
+        for size, kind in cases:
+            folder = base / f"{kind}_{size}"
+            folder.mkdir(parents=True, exist_ok=True)
+            same &= compare(kind, size, arguments, folder)
+    if not same:
+        print(f"error: results differ by more than {AGREES} %", file=sys.stderr)
+    return 0 if same else 1
+
+
+def options(description, sizes):
+    """The options that comparisons share; `sizes`: what --full adds."""
+    parser = argparse.ArgumentParser(description=description.splitlines()[0])
+    parser.add_argument("--ccx", default="ccx", help="the program to compare with")
+    parser.add_argument("--program", default="target/release/slideline")
+    parser.add_argument("--short", action="store_true", help="5,000 dofs, one pair")
+    parser.add_argument("--full", action="store_true", help=f"{sizes[-1]} too")
+    parser.add_argument("--only", help="elements, separated by commas")
+    parser.add_argument("--sizes", help=f"{', '.join(sizes)}, separated by commas")
+    parser.add_argument("--pairs", type=int, default=3, help="pairs of runs")
+    parser.add_argument("--keep", type=Path, help="folder for decks and results")
+    return parser
+
+
+def cases_of(arguments, kinds, large):
+    """Sizes and elements that are asked for; `large`: the elements and the size that --full adds."""
+    kinds = arguments.only.split(",") if arguments.only else kinds
+    if arguments.sizes:
+        return [(size, kind) for size in arguments.sizes.split(",") for kind in kinds]
+    cases = [("5k", kind) for kind in kinds]
+    if not arguments.short:
+        cases += [("20k", kind) for kind in kinds]
+    if arguments.full:
+        cases += [(large[1], kind) for kind in kinds if kind in large[0]]
+    return cases
 
 
 def large(arguments, folder):
@@ -203,40 +251,19 @@ def large(arguments, folder):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--ccx", default="ccx", help="the program to compare with")
-    parser.add_argument("--program", default="target/release/slideline")
-    parser.add_argument("--short", action="store_true", help="5,000 dofs, one pair")
-    parser.add_argument("--full", action="store_true", help="80,000 dofs too")
+    parser = options(__doc__, ["5k", "20k", "80k"])
     parser.add_argument("--large", action="store_true", help="250,000 dofs, slideline alone")
-    parser.add_argument("--only", help="elements, separated by commas")
-    parser.add_argument("--sizes", help="5k, 20k, 80k, separated by commas")
-    parser.add_argument("--pairs", type=int, default=3, help="pairs of runs")
     parser.add_argument("--increments", type=int, default=3)
-    parser.add_argument("--keep", type=Path, help="folder for decks and results")
     arguments = parser.parse_args()
-    sizes = ["5k"] if arguments.short else ["5k", "20k"] + (["80k"] if arguments.full else [])
-    sizes = arguments.sizes.split(",") if arguments.sizes else sizes
-    if arguments.short:
-        arguments.pairs = 1
-    kinds = arguments.only.split(",") if arguments.only else PLANE + SPACE
-    with tempfile.TemporaryDirectory() as temporary:
-        base = arguments.keep or Path(temporary)
-        if arguments.large:
-            folder = base / "large"
+    if arguments.large:
+        with tempfile.TemporaryDirectory() as temporary:
+            folder = (arguments.keep or Path(temporary)) / "large"
             folder.mkdir(parents=True, exist_ok=True)
             large(arguments, folder)
-            return 0
-        print("element,dofs,iterations ours/ccx,CPU s,ccx CPU s,ratio,MB,ccx MB,ratio,off %")
-        same = True
-        for size in sizes:
-            for kind in kinds:
-                folder = base / f"{kind}_{size}"
-                folder.mkdir(parents=True, exist_ok=True)
-                same &= compare(kind, size, arguments, folder)
-    if not same:
-        print(f"error: results differ by more than {AGREES} %", file=sys.stderr)
-    return 0 if same else 1
+        return 0
+    if arguments.short:
+        arguments.pairs = 1
+    return table(cases_of(arguments, PLANE + SPACE, (PLANE + SPACE, "80k")), arguments, compare)
 
 
 if __name__ == "__main__":

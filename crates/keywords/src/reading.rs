@@ -5,6 +5,7 @@ use slideline_diag::{Code, Diagnostic, Span};
 
 use crate::log::Log;
 use crate::rule::{Form, Rule, Takes};
+use crate::surfaces::Named;
 
 /// A card whose parameters are known by their full names.
 pub(crate) struct Reading<'a> {
@@ -104,6 +105,11 @@ impl<'a> Reading<'a> {
     /// A name given as value: a set, a material. Case and blanks do not count.
     pub fn name(&self, name: &str) -> Option<String> {
         self.word(name).map(|word| normalise(&word.raw)).filter(|name| !name.is_empty())
+    }
+
+    /// Such a name, with where it was said.
+    pub fn named(&self, parameter: &str) -> Option<Named> {
+        self.name(parameter).map(|name| Named { name, span: self.span_of(parameter) })
     }
 
     /// A real number given as value: `Some(None)` where the parameter is

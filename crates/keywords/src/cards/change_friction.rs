@@ -6,7 +6,7 @@ use crate::changes::{FrictionChange, FrictionOf};
 use crate::draft::{Draft, Owner};
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
-use crate::surfaces::{Named, unsaid};
+use crate::surfaces::unsaid;
 
 /// `*CHANGE FRICTION`.
 pub(crate) struct ChangeFriction;
@@ -36,9 +36,7 @@ impl Keyword for ChangeFriction {
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
         draft.log.at_most_lines(card.data(), 0, self.name());
-        let named =
-            |name: &'static str| Some(Named { name: card.name(name)?, span: card.span_of(name) });
-        let of = match (named("INTERACTION"), named("ELSET")) {
+        let of = match (card.named("INTERACTION"), card.named("ELSET")) {
             (Some(own), None) => FrictionOf::Interaction(own),
             (None, Some(own)) => FrictionOf::Elements(own),
             (None, None) => {

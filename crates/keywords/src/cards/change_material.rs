@@ -3,7 +3,6 @@
 use crate::draft::{Draft, Owner, PropertyChange};
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
-use crate::surfaces::Named;
 
 /// `*CHANGE MATERIAL`.
 pub(crate) struct ChangeMaterial;
@@ -33,8 +32,7 @@ impl Keyword for ChangeMaterial {
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
         draft.log.at_most_lines(card.data(), 0, self.name());
         draft.owner = Owner::Broken;
-        let Some(name) = card.name("NAME") else { return };
-        let material = Named { name, span: card.span_of("NAME") };
+        let Some(material) = card.named("NAME") else { return };
         let origin = card.span();
         draft.owner = Owner::MaterialChange;
         // the *CHANGE PLASTIC behind it says what changes

@@ -3,7 +3,6 @@
 use crate::draft::{Draft, PropertyChange};
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
-use crate::surfaces::Named;
 
 /// `*CHANGE SOLID SECTION`.
 pub(crate) struct ChangeSolidSection;
@@ -33,11 +32,8 @@ impl Keyword for ChangeSolidSection {
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
         draft.log.at_most_lines(card.data(), 0, self.name());
-        let named = |name: &'static str| {
-            card.name(name).map(|own| Named { name: own, span: card.span_of(name) })
-        };
-        let Some((set, material)) = named("ELSET").zip(named("MATERIAL")) else { return };
-        let orientation = named("ORIENTATION").map(|own| (own.name, own.span));
+        let Some((set, material)) = card.named("ELSET").zip(card.named("MATERIAL")) else { return };
+        let orientation = card.named("ORIENTATION").map(|own| (own.name, own.span));
         let origin = card.span();
         if let Some(step) = draft.step() {
             step.properties.push(PropertyChange::Section { set, material, orientation, origin });

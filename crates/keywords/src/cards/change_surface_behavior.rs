@@ -4,7 +4,7 @@ use crate::changes::PressureChange;
 use crate::draft::{Draft, Owner};
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
-use crate::surfaces::{Named, unsaid};
+use crate::surfaces::unsaid;
 
 /// `*CHANGE SURFACE BEHAVIOR`.
 pub(crate) struct ChangeSurfaceBehavior;
@@ -34,8 +34,7 @@ impl Keyword for ChangeSurfaceBehavior {
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
         draft.log.at_most_lines(card.data(), 0, self.name());
         draft.owner = Owner::Broken;
-        let Some(name) = card.name("INTERACTION") else { return };
-        let of = Named { name, span: card.span_of("INTERACTION") };
+        let Some(of) = card.named("INTERACTION") else { return };
         draft.owner = Owner::PressureChange;
         // the *SURFACE BEHAVIOR behind it fills in the law
         let interaction = unsaid(card.span());

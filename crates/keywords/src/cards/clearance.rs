@@ -3,7 +3,7 @@
 use crate::draft::Draft;
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
-use crate::surfaces::{Clearance as Asked, Named};
+use crate::surfaces::Clearance as Asked;
 
 /// `*CLEARANCE`.
 pub(crate) struct Clearance;
@@ -33,10 +33,7 @@ impl Keyword for Clearance {
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
         draft.log.at_most_lines(card.data(), 0, self.name());
-        let named = |parameter: &str| {
-            card.name(parameter).map(|name| Named { name, span: card.span_of(parameter) })
-        };
-        let (slave, master) = (named("SLAVE"), named("MASTER"));
+        let (slave, master) = (card.named("SLAVE"), card.named("MASTER"));
         let value = card.number("VALUE", &mut draft.log).flatten();
         if let (Some(slave), Some(master), Some(value)) = (slave, master, value) {
             draft.clearances.push(Asked { slave, master, value, origin: card.span() });

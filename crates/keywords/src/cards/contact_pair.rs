@@ -68,8 +68,7 @@ impl Keyword for ContactPair {
         };
         let smooth = smooth(card, default, draft);
         let extension = extension(card, draft);
-        let Some(name) = card.name("INTERACTION") else { return };
-        let interaction = Named { name, span: card.span_of("INTERACTION") };
+        let Some(interaction) = card.named("INTERACTION") else { return };
         if card.first_line("slave surface, master surface", &mut draft.log).is_none() {
             return;
         }

@@ -10,7 +10,6 @@ use crate::log::Target;
 use crate::parts::Place;
 use crate::reading::Reading;
 use crate::sets::Item;
-use crate::surfaces::Named;
 
 /// `*NSET`.
 pub(crate) struct Nset;
@@ -54,8 +53,7 @@ impl Keyword for Nset {
         for (item, span) in read_members(card, draft) {
             draft.node_sets.join(&name, item, span);
         }
-        if let Some(elements) = card.name("ELSET") {
-            let elements = Named { name: elements, span: card.span_of("ELSET") };
+        if let Some(elements) = card.named("ELSET") {
             let placement =
                 card.name("INSTANCE").and_then(|name| draft.log.instances.placement(&name));
             let elements = match placement {

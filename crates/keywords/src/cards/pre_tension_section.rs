@@ -5,7 +5,6 @@ use crate::draft::Draft;
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::log::Target;
 use crate::reading::Reading;
-use crate::surfaces::Named;
 
 /// `*PRE-TENSION SECTION`.
 pub(crate) struct PreTensionSection;
@@ -53,10 +52,7 @@ impl Keyword for PreTensionSection {
 /// Where the bolt is cut: at a surface, or at the end of an element.
 fn cut(card: &Reading<'_>, draft: &mut Draft) -> Option<Cut> {
     match (card.has("SURFACE"), card.has("ELEMENT")) {
-        (true, false) => {
-            let name = card.name("SURFACE")?;
-            Some(Cut::Surface(Named { name, span: card.span_of("SURFACE") }))
-        }
+        (true, false) => Some(Cut::Surface(card.named("SURFACE")?)),
         (false, true) => match super::rigid_body::node(card, "ELEMENT", draft)? {
             Target::Label(label) => Some(Cut::Element(label, card.span_of("ELEMENT"))),
             Target::Set(_) => {

@@ -8,7 +8,7 @@ use crate::draft::Draft;
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::log::{MAX_LABEL, Target};
 use crate::reading::Reading;
-use crate::surfaces::{self, Named};
+use crate::surfaces;
 
 /// `*RIGID BODY`.
 pub(crate) struct RigidBody;
@@ -48,16 +48,13 @@ impl Keyword for RigidBody {
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
         draft.log.at_most_lines(card.data(), 0, self.name());
         unsupported(card, draft);
-        let named = |parameter: &str| {
-            card.name(parameter).map(|name| Named { name, span: card.span_of(parameter) })
-        };
-        let (tied, elements) = (named("TIE NSET").or(named("NSET")), named("ELSET"));
+        let (tied, elements) = (card.named("TIE NSET").or(card.named("NSET")), card.named("ELSET"));
         if card.has("TIE NSET") && card.has("NSET") {
             let message = "NSET and TIE NSET mean the same: give one of them";
             draft.log.error("SL0215", message, card.span_of("NSET"));
         }
-        let pinned = named("PIN NSET");
-        let surface = named("ANALYTICAL SURFACE");
+        let pinned = card.named("PIN NSET");
+        let surface = card.named("ANALYTICAL SURFACE");
         let parts = ["TIE NSET", "NSET", "ELSET", "ANALYTICAL SURFACE", "PIN NSET"];
         if !parts.into_iter().any(|part| card.has(part)) {
             let message =

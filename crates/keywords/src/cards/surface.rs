@@ -8,7 +8,7 @@ use super::{rigid_surface, swept_surface};
 use crate::draft::Draft;
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
-use crate::surfaces::{Extent, Named, NamedSurface, Side, Stretch};
+use crate::surfaces::{Extent, NamedSurface, Side, Stretch};
 
 /// `*SURFACE`.
 pub(crate) struct Surface;
@@ -41,8 +41,7 @@ impl Keyword for Surface {
     }
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
-        let Some(name) = card.name("NAME") else { return };
-        let named = Named { name, span: card.span_of("NAME") };
+        let Some(named) = card.named("NAME") else { return };
         let kinds = &["ELEMENT", "NODE", "SEGMENTS", "CYLINDER", "REVOLUTION"];
         let kind = card.choice("TYPE", kinds, &mut draft.log);
         let is_nodal = kind == Some("NODE");

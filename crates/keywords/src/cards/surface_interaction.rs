@@ -5,7 +5,7 @@ use slideline_diag::{Code, Diagnostic};
 use crate::draft::{Draft, Owner};
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
-use crate::surfaces::{Named, NamedInteraction};
+use crate::surfaces::NamedInteraction;
 
 /// `*SURFACE INTERACTION`.
 pub(crate) struct SurfaceInteraction;
@@ -33,8 +33,7 @@ impl Keyword for SurfaceInteraction {
     }
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
-        let Some(name) = card.name("NAME") else { return };
-        let named = Named { name, span: card.span_of("NAME") };
+        let Some(named) = card.named("NAME") else { return };
         if let Some(old) = draft.interactions.iter().find(|old| old.named.name == named.name) {
             let message = format!("the surface interaction {} is defined twice", named.name);
             let error = Diagnostic::error(Code("SL0250"), message).at(named.span);

@@ -18,7 +18,7 @@ use crate::structure::{Ambient, FailedElement, Held, Kernels, Reference, Structu
 use slideline_diag::{Code, Diagnostic};
 use slideline_mech::element::solid::smallest_jacobian;
 use slideline_mech::material::Clock;
-use slideline_model::{ChangedSection, ElementIndex, Kinematics, Step};
+use slideline_model::{ChangedSection, ElementIndex, Kinematics, Section, Step};
 
 /// What a step changes.
 struct Change {
@@ -107,14 +107,15 @@ impl Analysis<'_> {
     /// The elements of the blocks that have another section in a step than in the one before.
     fn other_sections(&self, (before, now): (usize, usize)) -> Vec<std::ops::Range<usize>> {
         let [before, now] = [before, now].map(|step| &self.model.steps[step].sections);
-        let of = |list: &[ChangedSection], block: usize| {
-            let changed = list.iter().find(|own| own.block == block);
-            changed
-                .map_or_else(|| self.model.blocks[block].section.clone(), |own| own.section.clone())
-        };
         let named = before.iter().chain(now).map(|own| own.block);
-        let other = named.filter(|&block| of(before, block) != of(now, block));
+        let other = named.filter(|&block| self.section(before, block) != self.section(now, block));
         other.filter_map(|block| self.plan.elements.of_block(block)).collect()
+    }
+
+    /// The section of a block where those are changed.
+    fn section<'b>(&'b self, changed: &'b [ChangedSection], block: usize) -> &'b Section {
+        let other = changed.iter().find(|own| own.block == block);
+        other.map_or(&self.model.blocks[block].section, |own| &own.section)
     }
 
     /// The kernels of a step, where they are not those of the model: elements begin where they
