@@ -53,7 +53,7 @@ fn cantilevers(record: &mut Record) {
     let exact = beam.deflection(0.01);
     for element in [
         "CPS4I", "CPS4R", "CPS6", "CPS8", "CPS8R", "CPE4I", "CPE6", "CPE8", "CPE8R", "C3D8I",
-        "C3D10", "C3D10M", "C3D15", "C3D20", "C3D20R",
+        "C3D10", "C3D15", "C3D20", "C3D20R",
     ] {
         let ratio = cantilever(element) / exact;
         record.within(format!("{element}, deflection over Timoshenko's"), ratio, [0.97, 1.03]);

@@ -130,10 +130,8 @@ mod tests {
             let all = TYPES.into_iter().filter(|kind| locks(kind, dialect));
             all.map(ElementType::name).collect()
         };
-        let both = [
-            "CPE3", "CPE8", "CAX3", "CAX8", "C3D4", "C3D4H", "C3D6", "C3D10", "C3D10M", "C3D15",
-            "C3D20",
-        ];
+        let both =
+            ["CPE3", "CPE8", "CAX3", "CAX8", "C3D4", "C3D4H", "C3D6", "C3D10", "C3D15", "C3D20"];
         assert_eq!(locking(Dialect::Abaqus), both);
         let calculix = locking(Dialect::Calculix);
         assert!(both.iter().all(|name| calculix.contains(name)));

@@ -14,6 +14,7 @@ use slideline_model::{PrintTarget, Request, Totals};
 
 use crate::draft::Draft;
 use crate::reading::Reading;
+use crate::unsupported;
 
 /// Parameters of output cards that change no result.
 pub(crate) const WITHOUT_EFFECT: &[&str] = &[
@@ -184,12 +185,18 @@ fn variables<V: Variable>(
     found
 }
 
-/// No result changes: a warning, once for each name.
+/// No result changes: a note of what another program writes, a warning of a name that none knows;
+/// once for each name.
 fn unknown<V: Variable>(field: &Field, draft: &mut Draft) {
     if !draft.log.first_time(&format!("{} {}", V::KIND, field.text)) {
         return;
     }
-    let message = format!("`{}` is not a {}: it is not written", field.text, V::KIND);
-    let said = Diagnostic::warning(Code("SL0252"), message);
+    let said = if unsupported::variable(&field.text) {
+        let message = format!("`{}` is not written by this program", field.text);
+        Diagnostic::note(Code("SL0257"), message)
+    } else {
+        let message = format!("`{}` is not a {}: it is not written", field.text, V::KIND);
+        Diagnostic::warning(Code("SL0252"), message)
+    };
     draft.log.push(said.at(field.span).help(format!("known: {}", V::KNOWN)));
 }

@@ -14,9 +14,11 @@ use slideline_deck::normalise;
 
 mod names;
 mod parameters;
+mod variables;
 
 pub(crate) use names::Treatment;
 pub(crate) use parameters::parameter;
+pub(crate) use variables::variable;
 
 /// A keyword of another program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

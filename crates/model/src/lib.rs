@@ -46,6 +46,7 @@ pub use element::block::{Allowable, Beams, Element, ElementBlock, Elements, Limi
 pub use element::element_type::{
     ElementType, Field, Kinematics, Location, Undeformed, mean_at_nodes,
 };
+pub use element::other_names::read_as;
 pub use element::section::{
     BeamSection, Section, ShearRule, SolidSection, SpringSection, SpringWay,
 };

@@ -257,23 +257,39 @@ fn a_report_of_thinned_states_says_so() {
 #[test]
 fn unknown_variables_are_told() {
     for card in [
-        "*NODE PRINT\nU, SDEG\n",
-        "*CONTACT PRINT\nCSTRESS, SDEG\n",
-        "*EL PRINT\nS, SDEG\n",
-        "*NODE FILE\nU, SDEG\n",
-        "*EL FILE\nS, SDEG\n",
-        "*CONTACT FILE\nCSTRESS, SDEG\n",
-        "*OUTPUT, FIELD\n*NODE OUTPUT\nU, SDEG\n",
-        "*OUTPUT, FIELD\n*ELEMENT OUTPUT\nS, SDEG\n",
-        "*OUTPUT, HISTORY\n*CONTACT OUTPUT\nCSTRESS, SDEG\n",
+        "*NODE PRINT\nU, SDGE\n",
+        "*CONTACT PRINT\nCSTRESS, SDGE\n",
+        "*EL PRINT\nS, SDGE\n",
+        "*NODE FILE\nU, SDGE\n",
+        "*EL FILE\nS, SDGE\n",
+        "*CONTACT FILE\nCSTRESS, SDGE\n",
+        "*OUTPUT, FIELD\n*NODE OUTPUT\nU, SDGE\n",
+        "*OUTPUT, FIELD\n*ELEMENT OUTPUT\nS, SDGE\n",
+        "*OUTPUT, HISTORY\n*CONTACT OUTPUT\nCSTRESS, SDGE\n",
     ] {
         let read = Job::read_text("cam", &deck(card, ""), &ReadOptions::default());
         let said: Vec<_> = read.diagnostics.iter().filter(|said| said.code.0 == "SL0252").collect();
         let [only] = said.as_slice() else { panic!("{card}: {said:?}") };
         assert_eq!(only.severity, Severity::Warning, "{card}");
-        assert!(only.message.contains("`SDEG`"), "{card}: {}", only.message);
+        assert!(only.message.contains("`SDGE`"), "{card}: {}", only.message);
         assert!(only.help.iter().any(|help| help.contains("known: ")), "{card}");
         assert!(read.model.is_some(), "{card}");
+    }
+}
+
+/// Requirement: what other programs write and this one does not is a note: nothing is doubtful.
+#[test]
+fn variables_of_other_programs_are_notes() {
+    for (card, name) in [
+        ("*NODE FILE\nU, PU\n", "PU"),
+        ("*EL FILE\nS, err\n", "err"),
+        ("*OUTPUT, FIELD\n*ELEMENT OUTPUT\nS, THE\n", "THE"),
+        ("*OUTPUT, FIELD\n*CONTACT OUTPUT\nCSTRESS, CSTATUS\n", "CSTATUS"),
+    ] {
+        let read = Job::read_text("cam", &deck(card, ""), &ReadOptions::default());
+        let quoted = format!("`{name}`");
+        let said = read.diagnostics.iter().find(|said| said.message.contains(&quoted)).unwrap();
+        assert_eq!((said.code.0, said.severity), ("SL0257", Severity::Note), "{card}");
     }
 }
 

@@ -83,7 +83,8 @@ fn surplus(line: &DataLine, draft: &mut Draft) {
 
 fn kind(card: &Reading<'_>, draft: &mut Draft) -> Option<ElementKind> {
     let name = card.name("TYPE")?;
-    let found = ElementKind::all().find(|kind| kind.is_called(&name));
+    let own = ElementKind::all().find(|kind| kind.is_called(&name));
+    let found = own.or_else(|| by_other_name(card, &name, draft));
     if found.is_none() {
         draft.mark_incomplete(Subject::Elements);
     }
@@ -102,6 +103,16 @@ fn kind(card: &Reading<'_>, draft: &mut Draft) -> Option<ElementKind> {
         draft.log.push(error.help(help));
     }
     found
+}
+
+/// A type of another program that is one of these by another name, which a note says.
+fn by_other_name(card: &Reading<'_>, name: &str, draft: &mut Draft) -> Option<ElementKind> {
+    let (row, why) = slideline_model::read_as(name)?;
+    if draft.log.first_time(&format!("element type {name}")) {
+        let message = format!("{name} is read as {}: {why}", row.name());
+        draft.log.note("SL0253", message, card.span_of("TYPE"));
+    }
+    Some(ElementKind::Structural(row))
 }
 
 fn element(

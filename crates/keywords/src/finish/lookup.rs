@@ -3,7 +3,7 @@
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::NodeIndex;
 
-use super::unknown::unknown_set;
+use super::unknown::{nodes_of_elements, unknown_set};
 use crate::draft::{Draft, Element};
 use crate::log::Target;
 use crate::rule::Subject;
@@ -36,7 +36,12 @@ impl Draft {
             Target::Set(set) => self.node_sets.labels(set).unwrap_or_else(|| {
                 let error = {
                     let names = self.node_sets.names().take(self.log.names_to_compare());
-                    unknown_set("node", set, span, names)
+                    let error = unknown_set("node", set, span, names);
+                    if self.element_sets.contains(set) {
+                        error.help(nodes_of_elements(set))
+                    } else {
+                        error
+                    }
                 };
                 self.consequence(Subject::Nodes, error);
                 Vec::new()

@@ -17,3 +17,8 @@ pub(crate) fn unknown_set<'a>(
         None => error,
     }
 }
+
+/// What helps where an element set is named in the place of a node set.
+pub(crate) fn nodes_of_elements(set: &str) -> String {
+    format!("{set} is an element set: *NSET, NSET={set}, ELSET={set} makes a set of its nodes")
+}

@@ -4,6 +4,7 @@ mod beams;
 pub(crate) mod block;
 pub(crate) mod element_type;
 mod kernels;
+pub(crate) mod other_names;
 pub(crate) mod section;
 mod solids;
 mod space_beams;

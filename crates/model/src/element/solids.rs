@@ -3,7 +3,7 @@
 //! ```text
 //!   CPS plane stress   CPE plane strain   CAX rings   C3D space
 //!   3 6 triangles   4 8 quadrilaterals   4 10 tetrahedra   6 15 wedges   8 20 hexahedra
-//!   I incompatible modes   R fewer points   H one pressure an element   M as without it
+//!   I incompatible modes   R fewer points   H one pressure an element
 //! ```
 
 use super::element_type::{ElementType, Field, IN_SPACE, Kinematics, Location, MOVING, at, of};
@@ -121,6 +121,8 @@ rows! {
     CPE3: TRI3, TRI_1, PlaneStrain, Plain / Plain, 2, 3, 1;
     /// Quadratic triangle in plane strain.
     CPE6: TRI6, TRI_3, PlaneStrain, Plain / Plain, 2, 6, 3;
+    /// Quadratic triangle in plane strain, hybrid: one pressure an element.
+    CPE6H: TRI6, TRI_3, PlaneStrain, MeanDilation / MeanDilation, 2, 6, 3;
     /// Quadratic quadrilateral in plane strain.
     CPE8: QUAD8, QUAD_9, PlaneStrain, Plain / Plain, 2, 8, 9;
     /// Quadratic quadrilateral in plane strain of four points.
@@ -151,6 +153,8 @@ rows! {
     CAX4H: QUAD4, QUAD_4, Axisymmetric, MeanDilation / MeanDilation, 2, 4, 4;
     /// Quadratic triangular ring.
     CAX6: TRI6, TRI_3, Axisymmetric, Plain / Plain, 2, 6, 3;
+    /// Quadratic triangular ring, hybrid: one pressure an element.
+    CAX6H: TRI6, TRI_3, Axisymmetric, MeanDilation / MeanDilation, 2, 6, 3;
     /// Quadratic quadrilateral ring.
     CAX8: QUAD8, QUAD_9, Axisymmetric, Plain / Plain, 2, 8, 9;
     /// Quadratic quadrilateral ring of four points.
@@ -161,6 +165,8 @@ rows! {
     C3D4H: TET4, TET_1, Space, Plain / Plain, 3, 4, 1;
     /// Wedge.
     C3D6: WEDGE6, WEDGE_AXIS_2, Space, Plain / Plain, 3, 6, 2;
+    /// Wedge, hybrid: one pressure an element.
+    C3D6H: WEDGE6, WEDGE_AXIS_2, Space, MeanDilation / MeanDilation, 3, 6, 2;
     /// Hexahedron, one pressure an element; eight of them in CalculiX.
     C3D8: HEX8, HEX_8, Space, MeanDilation / Plain, 3, 8, 8;
     /// Hexahedron with incompatible modes.
@@ -171,12 +177,12 @@ rows! {
     C3D8H: HEX8, HEX_8, Space, MeanDilation / MeanDilation, 3, 8, 8;
     /// Quadratic tetrahedron.
     C3D10: TET10, TET_4, Space, Plain / Plain, 3, 10, 4;
-    /// Quadratic tetrahedron, read as C3D10.
-    C3D10M: TET10, TET_4, Space, Plain / Plain, 3, 10, 4;
     /// Quadratic tetrahedron, hybrid: one pressure an element.
     C3D10H: TET10, TET_4, Space, MeanDilation / MeanDilation, 3, 10, 4;
     /// Quadratic wedge.
     C3D15: WEDGE15, WEDGE_3X3, Space, Plain / Plain, 3, 15, 9;
+    /// Quadratic wedge, hybrid: one pressure an element.
+    C3D15H: WEDGE15, WEDGE_3X3, Space, MeanDilation / MeanDilation, 3, 15, 9;
     /// Quadratic hexahedron.
     C3D20: HEX20, HEX_27, Space, Plain / Plain, 3, 20, 27;
     /// Quadratic hexahedron of eight points.

@@ -28,12 +28,6 @@ pub mod types {
         ..B21
     };
 
-    /// The same, hybrid: stresses of their own in the iteration are what every beam has.
-    pub static B31H: ElementType = ElementType { names: ["B31H"; 2], ..B31 };
-
-    /// The same by its name in CalculiX, one integration point.
-    pub static B31R: ElementType = ElementType { names: ["B31R"; 2], ..B31 };
-
     /// Three-node shear-flexible beam in space: end, middle, end.
     pub static B32: ElementType = ElementType {
         names: ["B32"; 2],
@@ -42,10 +36,4 @@ pub mod types {
         kernel: kernels::space_beam::<3, 2>,
         ..B31
     };
-
-    /// The same, hybrid.
-    pub static B32H: ElementType = ElementType { names: ["B32H"; 2], ..B32 };
-
-    /// The same by its name in CalculiX, two integration points.
-    pub static B32R: ElementType = ElementType { names: ["B32R"; 2], ..B32 };
 }

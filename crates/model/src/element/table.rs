@@ -21,16 +21,12 @@ pub fn element_type(name: &str) -> Option<&'static ElementType> {
 }
 
 /// Rows of lines and points.
-const LINES: [&ElementType; 16] = [
+const LINES: [&ElementType; 12] = [
     &types::B21,
     &types::B22,
     &types::B23,
     &types::B31,
-    &types::B31H,
-    &types::B31R,
     &types::B32,
-    &types::B32H,
-    &types::B32R,
     &types::T2D2,
     &types::T2D3,
     &types::T3D2,
