@@ -23,6 +23,7 @@ impl Keyword for Dsload {
             Rule::value("AMPLITUDE"),
             Rule::value("TIME DELAY"),
             Rule::value("FOLLOWER"),
+            Rule::value("CONSTANT RESULTANT"),
         ];
         RULES
     }
@@ -41,10 +42,12 @@ impl Keyword for Dsload {
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
         let follower = card.yes("FOLLOWER", &mut draft.log);
+        let undeformed = card.yes("CONSTANT RESULTANT", &mut draft.log);
+        let said = follower == Some(false) && undeformed != Some(false);
         let pulls = |line: &DataLine| {
             line.field(1).is_some_and(|f| ["TRVEC", "TRSHR"].contains(&&*normalise(&f.text)))
         };
-        if follower != Some(false) && card.data().iter().any(pulls) {
+        if !said && card.data().iter().any(pulls) {
             let message = "tractions keep their direction and the undeformed area here";
             draft.log.note("SL0253", message, card.span());
         }

@@ -44,7 +44,7 @@ const GROUPS: &[Group] = &[
     (
         "DSLOAD",
         "give traction by three components in space (TRVEC)",
-        &["ORIENTATION", "CONSTANT RESULTANT", "SUBMODEL", "STEP", "DATA SET"],
+        &["ORIENTATION", "SUBMODEL", "STEP", "DATA SET"],
     ),
     (
         "ELEMENT",

@@ -24,8 +24,8 @@ const GROUPS: &[Group] = &[
         ],
     ),
     (
-        "its incompatible modes keep it from locking where the volume is kept",
-        &[("CPE4IH", "CPE4I"), ("CAX4IH", "CAX4I"), ("C3D8IH", "C3D8I")],
+        "one pressure an element; incompatible modes lose stability where the volume is kept",
+        &[("CPE4IH", "CPE4H"), ("CAX4IH", "CAX4H"), ("C3D8IH", "C3D8H")],
     ),
     (
         "its few points keep it from locking where the volume is kept",
