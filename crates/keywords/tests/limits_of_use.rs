@@ -52,7 +52,7 @@ fn what_the_page_names_is_refused() {
         ("linear buckling", HISTORY, "*BUCKLE\n*END STEP"),
         ("(Riks)", "*STATIC", "*STATIC, RIKS"),
         ("loads across plane beams", HISTORY, "*DLOAD\nBEAM, P1, 1.0\n*END STEP"),
-        ("`*CONTACT FORMULATION`", MODEL, "*CONTACT FORMULATION\n*STEP"),
+        ("`*CONTACT INITIALIZATION DATA`", MODEL, "*CONTACT INITIALIZATION DATA\n*STEP"),
         ("`ADJUST`", PAIR, "TYPE=SURFACE TO SURFACE, NO THICKNESS, ADJUST=0.1"),
     ];
     for (words, old, new) in cases {

@@ -17,12 +17,21 @@ impl Keyword for Static {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] = &[Rule::maybe("DIRECT"), Rule::flag("LONG TERM")];
+        const RULES: &[Rule] =
+            &[Rule::maybe("DIRECT"), Rule::flag("LONG TERM"), Rule::maybe("STABILIZE")];
         RULES
     }
 
     fn without_effect(&self) -> &'static [&'static str] {
-        &["SOLVER", "TOTAL TIME AT START", "TIME RESET", "ALLSDTOL", "FULLY PLASTIC"]
+        &[
+            "SOLVER",
+            "TOTAL TIME AT START",
+            "TIME RESET",
+            "ALLSDTOL",
+            "FACTOR",
+            "CONTINUE",
+            "FULLY PLASTIC",
+        ]
     }
 
     fn level(&self) -> Level {
@@ -51,6 +60,11 @@ pub(super) fn procedure(
     draft: &mut Draft,
 ) {
     draft.log.at_most_lines(card.data(), 1, name);
+    if card.has("STABILIZE") {
+        let message =
+            "no damping is added: equilibrium is found without it, or the run says why not";
+        draft.log.note("SL0253", message, card.span_of("STABILIZE"));
+    }
     let direct = card.has("DIRECT");
     let procedure = match card.data().first() {
         Some(line) => times(line, direct, card.span(), draft),

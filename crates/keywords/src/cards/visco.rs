@@ -17,12 +17,17 @@ impl Keyword for Visco {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] = &[Rule::maybe("DIRECT"), Rule::value("CETOL"), Rule::value("CREEP")];
+        const RULES: &[Rule] = &[
+            Rule::maybe("DIRECT"),
+            Rule::value("CETOL"),
+            Rule::value("CREEP"),
+            Rule::maybe("STABILIZE"),
+        ];
         RULES
     }
 
     fn without_effect(&self) -> &'static [&'static str] {
-        &["SOLVER", "TOTAL TIME AT START", "TIME RESET", "ALLSDTOL"]
+        &["SOLVER", "TOTAL TIME AT START", "TIME RESET", "ALLSDTOL", "FACTOR", "CONTINUE"]
     }
 
     fn level(&self) -> Level {

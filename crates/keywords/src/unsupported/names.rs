@@ -41,6 +41,12 @@ pub(super) const GROUPS: &[Group] = &[
     ),
     (
         Ignored,
+        "roles, edges and the way contact is imposed are those of docs/keywords/CONTACT.md, solids \
+         have no thickness to set",
+        &["CONTACT FORMULATION", "CONTACT CONTROLS ASSIGNMENT", "SURFACE PROPERTY ASSIGNMENT"],
+    ),
+    (
+        Ignored,
         "elements of one integration point keep their own hourglass control",
         &["SECTION CONTROLS", "HOURGLASS STIFFNESS"],
     ),
@@ -103,12 +109,9 @@ pub(super) const GROUPS: &[Group] = &[
         Unsupported,
         "write contact with *SURFACE, *SURFACE INTERACTION and *CONTACT PAIR, one for each pair",
         &[
-            "CONTACT FORMULATION",
             "CONTACT INITIALIZATION ASSIGNMENT",
             "CONTACT INITIALIZATION DATA",
             "CONTACT STABILIZATION",
-            "CONTACT CONTROLS ASSIGNMENT",
-            "SURFACE PROPERTY ASSIGNMENT",
             "SURFACE SMOOTHING",
             "CONTACT PERMEABILITY",
             "CONTACT RESPONSE",

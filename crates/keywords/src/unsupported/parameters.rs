@@ -78,9 +78,8 @@ const GROUPS: &[Group] = &[
     ),
     (
         "STATIC",
-        "drive the part by a displacement (*BOUNDARY) where the load has a peak; contact that has \
-         nothing to hold it is helped by *CONTACT CONTROLS, STABILIZE",
-        &["RIKS", "STABILIZE", "FACTOR", "CONTINUE", "ADIABATIC"],
+        "drive the part by a displacement (*BOUNDARY) where the load has a peak",
+        &["RIKS", "ADIABATIC"],
     ),
     (
         "STEP",
@@ -93,11 +92,6 @@ const GROUPS: &[Group] = &[
         &["COMBINE", "CROP", "MAX RATIO", "REGION TYPE", "PROPERTY", "TRIM"],
     ),
     ("TIE", "model the whole, not a sector of it", &["CYCLIC SYMMETRY", "MULTISTAGE"]),
-    (
-        "VISCO",
-        "contact that has nothing to hold it is helped by *CONTACT CONTROLS, STABILIZE",
-        &["STABILIZE", "FACTOR", "CONTINUE"],
-    ),
     (
         "VISCOELASTIC",
         "give a Prony series: TIME=PRONY and lines `g, k, tau`",
