@@ -50,7 +50,15 @@ pub(super) fn told(material: &Material) -> String {
         (Material::Expanding(own), _) => {
             format!("{}; {}", told(&own.law), expands(&own.expansion))
         }
-        _ => "a material of the embedding program".to_owned(),
+        (Material::Creeping(own), _) => {
+            let both = if own.beyond_yield { ", driven by the stress beyond yield" } else { "" };
+            format!("{}; creeps{both}", told(&own.metal))
+        }
+        (Material::Viscoelastic(own), _) => {
+            format!("{}; relaxes in {} terms", told(&own.law), own.series.len())
+        }
+        (Material::Rubber(_) | Material::Foam(_), None) => "rubber".to_owned(),
+        (Material::User(_), _) => "a material of the embedding program".to_owned(),
     }
 }
 
