@@ -68,3 +68,21 @@ pub(super) fn expands(expansion: &Expansion) -> String {
     let (low, high) = extremes(&coefficients).unwrap_or_default();
     format!("expands by {} from {} on", range(low, high), number(expansion.zero))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use slideline_mech::material::{CreepHardening, Creeping, Elastic, Plastic};
+
+    /// Requirement: a metal that yields and creeps is told as what it is, not as somebody else's.
+    #[test]
+    fn a_metal_that_creeps_is_told() {
+        let elastic = Elastic { modulus: 1000.0, poisson: 0.3 };
+        let table = vec![[10.0, 0.0], [20.0, 0.1]];
+        let metal = Material::Plastic(Plastic { elastic, table, back_stresses: Vec::new() });
+        let hardening = CreepHardening::Strain;
+        let own = Creeping { metal, hardening, law: Vec::new(), beyond_yield: false };
+        let told = told(&Material::Creeping(Box::new(own)));
+        assert_eq!(told, "E = 1000, nu = 0.3, yields at 10; creeps");
+    }
+}
