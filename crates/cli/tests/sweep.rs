@@ -121,11 +121,11 @@ fn what_is_wrong_is_said_before() {
         (other("job.inp", "jab.inp"), 1, "SL0701"),
         (other("peak(RF1@1)", "peek(RF1@1)"), 1, "SL0804"),
         (other("peak(RF1@1)", "peak(RF1@4711)"), 1, "SL0805"),
-        (other("peak(RF1@1)", "peak(RF1@4711)"), 1, "study.toml:4:24"),
+        (other("peak(RF1@1)", "peak(RF1@4711)"), 1, "study.toml:4:25"),
         (other("peak(RF1@1)", "peak(force_x@NONE)"), 1, "Its contact pairs: "),
         (other("peak(RF1@1)", "peak(released_energie)"), 1, "SL0804"),
         (other("peak(RF1@1)", "last(balance@1)"), 1, "leave @ out"),
-        (other("peak(RF1@1)", "peak(RF1@1)) + 1"), 1, "study.toml:4:30"),
+        (other("peak(RF1@1)", "peak(RF1@1)) + 1"), 1, "study.toml:4:31"),
         (other("force / (scale", "farce / (scale"), 1, "study.toml:5:20"),
         (other("\"force / (scale + 1)\"", "\"for\\u0063e / scal\""), 1, "study.toml:5:19"),
         (other("[0.1, 0.2, -0.5]", million).replace("count = 4", "count = 1_000_000"), 1, "SL0803"),
@@ -197,8 +197,9 @@ fn responses_are_those_of_the_files() {
         pressed = \"max(normal_force@SLAVES)\"\ndragged = \"last(friction_x@SLAVES)\"\n\
         lost = \"last(friction_dissipation)\"\n";
     let folder = prepared("sweep_files", study);
-    let allowed =
-        deck().replace("1.0E9, 0.3\n", "1.0E9, 0.3\n*ALLOWABLE, MATERIAL=M, STRAIN=0.002\n");
+    let elastic = "1.0E9, 0.3\n";
+    let allowable = format!("{elastic}*ALLOWABLE, MATERIAL=M, STRAIN=0.002\n");
+    let allowed = deck().replace(elastic, &allowable) + &step(5, MOTIONS[1]);
     let pair = allowed.split("*INTERFACE, ELSET=").nth(1).unwrap();
     let pair = pair.split(['\n', ',']).next().unwrap().to_owned();
     std::fs::write(folder.join("job.inp"), allowed).unwrap();

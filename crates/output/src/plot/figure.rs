@@ -31,7 +31,8 @@ pub fn figure(question: &Question, one: &Curve, other: Option<&Curve>) -> Scene 
 pub fn curves(question: &Question, all: &[Curve]) -> Scene {
     let own = |(place, own): (usize, &Curve)| {
         // behind the last colour they begin again, dashed
-        let mark = if place / CURVES.len() % 2 == 0 { Mark::Curve } else { Mark::Dashed };
+        let mark =
+            if (place / CURVES.len()).is_multiple_of(2) { Mark::Curve } else { Mark::Dashed };
         series(&own.name, [&own.x, &own.y], mark, place)
     };
     let panel = Panel {
