@@ -24,6 +24,7 @@ mod error_bars;
 mod further;
 mod job;
 mod mend;
+mod pages;
 mod parametric;
 mod read;
 mod run;
@@ -37,6 +38,7 @@ pub use error_bars::{
 pub use further::From;
 pub use job::{Job, OldJob, ReadOptions};
 pub use mend::{Mend, try_mends};
+pub use pages::{CODE_PAGES, code_page, page};
 pub use parametric::Parametric;
 pub use read::Read;
 pub use run::{Outcome, Quiet, RunOptions, run};

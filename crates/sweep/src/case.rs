@@ -26,6 +26,13 @@ pub struct Row {
 /// Code of a case whose responses name a node that its model does not have.
 const NO_NODE: &str = "SL0805";
 
+/// What a runner keeps from one case to the next.
+#[derive(Default)]
+pub(crate) struct Room {
+    workspace: Option<Workspace>,
+    history: History,
+}
+
 /// Runs cases of a study, one after the other, in the room of those before.
 pub(crate) struct Runner<'a> {
     study: &'a Study,
@@ -33,8 +40,7 @@ pub(crate) struct Runner<'a> {
     curves: &'a [Curve],
     stops: &'a (dyn Fn() -> bool + Sync),
     options: SolveOptions,
-    workspace: Option<Workspace>,
-    history: History,
+    room: Room,
 }
 
 impl<'a> Runner<'a> {
@@ -49,22 +55,36 @@ impl<'a> Runner<'a> {
             curves: &study.curves,
             stops,
             options: SolveOptions::default(),
-            workspace: None,
-            history: History::default(),
+            room: Room::default(),
         }
+    }
+
+    /// The same in a room that another one has left.
+    pub fn in_room_of(mut self, room: Room) -> Self {
+        self.room = room;
+        self
+    }
+
+    /// Leaves its room to another one.
+    pub fn leave(self) -> Room {
+        self.room
     }
 
     /// The row of a case; `None`: the user asked for an end.
     pub fn row(&mut self, case: u64) -> Option<Row> {
-        let numbers = self.study.values(case);
+        self.row_of(case, &self.study.values(case))
+    }
+
+    /// The row of a case with these values of the parameters.
+    pub fn row_of(&mut self, case: u64, numbers: &[Number]) -> Option<Row> {
         let values: Vec<f64> = numbers.iter().map(|number| number.real()).collect();
-        let settings = settings(self.study, &numbers);
+        let settings = settings(self.study, numbers);
         let found = match self.deck.model(&settings) {
             Ok(model) => self.run(&model)?,
             Err(said) => Err(said.first().map_or("SL0901", |said| said.code.0)),
         };
         let (responses, code) = match found {
-            Ok(()) => (evaluate(&self.study.responses, &values, &self.history), None),
+            Ok(()) => (evaluate(&self.study.responses, &values, &self.room.history), None),
             Err(code) => (vec![None; self.study.responses.len()], Some(code.to_owned())),
         };
         Some(Row { case, values, responses, code })
@@ -72,14 +92,14 @@ impl<'a> Runner<'a> {
 
     /// Runs a model; the code of what stands against it. `None`: the user asked for an end.
     fn run(&mut self, model: &Model) -> Option<Result<(), &'static str>> {
-        if !self.history.begin(self.curves, model) {
+        if !self.room.history.begin(self.curves, model) {
             return Some(Err(NO_NODE));
         }
         let ending = match self.in_room(model) {
             Some(ending) => ending,
             None => {
                 // another outline, such as another number of elements
-                self.workspace = Some(Workspace::new(&Plan::of(model), &self.options));
+                self.room.workspace = Some(Workspace::new(&Plan::of(model), &self.options));
                 self.in_room(model)?
             }
         };
@@ -92,8 +112,8 @@ impl<'a> Runner<'a> {
 
     /// Runs a model where the last one was; `None`: there is no room for its outline.
     fn in_room(&mut self, model: &Model) -> Option<Ending> {
-        let (history, curves, stops) = (&mut self.history, self.curves, self.stops);
-        self.workspace.as_mut()?.run(model, &mut Watch { history, curves, stops }).ok()
+        let (history, curves, stops) = (&mut self.room.history, self.curves, self.stops);
+        self.room.workspace.as_mut()?.run(model, &mut Watch { history, curves, stops }).ok()
     }
 }
 

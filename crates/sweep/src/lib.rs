@@ -13,6 +13,7 @@
 mod case;
 mod checks;
 mod design;
+mod evaluator;
 mod expression;
 mod folder;
 mod history;
@@ -30,10 +31,11 @@ mod sweep;
 
 pub use case::Row;
 pub use design::Kind;
+pub use evaluator::Evaluator;
 pub use folder::Failure;
 pub use layout::{Layout, MOST_CASES, Parameter};
 pub use run::run;
 pub use spread::{Number, Spread};
 pub use study::Study;
-pub use study_file::{StudyFile, read_study};
-pub use sweep::{Outcome, SweepOptions, sweep};
+pub use study_file::{StudyFile, read_study, read_study_text};
+pub use sweep::{Outcome, SweepOptions, prepared, rows, sweep};
