@@ -5,11 +5,11 @@ use slideline_model::Section;
 use slideline_solve::observe::{Energies, Frame, StepReport};
 
 /// A column and what stands in it [F L].
-pub(crate) type Column = (&'static str, fn(&Energies) -> f64);
+pub type Column = (&'static str, fn(&Energies) -> f64);
 
 /// The columns of a run: contact stabilisation, what is removed, materials that do not give all back
 /// and heat have one where they may act.
-pub(crate) fn columns(report: &StepReport<'_>) -> Vec<Column> {
+pub fn columns(report: &StepReport<'_>) -> Vec<Column> {
     let mut columns: Vec<Column> = vec![
         ("external_work", |energy| energy.external_work),
         ("strain_energy", |energy| energy.strain_energy),

@@ -60,6 +60,9 @@ mod vtu;
 mod writer;
 mod writers;
 
+pub use contact::columns as contact_columns;
+pub use energy::{Column as EnergyColumn, columns as energy_columns};
+pub use history::columns as history_columns;
 pub use bars::{BarRows, add_error_bars, add_warning};
 pub use facts::{Facts, Status};
 pub use file::{WriteError, replace as write_file};
