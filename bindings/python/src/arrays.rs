@@ -7,10 +7,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 /// The vector as an array of one dimension that cannot be written.
-pub(crate) fn line<T: Element>(
-    py: Python<'_>,
-    values: Vec<T>,
-) -> PyResult<Py<PyArray1<T>>> {
+pub(crate) fn line<T: Element>(py: Python<'_>, values: Vec<T>) -> PyResult<Py<PyArray1<T>>> {
     let array = PyArray1::from_vec(py, values);
     locked(py, array.as_any())?;
     Ok(array.unbind())

@@ -12,7 +12,8 @@ pub(crate) fn read_options(
     friction_onset: Option<&str>,
 ) -> PyResult<ReadOptions> {
     let dialects = [Dialect::Abaqus, Dialect::Calculix].map(|own| (own.word(), own));
-    let onsets = [Onset::Immediate, Onset::Delayed, Onset::Matfru].map(|own| (onset_word(own), own));
+    let onsets =
+        [Onset::Immediate, Onset::Delayed, Onset::Matfru].map(|own| (onset_word(own), own));
     Ok(ReadOptions {
         dialect: dialect.map(|word| named("dialect", word, &dialects)).transpose()?,
         friction_onset: friction_onset

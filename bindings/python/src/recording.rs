@@ -31,7 +31,9 @@ pub(crate) struct ContactRows {
     pub nodes: Vec<i64>,
     pub statuses: Vec<&'static str>,
     pub frictions: Vec<&'static str>,
+    /// Columns of numbers, and how many of them stand before the word on friction.
     pub names: Vec<&'static str>,
+    pub before: usize,
     pub values: Vec<Vec<f64>>,
 }
 
@@ -106,7 +108,9 @@ impl Recording {
             columns: vec![Vec::new(); self.components.len()],
         };
         self.histories = model.history_nodes().into_iter().map(history).collect();
-        self.contact_components = contact_columns(model.is_in_space()).concat();
+        let [before, behind] = contact_columns(model.is_in_space());
+        self.contact.before = before.len();
+        self.contact_components = [before, behind].concat();
         self.contact.names = self.contact_components.iter().map(|own| own.name).collect();
         self.contact.values = vec![Vec::new(); self.contact_components.len()];
         self.energies = energy_columns(report);

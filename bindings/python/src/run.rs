@@ -126,8 +126,7 @@ impl Run {
     pub fn new(py: Python<'_>, read: Arc<Read>, ended: Ended, watch: Watch) -> PyResult<Self> {
         let raised = watch.failure().or(watch.raised);
         let recording = watch.recording;
-        let (states, nodes, dofs) =
-            (recording.frames.len(), recording.nodes, recording.dofs.len());
+        let (states, nodes, dofs) = (recording.frames.len(), recording.nodes, recording.dofs.len());
         let shape = [states, nodes, dofs];
         let history = Py::new(py, history_table(py, &recording)?)?;
         let contact = Py::new(py, contact_table(py, &recording)?)?;
@@ -196,10 +195,11 @@ fn contact_table(py: Python<'_>, recording: &Recording) -> PyResult<Table> {
     columns.push(("pair".into(), Values::Word(rows.pairs.iter().cloned().map(Some).collect())));
     columns.push(("node".into(), Values::Whole(rows.nodes.clone())));
     columns.push(("status".into(), words(&rows.statuses)));
+    let friction = columns.len() + rows.before;
     for (name, values) in rows.names.iter().zip(&rows.values) {
         columns.push(((*name).into(), Values::Real(values.clone())));
     }
-    columns.push(("friction".into(), words(&rows.frictions)));
+    columns.insert(friction.min(columns.len()), ("friction".into(), words(&rows.frictions)));
     Table::new(py, columns)
 }
 

@@ -104,9 +104,11 @@ impl Evaluator {
         let given = values(points, "X")?;
         let points: Vec<Vec<Number>> =
             given.chunks_exact(self.whole.len()).map(|point| self.point(point)).collect();
-        let rows = interruptible(py, |_| Ok(()), |stops| {
-            self.evaluator.evaluate(&points, threads, stops)
-        })?;
+        let rows = interruptible(
+            py,
+            |_| Ok(()),
+            |stops| self.evaluator.evaluate(&points, threads, stops),
+        )?;
         let found = rows.iter().flat_map(|row| &row.responses);
         let found: Vec<f64> = found.map(|value| value.unwrap_or(f64::NAN)).collect();
         let codes = rows.iter().map(|row| row.code.clone()).collect();
@@ -186,13 +188,17 @@ impl Study {
         };
         let done = AtomicU64::new(0);
         let all = end.min(self.cases()).saturating_sub(begin);
-        let rows = interruptible(py, |py| tell(py, told.as_ref(), &done, all), |stops| {
-            let count = |_| {
-                done.fetch_add(1, Ordering::Relaxed);
-            };
-            let study = &self.study.study;
-            slideline_sweep::run(study, &deck, begin..end, threads, (&count, stops))
-        })?;
+        let rows = interruptible(
+            py,
+            |py| tell(py, told.as_ref(), &done, all),
+            |stops| {
+                let count = |_| {
+                    done.fetch_add(1, Ordering::Relaxed);
+                };
+                let study = &self.study.study;
+                slideline_sweep::run(study, &deck, begin..end, threads, (&count, stops))
+            },
+        )?;
         Ok((Some(self.table(py, &rows)?), Vec::new()))
     }
 
@@ -213,9 +219,7 @@ impl Study {
         let mut sources = self.sources()?;
         let options = SweepOptions { folder: folder.clone(), threads, part, csv: false };
         let (done, all) = (AtomicU64::new(0), AtomicU64::new(0));
-        let tells = |py: Python<'_>| {
-            tell(py, told.as_ref(), &done, all.load(Ordering::Relaxed))
-        };
+        let tells = |py: Python<'_>| tell(py, told.as_ref(), &done, all.load(Ordering::Relaxed));
         let study = &self.study;
         let ended = interruptible(py, tells, |stops| {
             let count = |_: u64, of: u64| {
@@ -271,12 +275,7 @@ fn failed<T>(failure: Failure, sources: &Sources) -> Found<T> {
     }
 }
 
-fn tell(
-    py: Python<'_>,
-    told: Option<&Py<PyAny>>,
-    done: &AtomicU64,
-    all: u64,
-) -> PyResult<()> {
+fn tell(py: Python<'_>, told: Option<&Py<PyAny>>, done: &AtomicU64, all: u64) -> PyResult<()> {
     match told {
         Some(told) => told.call1(py, (done.load(Ordering::Relaxed), all)).map(drop),
         None => Ok(()),

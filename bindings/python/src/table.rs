@@ -1,9 +1,9 @@
 //! Tables: named columns, for NumPy without copies, for all others by the Arrow PyCapsule interface.
 
 use crate::arrays::line;
+use arrow_array::StringArray;
 use arrow_array::ffi_stream::FFI_ArrowArrayStream;
 use arrow_array::{ArrayRef, Float64Array, Int64Array, RecordBatch, RecordBatchIterator};
-use arrow_array::StringArray;
 use arrow_schema::ffi::FFI_ArrowSchema;
 use arrow_schema::{ArrowError, DataType, Field, Schema};
 use numpy::{PyArray1, PyArrayMethods as _};
@@ -151,7 +151,7 @@ impl Table {
 
     /// A polars.DataFrame (extra `polars`).
     fn to_polars(own: &Bound<'_, Self>) -> PyResult<Py<PyAny>> {
-        let frame = own.py().import("polars")?.getattr("from_arrow")?;
+        let frame = own.py().import("polars")?.getattr("DataFrame")?;
         Ok(frame.call1((own,))?.unbind())
     }
 

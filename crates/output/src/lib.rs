@@ -60,12 +60,12 @@ mod vtu;
 mod writer;
 mod writers;
 
+pub use bars::{BarRows, add_error_bars, add_warning};
 pub use contact::columns as contact_columns;
 pub use energy::{Column as EnergyColumn, columns as energy_columns};
-pub use history::columns as history_columns;
-pub use bars::{BarRows, add_error_bars, add_warning};
 pub use facts::{Facts, Status};
 pub use file::{WriteError, replace as write_file};
+pub use history::columns as history_columns;
 pub use job::{JobFiles, without_ending};
 pub use ledger::{dropped_friction, onset_word};
 pub use lock::{is_running, remove_stale_lock};

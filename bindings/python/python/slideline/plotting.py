@@ -17,8 +17,8 @@ def plot(result: Result, node: int | str | None, y: str | None, x: str | None, a
     except ImportError as missing:
         raise ImportError("plot() needs Matplotlib: pip install 'slideline[plot]'") from missing
     if node is None:
-        node, y = largest_reaction(result, y)
-        x = x or y.replace("RF", "U").replace("RM", "UR")
+        node, y = driving_reaction(result, y)
+        x = x or motion_of(y)
     if y is None:
         raise ValueError("name the history to be drawn: plot(node, 'RF2')")
     across = result.time if x in (None, "time") else result.history(node, x)
@@ -30,11 +30,24 @@ def plot(result: Result, node: int | str | None, y: str | None, x: str | None, a
     return ax
 
 
-def largest_reaction(result: Result, name: str | None) -> tuple[int, str]:
-    """The node and the reaction force that is largest among the histories."""
-    names = [name] if name else [own for own in result.table("history").columns if own.startswith("RF")]
-    found = [(np.abs(result.history(node, own)).max(), node, own) for node in result.history_nodes for own in names]
+def driving_reaction(result: Result, name: str | None) -> tuple[int, str]:
+    """The node and the reaction that does most work among the histories."""
+    names = [own for own in result.table("history").columns if own.startswith(("RF", "RM"))]
+    names = [name] if name else names
+    nodes = result.history_nodes
+    found = [(abs(work(result, node, own)), node, own) for node in nodes for own in names]
     if not found:
         raise ValueError("no node has a history: name one, as in plot(9999, 'RF2')")
     _, node, own = max(found)
     return node, own
+
+
+def motion_of(reaction: str) -> str:
+    """The motion that a reaction works on."""
+    return reaction.replace("RF", "U").replace("RM", "UR")
+
+
+def work(result: Result, node: int, reaction: str) -> float:
+    """Work [F L] by the trapezoidal rule."""
+    force, motion = result.history(node, reaction), result.history(node, motion_of(reaction))
+    return float(np.sum((force[1:] + force[:-1]) / 2.0 * np.diff(motion)))

@@ -198,10 +198,11 @@ class Result:
         """``"history"``, ``"contact"`` or ``"energy"``: the columns of JOB.history.csv and so on
         (docs/files.md). A table is an Arrow stream (pyarrow, DuckDB) and has ``to_pandas()``,
         ``to_polars()`` and its columns as NumPy arrays: ``table["RF2"]``."""
-        tables = {"history": "history", "contact": "contact", "energy": "energy"}
+        run = self._run
+        tables = {"history": run.history, "contact": run.contact, "energy": run.energy}
         if name not in tables:
             raise KeyError(f"{name}; there are {', '.join(tables)}")
-        return getattr(self._run, name)
+        return tables[name]
 
     @property
     def peaks(self) -> dict[str, dict[str, tuple[float, float]]]:
@@ -231,7 +232,7 @@ class Result:
 
     def plot(self, node: int | str | None = None, y: str | None = None, x: str | None = None, ax: Any = None):
         """Draws a history with Matplotlib (extra ``plot``) and returns the axes; ``x`` is time unless
-        named. Without a node: the reaction that is largest, over its motion."""
+        named. Without a node: the reaction that does most work, over its motion."""
         from .plotting import plot
 
         return plot(self, node, y, x, ax)

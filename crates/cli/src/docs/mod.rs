@@ -46,6 +46,8 @@ const WRITTEN: &[(&str, &str)] = &[
     ("report", include_str!("../../../../docs/report.md")),
     ("restart", include_str!("../../../../docs/restart.md")),
     ("studies", include_str!("../../../../docs/studies.md")),
+    ("python", include_str!("../../../../docs/python.md")),
+    ("optimisers", include_str!("../../../../docs/optimisers.md")),
     ("reproduce", include_str!("../../../../docs/reproduce.md")),
     ("verification", include_str!("../../../../docs/verification.md")),
     ("user-friction", include_str!("../../../../docs/user-friction.md")),
