@@ -11,7 +11,7 @@ use crate::watch::Watch;
 use numpy::PyArrayDyn;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use slideline::{Job, Read, RunOptions, SolveOptions, advise, initial_gaps};
+use slideline::{Job, Read, SolveOptions, advise, initial_gaps};
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -146,9 +146,4 @@ impl Deck {
     fn __repr__(&self) -> String {
         format!("<Deck {}>", self.read.job.deck.display())
     }
-}
-
-/// How a run with files is made.
-pub(crate) fn run_options(folder: PathBuf, solve: SolveOptions) -> RunOptions {
-    RunOptions { folder: Some(folder), restart: false, solve }
 }

@@ -1,7 +1,6 @@
 //! A run and what came of it.
 
 use crate::arrays::{line, shaped};
-use crate::deck::run_options;
 use crate::diagnosis::Diagnosis;
 use crate::fields::{self, ElementField};
 use crate::recording::Recording;
@@ -13,7 +12,7 @@ use pyo3::prelude::*;
 use slideline::observe::{BlockResults, Ending, Totals};
 use slideline::output::report::{self, Options};
 use slideline::output::{JobFiles, verdict_of};
-use slideline::{Diagnostic, Event, Observer, Read, SolveOptions, Status, Stop};
+use slideline::{Diagnostic, Event, Observer, Read, RunOptions, SolveOptions, Status, Stop};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -39,7 +38,8 @@ pub(crate) fn ended(
     let began = Instant::now();
     let mut ended = match folder {
         Some(folder) => {
-            let outcome = slideline::run(read, &run_options(folder, solve), watch);
+            let options = RunOptions { folder: Some(folder), restart: false, solve };
+            let outcome = slideline::run(read, &options, watch);
             Ended {
                 status: outcome.status,
                 totals: outcome.totals,

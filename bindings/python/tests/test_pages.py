@@ -7,7 +7,7 @@ import pytest
 from conftest import ROOT
 
 #: page and what it needs besides the package
-PAGES = {"python.md": ["pandas"], "optimisers.md": ["scipy", "SALib"]}
+PAGES = {"python.md": ["pandas"], "optimisers.md": ["scipy", "SALib", "openmdao"]}
 
 
 @pytest.mark.parametrize("page", PAGES)

@@ -12,6 +12,7 @@
 
 mod case;
 mod checks;
+mod dakota;
 mod design;
 mod evaluator;
 mod expression;
@@ -30,6 +31,7 @@ mod study_file;
 mod sweep;
 
 pub use case::Row;
+pub use dakota::{Asked, read_asked};
 pub use design::Kind;
 pub use evaluator::Evaluator;
 pub use folder::Failure;
