@@ -25,6 +25,8 @@ pub(crate) enum Command {
     Check(CheckArguments),
     /// Run one deck with many values of its parameters.
     Sweep(crate::sweep::SweepArguments),
+    /// Answer one question of Dakota: a driver for its fork interface.
+    Dakota(crate::dakota::DakotaArguments),
     /// Repeat the 1995 study: models, theory, figures, error table, one page.
     Reproduce(crate::reproduce::ReproduceArguments),
     /// Print closed-form and exact reference solutions as CSV.

@@ -4,11 +4,9 @@ use crate::exit::Exit;
 use crate::screen;
 use slideline::deck::nearest;
 use slideline::diag::CATALOGUE;
-use slideline::keywords::{describe, keywords, not_read};
+use slideline::keywords::{keywords, not_read};
+use slideline::{CODE_PAGES, page};
 use std::fmt::Write as _;
-
-/// Codes and their pages.
-const PAGES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/pages.rs"));
 
 /// The page of the result files.
 const FILES: &str = include_str!("../../../docs/files.md");
@@ -36,22 +34,6 @@ pub(crate) fn explain(name: &str) -> Exit {
             Exit::Input
         }
     }
-}
-
-/// The page of a code, as it stands in `docs/errors`.
-pub(crate) fn code_page(code: &str) -> Option<&'static str> {
-    PAGES.iter().find(|(known, _)| *known == code).map(|(_, page)| *page)
-}
-
-/// All codes with their pages.
-pub(crate) fn code_pages() -> &'static [(&'static str, &'static str)] {
-    PAGES
-}
-
-fn page(name: &str) -> Option<&'static str> {
-    let name = name.trim();
-    let code = PAGES.iter().find(|(code, _)| code.eq_ignore_ascii_case(name));
-    code.map(|(_, page)| *page).or_else(|| describe(name).map(|found| found.page))
 }
 
 /// What docs/files.md says of a column of a result file.
@@ -87,7 +69,7 @@ fn meaning(page: &str) -> String {
 }
 
 fn unknown(name: &str) -> String {
-    let codes = PAGES.iter().map(|(code, _)| *code);
+    let codes = CODE_PAGES.iter().map(|(code, _)| *code);
     let known = codes.chain(keywords().map(|keyword| keyword.name));
     let meant = nearest(name.trim().trim_start_matches('*'), known)
         .map_or_else(String::new, |meant| format!("; did you mean {meant}?"));

@@ -1,13 +1,14 @@
 //! The command line of slideline.
 //!
 //! ```text
-//!   slideline run | check | sweep | report | plot | reproduce | theory | explain | docs | completions
+//!   slideline run | check | sweep | dakota | report | plot | reproduce | theory | explain | docs | completions
 //!        |
 //!   standard output: progress or JSON      standard error: what is to be said
 //! ```
 
 mod arguments;
 mod check;
+mod dakota;
 mod docs;
 mod exit;
 mod explain;
@@ -56,6 +57,7 @@ fn command() -> Exit {
         Command::Run(arguments) => several::run(&arguments),
         Command::Check(arguments) => check::check(&arguments),
         Command::Sweep(arguments) => sweep::sweep(&arguments),
+        Command::Dakota(arguments) => dakota::dakota(&arguments),
         Command::Reproduce(arguments) => reproduce::reproduce(&arguments),
         Command::Theory(arguments) => theory::theory(&arguments),
         Command::Report(arguments) => report::report(&arguments),

@@ -1,7 +1,7 @@
 //! `slideline report`: JOB.html from the result files.
 
 use crate::exit::Exit;
-use crate::{docs, explain, render, screen};
+use crate::{docs, render, screen};
 use clap::{Args, ValueHint};
 use slideline::diag::{Code, Diagnostic, Sources};
 use slideline::output::report::{CHANGED, Options, Problem, deck_hash as ran_deck_hash, write};
@@ -50,7 +50,7 @@ pub(crate) fn report(arguments: &ReportArguments) -> Exit {
 
 /// The page of a code as a part of the report.
 fn page_of(code: &str) -> Option<String> {
-    explain::code_page(code).map(docs::fragment)
+    slideline::code_page(code).map(docs::fragment)
 }
 
 /// The job that a user means by a deck or by a result file, and its files.

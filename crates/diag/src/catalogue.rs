@@ -252,6 +252,7 @@ catalogue! {
     "SL0807" "a folder with another study"
     "SL0808" "a part of a study that is damaged or missing"
     "SL0809" "gradients of a study"
+    "SL0820" "a question of Dakota that cannot be answered"
     "SL0901" "internal error"
     "SL0906" "the tangent is not the derivative of the residual"
 }

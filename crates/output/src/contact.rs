@@ -11,6 +11,16 @@ const BEHIND: [&str; 5] = ["x", "y", "normal_x", "normal_y", "area"];
 const IN_SPACE: [&str; 8] = ["CSHEAR2", "CSLIP2", "t1_x", "t1_y", "t1_z", "t2_x", "t2_y", "t2_z"];
 const BEHIND_IN_SPACE: [&str; 7] = ["x", "y", "z", "normal_x", "normal_y", "normal_z", "area"];
 
+/// Columns of numbers before the word on friction, and those behind it.
+pub fn columns(in_space: bool) -> [Vec<&'static ContactComponent>; 2] {
+    let (further, behind): (&[_], &[_]) = match in_space {
+        true => (&IN_SPACE, &BEHIND_IN_SPACE),
+        false => (&[], &BEHIND),
+    };
+    let before = BEFORE.iter().chain(further).filter_map(|name| contact_component(name)).collect();
+    [before, behind.iter().filter_map(|name| contact_component(name)).collect()]
+}
+
 /// `JOB.contact.csv`.
 #[derive(Default)]
 pub(crate) struct Contact {
@@ -24,13 +34,7 @@ impl Rows for Contact {
     }
 
     fn columns(&mut self, step: &StepReport<'_>) -> Option<String> {
-        let (further, behind): (&[_], &[_]) = match step.model.is_in_space() {
-            true => (&IN_SPACE, &BEHIND_IN_SPACE),
-            false => (&[], &BEHIND),
-        };
-        let before = BEFORE.iter().chain(further);
-        self.before = before.filter_map(|name| contact_component(name)).collect();
-        self.behind = behind.iter().filter_map(|name| contact_component(name)).collect();
+        [self.before, self.behind] = columns(step.model.is_in_space());
         let names = |list: &[&'static ContactComponent]| {
             list.iter().map(|column| column.name).collect::<Vec<_>>().join(",")
         };

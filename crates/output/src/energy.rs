@@ -7,7 +7,7 @@ use slideline_solve::observe::{Energies, Frame, StepReport};
 /// What stands in a column [F L].
 pub type EnergyOf = fn(&Energies) -> f64;
 /// A column and what stands in it [F L].
-pub(crate) type Column = (&'static str, EnergyOf);
+pub type Column = (&'static str, EnergyOf);
 
 /// All columns.
 const ALL: [Column; 12] = [
@@ -32,7 +32,7 @@ pub fn energy_named(name: &str) -> Option<EnergyOf> {
 
 /// The columns of a run: contact stabilisation, what is removed, materials that do not give all back
 /// and heat have one where they may act.
-pub(crate) fn columns(report: &StepReport<'_>) -> Vec<Column> {
+pub fn columns(report: &StepReport<'_>) -> Vec<Column> {
     let mut columns = ALL.to_vec();
     let takes = report.model.blocks.iter().any(|block| match &block.section {
         Section::Solid(section) => section.material.dissipates(),

@@ -8,7 +8,7 @@ use slideline_solve::observe::{Frame, StepReport};
 
 /// Motions and reactions of the plane; those of space follow where the model
 /// has them, so that the first columns never change.
-pub(crate) fn columns(dofs: &[Dof]) -> Vec<NodeComponent> {
+pub fn columns(dofs: &[Dof]) -> Vec<NodeComponent> {
     let in_space = dofs.iter().any(|dof| !dof.is_plane());
     let space = if in_space { &[Dof::U3, Dof::UR1, Dof::UR2][..] } else { &[] };
     let of = |dofs: &[Dof]| -> Vec<NodeComponent> {

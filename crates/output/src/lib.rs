@@ -63,9 +63,11 @@ mod writer;
 mod writers;
 
 pub use bars::{BarRows, add_error_bars, add_warning};
-pub use energy::{EnergyOf, energy_named};
+pub use contact::columns as contact_columns;
+pub use energy::{Column as EnergyColumn, EnergyOf, columns as energy_columns, energy_named};
 pub use facts::{Facts, Status};
 pub use file::{WriteError, replace as write_file};
+pub use history::columns as history_columns;
 pub use job::{JobFiles, without_ending};
 pub use key_figures::{KEY_FIGURES, KeyFigures, key_figures};
 pub use ledger::{dropped_friction, onset_word};

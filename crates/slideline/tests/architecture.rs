@@ -39,11 +39,16 @@ fn table() -> BTreeMap<String, Row> {
     rows.collect()
 }
 
-/// The unpublished test crate stands beside the others, not among them.
-const TESTS: &str = "verification";
+/// Crates that stand beside the others, not among them: the unpublished tests, and what other
+/// languages import.
+const BESIDE: [&str; 2] = ["verification", "bindings/python"];
 
 fn folder(crate_name: &str) -> PathBuf {
-    if crate_name == TESTS { root().join(TESTS) } else { root().join("crates").join(crate_name) }
+    if BESIDE.contains(&crate_name) {
+        root().join(crate_name)
+    } else {
+        root().join("crates").join(crate_name)
+    }
 }
 
 /// Crates of ours that a manifest names, in whatever kind of dependency.
@@ -71,7 +76,7 @@ fn crates() -> BTreeSet<String> {
         .map(|manifest| {
             manifest.parent().unwrap().file_name().unwrap().to_str().unwrap().to_owned()
         })
-        .chain([TESTS.to_owned()])
+        .chain(BESIDE.map(str::to_owned))
         .collect()
 }
 
@@ -89,6 +94,28 @@ fn every_crate_imports_only_what_its_row_allows() {
         let strange: Vec<String> = imports(&name).difference(&row.imports).cloned().collect();
         assert!(strange.is_empty(), "{name} imports {strange:?}, which its row does not allow");
     }
+}
+
+/// The Python package has a lock file of its own: what it shares with the workspace has the same
+/// versions, or its results would be those of another program.
+#[test]
+fn the_locks_agree() {
+    let versions = |path: &str| -> BTreeSet<(String, String)> {
+        let lock = read(&root().join(path));
+        let packages = lock.split("[[package]]").skip(1).filter_map(|package| {
+            let value = |key: &str| {
+                let line = package.lines().find_map(|line| line.strip_prefix(key))?;
+                Some(line.trim_matches('"').to_owned())
+            };
+            Some((value("name = ")?, value("version = ")?))
+        });
+        packages.collect()
+    };
+    let (own, other) = (versions("Cargo.lock"), versions("bindings/python/Cargo.lock"));
+    let names: BTreeSet<&String> = own.iter().map(|(name, _)| name).collect();
+    let shared = other.iter().filter(|(name, _)| names.contains(name));
+    let strange: Vec<_> = shared.filter(|package| !own.contains(package)).collect();
+    assert!(strange.is_empty(), "bindings/python/Cargo.lock has other versions: {strange:?}");
 }
 
 #[test]

@@ -27,14 +27,20 @@ pub struct Row {
 /// Code of a case whose responses name a node or a pair that its model does not have.
 const NO_NODE: &str = "SL0805";
 
+/// What a runner keeps from one case to the next.
+#[derive(Default)]
+pub(crate) struct Room {
+    workspace: Option<Workspace>,
+    history: History,
+}
+
 /// Runs cases of a study, one after the other, in the room of those before.
 pub(crate) struct Runner<'a> {
     study: &'a Study,
     deck: &'a Parametric,
     stops: &'a (dyn Fn() -> bool + Sync),
     options: SolveOptions,
-    workspace: Option<Workspace>,
-    history: History,
+    room: Room,
 }
 
 impl<'a> Runner<'a> {
@@ -48,22 +54,36 @@ impl<'a> Runner<'a> {
             deck,
             stops,
             options: SolveOptions::default(),
-            workspace: None,
-            history: History::default(),
+            room: Room::default(),
         }
+    }
+
+    /// The same in a room that another one has left.
+    pub fn in_room_of(mut self, room: Room) -> Self {
+        self.room = room;
+        self
+    }
+
+    /// Leaves its room to another one.
+    pub fn leave(self) -> Room {
+        self.room
     }
 
     /// The row of a case; `None`: the user asked for an end.
     pub fn row(&mut self, case: u64) -> Option<Row> {
-        let numbers = self.study.values(case);
+        self.row_of(case, &self.study.values(case))
+    }
+
+    /// The row of a case with these values of the parameters.
+    pub fn row_of(&mut self, case: u64, numbers: &[Number]) -> Option<Row> {
         let values: Vec<f64> = numbers.iter().map(|number| number.real()).collect();
-        let settings = settings(self.study, &numbers);
+        let settings = settings(self.study, numbers);
         let found = match self.deck.read(&settings) {
             Ok((model, said)) => self.run(&model, said)?,
             Err(said) => Err(said.first().map_or("SL0901", |said| said.code.0)),
         };
         let (responses, code) = match found {
-            Ok(()) => (evaluate(&self.study.responses, &values, &self.history), None),
+            Ok(()) => (evaluate(&self.study.responses, &values, &self.room.history), None),
             Err(code) => (vec![None; self.study.responses.len()], Some(code.to_owned())),
         };
         Some(Row { case, values, responses, code })
@@ -76,7 +96,7 @@ impl<'a> Runner<'a> {
         model: &Model,
         mut said: Vec<Diagnostic>,
     ) -> Option<Result<(), &'static str>> {
-        if !self.history.begin(&self.study.curves, model) {
+        if !self.room.history.begin(&self.study.curves, model) {
             return Some(Err(NO_NODE));
         }
         if self.study.watched == Watched::Verdict {
@@ -86,7 +106,7 @@ impl<'a> Runner<'a> {
             Some(ending) => ending,
             None => {
                 // another outline, such as another number of elements
-                self.workspace = Some(Workspace::new(&Plan::of(model), &self.options));
+                self.room.workspace = Some(Workspace::new(&Plan::of(model), &self.options));
                 self.in_room(model, &said)?
             }
         };
@@ -102,8 +122,8 @@ impl<'a> Runner<'a> {
         let sources = Sources::default(); // no message is read
         let judges = self.study.watched > Watched::Curves;
         let judge = judges.then(|| Judge::new(model, (said, &sources)));
-        let (history, stops) = (&mut self.history, self.stops);
-        self.workspace.as_mut()?.run(model, &mut Watch { history, judge, stops }).ok()
+        let (history, stops) = (&mut self.room.history, self.stops);
+        self.room.workspace.as_mut()?.run(model, &mut Watch { history, judge, stops }).ok()
     }
 }
 

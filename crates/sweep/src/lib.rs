@@ -13,7 +13,9 @@
 mod case;
 mod checks;
 mod curve;
+mod dakota;
 mod design;
+mod evaluator;
 mod expression;
 mod folder;
 mod history;
@@ -32,11 +34,13 @@ mod study_file;
 mod sweep;
 
 pub use case::Row;
+pub use dakota::{Asked, read_asked};
 pub use design::Kind;
+pub use evaluator::Evaluator;
 pub use folder::Failure;
 pub use layout::{Layout, MOST_CASES, Parameter};
 pub use run::run;
 pub use spread::{Number, Spread};
 pub use study::Study;
-pub use study_file::{StudyFile, read_study};
-pub use sweep::{Outcome, SweepOptions, sweep};
+pub use study_file::{StudyFile, read_study, read_study_text};
+pub use sweep::{Outcome, SweepOptions, prepared, rows, sweep};

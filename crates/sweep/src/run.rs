@@ -17,17 +17,38 @@ pub fn run(
     threads: usize,
     (told, stops): (&(dyn Fn(u64) + Sync), &(dyn Fn() -> bool + Sync)),
 ) -> Vec<Row> {
-    let end = cases.end.min(study.cases());
+    let all = cases.start..cases.end.min(study.cases());
+    let begin = || Runner::new(study, deck, stops);
+    share(all, threads, (told, stops), (&begin, &|runner, case| runner.row(case), &drop))
+}
+
+/// How cases are run: who runs them, one of them, and what is done with who is through.
+pub(crate) type Crew<'a, 'r> = (
+    &'a (dyn Fn() -> Runner<'r> + Sync),
+    &'a (dyn Fn(&mut Runner<'r>, u64) -> Option<Row> + Sync),
+    &'a (dyn Fn(Runner<'r>) + Sync),
+);
+
+/// Shares cases among threads; the rows of those that follow one another.
+pub(crate) fn share(
+    cases: Range<u64>,
+    threads: usize,
+    (told, stops): (&(dyn Fn(u64) + Sync), &(dyn Fn() -> bool + Sync)),
+    (begin, run, leave): Crew<'_, '_>,
+) -> Vec<Row> {
     let (next, done) = (AtomicU64::new(cases.start), AtomicU64::new(0));
     let work = || {
-        let mut runner = Runner::new(study, deck, stops);
+        let mut runner = begin();
         let mut rows = Vec::new();
         while !stops() {
             let case = next.fetch_add(1, Ordering::Relaxed);
-            let Some(row) = (case < end).then(|| runner.row(case)).flatten() else { break };
+            let Some(row) = (case < cases.end).then(|| run(&mut runner, case)).flatten() else {
+                break;
+            };
             rows.push(row);
             told(done.fetch_add(1, Ordering::Relaxed) + 1);
         }
+        leave(runner);
         rows
     };
     let mut rows = std::thread::scope(|scope| {

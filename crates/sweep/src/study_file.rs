@@ -49,9 +49,21 @@ pub fn read_study(path: &Path, sources: &mut Sources) -> Result<StudyFile, Vec<D
         let message = format!("the study {} cannot be read: {reason}", path.display());
         vec![Diagnostic::error(Code("SL0701"), message).help("Name an existing study file.")]
     })?;
-    let file = sources.add(path.display().to_string(), text.as_str());
+    read_study_text(path, &text, sources)
+}
+
+/// Reads the text of a study as if it stood at `path`. The text is added to `sources`.
+///
+/// # Errors
+/// Those of [`read_study`], but of the file.
+pub fn read_study_text(
+    path: &Path,
+    text: &str,
+    sources: &mut Sources,
+) -> Result<StudyFile, Vec<Diagnostic>> {
+    let file = sources.add(path.display().to_string(), text);
     let mut reader = Reader { file, said: Vec::new() };
-    let (table, errors) = DeTable::parse_recoverable(&text);
+    let (table, errors) = DeTable::parse_recoverable(text);
     for error in &errors {
         let place = error.span().unwrap_or(0..0);
         reader.refuse("SL0806", error.message(), place, "Mend the line: a study is a TOML file.");

@@ -5,11 +5,12 @@ use crate::folder::{Failure, Folder, identity, join_all};
 use crate::indices::write_indices;
 use crate::run::run;
 use crate::shard::Found;
+use crate::study::Study;
 use crate::study_file::StudyFile;
 use slideline::diag::{Code, Diagnostic, Severity, Sources, Span};
 use slideline::keywords::Setting;
 use slideline::{Job, Parametric, ReadOptions};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 /// Seconds that a shard should take on one thread [T].
@@ -92,8 +93,12 @@ pub fn sweep(
     Ok(outcome)
 }
 
-/// The deck, held against the study, and its hash.
-fn prepared(study: &StudyFile, sources: &mut Sources) -> Result<(Parametric, String), Failure> {
+/// The deck of a study, held against it, and its hash.
+///
+/// # Errors
+/// A deck that is wrong, a parameter that it does not define, a response of a node that it does not
+/// have.
+pub fn prepared(study: &StudyFile, sources: &mut Sources) -> Result<(Parametric, String), Failure> {
     let read = Job::read(&study.deck, &ReadOptions::default());
     let Some(model) = &read.model else {
         *sources = read.sources.clone();
@@ -101,12 +106,17 @@ fn prepared(study: &StudyFile, sources: &mut Sources) -> Result<(Parametric, Str
         return Err(Failure::Input(errors.collect()));
     };
     let deck = Parametric::of(&read).map_err(|said| Failure::Input(vec![*said]))?;
-    let of_study = |said: &Diagnostic| ["SL0801", "SL0802"].contains(&said.code.0);
-    // other errors are those of one case
-    let said = deck.model(&first_case(study)).err().unwrap_or_default().into_iter();
-    let said = said.filter(of_study).chain(strange_curves(study, model));
+    let said = strange_names(&deck, &first_case(study)).into_iter();
+    let said = said.chain(strange_curves(&study.study, model));
     let said: Vec<Diagnostic> = said.collect();
     if said.is_empty() { Ok((deck, read.deck_hash)) } else { Err(Failure::Input(said)) }
+}
+
+/// What stands against the names of parameters; other errors are those of one case.
+pub(crate) fn strange_names(deck: &Parametric, settings: &[Setting]) -> Vec<Diagnostic> {
+    let mut said = deck.model(settings).err().unwrap_or_default();
+    said.retain(|said| ["SL0801", "SL0802"].contains(&said.code.0));
+    said
 }
 
 /// Values of the first case, with their places in the study.
@@ -121,8 +131,8 @@ fn first_case(study: &StudyFile) -> Vec<Setting> {
 }
 
 /// Nodes and pairs of responses that the model does not have.
-fn strange_curves(study: &StudyFile, model: &slideline::Model) -> Vec<Diagnostic> {
-    let curves = study.study.curves.iter().zip(&study.study.places);
+pub(crate) fn strange_curves(study: &Study, model: &slideline::Model) -> Vec<Diagnostic> {
+    let curves = study.curves.iter().zip(&study.places);
     let strange = curves.filter(|(curve, _)| curve.source(model).is_none());
     let refuse = |(curve, place): (&crate::curve::Curve, &Span)| {
         let [message, help] = curve.objection(model);
@@ -173,4 +183,18 @@ fn other_parts_missing() -> Diagnostic {
     let message = "study.csv was not written: other parts of the study are missing";
     let help = "Run the study once more with --csv when all parts are done.";
     Diagnostic::warning(Code("SL0808"), message).help(help)
+}
+
+/// The rows of all shards that are in a folder of a study, in the order of the cases.
+///
+/// # Errors
+/// A deck or a study that is wrong, a folder of another study.
+pub fn rows(study: &StudyFile, sources: &mut Sources, folder: &Path) -> Result<Vec<Row>, Failure> {
+    let (_, hash) = prepared(study, sources)?;
+    let folder = Folder::open(folder, study, identity(study, &hash), || study.study.cases())?;
+    let found = (0..folder.shards()).filter_map(|shard| match folder.read(study, shard) {
+        Found::Rows(rows) => Some(rows),
+        Found::Missing | Found::Damaged(_) => None,
+    });
+    Ok(found.flatten().collect())
 }

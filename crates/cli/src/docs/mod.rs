@@ -10,7 +10,7 @@
 mod page;
 
 use crate::exit::Exit;
-use crate::{explain, screen};
+use crate::screen;
 use clap::{Args, ValueHint};
 use page::Page;
 pub(crate) use page::fragment;
@@ -46,6 +46,8 @@ const WRITTEN: &[(&str, &str)] = &[
     ("report", include_str!("../../../../docs/report.md")),
     ("restart", include_str!("../../../../docs/restart.md")),
     ("studies", include_str!("../../../../docs/studies.md")),
+    ("python", include_str!("../../../../docs/python.md")),
+    ("optimisers", include_str!("../../../../docs/optimisers.md")),
     ("reproduce", include_str!("../../../../docs/reproduce.md")),
     ("verification", include_str!("../../../../docs/verification.md")),
     ("user-friction", include_str!("../../../../docs/user-friction.md")),
@@ -117,7 +119,7 @@ fn pages() -> Vec<Page> {
     }
     pages.push(Page { path: "keywords/index".to_owned(), text: list });
     let mut list = "# Errors, warnings and notes\n\n| code | |\n|---|---|\n".to_owned();
-    for (code, text) in explain::code_pages() {
+    for (code, text) in slideline::CODE_PAGES {
         let title = text.lines().next().unwrap_or_default();
         let says = title.split_once(": ").map_or("", |(_, says)| says);
         let _ = writeln!(list, "| [{code}]({code}.md) | {says} |"); // a String takes any text
