@@ -2,6 +2,7 @@
 
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
 use slideline::{Dialect, OldJob, Onset};
+use std::ffi::OsString;
 use std::path::PathBuf;
 
 /// Sliding contact of flexible and rigid bodies: runs Abaqus-style decks.
@@ -41,6 +42,13 @@ pub(crate) enum Command {
     },
     /// Write the documentation as pages that need no network.
     Docs(crate::docs::DocsArguments),
+    /// Behave as ccx, the solver of CalculiX, for programs that start one.
+    #[command(disable_help_flag = true)]
+    Ccx {
+        /// As for ccx: -i JOB, JOB or -v.
+        #[arg(value_name = "ARGUMENTS", trailing_var_arg = true, allow_hyphen_values = true)]
+        arguments: Vec<OsString>,
+    },
     /// Print completions for a shell.
     Completions {
         /// The shell.

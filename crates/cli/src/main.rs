@@ -1,12 +1,13 @@
 //! The command line of slideline.
 //!
 //! ```text
-//!   slideline run | check | sweep | report | plot | reproduce | theory | explain | docs | completions
+//!   slideline run | check | sweep | report | plot | reproduce | theory | explain | docs | completions | ccx
 //!        |
 //!   standard output: progress or JSON      standard error: what is to be said
 //! ```
 
 mod arguments;
+mod ccx;
 mod check;
 mod docs;
 mod exit;
@@ -47,6 +48,10 @@ fn internal_error(fault: &str) -> String {
 }
 
 fn command() -> Exit {
+    let mut words = std::env::args_os();
+    if words.next().is_some_and(|program| ccx::is_name(&program)) {
+        return ccx::ccx(&words.collect::<Vec<_>>());
+    }
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(answer) => return usage(&answer),
@@ -60,6 +65,7 @@ fn command() -> Exit {
         Command::Report(arguments) => report::report(&arguments),
         Command::Plot(arguments) => plot::plot(&arguments),
         Command::Explain { name } => explain::explain(&name.join(" ")),
+        Command::Ccx { arguments } => ccx::ccx(&arguments),
         Command::Docs(arguments) => docs::docs(&arguments),
         Command::Completions { shell } => {
             let mut script = Vec::new();
