@@ -26,6 +26,10 @@ pub(crate) enum Command {
     Check(CheckArguments),
     /// Run one deck with many values of its parameters.
     Sweep(crate::sweep::SweepArguments),
+    /// Write a commented deck with parameters, to begin with.
+    New(crate::new::NewArguments),
+    /// Turn a mesh of gmsh into a deck.
+    Import(crate::import::ImportArguments),
     /// Repeat the 1995 study: models, theory, figures, error table, one page.
     Reproduce(crate::reproduce::ReproduceArguments),
     /// Print closed-form and exact reference solutions as CSV.
@@ -43,7 +47,6 @@ pub(crate) enum Command {
     /// Write the documentation as pages that need no network.
     Docs(crate::docs::DocsArguments),
     /// Behave as ccx, the solver of CalculiX, for programs that start one.
-    #[command(disable_help_flag = true)]
     Ccx {
         /// As for ccx: -i JOB, JOB or -v.
         #[arg(value_name = "ARGUMENTS", trailing_var_arg = true, allow_hyphen_values = true)]

@@ -1,7 +1,8 @@
 //! The command line of slideline.
 //!
 //! ```text
-//!   slideline run | check | sweep | report | plot | reproduce | theory | explain | docs | completions | ccx
+//!   slideline run | check | sweep | report | plot | reproduce | theory | explain | docs |
+//!   completions | new | import | ccx
 //!        |
 //!   standard output: progress or JSON      standard error: what is to be said
 //! ```
@@ -12,8 +13,11 @@ mod check;
 mod docs;
 mod exit;
 mod explain;
+mod fresh_file;
+mod import;
 mod interrupt;
 mod live;
+mod new;
 mod plot;
 mod progress;
 mod render;
@@ -65,6 +69,8 @@ fn command() -> Exit {
         Command::Report(arguments) => report::report(&arguments),
         Command::Plot(arguments) => plot::plot(&arguments),
         Command::Explain { name } => explain::explain(&name.join(" ")),
+        Command::Import(arguments) => import::import(&arguments),
+        Command::New(arguments) => new::new(&arguments),
         Command::Ccx { arguments } => ccx::ccx(&arguments),
         Command::Docs(arguments) => docs::docs(&arguments),
         Command::Completions { shell } => {

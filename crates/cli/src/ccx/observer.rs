@@ -6,6 +6,7 @@ use slideline::model::{Model, NodeIndex};
 use slideline::observe::{
     AttemptReport, Event, FieldReport, IterationReport, Observer, StepReport, Stop,
 };
+use slideline::output::number::push_exponent;
 use std::fmt::Write as _;
 use std::ops::ControlFlow;
 
@@ -48,13 +49,15 @@ impl Told {
             increment,
             ..
         } = own.force;
+        let [residual, average, correction, increment] =
+            [residual, average, correction, increment].map(number);
         let ending = if own.converged { "convergence" } else { "no convergence" };
         let _ = write!(
             self.waiting,
-            "\n iteration {}\n\n time avg. forc= {average:.6e}\n \
-             largest residual force= {residual:.6e}{}\n \
-             largest increment of disp= {increment:.6e}\n \
-             largest correction to disp= {correction:.6e}{}\n closed contact points= {}\n\n {ending}\n",
+            "\n iteration {}\n\n time avg. forc= {average}\n \
+             largest residual force= {residual}{}\n \
+             largest increment of disp= {increment}\n \
+             largest correction to disp= {correction}{}\n closed contact points= {}\n\n {ending}\n",
             own.iteration,
             self.place(residual_at),
             self.place(correction_at),
@@ -72,17 +75,25 @@ impl Told {
     fn given_up(&mut self, own: &AttemptReport) {
         let _ = write!(self.waiting, "\n attempt given up: {}\n", own.reason);
         if let Some(next) = own.next {
-            let _ = writeln!(self.waiting, " the increment is tried again with {next:.6e}");
+            let _ = writeln!(self.waiting, " the increment is tried again with {}", number(next));
         }
     }
 
-    fn committed(&mut self, [size, step, total]: [f64; 3]) {
+    fn committed(&mut self, times: [f64; 3]) {
+        let [size, step, total] = times.map(number);
         let _ = write!(
             self.waiting,
-            "\n increment size= {size:.6e}\n actual step time={step:.6e}\n \
-             actual total time={total:.6e}\n\n"
+            "\n increment size= {size}\n actual step time={step}\n \
+             actual total time={total}\n\n"
         );
     }
+}
+
+/// As C writes it.
+fn number(value: f64) -> String {
+    let mut text = String::new();
+    push_exponent(&mut text, value, 6);
+    text.trim_start().to_owned()
 }
 
 impl Observer for Told {

@@ -49,13 +49,27 @@ fn run_job(job: &Path, ignored: &[String]) -> Exit {
         ..RunOptions::default()
     };
     let mut outcome = run(&read, &options, &mut Told::default());
-    report::after_run(&mut outcome);
+    let report = add_report(&mut outcome);
     say(&outcome.diagnostics, &read);
+    say(report.as_slice(), &read);
     say(last_word(&outcome).as_slice(), &read);
     if outcome.status == Status::Completed {
         screen::print(&words::finished(began.elapsed().as_secs_f64()));
     }
     outcome.status.into()
+}
+
+/// Makes the report. ccx has none: where it cannot be made, the results that callers read are not
+/// lost for it.
+fn add_report(outcome: &mut Outcome) -> Option<Diagnostic> {
+    let status = outcome.status;
+    report::after_run(outcome);
+    if status != Status::Completed || outcome.status == status {
+        return None;
+    }
+    outcome.status = status;
+    let reason = outcome.output_failure.take()?;
+    Some(Diagnostic::warning(Code("SL0702"), format!("the report could not be made: {reason}")))
 }
 
 fn without_effect(argument: &str) -> Diagnostic {

@@ -17,7 +17,7 @@ pub(super) fn head() -> String {
     let line = "************************************************************";
     format!(
         "\n{line}\n\nCalculiX Version 2.20: slideline {VERSION} in its place\n\
-         (slideline ccx, https://www.calculix.de is another program)\n\n{line}\n\n"
+         (CalculiX itself is another program: https://www.calculix.de)\n\n{line}\n\n"
     )
 }
 
