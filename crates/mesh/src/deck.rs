@@ -207,7 +207,7 @@ impl Writing<'_> {
     }
 
     fn first_free(&self) -> u64 {
-        self.mesh.nodes.keys().next_back().map_or(1, |last| last + 1)
+        self.mesh.nodes.keys().next_back().map_or(1, |last| last.saturating_add(1))
     }
 
     /// Mean position of the nodes of a group [L].

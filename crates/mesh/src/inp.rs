@@ -7,7 +7,7 @@ use crate::mesh::{Cell, Group, Mesh};
 use slideline_deck::{Card, DataLine, MAX_VALUES, NoFiles, parse};
 use slideline_diag::{Diagnostic, Severity, Sources, Span};
 use slideline_model::element_type;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::HashMap;
 
 type Fallible<T> = Result<T, Box<Diagnostic>>;
 
@@ -94,8 +94,10 @@ fn members(card: &Card) -> Fallible<Vec<u64>> {
         _ => Err(unreadable("a range has a first and a last number", Some(card.span))),
     });
     let ranges: Vec<(u64, u64, u64)> = ranges.collect::<Fallible<_>>()?;
-    if ranges.iter().any(|(first, last, by)| last.saturating_sub(*first) / by > MAX_VALUES as u64) {
-        return Err(unreadable("the range has too many numbers", Some(card.span)));
+    let counts = ranges.iter().map(|(first, last, by)| last.saturating_sub(*first) / by);
+    let count = counts.fold(ranges.len() as u64, u64::saturating_add);
+    if count > MAX_VALUES as u64 {
+        return Err(unreadable("the ranges have too many numbers", Some(card.span)));
     }
     Ok(ranges.into_iter().flat_map(|(a, b, by)| (a..=b).step_by(by as usize)).collect())
 }
@@ -140,7 +142,6 @@ fn elements(
         .map(|line| Ok(whole(line)?.into_iter().map(|number| (number, line.span)).collect()))
         .collect::<Fallible<Vec<Vec<_>>>>()?
         .concat();
-    let known: BTreeSet<u64> = mesh.nodes.keys().copied().collect();
     for chunk in numbers.chunks(count + 1) {
         let (label, span) = chunk[0];
         let nodes: Vec<u64> = chunk[1..].iter().map(|(node, _)| *node).collect();
@@ -150,7 +151,7 @@ fn elements(
                 Some(span),
             ));
         }
-        if let Some(node) = nodes.iter().find(|node| !known.contains(node)) {
+        if let Some(node) = nodes.iter().find(|node| !mesh.nodes.contains_key(node)) {
             let message = format!("element {label} has node {node}, which is not in the mesh");
             return Err(unreadable(message, Some(span)));
         }

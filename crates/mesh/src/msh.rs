@@ -188,7 +188,7 @@ impl Reading {
         for _ in 0..count(&lines.wanted("the number of elements")?, "elements")? {
             let line = lines.wanted("an element")?;
             let numbers: Vec<u64> = line.numbers(3, "an element")?;
-            let behind = 3 + numbers[2] as usize;
+            let behind = 3_usize.saturating_add(numbers[2] as usize);
             if numbers.len() < behind {
                 return Err(unreadable("an element ends within its groups", Some(line.span)));
             }
