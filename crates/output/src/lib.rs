@@ -22,13 +22,16 @@ macro_rules! line {
 }
 
 mod bars;
+mod ccx;
 mod contact;
 mod dat;
+mod date;
 pub mod echo;
 mod element;
 mod energy;
 mod facts;
 mod file;
+mod fortran;
 mod frd;
 mod history;
 mod job;
@@ -65,7 +68,7 @@ mod writers;
 pub use bars::{BarRows, add_error_bars, add_warning};
 pub use contact::columns as contact_columns;
 pub use energy::{Column as EnergyColumn, EnergyOf, columns as energy_columns, energy_named};
-pub use facts::{Facts, Status};
+pub use facts::{Facts, Formats, Status};
 pub use file::{WriteError, replace as write_file};
 pub use history::columns as history_columns;
 pub use job::{JobFiles, without_ending};
