@@ -5,7 +5,7 @@ use slideline_advice::Noise;
 use slideline_diag::{Diagnostic, Sources};
 use slideline_measures::Colour;
 use slideline_model::Model;
-use slideline_output::{Facts, Records, dropped_friction};
+use slideline_output::{Facts, Formats, Records, dropped_friction};
 use slideline_solve::observe::{Ending, Event, Observer, Stop};
 use std::ops::ControlFlow;
 
@@ -29,6 +29,7 @@ impl<'a> Judge<'a> {
             diagnostics: said,
             dialect: Some(model.dialect),
             friction_onset: Some(model.friction_onset),
+            formats: Formats::default(),
             own_texts: 0,
             parameters: &[],
             earlier: None,

@@ -49,13 +49,7 @@ impl<'a> Runner<'a> {
         deck: &'a Parametric,
         stops: &'a (dyn Fn() -> bool + Sync),
     ) -> Self {
-        Self {
-            study,
-            deck,
-            stops,
-            options: SolveOptions::default(),
-            room: Room::default(),
-        }
+        Self { study, deck, stops, options: SolveOptions::default(), room: Room::default() }
     }
 
     /// The same in a room that another one has left.

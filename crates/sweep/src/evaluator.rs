@@ -6,7 +6,7 @@ use crate::layout::{Layout, Parameter};
 use crate::run::share;
 use crate::spread::{Number, Spread};
 use crate::study::Study;
-use crate::sweep::{strange_names, strange_curves};
+use crate::sweep::{strange_curves, strange_names};
 use slideline::diag::Sources;
 use slideline::keywords::Setting;
 use slideline::{Diagnostic, Parametric, Read};
