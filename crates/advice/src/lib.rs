@@ -30,6 +30,7 @@ mod start;
 mod stroke;
 mod time;
 mod units;
+mod unmerged;
 
 pub use finding::{Finding, Place, Suggestion};
 pub use noise::Noise;
@@ -46,6 +47,7 @@ pub fn advise(model: &Model) -> Vec<Finding> {
         overclosure::judge(&start, &mut findings);
         sides::judge(&start, &mut findings);
         quadratic::judge(&start, &mut findings);
+        unmerged::judge(&start, &mut findings);
         apart::judge(&start, &mut findings);
         units::judge(&start, &mut findings);
         locking::judge(&start, &mut findings);
@@ -53,7 +55,7 @@ pub fn advise(model: &Model) -> Vec<Finding> {
         return findings;
     }
     rehearsal::rehearse(&mut start);
-    let parts: [fn(&start::Start<'_>, &mut Vec<Finding>); 12] = [
+    let parts: [fn(&start::Start<'_>, &mut Vec<Finding>); 13] = [
         overclosure::judge,
         roles::judge,
         overconstraint::judge,
@@ -62,6 +64,7 @@ pub fn advise(model: &Model) -> Vec<Finding> {
         mesh::judge,
         rigid_motion::judge,
         overlap::judge,
+        unmerged::judge,
         apart::judge,
         units::judge,
         locking::judge,

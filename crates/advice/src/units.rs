@@ -3,12 +3,18 @@
 use crate::finding::Finding;
 use crate::start::Start;
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{Dof, NormalLaw};
+use slideline_model::{Dof, Material, NormalLaw, Section};
 
 /// Rotation that nobody means in radians: three times round [1].
 const TURNS: f64 = 3.0 * std::f64::consts::TAU;
 /// Stroke in sizes of the model that no part makes [1].
 const FAR: f64 = 30.0;
+/// Moduli of metals in MPa; in Pa they are those of jelly, which keeps its volume [F/L2].
+const METALS: std::ops::Range<f64> = 4e4..5e5;
+/// Poisson's ratio below which a soft body is no jelly [1].
+const NO_JELLY: f64 = 0.4;
+/// Size of a model that nobody gives in mm [L].
+const TINY: f64 = 0.05;
 
 /// SL0413: modulus against size, pressures and clearances against both. The
 /// program assumes no unit; it only compares orders of magnitude.
@@ -36,9 +42,57 @@ pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
             ));
         }
     }
+    solids(start, findings);
+    pressures(start, findings);
     laws(start, findings);
     widths(start, findings);
     strokes(start, findings);
+}
+
+/// Metals in MPa in a model that is a few hundredths long.
+fn solids(start: &Start<'_>, findings: &mut Vec<Finding>) {
+    for block in &start.model.blocks {
+        let Section::Solid(section) = &block.section else { continue };
+        let Some(elastic) = section.material.elastic() else { continue };
+        let stiff = METALS.contains(&elastic.modulus) && elastic.poisson < NO_JELLY;
+        if !stiff || start.reach <= 0.0 || start.reach >= TINY {
+            continue;
+        }
+        let message = format!(
+            "units look mixed in {}: E = {:.3e} in a model {:.3e} wide: the modulus looks like MPa, \
+             lengths like m; with m and N it is in Pa",
+            block.name, elastic.modulus, start.reach
+        );
+        let said = Diagnostic::advice(Code("SL0413"), message).at(block.origin);
+        findings.push(Finding::said(said.help("give *NODE and *ELASTIC in one set of units")));
+    }
+}
+
+/// Pressures on faces that no linear elastic body of the model bears.
+fn pressures(start: &Start<'_>, findings: &mut Vec<Finding>) {
+    let linear = |material: &Material| match material {
+        Material::Elastic(elastic, _) => Some(elastic.modulus),
+        _ => material.metal(0.0).map(|elastic| elastic.modulus),
+    };
+    let solids = start.model.blocks.iter().filter_map(|block| match &block.section {
+        Section::Solid(section) => Some(&section.material),
+        _ => None,
+    });
+    let moduli: Option<Vec<f64>> = solids.map(linear).collect();
+    let Some(stiffest) = moduli.into_iter().flatten().reduce(f64::max) else { return };
+    let all = start.model.steps.iter().flat_map(|step| &step.distributed.pressures);
+    let Some(worst) = all.max_by(|a, b| a.value.abs().total_cmp(&b.value.abs())) else { return };
+    if worst.value.abs() <= stiffest {
+        return;
+    }
+    let message = format!(
+        "a pressure of {:.3e} is {:.1e} times the largest Young's modulus of the model: their units \
+         differ",
+        worst.value.abs(),
+        worst.value.abs() / stiffest
+    );
+    let said = Diagnostic::advice(Code("SL0413"), message).at(worst.origin);
+    findings.push(Finding::said(said.help("give loads and *ELASTIC in one set of units")));
 }
 
 /// Out-of-plane widths of contact and beams that differ by a unit.

@@ -217,6 +217,7 @@ catalogue! {
     "SL0522" "an element collapses"
     "SL0523" "creep that changes too fast for the smallest increment"
     "SL0524" "an element that cannot begin where it stands"
+    "SL0525" "metal flows at its limit load"
     "SL0590" "the run was interrupted"
     "SL0591" "the job is complete already"
     "SL0592" "the state of the last attempt"

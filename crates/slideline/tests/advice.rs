@@ -157,3 +157,39 @@ fn a_suggested_card_mends_what_it_names() {
     }
     assert!(mended_decks >= 8 && failed.is_empty(), "{mended_decks}: {}", failed.join("\n"));
 }
+
+/// Requirement: faces on one another that a tie, equations, contact or springs join were meant to have
+/// nodes of their own, and so were those of what a step takes away; without any of these they are named.
+#[test]
+fn faces_that_were_meant_to_be_two_are_not_reported() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../corpus/advice");
+    let deck = std::fs::read_to_string(folder.join("SL0410-unmerged-bricks-mm.inp")).unwrap();
+    let surfaces = "*SURFACE, NAME=UPPER\nHEAD, S1\n*SURFACE, NAME=LOWER\nFOOT, S2\n";
+    let pairs = [[101, 5], [102, 6], [103, 7], [104, 8]];
+    let equations: String = pairs
+        .iter()
+        .flat_map(|[a, b]| (1..=3).map(move |dof| format!("2\n{a}, {dof}, 1., {b}, {dof}, -1.\n")))
+        .collect();
+    let springs: String = pairs.iter().map(|[a, b]| format!("{a}1, {a}, {b}\n")).collect();
+    let joined = [
+        format!("{surfaces}*TIE, NAME=GLUE\nUPPER, LOWER\n"),
+        format!(
+            "{surfaces}*SURFACE INTERACTION, NAME=TOUCH\n*CONTACT PAIR, INTERACTION=TOUCH, \
+             TYPE=NODE TO SURFACE\nUPPER, LOWER\n"
+        ),
+        format!("*EQUATION\n{equations}"),
+        format!("*ELEMENT, TYPE=SPRING2, ELSET=SOFT\n{springs}*SPRING, ELSET=SOFT\n3, 3\n1.\n"),
+    ];
+    let found = |deck: &str| {
+        let read = Job::read_text("bricks", deck, &ReadOptions::default());
+        assert!(read.model.is_some(), "{:?}\n{deck}", read.diagnostics);
+        advise(&read).iter().any(|said| said.code.0 == "SL0410")
+    };
+    assert!(found(&deck));
+    for card in joined {
+        assert!(!found(&deck.replace("*STEP,", &format!("{card}*STEP,"))), "{card}");
+    }
+    let removed = "*MODEL CHANGE, TYPE=ELEMENT, REMOVE\nHEAD\n*DLOAD, OP=NEW\nFOOT, P2, 1.0\n*END STEP";
+    let two_steps = format!("{deck}*STEP, NLGEOM\n*STATIC\n1.0, 1.0\n{removed}\n");
+    assert!(!found(&two_steps));
+}

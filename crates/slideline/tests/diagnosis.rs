@@ -119,8 +119,8 @@ fn the_suggested_card_makes_the_deck_run() {
     for name in decks() {
         let text = std::fs::read_to_string(folder().join(&name)).unwrap();
         let why = diagnosis(&name);
-        if ["SL0501", "SL0520", "SL0521", "SL0522", "SL0524"].contains(&why.code.0) {
-            continue; // an unknown cause, or one that asks for another mesh or stroke: no card
+        if ["SL0501", "SL0520", "SL0521", "SL0522", "SL0524", "SL0525"].contains(&why.code.0) {
+            continue; // an unknown cause, or one that asks for another mesh, stroke or load: no card
         }
         assert!(why.card.is_some(), "{name}: {}", why.message);
         let bytes = mended(&read(&text), std::slice::from_ref(&why)).unwrap();
@@ -334,4 +334,48 @@ fn number_after(text: &str, words: &str) -> f64 {
     let number: String =
         rest.chars().take_while(|c| c.is_ascii_digit() || "+-.e".contains(*c)).collect();
     number.trim_end_matches('.').parse().unwrap_or_else(|_| panic!("{number}: {text}"))
+}
+
+/// Two bars of area 1 and `second` in series that yield at a stress of 10 without hardening.
+fn bars_in_series(second: f64, history: &str) -> String {
+    format!(
+        "*NODE\n1, 0., 0.\n2, 1., 0.\n3, 2., 0.\n*ELEMENT, TYPE=T2D2, ELSET=A\n1, 1, 2\n\
+         *ELEMENT, TYPE=T2D2, ELSET=B\n2, 2, 3\n*SOLID SECTION, ELSET=A, MATERIAL=M\n1.\n\
+         *SOLID SECTION, ELSET=B, MATERIAL=M\n{second}\n*MATERIAL, NAME=M\n*ELASTIC\n1000., 0.3\n\
+         *PLASTIC\n10., 0.\n*STEP\n*STATIC\n0.25, 1.\n*BOUNDARY\n1, 1, 2\n2, 2\n3, 2\n{history}\
+         *END STEP\n"
+    )
+}
+
+/// Requirement: a load of 12 on what yields at 10 ends at a factor of 10/12 of it, and the element that
+/// flows is named; before, rounding held it at strains of 1e13.
+#[test]
+fn a_limit_load_is_named() {
+    let deck = bars_in_series(1.0, "*CLOAD\n3, 1, 12.\n");
+    let Ending::NotConverged(_, why) = ending(&deck) else { panic!("no limit load") };
+    assert_eq!(why.code.0, "SL0525", "{}", why.message);
+    assert!(why.message.contains("beyond total time 0.833"), "{}", why.message);
+    assert!(why.message.contains("element 1 (T2D2) and 1 more"), "{}", why.message);
+    assert!(why.card.is_some());
+}
+
+/// Requirement: a motion of 0.1 makes the thinner bar flow and leaves the other one elastic: the
+/// force stays at 10 however rounding turns the singular tangent that the first increment meets.
+#[test]
+fn bars_in_series_flow_one_by_one() {
+    struct Forces(Vec<f64>);
+    impl Observer for Forces {
+        fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
+            if let Event::Committed(frame) = event {
+                self.0.push(frame.nodal.reaction(2, slideline::model::Dof::U1));
+            }
+            ControlFlow::Continue(())
+        }
+    }
+    let model = read(&bars_in_series(1.1, "3, 1, 1, 0.1\n")).model.unwrap();
+    let mut forces = Forces(Vec::new());
+    let ending = solve(&model, &options(), &mut forces);
+    assert!(matches!(ending, Ending::Completed(_)), "{ending:?}");
+    assert!(forces.0.iter().all(|force| *force < 10.0 + 1e-6), "{:?}", forces.0);
+    assert!((forces.0.last().unwrap() - 10.0).abs() < 1e-9, "{:?}", forces.0);
 }

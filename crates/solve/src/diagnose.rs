@@ -13,6 +13,7 @@ mod contact;
 mod element;
 mod insertable;
 mod law;
+mod limit_load;
 mod other;
 mod passed;
 mod structure;
@@ -30,7 +31,7 @@ pub fn failure(case: &Case<'_>) -> Diagnostic {
     if case.stop == StopReason::TooManyIncrements {
         return case.too_many_increments();
     }
-    let causes: [fn(&Case<'_>) -> Option<Diagnostic>; 13] = [
+    let causes: [fn(&Case<'_>) -> Option<Diagnostic>; 14] = [
         |case| case.too_coarse(),
         |case| case.passed_through(),
         |case| case.no_room(),
@@ -38,6 +39,7 @@ pub fn failure(case: &Case<'_>) -> Diagnostic {
         |case| case.failed_element(),
         |case| case.off_the_end(),
         |case| case.unheld(),
+        |case| case.limit_load(),
         |case| case.overconstrained(),
         |case| case.wrong_law(),
         |case| case.jam(),

@@ -43,6 +43,8 @@ pub enum Verdict {
     Broken,
     /// An element has no answer where the iteration led it.
     Collapsed,
+    /// An equilibrium was found, but metal has flowed away to it: nothing but rounding holds it.
+    FlowsAway,
     /// An equilibrium was found, but the creep strains of its increment, taken by the conditions at
     /// its two ends, differ by more than `CETOL` allows.
     TooCoarse {
@@ -126,9 +128,11 @@ impl Control {
             Verdict::Converged { iterations } => {
                 self.accept(iterations, procedure, limits, max_increments)
             }
-            Verdict::Diverging | Verdict::Discontinuous | Verdict::Broken | Verdict::Collapsed => {
-                self.cut(limits.d_f, procedure, limits)
-            }
+            Verdict::Diverging
+            | Verdict::Discontinuous
+            | Verdict::Broken
+            | Verdict::Collapsed
+            | Verdict::FlowsAway => self.cut(limits.d_f, procedure, limits),
             Verdict::TooSlow => self.cut(limits.d_c, procedure, limits),
             Verdict::TooCoarse { percent } => {
                 let part =

@@ -21,6 +21,18 @@ pub struct Restraint {
     rows: HashMap<NodeIndex, Vec<Motion>>,
     /// Whether bodies move in space.
     in_space: bool,
+    /// The size of the model [L].
+    size: f64,
+}
+
+/// A rigid motion of a body.
+pub struct RigidMotion {
+    /// The node of the body that moves most.
+    pub node: NodeIndex,
+    /// Its motion, of length one [1].
+    pub way: [f64; 3],
+    /// The turn about the axes that belongs to it [1/L].
+    pub turn: [f64; 3],
 }
 
 /// Coefficients of a rigid motion: along the three axes, and about them.
@@ -55,7 +67,7 @@ impl Restraint {
             rows.entry(root).or_default().push(named_motion(model, node, dof, arm));
         }
         let in_space = model.is_in_space();
-        Self { bodies, rows, in_space }
+        Self { bodies, rows, in_space, size }
     }
 
     /// Whether no rigid motion is left to the body of a node, contact aside.
@@ -67,6 +79,43 @@ impl Restraint {
             (false, false) => 2,
         };
         rank(self.rows.get(&root).map_or(&[], Vec::as_slice)) >= needed
+    }
+
+    /// A rigid motion that is left to the body of a node and moves it, contact aside; `None`: there
+    /// is none.
+    pub fn left_to(&mut self, model: &Model, node: NodeIndex) -> Option<RigidMotion> {
+        let root = self.bodies.root(node);
+        let unknowns: &[usize] = if self.in_space { &[0, 1, 2, 3, 4, 5] } else { &[0, 1, 5] };
+        let rows = self.rows.get(&root).map_or(&[][..], Vec::as_slice);
+        let motions = null_motions(rows, unknowns);
+        let size = if self.size > 0.0 { self.size } else { 1.0 };
+        let origin = model.nodes.position(root);
+        let members: Vec<NodeIndex> =
+            (0..model.nodes.len()).filter(|&other| self.bodies.root(other) == root).collect();
+        let moved = |motion: &Motion, node: NodeIndex| -> [f64; 3] {
+            let at = model.nodes.position(node);
+            let arm = std::array::from_fn(|axis| (at[axis] - origin[axis]) / size);
+            [Dof::U1, Dof::U2, Dof::U3]
+                .map(|dof| rigid_motion(dof, arm).iter().zip(motion).map(|(a, b)| a * b).sum())
+        };
+        let length = |way: [f64; 3]| way.iter().fold(0.0_f64, |sum, x| sum.hypot(*x));
+        motions.into_iter().find_map(|motion| {
+            let far = |node: &NodeIndex| length(moved(&motion, *node));
+            let node = members.iter().copied().max_by(|a, b| far(a).total_cmp(&far(b)))?;
+            let most = far(&node);
+            let way = moved(&motion, node).map(|x| x / most);
+            let turn = std::array::from_fn(|axis| motion[3 + axis] / (size * most));
+            (most > DEPENDENT).then_some(RigidMotion { node, way, turn })
+        })
+    }
+
+    /// A rigid motion that is left to some body; `None`: all are held.
+    pub fn left(&mut self, model: &Model) -> Option<RigidMotion> {
+        let mut roots: Vec<NodeIndex> = self.bodies.used.clone();
+        roots.iter_mut().for_each(|node| *node = self.bodies.root(*node));
+        roots.sort_unstable();
+        roots.dedup();
+        roots.into_iter().find_map(|root| self.left_to(model, root))
     }
 
     /// Whether some body keeps a rigid motion.
@@ -168,6 +217,24 @@ fn named_motion(model: &Model, node: NodeIndex, dof: Dof, arm: [f64; 3]) -> Moti
     row
 }
 
+/// Motions along some of the unknowns that a few rows do not hinder: a base of all of them.
+fn null_motions(rows: &[Motion], unknowns: &[usize]) -> Vec<Motion> {
+    let mut rows = rows.as_flattened().to_vec();
+    let scale = rows.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
+    let mut pivots = Vec::with_capacity(6);
+    reduce_rows(&mut rows, 6, DEPENDENT * scale, &mut pivots);
+    let free = unknowns.iter().filter(|column| !pivots.contains(column));
+    let motion = |&column: &usize| {
+        let mut motion = [0.0; 6];
+        motion[column] = 1.0;
+        for (&pivot, row) in pivots.iter().zip(rows.as_chunks::<6>().0) {
+            motion[pivot] = -row[column] / row[pivot];
+        }
+        motion
+    };
+    free.map(motion).collect()
+}
+
 /// Rank of a few rows.
 fn rank(rows: &[Motion]) -> usize {
     let mut rows = rows.as_flattened().to_vec();
@@ -197,6 +264,23 @@ mod tests {
             [at(Dof::U2, 0.0, 0.0, 0.0), at(Dof::U2, 1.0, 0.0, 0.0), at(Dof::U1, 0.0, 0.0, 0.0)];
         assert_eq!(rank(&[&across[..], &along].concat()), 6);
         assert_eq!(rank(&[&across[..], &along[..2]].concat()), 5);
+    }
+
+    /// Requirement: two hinges leave the turn about the line through them, which moves what is beside
+    /// that line; clamps leave nothing.
+    #[test]
+    fn hinges_leave_a_turn() {
+        let all = [0, 1, 2, 3, 4, 5];
+        let hinge = |x| [Dof::U1, Dof::U2, Dof::U3].map(|dof| rigid_motion(dof, [x, 0.5, 0.25]));
+        let left = null_motions(&[hinge(0.0), hinge(1.0)].concat(), &all);
+        assert_eq!(left.len(), 1);
+        let turn = left[0];
+        // the line goes along x: it turns about x, and a point of the line stays
+        assert!(turn[4].abs() < 1e-12 && turn[5].abs() < 1e-12 && turn[3].abs() > 0.1);
+        let still = hinge(0.3).map(|row| row.iter().zip(turn).map(|(a, b)| a * b).sum::<f64>());
+        assert!(still.iter().all(|u| u.abs() < 1e-12));
+        let clamp = [Dof::UR1, Dof::UR2, Dof::UR3].map(|dof| rigid_motion(dof, [0.0; 3]));
+        assert!(null_motions(&[hinge(0.0), clamp].concat(), &all).is_empty());
     }
 
     /// Requirement: the row of a dof is its displacement under a rigid motion: about the third axis

@@ -8,6 +8,7 @@ use slideline_model::{Dialect, Dof, ElementType, Kinematics, NodeIndex};
 
 use super::faces::{self, SolidFace, face_nodes};
 use super::line_loads;
+use super::unit_systems;
 use crate::distributed::{Along, Distributed, Key, Kind, On};
 use crate::draft::{Body, Draft, ElementKind, Section};
 use crate::log::Target;
@@ -235,7 +236,10 @@ fn on_volume(index: usize, line: &Distributed, draft: &mut Draft) -> Option<((us
     let density = match kind {
         Kind::Body(_) | Kind::Line(_) => 1.0,
         _ => match density(&material, draft) {
-            Some(density) => density,
+            Some(density) => {
+                weigh((&material, density), line, draft);
+                density
+            }
             None if everything || !row.joins() => return None,
             None => {
                 let message = format!("the material {material} has no *DENSITY for this load");
@@ -298,6 +302,21 @@ fn per_volume((kind, along): (Kind, Option<usize>), density: f64, at: [f64; 3]) 
         }
         _ => [0.0; 3],
     }
+}
+
+/// Advises about a density whose unit is not that of the load or of the modulus.
+fn weigh((name, density): (&str, f64), line: &Distributed, draft: &mut Draft) {
+    if !draft.log.first_time(&format!("units of {name}")) {
+        return;
+    }
+    let Some(material) = draft.materials.iter().find(|own| own.name == name).cloned() else {
+        return;
+    };
+    let pull = match line.kind {
+        Kind::Gravity(along) => Some(along.map(|d| line.value * d)),
+        _ => None,
+    };
+    unit_systems::judge(&material, density, (pull, line.origin), draft);
 }
 
 /// Density of a material [M/L3].

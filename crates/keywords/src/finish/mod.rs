@@ -52,6 +52,7 @@ mod temperatures;
 mod thicknesses;
 mod tied_pairs;
 mod ties;
+mod unit_systems;
 mod unknown;
 
 use slideline_model::Model;

@@ -2,7 +2,7 @@
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::element::b22::axis_runs_forward;
-use slideline_mech::element::solid::smallest_jacobian;
+use slideline_mech::element::solid::{smallest_jacobian, worst_node};
 use slideline_model::{
     Allowable, Dialect, ElementBlock, ElementType, Elements, Kinematics, NodeIndex, TYPES,
 };
@@ -248,7 +248,14 @@ fn solid_is_sound(
                 "give its nodes in the order of its type, middle nodes near the middle of their edges",
             ),
         };
-        let message = format!("element {}: {what}", element.label);
+        let worst = match wrong_way {
+            true => String::new(),
+            false => format!(
+                ", worst at its node {}",
+                draft.model.nodes.label(nodes[worst_node(row.cell, &at)])
+            ),
+        };
+        let message = format!("element {}: {what}{worst}", element.label);
         let error = Diagnostic::error(Code("SL0346"), message).at(element.origin);
         draft.consequence(Subject::Nodes, error.help(help));
     } else {

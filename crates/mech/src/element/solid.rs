@@ -31,7 +31,7 @@ mod results;
 mod solids;
 mod told;
 
-pub use place::{Reference, smallest_jacobian};
+pub use place::{Reference, smallest_jacobian, worst_node};
 pub use recipe::{Formulation, Interpolation, Kinematics, Recipe, states};
 pub use solids::Solids;
 pub use told::Told;

@@ -50,7 +50,15 @@ pub(super) fn told(material: &Material) -> String {
         (Material::Expanding(own), _) => {
             format!("{}; {}", told(&own.law), expands(&own.expansion))
         }
-        _ => "a material of the embedding program".to_owned(),
+        (Material::Creeping(own), _) => {
+            let both = if own.beyond_yield { ", driven by the stress beyond yield" } else { "" };
+            format!("{}; creeps{both}", told(&own.metal))
+        }
+        (Material::Viscoelastic(own), _) => {
+            format!("{}; relaxes in {} terms", told(&own.law), own.series.len())
+        }
+        (Material::Rubber(_) | Material::Foam(_), None) => "rubber".to_owned(),
+        (Material::User(_), _) => "a material of the embedding program".to_owned(),
     }
 }
 
@@ -59,4 +67,22 @@ pub(super) fn expands(expansion: &Expansion) -> String {
     let coefficients: Vec<f64> = expansion.table.iter().flat_map(|row| row.1).collect();
     let (low, high) = extremes(&coefficients).unwrap_or_default();
     format!("expands by {} from {} on", range(low, high), number(expansion.zero))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use slideline_mech::material::{CreepHardening, Creeping, Elastic, Plastic};
+
+    /// Requirement: a metal that yields and creeps is told as what it is, not as somebody else's.
+    #[test]
+    fn a_metal_that_creeps_is_told() {
+        let elastic = Elastic { modulus: 1000.0, poisson: 0.3 };
+        let table = vec![[10.0, 0.0], [20.0, 0.1]];
+        let metal = Material::Plastic(Plastic { elastic, table, back_stresses: Vec::new() });
+        let hardening = CreepHardening::Strain;
+        let own = Creeping { metal, hardening, law: Vec::new(), beyond_yield: false };
+        let told = told(&Material::Creeping(Box::new(own)));
+        assert_eq!(told, "E = 1000, nu = 0.3, yields at 10; creeps");
+    }
 }

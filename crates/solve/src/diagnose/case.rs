@@ -36,6 +36,9 @@ pub fn reason(plan: &Problem<'_>, outcome: &Outcome) -> String {
              than CETOL"
         }
         Verdict::Broken => "the equations could not be solved",
+        Verdict::FlowsAway => {
+            "an equilibrium was found only where metal has flowed away without end"
+        }
         Verdict::PassedThrough { .. } => "contact was passed through in the increment",
     };
     match &outcome.fault {

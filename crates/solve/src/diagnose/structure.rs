@@ -3,9 +3,9 @@
 
 use super::case::{Case, reason};
 use crate::problem::Problem;
-use crate::restraint::Restraint;
+use crate::restraint::{Restraint, RigidMotion};
 use crate::state::State;
-use slideline_diag::{Code, Diagnostic, Place};
+use slideline_diag::{Code, Diagnostic, Place, Suggestion};
 use slideline_linalg::SolveError;
 use slideline_model::{Dof, NodeIndex};
 
@@ -23,18 +23,14 @@ struct Motion {
 }
 
 impl Case<'_> {
-    /// A singular tangent: something can move without resistance.
+    /// Something can move without resistance: the tangent is singular, or iterations get nowhere and
+    /// supports leave a motion to a body that nothing else holds.
     pub(super) fn unheld(&self) -> Option<Diagnostic> {
-        let equation = match self.outcome.fault.as_ref()? {
-            SolveError::Singular { equation, .. } => *equation,
-            _ => return None,
+        let motion = match self.outcome.fault {
+            Some(SolveError::Singular { equation, .. }) => self.motion_at(equation)?,
+            Some(_) => return None,
+            None => self.motion_left_by_supports()?,
         };
-        let (node, _) = self.plan.dofs.name(*self.plan.constraints.dof_of_equation.get(equation)?);
-        let motion =
-            self.motion(equation).unwrap_or(Motion { node, way: [0.0; 3], turn: [0.0, 0.0, 1.0] });
-        if Restraint::of(self.plan.model, self.plan.step).holds(motion.node) {
-            return None; // what supports hold does not move: a limit of the structure
-        }
         let label = self.label(motion.node);
         let message = format!(
             "the body of node {label} is unsupported {}: it can {} without any resistance{}{}",
@@ -46,7 +42,7 @@ impl Case<'_> {
                 None => "",
             }
         );
-        let dof = motion.dof(self.plan.reach);
+        let dof = motion.dof(self.plan);
         let said = Diagnostic::error(Code("SL0503"), message)
             .at(self.plan.model.nodes.get(motion.node).origin)
             .help(format!(
@@ -59,6 +55,29 @@ impl Case<'_> {
             }
             None => said,
         })
+    }
+
+    /// The motion of a singular tangent; `None`: supports hold the body.
+    fn motion_at(&self, equation: usize) -> Option<Motion> {
+        let (node, _) = self.plan.dofs.name(*self.plan.constraints.dof_of_equation.get(equation)?);
+        let motion =
+            self.motion(equation).unwrap_or(Motion { node, way: [0.0; 3], turn: [0.0, 0.0, 1.0] });
+        // what supports hold does not move: a limit of the structure
+        let held = Restraint::of(self.plan.model, self.plan.step).holds(motion.node);
+        (!held).then_some(motion)
+    }
+
+    /// The motion that supports leave to a body where neither contact nor springs nor equations may
+    /// hold it: loads that follow it give it a stiffness, and its tangent is not singular.
+    fn motion_left_by_supports(&self) -> Option<Motion> {
+        let model = self.plan.model;
+        let springs = model.blocks.iter().any(|block| block.springs().is_some());
+        let others = springs || !model.contact_pairs.is_empty();
+        if others || !model.linear_constraints.is_empty() || self.committed.total_time > 0.0 {
+            return None;
+        }
+        let RigidMotion { node, way, turn } = Restraint::of(model, self.plan.step).left(model)?;
+        Some(Motion { node, way, turn })
     }
 
     fn way(&self, motion: &Motion) -> String {
@@ -154,22 +173,29 @@ impl Case<'_> {
             directions,
             if directions == 1 { "" } else { "s" }
         );
-        let further = 2.0 * moved;
         let help = format!(
             "the results up to that time are kept; prescribe the motion instead of the load: \
              *BOUNDARY with node {label}, degree of freedom {} in place of *CLOAD, for instance \
-             to {further:.4e}",
-            dof.number()
+             to {:.4e}",
+            dof.number(),
+            2.0 * moved
         );
         let said = Diagnostic::error(Code("SL0511"), message).at(load.origin).help(help);
-        let number = dof.number();
-        Some(match plan.step.loads.len() {
-            1 => said.card(
-                Place::Instead(load.origin),
-                format!("*BOUNDARY\n{label}, {number}, {number}, {further:.6E}\n"),
-            ),
-            _ => said,
+        Some(match self.motion_for_load() {
+            Some(own) => said.card(own.place, own.text),
+            None => said,
         })
+    }
+
+    /// The card that prescribes twice the motion so far of the node of the only load in its place;
+    /// `None`: there are several loads.
+    pub(super) fn motion_for_load(&self) -> Option<Suggestion> {
+        let [load] = &self.plan.step.loads[..] else { return None };
+        let own = self.plan.dofs.named(load.node, load.dof);
+        let moved = own.map_or(0.0, |own| self.committed.displacement[own]);
+        let (label, number) = (self.label(load.node), load.dof.number());
+        let text = format!("*BOUNDARY\n{label}, {number}, {number}, {:.6E}\n", 2.0 * moved);
+        Some(Suggestion { place: Place::Instead(load.origin), text })
     }
 }
 
@@ -178,15 +204,16 @@ impl Motion {
         self.turn.iter().any(|turn| turn.abs() * reach > 1e-6)
     }
 
-    /// Number of the degree of freedom that would stop it.
-    fn dof(&self, reach: f64) -> usize {
-        let turns = self.turns(reach);
-        let (parts, dofs) = match turns {
-            true => (self.turn, ROTATIONS),
-            false => (self.way, TRANSLATIONS),
+    /// Number of the degree of freedom that would stop it: a rotation where its node has one.
+    fn dof(&self, plan: &Problem<'_>) -> usize {
+        let largest = |parts: [f64; 3]| {
+            (0..3).max_by(|&a, &b| parts[a].abs().total_cmp(&parts[b].abs())).unwrap_or(0)
         };
-        let largest = (0..3).max_by(|&a, &b| parts[a].abs().total_cmp(&parts[b].abs()));
-        dofs[largest.unwrap_or(0)].number()
+        let turn = ROTATIONS[largest(self.turn)];
+        match self.turns(plan.reach) && plan.dofs.find(self.node, turn).is_some() {
+            true => turn.number(),
+            false => TRANSLATIONS[largest(self.way)].number(),
+        }
     }
 }
 

@@ -10,6 +10,7 @@ use crate::observe::reports::IterationReport;
 use crate::problem::Problem;
 use crate::state::State;
 use crate::target::Target;
+use slideline_model::{ElementBlock, Section};
 
 /// Walks one increment. `watch` sees every iteration; on success the
 /// workspace holds the converged trial.
@@ -54,6 +55,9 @@ pub fn attempt(
         progress.last = Some(report);
         if let Some(verdict) = verdict {
             work.complete(plan, committed);
+            if flows_away(plan, &progress, verdict) {
+                return progress.end(Verdict::FlowsAway, None);
+            }
             let missed = match verdict {
                 Verdict::Converged { .. } => work.missed(plan, committed),
                 _ => None,
@@ -72,6 +76,21 @@ pub fn attempt(
             }
         }
     }
+}
+
+/// An increment of displacement in sizes of the model that no metal body makes and is whole [1].
+const AWAY: f64 = 1e4;
+
+/// Whether an equilibrium lies where metal has flowed away: its stiffness is that of rounding, which
+/// the linear system cannot tell from a small one.
+fn flows_away(plan: &Problem<'_>, progress: &Progress, verdict: Verdict) -> bool {
+    let converged = matches!(verdict, Verdict::Converged { .. });
+    let metal = |block: &ElementBlock| match &block.section {
+        Section::Solid(section) => section.material.hardening_end().is_some(),
+        _ => false,
+    };
+    let grown = progress.last.as_ref().map_or(0.0, |report| report.force.increment);
+    converged && grown > AWAY * plan.reach && plan.model.blocks.iter().any(metal)
 }
 
 impl Scratch {

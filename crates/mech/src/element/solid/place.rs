@@ -257,20 +257,30 @@ pub(super) fn invert<const D: usize>(m: &[[f64; D]; D]) -> ([[f64; D]; D], f64) 
 /// Smallest ratio of contents det dX/dxi at the points of a rule, of an element on the positions of
 /// its nodes [L^D]: positive for a sound one.
 pub fn smallest_jacobian(cell: &Cell, rule: &Quadrature, nodes: &[[f64; 3]]) -> f64 {
-    let mut smallest = f64::INFINITY;
     let mut slopes = vec![[0.0; 3]; cell.nodes];
-    for at in rule.points {
-        (cell.slopes)(at, &mut slopes);
-        let mut map: Matrix = [[0.0; 3]; 3];
-        for (node, slopes) in nodes.iter().zip(&slopes) {
-            for i in 0..cell.dimension {
-                for k in 0..cell.dimension {
-                    map[i][k] += (node[i] - nodes[0][i]) * slopes[k];
-                }
+    let all = rule.points.iter().map(|at| jacobian(cell, at, nodes, &mut slopes));
+    all.fold(f64::INFINITY, f64::min)
+}
+
+/// The node of a cell on which its volume is smallest or most turned inside out, for nodes at these
+/// positions [L]; the first one of several.
+pub fn worst_node(cell: &Cell, nodes: &[[f64; 3]]) -> usize {
+    let mut slopes = vec![[0.0; 3]; cell.nodes];
+    let all = cell.places.iter().map(|at| jacobian(cell, at, nodes, &mut slopes));
+    all.enumerate().min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(node, _)| node)
+}
+
+/// Volume of a cell by that of its reference cell at a place [L3, in the plane L2].
+fn jacobian(cell: &Cell, at: &[f64; 3], nodes: &[[f64; 3]], slopes: &mut [[f64; 3]]) -> f64 {
+    (cell.slopes)(at, slopes);
+    let mut map: Matrix = [[0.0; 3]; 3];
+    for (node, slopes) in nodes.iter().zip(slopes.iter()) {
+        for i in 0..cell.dimension {
+            for k in 0..cell.dimension {
+                map[i][k] += (node[i] - nodes[0][i]) * slopes[k];
             }
         }
-        (cell.dimension..3).for_each(|axis| map[axis][axis] = 1.0);
-        smallest = smallest.min(crate::material::tensor::determinant(&map));
     }
-    smallest
+    (cell.dimension..3).for_each(|axis| map[axis][axis] = 1.0);
+    crate::material::tensor::determinant(&map)
 }
