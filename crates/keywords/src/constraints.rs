@@ -36,6 +36,8 @@ pub(crate) enum Shape {
     MeanRotation,
     /// The first stays where it is between the two others.
     Linear,
+    /// Nodes stay as far from the last one as they are.
+    Link,
 }
 
 impl Shape {
@@ -46,6 +48,7 @@ impl Shape {
             Self::Plane => "PLANE",
             Self::MeanRotation => "MEANROT",
             Self::Linear => "LINEAR",
+            Self::Link => "LINK",
         }
     }
 
@@ -58,6 +61,7 @@ impl Shape {
                 "nodes off the axis through their centre, then a node whose coordinates are the axis"
             }
             Self::Linear => "a node, then two apart from one another",
+            Self::Link => "nodes, then one apart from them",
         }
     }
 }

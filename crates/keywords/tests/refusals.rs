@@ -549,7 +549,8 @@ fn mesh_cards() {
 }
 
 /// Requirement: shapes are kept by equations that every rigid motion fulfils, and a node that leaves
-/// the shape does not; with NLGEOM they are refused. Source: docs/theory.md eqs (4.13), (4.14).
+/// the shape does not; with NLGEOM they are kept in large motion, on nodes without own axes.
+/// Source: docs/theory.md eqs (4.13), (4.14), (4.16), (4.17).
 #[test]
 fn shapes_are_kept() {
     let bricks = "*NODE\n1, 0.0, 0.0, 0.0\n2, 2.0, 0.0, 0.0\n3, 2.0, 1.0, 0.0\n4, 0.0, 1.0, 0.0\n\
@@ -563,6 +564,7 @@ fn shapes_are_kept() {
         ("PLANE, 1, 2, 3, 10, 9\n", 2),
         ("PLANE, 1, 2, 3\n, 10, 9\n", 2),
         ("MEANROT, 1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4, 20\n", 1),
+        ("LINK, 10, 7\n", 1),
         ("LINEAR, 9, 1, 2\n", 3),
     ];
     // a displacement and a small turn w: u = c + w x X; the mean rotation about z is w_z
@@ -583,13 +585,32 @@ fn shapes_are_kept() {
             assert!((sum - u(own.dependent)).abs() < 1e-12, "{mpc} {own:?}");
         }
     }
-    for broken in
-        ["STRAIGHT, 1, 2, 10\n", "PLANE, 1, 2, 9, 10\n", "PLANE, 1, 2, 3, 5\n", "LINEAR, 9, 1\n"]
-    {
+    for broken in [
+        "STRAIGHT, 1, 2, 10\n",
+        "PLANE, 1, 2, 9, 10\n",
+        "PLANE, 1, 2, 3, 5\n",
+        "LINEAR, 9, 1\n",
+        "LINK, 9, 9\n",
+    ] {
         assert_eq!(codes(&of(broken), A), ["SL0347"], "{broken}");
     }
-    let large = of("STRAIGHT, 1, 2, 9\n").replace("*STEP", "*STEP, NLGEOM");
-    assert_eq!(codes(&large, A), ["SL0221"]);
+    for (mpc, count) in &cases[..5] {
+        let large = of(mpc).replace("*STEP", "*STEP, NLGEOM");
+        let own = model(&large, A);
+        assert_eq!(own.shapes.len(), *count, "{mpc}");
+        for shape in &own.shapes {
+            let followed = &own.linear_constraints[shape.constraint];
+            let all = followed.terms.iter().map(|term| term.0).chain([followed.dependent.0]);
+            let all: Vec<usize> = all.collect();
+            assert!(shape.nodes.iter().all(|node| all.contains(node)), "{mpc}");
+        }
+        let turned = large.replace("*STEP", "*TRANSFORM, NSET=T\n0., 1., 0., -1., 0., 0.\n*STEP");
+        let turned = turned.replace("*MPC", "*NSET, NSET=T\n1\n*MPC");
+        assert_eq!(codes(&turned, A), ["SL0221"], "{mpc}");
+    }
+    // nothing is left of the node between the others that could follow
+    let held = of("STRAIGHT, 1, 2, 9\n").replace("*CLOAD", "*BOUNDARY\n9, 1, 3\n*CLOAD");
+    assert_eq!(codes(&held.replace("*STEP", "*STEP, NLGEOM"), A), ["SL0315"]);
 }
 
 /// Requirement: `TIME DELAY` has a load follow its curve later by that time, and is refused where

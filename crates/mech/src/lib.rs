@@ -20,6 +20,7 @@ pub mod contact;
 pub mod differentiate;
 pub mod element;
 pub mod first_order;
+pub mod kept_shape;
 pub mod material;
 pub mod orientation;
 pub mod pressure;

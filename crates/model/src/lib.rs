@@ -20,6 +20,7 @@ mod driven;
 mod element;
 mod friction;
 mod initial_stress;
+mod kept_shape;
 mod load;
 mod model;
 mod node;
@@ -52,6 +53,7 @@ pub use element::section::{
 pub use element::table::{MOST_NODES, TYPES, element_type, types};
 pub use friction::{Decay, Friction, StickRule};
 pub use initial_stress::InitialStress;
+pub use kept_shape::KeptShape;
 pub use load::{Distributed, Load, Pressure};
 pub use model::Model;
 pub use node::{Dof, LinearConstraint, Node, NodeIndex, NodeSet, Nodes, RigidLink};

@@ -5,6 +5,7 @@ use crate::contact::ContactPair;
 use crate::dialect::Dialect;
 use crate::element::block::{Allowable, ElementBlock};
 use crate::initial_stress::InitialStress;
+use crate::kept_shape::KeptShape;
 use crate::node::{Dof, LinearConstraint, NodeIndex, NodeSet, Nodes, RigidLink};
 use crate::step::Step;
 use crate::tested::Tested;
@@ -37,6 +38,8 @@ pub struct Model {
     pub rigid_links: Vec<RigidLink>,
     /// Dofs that follow others linearly.
     pub linear_constraints: Vec<LinearConstraint>,
+    /// Shapes that nodes keep in large motion.
+    pub shapes: Vec<KeptShape>,
     /// Contact pairs.
     pub contact_pairs: Vec<ContactPair>,
     /// When friction is called after a change of contact.

@@ -191,7 +191,7 @@ impl<'a> Problem<'a> {
         values: &mut [f64],
     ) {
         let (constraints, pattern) = (self.constraints, self.pattern);
-        constraints.turning(at, f, |row, column, stiffness| {
+        constraints.turning(rows, at, f, |row, column, stiffness| {
             constraints.for_each_equation(rows, row, &mut |row, a| {
                 constraints.for_each_equation(rows, column, &mut |column, b| {
                     if let Some(at) = pattern.position(row, column) {

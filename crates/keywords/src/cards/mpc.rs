@@ -57,11 +57,12 @@ impl Keyword for Mpc {
     }
 }
 
-const SHAPES: [(&str, Shape); 4] = [
+const SHAPES: [(&str, Shape); 5] = [
     ("STRAIGHT", Shape::Straight),
     ("PLANE", Shape::Plane),
     ("MEANROT", Shape::MeanRotation),
     ("LINEAR", Shape::Linear),
+    ("LINK", Shape::Link),
 ];
 
 /// The nodes and sets behind the type.
@@ -85,7 +86,7 @@ fn link(line: &DataLine, draft: &mut Draft) -> Option<Link> {
             let span = line.fields.first().map_or(line.span, |field| field.span);
             let message = format!("*MPC of type `{word}` is not supported");
             let error = Diagnostic::error(Code("SL0221"), message).at(span);
-            let help = "BEAM, TIE, PIN, LINEAR; without NLGEOM also STRAIGHT, PLANE, MEANROT";
+            let help = "BEAM, TIE, PIN, LINK, LINEAR, STRAIGHT, PLANE, MEANROT";
             draft.log.push(error.help(help));
             return None;
         }

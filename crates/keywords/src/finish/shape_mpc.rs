@@ -1,17 +1,19 @@
-//! `*MPC` of types that keep a shape: STRAIGHT, PLANE, MEANROT, LINEAR, for small displacements.
+//! `*MPC` of types that keep a shape: STRAIGHT, PLANE, MEANROT, LINEAR, LINK, for small and large displacements.
 //!
 //! ```text
 //!   STRAIGHT   1 ----- k ----- 2     k stays on the line through 1 and 2
 //!   PLANE      k in 1, 2, 3          k stays in the plane of 1, 2 and 3
+//!   LINK       k ----- l             k stays as far from l as it is
 //!   MEANROT    o  o                  the mean rotation of nodes about an axis
 //!              o  o                  is dof 1 of the last one
 //! ```
-//! docs/theory.md eqs (4.13), (4.14).
+//! docs/theory.md eqs (4.13), (4.14), (4.16), (4.17).
 
 use std::collections::HashSet;
 
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{Dof, NodeIndex};
+use slideline_mech::kept_shape;
+use slideline_model::{Dof, KeptShape, NodeIndex};
 
 use super::equations::{add, solve};
 use crate::constraints::{Shape, ShapeMpc};
@@ -20,6 +22,30 @@ use crate::rule::Subject;
 
 type Vector = [f64; 3];
 type Term = (NodeIndex, Dof, f64);
+
+/// Equations `sum a u = 0` for small displacements that share their first node, and what they keep
+/// in large ones.
+struct Group {
+    rows: Vec<Vec<Term>>,
+    kept: Option<Kept>,
+}
+
+/// What a group keeps in large displacements.
+struct Kept {
+    what: What,
+    /// Its nodes, in the order that the shape has.
+    nodes: Vec<NodeIndex>,
+    /// The node whose first dof is the mean turn.
+    angle: Option<NodeIndex>,
+}
+
+#[derive(Clone, Copy)]
+enum What {
+    Line,
+    Plane,
+    Distance,
+    MeanTurn(Vector),
+}
 
 /// All of them.
 pub(super) fn shapes(draft: &mut Draft) {
@@ -40,11 +66,16 @@ fn one(mpc: &ShapeMpc, prescribed: &HashSet<(NodeIndex, Dof)>, draft: &mut Draft
         let found = draft.nodes_of(target, *span);
         nodes.extend(found.into_iter().filter(|&node| seen.insert(node)));
     }
-    if draft.steps.iter().any(|step| step.nlgeom) && mpc.shape != Shape::Linear {
-        let message = format!("*MPC of type {} is not supported with NLGEOM", mpc.shape.word());
+    let large = draft.steps.iter().any(|step| step.nlgeom);
+    let has_own_axes = |node: &NodeIndex| draft.model.axes_of(*node).is_some();
+    if large && mpc.shape != Shape::Linear && nodes.iter().any(has_own_axes) {
+        let message = format!(
+            "*MPC of type {} with NLGEOM is not supported on nodes of *TRANSFORM",
+            mpc.shape.word()
+        );
         let error = Diagnostic::error(Code("SL0221"), message).at(mpc.origin);
-        let help = "it is linear here: solve without NLGEOM, or use BEAM for what stays rigid";
-        draft.consequence(Subject::Links, error.help(help));
+        draft
+            .consequence(Subject::Links, error.help("name their dofs along the axes of the model"));
         return;
     }
     let rows = match mpc.shape {
@@ -52,6 +83,7 @@ fn one(mpc: &ShapeMpc, prescribed: &HashSet<(NodeIndex, Dof)>, draft: &mut Draft
         Shape::Plane => plane(&nodes, draft),
         Shape::MeanRotation => mean_rotation(&nodes, draft),
         Shape::Linear => linear(&nodes, draft),
+        Shape::Link => links(&nodes, draft),
     };
     let Some(rows) = rows.filter(|rows| !rows.is_empty()) else {
         let message = format!("these nodes make no *MPC of type {}", mpc.shape.word());
@@ -60,19 +92,19 @@ fn one(mpc: &ShapeMpc, prescribed: &HashSet<(NodeIndex, Dof)>, draft: &mut Draft
         return;
     };
     for group in rows {
-        eliminate(mpc, group, prescribed, draft);
+        eliminate(mpc, group, (prescribed, large), draft);
     }
 }
 
 /// Lets dofs follow by equations `sum a u = 0` that share their first node.
 fn eliminate(
     mpc: &ShapeMpc,
-    group: Vec<Vec<Term>>,
-    prescribed: &HashSet<(NodeIndex, Dof)>,
+    Group { rows, kept }: Group,
+    (prescribed, large): (&HashSet<(NodeIndex, Dof)>, bool),
     draft: &mut Draft,
 ) {
-    let Some(&(first, ..)) = group.first().and_then(|row| row.first()) else { return };
-    let group: Vec<Vec<Term>> = group.into_iter().map(|row| draft.along_own_axes(row)).collect();
+    let Some(&(first, ..)) = rows.first().and_then(|row| row.first()) else { return };
+    let group: Vec<Vec<Term>> = rows.into_iter().map(|row| draft.along_own_axes(row)).collect();
     let mut names: Vec<(NodeIndex, Dof)> = Vec::new();
     for &(node, dof, _) in group.iter().flatten() {
         if !names.contains(&(node, dof)) {
@@ -97,11 +129,65 @@ fn eliminate(
         return;
     };
     let pivots: Vec<usize> = solved.iter().map(|(pivot, _)| *pivot).collect();
+    let followers: Vec<(NodeIndex, Dof)> = pivots.iter().map(|&pivot| names[pivot]).collect();
+    if let Some(kept) = kept.filter(|_| large) {
+        keep(mpc, &kept, &followers, draft);
+    }
     for (pivot, row) in solved {
         let others = row.iter().enumerate().filter(|(c, a)| !pivots.contains(c) && **a != 0.0);
-        let terms = others.map(|(c, a)| (names[c].0, names[c].1, -a)).collect();
+        let mut terms: Vec<Term> = others.map(|(c, a)| (names[c].0, names[c].1, -a)).collect();
+        let named = |(node, dof): &(NodeIndex, Dof)| {
+            (*node, *dof) == names[pivot] || terms.iter().any(|own| (own.0, own.1) == (*node, *dof))
+        };
+        let others: Vec<(NodeIndex, Dof)> =
+            dofs_of_shape(draft).into_iter().filter(|own| !named(own)).collect();
+        // they have no part in it where the nodes stand at first
+        terms.extend(others.into_iter().map(|(node, dof)| (node, dof, 0.0)));
         add(draft, names[pivot], terms, mpc.origin);
     }
+}
+
+/// Notes what the constraints that come next, of these followers, keep in large displacements.
+fn keep(mpc: &ShapeMpc, kept: &Kept, followers: &[(NodeIndex, Dof)], draft: &mut Draft) {
+    let next = draft.model.linear_constraints.len();
+    let directions = |own: usize| {
+        let taken = |dof: usize| followers.iter().any(|other| other.1 as usize == dof);
+        (0..3).find(|&dof| dof != own && !taken(dof))
+    };
+    let last = kept.nodes.last().copied();
+    for (place, &(node, dof)) in followers.iter().enumerate() {
+        let shape = match kept.what {
+            What::Plane => kept_shape::KeptShape::Plane,
+            What::Distance => kept_shape::KeptShape::Distance,
+            What::MeanTurn(axis) => kept_shape::KeptShape::MeanTurn(axis),
+            What::Line => match directions(dof as usize).filter(|_| Some(node) == last) {
+                Some(other) if draft.model.is_in_space() || other < 2 => {
+                    kept_shape::KeptShape::Line(dof as usize, other)
+                }
+                _ => {
+                    let message = "too many dofs of this *MPC are prescribed or follow others";
+                    let error = Diagnostic::error(Code("SL0315"), message).at(mpc.origin);
+                    let help = "leave the dofs of the nodes between the first two free";
+                    draft.consequence(Subject::Links, error.help(help));
+                    return;
+                }
+            },
+        };
+        let (nodes, angle) = (kept.nodes.clone(), kept.angle);
+        draft.model.shapes.push(KeptShape { constraint: next + place, shape, nodes, angle });
+    }
+}
+
+/// Dofs of the shape that the constraint that comes next keeps; none where it keeps none.
+fn dofs_of_shape(draft: &Draft) -> Vec<(NodeIndex, Dof)> {
+    let next = draft.model.linear_constraints.len();
+    let Some(own) = draft.model.shapes.iter().find(|own| own.constraint == next) else {
+        return Vec::new();
+    };
+    let moves = draft.model.directions().iter().filter(|dof| !dof.is_rotation());
+    let seen = |dof: &&Dof| own.shape.sees(**dof as usize);
+    let moves: Vec<Dof> = moves.filter(seen).copied().collect();
+    own.nodes.iter().flat_map(|&node| moves.iter().map(move |&dof| (node, dof))).collect()
 }
 
 fn less(a: Vector, b: Vector) -> Vector {
@@ -131,7 +217,7 @@ fn along(node: NodeIndex, n: Vector, factor: f64, draft: &Draft) -> Vec<Term> {
 const ON: f64 = 1e-6;
 
 /// Two equations a node in space, one in the plane: n . (u_k - (1 - t) u_1 - t u_2) = 0.
-fn straight(nodes: &[NodeIndex], draft: &Draft) -> Option<Vec<Vec<Vec<Term>>>> {
+fn straight(nodes: &[NodeIndex], draft: &Draft) -> Option<Vec<Group>> {
     let (&[first, second], others) = nodes.split_first_chunk::<2>()?;
     let at = |node| draft.model.nodes.position(node);
     let d = less(at(second), at(first));
@@ -158,13 +244,15 @@ fn straight(nodes: &[NodeIndex], draft: &Draft) -> Option<Vec<Vec<Vec<Term>>>> {
             let parts = [(node, 1.0), (first, t - 1.0), (second, -t)];
             parts.iter().flat_map(|&(own, factor)| along(own, n, factor, draft)).collect()
         };
-        groups.push(normals.iter().map(row).collect());
+        let rows = normals.iter().map(row).collect();
+        let kept = Kept { what: What::Line, nodes: vec![first, second, node], angle: None };
+        groups.push(Group { rows, kept: Some(kept) });
     }
     Some(groups)
 }
 
 /// One equation a node: n . (u_k - sum l_i u_i) = 0 with its area coordinates l_i.
-fn plane(nodes: &[NodeIndex], draft: &Draft) -> Option<Vec<Vec<Vec<Term>>>> {
+fn plane(nodes: &[NodeIndex], draft: &Draft) -> Option<Vec<Group>> {
     let (&corners, others) = nodes.split_first_chunk::<3>()?;
     if !draft.model.is_in_space() {
         return None;
@@ -183,14 +271,16 @@ fn plane(nodes: &[NodeIndex], draft: &Draft) -> Option<Vec<Vec<Vec<Term>>>> {
         let mut row = along(node, n, 1.0, draft);
         let of_corners = corners.iter().zip(shares);
         row.extend(of_corners.flat_map(|(&own, share)| along(own, n, -share, draft)));
-        groups.push(vec![row]);
+        let [a, b, c] = corners;
+        let kept = Kept { what: What::Plane, nodes: vec![a, b, c, node], angle: None };
+        groups.push(Group { rows: vec![row], kept: Some(kept) });
     }
     Some(groups)
 }
 
 /// The last node is no point: its coordinates are the axis, and its dof 1 is the mean of the turns
 /// (a x r_i) . (u_i - mean u)/|a x r_i|^2 of the others about their centre.
-fn mean_rotation(nodes: &[NodeIndex], draft: &Draft) -> Option<Vec<Vec<Vec<Term>>>> {
+fn mean_rotation(nodes: &[NodeIndex], draft: &Draft) -> Option<Vec<Group>> {
     let (&pilot, cloud) = nodes.split_last()?;
     let axis = unit(draft.model.nodes.position(pilot))?;
     let count = cloud.len() as f64;
@@ -210,11 +300,26 @@ fn mean_rotation(nodes: &[NodeIndex], draft: &Draft) -> Option<Vec<Vec<Vec<Term>
         row.extend(along(node, less(turn, mean), 1.0, draft));
     }
     // the pilot may be prescribed: then a node of the cloud follows
-    (row.len() > 1).then(|| vec![vec![row]])
+    let kept = Kept { what: What::MeanTurn(axis), nodes: cloud.to_vec(), angle: Some(pilot) };
+    (row.len() > 1).then(|| vec![Group { rows: vec![row], kept: Some(kept) }])
+}
+
+/// One equation a node: n . (u_k - u_l) = 0 along the line from the last node to it.
+fn links(nodes: &[NodeIndex], draft: &Draft) -> Option<Vec<Group>> {
+    let (&last, others) = nodes.split_last()?;
+    let at = |node| draft.model.nodes.position(node);
+    let group = |&node: &NodeIndex| {
+        let n = unit(less(at(node), at(last)))?;
+        let mut row = along(node, n, 1.0, draft);
+        row.extend(along(last, n, -1.0, draft));
+        let kept = Kept { what: What::Distance, nodes: vec![last, node], angle: None };
+        Some(Group { rows: vec![row], kept: Some(kept) })
+    };
+    others.iter().map(group).collect()
 }
 
 /// u = (1 - t) u_a + t u_b for the place of the first node between the two others.
-fn linear(nodes: &[NodeIndex], draft: &Draft) -> Option<Vec<Vec<Vec<Term>>>> {
+fn linear(nodes: &[NodeIndex], draft: &Draft) -> Option<Vec<Group>> {
     let &[node, a, b] = nodes else { return None };
     let at = |node| draft.model.nodes.position(node);
     let d = less(at(b), at(a));
@@ -225,5 +330,5 @@ fn linear(nodes: &[NodeIndex], draft: &Draft) -> Option<Vec<Vec<Vec<Term>>>> {
     let t = dot(less(at(node), at(a)), d) / size;
     let moves = draft.model.directions().iter().filter(|dof| !dof.is_rotation());
     let row = |&dof: &Dof| vec![(node, dof, 1.0), (a, dof, t - 1.0), (b, dof, -t)];
-    Some(vec![moves.map(row).collect()])
+    Some(vec![Group { rows: moves.map(row).collect(), kept: None }])
 }

@@ -32,6 +32,9 @@ impl Constraints<'_> {
     pub fn enforce(&self, turns: &[Turn], u: &mut [f64]) {
         let mut linear = self.linear.iter().enumerate();
         let follow = |(row, constraint): (usize, &LinearConstraint), u: &mut [f64]| {
+            if let Some(shape) = &constraint.shape {
+                return shape.enforce(constraint.dependent, &self.motion.places, u);
+            }
             let (coefficients, constant) = self.motion.linear(row);
             constraint.enforce(coefficients, constant, u);
         };
@@ -47,23 +50,5 @@ impl Constraints<'_> {
     /// The own axes of the dependent node of a link, where it has some.
     pub(super) fn axes_of(&self, link: &RigidLink) -> Option<&Axes> {
         self.motion.axes.get(link.place_of_turned()?)
-    }
-
-    /// Stiffness by the turning of T, f . d2u/dq2, for forces `f` on all dofs
-    /// (those that act on dependent ones count; they are used up): calls back
-    /// with pairs of rotations and their stiffness.
-    pub fn turning(
-        &self,
-        at: (&[f64], &[Turn]),
-        f: &mut [f64],
-        mut call: impl FnMut(usize, usize, f64),
-    ) {
-        // what follows a body linearly presses on it too
-        for (row, constraint) in self.linear.iter().enumerate().skip(self.leading).rev() {
-            constraint.carry(self.motion.linear(row).0, f);
-        }
-        for (link, &arm) in self.rigid.iter().zip(&self.motion.arms) {
-            link.turning((arm, self.axes_of(link)), at, f, &mut call);
-        }
     }
 }

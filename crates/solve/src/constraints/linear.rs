@@ -10,6 +10,7 @@
 //! ```
 
 use super::rigid::RigidLink;
+use super::shapes::ShapeRow;
 use crate::dofs::DofMap;
 use slideline_model::{Axes, Model};
 use std::collections::{HashMap, HashSet};
@@ -23,6 +24,8 @@ pub(super) struct LinearConstraint {
     pub terms: Vec<(usize, usize)>,
     /// Where the coefficients come from.
     pub source: Source,
+    /// The shape that it keeps in large motion; then its coefficients are those of the configuration.
+    pub shape: Option<ShapeRow>,
 }
 
 impl LinearConstraint {
@@ -66,7 +69,7 @@ impl Source {
 /// that follows itself by way of others is left out. So many of the first are of nodes that
 /// follow nothing but their own axes: rigid bodies may hang on these.
 pub(super) fn resolve(
-    model: &Model,
+    (model, nlgeom): (&Model, bool),
     dofs: &DofMap,
     rigid: &[RigidLink],
 ) -> (Vec<LinearConstraint>, usize) {
@@ -80,7 +83,11 @@ pub(super) fn resolve(
             dependent,
             terms: terms.collect(),
             source: Source::Said(index),
+            shape: None,
         });
+    }
+    if nlgeom {
+        keep_shapes(model, dofs, &mut open);
     }
     let linked = rigid.iter().flat_map(|link| link.dependent_dofs().map(|(_, dof)| dof));
     let follows: HashSet<usize> = open.iter().map(|own| own.dependent).chain(linked).collect();
@@ -93,6 +100,24 @@ pub(super) fn resolve(
     let leading = ordered.len();
     ordered.extend(in_order(open));
     (ordered, leading)
+}
+
+/// Lets the constraints of a model that keep a shape follow all dofs of its nodes.
+fn keep_shapes(model: &Model, dofs: &DofMap, open: &mut [LinearConstraint]) {
+    let said = |own: &LinearConstraint| match own.source {
+        Source::Said(index) => Some(index),
+        Source::Axes { .. } => None,
+    };
+    let mut first = 0;
+    for (place, shape) in model.shapes.iter().enumerate() {
+        let row = ShapeRow::new(model, dofs, (place, first));
+        first += shape.nodes.len();
+        let Some(own) = open.iter_mut().find(|own| said(own) == Some(shape.constraint)) else {
+            continue;
+        };
+        own.terms = row.followed(own.dependent).map(|dof| (dof, 0)).collect();
+        own.shape = Some(row);
+    }
 }
 
 /// Constraints behind those that they follow, level by level; those of a circle are left out.
@@ -135,7 +160,7 @@ fn of_axes(dofs: &DofMap, place: usize) -> impl Iterator<Item = LinearConstraint
         });
         let terms = alike.map(|own| (own, dofs.name(own).1 as usize % 3)).collect();
         let source = Source::Axes { place, component: kind as usize % 3 };
-        LinearConstraint { dependent, terms, source }
+        LinearConstraint { dependent, terms, source, shape: None }
     })
 }
 

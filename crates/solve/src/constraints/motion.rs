@@ -17,6 +17,8 @@ pub struct Motion {
     pub(super) arms: Vec<[f64; 3]>,
     /// Own axes of the nodes that have some.
     pub(super) axes: Vec<Axes>,
+    /// Undeformed positions of the nodes of shapes, shape by shape [L].
+    pub(super) places: Vec<[f64; 3]>,
     /// Coefficients of linear constraints, one constraint after the other [1, L or 1/L].
     coefficients: Vec<f64>,
     /// Where the coefficients of each end.
@@ -34,6 +36,8 @@ impl Motion {
         self.axes.extend(numbering.turned.iter().map(|&(node, transform)| {
             model.transforms[transform].system.at(model.nodes.position(node))
         }));
+        self.places.clear();
+        self.places.extend(numbering.shape_nodes.iter().map(|&node| model.nodes.position(node)));
         self.coefficients.clear();
         self.ends.clear();
         self.constants.clear();
@@ -41,7 +45,12 @@ impl Motion {
             let source = constraint.source;
             self.constants.push(source.constant(model));
             let terms = constraint.terms.iter();
-            let of = |&(_, term): &(usize, usize)| source.coefficient(model, &self.axes, term);
+            // those of a shape are taken from the configuration
+            let fixed = constraint.shape.is_none();
+            let of = |&(_, term): &(usize, usize)| match fixed {
+                true => source.coefficient(model, &self.axes, term),
+                false => 0.0,
+            };
             self.coefficients.extend(terms.map(of));
             self.ends.push(self.coefficients.len());
         }
@@ -52,7 +61,7 @@ impl Motion {
         &self.axes
     }
 
-    /// Coefficients and constant of a linear constraint.
+    /// Coefficients and constant of a linear constraint that keeps no shape.
     pub(super) fn linear(&self, row: usize) -> (&[f64], f64) {
         let begin = row.checked_sub(1).map_or(0, |before| self.ends[before]);
         (&self.coefficients[begin..self.ends[row]], self.constants[row])

@@ -35,6 +35,8 @@ pub struct ConstraintNumbering {
     pub(super) leading: usize,
     /// Nodes with axes of their own, each with its transform.
     pub(super) turned: Vec<(NodeIndex, usize)>,
+    /// Nodes of the shapes of the model, shape by shape.
+    pub(super) shape_nodes: Vec<NodeIndex>,
     /// Dependent dof of every row.
     pub(super) dependent_dofs: Vec<usize>,
     /// Where the row of each dependent dof begins; behind the last, the end.
@@ -49,7 +51,7 @@ impl ConstraintNumbering {
     /// That of a step of a model.
     pub fn new(model: &Model, step: &Step, dofs: &DofMap) -> Self {
         let (rigid, carrier) = rigid::resolve(model, dofs);
-        let (linear, leading) = linear::resolve(model, dofs, &rigid);
+        let (linear, leading) = linear::resolve((model, step.nlgeom), dofs, &rigid);
         let mut new = Self {
             roles: vec![Role::Inactive; dofs.len()],
             dof_of_equation: Vec::new(),
@@ -58,6 +60,7 @@ impl ConstraintNumbering {
             linear,
             leading,
             turned: dofs.turned().to_vec(),
+            shape_nodes: model.shapes.iter().flat_map(|own| own.nodes.iter().copied()).collect(),
             dependent_dofs: Vec::new(),
             row_start: vec![0],
             row_dofs: Vec::new(),
@@ -149,6 +152,11 @@ impl ConstraintNumbering {
         self.carrier[node]
     }
 
+    /// Dependent dofs that keep a shape: what each follows is coupled.
+    pub fn kept(&self) -> impl Iterator<Item = &usize> {
+        self.linear.iter().filter(|own| own.shape.is_some()).map(|own| &own.dependent)
+    }
+
     /// Adds the equations that a dof depends on.
     pub fn equations_of(&self, dof: usize, into: &mut Vec<usize>) {
         match self.roles[dof] {
@@ -178,6 +186,6 @@ impl ConstraintNumbering {
 
     /// Whether T turns with the unknowns.
     pub fn turns(&self) -> bool {
-        !self.rigid.is_empty()
+        !self.rigid.is_empty() || self.linear.iter().any(|own| own.shape.is_some())
     }
 }

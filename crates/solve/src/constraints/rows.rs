@@ -1,6 +1,7 @@
 //! T at a configuration: how dependent dofs follow the others.
 
 use super::following::Constraints;
+use super::linear::LinearConstraint;
 use super::numbering::{ConstraintNumbering, Role};
 use slideline_linalg::Pattern;
 use slideline_mech::rigid::PlaneTurn;
@@ -28,14 +29,23 @@ impl Constraints<'_> {
             link.push_coefficients((arm, axes), (at, &mut turned), list);
         }
         for row in linear {
-            list.extend(self.motion.linear(row).0);
+            match &self.linear[row] {
+                LinearConstraint { shape: Some(shape), dependent, .. } => {
+                    shape.push_coefficients(*dependent, (&self.motion.places, at.0), list);
+                }
+                _ => list.extend(self.motion.linear(row).0),
+            }
         }
     }
 }
 
 impl ConstraintNumbering {
     /// What a dependent dof follows, with coefficients.
-    fn row<'a>(&'a self, row: usize, rows: &'a Rows) -> impl Iterator<Item = (usize, f64)> + 'a {
+    pub(super) fn row<'a>(
+        &'a self,
+        row: usize,
+        rows: &'a Rows,
+    ) -> impl Iterator<Item = (usize, f64)> + 'a {
         let range = self.row_start[row]..self.row_start[row + 1];
         let dofs = self.row_dofs[range.clone()].iter().copied();
         dofs.zip(rows.coefficients[range].iter().copied())

@@ -228,7 +228,9 @@ fn check_turning_by_differences(built: &Built) {
     };
     let turn = dofs.named(0, Dof::UR3).unwrap();
     let mut stiffness = 0.0;
-    constraints.turning((u, &[]), &mut force.clone(), |_, _, k| stiffness += k);
+    let mut rows = Rows::default();
+    constraints.linearise((u, &[]), &mut rows);
+    constraints.turning(&rows, (u, &[]), &mut force.clone(), |_, _, k| stiffness += k);
     for &dof in &constraints.dof_of_equation {
         let (up, down) = (carried(1e-6, dof), carried(-1e-6, dof));
         for &row in &constraints.dof_of_equation {
@@ -307,7 +309,13 @@ fn check_bodies_in_space(model: &Model) {
     // the body 3, the rotation node 6 (its own rotations stay free), pinned 3 or 5, others 6 - 1
     let pinned = if model.transforms.is_empty() { 3 } else { 5 };
     assert_eq!(constraints.equations(), 6 + 6 + pinned + 5);
-    let mut u: Vec<f64> = (0..dofs.len()).map(|k| 0.3 * (1.0 + k as f64).sin()).collect();
+    check_by_differences(&constraints, dofs.len());
+}
+
+/// T at displacements without a pattern is the derivative of the motion, its transpose carries forces
+/// of the same work, and the turning is the derivative of T' f.
+fn check_by_differences(constraints: &Constraints<'_>, count: usize) {
+    let mut u: Vec<f64> = (0..count).map(|k| 0.3 * (1.0 + k as f64).sin()).collect();
     constraints.enforce(&[], &mut u);
     let force: Vec<f64> = (0..u.len()).map(|k| (0.7 * k as f64).cos()).collect();
     let at = |by: f64, dof: usize| {
@@ -320,9 +328,8 @@ fn check_bodies_in_space(model: &Model) {
     };
     let mut rows = Rows::default();
     constraints.linearise((&u, &[]), &mut rows);
-    let mut stiffness = vec![0.0; u.len() * u.len()];
-    let count = u.len();
-    constraints.turning((&u, &[]), &mut force.clone(), |i, j, k| {
+    let mut stiffness = vec![0.0; count * count];
+    constraints.turning(&rows, (&u, &[]), &mut force.clone(), |i, j, k| {
         constraints.for_each_equation(&rows, i, &mut |i, a| {
             constraints.for_each_equation(&rows, j, &mut |j, b| {
                 let [i, j] = [i, j].map(|equation| constraints.dof_of_equation[equation]);
@@ -344,5 +351,60 @@ fn check_bodies_in_space(model: &Model) {
             let difference = (force_up[row] - force_down[row]) / 2e-6;
             assert!((difference - stiffness[row * count + dof]).abs() < 1e-8, "{row} {dof}");
         }
+    }
+}
+
+/// Nodes 0 to 2 on a line, node 5 in the plane of 0, 2 and 4, and a mean turn of 0, 2, 4 and 6, the
+/// angle of which is U1 of node 7: a chain of all three; node 3 is linked to
+/// node 1.
+fn keeping_shapes(follower: (NodeIndex, Dof)) -> Model {
+    use slideline_mech::kept_shape::KeptShape as Shape;
+    let mut model = Model::default();
+    for label in 0..8 {
+        let x = label as f64;
+        let position = match label {
+            0..3 => [x, 0.5 * x, 1.0 - 0.2 * x],
+            _ => [(1.3 * x).cos(), 2.0 * (0.9 * x).sin(), 0.4 * x],
+        };
+        model.nodes.insert(Node { label: label + 1, position, origin: AT });
+    }
+    let section = slideline_model::Section::Properties(vec![]);
+    let block = slideline_model::ElementBlock::new(&POINT_IN_SPACE, "P", section, AT);
+    model.blocks = vec![block.with((0..8).map(|node| (node as u64 + 1, [node])))];
+    let mut keep = |dependent, shape, nodes: &[NodeIndex], angle| {
+        let (terms, constraint) = (Vec::new(), model.linear_constraints.len());
+        let own = slideline_model::LinearConstraint { dependent, terms, constant: 0.0, origin: AT };
+        model.linear_constraints.push(own);
+        let nodes = nodes.to_vec();
+        model.shapes.push(slideline_model::KeptShape { constraint, shape, nodes, angle });
+    };
+    keep(follower, Shape::MeanTurn([0.0, 0.6, 0.8]), &[0, 2, 4, 6], Some(7));
+    keep((3, Dof::U1), Shape::Distance, &[1, 3], None);
+    keep((5, Dof::U3), Shape::Plane, &[0, 2, 4, 5], None);
+    keep((2, Dof::U2), Shape::Line(1, 0), &[0, 1, 2], None);
+    keep((2, Dof::U3), Shape::Line(2, 0), &[0, 1, 2], None);
+    model.steps.push(Step { prescribed: vec![], nlgeom: true, ..step() });
+    model
+}
+
+/// Requirement: what keeps a line, a plane or a mean turn moves and turns as differences say, in a
+/// chain and whichever dof follows; without large motion nothing is kept but the equations.
+/// Central differences of step 1e-6; tolerance 1e-8.
+#[test]
+fn kept_shapes_by_differences() {
+    for follower in [(7, Dof::U1), (6, Dof::U1)] {
+        let mut model = keeping_shapes(follower);
+        let dofs = DofMap::new(&model);
+        let check = |model: &Model, shapes: bool| {
+            let numbering = ConstraintNumbering::new(model, &model.steps[0], &dofs);
+            assert_eq!(numbering.turns(), shapes);
+            let mut motion = Motion::default();
+            motion.take(&numbering, model);
+            let constraints = Constraints { numbering: &numbering, motion: &motion };
+            check_by_differences(&constraints, dofs.len());
+        };
+        check(&model, true);
+        model.steps[0].nlgeom = false;
+        check(&model, false);
     }
 }

@@ -39,6 +39,7 @@ impl Coupling {
         let (count, dofs) = elements.size_of_cliques();
         let mut own = Cliques::with_room(count, dofs);
         elements.cliques().for_each(|dofs| own.add(constraints, dofs));
+        constraints.kept().for_each(|dof| own.add(constraints, [dof]));
         let pattern = Pattern::from_cliques(constraints.equations(), own.iter().chain(several));
         let entries = elements.entries(dependent, constraints, &pattern).into();
         let mut interface: Vec<usize> = cliques.iter().flatten().copied().collect();

@@ -1,5 +1,6 @@
 //! What of a model decides its numbering, as a row of numbers.
 
+use slideline_mech::kept_shape::KeptShape;
 use slideline_model::{
     ContactFace, ContactPair, ElementBlock, Formulation, Friction, Master, Model, Presence,
     Section, Step,
@@ -127,6 +128,20 @@ fn draw(model: &Model, note: &mut impl FnMut(Part, usize)) {
                 .into_iter()
                 .for_each(|number| note(Part::LinearConstraints, number));
         }
+    }
+    note(Part::LinearConstraints, model.shapes.len());
+    for own in &model.shapes {
+        let kind = match own.shape {
+            KeptShape::Line(i, j) => 3 * i + j,
+            KeptShape::Plane => 9,
+            KeptShape::MeanTurn(_) => 10,
+            KeptShape::Distance => 11,
+        };
+        let angle = own.angle.map_or(0, |node| node + 1);
+        [own.constraint, kind, own.nodes.len(), angle]
+            .into_iter()
+            .chain(own.nodes.iter().copied())
+            .for_each(|number| note(Part::LinearConstraints, number));
     }
     note(Part::Contact(0), model.contact_pairs.len());
     for (index, pair) in model.contact_pairs.iter().enumerate() {

@@ -146,7 +146,9 @@ impl Built {
         let (mut values, room, _) = self.gathered((u, stresses), u, None);
         let mut force = vec![0.0; u.len()];
         self.structure().turning_forces((u, &[]), stresses, &room, &mut force);
-        self.constraints().turning((u, &[]), &mut force, |dof, _, stiffness| {
+        let mut rows = Rows::default();
+        self.constraints().linearise((u, &[]), &mut rows);
+        self.constraints().turning(&rows, (u, &[]), &mut force, |dof, _, stiffness| {
             let own = self.constraints.equation(dof).unwrap();
             values[self.pattern.position(own, own).unwrap()] += stiffness;
         });
