@@ -126,7 +126,7 @@ impl ShapeRow {
             value = now;
         }
         let left = value / self.slope((places, u), dependent);
-        if !(left.abs() <= allowed) {
+        if left.is_nan() || left.abs() > allowed {
             u[dependent] = f64::NAN;
         }
     }
