@@ -1,4 +1,4 @@
-//! Runs the studies of `corpus/study` and draws the figures of docs/studies:
+//! Runs the studies of `corpus/study` and draws the figures of docs/shown-studies.md:
 //! `cargo run --release -p slideline-sweep --example shown_studies -- FOLDER IMAGES`, where FOLDER
 //! keeps the shards and IMAGES gets the figures.
 

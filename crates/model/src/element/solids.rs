@@ -181,8 +181,6 @@ rows! {
     C3D10H: TET10, TET_4, Space, MeanDilation / MeanDilation, 3, 10, 4;
     /// Quadratic wedge.
     C3D15: WEDGE15, WEDGE_3X3, Space, Plain / Plain, 3, 15, 9;
-    /// Quadratic wedge, hybrid: one pressure an element.
-    C3D15H: WEDGE15, WEDGE_3X3, Space, MeanDilation / MeanDilation, 3, 15, 9;
     /// Quadratic hexahedron.
     C3D20: HEX20, HEX_27, Space, Plain / Plain, 3, 20, 27;
     /// Quadratic hexahedron of eight points.
