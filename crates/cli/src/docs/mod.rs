@@ -48,13 +48,10 @@ const WRITTEN: &[(&str, &str)] = &[
     ("report", include_str!("../../../../docs/report.md")),
     ("restart", include_str!("../../../../docs/restart.md")),
     ("studies", include_str!("../../../../docs/studies.md")),
-<<<<<<< HEAD
     ("python", include_str!("../../../../docs/python.md")),
     ("optimisers", include_str!("../../../../docs/optimisers.md")),
-=======
     ("shown-studies", include_str!("../../../../docs/shown-studies.md")),
     ("scaling", include_str!("../../../../docs/scaling.md")),
->>>>>>> 32984e5e7a84b00d22c65b69fdd3bfd04fb47f38
     ("reproduce", include_str!("../../../../docs/reproduce.md")),
     ("verification", include_str!("../../../../docs/verification.md")),
     ("user-friction", include_str!("../../../../docs/user-friction.md")),
