@@ -123,13 +123,13 @@ impl Deck {
     #[pyo3(signature = (folder, threads, all_frames, told, laws))]
     fn run(
         &self,
-        py: Python<'_>,
         folder: Option<PathBuf>,
         threads: usize,
         all_frames: bool,
         told: Option<Py<PyAny>>,
         laws: &Bound<'_, PyDict>,
     ) -> PyResult<Run> {
+        let py = laws.py();
         let failures = Arc::new(Failures::default());
         let solve = SolveOptions {
             threads,

@@ -100,6 +100,9 @@ impl Observer for Heard<'_> {
     }
 }
 
+/// Named histories of a node.
+type Columns = Vec<(&'static str, Py<PyArray1<f64>>)>;
+
 /// What came of a run. Arrays belong to it: they are handed out without copies and cannot be
 /// written.
 #[pyclass(frozen, module = "slideline._core")]
@@ -116,7 +119,7 @@ pub(crate) struct Run {
     motions: Py<PyArrayDyn<f64>>,
     reactions: Py<PyArrayDyn<f64>>,
     elements: Vec<Vec<BlockResults>>,
-    histories: Vec<(u64, Vec<(&'static str, Py<PyArray1<f64>>)>)>,
+    histories: Vec<(u64, Columns)>,
     history: Py<Table>,
     contact: Py<Table>,
     energy: Py<Table>,

@@ -65,6 +65,9 @@ fn park<T>(worker: &std::thread::ScopedJoinHandle<'_, T>) {
     }
 }
 
+/// Responses of points, and the codes of what stands against them.
+type Evaluated = (Py<PyArrayDyn<f64>>, Vec<Option<String>>);
+
 /// A deck whose responses can be asked for at any values of its parameters.
 #[pyclass(frozen, module = "slideline._core")]
 pub(crate) struct Evaluator {
@@ -100,7 +103,7 @@ impl Evaluator {
         py: Python<'_>,
         points: &Bound<'_, PyAny>,
         threads: usize,
-    ) -> PyResult<(Py<PyArrayDyn<f64>>, Vec<Option<String>>)> {
+    ) -> PyResult<Evaluated> {
         let given = values(points, "X")?;
         let points: Vec<Vec<Number>> =
             given.chunks_exact(self.whole.len()).map(|point| self.point(point)).collect();

@@ -183,7 +183,12 @@ def test_other_threads_go_on_during_a_run():
 
     counter = threading.Thread(target=count)
     counter.start()
-    job = slideline.read(PAPER)
+    model = slideline.Model("long")  # so long that the system lets both threads run
+    model.nodes({k + 1: (0.1 * k, 0.0) for k in range(4001)}, set="BEAM")
+    model.elements("B21", {k: (k, k + 1) for k in range(1, 4001)}, set="BEAM")
+    model.material("STEEL", elastic=(210e9, 0.3)).beam_section("BEAM", "STEEL", (1.0, 1.0))
+    model.step("PUSH", increment=0.02, direct=True).fix(1, 1, 6).move(4001, 2, 1.0)
+    job = model.job()
     before = counts[0]
     job._deck.run(None, 1, False, None, {})
     during = counts[0] - before
