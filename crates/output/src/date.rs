@@ -34,7 +34,9 @@ fn shown(seconds: u64) -> [String; 2] {
 /// Year, month from 0 and day from 1 of a number of days since 1 January 1970, by walking the years:
 /// a run asks once.
 fn civil(mut days: u64) -> (u64, usize, u64) {
-    let is_leap = |year: u64| year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
+    let is_leap = |year: u64| {
+        year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400))
+    };
     let mut year = 1970;
     while days >= 365 + u64::from(is_leap(year)) {
         days -= 365 + u64::from(is_leap(year));
