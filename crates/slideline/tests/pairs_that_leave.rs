@@ -5,7 +5,9 @@
 mod two_blocks;
 
 use slideline::model::{Dialect, Master, NormalLaw};
-use slideline::{Job, ReadOptions};
+use slideline::output::report::{Options, write};
+use slideline::{Job, Quiet, ReadOptions, RunOptions, Status, run};
+use std::path::Path;
 use two_blocks::{ALL, mesh, solved};
 
 const STEP: &str = "*STEP\n*STATIC, DIRECT\n0.5, 1.0\n";
@@ -32,6 +34,37 @@ fn a_removed_pair_carries_nothing() {
             assert!(off.abs() < 1e-9, "{kind} {in_space}, {increment}: {along:?}");
         }
     }
+}
+
+/// Requirement: a run that ends without its pair has a report; where rows of closed points are gone
+/// the contact file was cut, and there is none.
+#[test]
+fn a_run_that_ends_without_a_pair_has_a_report() {
+    let deck = format!(
+        "{}*SURFACE INTERACTION, NAME=I\n*CONTACT PAIR, INTERACTION=I\nUPPER, LOWER\n\
+         {STEP}*BOUNDARY\nLOW, 1, 2\nHIGH, 1, 2\nHIGH, 2, 2, -0.01\n*END STEP\n\
+         {STEP}*MODEL CHANGE, TYPE=CONTACT PAIR, REMOVE\nUPPER, LOWER\n*END STEP\n",
+        mesh(false, 0.0)
+    );
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("ends_without_a_pair");
+    let _ = std::fs::remove_dir_all(&folder);
+    let read = Job::read_text("leaves", &deck, &ReadOptions::default());
+    let options = RunOptions { folder: Some(folder.clone()), ..RunOptions::default() };
+    let outcome = run(&read, &options, &mut Quiet);
+    assert_eq!(outcome.status, Status::Completed, "{:#?}", outcome.diagnostics);
+    let report = || write(&outcome.files, &Options::default());
+    assert!(report().is_ok(), "{:?}", report().err().map(|problem| problem.to_string()));
+    let path = folder.join("leaves.contact.csv");
+    let rows = std::fs::read_to_string(&path).unwrap();
+    let closed: String =
+        rows.split_inclusive('\n').filter(|row| !row.starts_with("1,2,")).collect();
+    assert!(closed.len() < rows.len(), "{rows}");
+    std::fs::write(
+        path,
+        closed.split_inclusive('\n').take_while(|row| !row.starts_with("2,")).collect::<String>(),
+    )
+    .unwrap();
+    assert!(report().is_err(), "rows of the second increment, which are closed, are gone");
 }
 
 /// Requirement: in CalculiX the pull of a linear law counts at nodes alone (measured with ccx 2.20:

@@ -9,6 +9,7 @@ use crate::reading::history::{Energies, History};
 use crate::reading::problem::{self, Problem, unreadable};
 use crate::reading::summary::{self, Driven, driven};
 use crate::reading::table::Table;
+use std::collections::HashMap;
 
 /// What the files of a job say.
 #[derive(Clone, Debug)]
@@ -68,9 +69,13 @@ impl Results {
             }
         }
         history.shorten(count);
-        pairs_are_whole(job, &energies.numbers, lenient)?;
+        let closed = closed_until(job, &energies.numbers, lenient)?;
         let contacts = contact::read(&job.path(".contact.csv"), &energies.numbers)?;
-        let whole = |point: &&contact::Point| point.first + point.status.len() == count;
+        // a pair that is removed has no rows any more
+        let whole = |point: &&contact::Point| {
+            let end = point.first + point.status.len();
+            end == count || closed.get(&point.pair).is_some_and(|&closed| closed <= end)
+        };
         let incomplete = contacts.points.iter().find(|point| !whole(point) && !lenient);
         if let Some(point) = incomplete {
             let length = point.first + point.status.len();
@@ -93,21 +98,24 @@ fn length_fault(job: &JobFiles, ending: &str, found: usize, expected: usize) -> 
     unreadable(&job.path(ending), format!("{what}: {found} increments instead of {expected}"))
 }
 
-/// Holds `JOB.pair.csv` against the increments: the same pairs in each. The
-/// page draws nothing of it, but a file that was cut is not passed over.
-fn pairs_are_whole(
+/// In how many increments, from the first one on, each pair is closed at the last.
+///
+/// Holds `JOB.pair.csv` against the increments: the same pairs in each. A file that was cut is not
+/// passed over.
+fn closed_until(
     job: &JobFiles,
     increments: &[[usize; 2]],
     lenient: bool,
-) -> Result<(), Problem> {
+) -> Result<HashMap<String, usize>, Problem> {
     let path = job.path(".pair.csv");
     let mut table = match Table::open(&path, &["step", "increment", "time", "pair"]) {
         // earlier versions did not write it
-        Err(Problem::Missing(_)) => return Ok(()),
+        Err(Problem::Missing(_)) => return Ok(HashMap::new()),
         other => other?,
     };
     let mut rows: Vec<usize> = Vec::new();
-    let mut last = None;
+    let (mut last, mut closed) = (None, HashMap::new());
+    let column = table.index("closed");
     while table.row()?.is_some() {
         let now = Some((table.number::<usize>(0)?, table.number::<usize>(1)?));
         if now != last {
@@ -117,9 +125,14 @@ fn pairs_are_whole(
         if let Some(count) = rows.last_mut() {
             *count += 1;
         }
+        if column.is_some_and(|own| table.cell(own) != "0") {
+            closed.insert(table.cell(3).to_owned(), rows.len());
+        } else {
+            closed.entry(table.cell(3).to_owned()).or_default();
+        }
     }
     if lenient {
-        return Ok(());
+        return Ok(closed);
     }
     if table.is_cut() {
         return Err(unreadable(&path, "it is truncated: it ends within a line"));
@@ -133,7 +146,7 @@ fn pairs_are_whole(
             &path,
             format!("it is truncated: its last increment has {count} pairs instead of {pairs}"),
         )),
-        _ => Ok(()),
+        _ => Ok(closed),
     }
 }
 
