@@ -20,6 +20,8 @@ pub(crate) enum Exit {
     Usage = 64,
     /// Interrupted (128 + SIGINT).
     Interrupted = 130,
+    /// In place of ccx: a question about the program itself was answered, as ccx does.
+    Answered = 201,
 }
 
 impl From<Exit> for ExitCode {

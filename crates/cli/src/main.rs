@@ -1,18 +1,23 @@
 //! The command line of slideline.
 //!
 //! ```text
-//!   slideline run | check | sweep | report | plot | reproduce | theory | explain | docs | completions
+//!   slideline run | check | sweep | report | plot | reproduce | theory | explain | docs |
+//!   completions | new | import | ccx
 //!        |
 //!   standard output: progress or JSON      standard error: what is to be said
 //! ```
 
 mod arguments;
+mod ccx;
 mod check;
 mod docs;
 mod exit;
 mod explain;
+mod fresh_file;
+mod import;
 mod interrupt;
 mod live;
+mod new;
 mod plot;
 mod progress;
 mod render;
@@ -47,6 +52,10 @@ fn internal_error(fault: &str) -> String {
 }
 
 fn command() -> Exit {
+    let mut words = std::env::args_os();
+    if words.next().is_some_and(|program| ccx::is_name(&program)) {
+        return ccx::ccx(&words.collect::<Vec<_>>());
+    }
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(answer) => return usage(&answer),
@@ -60,6 +69,9 @@ fn command() -> Exit {
         Command::Report(arguments) => report::report(&arguments),
         Command::Plot(arguments) => plot::plot(&arguments),
         Command::Explain { name } => explain::explain(&name.join(" ")),
+        Command::Import(arguments) => import::import(&arguments),
+        Command::New(arguments) => new::new(&arguments),
+        Command::Ccx { arguments } => ccx::ccx(&arguments),
         Command::Docs(arguments) => docs::docs(&arguments),
         Command::Completions { shell } => {
             let mut script = Vec::new();

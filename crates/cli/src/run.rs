@@ -8,9 +8,9 @@ use slideline::diag::{Code, Diagnostic, Severity};
 use slideline::output::json::{self, json};
 use slideline::output::{add_warning, onset_word, verdict_of};
 use slideline::{
-    ErrorBars, Event, Job, Observer, OldJob, Outcome, Reactions, Read, ReadOptions, RunOptions,
-    SolveOptions, Status, Stop, TangentCheck, VERSION, error_bars, run as run_job, time_error_bars,
-    write_error_bars,
+    ErrorBars, Event, Formats, Job, Observer, OldJob, Outcome, Reactions, Read, ReadOptions,
+    RunOptions, SolveOptions, Status, Stop, TangentCheck, VERSION, error_bars, run as run_job,
+    time_error_bars, write_error_bars,
 };
 use std::ops::ControlFlow;
 use std::time::Instant;
@@ -35,6 +35,7 @@ pub(crate) fn run(arguments: &RunArguments) -> Exit {
     let options = RunOptions {
         folder: arguments.out.clone(),
         restart: arguments.restart,
+        formats: Formats::Own,
         solve: SolveOptions {
             threads: arguments.threads,
             check_tangent: match arguments.check_tangent {

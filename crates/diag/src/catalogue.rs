@@ -242,6 +242,7 @@ catalogue! {
     "SL0710" "result files that do not fit the saved state"
     "SL0711" "the previous job of a deck with *RESTART, READ"
     "SL0712" "a state that was not saved"
+    "SL0719" "a file is there already"
     "SL0801" "a value for a parameter that the deck does not have"
     "SL0802" "a parameter that cannot be set to this value"
     "SL0803" "values of a study that cannot be"
@@ -251,6 +252,10 @@ catalogue! {
     "SL0807" "a folder with another study"
     "SL0808" "a part of a study that is damaged or missing"
     "SL0809" "gradients of a study"
+    "SL0831" "a mesh that cannot be read"
+    "SL0832" "a group that the mesh does not have"
+    "SL0833" "cells of a mesh that no element has"
+    "SL0834" "a group that cannot become what was asked for"
     "SL0901" "internal error"
     "SL0906" "the tangent is not the derivative of the residual"
 }

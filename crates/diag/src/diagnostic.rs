@@ -6,7 +6,7 @@ use crate::source::Span;
 ///
 /// SL01xx syntax, SL02xx keyword meaning, SL03xx model consistency, SL04xx
 /// unsound mechanics found before solving, SL05xx no convergence, SL06xx
-/// suspicious result, SL07xx files, SL08xx studies, SL09xx our own fault.
+/// suspicious result, SL07xx files, SL08xx studies and meshes, SL09xx our own fault.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Code(pub &'static str);
 

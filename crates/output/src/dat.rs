@@ -1,7 +1,8 @@
-//! `JOB.dat`: the echo of what was understood, then the printed tables.
+//! `JOB.dat`: the echo of what was understood, then the printed tables; in the formats of ccx the
+//! tables alone, as there.
 
 use crate::echo::model_echo;
-use crate::facts::{Facts, Origin};
+use crate::facts::{Facts, Formats, Origin};
 use crate::file::{Growing, WriteError, beside};
 use crate::job::JobFiles;
 use crate::kept::Kept;
@@ -16,6 +17,7 @@ use std::fmt::Write as _;
 pub(crate) struct Dat {
     job: JobFiles,
     version: String,
+    formats: Formats,
     /// The state that the job goes on from, if it does.
     origin: Option<Origin>,
     file: Option<Growing>,
@@ -26,7 +28,8 @@ impl Dat {
     pub fn new(job: &JobFiles, facts: &Facts<'_>) -> Self {
         let origin = facts.earlier.map(|earlier| earlier.origin.clone());
         let version = facts.version.to_owned();
-        Self { job: job.clone(), version, origin, file: None, begun: false }
+        let formats = facts.formats;
+        Self { job: job.clone(), version, formats, origin, file: None, begun: false }
     }
 
     fn begin(&mut self, report: &StepReport<'_>) -> Result<(), WriteError> {
@@ -43,21 +46,27 @@ impl Dat {
             return Ok(());
         }
         let mut file = Growing::create(beside(&path))?;
-        // A String takes any text.
-        let _ = writeln!(file.text, "slideline {}   job {}\n", self.version, self.job.name());
-        if let Some(Origin { job, step, increment }) = &self.origin {
-            let _ = writeln!(
-                file.text,
-                "goes on from job {job}, step {step}, increment {increment}; gaps and energies \
-                 below are those of that state\n"
-            );
+        if self.formats == Formats::Own {
+            self.push_echo(&mut file.text, report);
         }
-        file.text.push_str(&model_echo(report.model, &report.start));
         self.file = Some(file);
         if report.model.steps.iter().any(|step| has_tables(&step.output)) {
             return Ok(());
         }
         self.finish()
+    }
+
+    /// What was understood, and of which job. A String takes any text.
+    fn push_echo(&self, text: &mut String, report: &StepReport<'_>) {
+        let _ = writeln!(text, "slideline {}   job {}\n", self.version, self.job.name());
+        if let Some(Origin { job, step, increment }) = &self.origin {
+            let _ = writeln!(
+                text,
+                "goes on from job {job}, step {step}, increment {increment}; gaps and energies \
+                 below are those of that state\n"
+            );
+        }
+        text.push_str(&model_echo(report.model, &report.start));
     }
 
     fn tables(&mut self, frame: &Frame<'_>) -> Result<(), WriteError> {

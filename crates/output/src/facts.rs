@@ -27,6 +27,19 @@ pub struct Facts<'a> {
     pub parameters: &'a [(String, String)],
     /// The jobs that this one goes on from.
     pub earlier: Option<&'a Earlier>,
+    /// Whose formats the files have that more than one program writes.
+    pub formats: Formats,
+}
+
+/// Whose formats the files have that more than one program writes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Formats {
+    /// Those of this program (docs/files.md).
+    #[default]
+    Own,
+    /// Those of ccx, for programs that start this one in its place: `.sta` and `.cvg`, `.dat`
+    /// without an echo, `.frd` in any case (docs/ccx.md).
+    Ccx,
 }
 
 /// The texts of a deck.

@@ -17,6 +17,7 @@ const ENDINGS: &[&str] = &[
     ".sta",
     ".msg",
     ".dat",
+    ".cvg",
     ".history.csv",
     ".contact.csv",
     ".pair.csv",

@@ -22,13 +22,16 @@ macro_rules! line {
 }
 
 mod bars;
+mod ccx;
 mod contact;
 mod dat;
+mod date;
 pub mod echo;
 mod element;
 mod energy;
 mod facts;
 mod file;
+mod fortran;
 mod frd;
 mod history;
 mod job;
@@ -61,7 +64,7 @@ mod writer;
 mod writers;
 
 pub use bars::{BarRows, add_error_bars, add_warning};
-pub use facts::{Facts, Status};
+pub use facts::{Facts, Formats, Status};
 pub use file::{WriteError, replace as write_file};
 pub use job::{JobFiles, without_ending};
 pub use ledger::{dropped_friction, onset_word};

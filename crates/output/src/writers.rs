@@ -1,6 +1,6 @@
 //! All writers of a job as one observer.
 
-use crate::facts::{Facts, Status};
+use crate::facts::{Facts, Formats, Status};
 use crate::file::WriteError;
 use crate::job::JobFiles;
 use crate::kept::Kept;
@@ -9,7 +9,7 @@ use crate::restart::{self, Saved};
 use crate::rows::Csv;
 use crate::summary::Summary;
 use crate::writer::Writer;
-use crate::{contact, dat, element, energy, frd, history, msg, pair, sta, vtu};
+use crate::{ccx, contact, dat, element, energy, frd, history, msg, pair, sta, vtu};
 use slideline_measures::NoiseSummary;
 use slideline_solve::Checkpoint;
 use slideline_solve::observe::{Event, Observer, Stop};
@@ -30,7 +30,14 @@ struct Kind {
 /// The registry. `JOB.json` stands apart: it is written before everything
 /// else and after it.
 const REGISTRY: &[Kind] = &[
-    Kind { name: "sta", make: |job, _| Box::new(sta::Sta::new(job)) },
+    Kind {
+        name: "sta",
+        make: |job, facts| match facts.formats {
+            Formats::Own => Box::new(sta::Sta::new(job)),
+            Formats::Ccx => Box::new(ccx::Sta::new(job)),
+        },
+    },
+    Kind { name: "cvg", make: |job, facts| Box::new(ccx::Cvg::new(job, facts.formats)) },
     Kind { name: "msg", make: |job, facts| Box::new(msg::Msg::new(job, facts)) },
     Kind { name: "dat", make: |job, facts| Box::new(dat::Dat::new(job, facts)) },
     Kind { name: "history.csv", make: |job, _| Box::new(Csv::<history::History>::new(job)) },
@@ -39,7 +46,7 @@ const REGISTRY: &[Kind] = &[
     Kind { name: "energy.csv", make: |job, _| Box::new(Csv::<energy::Energy>::new(job)) },
     Kind { name: "element.csv", make: |job, _| Box::new(Csv::<element::Solids>::new(job)) },
     Kind { name: "beam.csv", make: |job, _| Box::new(Csv::<element::Beams>::new(job)) },
-    Kind { name: "frd", make: |job, _| Box::new(frd::Frd::new(job)) },
+    Kind { name: "frd", make: |job, facts| Box::new(frd::Frd::new(job, facts)) },
     Kind { name: "vtu", make: |job, _| Box::new(vtu::States::new(job)) },
 ];
 

@@ -57,6 +57,6 @@ pub use slideline_solve::{UserFrictions, friction};
 pub use slideline_diag::{Diagnostic, Severity};
 pub use slideline_measures::{MeshNoise, NoiseSummary, PairNoise, ReactionNoise};
 pub use slideline_model::{Dialect, Model, Onset};
-pub use slideline_output::Status;
+pub use slideline_output::{Formats, Status};
 pub use slideline_solve::observe::{Event, Observer, Stop};
 pub use version::VERSION;

@@ -7,7 +7,8 @@ use slideline_diag::{Code, Diagnostic, Severity};
 use slideline_model::{Model, Onset};
 use slideline_output::restart::{self, Saved};
 use slideline_output::{
-    Facts, JobFiles, Past, Status, WriteError, Writers, dropped_friction, remove_stale_lock,
+    Facts, Formats, JobFiles, Past, Status, WriteError, Writers, dropped_friction,
+    remove_stale_lock,
 };
 use slideline_solve::Checkpoint;
 use slideline_solve::observe::{Ending, Event, Frame, Observer, Stop, Totals};
@@ -21,6 +22,8 @@ pub struct RunOptions {
     pub folder: Option<PathBuf>,
     /// Go on from `JOB.rst` instead of beginning anew.
     pub restart: bool,
+    /// Whose formats the files have that more than one program writes.
+    pub formats: Formats,
     /// How the solver works.
     pub solve: slideline_solve::Options,
 }
@@ -69,6 +72,7 @@ pub fn run(read: &Read, options: &RunOptions, observer: &mut dyn Observer) -> Ou
         own_texts: read.deck.files.len(),
         parameters: &read.options.parameters,
         earlier: read.from.as_ref().map(|from| &from.earlier),
+        formats: options.formats,
     };
     if let Some(said) = would_destroy(read, &files).or_else(|| runs_already(&files)) {
         return ended(Status::InputError, files, vec![said], None);

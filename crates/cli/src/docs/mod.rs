@@ -42,6 +42,8 @@ const WRITTEN: &[(&str, &str)] = &[
     ("field/battery_contact", include_str!("../../../../docs/field/battery_contact.md")),
     ("paper", include_str!("../../../../docs/guide/paper.md")),
     ("limits-of-use", include_str!("../../../../docs/limits-of-use.md")),
+    ("ccx", include_str!("../../../../docs/ccx.md")),
+    ("meshes", include_str!("../../../../docs/meshes.md")),
     ("files", include_str!("../../../../docs/files.md")),
     ("report", include_str!("../../../../docs/report.md")),
     ("restart", include_str!("../../../../docs/restart.md")),

@@ -11,7 +11,8 @@
 //! strain took included; measured with ccx 2.20 (docs/keywords/NODE-PRINT.md, EL-PRINT.md).
 
 use super::table::named;
-use crate::number::{push_exponent, push_padded};
+use crate::fortran::push_fortran;
+use crate::number::push_exponent;
 use slideline_mech::orientation;
 use slideline_model::{
     Axes, Dof, ElementPrint, ElementVariable, NodePrint, NodeVariable, Request, Totals,
@@ -40,27 +41,8 @@ pub(super) fn has_element(variable: ElementVariable) -> bool {
 fn push_title(text: &mut String, what: &str, request: &Request, frame: &Frame<'_>) {
     let set = if request.set.is_empty() { "ALL" } else { &request.set };
     let mut time = String::new();
-    push_fortran(&mut time, frame.total_time);
+    push_fortran(&mut time, frame.total_time, 7);
     let _ = writeln!(text, "\n {what}for set {set} and time {time}\n");
-}
-
-/// Fourteen places as Fortran's E14.7: the first digit stands behind the point.
-pub(super) fn push_fortran(text: &mut String, value: f64) {
-    let begin = text.len();
-    let shown = format!("{:.6e}", value.abs());
-    match shown
-        .split_once('e')
-        .and_then(|(digits, power)| Some((digits.replace('.', ""), power.parse::<i32>().ok()?)))
-    {
-        Some((digits, power)) => {
-            let power = if value == 0.0 { 0 } else { power + 1 };
-            let sign = if value < 0.0 { "-" } else { "" };
-            let minus = if power < 0 { '-' } else { '+' };
-            let _ = write!(text, "{sign}0.{digits}E{minus}{:02}", power.abs()); // takes any text
-        }
-        None => text.push_str(&shown), // no number
-    }
-    push_padded(text, begin, 14);
 }
 
 /// Numbers of thirteen places each, and the end of the line.

@@ -5,8 +5,9 @@
 //!   S/M              ...                     total surface force (fx,fy,fz) and moment ...
 //! ```
 
-use super::calculix::{push_fortran, push_numbers};
+use super::calculix::push_numbers;
 use super::table::{Row, Table};
+use crate::fortran::push_fortran;
 use slideline_model::{ContactPair, ContactPrint, ContactVariable, Dialect, Totals};
 use slideline_solve::observe::{Frame, PairRow, Resultant};
 use std::fmt::Write as _;
@@ -136,7 +137,7 @@ fn push_statistics(text: &mut String, frame: &Frame<'_>, print: &ContactPrint, o
         let sum = of(row);
         let (slave, master) = pair.name.split_once('/').unwrap_or((&pair.name, &pair.name));
         let mut time = String::new();
-        push_fortran(&mut time, frame.total_time);
+        push_fortran(&mut time, frame.total_time, 7);
         let _ = writeln!(
             text,
             "\n\n statistics for slave set {slave}, master set {master} and time {time}"
@@ -178,6 +179,6 @@ fn push_count(text: &mut String, frame: &Frame<'_>, print: &ContactPrint) {
 
 fn push_time(text: &mut String, what: &str, frame: &Frame<'_>) {
     let mut time = String::new();
-    push_fortran(&mut time, frame.total_time);
+    push_fortran(&mut time, frame.total_time, 7);
     let _ = writeln!(text, "\n {what} for time {time}\n"); // a String takes any text
 }

@@ -1,112 +1,14 @@
-//! `JOB.frd`: mesh and nodal results in the ASCII format of CalculiX, which
-//! cgx and PrePoMax open. Written where the deck asks for states.
-//!
-//! ```text
-//!     1C title      2C nodes      3C elements (types 1 to 11)
-//!   100C DISP, FORC, STRESS, TOSTRAIN, PE, ENER, S11, SECTION, CONTACT for each increment due
-//!  9999
-//! ```
-//!
-//! Points of rigid surfaces are nodes of their own, numbered behind the
-//! deck's, so that a viewer shows the surfaces moving.
+//! The results of an increment, a block for each quantity.
 
-use crate::file::{Growing, WriteError, beside};
-use crate::job::JobFiles;
-use crate::kept::Kept;
 use crate::number::push_exponent;
-use crate::outline::{Drawing, Piece, SPACE};
+use crate::outline::{Drawing, SPACE};
 use crate::section::nodal_sections;
-use crate::writer::Writer;
-use slideline_model::{Dialect, ElementVariable, Model, NodeIndex};
+use slideline_model::{Dialect, ElementVariable, NodeIndex};
 use slideline_results::element::{AtNodes, nodal_results};
 use slideline_results::{NodeField, contact_component};
-use slideline_solve::observe::{ContactRow, Event, Frame};
-use std::collections::BTreeMap;
+use slideline_solve::observe::{ContactRow, Frame};
+use std::collections::{BTreeMap, HashSet};
 use std::fmt::Write as _;
-
-/// Writes `JOB.frd`; it takes its name when the run is over.
-pub(crate) struct Frd {
-    job: JobFiles,
-    file: Option<Growing>,
-    drawing: Drawing,
-    /// Converged increments of all steps, which number the results.
-    increments: usize,
-}
-
-impl Frd {
-    pub fn new(job: &JobFiles) -> Self {
-        Self { job: job.clone(), file: None, drawing: Drawing::default(), increments: 0 }
-    }
-
-    fn begin(&mut self, model: &Model) -> Result<(), WriteError> {
-        let asked = model.steps.iter().any(|step| step.output.states_are_asked_for(1, true));
-        if !asked || self.file.is_some() {
-            return Ok(());
-        }
-        self.drawing = Drawing::of(model);
-        let waiting = beside(&self.job.path(".frd"));
-        if let Some(kept) = self.job.kept() {
-            self.increments = kept.increments;
-        }
-        if let Some(length) = self.job.kept_length(".frd") {
-            self.file = Some(Growing::reopen(waiting, length)?);
-            return Ok(());
-        }
-        let mut file = Growing::create(waiting)?;
-        push_mesh(&mut file.text, &self.drawing, model, &self.job.name());
-        file.flush()?;
-        self.file = Some(file);
-        Ok(())
-    }
-
-    fn state(&mut self, frame: &Frame<'_>) -> Result<(), WriteError> {
-        self.increments += 1;
-        let Some(file) = &mut self.file else { return Ok(()) };
-        let Some(step) = frame.model.steps.get(frame.step - 1) else { return Ok(()) };
-        if !step.output.states_are_asked_for(frame.increment, frame.last_of_step) {
-            return Ok(());
-        }
-        let mut results = Results { text: &mut file.text, frame, number: self.increments };
-        results.push_motion(&self.drawing);
-        results.push_sections();
-        results.push_contact();
-        file.flush()
-    }
-
-    fn finish(&mut self) -> Result<(), WriteError> {
-        let Some(mut file) = self.file.take() else { return Ok(()) };
-        file.text.push_str(" 9999\n");
-        file.rename(&self.job.path(".frd"))
-    }
-}
-
-/// Most nodes of an element on one line.
-const NODES_A_LINE: usize = 10;
-
-/// Title, nodes and elements, which are numbered in turn: a beam of three nodes
-/// is two lines. A String takes any text.
-fn push_mesh(text: &mut String, drawing: &Drawing, model: &Model, job: &str) {
-    let job: String = job.chars().filter(char::is_ascii).collect();
-    let _ = writeln!(text, "    1C{job:<66}");
-    let _ = writeln!(text, "    2C{:18}{:>12}{:37}1", "", drawing.labels.len(), "");
-    for (&label, position) in drawing.labels.iter().zip(drawing.still(model)) {
-        push_node(text, label, &position);
-    }
-    text.push_str(" -3\n");
-    let _ = writeln!(text, "    3C{:18}{:>12}{:37}1", "", drawing.pieces.len(), "");
-    for (place, Piece { kind, frd: (shape, points), .. }) in drawing.pieces.iter().enumerate() {
-        let (number, group) = (place + 1, *kind as u32);
-        let _ = writeln!(text, " -1{number:>10}{shape:>5}{group:>5}{:>5}", 1);
-        for line in points.chunks(NODES_A_LINE) {
-            text.push_str(" -2");
-            for &point in line {
-                let _ = write!(text, "{:>10}", drawing.labels[point]);
-            }
-            text.push('\n');
-        }
-    }
-    text.push_str(" -3\n");
-}
 
 /// How a viewer combines components.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -119,15 +21,18 @@ enum Shape {
 }
 
 /// The results of one increment on their way to the file.
-struct Results<'a> {
-    text: &'a mut String,
-    frame: &'a Frame<'a>,
-    number: usize,
+pub(super) struct Results<'a> {
+    pub text: &'a mut String,
+    pub frame: &'a Frame<'a>,
+    /// Numbers of nodes that are not in the file.
+    pub left_out: &'a HashSet<u64>,
+    /// Of the increment among those of all steps.
+    pub number: usize,
 }
 
 impl Results<'_> {
     /// DISP and FORC of every node, and NDTEMP where the deck speaks of temperatures.
-    fn push_motion(&mut self, drawing: &Drawing) {
+    pub fn push_motion(&mut self, drawing: &Drawing) {
         let [_, motion] = drawing.moved(self.frame);
         let mut forces = drawing.values(self.frame, NodeField::Reaction, SPACE);
         if self.frame.model.dialect == Dialect::Calculix {
@@ -148,7 +53,7 @@ impl Results<'_> {
     }
 
     /// Stresses at the nodes of solids and beams, section forces of beams.
-    fn push_sections(&mut self) {
+    pub fn push_sections(&mut self) {
         let nodes = nodal_sections(self.frame);
         let label = |node: &NodeIndex| self.frame.model.nodes.label(*node);
         let solids = nodal_results(self.frame, self.frame.model.nodes.len(), |_, node| node);
@@ -209,7 +114,7 @@ impl Results<'_> {
         }
     }
 
-    fn push_contact(&mut self) {
+    pub fn push_contact(&mut self) {
         let label = |node: &NodeIndex| self.frame.model.nodes.label(*node);
         // in the plane there is no second tangent
         let names = ["COPEN", "CSLIP1", "CSLIP2", "CPRESS", "CSHEAR1", "CSHEAR2"];
@@ -231,12 +136,18 @@ impl Results<'_> {
         rows: Vec<(u64, [f64; N])>,
     ) {
         let (frame, number, text) = (self.frame, self.number, &mut *self.text);
-        let (mut time, nodes) = (String::new(), rows.len());
+        let rows = || rows.iter().filter(|(label, _)| !self.left_out.contains(label));
+        let (mut time, nodes) = (String::new(), rows().count());
         push_exponent(&mut time, frame.total_time, 5);
         let (step, increment) = (frame.step, frame.increment);
         let _ = writeln!(text, "    1PSTEP{:16}{number:>10}{increment:>10}{step:>10}", "");
-        let _ =
-            writeln!(text, "  100CL  {:>3}{time}{nodes:>12}{:20} 0{number:>5}{:10} 1", 100, "", "");
+        let _ = writeln!(
+            text,
+            "  100CL{:>5}{time}{nodes:>12}{:20} 0{number:>5}{:10} 1",
+            100 + number,
+            "",
+            ""
+        );
         let count = N + usize::from(shape == Shape::Vector);
         let _ = writeln!(text, " -4  {name:<8}{count:>5}    1");
         for (place, component) in components.iter().enumerate() {
@@ -253,7 +164,7 @@ impl Results<'_> {
         if shape == Shape::Vector {
             text.push_str(" -5  ALL         1    2    0    0    1ALL\n");
         }
-        for (label, values) in &rows {
+        for (label, values) in rows() {
             push_node(text, *label, values);
         }
         text.push_str(" -3\n");
@@ -281,25 +192,11 @@ fn in_order([xx, yy, zz, xy, zx, yz]: [f64; 6]) -> [f64; 6] {
     [xx, yy, zz, xy, yz, zx]
 }
 
-fn push_node(text: &mut String, label: u64, values: &[f64]) {
+/// A line of a node: its number and values of twelve places.
+pub(super) fn push_node(text: &mut String, label: u64, values: &[f64]) {
     let _ = write!(text, " -1{label:>10}"); // a String takes any text
     for &value in values {
         push_exponent(text, value, 5);
     }
     text.push('\n');
-}
-
-impl Writer for Frd {
-    fn event(&mut self, event: &Event<'_>) -> Result<(), WriteError> {
-        match event {
-            Event::StepBegin(report) => self.begin(report.model),
-            Event::Committed(frame) => self.state(frame),
-            Event::End(_) => self.finish(),
-            _ => Ok(()),
-        }
-    }
-
-    fn keep(&self, kept: &mut Kept) {
-        kept.file(".frd", self.file.as_ref());
-    }
 }
