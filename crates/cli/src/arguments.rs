@@ -122,7 +122,8 @@ pub(crate) struct DeckArguments {
     #[arg(long, value_name = "OLDJOB", value_hint = ValueHint::FilePath)]
     oldjob: Option<PathBuf>,
     /// A value for a parameter that the deck defines by *PARAMETER, in place
-    /// of its first value there; may be given for several parameters.
+    /// of its first value there; may be given for several parameters. `run`
+    /// takes lists, NAME=A,B: all values with all others, a table, a plot.
     #[arg(long, value_name = "NAME=VALUE", value_parser = setting)]
     set: Vec<(String, String)>,
     /// Which program's meaning applies where two differ [default: abaqus].

@@ -20,6 +20,7 @@ mod report;
 mod reproduce;
 mod run;
 mod screen;
+mod several;
 mod sweep;
 mod theory;
 mod threads;
@@ -52,7 +53,7 @@ fn command() -> Exit {
         Err(answer) => return usage(&answer),
     };
     match arguments.command {
-        Command::Run(arguments) => run::run(&arguments),
+        Command::Run(arguments) => several::run(&arguments),
         Command::Check(arguments) => check::check(&arguments),
         Command::Sweep(arguments) => sweep::sweep(&arguments),
         Command::Reproduce(arguments) => reproduce::reproduce(&arguments),

@@ -15,10 +15,9 @@ use slideline::{
 use std::ops::ControlFlow;
 use std::time::Instant;
 
-/// Runs a deck and says how it went.
-pub(crate) fn run(arguments: &RunArguments) -> Exit {
+/// Runs a deck that was read and says how it went.
+pub(crate) fn run_read(mut read: Read, arguments: &RunArguments) -> Outcome {
     let began = Instant::now();
-    let mut read = Job::read(&arguments.deck.job, &read_options(arguments));
     read.diagnostics.extend(slideline::advise(&read));
     // what is trivial goes below
     read.diagnostics.sort_by_key(|said| said.severity == Severity::Note);
@@ -59,11 +58,11 @@ pub(crate) fn run(arguments: &RunArguments) -> Exit {
         report::after_run(&mut outcome);
     }
     tell(&read, &outcome, mode, began);
-    outcome.status.into()
+    outcome
 }
 
 /// A job that goes on after an interruption knows where it came from.
-fn read_options(arguments: &RunArguments) -> ReadOptions {
+pub(crate) fn read_options(arguments: &RunArguments) -> ReadOptions {
     let options = arguments.deck.options();
     if arguments.restart {
         return ReadOptions { old_job: OldJob::Begun(arguments.out.clone()), ..options };
@@ -144,7 +143,7 @@ impl Observer for Interruptible {
     }
 }
 
-fn mode(arguments: &RunArguments) -> Mode {
+pub(crate) fn mode(arguments: &RunArguments) -> Mode {
     match (arguments.quiet, arguments.json, screen::output_is_terminal()) {
         (true, _, _) => Mode::Silent,
         (_, true, _) => Mode::Json,
@@ -238,7 +237,9 @@ fn how_to_go_on(read: &Read, outcome: &Outcome) -> String {
 
 /// The command that goes on from the last saved state, if there is one.
 fn restart_command(read: &Read, outcome: &Outcome) -> Option<String> {
-    if !outcome.files.path(".rst").exists() {
+    // one of several runs of a deck has another name than the deck
+    let is_of_the_deck = Job::named(&read.job.deck).stem == read.job.stem;
+    if !is_of_the_deck || !outcome.files.path(".rst").exists() {
         return None;
     }
     let deck = read.job.deck.display();

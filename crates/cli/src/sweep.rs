@@ -108,10 +108,11 @@ fn summary(study: &StudyFile, outcome: &Outcome, folder: &Path) -> String {
     let Outcome { done, failed, kept, .. } = outcome;
     let all = study.study.cases();
     let word = if outcome.interrupted { "interrupted" } else { "completed" };
-    let csv = outcome.csv.as_ref().map_or_else(String::new, |csv| format!(", {}", csv.display()));
+    let files = outcome.csv.iter().chain(&outcome.indices);
+    let files: String = files.map(|file| format!(", {}", file.display())).collect();
     format!(
         "study {word}: {done} cases run, {failed} of them failed, {kept} were there before, of {all}; \
-         results in {}{csv}\n",
+         results in {}{files}\n",
         folder.display()
     )
 }

@@ -100,3 +100,31 @@ fn values_that_cannot_be_set() {
     let (code, said) = run(&folder, "job", &["--set", "mu=0.1", "--set", "mu=0.2"]);
     assert!(code == 1 && said.contains("set twice"), "{said}");
 }
+
+/// Requirement: lists of values run the deck with each of them, under names of their own, with the
+/// results of a run with that value; a table and a plot have them all, and one that cannot be is told.
+#[test]
+fn several_values_are_several_runs_in_one_table() {
+    let folder = folder("set_several");
+    let steps: String = MOTIONS.map(|to| step(5, to)).concat();
+    std::fs::write(folder.join("job.inp"), parametric("0.3", &steps)).unwrap();
+    let (exit, said) = run(&folder, "job", &["--set", "mu=0.1,-0.5,(0.4/2)"]);
+    assert!(exit == 1 && said.contains("SL0216"), "{exit} {said}");
+    let table = text(&folder, "job.study.csv");
+    let rows: Vec<Vec<&str>> = table.lines().map(|line| line.splitn(4, ',').collect()).collect();
+    assert_eq!(rows[0][..3], ["job", "mu", "status"], "{table}");
+    assert_eq!(rows[1][..3], ["job-1", "0.1", "completed"]);
+    assert_eq!(rows[2][..3], ["job-2", "-0.5", "input_error"]);
+    assert!(table.lines().nth(3).unwrap().starts_with("job-3,(0.4/2),completed"), "{table}");
+    assert_eq!(rows.len(), 4);
+    let figure = text(&folder, "job.study.svg");
+    assert!(figure.contains("mu = 0.1<") && figure.contains("mu = (0.4/2)<"), "{figure}");
+    assert_eq!(run(&folder, "job", &["--set", "mu=0.2"]), (0, String::new()));
+    assert_eq!(text(&folder, "job-3.history.csv"), text(&folder, "job.history.csv"));
+    assert_ne!(text(&folder, "job-1.history.csv"), text(&folder, "job.history.csv"));
+    let (exit, said) = run(&folder, "job", &["--set", "mu=0.1,0.2", "--restart"]);
+    assert!(exit == 1 && said.contains("SL0803"), "{said}");
+    let many: Vec<String> = (0..1001).map(|k| format!("0.{k:04}")).collect();
+    let (exit, said) = run(&folder, "job", &["--set", &format!("mu={}", many.join(","))]);
+    assert!(exit == 1 && said.contains("SL0803"), "{said}");
+}

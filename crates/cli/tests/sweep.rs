@@ -17,16 +17,19 @@ const STUDY: &str = "deck = \"job.inp\"\n\
     responses.force = \"peak(RF1@1)\"\n\
     responses.share = \"force / (scale + 1)\"\n";
 
-/// A folder with a deck of two parameters and a study.
+const CORRELATED: &str = "[[correlated]]\nbetween = [\"mu\", \"scale\"]\ncoefficient = 0.5\n";
+
+/// A deck with the parameters `mu` and `scale`.
+fn deck() -> String {
+    let contact = irs().replace("*FRICTION\n0.3\n", "*FRICTION\n<mu>\n");
+    let head = "*PARAMETER\nmu = 0.3\nscale = 1.0\n";
+    format!("{head}{}{}", model("", &contact), step(5, MOTIONS[0]))
+}
+
+/// A folder with that deck and a study.
 fn prepared(name: &str, study: &str) -> std::path::PathBuf {
     let folder = folder(name);
-    let contact = irs().replace("*FRICTION\n0.3\n", "*FRICTION\n<mu>\n");
-    let deck = format!(
-        "*PARAMETER\nmu = 0.3\nscale = 1.0\n{}{}",
-        model("", &contact),
-        step(5, MOTIONS[0])
-    );
-    std::fs::write(folder.join("job.inp"), deck).unwrap();
+    std::fs::write(folder.join("job.inp"), deck()).unwrap();
     std::fs::write(folder.join("study.toml"), study).unwrap();
     folder
 }
@@ -100,6 +103,8 @@ fn what_is_wrong_is_said_before() {
         assert!(STUDY.contains(from));
         STUDY.replace(from, to)
     };
+    let million = "{ from = 0.1, to = 0.2, count = 1_000_000 }";
+    let most = "{ from = 0.1, to = 0.2, count = 9_000_000_000_000 }";
     let many = "{ from = 0.1, to = 0.2, count = 1_000_000_000_000 }";
     for (study, exit, words) in [
         (other("0.2, -0.5", "0.25"), 1, "SL0807"),
@@ -116,6 +121,21 @@ fn what_is_wrong_is_said_before() {
         (other("job.inp", "jab.inp"), 1, "SL0701"),
         (other("peak(RF1@1)", "peek(RF1@1)"), 1, "SL0804"),
         (other("peak(RF1@1)", "peak(RF1@4711)"), 1, "SL0805"),
+        (other("peak(RF1@1)", "peak(RF1@4711)"), 1, "study.toml:4:25"),
+        (other("peak(RF1@1)", "peak(force_x@NONE)"), 1, "Its contact pairs: "),
+        (other("peak(RF1@1)", "peak(released_energie)"), 1, "SL0804"),
+        (other("peak(RF1@1)", "last(balance@1)"), 1, "leave @ out"),
+        (other("peak(RF1@1)", "peak(RF1@1)) + 1"), 1, "study.toml:4:31"),
+        (other("force / (scale", "farce / (scale"), 1, "study.toml:5:20"),
+        (other("\"force / (scale + 1)\"", "\"for\\u0063e / scal\""), 1, "study.toml:5:19"),
+        (other("[0.1, 0.2, -0.5]", million).replace("count = 4", "count = 1_000_000"), 1, "SL0803"),
+        (
+            other("[0.1, 0.2, -0.5]", most).replace("count = 4", "count = 9_000_000_000_000"),
+            1,
+            "SL0803",
+        ),
+        (format!("design = \"saltelli\"\ncases = 10\n{STUDY}"), 1, "say cases = 12"),
+        (format!("design = \"saltelli\"\ncases = 12\n{STUDY}{CORRELATED}"), 1, "independent"),
         (other("force / (scale", "farce / (scale"), 1, "did you mean force?"),
         (format!("gradients = true\n{STUDY}"), 1, "SL0809"),
         (format!("design = \"sobol\"\n{STUDY}"), 1, "cases = 1000"),
@@ -129,4 +149,108 @@ fn what_is_wrong_is_said_before() {
     let (code, said) = sweep(&folder, &["--out", "file/below"]);
     assert!(code == 4 && said.contains("SL0702"), "{code} {said}");
     assert_eq!(sweep(&folder, &["--shard", "3/3"]).0, 64);
+}
+
+/// Requirement: a file of another study is not taken for a shard of this one.
+#[test]
+fn shards_of_another_study_are_computed_again() {
+    let folder = prepared("sweep_other", STUDY);
+    assert_eq!(sweep(&folder, &["--out", "one", "--csv"]).0, 0);
+    let other = STUDY.replace("0.2, -0.5", "0.25, -0.5");
+    std::fs::write(folder.join("study.toml"), other).unwrap();
+    assert_eq!(sweep(&folder, &["--out", "two", "--csv"]).0, 0);
+    let right = table(&folder, "two");
+    assert_ne!(table(&folder, "one"), right);
+    let shard = "shard_00000.parquet";
+    std::fs::copy(folder.join("one").join(shard), folder.join("two").join(shard)).unwrap();
+    let (code, said) = sweep(&folder, &["--out", "two", "--csv"]);
+    assert!(code == 0 && said.contains("SL0808") && said.contains("another study"), "{said}");
+    assert_eq!(table(&folder, "two"), right);
+}
+
+/// Requirement: a value that makes the geometry impossible, and one without meaning for the deck, are
+/// rows with the codes that `run` has for them; the other cases are run.
+#[test]
+fn impossible_geometry_is_a_row_with_its_code() {
+    let study = "deck = \"job.inp\"\nparameters.scale = [1.0, 0.0, -1.0, 2.0]\n\
+                 responses.force = \"peak(RF1@1)\"\n";
+    let folder = prepared("sweep_geometry", study);
+    let wrong = deck().replace("1, 0.0, 0.1\n", "1, 0.0, <top>\n");
+    let wrong = wrong.replace("scale = 1.0\n", "scale = 1.0\ntop = 0.1*scale\n");
+    assert!(wrong.contains("<top>"));
+    std::fs::write(folder.join("job.inp"), wrong).unwrap();
+    assert_eq!(sweep(&folder, &["--csv"]), (0, String::new()));
+    let all = table(&folder, "study");
+    let code =
+        |row: usize| all.lines().nth(row + 1).unwrap().rsplit(',').next().unwrap().to_owned();
+    assert_eq!([code(0), code(3)], ["", ""], "{all}");
+    let output = slideline(&folder, &["run", "job", "--quiet", "--no-html", "--set", "scale=0.0"]);
+    assert!(code(1).starts_with("SL0") && stderr(&output).contains(&code(1)), "{all}");
+}
+
+/// Requirement: verdict, utilisation, margin, contact forces and energies of a case are those that the
+/// files of a run with its values have.
+#[test]
+fn responses_are_those_of_the_files() {
+    let study = "deck = \"job.inp\"\n[parameters]\nmu = [0.1, 0.3]\n[responses]\n\
+        used = \"utilisation\"\nmargin = \"strain_margin\"\ncolour = \"verdict\"\n\
+        pressed = \"max(normal_force@SLAVES)\"\ndragged = \"last(friction_x@SLAVES)\"\n\
+        lost = \"last(friction_dissipation)\"\n";
+    let folder = prepared("sweep_files", study);
+    let elastic = "1.0E9, 0.3\n";
+    let allowable = format!("{elastic}*ALLOWABLE, MATERIAL=M, STRAIN=0.002\n");
+    let allowed = deck().replace(elastic, &allowable) + &step(5, MOTIONS[1]);
+    let pair = allowed.split("*INTERFACE, ELSET=").nth(1).unwrap();
+    let pair = pair.split(['\n', ',']).next().unwrap().to_owned();
+    std::fs::write(folder.join("job.inp"), allowed).unwrap();
+    std::fs::write(folder.join("study.toml"), study.replace("SLAVES", &pair)).unwrap();
+    assert_eq!(sweep(&folder, &["--csv"]), (0, String::new()));
+    let all = table(&folder, "study");
+    for (row, mu) in ["0.1", "0.3"].iter().enumerate() {
+        let set = format!("mu={mu}");
+        assert_eq!(code(&slideline(&folder, &["run", "job", "--quiet", "--set", &set])), 0);
+        let read = |name: &str| std::fs::read_to_string(folder.join(name)).unwrap();
+        let summary: serde_json::Value = serde_json::from_str(&read("job.json")).unwrap();
+        let last = |file: &str, column: &str| -> f64 {
+            let text = read(file);
+            let place = text.lines().next().unwrap().split(',').position(|own| own == column);
+            text.lines().last().unwrap().split(',').nth(place.unwrap()).unwrap().parse().unwrap()
+        };
+        let colours = ["green", "amber", "red"];
+        let colour = summary["verdict"]["colour"].as_str().unwrap();
+        let expected = [
+            summary["allowable"]["utilisation"].as_f64().unwrap(),
+            summary["allowable"]["margin"].as_f64().unwrap(),
+            colours.iter().position(|own| *own == colour).unwrap() as f64,
+            summary["normal_force"]["max"].as_f64().unwrap(),
+            last("job.pair.csv", "friction_x"),
+            last("job.energy.csv", "friction_dissipation"),
+        ];
+        let line = all.lines().nth(row + 1).unwrap();
+        let found: Vec<f64> =
+            line.split(',').skip(2).take(6).map(|own| own.parse().unwrap()).collect();
+        assert_eq!(found, expected, "{all}");
+    }
+}
+
+/// Requirement: shares of the variance of a sum are those of its parts. Source: of uniform x and y of
+/// the same width, x + 2 y owes them 1/5 and 4/5 of its variance.
+#[test]
+fn shares_of_the_variance_are_written() {
+    let study = "deck = \"job.inp\"\ndesign = \"saltelli\"\ncases = 1024\n[parameters]\n\
+        mu = { from = 0.1, to = 0.3 }\nscale = { from = 0.9, to = 1.1 }\n\
+        [responses]\nsum = \"mu + 2*scale\"\n";
+    let folder = prepared("sweep_shares", study);
+    assert_eq!(sweep(&folder, &["--threads", "2"]), (0, String::new()));
+    let text = std::fs::read_to_string(folder.join("study/indices.csv")).unwrap();
+    let rows: Vec<Vec<&str>> = text.lines().skip(1).map(|line| line.split(',').collect()).collect();
+    assert_eq!(rows.len(), 2, "{text}");
+    for (row, (name, expected)) in rows.iter().zip([("mu", 0.2), ("scale", 0.8)]) {
+        assert_eq!(row[..2], ["sum", name]);
+        for at in [2, 4] {
+            let found: f64 = row[at].parse().unwrap();
+            assert!((found - expected).abs() < 0.01, "{text}");
+        }
+        assert_eq!(row[6], "256");
+    }
 }

@@ -246,7 +246,7 @@ catalogue! {
     "SL0802" "a parameter that cannot be set to this value"
     "SL0803" "values of a study that cannot be"
     "SL0804" "a response that cannot be read"
-    "SL0805" "a response of a node that the model does not have"
+    "SL0805" "a response of a node or contact pair that the model does not have"
     "SL0806" "a study file that cannot be read"
     "SL0807" "a folder with another study"
     "SL0808" "a part of a study that is damaged or missing"

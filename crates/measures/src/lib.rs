@@ -23,6 +23,7 @@ mod paired;
 mod peak;
 mod shape;
 mod stroke;
+mod variance;
 mod verdict;
 mod work;
 
@@ -36,5 +37,6 @@ pub use shape::{
     stroke_roughness, strokes,
 };
 pub use stroke::{Stroke, Taken, WayOut, stroke};
+pub use variance::{Moments, Share, Shares};
 pub use verdict::{COARSE_PEAK, Colour, RunMeasures, Verdict, verdict};
 pub use work::{work, work_ratio};

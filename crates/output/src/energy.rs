@@ -4,26 +4,36 @@ use crate::rows::{Rows, Sheet};
 use slideline_model::Section;
 use slideline_solve::observe::{Energies, Frame, StepReport};
 
+/// What stands in a column [F L].
+pub type EnergyOf = fn(&Energies) -> f64;
 /// A column and what stands in it [F L].
-pub(crate) type Column = (&'static str, fn(&Energies) -> f64);
+pub(crate) type Column = (&'static str, EnergyOf);
+
+/// All columns.
+const ALL: [Column; 12] = [
+    ("external_work", |energy| energy.external_work),
+    ("strain_energy", |energy| energy.strain_energy),
+    ("contact_energy", |energy| energy.contact_energy),
+    ("friction_dissipation", |energy| energy.friction_dissipation),
+    ("friction_elastic", |energy| energy.friction_elastic),
+    ("dropped_friction", |energy| energy.dropped_friction),
+    ("balance", |energy| energy.balance),
+    ("stabilisation", |energy| energy.stabilisation),
+    ("released_energy", |energy| energy.released_energy),
+    ("removed_energy", |energy| energy.removed_energy),
+    ("material_dissipation", |energy| energy.material_dissipation),
+    ("thermal_work", |energy| energy.thermal_work),
+];
+
+/// The energy of a column of `JOB.energy.csv`.
+pub fn energy_named(name: &str) -> Option<EnergyOf> {
+    ALL.iter().find(|(known, _)| *known == name).map(|(_, of)| *of)
+}
 
 /// The columns of a run: contact stabilisation, what is removed, materials that do not give all back
 /// and heat have one where they may act.
 pub(crate) fn columns(report: &StepReport<'_>) -> Vec<Column> {
-    let mut columns: Vec<Column> = vec![
-        ("external_work", |energy| energy.external_work),
-        ("strain_energy", |energy| energy.strain_energy),
-        ("contact_energy", |energy| energy.contact_energy),
-        ("friction_dissipation", |energy| energy.friction_dissipation),
-        ("friction_elastic", |energy| energy.friction_elastic),
-        ("dropped_friction", |energy| energy.dropped_friction),
-        ("balance", |energy| energy.balance),
-        ("stabilisation", |energy| energy.stabilisation),
-        ("released_energy", |energy| energy.released_energy),
-        ("removed_energy", |energy| energy.removed_energy),
-        ("material_dissipation", |energy| energy.material_dissipation),
-        ("thermal_work", |energy| energy.thermal_work),
-    ];
+    let mut columns = ALL.to_vec();
     let takes = report.model.blocks.iter().any(|block| match &block.section {
         Section::Solid(section) => section.material.dissipates(),
         Section::Properties(_) => true,

@@ -3,27 +3,59 @@
 
 use crate::rows::{Rows, Sheet};
 use slideline_model::Model;
-use slideline_solve::observe::{Frame, StepReport};
+use slideline_solve::observe::{Frame, PairRow, StepReport};
+
+/// A quantity of a contact pair.
+pub type PairQuantity = fn(&PairRow) -> f64;
+
+/// The column that holds the number of a node, or nothing.
+const DEEPEST: &str = "deepest_node";
+
+#[allow(clippy::cast_precision_loss)] // counts of points
+/// All other columns.
+const QUANTITIES: [(&str, PairQuantity); 19] = [
+    ("closed", |row| row.closed as f64),
+    ("changes", |row| row.changes as f64),
+    ("penetration", |row| row.penetration),
+    ("force_x", |row| row.force[0]),
+    ("force_y", |row| row.force[1]),
+    ("force_z", |row| row.force[2]),
+    ("moment", |row| row.moment[2]),
+    ("moment_x", |row| row.moment[0]),
+    ("moment_y", |row| row.moment[1]),
+    ("moment_z", |row| row.moment[2]),
+    ("force_imbalance", |row| row.force_imbalance),
+    ("moment_imbalance", |row| row.moment_imbalance),
+    ("area", |row| row.area),
+    ("normal_x", |row| row.of_pressure.force[0]),
+    ("normal_y", |row| row.of_pressure.force[1]),
+    ("normal_z", |row| row.of_pressure.force[2]),
+    ("friction_x", |row| row.of_friction.force[0]),
+    ("friction_y", |row| row.of_friction.force[1]),
+    ("friction_z", |row| row.of_friction.force[2]),
+];
+
+/// The quantity of a column of `JOB.pair.csv`.
+pub fn pair_quantity(name: &str) -> Option<PairQuantity> {
+    QUANTITIES.iter().find(|(known, _)| *known == name).map(|(_, quantity)| *quantity)
+}
 
 /// Columns behind step, increment, time and pair, of a model in the plane or in space.
 pub(crate) fn columns(model: &Model) -> Vec<&'static str> {
-    let forces: &[_] = match model.is_in_space() {
-        true => &["force_x", "force_y", "force_z", "moment_x", "moment_y", "moment_z"],
-        false => &["force_x", "force_y", "moment"],
+    let in_space = model.is_in_space();
+    let is_there = |name: &&str| match *name {
+        "moment" => !in_space,
+        "moment_x" | "moment_y" => in_space,
+        name => in_space || !name.ends_with("_z"),
     };
-    let first = ["closed", "changes", "penetration", "deepest_node"];
-    let sums = ["force_imbalance", "moment_imbalance", "area"];
-    let parts: &[_] = match model.is_in_space() {
-        true => &["normal_x", "normal_y", "normal_z", "friction_x", "friction_y", "friction_z"],
-        false => &["normal_x", "normal_y", "friction_x", "friction_y"],
-    };
-    let last = sums.into_iter().chain(parts.iter().copied());
-    first.into_iter().chain(forces.iter().copied()).chain(last).collect()
+    let mut names: Vec<&str> = QUANTITIES.iter().map(|own| own.0).filter(is_there).collect();
+    names.insert(3, DEEPEST);
+    names
 }
 
 /// `JOB.pair.csv`.
 #[derive(Default)]
-pub(crate) struct Pairs;
+pub(crate) struct Pairs(Vec<&'static str>);
 
 impl Rows for Pairs {
     fn ending(&self) -> &'static str {
@@ -31,25 +63,19 @@ impl Rows for Pairs {
     }
 
     fn columns(&mut self, step: &StepReport<'_>) -> Option<String> {
-        Some(format!("pair,{}", columns(step.model).join(",")))
+        self.0 = columns(step.model);
+        Some(format!("pair,{}", self.0.join(",")))
     }
 
     fn rows(&self, sheet: &mut Sheet<'_>, frame: &Frame<'_>) {
         for (pair, row) in frame.model.contact_pairs.iter().zip(frame.pairs) {
-            sheet.row().name(&pair.name).cell(row.closed).cell(row.changes);
-            sheet.numbers([row.penetration]);
-            match row.deepest {
-                Some(node) => sheet.cell(frame.model.nodes.label(node)),
-                None => sheet.cell(""),
-            };
-            match frame.model.is_in_space() {
-                true => sheet.numbers(row.force).numbers(row.moment),
-                false => sheet.numbers([row.force[0], row.force[1], row.moment[2]]),
-            };
-            sheet.numbers([row.force_imbalance, row.moment_imbalance, row.area]);
-            let components = if frame.model.is_in_space() { 3 } else { 2 };
-            for sum in [row.of_pressure, row.of_friction] {
-                sheet.numbers(sum.force.into_iter().take(components));
+            sheet.row().name(&pair.name);
+            for column in &self.0 {
+                match (pair_quantity(column), row.deepest) {
+                    (Some(quantity), _) => sheet.numbers([quantity(row)]),
+                    (None, Some(node)) => sheet.cell(frame.model.nodes.label(node)),
+                    (None, None) => sheet.cell(""),
+                };
             }
             sheet.end();
         }

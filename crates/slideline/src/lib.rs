@@ -23,6 +23,7 @@ mod check;
 mod error_bars;
 mod further;
 mod job;
+mod judge;
 mod mend;
 mod parametric;
 mod read;
@@ -36,6 +37,7 @@ pub use error_bars::{
 };
 pub use further::From;
 pub use job::{Job, OldJob, ReadOptions};
+pub use judge::{Judge, objections};
 pub use mend::{Mend, try_mends};
 pub use parametric::Parametric;
 pub use read::Read;
@@ -55,7 +57,7 @@ pub use slideline_solve::{Part, Plan, PlanMismatch, Workspace};
 pub use slideline_solve::{UserFrictions, friction};
 
 pub use slideline_diag::{Diagnostic, Severity};
-pub use slideline_measures::{MeshNoise, NoiseSummary, PairNoise, ReactionNoise};
+pub use slideline_measures::{Colour, MeshNoise, NoiseSummary, PairNoise, ReactionNoise};
 pub use slideline_model::{Dialect, Model, Onset};
 pub use slideline_output::Status;
 pub use slideline_solve::observe::{Event, Observer, Stop};

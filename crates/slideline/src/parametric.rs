@@ -25,7 +25,7 @@ impl Parametric {
             return Err(Box::new(Diagnostic::error(Code("SL0802"), message).help(help)));
         }
         Ok(Self {
-            parsed: Parsed { deck: read.deck.clone(), diagnostics: Vec::new() },
+            parsed: Parsed { deck: read.deck.clone(), diagnostics: of_the_text(read) },
             dialect: read.options.dialect.unwrap_or_default(),
             onset: read.options.friction_onset,
         })
@@ -34,6 +34,11 @@ impl Parametric {
     /// The model with these values, that of [`Job::read`](crate::Job::read) with them as
     /// [`ReadOptions::parameters`](crate::ReadOptions::parameters). `Err`: the errors.
     pub fn model(&self, settings: &[Setting]) -> Result<Model, Vec<Diagnostic>> {
+        self.read(settings).map(|(model, _)| model)
+    }
+
+    /// The same with everything that reading has to say.
+    pub fn read(&self, settings: &[Setting]) -> Result<(Model, Vec<Diagnostic>), Vec<Diagnostic>> {
         let interpreted = interpret_with(settings, &self.parsed, self.dialect);
         let mut said = interpreted.diagnostics;
         let mut model = interpreted.model;
@@ -42,7 +47,16 @@ impl Parametric {
             said.extend(slideline_solve::adjust(&mut model));
             said.extend(slideline_solve::memory_objection(&model));
         }
-        said.retain(|said| said.severity == Severity::Error);
-        if said.is_empty() { Ok(model) } else { Err(said) }
+        if has_errors(&said) {
+            said.retain(|said| said.severity == Severity::Error);
+            return Err(said);
+        }
+        Ok((model, said))
     }
+}
+
+/// What was said about the syntax of a deck.
+fn of_the_text(read: &Read) -> Vec<Diagnostic> {
+    let of_the_text = |said: &&Diagnostic| said.code.0.starts_with("SL01");
+    read.diagnostics.iter().filter(of_the_text).cloned().collect()
 }

@@ -1,14 +1,15 @@
 //! One case: values, model, run, responses.
 
-use crate::expression::Curve;
+use crate::expression::Watched;
 use crate::history::{History, Watch};
 use crate::layout::Parameter;
 use crate::response::evaluate;
 use crate::spread::Number;
 use crate::study::Study;
+use slideline::diag::{Diagnostic, Sources};
 use slideline::keywords::Setting;
 use slideline::observe::Ending;
-use slideline::{Model, Parametric, Plan, SolveOptions, Workspace};
+use slideline::{Judge, Model, Parametric, Plan, SolveOptions, Workspace, objections};
 
 /// What came of a case.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,14 +24,13 @@ pub struct Row {
     pub code: Option<String>,
 }
 
-/// Code of a case whose responses name a node that its model does not have.
+/// Code of a case whose responses name a node or a pair that its model does not have.
 const NO_NODE: &str = "SL0805";
 
 /// Runs cases of a study, one after the other, in the room of those before.
 pub(crate) struct Runner<'a> {
     study: &'a Study,
     deck: &'a Parametric,
-    curves: &'a [Curve],
     stops: &'a (dyn Fn() -> bool + Sync),
     options: SolveOptions,
     workspace: Option<Workspace>,
@@ -46,7 +46,6 @@ impl<'a> Runner<'a> {
         Self {
             study,
             deck,
-            curves: &study.curves,
             stops,
             options: SolveOptions::default(),
             workspace: None,
@@ -59,8 +58,8 @@ impl<'a> Runner<'a> {
         let numbers = self.study.values(case);
         let values: Vec<f64> = numbers.iter().map(|number| number.real()).collect();
         let settings = settings(self.study, &numbers);
-        let found = match self.deck.model(&settings) {
-            Ok(model) => self.run(&model)?,
+        let found = match self.deck.read(&settings) {
+            Ok((model, said)) => self.run(&model, said)?,
             Err(said) => Err(said.first().map_or("SL0901", |said| said.code.0)),
         };
         let (responses, code) = match found {
@@ -70,17 +69,25 @@ impl<'a> Runner<'a> {
         Some(Row { case, values, responses, code })
     }
 
-    /// Runs a model; the code of what stands against it. `None`: the user asked for an end.
-    fn run(&mut self, model: &Model) -> Option<Result<(), &'static str>> {
-        if !self.history.begin(self.curves, model) {
+    /// Runs a model of which reading said something; the code of what stands against it. `None`: the
+    /// user asked for an end.
+    fn run(
+        &mut self,
+        model: &Model,
+        mut said: Vec<Diagnostic>,
+    ) -> Option<Result<(), &'static str>> {
+        if !self.history.begin(&self.study.curves, model) {
             return Some(Err(NO_NODE));
         }
-        let ending = match self.in_room(model) {
+        if self.study.watched == Watched::Verdict {
+            said.extend(objections(model));
+        }
+        let ending = match self.in_room(model, &said) {
             Some(ending) => ending,
             None => {
                 // another outline, such as another number of elements
                 self.workspace = Some(Workspace::new(&Plan::of(model), &self.options));
-                self.in_room(model)?
+                self.in_room(model, &said)?
             }
         };
         match ending {
@@ -91,9 +98,12 @@ impl<'a> Runner<'a> {
     }
 
     /// Runs a model where the last one was; `None`: there is no room for its outline.
-    fn in_room(&mut self, model: &Model) -> Option<Ending> {
-        let (history, curves, stops) = (&mut self.history, self.curves, self.stops);
-        self.workspace.as_mut()?.run(model, &mut Watch { history, curves, stops }).ok()
+    fn in_room(&mut self, model: &Model, said: &[Diagnostic]) -> Option<Ending> {
+        let sources = Sources::default(); // no message is read
+        let judges = self.study.watched > Watched::Curves;
+        let judge = judges.then(|| Judge::new(model, (said, &sources)));
+        let (history, stops) = (&mut self.history, self.stops);
+        self.workspace.as_mut()?.run(model, &mut Watch { history, judge, stops }).ok()
     }
 }
 

@@ -1,6 +1,6 @@
 //! What stands against a layout, before hours are spent.
 
-use crate::design::{Design, Kind, factored};
+use crate::design::{Design, Kind, cases_a_point, factored};
 use crate::layout::{Layout, MOST_CASES, Parameter};
 use crate::sobol;
 use crate::spread::Spread;
@@ -61,17 +61,49 @@ pub(crate) fn checked_design(parameters: &[Parameter], layout: &Layout) -> Check
     let cases = match layout.kind {
         Kind::Grid => checked_grid(&counts(parameters)?)?,
         Kind::Together => checked_lists(&counts(parameters)?)?,
-        Kind::Random | Kind::Latin | Kind::Sobol => layout.cases,
+        Kind::Random | Kind::Latin | Kind::Sobol | Kind::Saltelli => layout.cases,
     };
     if cases == 0 || cases > MOST_CASES {
         return Err(too_many(&cases.to_string()));
     }
-    if layout.kind == Kind::Sobol && parameters.len() > sobol::MOST {
-        let message = format!("the sequence of Sobol is known in {} directions", sobol::MOST);
-        return Err(refused(message, "vary fewer parameters, or take a Latin hypercube"));
+    checked_directions(parameters.len(), layout.kind)?;
+    if layout.kind == Kind::Saltelli {
+        checked_points(cases, cases_a_point(parameters.len()), layout)?;
     }
     let factor = checked_correlations(parameters.len(), layout)?;
     Ok(Design { kind: layout.kind, cases, seed: layout.seed, factor })
+}
+
+/// Few enough for the sequence of Sobol, of which Saltelli's design takes two for each parameter.
+fn checked_directions(parameters: usize, kind: Kind) -> Checked<()> {
+    let directions = match kind {
+        Kind::Sobol => parameters,
+        Kind::Saltelli => 2 * parameters,
+        Kind::Grid | Kind::Together | Kind::Random | Kind::Latin => 0,
+    };
+    if directions > sobol::MOST {
+        let message = format!(
+            "the sequence of Sobol is known in {} directions, and {directions} are needed",
+            sobol::MOST
+        );
+        return Err(refused(message, "vary fewer parameters, or take a Latin hypercube"));
+    }
+    Ok(())
+}
+
+/// Whole points of Saltelli's design, of parameters that are independent.
+fn checked_points(cases: u64, each: u64, layout: &Layout) -> Checked<()> {
+    if !cases.is_multiple_of(each) {
+        let message =
+            format!("{cases} cases are no whole number of points, with {each} cases each");
+        let next = each * cases.div_ceil(each);
+        return Err(refused(message, &format!("say cases = {next}")));
+    }
+    if !layout.correlations.is_empty() {
+        let message = "shares of the variance belong to independent parameters".to_owned();
+        return Err(refused(message, "leave [[correlated]] out, or choose another design"));
+    }
+    Ok(())
 }
 
 /// Numbers of values of the parameters, which must be counted.

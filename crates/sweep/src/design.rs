@@ -18,6 +18,35 @@ pub enum Kind {
     Latin,
     /// The sequence of Sobol, scrambled.
     Sobol,
+    /// Points of that sequence in pairs, A and B, and for each parameter A with its value of B: one
+    /// after the other, for the shares of the variance.
+    Saltelli,
+}
+
+/// What a case of Saltelli's design is at its point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Role {
+    A,
+    B,
+    /// A with one value of B.
+    Mixed(usize),
+}
+
+/// The point of a case of Saltelli's design, and its role there.
+#[allow(clippy::cast_possible_truncation)] // below the number of directions
+fn role(case: u64, directions: usize) -> (u64, Role) {
+    let each = cases_a_point(directions);
+    let role = match case % each {
+        0 => Role::A,
+        1 => Role::B,
+        mixed => Role::Mixed(mixed as usize - 2),
+    };
+    (case / each, role)
+}
+
+/// Cases of Saltelli's design at one point of so many directions.
+pub(crate) fn cases_a_point(directions: usize) -> u64 {
+    directions as u64 + 2
 }
 
 /// The layout of a study, sound.
@@ -39,7 +68,7 @@ impl Design {
         match self.kind {
             Kind::Grid => levels(case, spreads),
             Kind::Together => spreads.iter().map(|spread| spread.level(case)).collect(),
-            Kind::Random | Kind::Latin | Kind::Sobol => {
+            Kind::Random | Kind::Latin | Kind::Sobol | Kind::Saltelli => {
                 let point = self.point(case, spreads.len());
                 spreads.iter().zip(point).map(|(spread, u)| spread.at(u)).collect()
             }
@@ -48,7 +77,8 @@ impl Design {
 
     /// A point of the unit cube, correlated.
     fn point(&self, case: u64, directions: usize) -> Vec<f64> {
-        let point: Vec<f64> = (0..directions).map(|of| self.coordinate(case, of)).collect();
+        let point: Vec<f64> =
+            (0..directions).map(|of| self.coordinate(case, of, directions)).collect();
         if self.factor.is_empty() {
             return point;
         }
@@ -56,12 +86,18 @@ impl Design {
     }
 
     #[allow(clippy::cast_precision_loss)] // cases are far fewer than 2^53
-    fn coordinate(&self, case: u64, direction: usize) -> f64 {
+    fn coordinate(&self, case: u64, direction: usize, directions: usize) -> f64 {
         let seed = joined(&[self.seed, direction as u64]);
         let within = unit(joined(&[seed, case]));
         match self.kind {
             Kind::Latin => (permuted(case, self.cases, seed) as f64 + within) / self.cases as f64,
             Kind::Sobol => sobol::coordinate(case, direction, self.seed),
+            Kind::Saltelli => {
+                let (point, role) = role(case, directions);
+                let of_b = role == Role::B || role == Role::Mixed(direction);
+                let own = if of_b { directions + direction } else { direction };
+                sobol::coordinate(point, own, self.seed)
+            }
             Kind::Grid | Kind::Together | Kind::Random => within,
         }
     }
@@ -143,6 +179,25 @@ mod tests {
                 met[design(Kind::Latin, 100).values(case, &[&all; 3])[of].real() as usize] += 1;
             }
             assert_eq!(met, [1; 100]);
+        }
+    }
+
+    /// Requirement: the three roles of every point, and points that fill the cube of twice as many
+    /// directions.
+    #[test]
+    fn points_of_saltelli_come_with_their_mixtures() {
+        let all = Spread::Uniform([0.0, 1.0]);
+        let own = design(Kind::Saltelli, 40);
+        for point in 0..10 {
+            let at = |role: u64| -> Vec<f64> {
+                let values = own.values(4 * point + role, &[&all; 2]);
+                values.into_iter().map(Number::real).collect()
+            };
+            let (a, b) = (at(0), at(1));
+            assert_eq!([at(2), at(3)], [vec![b[0], a[1]], vec![a[0], b[1]]]);
+            let expected = [0, 1].map(|of| sobol::coordinate(point, of, 1));
+            assert_eq!(a, expected);
+            assert_ne!(a, b);
         }
     }
 

@@ -5,18 +5,8 @@
 //!   at(RF2@100, 0.5) - 2*push_in          a value at a time; a response before it
 //! ```
 
-use slideline::model::Dof;
+use crate::curve::Curve;
 use std::ops::Range;
-
-/// A history of a node.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Curve {
-    /// Whether it is a reaction, else a motion.
-    pub is_reaction: bool,
-    pub dof: Dof,
-    /// Label of the node, or name of a set of one node.
-    pub node: String,
-}
 
 /// What is measured on a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,6 +26,12 @@ pub(crate) enum Count {
     Iterations,
     Cutbacks,
     FibreStrain,
+    /// Largest strain or stress over the allowable one.
+    Utilisation,
+    /// What is left of the allowable one, as a share of what is used.
+    StrainMargin,
+    /// 0 green, 1 amber, 2 red.
+    Verdict,
 }
 
 /// An expression that was read. Curves are places in the list of all curves of the study.
@@ -55,6 +51,30 @@ pub(crate) enum Term {
     Joined(char, Box<[Term; 2]>),
 }
 
+/// What a run must be watched for beside its curves.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Watched {
+    #[default]
+    Curves,
+    /// Shares of allowable strains and stresses.
+    Limits,
+    /// Everything that colours the verdict.
+    Verdict,
+}
+
+impl Term {
+    /// What it asks for.
+    pub fn watched(&self) -> Watched {
+        match self {
+            Self::Count(Count::Verdict) => Watched::Verdict,
+            Self::Count(Count::Utilisation | Count::StrainMargin) => Watched::Limits,
+            Self::Absolute(inner) | Self::Root(inner) => inner.watched(),
+            Self::Joined(_, both) => both[0].watched().max(both[1].watched()),
+            _ => Watched::Curves,
+        }
+    }
+}
+
 /// What stands against an expression, and where in it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Objection {
@@ -63,11 +83,14 @@ pub(crate) struct Objection {
 }
 
 /// Words that stand for something else than a parameter or a response.
-pub(crate) const COUNTS: [(&str, Count); 4] = [
+pub(crate) const COUNTS: [(&str, Count); 7] = [
     ("increments", Count::Increments),
     ("iterations", Count::Iterations),
     ("cutbacks", Count::Cutbacks),
     ("fibre_strain", Count::FibreStrain),
+    ("utilisation", Count::Utilisation),
+    ("strain_margin", Count::StrainMargin),
+    ("verdict", Count::Verdict),
 ];
 const MEASURES: [(&str, Measure); 5] = [
     ("max", Measure::Max),
@@ -83,7 +106,8 @@ const DEEPEST: usize = 100;
 pub(crate) struct Known<'a> {
     pub parameters: &'a [String],
     pub responses: &'a [String],
-    pub curves: &'a mut Vec<Curve>,
+    /// With the place in the text where each is named first.
+    pub curves: &'a mut Vec<(Curve, Range<usize>)>,
 }
 
 /// Reads an expression.
@@ -270,31 +294,43 @@ impl<'t> Reader<'t> {
 
     fn curve(&mut self) -> Result<usize, Objection> {
         let (word, place) = self.word(is_in_name);
-        let named =
-            |dof: &Dof| [dof.name(), dof.reaction_name()].iter().position(|own| *own == word);
-        let found = Dof::ALL.iter().find_map(|dof| Some((*dof, named(dof)? == 1)));
-        let Some((dof, is_reaction)) = found else {
+        let whose = if self.takes('@') { Some(self.owner()?) } else { None };
+        let Some(curve) = Curve::named(word, whose) else {
             let message = format!(
-                "`{word}` is no history of a node: U1, U2, U3, UR1 ... or RF1, RF2, RF3, RM1 ..., \
-                 then @ and the node, such as RF2@100"
+                "`{word}` is no history: of a node there are U1, U2, U3, UR1 ... and RF1, RF2, RF3, \
+                 RM1 ..., of a contact pair normal_force and the columns of JOB.pair.csv, then @ and \
+                 the node or the pair, such as RF2@100; without @ the columns of JOB.energy.csv"
             );
             return Err(Objection { message, place });
         };
-        self.needs('@')?;
-        let (node, _) = self.word(|letter| is_in_name(letter) || letter == '-');
-        if node.is_empty() {
-            return Err(self.unexpected("the label of a node or the name of a set of one node"));
+        match (curve.has_owner(), whose) {
+            (true, None) => Err(self.unexpected("`@` and the node or the contact pair")),
+            (false, Some(_)) => {
+                let message = format!("`{word}` belongs to the whole model: leave @ out");
+                Err(Objection { message, place: place.start..self.at })
+            }
+            _ => Ok(self.place_of(curve, place.start..self.at)),
         }
-        Ok(self.place_of(Curve { is_reaction, dof, node: node.to_owned() }))
     }
 
-    fn place_of(&mut self, curve: Curve) -> usize {
-        let same = |own: &Curve| {
-            (own.is_reaction, own.dof, &own.node) == (curve.is_reaction, curve.dof, &curve.node)
-        };
+    /// A label or a name, in quotation marks or without.
+    fn owner(&mut self) -> Result<&'t str, Objection> {
+        if self.takes('\'') {
+            let (name, _) = self.word(|letter| letter != '\'');
+            self.needs('\'')?;
+            return Ok(name);
+        }
+        let (name, _) = self.word(|letter| is_in_name(letter) || letter == '-');
+        match name.is_empty() {
+            true => Err(self.unexpected("a label or a name")),
+            false => Ok(name),
+        }
+    }
+
+    fn place_of(&mut self, curve: Curve, place: Range<usize>) -> usize {
         let curves = &mut self.known.curves;
-        curves.iter().position(same).unwrap_or_else(|| {
-            curves.push(curve);
+        curves.iter().position(|(own, _)| *own == curve).unwrap_or_else(|| {
+            curves.push((curve, place));
             curves.len() - 1
         })
     }

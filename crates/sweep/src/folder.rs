@@ -33,7 +33,9 @@ pub(crate) struct Folder {
 /// What tells a study from others: everything that its results depend on.
 pub(crate) fn identity(study: &StudyFile, deck_hash: &str) -> String {
     let mut digest = Sha256::new();
-    for part in [VERSION, deck_hash, &format!("{:?} {:?}", study.study, study.responses)] {
+    for part in
+        [VERSION, deck_hash, &format!("{} {:?}", study.study.description(), study.responses)]
+    {
         digest.update((part.len() as u64).to_le_bytes());
         digest.update(part.as_bytes());
     }
@@ -118,7 +120,7 @@ impl Folder {
 }
 
 /// A name of this process alone: two may write the same shard.
-fn own_name(path: &Path) -> PathBuf {
+pub(crate) fn own_name(path: &Path) -> PathBuf {
     path.with_extension(format!("{}.new", std::process::id()))
 }
 

@@ -1,15 +1,16 @@
 //! Curves of a run, kept while it runs.
 
-use crate::expression::{Count, Curve, Measure};
+use crate::curve::{Curve, Source};
+use crate::expression::{Count, Measure};
 use slideline::observe::Frame;
-use slideline::{Event, Model, Observer, Stop};
+use slideline::{Colour, Event, Judge, Model, Observer, Stop};
 use slideline_measures::{maximum, peaks, roughness, work};
 use std::ops::{ControlFlow, Range};
 
 /// Curves of one run, and room for those of the next.
 #[derive(Default)]
 pub(crate) struct History {
-    nodes: Vec<usize>,
+    sources: Vec<Source>,
     curves: Vec<Vec<f64>>,
     times: Vec<f64>,
     /// Rows where steps end, past the last one.
@@ -17,41 +18,28 @@ pub(crate) struct History {
     iterations: usize,
     cutbacks: usize,
     fibre_strain: Option<f64>,
-}
-
-/// The node that a curve is of; `None`: the model has no such node or set of one node.
-pub(crate) fn node_of(curve: &Curve, model: &Model) -> Option<usize> {
-    if let Ok(label) = curve.node.parse() {
-        return model.nodes.find(label);
-    }
-    let set = model.node_sets.iter().find(|set| set.name.eq_ignore_ascii_case(&curve.node))?;
-    match set.members[..] {
-        [node] => Some(node),
-        _ => None,
-    }
+    utilisation: Option<f64>,
+    colour: Option<Colour>,
 }
 
 impl History {
-    /// Forgets a run and prepares for one of a model; whether it has all nodes of the curves.
+    /// Forgets a run and prepares for one of a model; whether it has all that the curves name.
     pub fn begin(&mut self, curves: &[Curve], model: &Model) -> bool {
-        self.nodes.clear();
-        self.nodes.extend(curves.iter().map_while(|curve| node_of(curve, model)));
+        self.sources.clear();
+        self.sources.extend(curves.iter().map_while(|curve| curve.source(model)));
         self.curves.resize(curves.len(), Vec::new());
         self.curves.iter_mut().for_each(Vec::clear);
         self.times.clear();
         self.ends.clear();
         (self.iterations, self.cutbacks, self.fibre_strain) = (0, 0, None);
-        self.nodes.len() == curves.len()
+        (self.utilisation, self.colour) = (None, None);
+        self.sources.len() == curves.len()
     }
 
     /// Takes a row.
-    fn take(&mut self, frame: &Frame<'_>, curves: &[Curve]) {
-        for ((curve, &node), values) in curves.iter().zip(&self.nodes).zip(&mut self.curves) {
-            values.push(if curve.is_reaction {
-                frame.nodal.reaction(node, curve.dof)
-            } else {
-                frame.nodal.displacement(node, curve.dof)
-            });
+    fn take(&mut self, frame: &Frame<'_>) {
+        for (source, values) in self.sources.iter().zip(&mut self.curves) {
+            values.push(source.value(frame));
         }
         self.times.push(frame.total_time);
         let strains = frame.beams.iter().map(|beam| beam.fibre_strain);
@@ -103,6 +91,9 @@ impl History {
             Count::Iterations => Some(self.iterations as f64),
             Count::Cutbacks => Some(self.cutbacks as f64),
             Count::FibreStrain => self.fibre_strain,
+            Count::Utilisation => self.utilisation,
+            Count::StrainMargin => self.utilisation.map(|used| 1.0 / used - 1.0),
+            Count::Verdict => self.colour.map(|colour| f64::from(colour as u8)),
         }
     }
 }
@@ -110,21 +101,22 @@ impl History {
 /// Watches a run for a history.
 pub(crate) struct Watch<'a> {
     pub history: &'a mut History,
-    pub curves: &'a [Curve],
+    /// Who judges it, where a response asks for that.
+    pub judge: Option<Judge<'a>>,
     /// Whether the user wants it to end.
     pub stops: &'a (dyn Fn() -> bool + Sync),
 }
 
 impl Observer for Watch<'_> {
     fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
-        match event {
+        match &event {
             Event::StepBegin(step) if self.history.times.is_empty() => {
-                self.history.take(&step.start, self.curves);
+                self.history.take(&step.start);
             }
             Event::Iteration(_) => self.history.iterations += 1,
             Event::AttemptFailed(_) => self.history.cutbacks += 1,
             Event::Committed(frame) => {
-                self.history.take(frame, self.curves);
+                self.history.take(frame);
                 if frame.last_of_step {
                     self.history.ends.push(self.history.times.len());
                 }
@@ -134,6 +126,10 @@ impl Observer for Watch<'_> {
             }
             _ => {}
         }
-        ControlFlow::Continue(())
+        let Some(judge) = &mut self.judge else { return ControlFlow::Continue(()) };
+        let goes_on = judge.event(event);
+        let found = (judge.utilisation(), judge.colour());
+        (self.history.utilisation, self.history.colour) = found;
+        goes_on
     }
 }

@@ -12,13 +12,16 @@
 
 mod case;
 mod checks;
+mod curve;
 mod design;
 mod expression;
 mod folder;
 mod history;
+mod indices;
 mod layout;
 mod mixing;
 mod normal;
+mod places;
 mod response;
 mod run;
 mod shard;

@@ -1,8 +1,9 @@
 //! A study: which values, which responses.
 
 use crate::checks::{checked_design, checked_names, checked_spread};
-use crate::design::Design;
-use crate::expression::{Curve, Known, is_name, read};
+use crate::curve::Curve;
+use crate::design::{Design, Kind};
+use crate::expression::{Known, Watched, is_name, read};
 use crate::layout::{Layout, Parameter};
 use crate::response::Response;
 use crate::spread::{Number, Spread};
@@ -16,6 +17,9 @@ pub struct Study {
     design: Design,
     pub(crate) responses: Vec<Response>,
     pub(crate) curves: Vec<Curve>,
+    /// Where each curve is named first.
+    pub(crate) places: Vec<Span>,
+    pub(crate) watched: Watched,
 }
 
 impl Study {
@@ -35,13 +39,26 @@ impl Study {
         parameters.iter().try_for_each(checked_spread)?;
         let design = checked_design(&parameters, layout)?;
         let names: Vec<String> = parameters.iter().map(|own| own.name.clone()).collect();
-        let (responses, curves) = read_responses(responses, &names, sources)?;
-        Ok(Self { parameters, design, responses, curves })
+        let (responses, named) = read_responses(responses, &names, sources)?;
+        let (curves, places) = named.into_iter().unzip();
+        let watched = responses.iter().map(|own| own.term.watched()).max().unwrap_or_default();
+        Ok(Self { parameters, design, responses, curves, places, watched })
+    }
+
+    /// Everything that the rows depend on, as a text.
+    pub(crate) fn description(&self) -> String {
+        let Self { parameters, design, responses, curves, .. } = self;
+        format!("{parameters:?} {design:?} {responses:?} {curves:?}")
     }
 
     /// How many cases there are.
     pub fn cases(&self) -> u64 {
         self.design.cases
+    }
+
+    /// Whether its cases come in points of Saltelli's design.
+    pub(crate) fn has_shares(&self) -> bool {
+        self.design.kind == Kind::Saltelli
     }
 
     /// Values of the parameters in a case, from 0.
@@ -51,13 +68,16 @@ impl Study {
     }
 }
 
+/// Responses, and the curves that they name with their places.
+type Responses = (Vec<Response>, Vec<(Curve, Span)>);
+
 fn read_responses(
     given: &[(String, String)],
     parameters: &[String],
     sources: &mut Sources,
-) -> Result<(Vec<Response>, Vec<Curve>), Box<Diagnostic>> {
-    let (mut names, mut curves): (Vec<String>, Vec<Curve>) = (Vec::new(), Vec::new());
-    let mut all = Vec::with_capacity(given.len());
+) -> Result<Responses, Box<Diagnostic>> {
+    let (mut names, mut curves): (Vec<String>, Vec<_>) = (Vec::new(), Vec::new());
+    let (mut all, mut places) = (Vec::with_capacity(given.len()), Vec::new());
     for (name, text) in given {
         let file = sources.add(format!("response {name}"), text.clone());
         let refused = |message: String, span: Span| {
@@ -75,8 +95,10 @@ fn read_responses(
         let term = read(text, known).map_err(|said| {
             refused(said.message, Span::new(file, said.place.start, said.place.end))
         })?;
+        let new = curves[places.len()..].iter();
+        places.extend(new.map(|(_, place)| Span::new(file, place.start, place.end)));
         names.push(name.clone());
         all.push(Response { term });
     }
-    Ok((all, curves))
+    Ok((all, curves.into_iter().map(|(curve, _)| curve).zip(places).collect()))
 }

@@ -2,6 +2,7 @@
 
 use crate::design::Kind;
 use crate::layout::{Layout, Parameter};
+use crate::places::Places;
 use crate::spread::{Number, Spread};
 use crate::study::Study;
 use slideline::deck::nearest;
@@ -29,12 +30,13 @@ pub struct StudyFile {
 /// Words of the first level.
 const WORDS: [&str; 8] =
     ["deck", "design", "cases", "seed", "gradients", "parameters", "correlated", "responses"];
-const KINDS: [(&str, Kind); 5] = [
+const KINDS: [(&str, Kind); 6] = [
     ("grid", Kind::Grid),
     ("together", Kind::Together),
     ("random", Kind::Random),
     ("latin", Kind::Latin),
     ("sobol", Kind::Sobol),
+    ("saltelli", Kind::Saltelli),
 ];
 
 /// Reads a study; its deck is beside it. The text is added to `sources`.
@@ -85,7 +87,7 @@ impl Reader {
         self.only_known(table, &WORDS);
         self.no_gradients(table);
         let (parameters, spans) = self.parameters(table);
-        let responses = self.responses(table);
+        let (responses, values) = self.responses(table);
         let layout = self.layout(table, &parameters);
         let Some(deck) = table.get("deck") else {
             self.missing("deck", "deck = \"snapfit.inp\"");
@@ -94,8 +96,11 @@ impl Reader {
         let deck = path.parent().unwrap_or(Path::new("")).join(self.text(deck)?);
         let layout = layout.filter(|_| self.said.is_empty())?;
         let names: Vec<String> = parameters.iter().map(|own| own.name.clone()).collect();
+        let places = Places { file: self.file, first: sources.files().len(), values };
         match Study::new(parameters, &layout, &responses, sources) {
-            Ok(study) => {
+            Ok(mut study) => {
+                let own = study.places.iter_mut();
+                own.for_each(|place| *place = places.in_file(*place, sources));
                 let parameters = names.into_iter().zip(spans).collect();
                 let responses = responses.into_iter().map(|(name, _)| name).collect();
                 Some(StudyFile { deck, study, parameters, responses })
@@ -107,8 +112,8 @@ impl Reader {
                     .get("design")
                     .or(table.get("parameters"))
                     .map(|own| self.span(own.span()));
-                let span = said.span.or(place).or(design);
-                self.said.push(said.at(span));
+                let own = said.span.map(|own| places.in_file(own, sources));
+                self.said.push(said.at(own.or(place).or(design)));
                 None
             }
         }
@@ -234,25 +239,24 @@ impl Reader {
         found
     }
 
-    fn responses(&mut self, table: &DeTable<'_>) -> Vec<(String, String)> {
+    /// Names and expressions, and where these stand.
+    fn responses(&mut self, table: &DeTable<'_>) -> (Vec<(String, String)>, Vec<Range<usize>>) {
         let Some(own) = self.table(table, "responses").filter(|own| !own.is_empty()) else {
             self.missing("responses", "responses.force = \"peak(RF2@100)\"");
-            return Vec::new();
+            return (Vec::new(), Vec::new());
         };
-        let mut found = Vec::new();
+        let mut found = (Vec::new(), Vec::new());
         for (key, value) in own {
             let name = key.get_ref().to_string();
             if ["case", "code"].contains(&name.as_str()) {
+                let message = format!("no response can be named {name}");
                 let help = "These columns are there already: choose another name.";
-                self.refuse(
-                    "SL0804",
-                    &format!("no response can be named {name}"),
-                    key.span(),
-                    help,
-                );
+                self.refuse("SL0804", &message, key.span(), help);
             }
-            let text = self.text(value).map(str::to_owned);
-            found.extend(text.map(|text| (name, text)));
+            if let Some(text) = self.text(value).map(str::to_owned) {
+                found.0.push((name, text));
+                found.1.push(value.span());
+            }
         }
         found
     }
@@ -284,7 +288,7 @@ impl Reader {
         let word = self.text(value)?;
         let found = KINDS.iter().find(|(name, _)| *name == word).map(|(_, kind)| *kind);
         if found.is_none() {
-            let help = "Write grid, together, random, latin or sobol.";
+            let help = "Write grid, together, random, latin, sobol or saltelli.";
             self.refuse("SL0806", &format!("there is no design {word}"), value.span(), help);
         }
         found

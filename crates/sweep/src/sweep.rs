@@ -2,11 +2,11 @@
 
 use crate::case::{Row, Runner};
 use crate::folder::{Failure, Folder, identity, join_all};
-use crate::history::node_of;
+use crate::indices::write_indices;
 use crate::run::run;
 use crate::shard::Found;
 use crate::study_file::StudyFile;
-use slideline::diag::{Code, Diagnostic, Severity, Sources};
+use slideline::diag::{Code, Diagnostic, Severity, Sources, Span};
 use slideline::keywords::Setting;
 use slideline::{Job, Parametric, ReadOptions};
 use std::path::PathBuf;
@@ -45,6 +45,8 @@ pub struct Outcome {
     pub said: Vec<Diagnostic>,
     /// The joined table.
     pub csv: Option<PathBuf>,
+    /// Shares of the variance, of Saltelli's design.
+    pub indices: Option<PathBuf>,
 }
 
 /// Runs the cases of a study that are not there yet, shard by shard. `stops` is asked often whether
@@ -79,6 +81,9 @@ pub fn sweep(
         outcome.failed += rows.iter().filter(|row: &&Row| row.code.is_some()).count() as u64;
         folder.write(study, shard, &rows)?;
     }
+    if study.study.has_shares() {
+        outcome.indices = write_indices(&folder, study)?;
+    }
     if options.csv {
         outcome.csv = join_all(&folder, study)?;
         let others = outcome.csv.is_none().then(other_parts_missing);
@@ -99,7 +104,7 @@ fn prepared(study: &StudyFile, sources: &mut Sources) -> Result<(Parametric, Str
     let of_study = |said: &Diagnostic| ["SL0801", "SL0802"].contains(&said.code.0);
     // other errors are those of one case
     let said = deck.model(&first_case(study)).err().unwrap_or_default().into_iter();
-    let said = said.filter(of_study).chain(strange_nodes(study, model));
+    let said = said.filter(of_study).chain(strange_curves(study, model));
     let said: Vec<Diagnostic> = said.collect();
     if said.is_empty() { Ok((deck, read.deck_hash)) } else { Err(Failure::Input(said)) }
 }
@@ -115,16 +120,13 @@ fn first_case(study: &StudyFile) -> Vec<Setting> {
     values.map(set).collect()
 }
 
-/// Nodes of responses that the model does not have.
-fn strange_nodes(study: &StudyFile, model: &slideline::Model) -> Vec<Diagnostic> {
-    let strange = study.study.curves.iter().filter(|curve| node_of(curve, model).is_none());
-    let refuse = |curve: &crate::expression::Curve| {
-        let message = format!(
-            "a response names {0}, but the deck has no node {0} and no set {0} of one node",
-            curve.node
-        );
-        let help = "Name a node by its label, or a node set that has one member.";
-        Diagnostic::error(Code("SL0805"), message).help(help)
+/// Nodes and pairs of responses that the model does not have.
+fn strange_curves(study: &StudyFile, model: &slideline::Model) -> Vec<Diagnostic> {
+    let curves = study.study.curves.iter().zip(&study.study.places);
+    let strange = curves.filter(|(curve, _)| curve.source(model).is_none());
+    let refuse = |(curve, place): (&crate::curve::Curve, &Span)| {
+        let [message, help] = curve.objection(model);
+        Diagnostic::error(Code("SL0805"), message).at(*place).help(help)
     };
     strange.map(refuse).collect()
 }

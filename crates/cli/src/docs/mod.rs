@@ -46,6 +46,8 @@ const WRITTEN: &[(&str, &str)] = &[
     ("report", include_str!("../../../../docs/report.md")),
     ("restart", include_str!("../../../../docs/restart.md")),
     ("studies", include_str!("../../../../docs/studies.md")),
+    ("shown-studies", include_str!("../../../../docs/shown-studies.md")),
+    ("scaling", include_str!("../../../../docs/scaling.md")),
     ("reproduce", include_str!("../../../../docs/reproduce.md")),
     ("verification", include_str!("../../../../docs/verification.md")),
     ("user-friction", include_str!("../../../../docs/user-friction.md")),
@@ -64,6 +66,14 @@ const IMAGES: &[(&str, &[u8])] = &[
     (
         "images/field/battery_contact.png",
         include_bytes!("../../../../docs/images/field/battery_contact.png"),
+    ),
+    (
+        "images/studies/tolerances.png",
+        include_bytes!("../../../../docs/images/studies/tolerances.png"),
+    ),
+    (
+        "images/studies/snap_fit_map.png",
+        include_bytes!("../../../../docs/images/studies/snap_fit_map.png"),
     ),
 ];
 

@@ -1,7 +1,7 @@
 //! Curves in a frame, and their difference in a second one below.
 
 use super::curve::{Curve, Question, difference};
-use slideline_figures::{Axis, Mark, Panel, Scene, Series, chart};
+use slideline_figures::{Axis, CURVES, Mark, Panel, Scene, Series, chart};
 
 /// Draws a curve, or two over each other with the difference below.
 pub fn figure(question: &Question, one: &Curve, other: Option<&Curve>) -> Scene {
@@ -25,6 +25,23 @@ pub fn figure(question: &Question, one: &Curve, other: Option<&Curve>) -> Scene 
         panels.push(panel("difference", 170.0, vec![rest]));
     }
     chart(title, &panels)
+}
+
+/// Draws curves of several jobs over each other.
+pub fn curves(question: &Question, all: &[Curve]) -> Scene {
+    let own = |(place, own): (usize, &Curve)| {
+        // behind the last colour they begin again, dashed
+        let mark =
+            if (place / CURVES.len()).is_multiple_of(2) { Mark::Curve } else { Mark::Dashed };
+        series(&own.name, [&own.x, &own.y], mark, place)
+    };
+    let panel = Panel {
+        x: Axis::linear(question.x.as_str()),
+        y: Axis::linear(question.y.as_str()),
+        height: 350.0,
+        series: all.iter().enumerate().map(own).collect(),
+    };
+    chart(format!("{} against {}", question.y, question.x), &[panel])
 }
 
 fn series(name: &str, [x, y]: [&[f64]; 2], mark: Mark, colour: usize) -> Series {

@@ -11,5 +11,5 @@ mod curve;
 mod figure;
 
 pub use curve::{Curve, Question, csv, curve, difference};
-pub use figure::figure;
+pub use figure::{curves, figure};
 pub use slideline_figures::{Axis, Mark, Panel, Series, chart};

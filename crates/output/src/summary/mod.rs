@@ -17,7 +17,7 @@ use crate::{energy, history};
 pub(crate) use memory::Memory;
 use memory::{Peak, keep_larger};
 use slideline_diag::{Diagnostic, Severity, Sources};
-use slideline_measures::NoiseSummary;
+use slideline_measures::{Colour, NoiseSummary};
 use slideline_model::{Dialect, Limit, NodeIndex, Section};
 use slideline_results::NodeComponent;
 use slideline_solve::Checkpoint;
@@ -53,6 +53,14 @@ pub(crate) struct Summary<'a> {
     begun: bool,
 }
 
+/// Counts of a run that is over, and what ended it early.
+fn counted(ending: &Ending) -> (Totals, Option<&Diagnostic>) {
+    match ending {
+        Ending::Completed(totals) | Ending::Stopped(totals, _) => (*totals, None),
+        Ending::NotConverged(totals, diagnosis) => (*totals, Some(diagnosis)),
+    }
+}
+
 impl<'a> Summary<'a> {
     /// Writes the summary of a job that runs.
     pub fn begin(job: &JobFiles, facts: Facts<'a>) -> Result<Self, WriteError> {
@@ -61,7 +69,8 @@ impl<'a> Summary<'a> {
         Ok(summary)
     }
 
-    fn new(job: &JobFiles, facts: Facts<'a>) -> Self {
+    /// One that was written nowhere yet.
+    pub fn new(job: &JobFiles, facts: Facts<'a>) -> Self {
         let severities = [Severity::Warning, Severity::Advice, Severity::Note];
         let said = severities.map(|own| said(own, facts.diagnostics, facts.sources));
         Self {
@@ -173,12 +182,23 @@ impl<'a> Summary<'a> {
 
     /// Writes the summary of a run that is over.
     pub fn end(&mut self, status: Status, ending: &Ending) -> Result<(), WriteError> {
-        let (totals, diagnosis) = match ending {
-            Ending::Completed(totals) | Ending::Stopped(totals, _) => (totals, None),
-            Ending::NotConverged(totals, diagnosis) => (totals, Some(diagnosis)),
-        };
-        self.totals = *totals;
+        let (totals, diagnosis) = counted(ending);
+        self.totals = totals;
         self.write(status, diagnosis)
+    }
+
+    /// The verdict of a run that is over; nothing is written.
+    pub fn judged(&mut self, status: Status, ending: &Ending) -> Colour {
+        let (totals, diagnosis) = counted(ending);
+        self.totals = totals;
+        let object = self.object(status, diagnosis);
+        let (energies, history) = (&self.energies.1, &self.history.1);
+        verdict::judge(&object, Some(energies), |driven| history.stroke(driven)).verdict.colour
+    }
+
+    /// Largest strain or stress over the allowable one so far [1].
+    pub fn utilisation(&self) -> Option<f64> {
+        self.memory.used.map(|(used, ..)| used)
     }
 
     /// Writes the summary of a run that came to a bad end on our side.

@@ -1,0 +1,84 @@
+//! The verdict of a run without files.
+
+use crate::version::VERSION;
+use slideline_advice::Noise;
+use slideline_diag::{Diagnostic, Sources};
+use slideline_measures::Colour;
+use slideline_model::Model;
+use slideline_output::{Facts, Records, dropped_friction};
+use slideline_solve::observe::{Ending, Event, Observer, Stop};
+use std::ops::ControlFlow;
+
+/// Watches a run and judges it as `JOB.json` would.
+pub struct Judge<'a> {
+    records: Records<'a>,
+    noise: Noise,
+    model: &'a Model,
+    dropped_work: f64,
+    colour: Option<Colour>,
+}
+
+impl<'a> Judge<'a> {
+    /// One for a run of a model. `said`: what was said about the model before, such as by reading
+    /// and by [`objections`]; it counts as warnings and advice do.
+    pub fn new(model: &'a Model, (said, sources): (&'a [Diagnostic], &'a Sources)) -> Self {
+        let facts = Facts {
+            version: VERSION,
+            deck_hash: "",
+            sources,
+            diagnostics: said,
+            dialect: Some(model.dialect),
+            friction_onset: Some(model.friction_onset),
+            own_texts: 0,
+            parameters: &[],
+            earlier: None,
+        };
+        let records = Records::new(facts);
+        Self { records, noise: Noise::of(model), model, dropped_work: 0.0, colour: None }
+    }
+
+    /// The verdict; none before the end of the run.
+    pub fn colour(&self) -> Option<Colour> {
+        self.colour
+    }
+
+    /// Largest strain or stress over the allowable one so far [1]; none without an allowable one.
+    pub fn utilisation(&self) -> Option<f64> {
+        self.records.utilisation()
+    }
+
+    /// What can only be said at the end, and the verdict.
+    fn close(&mut self, ending: &Ending) {
+        let totals = match ending {
+            Ending::Completed(totals)
+            | Ending::NotConverged(totals, _)
+            | Ending::Stopped(totals, _) => totals,
+        };
+        let points = totals.dropped_points;
+        let dropped = dropped_friction(self.model.friction_onset, points, self.dropped_work);
+        let noise = self.noise.summary();
+        self.records.measured(&noise);
+        for said in dropped.into_iter().chain(self.noise.findings(&noise)) {
+            self.records.watch(&Event::Diagnosed(&said));
+        }
+        self.colour = Some(self.records.judged(ending));
+    }
+}
+
+impl Observer for Judge<'_> {
+    fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
+        self.noise.watch(&event);
+        match event {
+            Event::Committed(frame) => self.dropped_work = frame.energy.dropped_friction,
+            Event::End(ending) => self.close(ending),
+            _ => {}
+        }
+        self.records.watch(&event);
+        ControlFlow::Continue(())
+    }
+}
+
+/// What the adviser says about a model, without edits of a deck.
+pub fn objections(model: &Model) -> Vec<Diagnostic> {
+    slideline_advice::advise(model).into_iter().map(|finding| finding.diagnostic).collect()
+}
