@@ -189,7 +189,8 @@ fn faces_that_were_meant_to_be_two_are_not_reported() {
     for card in joined {
         assert!(!found(&deck.replace("*STEP,", &format!("{card}*STEP,"))), "{card}");
     }
-    let removed = "*MODEL CHANGE, TYPE=ELEMENT, REMOVE\nHEAD\n*DLOAD, OP=NEW\nFOOT, P2, 1.0\n*END STEP";
+    let removed =
+        "*MODEL CHANGE, TYPE=ELEMENT, REMOVE\nHEAD\n*DLOAD, OP=NEW\nFOOT, P2, 1.0\n*END STEP";
     let two_steps = format!("{deck}*STEP, NLGEOM\n*STATIC\n1.0, 1.0\n{removed}\n");
     assert!(!found(&two_steps));
 }
