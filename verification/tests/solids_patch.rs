@@ -35,10 +35,10 @@ pub const GROUP: Group = Group {
     ],
 };
 
-const TYPES: [&str; 29] = [
+const TYPES: [&str; 28] = [
     "CPS3", "CPS4", "CPS4I", "CPS4R", "CPS6", "CPS8", "CPS8R", "CPE3", "CPE4", "CPE4I", "CPE4R",
     "CPE4H", "CPE6", "CPE8", "CPE8R", "C3D4", "C3D4H", "C3D6", "C3D8", "C3D8I", "C3D8R", "C3D8H",
-    "C3D10", "C3D10H", "C3D15", "C3D20", "C3D20R", "CPE6H", "C3D6H",
+    "C3D10", "C3D10H", "C3D15", "C3D20", "C3D20R", "C3D6H",
 ];
 
 /// The unit cube with corners inside moved out of their places.
@@ -48,8 +48,7 @@ fn skewed([x, y, z]: [f64; 3]) -> [f64; 3] {
     [x + a * (1.0 - 0.4 * y), y + b * (1.0 + 0.3 * x), z + c]
 }
 
-const RINGS: [&str; 9] =
-    ["CAX6H", "CAX3", "CAX4", "CAX4I", "CAX4R", "CAX4H", "CAX6", "CAX8", "CAX8R"];
+const RINGS: [&str; 8] = ["CAX3", "CAX4", "CAX4I", "CAX4R", "CAX4H", "CAX6", "CAX8", "CAX8R"];
 
 fn patch(record: &mut Record, nlgeom: &str, size: f64) {
     let field = |[x, y, z]: [f64; 3]| {

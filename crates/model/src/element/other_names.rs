@@ -30,6 +30,10 @@ const GROUPS: &[Group] = &[
     (
         "its few points keep it from locking where the volume is kept",
         &[
+            ("CPE6H", "CPE6"),
+            ("CPE6MH", "CPE6"),
+            ("CAX6H", "CAX6"),
+            ("CAX6MH", "CAX6"),
             ("CPE8H", "CPE8R"),
             ("CPE8RH", "CPE8R"),
             ("CAX8H", "CAX8R"),
@@ -44,9 +48,7 @@ const GROUPS: &[Group] = &[
         &[
             ("CPS6M", "CPS6"),
             ("CPE6M", "CPE6"),
-            ("CPE6MH", "CPE6H"),
             ("CAX6M", "CAX6"),
-            ("CAX6MH", "CAX6H"),
             ("C3D10M", "C3D10"),
             ("C3D10MH", "C3D10H"),
         ],

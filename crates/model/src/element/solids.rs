@@ -121,8 +121,6 @@ rows! {
     CPE3: TRI3, TRI_1, PlaneStrain, Plain / Plain, 2, 3, 1;
     /// Quadratic triangle in plane strain.
     CPE6: TRI6, TRI_3, PlaneStrain, Plain / Plain, 2, 6, 3;
-    /// Quadratic triangle in plane strain, hybrid: one pressure an element.
-    CPE6H: TRI6, TRI_3, PlaneStrain, MeanDilation / MeanDilation, 2, 6, 3;
     /// Quadratic quadrilateral in plane strain.
     CPE8: QUAD8, QUAD_9, PlaneStrain, Plain / Plain, 2, 8, 9;
     /// Quadratic quadrilateral in plane strain of four points.
@@ -153,8 +151,6 @@ rows! {
     CAX4H: QUAD4, QUAD_4, Axisymmetric, MeanDilation / MeanDilation, 2, 4, 4;
     /// Quadratic triangular ring.
     CAX6: TRI6, TRI_3, Axisymmetric, Plain / Plain, 2, 6, 3;
-    /// Quadratic triangular ring, hybrid: one pressure an element.
-    CAX6H: TRI6, TRI_3, Axisymmetric, MeanDilation / MeanDilation, 2, 6, 3;
     /// Quadratic quadrilateral ring.
     CAX8: QUAD8, QUAD_9, Axisymmetric, Plain / Plain, 2, 8, 9;
     /// Quadratic quadrilateral ring of four points.
