@@ -605,7 +605,8 @@ fn shapes_are_kept() {
             assert!(shape.nodes.iter().all(|node| all.contains(node)), "{mpc}");
         }
         let turned = large.replace("*STEP", "*TRANSFORM, NSET=T\n0., 1., 0., -1., 0., 0.\n*STEP");
-        let turned = turned.replace("*MPC", "*NSET, NSET=T\n1\n*MPC");
+        let first = mpc.split(',').nth(1).unwrap().trim();
+        let turned = turned.replace("*MPC", &format!("*NSET, NSET=T\n{first}\n*MPC"));
         assert_eq!(codes(&turned, A), ["SL0221"], "{mpc}");
     }
     // nothing is left of the node between the others that could follow
