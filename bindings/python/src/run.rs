@@ -38,7 +38,7 @@ pub(crate) fn ended(
     let began = Instant::now();
     let mut ended = match folder {
         Some(folder) => {
-            let options = RunOptions { folder: Some(folder), restart: false, solve };
+            let options = RunOptions { folder: Some(folder), solve, ..RunOptions::default() };
             let outcome = slideline::run(read, &options, watch);
             Ended {
                 status: outcome.status,
