@@ -35,10 +35,10 @@ pub const GROUP: Group = Group {
     ],
 };
 
-const TYPES: [&str; 28] = [
+const TYPES: [&str; 27] = [
     "CPS3", "CPS4", "CPS4I", "CPS4R", "CPS6", "CPS8", "CPS8R", "CPE3", "CPE4", "CPE4I", "CPE4R",
     "CPE4H", "CPE6", "CPE8", "CPE8R", "C3D4", "C3D4H", "C3D6", "C3D8", "C3D8I", "C3D8R", "C3D8H",
-    "C3D10", "C3D10H", "C3D15", "C3D20", "C3D20R", "C3D6H",
+    "C3D10", "C3D10H", "C3D15", "C3D20", "C3D20R",
 ];
 
 /// The unit cube with corners inside moved out of their places.

@@ -24,6 +24,10 @@ const GROUPS: &[Group] = &[
         ],
     ),
     (
+        "a wedge of one pressure has free motions; where a wedge locks, SL0416 says so",
+        &[("C3D6H", "C3D6"), ("C3D15H", "C3D15")],
+    ),
+    (
         "one pressure an element; incompatible modes lose stability where the volume is kept",
         &[("CPE4IH", "CPE4H"), ("CAX4IH", "CAX4H"), ("C3D8IH", "C3D8H")],
     ),

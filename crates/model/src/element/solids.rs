@@ -161,8 +161,6 @@ rows! {
     C3D4H: TET4, TET_1, Space, Plain / Plain, 3, 4, 1;
     /// Wedge.
     C3D6: WEDGE6, WEDGE_AXIS_2, Space, Plain / Plain, 3, 6, 2;
-    /// Wedge, hybrid: one pressure an element.
-    C3D6H: WEDGE6, WEDGE_AXIS_2, Space, MeanDilation / MeanDilation, 3, 6, 2;
     /// Hexahedron, one pressure an element; eight of them in CalculiX.
     C3D8: HEX8, HEX_8, Space, MeanDilation / Plain, 3, 8, 8;
     /// Hexahedron with incompatible modes.
