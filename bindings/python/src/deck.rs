@@ -67,6 +67,12 @@ impl Deck {
         self.read.job.deck.display().to_string()
     }
 
+    /// Paths of the deck and of everything that it includes.
+    #[getter]
+    fn files(&self) -> Vec<String> {
+        self.read.sources.files().iter().map(|file| file.name.clone()).collect()
+    }
+
     /// SHA-256 over all texts of the deck.
     #[getter]
     fn hash(&self) -> &str {

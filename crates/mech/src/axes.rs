@@ -9,6 +9,7 @@
 //! ```
 //! docs/theory.md section 4.3.
 
+use crate::vector::{cross, dot, sub};
 /// Unit vectors along the axes 1, 2 and 3, a row each: `axes[i][j]` is the cosine between axis
 /// i and axis j of the model.
 pub type Axes = [[f64; 3]; 3];
@@ -59,12 +60,12 @@ impl System {
 
     /// About the axis from `a` to `b` [L]; `None` where they coincide.
     pub fn cylindrical(a: [f64; 3], b: [f64; 3]) -> Option<Self> {
-        Some(Self::Cylindrical { origin: a, axis: unit(minus(b, a))? })
+        Some(Self::Cylindrical { origin: a, axis: unit(sub(b, a))? })
     }
 
     /// About the centre `a` with the polar axis through `b` [L]; `None` where they coincide.
     pub fn spherical(a: [f64; 3], b: [f64; 3]) -> Option<Self> {
-        Some(Self::Spherical { origin: a, axis: unit(minus(b, a))? })
+        Some(Self::Spherical { origin: a, axis: unit(sub(b, a))? })
     }
 
     /// The axes at a point [L]. On the axis of a system, where none is radial, axis 1 is as near
@@ -73,11 +74,11 @@ impl System {
         match *self {
             Self::Rectangular(axes) => axes,
             Self::Cylindrical { origin, axis } => {
-                let radial = radial(minus(point, origin), axis);
+                let radial = radial(sub(point, origin), axis);
                 [radial, cross(axis, radial), axis]
             }
             Self::Spherical { origin, axis } => {
-                let arm = minus(point, origin);
+                let arm = sub(point, origin);
                 let around = cross(axis, radial(arm, axis));
                 // without a radius all directions are alike
                 let first = unit(arm).unwrap_or_else(|| radial(arm, axis));
@@ -91,7 +92,7 @@ impl System {
         match *self {
             Self::Rectangular(_) => false,
             Self::Cylindrical { origin, axis } | Self::Spherical { origin, axis } => {
-                let arm = minus(point, origin);
+                let arm = sub(point, origin);
                 length(across(arm, axis)) <= ON_AXIS * length(arm)
             }
         }
@@ -168,20 +169,8 @@ fn unit(a: [f64; 3]) -> Option<[f64; 3]> {
     Some(a.map(|part| part / length))
 }
 
-fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|k| a[k] - b[k])
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
 fn length(a: [f64; 3]) -> f64 {
     dot(a, a).sqrt()
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 #[cfg(test)]

@@ -12,6 +12,7 @@
 //! Each is a function g of the positions of its nodes that is zero; docs/theory.md eqs (4.16),
 //! (4.17). Derivatives are exact.
 
+use crate::vector::{cross, dot};
 /// A place or a direction.
 type Vector = [f64; 3];
 
@@ -243,14 +244,6 @@ fn mean(count: usize, of: impl Fn(usize) -> Vector) -> Vector {
 
 fn less(a: Vector, b: Vector) -> Vector {
     std::array::from_fn(|k| a[k] - b[k])
-}
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: Vector, b: Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 #[cfg(test)]

@@ -10,6 +10,7 @@
 
 use crate::element::cell::{Cell, QUAD4, QUAD8, TRI3, TRI6, line3_shapes, line3_slopes};
 use crate::element::quadrature::{GAUSS_2, GAUSS_3, QUAD_4, QUAD_9, Quadrature, TRI_3};
+use crate::vector::{cross, dot};
 
 /// The most nodes of a face.
 pub const MOST_NODES: usize = 8;
@@ -295,14 +296,6 @@ fn edge_point(nodes: usize, point: usize, thickness: f64) -> At {
 
 /// What of a unit vector lies along a face, below which it stands across but for rounding [1].
 const ACROSS: f64 = 1e-8;
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
 
 #[cfg(test)]
 mod tests;

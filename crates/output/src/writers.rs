@@ -1,6 +1,6 @@
 //! All writers of a job as one observer.
 
-use crate::facts::{Facts, Formats, Status};
+use crate::facts::{Facts, Status};
 use crate::file::WriteError;
 use crate::job::JobFiles;
 use crate::kept::Kept;
@@ -30,13 +30,7 @@ struct Kind {
 /// The registry. `JOB.json` stands apart: it is written before everything
 /// else and after it.
 const REGISTRY: &[Kind] = &[
-    Kind {
-        name: "sta",
-        make: |job, facts| match facts.formats {
-            Formats::Own => Box::new(sta::Sta::new(job)),
-            Formats::Ccx => Box::new(ccx::Sta::new(job)),
-        },
-    },
+    Kind { name: "sta", make: |job, facts| Box::new(sta::Sta::new(job, facts.formats)) },
     Kind { name: "cvg", make: |job, facts| Box::new(ccx::Cvg::new(job, facts.formats)) },
     Kind { name: "msg", make: |job, facts| Box::new(msg::Msg::new(job, facts)) },
     Kind { name: "dat", make: |job, facts| Box::new(dat::Dat::new(job, facts)) },

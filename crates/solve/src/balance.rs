@@ -10,6 +10,7 @@ use crate::newton::Scratch;
 use crate::observe::results::{ContactRow, PairRow, Status};
 use crate::problem::Problem;
 use crate::state::{PointState, State};
+use slideline_mech::vector::cross;
 use slideline_model::Dof;
 
 /// Fills a row for every pair of a state that was just committed; `closed`
@@ -80,11 +81,6 @@ impl PairRow {
             self.mean_normal = self.mean_normal.map(|sum| sum / self.area);
         }
     }
-}
-
-/// a x b.
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// Length of a vector.

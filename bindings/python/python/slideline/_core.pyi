@@ -42,6 +42,7 @@ class Table:
 class Deck:
     name: str
     path: str
+    files: list[str]
     hash: str
     is_sound: bool
     diagnoses: list[Diagnosis]

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
+import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from . import _core
+from . import _core, engines
 from .errors import refuse
 from .job import Job, read
 
@@ -90,6 +92,7 @@ def sweep(
     part: tuple[int, int] = (0, 1),
     progress: Callable[[int, int], None] | None = None,
     folder: str | os.PathLike[str] = ".",
+    engine: str | None = None,
 ) -> _core.Table:
     """Runs a study (docs/studies.md) and returns its rows: ``case``, the parameters, the responses
     (not a number where there is none) and ``code``, what stands against a case that failed.
@@ -97,10 +100,21 @@ def sweep(
     ``study`` is the path of a TOML file, or its content as a dict; the deck of a dict stands in
     ``folder``. ``out`` keeps the shards, and goes on where the last call ended; ``part=(i, n)`` runs
     the shards k with k mod n = i. ``progress`` is called with the cases done and those to be done.
+    ``engine="ray"`` or ``"dask"`` runs the shards as tasks of the cluster that Ray or Dask is connected
+    to, or of this machine where it is to none (docs/cluster.md); the rows have the same bits.
 
     Raises InputError; KeyboardInterrupt, after which ``out`` has all whole shards.
     """
-    made = load(study, folder)
+    path, text = written(study, folder)
+    made = load(path, text)
+    if engine is not None:
+        if part != (0, 1) or threads not in (None, 1):
+            raise ValueError("an engine divides the study itself: without part= and threads=")
+        with contextlib.ExitStack() as kept:
+            named = out or kept.enter_context(tempfile.TemporaryDirectory(prefix="slideline-"))
+            rows, said = engines.run(made, text, path, Path(named), engine, progress)
+        refuse(said)
+        return rows
     if out is None:
         if part != (0, 1):
             raise ValueError("part needs the folder of the study: out=")
@@ -111,13 +125,18 @@ def sweep(
     return rows
 
 
-def load(study: str | os.PathLike[str] | Mapping[str, Any], folder: str | os.PathLike[str]) -> _core.Study:
-    """A study that was read; InputError where something stands against it."""
+def written(
+    study: str | os.PathLike[str] | Mapping[str, Any], folder: str | os.PathLike[str]
+) -> tuple[Path, str]:
+    """A study as the path and the text of its file."""
     if isinstance(study, Mapping):
-        path, text = Path(folder) / "study.toml", toml(study)
-    else:
-        path = Path(study)
-        text = path.read_text(encoding="utf-8")
+        return Path(folder) / "study.toml", toml(study)
+    path = Path(study)
+    return path, path.read_text(encoding="utf-8")
+
+
+def load(path: Path, text: str) -> _core.Study:
+    """A study that was read; InputError where something stands against it."""
     made, said = _core.read_study(os.fspath(path), text)
     refuse(said)
     return made

@@ -52,6 +52,7 @@ const WRITTEN: &[(&str, &str)] = &[
     ("optimisers", include_str!("../../../../docs/optimisers.md")),
     ("shown-studies", include_str!("../../../../docs/shown-studies.md")),
     ("scaling", include_str!("../../../../docs/scaling.md")),
+    ("cluster", include_str!("../../../../docs/cluster.md")),
     ("reproduce", include_str!("../../../../docs/reproduce.md")),
     ("verification", include_str!("../../../../docs/verification.md")),
     ("user-friction", include_str!("../../../../docs/user-friction.md")),

@@ -2,6 +2,7 @@
 
 use slideline_deck::DataLine;
 use slideline_diag::{Code, Diagnostic};
+use slideline_mech::vector::{cross, dot, sub};
 
 use crate::draft::Draft;
 use crate::keyword::{Keyword, Level, Rule, Subject};
@@ -113,11 +114,11 @@ fn system(card: &Reading<'_>, draft: &mut Draft) -> Option<System> {
         }
         None => [1.0; 3],
     };
-    let Some(axial) = unit(minus(b, a)) else {
+    let Some(axial) = unit(sub(b, a)) else {
         draft.log.error("SL0232", "the points a and b of the axis coincide", first.span);
         return None;
     };
-    let ac = minus(c, a);
+    let ac = sub(c, a);
     let along = dot(ac, axial);
     let across = [0, 1, 2].map(|k| ac[k] - along * axial[k]);
     let far = dot(across, across) > 1e-24 * dot(ac, ac);
@@ -132,18 +133,6 @@ fn system(card: &Reading<'_>, draft: &mut Draft) -> Option<System> {
 fn point(line: &DataLine, at: usize, draft: &mut Draft) -> Option<[f64; 3]> {
     let read = [0, 1, 2].map(|k| draft.log.number_or(line, at + k, 0.0));
     Some([read[0]?, read[1]?, read[2]?])
-}
-
-fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [0, 1, 2].map(|k| a[k] - b[k])
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 fn unit(a: [f64; 3]) -> Option<[f64; 3]> {

@@ -7,6 +7,7 @@
 //! ```
 
 use slideline_deck::{DataLine, normalise};
+use slideline_mech::vector::{cross, dot};
 use slideline_model::Sweep;
 
 use super::rigid_surface::profile;
@@ -111,15 +112,6 @@ fn place(line: &DataLine, first: usize, draft: &mut Draft) -> Option<Vector> {
 
 fn difference(a: Vector, b: Vector) -> Vector {
     std::array::from_fn(|k| a[k] - b[k])
-}
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    (0..3).map(|k| a[k] * b[k]).sum()
-}
-
-fn cross(a: Vector, b: Vector) -> Vector {
-    let at = |k: usize| a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-    std::array::from_fn(at)
 }
 
 fn unit(a: Vector) -> Option<Vector> {

@@ -9,6 +9,7 @@
 //! mean displacement alone in CalculiX: a force on its node is spread without its lever arm.
 
 use slideline_diag::{Code, Diagnostic, Span};
+use slideline_mech::vector::{cross, dot};
 use slideline_model::{Dof, NodeIndex};
 
 use super::equations::{add, solve};
@@ -131,14 +132,6 @@ fn inertia(arms: impl Iterator<Item = ([f64; 3], f64)>, axes: usize) -> Option<[
     let sound = determinant > 1e-12 * scale * scale * scale;
     let entry = |i: usize, j: usize| columns[j][i] / determinant;
     sound.then(|| std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j))))
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 fn times(matrix: &[[f64; 3]; 3], vector: [f64; 3]) -> [f64; 3] {

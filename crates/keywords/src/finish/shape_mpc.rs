@@ -9,6 +9,7 @@
 //! ```
 //! docs/theory.md eqs (4.13), (4.14), (4.16), (4.17).
 
+use slideline_mech::vector::{cross, dot};
 use std::collections::HashSet;
 
 use slideline_diag::{Code, Diagnostic};
@@ -192,14 +193,6 @@ fn dofs_of_shape(draft: &Draft) -> Vec<(NodeIndex, Dof)> {
 
 fn less(a: Vector, b: Vector) -> Vector {
     std::array::from_fn(|k| a[k] - b[k])
-}
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: Vector, b: Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 fn unit(a: Vector) -> Option<Vector> {

@@ -10,4 +10,4 @@ mod cvg;
 mod sta;
 
 pub(crate) use cvg::Cvg;
-pub(crate) use sta::Sta;
+pub(crate) use sta::{STA_HEADER, push_attempt};

@@ -23,6 +23,7 @@ use slideline_mech::contact::search::faces::near_way;
 use slideline_mech::contact::search::pass::cross_faces;
 use slideline_mech::contact::search::sweep::{apart, cross_parts};
 use slideline_mech::turn::Turn;
+use slideline_mech::vector::dot;
 
 /// A master that was passed through.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -382,10 +383,6 @@ impl Contact {
         }
         first
     }
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// The place at a fraction of the way from `a` to `b` [L].

@@ -21,6 +21,7 @@ use slideline_mech::contact::pair::mortar::{
     Direction, FIRST_MASTER, MOST_CONTROLS, MortarFace, Place,
 };
 use slideline_mech::contact::tangential::Tangential;
+use slideline_mech::vector::dot;
 
 /// No column.
 const NONE: usize = usize::MAX;
@@ -304,8 +305,4 @@ impl At<'_> {
 enum Asked {
     Gradient(Direction<f64>),
     Drag(f64),
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
