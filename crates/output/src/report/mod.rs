@@ -23,7 +23,7 @@ mod skin;
 mod verdict;
 
 pub use options::Options;
-pub use page::{STYLE, filled};
+pub use page::{DRAWING, STYLE, filled};
 pub use slideline_figures::escaped;
 
 pub use crate::reading::problem::Problem;
