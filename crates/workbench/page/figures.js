@@ -1,0 +1,100 @@
+// The verdict, the key figures, the formula's reason: what is said about a curve.
+(function (W) {
+  "use strict";
+  const COLOURS = ["green", "amber", "red"];
+
+  // Green is only what came to its end: whatever else the bench may say of it.
+  function colour(end) {
+    const own = end.verdict && COLOURS.includes(end.verdict.colour) ? end.verdict.colour : "amber";
+    return end.status === "completed" ? own : "red";
+  }
+
+  const TITLES = { green: "Sound", amber: "Look again", red: "Not to be relied on" };
+  const STATUS = { completed: "Completed", not_converged: "Not converged", stopped: "Stopped", failed: "Failed" };
+
+  let said = "";
+  function verdict(run) {
+    const box = W.by("verdict"), current = W.current(), end = run && run.end;
+    const now = W.lost || W.deck && !W.deck.sound ? "red" : current ? colour(end) : "waiting";
+    box.className = "verdict " + now;
+    box.dataset.current = String(current);
+    W.by("chart").dataset.current = String(current);
+    let title = "Solving \u2026", lines = null;
+    if (W.lost) { title = "No connection"; lines = [W.lost]; }
+    else if (W.deck && !W.deck.sound) { title = "The deck has errors"; lines = ["The curve is that of the last sound deck."]; }
+    else if (W.refusal) { title = "Not solved"; lines = [W.refusal]; }
+    else if (current) {
+      const own = end.verdict || {}, reasons = (own.reasons || []).map((one) => [one.text, one.colour]);
+      title = own.headline || TITLES[colour(end)];
+      if (end.status !== "completed" && !/red/i.test(title)) title = TITLES.red;
+      lines = reasons.concat((own.lines || []).map((line) => [line, ""]));
+      if (end.status !== "completed") lines = [[STATUS[end.status] || end.status, "red"]].concat(end.diagnosis ? [[text(end.diagnosis), "red"]] : [], lines);
+    }
+    lines = lines && lines.map((one) => typeof one === "string" ? [one, ""] : one);
+    const key = JSON.stringify([title, lines]);
+    W.by("verdict-title").textContent = title;
+    // the words of the last verdict stay, grey, while a new one is made: nothing jumps
+    if (lines && key !== said) {
+      said = key;
+      const list = W.by("verdict-lines");
+      list.textContent = "";
+      lines.forEach(([line, own]) => make(list, "li", own ? { class: own } : {}, line));
+    }
+  }
+
+  const text = (diagnosis) => typeof diagnosis === "string" ? diagnosis : [diagnosis.message, diagnosis.help].filter(Boolean).join(" ");
+
+  const rows = new Map();
+  function figures(run) {
+    const box = W.by("figures"), end = run && run.end, current = W.current();
+    box.classList.toggle("waiting", !current);
+    if (!end) return;
+    const key = end.key || [], names = JSON.stringify(key.map((one) => [one.name, one.unit]));
+    if (box.dataset.names !== names) {
+      box.dataset.names = names;
+      box.textContent = "";
+      rows.clear();
+      for (const one of key) {
+        const tile = make(box, "div", { class: "figure", "data-name": one.name });
+        make(tile, "dt", {}, W.label(one.name));
+        const value = make(tile, "dd"), number = make(value, "b");
+        make(value, "span", { class: "unit" }, one.unit || "");
+        if (solvable(one.name)) {
+          const button = make(value, "button", { type: "button", class: "small", title: "Solve for " + W.label(one.name), "aria-label": "solve for " + W.label(one.name) }, "set");
+          button.addEventListener("click", () => W.aim.choose(one.name));
+        }
+        rows.set(one.name, { number, about: make(tile, "small") });
+      }
+    }
+    for (const one of key) {
+      const own = rows.get(one.name);
+      own.number.textContent = one.text || W.figure(one.value);
+      own.about.textContent = one.about || "";
+    }
+  }
+
+  // Names of key figures and responses for people.
+  const LABELS = { push_in: "force in", pull_out: "force out", ratio: "ratio out / in", work_in: "work in", work_out: "work out", strain: "strain", utilisation: "utilisation", margin: "strain margin", noise: "noise" };
+  W.label = (name) => LABELS[name] || name.replace(/_/g, " ");
+
+  const solvable = (name) => W.deck && W.deck.responses.some((one) => one.name === name);
+
+  function formula(run) {
+    const own = W.current() && run.end.formula, box = W.by("formula");
+    if (W.shown && !W.shown.end) return;
+    box.hidden = !(own && own.reason);
+    if (box.hidden) return;
+    box.textContent = (own.name || "Design guide") + (Number.isFinite(own.value) ? " gives " + W.figure(own.value) : "") + ". " + own.reason;
+    box.title = (own.assumptions || []).join(" ");
+  }
+
+  W.say = () => {
+    const run = W.last;
+    verdict(run);
+    figures(run);
+    formula(run);
+  };
+  W.on("asked", () => { W.refusal = null; });
+  W.on("refused", (why) => { W.refusal = why; W.say(); });
+  for (const name of ["values", "end", "deck", "lost"]) W.on(name, W.say);
+})(window.Workbench = window.Workbench || {});
