@@ -90,10 +90,16 @@
       super.go(this.wanted());
     }
 
-    // Somebody goes to a frame.
+    // Somebody goes to a frame; to the same one again where only the drawing has changed.
     go(frame) {
       if (!this.run) return;
+      const before = this.frame;
       super.go(frame);
+      if (this.frame !== before) this.hold();
+    }
+
+    // Later curves are looked at at the same time.
+    hold() {
       this.at_time = this.run.time[this.states[this.frame]];
       W.tell("scrub", this.states[this.frame]);
     }
@@ -101,7 +107,9 @@
     // Goes to the state of the curve.
     state(state) {
       this.stop();
+      if (!this.run) return;
       this.go(this.near(state));
+      this.hold();
     }
   }
   W.LiveShape = LiveShape;

@@ -28,13 +28,13 @@
   function row(parent, parameter) {
     const name = parameter.name, id = "value-" + name, [about, unit] = words(parameter);
     const box = make(parent, "div", { class: "parameter", "data-name": name, role: "group", "aria-label": name });
-    const label = make(box, "label", { for: id, title: about || name });
+    const label = make(box, "label", { for: id, title: name + (about ? ": " + about : "") });
     make(label, "b", {}, name);
     if (unit) make(label, "span", { class: "unit" }, unit);
+    make(label, "small", { id: "about-" + name }, about || (parameter.origin === "found" ? "found in the deck" : ""));
     const field = make(box, "input", { id, class: "value", type: "number", step: "any", "aria-describedby": "about-" + name });
     const step = W.step(parameter), slider = make(box, "input", { type: "range", step: String(step), "aria-label": name + (unit ? " in " + unit : "") });
     const tools = make(box, "div", { class: "tools" });
-    make(tools, "small", { id: "about-" + name }, about || (parameter.origin === "found" ? "found in the deck" : ""));
     const tolerance = make(tools, "label", { class: "tolerance", title: "Tolerance: the force is drawn as a band" });
     make(tolerance, "span", { "aria-hidden": "true" }, "\u00b1");
     const part = make(tolerance, "input", { type: "number", min: "0", step: "any", "aria-label": "tolerance of " + name + " in percent" });

@@ -73,7 +73,7 @@
     add(rows, frames) {
       for (const row of rows || []) {
         const travel = row[3 + 2 * this.curve] || 0, force = row[4 + 2 * this.curve] || 0;
-        if (!this.inward && travel) this.inward = Math.sign(travel);
+        if (!this.inward && travel) { this.inward = Math.sign(travel); this.point_inwards(); }
         const s = this.inward || 1;
         this.raw.push(row);
         this.time.push(row[0]);
@@ -86,11 +86,18 @@
       if (!this.first && this.rows > 0) this.first = performance.now();
     }
 
+    // The arrow of the shape tells in from out.
+    point_inwards() {
+      const own = this.curves[this.curve], driven = own && this.data && this.data.driven.find((one) => one.node === own.node && one.motion === own.motion);
+      if (driven) driven.inward = this.inward;
+    }
+
     // The curve and its direction as the end has them.
     turn(places) {
       if (!places || places.curve === this.curve && places.inward === (this.inward || 1)) return;
       this.curve = places.curve;
       this.inward = places.inward;
+      this.point_inwards();
       this.travel = this.raw.map((row) => places.inward * (row[3 + 2 * places.curve] || 0));
       this.force = this.raw.map((row) => places.inward * (row[4 + 2 * places.curve] || 0));
     }
