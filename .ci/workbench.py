@@ -152,17 +152,17 @@ def scrubbing(browser):
 def solving_for(browser):
     """A typed force, and a peak that is dragged: the chosen parameter follows."""
     settled(browser)
-    force = browser.evaluate("Workbench.last.key('push_in')")
+    force = browser.evaluate("Workbench.last.figure('push_in')")
     before = value(browser, "thickness")
     browser.evaluate("document.getElementById('aim-parameter').value = 'thickness'; document.getElementById('aim-parameter').dispatchEvent(new Event('change'))")
-    browser.click(".figure[data-name=push_in] button")
+    browser.click(".figure[data-response=push_in] button")
     browser.evaluate("document.getElementById('aim-wanted').select()")
     wanted = float(f"{1.2 * force:.4g}")
     browser.call("Input.insertText", text=str(wanted))
     browser.key("Enter")
     browser.until(f"Workbench.values.thickness !== {before}", 30)
     settled(browser)
-    reached = browser.evaluate("Workbench.last.key('push_in')")
+    reached = browser.evaluate("Workbench.last.figure('push_in')")
     assert abs(reached - wanted) <= 1e-3 * wanted, f"{reached} instead of {wanted}"
     assert "gives" in browser.evaluate("document.getElementById('aim-said').textContent")
     thicker = value(browser, "thickness")
@@ -170,7 +170,7 @@ def solving_for(browser):
     browser.drag([x + 9, y + height / 2], [x + 9, y + height / 2 + 25])
     browser.until(f"Workbench.values.thickness < {thicker}", 30)
     settled(browser)
-    assert browser.evaluate("Workbench.last.key('push_in')") < reached, "the dragged peak does not come down"
+    assert browser.evaluate("Workbench.last.figure('push_in')") < reached, "the dragged peak does not come down"
 
 
 def pinning(browser):

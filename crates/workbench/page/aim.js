@@ -54,7 +54,7 @@
   W.aim = {
     choose(name) {
       W.by("aim-response").value = name;
-      const now = W.last ? W.last.key(name) : undefined;
+      const now = W.last ? W.last.figure(name) : undefined;
       if (Number.isFinite(now)) W.by("aim-wanted").value = String(Number(now.toPrecision(4)));
       W.by("aim-wanted").focus();
       W.by("aim-wanted").select();
@@ -106,7 +106,7 @@
     own.addEventListener("pointerup", drop);
     own.addEventListener("pointercancel", drop);
     own.addEventListener("keydown", (event) => {
-      const way = { ArrowUp: 1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[event.key], now = W.last && W.last.key(response(which));
+      const way = { ArrowUp: 1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[event.key], now = W.last && W.last.figure(response(which));
       if (!way || !Number.isFinite(now)) return;
       event.preventDefault();
       W.aim.want(response(which), now * (1 + 0.01 * way), false);
@@ -124,7 +124,7 @@
     own.hidden = false;
     own.style.transform = "translate(" + plot.px(run.travel[state]).toFixed(1) + "px," + plot.py(force).toFixed(1) + "px)";
     own.classList.toggle("stale", !W.current());
-    const now = run.key(name);
+    const now = run.figure(name);
     const said = W.label(name) + " " + W.figure(now);
     if (own.dataset.said !== said + W.follows) {
       own.dataset.said = said + W.follows;

@@ -45,18 +45,51 @@
     window.addEventListener("pagehide", () => { line.onclose = null; line.close(); });
   }
 
-  function worker() {
+  // A worker hears nothing while it computes. What takes too long is ended with its worker, and
+  // another one takes over, with the deck.
+  let module = null, own = null;
+  function spawn(begin) {
     const place = URL.createObjectURL(new Blob(["(" + W.bench_worker + ")();"], { type: "text/javascript" }));
-    const own = new Worker(place);
+    const mine = own = new Worker(place);
+    const failed = (why) => { if (mine === own) lost("The solver inside this page has stopped: " + why); };
     own.onmessage = (event) => {
-      if (event.data.ready) { send = (message) => own.postMessage(message); W.tell("connected"); }
-      else if (event.data.failed) lost("The solver inside this page does not start: " + event.data.failed);
+      if (mine !== own) return;
+      if (event.data.ready) { URL.revokeObjectURL(place); send = (text) => mine.postMessage({ text }); begin(); }
+      else if (event.data.failed) failed(event.data.failed);
       else receive(event.data.say);
     };
-    own.onerror = (event) => { event.preventDefault(); lost("The solver inside this page has stopped: " + event.message); };
-    own.postMessage({ module: bytes(W.by("module").textContent.trim()), opened: W.by("opened") ? W.by("opened").textContent.trim() : "null" });
-    W.by("module").textContent = "";
+    own.onerror = (event) => { event.preventDefault(); failed(event.message); };
+    own.postMessage({ module });
   }
+
+  W.restart = () => {
+    if (!W.single || !own) return;
+    own.terminate();
+    const before = Array.from(waiting);
+    waiting.clear();
+    const late = [];
+    send = (text) => late.push(text);
+    spawn(() => {
+      W.ask("deck", { name: W.deck.name, text: W.deck.text }, () => true);
+      late.forEach((text) => send(text));
+    });
+    before.forEach(([id, answer]) => answer({ say: "overtaken", id }));
+  };
+
+  function worker() {
+    const element = W.by("module"), code = bytes(element.textContent.trim());
+    element.textContent = "";
+    WebAssembly.compile(code).then((made) => {
+      module = made;
+      spawn(() => W.tell("connected"));
+    }).catch((error) => lost("The solver inside this page does not start: " + error));
+  }
+
+  // The deck that a single page carries, if any.
+  W.carried = () => {
+    const element = W.by("opened");
+    return element ? JSON.parse(element.textContent) : null;
+  };
 
   W.connect = () => { if (W.single) worker(); else socket(); };
 })(window.Workbench = window.Workbench || {});

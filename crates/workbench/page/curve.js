@@ -42,7 +42,7 @@
     plot.resize();
     ink = plot.colours();
     plot.clear();
-    if (!run || !run.rows) { plot.axes(ink, titles(null)); W.tell("painted"); return; }
+    if (!run || run.rows < 1) { plot.axes(ink, titles(null)); W.tell("painted"); return; }
     plot.range(lists(run), W.moving || W.busy());
     plot.axes(ink, titles(run));
     const current = W.current(), strong = current ? 1 : 0.55;
@@ -96,7 +96,7 @@
 
   function read() {
     const run = W.shown, i = hover >= 0 && run && hover <= run.rows ? hover : place;
-    if (!run || !(i <= run.rows)) return;
+    if (!run || !(i >= 0 && i <= run.rows)) return;
     W.by("readoff").textContent = "travel " + show(run.travel[i], 4) + ", force " + show(run.force[i], 4) + " (" + run.where(i) + ")";
   }
 

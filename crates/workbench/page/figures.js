@@ -24,7 +24,7 @@
     else if (W.deck && !W.deck.sound) { title = "The deck has errors"; lines = ["The curve is that of the last sound deck."]; }
     else if (W.refusal) { title = "Not solved"; lines = [W.refusal]; }
     else if (current) {
-      const own = end.verdict || {}, reasons = (own.reasons || []).map((one) => [one.text, one.colour]);
+      const own = end.verdict || {}, reasons = (own.reasons || []).map((one) => typeof one === "string" ? one : [one.text, one.colour]);
       title = own.headline || TITLES[colour(end)];
       if (end.status !== "completed" && !/red/i.test(title)) title = TITLES.red;
       lines = reasons.concat((own.lines || []).map((line) => [line, ""]));
@@ -49,35 +49,47 @@
     const box = W.by("figures"), end = run && run.end, current = W.current();
     box.classList.toggle("waiting", !current);
     if (!end) return;
-    const key = end.key || [], names = JSON.stringify(key.map((one) => [one.name, one.unit]));
+    const key = tiles(end), names = JSON.stringify(key.map((one) => [one.name, one.response]));
     if (box.dataset.names !== names) {
       box.dataset.names = names;
       box.textContent = "";
       rows.clear();
       for (const one of key) {
-        const tile = make(box, "div", { class: "figure", "data-name": one.name });
-        make(tile, "dt", {}, W.label(one.name));
+        const tile = make(box, "div", { class: "figure", "data-response": one.response || "" });
+        make(tile, "dt", {}, one.name);
         const value = make(tile, "dd"), number = make(value, "b");
-        make(value, "span", { class: "unit" }, one.unit || "");
-        if (solvable(one.name)) {
-          const button = make(value, "button", { type: "button", class: "small", title: "Solve for " + W.label(one.name), "aria-label": "solve for " + W.label(one.name) }, "set");
-          button.addEventListener("click", () => W.aim.choose(one.name));
+        if (one.response) {
+          const button = make(value, "button", { type: "button", class: "small", title: "Solve for " + W.label(one.response), "aria-label": "solve for " + W.label(one.response) }, "set");
+          button.addEventListener("click", () => W.aim.choose(one.response));
         }
-        rows.set(one.name, { number, about: make(tile, "small") });
+        rows.set(one.name, { number, about: make(tile, "small"), tile });
       }
     }
     for (const one of key) {
       const own = rows.get(one.name);
-      own.number.textContent = one.text || W.figure(one.value);
+      own.number.textContent = one.text;
       own.about.textContent = one.about || "";
+      own.tile.classList.toggle("fail", /FAIL$/.test(one.about || ""));
     }
   }
+
+  // What can be solved for, by the words of the report's key figures.
+  const WORDS = [[/^push-in/, "push_in"], [/^pull-out/, "pull_out"], [/^out \/ in/, "ratio"], [/^work in/, "work_in"], [/^largest strain/, "strain"]];
+  function tiles(end) {
+    const known = new Set(W.deck ? W.deck.responses.map((one) => one.name) : []);
+    const out = (end.key || []).map((one) => {
+      const found = one.response || (WORDS.find(([word]) => word.test(one.name)) || [])[1];
+      return { name: one.name, text: one.text || W.figure(one.value), about: one.about, response: known.has(found) ? found : null };
+    });
+    const noise = end.figures ? end.figures.noise : null;
+    if (Number.isFinite(noise)) out.push({ name: "noise of the mesh", text: show(100 * noise, 2) + " %", about: "roughness of the force, of its peak", response: null });
+    return out;
+  }
+  W.tiles = tiles;
 
   // Names of key figures and responses for people.
   const LABELS = { push_in: "force in", pull_out: "force out", ratio: "ratio out / in", work_in: "work in", work_out: "work out", strain: "strain", utilisation: "utilisation", margin: "strain margin", noise: "noise" };
   W.label = (name) => LABELS[name] || name.replace(/_/g, " ");
-
-  const solvable = (name) => W.deck && W.deck.responses.some((one) => one.name === name);
 
   function formula(run) {
     const own = W.current() && run.end.formula, box = W.by("formula");

@@ -27,7 +27,7 @@
       W.tell("tolerances");
       W.tell("marks");
     };
-    if (W.deck && text !== W.deck.text) W.edit(text, values); else values();
+    if (W.deck && text !== null && text !== W.deck.text) W.edit(text, values); else values();
   }
 
   // A hand has let go: what there is now can be come back to.

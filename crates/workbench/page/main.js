@@ -10,7 +10,7 @@
     asked = true;
     requestAnimationFrame(() => {
       asked = false;
-      if (reshape && W.shown && W.shown.data) { reshape = false; W.shape.show(W.shown); W.chart.look(W.shape.states[W.shape.frame]); }
+      if (reshape && W.shown && W.shown.data && W.shown.rows >= 0) { reshape = false; W.shape.show(W.shown); W.chart.look(W.shape.states[W.shape.frame]); }
       W.chart.paint();
       W.aim.place();
       W.drawn++;
@@ -61,7 +61,8 @@
     W.by("bench").hidden = false;
     if (own) W.expect(own);
     const text = own && typeof own.x === "string" ? own.x : null;
-    W.opened = message.text;
+    // where the text of the address is there already, nothing else is known of the first one
+    W.opened = text === message.text ? null : message.text;
     if (text !== null && text !== message.text) {
       W.deck = null;
       W.edit(text, () => W.restore_pins(own));
@@ -74,7 +75,8 @@
 
   function open() {
     const own = W.address();
-    W.ask("open", {}, (message) => {
+    const carried = W.single ? W.carried() : null;
+    W.ask(carried ? "deck" : "open", carried || {}, (message) => {
       if (message.say === "start") {
         W.start(message);
         if (own && own.k) { W.pending = own; W.choose(own.k); }

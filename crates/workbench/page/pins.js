@@ -5,7 +5,7 @@
   W.pins = [];
 
   // What a pin keeps of a run.
-  const light = (run) => ({ travel: run.travel.slice(), force: run.force.slice(), key: run.end.key || [], status: run.status });
+  const light = (run) => ({ travel: run.travel.slice(), force: run.force.slice(), key: W.tiles(run.end), status: run.status });
 
   function free() {
     for (let k = 0; ; k++) if (!W.pins.some((pin) => pin.number === k)) return k;
@@ -66,8 +66,8 @@
       const values = names.map((name) => name + " " + W.figure(pin.values[name]));
       make(item, "p", {}, values.length ? values.join(", ") : "values of the deck");
       if (pin.run && pin.run.key) {
-        const found = pin.run.key.filter((one) => Number.isFinite(one.value)).slice(0, 3);
-        make(item, "p", { class: "soft" }, found.map((one) => W.label(one.name) + " " + (one.text || W.figure(one.value))).join(", "));
+        const found = pin.run.key.slice(0, 3);
+        make(item, "p", { class: "soft" }, found.map((one) => one.name + " " + one.text).join(", "));
       } else if (!pin.run) make(item, "p", { class: "soft" }, "waits for its curve");
     });
     W.draw();

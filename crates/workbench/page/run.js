@@ -167,9 +167,10 @@
       return Number.isInteger(place) && place > 0 && place < this.force.length ? place : null;
     }
 
-    key(name) {
-      const found = this.end && this.end.key ? this.end.key.find((one) => one.name === name) : undefined;
-      return found ? found.value : undefined;
+    // A key figure by its name.
+    figure(name) {
+      const own = this.end && this.end.figures ? this.end.figures[name] : null;
+      return Number.isFinite(own) ? own : undefined;
     }
   };
 })(window.Workbench = window.Workbench || {});

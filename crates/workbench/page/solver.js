@@ -2,7 +2,7 @@
 // before newer values end it, so that a curve is whole now and then while a slider moves.
 (function (W) {
   "use strict";
-  const PATIENCE = 60; // milliseconds
+  const PATIENCE = 60, STUCK = 300; // milliseconds
   let running = null, waiting = null, timer = null;
   W.shown = null;   // the run that is drawn: it has rows
   W.last = null;    // the last run that came to its end
@@ -24,13 +24,18 @@
     W.tell("asked", run);
   }
 
+  // Ends what runs for what waits.
+  function over() {
+    if (!W.overtakes && running) { W.forget(running.id); running = null; W.restart(); }
+    start();
+  }
+
   function pump() {
     if (!waiting) return;
     if (!running) { start(); return; }
-    if (!W.overtakes || timer !== null) return;
-    const left = PATIENCE - (performance.now() - running.asked);
-    if (left <= 0) start();
-    else timer = setTimeout(() => { timer = null; if (waiting) start(); }, left);
+    if (timer !== null) return;
+    const left = (W.overtakes ? PATIENCE : STUCK) - (performance.now() - running.asked);
+    timer = setTimeout(() => { timer = null; if (waiting) over(); }, Math.max(0, left));
   }
 
   // Solves for the values there are now.
@@ -88,5 +93,5 @@
     W.moving = what.gesture;
     W.solve();
   });
-  W.on("settled", () => { W.moving = false; if (waiting) start(); });
+  W.on("settled", () => { W.moving = false; if (waiting && W.overtakes) start(); });
 })(window.Workbench = window.Workbench || {});

@@ -5,7 +5,6 @@
     W.ask("new", { kind }, (message) => {
       if (message.say === "deck") {
         W.kind = kind;
-        W.opened = message.text;
         const own = W.pending;
         W.pending = null;
         W.start_deck(message, own);
