@@ -119,7 +119,7 @@ class Browser:
         self.mouse("mouseReleased", *end)
 
     def key(self, name):
-        text = {"text": name} if len(name) == 1 else {}
+        text = {"text": {"Enter": "\r"}.get(name, name)} if len(name) == 1 or name == "Enter" else {}
         for kind in ("keyDown", "keyUp"):
             self.call("Input.dispatchKeyEvent", type=kind, key=name, windowsVirtualKeyCode=KEYS[name], **(text if kind == "keyDown" else {}))
 

@@ -8,9 +8,7 @@ do what it should and on any console error.
 """
 
 import csv
-import re
 import shutil
-import statistics
 import subprocess
 import sys
 import tempfile
@@ -18,70 +16,8 @@ import time
 from pathlib import Path
 
 from chromium import Browser
-
-HOST = "127.0.0.1"
-CURRENT = "document.getElementById('verdict').dataset.current === 'true' && !Workbench.busy()"
-# seconds from a slider to the first new point and to the whole curve, on an idle machine
-FIRST, WHOLE = 0.010, 0.060
-
-
-class Served:
-    """The program that serves a page."""
-
-    def __init__(self, program, *arguments, folder):
-        command = [program, "workbench", *map(str, arguments), "--no-browser"]
-        self.said = open(folder / "served.txt", "w+b")
-        self.process = subprocess.Popen(command, stdout=self.said, stderr=subprocess.STDOUT, cwd=folder)
-        deadline = time.time() + 30
-        self.address = None
-        while self.address is None and time.time() < deadline:
-            text = (folder / "served.txt").read_text()
-            found = re.search(r"http://127\.0\.0\.1:\d+/\S*", text)
-            self.address = found.group(0) if found else None
-            assert self.process.poll() is None, f"the program has ended: {text}"
-            time.sleep(0.02)
-        assert self.address, "no address is said"
-
-    def memory(self):
-        """Resident memory in bytes."""
-        status = Path(f"/proc/{self.process.pid}/status").read_text()
-        return 1024 * int(re.search(r"VmRSS:\s+(\d+)", status).group(1))
-
-    def close(self):
-        self.process.terminate()
-        self.process.wait(20)
-        self.said.close()
-
-
-def value(browser, name):
-    return browser.evaluate(f"Workbench.values[{name!r}]")
-
-
-def slider(name):
-    return f".parameter[data-name={name}] input[type=range]"
-
-
-def drag_slider(browser, name, to, parts=12):
-    """Takes a slider by its thumb to a part of its range."""
-    x, y, width, height = browser.place(slider(name))
-    low, high, now = browser.evaluate(f"(() => {{ const s = document.querySelector({slider(name)!r}); return [Number(s.min), Number(s.max), Number(s.value)]; }})()")
-    thumb = 16
-    at = lambda part: x + thumb / 2 + part * (width - thumb)
-    begin, end, middle = at((now - low) / (high - low)), at(to), y + height / 2
-    browser.mouse("mouseMoved", begin, middle)
-    browser.mouse("mousePressed", begin, middle, True)
-    for k in range(1, parts + 1):
-        browser.mouse("mouseMoved", begin + k / parts * (end - begin), middle, True)
-        time.sleep(0.02)
-    browser.mouse("mouseReleased", end, middle)
-
-
-def settled(browser):
-    browser.until(CURRENT, 30)
-
-
-def rows(browser):
-    return browser.evaluate("Workbench.last.raw")
+from served import HOST, Served, drag_slider, rows, settled, value
+from workbench_times import dragging_at_random, measuring
 
 
 def same_as_the_command(browser, program, folder, tolerance):
@@ -304,62 +240,6 @@ def looks(browser, pictures, name):
     time.sleep(0.2)
 
 
-MEASURE = """new Promise((done) => {
-  const slider = document.querySelector(SELECTOR), low = Number(slider.min), high = Number(slider.max), out = [];
-  let n = 0, began = 0, first = 0, drawn = 0, waiting = false;
-  const next = () => {
-    if (n === COUNT) { done(out); return; }
-    n++;
-    first = drawn = 0;
-    waiting = true;
-    slider.value = low + (0.3 + 0.4 * ((n * 0.618) % 1)) * (high - low);
-    began = performance.now();
-    slider.dispatchEvent(new Event('input', { bubbles: true }));
-  };
-  Workbench.on('points', (run) => { if (waiting && !first && run.asked >= began && run.rows > 0) first = performance.now(); });
-  Workbench.on('painted', () => { if (waiting && first && !drawn) drawn = performance.now(); });
-  Workbench.on('end', (run) => {
-    if (!waiting || run.asked < began) return;
-    waiting = false;
-    const whole = performance.now();
-    out.push([first - began, whole - began, drawn ? drawn - began : NaN, run.rows]);
-    setTimeout(next, 60);
-  });
-  next();
-})"""
-
-FRAMES = """new Promise((done) => {
-  const slider = document.querySelector(SELECTOR), low = Number(slider.min), high = Number(slider.max), began = performance.now(), drawn = Workbench.drawn;
-  let frames = 0, longest = 0, last = began;
-  const step = (now) => {
-    frames++;
-    longest = Math.max(longest, now - last);
-    last = now;
-    slider.value = low + (0.5 + 0.3 * Math.sin((now - began) / 400)) * (high - low);
-    slider.dispatchEvent(new Event('input', { bubbles: true }));
-    if (now - began < 3000) requestAnimationFrame(step);
-    else { slider.dispatchEvent(new Event('change')); done([1000 * frames / (now - began), 1000 * (Workbench.drawn - drawn) / (now - began), longest]); }
-  };
-  requestAnimationFrame(step);
-})"""
-
-
-def measuring(browser, idle):
-    settled(browser)
-    ready = lambda text: text.replace("SELECTOR", repr(slider("thickness"))).replace("COUNT", "31")
-    taken = browser.evaluate(ready(MEASURE), wait=True)
-    first, whole = [1e-3 * statistics.median(one[k] for one in taken) for k in (0, 1)]
-    drawn = 1e-3 * statistics.median(one[2] for one in taken if one[2] is not None)
-    frames, own, longest = browser.evaluate(ready(FRAMES), wait=True)
-    settled(browser)
-    print(f"workbench: {taken[-1][3]} increments; slider to first point {1e3 * first:.1f} ms, drawn {1e3 * drawn:.1f} ms, to the whole curve {1e3 * whole:.1f} ms; "
-          f"{frames:.0f} frames a second while dragging ({own:.0f} of them drawn anew, longest {longest:.0f} ms)")
-    # a busy machine takes longer; what is asked for is asked of an idle one
-    loose = 1 if idle else 12
-    assert first <= loose * FIRST and whole <= loose * WHOLE, "too slow"
-    assert not idle or frames >= 57, f"{frames} frames a second"
-
-
 def starting(browser, program, folder, pictures):
     """Without a deck there are kinds to start from."""
     served = Served(program, folder=folder)
@@ -387,82 +267,6 @@ def starting(browser, program, folder, pictures):
             print(f"workbench: {kind}: {browser.evaluate('Workbench.last.rows')} increments in {browser.evaluate('Workbench.last.took'):.0f} ms, {browser.evaluate('document.getElementById(`verdict-title`).textContent')}")
     finally:
         served.close()
-
-
-RANDOM = """(() => {
-  // random dragging without end; what must always hold is looked at after every drawing
-  let seed = 1;
-  const random = () => { seed = (1103515245 * seed + 12345) % 2147483648; return seed / 2147483648; };
-  window.soak = { wrong: [], drags: 0, ends: 0, stop: false };
-  Workbench.on('end', () => soak.ends++);
-  Workbench.on('painted', () => {
-    const current = document.getElementById('chart').dataset.current === 'true', run = Workbench.shown;
-    if (current && !(run && run.end && Workbench.same(run.values, Workbench.values))) soak.wrong.push('stale curve as current');
-    if (!current && document.getElementById('verdict').classList.contains('green')) soak.wrong.push('green without a curve');
-    if (run && run.end && run.status !== 'completed' && document.getElementById('verdict').classList.contains('green')) soak.wrong.push('green without convergence');
-  });
-  const sliders = () => Array.from(document.querySelectorAll('.parameter input[type=range]:not(:disabled)'));
-  const drag = () => {
-    if (soak.stop) return;
-    const all = sliders(), slider = all[Math.floor(random() * all.length)], low = Number(slider.min), high = Number(slider.max);
-    let value = Number(slider.value), steps = 5 + Math.floor(60 * random()), speed = (random() - 0.5) * 0.05 * (high - low);
-    soak.drags++;
-    const step = () => {
-      if (steps-- === 0 || soak.stop) { slider.dispatchEvent(new Event('change')); setTimeout(drag, random() < 0.3 ? 700 : 60 * random()); return; }
-      value = Math.max(low + 0.3 * (high - low), Math.min(low + 0.7 * (high - low), value + speed));
-      slider.value = value;
-      slider.dispatchEvent(new Event('input', { bubbles: true }));
-      requestAnimationFrame(step);
-    };
-    requestAnimationFrame(step);
-  };
-  drag();
-})()"""
-
-AGAIN = """new Promise((done) => {
-  const run = Workbench.last, rows = [];
-  Workbench.ask('solve', { values: Workbench.values }, (m) => {
-    if (m.say === 'points') rows.push(...m.rows);
-    if (m.say !== 'end') return m.say === 'overtaken' ? (done('overtaken'), true) : false;
-    done(JSON.stringify(rows) === JSON.stringify(run.raw) ? '' : 'the curve is not that of its values');
-    return true;
-  });
-})"""
-
-
-def dragging_at_random(browser, served, minutes):
-    """Memory, stale curves and the console over a long time."""
-    settled(browser)
-    browser.evaluate(RANDOM)
-
-    def weighed():
-        browser.call("HeapProfiler.collectGarbage")
-        return browser.evaluate("performance.memory.usedJSHeapSize"), served.memory()
-
-    end, begin, first, said = time.time() + 60 * minutes, time.time(), None, 0
-    while time.time() < end:
-        time.sleep(min(10, max(0.1, end - time.time())))
-        wrong = browser.evaluate("soak.wrong")
-        assert not wrong, wrong[:5]
-        assert not browser.faults(), browser.faults()
-        browser.events.clear()
-        page, program = weighed()
-        # the first tenth fills what is kept
-        if first is None and time.time() - begin > min(60, 6 * minutes):
-            first = (page, program)
-        if time.time() - said > 60:
-            said = time.time()
-            print(f"workbench: {(time.time() - begin) / 60:.1f} min, {browser.evaluate('soak.drags')} drags, {browser.evaluate('soak.ends')} curves, page {page / 1e6:.1f} MB, program {program / 1e6:.1f} MB", flush=True)
-    browser.evaluate("soak.stop = true")
-    time.sleep(1)
-    settled(browser)
-    last = weighed()
-    assert browser.evaluate(AGAIN, wait=True) == ""
-    ends = browser.evaluate("soak.ends")
-    assert ends > 5 * minutes, f"{ends} curves"
-    print(f"workbench: {minutes:g} minutes of dragging, {ends} curves: page {first[0] / 1e6:.1f} to {last[0] / 1e6:.1f} MB, program {first[1] / 1e6:.1f} to {last[1] / 1e6:.1f} MB")
-    for before, after in zip(first, last):
-        assert after < 1.1 * before + 4e6, f"memory grows from {before} to {after} bytes"
 
 
 def drive(browser, program, folder, pictures, name, tolerance, idle):

@@ -48,7 +48,7 @@
     const current = W.current(), strong = current ? 1 : 0.55;
     plot.inside(() => {
       if (W.band) plot.band(W.band.travel, W.band.low, W.band.high, ink.c5);
-      if (W.ghost && W.ghost !== run) plot.curve(W.ghost.travel, W.ghost.force, ink.ghost, { width: 1.6 });
+      if (ghostly(run)) plot.curve(W.ghost.travel, W.ghost.force, ink.ghost, { width: 1.6 });
       for (const pin of W.pins) if (pin.run) plot.curve(pin.run.travel, pin.run.force, ink[pin.colour], { width: 1.5, alpha: 0.9 });
       const rest = remainder(run, W.last);
       if (rest) plot.curve(W.last.travel, W.last.force, ink.ghost, { width: 1.2, from: rest[0], to: rest[1] });
@@ -74,11 +74,14 @@
     return ["travel" + unit("travel"), (turning ? "moment" : "force") + unit("force")];
   };
 
+  // A ghost is seen beside another curve only.
+  const ghostly = (run) => W.ghost && W.ghost.force !== run.force && (W.ghost.force.length !== run.force.length || W.ghost.force.some((own, i) => own !== run.force[i]));
+
   // What the lines are.
   function keys(run) {
     const f = W.formula(), own = [["c0", "way in", ""]];
     if (run.travel.some((value, i) => i > 0 && value < run.travel[i - 1])) own.push(["c1", "way out", ""]);
-    if (W.ghost && W.ghost !== run) own.push(["ghost", "before", ""]);
+    if (ghostly(run)) own.push(["ghost", "before", ""]);
     if (f && f.curve) own.push(["c2", "design guide", "dash"]);
     if (W.band) own.push(["c5", "tolerances, " + W.band.share, "band"]);
     W.pins.forEach((pin) => { if (pin.run) own.push([pin.colour, pin.name, ""]); });

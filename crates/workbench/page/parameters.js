@@ -57,7 +57,7 @@
       field.setCustomValidity(Number.isFinite(typed) ? "" : "a number");
       if (Number.isFinite(typed)) { own.typed = true; W.set(name, typed, true); own.typed = false; }
     });
-    field.addEventListener("change", () => { W.set(name, W.values[name], false); fill(own); });
+    field.addEventListener("change", () => { W.tell("settled"); fill(own); });
     part.addEventListener("change", () => {
       const typed = Number(part.value);
       const tolerances = Object.assign({}, W.tolerances);
@@ -81,7 +81,7 @@
     const steps = (value - low) / W.step(own.parameter);
     own.slider.step = Math.abs(steps - Math.round(steps)) < 1e-9 ? String(W.step(own.parameter)) : "any";
     own.slider.value = value;
-    if (!own.typed) { own.field.value = String(value); own.field.setCustomValidity(""); }
+    if (!own.typed) { own.field.value = String(Number(value.toPrecision(7))); own.field.setCustomValidity(""); }
     const part = W.tolerances[name];
     if (document.activeElement !== own.part) own.part.value = part ? String(Number((100 * part).toPrecision(6))) : "";
     const locked = Boolean(W.locked[name]);

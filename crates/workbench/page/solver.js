@@ -78,6 +78,7 @@
 
   // A new deck ends what ran for the old one.
   W.on("deck", () => {
+    haunt();
     waiting = null;
     clearTimeout(timer);
     timer = null;
@@ -87,9 +88,12 @@
   W.on("lost", (why) => { W.lost = why; running = null; waiting = null; });
 
   // The ghost is the last whole curve before a hand began to move.
+  function haunt() {
+    if (W.last && W.last.whole) W.ghost = { travel: W.last.travel, force: W.last.force };
+  }
   W.moving = false;
   W.on("values", (what) => {
-    if (!W.moving && W.last && W.last.whole && W.current()) W.ghost = W.last;
+    if (!W.moving) haunt();
     W.moving = what.gesture;
     W.solve();
   });
