@@ -83,7 +83,7 @@
       event.preventDefault();
       own.focus();
       own.setPointerCapture(event.pointerId);
-      const force = W.shown.force[W.last.peak(which)];
+      const force = W.last.force[W.last.peak(which)];
       grip = W.chart.plot.py(force) - (event.clientY - canvas.getBoundingClientRect().top);
       held = { which, wanted: force };
     });
@@ -117,7 +117,7 @@
   // Puts the handles where the peaks are.
   function place_one(which) {
     const own = handles[which], name = response(which), run = W.last;
-    const state = run && W.shown === run ? run.peak(which) : null;
+    const state = run ? run.peak(which) : null;
     const seen = state !== null && name !== null && !W.lost && W.deck.sound;
     if (!seen) { if (!(held && held.which === which)) own.hidden = true; return; }
     const force = held && held.which === which ? held.wanted : run.force[state], plot = W.chart.plot;

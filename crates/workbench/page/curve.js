@@ -35,7 +35,8 @@
     return out;
   }
 
-  W.formula = () => W.current() && W.shown.end.formula ? W.shown.end.formula : null;
+  // The design guide's curve: that of the last end, pale until it is that of the sliders.
+  W.formula = () => W.last && W.last.deck === W.deck ? W.last.end.formula || null : null;
 
   function paint() {
     const run = W.shown;
@@ -54,7 +55,7 @@
       if (rest) plot.curve(W.last.travel, W.last.force, ink.ghost, { width: 1.2, from: rest[0], to: rest[1] });
       for (const [from, to, way] of pieces(run)) plot.curve(run.travel, run.force, way > 0 ? ink.c0 : ink.c1, { width: 2.2, alpha: strong, from, to });
       const f = W.formula();
-      if (f && f.curve) plot.curve(f.curve.map((p) => p[0]), f.curve.map((p) => p[1]), ink.c2, { width: 1.8, dash: [7, 4] });
+      if (f && f.curve) plot.curve(f.curve.map((p) => p[0]), f.curve.map((p) => p[1]), ink.c2, { width: 1.8, dash: [7, 4], alpha: strong });
       if (hover >= 0 && hover <= run.rows) plot.dot(run.travel[hover], run.force[hover], ink.paper, ink.soft, 4);
       if (place >= 0 && place <= run.rows) {
         plot.pen.strokeStyle = ink.soft;

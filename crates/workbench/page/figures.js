@@ -20,8 +20,12 @@
     box.dataset.current = String(current);
     W.by("chart").dataset.current = String(current);
     let title = "Solving \u2026", lines = null;
+    const solving = W.solving();
+    W.by("stop").hidden = !(solving > 0.7);
+    if (solving > 0.7 && W.shown && !W.shown.end) title = "Solving \u2026 increment " + Math.max(0, W.shown.rows);
     if (W.lost) { title = "No connection"; lines = [W.lost]; }
     else if (W.deck && !W.deck.sound) { title = "The deck has errors"; lines = ["The curve is that of the last sound deck."]; }
+    else if (W.stopped) { title = "Stopped"; lines = ["The curve is not whole. Move a slider to solve again."]; }
     else if (W.refusal) { title = "Not solved"; lines = [W.refusal]; }
     else if (current) {
       const own = end.verdict || {}, reasons = (own.reasons || []).map((one) => typeof one === "string" ? one : [one.text, one.colour]);
@@ -91,9 +95,9 @@
   const LABELS = { push_in: "force in", pull_out: "force out", ratio: "ratio out / in", work_in: "work in", work_out: "work out", strain: "strain", utilisation: "utilisation", margin: "strain margin", noise: "noise" };
   W.label = (name) => LABELS[name] || name.replace(/_/g, " ");
 
-  function formula(run) {
-    const own = W.current() && run.end.formula, box = W.by("formula");
-    if (W.shown && !W.shown.end) return;
+  function formula() {
+    const own = W.formula(), box = W.by("formula");
+    box.classList.toggle("waiting", !W.current());
     box.hidden = !(own && own.reason);
     if (box.hidden) return;
     box.textContent = (own.name || "Design guide") + (Number.isFinite(own.value) ? " gives " + W.figure(own.value) : "") + ". " + own.reason;
@@ -104,9 +108,12 @@
     const run = W.last;
     verdict(run);
     figures(run);
-    formula(run);
+    formula();
   };
   W.on("asked", () => { W.refusal = null; });
+  // a solve that takes long says how far it is
+  W.on("points", () => { if (W.solving() > 0.7) verdict(W.last); });
+  W.on("stopped", W.say);
   W.on("refused", (why) => { W.refusal = why; W.say(); });
   for (const name of ["values", "end", "deck", "lost"]) W.on(name, W.say);
 })(window.Workbench = window.Workbench || {});

@@ -52,6 +52,7 @@
     W.by("undo").addEventListener("click", W.undo);
     W.by("redo").addEventListener("click", W.redo);
     W.by("pin").addEventListener("click", W.pin);
+    W.by("stop").addEventListener("click", W.stop);
   }
 
   // The first deck of the page, with what its address asks for.

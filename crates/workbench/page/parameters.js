@@ -58,6 +58,12 @@
       if (Number.isFinite(typed)) { own.typed = true; W.set(name, typed, true); own.typed = false; }
     });
     field.addEventListener("change", () => { W.tell("settled"); fill(own); });
+    field.addEventListener("keydown", (event) => {
+      const way = { ArrowUp: 1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[event.key];
+      if (!way) return;
+      event.preventDefault();
+      W.set(name, W.values[name] + way * step, false);
+    });
     part.addEventListener("change", () => {
       const typed = Number(part.value);
       const tolerances = Object.assign({}, W.tolerances);

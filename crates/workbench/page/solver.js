@@ -8,6 +8,18 @@
   W.last = null;    // the last run that came to its end
   W.ghost = null;   // what was there before the hand began to move
 
+  // Seconds since what runs was asked for.
+  W.solving = () => running ? (performance.now() - running.asked) / 1000 : 0;
+  W.stopped = false;
+  // Ends what runs, and leaves its curve as it is.
+  W.stop = () => {
+    waiting = null;
+    if (!running) return;
+    W.stopped = true;
+    if (W.overtakes) W.ask("stop", {}, null);
+    else { W.forget(running.id); running = null; W.restart(); W.tell("stopped"); }
+  };
+
   W.busy = () => Boolean(running || waiting);
   // Whether what is drawn is what the sliders say, to its end.
   W.current = () => Boolean(W.shown && W.shown.end && W.deck && W.deck.sound && !W.lost && W.shown.deck === W.deck && W.same(W.shown.values, W.values));
@@ -18,6 +30,7 @@
     if (running) W.forget(running.id);
     const values = waiting;
     waiting = null;
+    W.stopped = false;
     const run = new W.Run(values);
     running = run;
     run.id = W.ask("solve", { values }, (message) => hear(run, message));
@@ -65,6 +78,7 @@
       W.tell("end", run);
     } else if (message.say === "overtaken") {
       run.status = "overtaken";
+      if (W.stopped && !waiting) { W.tell("stopped"); return true; }
       // ended by another question than a newer solve: these values are still wanted
       if (!waiting && W.same(run.values, W.values) && W.deck === run.deck) waiting = run.values;
     } else {

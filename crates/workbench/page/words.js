@@ -1,12 +1,12 @@
 // Completion of keywords with Ctrl-Space, and the pages of keywords and codes with F1 or a resting pointer.
 (function (W) {
   "use strict";
-  let chosen = 0, words = [], from = null, rest = null;
+  let chosen = 0, words = [], rest = null;
 
   function close() {
     W.by("completions").hidden = true;
     words = [];
-    if (W.text.area) { W.text.area.removeAttribute("aria-activedescendant"); W.text.area.setAttribute("aria-expanded", "false"); }
+    if (W.text.area) { W.text.area.removeAttribute("aria-activedescendant"); }
   }
 
   function choose(k) {
@@ -49,8 +49,6 @@
       list.style.left = Math.max(0, Math.min(x, room - 260)) + "px";
       list.style.top = (y + W.text.line_height() + 2) + "px";
       list.hidden = false;
-      area.setAttribute("aria-expanded", "true");
-      from = area.selectionStart;
       choose(0);
       return true;
     });
