@@ -16,7 +16,9 @@
       const box = W.by("band-said");
       box.textContent = "";
       if (message.say === "band") {
-        W.band = { travel: message.travel, low: message.low, high: message.high, share: message.share || "5 to 95 %" };
+        const s = W.last.sense(message.travel), turned = (list) => list.map((value) => s * value);
+        const [low, high] = s > 0 ? [message.low, message.high] : [turned(message.high), turned(message.low)];
+        W.band = { travel: turned(message.travel), low, high, share: message.share || "5 to 95 %" };
         W.draw();
       } else if (message.say === "refused") box.textContent = message.why;
       else if (message.say === "overtaken") setTimeout(look, 50);

@@ -30,13 +30,13 @@
     if (W.last && !run.end) out.push([W.last.travel, W.last.force]);
     if (W.ghost) out.push([W.ghost.travel, W.ghost.force]);
     for (const pin of W.pins) if (pin.run) out.push([pin.run.travel, pin.run.force]);
-    if (f && f.curve) out.push([f.curve.map((p) => p[0]), f.curve.map((p) => p[1])]);
+    if (f && f.travel) out.push([f.travel, f.force]);
     if (W.band) out.push([W.band.travel, W.band.low], [W.band.travel, W.band.high]);
     return out;
   }
 
   // The design guide's curve: that of the last end, pale until it is that of the sliders.
-  W.formula = () => W.last && W.last.deck === W.deck ? W.last.end.formula || null : null;
+  W.formula = () => W.last && W.last.deck === W.deck ? W.last.formula : null;
 
   function paint() {
     const run = W.shown;
@@ -55,7 +55,7 @@
       if (rest) plot.curve(W.last.travel, W.last.force, ink.ghost, { width: 1.2, from: rest[0], to: rest[1] });
       for (const [from, to, way] of pieces(run)) plot.curve(run.travel, run.force, way > 0 ? ink.c0 : ink.c1, { width: 2.2, alpha: strong, from, to });
       const f = W.formula();
-      if (f && f.curve) plot.curve(f.curve.map((p) => p[0]), f.curve.map((p) => p[1]), ink.c2, { width: 1.8, dash: [7, 4], alpha: strong });
+      if (f && f.travel) plot.curve(f.travel, f.force, ink.c2, { width: 1.8, dash: [7, 4], alpha: strong });
       if (hover >= 0 && hover <= run.rows) plot.dot(run.travel[hover], run.force[hover], ink.paper, ink.soft, 4);
       if (place >= 0 && place <= run.rows) {
         plot.pen.strokeStyle = ink.soft;
@@ -83,7 +83,7 @@
     const f = W.formula(), own = [["c0", "way in", ""]];
     if (run.travel.some((value, i) => i > 0 && value < run.travel[i - 1])) own.push(["c1", "way out", ""]);
     if (ghostly(run)) own.push(["ghost", "before", ""]);
-    if (f && f.curve) own.push(["c2", "design guide", "dash"]);
+    if (f && f.travel) own.push(["c2", "design guide", "dash"]);
     if (W.band) own.push(["c5", "tolerances, " + W.band.share, "band"]);
     W.pins.forEach((pin) => { if (pin.run) own.push([pin.colour, pin.name, ""]); });
     const text = JSON.stringify(own);

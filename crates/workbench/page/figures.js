@@ -28,7 +28,7 @@
     else if (W.stopped) { title = "Stopped"; lines = ["The curve is not whole. Move a slider to solve again."]; }
     else if (W.refusal) { title = "Not solved"; lines = [W.refusal]; }
     else if (current) {
-      const own = end.verdict || {}, reasons = (own.reasons || []).map((one) => typeof one === "string" ? one : [one.text, one.colour]);
+      const own = end.verdict || {}, reasons = (own.reasons || []).map((one) => typeof one === "string" ? [one, colour(end)] : [one.text, one.colour]);
       title = own.headline || TITLES[colour(end)];
       if (end.status !== "completed" && !/red/i.test(title)) title = TITLES.red;
       lines = reasons.concat((own.lines || []).map((line) => [line, ""]));
@@ -40,9 +40,13 @@
     // the words of the last verdict stay, grey, while a new one is made: nothing jumps
     if (lines && key !== said) {
       said = key;
-      const list = W.by("verdict-lines");
+      // what there is to object to, and how it went; the rest on demand
+      const list = W.by("verdict-lines"), more = W.by("verdict-rest");
       list.textContent = "";
-      lines.forEach(([line, own]) => make(list, "li", own ? { class: own } : {}, line));
+      more.textContent = "";
+      const most = lines.filter(([, own]) => own).length + 1;
+      lines.forEach(([line, own], k) => make(k < most ? list : more, "li", own ? { class: own } : {}, line));
+      W.by("verdict-more").hidden = lines.length <= most;
     }
   }
 
@@ -63,7 +67,8 @@
         make(tile, "dt", {}, one.name);
         const value = make(tile, "dd"), number = make(value, "b");
         if (one.response) {
-          const button = make(value, "button", { type: "button", class: "small", title: "Solve for " + W.label(one.response), "aria-label": "solve for " + W.label(one.response) }, "set");
+          const button = make(value, "button", { type: "button", class: "small", title: "Solve for " + W.label(one.response), "aria-label": "solve for " + W.label(one.response) });
+          W.icon(button, W.AIM);
           button.addEventListener("click", () => W.aim.choose(one.response));
         }
         rows.set(one.name, { number, about: make(tile, "small"), tile });

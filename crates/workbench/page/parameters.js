@@ -8,9 +8,11 @@
     draw(svg, "path", { d: path });
     return svg;
   };
-  W.icon = icon;
   const LOCK = "M4 7h8v6H4zM5.5 7V5a2.5 2.5 0 0 1 5 0v2";
   const AIM = "M8 2v3M8 11v3M2 8h3M11 8h3M8 5.5a2.5 2.5 0 1 0 0 5a2.5 2.5 0 0 0 0-5z";
+
+  W.icon = icon;
+  W.AIM = AIM;
 
   // A range of the slider that holds the value.
   function span(own) {

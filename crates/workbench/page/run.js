@@ -41,6 +41,7 @@
       this.curve = likely.curve;
       this.inward = 0;
       this.end = null;
+      this.formula = null;
       this.data = null;
     }
 
@@ -147,6 +148,12 @@
       this.end = end;
       this.status = end.status || "unknown";
       if (end.places) { this.turn(end.places); likely = end.places; }
+      this.formula = end.formula || null;
+      if (this.formula && this.formula.curve) {
+        const curve = this.formula.curve, s = this.sense(curve.map((point) => point[0]));
+        this.formula.travel = curve.map((point) => s * point[0]);
+        this.formula.force = curve.map((point) => s * point[1]);
+      }
       this.took = performance.now() - this.asked;
     }
 
@@ -165,6 +172,12 @@
     peak(which) {
       const place = this.end && this.end.places ? this.end.places[which] : null;
       return Number.isInteger(place) && place > 0 && place < this.force.length ? place : null;
+    }
+
+    // 1 where travels count the way in as positive, as the chart does; -1 where they have the signs of the deck.
+    sense(travels) {
+      const sum = (list) => list.reduce((a, b) => a + b, 0);
+      return sum(travels) * sum(this.travel) < 0 ? -1 : 1;
     }
 
     // A key figure by its name.

@@ -13,6 +13,9 @@
     });
   };
 
+  // A picture that stands in no page needs the name of its language.
+  const alone = (svg) => svg.includes("xmlns=") ? svg : svg.replace("<svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"");
+
   W.start = (message) => {
     const list = W.by("kinds");
     list.textContent = "";
@@ -20,7 +23,7 @@
     W.by("start").hidden = false;
     for (const one of message.kinds) {
       const card = make(list, "button", { type: "button", class: "kind", "data-kind": one.kind });
-      if (one.picture) make(card, "img", { alt: "", src: "data:image/svg+xml," + encodeURIComponent(one.picture) });
+      if (one.picture) make(card, "img", { alt: "", src: "data:image/svg+xml," + encodeURIComponent(alone(one.picture)) });
       make(card, "b", {}, one.title);
       make(card, "span", {}, one.text);
       card.addEventListener("click", () => W.choose(one.kind));
