@@ -26,7 +26,7 @@ mod verdict;
 pub(crate) use live::Live;
 pub use live::Told;
 pub use options::Options;
-pub use page::{STYLE, filled};
+pub use page::{DRAWING, STYLE, filled};
 pub use slideline_figures::escaped;
 
 pub use crate::reading::problem::Problem;
@@ -85,15 +85,6 @@ pub fn write(job: &JobFiles, options: &Options<'_>) -> Result<Report, Problem> {
 pub fn deck_hash(job: &JobFiles) -> Option<String> {
     summary::read(job, true).ok()?.text("deck_hash").map(str::to_owned)
 }
-
-/// Scripts that read the numbers of a page and draw its shapes, in the order in which they need
-/// one another: name and text.
-pub const DRAWING: [(&str, &str); 4] = [
-    ("data.js", include_str!("assets/data.js")),
-    ("chart.js", include_str!("assets/chart.js")),
-    ("skin.js", include_str!("assets/skin.js")),
-    ("shape.js", include_str!("assets/shape.js")),
-];
 
 /// What a report says whose deck was edited after the run.
 pub const CHANGED: &str = "The deck was changed after this run: these results belong to its \
