@@ -30,6 +30,8 @@ pub(crate) enum Command {
     Dakota(crate::dakota::DakotaArguments),
     /// Write a commented deck with parameters, to begin with.
     New(crate::new::NewArguments),
+    /// Open a deck in the browser: sliders, and a curve that follows them.
+    Workbench(crate::workbench::WorkbenchArguments),
     /// Turn a mesh of gmsh into a deck.
     Import(crate::import::ImportArguments),
     /// Repeat the 1995 study: models, theory, figures, error table, one page.

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!   slideline run | check | sweep | dakota | report | plot | reproduce | theory | explain | docs |
-//!   completions | new | import | ccx
+//!   completions | new | workbench | import | ccx
 //!        |
 //!   standard output: progress or JSON      standard error: what is to be said
 //! ```
@@ -30,6 +30,7 @@ mod several;
 mod sweep;
 mod theory;
 mod threads;
+mod workbench;
 
 use arguments::{Arguments, Command};
 use clap::{CommandFactory as _, Parser as _};
@@ -74,6 +75,7 @@ fn command() -> Exit {
         Command::Explain { name } => explain::explain(&name.join(" ")),
         Command::Import(arguments) => import::import(&arguments),
         Command::New(arguments) => new::new(&arguments),
+        Command::Workbench(arguments) => workbench::workbench(&arguments),
         Command::Ccx { arguments } => ccx::ccx(&arguments),
         Command::Docs(arguments) => docs::docs(&arguments),
         Command::Completions { shell } => {

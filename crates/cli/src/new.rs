@@ -3,6 +3,7 @@
 use crate::exit::Exit;
 use crate::{fresh_file, screen};
 use clap::{Args, ValueEnum, ValueHint};
+use slideline_workbench::kind;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
@@ -33,13 +34,7 @@ enum Kind {
 
 impl Kind {
     fn deck(self) -> &'static str {
-        match self {
-            Self::SnapFit => include_str!("../../../corpus/new/snap_fit.inp"),
-            Self::Annular => include_str!("../../../corpus/new/annular.inp"),
-            Self::Cam => include_str!("../../../corpus/new/cam.inp"),
-            Self::LeafSwitch => include_str!("../../../corpus/new/leaf_switch.inp"),
-            Self::BatterySpring => include_str!("../../../corpus/new/battery_spring.inp"),
-        }
+        kind(&self.name()).map_or("", |own| own.deck)
     }
 
     fn name(self) -> String {

@@ -1,12 +1,13 @@
 //! `slideline report`: JOB.html from the result files.
 
 use crate::exit::Exit;
-use crate::{docs, render, screen};
+use crate::{render, screen};
 use clap::{Args, ValueHint};
 use slideline::diag::{Code, Diagnostic, Sources};
 use slideline::output::report::{CHANGED, Options, Problem, deck_hash as ran_deck_hash, write};
 use slideline::output::{JobFiles, without_ending};
 use slideline::{Job, Outcome, ReadOptions, Status};
+use slideline_workbench::markdown::fragment;
 use std::path::{Path, PathBuf};
 
 /// `slideline report`.
@@ -50,7 +51,7 @@ pub(crate) fn report(arguments: &ReportArguments) -> Exit {
 
 /// The page of a code as a part of the report.
 fn page_of(code: &str) -> Option<String> {
-    slideline::code_page(code).map(docs::fragment)
+    slideline::code_page(code).map(fragment)
 }
 
 /// The job that a user means by a deck or by a result file, and its files.

@@ -1,7 +1,7 @@
 //! What a run came to, in a few numbers of its `JOB.json`.
 
 use crate::job::JobFiles;
-use crate::json::Members as _;
+use crate::json::{Members as _, Value};
 use crate::reading::summary::{driven, raw};
 
 /// Names of the numbers: forces and work of the driven motion that does most work, the largest strain
@@ -25,7 +25,11 @@ pub struct KeyFigures {
 
 /// Those of a job; none where it has no summary.
 pub fn key_figures(job: &JobFiles) -> Option<KeyFigures> {
-    let summary = raw(job).ok()?;
+    Some(figures_of(&raw(job).ok()?))
+}
+
+/// Those that a summary, the object of `JOB.json`, says.
+pub fn figures_of(summary: &Value) -> KeyFigures {
     let forces = summary.list("forces").first();
     let taken = |key| forces?.get(key)?.number("force");
     let number = |key| forces?.number(key);
@@ -42,10 +46,10 @@ pub fn key_figures(job: &JobFiles) -> Option<KeyFigures> {
     let name = |key| forces?.text(key).map(str::to_owned);
     let of_forces = || Some((forces?.count("node")? as u64, name("motion")?, name("reaction")?));
     let first = || {
-        let own = driven(&summary).into_iter().next()?;
+        let own = driven(summary).into_iter().next()?;
         Some((*own.nodes.first()?, own.motion, own.reaction))
     };
-    Some(KeyFigures {
+    KeyFigures {
         status: summary.text("status").unwrap_or_default().to_owned(),
         verdict: summary
             .get("verdict")
@@ -54,5 +58,5 @@ pub fn key_figures(job: &JobFiles) -> Option<KeyFigures> {
             .into(),
         values,
         driven: of_forces().or_else(first),
-    })
+    }
 }

@@ -23,6 +23,7 @@ macro_rules! line {
 
 mod bars;
 mod ccx;
+mod clock;
 mod contact;
 mod dat;
 mod date;
@@ -72,9 +73,10 @@ pub use facts::{Facts, Formats, Status};
 pub use file::{WriteError, replace as write_file};
 pub use history::columns as history_columns;
 pub use job::{JobFiles, without_ending};
-pub use key_figures::{KEY_FIGURES, KeyFigures, key_figures};
+pub use key_figures::{KEY_FIGURES, KeyFigures, figures_of, key_figures};
 pub use ledger::{dropped_friction, onset_word};
 pub use lock::{is_running, remove_stale_lock};
+pub use outline::profile;
 pub use pair::{PairQuantity, pair_quantity};
 pub use past::Past;
 pub use picture::{picture, picture_page};

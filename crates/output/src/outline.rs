@@ -285,6 +285,11 @@ fn outlines(model: &Model) -> Vec<Outline> {
     masters.map(outline).collect()
 }
 
+/// Undeformed points of a rigid surface, its arcs in chords [L].
+pub fn profile(surface: &RigidSurface) -> Vec<ProfilePoint> {
+    outline(surface).points
+}
+
 /// Undeformed points of every rigid surface [L].
 pub(crate) fn chains(model: &Model) -> impl Iterator<Item = Vec<ProfilePoint>> {
     outlines(model).into_iter().map(|outline| outline.points)

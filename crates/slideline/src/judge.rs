@@ -5,6 +5,7 @@ use slideline_advice::Noise;
 use slideline_diag::{Diagnostic, Sources};
 use slideline_measures::Colour;
 use slideline_model::Model;
+use slideline_output::report::Told;
 use slideline_output::{Facts, Formats, Records, dropped_friction};
 use slideline_solve::observe::{Ending, Event, Observer, Stop};
 use std::ops::ControlFlow;
@@ -16,26 +17,58 @@ pub struct Judge<'a> {
     model: &'a Model,
     dropped_work: f64,
     colour: Option<Colour>,
+    told: Option<Told>,
+}
+
+fn facts<'a>(
+    model: &Model,
+    (said, sources): (&'a [Diagnostic], &'a Sources),
+    deck_hash: &'a str,
+) -> Facts<'a> {
+    Facts {
+        version: VERSION,
+        deck_hash,
+        sources,
+        diagnostics: said,
+        dialect: Some(model.dialect),
+        friction_onset: Some(model.friction_onset),
+        formats: Formats::default(),
+        own_texts: 0,
+        parameters: &[],
+        earlier: None,
+    }
 }
 
 impl<'a> Judge<'a> {
     /// One for a run of a model. `said`: what was said about the model before, such as by reading
     /// and by [`objections`]; it counts as warnings and advice do.
     pub fn new(model: &'a Model, (said, sources): (&'a [Diagnostic], &'a Sources)) -> Self {
-        let facts = Facts {
-            version: VERSION,
-            deck_hash: "",
-            sources,
-            diagnostics: said,
-            dialect: Some(model.dialect),
-            friction_onset: Some(model.friction_onset),
-            formats: Formats::default(),
-            own_texts: 0,
-            parameters: &[],
-            earlier: None,
-        };
-        let records = Records::new(facts);
-        Self { records, noise: Noise::of(model), model, dropped_work: 0.0, colour: None }
+        Self::with(model, Records::new(facts(model, (said, sources), "")))
+    }
+
+    /// The same for a job of that name, whose report is shown while it runs. `deck_hash`: that of
+    /// its text. `shapes`: whether states are drawn.
+    pub fn showing(
+        model: &'a Model,
+        said: (&'a [Diagnostic], &'a Sources),
+        (job, deck_hash, shapes): (&str, &'a str, bool),
+    ) -> Self {
+        Self::with(model, Records::shown(job, facts(model, said, deck_hash), shapes))
+    }
+
+    fn with(model: &'a Model, records: Records<'a>) -> Self {
+        let (told, noise) = (None, Noise::of(model));
+        Self { records, noise, model, dropped_work: 0.0, colour: None, told }
+    }
+
+    /// What is known so far.
+    pub fn records(&self) -> &Records<'a> {
+        &self.records
+    }
+
+    /// What the report says at the end of a run that is shown.
+    pub fn told(&self) -> Option<&Told> {
+        self.told.as_ref()
     }
 
     /// The verdict; none before the end of the run.
@@ -63,6 +96,7 @@ impl<'a> Judge<'a> {
             self.records.watch(&Event::Diagnosed(&said));
         }
         self.colour = Some(self.records.judged(ending));
+        self.told = self.records.told(ending);
     }
 }
 

@@ -13,7 +13,6 @@ use crate::exit::Exit;
 use crate::screen;
 use clap::{Args, ValueHint};
 use page::Page;
-pub(crate) use page::fragment;
 use slideline::keywords::keywords;
 use slideline::output::{WriteError, write_file};
 use std::fmt::Write as _;

@@ -8,6 +8,20 @@ use super::problem::{Problem, bytes, unreadable};
 use base64::{Engine as _, engine::general_purpose::STANDARD};
 use std::path::{Path, PathBuf};
 
+/// The arrays of a state, wherever they are.
+pub(crate) trait State {
+    /// Where it stands.
+    fn path(&self) -> &Path;
+    /// Doubles of an array.
+    fn doubles(&self, name: &str) -> Result<Vec<f64>, Problem>;
+    /// Whole numbers of an array.
+    fn long(&self, name: &str) -> Result<Vec<i64>, Problem>;
+    /// Short whole numbers of an array.
+    fn short(&self, name: &str) -> Result<Vec<i32>, Problem>;
+    /// Whole numbers of one byte of an array.
+    fn tiny(&self, name: &str) -> Result<Vec<u8>, Problem>;
+}
+
 /// A state file.
 pub(crate) struct StateFile {
     path: PathBuf,
@@ -32,26 +46,6 @@ impl StateFile {
         Ok(file)
     }
 
-    /// Doubles of an array.
-    pub fn doubles(&self, name: &str) -> Result<Vec<f64>, Problem> {
-        self.array(name, "Float64", f64::from_le_bytes)
-    }
-
-    /// Whole numbers of an array.
-    pub fn long(&self, name: &str) -> Result<Vec<i64>, Problem> {
-        self.array(name, "Int64", i64::from_le_bytes)
-    }
-
-    /// Short whole numbers of an array.
-    pub fn short(&self, name: &str) -> Result<Vec<i32>, Problem> {
-        self.array(name, "Int32", i32::from_le_bytes)
-    }
-
-    /// Whole numbers of one byte of an array.
-    pub fn tiny(&self, name: &str) -> Result<Vec<u8>, Problem> {
-        self.array(name, "UInt8", u8::from_le_bytes)
-    }
-
     fn array<T, const N: usize>(
         &self,
         name: &str,
@@ -71,6 +65,28 @@ impl StateFile {
             return Err(fault("has another length than it says"));
         }
         Ok(data.as_chunks().0.iter().map(|chunk| value(*chunk)).collect())
+    }
+}
+
+impl State for StateFile {
+    fn path(&self) -> &Path {
+        &self.path
+    }
+
+    fn doubles(&self, name: &str) -> Result<Vec<f64>, Problem> {
+        self.array(name, "Float64", f64::from_le_bytes)
+    }
+
+    fn long(&self, name: &str) -> Result<Vec<i64>, Problem> {
+        self.array(name, "Int64", i64::from_le_bytes)
+    }
+
+    fn short(&self, name: &str) -> Result<Vec<i32>, Problem> {
+        self.array(name, "Int32", i32::from_le_bytes)
+    }
+
+    fn tiny(&self, name: &str) -> Result<Vec<u8>, Problem> {
+        self.array(name, "UInt8", u8::from_le_bytes)
     }
 }
 

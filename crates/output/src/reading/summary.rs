@@ -44,6 +44,17 @@ pub(crate) fn driven(summary: &Value) -> Vec<Driven> {
     driven.collect()
 }
 
+/// What the summary says is loaded: the first node, what all of them are called, the column of its
+/// motion.
+pub(crate) fn loaded(summary: &Value) -> Vec<(u64, String, String)> {
+    let loads = summary.list("loaded").iter().filter_map(|load| {
+        let node = load.count("node")? as u64;
+        let name = load.text("name").map_or_else(|| node.to_string(), str::to_owned);
+        Some((node, name, load.text("motion")?.to_owned()))
+    });
+    loads.collect()
+}
+
 /// Reads `JOB.json` as it is.
 pub(crate) fn raw(job: &JobFiles) -> Result<Value, Problem> {
     let path = job.path(".json");

@@ -2,6 +2,8 @@
 
 use crate::reading::problem::{Problem, unreadable};
 use crate::reading::table::Table;
+use slideline_results::contact_component;
+use slideline_solve::observe::{ContactRow, Frame};
 use std::collections::HashMap;
 use std::path::Path;
 
@@ -48,6 +50,8 @@ pub(crate) struct Point {
     pub area: f64,
 }
 
+const STATUS: [(&str, char); 3] = [("open", 'o'), ("stick", 't'), ("slip", 's')];
+const FRICTION: [(&str, char); 3] = [("called", 'c'), ("dropped", 'd'), ("none", 'n')];
 const NUMBERS: [&str; 4] = ["COPEN", "CPRESS", "CSHEAR1", "CSLIP1"];
 
 /// Where the columns stand.
@@ -70,12 +74,17 @@ impl Columns {
 }
 
 /// What stands before the numbers of a row.
-struct Row {
+struct Row<'a> {
     at: [usize; 2],
+    pair: &'a str,
     node: u64,
     status: char,
     friction: char,
 }
+
+/// Where the points of a node are in the list.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Places(HashMap<u64, Vec<usize>>);
 
 /// Reads all points. `numbers` are the steps and increments there are; rows of
 /// others are those of a job that was killed while it wrote.
@@ -84,7 +93,7 @@ pub(crate) fn read(path: &Path, numbers: &[[usize; 2]]) -> Result<Contacts, Prob
     let mut table = Table::open(path, &start)?;
     let columns = Columns::of(&table);
     let mut contacts = Contacts { stride: 1, count: numbers.len(), ..Contacts::default() };
-    let mut places: HashMap<u64, Vec<usize>> = HashMap::new();
+    let mut places = Places::default();
     let mut now = 0;
     while table.row()?.is_some() {
         let row = row(path, &table, &columns)?;
@@ -94,32 +103,20 @@ pub(crate) fn read(path: &Path, numbers: &[[usize; 2]]) -> Result<Contacts, Prob
         if now == numbers.len() {
             break;
         }
-        let pair = table.cell(3);
-        let own = places.entry(row.node).or_default();
-        let points = &mut contacts.points;
-        let known = own.iter().copied().find(|place| points[*place].pair == pair);
-        let place = match known {
-            Some(place) => place,
-            None => {
-                own.push(points.len());
-                let pair = pair.to_owned();
-                let area = optional(&table, columns.area)?;
-                points.push(Point::first_closed(pair, row.node, now, area));
-                points.len() - 1
-            }
-        };
-        contacts.push(place, now, &row, &table, &columns)?;
+        contacts.push(&mut places, now, &row, || values(&table, &columns))?;
     }
     Ok(contacts)
 }
 
-fn row(path: &Path, table: &Table, columns: &Columns) -> Result<Row, Problem> {
+fn row<'a>(path: &Path, table: &'a Table, columns: &Columns) -> Result<Row<'a>, Problem> {
     let at = [table.number(0)?, table.number(1)?];
-    let status = letter(table.cell(5), &[("open", 'o'), ("stick", 't'), ("slip", 's')]);
+    let status = letter(table.cell(5), &STATUS);
     let called = columns.friction.map_or("none", |index| table.cell(index));
-    let friction = letter(called, &[("called", 'c'), ("dropped", 'd'), ("none", 'n')]);
+    let friction = letter(called, &FRICTION);
     match (status, friction) {
-        (Some(status), Some(friction)) => Ok(Row { at, node: table.number(4)?, status, friction }),
+        (Some(status), Some(friction)) => {
+            Ok(Row { at, pair: table.cell(3), node: table.number(4)?, status, friction })
+        }
         _ => Err(unreadable(path, format!("`{}`, `{called}` is no status", table.cell(5)))),
     }
 }
@@ -139,26 +136,70 @@ impl Contacts {
         point.values.each_ref().map(|column| &column[..length.min(column.len())])
     }
 
-    fn push(
+    /// Takes a row in. Numbers and area are asked for where they are kept.
+    fn push<E>(
         &mut self,
-        place: usize,
+        places: &mut Places,
         now: usize,
-        row: &Row,
-        table: &Table,
-        columns: &Columns,
-    ) -> Result<(), Problem> {
+        row: &Row<'_>,
+        values: impl Fn() -> Result<([f64; 5], f64), E>,
+    ) -> Result<(), E> {
+        let own = places.0.entry(row.node).or_default();
+        let known = own.iter().copied().find(|place| self.points[*place].pair == row.pair);
+        let place = match known {
+            Some(place) => place,
+            None => {
+                own.push(self.points.len());
+                let (_, area) = values()?;
+                self.points.push(Point::first_closed(row.pair.to_owned(), row.node, now, area));
+                self.points.len() - 1
+            }
+        };
         let has_numbers = self.has_numbers(now);
         let point = &mut self.points[place];
         point.status.push(row.status);
         point.friction.push(row.friction);
         if has_numbers {
-            point.push(table, columns)?;
+            let (numbers, _) = values()?;
+            point.values.iter_mut().zip(numbers).for_each(|(own, value)| own.push(value as f32));
             self.kept += usize::from(row.status != 'o');
         }
-        while self.kept > MOST && self.stride < self.count {
+        self.limit();
+        Ok(())
+    }
+
+    /// Those of a run that goes on: numbers are kept at every increment until it is [`over`](Self::over).
+    pub fn begun() -> Self {
+        Self { stride: 1, count: usize::MAX, ..Self::default() }
+    }
+
+    /// Takes in the rows of an increment.
+    pub fn follow(&mut self, places: &mut Places, now: usize, frame: &Frame<'_>) {
+        for row in frame.contact.iter().filter(|row| row.ever_closed) {
+            let [status, friction] = letters(row);
+            let head = Row {
+                at: [frame.step, frame.increment],
+                pair: &frame.model.contact_pairs[row.pair].name,
+                node: frame.model.nodes.label(row.node),
+                status,
+                friction,
+            };
+            let none = Ok::<_, std::convert::Infallible>((shown(row), row.area));
+            let Ok(()) = self.push(places, now, &head, || none);
+        }
+    }
+
+    /// The run has come to so many increments.
+    pub fn over(&mut self, count: usize) {
+        self.count = count;
+        self.limit();
+    }
+
+    /// Thins the numbers until there are few enough.
+    fn limit(&mut self) {
+        while self.kept > MOST && self.stride < self.count && self.count < usize::MAX {
             self.thin();
         }
-        Ok(())
     }
 
     /// Drops the numbers of every second increment that has some.
@@ -186,6 +227,33 @@ impl Contacts {
     }
 }
 
+/// Gap, pressure, shear traction, slip, the normal's angle, and the area of the row at hand.
+fn values(table: &Table, columns: &Columns) -> Result<([f64; 5], f64), Problem> {
+    let mut numbers = [f64::NAN; 5];
+    for (number, place) in numbers.iter_mut().zip(columns.numbers) {
+        *number = optional(table, place)?;
+    }
+    let [x, y] = columns.normal;
+    numbers[4] = optional(table, y)?.atan2(optional(table, x)?);
+    Ok((numbers, optional(table, columns.area)?))
+}
+
+/// The same numbers of a row that is told.
+pub(crate) fn shown(row: &ContactRow) -> [f64; 5] {
+    let of = |name| contact_component(name).map_or(f64::NAN, |own| (own.value)(row));
+    let [opening, pressure, shear, slip] = NUMBERS.map(of);
+    [opening, pressure, shear, slip, row.normal[1].atan2(row.normal[0])]
+}
+
+/// Letters of the status and of the friction of a row.
+pub(crate) fn letters(row: &ContactRow) -> [char; 2] {
+    let [status, friction] = [
+        letter(row.status.word(), &STATUS).unwrap_or('o'),
+        letter(row.friction.word(), &FRICTION).unwrap_or('n'),
+    ];
+    [status, friction]
+}
+
 /// A number of the row at hand; not a number where there is no such column.
 fn optional(table: &Table, place: Option<usize>) -> Result<f64, Problem> {
     place.map_or(Ok(f64::NAN), |place| table.number(place))
@@ -195,15 +263,6 @@ impl Point {
     fn first_closed(pair: String, node: u64, first: usize, area: f64) -> Self {
         let values = std::array::from_fn(|_| Vec::new());
         Self { pair, node, first, status: String::new(), friction: String::new(), values, area }
-    }
-
-    fn push(&mut self, table: &Table, columns: &Columns) -> Result<(), Problem> {
-        for (column, place) in self.values.iter_mut().zip(columns.numbers) {
-            column.push(optional(table, place)? as f32);
-        }
-        let [x, y] = columns.normal;
-        self.values[4].push(optional(table, y)?.atan2(optional(table, x)?) as f32);
-        Ok(())
     }
 
     /// Number of increments up to the last one in which it is closed.

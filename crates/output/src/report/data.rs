@@ -1,6 +1,6 @@
 //! What the charts of the page draw, as JSON that may stand in a script.
 
-use super::contact::{Contacts, Point, runs};
+use super::contact::{Contacts, Point, letters, runs, shown};
 use super::iterations::Attempt;
 use super::overlay::Overlay;
 use super::results::Results;
@@ -10,6 +10,7 @@ use crate::reading::history::with_start;
 use crate::reading::summary::Driven;
 use crate::verdict::Judged;
 use base64::{Engine as _, engine::general_purpose::STANDARD};
+use slideline_solve::observe::{ContactRow, Frame};
 
 /// All numbers of the page.
 pub(crate) fn data(
@@ -220,6 +221,34 @@ fn fields(results: &Results) -> Value {
     });
     let field = |(name, values): (&str, &Vec<Vec<f32>>)| json!({"name": name, "values": singles(values.iter().flatten().copied())});
     all.map(field).collect()
+}
+
+/// One state, to be put behind those that [`data`] told: its shape, and the contact points of its
+/// frame.
+pub(crate) fn state(results: &Results, frame: &Frame<'_>) -> Value {
+    let frames = &results.frames;
+    let last = |list: &[Vec<f32>]| list.last().map(|own| singles(own.iter().copied()));
+    let told = |row: &ContactRow| {
+        let [status, friction] = letters(row);
+        json!({
+            "pair": frame.model.contact_pairs[row.pair].name,
+            "node": frame.model.nodes.label(row.node),
+            "status": status.to_string(),
+            "friction": friction.to_string(),
+            "area": row.area,
+            "values": shown(row).map(|value| f64::from(value as f32)),
+        })
+    };
+    let contact = frame.contact.iter().filter(|row| row.ever_closed);
+    json!({
+        "state": frames.states.last(),
+        "displacement": last(&frames.displacement),
+        "sections": last(&frames.sections),
+        "depth_moved": last(&frames.depth_moved),
+        "fields": frames.values.iter().filter_map(|own| last(own)).collect::<Value>(),
+        "changed": frames.changed.last(),
+        "contact": contact.map(told).collect::<Value>(),
+    })
 }
 
 fn attempt(attempt: &Attempt) -> Value {

@@ -3,7 +3,7 @@
 use crate::job::JobFiles;
 use crate::outline;
 use crate::reading::problem::{self, Problem, unreadable};
-use crate::reading::state::StateFile;
+use crate::reading::state::{State, StateFile};
 use crate::report::skin::{Triangle, is_volume, surface};
 
 /// Kind of a solid, as files number it.
@@ -84,34 +84,34 @@ impl Frames {
         let candidates: Vec<usize> =
             written.iter().copied().filter(|state| drawable(*state)).collect();
         frames.presence(job, first, &candidates)?;
-        frames.topology(job, first)?;
+        frames.topology(&open(job, first)?)?;
         let numbers = frames.reference.len() + frames.depth.len();
         for place in chosen(candidates.len().saturating_sub(1), numbers) {
             if let Some(&state) = candidates.get(place) {
-                frames.add(job, state)?;
+                frames.add(&open(job, state)?, state)?;
             }
         }
         frames.written = written;
         Ok(frames)
     }
 
-    fn open(&self, job: &JobFiles, state: usize) -> Result<StateFile, Problem> {
-        StateFile::open(&job.folder().join(job.state_name(state)))
-    }
-
     /// Finds what is absent in the states, where the first one tells.
     fn presence(&mut self, job: &JobFiles, first: usize, all: &[usize]) -> Result<(), Problem> {
-        if self.open(job, first)?.short(ACTIVE).is_err() {
+        if open(job, first)?.short(ACTIVE).is_err() {
             return Ok(());
         }
         for &state in all {
-            let there = there(&self.open(job, state)?)?;
-            let known = self.changes.iter().any(|own| own.there == there);
-            if !known && there.contains(&false) {
-                self.changes.push(Changed { there, skin: Vec::new() });
-            }
+            self.change(there(&open(job, state)?)?);
         }
         Ok(())
+    }
+
+    /// Takes in what is there in some states, before [`topology`](Self::topology).
+    pub fn change(&mut self, there: Vec<bool>) {
+        let known = self.changes.iter().any(|own| own.there == there);
+        if !known && there.contains(&false) {
+            self.changes.push(Changed { there, skin: Vec::new() });
+        }
     }
 
     /// Pairs of points whose cell is absent, of what is drawn while something is.
@@ -121,8 +121,8 @@ impl Frames {
         gone.map(|(pair, _)| pair).collect()
     }
 
-    fn topology(&mut self, job: &JobFiles, state: usize) -> Result<(), Problem> {
-        let file = self.open(job, state)?;
+    /// Takes in what all states have alike.
+    pub fn topology(&mut self, file: &impl State) -> Result<(), Problem> {
         let (positions, moved) = (file.doubles("Points")?, file.doubles("displacement")?);
         let still: Vec<f64> = positions.iter().zip(&moved).map(|(x, u)| x - u).collect();
         self.labels = file.long("node")?;
@@ -163,9 +163,9 @@ impl Frames {
             let inner = cells.iter().filter(|(_, (shape, _))| is_volume(*shape));
             self.keep(&still, inner.flat_map(|(_, (_, points))| points.iter().copied()));
         }
-        let path = job.folder().join(job.state_name(state));
         let whole = fits && begin == connectivity.len();
-        if whole { Ok(()) } else { Err(unreadable(&path, "its arrays do not fit one another")) }
+        let fault = || unreadable(file.path(), "its arrays do not fit one another");
+        if whole { Ok(()) } else { Err(fault()) }
     }
 
     /// Leaves the points out that are `inside` of solids in space, and numbers the others anew.
@@ -219,12 +219,11 @@ impl Frames {
         }
     }
 
-    fn add(&mut self, job: &JobFiles, state: usize) -> Result<(), Problem> {
-        let file = self.open(job, state)?;
+    /// Takes a state in.
+    pub fn add(&mut self, file: &impl State, state: usize) -> Result<(), Problem> {
         let moved = file.doubles("displacement")?;
         if self.kept.last().is_some_and(|last| 3 * last + 2 >= moved.len()) {
-            let path = job.folder().join(job.state_name(state));
-            return Err(unreadable(&path, "it has other points than the first state"));
+            return Err(unreadable(file.path(), "it has other points than the first state"));
         }
         let fibre_strain = file.doubles("fibre_strain")?;
         for (&cell, &element) in self.of_cell.iter().zip(&self.elements) {
@@ -247,7 +246,7 @@ impl Frames {
         self.sections.push(values.collect());
         self.states.push(state);
         if !self.changes.is_empty() {
-            let there = there(&file)?;
+            let there = there(file)?;
             let known = self.changes.iter().position(|own| own.there == there);
             self.changed.push(known.map_or(0, |known| known + 1));
         }
@@ -268,8 +267,12 @@ impl Frames {
     }
 }
 
+fn open(job: &JobFiles, state: usize) -> Result<StateFile, Problem> {
+    StateFile::open(&job.folder().join(job.state_name(state)))
+}
+
 /// Whether each cell of a state is there.
-fn there(file: &StateFile) -> Result<Vec<bool>, Problem> {
+fn there(file: &impl State) -> Result<Vec<bool>, Problem> {
     Ok(file.short(ACTIVE)?.into_iter().map(|own| own != 0).collect())
 }
 

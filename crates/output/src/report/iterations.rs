@@ -1,5 +1,7 @@
 //! `JOB.msg` read back: how each increment converged.
 
+use slideline_solve::observe::IterationReport;
+
 /// Residual of a field and what it is held against.
 pub(crate) type Residual = [f64; 2];
 
@@ -33,6 +35,26 @@ pub(crate) struct Attempt {
     pub iterations: Vec<Iteration>,
     /// Why it was given up.
     pub reason: Option<String>,
+}
+
+/// Takes in an iteration of a run that goes on.
+pub(crate) fn iterated(list: &mut Vec<Attempt>, report: &IterationReport) {
+    let [step, increment, attempt] = [report.step, report.increment, report.attempt];
+    let known = list
+        .last()
+        .is_some_and(|own| (own.step, own.increment, own.attempt) == (step, increment, attempt));
+    if !known {
+        list.push(Attempt { step, increment, attempt, ..Attempt::default() });
+    }
+    let Some(last) = list.last_mut() else { return };
+    last.iterations.push(Iteration {
+        severe: report.severe,
+        changes: report.contact_changes.len(),
+        closed: report.closed,
+        force: [report.force.residual, report.force.allowed],
+        moment: [report.moment.residual, report.moment.allowed],
+        converged: report.converged,
+    });
 }
 
 /// Reads the attempts; lines that say something else are passed over.

@@ -15,6 +15,7 @@ mod contact;
 mod data;
 mod frames;
 mod iterations;
+mod live;
 mod options;
 mod overlay;
 mod page;
@@ -22,8 +23,10 @@ mod results;
 mod skin;
 mod verdict;
 
+pub(crate) use live::Live;
+pub use live::Told;
 pub use options::Options;
-pub use page::{STYLE, filled};
+pub use page::{DRAWING, STYLE, filled};
 pub use slideline_figures::escaped;
 
 pub use crate::reading::problem::Problem;

@@ -15,12 +15,17 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 pub const STYLE: &str = include_str!("assets/page.css");
 /// Nothing is loaded from anywhere.
 const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'";
-/// In the order in which they need one another.
-const SCRIPTS: [&str; 5] = [
+/// Scripts that draw the deformed shape, with their names, in the order in which they need one
+/// another: classic scripts, for every page that has the report's elements and data.
+pub const DRAWING: [(&str, &str); 3] = [
+    ("drawing.js", include_str!("assets/drawing.js")),
+    ("skin.js", include_str!("assets/skin.js")),
+    ("shape.js", include_str!("assets/shape.js")),
+];
+/// What the report adds: its data, its charts, and what puts them on the page.
+const SCRIPTS: [&str; 3] = [
     include_str!("assets/data.js"),
     include_str!("assets/chart.js"),
-    include_str!("assets/skin.js"),
-    include_str!("assets/shape.js"),
     include_str!("assets/page.js"),
 ];
 const BODY: &str = include_str!("assets/body.html");
@@ -82,6 +87,7 @@ pub(crate) fn page(
     text.push_str(&filled(BODY, place));
     text.push_str(&format!("<script type=\"application/json\" id=\"data\">{data}</script>\n"));
     text.push_str("<script>\n\"use strict\";\n(function () {\n");
+    DRAWING.iter().for_each(|(_, script)| text.push_str(script));
     SCRIPTS.iter().for_each(|script| text.push_str(script));
     text.push_str("})();\n</script>\n</body>\n</html>\n");
     text

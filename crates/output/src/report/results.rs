@@ -7,12 +7,12 @@ use crate::job::JobFiles;
 use crate::json::{Members as _, Value};
 use crate::reading::history::{Energies, History};
 use crate::reading::problem::{self, Problem, unreadable};
-use crate::reading::summary::{self, Driven, driven};
+use crate::reading::summary::{self, Driven, driven, loaded};
 use crate::reading::table::Table;
 use std::collections::HashMap;
 
 /// What the files of a job say.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Results {
     /// `JOB.json`.
     pub summary: Value,
@@ -52,12 +52,7 @@ impl Results {
             return Err(length_fault(job, ".energy.csv", count, expected));
         }
         let driven = driven(&summary);
-        let loads = summary.list("loaded").iter().filter_map(|load| {
-            let node = load.count("node")? as u64;
-            let name = load.text("name").map_or_else(|| node.to_string(), str::to_owned);
-            Some((node, name, load.text("motion")?.to_owned()))
-        });
-        let loaded: Vec<(u64, String, String)> = loads.collect();
+        let loaded = loaded(&summary);
         let mut history = History::read(&job.path(".history.csv"), |node| {
             driven.iter().any(|d| d.nodes.contains(&node))
                 || loaded.iter().any(|load| load.0 == node)

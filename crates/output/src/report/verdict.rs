@@ -6,7 +6,7 @@ use crate::number::general;
 use crate::reading::summary::Driven;
 use crate::verdict::{Judged, is_locked, judge};
 use maud::{Markup, html};
-use slideline_measures::{Stroke, Taken, WayOut};
+use slideline_measures::{Colour, Stroke, Taken, WayOut};
 
 /// Judges the results that were read back.
 pub(crate) fn judged(results: &Results) -> Judged {
@@ -207,23 +207,25 @@ fn largest_strain(results: &Results) -> Option<(f64, usize, f64)> {
     })
 }
 
+/// What a colour means.
+pub(crate) fn headline(colour: Colour) -> &'static str {
+    match colour {
+        Colour::Green => "Green: the numbers can be trusted",
+        Colour::Amber => "Amber: look at the reasons before you use the numbers",
+        Colour::Red => "Red: do not use the numbers",
+    }
+}
+
 /// The verdict as it stands at the top of the page: colour, reasons, numbers.
 pub(crate) fn banner(results: &Results, judged: &Judged) -> Markup {
     let verdict = &judged.verdict;
     let word = verdict.colour.word();
-    let headline = match verdict.colour {
-        slideline_measures::Colour::Green => "Green: the numbers can be trusted",
-        slideline_measures::Colour::Amber => {
-            "Amber: look at the reasons before you use the numbers"
-        }
-        slideline_measures::Colour::Red => "Red: do not use the numbers",
-    };
     let words = sentences(results, judged);
     let first = words.first().map_or("", String::as_str);
     let rest: Vec<&str> = words.iter().skip(2).map(String::as_str).collect();
     html! {
         div id="verdict" class=(format!("verdict {word}")) {
-            p.colour { span.lamp aria-hidden="true" {} strong { (headline) } }
+            p.colour { span.lamp aria-hidden="true" {} strong { (headline(verdict.colour)) } }
             @if !verdict.reasons.is_empty() {
                 ul {
                     @for (colour, reason) in &verdict.reasons {
@@ -233,13 +235,13 @@ pub(crate) fn banner(results: &Results, judged: &Judged) -> Markup {
             }
             p { (first) "." }
         }
-        (tiles(results, judged))
+        (tiled(&tiles(results, judged)))
         p.words { (rest.join(". ")) "." }
     }
 }
 
 /// Big numbers: forces in and out, their ratio, normal force, work, strain.
-fn tiles(results: &Results, judged: &Judged) -> Markup {
+pub(crate) fn tiles(results: &Results, judged: &Judged) -> Vec<[String; 3]> {
     let mut list: Vec<[String; 3]> = Vec::new();
     if let Some((driven, stroke)) = judged.strokes.first() {
         let kind = kind(driven);
@@ -278,9 +280,13 @@ fn tiles(results: &Results, judged: &Judged) -> Markup {
         list.push(["largest strain".to_owned(), strain, margin(results, element)]);
     }
     list.extend(tiles_of_solids(results));
+    list
+}
+
+fn tiled(list: &[[String; 3]]) -> Markup {
     html! {
         dl.tiles {
-            @for [name, value, note] in &list {
+            @for [name, value, note] in list {
                 div class=[note.ends_with("FAIL").then_some("fail")] {
                     dt { (name) }
                     dd { b { (value) } small { (note) } }

@@ -1,5 +1,6 @@
 //! What a summary remembers of the states of a run: the largest of everything.
 
+use crate::json::{Value, json};
 use crate::outline::edges;
 use crate::section::space_beams;
 use serde::{Deserialize, Serialize};
@@ -49,6 +50,38 @@ pub(crate) struct Memory {
 }
 
 impl Memory {
+    /// Largest strain, its share of the allowable one, stress, largest normal force.
+    pub fn say(&self, object: &mut Value, pairs: &[String]) {
+        let own = [
+            ("mises", self.mises),
+            ("plastic_strain", self.plastic),
+            ("principal_strain", self.principal),
+            ("unstable_strain", self.unstable),
+            ("linear_motion", self.linear),
+        ];
+        for (key, largest) in own {
+            if let Some((max, element, time)) = largest {
+                object[key] = json!({"max": max, "element": element, "time": time});
+            }
+        }
+        if let Some((max, element, time)) = self.strain {
+            object["fibre_strain"] = json!({"max": max, "element": element, "time": time});
+        }
+        if let Some((used, element, time)) = self.used {
+            object["allowable"] = json!({
+                "utilisation": used,
+                "margin": 1.0 / used - 1.0,
+                "pass": used <= 1.0,
+                "element": element,
+                "time": time,
+            });
+        }
+        if let Some((max, pair, time)) = self.normal {
+            let pair = pairs.get(pair as usize).map_or("?", String::as_str);
+            object["normal_force"] = json!({"max": max, "pair": pair, "time": time});
+        }
+    }
+
     /// Takes in strains of beams, and what of their allowable that is.
     pub(super) fn follow_beams(&mut self, frame: &Frame<'_>, allowable: &BTreeMap<u64, f64>) {
         let time = frame.total_time;

@@ -2,6 +2,7 @@
 
 mod memory;
 
+use crate::clock::Clock;
 use crate::facts::{Earlier, Facts, Status};
 use crate::file::{WriteError, replace};
 use crate::job::JobFiles;
@@ -9,7 +10,7 @@ use crate::json::{Map, Value, joined, json, text};
 use crate::ledger::onset_word;
 use crate::model_object::model_object;
 use crate::reading::history::{Energies, History, NodeHistory};
-use crate::reading::summary::{SCHEMA, driven};
+use crate::reading::summary::{SCHEMA, driven, loaded};
 use crate::record::record;
 use crate::verdict;
 use crate::vtu::state_is_due;
@@ -23,13 +24,13 @@ use slideline_results::NodeComponent;
 use slideline_solve::Checkpoint;
 use slideline_solve::observe::{Ending, Event, Frame, StepReport, Totals};
 use std::collections::{BTreeMap, BTreeSet};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Collects what `JOB.json` says and writes it at both ends of a run.
 pub(crate) struct Summary<'a> {
     job: JobFiles,
     facts: Facts<'a>,
-    began: Instant,
+    began: Clock,
     memory: Memory,
     /// Warnings, advice and notes.
     said: [Vec<Value>; 3],
@@ -76,7 +77,7 @@ impl<'a> Summary<'a> {
         Self {
             job: job.clone(),
             facts,
-            began: Instant::now(),
+            began: Clock::started(),
             memory: Memory::default(),
             said,
             curves: Vec::new(),
@@ -187,12 +188,27 @@ impl<'a> Summary<'a> {
         self.write(status, diagnosis)
     }
 
-    /// The verdict of a run that is over; nothing is written.
-    pub fn judged(&mut self, status: Status, ending: &Ending) -> Colour {
+    /// What is written of a run that is over, without its verdict; nothing is written.
+    pub fn ended(&mut self, status: Status, ending: &Ending) -> Value {
         let (totals, diagnosis) = counted(ending);
         self.totals = totals;
-        let object = self.object(status, diagnosis);
-        let (energies, history) = (&self.energies.1, &self.history.1);
+        self.object(status, diagnosis)
+    }
+
+    /// What is written of a run that goes on.
+    pub fn running(&self) -> Value {
+        self.object(Status::Running, None)
+    }
+
+    /// Energies and histories so far.
+    pub fn curves(&self) -> (&Energies, &History) {
+        (&self.energies.1, &self.history.1)
+    }
+
+    /// The verdict of a run that is over; nothing is written.
+    pub fn judged(&mut self, status: Status, ending: &Ending) -> Colour {
+        let object = self.ended(status, ending);
+        let (energies, history) = self.curves();
         verdict::judge(&object, Some(energies), |driven| history.stroke(driven)).verdict.colour
     }
 
@@ -235,7 +251,9 @@ impl<'a> Summary<'a> {
         if self.energies.1.columns.is_empty() {
             let names = columns.iter().map(|column| column.name().to_owned()).collect();
             let driven = self.model_object.as_ref().map(driven).unwrap_or_default();
-            let nodes = driven.into_iter().flat_map(|own| own.nodes).collect::<BTreeSet<u64>>();
+            let nodes = driven.into_iter().flat_map(|own| own.nodes);
+            let loaded = self.model_object.as_ref().map(loaded).unwrap_or_default();
+            let nodes: BTreeSet<u64> = nodes.chain(loaded.into_iter().map(|own| own.0)).collect();
             let nodes = nodes.into_iter().map(|node| NodeHistory::new(node, columns.len()));
             self.history.1 = History { columns: names, nodes: nodes.collect() };
             let names = self.energies.0.iter().map(|(name, _)| (*name).to_owned());
@@ -257,6 +275,8 @@ impl<'a> Summary<'a> {
             let force = own.fold(0.0, |sum, row| sum + row.pressure * row.area);
             keep_larger(&mut memory.normal, (force, pair as u64, time));
         }
+        self.energies.1.numbers.push([frame.step, frame.increment]);
+        self.energies.1.times.push(time);
         for (list, (_, value)) in self.energies.1.values.iter_mut().zip(&self.energies.0) {
             list.push(value(&frame.energy));
         }
@@ -319,7 +339,7 @@ impl<'a> Summary<'a> {
             let set = set.map(|(name, value)| (name.clone(), Value::from(value.as_str())));
             object["parameters"] = Value::Object(set.collect());
         }
-        self.largest(&mut object);
+        self.memory.say(&mut object, &self.names.1);
         if let Some(noise) = &self.noise {
             object["noise"] = noise.clone();
         }
@@ -333,39 +353,6 @@ impl<'a> Summary<'a> {
             object["diagnosis"] = record(diagnosis, facts.sources);
         }
         object
-    }
-
-    /// Largest strain, its share of the allowable one, stress, largest normal force.
-    fn largest(&self, object: &mut Value) {
-        let memory = &self.memory;
-        let own = [
-            ("mises", memory.mises),
-            ("plastic_strain", memory.plastic),
-            ("principal_strain", memory.principal),
-            ("unstable_strain", memory.unstable),
-            ("linear_motion", memory.linear),
-        ];
-        for (key, largest) in own {
-            if let Some((max, element, time)) = largest {
-                object[key] = json!({"max": max, "element": element, "time": time});
-            }
-        }
-        if let Some((max, element, time)) = self.memory.strain {
-            object["fibre_strain"] = json!({"max": max, "element": element, "time": time});
-        }
-        if let Some((used, element, time)) = self.memory.used {
-            object["allowable"] = json!({
-                "utilisation": used,
-                "margin": 1.0 / used - 1.0,
-                "pass": used <= 1.0,
-                "element": element,
-                "time": time,
-            });
-        }
-        if let Some((max, pair, time)) = self.memory.normal {
-            let pair = self.names.1.get(pair as usize).map_or("?", String::as_str);
-            object["normal_force"] = json!({"max": max, "pair": pair, "time": time});
-        }
     }
 
     fn peaks(&self) -> Map<String, Value> {

@@ -5,6 +5,18 @@ use base64::{Engine as _, engine::general_purpose::STANDARD};
 /// Zeros that are worth a text of their own [bytes].
 const RUN: usize = 48;
 
+/// Takes arrays of a state.
+pub(crate) trait Arrays {
+    /// Appends doubles, so many a row.
+    fn push_floats(&mut self, name: &str, components: usize, values: &[f64]);
+    /// Appends whole numbers.
+    fn push_long(&mut self, name: &str, values: impl Iterator<Item = u64>);
+    /// Appends short whole numbers.
+    fn push_short(&mut self, name: &str, values: &[i32]);
+    /// Appends types of cells.
+    fn push_types(&mut self, values: &[u8]);
+}
+
 /// The text of a file on its way.
 #[derive(Default)]
 pub(super) struct Text {
@@ -17,41 +29,6 @@ impl Text {
     /// Appends text as it is.
     pub fn push(&mut self, text: &[u8]) {
         self.letters.extend_from_slice(text);
-    }
-
-    /// Appends doubles, so many a row.
-    pub fn push_floats(&mut self, name: &str, components: usize, values: &[f64]) {
-        self.begin("Float64", name, components, 8 * values.len());
-        for same in values.chunk_by(|a, b| a.to_bits() == b.to_bits()) {
-            if same[0].to_bits() == 0 && 8 * same.len() >= RUN {
-                self.code_zeros(8 * same.len());
-            } else {
-                same.iter().for_each(|value| self.bytes.extend_from_slice(&value.to_le_bytes()));
-            }
-        }
-        self.end();
-    }
-
-    /// Appends whole numbers.
-    pub fn push_long(&mut self, name: &str, values: impl Iterator<Item = u64>) {
-        let values: Vec<u64> = values.map(|value| value.min(i64::MAX as u64)).collect();
-        self.begin("Int64", name, 1, 8 * values.len());
-        self.bytes.extend(values.iter().flat_map(|value| value.to_le_bytes()));
-        self.end();
-    }
-
-    /// Appends short whole numbers.
-    pub fn push_short(&mut self, name: &str, values: &[i32]) {
-        self.begin("Int32", name, 1, 4 * values.len());
-        self.bytes.extend(values.iter().flat_map(|value| value.to_le_bytes()));
-        self.end();
-    }
-
-    /// Appends types of cells.
-    pub fn push_types(&mut self, values: &[u8]) {
-        self.begin("UInt8", "types", 1, values.len());
-        self.bytes.extend_from_slice(values);
-        self.end();
     }
 
     /// The head of an array, then the number of bytes that follow.
@@ -89,6 +66,39 @@ impl Text {
     fn end(&mut self) {
         self.code();
         self.push(b"</DataArray>\n");
+    }
+}
+
+impl Arrays for Text {
+    fn push_floats(&mut self, name: &str, components: usize, values: &[f64]) {
+        self.begin("Float64", name, components, 8 * values.len());
+        for same in values.chunk_by(|a, b| a.to_bits() == b.to_bits()) {
+            if same[0].to_bits() == 0 && 8 * same.len() >= RUN {
+                self.code_zeros(8 * same.len());
+            } else {
+                same.iter().for_each(|value| self.bytes.extend_from_slice(&value.to_le_bytes()));
+            }
+        }
+        self.end();
+    }
+
+    fn push_long(&mut self, name: &str, values: impl Iterator<Item = u64>) {
+        let values: Vec<u64> = values.map(|value| value.min(i64::MAX as u64)).collect();
+        self.begin("Int64", name, 1, 8 * values.len());
+        self.bytes.extend(values.iter().flat_map(|value| value.to_le_bytes()));
+        self.end();
+    }
+
+    fn push_short(&mut self, name: &str, values: &[i32]) {
+        self.begin("Int32", name, 1, 4 * values.len());
+        self.bytes.extend(values.iter().flat_map(|value| value.to_le_bytes()));
+        self.end();
+    }
+
+    fn push_types(&mut self, values: &[u8]) {
+        self.begin("UInt8", "types", 1, values.len());
+        self.bytes.extend_from_slice(values);
+        self.end();
     }
 }
 

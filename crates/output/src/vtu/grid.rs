@@ -1,10 +1,11 @@
 //! One state as an unstructured grid.
 
-use super::array::Text;
+use super::array::{Arrays, Text};
+use super::held::Held;
 use crate::outline::{Drawing, Kind, SPACE};
 use crate::section::{axial_stresses, beams, outer_mises, space_beams};
 use slideline_model::{Dof, Model};
-use slideline_results::element::{self, AtNodes, nodal_results, solids};
+use slideline_results::element::{self, AtNodes, NodalResults, nodal_results, solids};
 use slideline_results::{NodeField, contact_component, shown};
 use slideline_solve::observe::{Frame, Status, Unconverged};
 use std::ops::Range;
@@ -25,7 +26,7 @@ const SECTION: [&str; 7] =
 const TURNS: [Dof; 3] = [Dof::UR1, Dof::UR2, Dof::UR3];
 
 /// What does not change between states.
-pub(super) struct Grid {
+pub(crate) struct Grid {
     drawing: Drawing,
     /// Label and cells of every element with results, in the order of the model:
     /// two for a beam of three nodes.
@@ -68,7 +69,12 @@ impl Grid {
 
     /// The whole file of a state, in place of what `text` holds; of one that is
     /// no equilibrium with what is missing to it.
-    pub fn file(&self, text: &mut Text, frame: &Frame<'_>, unconverged: Option<&Unconverged<'_>>) {
+    pub(super) fn file(
+        &self,
+        text: &mut Text,
+        frame: &Frame<'_>,
+        unconverged: Option<&Unconverged<'_>>,
+    ) {
         text.letters.clear();
         text.push(self.head.as_bytes());
         let [points, displacement] = self.drawing.moved(frame);
@@ -97,6 +103,7 @@ impl Grid {
         self.push_solids(text, frame);
         text.push(b"</PointData>\n<CellData>\n");
         self.push_sections(text, frame);
+        text.push(&self.labels[1]);
         text.push(b"</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
     }
 
@@ -127,7 +134,7 @@ impl Grid {
         text.push(&self.labels[0]);
     }
 
-    fn push_sections(&self, text: &mut Text, frame: &Frame<'_>) {
+    fn push_sections(&self, arrays: &mut impl Arrays, frame: &Frame<'_>) {
         let zeros = || vec![0.0; self.drawing.pieces.len()];
         let mut columns = SECTION.map(|name| (name, zeros()));
         let mut places = self.cells_of.iter();
@@ -159,19 +166,48 @@ impl Grid {
         let [.., (_, mises)] = &mut columns;
         let own = self.solids(frame, mises);
         for (name, column) in columns.iter().chain(&own) {
-            text.push_floats(name, 1, column);
+            arrays.push_floats(name, 1, column);
         }
-        self.push_presence(text, frame);
-        text.push(&self.labels[1]);
+        if let Some(there) = self.presence(frame.model, frame.step) {
+            arrays.push_short("active", &there);
+        }
     }
 
-    /// Which cells are there, in models that some step changes.
-    fn push_presence(&self, text: &mut Text, frame: &Frame<'_>) {
-        let step = frame.model.steps.get(frame.step.wrapping_sub(1));
-        let Some(step) = step.filter(|_| frame.model.is_changed()) else { return };
+    /// Which cells are there in a step, in models that some step changes.
+    pub fn presence(&self, model: &Model, step: usize) -> Option<Vec<i32>> {
+        let step = model.steps.get(step.wrapping_sub(1)).filter(|_| model.is_changed())?;
         let pieces = self.drawing.pieces.iter();
-        let there = pieces.map(|piece| i32::from(piece.owner.is_there(&step.presence)));
-        text.push_short("active", &there.collect::<Vec<_>>());
+        Some(pieces.map(|piece| i32::from(piece.owner.is_there(&step.presence))).collect())
+    }
+
+    /// What a picture of a state needs of its file, held in memory.
+    pub fn drawn(&self, frame: &Frame<'_>) -> Held {
+        let mut held = Held::default();
+        let [points, displacement] = self.drawing.moved(frame);
+        held.push_floats("Points", 3, &points);
+        held.push_floats("displacement", 3, &displacement);
+        let place = |block, node| self.drawing.point(block, node);
+        let results = nodal_results(frame, self.drawing.labels.len(), place);
+        if results.iter().any(|own| own.is_some()) {
+            held.push_floats(
+                "mises_stress",
+                1,
+                &numbers(&results, |own| element::mises(own.stress)),
+            );
+            held.push_floats("plastic_strain", 1, &numbers(&results, |own| own.plastic));
+        }
+        self.push_sections(&mut held, frame);
+        held
+    }
+
+    /// The same with what does not change.
+    pub fn drawn_whole(&self, frame: &Frame<'_>) -> Held {
+        let mut held = self.drawn(frame);
+        let nodes = frame.model.nodes.len();
+        push_nodes(&mut held, &self.drawing, nodes + self.drawing.copies(0).count());
+        push_cells(&mut held, &self.drawing);
+        push_topology(&mut held, &self.drawing);
+        held
     }
 
     /// Means over the element of all fields that are not those of a beam, each under
@@ -210,9 +246,7 @@ impl Grid {
             let order = |[xx, yy, zz, xy, xz, yz]: [f64; 6]| [xx, yy, zz, xy, yz, xz];
             results.iter().flat_map(|own| own.map_or([f64::NAN; 6], |own| order(of(own)))).collect()
         };
-        let number = |of: fn(&AtNodes) -> f64| -> Vec<f64> {
-            results.iter().map(|own| own.map_or(f64::NAN, of)).collect()
-        };
+        let number = |of: fn(&AtNodes) -> f64| numbers(&results, of);
         text.push_floats("stress", 6, &tensor(|own| own.stress));
         text.push_floats("strain", 6, &tensor(|own| own.strain));
         let principal: Vec<f64> =
@@ -238,22 +272,43 @@ fn find(
     Some(cells.clone())
 }
 
+/// A number of the results at every point; no number where there is none.
+fn numbers(results: &NodalResults, of: fn(&AtNodes) -> f64) -> Vec<f64> {
+    results.iter().map(|own| own.map_or(f64::NAN, of)).collect()
+}
+
 fn node_labels(drawing: &Drawing, nodes: usize) -> Vec<u8> {
-    let own = |(place, &label): (usize, &u64)| if place < nodes { label } else { 0 };
     let mut text = Text::default();
-    text.push_long("node", drawing.labels.iter().enumerate().map(own));
+    push_nodes(&mut text, drawing, nodes);
     text.letters
+}
+
+fn push_nodes(arrays: &mut impl Arrays, drawing: &Drawing, nodes: usize) {
+    let own = |(place, &label): (usize, &u64)| if place < nodes { label } else { 0 };
+    arrays.push_long("node", drawing.labels.iter().enumerate().map(own));
 }
 
 fn cell_labels(drawing: &Drawing) -> Vec<u8> {
     let mut text = Text::default();
-    text.push_long("element", drawing.pieces.iter().map(|piece| piece.label));
-    let kinds: Vec<i32> = drawing.pieces.iter().map(|piece| piece.kind as i32).collect();
-    text.push_short("kind", &kinds);
+    push_cells(&mut text, drawing);
     text.letters
 }
 
+fn push_cells(arrays: &mut impl Arrays, drawing: &Drawing) {
+    arrays.push_long("element", drawing.pieces.iter().map(|piece| piece.label));
+    let kinds: Vec<i32> = drawing.pieces.iter().map(|piece| piece.kind as i32).collect();
+    arrays.push_short("kind", &kinds);
+}
+
 fn topology(drawing: &Drawing) -> Vec<u8> {
+    let mut text = Text::default();
+    text.push(b"<Cells>\n");
+    push_topology(&mut text, drawing);
+    text.push(b"</Cells>\n");
+    text.letters
+}
+
+fn push_topology(arrays: &mut impl Arrays, drawing: &Drawing) {
     let pieces = || drawing.pieces.iter();
     let mut end = 0;
     let ends = pieces().map(|piece| {
@@ -261,12 +316,8 @@ fn topology(drawing: &Drawing) -> Vec<u8> {
         end
     });
     let types: Vec<u8> = pieces().map(|piece| piece.vtk.0).collect();
-    let mut text = Text::default();
-    text.push(b"<Cells>\n");
     let points = pieces().flat_map(|piece| piece.vtk.1.iter().map(|&point| point as u64));
-    text.push_long("connectivity", points);
-    text.push_long("offsets", ends);
-    text.push_types(&types);
-    text.push(b"</Cells>\n");
-    text.letters
+    arrays.push_long("connectivity", points);
+    arrays.push_long("offsets", ends);
+    arrays.push_types(&types);
 }

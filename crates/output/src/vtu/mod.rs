@@ -14,6 +14,7 @@
 
 mod array;
 mod grid;
+mod held;
 
 use crate::file::{WriteError, at, read_text, replace};
 use crate::job::{FAILED, JobFiles};
@@ -22,7 +23,8 @@ use crate::number::push_shortest;
 use crate::state_numbers::StateNumbers;
 use crate::writer::Writer;
 use array::Text;
-use grid::Grid;
+pub(crate) use grid::Grid;
+
 use slideline_solve::observe::{Event, Frame, StepReport, Unconverged};
 use std::fmt::Write as _;
 use std::time::{Duration, Instant};

@@ -5,26 +5,6 @@
 const RIGHT = 18, TOP = 14, BOTTOM = 46;
 let charts = 0;
 
-// Calls `redraw` with the width there is, now and whenever it changes: what is
-// drawn keeps the size of its letters on every screen.
-function fitted(element, redraw) {
-  let last = 0;
-  const look = () => {
-    const width = Math.round(element.clientWidth);
-    if (width > 0 && width !== last) { last = width; redraw(width); }
-  };
-  look();
-  if (!last) redraw(last = 900);
-  if (window.ResizeObserver) new ResizeObserver(look).observe(element);
-  else window.addEventListener("resize", look);
-}
-
-function niceStep(span, count) {
-  const raw = span / count, power = Math.pow(10, Math.floor(Math.log10(raw)));
-  const lead = raw / power;
-  return (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10) * power;
-}
-
 class Chart {
   constructor(parent, options, series) {
     this.options = options;

@@ -278,7 +278,7 @@ function peakButtons() {
   }
 }
 
-const shape = new Shape();
+const shape = new Shape({ data, contact, where, stroke });
 const followed = reactions(), along = alongBeams();
 shape.moves = (state, frame) => { followed.forEach((chart) => chart.follow(state)); along(frame); };
 shape.go(tightest());

@@ -2,9 +2,19 @@
 const STRESS = ["#4a74b0", "#5a90bd", "#74adb9", "#95c1a1", "#bccb81", "#dfca60", "#ecb048", "#e88c3b", "#dc6231", "#c6322c"];
 
 // The deformed shape: play, slider, scale, contact points and their forces.
+// scene: {data, contact, where(state) -> text, stroke(driven) -> values after every increment}
 class Shape {
-  constructor() {
-    const f = data.frames;
+  constructor(scene) {
+    this.take(scene);
+    this.stage();
+  }
+
+  // What is drawn from now on.
+  take(scene) {
+    const data = scene.data, f = data.frames;
+    this.scene = scene;
+    this.data = data;
+    this.hidden = null;
     this.reference = singles(f.reference);
     this.moved = singles(f.displacement);
     this.states = f.states;
@@ -15,25 +25,29 @@ class Shape {
     this.heights = singles(data.heights);
     this.beams = [];
     f.kinds.forEach((kind, k) => { if (kind === 0) this.beams.push(k); });
-    this.contact = contact;
-    this.scale = 1;
-    this.view = "all";
-    this.arrows = true;
+    this.contact = scene.contact;
     this.frame = 0;
     this.strongest = 0;
     for (const point of this.contact) for (let i = 0; i < point.p.length; i++) this.strongest = Math.max(this.strongest, point.p[i] * (point.area || 1));
-    this.skin = new Skin(this, document.getElementById("stage"));
+    if (this.skin) this.skin.load(); else this.skin = new Skin(this, document.getElementById("stage"));
     this.masters();
     this.names();
     this.stress();
-    this.stage();
+    this.measure();
+  }
+
+  // Largest side of a box around the undeformed points.
+  measure() {
+    const low = [Infinity, Infinity], high = [-Infinity, -Infinity];
+    for (let p = 0; p < this.size; p++) { low[p % 2] = Math.min(low[p % 2], this.reference[p]); high[p % 2] = Math.max(high[p % 2], this.reference[p]); }
+    this.extent = Math.max(high[0] - low[0], high[1] - low[1], 1e-30);
   }
 
   // Cells whose both ends are masters of one slide line.
   masters() {
     this.lines = { beam: [], spring: [], slaves: [], masters: [], peak: [], mesh: [], rim: [] };
-    const f = data.frames, of = [], sides = new Map();
-    for (const pair of data.pairs) if (pair.master === "slide line") of.push(new Set(pair.nodes));
+    const f = this.data.frames, of = [], sides = new Map();
+    for (const pair of this.data.pairs) if (pair.master === "slide line") of.push(new Set(pair.nodes));
     f.kinds.forEach((kind, k) => {
       const ends = [f.cells[2 * k], f.cells[2 * k + 1]];
       ends.pair = k;
@@ -69,6 +83,7 @@ class Shape {
 
   names() {
     const legend = document.getElementById("names");
+    legend.textContent = "";
     const range = (list) => {
       const out = [];
       for (let i = 0; i < list.length; i++) {
@@ -84,7 +99,7 @@ class Shape {
       make(entry, "i").style.background = "var(" + colour + ")";
       entry.appendChild(document.createTextNode(text));
     };
-    for (const pair of data.pairs) {
+    for (const pair of this.data.pairs) {
       key("--c3", "slave of " + pair.name + ": nodes " + range(pair.slave));
       key("--c2", "master of " + pair.name + ": " + pair.master + (pair.master === "slide line" ? ", nodes " + range(pair.nodes) : ", moves with node " + pair.nodes.join(", ")));
     }
@@ -92,7 +107,7 @@ class Shape {
       key("--stick", "sticking point"); key("--slip", "sliding point (without friction too)");
       key("--c0", "normal force on the slave"); key("--c1", "friction force on the slave");
     }
-    if (this.lines.peak.length) key("--c4", "largest fibre strain: element " + data.frames.strained);
+    if (this.lines.peak.length) key("--c4", "largest fibre strain: element " + this.data.frames.strained);
   }
 
   at(point, frame, scale) {
@@ -140,12 +155,24 @@ class Shape {
     return { middle, per: Number.isFinite(per) ? per : 1 };
   }
 
+  // As high as the whole stroke asks for.
+  height() { return Math.round(Math.max(210, Math.min(460, 0.6 * this.W, 0.9 * this.W * this.aspect() + 130))); }
+
+  // Takes the room that there is.
+  resize(width) {
+    this.W = Math.max(280, width - 2);
+    this.H = this.height();
+    this.svg.setAttribute("viewBox", "0 0 " + this.W + " " + this.H);
+    this.skin.resize(this.W, this.H);
+    this.fit();
+    if (this.ready) this.go(this.frame);
+  }
+
   stage() {
+    this.scale = 1;
+    this.view = "all";
+    this.arrows = true;
     this.svg = draw(document.getElementById("stage"), "svg", { role: "img", "aria-label": "Deformed shape" });
-    const f = data.frames;
-    let low = [Infinity, Infinity], high = [-Infinity, -Infinity];
-    for (let p = 0; p < this.size; p++) { low[p % 2] = Math.min(low[p % 2], this.reference[p]); high[p % 2] = Math.max(high[p % 2], this.reference[p]); }
-    this.extent = Math.max(high[0] - low[0], high[1] - low[1], 1e-30);
     this.parts = {};
     this.parts.rest = draw(this.svg, "path", { class: "part rest" });
     this.thick = STRESS.map((colour) => draw(this.svg, "path", { fill: colour, stroke: colour, "stroke-width": 0.6 }));
@@ -156,19 +183,11 @@ class Shape {
     this.rule = draw(this.svg, "g");
     this.slider = document.getElementById("frame");
     this.slider.max = Math.max(0, this.states.length - 1);
-    fitted(document.getElementById("stage"), (width) => {
-      this.W = Math.max(280, width - 2);
-      // as high as the whole stroke asks for
-      this.H = Math.round(Math.max(210, Math.min(460, 0.6 * this.W, 0.9 * this.W * this.aspect() + 130)));
-      this.svg.setAttribute("viewBox", "0 0 " + this.W + " " + this.H);
-      this.skin.resize(this.W, this.H);
-      this.fit();
-      if (this.ready) this.go(this.frame);
-    });
+    fitted(document.getElementById("stage"), (width) => this.resize(width));
     this.ready = true;
     this.skin.listen(this.svg);
     this.controls();
-    if (!f.states.length) document.getElementById("state").textContent = "There are no states to draw.";
+    if (!this.states.length) document.getElementById("state").textContent = "There are no states to draw.";
   }
 
   controls() {
@@ -228,9 +247,9 @@ class Shape {
 
   // Pairs of points whose element is absent in a frame, if any is.
   gone(frame) {
-    const own = data.frames.changed[frame];
+    const own = this.data.frames.changed[frame];
     if (!own) return null;
-    this.hidden = this.hidden || data.frames.changes.map((one) => new Set(one.gone));
+    this.hidden = this.hidden || this.data.frames.changes.map((one) => new Set(one.gone));
     return this.hidden[own - 1];
   }
 
@@ -254,7 +273,7 @@ class Shape {
     const paths = STRESS.map(() => []), gone = this.gone(frame);
     this.beams.forEach((cell, k) => {
       if (gone && gone.has(cell)) return;
-      const a = this.place(this.at(data.frames.cells[2 * cell], frame, this.scale)), b = this.place(this.at(data.frames.cells[2 * cell + 1], frame, this.scale));
+      const a = this.place(this.at(this.data.frames.cells[2 * cell], frame, this.scale)), b = this.place(this.at(this.data.frames.cells[2 * cell + 1], frame, this.scale));
       const d = [b[0] - a[0], b[1] - a[1]], length = Math.hypot(d[0], d[1]);
       if (!(length > 0)) return;
       const half = Math.max(1, 0.5 * this.heights[cell] * this.per), n = [-d[1] / length * half, d[0] / length * half];
@@ -269,8 +288,8 @@ class Shape {
   // What holds the model: a clamp is a wall, a pin a triangle, a guide a triangle on a line.
   supports(frame) {
     this.held.textContent = "";
-    const driven = new Set(data.driven.map((one) => one.node)), many = data.supports.length > 40 || this.skin.space;
-    for (const support of data.supports) {
+    const driven = new Set(this.data.driven.map((one) => one.node)), many = this.data.supports.length > 40 || this.skin.space;
+    for (const support of this.data.supports) {
       const place = this.points[support.node];
       if (place === undefined || driven.has(support.node)) continue;
       const [x, y] = this.place(this.at(place, frame, this.scale)), has = (dof) => support.dofs.includes(dof);
@@ -294,7 +313,7 @@ class Shape {
 
   // Direction on the screen from a node into its beam.
   along(label) {
-    const f = data.frames;
+    const f = this.data.frames;
     for (const k of this.beams) {
       for (const [a, b] of [[0, 1], [1, 0]]) {
         if (f.labels[f.cells[2 * k + a]] !== label) continue;
@@ -309,10 +328,9 @@ class Shape {
   moving(frame) {
     this.motion.textContent = "";
     const state = this.states[frame];
-    data.driven.forEach((driven) => {
-      const place = this.points[driven.node], history = data.history.find((one) => one.node === driven.node);
-      if (place === undefined || !history || !history.columns[driven.motion]) return;
-      const u = doubles(history.columns[driven.motion]);
+    this.data.driven.forEach((driven) => {
+      const place = this.points[driven.node], u = this.scene.stroke(driven);
+      if (place === undefined || !u) return;
       const step = state > 0 ? u[state - 1] - (state > 1 ? u[state - 2] : 0) : driven.inward;
       if (!step) return;
       const s = Math.sign(step), [x, y] = this.place(this.at(place, frame, this.scale)), way = s === driven.inward ? "in" : "out";
@@ -395,7 +413,7 @@ class Shape {
     this.supports(this.frame);
     this.moving(this.frame);
     const closed = this.touch(), state = this.states[this.frame];
-    const text = where(state) + "; " + (state === 0 ? "undeformed" : closed + (closed === 1 ? " point touches" : " points touch")) + (this.scale === 1 ? "" : "; displacements times " + show(this.scale));
+    const text = this.scene.where(state) + "; " + (state === 0 ? "undeformed" : closed + (closed === 1 ? " point touches" : " points touch")) + (this.scale === 1 ? "" : "; displacements times " + show(this.scale));
     document.getElementById("state").textContent = text;
     this.slider.setAttribute("aria-valuetext", text);
     if (this.moves) this.moves(state, this.frame);

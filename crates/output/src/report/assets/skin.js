@@ -2,16 +2,22 @@
 // space are painted from back to front and turn with the pointer.
 class Skin {
   constructor(shape, parent) {
-    const f = data.frames;
     this.shape = shape;
-    // all solids, then what is left of them while something is absent
-    this.skins = [f.skin, ...f.changes.map((own) => own.skin)].map(singles);
-    this.take(0);
-    this.space = f.space;
-    this.fields = f.fields.map((field) => ({ name: field.name, values: singles(field.values) }));
     this.field = 0;
     this.turn = [-0.6, 0.45];
     this.canvas = make(parent, "canvas", { "aria-hidden": "true" });
+    document.getElementById("field").addEventListener("change", (event) => { this.field = Number(event.target.value); this.shape.fit(); this.shape.go(this.shape.frame); });
+    this.load();
+  }
+
+  // Takes what the shape has.
+  load() {
+    const f = this.shape.data.frames;
+    // all solids, then what is left of them while something is absent
+    this.skins = [f.skin, ...f.changes.map((own) => own.skin)].map(singles);
+    this.show(0);
+    this.space = f.space;
+    this.fields = f.fields.map((field) => ({ name: field.name, values: singles(field.values) }));
     this.fields.forEach((field) => {
       let most = 0;
       for (const value of field.values) if (value > most) most = value;
@@ -22,14 +28,14 @@ class Skin {
   }
 
   // The surface that a frame is drawn by.
-  take(frame) {
-    this.corners = this.skins[data.frames.changed[frame] || 0];
+  show(frame) {
+    this.corners = this.skins[this.shape.data.frames.changed[frame] || 0];
     this.triangles = this.corners.length / 4;
   }
 
   depths() {
     if (!this.space) return;
-    const f = data.frames;
+    const f = this.shape.data.frames;
     this.depth = singles(f.depth);
     this.moved = singles(f.depth_moved);
     const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity], s = this.shape;
@@ -41,9 +47,11 @@ class Skin {
 
   choice() {
     const label = document.getElementById("fields"), select = document.getElementById("field");
+    this.field = Math.min(this.field, Math.max(0, this.fields.length - 1));
+    select.textContent = "";
     this.fields.forEach((field, k) => make(select, "option", { value: k }, field.name));
+    select.value = this.field;
     label.hidden = this.fields.length < 2;
-    select.addEventListener("change", () => { this.field = Number(select.value); this.shape.fit(); this.shape.go(this.shape.frame); });
   }
 
   // A direction of space as the viewer has it: right, up, towards.
@@ -98,7 +106,7 @@ class Skin {
     const pen = this.canvas.getContext("2d"), shape = this.shape;
     pen.setTransform(this.fine, 0, 0, this.fine, 0, 0);
     pen.clearRect(0, 0, this.canvas.width, this.canvas.height);
-    this.take(frame);
+    this.show(frame);
     if (!this.triangles || !shape.states.length) return;
     const points = shape.size / 2, screen = new Float32Array(2 * points), depth = new Float32Array(points);
     for (let p = 0; p < points; p++) {

@@ -1,0 +1,155 @@
+//! `slideline workbench`: the workbench in the browser, or as one file.
+
+use crate::exit::Exit;
+use crate::{interrupt, screen};
+use clap::{Args, ValueHint};
+use slideline::output::write_file;
+use slideline::{Job, ReadOptions};
+use slideline_workbench::server::{Benches, Server};
+use slideline_workbench::{Bench, Range, range, single_page};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::Duration;
+
+/// `slideline workbench`.
+#[derive(Args, Debug)]
+pub(crate) struct WorkbenchArguments {
+    /// The deck [default: a choice of decks to begin with].
+    #[arg(value_name = "JOB", value_hint = ValueHint::FilePath)]
+    job: Option<PathBuf>,
+    /// Write the page as one file with the solver inside, and serve nothing.
+    #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    output: Option<PathBuf>,
+    /// Ends of the slider of a parameter, such as thickness=1:3.
+    #[arg(long, value_name = "NAME=FROM:TO", value_parser = range_of)]
+    range: Vec<Range>,
+    /// Only print the address; open no browser.
+    #[arg(long)]
+    no_browser: bool,
+    /// The solver as WebAssembly, for -o [default: slideline.wasm beside the program].
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    module: Option<PathBuf>,
+}
+
+fn range_of(text: &str) -> Result<Range, String> {
+    range(text).ok_or_else(|| "a range is NAME=FROM:TO with FROM less than TO".to_owned())
+}
+
+/// A deck by its file.
+struct Deck {
+    job: Job,
+    name: String,
+    text: String,
+}
+
+/// Opens the workbench.
+pub(crate) fn workbench(arguments: &WorkbenchArguments) -> Exit {
+    let deck = match arguments.job.as_deref().map(deck).transpose() {
+        Ok(deck) => deck,
+        Err(exit) => return exit,
+    };
+    match &arguments.output {
+        Some(path) => page(path, arguments, deck.as_ref()),
+        None => serve(arguments, deck),
+    }
+}
+
+fn deck(path: &Path) -> Result<Deck, Exit> {
+    let job = Job::named(path);
+    match std::fs::read(&job.deck) {
+        Ok(bytes) => {
+            let name = job.deck.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            Ok(Deck { name, text: String::from_utf8_lossy(&bytes).into_owned(), job })
+        }
+        Err(reason) => {
+            let path = job.deck.display();
+            screen::error(&format!(
+                "error[SL0701]: the deck {path} cannot be read: {reason}\n  = help: name an \
+                 existing deck, or none to choose one to begin with\n"
+            ));
+            Err(Exit::Input)
+        }
+    }
+}
+
+fn serve(arguments: &WorkbenchArguments, deck: Option<Deck>) -> Exit {
+    let ranges = arguments.range.clone();
+    let folder = deck.as_ref().and_then(|own| own.job.deck.parent().map(Path::to_owned));
+    let folder = folder.filter(|own| own != Path::new("")).unwrap_or_else(|| PathBuf::from("."));
+    let beside = folder.clone();
+    let benches: Benches = Box::new(move || {
+        let folder = beside.clone();
+        // what a deck includes stands beside it
+        let read = move |name: &str, text: &str| {
+            let job = Job::named(&folder.join(name));
+            Job::read_bytes(job, text.as_bytes(), &ReadOptions::default())
+        };
+        let bench = Bench::new().with_ranges(ranges.clone()).with_reader(Box::new(read));
+        match &deck {
+            Some(own) => bench.with_deck(&own.name, &own.text),
+            None => bench,
+        }
+    });
+    let server = match Server::begin(benches, &folder) {
+        Ok(server) => server,
+        Err(reason) => {
+            screen::error(&format!("error: the workbench cannot be served: {reason}\n"));
+            return Exit::Output;
+        }
+    };
+    interrupt::listen();
+    screen::print(&format!(
+        "{}\nThe address opens once. Ctrl-C ends the workbench.\n",
+        server.address()
+    ));
+    if !arguments.no_browser {
+        open(server.address());
+    }
+    while !interrupt::asked() {
+        std::thread::sleep(Duration::from_millis(100));
+    }
+    Exit::Completed
+}
+
+/// Asks the system to open an address; where it cannot, the address was printed.
+fn open(address: &str) {
+    let mut command = if cfg!(target_os = "windows") {
+        let mut command = Command::new("rundll32");
+        command.arg("url.dll,FileProtocolHandler");
+        command
+    } else {
+        Command::new(if cfg!(target_os = "macos") { "open" } else { "xdg-open" })
+    };
+    let quiet = command.arg(address).stdin(Stdio::null()).stdout(Stdio::null());
+    if quiet.stderr(Stdio::null()).spawn().is_err() {
+        screen::error("no browser could be opened: open the address above\n");
+    }
+}
+
+fn page(path: &Path, arguments: &WorkbenchArguments, deck: Option<&Deck>) -> Exit {
+    let beside = || Some(std::env::current_exe().ok()?.parent()?.join("slideline.wasm"));
+    let module =
+        arguments.module.clone().or_else(beside).unwrap_or_else(|| "slideline.wasm".into());
+    let wasm = match std::fs::read(&module) {
+        Ok(wasm) => wasm,
+        Err(reason) => {
+            screen::error(&format!(
+                "error[SL0701]: the solver as WebAssembly, {}, cannot be read: {reason}\n  = help: \
+                 scripts/wasm builds it; name it with --module, or put it beside the program\n",
+                module.display()
+            ));
+            return Exit::Input;
+        }
+    };
+    let deck = deck.map(|own| (own.name.as_str(), own.text.as_str()));
+    match write_file(path, single_page(&wasm, deck).as_bytes()) {
+        Ok(()) => {
+            screen::print(&format!("{} is written; open it in a browser\n", path.display()));
+            Exit::Completed
+        }
+        Err(reason) => {
+            screen::error(&format!("error[SL0702]: {reason}\n"));
+            Exit::Output
+        }
+    }
+}

@@ -1,0 +1,34 @@
+// Without a deck: the kinds to start from, as pictures.
+(function (W) {
+  "use strict";
+  W.choose = (kind) => {
+    W.ask("new", { kind }, (message) => {
+      if (message.say === "deck") {
+        W.kind = kind;
+        const own = W.pending;
+        W.pending = null;
+        W.start_deck(message, own);
+      } else W.tell("refused", message.why || "This kind is not known.");
+      return true;
+    });
+  };
+
+  // A picture that stands in no page needs the name of its language.
+  const alone = (svg) => svg.includes("xmlns=") ? svg : svg.replace("<svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"");
+
+  W.start = (message) => {
+    const list = W.by("kinds");
+    list.textContent = "";
+    document.body.classList.add("starting");
+    W.by("start").hidden = false;
+    for (const one of message.kinds) {
+      const card = make(list, "button", { type: "button", class: "kind", "data-kind": one.kind });
+      if (one.picture) make(card, "img", { alt: "", src: "data:image/svg+xml," + encodeURIComponent(alone(one.picture)) });
+      make(card, "b", {}, one.title);
+      make(card, "span", {}, one.text);
+      card.addEventListener("click", () => W.choose(one.kind));
+    }
+    const first = list.querySelector("button");
+    if (first) first.focus();
+  };
+})(window.Workbench = window.Workbench || {});

@@ -1,0 +1,91 @@
+//! The deck on the bench: its text, what is said about it, its parameters.
+
+use crate::found::found;
+use crate::parameters::{Range, Slider, declared, ranges};
+use serde_json::{Value, json};
+use slideline::output::{KEY_FIGURES, record};
+use slideline::{Model, Parametric, Read};
+
+/// A deck that was read.
+pub(crate) struct Opened {
+    /// Its name, with `.inp`.
+    pub name: String,
+    /// Its text.
+    pub text: String,
+    /// What was read of it.
+    pub read: Read,
+    /// What can be changed in it.
+    pub sliders: Vec<Slider>,
+    /// The deck that takes values: its own, or one whose numbers have become parameters.
+    pub parametric: Option<Parametric>,
+}
+
+impl Opened {
+    /// That of a text, read by `read`. Ranges that are said stand above those of the deck.
+    pub fn new(name: &str, text: &str, said: &[Range], read: &dyn Fn(&str, &str) -> Read) -> Self {
+        let own = read(name, text);
+        let limits = [ranges(&own.deck), said.to_vec()].concat();
+        let mut sliders = declared(&own.deck, &limits);
+        let mut parametric = own.model.as_ref().and_then(|_| Parametric::of(&own).ok());
+        if sliders.is_empty() && parametric.is_some() {
+            let (rewritten, found) = found(&own.deck, &limits);
+            let again = read(name, &rewritten);
+            if let (false, Some(_)) = (found.is_empty(), &again.model) {
+                parametric = Parametric::of(&again).ok();
+                sliders = found;
+            }
+        }
+        Self { name: name.to_owned(), text: text.to_owned(), read: own, sliders, parametric }
+    }
+
+    /// Name of the job.
+    pub fn job(&self) -> &str {
+        self.name.strip_suffix(".inp").unwrap_or(&self.name)
+    }
+
+    /// What the page is told.
+    pub fn told(&self, id: &Value) -> Value {
+        let read = &self.read;
+        let main = read.sources.files().first().map(|own| own.name.as_str());
+        let said = read.diagnostics.iter().map(|own| {
+            let mut own = record(own, &read.sources);
+            // the page knows the deck by its name alone
+            if own.get("file").and_then(Value::as_str) == main {
+                own["file"] = json!(self.name);
+            }
+            own
+        });
+        json!({
+            "say": "deck",
+            "id": id,
+            "name": self.name,
+            "text": self.text,
+            "diagnostics": said.collect::<Value>(),
+            "sound": self.parametric.is_some(),
+            "parameters": self.sliders.iter().map(parameter).collect::<Value>(),
+            "responses": KEY_FIGURES.map(|name| json!({"name": name, "unit": ""})),
+            "reaction": read.model.as_ref().map_or(Value::Null, reaction),
+        })
+    }
+}
+
+fn parameter(own: &Slider) -> Value {
+    json!({
+        "name": own.name,
+        "value": own.value,
+        "minimum": own.range[0],
+        "maximum": own.range[1],
+        "integer": own.whole,
+        "about": own.about,
+        "origin": if own.declared { "parameter" } else { "found" },
+        "unit": own.unit,
+    })
+}
+
+/// The first driven motion.
+fn reaction(model: &Model) -> Value {
+    let driven = model.driven();
+    let Some(own) = driven.first() else { return Value::Null };
+    let node = own.nodes.first().map(|&node| model.nodes.label(node));
+    json!({"node": node, "component": own.dof.reaction_name(), "motion": own.dof.name()})
+}

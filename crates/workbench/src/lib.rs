@@ -1,0 +1,34 @@
+//! The workbench: a deck whose numbers are sliders, and a solver that follows them.
+//!
+//! ```text
+//!   page  <-- JSON texts -->  Bench::answer  -->  Parametric -> Model -> Workspace -> rows, frames
+//!     |                                                                     `-> verdict, figures
+//!     `-- over a WebSocket (server), or within a worker (WebAssembly)
+//! ```
+//!
+//! [`Bench`] needs no file, no thread and no clock; what it says goes to a function. The exchange
+//! is described in `protocol.md` beside this crate.
+
+mod aim;
+mod answers;
+mod band;
+mod bench;
+mod complete;
+mod deck;
+mod formula;
+mod found;
+mod kinds;
+pub mod markdown;
+mod outcome;
+mod parameters;
+mod save;
+#[cfg(feature = "server")]
+pub mod server;
+mod single;
+mod solve;
+mod values;
+
+pub use bench::{Bench, Reader};
+pub use kinds::{KINDS, Kind, kind};
+pub use parameters::{Range, range};
+pub use single::{asset, single_page};

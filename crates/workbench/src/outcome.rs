@@ -1,0 +1,92 @@
+//! The end of a solve: how it went, verdict, key figures, the formula of the design guides.
+
+use crate::formula::formula;
+use serde_json::{Map, Value, json};
+use slideline::diag::Sources;
+use slideline::observe::Ending;
+use slideline::output::report::Told;
+use slideline::output::{KEY_FIGURES, Status, figures_of, record};
+use slideline::{Diagnostic, Model};
+
+/// What is said at the end of a run.
+pub(crate) fn ended(model: &Model, (id, ending): (&Value, &Ending), told: &Told) -> Value {
+    let summary = &told.summary;
+    let of = |key: &str| summary.get(key).cloned().unwrap_or_default();
+    let verdict = summary.get("verdict");
+    let list = |key: &str| summary.get(key).and_then(Value::as_array).cloned().unwrap_or_default();
+    let said = ["warnings", "advice", "notes"].map(list).concat();
+    let tile =
+        |[name, text, about]: &[String; 3]| json!({"name": name, "text": text, "about": about});
+    json!({
+        "say": "end",
+        "id": id,
+        "status": Status::of(ending).word(),
+        "diagnosis": of("diagnosis"),
+        "verdict": {
+            "colour": verdict.and_then(|own| own.get("colour")),
+            "headline": told.headline,
+            "reasons": verdict.and_then(|own| own.get("reasons")),
+            "lines": told.sentences,
+        },
+        "key": told.tiles.iter().map(tile).collect::<Value>(),
+        "figures": figures(told),
+        "places": {
+            "curve": told.driven.unwrap_or_default(),
+            "push": told.places[0],
+            "pull": told.places[1],
+            "inward": told.inward,
+        },
+        "peaks": of("peaks"),
+        "said": said,
+        "increments": of("increments"),
+        "iterations": of("iterations"),
+        "formula": formula(model, told),
+    })
+}
+
+/// Key figures by their names, margin and noise behind them; null where there are none.
+pub(crate) fn figures(told: &Told) -> Map<String, Value> {
+    let own = figures_of(&told.summary).values;
+    let mut figures: Map<String, Value> = KEY_FIGURES
+        .iter()
+        .zip(own)
+        .map(|(name, value)| ((*name).to_owned(), json!(value)))
+        .collect();
+    let inside = |keys: &[&str]| keys.iter().try_fold(&told.summary, |own, key| own.get(key));
+    figures.insert("margin".into(), json!(inside(&["allowable", "margin"])));
+    let reactions = inside(&["noise", "reactions"]).and_then(Value::as_object);
+    let noises = reactions.into_iter().flat_map(Map::values);
+    let noise = noises.filter_map(|own| own.get("of_mesh")?.as_f64()).reduce(f64::max);
+    figures.insert("noise".into(), json!(noise));
+    figures
+}
+
+/// A key figure by its name; `None`: the run has none of that name.
+pub(crate) fn figure(told: &Told, name: &str) -> Option<f64> {
+    figures(told).get(name)?.as_f64()
+}
+
+/// Values with which the deck is no model.
+pub(crate) fn unread(id: &Value, errors: &[Diagnostic], sources: &Sources) -> Value {
+    let said: Vec<Value> = errors.iter().map(|own| record(own, sources)).collect();
+    json!({
+        "say": "end",
+        "id": id,
+        "status": Status::InputError.word(),
+        "diagnosis": said.first(),
+        "verdict": {
+            "colour": "red",
+            "headline": "Red: with these values there is nothing to solve",
+            "reasons": ["the deck has errors with these values"],
+            "lines": errors.iter().map(|own| own.message.clone()).collect::<Vec<_>>(),
+        },
+        "key": [],
+        "figures": {},
+        "places": {"curve": 0, "push": null, "pull": null, "inward": 1.0},
+        "peaks": {},
+        "said": said,
+        "increments": 0,
+        "iterations": 0,
+        "formula": null,
+    })
+}

@@ -1,0 +1,182 @@
+//! The numbers of a deck that may be changed: lines of `*PARAMETER`.
+//!
+//! ```text
+//!   ** range thickness 1.0 3.0
+//!   *PARAMETER
+//!   thickness = 1.5        # height of the arm [mm]     a slider from 1 to 3, its label and unit
+//!   area = width*thickness # follows from others        no slider: it is computed
+//! ```
+
+use slideline::deck::{DataLine, Deck};
+use slideline::diag::Span;
+
+/// Where a slider ends.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Range {
+    /// The parameter.
+    pub name: String,
+    /// From here.
+    pub minimum: f64,
+    /// To here.
+    pub maximum: f64,
+}
+
+/// Where a number is written.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Place {
+    /// There.
+    pub span: Span,
+    /// What stands there.
+    pub form: Form,
+}
+
+/// What stands in a place for the value of a slider.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Form {
+    /// The value.
+    Same,
+    /// The value with the other sign.
+    Negative,
+    /// This number and the value.
+    Moved(f64),
+}
+
+impl Form {
+    /// The number that stands there.
+    pub fn of(self, value: f64) -> f64 {
+        match self {
+            Self::Same => value,
+            Self::Negative => -value,
+            Self::Moved(from) => from + value,
+        }
+    }
+}
+
+/// A number of the deck that may be changed.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Slider {
+    /// Name of the parameter.
+    pub name: String,
+    /// Its number in the deck.
+    pub value: f64,
+    /// The number as it is written, and where.
+    pub text: String,
+    /// Every place where it is written in the deck that the user has.
+    pub places: Vec<Place>,
+    /// From here, to here.
+    pub range: [f64; 2],
+    /// Whether it is a whole number.
+    pub whole: bool,
+    /// The deck's own words.
+    pub about: String,
+    /// Its unit, as the deck calls it.
+    pub unit: String,
+    /// Whether it is a `*PARAMETER` of the deck, or was found among its numbers.
+    pub declared: bool,
+}
+
+impl Slider {
+    /// Ends that were said, or half and twice the number.
+    pub fn limited(mut self, ranges: &[Range]) -> Self {
+        if let Some(own) = ranges.iter().rev().find(|own| own.name == self.name) {
+            self.range = [own.minimum, own.maximum];
+        }
+        self
+    }
+}
+
+/// Half and twice a number, in ascending order; of zero nothing is known but its sign.
+pub(crate) fn around(value: f64) -> [f64; 2] {
+    if value == 0.0 { [0.0, 1.0] } else { [0.5 * value, 2.0 * value].sorted() }
+}
+
+trait Sorted {
+    fn sorted(self) -> Self;
+}
+
+impl Sorted for [f64; 2] {
+    fn sorted(self) -> Self {
+        [self[0].min(self[1]), self[0].max(self[1])]
+    }
+}
+
+/// The range that a text such as `thickness=1.0:3.0` names; `None`: it names none.
+pub fn range(text: &str) -> Option<Range> {
+    let (name, ends) = text.split_once('=')?;
+    let (minimum, maximum) = ends.split_once(':')?;
+    limits(name, minimum, maximum)
+}
+
+fn limits(name: &str, minimum: &str, maximum: &str) -> Option<Range> {
+    let [minimum, maximum] = [minimum, maximum].map(|text| text.trim().parse::<f64>().ok());
+    let (minimum, maximum) = (minimum?, maximum?);
+    let sound = minimum.is_finite() && maximum.is_finite() && minimum < maximum;
+    sound.then(|| Range { name: name.trim().to_owned(), minimum, maximum })
+}
+
+/// Ranges that comments of a deck name: `** range NAME FROM TO`.
+pub(crate) fn ranges(deck: &Deck) -> Vec<Range> {
+    let own = deck.comments.iter().filter_map(|comment| {
+        let mut words = comment.text.trim_start_matches('*').split_whitespace();
+        if !words.next()?.eq_ignore_ascii_case("range") {
+            return None;
+        }
+        limits(words.next()?, words.next()?, words.next()?)
+    });
+    own.collect()
+}
+
+/// The parameters that a deck gives numbers to, each at its first line.
+pub(crate) fn declared(deck: &Deck, ranges: &[Range]) -> Vec<Slider> {
+    let mut found: Vec<Slider> = Vec::new();
+    let cards = deck.cards.iter().filter(|card| card.keyword.name == "PARAMETER");
+    let mut met: Vec<String> = Vec::new();
+    // what stands in an included file is not changed
+    let own = |line: &&DataLine| Some(line.span.file) == deck.files.first().map(|own| own.file);
+    for line in cards.flat_map(|card| &card.data).filter(own) {
+        let Some((name, _)) = line.text.split_once('=') else { continue };
+        let name = name.trim();
+        if met.iter().any(|own| own == name) {
+            continue;
+        }
+        met.push(name.to_owned());
+        found.extend(slider(&line.text, line.span).map(|own| own.limited(ranges)));
+    }
+    found
+}
+
+/// That of a line such as `thickness = 1.5  # height of the arm [mm]`; `None`: it is computed, or
+/// no number.
+fn slider(line: &str, span: Span) -> Option<Slider> {
+    let (assigned, comment) = line.split_once('#').unwrap_or((line, ""));
+    let (name, number) = assigned.split_once('=')?;
+    let begin = name.len() + 1 + (number.len() - number.trim_start().len());
+    let text = number.trim().trim_end_matches(';').trim_end();
+    let whole = text.parse::<i64>().is_ok();
+    let is_number = text.starts_with(|first: char| first.is_ascii_digit() || "+-.".contains(first));
+    let value = text.parse::<f64>().ok().filter(|value| is_number && value.is_finite())?;
+    let (about, unit) = labelled(comment);
+    let begin = span.start as usize + begin;
+    let place = Place { span: Span::new(span.file, begin, begin + text.len()), form: Form::Same };
+    Some(Slider {
+        name: name.trim().to_owned(),
+        value,
+        text: text.to_owned(),
+        places: vec![place],
+        range: around(value),
+        whole,
+        about,
+        unit,
+        declared: true,
+    })
+}
+
+/// The words of a comment and the unit that ends it in brackets.
+fn labelled(comment: &str) -> (String, String) {
+    let comment = comment.trim();
+    let bracketed = comment.strip_suffix(']').and_then(|rest| rest.rsplit_once('['));
+    match bracketed {
+        Some((about, unit)) => (about.trim().to_owned(), unit.trim().to_owned()),
+        None => (comment.to_owned(), String::new()),
+    }
+}

@@ -1,0 +1,28 @@
+//! The page as one file, with everything that it needs inside.
+
+use base64::{Engine as _, engine::general_purpose::STANDARD};
+use slideline::output::report::DRAWING;
+
+/// Files of the page: name and content.
+const ASSETS: &[(&str, &[u8])] = &[("index.html", include_bytes!("../page/index.html"))];
+
+/// The content of a file of the page, and its kind.
+pub fn asset(name: &str) -> Option<(&'static [u8], &'static str)> {
+    let report = name.strip_prefix("report/");
+    let drawing = report.and_then(|name| DRAWING.iter().find(|(own, _)| *own == name));
+    let own = ASSETS.iter().find(|(own, _)| *own == name).map(|(_, content)| *content);
+    let content = drawing.map(|(_, text)| text.as_bytes()).or(own)?;
+    let kind = match name.rsplit('.').next().unwrap_or_default() {
+        "html" => "text/html; charset=utf-8",
+        "css" => "text/css; charset=utf-8",
+        "js" => "text/javascript; charset=utf-8",
+        "svg" => "image/svg+xml",
+        _ => "application/octet-stream",
+    };
+    Some((content, kind))
+}
+
+/// To be written.
+pub fn single_page(wasm: &[u8], _deck: Option<(&str, &str)>) -> String {
+    STANDARD.encode(wasm)
+}

@@ -1,0 +1,234 @@
+//! A solve that streams what it finds.
+//!
+//! ```text
+//!   values -> Parametric -> model -> Workspace::run -> Stream --+--> begin, points, points ...
+//!                                       ^                       `--> end, or overtaken
+//!                                       `- say: a newer one is asked for
+//! ```
+
+use crate::answers::overtaken;
+use crate::deck::Opened;
+use crate::outcome::{ended, unread};
+use crate::values::Values;
+use serde_json::{Value, json};
+use slideline::observe::{Ending, Frame};
+use slideline::output::json::text;
+use slideline::{
+    Diagnostic, Event, Judge, Model, Observer, Plan, SolveOptions, Stop, Workspace, objections,
+};
+use std::ops::ControlFlow;
+
+/// Time between two messages of points [ms].
+const BATCH: f64 = 8.0;
+/// Most rows of a message where there is no clock.
+const MOST: usize = 16;
+
+/// What a solve leaves to the next one.
+#[derive(Default)]
+pub(crate) struct Room(Option<Workspace>);
+
+impl Room {
+    /// Runs a model in the room of the one before, or in a new one where its outline is another.
+    pub fn run(&mut self, model: &Model, observer: &mut dyn Observer) -> Option<Ending> {
+        if let Some(workspace) = &mut self.0
+            && let Ok(ending) = workspace.run(model, observer)
+        {
+            return Some(ending);
+        }
+        let workspace = Workspace::new(&Plan::of(model), &SolveOptions::default());
+        self.0.insert(workspace).run(model, observer).ok()
+    }
+}
+
+/// The model of values with everything that is said about it before it runs. `Err`: the errors.
+pub(crate) fn model(
+    opened: &Opened,
+    values: &Values,
+) -> Result<(Model, Vec<Diagnostic>), Vec<Diagnostic>> {
+    let Some(parametric) = &opened.parametric else { return Err(opened.read.diagnostics.clone()) };
+    let (model, mut said) = parametric.read(&values.settings(&opened.sliders))?;
+    said.extend(objections(&model));
+    Ok((model, said))
+}
+
+/// Solves and says everything; the answer that is left to be said, if one is.
+pub(crate) fn solve(
+    opened: &Opened,
+    values: &Values,
+    room: &mut Room,
+    (id, clock): (&Value, Option<&(dyn Fn() -> f64 + Send)>),
+    say: &mut dyn FnMut(&str) -> bool,
+) -> Option<Value> {
+    let (model, said) = match model(opened, values) {
+        Ok(found) => found,
+        Err(errors) => return Some(unread(id, &errors, &opened.read.sources)),
+    };
+    let sources = &opened.read.sources;
+    let job = (opened.job(), &*opened.read.deck_hash, true);
+    let mut stream = Stream {
+        judge: Judge::showing(&model, (&said, sources), job),
+        id,
+        say,
+        clock,
+        rows: Vec::new(),
+        frames: Vec::new(),
+        sent: None,
+        due: 1,
+        begun: false,
+        goes_on: true,
+    };
+    let ending = room.run(&model, &mut stream);
+    stream.flush();
+    match (ending, stream.judge.told()) {
+        (Some(Ending::Stopped(..)) | None, _) | (_, None) => Some(overtaken(id)),
+        (Some(ending), Some(told)) => Some(ended(&model, (id, &ending), told)),
+    }
+}
+
+/// Watches a run and says what it finds.
+struct Stream<'a, 's> {
+    judge: Judge<'a>,
+    id: &'s Value,
+    say: &'s mut dyn FnMut(&str) -> bool,
+    clock: Option<&'s (dyn Fn() -> f64 + Send)>,
+    rows: Vec<Value>,
+    frames: Vec<Value>,
+    /// When the last message was sent.
+    sent: Option<f64>,
+    /// Rows of the next message, where there is no clock.
+    due: usize,
+    begun: bool,
+    goes_on: bool,
+}
+
+impl Stream<'_, '_> {
+    fn begin(&mut self, start: &Frame<'_>) {
+        let records = self.judge.records();
+        let parts = records.start().unwrap_or_default();
+        let curves = text(&records.driven().unwrap_or_default());
+        let zeros = vec![0.0; 2 * records.row().len()];
+        let id = text(self.id);
+        // the parts are a text of their own already
+        let message =
+            format!("{{\"say\":\"begin\",\"id\":{id},\"curves\":{curves},\"parts\":{parts}}}");
+        self.goes_on = (self.say)(&message);
+        self.rows.push(row(start.total_time, [start.step, 0], &zeros));
+        self.flush();
+    }
+
+    fn follow(&mut self, frame: &Frame<'_>) {
+        let records = self.judge.records();
+        let values = records.row().concat();
+        self.rows.push(row(frame.total_time, [frame.step, frame.increment], &values));
+        self.frames.extend(records.state(frame));
+        let is_due = match (self.clock, self.sent) {
+            (Some(clock), Some(sent)) => clock() - sent >= BATCH,
+            (Some(_), None) => true,
+            (None, _) => self.rows.len() >= self.due,
+        };
+        // the first point at once, whatever the clock says
+        if is_due || records.increments() == 1 {
+            self.due = (2 * self.due).min(MOST);
+            self.flush();
+        } else {
+            self.goes_on = (self.say)("");
+        }
+    }
+
+    fn flush(&mut self) {
+        if self.rows.is_empty() {
+            return;
+        }
+        let (rows, frames) = (std::mem::take(&mut self.rows), std::mem::take(&mut self.frames));
+        let message = json!({"say": "points", "id": self.id, "rows": rows, "frames": frames});
+        self.goes_on = (self.say)(&text(&message));
+        self.sent = self.clock.map(|clock| clock());
+    }
+}
+
+fn row(time: f64, [step, increment]: [usize; 2], values: &[f64]) -> Value {
+    let mut row = vec![json!(time), json!(step), json!(increment)];
+    row.extend(values.iter().map(|value| json!(value)));
+    Value::Array(row)
+}
+
+impl Observer for Stream<'_, '_> {
+    fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
+        let (begun, committed) = match &event {
+            Event::StepBegin(step) if !std::mem::replace(&mut self.begun, true) => {
+                (Some(step.start), None)
+            }
+            Event::Committed(frame) => (None, Some(**frame)),
+            Event::Iteration(_) => {
+                self.goes_on = (self.say)("");
+                (None, None)
+            }
+            _ => (None, None),
+        };
+        let _ = self.judge.event(event); // it never stops a run
+        if let Some(start) = begun {
+            self.begin(&start);
+        }
+        if let Some(frame) = committed {
+            self.follow(&frame);
+        }
+        if self.goes_on { ControlFlow::Continue(()) } else { ControlFlow::Break(Stop::Interrupted) }
+    }
+}
+
+/// Watches a run without saying anything but its end.
+pub(crate) struct Silent<'a, 's> {
+    judge: Judge<'a>,
+    say: &'s mut dyn FnMut(&str) -> bool,
+    /// Motion and reaction of what is driven, from the start on, a row an increment.
+    rows: Vec<Vec<[f64; 2]>>,
+}
+
+impl Observer for Silent<'_, '_> {
+    fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
+        let committed = matches!(event, Event::Committed(_));
+        let asks = committed || matches!(event, Event::Iteration(_));
+        let _ = self.judge.event(event); // it never stops a run
+        if committed {
+            self.rows.push(self.judge.records().row());
+        }
+        let goes_on = !asks || (self.say)("");
+        if goes_on { ControlFlow::Continue(()) } else { ControlFlow::Break(Stop::Interrupted) }
+    }
+}
+
+/// A run that came to its end.
+pub(crate) struct Quiet {
+    /// What the report says of it.
+    pub told: slideline::output::report::Told,
+    /// Motion and reaction of the driven motion that does most work, from the start on.
+    pub curve: Vec<[f64; 2]>,
+}
+
+/// Solves without saying anything. `Err`: why there is no result.
+pub(crate) fn quietly(
+    opened: &Opened,
+    values: &Values,
+    room: &mut Room,
+    say: &mut dyn FnMut(&str) -> bool,
+) -> Result<Quiet, String> {
+    let because = |said: &Diagnostic| format!("{} ({})", said.message, said.code.0);
+    let (model, said) = model(opened, values).map_err(|errors| {
+        errors.first().map_or_else(|| "the deck has errors".to_owned(), because)
+    })?;
+    let job = (opened.job(), &*opened.read.deck_hash, false);
+    let judge = Judge::showing(&model, (&said, &opened.read.sources), job);
+    let mut silent = Silent { judge, say, rows: Vec::new() };
+    match room.run(&model, &mut silent) {
+        Some(Ending::Completed(_)) => {}
+        Some(Ending::NotConverged(_, said)) => return Err(because(&said)),
+        Some(Ending::Stopped(..)) | None => return Err(OVERTAKEN.to_owned()),
+    }
+    let told = silent.judge.told().cloned().ok_or_else(|| OVERTAKEN.to_owned())?;
+    let place = told.driven.unwrap_or_default();
+    let rows = silent.rows.iter().filter_map(|row| row.get(place).copied());
+    Ok(Quiet { told, curve: std::iter::once([0.0; 2]).chain(rows).collect() })
+}
+
+/// Why a run has no end: something newer is asked for.
+pub(crate) const OVERTAKEN: &str = "something newer was asked for";
