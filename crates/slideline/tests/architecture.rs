@@ -41,7 +41,7 @@ fn table() -> BTreeMap<String, Row> {
 
 /// Crates that stand beside the others, not among them: the unpublished tests, and what other
 /// languages import.
-const BESIDE: [&str; 2] = ["verification", "bindings/python"];
+const BESIDE: [&str; 3] = ["verification", "bindings/python", "bindings/wasm"];
 
 fn folder(crate_name: &str) -> PathBuf {
     if BESIDE.contains(&crate_name) {
@@ -96,8 +96,8 @@ fn every_crate_imports_only_what_its_row_allows() {
     }
 }
 
-/// The Python package has a lock file of its own: what it shares with the workspace has the same
-/// versions, or its results would be those of another program.
+/// The bindings have lock files of their own: what they share with the workspace has the same
+/// versions, or their results would be those of another program.
 #[test]
 fn the_locks_agree() {
     let versions = |path: &str| -> BTreeSet<(String, String)> {
@@ -111,11 +111,14 @@ fn the_locks_agree() {
         });
         packages.collect()
     };
-    let (own, other) = (versions("Cargo.lock"), versions("bindings/python/Cargo.lock"));
+    let own = versions("Cargo.lock");
     let names: BTreeSet<&String> = own.iter().map(|(name, _)| name).collect();
-    let shared = other.iter().filter(|(name, _)| names.contains(name));
-    let strange: Vec<_> = shared.filter(|package| !own.contains(package)).collect();
-    assert!(strange.is_empty(), "bindings/python/Cargo.lock has other versions: {strange:?}");
+    for lock in ["bindings/python/Cargo.lock", "bindings/wasm/Cargo.lock"] {
+        let other = versions(lock);
+        let shared = other.iter().filter(|(name, _)| names.contains(name));
+        let strange: Vec<_> = shared.filter(|package| !own.contains(package)).collect();
+        assert!(strange.is_empty(), "{lock} has other versions: {strange:?}");
+    }
 }
 
 #[test]
