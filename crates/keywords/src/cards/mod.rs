@@ -57,6 +57,7 @@ pub(crate) mod end_step;
 pub(crate) mod equation;
 pub(crate) mod expansion;
 pub(crate) mod friction;
+pub(crate) mod gap;
 pub(crate) mod heading;
 pub(crate) mod hyperelastic;
 pub(crate) mod hyperfoam;

@@ -22,6 +22,22 @@ pub(crate) struct Spring {
     pub origin: Span,
 }
 
+/// `*GAP`.
+#[derive(Clone, Debug)]
+pub(crate) struct Gap {
+    pub set: String,
+    pub set_span: Span,
+    /// Opening before the first step.
+    pub clearance: f64,
+    /// Unit vector; `None`: the line between the nodes.
+    pub direction: Option<[f64; 3]>,
+    /// Of the closed gap.
+    pub stiffness: Option<f64>,
+    /// Largest pull of CalculiX' law.
+    pub tension: Option<f64>,
+    pub origin: Span,
+}
+
 /// `*RIGID SURFACE` or `*SLIDE LINE`, named by its element set.
 #[derive(Clone, Debug)]
 pub(crate) struct Surface {

@@ -12,6 +12,7 @@ mod distributing;
 mod equations;
 mod faces;
 mod frictions;
+mod gaps;
 mod general_contact;
 mod in_space;
 mod initial_stresses;
@@ -73,6 +74,7 @@ pub(crate) fn finish(draft: &mut Draft, steps_doubted: bool) -> Model {
     sections::sections(draft);
     initial_stresses::stresses(draft);
     springs::springs(draft);
+    gaps::gaps(draft);
     faces::check(draft);
     axes::transforms(draft);
     contact::pairs(draft);

@@ -128,7 +128,7 @@ pub(super) const GROUPS: &[Group] = &[
     (
         Unsupported,
         "contact is between *SURFACEs; a node that touches is a *SURFACE, TYPE=NODE",
-        &["GAP", "GAP FLOW", "GAP RADIATION", "GAP ELECTRICAL CONDUCTANCE"],
+        &["GAP FLOW", "GAP RADIATION", "GAP ELECTRICAL CONDUCTANCE"],
     ),
     (
         Unsupported,
