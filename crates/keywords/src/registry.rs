@@ -14,8 +14,8 @@ use crate::cards::{
     initial_conditions, instance, interface, kinematic, kinematic_coupling, material, model_change,
     mpc, ncopy, nfill, ngen, nmap, nodal_thickness, node, node_file, node_output, node_print, nset,
     orientation, output, parameter, part, physical_constants, planar_test_data, plastic,
-    pre_tension_section, print, restart, rigid_body, rigid_surface, shear_center, slide_line,
-    solid_section, spring, static_, step, surface, surface_behavior, surface_contact,
+    pre_tension_section, print, restart, rigid_body, rigid_surface, section_print, shear_center,
+    slide_line, solid_section, spring, static_, step, surface, surface_behavior, surface_contact,
     surface_interaction, system, temperature, tie, transform, transverse_shear, uniaxial_test_data,
     visco, viscoelastic, volumetric_test_data,
 };
@@ -125,6 +125,7 @@ pub(crate) const REGISTRY: &[&'static dyn Keyword] = &[
     &el_file::ElFile,
     &element_output::ElementOutput,
     &contact_print::ContactPrint,
+    &section_print::SectionPrint,
     &contact_file::ContactFile,
     &contact_output::ContactOutput,
     &end_step::EndStep,

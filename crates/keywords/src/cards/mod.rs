@@ -91,6 +91,7 @@ pub(crate) mod print;
 pub(crate) mod restart;
 pub(crate) mod rigid_body;
 pub(crate) mod rigid_surface;
+pub(crate) mod section_print;
 pub(crate) mod shear_center;
 pub(crate) mod slide_line;
 pub(crate) mod solid_section;

@@ -5,10 +5,11 @@ use super::properties::PropertyChange;
 use crate::changes::{FrictionChange, InterferenceCard, ModelChange, PressureChange};
 use crate::distributed::Distributed;
 use crate::log::Target;
+use crate::surfaces::Named;
 use slideline_diag::Span;
 use slideline_model::{
     ContactPrint, Controls, Dof, ElementPrint, Extrapolation, Interaction, NodePrint, PrintTarget,
-    ProfilePoint, SavedStates, Stabilisation, Static, SurfaceSegment,
+    ProfilePoint, SavedStates, SectionPrint, Stabilisation, Static, SurfaceSegment,
 };
 
 #[derive(Clone, Debug)]
@@ -113,6 +114,7 @@ pub(crate) struct StepDraft {
     pub prints: Vec<(NodePrint, Option<Span>)>,
     pub element_prints: Vec<(ElementPrint, Option<Span>)>,
     pub contact_prints: Vec<(ContactPrint, Option<Span>)>,
+    pub section_prints: Vec<(SectionPrint, Named)>,
     /// File and `FREQUENCY` of the last `*OUTPUT`, which rules the requests
     /// below it.
     pub output: Option<(PrintTarget, usize)>,

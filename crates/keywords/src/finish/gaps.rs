@@ -15,8 +15,11 @@ use crate::rule::Subject;
 /// the compliance of contact is then a thousandth of theirs.
 const STIFFER: f64 = 1e3;
 
-/// CalculiX' stiffness and pull of a gap, in the deck's units.
-const CALCULIX: [f64; 2] = [1e12, 1e-3];
+/// CalculiX' stiffness of a gap, in the deck's units.
+const CALCULIX_STIFFNESS: f64 = 1e12;
+
+/// Its pull of an open gap.
+const CALCULIX_TENSION: f64 = 1e-3;
 
 /// `*GAP` with its elements.
 pub(super) fn gaps(draft: &mut Draft) {
@@ -95,12 +98,9 @@ fn law(
     draft: &mut Draft,
 ) -> Option<NormalLaw> {
     if draft.dialect == Dialect::Calculix {
-        let [stiffness, tension] = CALCULIX;
-        let stiffness = gap.stiffness.unwrap_or(stiffness);
-        return Some(NormalLaw::CalculixLinear {
-            stiffness,
-            tension: gap.tension.unwrap_or(tension),
-        });
+        let stiffness = gap.stiffness.unwrap_or(CALCULIX_STIFFNESS);
+        let tension = gap.tension.unwrap_or(CALCULIX_TENSION);
+        return Some(NormalLaw::CalculixLinear { stiffness, tension });
     }
     if let Some(stiffness) = gap.stiffness {
         return Some(NormalLaw::Linear { stiffness });

@@ -37,6 +37,7 @@ mod remarks;
 mod requests;
 mod resting;
 mod rubber;
+mod section_prints;
 mod sections;
 mod shape_mpc;
 mod sides;

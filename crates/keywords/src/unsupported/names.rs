@@ -72,7 +72,6 @@ pub(super) const GROUPS: &[Group] = &[
         "no such table is written; JOB.history.csv has the forces of the supports and \
          JOB.pair.csv those of every contact",
         &[
-            "SECTION PRINT",
             "SECTION FILE",
             "INTEGRATED OUTPUT",
             "INTEGRATED OUTPUT SECTION",
