@@ -139,6 +139,9 @@ impl<'a> Holds<'a> {
         let model = self.start.model;
         for (block, spring) in self.presence.elements(&model.blocks) {
             let Some(springs) = block.springs() else { continue };
+            if !springs.section.law.holds_at_rest() {
+                continue;
+            }
             match springs.section.way {
                 SpringWay::Dof(dof) if spring.nodes.len() == 1 => {
                     self.hold(spring.nodes[0], dof);
@@ -150,7 +153,11 @@ impl<'a> Holds<'a> {
                     let at = model.nodes.position(spring.nodes[0]);
                     self.between(spring.ends(), at, way);
                 }
-                SpringWay::Line { .. } => {
+                SpringWay::Direction { direction: Some(way), .. } => {
+                    let at = model.nodes.position(spring.nodes[0]);
+                    self.between(spring.ends(), at, way);
+                }
+                SpringWay::Line { .. } | SpringWay::Direction { direction: None, .. } => {
                     let ends = spring.ends().map(|node| model.nodes.position(node));
                     let way = less(ends[1], ends[0]);
                     let long = length(way);

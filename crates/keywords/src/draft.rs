@@ -25,7 +25,9 @@ use crate::sets::Sets;
 use crate::surfaces::{
     Clearance, GeneralContact, Named, NamedInteraction, NamedSurface, Pairing, RigidBody,
 };
-pub(crate) use cards::{Boundary, Interface, NodalThickness, Shape, Spring, StepDraft, Surface};
+pub(crate) use cards::{
+    Boundary, Gap, Interface, NodalThickness, Shape, Spring, StepDraft, Surface,
+};
 pub(crate) use elements::{Element, ElementKind, MOST_NODES};
 pub(crate) use heat::{Heat, StressLine};
 pub(crate) use owner::Owner;
@@ -65,6 +67,7 @@ pub(crate) struct Draft {
     /// Section of each element by its label, when it is first asked for.
     pub section_of: HashMap<u64, usize>,
     pub springs: Vec<Spring>,
+    pub gaps: Vec<Gap>,
     pub surfaces: Vec<Surface>,
     pub interfaces: Vec<Interface>,
     pub named_surfaces: Vec<NamedSurface>,
@@ -129,6 +132,7 @@ pub(crate) struct Contents {
     pub elements: Vec<Element>,
     pub sections: Vec<Section>,
     pub springs: Vec<Spring>,
+    pub gaps: Vec<Gap>,
     pub surfaces: Vec<Surface>,
     pub interfaces: Vec<Interface>,
     pub named_surfaces: Vec<NamedSurface>,

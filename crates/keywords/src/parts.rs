@@ -34,6 +34,7 @@ impl Draft {
             elements: take(&mut self.elements),
             sections: take(&mut self.sections),
             springs: take(&mut self.springs),
+            gaps: take(&mut self.gaps),
             surfaces: take(&mut self.surfaces),
             interfaces: take(&mut self.interfaces),
             named_surfaces: take(&mut self.named_surfaces),
@@ -61,6 +62,7 @@ impl Draft {
         self.elements = contents.elements;
         self.sections = contents.sections;
         self.springs = contents.springs;
+        self.gaps = contents.gaps;
         self.surfaces = contents.surfaces;
         self.interfaces = contents.interfaces;
         self.named_surfaces = contents.named_surfaces;

@@ -309,7 +309,7 @@ fn cards_without_effect_are_passed_over() {
         ("*ELASTIC", "*DAMPING, ALPHA=0.1\n*ELASTIC"),
         ("*STEP", "*PREPRINT, ECHO=NO, MODEL=NO\n*PREPRINT, HISTORY=NO\n*STEP"),
         ("*END STEP", "*MONITOR, NODE=5, DOF=1\n*END STEP"),
-        ("*END STEP", "*SECTION PRINT, SURFACE=S\nSOF\n*END STEP"),
+        ("*END STEP", "*SECTION FILE, SURFACE=S\nSOF\n*END STEP"),
         ("*STEP", "*SURFACE, NAME=NOTHING\n*STEP"),
     ] {
         assert_eq!(codes(BEAM, old, new), ["SL0257"], "{new}");

@@ -28,6 +28,8 @@ mod numbering;
 mod output;
 mod presence;
 mod refine;
+mod request;
+mod section_print;
 mod stabilisation;
 mod step;
 mod tested;
@@ -61,10 +63,12 @@ pub use node::{Dof, LinearConstraint, Node, NodeIndex, NodeSet, Nodes, RigidLink
 pub use numbering::{Name, Numbering};
 pub use output::{
     ContactPrint, ContactVariable, ElementPrint, ElementVariable, NodePrint, NodeVariable,
-    OutputRequests, PrintTarget, Request, SECTION_POINTS, SavedStates, Totals,
+    OutputRequests, SECTION_POINTS, SavedStates,
 };
 pub use presence::{ElementIndex, Presence};
 pub use refine::refine;
+pub use request::{PrintTarget, Request, Totals};
+pub use section_print::{SectionFace, SectionPrint, SectionShare, SectionVariable};
 pub use slideline_mech::axes::{Axes, System};
 pub use slideline_mech::contact::normal::NormalLaw;
 pub use slideline_mech::contact::onset::Onset;

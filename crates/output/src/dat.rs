@@ -6,7 +6,7 @@ use crate::facts::{Facts, Formats, Origin};
 use crate::file::{Growing, WriteError, beside};
 use crate::job::JobFiles;
 use crate::kept::Kept;
-use crate::tables::{push_contact, push_elements, push_nodes};
+use crate::tables::{push_contact, push_elements, push_nodes, push_section};
 use crate::writer::Writer;
 use slideline_model::{OutputRequests, PrintTarget, Request};
 use slideline_solve::observe::{Event, Frame, StepReport};
@@ -85,6 +85,10 @@ impl Dat {
         for print in output.contact_prints.iter().filter(|print| due(&print.request)) {
             push_contact(&mut file.text, frame, print);
         }
+        let sections = output.section_prints.iter().enumerate();
+        for (number, print) in sections.filter(|(_, print)| due(&print.request)) {
+            push_section(&mut file.text, frame, number, print);
+        }
         file.flush()
     }
 
@@ -101,7 +105,8 @@ fn has_tables(output: &OutputRequests) -> bool {
     let nodes = output.node_prints.iter().map(|print| &print.request);
     let elements = output.element_prints.iter().map(|print| &print.request);
     let contact = output.contact_prints.iter().map(|print| &print.request);
-    let mut all = nodes.chain(elements).chain(contact);
+    let sections = output.section_prints.iter().map(|print| &print.request);
+    let mut all = nodes.chain(elements).chain(contact).chain(sections);
     all.any(|request| request.target.is_table() && request.frequency > 0)
 }
 

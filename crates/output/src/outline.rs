@@ -168,7 +168,7 @@ impl Drawing {
                 |node: NodeIndex| copy_of.get(&(regions[number], node)).copied().unwrap_or(node);
             let kind = match block.kind.kinematics {
                 Kinematics::Beam { .. } | Kinematics::SpaceBeam => Kind::Beam,
-                Kinematics::Spring => Kind::Spring,
+                Kinematics::Spring | Kinematics::Gap => Kind::Spring,
                 Kinematics::Solid { .. } | Kinematics::Truss | Kinematics::Other => Kind::Solid,
             };
             for (member, element) in block.elements.iter().enumerate() {

@@ -359,6 +359,27 @@ fn a_limit_load_is_named() {
     assert!(why.card.is_some());
 }
 
+/// Requirement: in large motion the tangent of such bars turns negative as soon as they yield, and
+/// iterations may end anywhere: the limit load is named all the same, of two bars in series and of two
+/// beside one another that both are at it. It is A s exp(-s/E) of a length that stretches by s/E.
+#[test]
+fn a_limit_load_in_large_motion_is_named() {
+    let in_series = bars_in_series(1.0, "*CLOAD\n3, 1, 12.\n").replace("*STEP", "*STEP, NLGEOM");
+    let beside = in_series
+        .replace("2, 2, 3\n", "2, 4, 3\n")
+        .replace("3, 2., 0.\n", "3, 1., 1.\n4, 0., 1.\n");
+    let beside = beside
+        .replace("3, 1, 12.", "3, 1, 12.\n2, 1, 12.")
+        .replace("1, 1, 2\n2, 2\n", "1, 1, 2\n4, 1, 2\n2, 2\n");
+    for deck in [in_series, beside] {
+        let Ending::NotConverged(_, why) = ending(&deck) else { panic!("no limit load") };
+        assert_eq!(why.code.0, "SL0525", "{}", why.message);
+        let limit = 10.0 * (-0.01_f64).exp() / 12.0;
+        let found = number_after(&why.message, "beyond total time ");
+        assert!((found - limit).abs() < 1e-4 && found <= limit, "{found} {limit}");
+    }
+}
+
 /// Requirement: a motion of 0.1 makes the thinner bar flow and leaves the other one elastic: the
 /// force stays at 10 however rounding turns the singular tangent that the first increment meets.
 #[test]

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
 
-use slideline::model::Dof;
+use slideline::model::{Dialect, Dof};
 use slideline::observe::Ending;
 use slideline::{Event, Job, Observer, ReadOptions, SolveOptions, Stop, solve};
 use std::collections::BTreeMap;
@@ -26,7 +26,10 @@ impl Observer for End {
 }
 
 fn run(deck: &str) -> BTreeMap<u64, [[f64; 6]; 2]> {
-    let read = Job::read_text("lines", deck, &ReadOptions::default());
+    run_read(Job::read_text("lines", deck, &ReadOptions::default()), deck)
+}
+
+fn run_read(read: slideline::Read, deck: &str) -> BTreeMap<u64, [[f64; 6]; 2]> {
     let mut model = read.model.unwrap_or_else(|| panic!("{deck}\n{:#?}", read.diagnostics));
     for step in &mut model.steps {
         step.controls.field.r_n = 1e-11;
@@ -142,4 +145,94 @@ fn cantilevers_of_all_sections() {
         let moved = end[&3][0][1];
         assert!((moved - expected).abs() < 1e-9 * expected, "{card}: {moved} {expected}");
     }
+}
+
+/// A node on bars along the axes, EA/L = 50 each, that a force along (0.6, 0.8) draws against a gap.
+fn gap_on_bars(in_space: bool, gap: &str, force: f64) -> String {
+    let (bar, third) = match in_space {
+        true => ("T3D2", "13, 2\n"),
+        false => ("T2D2", ""),
+    };
+    let third = if third.is_empty() { String::new() } else { format!("6, {third}") };
+    format!(
+        "*NODE\n2, 6., 8., 0.\n3, 9., 12., 0.\n11, -4., 8., 0.\n12, 6., -2., 0.\n13, 6., 8., -10.\n\
+         *NSET, NSET=HELD\n3, 11, 12, 13\n*ELEMENT, TYPE={bar}, ELSET=BARS\n4, 11, 2\n5, 12, 2\n\
+         {third}*SOLID SECTION, ELSET=BARS, MATERIAL=M\n0.5\n*MATERIAL, NAME=M\n*ELASTIC\n1000., 0.\n\
+         *ELEMENT, TYPE=GAPUNI, ELSET=GAP\n7, 2, 3\n*GAP, ELSET=GAP\n{gap}\n*STEP\n*STATIC\n\
+         0.25, 1.\n*BOUNDARY\nHELD, 1, {}\n*CLOAD\n2, 1, {}\n2, 2, {}\n*END STEP\n",
+        if in_space { 3 } else { 2 },
+        0.6 * force,
+        0.8 * force
+    )
+}
+
+/// Requirement: a gap between two nodes leaves them alone until it closes, then it carries its
+/// stiffness times what is beyond; direction given with any length, or taken from the nodes;
+/// overclosed at the start; with the stiffness of its card and with a thousand times that of the
+/// bars. Closed form (F + K d)/(k + K).
+#[test]
+fn a_gap_closes() {
+    for in_space in [false, true] {
+        let cases = [
+            ("0.3, 3., 4., 0., , 200.", 10.0, 10.0 / 50.0),
+            ("0.3, 3., 4., 0., , 200.", 20.0, (20.0 + 200.0 * 0.3) / 250.0),
+            ("0.3, , , , , 200.", 20.0, (20.0 + 200.0 * 0.3) / 250.0),
+            ("-0.1, 0.6, 0.8, , , 200.", 0.0, -200.0 * 0.1 / 250.0),
+            ("0.3, 0.6, 0.8", 20.0, (20.0 + 50e3 * 0.3) / 50.05e3),
+        ];
+        for (gap, force, along) in cases {
+            let end = run(&gap_on_bars(in_space, gap, force));
+            let [x, y, ..] = end[&2][0];
+            let off = (x - 0.6 * along).hypot(y - 0.8 * along);
+            assert!(off < 1e-11, "{gap} {force}: {x} {y} {along}");
+        }
+    }
+}
+
+/// Requirement: in the dialect of CalculiX a gap follows its law k h (1/2 + atan(h/e)/pi), with
+/// e = pi s/k, open and closed. Closed form: bisection of the balance of the node.
+#[test]
+fn a_gap_in_the_dialect_of_calculix() {
+    for force in [10.0_f64, 20.0] {
+        let deck = gap_on_bars(true, "0.3, 0.6, 0.8, 0., , 200., 0.5", force);
+        let options = ReadOptions { dialect: Some(Dialect::Calculix), ..ReadOptions::default() };
+        let end = run_read(Job::read_text("gap", &deck, &options), &deck);
+        let residual = |u: f64| {
+            let (h, e) = (u - 0.3, std::f64::consts::PI * 0.5 / 200.0);
+            50.0 * u + 200.0 * h * (0.5 + (h / e).atan() / std::f64::consts::PI) - force
+        };
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            *(if residual(middle) > 0.0 { &mut high } else { &mut low }) = middle;
+        }
+        let [x, y, ..] = end[&2][0];
+        assert!((0.6 * x + 0.8 * y - low).abs() < 1e-10, "{force}: {x} {y} {low}");
+    }
+}
+
+/// Requirement: a gap that cannot be read is told of with its reason: no direction, no stiffness to
+/// go by, a direction that leaves the plane, a stiffness below zero, elements of another type.
+#[test]
+fn gaps_that_cannot_be() {
+    let deck = gap_on_bars(false, "0.3, 3., 4., 0., , 200.", 1.0);
+    let cases = [
+        ("0.3, 3., 4., 0., , 200.", "0.3, 0., 0., 1.", "leaves the plane"),
+        ("0.3, 3., 4., 0., , 200.", "0.3, 3., 4., 0., , -2.", "must be positive"),
+        ("*GAP, ELSET=GAP", "*GAP, ELSET=BARS", "which is not a gap"),
+        ("9., 12., 0.\n", "6., 8., 0.\n", "has no direction"),
+    ];
+    for (old, new, words) in cases {
+        let deck = deck.replace(
+            "3., 4., 0., , 200.",
+            if words == "has no direction" { "" } else { "3., 4., 0., , 200." },
+        );
+        let read = Job::read_text("gap", &deck.replace(old, new), &ReadOptions::default());
+        let said = format!("{:?}", read.diagnostics);
+        assert!(said.contains(words), "{words}: {said}");
+    }
+    let bare = "*NODE\n1, 0., 0.\n2, 1., 0.\n*ELEMENT, TYPE=GAPUNI, ELSET=GAP\n1, 1, 2\n*GAP, ELSET=GAP\n\
+                0.1\n*STEP\n*STATIC\n1., 1.\n*BOUNDARY\n1, 1, 2\n2, 1, 2\n*END STEP\n";
+    let read = Job::read_text("gap", bare, &ReadOptions::default());
+    assert!(format!("{:?}", read.diagnostics).contains("stiffness of the gap is missing"));
 }

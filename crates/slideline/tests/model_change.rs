@@ -250,7 +250,8 @@ fn kinds() -> Vec<Kind> {
             Kinematics::Spring if name == "SPRINGA" => "*SPRING, ELSET=E\n\n700.\n".to_owned(),
             Kinematics::Spring if count == 1 => "*SPRING, ELSET=E\n2\n700.\n".to_owned(),
             Kinematics::Spring => "*SPRING, ELSET=E\n2, 2\n700.\n".to_owned(),
-            Kinematics::Other => continue,
+            // what a gap carries is no linear law of its motion, which these tests go by
+            Kinematics::Gap | Kinematics::Other => continue,
         };
         let dofs = match row.kinematics {
             Kinematics::Spring if name == "SPRINGA" => vec![1, 2],

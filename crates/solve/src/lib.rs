@@ -39,6 +39,7 @@ mod problem;
 mod restraint;
 mod rows;
 mod run;
+mod section_forces;
 mod stabilise;
 mod start;
 mod state;

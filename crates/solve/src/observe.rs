@@ -20,7 +20,8 @@ pub use reports::{
     AttemptReport, ContactChange, FieldReport, IterationReport, TangentReport, Totals,
 };
 pub use results::{
-    BeamRow, BlockResults, ContactRow, Energies, FrictionCall, PairRow, Resultant, Status,
+    BeamRow, BlockResults, ContactRow, Energies, FrictionCall, PairRow, Resultant, SectionRow,
+    Status,
 };
 use slideline_diag::Diagnostic;
 use slideline_linalg::Description;

@@ -18,6 +18,7 @@ mod elements;
 mod evaluate;
 mod flux;
 mod kernels;
+mod nodal_forces;
 mod numbering;
 mod presence;
 mod reference;

@@ -92,6 +92,7 @@ impl Keyword for Step {
             prints: Vec::new(),
             element_prints: Vec::new(),
             contact_prints: Vec::new(),
+            section_prints: Vec::new(),
             output: None,
             states_every: Vec::new(),
             contact_changes: false,

@@ -5,10 +5,11 @@ use super::properties::PropertyChange;
 use crate::changes::{FrictionChange, InterferenceCard, ModelChange, PressureChange};
 use crate::distributed::Distributed;
 use crate::log::Target;
+use crate::surfaces::Named;
 use slideline_diag::Span;
 use slideline_model::{
     ContactPrint, Controls, Dof, ElementPrint, Extrapolation, Interaction, NodePrint, PrintTarget,
-    ProfilePoint, SavedStates, Stabilisation, Static, SurfaceSegment,
+    ProfilePoint, SavedStates, SectionPrint, Stabilisation, Static, SurfaceSegment,
 };
 
 #[derive(Clone, Debug)]
@@ -19,6 +20,22 @@ pub(crate) struct Spring {
     pub nonlinear: bool,
     /// The numbers of its lines.
     pub lines: Vec<(Vec<f64>, Span)>,
+    pub origin: Span,
+}
+
+/// `*GAP`.
+#[derive(Clone, Debug)]
+pub(crate) struct Gap {
+    pub set: String,
+    pub set_span: Span,
+    /// Opening before the first step.
+    pub clearance: f64,
+    /// Unit vector; `None`: the line between the nodes.
+    pub direction: Option<[f64; 3]>,
+    /// Of the closed gap.
+    pub stiffness: Option<f64>,
+    /// Largest pull of CalculiX' law.
+    pub tension: Option<f64>,
     pub origin: Span,
 }
 
@@ -97,6 +114,7 @@ pub(crate) struct StepDraft {
     pub prints: Vec<(NodePrint, Option<Span>)>,
     pub element_prints: Vec<(ElementPrint, Option<Span>)>,
     pub contact_prints: Vec<(ContactPrint, Option<Span>)>,
+    pub section_prints: Vec<(SectionPrint, Named)>,
     /// File and `FREQUENCY` of the last `*OUTPUT`, which rules the requests
     /// below it.
     pub output: Option<(PrintTarget, usize)>,

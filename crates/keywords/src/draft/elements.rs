@@ -91,6 +91,11 @@ impl ElementKind {
         matches!(self, Self::Structural(row) if row.is_beam())
     }
 
+    /// Whether it is a gap that may close.
+    pub fn is_gap(self) -> bool {
+        self.card() == Some("*GAP")
+    }
+
     /// Whether a static step does not feel it: a mass, a damper.
     pub fn is_dynamic(self) -> bool {
         matches!(self, Self::Inert(_)) && !self.is_reference()

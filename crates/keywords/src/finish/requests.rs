@@ -6,6 +6,7 @@
 //!   step 3   *NODE PRINT B      .dat: B        of a kind and a file, the new ones alone
 //! ```
 
+use super::section_prints::with_faces;
 use crate::draft::{Draft, StepDraft};
 use crate::rule::Subject;
 use slideline_diag::{Code, Diagnostic, Span};
@@ -17,7 +18,8 @@ pub(super) fn size(standing: &OutputRequests) -> usize {
     let nodes = standing.node_prints.iter().map(|print| print.nodes.len());
     let elements = standing.element_prints.iter().map(|print| print.elements.len());
     let points = standing.contact_prints.iter().map(|print| print.nodes.len());
-    nodes.chain(elements).chain(points).sum()
+    let faces = standing.section_prints.iter().map(|print| print.faces.len());
+    nodes.chain(elements).chain(points).chain(faces).sum()
 }
 
 /// Requests of a kind for a file stand until a step makes new ones of that
@@ -41,6 +43,8 @@ pub(super) fn renew(standing: &mut OutputRequests, step: &StepDraft, draft: &mut
         print
     });
     replace(&mut standing.contact_prints, asked.collect(), |print| &print.request);
+    let asked = with_faces(&step.section_prints, draft);
+    replace(&mut standing.section_prints, asked, |print| &print.request);
     if !step.states_every.is_empty() {
         standing.states_every.clone_from(&step.states_every);
     }

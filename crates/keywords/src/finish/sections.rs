@@ -132,7 +132,8 @@ fn claim(
     draft: &mut Draft,
 ) -> Option<&'static ElementType> {
     let card = section.body.card();
-    if element.kind.is_reference() && draft.dialect == Dialect::Calculix {
+    let needs_none = element.kind.is_reference() || element.kind.is_gap();
+    if needs_none && draft.dialect == Dialect::Calculix {
         return None; // a section is no harm to it there
     }
     let row = match element.kind {

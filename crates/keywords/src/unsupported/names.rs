@@ -72,7 +72,6 @@ pub(super) const GROUPS: &[Group] = &[
         "no such table is written; JOB.history.csv has the forces of the supports and \
          JOB.pair.csv those of every contact",
         &[
-            "SECTION PRINT",
             "SECTION FILE",
             "INTEGRATED OUTPUT",
             "INTEGRATED OUTPUT SECTION",
@@ -128,7 +127,7 @@ pub(super) const GROUPS: &[Group] = &[
     (
         Unsupported,
         "contact is between *SURFACEs; a node that touches is a *SURFACE, TYPE=NODE",
-        &["GAP", "GAP FLOW", "GAP RADIATION", "GAP ELECTRICAL CONDUCTANCE"],
+        &["GAP FLOW", "GAP RADIATION", "GAP ELECTRICAL CONDUCTANCE"],
     ),
     (
         Unsupported,

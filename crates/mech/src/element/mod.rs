@@ -36,5 +36,5 @@ pub use kernel::{
 pub use mixed::Mixed;
 pub use solid::Solids;
 pub use space_beam::{SpaceBeam, SpaceBeams};
-pub use spring::{AxialSpring, GroundSpring, RelativeSpring, SpringLaw};
+pub use spring::{AxialSpring, DirectedSpring, GroundSpring, RelativeSpring, SpringLaw};
 pub use truss::{Bar, Trusses};

@@ -80,9 +80,7 @@ impl ElementBlock {
     pub fn dofs(&self) -> &'static [Dof] {
         match &self.section {
             Section::Spring(SpringSection { way: SpringWay::Dof(dof), .. }) => dof.alone(),
-            Section::Spring(SpringSection { way: SpringWay::Line { in_space: true }, .. }) => {
-                &[Dof::U1, Dof::U2, Dof::U3]
-            }
+            Section::Spring(section) if section.way.is_in_space() => &[Dof::U1, Dof::U2, Dof::U3],
             _ => self.kind.dofs,
         }
     }

@@ -51,6 +51,8 @@ pub enum Kinematics {
     Truss,
     /// A spring: it joins nothing to a body.
     Spring,
+    /// A gap that may close: it joins nothing either.
+    Gap,
     /// A solid.
     Solid {
         /// How its strains follow displacements.
@@ -70,6 +72,7 @@ impl Kinematics {
         match self {
             Self::Beam { .. } | Self::SpaceBeam => Some("*BEAM SECTION"),
             Self::Spring => Some("*SPRING"),
+            Self::Gap => Some("*GAP"),
             Self::Solid { .. } | Self::Truss => Some("*SOLID SECTION"),
             Self::Other => None,
         }
@@ -153,9 +156,9 @@ impl ElementType {
         self.kinematics == Kinematics::Truss
     }
 
-    /// Whether its nodes belong to one body: those of a spring do not.
+    /// Whether its nodes belong to one body: those of a spring or a gap do not.
     pub fn joins(&self) -> bool {
-        !matches!(self.kinematics, Kinematics::Spring)
+        !matches!(self.kinematics, Kinematics::Spring | Kinematics::Gap)
     }
 
     /// Whether it goes all round an axis.

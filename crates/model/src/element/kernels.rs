@@ -6,8 +6,8 @@ use crate::dialect::Dialect;
 use slideline_mech::element::heated::Heated;
 use slideline_mech::element::solid::{Formulation, Interpolation, Recipe, Solids, Told};
 use slideline_mech::element::{
-    AxialSpring, Bar, Beam21, Beam22, Beam23, GroundSpring, HeatedBeams, Instances, Kernel,
-    RelativeSpring, SpaceBeam, SpaceBeams, SpringLaw, Trusses,
+    AxialSpring, Bar, Beam21, Beam22, Beam23, DirectedSpring, GroundSpring, HeatedBeams, Instances,
+    Kernel, RelativeSpring, SpaceBeam, SpaceBeams, SpringLaw, Trusses,
 };
 use slideline_mech::section::{
     BeamStiffness, SpaceStiffness, TransverseShear, space_stiffness, stiffness,
@@ -103,6 +103,31 @@ pub(super) fn springa(block: &Undeformed<'_>, room: Kept) -> Kept {
         let springs = block.plane::<2>().map(|reference| AxialSpring { reference, law: law() });
         Instances::<_, 4, 16>::in_room(room, springs)
     })
+}
+
+pub(super) fn gapuni(block: &Undeformed<'_>, room: Kept) -> Kept {
+    let Section::Spring(section) = block.section else { return None };
+    let SpringWay::Direction { direction, in_space } = section.way else { return None };
+    Some(if in_space {
+        let nodes = block.positions::<3, 2>();
+        let springs = nodes.map(|ends| {
+            let direction = direction.unwrap_or_else(|| unit(ends));
+            DirectedSpring { direction, law: section.law.clone() }
+        });
+        Instances::<_, 6, 36>::in_room(room, springs)
+    } else {
+        let springs = block.plane::<2>().map(|ends| {
+            let direction = direction.map_or_else(|| unit(ends), |[x, y, _]| [x, y]);
+            DirectedSpring { direction, law: section.law.clone() }
+        });
+        Instances::<_, 4, 16>::in_room(room, springs)
+    })
+}
+
+/// The direction from one place to another.
+fn unit<const D: usize>([from, to]: [[f64; D]; 2]) -> [f64; D] {
+    let long = distance(from, to);
+    std::array::from_fn(|k| if long > 0.0 { (to[k] - from[k]) / long } else { 0.0 })
 }
 
 /// Trusses of a row: the thickness of their section is its area.

@@ -11,7 +11,7 @@ use slideline_mech::section::Shape;
 pub enum Section {
     /// `*BEAM SECTION`.
     Beam(BeamSection),
-    /// `*SPRING`.
+    /// `*SPRING`, `*GAP`.
     Spring(SpringSection),
     /// `*SOLID SECTION`.
     Solid(SolidSection),
@@ -81,7 +81,7 @@ pub struct SpringSection {
 }
 
 /// What a spring resists.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SpringWay {
     /// A dof of its node, or of one node relative to the other (`SPRING1`, `SPRING2`).
     Dof(Dof),
@@ -90,6 +90,21 @@ pub enum SpringWay {
         /// Whether the nodes move in space.
         in_space: bool,
     },
+    /// The distance of its nodes along a direction that stays (`GAPUNI`).
+    Direction {
+        /// Unit vector from the first to the second node; `None`: the line between them before the
+        /// first step.
+        direction: Option<[f64; 3]>,
+        /// Whether the nodes move in space.
+        in_space: bool,
+    },
+}
+
+impl SpringWay {
+    /// Whether it acts between two nodes that move in space.
+    pub fn is_in_space(&self) -> bool {
+        matches!(self, Self::Line { in_space: true } | Self::Direction { in_space: true, .. })
+    }
 }
 
 /// A solid of one material.

@@ -1,4 +1,4 @@
-//! Springs: their rows of the element table.
+//! Springs and gaps: their rows of the element table.
 
 use super::element_type::{ElementType, Kinematics, MOVING, mean_at_nodes};
 use super::kernels;
@@ -28,4 +28,13 @@ pub mod types {
     /// Spring between two nodes, along the line that joins them.
     pub static SPRINGA: ElementType =
         ElementType { names: ["SPRINGA"; 2], cell: &LINE2, kernel: kernels::springa, ..SPRING1 };
+
+    /// Gap between two nodes along a direction that stays.
+    pub static GAPUNI: ElementType = ElementType {
+        names: ["GAPUNI"; 2],
+        cell: &LINE2,
+        kinematics: Kinematics::Gap,
+        kernel: kernels::gapuni,
+        ..SPRING1
+    };
 }

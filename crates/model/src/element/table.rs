@@ -21,7 +21,7 @@ pub fn element_type(name: &str) -> Option<&'static ElementType> {
 }
 
 /// Rows of lines and points.
-const LINES: [&ElementType; 12] = [
+const LINES: [&ElementType; 13] = [
     &types::B21,
     &types::B22,
     &types::B23,
@@ -34,6 +34,7 @@ const LINES: [&ElementType; 12] = [
     &types::SPRING1,
     &types::SPRING2,
     &types::SPRINGA,
+    &types::GAPUNI,
 ];
 
 /// All rows.
@@ -88,6 +89,7 @@ mod tests {
             Section::Beam(beam),
             spring(SpringWay::Dof(Dof::U2)),
             spring(SpringWay::Line { in_space: false }),
+            spring(SpringWay::Direction { direction: Some([0.0, 1.0, 0.0]), in_space: false }),
             Section::Solid(SolidSection { thickness: 1.0, material, orientation: None }),
         ];
         for row in TYPES {

@@ -185,11 +185,22 @@ fn springs(text: &mut String, block: &ElementBlock, section: &SpringSection) {
             format!("to the ground, dof {}", dof.number())
         }
         SpringWay::Dof(dof) => format!("between two nodes, dof {}", dof.number()),
-        SpringWay::Line { .. } => "along the line between two nodes".to_owned(),
+        SpringWay::Line { .. } | SpringWay::Direction { direction: None, .. } => {
+            "along the line between two nodes".to_owned()
+        }
+        SpringWay::Direction { direction: Some(way), .. } => {
+            let [x, y, z] = way.map(number);
+            format!("between two nodes along ({x}, {y}, {z})")
+        }
     };
     let law = match &section.law {
         SpringLaw::Linear(stiffness) => format!("stiffness {}", number(*stiffness)),
         SpringLaw::Table(table) => format!("a table of {} forces", table.len()),
+        SpringLaw::Gap { clearance, .. } => format!(
+            "a gap of {} that closes with the stiffness {}",
+            number(*clearance),
+            number(section.law.stiffest())
+        ),
     };
     line!(text, "\nSPRINGS {}  {} elements {kind}, {law}", block.name, block.elements.len());
 }

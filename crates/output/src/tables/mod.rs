@@ -13,12 +13,13 @@
 mod beams;
 mod calculix;
 mod pairs;
+mod sections;
 mod solids;
 mod table;
 
 use slideline_model::{
     ContactPrint, ContactVariable, Dialect, ElementPrint, ElementType, Model, NodeIndex, NodePrint,
-    NodeVariable,
+    NodeVariable, SectionPrint,
 };
 use slideline_results::{CONTACT_FIELDS, ContactComponent, NodeComponent, NodeField};
 use slideline_solve::observe::{ContactRow, Frame};
@@ -66,6 +67,18 @@ pub(crate) fn push_elements(text: &mut String, frame: &Frame<'_>, print: &Elemen
     }
     for (what, table) in tables {
         table.push(text, frame, (what, &print.request));
+    }
+}
+
+/// The tables that `*SECTION PRINT` asks for: a row each, in the order of the requests.
+pub(crate) fn push_section(
+    text: &mut String,
+    frame: &Frame<'_>,
+    number: usize,
+    print: &SectionPrint,
+) {
+    if let Some(row) = frame.sections.get(number) {
+        sections::push(text, frame, (print, row));
     }
 }
 

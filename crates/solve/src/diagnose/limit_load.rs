@@ -2,9 +2,10 @@
 
 use super::case::Case;
 use crate::increments::Verdict;
+use crate::structure::Ambient;
 use slideline_diag::{Code, Diagnostic};
 use slideline_linalg::SolveError;
-use slideline_mech::material::HardeningEnd;
+use slideline_mech::material::{Clock, HardeningEnd};
 use slideline_model::{ElementBlock, Section};
 
 /// The element whose plastic strain grew most behind the end of its hardening.
@@ -83,11 +84,34 @@ impl Case<'_> {
         forces || step.distributed.pressures.iter().any(|own| own.value != 0.0)
     }
 
-    /// What flows in the last attempt; `None`: nothing.
+    /// What flows in the last attempt, or would if the last motion went on: where the tangent turns
+    /// negative at once, iterations may end anywhere. `None`: nothing.
     fn flowing(&self) -> Option<Flowing> {
-        let before = &self.committed.elements;
-        let mut now = before.clone();
+        let mut now = self.committed.elements.clone();
         self.plan.structure.gather_state(&self.work.evaluation.contributions, &mut now);
+        self.flowed(&now).or_else(|| self.flowed(&self.further()?))
+    }
+
+    /// States of the elements at the end of the last attempt, were the last increment to go on.
+    fn further(&self) -> Option<Vec<f64>> {
+        let before = self.committed;
+        let last = before.increment_time.0;
+        if last <= 0.0 {
+            return None;
+        }
+        let on = before.displacement.iter().zip(&before.increment);
+        let u: Vec<f64> = on.map(|(u, du)| u + self.dt / last * du).collect();
+        let ambient = Ambient {
+            temperatures: &before.temperatures,
+            turns: &before.turns,
+            clock: Clock::default(),
+        };
+        Some(self.plan.structure.states_at(&u, &before.elements, &ambient))
+    }
+
+    /// What has flowed from the last commit to these states.
+    fn flowed(&self, now: &[f64]) -> Option<Flowing> {
+        let before = &self.committed.elements;
         let mut most: Option<Flowing> = None;
         let (mut first, mut count) = (0, 0);
         for (block, own) in self.plan.model.blocks.iter().enumerate() {

@@ -1,6 +1,6 @@
 //! States as they are told: nodal values, rows of contact, sections and elements.
 
-use super::results::{BeamRow, BlockResults, ContactRow, Energies, PairRow};
+use super::results::{BeamRow, BlockResults, ContactRow, Energies, PairRow, SectionRow};
 use crate::dofs::DofMap;
 use slideline_mech::axes::{self, Axes};
 use slideline_mech::element::Temperature;
@@ -35,6 +35,8 @@ pub struct Frame<'a> {
     pub contact: &'a [ContactRow],
     /// One row per contact pair; none at the start of a step.
     pub pairs: &'a [PairRow],
+    /// One row per request of the step for what passes through a surface; none at its start.
+    pub sections: &'a [SectionRow],
     /// Section results of the beams, block by block in element order.
     pub beams: &'a [BeamRow],
     /// Results of the elements of every block, as the fields of its type.

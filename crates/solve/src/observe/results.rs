@@ -145,6 +145,19 @@ pub struct PairRow {
     pub moment_imbalance: f64,
 }
 
+/// What passes through a surface of `*SECTION PRINT` in a committed state.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct SectionRow {
+    /// Forces that act on the elements behind the surface at its nodes, and their moment.
+    pub carried: Resultant,
+    /// Its area [L2].
+    pub area: f64,
+    /// Centre of that area [L].
+    pub centre: [f64; 3],
+    /// Mean outward normal, of length one [1]; zero of a closed surface.
+    pub normal: [f64; 3],
+}
+
 /// Section results of a beam element at its middle.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct BeamRow {

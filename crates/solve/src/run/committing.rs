@@ -10,6 +10,7 @@ use crate::newton::{Outcome, Scratch};
 use crate::observe::Event;
 use crate::observe::results::{FrictionCall, Status};
 use crate::problem::Problem;
+use crate::section_forces::section_rows;
 use crate::tangent;
 use crate::target::Target;
 use std::ops::ControlFlow;
@@ -41,6 +42,7 @@ impl Analysis<'_> {
         let numbers = Numbers { last, ..Numbers::of(target, outcome) };
         let Rows { contact, closed, pairs, sums, .. } = &mut *self.rows;
         pair_rows(plan, self.committed, work, (contact, closed), (pairs, sums));
+        section_rows(plan, self.committed, work, &mut self.rows.sections);
         let jumped = self.balance_books(plan, target, work);
         let frame = frame(plan, self.committed, &numbers, self.rows);
         // A wish to stop does not keep back what belongs to the increment.

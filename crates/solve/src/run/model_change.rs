@@ -248,7 +248,7 @@ impl Analysis<'_> {
             .collect();
         match own.kind.kinematics {
             Kinematics::Solid { rule, .. } => smallest_jacobian(own.kind.cell, rule, &places) > 0.0,
-            Kinematics::Spring => true,
+            Kinematics::Spring | Kinematics::Gap => true,
             _ => places.first() != places.last(),
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::balance::Sum;
 use crate::newton::Outcome;
-use crate::observe::results::{BeamRow, BlockResults, ContactRow, PairRow};
+use crate::observe::results::{BeamRow, BlockResults, ContactRow, PairRow, SectionRow};
 use crate::observe::{Frame, Nodal};
 use crate::problem::Problem;
 use crate::rows::{Gathered, contact_rows};
@@ -22,6 +22,8 @@ pub(super) struct Rows {
     pub closed: Vec<bool>,
     /// A row a pair.
     pub pairs: Vec<PairRow>,
+    /// A row a request for a surface.
+    pub sections: Vec<SectionRow>,
     /// Scratch of the rows of pairs.
     pub sums: Vec<Sum>,
     /// A row a beam.
@@ -109,6 +111,7 @@ pub(super) fn frame<'a>(
         },
         contact: &rows.contact,
         pairs: &rows.pairs,
+        sections: &rows.sections,
         beams: &rows.beams,
         elements: &rows.elements,
         energy: state.energy,

@@ -125,6 +125,7 @@ impl Analysis<'_> {
         }
         self.rows.fill(plan, self.committed);
         self.rows.pairs.clear();
+        self.rows.sections.clear();
         let increment = from.map_or(0, |from| from.increment);
         let numbers = Numbers { step: number, increment, ..Numbers::default() };
         let frame = frame(plan, self.committed, &numbers, self.rows);

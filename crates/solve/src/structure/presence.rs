@@ -78,6 +78,24 @@ impl Structure<'_> {
         Ok(Held { stored: energy - dissipated, dissipated })
     }
 
+    /// The state variables of all elements, were they moved to `u` from `state`; those of an element
+    /// that has no answer there stay.
+    pub fn states_at(&self, u: &[f64], state: &[f64], ambient: &Ambient<'_>) -> Vec<f64> {
+        let mut now = state.to_vec();
+        let mut nodes = AtNodes::default();
+        let (mut q, mut force) = ([0.0; MOST_VARIABLES], [0.0; MOST_VARIABLES]);
+        for (block, kernel, element) in self.present().filter(|(block, ..)| block.states > 0) {
+            let (q, force) = (&mut q[..block.variables], &mut force[..block.variables]);
+            self.read(block, element, u, q);
+            let under = self.at_nodes(block, element, ambient, &mut nodes);
+            let under = under.under(self.strains(), ambient.clock);
+            let own = block.state(element);
+            let into = Response { force: &mut *force, tangent: None, state: &mut now[own.clone()] };
+            let _ = ask(kernel, (block.number(element), q), (&state[own], &under), into);
+        }
+        now
+    }
+
     /// The reference of an element that begins at a state.
     pub fn begin(&self, element: usize, u: &[f64], ambient: &Ambient<'_>) -> Reference {
         let (block, _) = self.element(element);

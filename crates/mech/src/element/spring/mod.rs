@@ -1,73 +1,21 @@
 //! Springs: SPRING1 between a dof and the ground, SPRING2 between dofs of two nodes, SPRINGA
-//! between two nodes along their axis.
+//! between two nodes along their axis, GAPUNI between two nodes along a direction that stays.
 //!
 //! ```text
 //!   SPRING1   |/\/\/\o--> u      SPRING2   o/\/\/\o  u1 - u2      SPRINGA   1 o/\/\/\o 2
 //! ```
 //!
 //! SPRINGA turns with its ends. The force is proportional to the relative displacement, or a table
-//! of it.
+//! of it, or that of a gap that closes.
+
+mod directed;
+mod law;
+
+pub use directed::DirectedSpring;
+pub use law::SpringLaw;
 
 use super::kernel::{Element, Scale};
 use crate::differentiate::Real;
-use std::sync::Arc;
-
-/// Force of a spring by its relative displacement.
-#[derive(Debug, Clone, PartialEq)]
-pub enum SpringLaw {
-    /// Proportional, with the stiffness k [F/L], or [F L] about a rotation.
-    Linear(f64),
-    /// Lines between pairs of displacement [L] and force [F], displacements ascending; beyond the
-    /// ends the force stays.
-    Table(Arc<[[f64; 2]]>),
-}
-
-impl SpringLaw {
-    /// Energy, force and stiffness at a relative displacement.
-    pub fn answer(&self, u: f64) -> [f64; 3] {
-        match self {
-            Self::Linear(stiffness) => [0.5 * stiffness * u * u, stiffness * u, *stiffness],
-            Self::Table(table) => {
-                let (stored, force, slope) = along(table, u);
-                [stored - along(table, 0.0).0, force, slope]
-            }
-        }
-    }
-
-    /// Its largest stiffness.
-    pub fn stiffest(&self) -> f64 {
-        match self {
-            Self::Linear(stiffness) => stiffness.abs(),
-            Self::Table(table) => {
-                let slopes = table.windows(2).map(|pair| slope(pair[0], pair[1]).abs());
-                slopes.fold(0.0, f64::max)
-            }
-        }
-    }
-}
-
-fn slope(from: [f64; 2], to: [f64; 2]) -> f64 {
-    (to[1] - from[1]) / (to[0] - from[0])
-}
-
-/// Work from the first pair of a table to `u`, force and slope there.
-fn along(table: &[[f64; 2]], u: f64) -> (f64, f64, f64) {
-    let (Some(first), Some(last)) = (table.first(), table.last()) else { return (0.0, 0.0, 0.0) };
-    if u < first[0] {
-        return ((u - first[0]) * first[1], first[1], 0.0);
-    }
-    let mut stored = 0.0;
-    for pair in table.windows(2) {
-        let (from, to) = (pair[0], pair[1]);
-        if u < to[0] {
-            let rise = slope(from, to);
-            let force = from[1] + rise * (u - from[0]);
-            return (stored + 0.5 * (from[1] + force) * (u - from[0]), force, rise);
-        }
-        stored += 0.5 * (from[1] + to[1]) * (to[0] - from[0]);
-    }
-    (stored + (u - last[0]) * last[1], last[1], 0.0)
-}
 
 /// SPRING1: a spring between one dof and the ground.
 #[derive(Debug, Clone, PartialEq)]
@@ -243,28 +191,5 @@ fn length<const D: usize>(a: &[f64; D]) -> f64 {
         0.0
     } else {
         scale * a.iter().map(|x| (x / scale).powi(2)).sum::<f64>().sqrt()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Requirement: a table is read line by line, its force stays beyond the ends, its energy is
-    /// the work from rest: areas by hand.
-    #[test]
-    fn tables_are_lines() {
-        let law = SpringLaw::Table([[-1.0, -2.0], [0.5, 1.0], [1.5, 5.0]].into());
-        assert_eq!(law.answer(0.25), [0.0625, 0.5, 2.0]);
-        assert_eq!(law.answer(1.0), [0.25 + 1.0, 3.0, 4.0]);
-        assert_eq!(law.answer(2.5), [0.25 + 3.0 + 5.0, 5.0, 0.0]);
-        assert_eq!(law.answer(-3.0), [1.0 + 4.0, -2.0, 0.0]);
-        assert_eq!(law.stiffest(), 4.0);
-        // at rest at its first pair it has the stiffness of its first line
-        let begins = SpringLaw::Table([[0.0, 0.0], [1.0, 10.0]].into());
-        assert_eq!(begins.answer(0.0), [0.0, 0.0, 10.0]);
-        // a law that pulls at rest has no energy there
-        let pulls = SpringLaw::Table([[-1.0, 1.0], [1.0, 3.0]].into());
-        assert_eq!(pulls.answer(0.0), [0.0, 2.0, 1.0]);
     }
 }

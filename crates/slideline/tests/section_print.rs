@@ -1,0 +1,140 @@
+//! What passes through a surface, against the loads beyond it.
+
+#![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
+
+use slideline::{Dialect, Job, Quiet, ReadOptions, RunOptions, Status, run};
+use std::path::Path;
+
+/// The file of tables of a run.
+fn tables(name: &str, deck: &str, dialect: Dialect) -> String {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("section-print").join(name);
+    let _ = std::fs::remove_dir_all(&folder);
+    let options = ReadOptions { dialect: Some(dialect), ..ReadOptions::default() };
+    let read = Job::read_text("job", deck, &options);
+    let options = RunOptions { folder: Some(folder.clone()), ..RunOptions::default() };
+    let outcome = run(&read, &options, &mut Quiet);
+    assert_eq!(outcome.status, Status::Completed, "{name}: {:?}", read.diagnostics);
+    std::fs::read_to_string(folder.join("job.dat")).unwrap()
+}
+
+/// Numbers of the last line behind one that holds these words, so many lines below it.
+fn below(text: &str, words: &str, lines: usize) -> Vec<f64> {
+    let all: Vec<&str> = text.lines().collect();
+    let at = all.iter().rposition(|line| line.contains(words)).unwrap_or_else(|| panic!("{text}"));
+    all[at + lines].split_whitespace().filter_map(|word| word.parse().ok()).collect()
+}
+
+/// Numbers of the last line that begins so.
+fn row(text: &str, name: &str) -> Vec<f64> {
+    let line = text.lines().rfind(|line| line.starts_with(name));
+    let line = line.unwrap_or_else(|| panic!("{text}"));
+    line.split_whitespace().filter_map(|word| word.parse().ok()).collect()
+}
+
+fn is(found: &[f64], wanted: &[f64], tolerance: f64) {
+    let off = found.iter().zip(wanted).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    assert!(found.len() == wanted.len() && off < tolerance, "{found:?} for {wanted:?}");
+}
+
+/// A column of three bricks on the plane z = 0 with loads (1, 0, 2) on each corner of its head; cut
+/// between the first and the second one, told from below and from above.
+fn column(step: &str) -> String {
+    let mut nodes = String::new();
+    for level in 0..4 {
+        for (corner, (x, y)) in [(0, 0), (1, 0), (1, 1), (0, 1)].into_iter().enumerate() {
+            nodes += &format!("{}, {x}., {y}., {level}.\n", 4 * level + corner + 1);
+        }
+    }
+    format!(
+        "*NODE, NSET=ALL\n{nodes}*NSET, NSET=FOOT\n1, 2, 3, 4\n*NSET, NSET=HEAD\n13, 14, 15, 16\n\
+         *ELEMENT, TYPE=C3D8, ELSET=E\n1, 1, 2, 3, 4, 5, 6, 7, 8\n2, 5, 6, 7, 8, 9, 10, 11, 12\n\
+         3, 9, 10, 11, 12, 13, 14, 15, 16\n*SOLID SECTION, ELSET=E, MATERIAL=M\n*MATERIAL, NAME=M\n\
+         *ELASTIC\n1000., 0.3\n*SURFACE, NAME=CUT\n1, S2\n*SURFACE, NAME=BACK\n2, S1\n{step}\n*STATIC\n\
+         0.5, 1.\n*BOUNDARY\nFOOT, 1, 3\n*CLOAD\nHEAD, 1, 1.\nHEAD, 3, 2.\n*NODE PRINT, NSET=HEAD\nCOORD\n\
+         *SECTION PRINT, SURFACE=CUT, NAME=LOWER\nSOF, SOM, SOAREA\n\
+         *SECTION PRINT, SURFACE=BACK\nSOM2, SOF3\n*END STEP\n"
+    )
+}
+
+/// Requirement: a cut carries the loads beyond it, force and moment, in small and in large motion, on
+/// a mesh that is far too coarse for its stresses; both sides of it the opposite. Equilibrium, to the
+/// residual of the iteration.
+#[test]
+fn a_cut_carries_what_is_beyond() {
+    for step in ["*STEP", "*STEP, NLGEOM"] {
+        let text = tables("cut", &column(step), Dialect::Abaqus);
+        // where the loads act: (x, y, z) of the corners of the head
+        let mut moment = [0.0; 3];
+        let mut places = [[0.0, 0.0, 3.0], [1.0, 0.0, 3.0], [1.0, 1.0, 3.0], [0.0, 1.0, 3.0]];
+        if step.contains("NLGEOM") {
+            for (place, at) in places.iter_mut().enumerate() {
+                at.copy_from_slice(&below(&text, "COOR1", 1 + place)[1..]);
+            }
+        }
+        for [x, y, z] in places {
+            moment[0] += 2.0 * y;
+            moment[1] += z - 2.0 * x;
+            moment[2] -= y;
+        }
+        let size = |own: [f64; 3]| own[0].hypot(own[1]).hypot(own[2]);
+        let [x, y, z] = moment;
+        let wanted = [80_f64.sqrt(), 4.0, 0.0, 8.0, size(moment), x, y, z];
+        let (lower, back) = (row(&text, "LOWER"), row(&text, "BACK"));
+        is(&lower[..8], &wanted, 1e-4);
+        is(&back, &[size(moment), -x, -y, -z, 80_f64.sqrt(), -4.0, 0.0, -8.0], 1e-4);
+        if !step.contains("NLGEOM") {
+            is(&lower[8..], &[1.0], 1e-12);
+        }
+    }
+}
+
+/// Requirement: in the dialect of CalculiX the block of ccx 2.20: its titles and their order (read
+/// from a run of ccx); centre, normal, area, pull, shear, torque and bending by hand.
+#[test]
+fn a_cut_in_the_dialect_of_calculix() {
+    let text = tables("ccx", &column("*STEP"), Dialect::Calculix);
+    let titles = [
+        " statistics for surface set CUT and time  0.1000000E+01",
+        "   total surface force (fx,fy,fz) and moment about the origin(mx,my,mz)",
+        "   center of gravity and mean normal",
+        "   moment about the center of gravity(mx,my,mz)",
+        "   area, normal force (+ = tension), shear force (size), torque and bending moment (size)",
+    ];
+    let begin = text.find(titles[0]).unwrap_or_else(|| panic!("{text}"));
+    let mut places = titles.iter().map(|title| text[begin..].find(title).unwrap());
+    assert!(places.is_sorted_by(|a, b| a < b));
+    let own = &text[begin..begin + text[begin..].find("set BACK").unwrap()];
+    // 4 along x and 8 along z at the head, whose centre is (1/2, 1/2, 3)
+    is(&below(own, titles[1], 2), &[4.0, 0.0, 8.0, 4.0, 8.0, -2.0], 1e-5);
+    is(&below(own, titles[2], 2), &[0.5, 0.5, 1.0, 0.0, 0.0, 1.0], 1e-6);
+    is(&below(own, titles[3], 2), &[0.0, 8.0, 0.0], 1e-5);
+    is(&below(own, titles[4], 2), &[1.0, 8.0, 4.0, 0.0, 8.0], 1e-5);
+}
+
+/// Requirement: in the plane the thickness counts; a surface under a pressure hands that pressure over.
+#[test]
+fn a_cut_in_the_plane() {
+    let deck = "*NODE\n1, 0., 0.\n2, 2., 0.\n3, 2., 1.\n4, 0., 1.\n5, 0., 2.\n6, 2., 2.\n\
+        *ELEMENT, TYPE=CPS4, ELSET=E\n1, 1, 2, 3, 4\n2, 4, 3, 6, 5\n*SOLID SECTION, ELSET=E, MATERIAL=M\n\
+        0.25\n*MATERIAL, NAME=M\n*ELASTIC\n1000., 0.\n*SURFACE, NAME=CUT\n1, S3\n*SURFACE, NAME=TOP\n\
+        2, S3\n*STEP\n*STATIC\n1., 1.\n*BOUNDARY\n1, 1, 2\n2, 2\n*DSLOAD\nTOP, P, 3.\n\
+        *SECTION PRINT, SURFACE=CUT, NAME=MIDDLE\nSOF, SOM, SOAREA\n\
+        *SECTION PRINT, SURFACE=TOP\nSOF\n*END STEP\n";
+    let text = tables("plane", deck, Dialect::Abaqus);
+    is(&row(&text, "MIDDLE"), &[1.5, 0.0, -1.5, -1.5, 0.5], 1e-6);
+    is(&row(&text, "TOP"), &[1.5, 0.0, -1.5], 1e-6);
+}
+
+/// Requirement: surfaces that have no faces of solids, and that do not exist, are told of.
+#[test]
+fn surfaces_that_nothing_passes_through() {
+    let deck = column("*STEP");
+    let said = |deck: &str| {
+        format!("{:?}", Job::read_text("job", deck, &ReadOptions::default()).diagnostics)
+    };
+    assert!(said(&deck.replace("SURFACE=CUT,", "SURFACE=CUTS,")).contains("SL0327"));
+    let nodes = deck.replace("*SURFACE, NAME=CUT\n1, S2", "*SURFACE, NAME=CUT, TYPE=NODE\nFOOT");
+    assert!(said(&nodes).contains("SL0332"));
+    assert!(said(&deck.replace("NAME=LOWER", "NAME=LOWER, AXES=LOCAL")).contains("SL0252"));
+    assert!(!said(&deck).contains("SL0257"), "{}", said(&deck));
+}
