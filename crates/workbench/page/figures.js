@@ -98,7 +98,7 @@
 
   // Names of key figures and responses for people.
   const LABELS = { push_in: "force in", pull_out: "force out", ratio: "ratio out / in", work_in: "work in", work_out: "work out", strain: "strain", utilisation: "utilisation", margin: "strain margin", noise: "noise" };
-  W.label = (name) => LABELS[name] || name.replace(/_/g, " ");
+  W.label = (name) => (LABELS[name] || name.replace(/_/g, " ")).replace("force", W.noun());
 
   function formula() {
     const own = W.formula(), box = W.by("formula");

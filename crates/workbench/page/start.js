@@ -13,8 +13,18 @@
     });
   };
 
-  // A picture that stands in no page needs the name of its language.
-  const alone = (svg) => svg.includes("xmlns=") ? svg : svg.replace("<svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"");
+  // A model as a small picture: bold lines and no legend, which nobody could read.
+  function small(text) {
+    const named = text.includes("xmlns=") ? text : text.replace("<svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"");
+    const svg = new DOMParser().parseFromString(named, "image/svg+xml").documentElement;
+    for (const word of Array.from(svg.querySelectorAll("text"))) {
+      const before = word.previousElementSibling;
+      if (before && before.tagName === "circle") before.remove();
+      word.remove();
+    }
+    svg.querySelectorAll("[stroke-width]").forEach((line) => line.setAttribute("stroke-width", 2.2 * line.getAttribute("stroke-width")));
+    return new XMLSerializer().serializeToString(svg);
+  }
 
   W.start = (message) => {
     const list = W.by("kinds");
@@ -23,7 +33,7 @@
     W.by("start").hidden = false;
     for (const one of message.kinds) {
       const card = make(list, "button", { type: "button", class: "kind", "data-kind": one.kind });
-      if (one.picture) make(card, "img", { alt: "", src: "data:image/svg+xml," + encodeURIComponent(alone(one.picture)) });
+      if (one.picture) make(card, "img", { alt: "", src: "data:image/svg+xml," + encodeURIComponent(small(one.picture)) });
       make(card, "b", {}, one.title);
       make(card, "span", {}, one.text);
       card.addEventListener("click", () => W.choose(one.kind));

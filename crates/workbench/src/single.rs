@@ -4,7 +4,29 @@ use base64::{Engine as _, engine::general_purpose::STANDARD};
 use slideline::output::report::DRAWING;
 
 /// Files of the page: name and content.
-const ASSETS: &[(&str, &[u8])] = &[("index.html", include_bytes!("../page/index.html"))];
+const ASSETS: &[(&str, &[u8])] = &[
+    ("aim.js", include_bytes!("../page/aim.js")),
+    ("band.js", include_bytes!("../page/band.js")),
+    ("connection.js", include_bytes!("../page/connection.js")),
+    ("curve.js", include_bytes!("../page/curve.js")),
+    ("deck.js", include_bytes!("../page/deck.js")),
+    ("figures.js", include_bytes!("../page/figures.js")),
+    ("history.js", include_bytes!("../page/history.js")),
+    ("index.html", include_bytes!("../page/index.html")),
+    ("live.js", include_bytes!("../page/live.js")),
+    ("main.js", include_bytes!("../page/main.js")),
+    ("page.css", include_bytes!("../page/page.css")),
+    ("parameters.js", include_bytes!("../page/parameters.js")),
+    ("pins.js", include_bytes!("../page/pins.js")),
+    ("plot.js", include_bytes!("../page/plot.js")),
+    ("run.js", include_bytes!("../page/run.js")),
+    ("save.js", include_bytes!("../page/save.js")),
+    ("solver.js", include_bytes!("../page/solver.js")),
+    ("start.js", include_bytes!("../page/start.js")),
+    ("state.js", include_bytes!("../page/state.js")),
+    ("words.js", include_bytes!("../page/words.js")),
+    ("worker.js", include_bytes!("../page/worker.js")),
+];
 
 /// The content of a file of the page, and its kind.
 pub fn asset(name: &str) -> Option<(&'static [u8], &'static str)> {
