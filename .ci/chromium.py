@@ -146,12 +146,13 @@ class Browser:
             if method == "Runtime.exceptionThrown":
                 found.append(said["exceptionDetails"])
             elif method == "Log.entryAdded" and said["entry"]["level"] in ("error", "warning"):
-                found.append(said["entry"])
+                entry = said["entry"]
+                found.append(f"{entry['text']} ({entry.get('url')}:{entry.get('lineNumber')})")
             elif method == "Runtime.consoleAPICalled" and said["type"] in ("error", "warning", "assert"):
                 found.append(said)
             elif method == "Network.requestWillBeSent" and not self.allowed(said["request"]["url"]):
                 found.append(said["request"]["url"])
-        return found
+        return found[:10]
 
     def allowed(self, address):
         own = self.host and address.startswith(f"http://{self.host}:")
