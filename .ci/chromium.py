@@ -132,9 +132,14 @@ class Browser:
         raise AssertionError(f"never became true: {expression}")
 
     def picture(self, path):
-        size = self.call("Page.getLayoutMetrics")["cssContentSize"]
-        clip = {"x": 0, "y": 0, "width": size["width"], "height": min(size["height"], 9000), "scale": 1}
-        shot = self.call("Page.captureScreenshot", format="png", captureBeyondViewport=True, clip=clip)
+        metrics = self.call("Page.getLayoutMetrics")
+        size, seen = metrics["cssContentSize"], metrics["cssLayoutViewport"]
+        # a page that fits is taken as it stands: beyond the window, what is scrolled in it is not
+        whole = {}
+        if size["height"] > seen["clientHeight"]:
+            clip = {"x": 0, "y": 0, "width": size["width"], "height": min(size["height"], 9000), "scale": 1}
+            whole = {"captureBeyondViewport": True, "clip": clip}
+        shot = self.call("Page.captureScreenshot", format="png", **whole)
         Path(path).write_bytes(base64.b64decode(shot["data"]))
 
     def faults(self):

@@ -105,8 +105,10 @@
     box.classList.toggle("waiting", !W.current());
     box.hidden = !(own && own.reason);
     if (box.hidden) return;
-    box.textContent = (own.name || "Design guide") + (Number.isFinite(own.value) ? " gives " + W.figure(own.value) : "") + ". " + own.reason;
-    box.title = (own.assumptions || []).join(" ");
+    const cut = own.reason.search(/\. [A-Z]/) + 1 || own.reason.length;
+    box.querySelector("summary").textContent = (own.name || "Design guide") + (Number.isFinite(own.value) ? " gives " + W.figure(own.value) : "") + ". " + own.reason.slice(0, cut);
+    const rest = [own.reason.slice(cut).trim()].concat(own.assumptions && own.assumptions.length ? "It assumes that " + own.assumptions.join("; ") + "." : []);
+    box.querySelector("p").textContent = rest.filter(Boolean).join(" ");
   }
 
   W.say = () => {
