@@ -132,9 +132,14 @@ class Browser:
         raise AssertionError(f"never became true: {expression}")
 
     def picture(self, path):
-        size = self.call("Page.getLayoutMetrics")["cssContentSize"]
-        clip = {"x": 0, "y": 0, "width": size["width"], "height": min(size["height"], 9000), "scale": 1}
-        shot = self.call("Page.captureScreenshot", format="png", captureBeyondViewport=True, clip=clip)
+        metrics = self.call("Page.getLayoutMetrics")
+        size, seen = metrics["cssContentSize"], metrics["cssLayoutViewport"]
+        # a page that fits is taken as it stands: beyond the window, what is scrolled in it is not
+        whole = {}
+        if size["height"] > seen["clientHeight"]:
+            clip = {"x": 0, "y": 0, "width": size["width"], "height": min(size["height"], 9000), "scale": 1}
+            whole = {"captureBeyondViewport": True, "clip": clip}
+        shot = self.call("Page.captureScreenshot", format="png", **whole)
         Path(path).write_bytes(base64.b64decode(shot["data"]))
 
     def faults(self):
@@ -146,12 +151,13 @@ class Browser:
             if method == "Runtime.exceptionThrown":
                 found.append(said["exceptionDetails"])
             elif method == "Log.entryAdded" and said["entry"]["level"] in ("error", "warning"):
-                found.append(said["entry"])
+                entry = said["entry"]
+                found.append(f"{entry['text']} ({entry.get('url')}:{entry.get('lineNumber')})")
             elif method == "Runtime.consoleAPICalled" and said["type"] in ("error", "warning", "assert"):
                 found.append(said)
             elif method == "Network.requestWillBeSent" and not self.allowed(said["request"]["url"]):
                 found.append(said["request"]["url"])
-        return found
+        return found[:10]
 
     def allowed(self, address):
         own = self.host and address.startswith(f"http://{self.host}:")

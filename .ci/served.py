@@ -32,8 +32,9 @@ class Served:
         return 1024 * int(re.search(r"VmRSS:\s+(\d+)", status).group(1))
 
     def close(self):
-        self.process.terminate()
-        self.process.wait(20)
+        if self.process.poll() is None:
+            self.process.terminate()
+            self.process.wait(20)
         self.said.close()
 
 

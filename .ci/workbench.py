@@ -143,6 +143,49 @@ def tolerances(browser):
     browser.until("document.getElementById('lines').textContent.includes('tolerances')")
 
 
+def locking(browser):
+    """A locked parameter moves for nobody; a peak hears the arrow keys."""
+    row = ".parameter[data-name=thickness]"
+    before = value(browser, "thickness")
+    browser.evaluate("document.querySelector('.handle.push').focus()")
+    browser.key("ArrowUp")
+    browser.until(f"Workbench.values.thickness > {before}", 30)
+    settled(browser)
+    before = value(browser, "thickness")
+    browser.click(row + " .tools button:last-child")
+    assert browser.evaluate(f"document.querySelector('{row} input[type=range]').disabled")
+    browser.evaluate("document.querySelector('.handle.push').focus()")
+    browser.key("ArrowUp")
+    browser.until("document.getElementById('aim-said').textContent.includes('locked')")
+    assert value(browser, "thickness") == before, "a locked parameter has moved"
+    browser.click(row + " .tools button:last-child")
+    assert not browser.evaluate(f"document.querySelector('{row} input[type=range]').disabled")
+
+
+def named(browser):
+    """Whatever can be acted on has a name for who does not see it."""
+    tree = browser.call("Accessibility.getFullAXTree")["nodes"]
+    roles = {"button", "slider", "spinbutton", "textbox", "combobox", "checkbox", "tab", "listbox", "img"}
+    nameless = []
+    for node in tree:
+        role = node.get("role", {}).get("value")
+        if role in roles and not node.get("ignored") and not node.get("name", {}).get("value", "").strip():
+            nameless.append(browser.call("DOM.describeNode", backendNodeId=node["backendDOMNodeId"])["node"].get("attributes"))
+    assert not nameless, f"without a name: {nameless[:5]}"
+    live = browser.evaluate("document.querySelector('#verdict [aria-live=polite]').textContent")
+    assert live.strip(), "the verdict is not said"
+
+
+def losing(browser, served):
+    """Without its program the page says so, and nothing on it is current."""
+    served.close()
+    browser.until("!document.getElementById('lost').hidden")
+    assert browser.evaluate("document.getElementById('verdict').className") == "verdict red"
+    assert browser.evaluate("document.getElementById('chart').dataset.current") == "false"
+    browser.evaluate("Workbench.set('thickness', 1.9, false)")
+    assert not browser.faults(), browser.faults()
+
+
 def editing(browser, pictures):
     """An error is underlined and named; nothing is current until it is mended."""
     settled(browser)
@@ -280,6 +323,8 @@ def drive(browser, program, folder, pictures, name, tolerance, idle):
     solving_for(browser)
     pinning(browser)
     tolerances(browser)
+    locking(browser)
+    named(browser)
     looks(browser, pictures, name)
     editing(browser, pictures)
     same_as_the_command(browser, program, folder, tolerance)
@@ -307,6 +352,7 @@ def main():
                 dragging_at_random(browser, served, minutes)
                 return
             drive(browser, program, folder, pictures, "served", 0.0, "--idle" in options)
+            losing(browser, served)
             starting(browser, program, folder, pictures)
         finally:
             browser.close()

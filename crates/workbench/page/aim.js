@@ -14,7 +14,7 @@
 
   function options() {
     const fill = (id, names, chosen) => {
-      const select = W.by(id), key = JSON.stringify(names);
+      const select = W.by(id), key = JSON.stringify([names, W.noun()]);
       if (select.dataset.names !== key) {
         select.dataset.names = key;
         select.textContent = "";
@@ -140,4 +140,6 @@
   function place() { for (const which of Object.keys(handles)) place_one(which); }
 
   for (const name of ["deck", "marks"]) W.on(name, options);
+  let noun = "force";
+  W.on("end", () => { if (W.noun() !== noun) { noun = W.noun(); options(); } });
 })(window.Workbench = window.Workbench || {});

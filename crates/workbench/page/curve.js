@@ -69,10 +69,15 @@
     W.tell("painted");
   }
 
+  // What is drawn over the travel: of a turning body its moment.
+  W.noun = () => {
+    const own = W.last && W.last.curves[W.last.curve];
+    return own && own.reaction.startsWith("RM") ? "moment" : "force";
+  };
+
   const titles = () => {
     const unit = (name) => W.deck && W.deck.units && W.deck.units[name] ? " [" + W.deck.units[name] + "]" : "";
-    const turning = W.shown && W.shown.data && W.shown.data.driven[0] && W.shown.data.driven[0].reaction.startsWith("RM");
-    return ["travel" + unit("travel"), (turning ? "moment" : "force") + unit("force")];
+    return [(W.noun() === "moment" ? "turn" : "travel") + unit("travel"), W.noun() + unit("force")];
   };
 
   // A ghost is seen beside another curve only.
@@ -101,7 +106,7 @@
   function read() {
     const run = W.shown, i = hover >= 0 && run && hover <= run.rows ? hover : place;
     if (!run || !(i >= 0 && i <= run.rows)) return;
-    W.by("readoff").textContent = "travel " + show(run.travel[i], 4) + ", force " + show(run.force[i], 4) + " (" + run.where(i) + ")";
+    W.by("readoff").textContent = "travel " + show(run.travel[i], 4) + ", " + W.noun() + " " + show(run.force[i], 4) + " (" + run.where(i) + ")";
   }
 
   // The state nearest to a place on the screen: nearest travel first where the way is plain.

@@ -19,7 +19,7 @@
   };
   W.typing = () => document.activeElement === area && timer !== null;
 
-  function fill(text) { area.value = text; lines(); }
+  function fill(text) { area.value = text; lines(); scroll(); }
 
   let count = 0;
   function lines() {
@@ -39,6 +39,7 @@
       if (!found.has(one.line)) found.set(one.line, one);
     }
     back.textContent = "";
+    scroll();
     if (W.deck && area.value !== W.deck.text) return;
     area.value.split("\n").forEach((line, k) => {
       const one = found.get(k + 1);
@@ -51,7 +52,6 @@
       make(back, "mark", { class: one.severity }, line.slice(from, to) || " ");
       back.appendChild(document.createTextNode(line.slice(to) + "\n"));
     });
-    scroll();
   }
 
   function scroll() {
@@ -61,7 +61,9 @@
 
   function problems() {
     const list = W.by("problems"), all = W.deck ? W.deck.diagnostics : [];
-    const shown = all.filter((one) => one.severity === "error").concat(all.filter((one) => one.severity !== "error")).slice(0, 30);
+    const rank = (one) => ["error", "warning", "advice"].indexOf(one.severity) >= 0 ? ["error", "warning", "advice"].indexOf(one.severity) : 3;
+    const shown = all.slice().sort((a, b) => rank(a) - rank(b)).slice(0, 40), notes = shown.filter((one) => rank(one) === 3).length;
+    let folded = null;
     list.textContent = "";
     const errors = all.filter((one) => one.severity === "error").length, warnings = all.filter((one) => one.severity === "warning").length;
     const many = (n, word) => n + " " + word + (n === 1 ? "" : "s");
@@ -70,7 +72,12 @@
     badge.hidden = !errors;
     badge.textContent = String(errors);
     for (const one of shown) {
-      const item = make(list, "li", { class: "problem " + one.severity });
+      if (rank(one) === 3 && !folded) {
+        const fold = make(make(list, "li"), "details");
+        make(fold, "summary", { class: "soft" }, many(notes, "note"));
+        folded = make(fold, "ul");
+      }
+      const item = make(folded || list, "li", { class: "problem " + one.severity });
       const go = make(item, "button", { type: "button", class: "link" }, (one.line ? "line " + one.line + " " : "") + one.code);
       go.addEventListener("click", () => goto(one.line, (one.columns || [1])[0]));
       make(item, "span", {}, " " + one.message);

@@ -98,15 +98,17 @@
 
   // Names of key figures and responses for people.
   const LABELS = { push_in: "force in", pull_out: "force out", ratio: "ratio out / in", work_in: "work in", work_out: "work out", strain: "strain", utilisation: "utilisation", margin: "strain margin", noise: "noise" };
-  W.label = (name) => LABELS[name] || name.replace(/_/g, " ");
+  W.label = (name) => (LABELS[name] || name.replace(/_/g, " ")).replace("force", W.noun());
 
   function formula() {
     const own = W.formula(), box = W.by("formula");
     box.classList.toggle("waiting", !W.current());
     box.hidden = !(own && own.reason);
     if (box.hidden) return;
-    box.textContent = (own.name || "Design guide") + (Number.isFinite(own.value) ? " gives " + W.figure(own.value) : "") + ". " + own.reason;
-    box.title = (own.assumptions || []).join(" ");
+    const cut = own.reason.search(/\. [A-Z]/) + 1 || own.reason.length;
+    box.querySelector("summary").textContent = (own.name || "Design guide") + (Number.isFinite(own.value) ? " gives " + W.figure(own.value) : "") + ". " + own.reason.slice(0, cut);
+    const rest = [own.reason.slice(cut).trim()].concat(own.assumptions && own.assumptions.length ? "It assumes that " + own.assumptions.join("; ") + "." : []);
+    box.querySelector("p").textContent = rest.filter(Boolean).join(" ");
   }
 
   W.say = () => {

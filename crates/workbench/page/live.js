@@ -104,12 +104,26 @@
       W.tell("scrub", this.states[this.frame]);
     }
 
-    // Goes to the state of the curve.
+    // The state of the curve that is looked at; large models have frames for some of them only.
+    looked() {
+      const run = this.run, drawn = this.states[this.frame] || 0;
+      if (this.at_time === null) {
+        const peak = run && run.end ? run.peak("push") : null;
+        return peak === null ? drawn : peak;
+      }
+      if (!run || run.time[run.rows] < this.at_time) return drawn;
+      let best = 0;
+      for (let k = 1; k <= run.rows; k++) if (Math.abs(run.time[k] - this.at_time) <= Math.abs(run.time[best] - this.at_time)) best = k;
+      return best;
+    }
+
+    // Goes to a state of the curve.
     state(state) {
       this.stop();
       if (!this.run) return;
-      this.go(this.near(state));
-      this.hold();
+      super.go(this.near(state));
+      this.at_time = this.run.time[state];
+      W.tell("scrub", state);
     }
   }
   W.LiveShape = LiveShape;

@@ -10,7 +10,7 @@
     asked = true;
     requestAnimationFrame(() => {
       asked = false;
-      if (reshape && W.shown && W.shown.data && W.shown.rows >= 0) { reshape = false; W.shape.show(W.shown); W.chart.look(W.shape.states[W.shape.frame]); }
+      if (reshape && W.shown && W.shown.data && W.shown.rows >= 0) { reshape = false; W.shape.show(W.shown); W.chart.look(W.shape.looked()); }
       W.chart.paint();
       W.aim.place();
       W.drawn++;

@@ -13,8 +13,12 @@
     });
   };
 
-  // A picture that stands in no page needs the name of its language.
-  const alone = (svg) => svg.includes("xmlns=") ? svg : svg.replace("<svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"");
+  // A model as a small picture: bold lines and no legend, which nobody could read. It is changed as
+  // a text: as a document it would be held against the page's own policy.
+  const small = (text) => (text.includes("xmlns=") ? text : text.replace("<svg", "<svg xmlns=\"http://www.w3.org/2000/svg\""))
+    .replace(/<circle[^>]*\/>\s*<text[^>]*>[^<]*<\/text>/g, "")
+    .replace(/<text[^>]*>[^<]*<\/text>/g, "")
+    .replace(/stroke-width="([\d.]+)"/g, (_, width) => "stroke-width=\"" + 2.2 * Number(width) + "\"");
 
   W.start = (message) => {
     const list = W.by("kinds");
@@ -23,7 +27,7 @@
     W.by("start").hidden = false;
     for (const one of message.kinds) {
       const card = make(list, "button", { type: "button", class: "kind", "data-kind": one.kind });
-      if (one.picture) make(card, "img", { alt: "", src: "data:image/svg+xml," + encodeURIComponent(alone(one.picture)) });
+      if (one.picture) make(card, "img", { alt: "", src: "data:image/svg+xml," + encodeURIComponent(small(one.picture)) });
       make(card, "b", {}, one.title);
       make(card, "span", {}, one.text);
       card.addEventListener("click", () => W.choose(one.kind));

@@ -79,7 +79,7 @@
     W.by("page-title").textContent = word;
     if (why) make(box, "p", {}, why);
     else {
-      const own = new DOMParser().parseFromString(html, "text/html");
+      const own = new DOMParser().parseFromString(html.replace(/ style="[^"]*"/g, ""), "text/html");
       own.querySelectorAll("script, style, link, iframe, object, embed, form, base, meta").forEach((node) => node.remove());
       own.querySelectorAll("*").forEach((node) => {
         for (const { name, value } of Array.from(node.attributes)) {

@@ -1,18 +1,150 @@
-//! To be written.
+//! The forces that tolerances of the parameters allow.
+//!
+//! To first order the force at a travel is F + sum (dF/dp) e_p, the e_p spread evenly over their
+//! tolerances and independent: a sum with the deviation sqrt(sum (dF/dp t_p)^2/3), taken as normal.
+//! The slopes are differences of curves half a tolerance to both sides, at the same travel.
 
-use crate::answers::refused;
+use crate::answers::{overtaken, refused};
 use crate::deck::Opened;
-use crate::solve::Room;
+use crate::solve::{OVERTAKEN, Room, quietly};
 use crate::values::Values;
-use serde_json::Value;
+use serde_json::{Value, json};
 
-/// To be written.
+/// What 5 to 95 % of a normal distribution reach, in deviations.
+const REACH: f64 = 1.644_853_626_951_472_7;
+
+/// Lowest and highest force over the travel.
 pub(crate) fn band(
-    _: &Opened,
-    _: &Values,
-    _: &mut Room,
-    (id, _): (&Value, &Value),
-    _: &mut dyn FnMut(&str) -> bool,
+    opened: &Opened,
+    values: &Values,
+    room: &mut Room,
+    (id, asked): (&Value, &Value),
+    say: &mut dyn FnMut(&str) -> bool,
 ) -> Value {
-    refused(id, "not yet")
+    let tolerances = match tolerances(opened, asked) {
+        Ok(own) => own,
+        Err(why) => return refused(id, &why),
+    };
+    match spread(opened, values, room, &tolerances, say) {
+        Ok((curve, deviations)) => {
+            let column = |of: &dyn Fn(&[f64; 2], f64) -> f64| -> Value {
+                curve
+                    .iter()
+                    .zip(&deviations)
+                    .map(|(own, deviation)| json!(of(own, *deviation)))
+                    .collect()
+            };
+            json!({
+                "say": "band",
+                "id": id,
+                "travel": column(&|own, _| own[0]),
+                "low": column(&|own, deviation| own[1] - REACH * deviation),
+                "high": column(&|own, deviation| own[1] + REACH * deviation),
+                "share": "5 to 95 %",
+            })
+        }
+        Err(why) if why == OVERTAKEN => overtaken(id),
+        Err(why) => refused(id, &why),
+    }
+}
+
+/// Places of parameters, and their tolerances relative to the value.
+fn tolerances(opened: &Opened, asked: &Value) -> Result<Vec<(usize, f64)>, String> {
+    let members = asked.get("tolerances").and_then(Value::as_object).into_iter().flatten();
+    let own = members.map(|(name, share)| {
+        let place = opened.sliders.iter().position(|own| own.name == *name);
+        let place = place.ok_or_else(|| format!("the deck has no parameter {name}"))?;
+        let sound = share.as_f64().filter(|own| own.is_finite() && *own >= 0.0);
+        Ok((place, sound.ok_or_else(|| format!("the tolerance of {name} is no number"))?))
+    });
+    let own: Result<Vec<(usize, f64)>, String> = own.collect();
+    own.map(|list| list.into_iter().filter(|(_, share)| *share > 0.0).collect())
+}
+
+type Curve = Vec<[f64; 2]>;
+
+/// The curve and the deviation of its forces.
+fn spread(
+    opened: &Opened,
+    values: &Values,
+    room: &mut Room,
+    tolerances: &[(usize, f64)],
+    say: &mut dyn FnMut(&str) -> bool,
+) -> Result<(Curve, Vec<f64>), String> {
+    let middle = quietly(opened, values, room, say)?.curve;
+    let mut squares = vec![0.0; middle.len()];
+    for &(place, share) in tolerances {
+        let tolerance = share * values.0[place].abs();
+        let mut side = |sign: f64| {
+            let own = values.with(place, values.0[place] + sign * 0.5 * tolerance);
+            Ok::<_, String>(at_travels(&middle, &quietly(opened, &own, room, say)?.curve))
+        };
+        let (below, above) = (side(-1.0)?, side(1.0)?);
+        for (square, (low, high)) in squares.iter_mut().zip(below.iter().zip(&above)) {
+            // the slope times the tolerance, whose square is three times that of the deviation
+            *square += (high - low).powi(2) / 3.0;
+        }
+    }
+    Ok((middle, squares.into_iter().map(f64::sqrt).collect()))
+}
+
+/// Forces of another curve at the travels of a curve, on the same way in or out.
+fn at_travels(curve: &[[f64; 2]], other: &[[f64; 2]]) -> Vec<f64> {
+    let (own, others) = (ways(curve), ways(other));
+    let mut forces = Vec::with_capacity(curve.len());
+    for (number, way) in own.iter().enumerate() {
+        // both turn as often, or the last way serves for the rest
+        let Some(same) = others.get(number).or(others.last()) else { break };
+        let first = usize::from(number > 0);
+        forces.extend(way[first..].iter().map(|point| at(same, point[0])));
+    }
+    forces
+}
+
+/// A curve cut where its travel turns; neighbours share the point where it does.
+fn ways(curve: &[[f64; 2]]) -> Vec<&[[f64; 2]]> {
+    let (mut all, mut begin, mut sense) = (Vec::new(), 0, 0.0);
+    for (place, ends) in curve.windows(2).enumerate() {
+        let way = ends[1][0] - ends[0][0];
+        if way * sense < 0.0 {
+            all.push(&curve[begin..=place]);
+            begin = place;
+        }
+        if way != 0.0 {
+            sense = way;
+        }
+    }
+    all.push(&curve[begin..]);
+    all
+}
+
+/// The force of a way at a travel, linear between its points; beyond its ends that of the end.
+fn at(way: &[[f64; 2]], travel: f64) -> f64 {
+    let between = way.windows(2).find(|ends| {
+        let (a, b) = (ends[0][0], ends[1][0]);
+        a != b && (a.min(b)..=a.max(b)).contains(&travel)
+    });
+    if let Some([[a, from], [b, to]]) = between.and_then(|own| own.first_chunk::<2>()) {
+        return from + (to - from) * (travel - a) / (b - a);
+    }
+    let off = |own: &&[f64; 2]| (own[0] - travel).abs();
+    way.iter().min_by(|a, b| off(a).total_cmp(&off(b))).map_or(0.0, |own| own[1])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Requirement: forces are compared at the same travel on the same way, whatever increments
+    /// lead there.
+    #[test]
+    fn ways_are_kept_apart() {
+        let curve = [[0.0, 0.0], [1.0, 1.0], [2.0, 2.0], [1.0, -5.0], [0.0, 0.0]];
+        let other = [[0.0, 0.0], [2.5, 5.0], [1.5, -6.0], [0.0, 0.0]];
+        let cut: Vec<usize> = ways(&curve).iter().map(|way| way.len()).collect();
+        assert_eq!(cut, [3, 3]);
+        assert_eq!(at_travels(&curve, &other), [0.0, 2.0, 4.0, -4.0, 0.0]);
+        assert_eq!(at_travels(&curve, &curve), [0.0, 1.0, 2.0, -5.0, 0.0]);
+        assert_eq!(at(&other[..2], 9.0), 5.0);
+    }
 }

@@ -146,15 +146,12 @@ impl Bench {
             "solve" => return solve::solve(opened, &values, room, (id, clock), say),
             "aim" => aim::aim(opened, &values, room, (id, asked), say),
             "band" => band::band(opened, &values, room, (id, asked), say),
-            _ => save::save(opened, &values, room, (id, asked), say),
+            _ => save::save(opened, &values, (room, &*self.read), (id, asked), say),
         })
     }
 
     /// The deck that it was started with, or decks to begin with.
     fn open(&mut self, id: &Value) -> Value {
-        if let Some(opened) = &self.opened {
-            return opened.told(id);
-        }
         match self.first.clone() {
             Some((name, text)) => self.put(id, &name, &text),
             None => {

@@ -15,8 +15,18 @@ pub(crate) fn ended(model: &Model, (id, ending): (&Value, &Ending), told: &Told)
     let verdict = summary.get("verdict");
     let list = |key: &str| summary.get(key).and_then(Value::as_array).cloned().unwrap_or_default();
     let said = ["warnings", "advice", "notes"].map(list).concat();
-    let tile =
-        |[name, text, about]: &[String; 3]| json!({"name": name, "text": text, "about": about});
+    let figures = figures(told);
+    let tile = |[name, text, about]: &[String; 3]| {
+        let response = response(name);
+        json!({
+            "name": name,
+            "text": text,
+            "about": about,
+            "response": response,
+            "value": response.and_then(|own| figures.get(own)),
+        })
+    };
+    let key: Value = told.tiles.iter().map(tile).collect();
     json!({
         "say": "end",
         "id": id,
@@ -28,8 +38,8 @@ pub(crate) fn ended(model: &Model, (id, ending): (&Value, &Ending), told: &Told)
             "reasons": verdict.and_then(|own| own.get("reasons")),
             "lines": told.sentences,
         },
-        "key": told.tiles.iter().map(tile).collect::<Value>(),
-        "figures": figures(told),
+        "key": key,
+        "figures": figures,
         "places": {
             "curve": told.driven.unwrap_or_default(),
             "push": told.places[0],
@@ -42,6 +52,19 @@ pub(crate) fn ended(model: &Model, (id, ending): (&Value, &Ending), told: &Told)
         "iterations": of("iterations"),
         "formula": formula(model, told),
     })
+}
+
+/// The key figure that a tile of the report shows.
+fn response(tile: &str) -> Option<&'static str> {
+    let known = [
+        ("push-in", "push_in"),
+        ("pull-out", "pull_out"),
+        ("out / in", "ratio"),
+        ("work in", "work_in"),
+        ("largest strain", "strain"),
+        ("largest principal strain", "strain"),
+    ];
+    known.into_iter().find(|(begin, _)| tile.starts_with(begin)).map(|(_, name)| name)
 }
 
 /// Key figures by their names, margin and noise behind them; null where there are none.

@@ -1,10 +1,16 @@
 //! The page as one file, with everything that it needs inside.
 
 use base64::{Engine as _, engine::general_purpose::STANDARD};
+use serde_json::json;
+use slideline::output::json::text;
 use slideline::output::report::DRAWING;
 
 /// Files of the page: name and content.
-const ASSETS: &[(&str, &[u8])] = &[("index.html", include_bytes!("../page/index.html"))];
+const ASSETS: &[(&str, &[u8])] = include!(concat!(env!("OUT_DIR"), "/page.rs"));
+
+/// Nothing is loaded from anywhere; the solver is WebAssembly in a worker of the page's own.
+const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval' blob:; \
+                      worker-src blob:; style-src 'unsafe-inline'; img-src data: blob:";
 
 /// The content of a file of the page, and its kind.
 pub fn asset(name: &str) -> Option<(&'static [u8], &'static str)> {
@@ -17,12 +23,87 @@ pub fn asset(name: &str) -> Option<(&'static [u8], &'static str)> {
         "css" => "text/css; charset=utf-8",
         "js" => "text/javascript; charset=utf-8",
         "svg" => "image/svg+xml",
+        "txt" | "md" | "LICENSE" => "text/plain; charset=utf-8",
         _ => "application/octet-stream",
     };
     Some((content, kind))
 }
 
-/// To be written.
-pub fn single_page(wasm: &[u8], _deck: Option<(&str, &str)>) -> String {
-    STANDARD.encode(wasm)
+/// The page as one file: styles and scripts in place of their names, the solver as WebAssembly, and
+/// the deck that it opens (name and text), if one.
+pub fn single_page(wasm: &[u8], deck: Option<(&str, &str)>) -> String {
+    let opened = deck.map(|(name, text)| json!({"name": name, "text": text}));
+    let carried = format!(
+        "<script type=\"application/json\" id=\"opened\">{}</script>\n\
+         <script type=\"text/plain\" id=\"module\">{}</script>\n",
+        text(&opened).replace('<', "\\u003c"),
+        STANDARD.encode(wasm)
+    );
+    let policy = format!("<meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">");
+    let mut page = String::with_capacity(carried.len() + (1 << 18));
+    let mut carried = Some(carried);
+    for line in words("index.html").lines() {
+        if let Some(name) = named(line, "<script src=\"", "\"></script>") {
+            page.extend(carried.take());
+            // a text that ends the script within it would end it on the page
+            let script = words(name).replace("</script", "<\\/script");
+            page.extend(["<script>\n", &script, "</script>\n"]);
+        } else if let Some(name) = named(line, "<link rel=\"stylesheet\" href=\"", "\">") {
+            page.extend(["<style>\n", &words(name).replace("</style", "<\\/style"), "</style>\n"]);
+        } else {
+            page.extend([line, "\n"]);
+        }
+        if line.trim_start().starts_with("<meta charset") {
+            page.extend([&policy, "\n"]);
+        }
+    }
+    page
+}
+
+/// What a line names between two texts.
+fn named<'a>(line: &'a str, before: &str, behind: &str) -> Option<&'a str> {
+    line.trim().strip_prefix(before)?.strip_suffix(behind)
+}
+
+fn words(name: &str) -> String {
+    asset(name).map_or_else(String::new, |(own, _)| String::from_utf8_lossy(own).into_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Requirement: every file that the page names is inside, nothing is named that would have to be
+    /// loaded, and neither the deck nor a script ends the script that it stands in.
+    #[test]
+    fn everything_is_inside() {
+        let index = words("index.html");
+        let names = index.lines().filter_map(|line| {
+            let script = named(line, "<script src=\"", "\"></script>");
+            script.or_else(|| named(line, "<link rel=\"stylesheet\" href=\"", "\">"))
+        });
+        let names: Vec<&str> = names.collect();
+        assert!(names.contains(&"page.css") && names.contains(&"connection.js"), "{names:?}");
+        for name in &names {
+            assert!(asset(name).is_some(), "{name} is named and not there");
+        }
+        let page = single_page(b"\0asm", Some(("a.inp", "*HEADING\n</script><b>\"\\\n")));
+        assert!(!page.contains("<script src") && !page.contains("rel=\"stylesheet\""));
+        assert_eq!(page.matches("<script").count(), page.matches("</script>").count());
+        assert!(page.contains("id=\"module\">AGFzbQ==</script>"));
+        let (_, behind) = page.split_once("id=\"opened\">").unwrap();
+        let (deck, _) = behind.split_once("</script>").unwrap();
+        let deck: serde_json::Value = serde_json::from_str(deck).unwrap();
+        assert_eq!(deck["text"], "*HEADING\n</script><b>\"\\\n");
+        assert!(single_page(b"", None).contains("id=\"opened\">null</script>"));
+    }
+
+    #[test]
+    fn only_files_of_the_page_have_names() {
+        for name in ["../Cargo.toml", "/etc/passwd", "page/index.html", "", "vendor/../index.html"]
+        {
+            assert!(asset(name).is_none(), "{name}");
+        }
+        assert!(asset("report/shape.js").is_some() && asset("index.html").is_some());
+    }
 }

@@ -13,8 +13,10 @@ use crate::values::Values;
 use serde_json::{Value, json};
 use slideline::observe::{Ending, Frame};
 use slideline::output::json::text;
+use slideline::output::report::{Options, Told};
 use slideline::{
-    Diagnostic, Event, Judge, Model, Observer, Plan, SolveOptions, Stop, Workspace, objections,
+    Diagnostic, Event, Judge, Model, Observer, Plan, Severity, SolveOptions, Stop, Workspace,
+    objections,
 };
 use std::ops::ControlFlow;
 
@@ -48,6 +50,8 @@ pub(crate) fn model(
     let Some(parametric) = &opened.parametric else { return Err(opened.read.diagnostics.clone()) };
     let (model, mut said) = parametric.read(&values.settings(&opened.sliders))?;
     said.extend(objections(&model));
+    // as a run has it: what is trivial goes below
+    said.sort_by_key(|own| own.severity == Severity::Note);
     Ok((model, said))
 }
 
@@ -184,6 +188,20 @@ pub(crate) struct Silent<'a, 's> {
     rows: Vec<Vec<[f64; 2]>>,
 }
 
+impl<'a, 's> Silent<'a, 's> {
+    /// One that hands events to a judge.
+    pub fn of(judge: Judge<'a>, say: &'s mut dyn FnMut(&str) -> bool) -> Self {
+        Self { judge, say, rows: Vec::new() }
+    }
+
+    /// The report of a run that came to its end; none of one that was stopped.
+    pub fn page(&self, job: &str, options: &Options<'_>) -> Option<String> {
+        let told = self.judge.told()?;
+        let stopped = told.summary.get("status").and_then(Value::as_str) == Some("interrupted");
+        self.judge.records().page(job, options).filter(|_| !stopped)
+    }
+}
+
 impl Observer for Silent<'_, '_> {
     fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
         let committed = matches!(event, Event::Committed(_));
@@ -200,7 +218,7 @@ impl Observer for Silent<'_, '_> {
 /// A run that came to its end.
 pub(crate) struct Quiet {
     /// What the report says of it.
-    pub told: slideline::output::report::Told,
+    pub told: Told,
     /// Motion and reaction of the driven motion that does most work, from the start on.
     pub curve: Vec<[f64; 2]>,
 }
@@ -218,7 +236,7 @@ pub(crate) fn quietly(
     })?;
     let job = (opened.job(), &*opened.read.deck_hash, false);
     let judge = Judge::showing(&model, (&said, &opened.read.sources), job);
-    let mut silent = Silent { judge, say, rows: Vec::new() };
+    let mut silent = Silent::of(judge, say);
     match room.run(&model, &mut silent) {
         Some(Ending::Completed(_)) => {}
         Some(Ending::NotConverged(_, said)) => return Err(because(&said)),

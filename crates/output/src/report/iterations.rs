@@ -1,6 +1,7 @@
 //! `JOB.msg` read back: how each increment converged.
 
-use slideline_solve::observe::IterationReport;
+use crate::number::general;
+use slideline_solve::observe::{FieldReport, IterationReport};
 
 /// Residual of a field and what it is held against.
 pub(crate) type Residual = [f64; 2];
@@ -51,10 +52,16 @@ pub(crate) fn iterated(list: &mut Vec<Attempt>, report: &IterationReport) {
         severe: report.severe,
         changes: report.contact_changes.len(),
         closed: report.closed,
-        force: [report.force.residual, report.force.allowed],
-        moment: [report.moment.residual, report.moment.allowed],
+        force: shown(&report.force),
+        moment: shown(&report.moment),
         converged: report.converged,
     });
+}
+
+/// Residual and tolerance with the digits that `JOB.msg` has.
+fn shown(field: &FieldReport) -> Residual {
+    let rounded = |value: f64| general(value, 4).parse().unwrap_or(f64::NAN);
+    [rounded(field.residual), rounded(field.allowed)]
 }
 
 /// Reads the attempts; lines that say something else are passed over.
