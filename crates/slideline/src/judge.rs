@@ -32,6 +32,7 @@ impl<'a> Judge<'a> {
             formats: Formats::default(),
             own_texts: 0,
             parameters: &[],
+            sensitivities: &[],
             earlier: None,
         };
         let records = Records::new(facts);

@@ -29,6 +29,7 @@ mod pages;
 mod parametric;
 mod read;
 mod run;
+mod sensitivities;
 mod version;
 
 pub use advice::{advise, mended};

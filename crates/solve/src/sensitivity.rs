@@ -22,4 +22,4 @@ pub use neighbour::{Level, Surroundings};
 pub use numbers::{bends, combine_starts, combine_states, is_same_branch, move_start, move_state};
 pub use parameter::{Parameter, SensitivityFault};
 pub use stencil::{OFFSETS, Side, Weights};
-pub use varied::Varied;
+pub use varied::{Varied, sensitivity_fault};

@@ -16,7 +16,7 @@ use crate::plan::{Plan, PlanMismatch};
 use crate::problem::Means;
 use crate::run::analysis::{Analysis, Room};
 use crate::run::options::Options;
-use crate::sensitivity::{Parameter, SensitivityFault, Varied};
+use crate::sensitivity::{Parameter, SensitivityFault, Varied, sensitivity_fault};
 use crate::values::Values;
 use rayon::ThreadPool;
 use slideline_model::Model;
@@ -78,6 +78,15 @@ impl Workspace {
         let mut varied = Varied::new(parameters, (&self.plan, model), users)?;
         let of = (model, Some(&mut varied));
         Ok(self.analyse(of, observer, |mut analysis, scratch| analysis.steps(scratch)))
+    }
+
+    /// Why the model has no derivative by a parameter, if it has none.
+    pub fn sensitivity_fault(
+        &self,
+        model: &Model,
+        parameter: &Parameter,
+    ) -> Option<SensitivityFault> {
+        sensitivity_fault(parameter, (&self.plan, model), &self.options.user_frictions)
     }
 
     /// Goes on from a checkpoint of the model; see [`resume`](crate::resume) and

@@ -9,6 +9,10 @@ use slideline::{
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+/// Part of a response that a change of a parameter by its own size changes, below which the response
+/// counts as independent [1].
+const LEAST: f64 = 1e-3;
+
 /// A response of a frame.
 pub type Response = fn(&Frame<'_>) -> f64;
 
@@ -126,15 +130,18 @@ impl Varied {
 
     /// Holds all derivatives against differences: no further apart than `tolerance` of the largest
     /// of the response.
-    pub fn check(&self, step: f64, tolerance: f64) -> Seen {
+    pub fn check(&self, steps: &[f64], tolerance: f64) -> Seen {
         let seen = self.differentiated();
         let mut wrong = String::new();
         for (k, name) in self.names.iter().enumerate() {
-            let differences = self.differences(k, step);
+            let differences = self.differences(k, steps[k.min(steps.len() - 1)]);
             assert_eq!(seen.rates[k].len(), differences.len());
             for of in 0..self.responses.len() {
                 let largest =
                     differences.iter().fold(0.0, |most: f64, row| most.max(row[of].abs()));
+                let size = seen.rows.iter().fold(0.0, |most: f64, row| most.max(row[of].abs()));
+                // what does not depend on a parameter has a derivative of rounding
+                let largest = largest.max(LEAST * size / self.values[k].abs());
                 let mut off = (0.0, 0);
                 for (row, (own, by)) in seen.rates[k].iter().zip(&differences).enumerate() {
                     let apart = (own[of] - by[of]).abs() / largest.max(f64::MIN_POSITIVE);

@@ -27,11 +27,13 @@ use slideline_model::Model;
 use std::ops::ControlFlow;
 
 /// The most corrections of the rates.
-const CORRECTIONS: usize = 8;
+const CORRECTIONS: usize = 20;
 /// Part of the rates that the last correction may have [1]; beyond, they are corrected again.
-const SETTLED: f64 = 1e-8;
+const SETTLED: f64 = 1e-12;
 /// The same where rounding forbids more.
-const ROUNDED: f64 = 1e-5;
+const ROUNDED: f64 = 1e-6;
+/// Part of a correction that the next one should not exceed [1]; where it does, it is of rounding.
+const SLOW: f64 = 0.3;
 /// Places of the steps with which one side is asked.
 const ONE_SIDED: [usize; 2] = [2, 4];
 
@@ -81,6 +83,19 @@ impl Increment<'_> {
     ) -> ControlFlow<Stop> {
         let Ok(border) = self.linearise(work) else { return ControlFlow::Continue(()) };
         let mut room = Room::default();
+        if std::env::var("GRAD_DEBUG").is_ok() && self.target.increment <= 2 {
+            let side = &mut room.sides[0];
+            side.evaluate_near(self.plan, self.old, self.target, (work, &Rates::default(), 0.0));
+            for dof in 0..work.u.len() {
+                let (a, b) = (side.evaluation.unbalanced(dof), work.evaluation.unbalanced(dof));
+                if a != b || side.u[dof] != work.u[dof] {
+                    eprintln!("dof {dof} {:?} u {:e} {:e} f {a:e} {b:e}", self.plan.dofs.name(dof), side.u[dof], work.u[dof]);
+                }
+            }
+            for (a, b) in side.evaluation.points.iter().zip(&work.evaluation.points) {
+                if a != b { eprintln!("point\n {a:?}\n {b:?}"); }
+            }
+        }
         for course in 0..varied.courses.len() {
             self.course((varied, course), (&border, work), &mut room, observer)?;
         }
@@ -118,11 +133,13 @@ impl Increment<'_> {
                 continue;
             }
             let own = &mut varied.courses[course];
+            let scale = own.parameter.scale;
             let (level, known) = own.parts(place);
             let weights = Weights::of(side, level.h);
             let around = self.surroundings(level, known, room);
             let problems = around.each_ref().map(|own| own.problem(self.plan, self.target.step));
-            let found = self.settle((&problems, weights, level.h), (border, work), known.0, room);
+            let found =
+                self.settle((&problems, weights, level.h), (border, work), (known.0, scale), room);
             let is_last = number + 1 == count;
             if found != Found::Branch && !(is_last && found == Found::Beyond) {
                 continue;
@@ -167,11 +184,12 @@ impl Increment<'_> {
         &self,
         (problems, weights, h): (&[Problem<'_>; 4], Weights, f64),
         (border, work): (&Border, &mut Scratch),
-        known: &[f64],
+        (known, scale): (&[f64], f64),
         room: &mut Room,
     ) -> Found {
         self.guess(known, room);
         let mut left = f64::INFINITY;
+        let pressed = self.new.points.iter().fold(0.0, |most: f64, own| most.max(own.pressure));
         for _ in 0..CORRECTIONS {
             if !self.evaluate((problems, weights, h), (border, work), room) {
                 return Found::Nothing;
@@ -180,8 +198,10 @@ impl Increment<'_> {
             if border.solve(work.solver(), (&mut *residual, &mut *defects)).is_err() {
                 return Found::Nothing;
             }
-            left = part(residual, &rates.unknowns);
-            if left <= SETTLED {
+            let before = left;
+            left = part(residual, &rates.unknowns, largest(&work.u) / scale);
+            left = left.max(part(defects, &rates.pressures, pressed / scale));
+            if left <= SETTLED || left <= ROUNDED && left > SLOW * before {
                 break;
             }
             rates.unknowns.iter_mut().zip(residual).for_each(|(rate, more)| *rate += *more);
@@ -195,7 +215,10 @@ impl Increment<'_> {
             after.copy_from(before);
             commit(&problems[k], before, self.target, &room.sides[k], after);
         }
-        if self.is_on_branch((problems, weights, h), room) { Found::Branch } else { Found::Beyond }
+        match self.is_on_branch((problems, weights), (h, scale), room) {
+            true => Found::Branch,
+            false => Found::Beyond,
+        }
     }
 
     /// First rates: those of the state before.
@@ -250,7 +273,8 @@ impl Increment<'_> {
     /// Whether the neighbours stand on the branch of the base.
     fn is_on_branch(
         &self,
-        (problems, weights, h): (&[Problem<'_>; 4], Weights, f64),
+        (problems, weights): (&[Problem<'_>; 4], Weights),
+        steps: (f64, f64),
         room: &Room,
     ) -> bool {
         let mut each = weights.each();
@@ -259,7 +283,7 @@ impl Increment<'_> {
             own.iter().zip(points).all(|(one, other)| is_same_branch(one, other))
                 && !leaves_hard_branch(&problems[k], &room.before[k], points)
         });
-        points && (weights.base != 0.0 || !bends(&room.after, self.new, h))
+        points && (weights.base != 0.0 || !bends(&room.after, self.new, steps))
     }
 
     /// Tells how frames follow the parameter.
@@ -293,9 +317,12 @@ impl Increment<'_> {
     }
 }
 
-/// The largest change in largest values.
-fn part(change: &[f64], of: &[f64]) -> f64 {
-    let largest = |list: &[f64]| list.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
+/// The largest change in largest rates, or in what counts as one.
+fn part(change: &[f64], of: &[f64], least: f64) -> f64 {
     let change = largest(change);
-    if change == 0.0 { 0.0 } else { change / (largest(of)).max(f64::MIN_POSITIVE) }
+    if change == 0.0 { 0.0 } else { change / largest(of).max(least).max(f64::MIN_POSITIVE) }
+}
+
+fn largest(list: &[f64]) -> f64 {
+    list.iter().fold(0.0, |most: f64, own| most.max(own.abs()))
 }

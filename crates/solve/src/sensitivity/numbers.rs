@@ -70,12 +70,14 @@ pub fn is_same_branch(one: &PointState, other: &PointState) -> bool {
 const SMOOTH: f64 = 1e-3;
 /// Part by which both sides may differ [1].
 const SIDES: f64 = 0.1;
+/// Rates that count as none, in the largest number over the scale of the parameter [1].
+const NOTHING: f64 = 1e-6;
 /// What rounding may do to numbers, in parts of the largest [1].
-const ROUNDING: f64 = 1e-10;
+const ROUNDING: f64 = 1e-11;
 
-/// Whether four neighbours with steps `h` and the base show a kink between them: differences with one
+/// Whether four neighbours with steps `h` of a parameter of that scale, and the base, show a kink between them: differences with one
 /// and two steps disagree, or those of both sides.
-pub fn bends(states: &[State; 4], base: &State, h: f64) -> bool {
+pub fn bends(states: &[State; 4], base: &State, (h, scale): (f64, f64)) -> bool {
     let lists: [fn(&State) -> &[f64]; 2] = [|own| &own.elements, |own| &own.reaction];
     lists.into_iter().any(|list| {
         let [a, b, c, d] = states.each_ref().map(list);
@@ -87,8 +89,8 @@ pub fn bends(states: &[State; 4], base: &State, h: f64) -> bool {
             apart = apart.max((c[i] - 2.0 * own + b[i]).abs() / h.abs());
             size = size.max(own.abs());
         }
-        let rounding = ROUNDING * size / h.abs();
-        bent > SMOOTH * rate + rounding || apart > SIDES * rate + rounding
+        let nothing = ROUNDING * size / h.abs() + NOTHING * size / scale;
+        bent > SMOOTH * rate + nothing || apart > SIDES * (rate + size / scale) + nothing
     })
 }
 

@@ -87,6 +87,15 @@ impl Varied {
     }
 }
 
+/// Why a model has no derivative by a parameter, if it has none.
+pub fn sensitivity_fault(
+    parameter: &Parameter,
+    (plan, model): (&Plan, &Model),
+    users: &UserFrictions,
+) -> Option<SensitivityFault> {
+    Varied::new(std::slice::from_ref(parameter), (plan, model), users).err()
+}
+
 impl Course {
     /// The neighbours with the step of a place that was made, and the derivatives of state and
     /// start.
